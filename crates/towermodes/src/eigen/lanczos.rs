@@ -1,0 +1,252 @@
+//! The Lanczos process for the lowest eigenvalues.
+//!
+//! The operator K⁻¹M is symmetric in the inner product xᵀ K y and has eigenvalues θ = 1/λ, so the lowest modes are its largest and
+//! come first. In that inner product the projection coefficients vᵢᵀ K (K⁻¹M v) = vᵢᵀ M v cost nothing extra, M is never factored,
+//! and a joint-coordinate K is the identity. All vectors are kept and every new one is orthogonalized twice against them: for the
+//! few dozen that towers need this is the cheap and safe way (Parlett, *The Symmetric Eigenvalue Problem*, 1998, ch. 13).
+
+use super::pencil::Pencil;
+use super::tridiagonal::diagonalize;
+use super::vector::{add_combination, dot, fill_pseudo_random, project, scale};
+
+/// A Ritz value counts as converged when its residual estimate is below this, relative to itself …
+const TOLERANCE: f64 = 1e-13;
+/// … or below this, relative to the largest Ritz value: no product is more accurate than that.
+const FLOOR: f64 = 2.0 * f64::EPSILON;
+/// Below this size a step costs less than a look at the Ritz values, so looks are taken at every second step only.
+const LOOK_AT_EVERY_STEP: usize = 1000;
+/// Steps beyond the number of wanted modes before the first look.
+const FIRST_LOOK: usize = 5;
+
+/// The state and the memory of a Lanczos process; a second process of the same size allocates nothing.
+#[derive(Debug, Default)]
+pub(super) struct Lanczos {
+    /// K-orthonormal vectors; the first `used` are in use, the rest keeps its memory.
+    basis: Vec<Vec<f64>>,
+    used: usize,
+    /// The projected operator: diagonal and off-diagonal.
+    alpha: Vec<f64>,
+    beta: Vec<f64>,
+    /// M v, then the next vector, then K times it.
+    image: Vec<f64>,
+    next: Vec<f64>,
+    stiff: Vec<f64>,
+    coefficients: Vec<f64>,
+    /// Copies of alpha, beta for diagonalization, the eigenvectors of the projected operator, and their falling order.
+    values: Vec<f64>,
+    off_diagonal: Vec<f64>,
+    components: Vec<f64>,
+    order: Vec<usize>,
+    /// Mass products so far.
+    pub(super) products: usize,
+}
+
+impl Lanczos {
+    /// Forgets everything but the memory.
+    pub(super) fn reset(&mut self, size: usize) {
+        self.used = 0;
+        self.alpha.clear();
+        self.beta.clear();
+        self.products = 0;
+        for vector in [&mut self.image, &mut self.next, &mut self.stiff] {
+            vector.clear();
+            vector.resize(size, 0.0);
+        }
+    }
+
+    /// Starts again beside `locked` eigenvectors (K-orthonormal, with their θ), which the new process leaves alone.
+    pub(super) fn lock(&mut self, locked: &[Vec<f64>], thetas: &[f64]) {
+        self.used = 0;
+        self.alpha.clear();
+        self.beta.clear();
+        for (vector, &theta) in locked.iter().zip(thetas) {
+            self.next.copy_from_slice(vector);
+            self.append(1.0);
+            self.alpha.push(theta);
+            self.beta.push(0.0);
+        }
+    }
+
+    /// Sets the first vector: the pencil's own, or pseudo-random ones for later attempts.
+    pub(super) fn start(&mut self, pencil: &mut dyn Pencil, attempt: usize) {
+        if attempt == 0 {
+            pencil.start(&mut self.next);
+        } else {
+            fill_pseudo_random(&mut self.next, attempt as u64);
+        }
+        self.append_orthonormalized(pencil, attempt);
+    }
+
+    /// Runs until the `wanted` largest Ritz values have converged or the space is exhausted.
+    ///
+    /// Returns false if the numbers are not finite.
+    pub(super) fn run(&mut self, pencil: &mut dyn Pencil, wanted: usize) -> bool {
+        let size = self.next.len();
+        loop {
+            let beta = self.step(pencil);
+            if !beta.is_finite() || !self.alpha.iter().all(|a| a.is_finite()) {
+                return false;
+            }
+            if self.used == size {
+                return self.diagonalize_fully();
+            }
+            let ahead = self.used.saturating_sub(wanted + FIRST_LOOK);
+            let look =
+                self.used >= wanted + FIRST_LOOK && (size >= LOOK_AT_EVERY_STEP || ahead % 2 == 0);
+            if look && self.has_converged(wanted, beta) {
+                return self.diagonalize_fully();
+            }
+            self.extend(pencil, beta);
+        }
+    }
+
+    /// One step: α of the newest vector; leaves the residual vector in `next` and returns its K-norm β.
+    fn step(&mut self, pencil: &mut dyn Pencil) -> f64 {
+        let basis = &self.basis[..self.used];
+        let newest = self.used - 1;
+        self.coefficients.resize(self.used, 0.0);
+        pencil.mass_times(&basis[newest], &mut self.image);
+        self.products += 1;
+        self.next.copy_from_slice(&self.image);
+        pencil.solve(&mut self.next);
+        project(basis, &self.image, &mut self.coefficients);
+        let mut alpha = self.coefficients[newest];
+        self.subtract_coefficients();
+        alpha += self.orthogonalize(pencil);
+        self.alpha.push(alpha);
+        dot(&self.next, &self.stiff).max(0.0).sqrt()
+    }
+
+    /// next ← next − V Vᵀ K next, once; leaves K next in `stiff` and returns the part along the newest vector.
+    fn orthogonalize(&mut self, pencil: &mut dyn Pencil) -> f64 {
+        let basis = &self.basis[..self.used];
+        self.coefficients.resize(self.used, 0.0);
+        pencil.stiffness_times(&self.next, &mut self.stiff);
+        project(basis, &self.stiff, &mut self.coefficients);
+        let along_newest = self.coefficients.last().copied().unwrap_or(0.0);
+        self.subtract_coefficients();
+        pencil.stiffness_times(&self.next, &mut self.stiff);
+        along_newest
+    }
+
+    fn subtract_coefficients(&mut self) {
+        self.coefficients.iter_mut().for_each(|c| *c = -*c);
+        add_combination(&self.basis[..self.used], &self.coefficients, &mut self.next);
+    }
+
+    /// Makes `next` the newest vector; a vanishing one means an invariant space, and a fresh direction goes on from there.
+    fn extend(&mut self, pencil: &mut dyn Pencil, beta: f64) {
+        let largest = self.alpha.iter().fold(0.0_f64, |a, x| a.max(x.abs()));
+        if beta > FLOOR * largest {
+            self.beta.push(beta);
+            self.append(1.0 / beta);
+        } else {
+            self.beta.push(0.0);
+            fill_pseudo_random(&mut self.next, self.used as u64);
+            self.append_orthonormalized(pencil, self.used);
+        }
+    }
+
+    /// Orthonormalizes `next` against the basis and appends it; if it lies in the basis's span, random ones are tried.
+    fn append_orthonormalized(&mut self, pencil: &mut dyn Pencil, seed: usize) {
+        for attempt in 0..4 {
+            pencil.stiffness_times(&self.next, &mut self.stiff);
+            let before = dot(&self.next, &self.stiff);
+            for _ in 0..2 {
+                self.orthogonalize(pencil);
+            }
+            let norm = dot(&self.next, &self.stiff).max(0.0).sqrt();
+            if norm > 1e-8 * before.max(0.0).sqrt() {
+                self.append(1.0 / norm);
+                return;
+            }
+            fill_pseudo_random(&mut self.next, (seed as u64) << 8 | (attempt + 1));
+        }
+        self.append(1.0);
+    }
+
+    /// Copies factor·next to the end of the basis, in memory that is there if a process was there before.
+    fn append(&mut self, factor: f64) {
+        if self.used == self.basis.len() {
+            self.basis.push(Vec::new());
+        }
+        let vector = &mut self.basis[self.used];
+        vector.clear();
+        vector.extend(self.next.iter().map(|x| factor * x));
+        self.used += 1;
+    }
+
+    /// Whether the residual estimates β |last component| of the `wanted` largest Ritz values are small.
+    fn has_converged(&mut self, wanted: usize, beta: f64) -> bool {
+        let size = self.used;
+        self.components.clear();
+        self.components.resize(size, 0.0);
+        self.components[size - 1] = 1.0;
+        if !self.diagonalize_into(1) {
+            return false;
+        }
+        let largest = self.values[self.order[0]];
+        self.order.iter().take(wanted).all(|&i| {
+            let allowed = (TOLERANCE * self.values[i]).max(FLOOR * largest);
+            beta * self.components[i].abs() <= allowed
+        })
+    }
+
+    fn diagonalize_fully(&mut self) -> bool {
+        let size = self.used;
+        self.components.clear();
+        self.components.resize(size * size, 0.0);
+        (0..size).for_each(|i| self.components[i * size + i] = 1.0);
+        self.diagonalize_into(size)
+    }
+
+    fn diagonalize_into(&mut self, rows: usize) -> bool {
+        let size = self.used;
+        self.values.clear();
+        self.values.extend_from_slice(&self.alpha);
+        self.off_diagonal.clear();
+        self.off_diagonal.extend_from_slice(&self.beta[..size - 1]);
+        let done = diagonalize(
+            &mut self.values,
+            &mut self.off_diagonal,
+            &mut self.components,
+            rows,
+        );
+        self.order.clear();
+        self.order.extend(0..size);
+        let values = &self.values;
+        self.order
+            .sort_unstable_by(|&a, &b| values[b].total_cmp(&values[a]));
+        done
+    }
+
+    /// The Ritz pair of the `index`-th largest Ritz value after [`run`](Self::run): writes the K-normalized vector and returns θ, its
+    /// Rayleigh quotient, and the relative residual ‖M u − θ K u‖/θ in the K⁻¹-norm.
+    pub(super) fn ritz_pair(
+        &mut self,
+        pencil: &mut dyn Pencil,
+        index: usize,
+        vector: &mut Vec<f64>,
+    ) -> (f64, f64) {
+        let size = self.used;
+        let column = self.order[index];
+        let components = &self.components[column * size..(column + 1) * size];
+        vector.clear();
+        vector.resize(self.next.len(), 0.0);
+        add_combination(&self.basis[..size], components, vector);
+        pencil.stiffness_times(vector, &mut self.stiff);
+        let norm = dot(vector, &self.stiff).sqrt();
+        scale(vector, 1.0 / norm);
+        scale(&mut self.stiff, 1.0 / norm);
+        pencil.mass_times(vector, &mut self.image);
+        self.products += 1;
+        let theta = dot(vector, &self.image);
+        for (image, stiff) in self.image.iter_mut().zip(&self.stiff) {
+            *image -= theta * stiff;
+        }
+        self.next.copy_from_slice(&self.image);
+        pencil.solve(&mut self.next);
+        let residual = dot(&self.image, &self.next).max(0.0).sqrt();
+        (theta, residual / theta)
+    }
+}

@@ -1,0 +1,199 @@
+//! The lowest eigenvalues of a symmetric pencil, each bounded, the list proved complete.
+
+mod certificate;
+mod error;
+mod lanczos;
+mod pencil;
+mod tridiagonal;
+mod vector;
+
+pub use error::EigenError;
+pub use pencil::Pencil;
+
+use certificate::Verdict;
+use lanczos::Lanczos;
+
+/// Restarts after a count that disagrees, before giving up.
+const MAX_RESTARTS: usize = 8;
+
+/// One eigenvalue with its bound.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Eigenvalue {
+    /// λ = ω², rad²/s².
+    pub lambda: f64,
+    /// Bound on |λ − λ_exact|/λ, algebraic and rounding error together.
+    pub relative_error: f64,
+}
+
+impl Eigenvalue {
+    /// √λ/2π, Hz.
+    pub fn frequency_hz(&self) -> f64 {
+        self.lambda.sqrt() / std::f64::consts::TAU
+    }
+
+    /// The bound as a frequency: f·(relative error)/2, Hz.
+    pub fn frequency_error_hz(&self) -> f64 {
+        0.5 * self.frequency_hz() * self.relative_error
+    }
+}
+
+/// What a solve cost.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct Statistics {
+    /// Products with the mass matrix.
+    pub products: usize,
+    /// Restarts because a count disagreed with the list.
+    pub restarts: usize,
+}
+
+impl std::ops::AddAssign for Statistics {
+    fn add_assign(&mut self, other: Self) {
+        self.products += other.products;
+        self.restarts += other.restarts;
+    }
+}
+
+/// The result of [`lowest`] and the memory it was found in; hand it back and a second solve of the same size allocates nothing.
+#[derive(Debug, Default)]
+pub struct EigenWorkspace {
+    lanczos: Lanczos,
+    vectors: Vec<Vec<f64>>,
+    thetas: Vec<f64>,
+    lambdas: Vec<f64>,
+    residuals: Vec<f64>,
+    eigenvalues: Vec<Eigenvalue>,
+}
+
+impl EigenWorkspace {
+    /// The eigenvalues of the last [`lowest`], rising.
+    pub fn eigenvalues(&self) -> &[Eigenvalue] {
+        &self.eigenvalues
+    }
+
+    /// The eigenvector u of an eigenvalue of the last [`lowest`]: uᵀ K u = 1, so uᵀ M u = 1/λ.
+    ///
+    /// # Panics
+    /// If there is no such eigenvalue.
+    pub fn vector(&self, index: usize) -> &[f64] {
+        assert!(index < self.eigenvalues.len(), "no eigenvector {index}");
+        &self.vectors[index]
+    }
+
+    /// Takes the converged Ritz pairs over, sorted by λ. Returns false if they are not numbers.
+    fn extract(&mut self, pencil: &mut dyn Pencil, wanted: usize) -> bool {
+        self.vectors
+            .resize_with(self.vectors.len().max(wanted), Vec::new);
+        self.thetas.clear();
+        self.lambdas.clear();
+        self.residuals.clear();
+        for index in 0..wanted {
+            let (theta, residual) = self
+                .lanczos
+                .ritz_pair(pencil, index, &mut self.vectors[index]);
+            self.thetas.push(theta);
+            self.lambdas.push(1.0 / theta);
+            self.residuals.push(residual);
+        }
+        self.sort();
+        let usable = |lambda: &f64| lambda.is_finite() && *lambda > 0.0;
+        self.lambdas.iter().all(usable) && self.residuals.iter().all(|r| r.is_finite())
+    }
+
+    /// Rayleigh quotients differ from Ritz values in the last digit, which can swap a near-degenerate pair: insertion sort.
+    fn sort(&mut self) {
+        for end in 1..self.lambdas.len() {
+            let mut i = end;
+            while i > 0 && self.lambdas[i] < self.lambdas[i - 1] {
+                self.lambdas.swap(i, i - 1);
+                self.thetas.swap(i, i - 1);
+                self.residuals.swap(i, i - 1);
+                self.vectors.swap(i, i - 1);
+                i -= 1;
+            }
+        }
+    }
+
+    /// Fills the eigenvalues with the bounds that a proved margin above the last one allows.
+    fn bound(&mut self, margin: f64, size: usize) {
+        self.eigenvalues.clear();
+        for (index, (&lambda, &residual)) in self.lambdas.iter().zip(&self.residuals).enumerate() {
+            let relative_error =
+                certificate::error_bound(&self.lambdas, index, residual, margin, size);
+            self.eigenvalues.push(Eigenvalue {
+                lambda,
+                relative_error,
+            });
+        }
+    }
+}
+
+/// Finds the `wanted` lowest eigenvalues of K u = λ M u and proves that none is missing.
+///
+/// The list may be longer than `wanted`: if the last one asked for and the next are closer than 1e-9, both are returned, because no
+/// count can be taken between them. The results are in the workspace.
+///
+/// # Errors
+/// [`EigenError`]: more wanted than there are, K not positive definite, numbers out of range, or a count that never agrees.
+pub fn lowest(
+    pencil: &mut dyn Pencil,
+    wanted: usize,
+    workspace: &mut EigenWorkspace,
+) -> Result<Statistics, EigenError> {
+    let size = pencil.size();
+    workspace.eigenvalues.clear();
+    if wanted > size {
+        return Err(EigenError::TooMany {
+            wanted,
+            available: size,
+        });
+    }
+    if wanted == 0 {
+        return Ok(Statistics::default());
+    }
+    let negative = pencil.factorize();
+    if negative > 0 {
+        return Err(EigenError::Unstable { negative });
+    }
+    find_until_complete(pencil, wanted, workspace)
+}
+
+fn find_until_complete(
+    pencil: &mut dyn Pencil,
+    wanted: usize,
+    workspace: &mut EigenWorkspace,
+) -> Result<Statistics, EigenError> {
+    let size = pencil.size();
+    let mut wanted = wanted;
+    workspace.lanczos.reset(size);
+    for restarts in 0.. {
+        workspace.lanczos.start(pencil, restarts);
+        if !workspace.lanczos.run(pencil, wanted) || !workspace.extract(pencil, wanted) {
+            return Err(EigenError::NotFinite);
+        }
+        match certificate::verify(pencil, &workspace.lambdas) {
+            Verdict::Complete { margin } => {
+                workspace.bound(margin, size);
+                return Ok(Statistics {
+                    products: workspace.lanczos.products,
+                    restarts,
+                });
+            }
+            Verdict::Disagrees { count, shift } => {
+                if restarts == MAX_RESTARTS || wanted == size {
+                    return Err(EigenError::Incomplete {
+                        found: wanted,
+                        counted: count,
+                        below_hz: shift.sqrt() / std::f64::consts::TAU,
+                        restarts,
+                    });
+                }
+                // Keep what was found; what was missed is in its complement.
+                workspace
+                    .lanczos
+                    .lock(&workspace.vectors[..wanted], &workspace.thetas);
+                wanted = wanted.max(count).min(size);
+            }
+        }
+    }
+    unreachable!("the loop ends by return")
+}

@@ -1,0 +1,28 @@
+//! The only thing the eigensolver knows of a model.
+
+/// A symmetric eigenvalue problem K u = λ M u with K positive definite and M positive semidefinite.
+///
+/// λ = ω² in rad²/s²; vectors have length [`size`](Self::size). Implementations keep their working memory inside, hence
+/// `&mut self`; results must not depend on what was asked before.
+pub trait Pencil {
+    /// Number of unknowns.
+    fn size(&self) -> usize;
+
+    /// out = M x.
+    fn mass_times(&mut self, x: &[f64], out: &mut [f64]);
+
+    /// out = K x.
+    fn stiffness_times(&mut self, x: &[f64], out: &mut [f64]);
+
+    /// The number of eigenvalues below `shift` (rad²/s²), by the inertia of K − shift·M.
+    fn count_below(&mut self, shift: f64) -> usize;
+
+    /// Factors K for [`solve`](Self::solve) and returns the number of its negative eigenvalues (0 if K is positive definite).
+    fn factorize(&mut self) -> usize;
+
+    /// x ← K⁻¹ x, after [`factorize`](Self::factorize).
+    fn solve(&mut self, x: &mut [f64]);
+
+    /// A start vector with a part in every low mode.
+    fn start(&mut self, out: &mut [f64]);
+}

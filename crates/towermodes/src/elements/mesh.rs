@@ -1,0 +1,198 @@
+//! Where a tower is cut into segments.
+//!
+//! A step, a kink or a point mass is always a segment border. Between borders the segments are equal, and their number is shared out
+//! by length.
+
+use crate::tower::{Piece, Tower};
+
+/// A part of a linear piece, cut into equal segments.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Span {
+    /// The part.
+    pub piece: Piece,
+    /// Into how many equal segments it is cut.
+    pub segments: usize,
+}
+
+/// The segments of a tower from the base to the top.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Mesh {
+    spans: Vec<Span>,
+    borders_m: Vec<f64>,
+}
+
+impl Mesh {
+    /// Cuts a tower into `segments`, or as many as it has spans if that is more.
+    ///
+    /// An even number is shared out in pairs where there are enough, so that [`halved`](Self::halved) exists.
+    pub fn new(tower: &Tower, segments: usize) -> Self {
+        let pieces = spans_of(tower);
+        let lengths: Vec<f64> = pieces.iter().map(Piece::length_m).collect();
+        let counts = if segments % 2 == 0 && segments / 2 >= pieces.len() {
+            let mut halves = shared_by_length(&lengths, segments / 2);
+            halves.iter_mut().for_each(|count| *count *= 2);
+            halves
+        } else {
+            shared_by_length(&lengths, segments)
+        };
+        let spans = pieces.into_iter().zip(counts);
+        Self::from_spans(
+            spans
+                .map(|(piece, segments)| Span { piece, segments })
+                .collect(),
+        )
+    }
+
+    /// The fewest segments a tower can be cut into: its steps, kinks and point masses make them.
+    pub fn fewest_segments(tower: &Tower) -> usize {
+        spans_of(tower).len()
+    }
+
+    /// Every two segments as one, if every span has an even number of them.
+    pub fn halved(&self) -> Option<Self> {
+        let even = self.spans.iter().all(|span| span.segments % 2 == 0);
+        even.then(|| self.with_segments(|segments| segments / 2))
+    }
+
+    /// Every segment as two.
+    pub fn doubled(&self) -> Self {
+        self.with_segments(|segments| 2 * segments)
+    }
+
+    fn with_segments(&self, change: impl Fn(usize) -> usize) -> Self {
+        let changed = self.spans.iter().map(|span| Span {
+            segments: change(span.segments),
+            ..*span
+        });
+        Self::from_spans(changed.collect())
+    }
+
+    fn from_spans(spans: Vec<Span>) -> Self {
+        let total: usize = spans.iter().map(|span| span.segments).sum();
+        let mut borders_m = Vec::with_capacity(total + 1);
+        for span in &spans {
+            let (base_m, length_m) = (span.piece.base_m, span.piece.length_m());
+            let border = |k: usize| base_m + length_m * (k as f64 / span.segments as f64);
+            borders_m.extend((0..span.segments).map(border));
+        }
+        borders_m.extend(spans.last().map(|span| span.piece.top_m));
+        Self { spans, borders_m }
+    }
+
+    /// Number of segments.
+    pub fn segments(&self) -> usize {
+        self.borders_m.len().saturating_sub(1)
+    }
+
+    /// The spans from the base to the top.
+    pub fn spans(&self) -> &[Span] {
+        &self.spans
+    }
+
+    /// The segment borders from the base to the top, m: one more than there are segments.
+    pub fn borders_m(&self) -> &[f64] {
+        &self.borders_m
+    }
+
+    /// The borders of each span, with its piece: a slice one longer than the span's number of segments.
+    pub fn spans_with_borders(&self) -> impl Iterator<Item = (&Piece, &[f64])> {
+        let mut first = 0;
+        self.spans.iter().map(move |span| {
+            let borders = &self.borders_m[first..=first + span.segments];
+            first += span.segments;
+            (&span.piece, borders)
+        })
+    }
+
+    /// The piece that a segment is a part of.
+    pub fn piece_of(&self, segment: usize) -> &Piece {
+        let middle_m = 0.5 * (self.borders_m[segment] + self.borders_m[segment + 1]);
+        let span = self
+            .spans
+            .partition_point(|span| span.piece.top_m < middle_m);
+        &self.spans[span.min(self.spans.len() - 1)].piece
+    }
+}
+
+/// The tower's linear pieces, cut at the point masses.
+fn spans_of(tower: &Tower) -> Vec<Piece> {
+    let mut spans = Vec::with_capacity(tower.pieces().len());
+    let mut masses = tower
+        .point_masses()
+        .iter()
+        .map(|mass| mass.height_m)
+        .peekable();
+    for piece in tower.pieces() {
+        let mut base_m = piece.base_m;
+        while let Some(height_m) = masses.next_if(|&height_m| height_m < piece.top_m) {
+            if height_m > base_m {
+                spans.push(piece.part(base_m, height_m));
+                base_m = height_m;
+            }
+        }
+        spans.push(piece.part(base_m, piece.top_m));
+    }
+    spans
+}
+
+/// Shares `total` out over the lengths, at least one to each: the whole parts first, then the largest remainders.
+fn shared_by_length(lengths: &[f64], total: usize) -> Vec<usize> {
+    let total = total.max(lengths.len());
+    let mut is_short = vec![false; lengths.len()];
+    // A length that would get less than one gets one, and the rest is shared out among the others.
+    let quota = loop {
+        let shorts = is_short.iter().filter(|short| **short).count();
+        let length: f64 = lengths
+            .iter()
+            .zip(&is_short)
+            .filter(|(_, short)| !**short)
+            .map(|(l, _)| l)
+            .sum();
+        let quota = (total - shorts) as f64 / length;
+        let newly_short = |(l, short): (&f64, &bool)| !short && l * quota < 1.0;
+        let newly: Vec<bool> = lengths.iter().zip(&is_short).map(newly_short).collect();
+        // Rounding must not make the last one short too.
+        if !newly.contains(&true) || shorts + 1 >= lengths.len() {
+            break quota;
+        }
+        is_short
+            .iter_mut()
+            .zip(newly)
+            .for_each(|(short, newly)| *short |= newly);
+    };
+    let ideal = |i: usize| if is_short[i] { 1.0 } else { lengths[i] * quota };
+    let mut counts: Vec<usize> = (0..lengths.len())
+        .map(|i| (ideal(i) as usize).max(1))
+        .collect();
+    let mut by_remainder: Vec<usize> = (0..lengths.len()).collect();
+    by_remainder.sort_by(|&a, &b| {
+        let remainder = |i: usize| ideal(i) - counts[i] as f64;
+        remainder(b).total_cmp(&remainder(a))
+    });
+    let missing = total.saturating_sub(counts.iter().sum());
+    for index in by_remainder.into_iter().cycle().take(missing) {
+        counts[index] += 1;
+    }
+    counts
+}
+
+#[cfg(test)]
+mod tests {
+    use super::shared_by_length;
+
+    #[test]
+    fn equal_lengths_share_equally() {
+        assert_eq!(shared_by_length(&[2.0, 2.0, 2.0], 9), [3, 3, 3]);
+    }
+
+    #[test]
+    fn everything_gets_at_least_one_and_the_sum_is_kept() {
+        assert_eq!(shared_by_length(&[1e-3, 10.0, 30.0], 9), [1, 2, 6]);
+        assert_eq!(shared_by_length(&[1.0, 1e-9, 1e-9], 3), [1, 1, 1]);
+        assert_eq!(shared_by_length(&[1.0, 2.0, 3.0, 4.0], 2), [1, 1, 1, 1]);
+        for total in 3..200 {
+            let counts = shared_by_length(&[0.7, 13.1, 55.5], total);
+            assert_eq!(counts.iter().sum::<usize>(), total);
+        }
+    }
+}

@@ -1,0 +1,63 @@
+//! The rigid multibody joint element as published, with its misprints corrected.
+//!
+//! Nikolić & Šalinić, *Free vibration analysis of the horizontal axis wind turbine tower*. A segment of length L is a prismatic beam
+//! with the section at its middle, and becomes three rigid bodies, [0, L/4], [L/4, L/2] and [L/2, L], and two joints:
+//!
+//! | at | moves | springs |
+//! |---|---|---|
+//! | L/4 | both deflections, axial, torsion | 12EI/(L³(1+φ)), EA/L, GJ/L |
+//! | L/2 | both bending rotations | EI/L |
+//!
+//! The springs are those of the segment's exact static stiffness; φ = 12EI/(κGAL²) with shear, 0 without. Bending converges as
+//! n⁻², torsion and axial, whose joint is off the middle, only as n⁻¹.
+
+use super::Assembly;
+use crate::chain::{JointFlexibility, RigidBody};
+use crate::tower::{Piece, Section};
+
+/// Adds one segment between two heights (m).
+pub(super) fn add_segment(assembly: &mut Assembly<'_>, piece: &Piece, base_m: f64, top_m: f64) {
+    let length = top_m - base_m;
+    let at = |fraction: f64| base_m + fraction * length;
+    let section = piece.section_at(at(0.5));
+    let (slide, turn) = springs(&section, length);
+    prismatic_body(assembly, &section, base_m, at(0.25));
+    assembly.chains.add_joint(at(0.25), &slide);
+    prismatic_body(assembly, &section, at(0.25), at(0.5));
+    assembly.chains.add_joint(at(0.5), &turn);
+    prismatic_body(assembly, &section, at(0.5), top_m);
+}
+
+/// The flexibilities of the joint at L/4 and of the joint at L/2.
+fn springs(section: &Section, length: f64) -> (JointFlexibility, JointFlexibility) {
+    let bending = length / section.bending_n_m2;
+    let slide = JointFlexibility {
+        // L³(1+φ)/(12EI), with φ written out.
+        deflection_m_per_n: bending * length * length / 12.0
+            + section.shear_flexibility_per_n * length,
+        axial_m_per_n: length / section.axial_n,
+        torsion_per_n_m: length / section.torsion_n_m2,
+        ..JointFlexibility::default()
+    };
+    let turn = JointFlexibility {
+        bending_per_n_m: bending,
+        ..JointFlexibility::default()
+    };
+    (slide, turn)
+}
+
+/// A rigid prismatic rod between two heights (m), about its middle.
+fn prismatic_body(assembly: &mut Assembly<'_>, section: &Section, base_m: f64, top_m: f64) {
+    let length = top_m - base_m;
+    let mass_kg = section.mass_kg_per_m * length;
+    let rotary = section.rotary_inertia_kg_m * length;
+    let transverse = mass_kg * length * length / 12.0 + assembly.rotary_share() * rotary;
+    let body = RigidBody {
+        mass_kg,
+        first_moment_kg_m: 0.0,
+        inertia_xx_kg_m2: transverse,
+        inertia_yy_kg_m2: transverse,
+        inertia_zz_kg_m2: 2.0 * rotary,
+    };
+    assembly.chains.add_body(0.5 * (base_m + top_m), &body);
+}

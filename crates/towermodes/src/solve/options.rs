@@ -1,0 +1,102 @@
+//! What a user can ask for, and why it may be refused.
+
+use thiserror::Error;
+
+use crate::eigen::EigenError;
+use crate::elements::Method;
+
+/// Segments used unless told.
+pub const DEFAULT_SEGMENTS: usize = 100;
+/// Modes found unless told.
+pub const DEFAULT_MODES: usize = 8;
+/// Heights at which shapes are given unless told.
+pub const DEFAULT_POINTS: usize = 101;
+/// More segments than this are refused: the memory would be several gigabytes, and 10⁶ already keep every digit.
+pub const MAX_SEGMENTS: usize = 5_000_000;
+/// More heights than this are refused.
+pub const MAX_POINTS: usize = 1_000_000;
+/// Eigenvectors that would take more memory than this, in bytes, are refused.
+pub const MAX_VECTOR_BYTES: usize = 4 << 30;
+
+/// How to solve a tower.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Options {
+    /// The element.
+    pub method: Method,
+    /// Number of segments; `None` is [`DEFAULT_SEGMENTS`], or two for each linear piece if that is more.
+    pub segments: Option<usize>,
+    /// How many modes, from the lowest.
+    pub modes: usize,
+    /// At how many equal heights, base and top included, shapes are given.
+    pub points: usize,
+    /// Whether sections have rotary inertia in bending (false: an Euler-Bernoulli beam).
+    pub rotary_inertia: bool,
+}
+
+impl Default for Options {
+    fn default() -> Self {
+        Self {
+            method: Method::default(),
+            segments: None,
+            modes: DEFAULT_MODES,
+            points: DEFAULT_POINTS,
+            rotary_inertia: true,
+        }
+    }
+}
+
+/// Why a tower was not solved.
+#[derive(Debug, Clone, PartialEq, Error)]
+#[non_exhaustive]
+pub enum SolveError {
+    /// No segments, or too many.
+    #[error("{segments} segments cannot be used; the number must be from 1 to {MAX_SEGMENTS}")]
+    Segments {
+        /// The number asked for.
+        segments: usize,
+    },
+    /// No modes asked for.
+    #[error("no modes were asked for; the least is 1")]
+    NoModes,
+    /// More modes than degrees of freedom.
+    #[error(
+        "{modes} modes were asked for, but {segments} segments have only {available} degrees of freedom"
+    )]
+    TooManyModes {
+        /// The number asked for.
+        modes: usize,
+        /// Number of segments.
+        segments: usize,
+        /// Degrees of freedom.
+        available: usize,
+    },
+    /// Fewer heights than base and top, or too many.
+    #[error(
+        "shapes cannot be given at {points} heights; the number must be from 2 to {MAX_POINTS}"
+    )]
+    Points {
+        /// The number asked for.
+        points: usize,
+    },
+    /// More memory than a workstation has to spare.
+    #[error(
+        "{modes} modes of {degrees_of_freedom} degrees of freedom would need more than {} GiB; ask for fewer of either",
+        MAX_VECTOR_BYTES >> 30
+    )]
+    TooLarge {
+        /// Modes asked for.
+        modes: usize,
+        /// Degrees of freedom.
+        degrees_of_freedom: usize,
+    },
+    /// The eigenvalues were not found.
+    #[error(transparent)]
+    Eigen(#[from] EigenError),
+}
+
+impl SolveError {
+    /// Whether the request is at fault, not the tower or the computation.
+    pub fn is_usage(&self) -> bool {
+        !matches!(self, Self::Eigen(_))
+    }
+}

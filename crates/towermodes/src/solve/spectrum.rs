@@ -1,0 +1,219 @@
+//! The lowest modes of all of a tower's chains together, and the proof that none is missing.
+
+use crate::chain::{ChainPencil, ChainWorkspace, DecoupledChains};
+use crate::eigen::{EigenError, EigenWorkspace, Eigenvalue, Pencil, Statistics, lowest};
+use crate::modes::Family;
+
+/// Relative distances above the last mode at which completeness is certified, widest first.
+const MARGINS: [f64; 4] = [1e-2, 1e-4, 1e-6, 1e-9];
+
+/// Eigenvalues and memory of all chains.
+#[derive(Debug, Default)]
+pub(super) struct Spectrum {
+    planar: ChainWorkspace<2>,
+    linear: ChainWorkspace<1>,
+    fore_aft: EigenWorkspace,
+    side_side: EigenWorkspace,
+    torsion: EigenWorkspace,
+    axial: EigenWorkspace,
+    pub(super) statistics: Statistics,
+}
+
+/// A mode found: its family, its order in it from 1, and its eigenvalue.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Found {
+    pub(super) family: Family,
+    pub(super) order: usize,
+    pub(super) eigenvalue: Eigenvalue,
+}
+
+/// A proof of completeness: `count` modes lie below `below`, rad²/s².
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Proof {
+    pub(super) count: usize,
+    pub(super) below: f64,
+}
+
+/// The chains that are solved: an equal plane once.
+fn chains_of(chains: &DecoupledChains) -> &'static [Family] {
+    if chains.planes_are_equal() {
+        &[Family::ForeAft, Family::Torsion, Family::Axial]
+    } else {
+        &[
+            Family::ForeAft,
+            Family::SideSide,
+            Family::Torsion,
+            Family::Axial,
+        ]
+    }
+}
+
+/// How many times the modes of a chain are there.
+fn multiplicity(chains: &DecoupledChains, family: Family) -> usize {
+    1 + usize::from(family == Family::ForeAft && chains.planes_are_equal())
+}
+
+impl Spectrum {
+    /// The eigenvalues and vectors of a family after a solve.
+    pub(super) fn of(&self, chains: &DecoupledChains, family: Family) -> &EigenWorkspace {
+        match family {
+            Family::SideSide if !chains.planes_are_equal() => &self.side_side,
+            Family::ForeAft | Family::SideSide => &self.fore_aft,
+            Family::Torsion => &self.torsion,
+            Family::Axial => &self.axial,
+        }
+    }
+
+    fn with_pencil<R>(
+        &mut self,
+        chains: &DecoupledChains,
+        family: Family,
+        act: impl FnOnce(&mut dyn Pencil, &mut EigenWorkspace) -> R,
+    ) -> R {
+        let (planar, linear) = (&mut self.planar, &mut self.linear);
+        match family {
+            Family::ForeAft => act(
+                &mut ChainPencil::new(&chains.fore_aft, planar),
+                &mut self.fore_aft,
+            ),
+            Family::SideSide => act(
+                &mut ChainPencil::new(&chains.side_side, planar),
+                &mut self.side_side,
+            ),
+            Family::Torsion => act(
+                &mut ChainPencil::new(&chains.torsion, linear),
+                &mut self.torsion,
+            ),
+            Family::Axial => act(
+                &mut ChainPencil::new(&chains.axial, linear),
+                &mut self.axial,
+            ),
+        }
+    }
+
+    fn size(&mut self, chains: &DecoupledChains, family: Family) -> usize {
+        self.with_pencil(chains, family, |pencil, _| pencil.size())
+    }
+
+    fn count_below(&mut self, chains: &DecoupledChains, family: Family, shift: f64) -> usize {
+        self.with_pencil(chains, family, |pencil, _| pencil.count_below(shift))
+    }
+
+    /// Solves one chain for its `wanted` lowest modes.
+    pub(super) fn solve_family(
+        &mut self,
+        chains: &DecoupledChains,
+        family: Family,
+        wanted: usize,
+    ) -> Result<(), EigenError> {
+        let statistics = self.with_pencil(chains, family, |pencil, workspace| {
+            lowest(pencil, wanted, workspace)
+        })?;
+        self.statistics += statistics;
+        Ok(())
+    }
+
+    /// Solves for at least the `wanted` lowest modes of all chains together; returns all found, sorted.
+    ///
+    /// Fore-aft bending, the softest, is solved first; its highest mode bounds how many the others must give.
+    pub(super) fn solve(
+        &mut self,
+        chains: &DecoupledChains,
+        wanted: usize,
+    ) -> Result<Vec<Found>, EigenError> {
+        self.statistics = Statistics::default();
+        let families = chains_of(chains);
+        let size = self.size(chains, Family::ForeAft);
+        let share = 1 + usize::from(families.len() < 4 || wanted > 1);
+        let mut bending = wanted.div_ceil(share).min(size);
+        loop {
+            self.solve_family(chains, Family::ForeAft, bending)?;
+            let ceiling = self.fore_aft.eigenvalues().last().map_or(0.0, |e| e.lambda);
+            let mut total =
+                self.fore_aft.eigenvalues().len() * multiplicity(chains, Family::ForeAft);
+            let mut others = [0; 3];
+            for (count, &family) in others.iter_mut().zip(&families[1..]) {
+                // Just above the ceiling, so that a mode equal to it counts.
+                *count = self.count_below(chains, family, ceiling * (1.0 + 1e-9));
+                total += *count;
+            }
+            if total < wanted && bending < size {
+                bending = (bending + (wanted - total)).min(size);
+                continue;
+            }
+            for (&count, &family) in others.iter().zip(&families[1..]) {
+                // With bending exhausted there is no ceiling: anything may be among the lowest.
+                let all = wanted.min(self.size(chains, family));
+                let count = if total < wanted { all } else { count };
+                self.solve_family(chains, family, count)?;
+            }
+            return Ok(self.sorted(chains));
+        }
+    }
+
+    /// All modes found, by frequency; of a repeated pair the fore-aft mode first.
+    fn sorted(&self, chains: &DecoupledChains) -> Vec<Found> {
+        let families = [
+            Family::ForeAft,
+            Family::SideSide,
+            Family::Torsion,
+            Family::Axial,
+        ];
+        let mut found: Vec<Found> = Vec::new();
+        for family in families {
+            let eigenvalues = self.of(chains, family).eigenvalues();
+            found.extend(
+                eigenvalues
+                    .iter()
+                    .enumerate()
+                    .map(|(index, &eigenvalue)| Found {
+                        family,
+                        order: index + 1,
+                        eigenvalue,
+                    }),
+            );
+        }
+        found.sort_by(|a, b| a.eigenvalue.lambda.total_cmp(&b.eigenvalue.lambda));
+        found
+    }
+
+    /// Counts the modes of all chains in the gap above `found[..listed]`.
+    ///
+    /// A mode that repeats the last of the list lies below the gap too, and is counted.
+    pub(super) fn prove(
+        &mut self,
+        chains: &DecoupledChains,
+        found: &[Found],
+        listed: usize,
+    ) -> Result<Proof, EigenError> {
+        let last = found[listed - 1].eigenvalue.lambda;
+        let repeats = found[listed..]
+            .iter()
+            .take_while(|f| f.eigenvalue.lambda == last)
+            .count();
+        let expected = listed + repeats;
+        if expected == chains.degrees_of_freedom() {
+            return Ok(Proof {
+                count: expected,
+                below: last * (1.0 + MARGINS[0]),
+            });
+        }
+        let mut count = 0;
+        for margin in MARGINS {
+            let below = last * (1.0 + margin);
+            count = chains_of(chains)
+                .iter()
+                .map(|&f| multiplicity(chains, f) * self.count_below(chains, f, below))
+                .sum();
+            if count == expected {
+                return Ok(Proof { count, below });
+            }
+        }
+        Err(EigenError::Incomplete {
+            found: listed,
+            counted: count,
+            below_hz: last.sqrt() / std::f64::consts::TAU,
+            restarts: self.statistics.restarts,
+        })
+    }
+}

@@ -1,0 +1,138 @@
+//! What a user says about a tower, before anything is checked.
+
+use super::material::Material;
+
+/// One row of the tower's geometry: the tube at a height. Between rows diameter and wall are linear.
+///
+/// Two rows at the same height are a step.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Station {
+    /// Height z, m, in the user's own datum; the lowest station is the clamped base.
+    pub height_m: f64,
+    /// Outer diameter, m.
+    pub outer_diameter_m: f64,
+    /// Wall thickness, m.
+    pub wall_thickness_m: f64,
+    /// Index into [`TowerDescription::materials`] of the tower between this station and the next one up.
+    pub material: usize,
+}
+
+impl Station {
+    /// A station in the first material.
+    pub fn new(height_m: f64, outer_diameter_m: f64, wall_thickness_m: f64) -> Self {
+        Self {
+            height_m,
+            outer_diameter_m,
+            wall_thickness_m,
+            material: 0,
+        }
+    }
+}
+
+/// The inertia tensor of the rotor-nacelle assembly about its own centre of mass, kg m².
+///
+/// Products of inertia are the entries of the tensor (xy = −∫ x y dm).
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Inertia {
+    /// About the fore-aft axis (resists side-side rotation), kg m².
+    pub xx: f64,
+    /// About the side-side axis (resists fore-aft rotation), kg m².
+    pub yy: f64,
+    /// About the tower axis (resists torsion), kg m².
+    pub zz: f64,
+    /// Entry xy, kg m².
+    pub xy: f64,
+    /// Entry xz, kg m².
+    pub xz: f64,
+    /// Entry yz, kg m².
+    pub yz: f64,
+}
+
+/// The rotor-nacelle assembly: a rigid body on the tower top. All zero means there is none.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Rna {
+    /// Mass, kg.
+    pub mass_kg: f64,
+    /// Centre of mass from the tower top, m: x fore-aft (downwind), y side-side, z up.
+    pub center_m: [f64; 3],
+    /// Inertia about the centre of mass, kg m².
+    pub inertia_kg_m2: Inertia,
+}
+
+impl Rna {
+    /// A point mass at the tower top.
+    pub fn point(mass_kg: f64) -> Self {
+        Self {
+            mass_kg,
+            ..Self::default()
+        }
+    }
+}
+
+/// A mass on the tower's axis without inertia of its own: a flange, a platform, a transformer.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct PointMass {
+    /// Height z, m, in the datum of the stations.
+    pub height_m: f64,
+    /// Mass, kg.
+    pub mass_kg: f64,
+}
+
+/// Whether the beam deforms in shear.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub enum Shear {
+    /// No shear deformation: a Rayleigh beam (Euler-Bernoulli bending with rotary inertia).
+    #[default]
+    Rigid,
+    /// Timoshenko beam, Cowper's (1966) coefficient of each section's tube.
+    Cowper,
+    /// Timoshenko beam with this coefficient κ everywhere (0 < κ ≤ 1).
+    Coefficient(f64),
+}
+
+/// Everything a user says about a tower. [`Tower::new`](super::Tower::new) checks it.
+///
+/// # Example
+/// ```
+/// use towermodes::{Material, Rna, Station, Tower, TowerDescription};
+///
+/// let tower = Tower::new(TowerDescription {
+///     materials: vec![Material::from_shear_modulus(8500.0, 2.1e11, 8.08e10)],
+///     stations: vec![Station::new(0.0, 6.0, 0.027), Station::new(87.6, 3.87, 0.019)],
+///     rna: Rna::point(350e3),
+///     ..TowerDescription::default()
+/// })?;
+/// assert!((tower.mass_kg() - 267_586.067).abs() < 1e-3);
+/// # Ok::<(), towermodes::TowerError>(())
+/// ```
+#[derive(Debug, Clone, PartialEq)]
+pub struct TowerDescription {
+    /// What the user calls it.
+    pub name: String,
+    /// The materials that stations refer to.
+    pub materials: Vec<Material>,
+    /// The geometry from the base to the top; at least two rows.
+    pub stations: Vec<Station>,
+    /// Multiplies the density of the tower (paint, bolts, platforms); 1 unless told.
+    pub outfitting_factor: f64,
+    /// Shear deformation; none unless told.
+    pub shear: Shear,
+    /// The rotor-nacelle assembly; none unless told.
+    pub rna: Rna,
+    /// Masses along the tower, in any order.
+    pub point_masses: Vec<PointMass>,
+}
+
+impl Default for TowerDescription {
+    fn default() -> Self {
+        Self {
+            name: String::new(),
+            materials: Vec::new(),
+            stations: Vec::new(),
+            outfitting_factor: 1.0,
+            shear: Shear::Rigid,
+            rna: Rna::default(),
+            point_masses: Vec::new(),
+        }
+    }
+}

@@ -1,0 +1,116 @@
+//! What a tower is: geometry, materials, masses; validated once, constant afterwards.
+
+mod description;
+mod error;
+mod integrals;
+mod material;
+mod piece;
+mod plausibility;
+mod section;
+mod validate;
+
+pub use description::{Inertia, PointMass, Rna, Shear, Station, TowerDescription};
+pub use error::{Place, Problem, TowerError};
+pub use integrals::{Compliance, MassIntegrals, compliance, mass_integrals};
+pub use material::Material;
+pub use piece::{Piece, Section};
+pub use section::Tube;
+
+/// A clamped tower that can exist: every property is finite and positive, every wall fits its tube.
+///
+/// Made by [`Tower::new`] from a [`TowerDescription`]; constant afterwards.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Tower {
+    name: String,
+    stations: Vec<Station>,
+    pieces: Vec<Piece>,
+    rna: Rna,
+    point_masses: Vec<PointMass>,
+    mass_kg: f64,
+}
+
+impl Tower {
+    /// Checks a description and makes the tower of it.
+    ///
+    /// # Errors
+    /// [`TowerError`] with the place and the numbers of the first thing that no tower can have.
+    pub fn new(description: TowerDescription) -> Result<Self, TowerError> {
+        validate::validate(&description)?;
+        let pieces = piece::pieces_of(
+            &description.stations,
+            &description.materials,
+            description.outfitting_factor,
+            description.shear,
+        );
+        let mut point_masses = description.point_masses;
+        point_masses.sort_by(|a, b| a.height_m.total_cmp(&b.height_m));
+        let mass_kg = pieces
+            .iter()
+            .map(|p| mass_integrals(p, p.base_m, p.top_m, p.base_m).mass_kg)
+            .sum::<f64>()
+            + point_masses.iter().map(|m| m.mass_kg).sum::<f64>();
+        Ok(Self {
+            name: description.name,
+            stations: description.stations,
+            pieces,
+            rna: description.rna,
+            point_masses,
+            mass_kg,
+        })
+    }
+
+    /// What the user calls it; may be empty.
+    pub fn name(&self) -> &str {
+        &self.name
+    }
+
+    /// The stations as they were given.
+    pub fn stations(&self) -> &[Station] {
+        &self.stations
+    }
+
+    /// The linear pieces from the base to the top; consecutive ones share a height.
+    pub fn pieces(&self) -> &[Piece] {
+        &self.pieces
+    }
+
+    /// The rotor-nacelle assembly.
+    pub fn rna(&self) -> &Rna {
+        &self.rna
+    }
+
+    /// The point masses by increasing height.
+    pub fn point_masses(&self) -> &[PointMass] {
+        &self.point_masses
+    }
+
+    /// Height z of the clamped base in the user's datum, m.
+    pub fn base_m(&self) -> f64 {
+        self.stations[0].height_m
+    }
+
+    /// Height z of the top in the user's datum, m.
+    pub fn top_m(&self) -> f64 {
+        self.stations[self.stations.len() - 1].height_m
+    }
+
+    /// Base to top, m.
+    pub fn height_m(&self) -> f64 {
+        self.top_m() - self.base_m()
+    }
+
+    /// Mass of the tower with its outfitting and point masses, without the rotor-nacelle assembly, kg.
+    pub fn mass_kg(&self) -> f64 {
+        self.mass_kg
+    }
+
+    /// Whether both bending planes are equal, so that each bending frequency is there twice.
+    pub fn planes_are_equal(&self) -> bool {
+        self.rna.inertia_kg_m2.xx == self.rna.inertia_kg_m2.yy
+    }
+
+    /// What looks like a slip in the input, though it is possible.
+    pub fn plausibility(&self) -> Vec<crate::Warning> {
+        plausibility::plausibility(self)
+    }
+}
