@@ -97,7 +97,7 @@ fn pieces(c: &mut Criterion) {
                 Method::RmjeExact,
                 true,
                 &mut chains,
-            )
+            );
         });
     });
     group.finish();

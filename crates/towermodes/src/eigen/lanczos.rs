@@ -91,8 +91,8 @@ impl Lanczos {
                 return self.diagonalize_fully();
             }
             let ahead = self.used.saturating_sub(wanted + FIRST_LOOK);
-            let look =
-                self.used >= wanted + FIRST_LOOK && (size >= LOOK_AT_EVERY_STEP || ahead % 2 == 0);
+            let look = self.used >= wanted + FIRST_LOOK
+                && (size >= LOOK_AT_EVERY_STEP || ahead.is_multiple_of(2));
             if look && self.has_converged(wanted, beta) {
                 return self.diagonalize_fully();
             }

@@ -129,8 +129,8 @@ impl EigenWorkspace {
 
 /// Finds the `wanted` lowest eigenvalues of K u = λ M u and proves that none is missing.
 ///
-/// The list may be longer than `wanted`: if the last one asked for and the next are closer than 1e-9, both are returned, because no
-/// count can be taken between them. The results are in the workspace.
+/// The list may be longer than `wanted`: no count can be taken between repeated eigenvalues, and whatever a count showed to be there is
+/// found too. The results are in the workspace.
 ///
 /// # Errors
 /// [`EigenError`]: more wanted than there are, K not positive definite, numbers out of range, or a count that never agrees.

@@ -28,7 +28,7 @@ impl Mesh {
     pub fn new(tower: &Tower, segments: usize) -> Self {
         let pieces = spans_of(tower);
         let lengths: Vec<f64> = pieces.iter().map(Piece::length_m).collect();
-        let counts = if segments % 2 == 0 && segments / 2 >= pieces.len() {
+        let counts = if segments.is_multiple_of(2) && segments / 2 >= pieces.len() {
             let mut halves = shared_by_length(&lengths, segments / 2);
             halves.iter_mut().for_each(|count| *count *= 2);
             halves

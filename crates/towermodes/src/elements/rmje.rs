@@ -9,7 +9,7 @@
 //! | L/2 | both bending rotations | EI/L |
 //!
 //! The springs are those of the segment's exact static stiffness; φ = 12EI/(κGAL²) with shear, 0 without. Bending converges as
-//! n⁻², torsion and axial, whose joint is off the middle, only as n⁻¹.
+//! n⁻², torsion and axial, whose joint is off the middle, only as n⁻¹; with shear, bending also ends as n⁻¹.
 
 use super::Assembly;
 use crate::chain::{JointFlexibility, RigidBody};

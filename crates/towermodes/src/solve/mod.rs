@@ -273,7 +273,7 @@ fn estimate_errors(
         let companion_hz =
             spectrum.of(chains, mode.family).eigenvalues()[mode.order - 1].frequency_hz();
         let order = match mode.family {
-            Family::ForeAft | Family::SideSide => options.method.bending_order(),
+            Family::ForeAft | Family::SideSide => options.method.bending_order(tower.shear()),
             Family::Torsion | Family::Axial => options.method.axial_order(),
         };
         let estimate = richardson(mode.frequency_hz, companion_hz, companion, order);

@@ -26,6 +26,7 @@ pub struct Tower {
     pieces: Vec<Piece>,
     rna: Rna,
     point_masses: Vec<PointMass>,
+    shear: Shear,
     mass_kg: f64,
 }
 
@@ -55,6 +56,7 @@ impl Tower {
             pieces,
             rna: description.rna,
             point_masses,
+            shear: description.shear,
             mass_kg,
         })
     }
@@ -82,6 +84,11 @@ impl Tower {
     /// The point masses by increasing height.
     pub fn point_masses(&self) -> &[PointMass] {
         &self.point_masses
+    }
+
+    /// Whether and how the tower deforms in shear.
+    pub fn shear(&self) -> Shear {
+        self.shear
     }
 
     /// Height z of the clamped base in the user's datum, m.

@@ -1,0 +1,196 @@
+//! Every description that no tower can have is refused with its place and numbers.
+
+mod towers;
+
+use towermodes::{
+    Inertia, Place, PointMass, Problem, Rna, Shear, Station, Tower, TowerDescription, TowerError,
+};
+use towers::reference;
+
+fn refused(change: impl FnOnce(&mut TowerDescription)) -> TowerError {
+    let mut description = reference();
+    change(&mut description);
+    Tower::new(description).expect_err("no tower can be like this")
+}
+
+fn place(change: impl FnOnce(&mut TowerDescription)) -> Place {
+    refused(change).place
+}
+
+const NOT_POSITIVE: [f64; 5] = [0.0, -1.0, f64::NAN, f64::INFINITY, f64::NEG_INFINITY];
+
+#[test]
+fn material_properties_must_be_positive_and_finite() {
+    for bad in NOT_POSITIVE {
+        let at = |key| Place::Material { index: 0, key };
+        assert_eq!(
+            place(|d| d.materials[0].density_kg_per_m3 = bad),
+            at("density")
+        );
+        assert_eq!(
+            place(|d| d.materials[0].youngs_modulus_pa = bad),
+            at("youngs_modulus")
+        );
+        assert_eq!(
+            place(|d| d.materials[0].shear_modulus_pa = bad),
+            at("shear_modulus")
+        );
+    }
+}
+
+#[test]
+fn poissons_ratio_is_between_minus_one_and_a_half() {
+    // E = 2.1e11: ν = 0.5 is G = 0.7e11.
+    let problem = refused(|d| d.materials[0].shear_modulus_pa = 0.69e11).problem;
+    assert!(
+        matches!(problem, Problem::ImpossibleModuli { poissons_ratio, .. } if poissons_ratio > 0.5)
+    );
+}
+
+#[test]
+fn station_values_must_be_positive_and_finite() {
+    for bad in NOT_POSITIVE {
+        let at = |key| Place::Station { index: 1, key };
+        assert_eq!(
+            place(|d| d.stations[1].outer_diameter_m = bad),
+            at("diameter")
+        );
+        assert_eq!(place(|d| d.stations[1].wall_thickness_m = bad), at("wall"));
+    }
+    for bad in [f64::NAN, f64::INFINITY] {
+        let at = Place::Station {
+            index: 1,
+            key: "height",
+        };
+        assert_eq!(place(|d| d.stations[1].height_m = bad), at);
+    }
+}
+
+#[test]
+fn a_wall_fits_into_its_tube() {
+    let error = refused(|d| d.stations[0].wall_thickness_m = 3.2);
+    let said = "station 1: outer diameter 6 m is less than twice the wall 3.2 m at z = 0 m";
+    assert_eq!(error.to_string(), said);
+    assert!(
+        Tower::new({
+            let mut solid = reference();
+            solid.stations[0].wall_thickness_m = 3.0;
+            solid
+        })
+        .is_ok()
+    );
+}
+
+#[test]
+fn heights_rise() {
+    let problem = |heights: &[f64]| {
+        let stations = heights
+            .iter()
+            .map(|&z| Station::new(z, 5.0, 0.03))
+            .collect();
+        let result = Tower::new(TowerDescription {
+            stations,
+            ..reference()
+        });
+        result.map_err(|error| error.problem)
+    };
+    assert_eq!(problem(&[]), Err(Problem::TooFewStations { count: 0 }));
+    assert_eq!(problem(&[0.0]), Err(Problem::TooFewStations { count: 1 }));
+    assert_eq!(
+        problem(&[3.0, 3.0]),
+        Err(Problem::NoHeight { height_m: 3.0 })
+    );
+    let falls = Problem::HeightDecreases {
+        height_m: 5.0,
+        previous_m: 9.0,
+    };
+    assert_eq!(problem(&[0.0, 9.0, 5.0]), Err(falls));
+    assert_eq!(
+        problem(&[0.0, 4.0, 4.0, 4.0, 9.0]),
+        Err(Problem::HeightThrice { height_m: 4.0 })
+    );
+    assert!(problem(&[0.0, 4.0, 4.0, 9.0]).is_ok());
+    assert!(problem(&[-1e308, 1e308]).is_err());
+}
+
+#[test]
+fn a_material_must_exist() {
+    let problem = refused(|d| d.stations[0].material = 1).problem;
+    assert_eq!(problem, Problem::UnknownMaterial { index: 1, count: 1 });
+}
+
+#[test]
+fn factors_are_checked() {
+    for bad in NOT_POSITIVE {
+        assert_eq!(
+            place(|d| d.outfitting_factor = bad),
+            Place::OutfittingFactor
+        );
+        assert_eq!(place(|d| d.shear = Shear::Coefficient(bad)), Place::Shear);
+    }
+    assert_eq!(place(|d| d.shear = Shear::Coefficient(1.1)), Place::Shear);
+}
+
+#[test]
+fn a_machine_is_heavy_and_on_the_axis() {
+    let rna = |change: fn(&mut Rna)| {
+        refused(|d| {
+            d.rna = Rna::point(3e5);
+            change(&mut d.rna);
+        })
+    };
+    assert_eq!(rna(|r| r.mass_kg = -1.0).place, Place::Rna { key: "mass" });
+    assert_eq!(
+        rna(|r| r.mass_kg = f64::NAN).place,
+        Place::Rna { key: "mass" }
+    );
+    assert_eq!(
+        rna(|r| r.center_m[2] = f64::NAN).place,
+        Place::Rna { key: "center" }
+    );
+    let eccentric = Problem::EccentricRna {
+        x_m: -0.4,
+        y_m: 0.0,
+    };
+    assert_eq!(rna(|r| r.center_m[0] = -0.4).problem, eccentric);
+    assert_eq!(
+        rna(|r| r.inertia_kg_m2.yy = -1.0).place,
+        Place::Rna { key: "inertia" }
+    );
+    let products = Problem::ProductsOfInertia {
+        xy: 0.0,
+        xz: 1e6,
+        yz: 0.0,
+    };
+    assert_eq!(rna(|r| r.inertia_kg_m2.xz = 1e6).problem, products);
+    let massless = refused(|d| {
+        d.rna.inertia_kg_m2 = Inertia {
+            zz: 1.0,
+            ..Inertia::default()
+        };
+    });
+    assert_eq!(massless.problem, Problem::InertiaWithoutMass);
+}
+
+#[test]
+fn point_masses_are_on_the_tower() {
+    let mass = |height_m: f64, mass_kg: f64| {
+        Tower::new(TowerDescription {
+            point_masses: vec![PointMass { height_m, mass_kg }],
+            ..reference()
+        })
+    };
+    for height_m in [-0.1, 87.7] {
+        let problem = Problem::OutsideTower {
+            height_m,
+            base_m: 0.0,
+            top_m: 87.6,
+        };
+        assert_eq!(mass(height_m, 1.0).map_err(|e| e.problem), Err(problem));
+    }
+    assert!(mass(f64::NAN, 1.0).is_err());
+    assert!(mass(40.0, -1.0).is_err());
+    for height_m in [0.0, 40.0, 87.6] {
+        assert!(mass(height_m, 5000.0).is_ok());
+    }
+}
