@@ -1,1 +1,29 @@
-fn main() {}
+//! The program `towermodes`: a wind turbine tower's natural frequencies and mode shapes from its drawing.
+//!
+//! Results go to standard output, everything else to standard error. Exit codes: 0 done; 1 the computation failed; 2 wrong usage or
+//! wrong input.
+
+mod args;
+mod failure;
+mod output;
+mod shell;
+mod solve;
+mod table;
+
+use std::process::ExitCode;
+
+use clap::Parser;
+
+use args::{Arguments, Command};
+
+fn main() -> ExitCode {
+    let done = match Arguments::parse().command {
+        Command::Solve(arguments) => solve::run(&arguments),
+        Command::Completions { shell } => shell::completions(shell),
+        Command::Man => shell::man(),
+    };
+    match done {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(failure) => failure.report(),
+    }
+}

@@ -1,1 +1,32 @@
-//! x
+//! Towers in, results out: the files of towermodes.
+//!
+//! Readers answer a mistake with its place in the file, what is wrong and what would be right ([`Diagnostic`]); writers produce what
+//! scripts read. Nothing here computes.
+//!
+//! ```
+//! let text = r#"
+//!     [material]
+//!     density = 8500.0
+//!     youngs_modulus = 2.1e11
+//!     shear_modulus = 8.08e10
+//!
+//!     [tower]
+//!     stations = [[0.0, 6.0, 0.027], [87.6, 3.87, 0.019]]
+//! "#;
+//! let tower = towermodes_files::tower_from_toml(text).expect("a tower");
+//! assert_eq!(tower.height_m(), 87.6);
+//!
+//! let mistake = text.replace("density", "densty");
+//! let diagnostics = towermodes_files::tower_from_toml(&mistake).expect_err("no tower");
+//! assert_eq!(diagnostics[0].hint.as_deref(), Some("did you mean `density`?"));
+//! ```
+
+mod diagnostic;
+mod result;
+mod source;
+mod toml;
+
+pub use diagnostic::Diagnostic;
+pub use result::{ResultError, write_csv, write_json};
+pub use source::{MAX_FILE_BYTES, ReadError, Source};
+pub use toml::tower_from_toml;

@@ -91,8 +91,9 @@ where
         lower(row, rise_m);
     }
     for lever in Dim::<D>::LEVERS {
-        for column in 0..D {
-            matrix[lever.by][column] += lever.sign * rise_m * matrix[lever.moved][column];
+        let moved = matrix[lever.moved];
+        for (entry, moved) in matrix[lever.by].iter_mut().zip(moved) {
+            *entry += lever.sign * rise_m * moved;
         }
     }
 }

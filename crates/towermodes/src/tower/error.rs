@@ -7,7 +7,7 @@ use thiserror::Error;
 /// Where in a [`TowerDescription`](super::TowerDescription) something is wrong.
 ///
 /// Indices count from 0; `key` is the name the quantity has in a TOML file.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Place {
     /// The list of stations as a whole.
     Stations,

@@ -1,0 +1,125 @@
+//! The command line.
+
+use std::path::PathBuf;
+
+use clap::builder::{PossibleValuesParser, TypedValueParser};
+use clap::{Args, Parser, Subcommand, ValueEnum};
+use towermodes::{DEFAULT_MODES, DEFAULT_POINTS, MAX_POINTS, MAX_SEGMENTS, Method, Options};
+
+/// Natural frequencies and mode shapes of wind turbine towers, certified.
+#[derive(Debug, Parser)]
+#[command(
+    name = "towermodes",
+    version,
+    after_help = "Example:\n  towermodes solve examples/nrel-5mw.toml"
+)]
+pub(crate) struct Arguments {
+    #[command(subcommand)]
+    pub(crate) command: Command,
+}
+
+/// What the program does.
+#[derive(Debug, Subcommand)]
+pub(crate) enum Command {
+    /// Find the lowest natural frequencies and mode shapes of a tower.
+    Solve(SolveArguments),
+    /// Print a completion script for a shell.
+    #[command(
+        after_help = "Example:\n  towermodes completions bash > ~/.local/share/bash-completion/completions/towermodes"
+    )]
+    Completions {
+        /// The shell.
+        shell: clap_complete::Shell,
+    },
+    /// Print the manual page.
+    #[command(after_help = "Example:\n  towermodes man | man -l -")]
+    Man,
+}
+
+/// How a result is printed.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub(crate) enum Format {
+    /// For people.
+    Table,
+    /// Everything, shapes included.
+    Json,
+    /// One line a mode.
+    Csv,
+}
+
+const EXAMPLES: &str = "Examples:
+  towermodes solve tower.toml
+  towermodes solve tower.toml --modes 20 --format json --output modes.json
+  towermodes solve tower.toml --method rmje --segments 60
+  generate-tower | towermodes solve - --format csv
+
+Exit codes: 0 done, 1 the computation failed, 2 wrong usage or wrong input.";
+
+/// The arguments of `solve`.
+#[derive(Debug, Args)]
+#[command(after_help = EXAMPLES)]
+pub(crate) struct SolveArguments {
+    /// The tower (TOML); - is standard input
+    pub(crate) file: PathBuf,
+
+    /// The element: rmje-exact takes tapers exactly, rmje is the published one
+    #[arg(long, default_value = Method::RmjeExact.name(), value_parser = method_parser())]
+    method: Method,
+
+    /// Segments [default: 100, or two for each linear piece of the tower if that is more]
+    #[arg(long, value_name = "N", value_parser = number_parser(1, MAX_SEGMENTS))]
+    segments: Option<usize>,
+
+    /// How many modes, from the lowest
+    #[arg(long, value_name = "K", default_value_t = DEFAULT_MODES, value_parser = number_parser(1, usize::MAX))]
+    modes: usize,
+
+    /// At how many equal heights the JSON gives shapes
+    #[arg(long, value_name = "P", default_value_t = DEFAULT_POINTS, value_parser = number_parser(2, MAX_POINTS))]
+    points: usize,
+
+    /// Leave the rotary inertia of the sections out of bending: an Euler-Bernoulli beam
+    #[arg(long)]
+    no_rotary_inertia: bool,
+
+    /// How the result is printed
+    #[arg(long, value_enum, default_value_t = Format::Table)]
+    pub(crate) format: Format,
+
+    /// Write the result to a file instead of standard output
+    #[arg(long, value_name = "PATH")]
+    pub(crate) output: Option<PathBuf>,
+}
+
+impl SolveArguments {
+    /// What the library is asked for.
+    pub(crate) fn options(&self) -> Options {
+        Options {
+            method: self.method,
+            segments: self.segments,
+            modes: self.modes,
+            points: self.points,
+            rotary_inertia: !self.no_rotary_inertia,
+        }
+    }
+}
+
+fn method_parser() -> impl TypedValueParser<Value = Method> {
+    let names = Method::ALL.map(Method::name);
+    PossibleValuesParser::new(names).map(|name| {
+        let named = Method::ALL.into_iter().find(|method| method.name() == name);
+        named.unwrap_or_default()
+    })
+}
+
+/// A whole number from `least` to `most`, with both in the message.
+fn number_parser(
+    least: usize,
+    most: usize,
+) -> impl Fn(&str) -> Result<usize, String> + Clone + Send + Sync {
+    move |text| match text.parse::<usize>() {
+        Ok(number) if (least..=most).contains(&number) => Ok(number),
+        _ if most == usize::MAX => Err(format!("must be a whole number, at least {least}")),
+        _ => Err(format!("must be a whole number from {least} to {most}")),
+    }
+}

@@ -1,0 +1,129 @@
+//! What is said, and with which exit code, when something fails.
+
+use std::io::{self, Write as _};
+use std::process::ExitCode;
+
+use annotate_snippets::{AnnotationKind, Group, Level, Renderer, Snippet};
+use towermodes::{SolveError, Warning};
+use towermodes_files::{Diagnostic, ReadError, ResultError, Source};
+
+/// Why the program ends without a result.
+#[derive(Debug)]
+pub(crate) enum Failure {
+    /// The file cannot be read.
+    Unreadable(ReadError),
+    /// The file is not a tower.
+    Mistakes(Source, Vec<Diagnostic>),
+    /// The request is impossible or the computation failed.
+    Unsolved(SolveError),
+    /// The result would overwrite the input.
+    OverwritesInput(String),
+    /// The result could not be written.
+    Unwritable(String, io::Error),
+}
+
+impl Failure {
+    /// Says what went wrong on standard error and gives the exit code.
+    pub(crate) fn report(&self) -> ExitCode {
+        match self {
+            // The reader of a pipe has seen enough: nothing is wrong.
+            Self::Unwritable(_, error) if error.kind() == io::ErrorKind::BrokenPipe => {
+                return ExitCode::SUCCESS;
+            }
+            Self::Mistakes(source, mistakes) => say(&mistakes_text(source, mistakes)),
+            Self::Unreadable(error) => say(&message(Level::ERROR, &error.to_string(), None)),
+            Self::Unsolved(error) => {
+                say(&message(Level::ERROR, &error.to_string(), hint(error)));
+            }
+            Self::OverwritesInput(path) => {
+                let text = format!("{path} is the tower itself; the result would overwrite it");
+                say(&message(
+                    Level::ERROR,
+                    &text,
+                    Some("give --output another path"),
+                ));
+            }
+            Self::Unwritable(name, error) => {
+                say(&message(Level::ERROR, &format!("{name}: {error}"), None));
+            }
+        }
+        ExitCode::from(self.code())
+    }
+
+    fn code(&self) -> u8 {
+        match self {
+            Self::Unsolved(error) if !error.is_usage() => 1,
+            Self::Unwritable(..) => 1,
+            _ => 2,
+        }
+    }
+}
+
+impl From<ResultError> for Failure {
+    fn from(error: ResultError) -> Self {
+        Self::Unwritable("the result".into(), io::Error::other(error))
+    }
+}
+
+/// Says what looks like a slip.
+pub(crate) fn warn(warnings: &[Warning]) {
+    for warning in warnings {
+        say(&message(Level::WARNING, &warning.to_string(), None));
+    }
+}
+
+/// Standard error may be closed; there is nobody left to tell then.
+fn say(text: &str) {
+    let _ = anstream::stderr().lock().write_all(text.as_bytes());
+}
+
+fn hint(error: &SolveError) -> Option<&'static str> {
+    match error {
+        SolveError::TooManyModes { .. } => {
+            Some("each segment has six; raise --segments or lower --modes")
+        }
+        SolveError::Eigen(_) => Some("look for a value with the wrong unit"),
+        _ => None,
+    }
+}
+
+fn message(level: Level<'_>, text: &str, hint: Option<&str>) -> String {
+    let group = Group::with_title(level.primary_title(text));
+    let group = match hint {
+        Some(hint) => group.element(Level::HELP.message(hint)),
+        None => group,
+    };
+    rendered(&[group])
+}
+
+/// Every mistake with its line, as compilers show them.
+fn mistakes_text(source: &Source, mistakes: &[Diagnostic]) -> String {
+    let mut text = String::new();
+    for mistake in mistakes {
+        let snippet = Snippet::source(&source.text)
+            .path(&source.name)
+            .annotation(AnnotationKind::Primary.span(visible(&source.text, mistake)));
+        let group =
+            Group::with_title(Level::ERROR.primary_title(&mistake.message)).element(snippet);
+        let group = match &mistake.hint {
+            Some(hint) => group.element(Level::HELP.message(hint.as_str())),
+            None => group,
+        };
+        text.push_str(&rendered(&[group]));
+    }
+    text
+}
+
+/// The part of a mistake's span that is on its first line, so that a long table is not printed whole.
+fn visible(text: &str, mistake: &Diagnostic) -> std::ops::Range<usize> {
+    let start = mistake.span.start.min(text.len());
+    let end = mistake.span.end.clamp(start, text.len());
+    let first_line = text.get(start..end).unwrap_or_default().lines().next();
+    start..start + first_line.map_or(0, str::len)
+}
+
+fn rendered(report: &[Group<'_>]) -> String {
+    let mut text = Renderer::styled().render(report);
+    text.push('\n');
+    text
+}

@@ -1,0 +1,32 @@
+//! Where results go.
+
+use std::io::Write;
+use std::path::Path;
+
+use crate::failure::Failure;
+
+/// Writes a finished result to a file, or to standard output.
+pub(crate) fn deliver(result: &[u8], output: Option<&Path>) -> Result<(), Failure> {
+    let (name, done) = match output {
+        Some(path) => (path.display().to_string(), std::fs::write(path, result)),
+        None => ("standard output".into(), to_standard_output(result)),
+    };
+    done.map_err(|error| Failure::Unwritable(name, error))
+}
+
+fn to_standard_output(result: &[u8]) -> std::io::Result<()> {
+    let mut stdout = anstream::stdout().lock();
+    stdout.write_all(result)?;
+    stdout.flush()
+}
+
+/// Refuses an output that is the input.
+pub(crate) fn check_not_input(input: &Path, output: Option<&Path>) -> Result<(), Failure> {
+    let Some(output) = output else {
+        return Ok(());
+    };
+    match (input.canonicalize(), output.canonicalize()) {
+        (Ok(a), Ok(b)) if a == b => Err(Failure::OverwritesInput(output.display().to_string())),
+        _ => Ok(()),
+    }
+}

@@ -1,0 +1,132 @@
+//! A solution for people.
+
+use comfy_table::{CellAlignment, Table, presets};
+use towermodes::{Mode, Solution, Tower};
+
+/// Frequencies are shown with at least this many decimals, and at most with those a number holds.
+const DECIMALS: std::ops::RangeInclusive<i32> = 4..=13;
+
+/// The modes as a table, and one line on what they are of.
+pub(crate) fn render(tower: &Tower, solution: &Solution) -> String {
+    let mut text = String::new();
+    if !tower.name().is_empty() {
+        text.push_str(tower.name());
+        text.push_str("\n\n");
+    }
+    text.push_str(&modes(solution));
+    text.push_str("\n\n");
+    text.push_str(&summary(tower, solution));
+    text.push('\n');
+    text
+}
+
+fn modes(solution: &Solution) -> String {
+    let mut table = Table::new();
+    table.load_style(presets::NOTHING);
+    table.set_header(["mode", "what it is", "frequency Hz", "± error", "period s"]);
+    let frequencies = aligned(
+        solution
+            .modes
+            .iter()
+            .map(|m| fixed(m.frequency_hz, decimals(m))),
+    );
+    let errors = aligned(solution.modes.iter().map(|m| fixed(error(m), decimals(m))));
+    for (mode, (frequency, error)) in solution.modes.iter().zip(frequencies.iter().zip(&errors)) {
+        table.add_row([
+            mode.number.to_string(),
+            mode.label(),
+            frequency.clone(),
+            error.clone(),
+            four_digits(1.0 / mode.frequency_hz),
+        ]);
+    }
+    for column in [0, 2, 3, 4] {
+        if let Some(column) = table.column_mut(column) {
+            column.set_cell_alignment(CellAlignment::Right);
+        }
+    }
+    table.trim_fmt()
+}
+
+/// The whole error: of the segments and of the eigenvalue computation.
+fn error(mode: &Mode) -> f64 {
+    mode.discretization_error_hz + mode.algebraic_error_hz
+}
+
+/// Decimals that show two digits of the error.
+fn decimals(mode: &Mode) -> usize {
+    let digits = 1 - error(mode).log10().floor() as i32;
+    usize::try_from(digits.clamp(*DECIMALS.start(), *DECIMALS.end())).unwrap_or_default()
+}
+
+fn fixed(value: f64, decimals: usize) -> String {
+    // Beyond what a table can hold in plain digits, the exponent says more.
+    if value >= 1e9 {
+        format!("{value:.6e}")
+    } else {
+        format!("{value:.decimals$}")
+    }
+}
+
+/// Pads numbers on the right so that their decimal points stand in one column.
+fn aligned(numbers: impl Iterator<Item = String>) -> Vec<String> {
+    let numbers: Vec<String> = numbers.collect();
+    let decimals = |number: &String| number.find('.').map_or(0, |point| number.len() - point);
+    let widest = numbers.iter().map(decimals).max().unwrap_or(0);
+    let padded = |number: String| {
+        let padding = widest - decimals(&number);
+        number + &" ".repeat(padding)
+    };
+    numbers.into_iter().map(padded).collect()
+}
+
+/// Four significant digits.
+fn four_digits(value: f64) -> String {
+    if !(1e-4..1e9).contains(&value) {
+        return format!("{value:.3e}");
+    }
+    let decimals = (3 - value.log10().floor() as i32).max(0);
+    format!("{value:.*}", usize::try_from(decimals).unwrap_or_default())
+}
+
+/// Tower mass, top mass, method, certificate.
+fn summary(tower: &Tower, solution: &Solution) -> String {
+    let tonnes = |kg: f64| format!("{:.3} t", kg / 1000.0);
+    let plural = if solution.segments == 1 { "" } else { "s" };
+    let (count, listed) = (solution.certificate.count, solution.modes.len());
+    let below = four_digits(solution.certificate.below_hz);
+    let certificate = if count == listed {
+        format!("certified: {count} modes below {below} Hz, all listed")
+    } else {
+        format!("certified: {count} modes below {below} Hz, the list cuts a pair")
+    };
+    format!(
+        "tower {}, top {} | {}, {} segment{plural} | {certificate}",
+        tonnes(tower.mass_kg()),
+        tonnes(tower.rna().mass_kg),
+        solution.method.name(),
+        solution.segments,
+    )
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{aligned, four_digits};
+
+    #[test]
+    fn decimal_points_stand_in_one_column() {
+        let numbers = ["0.25", "12.1234", "7"].map(String::from);
+        assert_eq!(
+            aligned(numbers.into_iter()),
+            ["0.25  ", "12.1234", "7     "]
+        );
+    }
+
+    #[test]
+    fn four_digits_whatever_the_size() {
+        assert_eq!(four_digits(3.33105), "3.331");
+        assert_eq!(four_digits(0.046_871), "0.04687");
+        assert_eq!(four_digits(123_456.0), "123456");
+        assert_eq!(four_digits(1e-7), "1.000e-7");
+    }
+}

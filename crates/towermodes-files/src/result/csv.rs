@@ -1,0 +1,56 @@
+//! A solution as CSV: one line a mode; shapes are in the JSON.
+
+use std::io::Write;
+
+use towermodes::{Family, Mode, Solution};
+
+use super::ResultError;
+
+const HEADER: [&str; 11] = [
+    "number",
+    "family",
+    "order",
+    "label",
+    "frequency_hz",
+    "period_s",
+    "algebraic_error_hz",
+    "discretization_error_hz",
+    "extrapolated_hz",
+    "modal_mass_kg",
+    "modal_inertia_kg_m2",
+];
+
+/// Writes the modes of a solution as CSV with a header.
+///
+/// # Errors
+/// [`ResultError`] if the writer refuses.
+pub fn write_csv(solution: &Solution, writer: impl Write) -> Result<(), ResultError> {
+    let mut csv = ::csv::Writer::from_writer(writer);
+    csv.write_record(HEADER)?;
+    for mode in &solution.modes {
+        csv.write_record(record(mode))?;
+    }
+    csv.flush()?;
+    Ok(())
+}
+
+fn record(mode: &Mode) -> [String; 11] {
+    let modal = mode.modal_mass.to_string();
+    let (mass, inertia) = match mode.family {
+        Family::Torsion => (String::new(), modal),
+        _ => (modal, String::new()),
+    };
+    [
+        mode.number.to_string(),
+        mode.family.name().to_owned(),
+        mode.order.to_string(),
+        mode.label(),
+        mode.frequency_hz.to_string(),
+        (1.0 / mode.frequency_hz).to_string(),
+        mode.algebraic_error_hz.to_string(),
+        mode.discretization_error_hz.to_string(),
+        mode.extrapolated_hz.to_string(),
+        mass,
+        inertia,
+    ]
+}
