@@ -31,9 +31,13 @@ pub(crate) enum Command {
         /// The shell.
         shell: clap_complete::Shell,
     },
-    /// Print the manual page.
-    #[command(after_help = "Example:\n  towermodes man | man -l -")]
-    Man,
+    /// Print the manual page, of the program or of one of its commands.
+    #[command(after_help = "Example:\n  towermodes man solve | man -l -")]
+    Man {
+        /// The command.
+        #[arg(value_parser = ["solve", "completions", "man"])]
+        of: Option<String>,
+    },
 }
 
 /// How a result is printed.

@@ -80,7 +80,7 @@ fn say(text: &str) {
 fn hint(error: &SolveError) -> Option<&'static str> {
     match error {
         SolveError::TooManyModes { .. } => {
-            Some("each segment has six; raise --segments or lower --modes")
+            Some("each segment has six: raise --segments or lower --modes")
         }
         SolveError::Eigen(_) => Some("look for a value with the wrong unit"),
         _ => None,
@@ -88,12 +88,9 @@ fn hint(error: &SolveError) -> Option<&'static str> {
 }
 
 fn message(level: Level<'_>, text: &str, hint: Option<&str>) -> String {
-    let group = Group::with_title(level.primary_title(text));
-    let group = match hint {
-        Some(hint) => group.element(Level::HELP.message(hint)),
-        None => group,
-    };
-    rendered(&[group])
+    let mut report = vec![Group::with_title(level.primary_title(text))];
+    report.extend(hint.map(|hint| Group::with_title(Level::HELP.secondary_title(hint))));
+    rendered(&report)
 }
 
 /// Every mistake with its line, as compilers show them.

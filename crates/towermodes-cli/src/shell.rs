@@ -14,22 +14,17 @@ pub(crate) fn completions(shell: Shell) -> Result<(), Failure> {
     deliver(&script, None)
 }
 
-/// `towermodes man`: the program and its commands on one page.
-pub(crate) fn man() -> Result<(), Failure> {
-    let command = Arguments::command();
+/// `towermodes man [COMMAND]`: the page of the program, or of one of its commands.
+pub(crate) fn man(of: Option<&str>) -> Result<(), Failure> {
+    let mut command = Arguments::command();
+    command.build();
+    let page_of = match of {
+        None => command,
+        Some(name) => command.find_subcommand(name).cloned().unwrap_or(command),
+    };
     let mut page = Vec::new();
-    let unwritable = |error| Failure::Unwritable("the manual page".into(), error);
-    clap_mangen::Man::new(command.clone())
-        .render(&mut page)
-        .map_err(unwritable)?;
-    for part in command.get_subcommands() {
-        let named = part.clone().name(format!("towermodes {}", part.get_name()));
-        let man = clap_mangen::Man::new(named);
-        man.render_synopsis_section(&mut page).map_err(unwritable)?;
-        man.render_description_section(&mut page)
-            .map_err(unwritable)?;
-        man.render_options_section(&mut page).map_err(unwritable)?;
-        man.render_extra_section(&mut page).map_err(unwritable)?;
-    }
+    let man = clap_mangen::Man::new(page_of);
+    man.render(&mut page)
+        .map_err(|error| Failure::Unwritable("the manual page".into(), error))?;
     deliver(&page, None)
 }

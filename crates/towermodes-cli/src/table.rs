@@ -24,14 +24,10 @@ fn modes(solution: &Solution) -> String {
     let mut table = Table::new();
     table.load_style(presets::NOTHING);
     table.set_header(["mode", "what it is", "frequency Hz", "± error", "period s"]);
-    let frequencies = aligned(
-        solution
-            .modes
-            .iter()
-            .map(|m| fixed(m.frequency_hz, decimals(m))),
-    );
-    let errors = aligned(solution.modes.iter().map(|m| fixed(error(m), decimals(m))));
-    for (mode, (frequency, error)) in solution.modes.iter().zip(frequencies.iter().zip(&errors)) {
+    let modes = || solution.modes.iter();
+    let frequencies = aligned(modes().map(|m| shown(m, m.frequency_hz)));
+    let errors = aligned(modes().map(|m| shown(m, error(m))));
+    for (mode, (frequency, error)) in modes().zip(frequencies.iter().zip(&errors)) {
         table.add_row([
             mode.number.to_string(),
             mode.label(),
@@ -53,19 +49,15 @@ fn error(mode: &Mode) -> f64 {
     mode.discretization_error_hz + mode.algebraic_error_hz
 }
 
-/// Decimals that show two digits of the error.
-fn decimals(mode: &Mode) -> usize {
-    let digits = 1 - error(mode).log10().floor() as i32;
-    usize::try_from(digits.clamp(*DECIMALS.start(), *DECIMALS.end())).unwrap_or_default()
-}
-
-fn fixed(value: f64, decimals: usize) -> String {
-    // Beyond what a table can hold in plain digits, the exponent says more.
-    if value >= 1e9 {
-        format!("{value:.6e}")
-    } else {
-        format!("{value:.decimals$}")
+/// A frequency or its error, with as many decimals as show two digits of the error.
+fn shown(mode: &Mode, value_hz: f64) -> String {
+    // Far from 1 Hz an exponent says more than a row of zeros.
+    if !(1e-4..1e6).contains(&mode.frequency_hz) {
+        return format!("{value_hz:.6e}");
     }
+    let decimals = 1 - error(mode).log10().floor() as i32;
+    let decimals = usize::try_from(decimals.clamp(*DECIMALS.start(), *DECIMALS.end()));
+    format!("{value_hz:.*}", decimals.unwrap_or_default())
 }
 
 /// Pads numbers on the right so that their decimal points stand in one column.

@@ -1,6 +1,10 @@
 //! A tower from TOML.
 
-mod sections;
+mod file;
+mod foundation;
+mod masses;
+mod materials;
+mod stations;
 mod table;
 mod values;
 
@@ -59,8 +63,8 @@ pub fn tower_from_toml(text: &str) -> Result<Tower, Vec<Diagnostic>> {
     }
     let document = DeTable::parse(text).map_err(|error| vec![syntax_mistake(&error, text)])?;
     let mut reading = Reading::default();
-    let root = Table::root(document.get_ref(), text.len());
-    let description = sections::description(&root, &mut reading);
+    let root = Table::root(document.get_ref(), text.len(), &file::FILE, &mut reading);
+    let description = file::description(&root, &mut reading);
     match description {
         Some(description) if reading.mistakes.is_empty() => checked(description, &reading),
         _ => Err(reading.mistakes),

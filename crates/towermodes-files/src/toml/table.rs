@@ -2,10 +2,10 @@
 
 use std::ops::Range;
 
-use serde_spanned::Spanned;
 use toml::de::{DeTable, DeValue};
 
 use super::Reading;
+use super::values::Value;
 use crate::diagnostic::Diagnostic;
 
 /// The keys a table may have.
@@ -16,26 +16,48 @@ pub(super) struct Keys {
     pub(super) planned: &'static [&'static str],
 }
 
-/// A table, where it stands, and what it is called in messages.
+/// A table, where it stands, what it is called in messages and what it may hold.
 pub(super) struct Table<'a> {
     entries: &'a DeTable<'a>,
     pub(super) span: Range<usize>,
     name: String,
+    keys: Option<&'static Keys>,
 }
 
 impl<'a> Table<'a> {
-    /// The whole file.
-    pub(super) fn root(entries: &'a DeTable<'a>, length: usize) -> Self {
-        Self {
+    /// The whole file; complains about unknown keys.
+    pub(super) fn root(
+        entries: &'a DeTable<'a>,
+        length: usize,
+        keys: &'static Keys,
+        reading: &mut Reading,
+    ) -> Self {
+        let table = Self {
             entries,
             span: length..length,
             name: "the file".into(),
-        }
+            keys: Some(keys),
+        };
+        table.check_keys(keys, reading);
+        table
     }
 
-    /// A value that should be a table.
+    /// A value that should be a table with certain keys; complains about others.
     pub(super) fn of(
-        value: &'a Spanned<DeValue<'a>>,
+        value: &'a Value<'a>,
+        name: impl Into<String>,
+        keys: &'static Keys,
+        reading: &mut Reading,
+    ) -> Option<Self> {
+        let mut table = Self::with_any_keys(value, name, reading)?;
+        table.keys = Some(keys);
+        table.check_keys(keys, reading);
+        Some(table)
+    }
+
+    /// A value that should be a table whose keys are names.
+    pub(super) fn with_any_keys(
+        value: &'a Value<'a>,
         name: impl Into<String>,
         reading: &mut Reading,
     ) -> Option<Self> {
@@ -45,6 +67,7 @@ impl<'a> Table<'a> {
                 entries,
                 span: value.span(),
                 name,
+                keys: None,
             }),
             other => {
                 let message = format!("{name} must be a table, not {}", kind(other));
@@ -60,17 +83,18 @@ impl<'a> Table<'a> {
     }
 
     /// Complains about keys that mean nothing, with the nearest one that does.
-    pub(super) fn check_keys(&self, keys: &Keys, reading: &mut Reading) {
+    fn check_keys(&self, keys: &Keys, reading: &mut Reading) {
         for key in self.entries.keys() {
             let name: &str = key.get_ref();
             if keys.known.contains(&name) {
                 continue;
             }
             let diagnostic = if keys.planned.contains(&name) {
-                let message = format!("`{name}` is not computed with by this version");
-                Diagnostic::new(key.span(), message).with_hint(format!(
-                    "remove it to solve the tower without it; ignoring `{name}` silently would give a wrong answer"
-                ))
+                let message = format!("this version does not compute with `{name}`");
+                let hint = format!(
+                    "remove it to solve the tower without; to ignore `{name}` would be a wrong answer"
+                );
+                Diagnostic::new(key.span(), message).with_hint(hint)
             } else {
                 let message = format!("`{name}` is not a key of {}", self.name);
                 Diagnostic::new(key.span(), message).with_hint(suggestion(name, keys.known))
@@ -80,27 +104,34 @@ impl<'a> Table<'a> {
     }
 
     /// A value that may be there.
-    pub(super) fn get(&self, key: &str) -> Option<&'a Spanned<DeValue<'a>>> {
+    pub(super) fn get(&self, key: &str) -> Option<&'a Value<'a>> {
         self.entries.get(key)
     }
 
-    /// A value that must be there.
+    /// A value that must be there. If it is there misspelled, that was said already.
     pub(super) fn require(
         &self,
         key: &str,
         hint: &str,
         reading: &mut Reading,
-    ) -> Option<&'a Spanned<DeValue<'a>>> {
+    ) -> Option<&'a Value<'a>> {
         let value = self.get(key);
-        if value.is_none() {
+        if value.is_none() && !self.has_misspelled(key) {
             let message = format!("{} has no `{key}`", self.name);
             reading.mistake(Diagnostic::new(self.span.clone(), message).with_hint(hint));
         }
         value
     }
 
+    /// Whether an unknown key looks like this one.
+    pub(super) fn has_misspelled(&self, key: &str) -> bool {
+        let known = self.keys.map_or(&[][..], |keys| keys.known);
+        let mut names = self.entries.keys().map(|name| &**name.get_ref());
+        names.any(|name| !known.contains(&name) && nearest(name, known) == Some(key))
+    }
+
     /// All entries, in the order of their names.
-    pub(super) fn entries(&self) -> impl Iterator<Item = (&'a str, &'a Spanned<DeValue<'a>>)> {
+    pub(super) fn entries(&self) -> impl Iterator<Item = (&'a str, &'a Value<'a>)> {
         self.entries
             .iter()
             .map(|(key, value)| (&**key.get_ref(), value))
@@ -109,12 +140,17 @@ impl<'a> Table<'a> {
 
 /// The nearest known key, or all of them.
 pub(super) fn suggestion(name: &str, known: &[&str]) -> String {
-    let distance = |key: &&&str| strsim::damerau_levenshtein(name, key);
-    let nearest = known.iter().min_by_key(distance);
-    match nearest.filter(|key| distance(key) <= 1 + key.len() / 3) {
+    match nearest(name, known) {
         Some(nearest) => format!("did you mean `{nearest}`?"),
         None => format!("it may have {}", known.join(", ")),
     }
+}
+
+/// The known key that a name was probably meant to be.
+fn nearest<'k>(name: &str, known: &[&'k str]) -> Option<&'k str> {
+    let distance = |key: &&str| strsim::damerau_levenshtein(&name.to_lowercase(), key);
+    let nearest = known.iter().copied().min_by_key(distance)?;
+    (distance(&nearest) <= 1 + nearest.len() / 3).then_some(nearest)
 }
 
 /// What a value is, in words.

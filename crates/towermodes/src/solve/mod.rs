@@ -1,83 +1,25 @@
 //! The front door: a tower in, its modes out.
 
+mod estimate;
 mod options;
+mod solution;
 mod spectrum;
+mod warnings;
 
 pub use options::{
     DEFAULT_MODES, DEFAULT_POINTS, DEFAULT_SEGMENTS, MAX_POINTS, MAX_SEGMENTS, MAX_VECTOR_BYTES,
     Options, SolveError,
 };
+pub use solution::{Certificate, Mode, Solution};
 
-use crate::Warning;
 use crate::chain::DecoupledChains;
 use crate::eigen::{EigenError, Statistics};
-use crate::elements::{Mesh, Method, assemble};
-use crate::modes::{Companion, Family, ModeCurve, ShapePoint, ShapeWorkspace, richardson};
+use crate::elements::{Mesh, assemble};
+use crate::modes::{Family, ModeCurve, ShapeWorkspace};
 use crate::tower::Tower;
+use estimate::estimate_errors;
 use spectrum::{Found, Spectrum};
-
-/// A natural mode of a tower.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Mode {
-    /// Place in the list, from 1.
-    pub number: usize,
-    /// Natural frequency of the chain of rigid bodies, Hz.
-    pub frequency_hz: f64,
-    /// The kind of motion.
-    pub family: Family,
-    /// Order within the family, from 1.
-    pub order: usize,
-    /// Bound on the error of the eigenvalue computation, Hz.
-    pub algebraic_error_hz: f64,
-    /// Estimate of the error of representing the beam by this many segments, Hz.
-    pub discretization_error_hz: f64,
-    /// The beam's frequency extrapolated from two meshes, Hz.
-    pub extrapolated_hz: f64,
-    /// Modal mass uᵀMu for the shape as normalized here: kg, or kg m² for torsion.
-    pub modal_mass: f64,
-    /// The shape at equal heights from the base to the top.
-    pub shape: Vec<ShapePoint>,
-    /// The shape at the tower's stations.
-    pub station_shape: Vec<ShapePoint>,
-}
-
-impl Mode {
-    /// What it is: "1st fore-aft bending".
-    pub fn label(&self) -> String {
-        self.family.label(self.order)
-    }
-}
-
-/// The proof that no mode is missing.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Certificate {
-    /// Whether the inertia count and the list agree; a solution that is not complete is never returned.
-    pub complete: bool,
-    /// Number of modes that the inertia count proves below [`below_hz`](Self::below_hz): as many as are listed, or more if
-    /// the number asked for cuts a repeated pair.
-    pub count: usize,
-    /// A frequency in the gap above the last mode, Hz.
-    pub below_hz: f64,
-}
-
-/// The lowest modes of a tower, with their errors and the proof that they are all.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Solution {
-    /// The element used.
-    pub method: Method,
-    /// Number of segments used.
-    pub segments: usize,
-    /// Degrees of freedom of the whole tower.
-    pub degrees_of_freedom: usize,
-    /// The modes by frequency; of a repeated pair the fore-aft one first.
-    pub modes: Vec<Mode>,
-    /// The proof that none is missing.
-    pub certificate: Certificate,
-    /// What looks like a slip.
-    pub warnings: Vec<Warning>,
-    /// What it cost.
-    pub statistics: Statistics,
-}
+use warnings::warnings;
 
 /// Memory that is reused from solve to solve.
 #[derive(Debug, Default)]
@@ -235,109 +177,4 @@ fn equal_heights(tower: &Tower, points: usize) -> Vec<f64> {
         base_m * (1.0 - s) + top_m * s
     };
     (0..points).map(height).collect()
-}
-
-/// Solves again with every segment halved or doubled and extrapolates.
-fn estimate_errors(
-    tower: &Tower,
-    mesh: &Mesh,
-    options: &Options,
-    modes: &mut [Mode],
-    workspace: &mut Workspace,
-) -> Result<(), SolveError> {
-    let (companion_mesh, companion) = companion_of(mesh, modes);
-    let Workspace {
-        chains, spectrum, ..
-    } = workspace;
-    assemble(
-        tower,
-        &companion_mesh,
-        options.method,
-        options.rotary_inertia,
-        chains,
-    );
-    spectrum.statistics = Statistics::default();
-    for family in [
-        Family::ForeAft,
-        Family::SideSide,
-        Family::Torsion,
-        Family::Axial,
-    ] {
-        let is_copy = family == Family::SideSide && chains.planes_are_equal();
-        let wanted = orders_of(modes, family);
-        if wanted > 0 && !is_copy {
-            spectrum.solve_family(chains, family, wanted)?;
-        }
-    }
-    for mode in modes {
-        let companion_hz =
-            spectrum.of(chains, mode.family).eigenvalues()[mode.order - 1].frequency_hz();
-        let order = match mode.family {
-            Family::ForeAft | Family::SideSide => options.method.bending_order(tower.shear()),
-            Family::Torsion | Family::Axial => options.method.axial_order(),
-        };
-        let estimate = richardson(mode.frequency_hz, companion_hz, companion, order);
-        mode.discretization_error_hz = estimate.error_hz;
-        mode.extrapolated_hz = estimate.extrapolated_hz;
-    }
-    Ok(())
-}
-
-/// The highest order of a family in the list.
-fn orders_of(modes: &[Mode], family: Family) -> usize {
-    let orders = modes.iter().filter(|m| m.family == family).map(|m| m.order);
-    orders.max().unwrap_or(0)
-}
-
-/// Half the segments if every span allows it and every family still has its modes, else twice.
-fn companion_of(mesh: &Mesh, modes: &[Mode]) -> (Mesh, Companion) {
-    let has_all = |mesh: &Mesh| {
-        // Every element has two joint coordinates a segment in a bending plane, one in torsion and one axially.
-        let bending = orders_of(modes, Family::ForeAft).max(orders_of(modes, Family::SideSide));
-        let axial = orders_of(modes, Family::Torsion).max(orders_of(modes, Family::Axial));
-        bending <= 2 * mesh.segments() && axial <= mesh.segments()
-    };
-    match mesh.halved().filter(has_all) {
-        Some(halved) => (halved, Companion::Halved),
-        None => (mesh.doubled(), Companion::Doubled),
-    }
-}
-
-/// An estimate above this share of the frequency says that the mode is not resolved.
-const RESOLVED: f64 = 0.05;
-
-fn warnings(
-    tower: &Tower,
-    mesh: &Mesh,
-    options: &Options,
-    modes: &[Mode],
-    found: &[Found],
-) -> Vec<Warning> {
-    let mut warnings = tower.plausibility();
-    let frequency_hz = modes[0].frequency_hz;
-    if !(0.01..=100.0).contains(&frequency_hz) {
-        warnings.push(Warning::UnusualFrequency { frequency_hz });
-    }
-    if let Some(asked) = options.segments.filter(|&asked| asked != mesh.segments()) {
-        let used = mesh.segments();
-        warnings.push(Warning::MoreSegments { asked, used });
-    }
-    let relative = |m: &Mode| m.discretization_error_hz / m.frequency_hz;
-    if let Some(mode) = modes.iter().find(|m| relative(m) > RESOLVED) {
-        warnings.push(Warning::Unresolved {
-            number: mode.number,
-            relative_error: relative(mode),
-        });
-    }
-    let last = found[modes.len() - 1].eigenvalue.lambda;
-    if let Some(cut) = found
-        .get(modes.len())
-        .filter(|cut| cut.eigenvalue.lambda == last)
-    {
-        warnings.push(Warning::CutPair {
-            label: cut.family.label(cut.order),
-            frequency_hz: cut.eigenvalue.frequency_hz(),
-        });
-    }
-    warnings
 }

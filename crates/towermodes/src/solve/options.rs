@@ -60,7 +60,7 @@ pub enum SolveError {
     NoModes,
     /// More modes than degrees of freedom.
     #[error(
-        "{modes} modes were asked for, but {segments} segments have only {available} degrees of freedom"
+        "{modes} modes were asked for, but there are only {available} degrees of freedom (segments: {segments})"
     )]
     TooManyModes {
         /// The number asked for.

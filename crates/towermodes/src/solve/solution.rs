@@ -1,0 +1,69 @@
+//! What a solve gives.
+
+use crate::Warning;
+use crate::eigen::Statistics;
+use crate::elements::Method;
+use crate::modes::{Family, ShapePoint};
+
+/// A natural mode of a tower.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Mode {
+    /// Place in the list, from 1.
+    pub number: usize,
+    /// Natural frequency of the chain of rigid bodies, Hz.
+    pub frequency_hz: f64,
+    /// The kind of motion.
+    pub family: Family,
+    /// Order within the family, from 1.
+    pub order: usize,
+    /// Bound on the error of the eigenvalue computation, Hz.
+    pub algebraic_error_hz: f64,
+    /// Estimate of the error of representing the beam by this many segments, Hz.
+    pub discretization_error_hz: f64,
+    /// The beam's frequency extrapolated from two meshes, Hz.
+    pub extrapolated_hz: f64,
+    /// Modal mass uᵀMu for the shape as normalized here: kg, or kg m² for torsion.
+    pub modal_mass: f64,
+    /// The shape at equal heights from the base to the top.
+    pub shape: Vec<ShapePoint>,
+    /// The shape at the tower's stations.
+    pub station_shape: Vec<ShapePoint>,
+}
+
+impl Mode {
+    /// What it is: "1st fore-aft bending".
+    pub fn label(&self) -> String {
+        self.family.label(self.order)
+    }
+}
+
+/// The proof that no mode is missing.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Certificate {
+    /// Whether the inertia count and the list agree; a solution that is not complete is never returned.
+    pub complete: bool,
+    /// Number of modes that the inertia count proves below [`below_hz`](Self::below_hz): as many as are listed, or more if
+    /// the number asked for cuts a repeated pair.
+    pub count: usize,
+    /// A frequency in the gap above the last mode, Hz.
+    pub below_hz: f64,
+}
+
+/// The lowest modes of a tower, with their errors and the proof that they are all.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Solution {
+    /// The element used.
+    pub method: Method,
+    /// Number of segments used.
+    pub segments: usize,
+    /// Degrees of freedom of the whole tower.
+    pub degrees_of_freedom: usize,
+    /// The modes by frequency; of a repeated pair the fore-aft one first.
+    pub modes: Vec<Mode>,
+    /// The proof that none is missing.
+    pub certificate: Certificate,
+    /// What looks like a slip.
+    pub warnings: Vec<Warning>,
+    /// What it cost.
+    pub statistics: Statistics,
+}
