@@ -31,11 +31,14 @@ pub(crate) enum Command {
         /// The shell.
         shell: clap_complete::Shell,
     },
+    /// Print the JSON schema of the result of `solve --format json`.
+    #[command(after_help = "Example:\n  towermodes schema > solve.schema.json")]
+    Schema,
     /// Print the manual page, of the program or of one of its commands.
     #[command(after_help = "Example:\n  towermodes man solve | man -l -")]
     Man {
         /// The command.
-        #[arg(value_parser = ["solve", "completions", "man"])]
+        #[arg(value_parser = ["solve", "completions", "schema", "man"])]
         of: Option<String>,
     },
 }

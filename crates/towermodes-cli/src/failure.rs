@@ -88,9 +88,9 @@ fn hint(error: &SolveError) -> Option<&'static str> {
 }
 
 fn message(level: Level<'_>, text: &str, hint: Option<&str>) -> String {
-    let mut report = vec![Group::with_title(level.primary_title(text))];
-    report.extend(hint.map(|hint| Group::with_title(Level::HELP.secondary_title(hint))));
-    rendered(&report)
+    let title = rendered(&[Group::with_title(level.primary_title(text))]);
+    let hint = hint.map(|hint| rendered(&[Group::with_title(Level::HELP.primary_title(hint))]));
+    title + &hint.unwrap_or_default()
 }
 
 /// Every mistake with its line, as compilers show them.

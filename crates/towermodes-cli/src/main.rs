@@ -20,6 +20,7 @@ fn main() -> ExitCode {
     let done = match Arguments::parse().command {
         Command::Solve(arguments) => solve::run(&arguments),
         Command::Completions { shell } => shell::completions(shell),
+        Command::Schema => shell::schema(),
         Command::Man { of } => shell::man(of.as_deref()),
     };
     match done {

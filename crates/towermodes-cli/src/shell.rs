@@ -1,4 +1,4 @@
-//! Completion scripts and the manual page, made from the command line's own description.
+//! Completion scripts, the manual pages and the JSON schema, made from the command line's own description.
 
 use clap::CommandFactory;
 use clap_complete::Shell;
@@ -12,6 +12,13 @@ pub(crate) fn completions(shell: Shell) -> Result<(), Failure> {
     let mut script = Vec::new();
     clap_complete::generate(shell, &mut Arguments::command(), "towermodes", &mut script);
     deliver(&script, None)
+}
+
+/// `towermodes schema`.
+pub(crate) fn schema() -> Result<(), Failure> {
+    let mut schema = Vec::new();
+    towermodes_files::write_json_schema(&mut schema)?;
+    deliver(&schema, None)
 }
 
 /// `towermodes man [COMMAND]`: the page of the program, or of one of its commands.

@@ -84,6 +84,10 @@ fn four_digits(value: f64) -> String {
 /// Tower mass, top mass, method, certificate.
 fn summary(tower: &Tower, solution: &Solution) -> String {
     let tonnes = |kg: f64| format!("{:.3} t", kg / 1000.0);
+    let top = match tower.rna().mass_kg {
+        0.0 => "no top mass".to_owned(),
+        kg => format!("top {}", tonnes(kg)),
+    };
     let plural = if solution.segments == 1 { "" } else { "s" };
     let (count, listed) = (solution.certificate.count, solution.modes.len());
     let below = four_digits(solution.certificate.below_hz);
@@ -93,9 +97,8 @@ fn summary(tower: &Tower, solution: &Solution) -> String {
         format!("certified: {count} modes below {below} Hz, the list cuts a pair")
     };
     format!(
-        "tower {}, top {} | {}, {} segment{plural} | {certificate}",
+        "tower {}, {top} | {}, {} segment{plural} | {certificate}",
         tonnes(tower.mass_kg()),
-        tonnes(tower.rna().mass_kg),
         solution.method.name(),
         solution.segments,
     )

@@ -27,6 +27,6 @@ mod source;
 mod toml;
 
 pub use diagnostic::Diagnostic;
-pub use result::{ResultError, write_csv, write_json};
+pub use result::{ResultError, write_csv, write_json, write_json_schema};
 pub use source::{MAX_FILE_BYTES, ReadError, Source};
 pub use toml::tower_from_toml;

@@ -2,72 +2,125 @@
 
 use std::io::Write;
 
+use schemars::JsonSchema;
 use serde::Serialize;
 use towermodes::{Certificate, Family, Mode, ShapePoint, Solution, Tower};
 
 use super::ResultError;
 
-#[derive(Serialize)]
+/// The result of `towermodes solve --format json`. Keys are stable: new ones may be added, none is renamed.
+#[derive(Serialize, JsonSchema)]
+#[schemars(title = "towermodes solution")]
 struct SolutionJson<'a> {
+    /// The element: `rmje` or `rmje-exact`.
     method: &'static str,
+    /// Number of segments.
     segments: usize,
+    /// Degrees of freedom of the whole tower.
     degrees_of_freedom: usize,
+    /// What was solved.
     tower: TowerJson<'a>,
+    /// The lowest modes by frequency; of a repeated pair the fore-aft one first.
     modes: Vec<ModeJson>,
+    /// The proof that no mode is missing.
     certificate: CertificateJson,
+    /// What it cost.
     solver: SolverJson,
+    /// What looks like a slip.
     warnings: Vec<String>,
 }
 
-#[derive(Serialize)]
+/// What was solved.
+#[derive(Serialize, JsonSchema)]
 struct TowerJson<'a> {
+    /// The name in the file; may be empty.
     name: &'a str,
+    /// Base to top, m.
     height_m: f64,
+    /// Mass with outfitting and point masses, without the rotor-nacelle assembly, kg.
     mass_kg: f64,
+    /// Mass of the rotor-nacelle assembly, kg.
     top_mass_kg: f64,
 }
 
-#[derive(Serialize)]
+/// A natural mode.
+#[derive(Serialize, JsonSchema)]
 struct ModeJson {
+    /// Place in the list, from 1.
     number: usize,
+    /// Natural frequency of the chain of rigid bodies, Hz.
     frequency_hz: f64,
+    /// 1/frequency, s.
     period_s: f64,
+    /// `fore-aft`, `side-side`, `torsion` or `axial`.
     family: &'static str,
+    /// Order within the family, from 1.
     order: usize,
+    /// What it is called, as "1st fore-aft bending".
     label: String,
+    /// Bound on the error of the eigenvalue computation, Hz.
     algebraic_error_hz: f64,
+    /// Estimate of the error of cutting the tower into segments, Hz.
     discretization_error_hz: f64,
+    /// The beam's frequency extrapolated from two numbers of segments, Hz.
     extrapolated_hz: f64,
-    /// Of translation; none for torsion.
+    /// Modal mass for the shape as normalized, kg; null for torsion.
     modal_mass_kg: Option<f64>,
-    /// Of torsion; none for translation.
+    /// Modal inertia for the shape as normalized, kg m2; null except for torsion.
     modal_inertia_kg_m2: Option<f64>,
+    /// The shape at equal heights from the base to the top.
     shape: ShapeJson,
+    /// The shape at the stations of the file.
     station_shape: ShapeJson,
 }
 
-#[derive(Serialize)]
+/// A shape, one list an axis; the largest translation (in torsion: rotation) of the tower is 1, positive at the top.
+#[derive(Serialize, JsonSchema)]
 struct ShapeJson {
+    /// Heights in the datum of the stations, m.
     height_m: Vec<f64>,
+    /// Translation fore-aft.
     x: Vec<f64>,
+    /// Translation side-side.
     y: Vec<f64>,
+    /// Translation upwards.
     z: Vec<f64>,
+    /// Rotation about x, 1/m (in torsion: none).
     rotation_x: Vec<f64>,
+    /// Rotation about y, 1/m (in torsion: none).
     rotation_y: Vec<f64>,
+    /// Rotation about z.
     rotation_z: Vec<f64>,
 }
 
-#[derive(Serialize)]
+/// The proof that no mode is missing.
+#[derive(Serialize, JsonSchema)]
 struct CertificateJson {
+    /// Whether the list and the count agree; always true in a result.
     complete: bool,
+    /// Number of modes below `below_hz` by inertia count; more than listed only if the list cuts a repeated pair.
     count: usize,
+    /// A frequency in the gap above the last mode, Hz.
     below_hz: f64,
 }
 
-#[derive(Serialize)]
+/// What a solve cost.
+#[derive(Serialize, JsonSchema)]
 struct SolverJson {
+    /// Products with the mass matrix.
     products: usize,
+    /// Restarts because a count disagreed with the list.
     restarts: usize,
+}
+
+/// The JSON schema of [`write_json`]'s output, indented, with a newline at the end.
+///
+/// # Errors
+/// [`ResultError`] if the writer refuses.
+pub fn write_json_schema(mut writer: impl Write) -> Result<(), ResultError> {
+    serde_json::to_writer_pretty(&mut writer, &schemars::schema_for!(SolutionJson<'static>))?;
+    writeln!(writer)?;
+    Ok(())
 }
 
 /// Writes a solution as indented JSON with a newline at the end.

@@ -4,7 +4,7 @@ mod csv;
 mod json;
 
 pub use csv::write_csv;
-pub use json::write_json;
+pub use json::{write_json, write_json_schema};
 
 use thiserror::Error;
 

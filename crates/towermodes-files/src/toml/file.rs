@@ -37,11 +37,11 @@ pub(super) fn description(root: &Table<'_>, reading: &mut Reading) -> Option<Tow
     let hint = "add [tower] with stations = [[height, diameter, wall], ...]";
     let value = root.require("tower", hint, reading)?;
     let tower = Table::of(value, "[tower]", &TOWER, reading)?;
-    let materials = materials?;
+    let stations = stations(&tower, materials.as_ref(), reading);
     Some(TowerDescription {
         name: name.to_owned(),
-        stations: stations(&tower, &materials, reading)?,
-        materials: materials.list,
+        stations: stations?,
+        materials: materials?.list,
         outfitting_factor: outfitting_factor(&tower, reading)?,
         shear: shear(&tower, reading)?,
         rna: rna.unwrap_or_default(),

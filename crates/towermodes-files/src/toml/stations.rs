@@ -15,10 +15,10 @@ pub(super) const TOWER: Keys = Keys {
     planned: &["properties"],
 };
 
-/// `stations`, all rows.
+/// `stations`, all rows; where the materials have mistakes of their own, names of materials are not checked.
 pub(super) fn stations(
     tower: &Table<'_>,
-    materials: &Materials,
+    materials: Option<&Materials>,
     reading: &mut Reading,
 ) -> Option<Vec<Station>> {
     let hint = "stations = [[height, outer diameter, wall thickness], ...], all in m";
@@ -36,7 +36,7 @@ pub(super) fn stations(
 fn station(
     row: &Value<'_>,
     index: usize,
-    materials: &Materials,
+    materials: Option<&Materials>,
     reading: &mut Reading,
 ) -> Option<Station> {
     let hint = "a row is [height, outer diameter, wall thickness] in m, and a material's name where there are several";
@@ -79,9 +79,12 @@ fn station_material(
     row: &Value<'_>,
     name: Option<&Value<'_>>,
     index: usize,
-    materials: &Materials,
+    materials: Option<&Materials>,
     reading: &mut Reading,
 ) -> Option<usize> {
+    let Some(materials) = materials else {
+        return Some(0);
+    };
     let Some(value) = name else {
         if materials.has_default {
             return Some(0);

@@ -138,35 +138,11 @@ fn spans_of(tower: &Tower) -> Vec<Piece> {
 /// Shares `total` out over the lengths, at least one to each: the whole parts first, then the largest remainders.
 fn shared_by_length(lengths: &[f64], total: usize) -> Vec<usize> {
     let total = total.max(lengths.len());
-    let mut is_short = vec![false; lengths.len()];
-    // A length that would get less than one gets one, and the rest is shared out among the others.
-    let quota = loop {
-        let shorts = is_short.iter().filter(|short| **short).count();
-        let length: f64 = lengths
-            .iter()
-            .zip(&is_short)
-            .filter(|(_, short)| !**short)
-            .map(|(l, _)| l)
-            .sum();
-        let quota = (total - shorts) as f64 / length;
-        let newly_short = |(l, short): (&f64, &bool)| !short && l * quota < 1.0;
-        let newly: Vec<bool> = lengths.iter().zip(&is_short).map(newly_short).collect();
-        // Rounding must not make the last one short too.
-        if !newly.contains(&true) || shorts + 1 >= lengths.len() {
-            break quota;
-        }
-        is_short
-            .iter_mut()
-            .zip(newly)
-            .for_each(|(short, newly)| *short |= newly);
-    };
-    let ideal = |i: usize| if is_short[i] { 1.0 } else { lengths[i] * quota };
-    let mut counts: Vec<usize> = (0..lengths.len())
-        .map(|i| (ideal(i) as usize).max(1))
-        .collect();
+    let ideal = ideal_shares(lengths, total);
+    let mut counts: Vec<usize> = ideal.iter().map(|&share| (share as usize).max(1)).collect();
     let mut by_remainder: Vec<usize> = (0..lengths.len()).collect();
     by_remainder.sort_by(|&a, &b| {
-        let remainder = |i: usize| ideal(i) - counts[i] as f64;
+        let remainder = |i: usize| ideal[i] - counts[i] as f64;
         remainder(b).total_cmp(&remainder(a))
     });
     let missing = total.saturating_sub(counts.iter().sum());
@@ -174,6 +150,28 @@ fn shared_by_length(lengths: &[f64], total: usize) -> Vec<usize> {
         counts[index] += 1;
     }
     counts
+}
+
+/// Shares proportional to the lengths that add up to `total`; a length whose share would be below one has one.
+fn ideal_shares(lengths: &[f64], total: usize) -> Vec<f64> {
+    let mut is_short = vec![false; lengths.len()];
+    loop {
+        let shorts = is_short.iter().filter(|short| **short).count();
+        let others = |(l, short): (&f64, &bool)| if *short { 0.0 } else { *l };
+        let length: f64 = lengths.iter().zip(&is_short).map(others).sum();
+        // The quotient first: it is at most one, however long or short the lengths are.
+        let share = |l: f64| (total - shorts) as f64 * (l / length);
+        let newly_short = |i: &usize| !is_short[*i] && share(lengths[*i]) < 1.0;
+        let newly: Vec<usize> = (0..lengths.len()).filter(newly_short).collect();
+        // Rounding must not make the last one short too.
+        if newly.is_empty() || shorts + newly.len() >= lengths.len() {
+            let shares = lengths.iter().zip(&is_short);
+            return shares
+                .map(|(l, short)| if *short { 1.0 } else { share(*l) })
+                .collect();
+        }
+        newly.into_iter().for_each(|i| is_short[i] = true);
+    }
 }
 
 #[cfg(test)]
@@ -190,6 +188,8 @@ mod tests {
         assert_eq!(shared_by_length(&[1e-3, 10.0, 30.0], 9), [1, 2, 6]);
         assert_eq!(shared_by_length(&[1.0, 1e-9, 1e-9], 3), [1, 1, 1]);
         assert_eq!(shared_by_length(&[1.0, 2.0, 3.0, 4.0], 2), [1, 1, 1, 1]);
+        assert_eq!(shared_by_length(&[5e-324], 7), [7]);
+        assert_eq!(shared_by_length(&[1e308, 5e-324, 5e307], 7), [4, 1, 2]);
         for total in 3..200 {
             let counts = shared_by_length(&[0.7, 13.1, 55.5], total);
             assert_eq!(counts.iter().sum::<usize>(), total);

@@ -1,0 +1,291 @@
+//! What other programs read: JSON and CSV, standard input, files, pipes.
+
+use std::io::{Read, Write};
+use std::path::PathBuf;
+use std::process::{Command, Output, Stdio};
+
+use serde_json::Value;
+
+fn root() -> PathBuf {
+    PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../..")
+}
+
+fn towermodes(arguments: &[&str]) -> Command {
+    let mut command = Command::new(env!("CARGO_BIN_EXE_towermodes"));
+    command.current_dir(root()).args(arguments);
+    command
+}
+
+fn output(arguments: &[&str]) -> Output {
+    towermodes(arguments).output().expect("the program runs")
+}
+
+fn json(arguments: &[&str]) -> Value {
+    let output = output(arguments);
+    assert!(output.status.success(), "{output:?}");
+    serde_json::from_slice(&output.stdout).expect("JSON on standard output")
+}
+
+fn close(value: &Value, expected: f64, tolerance: f64) {
+    let value = value.as_f64().expect("a number");
+    assert!(
+        (value / expected - 1.0).abs() < tolerance,
+        "{value} is not {expected}"
+    );
+}
+
+#[test]
+fn json_has_the_documented_keys_and_values() {
+    let file = "examples/reference-tower.toml";
+    let result = json(&[
+        "solve",
+        file,
+        "--method",
+        "rmje",
+        "--segments",
+        "60",
+        "--format",
+        "json",
+    ]);
+    assert_eq!(result["method"], "rmje");
+    assert_eq!(result["segments"], 60);
+    assert_eq!(result["degrees_of_freedom"], 360);
+    assert_eq!(result["tower"]["name"], "Reference tower");
+    close(&result["tower"]["height_m"], 87.6, 1e-15);
+    close(&result["tower"]["mass_kg"], 267_586.067, 1e-8);
+    assert_eq!(result["tower"]["top_mass_kg"], 0.0);
+    let mode = &result["modes"][0];
+    assert_eq!(mode["number"], 1);
+    close(&mode["frequency_hz"], 0.89118235, 1e-8);
+    close(&mode["period_s"], 1.0 / 0.89118235, 1e-8);
+    assert_eq!(mode["family"], "fore-aft");
+    assert_eq!(mode["order"], 1);
+    assert_eq!(mode["label"], "1st fore-aft bending");
+    close(&mode["extrapolated_hz"], 0.89126331, 1e-8);
+    close(&mode["discretization_error_hz"], 8.1e-5, 0.01);
+    assert!(
+        mode["algebraic_error_hz"]
+            .as_f64()
+            .is_some_and(|error| error > 0.0 && error < 1e-13)
+    );
+    close(&mode["modal_mass_kg"], 47_136.8, 1e-5);
+    assert!(mode["modal_inertia_kg_m2"].is_null());
+    let certificate = &result["certificate"];
+    assert_eq!(certificate["complete"], true);
+    assert_eq!(certificate["count"], 8);
+    assert!(
+        certificate["below_hz"]
+            .as_f64()
+            .is_some_and(|hz| hz > 16.436 && hz < 21.31)
+    );
+    assert!(
+        result["solver"]["products"]
+            .as_u64()
+            .is_some_and(|products| products < 90)
+    );
+    assert_eq!(result["solver"]["restarts"], 0);
+    assert_eq!(result["warnings"], Value::Array(vec![]));
+}
+
+#[test]
+fn json_gives_shapes_at_equal_heights_and_at_the_stations() {
+    let file = "examples/nrel-5mw.toml";
+    let result = json(&["solve", file, "--format", "json", "--points", "11"]);
+    for mode in result["modes"].as_array().expect("modes") {
+        for (shape, points) in [("shape", 11), ("station_shape", 2)] {
+            for key in [
+                "height_m",
+                "x",
+                "y",
+                "z",
+                "rotation_x",
+                "rotation_y",
+                "rotation_z",
+            ] {
+                let column = mode[shape][key].as_array().expect(key);
+                assert_eq!(column.len(), points, "{shape}.{key}");
+                if key != "height_m" {
+                    assert_eq!(column[0], 0.0, "the base is clamped");
+                }
+            }
+            close(&mode[shape]["height_m"][points - 1], 87.6, 1e-15);
+        }
+    }
+    let torsion = &result["modes"][2];
+    assert_eq!(torsion["family"], "torsion");
+    assert_eq!(torsion["shape"]["rotation_z"][10], 1.0);
+    assert!(torsion["modal_mass_kg"].is_null() && torsion["modal_inertia_kg_m2"].is_number());
+    // A side-side mode leans towards +y at the top, which turns its sections about −x.
+    let side = &result["modes"][0];
+    assert_eq!(side["family"], "side-side");
+    assert_eq!(side["shape"]["y"][10], 1.0);
+    assert!(
+        side["shape"]["rotation_x"][10]
+            .as_f64()
+            .is_some_and(|r| r < 0.0)
+    );
+}
+
+#[test]
+fn the_schema_in_the_book_is_the_programs_own() {
+    let in_book = std::fs::read(root().join("book/src/solve.schema.json")).expect("the schema");
+    assert!(
+        output(&["schema"]).stdout == in_book,
+        "run: towermodes schema > book/src/solve.schema.json"
+    );
+}
+
+#[test]
+fn the_schema_names_every_key() {
+    let schema = json(&["schema"]);
+    let result = json(&["solve", "examples/reference-tower.toml", "--format", "json"]);
+    let keys = |value: &Value| {
+        value
+            .as_object()
+            .expect("an object")
+            .keys()
+            .cloned()
+            .collect::<Vec<_>>()
+    };
+    assert_eq!(keys(&schema["properties"]), keys(&result));
+    let definitions = &schema["$defs"];
+    assert_eq!(
+        keys(&definitions["ModeJson"]["properties"]),
+        keys(&result["modes"][0])
+    );
+    assert_eq!(
+        keys(&definitions["ShapeJson"]["properties"]),
+        keys(&result["modes"][0]["shape"])
+    );
+}
+
+#[test]
+fn warnings_are_in_the_json_too() {
+    let result = json(&[
+        "solve",
+        "examples/reference-tower.toml",
+        "--modes",
+        "1",
+        "--format",
+        "json",
+    ]);
+    let warning = result["warnings"][0].as_str().expect("a warning");
+    assert!(warning.contains("1st side-side bending"), "{warning}");
+    assert_eq!(result["certificate"]["count"], 2);
+}
+
+#[test]
+fn csv_and_json_say_the_same() {
+    let file = "examples/reference-tower-350t.toml";
+    let json = json(&["solve", file, "--format", "json"]);
+    let csv = output(&["solve", file, "--format", "csv"]);
+    let text = String::from_utf8(csv.stdout).expect("text");
+    let mut lines = text.lines();
+    let header: Vec<&str> = lines.next().expect("a header").split(',').collect();
+    let modes = json["modes"].as_array().expect("modes");
+    assert_eq!(lines.clone().count(), modes.len());
+    for (line, mode) in lines.zip(modes) {
+        for (key, field) in header.iter().zip(line.split(',')) {
+            match &mode[key] {
+                Value::Null => assert_eq!(field, ""),
+                Value::String(text) => assert_eq!(field, text),
+                number => assert_eq!(field.parse::<f64>().ok(), number.as_f64(), "{key}"),
+            }
+        }
+    }
+}
+
+#[test]
+fn standard_input_gives_the_same_as_a_file() {
+    let path = "examples/nrel-5mw.toml";
+    let text = std::fs::read(root().join(path)).expect("the example");
+    let mut child = towermodes(&["solve", "-", "--format", "json"])
+        .stdin(Stdio::piped())
+        .stdout(Stdio::piped())
+        .spawn()
+        .expect("the program runs");
+    child
+        .stdin
+        .take()
+        .expect("piped")
+        .write_all(&text)
+        .expect("it reads");
+    let piped = child.wait_with_output().expect("it ends");
+    assert!(piped.status.success());
+    assert_eq!(
+        piped.stdout,
+        output(&["solve", path, "--format", "json"]).stdout
+    );
+}
+
+#[test]
+fn output_goes_to_the_file_and_nowhere_else() {
+    let path = std::env::temp_dir().join(format!("towermodes-{}.csv", std::process::id()));
+    let name = path.to_str().expect("a plain path");
+    let file = "examples/nrel-5mw.toml";
+    let written = output(&["solve", file, "--format", "csv", "--output", name]);
+    assert!(written.status.success() && written.stdout.is_empty() && written.stderr.is_empty());
+    let content = std::fs::read(&path).expect("the result");
+    std::fs::remove_file(&path).expect("ours");
+    assert_eq!(content, output(&["solve", file, "--format", "csv"]).stdout);
+}
+
+#[test]
+fn a_closed_pipe_is_no_failure() {
+    let mut child = towermodes(&[
+        "solve",
+        "examples/nrel-5mw.toml",
+        "--format",
+        "json",
+        "--points",
+        "5000",
+    ])
+    .stdout(Stdio::piped())
+    .stderr(Stdio::piped())
+    .spawn()
+    .expect("the program runs");
+    let mut first = [0; 16];
+    let mut stdout = child.stdout.take().expect("piped");
+    stdout.read_exact(&mut first).expect("it begins");
+    drop(stdout);
+    let output = child.wait_with_output().expect("it ends");
+    assert!(output.status.success(), "{output:?}");
+    assert!(output.stderr.is_empty(), "{output:?}");
+}
+
+#[test]
+fn refusals_leave_standard_output_empty() {
+    for arguments in [
+        &["solve", "missing.toml"][..],
+        &["solve", "crates/towermodes-cli/tests/inputs/nan.toml"],
+        &["solve", "examples/nrel-5mw.toml", "--segments", "0"],
+        &[
+            "solve",
+            "examples/nrel-5mw.toml",
+            "--segments",
+            "1",
+            "--modes",
+            "7",
+        ],
+    ] {
+        let refused = output(arguments);
+        assert_eq!(refused.status.code(), Some(2), "{arguments:?}");
+        assert!(
+            refused.stdout.is_empty() && !refused.stderr.is_empty(),
+            "{arguments:?}"
+        );
+    }
+}
+
+#[test]
+fn completions_and_manual_pages_name_the_commands() {
+    for shell in ["bash", "zsh", "fish", "elvish", "powershell"] {
+        let script = String::from_utf8(output(&["completions", shell]).stdout).expect("text");
+        assert!(
+            script.contains("solve") && script.contains("segments"),
+            "{shell}"
+        );
+    }
+    let page = String::from_utf8(output(&["man", "solve"]).stdout).expect("text");
+    assert!(page.starts_with(".ie") && page.contains("\\-\\-segments"));
+}

@@ -1,0 +1,481 @@
+//! Every mistake is answered with its line and column, what is wrong and what would be right.
+
+use towermodes_files::tower_from_toml;
+
+/// A file in which each test makes one mistake.
+const GOOD: &str = r#"name = "good"
+[material]
+density = 8500.0
+youngs_modulus = 2.1e11
+shear_modulus = 8.08e10
+[materials.concrete]
+density = 2500.0
+youngs_modulus = 3.6e10
+poissons_ratio = 0.2
+[tower]
+outfitting_factor = 1.05
+shear = true
+stations = [
+  [ 0.0, 6.00, 0.300, "concrete"],
+  [40.0, 5.50, 0.300, "concrete"],
+  [40.0, 5.00, 0.027],
+  [87.6, 3.87, 0.019],
+]
+[rna]
+mass = 350e3
+center = [0.0, 0.0, 2.0]
+inertia = { xx = 4.0e7, yy = 2.0e7, zz = 2.5e7 }
+[[point_mass]]
+height = 40.0
+mass = 5000.0
+[foundation]
+type = "clamped"
+"#;
+
+/// Replaces `from` by `to` and expects the first mistake at line:column with these words in its message and hint.
+#[track_caller]
+fn refused(from: &str, to: &str, place: &str, message: &str, hint: &str) {
+    assert!(GOOD.contains(from), "the test is wrong: {from}");
+    refused_text(&GOOD.replacen(from, to, 1), place, message, hint);
+}
+
+#[track_caller]
+fn refused_text(text: &str, place: &str, message: &str, hint: &str) {
+    let mistakes = tower_from_toml(text).expect_err("this is no tower");
+    let first = &mistakes[0];
+    let (line, column) = first.line_and_column(text);
+    assert_eq!(format!("{line}:{column}"), place, "{first}");
+    assert!(first.message.contains(message), "{}", first.message);
+    let said = first.hint.clone().unwrap_or_default();
+    assert!(said.contains(hint), "{said}");
+}
+
+#[test]
+fn the_good_file_is_good() {
+    let tower = tower_from_toml(GOOD).expect("a tower");
+    assert_eq!(tower.name(), "good");
+    assert_eq!(tower.pieces().len(), 2);
+    assert_eq!(tower.point_masses().len(), 1);
+    assert_eq!(tower.rna().inertia_kg_m2.xx, 4.0e7);
+}
+
+#[test]
+fn nan_infinite_zero_and_negative_properties() {
+    refused("8500.0", "nan", "3:11", "density is nan", "");
+    refused("8500.0", "inf", "3:11", "density is infinite", "");
+    refused("8500.0", "1e999", "3:11", "too large", "");
+    refused(
+        "8500.0",
+        "0",
+        "3:11",
+        "density is 0 kg/m3, but must be positive",
+        "",
+    );
+    refused("2.1e11", "-2.1e11", "4:18", "must be positive", "");
+    refused(
+        "5.00, 0.027",
+        "nan, 0.027",
+        "16:10",
+        "outer diameter is nan",
+        "",
+    );
+    refused(
+        "5.00, 0.027",
+        "5.00, 0.0",
+        "16:16",
+        "wall thickness is 0 m",
+        "",
+    );
+    refused(
+        "5.00, 0.027",
+        "-5.00, 0.027",
+        "16:10",
+        "outer diameter is -5 m",
+        "",
+    );
+    refused(
+        "mass = 350e3",
+        "mass = -1",
+        "20:8",
+        "cannot be negative",
+        "",
+    );
+    refused(
+        "xx = 4.0e7",
+        "xx = -4.0e7",
+        "22:11",
+        "inertia xx is -40000000",
+        "",
+    );
+    refused(
+        "mass = 5000.0",
+        "mass = -5",
+        "25:8",
+        "cannot be negative",
+        "",
+    );
+    refused("= 1.05", "= 0", "11:21", "outfitting factor is 0", "");
+    refused(
+        "shear = true",
+        "shear = 1.5",
+        "12:9",
+        "outside (0, 1]",
+        "0.53",
+    );
+}
+
+#[test]
+fn a_wall_thicker_than_the_radius() {
+    refused(
+        "3.87, 0.019",
+        "3.87, 19.0",
+        "17:16",
+        "less than twice the wall 19 m at z = 87.6 m",
+        "0.027",
+    );
+}
+
+#[test]
+fn heights_and_their_order() {
+    refused(
+        "[87.6,",
+        "[39.0,",
+        "17:4",
+        "height 39 m is below the station before it (40 m)",
+        "from the base",
+    );
+    refused(
+        "[87.6,",
+        "[40.0,",
+        "17:4",
+        "third station at height 40 m",
+        "",
+    );
+    let flat = GOOD.replace("[87.6,", "[0.0,").replace("[40.0,", "[0.0,");
+    refused_text(&flat, "13:12", "no height", "");
+    let one = "[material]\ndensity=1\nyoungs_modulus=1\nshear_modulus=0.4\n[tower]\nstations = [[0.0, 1.0, 0.1]]\n";
+    refused_text(one, "6:12", "at least two stations, got 1", "");
+    refused_text(
+        &one.replace("[[0.0, 1.0, 0.1]]", "[]"),
+        "6:12",
+        "at least two stations, got 0",
+        "",
+    );
+}
+
+#[test]
+fn short_and_long_rows() {
+    refused(
+        "[87.6, 3.87, 0.019]",
+        "[87.6, 3.87]",
+        "17:3",
+        "station 4 has 2 values",
+        "[height, outer diameter",
+    );
+    refused(
+        "[87.6, 3.87, 0.019]",
+        "[87.6, 3.87, 0.019, \"concrete\", 1]",
+        "17:3",
+        "station 4 has 5 values",
+        "",
+    );
+    refused(
+        "[87.6, 3.87, 0.019]",
+        "87.6",
+        "17:3",
+        "station 4 must be a list in brackets, not a number",
+        "",
+    );
+}
+
+#[test]
+fn unknown_keys_with_the_nearest_known_one() {
+    refused(
+        "density = 8500",
+        "densty = 8500",
+        "3:1",
+        "`densty` is not a key of [material]",
+        "did you mean `density`?",
+    );
+    refused(
+        "youngs_modulus",
+        "Youngs_Modulus",
+        "4:1",
+        "is not a key",
+        "did you mean `youngs_modulus`?",
+    );
+    refused(
+        "[rna]",
+        "[rma]",
+        "19:2",
+        "`rma` is not a key of the file",
+        "did you mean `rna`?",
+    );
+    refused(
+        "yy = 2",
+        "iyy = 2",
+        "22:25",
+        "`iyy` is not a key of inertia",
+        "did you mean `yy`?",
+    );
+    refused(
+        "height = 40.0",
+        "z = 40.0",
+        "24:1",
+        "`z` is not a key of [[point_mass]]",
+        "it may have height, mass",
+    );
+}
+
+#[test]
+fn a_misspelled_key_is_said_once() {
+    let text = GOOD.replacen("density", "densty", 1);
+    assert_eq!(tower_from_toml(&text).expect_err("no tower").len(), 1);
+}
+
+#[test]
+fn several_mistakes_are_said_together() {
+    let text = GOOD
+        .replacen("8500.0", "nan", 1)
+        .replacen("3.87", "\"wide\"", 1)
+        .replacen("350e3", "true", 1);
+    assert_eq!(tower_from_toml(&text).expect_err("no tower").len(), 3);
+}
+
+#[test]
+fn missing_keys() {
+    refused(
+        "density = 8500.0\n",
+        "",
+        "2:1",
+        "[material] has no `density`",
+        "steel",
+    );
+    refused(
+        "shear_modulus = 8.08e10\n",
+        "",
+        "2:1",
+        "neither `shear_modulus` nor `poissons_ratio`",
+        "0.3",
+    );
+    refused(
+        "mass = 350e3\n",
+        "",
+        "19:1",
+        "[rna] has no `mass`",
+        "leave [rna] out",
+    );
+    refused(
+        "height = 40.0\n",
+        "",
+        "23:1",
+        "[[point_mass]] has no `height`",
+        "",
+    );
+    refused(
+        "type = \"clamped\"\n",
+        "",
+        "26:1",
+        "[foundation] has no `type`",
+        "clamped",
+    );
+    refused_text(
+        "name = \"x\"\n",
+        "2:1",
+        "the file has no material",
+        "[material]",
+    );
+}
+
+#[test]
+fn shear_modulus_and_poissons_ratio() {
+    let both = |ratio: &str| format!("8.08e10\npoissons_ratio = {ratio}");
+    refused(
+        "8.08e10",
+        &both("0.2"),
+        "6:18",
+        "disagree: E/(2(1+nu)) is 8.7500e10 Pa",
+        "give one of the two",
+    );
+    assert!(tower_from_toml(&GOOD.replacen("8.08e10", &both("0.3"), 1)).is_ok());
+    refused(
+        "poissons_ratio = 0.2",
+        "poissons_ratio = 0.5",
+        "9:18",
+        "0.5, outside (-1, 0.5)",
+        "concrete 0.2",
+    );
+    refused(
+        "poissons_ratio = 0.2",
+        "poissons_ratio = -1.0",
+        "9:18",
+        "-1, outside (-1, 0.5)",
+        "",
+    );
+    refused("8.08e10", "8.08e4", "5:17", "outside (-1, 0.5)", "Pa");
+}
+
+#[test]
+fn texts_where_numbers_belong_and_the_other_way_round() {
+    refused(
+        "8500.0",
+        "\"8500\"",
+        "3:11",
+        "density must be a number, not a text",
+        "without quotation marks",
+    );
+    refused(
+        "8500.0",
+        "\"heavy\"",
+        "3:11",
+        "density must be a number, not a text",
+        "",
+    );
+    refused("8500.0", "[8500.0]", "3:11", "not a list", "");
+    refused("8500.0", "1979-05-27", "3:11", "not a date", "");
+    refused(
+        "\"good\"",
+        "5",
+        "1:8",
+        "name must be a text in quotation marks, not a number",
+        "",
+    );
+    refused(
+        "shear = true",
+        "shear = \"yes\"",
+        "12:9",
+        "true, false or a shear coefficient",
+        "",
+    );
+    refused(
+        "center = [0.0, 0.0, 2.0]",
+        "center = 2.0",
+        "21:10",
+        "center must be a list",
+        "",
+    );
+    refused(
+        "center = [0.0, 0.0, 2.0]",
+        "center = [2.0]",
+        "21:10",
+        "center has 1 values instead of 3",
+        "",
+    );
+    refused(
+        "[[point_mass]]",
+        "[point_mass]",
+        "23:1",
+        "point_mass must be a list of tables",
+        "[[point_mass]]",
+    );
+}
+
+#[test]
+fn materials_of_stations() {
+    refused(
+        "0.300, \"concrete\"",
+        "0.300, \"concret\"",
+        "14:23",
+        "no material `concret`",
+        "did you mean `concrete`?",
+    );
+    refused(
+        "0.300, \"concrete\"",
+        "0.300, 5",
+        "14:23",
+        "must be a text",
+        "",
+    );
+    let unnamed = GOOD.replacen("[material]", "[materials.steel]", 1);
+    refused_text(
+        &unnamed,
+        "16:3",
+        "names no material",
+        "\"concrete\" or \"steel\"",
+    );
+}
+
+#[test]
+fn machines_and_masses_that_cannot_be_yet_or_ever() {
+    refused(
+        "[0.0, 0.0, 2.0]",
+        "[-0.4, 0.0, 2.0]",
+        "21:10",
+        "-0.4 m fore-aft",
+        "center = [0, 0, z]",
+    );
+    refused(
+        "zz = 2.5e7",
+        "zz = 2.5e7, xz = 1e6",
+        "22:11",
+        "products of inertia",
+        "",
+    );
+    refused(
+        "height = 40.0",
+        "height = 90.0",
+        "24:10",
+        "not on the tower, which reaches from 0 m to 87.6 m",
+        "datum",
+    );
+    refused(
+        "mass = 350e3",
+        "mass = 0",
+        "20:8",
+        "inertia but no mass",
+        "",
+    );
+}
+
+#[test]
+fn what_other_versions_may_know_is_not_ignored() {
+    refused(
+        "[foundation]\ntype = \"clamped\"",
+        "[gravity]\nacceleration = 9.81",
+        "26:2",
+        "does not compute with `gravity`",
+        "wrong answer",
+    );
+    refused(
+        "\"clamped\"",
+        "\"springs\"",
+        "27:8",
+        "does not compute with a foundation of type `springs`",
+        "",
+    );
+    refused(
+        "\"clamped\"",
+        "\"jelly\"",
+        "27:8",
+        "no foundation of type `jelly`",
+        "clamped",
+    );
+}
+
+#[test]
+fn files_that_are_no_tower_at_all() {
+    refused_text("", "1:1", "the file is empty", "[material]");
+    refused_text("  \n\t\n", "1:1", "the file is empty", "");
+    refused_text("# nothing\n", "2:1", "the file has no material", "");
+    refused_text(
+        GOOD.split("5.50").next().expect("before"),
+        "15:9",
+        "this is not TOML",
+        "complete",
+    );
+    refused_text(
+        "------- ELASTODYN TOWER INPUT FILE",
+        "1:8",
+        "this is not TOML",
+        "",
+    );
+    assert!(tower_from_toml("\u{0}\u{1}\u{2}").is_err());
+    assert!(tower_from_toml(&"[".repeat(100_000)).is_err());
+    assert!(tower_from_toml(&format!("x = {}", "[".repeat(100_000))).is_err());
+}
+
+#[test]
+fn line_ends_and_marks_of_other_systems_are_read() {
+    assert!(tower_from_toml(&GOOD.replace('\n', "\r\n")).is_ok());
+    assert!(tower_from_toml(&format!("\u{feff}{GOOD}")).is_ok());
+}
