@@ -1,8 +1,10 @@
 //! The command line.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
+use std::process::ExitCode;
 
 use clap::builder::{PossibleValuesParser, TypedValueParser};
+use clap::error::ErrorKind;
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use towermodes::{DEFAULT_MODES, DEFAULT_POINTS, MAX_POINTS, MAX_SEGMENTS, Method, Options};
 
@@ -62,9 +64,21 @@ const EXAMPLES: &str = "Examples:
 
 Exit codes: 0 done, 1 the computation failed, 2 wrong usage or wrong input.";
 
+/// The file format in short, for those who have nothing but the program.
+const LONG_HELP: &str = concat!(
+    include_str!("tower-file.txt"),
+    "\nExamples:
+  towermodes solve tower.toml
+  towermodes solve tower.toml --modes 20 --format json --output modes.json
+  towermodes solve tower.toml --method rmje --segments 60
+  generate-tower | towermodes solve - --format csv
+
+Exit codes: 0 done, 1 the computation failed, 2 wrong usage or wrong input."
+);
+
 /// The arguments of `solve`.
 #[derive(Debug, Args)]
-#[command(after_help = EXAMPLES)]
+#[command(after_help = EXAMPLES, after_long_help = LONG_HELP)]
 pub(crate) struct SolveArguments {
     /// The tower (TOML); - is standard input
     pub(crate) file: PathBuf,
@@ -73,7 +87,7 @@ pub(crate) struct SolveArguments {
     #[arg(long, default_value = Method::RmjeExact.name(), value_parser = method_parser())]
     method: Method,
 
-    /// Segments [default: 100, or two for each linear piece of the tower if that is more]
+    /// Segments [default: 100, and two for each short span between steps, kinks and masses]
     #[arg(long, value_name = "N", value_parser = number_parser(1, MAX_SEGMENTS))]
     segments: Option<usize>,
 
@@ -90,15 +104,22 @@ pub(crate) struct SolveArguments {
     no_rotary_inertia: bool,
 
     /// How the result is printed
-    #[arg(long, value_enum, default_value_t = Format::Table)]
+    #[arg(long, short, value_enum, default_value_t = Format::Table)]
     pub(crate) format: Format,
 
-    /// Write the result to a file instead of standard output
-    #[arg(long, value_name = "PATH")]
-    pub(crate) output: Option<PathBuf>,
+    /// Write the result to a file instead of standard output (-)
+    #[arg(long, short, value_name = "PATH")]
+    output: Option<PathBuf>,
 }
 
 impl SolveArguments {
+    /// The file the result goes to, if not to standard output.
+    pub(crate) fn output(&self) -> Option<&Path> {
+        self.output
+            .as_deref()
+            .filter(|path| *path != Path::new("-"))
+    }
+
     /// What the library is asked for.
     pub(crate) fn options(&self) -> Options {
         Options {
@@ -129,4 +150,19 @@ fn number_parser(
         _ if most == usize::MAX => Err(format!("must be a whole number, at least {least}")),
         _ => Err(format!("must be a whole number from {least} to {most}")),
     }
+}
+
+/// Prints help, or what is wrong with the command line; a file in place of a command gets the command it needs.
+pub(crate) fn report(error: &clap::Error) -> ExitCode {
+    let _ = error.print();
+    let file = std::env::args_os()
+        .nth(1)
+        .filter(|name| Path::new(name).is_file());
+    if let (ErrorKind::InvalidSubcommand, Some(file)) = (error.kind(), file) {
+        anstream::eprintln!(
+            "\nto solve it: towermodes solve {}",
+            Path::new(&file).display()
+        );
+    }
+    ExitCode::from(u8::try_from(error.exit_code()).unwrap_or(2))
 }

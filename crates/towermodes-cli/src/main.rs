@@ -17,7 +17,11 @@ use clap::Parser;
 use args::{Arguments, Command};
 
 fn main() -> ExitCode {
-    let done = match Arguments::parse().command {
+    let arguments = match Arguments::try_parse() {
+        Ok(arguments) => arguments,
+        Err(error) => return args::report(&error),
+    };
+    let done = match arguments.command {
         Command::Solve(arguments) => solve::run(&arguments),
         Command::Completions { shell } => shell::completions(shell),
         Command::Schema => shell::schema(),

@@ -3,6 +3,8 @@
 use std::io::Write;
 use std::path::Path;
 
+use same_file::Handle;
+
 use crate::failure::Failure;
 
 /// Writes a finished result to a file, or to standard output.
@@ -20,13 +22,20 @@ fn to_standard_output(result: &[u8]) -> std::io::Result<()> {
     stdout.flush()
 }
 
-/// Refuses an output that is the input.
+/// Refuses an output that is the input, by whatever name or link.
 pub(crate) fn check_not_input(input: &Path, output: Option<&Path>) -> Result<(), Failure> {
     let Some(output) = output else {
         return Ok(());
     };
-    match (input.canonicalize(), output.canonicalize()) {
-        (Ok(a), Ok(b)) if a == b => Err(Failure::OverwritesInput(output.display().to_string())),
+    let input = if input == Path::new("-") {
+        Handle::stdin()
+    } else {
+        Handle::from_path(input)
+    };
+    match (input, Handle::from_path(output)) {
+        (Ok(a), Ok(b)) if a == b && output.is_file() => {
+            Err(Failure::OverwritesInput(output.display().to_string()))
+        }
         _ => Ok(()),
     }
 }

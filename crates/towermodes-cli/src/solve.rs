@@ -12,7 +12,7 @@ use crate::table;
 
 /// Reads the tower, solves it, prints the result; warnings go to standard error.
 pub(crate) fn run(arguments: &SolveArguments) -> Result<(), Failure> {
-    check_not_input(&arguments.file, arguments.output.as_deref())?;
+    check_not_input(&arguments.file, arguments.output())?;
     let source = source(&arguments.file)?;
     let tower = match tower_from_toml(&source.text) {
         Ok(tower) => tower,
@@ -26,7 +26,7 @@ pub(crate) fn run(arguments: &SolveArguments) -> Result<(), Failure> {
         Format::Csv => write_csv(&solution, &mut result)?,
     }
     warn(&solution.warnings);
-    deliver(&result, arguments.output.as_deref())
+    deliver(&result, arguments.output())
 }
 
 fn source(file: &Path) -> Result<Source, Failure> {

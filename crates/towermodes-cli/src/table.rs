@@ -10,7 +10,7 @@ const DECIMALS: std::ops::RangeInclusive<i32> = 4..=13;
 pub(crate) fn render(tower: &Tower, solution: &Solution) -> String {
     let mut text = String::new();
     if !tower.name().is_empty() {
-        text.push_str(tower.name());
+        text.push_str(&printable(tower.name()));
         text.push_str("\n\n");
     }
     text.push_str(&modes(solution));
@@ -81,27 +81,47 @@ fn four_digits(value: f64) -> String {
     format!("{value:.*}", usize::try_from(decimals).unwrap_or_default())
 }
 
+/// A name without what would disturb a terminal: control characters and marks that turn the direction of writing.
+fn printable(name: &str) -> String {
+    let disturbs = |c: char| {
+        c.is_control()
+            || ('\u{202a}'..='\u{202e}').contains(&c)
+            || ('\u{2066}'..='\u{2069}').contains(&c)
+    };
+    name.chars()
+        .map(|c| if disturbs(c) { ' ' } else { c })
+        .collect()
+}
+
 /// Tower mass, top mass, method, certificate.
 fn summary(tower: &Tower, solution: &Solution) -> String {
-    let tonnes = |kg: f64| format!("{:.3} t", kg / 1000.0);
     let top = match tower.rna().mass_kg {
         0.0 => "no top mass".to_owned(),
         kg => format!("top {}", tonnes(kg)),
     };
-    let plural = if solution.segments == 1 { "" } else { "s" };
-    let (count, listed) = (solution.certificate.count, solution.modes.len());
-    let below = four_digits(solution.certificate.below_hz);
-    let certificate = if count == listed {
-        format!("certified: {count} modes below {below} Hz, all listed")
+    let (count, segments) = (solution.certificate.count, solution.segments);
+    let plural = |count: usize| if count == 1 { "" } else { "s" };
+    let listed = if count == solution.modes.len() {
+        "all listed"
     } else {
-        format!("certified: {count} modes below {below} Hz, the list cuts a pair")
+        "the list cuts a pair"
     };
     format!(
-        "tower {}, {top} | {}, {} segment{plural} | {certificate}",
+        "tower {}, {top} | {}, {segments} segment{} | certified: this chain has {count} mode{} below {} Hz, {listed}",
         tonnes(tower.mass_kg()),
         solution.method.name(),
-        solution.segments,
+        plural(segments),
+        plural(count),
+        four_digits(solution.certificate.below_hz),
     )
+}
+
+fn tonnes(kg: f64) -> String {
+    if kg < 1e9 {
+        format!("{:.3} t", kg / 1000.0)
+    } else {
+        format!("{:.6e} t", kg / 1000.0)
+    }
 }
 
 #[cfg(test)]

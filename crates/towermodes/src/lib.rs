@@ -28,6 +28,7 @@ pub mod chain;
 pub mod eigen;
 pub mod elements;
 pub mod modes;
+mod number;
 mod solve;
 pub mod tower;
 mod warning;

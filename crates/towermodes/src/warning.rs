@@ -1,12 +1,18 @@
-//! Results and inputs that are possible but look like a slip.
+//! Inputs and results that are possible but look like a slip.
 
-use std::fmt;
+use thiserror::Error;
+
+use crate::number::Plain;
 
 /// Something a user should look at; the computation goes on.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Error)]
 #[non_exhaustive]
 pub enum Warning {
     /// A diameter over 30 m.
+    #[error(
+        "outer diameter {} m at z = {} m is over 30 m; lengths are in metres, not millimetres",
+        Plain(*.outer_diameter_m), Plain(*.height_m)
+    )]
     LargeDiameter {
         /// The diameter, m.
         outer_diameter_m: f64,
@@ -14,11 +20,16 @@ pub enum Warning {
         height_m: f64,
     },
     /// A tower over 1 km.
+    #[error("the tower is {} m tall, over 1 km; lengths are in metres, not millimetres", Plain(*.height_m))]
     TallTower {
         /// Base to top, m.
         height_m: f64,
     },
     /// A wall outside 1/500 to 1/10 of the diameter.
+    #[error(
+        "wall {} m at z = {} m is 1/{:.0} of the diameter {} m; tubular towers have 1/500 to 1/10",
+        Plain(*.wall_thickness_m), Plain(*.height_m), .outer_diameter_m / .wall_thickness_m, Plain(*.outer_diameter_m)
+    )]
     UnusualWall {
         /// Wall thickness, m.
         wall_thickness_m: f64,
@@ -27,12 +38,35 @@ pub enum Warning {
         /// Where, m.
         height_m: f64,
     },
+    /// A value far from what towers have.
+    #[error("{quantity} is {}{unit}; {usual}", Plain(*.value))]
+    Unusual {
+        /// Name of the quantity.
+        quantity: &'static str,
+        /// The value given.
+        value: f64,
+        /// Its unit, after a space, or nothing.
+        unit: &'static str,
+        /// What is usual.
+        usual: &'static str,
+    },
     /// A row below a step at the base, or above a step at the top, has no length.
+    #[error("the end row at z = {} m has no length beyond the step there and changes nothing", Plain(*.height_m))]
     UselessStation {
         /// Its height, m.
         height_m: f64,
     },
+    /// The last row names another material than the row below it.
+    #[error(
+        "the material of the last row holds for nothing: a row's material reaches up to the next row; \
+         to change it at a height, write two rows there"
+    )]
+    UselessMaterial,
     /// A rotor-nacelle assembly heavier than five towers.
+    #[error(
+        "the rotor-nacelle assembly ({} kg) is heavier than five towers (one is {} kg)",
+        Plain(*.rna_kg), Plain(.tower_kg.round())
+    )]
     HeavyRna {
         /// Mass of the assembly, kg.
         rna_kg: f64,
@@ -40,6 +74,10 @@ pub enum Warning {
         tower_kg: f64,
     },
     /// Principal moments of inertia that no mass distribution has.
+    #[error(
+        "a moment of inertia of the rotor-nacelle assembly ({largest_kg_m2:e} kg m2) exceeds the sum of the other two \
+         ({others_kg_m2:e} kg m2), which no mass distribution has"
+    )]
     TriangleInequality {
         /// The largest moment, kg m².
         largest_kg_m2: f64,
@@ -47,11 +85,17 @@ pub enum Warning {
         others_kg_m2: f64,
     },
     /// The lowest frequency is not that of a tower.
+    #[error(
+        "the lowest frequency, {frequency_hz:.4e} Hz, is outside 0.01 to 100 Hz, where towers are; check the units"
+    )]
     UnusualFrequency {
         /// The lowest frequency, Hz.
         frequency_hz: f64,
     },
     /// The number of modes asked for cuts a repeated pair.
+    #[error(
+        "{label} at {frequency_hz:.6} Hz equals the last mode and was cut off; ask for one mode more to see the pair"
+    )]
     CutPair {
         /// The label of the mode that was left out.
         label: String,
@@ -59,83 +103,36 @@ pub enum Warning {
         frequency_hz: f64,
     },
     /// More segments were needed than asked for, one for each piece of the tower.
+    #[error(
+        "{used} segments are used, not {asked}: each linear piece of the tower needs at least one"
+    )]
     MoreSegments {
         /// Asked for.
         asked: usize,
         /// Used.
         used: usize,
     },
-    /// A mode that the segments do not resolve.
+    /// The number of modes below the end of the list is another on another mesh, or the extrapolated frequencies say so.
+    #[error(
+        "the list ends, at {below_hz:.4} Hz, within the error of the segments; more of them may change which modes are the lowest"
+    )]
+    UncertainEnd {
+        /// Where the list was certified to end, Hz.
+        below_hz: f64,
+    },
+    /// Modes that the segments do not resolve.
+    #[error(
+        "{} not resolved (error about {:.0} %{}); use more segments",
+        if *.others == 0 { format!("mode {number} is") } else { format!("mode {number} and {others} more are") },
+        100.0 * .relative_error,
+        if *.others == 0 { "" } else { " and more" }
+    )]
     Unresolved {
-        /// Its number in the list.
+        /// The number of the first of them in the list.
         number: usize,
-        /// Estimated discretization error over frequency.
+        /// How many more there are.
+        others: usize,
+        /// Its estimated discretization error over its frequency.
         relative_error: f64,
     },
-}
-
-impl fmt::Display for Warning {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::LargeDiameter {
-                outer_diameter_m,
-                height_m,
-            } => write!(
-                f,
-                "outer diameter {outer_diameter_m} m at z = {height_m} m is over 30 m; lengths are in metres, not millimetres"
-            ),
-            Self::TallTower { height_m } => write!(
-                f,
-                "the tower is {height_m} m tall, over 1 km; lengths are in metres, not millimetres"
-            ),
-            Self::UnusualWall {
-                wall_thickness_m: t,
-                outer_diameter_m: d,
-                height_m,
-            } => write!(
-                f,
-                "wall {t} m at z = {height_m} m is 1/{:.0} of the diameter {d} m; tubular towers have 1/500 to 1/10",
-                d / t
-            ),
-            Self::UselessStation { height_m } => write!(
-                f,
-                "the end row at z = {height_m} m has no length beyond the step there and changes nothing"
-            ),
-            Self::HeavyRna { rna_kg, tower_kg } => write!(
-                f,
-                "the rotor-nacelle assembly ({rna_kg} kg) is heavier than five towers (one is {tower_kg:.0} kg)"
-            ),
-            Self::TriangleInequality {
-                largest_kg_m2,
-                others_kg_m2,
-            } => write!(
-                f,
-                "a moment of inertia of the rotor-nacelle assembly ({largest_kg_m2:e} kg m2) exceeds the sum of the other two \
-                 ({others_kg_m2:e} kg m2), which no mass distribution has"
-            ),
-            Self::UnusualFrequency { frequency_hz } => write!(
-                f,
-                "the lowest frequency, {frequency_hz:.4e} Hz, is outside 0.01 to 100 Hz, where towers are; check the units"
-            ),
-            Self::CutPair {
-                label,
-                frequency_hz,
-            } => write!(
-                f,
-                "{label} at {frequency_hz:.6} Hz equals the last mode and was cut off; ask for one mode more to see the pair"
-            ),
-            Self::MoreSegments { asked, used } => write!(
-                f,
-                "{used} segments are used, not {asked}: each linear piece of the tower needs at least one"
-            ),
-            Self::Unresolved {
-                number,
-                relative_error,
-            } => write!(
-                f,
-                "mode {number} is not resolved (error about {:.0} %); use more segments",
-                100.0 * relative_error
-            ),
-        }
-    }
 }

@@ -2,7 +2,7 @@
 
 mod towers;
 
-use towermodes::{Family, Method, Options, Shear, TowerDescription};
+use towermodes::{Family, Method, Options, Shear, Station, TowerDescription};
 use towers::{assert_close, frequencies, reference, reference_350t, rich, solved};
 
 /// True frequencies of the reference tower as a Rayleigh beam (spectral elements, 40 digits).
@@ -95,7 +95,7 @@ fn shear_makes_the_published_element_one_of_order_1_in_bending() {
     let (coarse, middle, fine) = (f(2000), f(4000), f(8000));
     let observed = ((coarse - middle) / (middle - fine)).log2();
     assert!((observed - 1.0).abs() < 0.05, "{observed}");
-    // Between the orders, where users are, the estimate errs on the safe side, at most threefold.
+    // Between the orders, where users are, both powers are needed, and three meshes give both.
     for segments in [20, 60, 200] {
         let options = Options {
             method: Method::Rmje,
@@ -110,7 +110,7 @@ fn shear_makes_the_published_element_one_of_order_1_in_bending() {
             let truth = [0.885153338, 4.206221834, 10.435474971, 18.846211207][mode.order - 1];
             let ratio = mode.discretization_error_hz / (mode.frequency_hz - truth).abs();
             assert!(
-                ratio > 1.0 && ratio < 3.1,
+                ratio > 0.8 && ratio < 1.25,
                 "{segments}: {} {ratio}",
                 mode.label()
             );
@@ -142,6 +142,60 @@ fn error_estimates_at_100_segments_are_within_a_factor_3_of_the_truth() {
         );
         let tolerance = if mode.order == 4 { 2e-6 } else { 1e-6 };
         assert_close(mode.extrapolated_hz, truth, tolerance, &mode.label());
+    }
+}
+
+#[test]
+fn errors_of_two_powers_that_cancel_are_still_seen() {
+    // Torsion of the published element under a heavy machine: a/n and b/n² have opposite signs and cancel near 30 segments, where
+    // the difference of two meshes says 2e-5 Hz and the error is 2.6e-4 Hz. The truth is the exact element's extrapolated value.
+    let mut machine = reference_350t();
+    machine.rna.inertia_kg_m2.zz = 2.2652099e7;
+    for stations in &mut machine.stations {
+        stations.wall_thickness_m *= 1.3;
+    }
+    let options = |method, segments| Options {
+        method,
+        segments: Some(segments),
+        modes: 10,
+        ..Options::default()
+    };
+    let torsion = |solution: towermodes::Solution| {
+        let mut modes = solution.modes.into_iter();
+        modes
+            .find(|m| m.family == Family::Torsion)
+            .expect("among the lowest")
+    };
+    let truth = torsion(solved(&machine, &options(Method::RmjeExact, 800))).extrapolated_hz;
+    for segments in [20, 24, 28, 30, 32, 36, 40, 60] {
+        let mode = torsion(solved(&machine, &options(Method::Rmje, segments)));
+        let ratio = mode.discretization_error_hz / (mode.frequency_hz - truth).abs();
+        assert!(
+            ratio > 1.0 / 3.0 && ratio < 3.0,
+            "{segments} segments: {ratio}"
+        );
+    }
+}
+
+#[test]
+fn short_spans_do_not_starve_long_ones() {
+    // Sixty rings of 5 cm between two pieces of 40 m: the default gives the rings two segments each on top of the hundred.
+    let mut rings = reference();
+    rings.stations.clear();
+    for k in 0..=60 {
+        let z = 40.0 + 0.05 * f64::from(k);
+        let d = if k % 2 == 0 { 5.0 } else { 5.2 };
+        rings.stations.push(Station::new(z, d, 0.03));
+    }
+    rings.stations.insert(0, Station::new(0.0, 6.0, 0.03));
+    rings.stations.push(Station::new(83.0, 4.0, 0.02));
+    let solution = solved(&rings, &Options::default());
+    assert_eq!(solution.segments, 220);
+    for mode in &solution.modes {
+        assert!(
+            mode.discretization_error_hz < 1e-3 * mode.frequency_hz,
+            "{mode:?}"
+        );
     }
 }
 

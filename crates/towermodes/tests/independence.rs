@@ -3,8 +3,8 @@
 mod towers;
 
 use towermodes::{
-    Family, Method, Options, SolveError, Tower, TowerDescription, Warning, Workspace, solve,
-    solve_with,
+    Family, Material, Method, Options, Solution, SolveError, Station, Tower, TowerDescription,
+    Warning, Workspace, solve, solve_with,
 };
 use towers::{assert_close, reference, reference_350t, rich, solved};
 
@@ -196,6 +196,57 @@ fn solving_takes_the_products_it_should() {
         },
     );
     assert!(fine.statistics.products <= 84, "{:?}", fine.statistics);
+}
+
+#[test]
+fn a_list_that_ends_within_the_error_of_its_segments_says_so() {
+    // A uniform tube whose seventh bending pair lies 0.15 % above where 100 segments put the last of 16 modes.
+    let tube = TowerDescription {
+        materials: vec![Material::from_shear_modulus(7850.0, 2.1e11, 8.08e10)],
+        stations: vec![Station::new(0.0, 2.0, 0.02), Station::new(100.0, 2.0, 0.02)],
+        ..TowerDescription::default()
+    };
+    let options = Options {
+        rotary_inertia: false,
+        ..with_modes(16)
+    };
+    let uncertain = |solution: &Solution| {
+        solution
+            .warnings
+            .iter()
+            .any(|w| matches!(w, Warning::UncertainEnd { .. }))
+    };
+    assert!(uncertain(&solved(&tube, &options)));
+    assert!(!uncertain(&solved(&reference(), &with_modes(8))));
+}
+
+#[test]
+fn heights_one_rounding_apart_are_a_tower() {
+    let mut description = reference();
+    description
+        .stations
+        .insert(1, Station::new(40.0, 5.0, 0.025));
+    description
+        .stations
+        .insert(2, Station::new(40.0_f64.next_up(), 4.9, 0.024));
+    let mut step = description.clone();
+    step.stations[2].height_m = 40.0;
+    let (a, b) = (
+        solved(&description, &with_modes(6)),
+        solved(&step, &with_modes(6)),
+    );
+    for (a, b) in a.modes.iter().zip(&b.modes) {
+        assert_close(a.extrapolated_hz, b.extrapolated_hz, 1e-6, "nearly a step");
+    }
+    // A tower of no height to speak of is refused or solved, and nothing else.
+    for height in [1e-307, 5e-324] {
+        let mut flat = reference();
+        flat.stations[1].height_m = height;
+        let _ = solve(
+            &Tower::new(flat).expect("each number is fine"),
+            &Options::default(),
+        );
+    }
 }
 
 #[test]

@@ -4,7 +4,7 @@ use towermodes::{Inertia, Place, PointMass, Rna};
 
 use super::Reading;
 use super::table::{Keys, Table, kind};
-use super::values::{Value, list, number};
+use super::values::{Value, list, number, text};
 use crate::diagnostic::Diagnostic;
 
 const RNA: Keys = Keys {
@@ -16,7 +16,7 @@ const INERTIA: Keys = Keys {
     planned: &[],
 };
 const POINT_MASS: Keys = Keys {
-    known: &["height", "mass"],
+    known: &["height", "mass", "name"],
     planned: &["inertia"],
 };
 
@@ -103,6 +103,10 @@ pub(super) fn point_masses(root: &Table<'_>, reading: &mut Reading) -> Option<Ve
 
 fn point_mass(row: &Value<'_>, index: usize, reading: &mut Reading) -> Option<PointMass> {
     let table = Table::of(row, "[[point_mass]]", &POINT_MASS, reading)?;
+    if let Some(name) = table.get("name") {
+        // For the reader of the file; nothing is computed from it.
+        text(name, "a point mass's name", reading)?;
+    }
     let mut required = |key: &'static str, hint: &str| {
         let value = table.require(key, hint, reading)?;
         reading.remember(Place::PointMass { index, key }, value.span());

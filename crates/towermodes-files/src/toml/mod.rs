@@ -79,7 +79,7 @@ fn syntax_mistake(error: &::toml::de::Error, text: &str) -> Diagnostic {
     let span = error.span().unwrap_or(text.len()..text.len());
     let ends_early = span.start >= text.trim_end().len();
     let message = error.message().lines().collect::<Vec<_>>().join("; ");
-    let diagnostic = Diagnostic::new(span, format!("this is not TOML: {message}"));
+    let diagnostic = Diagnostic::new(span, format!("cannot be read as TOML: {message}"));
     if ends_early {
         diagnostic.with_hint("the file ends here; is it complete?")
     } else {

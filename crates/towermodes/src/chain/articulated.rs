@@ -78,13 +78,15 @@ where
             }
             negative += usize::from(pivot < 0.0);
             record(Elimination { pivot, column });
+            let inverse = 1.0 / pivot;
+            let factor = root * root * inverse;
             for (row, out) in p.iter_mut().enumerate() {
                 // In the spring's own row and column p − p p_e g²/δ is p/δ: no cancellation when the spring is soft.
                 for (col, entry) in out.iter_mut().enumerate() {
                     *entry = if row == component || col == component {
-                        *entry / pivot
+                        *entry * inverse
                     } else {
-                        *entry - column[row] * column[col] * (root * root / pivot)
+                        *entry - column[row] * column[col] * factor
                     };
                 }
             }

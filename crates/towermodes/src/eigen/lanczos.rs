@@ -13,10 +13,8 @@ use super::vector::{add_combination, dot, fill_pseudo_random, project, scale};
 const TOLERANCE: f64 = 1e-13;
 /// … or below this, relative to the largest Ritz value: no product is more accurate than that.
 const FLOOR: f64 = 2.0 * f64::EPSILON;
-/// Below this size a step costs less than a look at the Ritz values, so looks are taken at every second step only.
-const LOOK_AT_EVERY_STEP: usize = 1000;
-/// Steps beyond the number of wanted modes before the first look.
-const FIRST_LOOK: usize = 5;
+/// The Ritz values are looked at when the forecast of the residual is small enough, and at every so many steps whatever it says.
+const LOOK_ANYWAY: usize = 8;
 
 /// The state and the memory of a Lanczos process; a second process of the same size allocates nothing.
 #[derive(Debug, Default)]
@@ -82,6 +80,7 @@ impl Lanczos {
     /// Returns false if the numbers are not finite.
     pub(super) fn run(&mut self, pencil: &mut dyn Pencil, wanted: usize) -> bool {
         let size = self.next.len();
+        let mut next_look = wanted + 1;
         loop {
             let beta = self.step(pencil);
             if !beta.is_finite() || !self.alpha.iter().all(|a| a.is_finite()) {
@@ -90,11 +89,12 @@ impl Lanczos {
             if self.used == size {
                 return self.diagonalize_fully();
             }
-            let ahead = self.used.saturating_sub(wanted + FIRST_LOOK);
-            let look = self.used >= wanted + FIRST_LOOK
-                && (size >= LOOK_AT_EVERY_STEP || ahead.is_multiple_of(2));
-            if look && self.has_converged(wanted, beta) {
-                return self.diagonalize_fully();
+            if self.used >= next_look && self.is_hopeful(wanted, beta) {
+                if self.has_converged(wanted, beta) {
+                    return true;
+                }
+                // A look costs the cube of the steps, so the more there are the rarer it is.
+                next_look = self.used + 1 + (self.used - wanted) / 8;
             }
             self.extend(pencil, beta);
         }
@@ -102,18 +102,22 @@ impl Lanczos {
 
     /// One step: α of the newest vector; leaves the residual vector in `next` and returns its K-norm β.
     fn step(&mut self, pencil: &mut dyn Pencil) -> f64 {
-        let basis = &self.basis[..self.used];
         let newest = self.used - 1;
-        self.coefficients.resize(self.used, 0.0);
-        pencil.mass_times(&basis[newest], &mut self.image);
+        pencil.mass_times(&self.basis[newest], &mut self.image);
         self.products += 1;
         self.next.copy_from_slice(&self.image);
         pencil.solve(&mut self.next);
-        project(basis, &self.image, &mut self.coefficients);
-        let mut alpha = self.coefficients[newest];
-        self.subtract_coefficients();
-        alpha += self.orthogonalize(pencil);
-        self.alpha.push(alpha);
+        // First the two vectors that the exact process would leave, then all of them for what rounding leaves.
+        let alpha = dot(&self.basis[newest], &self.image);
+        let first = newest.saturating_sub(1);
+        let factors = [-self.beta.last().copied().unwrap_or(0.0), -alpha];
+        add_combination(
+            &self.basis[first..=newest],
+            &factors[2 - (newest + 1 - first)..],
+            &mut self.next,
+        );
+        let correction = self.orthogonalize(pencil);
+        self.alpha.push(alpha + correction);
         dot(&self.next, &self.stiff).max(0.0).sqrt()
     }
 
@@ -176,32 +180,44 @@ impl Lanczos {
         self.used += 1;
     }
 
+    /// Whether a look at the Ritz values is worth its cost.
+    ///
+    /// The projected matrix is nearly diagonal where the spectrum falls fast, so the last component of the wanted-th Ritz vector is
+    /// about the product of the couplings after it over its Ritz value.
+    fn is_hopeful(&self, wanted: usize, beta: f64) -> bool {
+        let Some(&theta) = self.alpha.get(wanted - 1) else {
+            return false;
+        };
+        let couplings = self.beta[wanted - 1..].iter();
+        let forecast = beta * couplings.map(|b| (b / theta).min(1.0)).product::<f64>();
+        forecast <= self.allowed(theta, self.alpha[0].max(theta))
+            || (self.used - wanted).is_multiple_of(LOOK_ANYWAY)
+    }
+
+    /// The residual that a Ritz value θ may have beside the largest one.
+    fn allowed(&self, theta: f64, largest: f64) -> f64 {
+        (TOLERANCE * theta).max(FLOOR * largest)
+    }
+
     /// Whether the residual estimates β |last component| of the `wanted` largest Ritz values are small.
     fn has_converged(&mut self, wanted: usize, beta: f64) -> bool {
-        let size = self.used;
-        self.components.clear();
-        self.components.resize(size, 0.0);
-        self.components[size - 1] = 1.0;
-        if !self.diagonalize_into(1) {
+        if !self.diagonalize_fully() {
             return false;
         }
+        let size = self.used;
         let largest = self.values[self.order[0]];
         self.order.iter().take(wanted).all(|&i| {
-            let allowed = (TOLERANCE * self.values[i]).max(FLOOR * largest);
-            beta * self.components[i].abs() <= allowed
+            let last_component = self.components[i * size + size - 1];
+            beta * last_component.abs() <= self.allowed(self.values[i], largest)
         })
     }
 
+    /// Ritz values and the eigenvectors of the projected matrix; false if they are not numbers.
     fn diagonalize_fully(&mut self) -> bool {
         let size = self.used;
         self.components.clear();
         self.components.resize(size * size, 0.0);
         (0..size).for_each(|i| self.components[i * size + i] = 1.0);
-        self.diagonalize_into(size)
-    }
-
-    fn diagonalize_into(&mut self, rows: usize) -> bool {
-        let size = self.used;
         self.values.clear();
         self.values.extend_from_slice(&self.alpha);
         self.off_diagonal.clear();
@@ -210,7 +226,7 @@ impl Lanczos {
             &mut self.values,
             &mut self.off_diagonal,
             &mut self.components,
-            rows,
+            size,
         );
         self.order.clear();
         self.order.extend(0..size);

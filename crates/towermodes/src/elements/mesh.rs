@@ -24,23 +24,42 @@ pub struct Mesh {
 impl Mesh {
     /// Cuts a tower into `segments`, or as many as it has spans if that is more.
     ///
-    /// An even number is shared out in pairs where there are enough, so that [`halved`](Self::halved) exists.
+    /// An even number that gives every span four and more is shared out in pairs, so that [`halved`](Self::halved) exists.
     pub fn new(tower: &Tower, segments: usize) -> Self {
         let pieces = spans_of(tower);
-        let lengths: Vec<f64> = pieces.iter().map(Piece::length_m).collect();
-        let counts = if segments.is_multiple_of(2) && segments / 2 >= pieces.len() {
-            let mut halves = shared_by_length(&lengths, segments / 2);
-            halves.iter_mut().for_each(|count| *count *= 2);
-            halves
+        if segments.is_multiple_of(2) && segments / 4 >= pieces.len() {
+            Self::in_pairs(pieces, segments / 2)
         } else {
-            shared_by_length(&lengths, segments)
-        };
-        let spans = pieces.into_iter().zip(counts);
-        Self::from_spans(
-            spans
-                .map(|(piece, segments)| Span { piece, segments })
-                .collect(),
-        )
+            Self::shared_out(pieces, segments, 1)
+        }
+    }
+
+    /// Cuts a tower into about `segments`, an even number in each span: what is shorter than two of them is cut in two, and the rest
+    /// is shared out as if the short spans were not there.
+    pub fn at_least(tower: &Tower, segments: usize) -> Self {
+        let pieces = spans_of(tower);
+        let pair_m = tower.height_m() / (segments / 2) as f64;
+        let short = pieces
+            .iter()
+            .filter(|piece| piece.length_m() < pair_m)
+            .count();
+        let short = if short == pieces.len() { 0 } else { short };
+        Self::in_pairs(pieces, segments / 2 + short)
+    }
+
+    fn in_pairs(pieces: Vec<Piece>, pairs: usize) -> Self {
+        Self::shared_out(pieces, pairs, 2)
+    }
+
+    /// Shares `shares` out by length, each worth so many segments.
+    fn shared_out(pieces: Vec<Piece>, shares: usize, segments_each: usize) -> Self {
+        let lengths: Vec<f64> = pieces.iter().map(Piece::length_m).collect();
+        let counts = shared_by_length(&lengths, shares);
+        let spans = pieces.into_iter().zip(counts).map(|(piece, count)| Span {
+            piece,
+            segments: segments_each * count,
+        });
+        Self::from_spans(spans.collect())
     }
 
     /// The fewest segments a tower can be cut into: its steps, kinks and point masses make them.

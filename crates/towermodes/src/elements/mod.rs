@@ -31,22 +31,23 @@ impl Method {
         }
     }
 
-    /// The order p of its bending frequencies' error, n⁻ᵖ: 2, but 1 for the published element of a tower that shears.
+    /// The leading powers p of its error n⁻ᵖ in bending: 2, but 1 and 2 for the published element of a tower that shears.
     ///
     /// Its sliding joint sits at L/4. Without shear the sliding of a segment is O(n⁻³) and where it happens does not matter; shear
     /// makes it O(n⁻¹), and its place an error of first order.
-    pub fn bending_order(self, shear: Shear) -> i32 {
+    pub fn bending_powers(self, shear: Shear) -> &'static [i32] {
         match (self, shear) {
-            (Self::Rmje, Shear::Cowper | Shear::Coefficient(_)) => 1,
-            _ => 2,
+            (Self::Rmje, Shear::Cowper | Shear::Coefficient(_)) => &[1, 2],
+            _ => &[2],
         }
     }
 
-    /// The order p of its torsional and axial frequencies' error, n⁻ᵖ: 1 for the published element, whose joint for both sits at L/4.
-    pub fn axial_order(self) -> i32 {
+    /// The leading powers p of its error n⁻ᵖ in torsion and axially: 2, but 1 and 2 for the published element, whose joint for both sits
+    /// at L/4. The two can cancel on usual meshes, so both are needed to know the error.
+    pub fn axial_powers(self) -> &'static [i32] {
         match self {
-            Self::Rmje => 1,
-            Self::RmjeExact => 2,
+            Self::Rmje => &[1, 2],
+            Self::RmjeExact => &[2],
         }
     }
 

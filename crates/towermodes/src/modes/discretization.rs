@@ -1,59 +1,49 @@
 //! The discretization error of a frequency, by Richardson's extrapolation.
 //!
-//! A method of order p has f(n) = f* + C n⁻ᵖ + …, so two meshes, one with every segment halved, give C and with it both the error and
-//! a better value (Richardson 1911).
+//! A method whose error has the powers p, q, … of 1/n gives f(n) = f* + C n⁻ᵖ + D n⁻ᵠ + …. Meshes that halve each other's segments
+//! give C, D, … and with them both the error and a better value (Richardson 1911; Romberg 1955 for several powers).
 
-/// What a second mesh says about a frequency.
+/// What coarser or finer meshes say about a frequency.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Richardson {
+pub struct Estimate {
     /// Estimate of |f* − f(n)|, Hz.
     pub error_hz: f64,
     /// Estimate of f*, Hz.
     pub extrapolated_hz: f64,
 }
 
-/// Whether the second mesh is coarser or finer.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Companion {
-    /// Half as many segments.
-    Halved,
-    /// Twice as many segments.
-    Doubled,
-}
-
-/// Error and extrapolated value of `frequency_hz` from the same mode on the companion mesh, for a method of the given order.
+/// Extrapolates the frequencies (Hz) of one mode on meshes from the finest to the coarsest, each with half the segments of the one
+/// before, for an error with these powers of 1/n: one mesh more than there are powers.
 ///
-/// Halved: f* − f(n) = (f(n) − f(n/2))/(2ᵖ − 1).  Doubled: f* − f(n) = (f(2n) − f(n))·2ᵖ/(2ᵖ − 1).
-pub fn richardson(
-    frequency_hz: f64,
-    companion_hz: f64,
-    companion: Companion,
-    order: i32,
-) -> Richardson {
-    let power = 2.0_f64.powi(order);
-    let correction = match companion {
-        Companion::Halved => (frequency_hz - companion_hz) / (power - 1.0),
-        Companion::Doubled => (companion_hz - frequency_hz) * power / (power - 1.0),
-    };
-    Richardson {
-        error_hz: correction.abs(),
-        extrapolated_hz: frequency_hz + correction,
+/// Each power p in turn: fᵢ ← fᵢ + (fᵢ − fᵢ₊₁)/(2ᵖ − 1).  The error is that of `frequency_hz`, which is one of the meshes'.
+pub fn richardson(frequency_hz: f64, mut meshes_hz: Vec<f64>, powers: &[i32]) -> Estimate {
+    for &power in powers {
+        let gain = 2.0_f64.powi(power) - 1.0;
+        for finer in 0..meshes_hz.len().saturating_sub(1) {
+            meshes_hz[finer] += (meshes_hz[finer] - meshes_hz[finer + 1]) / gain;
+        }
+        meshes_hz.pop();
+    }
+    let extrapolated_hz = meshes_hz.first().copied().unwrap_or(frequency_hz);
+    Estimate {
+        error_hz: (extrapolated_hz - frequency_hz).abs(),
+        extrapolated_hz,
     }
 }
 
 #[cfg(test)]
 mod tests {
-    use super::*;
+    use super::richardson;
 
     #[test]
-    fn a_pure_power_law_is_extrapolated_exactly() {
-        let f = |n: f64, p: i32| 3.0 - 0.5 * n.powi(-p);
-        for p in [1, 2, 4] {
-            let truth = 0.5 * 8.0_f64.powi(-p);
-            for (companion, n) in [(Companion::Halved, 4.0), (Companion::Doubled, 16.0)] {
-                let r = richardson(f(8.0, p), f(n, p), companion, p);
-                assert!((r.extrapolated_hz - 3.0).abs() < 1e-15);
-                assert!((r.error_hz - truth).abs() < 1e-15);
+    fn pure_powers_are_extrapolated_exactly() {
+        for powers in [&[1][..], &[2], &[4], &[1, 2], &[2, 4]] {
+            let f = |n: f64| 3.0 + powers.iter().map(|&p| 0.5 * n.powi(-p)).sum::<f64>();
+            let meshes = [8.0, 4.0, 2.0].map(f)[..=powers.len()].to_vec();
+            for chosen in meshes.clone() {
+                let estimate = richardson(chosen, meshes.clone(), powers);
+                assert!((estimate.extrapolated_hz - 3.0).abs() < 1e-14);
+                assert!((estimate.error_hz - (chosen - 3.0)).abs() < 1e-14);
             }
         }
     }

@@ -5,7 +5,7 @@ mod family;
 mod sampling;
 mod shape;
 
-pub use discretization::{Companion, Richardson, richardson};
+pub use discretization::{Estimate, richardson};
 pub use family::Family;
 pub use sampling::{ModeCurve, ShapeWorkspace};
 pub use shape::ShapePoint;

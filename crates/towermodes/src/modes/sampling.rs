@@ -6,7 +6,7 @@
 use super::family::Family;
 use super::shape::{Cubic, ShapePoint};
 use crate::chain::{Chain, Dim, Space, motions, raise};
-use crate::elements::Mesh;
+use crate::elements::{Mesh, Span};
 use crate::tower::{Shear, compliance};
 
 /// Working memory for turning eigenvectors into shapes.
@@ -27,6 +27,7 @@ struct Motions<const D: usize> {
 pub struct ModeCurve<'a> {
     mesh: &'a Mesh,
     motion: BorderMotion<'a>,
+    is_sheared: bool,
     /// The largest motion, with the sign of the top's.
     largest: f64,
 }
@@ -62,9 +63,11 @@ impl<'a> ModeCurve<'a> {
     }
 
     fn normalized(mesh: &'a Mesh, motion: BorderMotion<'a>) -> Self {
+        let sheared = |span: &Span| span.piece.shear != Shear::Rigid;
         let mut curve = Self {
             mesh,
             motion,
+            is_sheared: mesh.spans().iter().any(sheared),
             largest: 1.0,
         };
         let mut largest = 0.0_f64;
@@ -87,7 +90,11 @@ impl<'a> ModeCurve<'a> {
         let length_m = borders[1] - borders[0];
         match self.motion {
             BorderMotion::Bending(motion) => {
-                let share = shear_share(self.mesh, segment);
+                let share = if self.is_sheared {
+                    shear_share(self.mesh, segment)
+                } else {
+                    0.0
+                };
                 Cubic::beam(motion[segment], motion[segment + 1], length_m, share)
             }
             BorderMotion::Axial(motion) => {
@@ -115,28 +122,26 @@ impl<'a> ModeCurve<'a> {
 }
 
 fn shape_point(family: Family, height_m: f64, value: f64, rotation: f64) -> ShapePoint {
-    // A positive slope of y is a negative rotation about x; zero stays +0.
     let (translation, rotation) = match family {
-        Family::ForeAft => ([value, 0.0, 0.0], [0.0, rotation, 0.0]),
-        Family::SideSide => ([0.0, value, 0.0], [0.0 - rotation, 0.0, 0.0]),
+        Family::ForeAft | Family::SideSide => ([value, 0.0, 0.0], [0.0, rotation, 0.0]),
         Family::Axial => ([0.0, 0.0, value], [0.0; 3]),
         Family::Torsion => ([0.0; 3], [0.0, 0.0, value]),
     };
-    ShapePoint {
+    let point = ShapePoint {
         height_m,
         translation,
         rotation,
+    };
+    match family {
+        Family::SideSide => point.turned_to_side_side(),
+        _ => point,
     }
 }
 
 /// The share of a segment's sliding that is shear deformation.
 fn shear_share(mesh: &Mesh, segment: usize) -> f64 {
-    let piece = mesh.piece_of(segment);
-    if piece.shear == Shear::Rigid {
-        return 0.0;
-    }
     let borders = &mesh.borders_m()[segment..segment + 2];
-    let compliance = compliance(piece, borders[0], borders[1]);
+    let compliance = compliance(mesh.piece_of(segment), borders[0], borders[1]);
     compliance.shear_m_per_n / (compliance.shear_m_per_n + compliance.deflection_m_per_n)
 }
 

@@ -13,6 +13,19 @@ pub struct ShapePoint {
     pub rotation: [f64; 3],
 }
 
+impl ShapePoint {
+    /// The same motion in the side-side plane, if this one is in the fore-aft plane.
+    ///
+    /// A positive slope of y is a negative rotation about x.
+    pub fn turned_to_side_side(&self) -> Self {
+        Self {
+            height_m: self.height_m,
+            translation: [0.0, self.translation[0], 0.0],
+            rotation: [0.0 - self.rotation[1], 0.0, 0.0],
+        }
+    }
+}
+
 /// A curve over a segment of the tower: a polynomial of degree ≤ 3 in s = (z − base)/length.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Cubic {

@@ -1,75 +1,126 @@
-//! The discretization error of each mode, from a second mesh.
+//! The discretization error of each mode, from meshes that are coarser or finer by halves.
 
 use super::Workspace;
 use super::options::{Options, SolveError};
 use super::solution::Mode;
+use super::spectrum::{FAMILIES, Spectrum};
+use crate::chain::DecoupledChains;
 use crate::eigen::Statistics;
 use crate::elements::{Mesh, assemble};
-use crate::modes::{Companion, Family, richardson};
+use crate::modes::{Family, richardson};
 use crate::tower::Tower;
 
-/// Solves again with every segment halved or doubled and extrapolates.
+/// Meshes that halve each other's segments, finest first.
+struct Ladder {
+    meshes: Vec<Mesh>,
+    /// Which of them is the solution's own.
+    own: usize,
+}
+
+/// Solves again with the segments halved, or doubled where they cannot be halved, and extrapolates.
+///
+/// Returns how many modes the nearest other mesh has below `below` (λ, rad²/s²), where the list was certified complete: if that is
+/// another number than the certificate's, the list ends within the error of the segments.
 pub(super) fn estimate_errors(
     tower: &Tower,
     mesh: &Mesh,
     options: &Options,
     modes: &mut [Mode],
+    below: f64,
     workspace: &mut Workspace,
-) -> Result<(), SolveError> {
-    let (companion_mesh, companion) = companion_of(mesh, modes);
+) -> Result<usize, SolveError> {
+    let powers_of = |mode: &Mode| match mode.family {
+        Family::ForeAft | Family::SideSide => options.method.bending_powers(tower.shear()),
+        Family::Torsion | Family::Axial => options.method.axial_powers(),
+    };
+    let steps = modes.iter().map(|mode| powers_of(mode).len()).max();
+    let ladder = Ladder::new(mesh, modes, steps.unwrap_or(0));
+    let (levels, counts) = solve_ladder(tower, &ladder, options, modes, below, workspace)?;
+    for (index, mode) in modes.iter_mut().enumerate() {
+        let powers = powers_of(mode);
+        // As many meshes as the powers need, coarser ones before finer ones.
+        let finest = ladder.own.min(levels.len() - 1 - powers.len());
+        let meshes_hz = levels[finest..=finest + powers.len()]
+            .iter()
+            .map(|level| level[index]);
+        let estimate = richardson(mode.frequency_hz, meshes_hz.collect(), powers);
+        mode.discretization_error_hz = estimate.error_hz;
+        mode.extrapolated_hz = estimate.extrapolated_hz;
+    }
+    let nearest = if ladder.own + 1 < counts.len() {
+        ladder.own + 1
+    } else {
+        ladder.own - 1
+    };
+    Ok(counts[nearest])
+}
+
+impl Ladder {
+    /// `steps` meshes beside `mesh`: coarser ones while every span can be halved and every family still has its modes, then finer ones.
+    fn new(mesh: &Mesh, modes: &[Mode], steps: usize) -> Self {
+        let halves = std::iter::successors(Some(mesh.clone()), |mesh| {
+            mesh.halved().filter(|halved| has_all(halved, modes))
+        });
+        let mut meshes: Vec<Mesh> = halves.take(1 + steps).collect();
+        let own = 1 + steps - meshes.len();
+        for _ in 0..own {
+            meshes.insert(0, meshes[0].doubled());
+        }
+        Self { meshes, own }
+    }
+}
+
+/// The frequencies of the same modes (Hz) on every mesh, and how many modes each has below `below`.
+fn solve_ladder(
+    tower: &Tower,
+    ladder: &Ladder,
+    options: &Options,
+    modes: &[Mode],
+    below: f64,
+    workspace: &mut Workspace,
+) -> Result<(Vec<Vec<f64>>, Vec<usize>), SolveError> {
     let Workspace {
         chains, spectrum, ..
     } = workspace;
-    assemble(
-        tower,
-        &companion_mesh,
-        options.method,
-        options.rotary_inertia,
-        chains,
-    );
     spectrum.statistics = Statistics::default();
-    for family in [
-        Family::ForeAft,
-        Family::SideSide,
-        Family::Torsion,
-        Family::Axial,
-    ] {
+    let (mut levels, mut counts) = (Vec::new(), Vec::new());
+    for (index, mesh) in ladder.meshes.iter().enumerate() {
+        if index == ladder.own {
+            levels.push(modes.iter().map(|mode| mode.frequency_hz).collect());
+            counts.push(modes.len());
+            continue;
+        }
+        assemble(tower, mesh, options.method, options.rotary_inertia, chains);
+        levels.push(frequencies(modes, chains, spectrum)?);
+        counts.push(spectrum.count_below(chains, below));
+    }
+    Ok((levels, counts))
+}
+
+/// Whether a mesh is fine enough to have every mode of the list: every element has two joint coordinates a segment in a bending plane,
+/// one in torsion and one axially.
+fn has_all(mesh: &Mesh, modes: &[Mode]) -> bool {
+    modes.iter().all(|mode| match mode.family {
+        Family::ForeAft | Family::SideSide => mode.order <= 2 * mesh.segments(),
+        Family::Torsion | Family::Axial => mode.order <= mesh.segments(),
+    })
+}
+
+/// The frequencies of the same modes on the mesh that `chains` were assembled from, Hz.
+fn frequencies(
+    modes: &[Mode],
+    chains: &DecoupledChains,
+    spectrum: &mut Spectrum,
+) -> Result<Vec<f64>, SolveError> {
+    for family in FAMILIES {
         let is_copy = family == Family::SideSide && chains.planes_are_equal();
-        let wanted = orders_of(modes, family);
+        let orders = modes.iter().filter(|m| m.family == family).map(|m| m.order);
+        let wanted = orders.max().unwrap_or(0);
         if wanted > 0 && !is_copy {
             spectrum.solve_family(chains, family, wanted)?;
         }
     }
-    for mode in modes {
-        let companion_hz =
-            spectrum.of(chains, mode.family).eigenvalues()[mode.order - 1].frequency_hz();
-        let order = match mode.family {
-            Family::ForeAft | Family::SideSide => options.method.bending_order(tower.shear()),
-            Family::Torsion | Family::Axial => options.method.axial_order(),
-        };
-        let estimate = richardson(mode.frequency_hz, companion_hz, companion, order);
-        mode.discretization_error_hz = estimate.error_hz;
-        mode.extrapolated_hz = estimate.extrapolated_hz;
-    }
-    Ok(())
-}
-
-/// The highest order of a family in the list.
-fn orders_of(modes: &[Mode], family: Family) -> usize {
-    let orders = modes.iter().filter(|m| m.family == family).map(|m| m.order);
-    orders.max().unwrap_or(0)
-}
-
-/// Half the segments if every span allows it and every family still has its modes, else twice.
-fn companion_of(mesh: &Mesh, modes: &[Mode]) -> (Mesh, Companion) {
-    let has_all = |mesh: &Mesh| {
-        // Every element has two joint coordinates a segment in a bending plane, one in torsion and one axially.
-        let bending = orders_of(modes, Family::ForeAft).max(orders_of(modes, Family::SideSide));
-        let axial = orders_of(modes, Family::Torsion).max(orders_of(modes, Family::Axial));
-        bending <= 2 * mesh.segments() && axial <= mesh.segments()
-    };
-    match mesh.halved().filter(has_all) {
-        Some(halved) => (halved, Companion::Halved),
-        None => (mesh.doubled(), Companion::Doubled),
-    }
+    let frequency =
+        |mode: &Mode| spectrum.of(chains, mode.family).eigenvalues()[mode.order - 1].frequency_hz();
+    Ok(modes.iter().map(frequency).collect())
 }

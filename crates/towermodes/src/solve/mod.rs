@@ -12,6 +12,7 @@ pub use options::{
 };
 pub use solution::{Certificate, Mode, Solution};
 
+use crate::Warning;
 use crate::chain::DecoupledChains;
 use crate::eigen::{EigenError, Statistics};
 use crate::elements::{Mesh, assemble};
@@ -54,9 +55,14 @@ pub fn solve_with(
     let listed = &found[..options.modes];
     let mut modes = shapes(tower, &mesh, options, listed, workspace);
     let degrees_of_freedom = workspace.chains.degrees_of_freedom();
-    estimate_errors(tower, &mesh, options, &mut modes, workspace)?;
+    let below = (std::f64::consts::TAU * certificate.below_hz).powi(2);
+    let elsewhere = estimate_errors(tower, &mesh, options, &mut modes, below, workspace)?;
     statistics += workspace.spectrum.statistics;
-    let warnings = warnings(tower, &mesh, options, &modes, &found);
+    let mut warnings = warnings(tower, &mesh, options, &modes, &found);
+    let below_hz = certificate.below_hz;
+    if elsewhere != certificate.count || modes.iter().any(|m| m.extrapolated_hz >= below_hz) {
+        warnings.push(Warning::UncertainEnd { below_hz });
+    }
     Ok(Solution {
         method: options.method,
         segments: mesh.segments(),
@@ -78,13 +84,20 @@ fn mesh_of(tower: &Tower, options: &Options) -> Result<Mesh, SolveError> {
         });
     }
     let fewest = Mesh::fewest_segments(tower);
-    let segments = options.segments.unwrap_or(DEFAULT_SEGMENTS.max(2 * fewest));
-    if segments == 0 || segments.max(fewest) > MAX_SEGMENTS {
-        return Err(SolveError::Segments {
-            segments: segments.max(if segments == 0 { 0 } else { fewest }),
-        });
-    }
+    let Some(segments) = options.segments else {
+        return within_limit(fewest).map(|_| Mesh::at_least(tower, DEFAULT_SEGMENTS));
+    };
+    within_limit(segments)?;
+    within_limit(fewest)?;
     Ok(Mesh::new(tower, segments))
+}
+
+fn within_limit(segments: usize) -> Result<(), SolveError> {
+    if (1..=MAX_SEGMENTS).contains(&segments) {
+        Ok(())
+    } else {
+        Err(SolveError::Segments { segments })
+    }
 }
 
 /// Assembles the tower on a mesh, solves it, and proves the list complete.
@@ -140,33 +153,39 @@ fn shapes(
     } = workspace;
     let heights_m = equal_heights(tower, options.points);
     let stations_m: Vec<f64> = tower.stations().iter().map(|s| s.height_m).collect();
-    let mode = |(index, found): (usize, &Found)| {
-        let vector = spectrum.of(chains, found.family).vector(found.order - 1);
-        let curve = match found.family {
-            Family::SideSide if !chains.planes_are_equal() => {
-                ModeCurve::bending(mesh, &chains.side_side, vector, shapes)
+    let mut modes: Vec<Mode> = Vec::with_capacity(listed.len());
+    for found in listed {
+        let number = modes.len() + 1;
+        // Of a repeated pair the second is the first in the other plane.
+        let twin = modes
+            .last()
+            .filter(|_| found.family == Family::SideSide && chains.planes_are_equal());
+        let mode = match twin {
+            Some(twin) => twin.in_side_side(number),
+            None => {
+                let vector = spectrum.of(chains, found.family).vector(found.order - 1);
+                let curve = curve_of(found.family, mesh, chains, vector, shapes);
+                Mode::new(number, found, &curve, &heights_m, &stations_m)
             }
-            Family::ForeAft | Family::SideSide => {
-                ModeCurve::bending(mesh, &chains.fore_aft, vector, shapes)
-            }
-            Family::Torsion => ModeCurve::axial(mesh, &chains.torsion, vector, shapes),
-            Family::Axial => ModeCurve::axial(mesh, &chains.axial, vector, shapes),
         };
-        Mode {
-            number: index + 1,
-            frequency_hz: found.eigenvalue.frequency_hz(),
-            family: found.family,
-            order: found.order,
-            algebraic_error_hz: found.eigenvalue.frequency_error_hz(),
-            discretization_error_hz: 0.0,
-            extrapolated_hz: found.eigenvalue.frequency_hz(),
-            // The vector has uᵀKu = 1 and so uᵀMu = 1/λ.
-            modal_mass: 1.0 / (curve.largest() * curve.largest() * found.eigenvalue.lambda),
-            shape: curve.sample(found.family, &heights_m),
-            station_shape: curve.sample(found.family, &stations_m),
-        }
-    };
-    listed.iter().enumerate().map(mode).collect()
+        modes.push(mode);
+    }
+    modes
+}
+
+fn curve_of<'a>(
+    family: Family,
+    mesh: &'a Mesh,
+    chains: &DecoupledChains,
+    vector: &[f64],
+    shapes: &'a mut ShapeWorkspace,
+) -> ModeCurve<'a> {
+    match family {
+        Family::ForeAft => ModeCurve::bending(mesh, &chains.fore_aft, vector, shapes),
+        Family::SideSide => ModeCurve::bending(mesh, &chains.side_side, vector, shapes),
+        Family::Torsion => ModeCurve::axial(mesh, &chains.torsion, vector, shapes),
+        Family::Axial => ModeCurve::axial(mesh, &chains.axial, vector, shapes),
+    }
 }
 
 /// Heights from the base to the top in equal steps, both ends exactly.

@@ -5,14 +5,14 @@ use thiserror::Error;
 use crate::eigen::EigenError;
 use crate::elements::Method;
 
-/// Segments used unless told.
+/// Segments used unless told; where steps and point masses make short spans, each of these has two on top.
 pub const DEFAULT_SEGMENTS: usize = 100;
 /// Modes found unless told.
 pub const DEFAULT_MODES: usize = 8;
 /// Heights at which shapes are given unless told.
 pub const DEFAULT_POINTS: usize = 101;
-/// More segments than this are refused: the memory would be several gigabytes, and 10⁶ already keep every digit.
-pub const MAX_SEGMENTS: usize = 5_000_000;
+/// More segments than this are refused: they would take gigabytes, and 10⁶ already leave no error but rounding.
+pub const MAX_SEGMENTS: usize = 2_000_000;
 /// More heights than this are refused.
 pub const MAX_POINTS: usize = 1_000_000;
 /// Eigenvectors that would take more memory than this, in bytes, are refused.
@@ -23,7 +23,7 @@ pub const MAX_VECTOR_BYTES: usize = 4 << 30;
 pub struct Options {
     /// The element.
     pub method: Method,
-    /// Number of segments; `None` is [`DEFAULT_SEGMENTS`], or two for each linear piece if that is more.
+    /// Number of segments; `None` is [`DEFAULT_SEGMENTS`] and two more for each short span between steps, kinks and masses.
     pub segments: Option<usize>,
     /// How many modes, from the lowest.
     pub modes: usize,

@@ -1,9 +1,10 @@
 //! What a solve gives.
 
+use super::spectrum::Found;
 use crate::Warning;
 use crate::eigen::Statistics;
 use crate::elements::Method;
-use crate::modes::{Family, ShapePoint};
+use crate::modes::{Family, ModeCurve, ShapePoint};
 
 /// A natural mode of a tower.
 #[derive(Debug, Clone, PartialEq)]
@@ -31,6 +32,43 @@ pub struct Mode {
 }
 
 impl Mode {
+    /// A mode as found, its discretization error still unknown.
+    pub(super) fn new(
+        number: usize,
+        found: &Found,
+        curve: &ModeCurve<'_>,
+        heights_m: &[f64],
+        stations_m: &[f64],
+    ) -> Self {
+        let frequency_hz = found.eigenvalue.frequency_hz();
+        Self {
+            number,
+            frequency_hz,
+            family: found.family,
+            order: found.order,
+            algebraic_error_hz: found.eigenvalue.frequency_error_hz(),
+            discretization_error_hz: 0.0,
+            extrapolated_hz: frequency_hz,
+            // The vector has uᵀKu = 1 and so uᵀMu = 1/λ.
+            modal_mass: 1.0 / (curve.largest() * curve.largest() * found.eigenvalue.lambda),
+            shape: curve.sample(found.family, heights_m),
+            station_shape: curve.sample(found.family, stations_m),
+        }
+    }
+
+    /// The same mode in the side-side plane of a tower whose planes are equal.
+    pub(super) fn in_side_side(&self, number: usize) -> Self {
+        let turned =
+            |shape: &[ShapePoint]| shape.iter().map(ShapePoint::turned_to_side_side).collect();
+        Self {
+            number,
+            family: Family::SideSide,
+            shape: turned(&self.shape),
+            station_shape: turned(&self.station_shape),
+            ..*self
+        }
+    }
+
     /// What it is: "1st fore-aft bending".
     pub fn label(&self) -> String {
         self.family.label(self.order)

@@ -5,7 +5,7 @@ use crate::eigen::{EigenError, EigenWorkspace, Eigenvalue, Pencil, Statistics, l
 use crate::modes::Family;
 
 /// Relative distances above the last mode at which completeness is certified, widest first.
-const MARGINS: [f64; 4] = [1e-2, 1e-4, 1e-6, 1e-9];
+const MARGINS: [f64; 7] = [0.1, 0.03, 0.01, 1e-3, 1e-4, 1e-6, 1e-9];
 
 /// Eigenvalues and memory of all chains.
 #[derive(Debug, Default)]
@@ -34,17 +34,20 @@ pub(super) struct Proof {
     pub(super) below: f64,
 }
 
+/// All families, in the order in which modes of one frequency are listed.
+pub(super) const FAMILIES: [Family; 4] = [
+    Family::ForeAft,
+    Family::SideSide,
+    Family::Torsion,
+    Family::Axial,
+];
+
 /// The chains that are solved: an equal plane once.
 fn chains_of(chains: &DecoupledChains) -> &'static [Family] {
     if chains.planes_are_equal() {
         &[Family::ForeAft, Family::Torsion, Family::Axial]
     } else {
-        &[
-            Family::ForeAft,
-            Family::SideSide,
-            Family::Torsion,
-            Family::Axial,
-        ]
+        &FAMILIES
     }
 }
 
@@ -95,8 +98,16 @@ impl Spectrum {
         self.with_pencil(chains, family, |pencil, _| pencil.size())
     }
 
-    fn count_below(&mut self, chains: &DecoupledChains, family: Family, shift: f64) -> usize {
+    fn count_family(&mut self, chains: &DecoupledChains, family: Family, shift: f64) -> usize {
         self.with_pencil(chains, family, |pencil, _| pencil.count_below(shift))
+    }
+
+    /// Number of modes of all chains below λ = `shift`, rad²/s².
+    pub(super) fn count_below(&mut self, chains: &DecoupledChains, shift: f64) -> usize {
+        chains_of(chains)
+            .iter()
+            .map(|&family| multiplicity(chains, family) * self.count_family(chains, family, shift))
+            .sum()
     }
 
     /// Solves one chain for its `wanted` lowest modes.
@@ -134,7 +145,7 @@ impl Spectrum {
             let mut others = [0; 3];
             for (count, &family) in others.iter_mut().zip(&families[1..]) {
                 // Just above the ceiling, so that a mode equal to it counts.
-                *count = self.count_below(chains, family, ceiling * (1.0 + 1e-9));
+                *count = self.count_family(chains, family, ceiling * (1.0 + 1e-9));
                 total += *count;
             }
             if total < wanted && bending < size {
@@ -153,14 +164,8 @@ impl Spectrum {
 
     /// All modes found, by frequency; of a repeated pair the fore-aft mode first.
     fn sorted(&self, chains: &DecoupledChains) -> Vec<Found> {
-        let families = [
-            Family::ForeAft,
-            Family::SideSide,
-            Family::Torsion,
-            Family::Axial,
-        ];
         let mut found: Vec<Found> = Vec::new();
-        for family in families {
+        for family in FAMILIES {
             let eigenvalues = self.of(chains, family).eigenvalues();
             found.extend(
                 eigenvalues
@@ -201,10 +206,7 @@ impl Spectrum {
         let mut count = 0;
         for margin in MARGINS {
             let below = last * (1.0 + margin);
-            count = chains_of(chains)
-                .iter()
-                .map(|&f| multiplicity(chains, f) * self.count_below(chains, f, below))
-                .sum();
+            count = self.count_below(chains, below);
             if count == expected {
                 return Ok(Proof { count, below });
             }

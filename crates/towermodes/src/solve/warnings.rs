@@ -8,7 +8,7 @@ use crate::elements::Mesh;
 use crate::tower::Tower;
 
 /// An estimate above this share of the frequency says that the mode is not resolved.
-const RESOLVED: f64 = 0.05;
+const RESOLVED: f64 = 0.02;
 
 /// The warnings of the input and of its modes.
 pub(super) fn warnings(
@@ -27,13 +27,7 @@ pub(super) fn warnings(
         let used = mesh.segments();
         warnings.push(Warning::MoreSegments { asked, used });
     }
-    let relative = |m: &Mode| m.discretization_error_hz / m.frequency_hz;
-    if let Some(mode) = modes.iter().find(|m| relative(m) > RESOLVED) {
-        warnings.push(Warning::Unresolved {
-            number: mode.number,
-            relative_error: relative(mode),
-        });
-    }
+    warnings.extend(unresolved(modes));
     let last = found[modes.len() - 1].eigenvalue.lambda;
     if let Some(cut) = found
         .get(modes.len())
@@ -45,4 +39,15 @@ pub(super) fn warnings(
         });
     }
     warnings
+}
+
+fn unresolved(modes: &[Mode]) -> Option<Warning> {
+    let relative = |m: &Mode| m.discretization_error_hz / m.frequency_hz;
+    let mut unresolved = modes.iter().filter(|m| relative(m) > RESOLVED);
+    let first = unresolved.next()?;
+    Some(Warning::Unresolved {
+        number: first.number,
+        others: unresolved.count(),
+        relative_error: relative(first),
+    })
 }

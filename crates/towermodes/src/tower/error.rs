@@ -4,6 +4,8 @@ use std::fmt;
 
 use thiserror::Error;
 
+use crate::number::Plain;
+
 /// Where in a [`TowerDescription`](super::TowerDescription) something is wrong.
 ///
 /// Indices count from 0; `key` is the name the quantity has in a TOML file.
@@ -81,29 +83,29 @@ pub enum Problem {
         value: f64,
     },
     /// Zero or negative where only a positive number makes sense.
-    #[error("{quantity} is {value} {unit}, but must be positive")]
+    #[error("{quantity} is {}{unit}, but must be positive", Plain(*.value))]
     NotPositive {
         /// Name of the quantity.
         quantity: &'static str,
         /// The value given.
         value: f64,
-        /// Its unit.
+        /// Its unit, after a space, or nothing.
         unit: &'static str,
     },
     /// Negative where zero is the least.
-    #[error("{quantity} is {value} {unit}, but cannot be negative")]
+    #[error("{quantity} is {}{unit}, but cannot be negative", Plain(*.value))]
     Negative {
         /// Name of the quantity.
         quantity: &'static str,
         /// The value given.
         value: f64,
-        /// Its unit.
+        /// Its unit, after a space, or nothing.
         unit: &'static str,
     },
     /// E and G that no isotropic material has.
     #[error(
         "shear modulus {shear_modulus_pa:e} Pa with Young's modulus {youngs_modulus_pa:e} Pa means \
-         Poisson's ratio {poissons_ratio:.3}, outside (-1, 0.5)"
+         Poisson's ratio {}, outside (-1, 0.5)", Plain(rounded(*.poissons_ratio))
     )]
     ImpossibleModuli {
         /// E, Pa.
@@ -120,7 +122,7 @@ pub enum Problem {
         count: usize,
     },
     /// Heights that go down.
-    #[error("height {height_m} m is below the station before it ({previous_m} m)")]
+    #[error("height {} m is below the station before it ({} m)", Plain(*.height_m), Plain(*.previous_m))]
     HeightDecreases {
         /// This station's height, m.
         height_m: f64,
@@ -160,7 +162,10 @@ pub enum Problem {
         count: usize,
     },
     /// A point mass beside the tower.
-    #[error("height {height_m} m is not on the tower, which reaches from {base_m} m to {top_m} m")]
+    #[error(
+        "height {} m is not on the tower, which reaches from {} m to {} m",
+        Plain(*.height_m), Plain(*.base_m), Plain(*.top_m)
+    )]
     OutsideTower {
         /// Height of the mass, m.
         height_m: f64,
@@ -202,6 +207,12 @@ pub enum Problem {
         /// The value given.
         value: f64,
     },
+}
+
+/// To four digits after the point.
+fn rounded(value: f64) -> f64 {
+    let scaled = (value * 1e4).round() / 1e4;
+    if scaled.is_finite() { scaled } else { value }
 }
 
 impl Problem {

@@ -77,9 +77,15 @@ pub fn compliance(piece: &Piece, base_m: f64, top_m: f64) -> Compliance {
     add_panels(piece, base_m, top_m, middle, &mut moments);
     let sum = moments.sum;
     let offset = moments.first / sum.bending_per_n_m;
+    // Over a part too short for a number between its ends there is nothing left but rounding.
+    let elastic_centre_m = if offset.is_finite() {
+        (middle + offset).clamp(base_m, top_m)
+    } else {
+        middle
+    };
     Compliance {
-        elastic_centre_m: middle + offset,
-        deflection_m_per_n: moments.second - moments.first * offset,
+        elastic_centre_m,
+        deflection_m_per_n: (moments.second - moments.first * (elastic_centre_m - middle)).max(0.0),
         ..sum
     }
 }

@@ -26,6 +26,7 @@ pub struct Tower {
     pieces: Vec<Piece>,
     rna: Rna,
     point_masses: Vec<PointMass>,
+    outfitting_factor: f64,
     shear: Shear,
     mass_kg: f64,
 }
@@ -56,6 +57,7 @@ impl Tower {
             pieces,
             rna: description.rna,
             point_masses,
+            outfitting_factor: description.outfitting_factor,
             shear: description.shear,
             mass_kg,
         })
@@ -84,6 +86,11 @@ impl Tower {
     /// The point masses by increasing height.
     pub fn point_masses(&self) -> &[PointMass] {
         &self.point_masses
+    }
+
+    /// What the density of the tower was multiplied by.
+    pub fn outfitting_factor(&self) -> f64 {
+        self.outfitting_factor
     }
 
     /// Whether and how the tower deforms in shear.

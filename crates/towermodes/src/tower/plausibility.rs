@@ -12,8 +12,88 @@ pub(super) fn plausibility(tower: &Tower) -> Vec<Warning> {
             height_m: tower.height_m(),
         });
     }
+    materials(tower, &mut warnings);
     rna(tower, &mut warnings);
     warnings
+}
+
+/// A quantity with the range in which towers have it.
+struct Usual {
+    quantity: &'static str,
+    unit: &'static str,
+    range: std::ops::RangeInclusive<f64>,
+    usual: &'static str,
+}
+
+const DENSITY: Usual = Usual {
+    quantity: "a density (with the outfitting factor)",
+    unit: " kg/m3",
+    range: 300.0..=25e3,
+    usual: "steel has 7850, concrete 2400; the unit is kg/m3",
+};
+const YOUNGS_MODULUS: Usual = Usual {
+    quantity: "a Young's modulus",
+    unit: " Pa",
+    range: 1e9..=1e12,
+    usual: "steel has 2.1e11, concrete 3e10; the unit is Pa",
+};
+const POISSONS_RATIO: Usual = Usual {
+    quantity: "a Poisson's ratio",
+    unit: "",
+    range: 0.0..=0.49,
+    usual: "steel has 0.3, concrete 0.2; it follows from both moduli where the shear modulus is given",
+};
+const OUTFITTING_FACTOR: Usual = Usual {
+    quantity: "the outfitting factor",
+    unit: "",
+    range: 0.9..=2.0,
+    usual: "it multiplies the mass, so 7 % more is 1.07",
+};
+const RNA_MASS: Usual = Usual {
+    quantity: "the mass of the rotor-nacelle assembly",
+    unit: " kg",
+    range: 1000.0..=f64::INFINITY,
+    usual: "machines weigh tonnes; the unit is kg",
+};
+const RNA_CENTRE: Usual = Usual {
+    quantity: "the centre of the rotor-nacelle assembly above the tower top",
+    unit: " m",
+    range: -20.0..=20.0,
+    usual: "it is measured from the tower top, not from the ground",
+};
+
+impl Usual {
+    fn check(&self, value: f64, warnings: &mut Vec<Warning>) {
+        if !self.range.contains(&value) {
+            warnings.push(Warning::Unusual {
+                quantity: self.quantity,
+                value,
+                unit: self.unit,
+                usual: self.usual,
+            });
+        }
+    }
+}
+
+fn materials(tower: &Tower, warnings: &mut Vec<Warning>) {
+    OUTFITTING_FACTOR.check(tower.outfitting_factor(), warnings);
+    let mut checked = Vec::new();
+    for piece in tower.pieces() {
+        let material = piece.material;
+        if checked.contains(&material) {
+            continue;
+        }
+        DENSITY.check(material.density_kg_per_m3, warnings);
+        YOUNGS_MODULUS.check(material.youngs_modulus_pa, warnings);
+        POISSONS_RATIO.check(material.poissons_ratio(), warnings);
+        checked.push(material);
+    }
+    if let [.., below, last] = tower.stations()
+        && below.material != last.material
+        && below.height_m != last.height_m
+    {
+        warnings.push(Warning::UselessMaterial);
+    }
 }
 
 /// The worst diameter and the worst wall: one warning of a kind is enough.
@@ -51,6 +131,10 @@ fn stations(tower: &Tower, warnings: &mut Vec<Warning>) {
 
 fn rna(tower: &Tower, warnings: &mut Vec<Warning>) {
     let rna = tower.rna();
+    if rna.mass_kg != 0.0 {
+        RNA_MASS.check(rna.mass_kg, warnings);
+        RNA_CENTRE.check(rna.center_m[2], warnings);
+    }
     if rna.mass_kg > 5.0 * tower.mass_kg() {
         warnings.push(Warning::HeavyRna {
             rna_kg: rna.mass_kg,

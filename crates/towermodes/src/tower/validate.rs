@@ -83,10 +83,10 @@ fn check_material(index: usize, material: &Material) -> Result<(), TowerError> {
         at("density"),
         "density",
         material.density_kg_per_m3,
-        "kg/m3",
+        " kg/m3",
     )?;
-    positive(at("youngs_modulus"), "Young's modulus", e, "Pa")?;
-    positive(at("shear_modulus"), "shear modulus", g, "Pa")?;
+    positive(at("youngs_modulus"), "Young's modulus", e, " Pa")?;
+    positive(at("shear_modulus"), "shear modulus", g, " Pa")?;
     let poissons_ratio = material.poissons_ratio();
     if poissons_ratio > -1.0 && poissons_ratio < 0.5 {
         return Ok(());
@@ -133,8 +133,8 @@ fn check_tube(index: usize, station: &Station) -> Result<(), TowerError> {
     let at = |key| Place::Station { index, key };
     let (d, t) = (station.outer_diameter_m, station.wall_thickness_m);
     finite(at("height"), "height", station.height_m)?;
-    positive(at("diameter"), "outer diameter", d, "m")?;
-    positive(at("wall"), "wall thickness", t, "m")?;
+    positive(at("diameter"), "outer diameter", d, " m")?;
+    positive(at("wall"), "wall thickness", t, " m")?;
     if 2.0 * t <= d {
         return Ok(());
     }
@@ -191,16 +191,16 @@ fn check_shear(shear: Shear) -> Result<(), TowerError> {
 fn check_rna(rna: &Rna) -> Result<(), TowerError> {
     let at = |key| Place::Rna { key };
     let inertia = &rna.inertia_kg_m2;
-    not_negative(at("mass"), "mass", rna.mass_kg, "kg")?;
+    not_negative(at("mass"), "mass", rna.mass_kg, " kg")?;
     for (quantity, value) in ["centre x", "centre y", "centre z"]
         .into_iter()
         .zip(rna.center_m)
     {
         finite(at("center"), quantity, value)?;
     }
-    not_negative(at("inertia"), "inertia xx", inertia.xx, "kg m2")?;
-    not_negative(at("inertia"), "inertia yy", inertia.yy, "kg m2")?;
-    not_negative(at("inertia"), "inertia zz", inertia.zz, "kg m2")?;
+    not_negative(at("inertia"), "inertia xx", inertia.xx, " kg m2")?;
+    not_negative(at("inertia"), "inertia yy", inertia.yy, " kg m2")?;
+    not_negative(at("inertia"), "inertia zz", inertia.zz, " kg m2")?;
     let products = [inertia.xy, inertia.xz, inertia.yz];
     for value in products {
         finite(at("inertia"), "product of inertia", value)?;
@@ -239,7 +239,7 @@ fn check_point_mass(
 ) -> Result<(), TowerError> {
     let at = |key| Place::PointMass { index, key };
     finite(at("height"), "height", mass.height_m)?;
-    not_negative(at("mass"), "mass", mass.mass_kg, "kg")?;
+    not_negative(at("mass"), "mass", mass.mass_kg, " kg")?;
     if mass.height_m >= base_m && mass.height_m <= top_m {
         return Ok(());
     }
