@@ -3,8 +3,8 @@
 mod towers;
 
 use towermodes::{
-    Family, Material, Method, Options, Solution, SolveError, Station, Tower, TowerDescription,
-    Warning, Workspace, solve, solve_with,
+    Family, Inertia, Material, Method, Options, Rna, Shear, Solution, SolveError, Station, Tower,
+    TowerDescription, Warning, Workspace, solve, solve_with,
 };
 use towers::{assert_close, reference, reference_350t, rich, solved};
 
@@ -49,6 +49,54 @@ fn a_cut_pair_is_counted_and_said() {
         .any(|w| matches!(w, Warning::CutPair { label, .. } if label == "3rd side-side bending"));
     assert!(said, "{:?}", solution.warnings);
     assert!(solved(&reference(), &with_modes(6)).warnings.is_empty());
+}
+
+#[test]
+fn planes_that_cross_are_a_pair_at_the_end_of_a_list() {
+    // Under this machine the fourth fore-aft and side-side frequencies agree to twelve digits, though the inertias differ.
+    let crossing = TowerDescription {
+        materials: vec![Material::from_shear_modulus(
+            5780.286314534295,
+            1e10,
+            3791792141.018728,
+        )],
+        stations: vec![
+            Station::new(0.0, 6.959172002219272, 0.07401618853649786),
+            Station::new(9.567821917004531, 6.621143682102139, 0.07303768238998358),
+        ],
+        shear: Shear::Cowper,
+        rna: Rna {
+            mass_kg: 227_354.970_068,
+            center_m: [0.0, 0.0, 0.6173667045484377],
+            inertia_kg_m2: Inertia {
+                xx: 17687532.407512896,
+                yy: 10612519.444507737,
+                zz: 8843766.203756448,
+                ..Inertia::default()
+            },
+        },
+        ..TowerDescription::default()
+    };
+    let options = |modes| Options {
+        segments: Some(40),
+        ..with_modes(modes)
+    };
+    let (ten, eleven) = (
+        solved(&crossing, &options(10)),
+        solved(&crossing, &options(11)),
+    );
+    assert_eq!((ten.certificate.count, eleven.certificate.count), (11, 11));
+    assert!(
+        ten.warnings
+            .iter()
+            .any(|w| matches!(w, Warning::CutPair { .. }))
+    );
+    assert_close(
+        ten.modes[9].frequency_hz,
+        eleven.modes[10].frequency_hz,
+        1e-9,
+        "crossing",
+    );
 }
 
 #[test]

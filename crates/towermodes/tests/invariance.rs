@@ -88,7 +88,7 @@ fn assert_scaled(a: &[f64], b: &[f64], factor: f64, tolerance: f64) -> Result<()
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig { cases: 64, ..ProptestConfig::default() })]
+    #![proptest_config(ProptestConfig { cases: 256, ..ProptestConfig::default() })]
 
     /// f ∝ √E at fixed ν.
     #[test]

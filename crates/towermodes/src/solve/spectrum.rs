@@ -5,7 +5,9 @@ use crate::eigen::{EigenError, EigenWorkspace, Eigenvalue, Pencil, Statistics, l
 use crate::modes::Family;
 
 /// Relative distances above the last mode at which completeness is certified, widest first.
-const MARGINS: [f64; 7] = [0.1, 0.03, 0.01, 1e-3, 1e-4, 1e-6, 1e-9];
+const MARGINS: [f64; 7] = [0.1, 0.03, 0.01, 1e-3, 1e-4, 1e-6, REPEATED];
+/// Eigenvalues closer than this, relatively, count as repeated: two planes of different inertia can cross as near as that.
+const REPEATED: f64 = 1e-9;
 
 /// Eigenvalues and memory of all chains.
 #[derive(Debug, Default)]
@@ -145,7 +147,7 @@ impl Spectrum {
             let mut others = [0; 3];
             for (count, &family) in others.iter_mut().zip(&families[1..]) {
                 // Just above the ceiling, so that a mode equal to it counts.
-                *count = self.count_family(chains, family, ceiling * (1.0 + 1e-9));
+                *count = self.count_family(chains, family, ceiling * (1.0 + REPEATED));
                 total += *count;
             }
             if total < wanted && bending < size {
@@ -191,31 +193,34 @@ impl Spectrum {
         found: &[Found],
         listed: usize,
     ) -> Result<Proof, EigenError> {
-        let last = found[listed - 1].eigenvalue.lambda;
-        let repeats = found[listed..]
-            .iter()
-            .take_while(|f| f.eigenvalue.lambda == last)
-            .count();
-        let expected = listed + repeats;
-        if expected == chains.degrees_of_freedom() {
-            return Ok(Proof {
-                count: expected,
-                below: last * (1.0 + MARGINS[0]),
-            });
-        }
-        let mut count = 0;
+        let last = &found[listed - 1];
+        let lambda = last.eigenvalue.lambda;
+        let expected = listed
+            + found[listed..]
+                .iter()
+                .take_while(|next| next.repeats(last))
+                .count();
+        let all = expected == chains.degrees_of_freedom();
+        let mut count = expected;
         for margin in MARGINS {
-            let below = last * (1.0 + margin);
+            let below = lambda * (1.0 + margin);
             count = self.count_below(chains, below);
-            if count == expected {
+            if all || count == expected {
                 return Ok(Proof { count, below });
             }
         }
         Err(EigenError::Incomplete {
             found: listed,
             counted: count,
-            below_hz: last.sqrt() / std::f64::consts::TAU,
+            below_hz: lambda.sqrt() / std::f64::consts::TAU,
             restarts: self.statistics.restarts,
         })
+    }
+}
+
+impl Found {
+    /// Whether its eigenvalue is that of another mode, so that no count is taken between the two.
+    pub(super) fn repeats(&self, other: &Self) -> bool {
+        self.eigenvalue.lambda <= other.eigenvalue.lambda * (1.0 + REPEATED)
     }
 }

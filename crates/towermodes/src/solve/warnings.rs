@@ -28,11 +28,8 @@ pub(super) fn warnings(
         warnings.push(Warning::MoreSegments { asked, used });
     }
     warnings.extend(unresolved(modes));
-    let last = found[modes.len() - 1].eigenvalue.lambda;
-    if let Some(cut) = found
-        .get(modes.len())
-        .filter(|cut| cut.eigenvalue.lambda == last)
-    {
+    let last = &found[modes.len() - 1];
+    if let Some(cut) = found.get(modes.len()).filter(|cut| cut.repeats(last)) {
         warnings.push(Warning::CutPair {
             label: cut.family.label(cut.order),
             frequency_hz: cut.eigenvalue.frequency_hz(),
