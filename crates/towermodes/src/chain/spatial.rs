@@ -48,7 +48,7 @@ impl RigidBody {
         [[self.mass_kg]]
     }
 
-    /// The spatial inertia [[m 1, −m [c]×], [m [c]×, J]] for the motion (x, y, z, rx, ry, rz) of the reference.
+    /// The spatial inertia `[[m 1, −m [c]×], [m [c]×, J]]` for the motion (x, y, z, rx, ry, rz) of the reference.
     pub fn spatial(&self) -> Matrix<6> {
         let (m, s) = (self.mass_kg, self.first_moment_kg_m);
         let mut matrix = [[0.0; 6]; 6];
