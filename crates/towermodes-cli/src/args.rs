@@ -6,6 +6,7 @@ use std::process::ExitCode;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use clap::error::ErrorKind;
 use clap::{Args, Parser, Subcommand, ValueEnum};
+use towermodes::elements::GAUSS_HINGE_POSITION;
 use towermodes::{DEFAULT_MODES, DEFAULT_POINTS, MAX_POINTS, MAX_SEGMENTS, Method, Options};
 
 /// Natural frequencies and mode shapes of wind turbine towers, certified.
@@ -83,7 +84,7 @@ pub(crate) struct SolveArguments {
     /// The tower (TOML); - is standard input
     pub(crate) file: PathBuf,
 
-    /// The element: rmje-exact takes tapers exactly, rmje is the published one
+    /// The element: rmje and cardanic as published or with exact tapered sections, or lumped as Adams models beams
     #[arg(long, default_value = Method::RmjeExact.name(), value_parser = method_parser())]
     method: Method,
 
@@ -102,6 +103,10 @@ pub(crate) struct SolveArguments {
     /// Leave the rotary inertia of the sections out of bending: an Euler-Bernoulli beam
     #[arg(long)]
     no_rotary_inertia: bool,
+
+    /// Where the hinges of --method cardanic sit, as a share of the segment from each end [default: 0.2113249, the Gauss points]
+    #[arg(long, value_name = "SHARE", value_parser = hinge_parser)]
+    hinges: Option<f64>,
 
     /// How the result is printed
     #[arg(long, short, value_enum, default_value_t = Format::Table)]
@@ -128,6 +133,7 @@ impl SolveArguments {
             modes: self.modes,
             points: self.points,
             rotary_inertia: !self.no_rotary_inertia,
+            hinge_position: self.hinges.unwrap_or(GAUSS_HINGE_POSITION),
         }
     }
 }
@@ -138,6 +144,11 @@ fn method_parser() -> impl TypedValueParser<Value = Method> {
         let named = Method::ALL.into_iter().find(|method| method.name() == name);
         named.unwrap_or_default()
     })
+}
+
+fn hinge_parser(text: &str) -> Result<f64, String> {
+    let position = text.parse().ok().filter(|k: &f64| *k > 0.0 && *k < 0.5);
+    position.ok_or_else(|| "must be between 0 and 0.5, the middle of a segment".into())
 }
 
 /// A whole number from `least` to `most`, with both in the message.

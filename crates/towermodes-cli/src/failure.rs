@@ -79,9 +79,7 @@ fn say(text: &str) {
 
 fn hint(error: &SolveError) -> Option<&'static str> {
     match error {
-        SolveError::TooManyModes { .. } => {
-            Some("each segment has six: raise --segments or lower --modes")
-        }
+        SolveError::TooManyModes { .. } => Some("raise --segments or lower --modes"),
         SolveError::Eigen(_) => Some("look for a value with the wrong unit"),
         _ => None,
     }

@@ -8,7 +8,7 @@ use std::time::Duration;
 use criterion::{BenchmarkId, Criterion, criterion_group, criterion_main};
 use towermodes::chain::{ChainPencil, ChainWorkspace, DecoupledChains, count_below, mass_times};
 use towermodes::eigen::{EigenWorkspace, lowest};
-use towermodes::elements::{Mesh, assemble};
+use towermodes::elements::{GAUSS_HINGE_POSITION, Mesh, Recipe, assemble};
 use towermodes::{
     Material, Method, Options, Rna, Station, Tower, TowerDescription, Workspace, solve_with,
 };
@@ -26,10 +26,18 @@ fn tower(rna_kg: f64) -> Tower {
     .expect("a valid tower")
 }
 
+fn recipe() -> Recipe {
+    Recipe {
+        method: Method::RmjeExact,
+        rotary_inertia: true,
+        hinge_position: GAUSS_HINGE_POSITION,
+    }
+}
+
 fn chains(tower: &Tower, segments: usize) -> DecoupledChains {
     let mut chains = DecoupledChains::default();
     let mesh = Mesh::new(tower, segments);
-    assemble(tower, &mesh, Method::RmjeExact, true, &mut chains);
+    assemble(tower, &mesh, &recipe(), &mut chains);
     chains
 }
 
@@ -91,13 +99,7 @@ fn pieces(c: &mut Criterion) {
     });
     group.bench_function("assembly", |b| {
         b.iter(|| {
-            assemble(
-                black_box(&tower),
-                &mesh,
-                Method::RmjeExact,
-                true,
-                &mut chains,
-            );
+            assemble(black_box(&tower), &mesh, &recipe(), &mut chains);
         });
     });
     group.finish();

@@ -6,7 +6,7 @@ use towermodes::chain::{ChainPencil, ChainWorkspace, DecoupledChains};
 use towermodes::eigen::{EigenWorkspace, lowest};
 use towermodes::elements::{Mesh, assemble};
 use towermodes::{Method, Tower};
-use towers::{reference, reference_350t};
+use towers::{recipe, reference, reference_350t};
 
 #[test]
 fn a_reused_workspace_allocates_nothing() {
@@ -18,8 +18,7 @@ fn a_reused_workspace_allocates_nothing() {
         assemble(
             &towers[index],
             &mesh[index],
-            Method::RmjeExact,
-            true,
+            &recipe(Method::RmjeExact),
             &mut chains,
         );
         let mut pencil = ChainPencil::new(&chains.fore_aft, &mut work);

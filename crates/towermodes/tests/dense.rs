@@ -10,7 +10,7 @@ use towermodes::chain::{
 use towermodes::eigen::Pencil;
 use towermodes::elements::{Mesh, assemble};
 use towermodes::{Method, Options, Tower, TowerDescription};
-use towers::{assert_close, reference, reference_350t, rich, solved};
+use towers::{assert_close, recipe, reference, reference_350t, rich, solved};
 
 /// A one-degree joint of the paper: axis, height, sliding or turning, stiffness.
 struct Joint {
@@ -142,7 +142,7 @@ fn chains(description: &TowerDescription, segments: usize, method: Method) -> De
     let tower = Tower::new(description.clone()).expect("a valid tower");
     let mesh = Mesh::new(&tower, segments);
     let mut chains = DecoupledChains::default();
-    assemble(&tower, &mesh, method, true, &mut chains);
+    assemble(&tower, &mesh, &recipe(method), &mut chains);
     chains
 }
 

@@ -1,104 +1,63 @@
 //! Recipes that turn a tower into a chain, one a file.
 
+mod bodies;
+mod cardanic;
+mod lumped;
 mod mesh;
+mod method;
 mod rmje;
 mod rmje_exact;
 
+pub use cardanic::GAUSS_HINGE_POSITION;
 pub use mesh::{Mesh, Span};
+pub use method::Method;
 
 use crate::chain::{DecoupledChains, RigidBody};
-use crate::tower::{PointMass, Rna, Shear, Tower};
+use crate::tower::{Piece, PointMass, Rna, Tower};
 
-/// A way to make a chain of a tower.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub enum Method {
-    /// The element of Nikolić & Šalinić as published, with its misprints corrected: prismatic segments, joints at L/4 and L/2.
-    Rmje,
-    /// One joint at the elastic centre of each segment, exact section integrals.
-    #[default]
-    RmjeExact,
-}
-
-impl Method {
-    /// All methods.
-    pub const ALL: [Self; 2] = [Self::RmjeExact, Self::Rmje];
-
-    /// Its name on the command line and in results.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Rmje => "rmje",
-            Self::RmjeExact => "rmje-exact",
-        }
-    }
-
-    /// The leading powers p of its error n⁻ᵖ in bending: 2, but 1 and 2 for the published element of a tower that shears.
-    ///
-    /// Its sliding joint sits at L/4. Without shear the sliding of a segment is O(n⁻³) and where it happens does not matter; shear
-    /// makes it O(n⁻¹), and its place an error of first order.
-    pub fn bending_powers(self, shear: Shear) -> &'static [i32] {
-        match (self, shear) {
-            (Self::Rmje, Shear::Cowper | Shear::Coefficient(_)) => &[1, 2],
-            _ => &[2],
-        }
-    }
-
-    /// The leading powers p of its error n⁻ᵖ in torsion and axially: 2, but 1 and 2 for the published element, whose joint for both sits
-    /// at L/4. The two can cancel on usual meshes, so both are needed to know the error.
-    pub fn axial_powers(self) -> &'static [i32] {
-        match self {
-            Self::Rmje => &[1, 2],
-            Self::RmjeExact => &[2],
-        }
-    }
-
-    /// Joints in a segment.
-    fn joints(self) -> usize {
-        match self {
-            Self::Rmje => 2,
-            Self::RmjeExact => 1,
-        }
-    }
+/// How a tower is made into a chain.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Recipe {
+    /// The element.
+    pub method: Method,
+    /// Whether sections have rotary inertia in bending (false: an Euler-Bernoulli beam); torsion and the rotor-nacelle assembly keep
+    /// theirs.
+    pub rotary_inertia: bool,
+    /// Where the hinges of [`Method::Cardanic`] sit, as a share k of the segment from each end, 0 < k < 1/2.
+    pub hinge_position: f64,
 }
 
 /// A tower being made into chains.
 struct Assembly<'a> {
     chains: &'a mut DecoupledChains,
-    rotary_inertia: bool,
+    recipe: &'a Recipe,
 }
 
 impl Assembly<'_> {
-    /// The share of the sections' own rotary inertia in bending: 1, or 0 for an Euler-Bernoulli beam.
-    fn rotary_share(&self) -> f64 {
-        f64::from(u8::from(self.rotary_inertia))
+    fn add_segment(&mut self, piece: &Piece, base_m: f64, top_m: f64) {
+        match self.recipe.method {
+            Method::Rmje => rmje::add_segment(self, piece, base_m, top_m),
+            Method::RmjeExact => rmje_exact::add_segment(self, piece, base_m, top_m),
+            Method::Lumped => lumped::add_segment(self, piece, base_m, top_m),
+            Method::Cardanic => {
+                let position = self.recipe.hinge_position;
+                cardanic::add_prismatic_segment(self, piece, base_m, top_m, position);
+            }
+            Method::CardanicExact => cardanic::add_exact_segment(self, piece, base_m, top_m),
+        }
     }
 }
 
 /// Makes the chains of a tower cut as `mesh` says.
-///
-/// Without `rotary_inertia` the sections' own rotary inertia is left out of bending (an Euler-Bernoulli beam); torsion and the
-/// rotor-nacelle assembly keep theirs.
-pub fn assemble(
-    tower: &Tower,
-    mesh: &Mesh,
-    method: Method,
-    rotary_inertia: bool,
-    chains: &mut DecoupledChains,
-) {
-    chains.restart(tower.planes_are_equal(), method.joints() * mesh.segments());
-    let mut assembly = Assembly {
-        chains,
-        rotary_inertia,
-    };
+pub fn assemble(tower: &Tower, mesh: &Mesh, recipe: &Recipe, chains: &mut DecoupledChains) {
+    let joints = recipe.method.joints() * mesh.segments();
+    chains.restart(tower.planes_are_equal(), joints);
+    let mut assembly = Assembly { chains, recipe };
     let mut masses = tower.point_masses();
     for (piece, borders) in mesh.spans_with_borders() {
         masses = add_masses_up_to(assembly.chains, masses, piece.base_m);
         for border in borders.windows(2) {
-            match method {
-                Method::Rmje => rmje::add_segment(&mut assembly, piece, border[0], border[1]),
-                Method::RmjeExact => {
-                    rmje_exact::add_segment(&mut assembly, piece, border[0], border[1]);
-                }
-            }
+            assembly.add_segment(piece, border[0], border[1]);
         }
     }
     add_masses_up_to(assembly.chains, masses, tower.top_m());

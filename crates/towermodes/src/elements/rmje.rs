@@ -12,7 +12,7 @@
 //! n⁻², torsion and axial, whose joint is off the middle, only as n⁻¹; with shear, bending also ends as n⁻¹.
 
 use super::Assembly;
-use crate::chain::{JointFlexibility, RigidBody};
+use crate::chain::JointFlexibility;
 use crate::tower::{Piece, Section};
 
 /// Adds one segment between two heights (m).
@@ -21,11 +21,11 @@ pub(super) fn add_segment(assembly: &mut Assembly<'_>, piece: &Piece, base_m: f6
     let at = |fraction: f64| base_m + fraction * length;
     let section = piece.section_at(at(0.5));
     let (slide, turn) = springs(&section, length);
-    prismatic_body(assembly, &section, base_m, at(0.25));
+    assembly.add_prismatic_body(&section, base_m, at(0.25));
     assembly.chains.add_joint(at(0.25), &slide);
-    prismatic_body(assembly, &section, at(0.25), at(0.5));
+    assembly.add_prismatic_body(&section, at(0.25), at(0.5));
     assembly.chains.add_joint(at(0.5), &turn);
-    prismatic_body(assembly, &section, at(0.5), top_m);
+    assembly.add_prismatic_body(&section, at(0.5), top_m);
 }
 
 /// The flexibilities of the joint at L/4 and of the joint at L/2.
@@ -44,20 +44,4 @@ fn springs(section: &Section, length: f64) -> (JointFlexibility, JointFlexibilit
         ..JointFlexibility::default()
     };
     (slide, turn)
-}
-
-/// A rigid prismatic rod between two heights (m), about its middle.
-fn prismatic_body(assembly: &mut Assembly<'_>, section: &Section, base_m: f64, top_m: f64) {
-    let length = top_m - base_m;
-    let mass_kg = section.mass_kg_per_m * length;
-    let rotary = section.rotary_inertia_kg_m * length;
-    let transverse = mass_kg * length * length / 12.0 + assembly.rotary_share() * rotary;
-    let body = RigidBody {
-        mass_kg,
-        first_moment_kg_m: 0.0,
-        inertia_xx_kg_m2: transverse,
-        inertia_yy_kg_m2: transverse,
-        inertia_zz_kg_m2: 2.0 * rotary,
-    };
-    assembly.chains.add_body(0.5 * (base_m + top_m), &body);
 }

@@ -8,8 +8,8 @@
 //! So the segment's static stiffness is exact for any taper, and every frequency converges as n⁻².
 
 use super::Assembly;
-use crate::chain::{JointFlexibility, RigidBody};
-use crate::tower::{Piece, compliance, mass_integrals};
+use crate::chain::JointFlexibility;
+use crate::tower::{Piece, compliance};
 
 /// Adds one segment between two heights (m).
 pub(super) fn add_segment(assembly: &mut Assembly<'_>, piece: &Piece, base_m: f64, top_m: f64) {
@@ -21,22 +21,7 @@ pub(super) fn add_segment(assembly: &mut Assembly<'_>, piece: &Piece, base_m: f6
         axial_m_per_n: compliance.axial_m_per_n,
         torsion_per_n_m: compliance.torsion_per_n_m,
     };
-    exact_body(assembly, piece, base_m, centre_m);
+    assembly.add_exact_body(piece, base_m, centre_m);
     assembly.chains.add_joint(centre_m, &flexibility);
-    exact_body(assembly, piece, centre_m, top_m);
-}
-
-/// The tower between two heights (m) as a rigid body, about its middle.
-fn exact_body(assembly: &mut Assembly<'_>, piece: &Piece, base_m: f64, top_m: f64) {
-    let reference_m = 0.5 * (base_m + top_m);
-    let mass = mass_integrals(piece, base_m, top_m, reference_m);
-    let transverse = mass.second_moment_kg_m2 + assembly.rotary_share() * mass.rotary_inertia_kg_m2;
-    let body = RigidBody {
-        mass_kg: mass.mass_kg,
-        first_moment_kg_m: mass.first_moment_kg_m,
-        inertia_xx_kg_m2: transverse,
-        inertia_yy_kg_m2: transverse,
-        inertia_zz_kg_m2: 2.0 * mass.rotary_inertia_kg_m2,
-    };
-    assembly.chains.add_body(reference_m, &body);
+    assembly.add_exact_body(piece, centre_m, top_m);
 }

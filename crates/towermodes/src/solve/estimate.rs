@@ -90,15 +90,15 @@ fn solve_ladder(
             counts.push(modes.len());
             continue;
         }
-        assemble(tower, mesh, options.method, options.rotary_inertia, chains);
+        assemble(tower, mesh, &options.recipe(), chains);
         levels.push(frequencies(modes, chains, spectrum)?);
         counts.push(spectrum.count_below(chains, below));
     }
     Ok((levels, counts))
 }
 
-/// Whether a mesh is fine enough to have every mode of the list: every element has two joint coordinates a segment in a bending plane,
-/// one in torsion and one axially.
+/// Whether a mesh is fine enough to have every mode of the list: every element has at least two joint coordinates a segment in a bending
+/// plane, one in torsion and one axially.
 fn has_all(mesh: &Mesh, modes: &[Mode]) -> bool {
     modes.iter().all(|mode| match mode.family {
         Family::ForeAft | Family::SideSide => mode.order <= 2 * mesh.segments(),

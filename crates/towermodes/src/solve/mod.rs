@@ -83,6 +83,11 @@ fn mesh_of(tower: &Tower, options: &Options) -> Result<Mesh, SolveError> {
             points: options.points,
         });
     }
+    if !(options.hinge_position > 0.0 && options.hinge_position < 0.5) {
+        return Err(SolveError::HingePosition {
+            position: options.hinge_position,
+        });
+    }
     let fewest = Mesh::fewest_segments(tower);
     let Some(segments) = options.segments else {
         return within_limit(fewest).map(|_| Mesh::at_least(tower, DEFAULT_SEGMENTS));
@@ -110,7 +115,7 @@ fn solve_mesh(
     let Workspace {
         chains, spectrum, ..
     } = workspace;
-    assemble(tower, mesh, options.method, options.rotary_inertia, chains);
+    assemble(tower, mesh, &options.recipe(), chains);
     if !chains.is_finite() {
         return Err(EigenError::NotFinite.into());
     }

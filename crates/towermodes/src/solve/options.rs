@@ -3,7 +3,7 @@
 use thiserror::Error;
 
 use crate::eigen::EigenError;
-use crate::elements::Method;
+use crate::elements::{GAUSS_HINGE_POSITION, Method, Recipe};
 
 /// Segments used unless told; where steps and point masses make short spans, each of these has two on top.
 pub const DEFAULT_SEGMENTS: usize = 100;
@@ -31,6 +31,8 @@ pub struct Options {
     pub points: usize,
     /// Whether sections have rotary inertia in bending (false: an Euler-Bernoulli beam).
     pub rotary_inertia: bool,
+    /// Where the hinges of the cardanic element sit, as a share k of the segment from each end; (1 − 1/√3)/2 unless told.
+    pub hinge_position: f64,
 }
 
 impl Default for Options {
@@ -41,6 +43,18 @@ impl Default for Options {
             modes: DEFAULT_MODES,
             points: DEFAULT_POINTS,
             rotary_inertia: true,
+            hinge_position: GAUSS_HINGE_POSITION,
+        }
+    }
+}
+
+impl Options {
+    /// What the elements need to know of it.
+    pub(super) fn recipe(&self) -> Recipe {
+        Recipe {
+            method: self.method,
+            rotary_inertia: self.rotary_inertia,
+            hinge_position: self.hinge_position,
         }
     }
 }
@@ -77,6 +91,12 @@ pub enum SolveError {
     Points {
         /// The number asked for.
         points: usize,
+    },
+    /// Hinges that are not inside the halves of a segment.
+    #[error("the hinge position {position} is not between 0 and 0.5, the middle of a segment")]
+    HingePosition {
+        /// The position asked for.
+        position: f64,
     },
     /// More memory than a workstation has to spare.
     #[error(

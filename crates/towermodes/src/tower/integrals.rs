@@ -4,7 +4,7 @@
 //! exactly. Compliances ∫ dx/EI are rational; five points on panels over which no dimension changes by more than 10 % leave
 //! an error below 1e-15 (the nearest pole of the integrand is 20 half-panels away).
 
-use super::piece::Piece;
+use super::piece::{Piece, Section};
 
 /// Gauss-Legendre nodes and weights on [−1, 1] with three points: exact to degree 5.
 const GAUSS_3: [(f64, f64); 3] = [
@@ -73,10 +73,20 @@ pub fn mass_integrals(piece: &Piece, base_m: f64, top_m: f64, reference_m: f64) 
 /// The compliance integrals of `piece` between two heights (m) inside it.
 pub fn compliance(piece: &Piece, base_m: f64, top_m: f64) -> Compliance {
     let middle = 0.5 * (base_m + top_m);
-    let mut moments = Moments::default();
-    add_panels(piece, base_m, top_m, middle, &mut moments);
-    let sum = moments.sum;
-    let offset = moments.first / sum.bending_per_n_m;
+    let mut sum = Compliance::default();
+    // Moments of 1/EI about the middle: the elastic centre is near it, so nothing cancels.
+    let (mut first, mut second) = (0.0, 0.0);
+    integrate(piece, base_m, top_m, &mut |z, weight, section| {
+        let arm = z - middle;
+        let bending = weight / section.bending_n_m2;
+        sum.bending_per_n_m += bending;
+        first += bending * arm;
+        second += bending * arm * arm;
+        sum.shear_m_per_n += weight * section.shear_flexibility_per_n;
+        sum.axial_m_per_n += weight / section.axial_n;
+        sum.torsion_per_n_m += weight / section.torsion_n_m2;
+    });
+    let offset = first / sum.bending_per_n_m;
     // Over a part too short for a number between its ends there is nothing left but rounding.
     let elastic_centre_m = if offset.is_finite() {
         (middle + offset).clamp(base_m, top_m)
@@ -85,47 +95,60 @@ pub fn compliance(piece: &Piece, base_m: f64, top_m: f64) -> Compliance {
     };
     Compliance {
         elastic_centre_m,
-        deflection_m_per_n: (moments.second - moments.first * (elastic_centre_m - middle)).max(0.0),
+        deflection_m_per_n: (second - first * (elastic_centre_m - middle)).max(0.0),
         ..sum
     }
 }
 
-/// Running sums of [`compliance`], with the first and second moment of 1/EI about the middle of the whole part: the elastic
-/// centre is near it, so nothing cancels.
-#[derive(Default)]
-struct Moments {
-    sum: Compliance,
-    first: f64,
-    second: f64,
+/// A hinge that takes a part of a segment's bending.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Hinge {
+    /// Its height, m.
+    pub height_m: f64,
+    /// Its flexibility, rad/(N m).
+    pub bending_per_n_m: f64,
 }
 
-/// Halves [base, top] until no dimension changes by more than 10 % over a panel, and adds the panels.
-fn add_panels(piece: &Piece, base_m: f64, top_m: f64, middle: f64, moments: &mut Moments) {
-    let half_way = 0.5 * (base_m + top_m);
-    let divisible = base_m < half_way && half_way < top_m;
-    if divisible && steepness(piece, base_m, top_m) > 1.1 {
-        add_panels(piece, base_m, half_way, middle, moments);
-        add_panels(piece, half_way, top_m, middle, moments);
-    } else {
-        add_panel(piece, base_m, top_m, middle, moments);
+/// The two-point Gauss rule of the measure dz/EI over a part of `piece`, lower point first: two hinges that give the same end rotations
+/// and deflections under end forces and moments, and under any load that varies no faster than linearly, as the beam itself.
+///
+/// With mₖ = ∫ xᵏ dz/EI about the elastic centre (m₁ = 0) the points are the roots of x² − (m₃/m₂) x − m₂/m₀, the weights
+/// m₀ x₂/(x₂ − x₁) and −m₀ x₁/(x₂ − x₁) (Golub & Welsch 1969). For a prismatic part: (1 ∓ 1/√3)/2 of the length, half each.
+pub fn gauss_hinges(piece: &Piece, base_m: f64, top_m: f64) -> [Hinge; 2] {
+    let whole = compliance(piece, base_m, top_m);
+    let (centre, m0) = (whole.elastic_centre_m, whole.bending_per_n_m);
+    let (m2, mut m3) = (whole.deflection_m_per_n, 0.0);
+    integrate(piece, base_m, top_m, &mut |z, weight, section| {
+        m3 += weight / section.bending_n_m2 * (z - centre).powi(3);
+    });
+    let hinge = |offset: f64, share: f64| Hinge {
+        height_m: (centre + offset).clamp(base_m, top_m),
+        bending_per_n_m: m0 * share,
+    };
+    let (half_sum, product) = (0.5 * m3 / m2, -m2 / m0);
+    let root = (half_sum * half_sum - product).sqrt();
+    let (lower, upper) = (half_sum - root, half_sum + root);
+    if upper.partial_cmp(&lower) != Some(std::cmp::Ordering::Greater) {
+        // Too short for a number between its ends: both hinges at the centre.
+        return [hinge(0.0, 0.5), hinge(0.0, 0.5)];
     }
+    let lower_share = upper / (upper - lower);
+    [hinge(lower, lower_share), hinge(upper, 1.0 - lower_share)]
 }
 
-/// The five-point rule on one panel.
-#[inline]
-fn add_panel(piece: &Piece, base_m: f64, top_m: f64, middle: f64, moments: &mut Moments) {
-    let (panel_middle, half) = (0.5 * (base_m + top_m), 0.5 * (top_m - base_m));
+/// Tells `add` the points of a quadrature with their weights (m) and sections, panel by panel: halves [base, top] until no dimension
+/// changes by more than 10 % over a panel, and takes five Gauss points on each.
+fn integrate(piece: &Piece, base_m: f64, top_m: f64, add: &mut impl FnMut(f64, f64, &Section)) {
+    let (middle, half) = (0.5 * (base_m + top_m), 0.5 * (top_m - base_m));
+    let divisible = base_m < middle && middle < top_m;
+    if divisible && steepness(piece, base_m, top_m) > 1.1 {
+        integrate(piece, base_m, middle, add);
+        integrate(piece, middle, top_m, add);
+        return;
+    }
     for (node, weight) in GAUSS_5 {
-        let z = panel_middle + half * node;
-        let section = piece.section_at(z);
-        let (arm, weight) = (z - middle, weight * half);
-        let bending = weight / section.bending_n_m2;
-        moments.sum.bending_per_n_m += bending;
-        moments.first += bending * arm;
-        moments.second += bending * arm * arm;
-        moments.sum.shear_m_per_n += weight * section.shear_flexibility_per_n;
-        moments.sum.axial_m_per_n += weight / section.axial_n;
-        moments.sum.torsion_per_n_m += weight / section.torsion_n_m2;
+        let z = middle + half * node;
+        add(z, weight * half, &piece.section_at(z));
     }
 }
 
@@ -166,6 +189,34 @@ mod tests {
         let m = mass_integrals(&cone(), 0.0, 10.0, 0.0);
         let exact = pi * 10.0 * (1.0 + 0.5 + 0.25) / 3.0;
         assert!((m.mass_kg / exact - 1.0).abs() < 1e-14);
+    }
+
+    #[test]
+    fn hinges_are_a_gauss_rule_exact_to_the_third_power() {
+        let piece = cone();
+        let hinges = gauss_hinges(&piece, 0.0, 10.0);
+        for power in 0..4 {
+            let (mut exact, rule) = (
+                0.0,
+                hinges.map(|h| h.bending_per_n_m * h.height_m.powi(power)),
+            );
+            integrate(&piece, 0.0, 10.0, &mut |z, weight, section| {
+                exact += weight / section.bending_n_m2 * z.powi(power);
+            });
+            assert!(
+                ((rule[0] + rule[1]) / exact - 1.0).abs() < 1e-13,
+                "power {power}"
+            );
+        }
+        let prismatic = Piece {
+            top_tube: piece.base_tube,
+            ..piece
+        };
+        let [lower, upper] = gauss_hinges(&prismatic, 0.0, 10.0);
+        let offset = 5.0 / 3.0_f64.sqrt();
+        assert!((lower.height_m - (5.0 - offset)).abs() < 1e-13);
+        assert!((upper.height_m - (5.0 + offset)).abs() < 1e-13);
+        assert!((lower.bending_per_n_m / upper.bending_per_n_m - 1.0).abs() < 1e-13);
     }
 
     #[test]

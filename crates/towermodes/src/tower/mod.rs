@@ -11,7 +11,7 @@ mod validate;
 
 pub use description::{Inertia, PointMass, Rna, Shear, Station, TowerDescription};
 pub use error::{Place, Problem, TowerError};
-pub use integrals::{Compliance, MassIntegrals, compliance, mass_integrals};
+pub use integrals::{Compliance, Hinge, MassIntegrals, compliance, gauss_hinges, mass_integrals};
 pub use material::Material;
 pub use piece::{Piece, Section};
 pub use section::Tube;
