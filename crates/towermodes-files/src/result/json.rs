@@ -12,7 +12,7 @@ use super::ResultError;
 #[derive(Serialize, JsonSchema)]
 #[schemars(title = "towermodes solution")]
 struct SolutionJson<'a> {
-    /// The element: `rmje` or `rmje-exact`.
+    /// The element, by its name on the command line.
     method: &'static str,
     /// Number of segments.
     segments: usize,
