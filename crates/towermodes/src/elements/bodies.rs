@@ -6,6 +6,7 @@ use crate::tower::{Piece, Section, mass_integrals};
 
 impl Assembly<'_> {
     /// Adds a rigid prismatic rod between two heights (m), about its middle.
+    #[inline]
     pub(super) fn add_prismatic_body(&mut self, section: &Section, base_m: f64, top_m: f64) {
         let length = top_m - base_m;
         let mass_kg = section.mass_kg_per_m * length;
@@ -22,6 +23,7 @@ impl Assembly<'_> {
     }
 
     /// Adds the tower between two heights (m) as a rigid body with its exact mass, centre and inertia, about its middle.
+    #[inline]
     pub(super) fn add_exact_body(&mut self, piece: &Piece, base_m: f64, top_m: f64) {
         let reference_m = 0.5 * (base_m + top_m);
         let mass = mass_integrals(piece, base_m, top_m, reference_m);

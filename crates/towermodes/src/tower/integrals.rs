@@ -136,19 +136,49 @@ pub fn gauss_hinges(piece: &Piece, base_m: f64, top_m: f64) -> [Hinge; 2] {
     [hinge(lower, lower_share), hinge(upper, 1.0 - lower_share)]
 }
 
-/// Tells `add` the points of a quadrature with their weights (m) and sections, panel by panel: halves [base, top] until no dimension
-/// changes by more than 10 % over a panel, and takes five Gauss points on each.
+/// Tells `add` the points of a quadrature with their weights (m) and sections: five Gauss points on each of as many panels as keep the
+/// change of every dimension over a panel below 10 %.
+#[inline]
 fn integrate(piece: &Piece, base_m: f64, top_m: f64, add: &mut impl FnMut(f64, f64, &Section)) {
-    let (middle, half) = (0.5 * (base_m + top_m), 0.5 * (top_m - base_m));
-    let divisible = base_m < middle && middle < top_m;
-    if divisible && steepness(piece, base_m, top_m) > 1.1 {
-        integrate(piece, base_m, middle, add);
-        integrate(piece, middle, top_m, add);
-        return;
+    if steepness(piece, base_m, top_m) <= STEEPEST {
+        integrate_panel(piece, base_m, top_m, add);
+    } else {
+        integrate_steep(piece, base_m, top_m, add);
     }
+}
+
+/// The largest ratio of a dimension at the ends of a panel.
+const STEEPEST: f64 = 1.1;
+
+#[inline]
+fn integrate_panel(
+    piece: &Piece,
+    base_m: f64,
+    top_m: f64,
+    add: &mut (impl FnMut(f64, f64, &Section) + ?Sized),
+) {
+    let (middle, half) = (0.5 * (base_m + top_m), 0.5 * (top_m - base_m));
     for (node, weight) in GAUSS_5 {
         let z = middle + half * node;
         add(z, weight * half, &piece.section_at(z));
+    }
+}
+
+/// Halves until every panel is flat enough, or has no number between its ends.
+#[cold]
+fn integrate_steep(
+    piece: &Piece,
+    base_m: f64,
+    top_m: f64,
+    add: &mut dyn FnMut(f64, f64, &Section),
+) {
+    let middle = 0.5 * (base_m + top_m);
+    let divisible = base_m < middle && middle < top_m;
+    if divisible && steepness(piece, base_m, top_m) > STEEPEST {
+        integrate_steep(piece, base_m, middle, add);
+        integrate_steep(piece, middle, top_m, add);
+    } else {
+        integrate_panel(piece, base_m, top_m, add);
     }
 }
 
