@@ -57,29 +57,24 @@ pub(crate) enum Format {
     Csv,
 }
 
-const EXAMPLES: &str = "Examples:
+macro_rules! examples {
+    () => {
+        "Examples:
   towermodes solve tower.toml
   towermodes solve tower.toml --modes 20 --format json --output modes.json
   towermodes solve tower.toml --method rmje --segments 60
   generate-tower | towermodes solve - --format csv
 
-Exit codes: 0 done, 1 the computation failed, 2 wrong usage or wrong input.";
+Exit codes: 0 done, 1 the computation or the output failed, 2 wrong usage or wrong input."
+    };
+}
 
-/// The file format in short, for those who have nothing but the program.
-const LONG_HELP: &str = concat!(
-    include_str!("tower-file.txt"),
-    "\nExamples:
-  towermodes solve tower.toml
-  towermodes solve tower.toml --modes 20 --format json --output modes.json
-  towermodes solve tower.toml --method rmje --segments 60
-  generate-tower | towermodes solve - --format csv
-
-Exit codes: 0 done, 1 the computation failed, 2 wrong usage or wrong input."
-);
+/// The examples after the file format in short, for those who have nothing but the program.
+const LONG_HELP: &str = concat!(include_str!("tower-file.txt"), "\n", examples!());
 
 /// The arguments of `solve`.
 #[derive(Debug, Args)]
-#[command(after_help = EXAMPLES, after_long_help = LONG_HELP)]
+#[command(after_help = examples!(), after_long_help = LONG_HELP)]
 pub(crate) struct SolveArguments {
     /// The tower (TOML); - is standard input
     pub(crate) file: PathBuf,
@@ -131,7 +126,12 @@ impl SolveArguments {
             method: self.method,
             segments: self.segments,
             modes: self.modes,
-            points: self.points,
+            // Only the JSON has shapes.
+            points: if self.format == Format::Json {
+                self.points
+            } else {
+                2
+            },
             rotary_inertia: !self.no_rotary_inertia,
             hinge_position: self.hinges.unwrap_or(GAUSS_HINGE_POSITION),
         }

@@ -4,7 +4,7 @@ use std::io::{self, Write as _};
 use std::process::ExitCode;
 
 use annotate_snippets::{AnnotationKind, Group, Level, Renderer, Snippet};
-use towermodes::{SolveError, Warning};
+use towermodes::{EigenError, SolveError, Warning};
 use towermodes_files::{Diagnostic, ReadError, ResultError, Source};
 
 /// Why the program ends without a result.
@@ -80,7 +80,10 @@ fn say(text: &str) {
 fn hint(error: &SolveError) -> Option<&'static str> {
     match error {
         SolveError::TooManyModes { .. } => Some("raise --segments or lower --modes"),
-        SolveError::Eigen(_) => Some("look for a value with the wrong unit"),
+        SolveError::Eigen(EigenError::NotFinite) => Some("look for a value with the wrong unit"),
+        SolveError::Eigen(_) => {
+            Some("ask for fewer modes, or look for a value with the wrong unit")
+        }
         _ => None,
     }
 }

@@ -101,10 +101,10 @@ fn summary(tower: &Tower, solution: &Solution) -> String {
     };
     let (count, segments) = (solution.certificate.count, solution.segments);
     let plural = |count: usize| if count == 1 { "" } else { "s" };
-    let listed = if count == solution.modes.len() {
-        "all listed"
-    } else {
+    let listed = if count > solution.modes.len() {
         "the list cuts a pair"
+    } else {
+        "all listed"
     };
     format!(
         "tower {}, {top} | {}, {segments} segment{} | certified: this chain has {count} mode{} below {} Hz, {listed}",

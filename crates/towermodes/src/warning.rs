@@ -27,7 +27,7 @@ pub enum Warning {
     },
     /// A wall outside 1/500 to 1/10 of the diameter.
     #[error(
-        "wall {} m at z = {} m is 1/{:.0} of the diameter {} m; tubular towers have 1/500 to 1/10",
+        "wall {} m at z = {} m is 1/{:.1} of the diameter {} m; tubular towers have 1/500 to 1/10",
         Plain(*.wall_thickness_m), Plain(*.height_m), .outer_diameter_m / .wall_thickness_m, Plain(*.outer_diameter_m)
     )]
     UnusualWall {
@@ -75,8 +75,9 @@ pub enum Warning {
     },
     /// Principal moments of inertia that no mass distribution has.
     #[error(
-        "a moment of inertia of the rotor-nacelle assembly ({largest_kg_m2:e} kg m2) exceeds the sum of the other two \
-         ({others_kg_m2:e} kg m2), which no mass distribution has"
+        "a moment of inertia of the rotor-nacelle assembly ({} kg m2) exceeds the sum of the other two \
+         ({} kg m2), which no mass distribution has",
+        Plain(*.largest_kg_m2), Plain(*.others_kg_m2)
     )]
     TriangleInequality {
         /// The largest moment, kg m².
@@ -104,7 +105,7 @@ pub enum Warning {
     },
     /// More segments were needed than asked for, one for each piece of the tower.
     #[error(
-        "{used} segments are used, not {asked}: each linear piece of the tower needs at least one"
+        "{used} segments are used, not {asked}: each part of the tower between steps, kinks and masses needs one"
     )]
     MoreSegments {
         /// Asked for.
@@ -122,17 +123,16 @@ pub enum Warning {
     },
     /// Modes that the segments do not resolve.
     #[error(
-        "{} not resolved (error about {:.0} %{}); use more segments",
+        "{} not resolved (error up to {:.0} %); use more segments",
         if *.others == 0 { format!("mode {number} is") } else { format!("mode {number} and {others} more are") },
-        100.0 * .relative_error,
-        if *.others == 0 { "" } else { " and more" }
+        100.0 * .worst
     )]
     Unresolved {
         /// The number of the first of them in the list.
         number: usize,
         /// How many more there are.
         others: usize,
-        /// Its estimated discretization error over its frequency.
-        relative_error: f64,
+        /// The largest of their errors over their frequencies.
+        worst: f64,
     },
 }

@@ -3,8 +3,8 @@
 mod towers;
 
 use towermodes::{
-    Family, Inertia, Material, Method, Options, Rna, Shear, Solution, SolveError, Station, Tower,
-    TowerDescription, Warning, Workspace, solve, solve_with,
+    Family, Inertia, Material, Method, Options, PointMass, Rna, Shear, Solution, SolveError,
+    Station, Tower, TowerDescription, Warning, Workspace, solve, solve_with,
 };
 use towers::{assert_close, reference, reference_350t, rich, solved};
 
@@ -168,6 +168,90 @@ fn all_degrees_of_freedom_can_be_asked_for() {
 }
 
 #[test]
+fn modes_below_the_rounding_of_the_lowest_are_refused_not_invented() {
+    // A mass 1 cm below the top makes a segment so short that its own modes are beyond sixteen digits of the first.
+    let tower = |below_top: f64| {
+        let mut description = reference();
+        description.point_masses = vec![PointMass {
+            height_m: 87.6 - below_top,
+            mass_kg: 5e3,
+        }];
+        Tower::new(description).expect("a valid tower")
+    };
+    for (below_top, segments) in [(0.01, 10), (1e-3, 10), (1e-4, 100)] {
+        let ask = |modes| {
+            let options = Options {
+                segments: Some(segments),
+                modes,
+                ..Options::default()
+            };
+            solve(&tower(below_top), &options)
+        };
+        assert!(ask(8).is_ok());
+        match ask(6 * segments) {
+            Err(SolveError::Eigen(_)) => {}
+            Err(other) => panic!("{other}"),
+            Ok(solution) => {
+                assert_eq!(solution.certificate.count, solution.modes.len());
+                for mode in &solution.modes {
+                    assert!(
+                        mode.algebraic_error_hz < 1e-3 * mode.frequency_hz,
+                        "{}",
+                        mode.label()
+                    );
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn algebraic_bounds_hold_under_any_machine() {
+    // The same mode found with 22 and with 37 others may differ by no more than the two bounds.
+    for mass_kg in [350e3, 3.5e6, 3.5e7, 3.5e8, 3.5e9, 3.5e10] {
+        let mut heavy = reference();
+        heavy.rna = Rna::point(mass_kg);
+        let ask = |modes| {
+            let options = Options {
+                segments: Some(17),
+                modes,
+                ..Options::default()
+            };
+            solved(&heavy, &options).modes
+        };
+        for (a, b) in ask(22).iter().zip(&ask(37)) {
+            let bounds = a.algebraic_error_hz + b.algebraic_error_hz;
+            let difference = (a.frequency_hz - b.frequency_hz).abs();
+            assert!(
+                difference <= bounds,
+                "{mass_kg} kg, {}: {difference:e} > {bounds:e}",
+                a.label()
+            );
+        }
+    }
+}
+
+#[test]
+fn extrapolated_frequencies_are_frequencies() {
+    let spire = TowerDescription {
+        stations: vec![Station::new(0.0, 6.0, 0.1), Station::new(80.0, 0.2, 0.005)],
+        ..reference()
+    };
+    for segments in [1, 2, 10] {
+        let options = Options {
+            segments: Some(segments),
+            ..with_modes(3)
+        };
+        for mode in solved(&spire, &options).modes {
+            assert!(
+                mode.extrapolated_hz > 0.0 && mode.discretization_error_hz >= 0.0,
+                "{mode:?}"
+            );
+        }
+    }
+}
+
+#[test]
 fn one_mode_more_than_degrees_of_freedom_is_refused_with_the_number() {
     let tower = Tower::new(reference()).expect("a valid tower");
     let options = Options {
@@ -206,6 +290,11 @@ fn impossible_options_are_refused() {
         ..Options::default()
     };
     assert_eq!(refused(points(1)), SolveError::Points { points: 1 });
+    let drawn = Options {
+        points: 1_000_000,
+        ..with_modes(200)
+    };
+    assert!(matches!(refused(drawn), SolveError::ShapesTooLarge { .. }));
     let huge = Options {
         modes: 100_000,
         ..segments(1_000_000)

@@ -95,7 +95,7 @@ where
     negative
 }
 
-/// Solves (K − σM) y = x in place, with the factors of [`factorize`]; `biases` is working memory.
+/// Solves (K − σM) y = x in place, with the factors of [`factorize`].
 ///
 /// Down: u = x − g eᵀb, b ← b + p g u/δ.  Up: y = (u − g pᵀv)/δ, v ← v + e g y.
 pub fn solve<const D: usize>(chain: &Chain<D>, factors: &[Elimination<D>], x: &mut [f64])

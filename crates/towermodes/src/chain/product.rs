@@ -42,8 +42,7 @@ pub fn stiffness_times<const D: usize>(
         out.copy_from_slice(x);
         return;
     }
-    const NONE: f64 = 0.0;
-    let none = [[NONE; D]; D];
+    let none = [[0.0; D]; D];
     product(chain, loads, x, out, |joint| {
         chain.ground_of(joint).unwrap_or(&none)
     });

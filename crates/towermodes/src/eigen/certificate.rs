@@ -28,11 +28,6 @@ pub(super) enum Verdict {
 /// Counts above the last of `eigenvalues` (rad²/s², rising), nearer and nearer until the count agrees.
 pub(super) fn verify(pencil: &mut dyn Pencil, eigenvalues: &[f64]) -> Verdict {
     let last = eigenvalues.last().copied().unwrap_or(0.0);
-    if eigenvalues.len() == pencil.size() {
-        return Verdict::Complete {
-            margin: f64::INFINITY,
-        };
-    }
     let mut verdict = Verdict::Disagrees {
         count: 0,
         shift: last,
@@ -51,8 +46,10 @@ pub(super) fn verify(pencil: &mut dyn Pencil, eigenvalues: &[f64]) -> Verdict {
 /// The relative error bound of eigenvalue `index` of a complete list, from its relative residual ρ.
 ///
 /// min(ρ, ρ²/gap) + rounding: the residual bound, or Kato's and Temple's (Kato 1949) with the relative gap to the neighbours,
-/// which is proved because the list is complete up to `margin` above its last member. Rounding in a Rayleigh quotient of n
-/// positive terms is taken as √n ε (Higham & Mary 2019).
+/// which is proved because the list is complete up to `margin` above its last member.
+///
+/// Rounding: a relative error η of the motions J u changes uᵀJᵀMJu by at most 2 η ‖M^½ J u‖ ‖M^½ |J| |u|‖, relative to it by
+/// about η √(θ₁/θ), the ratio of this frequency to the lowest; η is taken as √n ε (Higham & Mary 2019).
 pub(super) fn error_bound(
     eigenvalues: &[f64],
     index: usize,
@@ -70,7 +67,7 @@ pub(super) fn error_bound(
         Some(&other) => distance(other),
         None => margin / (1.0 + margin),
     };
-    let above = if above.is_nan() { f64::INFINITY } else { above };
     let gap = below.min(above);
-    residual.min(residual * residual / gap) + (size as f64).sqrt() * f64::EPSILON
+    let rounding = (size as f64).sqrt() * f64::EPSILON * (value / eigenvalues[0]).sqrt();
+    residual.min(residual * residual / gap) + rounding
 }

@@ -23,9 +23,20 @@ pub enum EigenError {
     /// The numbers overflowed.
     #[error("the numbers of this tower are too large or too small to compute with")]
     NotFinite,
+    /// The stiffest modes asked for are below the rounding of the softest.
+    #[error(
+        "{wanted} modes were asked for, but only the lowest {resolved} can be told from rounding: the stiffest part of the tower \
+         is too stiff beside the softest"
+    )]
+    Unresolved {
+        /// Asked for.
+        wanted: usize,
+        /// How many have residuals that mean something.
+        resolved: usize,
+    },
     /// The count of eigenvalues never agreed with the list.
     #[error(
-        "{found} modes were found but the inertia count says there are {counted} below {below_hz} Hz, \
+        "{found} modes were found but the inertia count says there are {counted} below {below_hz:.6e} Hz, \
          and {restarts} restarts did not find the rest"
     )]
     Incomplete {

@@ -65,14 +65,14 @@ impl Lanczos {
         }
     }
 
-    /// Sets the first vector: the pencil's own, or pseudo-random ones for later attempts.
-    pub(super) fn start(&mut self, pencil: &mut dyn Pencil, attempt: usize) {
+    /// Sets the first vector: the pencil's own, or pseudo-random ones for later attempts. False if there is none.
+    pub(super) fn start(&mut self, pencil: &mut dyn Pencil, attempt: usize) -> bool {
         if attempt == 0 {
             pencil.start(&mut self.next);
         } else {
             fill_pseudo_random(&mut self.next, attempt as u64);
         }
-        self.append_orthonormalized(pencil, attempt);
+        self.append_orthonormalized(pencil, attempt)
     }
 
     /// Runs until the `wanted` largest Ritz values have converged or the space is exhausted.
@@ -96,7 +96,9 @@ impl Lanczos {
                 // A look costs the cube of the steps, so the more there are the rarer it is.
                 next_look = self.used + 1 + (self.used - wanted) / 8;
             }
-            self.extend(pencil, beta);
+            if !self.extend(pencil, beta) {
+                return false;
+            }
         }
     }
 
@@ -138,21 +140,24 @@ impl Lanczos {
         add_combination(&self.basis[..self.used], &self.coefficients, &mut self.next);
     }
 
-    /// Makes `next` the newest vector; a vanishing one means an invariant space, and a fresh direction goes on from there.
-    fn extend(&mut self, pencil: &mut dyn Pencil, beta: f64) {
+    /// Makes `next` the newest vector; a vanishing one means an invariant space, and a fresh direction goes on from there. False if
+    /// there is none.
+    fn extend(&mut self, pencil: &mut dyn Pencil, beta: f64) -> bool {
         let largest = self.alpha.iter().fold(0.0_f64, |a, x| a.max(x.abs()));
         if beta > FLOOR * largest {
             self.beta.push(beta);
             self.append(1.0 / beta);
+            true
         } else {
             self.beta.push(0.0);
             fill_pseudo_random(&mut self.next, self.used as u64);
-            self.append_orthonormalized(pencil, self.used);
+            self.append_orthonormalized(pencil, self.used)
         }
     }
 
-    /// Orthonormalizes `next` against the basis and appends it; if it lies in the basis's span, random ones are tried.
-    fn append_orthonormalized(&mut self, pencil: &mut dyn Pencil, seed: usize) {
+    /// Orthonormalizes `next` against the basis and appends it; if it lies in the basis's span, random ones are tried. False if none of
+    /// them has a part outside it.
+    fn append_orthonormalized(&mut self, pencil: &mut dyn Pencil, seed: usize) -> bool {
         for attempt in 0..4 {
             pencil.stiffness_times(&self.next, &mut self.stiff);
             let before = dot(&self.next, &self.stiff);
@@ -162,11 +167,11 @@ impl Lanczos {
             let norm = dot(&self.next, &self.stiff).max(0.0).sqrt();
             if norm > 1e-8 * before.max(0.0).sqrt() {
                 self.append(1.0 / norm);
-                return;
+                return true;
             }
             fill_pseudo_random(&mut self.next, (seed as u64) << 8 | (attempt + 1));
         }
-        self.append(1.0);
+        false
     }
 
     /// Copies factor·next to the end of the basis, in memory that is there if a process was there before.

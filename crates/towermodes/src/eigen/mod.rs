@@ -16,6 +16,9 @@ use lanczos::Lanczos;
 /// Restarts after a count that disagrees, before giving up.
 const MAX_RESTARTS: usize = 8;
 
+/// Relative residuals above this mean nothing: the mode is below the rounding of the lowest one.
+const MAX_RESIDUAL: f64 = 1e-4;
+
 /// One eigenvalue with its bound.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Eigenvalue {
@@ -166,9 +169,14 @@ fn find_until_complete(
     let mut wanted = wanted;
     workspace.lanczos.reset(size);
     for restarts in 0.. {
-        workspace.lanczos.start(pencil, restarts);
-        if !workspace.lanczos.run(pencil, wanted) || !workspace.extract(pencil, wanted) {
+        let done = workspace.lanczos.start(pencil, restarts)
+            && workspace.lanczos.run(pencil, wanted)
+            && workspace.extract(pencil, wanted);
+        if !done {
             return Err(EigenError::NotFinite);
+        }
+        if let Some(resolved) = workspace.residuals.iter().position(|&r| r > MAX_RESIDUAL) {
+            return Err(EigenError::Unresolved { wanted, resolved });
         }
         match certificate::verify(pencil, &workspace.lambdas) {
             Verdict::Complete { margin } => {
@@ -179,7 +187,7 @@ fn find_until_complete(
                 });
             }
             Verdict::Disagrees { count, shift } => {
-                if restarts == MAX_RESTARTS || wanted == size {
+                if restarts == MAX_RESTARTS || count <= wanted {
                     return Err(EigenError::Incomplete {
                         found: wanted,
                         counted: count,

@@ -33,7 +33,12 @@ pub fn richardson(frequency_hz: f64, mut meshes_hz: Vec<f64>, powers: &[i32]) ->
     let extrapolated_hz = meshes_hz.first().copied().unwrap_or(frequency_hz);
     Estimate {
         error_hz: (extrapolated_hz - frequency_hz).abs().max(last_change),
-        extrapolated_hz,
+        // Meshes too coarse for any power extrapolate to nonsense; where it shows, the mode's own value is the better one.
+        extrapolated_hz: if extrapolated_hz > 0.0 {
+            extrapolated_hz
+        } else {
+            frequency_hz
+        },
     }
 }
 

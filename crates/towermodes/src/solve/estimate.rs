@@ -35,7 +35,7 @@ pub(super) fn estimate_errors(
     };
     let steps = modes.iter().map(|mode| powers_of(mode).len()).max();
     let ladder = Ladder::new(mesh, modes, steps.unwrap_or(0));
-    let (levels, counts) = solve_ladder(tower, &ladder, options, modes, below, workspace)?;
+    let (levels, elsewhere) = solve_ladder(tower, &ladder, options, modes, below, workspace)?;
     for (index, mode) in modes.iter_mut().enumerate() {
         let powers = powers_of(mode);
         // As many meshes as the powers need, coarser ones before finer ones.
@@ -47,12 +47,7 @@ pub(super) fn estimate_errors(
         mode.discretization_error_hz = estimate.error_hz;
         mode.extrapolated_hz = estimate.extrapolated_hz;
     }
-    let nearest = if ladder.own + 1 < counts.len() {
-        ladder.own + 1
-    } else {
-        ladder.own - 1
-    };
-    Ok(counts[nearest])
+    Ok(elsewhere)
 }
 
 impl Ladder {
@@ -70,7 +65,8 @@ impl Ladder {
     }
 }
 
-/// The frequencies of the same modes (Hz) on every mesh, and how many modes each has below `below`.
+/// The frequencies of the same modes (Hz) on every mesh, and how many modes the mesh next to the solution's own has below `below`: the
+/// coarser neighbour if there is one.
 fn solve_ladder(
     tower: &Tower,
     ladder: &Ladder,
@@ -78,23 +74,25 @@ fn solve_ladder(
     modes: &[Mode],
     below: f64,
     workspace: &mut Workspace,
-) -> Result<(Vec<Vec<f64>>, Vec<usize>), SolveError> {
+) -> Result<(Vec<Vec<f64>>, usize), SolveError> {
     let Workspace {
         chains, spectrum, ..
     } = workspace;
     spectrum.statistics = Statistics::default();
-    let (mut levels, mut counts) = (Vec::new(), Vec::new());
+    let mut levels = Vec::with_capacity(ladder.meshes.len());
+    let mut elsewhere = 0;
     for (index, mesh) in ladder.meshes.iter().enumerate() {
         if index == ladder.own {
             levels.push(modes.iter().map(|mode| mode.frequency_hz).collect());
-            counts.push(modes.len());
             continue;
         }
         assemble(tower, mesh, &options.recipe(), chains);
         levels.push(frequencies(modes, chains, spectrum)?);
-        counts.push(spectrum.count_below(chains, below));
+        if index.abs_diff(ladder.own) == 1 {
+            elsewhere = spectrum.count_below(chains, below);
+        }
     }
-    Ok((levels, counts))
+    Ok((levels, elsewhere))
 }
 
 /// Whether a mesh is fine enough to have every mode of the list: every element has at least two joint coordinates a segment in a bending

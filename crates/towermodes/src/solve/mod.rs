@@ -16,7 +16,7 @@ use crate::Warning;
 use crate::chain::DecoupledChains;
 use crate::eigen::{EigenError, Statistics};
 use crate::elements::{Mesh, assemble};
-use crate::modes::{Family, ModeCurve, ShapeWorkspace};
+use crate::modes::{Family, ModeCurve, ShapePoint, ShapeWorkspace};
 use crate::tower::Tower;
 use estimate::estimate_errors;
 use spectrum::{Found, Spectrum};
@@ -127,7 +127,14 @@ fn solve_mesh(
             available,
         });
     }
-    if modes.saturating_mul(available) > MAX_VECTOR_BYTES / size_of::<f64>() {
+    let shape_bytes = options.points * size_of::<ShapePoint>();
+    if options.modes > MAX_VECTOR_BYTES / shape_bytes {
+        return Err(SolveError::ShapesTooLarge {
+            modes: options.modes,
+            points: options.points,
+        });
+    }
+    if modes.saturating_mul(2 * available) > MAX_VECTOR_BYTES / size_of::<f64>() {
         return Err(SolveError::TooLarge {
             modes,
             degrees_of_freedom: available,

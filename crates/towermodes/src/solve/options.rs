@@ -15,7 +15,7 @@ pub const DEFAULT_POINTS: usize = 101;
 pub const MAX_SEGMENTS: usize = 2_000_000;
 /// More heights than this are refused.
 pub const MAX_POINTS: usize = 1_000_000;
-/// Eigenvectors that would take more memory than this, in bytes, are refused.
+/// Eigenvectors, with the vectors they are made from, or shapes that would take more memory than this, in bytes, are refused.
 pub const MAX_VECTOR_BYTES: usize = 4 << 30;
 
 /// How to solve a tower.
@@ -83,6 +83,14 @@ pub enum SolveError {
         segments: usize,
         /// Degrees of freedom.
         available: usize,
+    },
+    /// Shapes that would need more memory than a workstation has to spare.
+    #[error("shapes of {modes} modes at {points} heights would need more than {} GiB; ask for fewer of either", MAX_VECTOR_BYTES >> 30)]
+    ShapesTooLarge {
+        /// Modes asked for.
+        modes: usize,
+        /// Heights asked for.
+        points: usize,
     },
     /// Fewer heights than base and top, or too many.
     #[error(

@@ -21,7 +21,7 @@ pub struct Mode {
     pub algebraic_error_hz: f64,
     /// Estimate of the error of representing the beam by this many segments, Hz.
     pub discretization_error_hz: f64,
-    /// The beam's frequency extrapolated from two meshes, Hz.
+    /// The beam's frequency extrapolated from meshes of half or twice the segments, Hz.
     pub extrapolated_hz: f64,
     /// Modal mass uᵀMu for the shape as normalized here: kg, or kg m² for torsion.
     pub modal_mass: f64,

@@ -39,12 +39,11 @@ pub(super) fn warnings(
 }
 
 fn unresolved(modes: &[Mode]) -> Option<Warning> {
-    let relative = |m: &Mode| m.discretization_error_hz / m.frequency_hz;
-    let mut unresolved = modes.iter().filter(|m| relative(m) > RESOLVED);
-    let first = unresolved.next()?;
+    let relative = |m: &Mode| (m.discretization_error_hz + m.algebraic_error_hz) / m.frequency_hz;
+    let unresolved: Vec<&Mode> = modes.iter().filter(|m| relative(m) > RESOLVED).collect();
     Some(Warning::Unresolved {
-        number: first.number,
-        others: unresolved.count(),
-        relative_error: relative(first),
+        number: unresolved.first()?.number,
+        others: unresolved.len() - 1,
+        worst: unresolved.iter().map(|m| relative(m)).fold(0.0, f64::max),
     })
 }

@@ -96,7 +96,7 @@ fn materials(tower: &Tower, warnings: &mut Vec<Warning>) {
     }
 }
 
-/// The worst diameter and the worst wall: one warning of a kind is enough.
+/// The largest diameter and the first unusual wall: one warning of a kind is enough.
 fn stations(tower: &Tower, warnings: &mut Vec<Warning>) {
     let stations = tower.stations();
     let largest = stations
