@@ -2,8 +2,9 @@
 //!
 //! The operator K⁻¹M is symmetric in the inner product xᵀ K y and has eigenvalues θ = 1/λ, so the lowest modes are its largest and
 //! come first. In that inner product the projection coefficients vᵢᵀ K (K⁻¹M v) = vᵢᵀ M v cost nothing extra, M is never factored,
-//! and a joint-coordinate K is the identity. All vectors are kept and every new one is orthogonalized twice against them: for the
-//! few dozen that towers need this is the cheap and safe way (Parlett, *The Symmetric Eigenvalue Problem*, 1998, ch. 13).
+//! and a joint-coordinate K is the identity. All vectors are kept, and every new one is orthogonalized against the last two and then
+//! against all of them: for the few dozen that towers need this is the cheap and safe way (Parlett, *The Symmetric Eigenvalue
+//! Problem*, 1998, ch. 13).
 
 use super::pencil::Pencil;
 use super::tridiagonal::diagonalize;
