@@ -231,6 +231,26 @@ fn output_goes_to_the_file_and_nowhere_else() {
 }
 
 #[test]
+fn a_result_never_overwrites_its_tower_by_any_name() {
+    let folder = std::env::temp_dir().join(format!("towermodes-links-{}", std::process::id()));
+    std::fs::create_dir_all(&folder).expect("a folder of ours");
+    let (tower, link) = (folder.join("tower.toml"), folder.join("link.toml"));
+    std::fs::copy(root().join("examples/nrel-5mw.toml"), &tower).expect("a copy");
+    std::fs::hard_link(&tower, &link).expect("a hard link");
+    let before = std::fs::read(&tower).expect("the tower");
+    let name = |path: &PathBuf| path.to_str().expect("a plain path").to_owned();
+    let refused = output(&["solve", &name(&tower), "--output", &name(&link)]);
+    assert_eq!(refused.status.code(), Some(2), "{refused:?}");
+    let redirected = towermodes(&["solve", "-", "--output", &name(&link)])
+        .stdin(std::fs::File::open(&tower).expect("the tower"))
+        .output()
+        .expect("the program runs");
+    assert_eq!(redirected.status.code(), Some(2), "{redirected:?}");
+    assert_eq!(std::fs::read(&tower).expect("the tower"), before);
+    std::fs::remove_dir_all(&folder).expect("ours");
+}
+
+#[test]
 fn a_closed_pipe_is_no_failure() {
     let mut child = towermodes(&[
         "solve",
