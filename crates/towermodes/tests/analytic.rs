@@ -10,7 +10,9 @@ use towermodes::chain::{Chain, ChainPencil, ChainWorkspace};
 use towermodes::eigen::{EigenWorkspace, lowest};
 use towermodes::elements::Mesh;
 use towermodes::tower::{Piece, compliance};
-use towermodes::{EigenError, Family, Method, Options, Shear, Tower, TowerDescription};
+use towermodes::{
+    EigenError, Family, Inertia, Method, Options, Rna, Shear, Tower, TowerDescription,
+};
 use towers::{
     Uniform, assert_close, cone, extrapolated, frequencies, reference, reference_350t, solved,
 };
@@ -252,6 +254,36 @@ fn the_reference_tower_without_rotary_inertia() {
         5e-8,
         "350 t, Euler-Bernoulli",
     );
+}
+
+#[test]
+fn the_reference_tower_with_a_real_machine() {
+    // Euler-Bernoulli, the NREL 5 MW rotor-nacelle assembly centred on the axis: yy resists fore-aft rotation, xx side-side.
+    let machine = TowerDescription {
+        rna: Rna {
+            mass_kg: 349_606.5,
+            center_m: [0.0, 0.0, 1.966427],
+            inertia_kg_m2: Inertia {
+                xx: 42_620_975.3,
+                yy: 24_376_664.3,
+                zz: 22_652_099.0,
+                ..Inertia::default()
+            },
+        },
+        ..reference()
+    };
+    let solution = solved(&machine, &options(false));
+    let cases = [
+        (Family::ForeAft, [0.28678522, 2.07484399, 4.92265]),
+        (Family::SideSide, [0.28425472, 1.73461203, 4.58349]),
+    ];
+    for (family, expected) in cases {
+        for (got, expected) in extrapolated(&solution, family).iter().zip(expected) {
+            // The third value is given to six digits.
+            let tolerance = if expected > 4.0 { 1.1e-6 } else { 2e-8 };
+            assert_close(*got, expected, tolerance, family.name());
+        }
+    }
 }
 
 #[test]
