@@ -1,0 +1,143 @@
+//! What is possible but looks like a slip is said, and what is usual is not.
+
+mod towers;
+
+use towermodes::{Inertia, Material, Options, PointMass, Rna, Station, TowerDescription, Warning};
+use towers::{reference, reference_350t, rich, solved};
+
+/// The warnings of the reference tower changed.
+fn warned(change: impl FnOnce(&mut TowerDescription)) -> Vec<Warning> {
+    let mut description = reference_350t();
+    change(&mut description);
+    let options = Options {
+        segments: Some(200),
+        modes: 2,
+        ..Options::default()
+    };
+    solved(&description, &options).warnings
+}
+
+/// The only warning, in words.
+#[track_caller]
+fn only(change: impl FnOnce(&mut TowerDescription)) -> String {
+    let warnings = warned(change);
+    assert_eq!(warnings.len(), 1, "{warnings:?}");
+    warnings[0].to_string()
+}
+
+#[test]
+fn usual_towers_are_not_warned_of() {
+    for description in [reference(), reference_350t(), rich()] {
+        assert_eq!(solved(&description, &Options::default()).warnings, []);
+    }
+}
+
+#[test]
+fn diameters_over_30_m() {
+    let diameter = |d: f64| {
+        move |t: &mut TowerDescription| {
+            t.stations[0].outer_diameter_m = d;
+            t.stations[0].wall_thickness_m = d / 200.0;
+            t.rna = Rna::default();
+        }
+    };
+    assert!(warned(diameter(30.0)).is_empty());
+    assert!(only(diameter(30.1)).contains("30.1 m at z = 0 m is over 30 m"));
+}
+
+#[test]
+fn towers_over_1_km() {
+    let height = |h: f64| {
+        move |t: &mut TowerDescription| {
+            t.stations[1] = Station::new(h, 20.0, 0.1);
+            t.stations[0] = Station::new(0.0, 29.0, 0.2);
+        }
+    };
+    assert!(warned(height(1000.0)).is_empty());
+    assert!(only(height(1001.0)).contains("1001 m tall, over 1 km"));
+}
+
+#[test]
+fn walls_outside_a_500th_to_a_tenth_of_the_diameter() {
+    let wall =
+        |ratio: f64| move |t: &mut TowerDescription| t.stations[0].wall_thickness_m = 6.0 * ratio;
+    assert!(warned(wall(1.0 / 499.0)).is_empty());
+    assert!(warned(wall(1.0 / 10.1)).is_empty());
+    assert!(only(wall(1.0 / 510.0)).contains("1/510.0 of the diameter 6 m"));
+    assert!(only(wall(1.0 / 9.5)).contains("1/9.5 of the diameter 6 m"));
+}
+
+#[test]
+fn machines_heavier_than_five_towers() {
+    // The tower has 267 586 kg.
+    assert!(warned(|t| t.rna.mass_kg = 1.337e6).is_empty());
+    assert!(only(|t| t.rna.mass_kg = 1.339e6).contains("heavier than five towers"));
+}
+
+#[test]
+fn frequencies_outside_a_hundredth_to_a_hundred_hertz() {
+    let short = warned(|t| {
+        t.stations[1].height_m = 3.0;
+        t.rna = Rna::default();
+    });
+    let is_fast = |w: &Warning| matches!(w, Warning::UnusualFrequency { frequency_hz } if *frequency_hz > 100.0);
+    assert!(short.iter().any(is_fast), "{short:?}");
+    let soft = warned(|t| t.materials[0] = Material::from_poissons_ratio(8500.0, 2e7, 0.3));
+    let is_slow = |w: &Warning| matches!(w, Warning::UnusualFrequency { frequency_hz } if *frequency_hz < 0.01);
+    assert!(soft.iter().any(is_slow), "{soft:?}");
+}
+
+#[test]
+fn inertias_that_no_body_has() {
+    let inertia = |xx: f64| {
+        move |t: &mut TowerDescription| {
+            t.rna.inertia_kg_m2 = Inertia {
+                xx,
+                yy: 2e7,
+                zz: 2e7,
+                ..Inertia::default()
+            };
+        }
+    };
+    assert!(warned(inertia(4e7)).is_empty());
+    assert!(only(inertia(4.1e7)).contains("exceeds the sum of the other two"));
+}
+
+#[test]
+fn values_in_the_wrong_unit() {
+    let light = only(|t| {
+        t.materials[0].density_kg_per_m3 = 8.5;
+        t.rna = Rna::default();
+    });
+    assert!(
+        light.contains("a density (with the outfitting factor) is 8.5 kg/m3"),
+        "{light}"
+    );
+    assert!(only(|t| t.outfitting_factor = 0.8).contains("7 % more is 1.07"));
+    assert!(only(|t| t.rna.mass_kg = 350.0).contains("the unit is kg"));
+    assert!(only(|t| t.rna.center_m[2] = 87.6).contains("from the tower top"));
+    assert!(only(|t| t.materials[0].shear_modulus_pa = 1.2e11).contains("Poisson's ratio"));
+}
+
+#[test]
+fn rows_and_materials_that_hold_for_nothing() {
+    let step = |t: &mut TowerDescription| t.stations.push(Station::new(87.6, 3.0, 0.02));
+    assert!(only(step).contains("changes nothing"));
+    let other = |t: &mut TowerDescription| {
+        t.materials.push(t.materials[0]);
+        t.stations[1].material = 1;
+    };
+    assert!(only(other).contains("holds for nothing"));
+}
+
+#[test]
+fn more_segments_than_asked_for() {
+    let masses = |t: &mut TowerDescription| {
+        let mass = |height_m| PointMass {
+            height_m,
+            mass_kg: 1.0,
+        };
+        t.point_masses = (1..250).map(|k| mass(0.35 * f64::from(k))).collect();
+    };
+    assert!(only(masses).contains("250 segments are used, not 200"));
+}
