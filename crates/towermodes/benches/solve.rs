@@ -8,7 +8,7 @@ use std::time::Duration;
 use criterion::{BenchmarkId, Criterion, criterion_group, criterion_main};
 use towermodes::chain::{ChainPencil, ChainWorkspace, DecoupledChains, count_below, mass_times};
 use towermodes::eigen::{EigenWorkspace, lowest};
-use towermodes::elements::{GAUSS_HINGE_POSITION, Mesh, Recipe, assemble};
+use towermodes::elements::{Mesh, Recipe, assemble};
 use towermodes::{
     Material, Method, Options, Rna, Station, Tower, TowerDescription, Workspace, solve_with,
 };
@@ -26,18 +26,10 @@ fn tower(rna_kg: f64) -> Tower {
     .expect("a valid tower")
 }
 
-fn recipe() -> Recipe {
-    Recipe {
-        method: Method::RmjeExact,
-        rotary_inertia: true,
-        hinge_position: GAUSS_HINGE_POSITION,
-    }
-}
-
 fn chains(tower: &Tower, segments: usize) -> DecoupledChains {
     let mut chains = DecoupledChains::default();
     let mesh = Mesh::new(tower, segments);
-    assemble(tower, &mesh, &recipe(), &mut chains);
+    assemble(tower, &mesh, &Recipe::default(), &mut chains);
     chains
 }
 
@@ -99,7 +91,7 @@ fn pieces(c: &mut Criterion) {
     });
     group.bench_function("assembly", |b| {
         b.iter(|| {
-            assemble(black_box(&tower), &mesh, &recipe(), &mut chains);
+            assemble(black_box(&tower), &mesh, &Recipe::default(), &mut chains);
         });
     });
     group.finish();

@@ -2,11 +2,11 @@
 
 mod towers;
 
+use towermodes::Tower;
 use towermodes::chain::{ChainPencil, ChainWorkspace, DecoupledChains};
 use towermodes::eigen::{EigenWorkspace, lowest};
-use towermodes::elements::{Mesh, assemble};
-use towermodes::{Method, Tower};
-use towers::{recipe, reference, reference_350t};
+use towermodes::elements::{Mesh, Recipe, assemble};
+use towers::{reference, reference_350t};
 
 #[test]
 fn a_reused_workspace_allocates_nothing() {
@@ -18,7 +18,7 @@ fn a_reused_workspace_allocates_nothing() {
         assemble(
             &towers[index],
             &mesh[index],
-            &recipe(Method::RmjeExact),
+            &Recipe::default(),
             &mut chains,
         );
         let mut pencil = ChainPencil::new(&chains.fore_aft, &mut work);

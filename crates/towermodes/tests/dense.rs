@@ -8,9 +8,9 @@ use towermodes::chain::{
     count_below, factorize, mass_times, solve as articulated_solve, stiffness_times,
 };
 use towermodes::eigen::Pencil;
-use towermodes::elements::{Mesh, assemble};
+use towermodes::elements::{Mesh, Recipe, assemble};
 use towermodes::{Method, Options, Tower, TowerDescription};
-use towers::{assert_close, recipe, reference, reference_350t, rich, solved};
+use towers::{assert_close, reference, reference_350t, rich, solved};
 
 /// A one-degree joint of the paper: axis, height, sliding or turning, stiffness.
 struct Joint {
@@ -142,7 +142,11 @@ fn chains(description: &TowerDescription, segments: usize, method: Method) -> De
     let tower = Tower::new(description.clone()).expect("a valid tower");
     let mesh = Mesh::new(&tower, segments);
     let mut chains = DecoupledChains::default();
-    assemble(&tower, &mesh, &recipe(method), &mut chains);
+    let recipe = Recipe {
+        method,
+        ..Recipe::default()
+    };
+    assemble(&tower, &mesh, &recipe, &mut chains);
     chains
 }
 

@@ -8,9 +8,9 @@
 //! The hinges give a prismatic segment its exact static deflection if (1−k)² + k² = 2/3, so k = (1 − 1/√3)/2: the two-point Gauss rule.
 //! With exact sections they are the Gauss rule of the measure dz/EI.
 
-use super::Assembly;
+use super::{Assembly, springs};
 use crate::chain::JointFlexibility;
-use crate::tower::{Hinge, Piece, compliance, gauss_hinges};
+use crate::tower::{Piece, compliance, gauss_hinges};
 
 /// k = (1 − 1/√3)/2, the statically exact place of the hinges.
 pub const GAUSS_HINGE_POSITION: f64 = 0.211_324_865_405_187_1;
@@ -25,20 +25,20 @@ pub(super) fn add_prismatic_segment(
 ) {
     let (length, middle_m) = (top_m - base_m, 0.5 * (base_m + top_m));
     let section = piece.section_at(middle_m);
-    let half = 0.5 * length / section.bending_n_m2;
+    let all = springs::prismatic(&section, length);
+    let hinge = springs::hinge(0.5 * all.bending_per_n_m);
     let (lower_m, upper_m) = (base_m + position * length, top_m - position * length);
     let middle = JointFlexibility {
         deflection_m_per_n: section.shear_flexibility_per_n * length,
-        axial_m_per_n: length / section.axial_n,
-        torsion_per_n_m: length / section.torsion_n_m2,
-        ..JointFlexibility::default()
+        bending_per_n_m: 0.0,
+        ..all
     };
     assembly.add_prismatic_body(&section, base_m, lower_m);
-    assembly.chains.add_joint(lower_m, &hinge(half));
+    assembly.chains.add_joint(lower_m, &hinge);
     assembly.add_prismatic_body(&section, lower_m, middle_m);
     assembly.chains.add_joint(middle_m, &middle);
     assembly.add_prismatic_body(&section, middle_m, upper_m);
-    assembly.chains.add_joint(upper_m, &hinge(half));
+    assembly.chains.add_joint(upper_m, &hinge);
     assembly.add_prismatic_body(&section, upper_m, top_m);
 }
 
@@ -50,31 +50,23 @@ pub(super) fn add_exact_segment(
     top_m: f64,
 ) {
     let whole = compliance(piece, base_m, top_m);
-    let [lower, upper]: [Hinge; 2] = gauss_hinges(piece, base_m, top_m);
+    let [lower, upper] = gauss_hinges(piece, base_m, top_m, &whole);
     let middle_m = whole.elastic_centre_m;
     let middle = JointFlexibility {
         // Shear belongs into a sliding joint of its own: in the hinges' spacing it would push them off a short segment.
         deflection_m_per_n: whole.shear_m_per_n,
-        axial_m_per_n: whole.axial_m_per_n,
-        torsion_per_n_m: whole.torsion_per_n_m,
-        ..JointFlexibility::default()
+        bending_per_n_m: 0.0,
+        ..springs::exact(&whole)
     };
     assembly.add_exact_body(piece, base_m, lower.height_m);
     assembly
         .chains
-        .add_joint(lower.height_m, &hinge(lower.bending_per_n_m));
+        .add_joint(lower.height_m, &springs::hinge(lower.bending_per_n_m));
     assembly.add_exact_body(piece, lower.height_m, middle_m);
     assembly.chains.add_joint(middle_m, &middle);
     assembly.add_exact_body(piece, middle_m, upper.height_m);
     assembly
         .chains
-        .add_joint(upper.height_m, &hinge(upper.bending_per_n_m));
+        .add_joint(upper.height_m, &springs::hinge(upper.bending_per_n_m));
     assembly.add_exact_body(piece, upper.height_m, top_m);
-}
-
-fn hinge(bending_per_n_m: f64) -> JointFlexibility {
-    JointFlexibility {
-        bending_per_n_m,
-        ..JointFlexibility::default()
-    }
 }

@@ -7,6 +7,7 @@ mod mesh;
 mod method;
 mod rmje;
 mod rmje_exact;
+mod springs;
 
 pub use cardanic::GAUSS_HINGE_POSITION;
 pub use mesh::{Mesh, Span};
@@ -25,6 +26,16 @@ pub struct Recipe {
     pub rotary_inertia: bool,
     /// Where the hinges of [`Method::Cardanic`] sit, as a share k of the segment from each end, 0 < k < 1/2.
     pub hinge_position: f64,
+}
+
+impl Default for Recipe {
+    fn default() -> Self {
+        Self {
+            method: Method::default(),
+            rotary_inertia: true,
+            hinge_position: GAUSS_HINGE_POSITION,
+        }
+    }
 }
 
 /// A tower being made into chains.

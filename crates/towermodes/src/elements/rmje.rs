@@ -11,37 +11,25 @@
 //! The springs are those of the segment's exact static stiffness; φ = 12EI/(κGAL²) with shear, 0 without. Bending converges as
 //! n⁻², torsion and axial, whose joint is off the middle, only as n⁻¹; with shear, bending also ends as n⁻¹.
 
-use super::Assembly;
+use super::{Assembly, springs};
 use crate::chain::JointFlexibility;
-use crate::tower::{Piece, Section};
+use crate::tower::Piece;
 
 /// Adds one segment between two heights (m).
 pub(super) fn add_segment(assembly: &mut Assembly<'_>, piece: &Piece, base_m: f64, top_m: f64) {
     let length = top_m - base_m;
     let at = |fraction: f64| base_m + fraction * length;
     let section = piece.section_at(at(0.5));
-    let (slide, turn) = springs(&section, length);
+    let all = springs::prismatic(&section, length);
+    let slide = JointFlexibility {
+        bending_per_n_m: 0.0,
+        ..all
+    };
     assembly.add_prismatic_body(&section, base_m, at(0.25));
     assembly.chains.add_joint(at(0.25), &slide);
     assembly.add_prismatic_body(&section, at(0.25), at(0.5));
-    assembly.chains.add_joint(at(0.5), &turn);
+    assembly
+        .chains
+        .add_joint(at(0.5), &springs::hinge(all.bending_per_n_m));
     assembly.add_prismatic_body(&section, at(0.5), top_m);
-}
-
-/// The flexibilities of the joint at L/4 and of the joint at L/2.
-fn springs(section: &Section, length: f64) -> (JointFlexibility, JointFlexibility) {
-    let bending = length / section.bending_n_m2;
-    let slide = JointFlexibility {
-        // L³(1+φ)/(12EI), with φ written out.
-        deflection_m_per_n: bending * length * length / 12.0
-            + section.shear_flexibility_per_n * length,
-        axial_m_per_n: length / section.axial_n,
-        torsion_per_n_m: length / section.torsion_n_m2,
-        ..JointFlexibility::default()
-    };
-    let turn = JointFlexibility {
-        bending_per_n_m: bending,
-        ..JointFlexibility::default()
-    };
-    (slide, turn)
 }

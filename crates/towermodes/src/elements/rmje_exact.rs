@@ -7,21 +7,16 @@
 //!
 //! So the segment's static stiffness is exact for any taper, and every frequency converges as n⁻².
 
-use super::Assembly;
-use crate::chain::JointFlexibility;
+use super::{Assembly, springs};
 use crate::tower::{Piece, compliance};
 
 /// Adds one segment between two heights (m).
 pub(super) fn add_segment(assembly: &mut Assembly<'_>, piece: &Piece, base_m: f64, top_m: f64) {
     let compliance = compliance(piece, base_m, top_m);
     let centre_m = compliance.elastic_centre_m;
-    let flexibility = JointFlexibility {
-        deflection_m_per_n: compliance.deflection_m_per_n + compliance.shear_m_per_n,
-        bending_per_n_m: compliance.bending_per_n_m,
-        axial_m_per_n: compliance.axial_m_per_n,
-        torsion_per_n_m: compliance.torsion_per_n_m,
-    };
     assembly.add_exact_body(piece, base_m, centre_m);
-    assembly.chains.add_joint(centre_m, &flexibility);
+    assembly
+        .chains
+        .add_joint(centre_m, &springs::exact(&compliance));
     assembly.add_exact_body(piece, centre_m, top_m);
 }

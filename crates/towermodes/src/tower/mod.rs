@@ -27,7 +27,6 @@ pub struct Tower {
     rna: Rna,
     point_masses: Vec<PointMass>,
     outfitting_factor: f64,
-    shear: Shear,
     mass_kg: f64,
 }
 
@@ -58,7 +57,6 @@ impl Tower {
             rna: description.rna,
             point_masses,
             outfitting_factor: description.outfitting_factor,
-            shear: description.shear,
             mass_kg,
         })
     }
@@ -95,7 +93,7 @@ impl Tower {
 
     /// Whether and how the tower deforms in shear.
     pub fn shear(&self) -> Shear {
-        self.shear
+        self.pieces[0].shear
     }
 
     /// Height z of the clamped base in the user's datum, m.

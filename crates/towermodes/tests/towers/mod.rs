@@ -6,7 +6,6 @@
 
 use std::f64::consts::TAU;
 
-use towermodes::elements::{GAUSS_HINGE_POSITION, Method, Recipe};
 use towermodes::{
     Family, Inertia, Material, Options, Rna, Shear, Solution, Station, Tower, TowerDescription,
     solve,
@@ -152,15 +151,6 @@ pub fn cone(c: f64) -> (TowerDescription, f64) {
     // EI₀/m₀ = (E/ρ) d²/16.
     let unit_hz = (e / density).sqrt() * d / 4.0 / (length * length) / TAU;
     (description, unit_hz)
-}
-
-/// A recipe with rotary inertia and everything else as usual.
-pub fn recipe(method: Method) -> Recipe {
-    Recipe {
-        method,
-        rotary_inertia: true,
-        hinge_position: GAUSS_HINGE_POSITION,
-    }
 }
 
 /// Solves a description or panics with what is wrong.
