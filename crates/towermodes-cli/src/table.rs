@@ -26,14 +26,14 @@ fn modes(solution: &Solution) -> String {
     table.set_header(["mode", "what it is", "frequency Hz", "± error", "period s"]);
     let modes = || solution.modes.iter();
     let frequencies = aligned(modes().map(|m| shown(m, m.frequency_hz)));
-    let errors = aligned(modes().map(|m| shown(m, error(m))));
+    let errors = aligned(modes().map(|m| shown(m, m.error_hz())));
     for (mode, (frequency, error)) in modes().zip(frequencies.iter().zip(&errors)) {
         table.add_row([
             mode.number.to_string(),
             mode.label(),
             frequency.clone(),
             error.clone(),
-            four_digits(1.0 / mode.frequency_hz),
+            four_digits(mode.period_s()),
         ]);
     }
     for column in [0, 2, 3, 4] {
@@ -44,18 +44,13 @@ fn modes(solution: &Solution) -> String {
     table.trim_fmt()
 }
 
-/// The whole error: of the segments and of the eigenvalue computation.
-fn error(mode: &Mode) -> f64 {
-    mode.discretization_error_hz + mode.algebraic_error_hz
-}
-
 /// A frequency or its error, with as many decimals as show two digits of the error.
 fn shown(mode: &Mode, value_hz: f64) -> String {
     // Far from 1 Hz an exponent says more than a row of zeros.
     if !(1e-4..1e6).contains(&mode.frequency_hz) {
         return format!("{value_hz:.6e}");
     }
-    let decimals = 1 - error(mode).log10().floor() as i32;
+    let decimals = 1 - mode.error_hz().log10().floor() as i32;
     let decimals = usize::try_from(decimals.clamp(*DECIMALS.start(), *DECIMALS.end()));
     format!("{value_hz:.*}", decimals.unwrap_or_default())
 }

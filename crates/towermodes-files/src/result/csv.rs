@@ -2,7 +2,7 @@
 
 use std::io::Write;
 
-use towermodes::{Family, Mode, Solution};
+use towermodes::{Mode, Solution};
 
 use super::ResultError;
 
@@ -35,22 +35,18 @@ pub fn write_csv(solution: &Solution, writer: impl Write) -> Result<(), ResultEr
 }
 
 fn record(mode: &Mode) -> [String; 11] {
-    let modal = mode.modal_mass.to_string();
-    let (mass, inertia) = match mode.family {
-        Family::Torsion => (String::new(), modal),
-        _ => (modal, String::new()),
-    };
+    let or_empty = |value: Option<f64>| value.map_or_else(String::new, |v| v.to_string());
     [
         mode.number.to_string(),
         mode.family.name().to_owned(),
         mode.order.to_string(),
         mode.label(),
         mode.frequency_hz.to_string(),
-        (1.0 / mode.frequency_hz).to_string(),
+        mode.period_s().to_string(),
         format!("{:e}", mode.algebraic_error_hz),
         format!("{:e}", mode.discretization_error_hz),
         mode.extrapolated_hz.to_string(),
-        mass,
-        inertia,
+        or_empty(mode.modal_mass_kg()),
+        or_empty(mode.modal_inertia_kg_m2()),
     ]
 }

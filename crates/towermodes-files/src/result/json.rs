@@ -4,7 +4,7 @@ use std::io::Write;
 
 use schemars::JsonSchema;
 use serde::Serialize;
-use towermodes::{Certificate, Family, Mode, ShapePoint, Solution, Tower};
+use towermodes::{Certificate, Mode, ShapePoint, Solution, Tower};
 
 use super::ResultError;
 
@@ -167,19 +167,18 @@ fn certificate_json(certificate: &Certificate) -> CertificateJson {
 }
 
 fn mode_json(mode: &Mode) -> ModeJson {
-    let twists = mode.family == Family::Torsion;
     ModeJson {
         number: mode.number,
         frequency_hz: mode.frequency_hz,
-        period_s: 1.0 / mode.frequency_hz,
+        period_s: mode.period_s(),
         family: mode.family.name(),
         order: mode.order,
         label: mode.label(),
         algebraic_error_hz: mode.algebraic_error_hz,
         discretization_error_hz: mode.discretization_error_hz,
         extrapolated_hz: mode.extrapolated_hz,
-        modal_mass_kg: (!twists).then_some(mode.modal_mass),
-        modal_inertia_kg_m2: twists.then_some(mode.modal_mass),
+        modal_mass_kg: mode.modal_mass_kg(),
+        modal_inertia_kg_m2: mode.modal_inertia_kg_m2(),
         shape: shape_json(&mode.shape),
         station_shape: shape_json(&mode.station_shape),
     }

@@ -3,14 +3,9 @@
 //! The list holds k orthonormal vectors with small residuals, so there are k eigenvalues near it (Kahan 1967). An inertia count
 //! just above the last one that gives k says there are no more: the list is complete.
 
-use super::pencil::Pencil;
-
-/// The relative distances above the last eigenvalue at which a count is tried, widest first: a wide one proves a gap.
-const MARGINS: [f64; 4] = [1e-2, 1e-4, 1e-6, 1e-9];
-
-/// What a count above a list of eigenvalues says.
+/// What counts above a list of eigenvalues say.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) enum Verdict {
+pub(crate) enum Verdict {
     /// As many as in the list, and none within this relative distance above the last.
     Complete {
         /// (σ − λ_last)/λ_last of the count that agreed.
@@ -25,17 +20,22 @@ pub(super) enum Verdict {
     },
 }
 
-/// Counts above the last of `eigenvalues` (rad²/s², rising), nearer and nearer until the count agrees.
-pub(super) fn verify(pencil: &mut dyn Pencil, eigenvalues: &[f64]) -> Verdict {
-    let last = eigenvalues.last().copied().unwrap_or(0.0);
+/// Counts the eigenvalues below λ = `last`·(1 + margin), rad²/s², for each of `margins` in turn, widest first, until the count is the
+/// expected one: a wide one proves a gap.
+pub(crate) fn verify(
+    last: f64,
+    expected: usize,
+    margins: &[f64],
+    mut count_below: impl FnMut(f64) -> usize,
+) -> Verdict {
     let mut verdict = Verdict::Disagrees {
         count: 0,
         shift: last,
     };
-    for margin in MARGINS {
+    for &margin in margins {
         let shift = last * (1.0 + margin);
-        let count = pencil.count_below(shift);
-        if count == eigenvalues.len() {
+        let count = count_below(shift);
+        if count == expected {
             return Verdict::Complete { margin };
         }
         verdict = Verdict::Disagrees { count, shift };

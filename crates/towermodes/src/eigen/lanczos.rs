@@ -84,7 +84,7 @@ impl Lanczos {
         let mut next_look = wanted + 1;
         loop {
             let beta = self.step(pencil);
-            if !beta.is_finite() || !self.alpha.iter().all(|a| a.is_finite()) {
+            if !beta.is_finite() || !self.alpha[self.used - 1].is_finite() {
                 return false;
             }
             if self.used == size {
@@ -112,13 +112,9 @@ impl Lanczos {
         pencil.solve(&mut self.next);
         // First the two vectors that the exact process would leave, then all of them for what rounding leaves.
         let alpha = dot(&self.basis[newest], &self.image);
-        let first = newest.saturating_sub(1);
+        let last_two = &self.basis[newest.saturating_sub(1)..=newest];
         let factors = [-self.beta.last().copied().unwrap_or(0.0), -alpha];
-        add_combination(
-            &self.basis[first..=newest],
-            &factors[2 - (newest + 1 - first)..],
-            &mut self.next,
-        );
+        add_combination(last_two, &factors[2 - last_two.len()..], &mut self.next);
         let correction = self.orthogonalize(pencil);
         self.alpha.push(alpha + correction);
         dot(&self.next, &self.stiff).max(0.0).sqrt()

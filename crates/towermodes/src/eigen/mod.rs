@@ -7,14 +7,17 @@ mod pencil;
 mod tridiagonal;
 mod vector;
 
+pub(crate) use certificate::{Verdict, verify};
 pub use error::EigenError;
 pub use pencil::Pencil;
 
-use certificate::Verdict;
 use lanczos::Lanczos;
 
 /// Restarts after a count that disagrees, before giving up.
 const MAX_RESTARTS: usize = 8;
+
+/// The relative distances above the last eigenvalue at which a count is tried.
+const MARGINS: [f64; 4] = [1e-2, 1e-4, 1e-6, 1e-9];
 
 /// Relative residuals above this mean nothing: the mode is below the rounding of the lowest one.
 const MAX_RESIDUAL: f64 = 1e-4;
@@ -178,7 +181,9 @@ fn find_until_complete(
         if let Some(resolved) = workspace.residuals.iter().position(|&r| r > MAX_RESIDUAL) {
             return Err(EigenError::Unresolved { wanted, resolved });
         }
-        match certificate::verify(pencil, &workspace.lambdas) {
+        let last = workspace.lambdas[wanted - 1];
+        let count_below = |shift| pencil.count_below(shift);
+        match verify(last, wanted, &MARGINS, count_below) {
             Verdict::Complete { margin } => {
                 workspace.bound(margin, size);
                 return Ok(Statistics {
@@ -199,7 +204,7 @@ fn find_until_complete(
                 workspace
                     .lanczos
                     .lock(&workspace.vectors[..wanted], &workspace.thetas);
-                wanted = wanted.max(count).min(size);
+                wanted = count.min(size);
             }
         }
     }

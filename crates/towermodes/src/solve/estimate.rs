@@ -3,9 +3,8 @@
 use super::Workspace;
 use super::options::{Options, SolveError};
 use super::solution::Mode;
-use super::spectrum::{FAMILIES, Spectrum};
+use super::spectrum::{Spectrum, chains_of};
 use crate::chain::DecoupledChains;
-use crate::eigen::Statistics;
 use crate::elements::{Mesh, assemble};
 use crate::modes::{Family, richardson};
 use crate::tower::Tower;
@@ -78,7 +77,6 @@ fn solve_ladder(
     let Workspace {
         chains, spectrum, ..
     } = workspace;
-    spectrum.statistics = Statistics::default();
     let mut levels = Vec::with_capacity(ladder.meshes.len());
     let mut elsewhere = 0;
     for (index, mesh) in ladder.meshes.iter().enumerate() {
@@ -110,11 +108,10 @@ fn frequencies(
     chains: &DecoupledChains,
     spectrum: &mut Spectrum,
 ) -> Result<Vec<f64>, SolveError> {
-    for family in FAMILIES {
-        let is_copy = family == Family::SideSide && chains.planes_are_equal();
+    for &family in chains_of(chains) {
         let orders = modes.iter().filter(|m| m.family == family).map(|m| m.order);
         let wanted = orders.max().unwrap_or(0);
-        if wanted > 0 && !is_copy {
+        if wanted > 0 {
             spectrum.solve_family(chains, family, wanted)?;
         }
     }

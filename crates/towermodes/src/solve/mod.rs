@@ -12,15 +12,14 @@ pub use options::{
 };
 pub use solution::{Certificate, Mode, Solution};
 
-use crate::Warning;
 use crate::chain::DecoupledChains;
-use crate::eigen::{EigenError, Statistics};
+use crate::eigen::EigenError;
 use crate::elements::{Mesh, assemble};
-use crate::modes::{Family, ModeCurve, ShapePoint, ShapeWorkspace};
+use crate::modes::{Family, ModeCurve, ShapeWorkspace};
 use crate::tower::Tower;
 use estimate::estimate_errors;
-use spectrum::{Found, Spectrum};
-use warnings::warnings;
+use spectrum::{Found, Proof, Spectrum};
+use warnings::{uncertain_end, warnings};
 
 /// Memory that is reused from solve to solve.
 #[derive(Debug, Default)]
@@ -50,19 +49,20 @@ pub fn solve_with(
     options: &Options,
     workspace: &mut Workspace,
 ) -> Result<Solution, SolveError> {
+    options.check()?;
     let mesh = mesh_of(tower, options)?;
-    let (found, certificate, mut statistics) = solve_mesh(tower, &mesh, options, workspace)?;
+    let (found, proof) = solve_mesh(tower, &mesh, options, workspace)?;
     let listed = &found[..options.modes];
     let mut modes = shapes(tower, &mesh, options, listed, workspace);
     let degrees_of_freedom = workspace.chains.degrees_of_freedom();
-    let below = (std::f64::consts::TAU * certificate.below_hz).powi(2);
-    let elsewhere = estimate_errors(tower, &mesh, options, &mut modes, below, workspace)?;
-    statistics += workspace.spectrum.statistics;
+    let elsewhere = estimate_errors(tower, &mesh, options, &mut modes, proof.below, workspace)?;
+    let certificate = Certificate {
+        complete: true,
+        count: proof.count,
+        below_hz: proof.below.sqrt() / std::f64::consts::TAU,
+    };
     let mut warnings = warnings(tower, &mesh, options, &modes, &found);
-    let below_hz = certificate.below_hz;
-    if elsewhere != certificate.count || modes.iter().any(|m| m.extrapolated_hz >= below_hz) {
-        warnings.push(Warning::UncertainEnd { below_hz });
-    }
+    warnings.extend(uncertain_end(&modes, &certificate, elsewhere));
     Ok(Solution {
         method: options.method,
         segments: mesh.segments(),
@@ -70,27 +70,14 @@ pub fn solve_with(
         modes,
         certificate,
         warnings,
-        statistics,
+        statistics: workspace.spectrum.statistics,
     })
 }
 
 fn mesh_of(tower: &Tower, options: &Options) -> Result<Mesh, SolveError> {
-    if options.modes == 0 {
-        return Err(SolveError::NoModes);
-    }
-    if !(2..=MAX_POINTS).contains(&options.points) {
-        return Err(SolveError::Points {
-            points: options.points,
-        });
-    }
-    if !(options.hinge_position > 0.0 && options.hinge_position < 0.5) {
-        return Err(SolveError::HingePosition {
-            position: options.hinge_position,
-        });
-    }
     let fewest = Mesh::fewest_segments(tower);
     let Some(segments) = options.segments else {
-        return within_limit(fewest).map(|_| Mesh::at_least(tower, DEFAULT_SEGMENTS));
+        return within_limit(fewest).map(|()| Mesh::at_least(tower, DEFAULT_SEGMENTS));
     };
     within_limit(segments)?;
     within_limit(fewest)?;
@@ -111,7 +98,7 @@ fn solve_mesh(
     mesh: &Mesh,
     options: &Options,
     workspace: &mut Workspace,
-) -> Result<(Vec<Found>, Certificate, Statistics), SolveError> {
+) -> Result<(Vec<Found>, Proof), SolveError> {
     let Workspace {
         chains, spectrum, ..
     } = workspace;
@@ -119,35 +106,10 @@ fn solve_mesh(
     if !chains.is_finite() {
         return Err(EigenError::NotFinite.into());
     }
-    let (modes, available) = (options.modes, chains.degrees_of_freedom());
-    if modes > available {
-        return Err(SolveError::TooManyModes {
-            modes,
-            segments: mesh.segments(),
-            available,
-        });
-    }
-    let shape_bytes = options.points * size_of::<ShapePoint>();
-    if options.modes > MAX_VECTOR_BYTES / shape_bytes {
-        return Err(SolveError::ShapesTooLarge {
-            modes: options.modes,
-            points: options.points,
-        });
-    }
-    if modes.saturating_mul(2 * available) > MAX_VECTOR_BYTES / size_of::<f64>() {
-        return Err(SolveError::TooLarge {
-            modes,
-            degrees_of_freedom: available,
-        });
-    }
-    let found = spectrum.solve(chains, modes)?;
-    let proof = spectrum.prove(chains, &found, modes)?;
-    let certificate = Certificate {
-        complete: true,
-        count: proof.count,
-        below_hz: proof.below.sqrt() / std::f64::consts::TAU,
-    };
-    Ok((found, certificate, spectrum.statistics))
+    options.check_size(mesh.segments(), chains.degrees_of_freedom())?;
+    let found = spectrum.solve(chains, options.modes)?;
+    let proof = spectrum.prove(chains, &found, options.modes)?;
+    Ok((found, proof))
 }
 
 /// The modes with their shapes; the discretization error is still missing.

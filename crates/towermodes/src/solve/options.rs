@@ -4,6 +4,7 @@ use thiserror::Error;
 
 use crate::eigen::EigenError;
 use crate::elements::{GAUSS_HINGE_POSITION, Method, Recipe};
+use crate::modes::ShapePoint;
 
 /// Segments used unless told; where steps and point masses make short spans, each of these has two on top.
 pub const DEFAULT_SEGMENTS: usize = 100;
@@ -49,6 +50,46 @@ impl Default for Options {
 }
 
 impl Options {
+    /// Refuses what no tower can be asked.
+    pub(super) fn check(&self) -> Result<(), SolveError> {
+        if self.modes == 0 {
+            return Err(SolveError::NoModes);
+        }
+        if !(2..=MAX_POINTS).contains(&self.points) {
+            return Err(SolveError::Points {
+                points: self.points,
+            });
+        }
+        if !(self.hinge_position > 0.0 && self.hinge_position < 0.5) {
+            return Err(SolveError::HingePosition {
+                position: self.hinge_position,
+            });
+        }
+        Ok(())
+    }
+
+    /// Refuses more modes than a chain of so many degrees of freedom has, or than memory holds.
+    pub(super) fn check_size(&self, segments: usize, available: usize) -> Result<(), SolveError> {
+        let (modes, points) = (self.modes, self.points);
+        if modes > available {
+            return Err(SolveError::TooManyModes {
+                modes,
+                segments,
+                available,
+            });
+        }
+        if modes > MAX_VECTOR_BYTES / (points * size_of::<ShapePoint>()) {
+            return Err(SolveError::ShapesTooLarge { modes, points });
+        }
+        if modes.saturating_mul(2 * available) > MAX_VECTOR_BYTES / size_of::<f64>() {
+            return Err(SolveError::TooLarge {
+                modes,
+                degrees_of_freedom: available,
+            });
+        }
+        Ok(())
+    }
+
     /// What the elements need to know of it.
     pub(super) fn recipe(&self) -> Recipe {
         Recipe {

@@ -69,6 +69,26 @@ impl Mode {
         }
     }
 
+    /// 1/frequency, s.
+    pub fn period_s(&self) -> f64 {
+        1.0 / self.frequency_hz
+    }
+
+    /// The whole error, of the segments and of the eigenvalue computation, Hz.
+    pub fn error_hz(&self) -> f64 {
+        self.discretization_error_hz + self.algebraic_error_hz
+    }
+
+    /// Modal mass, kg; none for torsion.
+    pub fn modal_mass_kg(&self) -> Option<f64> {
+        (self.family != Family::Torsion).then_some(self.modal_mass)
+    }
+
+    /// Modal inertia, kg m²; for torsion only.
+    pub fn modal_inertia_kg_m2(&self) -> Option<f64> {
+        (self.family == Family::Torsion).then_some(self.modal_mass)
+    }
+
     /// What it is: "1st fore-aft bending".
     pub fn label(&self) -> String {
         self.family.label(self.order)

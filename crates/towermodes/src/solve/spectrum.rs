@@ -1,7 +1,9 @@
 //! The lowest modes of all of a tower's chains together, and the proof that none is missing.
 
 use crate::chain::{ChainPencil, ChainWorkspace, DecoupledChains};
-use crate::eigen::{EigenError, EigenWorkspace, Eigenvalue, Pencil, Statistics, lowest};
+use crate::eigen::{
+    EigenError, EigenWorkspace, Eigenvalue, Pencil, Statistics, Verdict, lowest, verify,
+};
 use crate::modes::Family;
 
 /// Relative distances above the last mode at which completeness is certified, widest first.
@@ -37,7 +39,7 @@ pub(super) struct Proof {
 }
 
 /// All families, in the order in which modes of one frequency are listed.
-pub(super) const FAMILIES: [Family; 4] = [
+const FAMILIES: [Family; 4] = [
     Family::ForeAft,
     Family::SideSide,
     Family::Torsion,
@@ -45,7 +47,7 @@ pub(super) const FAMILIES: [Family; 4] = [
 ];
 
 /// The chains that are solved: an equal plane once.
-fn chains_of(chains: &DecoupledChains) -> &'static [Family] {
+pub(super) fn chains_of(chains: &DecoupledChains) -> &'static [Family] {
     if chains.planes_are_equal() {
         &[Family::ForeAft, Family::Torsion, Family::Axial]
     } else {
@@ -137,8 +139,8 @@ impl Spectrum {
         self.statistics = Statistics::default();
         let families = chains_of(chains);
         let size = self.size(chains, Family::ForeAft);
-        let share = 1 + usize::from(families.len() < 4 || wanted > 1);
-        let mut bending = wanted.div_ceil(share).min(size);
+        // Side-side bending is as soft, or nearly, and gives the other half.
+        let mut bending = wanted.div_ceil(2).min(size);
         loop {
             self.solve_family(chains, Family::ForeAft, bending)?;
             let ceiling = self.fore_aft.eigenvalues().last().map_or(0.0, |e| e.lambda);
@@ -195,25 +197,21 @@ impl Spectrum {
     ) -> Result<Proof, EigenError> {
         let last = &found[listed - 1];
         let lambda = last.eigenvalue.lambda;
-        let expected = listed
-            + found[listed..]
-                .iter()
-                .take_while(|next| next.repeats(last))
-                .count();
-        let mut count = expected;
-        for margin in MARGINS {
-            let below = lambda * (1.0 + margin);
-            count = self.count_below(chains, below);
-            if count == expected {
-                return Ok(Proof { count, below });
-            }
+        let repeats = found[listed..].iter().take_while(|next| next.repeats(last));
+        let expected = listed + repeats.count();
+        let count_below = |shift| self.count_below(chains, shift);
+        match verify(lambda, expected, &MARGINS, count_below) {
+            Verdict::Complete { margin } => Ok(Proof {
+                count: expected,
+                below: lambda * (1.0 + margin),
+            }),
+            Verdict::Disagrees { count, shift } => Err(EigenError::Incomplete {
+                found: listed,
+                counted: count,
+                below_hz: shift.sqrt() / std::f64::consts::TAU,
+                restarts: self.statistics.restarts,
+            }),
         }
-        Err(EigenError::Incomplete {
-            found: listed,
-            counted: count,
-            below_hz: lambda.sqrt() / std::f64::consts::TAU,
-            restarts: self.statistics.restarts,
-        })
     }
 }
 

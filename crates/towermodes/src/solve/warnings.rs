@@ -1,7 +1,7 @@
 //! What looks like a slip once the modes are known.
 
 use super::options::Options;
-use super::solution::Mode;
+use super::solution::{Certificate, Mode};
 use super::spectrum::Found;
 use crate::Warning;
 use crate::elements::Mesh;
@@ -38,8 +38,21 @@ pub(super) fn warnings(
     warnings
 }
 
+/// Says that the list ends within the error of the segments: another mesh has another count of modes below its end than certified, or
+/// a mode is extrapolated beyond it.
+pub(super) fn uncertain_end(
+    modes: &[Mode],
+    certificate: &Certificate,
+    count_elsewhere: usize,
+) -> Option<Warning> {
+    let below_hz = certificate.below_hz;
+    let is_uncertain =
+        count_elsewhere != certificate.count || modes.iter().any(|m| m.extrapolated_hz >= below_hz);
+    is_uncertain.then_some(Warning::UncertainEnd { below_hz })
+}
+
 fn unresolved(modes: &[Mode]) -> Option<Warning> {
-    let relative = |m: &Mode| (m.discretization_error_hz + m.algebraic_error_hz) / m.frequency_hz;
+    let relative = |m: &Mode| m.error_hz() / m.frequency_hz;
     let unresolved: Vec<&Mode> = modes.iter().filter(|m| relative(m) > RESOLVED).collect();
     Some(Warning::Unresolved {
         number: unresolved.first()?.number,
