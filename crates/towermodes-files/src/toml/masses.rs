@@ -3,8 +3,8 @@
 use towermodes::{Inertia, Place, PointMass, Rna};
 
 use super::Reading;
-use super::table::{Keys, Table, kind};
-use super::values::{Value, list, number, text};
+use super::table::{Keys, Table};
+use super::values::{Value, every_row, list, number, text, wrong_kind};
 use crate::diagnostic::Diagnostic;
 
 const RNA: Keys = Keys {
@@ -85,20 +85,11 @@ pub(super) fn point_masses(root: &Table<'_>, reading: &mut Reading) -> Option<Ve
         return Some(Vec::new());
     };
     let Some(rows) = value.get_ref().as_array() else {
-        let message = format!(
-            "point_mass must be a list of tables, not {}",
-            kind(value.get_ref())
-        );
         let hint = "write [[point_mass]] in double brackets, once for each mass";
-        reading.mistake(Diagnostic::new(value.span(), message).with_hint(hint));
+        reading.mistake(wrong_kind(value, "point_mass", "a list of tables").with_hint(hint));
         return None;
     };
-    let masses: Vec<Option<PointMass>> = rows
-        .iter()
-        .enumerate()
-        .map(|(index, row)| point_mass(row, index, reading))
-        .collect();
-    masses.into_iter().collect()
+    every_row(rows, |index, row| point_mass(row, index, reading))
 }
 
 fn point_mass(row: &Value<'_>, index: usize, reading: &mut Reading) -> Option<PointMass> {

@@ -5,8 +5,8 @@ use towermodes::{Place, Shear, Station};
 
 use super::Reading;
 use super::materials::Materials;
-use super::table::{Keys, Table, kind, suggestion};
-use super::values::{Value, list, number, text};
+use super::table::{Keys, Table, suggestion};
+use super::values::{Value, every_row, list, number, text, wrong_kind};
 use crate::diagnostic::Diagnostic;
 
 /// The keys of `[tower]`.
@@ -25,12 +25,7 @@ pub(super) fn stations(
     let value = tower.require("stations", hint, reading)?;
     reading.remember(Place::Stations, value.span());
     let rows = list(value, "stations", reading)?;
-    let stations: Vec<Option<Station>> = rows
-        .iter()
-        .enumerate()
-        .map(|(index, row)| station(row, index, materials, reading))
-        .collect();
-    stations.into_iter().collect()
+    every_row(rows, |index, row| station(row, index, materials, reading))
 }
 
 fn station(
@@ -41,12 +36,8 @@ fn station(
 ) -> Option<Station> {
     let hint = "a row is [height, outer diameter, wall thickness] in m, and a material's name where there are several";
     let Some(values) = row.get_ref().as_array() else {
-        let message = format!(
-            "station {} must be a list in brackets, not {}",
-            index + 1,
-            kind(row.get_ref())
-        );
-        reading.mistake(Diagnostic::new(row.span(), message).with_hint(hint));
+        let what = format!("station {}", index + 1);
+        reading.mistake(wrong_kind(row, &what, "a list in brackets").with_hint(hint));
         return None;
     };
     if !(3..=4).contains(&values.len()) {
@@ -115,7 +106,7 @@ fn station_material(
         let hint = if known.is_empty() {
             format!("add [materials.{name}], or leave the name out to use [material]")
         } else {
-            suggestion(name, &known).replace("it may have", "there are")
+            suggestion(name, &known, "there are")
         };
         let message = format!("there is no material `{name}`");
         reading.mistake(Diagnostic::new(value.span(), message).with_hint(hint));
@@ -142,12 +133,9 @@ pub(super) fn shear(tower: &Table<'_>, reading: &mut Reading) -> Option<Shear> {
         DeValue::Float(_) | DeValue::Integer(_) => {
             number(value, "shear coefficient", reading).map(Shear::Coefficient)
         }
-        other => {
-            let message = format!(
-                "shear must be true, false or a shear coefficient, not {}",
-                kind(other)
-            );
-            reading.mistake(Diagnostic::new(value.span(), message));
+        _ => {
+            let expected = "true, false or a shear coefficient";
+            reading.mistake(wrong_kind(value, "shear", expected));
             None
         }
     }

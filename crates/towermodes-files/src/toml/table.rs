@@ -5,7 +5,7 @@ use std::ops::Range;
 use toml::de::{DeTable, DeValue};
 
 use super::Reading;
-use super::values::Value;
+use super::values::{Value, wrong_kind};
 use crate::diagnostic::Diagnostic;
 
 /// The keys a table may have.
@@ -69,9 +69,8 @@ impl<'a> Table<'a> {
                 name,
                 keys: None,
             }),
-            other => {
-                let message = format!("{name} must be a table, not {}", kind(other));
-                reading.mistake(Diagnostic::new(value.span(), message));
+            _ => {
+                reading.mistake(wrong_kind(value, &name, "a table"));
                 None
             }
         }
@@ -97,7 +96,11 @@ impl<'a> Table<'a> {
                 Diagnostic::new(key.span(), message).with_hint(hint)
             } else {
                 let message = format!("`{name}` is not a key of {}", self.name);
-                Diagnostic::new(key.span(), message).with_hint(suggestion(name, keys.known))
+                Diagnostic::new(key.span(), message).with_hint(suggestion(
+                    name,
+                    keys.known,
+                    "it may have",
+                ))
             };
             reading.mistake(diagnostic);
         }
@@ -138,11 +141,11 @@ impl<'a> Table<'a> {
     }
 }
 
-/// The nearest known key, or all of them.
-pub(super) fn suggestion(name: &str, known: &[&str]) -> String {
+/// The nearest of the known names, or all of them after the words `there_are`.
+pub(super) fn suggestion(name: &str, known: &[&str], there_are: &str) -> String {
     match nearest(name, known) {
         Some(nearest) => format!("did you mean `{nearest}`?"),
-        None => format!("it may have {}", known.join(", ")),
+        None => format!("{there_are} {}", known.join(", ")),
     }
 }
 
@@ -151,16 +154,4 @@ fn nearest<'k>(name: &str, known: &[&'k str]) -> Option<&'k str> {
     let distance = |key: &&str| strsim::damerau_levenshtein(&name.to_lowercase(), key);
     let nearest = known.iter().copied().min_by_key(distance)?;
     (distance(&nearest) <= 1 + nearest.len() / 3).then_some(nearest)
-}
-
-/// What a value is, in words.
-pub(super) fn kind(value: &DeValue<'_>) -> &'static str {
-    match value {
-        DeValue::String(_) => "a text",
-        DeValue::Integer(_) | DeValue::Float(_) => "a number",
-        DeValue::Boolean(_) => "true or false",
-        DeValue::Datetime(_) => "a date",
-        DeValue::Array(_) => "a list",
-        DeValue::Table(_) => "a table",
-    }
 }

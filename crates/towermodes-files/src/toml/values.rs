@@ -4,7 +4,6 @@ use serde_spanned::Spanned;
 use toml::de::{DeArray, DeValue};
 
 use super::Reading;
-use super::table::kind;
 use crate::diagnostic::Diagnostic;
 
 /// A TOML value and its place.
@@ -16,8 +15,7 @@ pub(super) fn number(value: &Value<'_>, what: &str, reading: &mut Reading) -> Op
         DeValue::Float(float) => float.as_str().parse().ok(),
         DeValue::Integer(integer) => integer_value(integer.as_str(), integer.radix()),
         other => {
-            let message = format!("{what} must be a number, not {}", kind(other));
-            let diagnostic = Diagnostic::new(value.span(), message);
+            let diagnostic = wrong_kind(value, what, "a number");
             let is_quoted =
                 matches!(other, DeValue::String(text) if text.trim().parse::<f64>().is_ok());
             reading.mistake(if is_quoted {
@@ -50,17 +48,11 @@ fn integer_value(digits: &str, radix: u32) -> Option<f64> {
 
 /// A text.
 pub(super) fn text<'a>(value: &'a Value<'_>, what: &str, reading: &mut Reading) -> Option<&'a str> {
-    match value.get_ref() {
-        DeValue::String(text) => Some(text),
-        other => {
-            let message = format!(
-                "{what} must be a text in quotation marks, not {}",
-                kind(other)
-            );
-            reading.mistake(Diagnostic::new(value.span(), message));
-            None
-        }
+    let text = value.get_ref().as_str();
+    if text.is_none() {
+        reading.mistake(wrong_kind(value, what, "a text in quotation marks"));
     }
+    text
 }
 
 /// A list.
@@ -69,12 +61,40 @@ pub(super) fn list<'a>(
     what: &str,
     reading: &mut Reading,
 ) -> Option<&'a DeArray<'a>> {
-    match value.get_ref() {
-        DeValue::Array(list) => Some(list),
-        other => {
-            let message = format!("{what} must be a list in brackets, not {}", kind(other));
-            reading.mistake(Diagnostic::new(value.span(), message));
-            None
-        }
+    let list = value.get_ref().as_array();
+    if list.is_none() {
+        reading.mistake(wrong_kind(value, what, "a list in brackets"));
+    }
+    list
+}
+
+/// Every row of a list as `read` makes it of its index and value; reads on after a mistake, so that all are said together.
+pub(super) fn every_row<'a, T>(
+    rows: &'a DeArray<'a>,
+    mut read: impl FnMut(usize, &'a Value<'a>) -> Option<T>,
+) -> Option<Vec<T>> {
+    let read: Vec<Option<T>> = rows
+        .iter()
+        .enumerate()
+        .map(|(index, row)| read(index, row))
+        .collect();
+    read.into_iter().collect()
+}
+
+/// The mistake of a value that is of another kind than it should be.
+pub(super) fn wrong_kind(value: &Value<'_>, what: &str, expected: &str) -> Diagnostic {
+    let message = format!("{what} must be {expected}, not {}", kind(value.get_ref()));
+    Diagnostic::new(value.span(), message)
+}
+
+/// What a value is, in words.
+fn kind(value: &DeValue<'_>) -> &'static str {
+    match value {
+        DeValue::String(_) => "a text",
+        DeValue::Integer(_) | DeValue::Float(_) => "a number",
+        DeValue::Boolean(_) => "true or false",
+        DeValue::Datetime(_) => "a date",
+        DeValue::Array(_) => "a list",
+        DeValue::Table(_) => "a table",
     }
 }
