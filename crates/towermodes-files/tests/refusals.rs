@@ -234,6 +234,19 @@ fn a_misspelled_key_is_said_once() {
 }
 
 #[test]
+fn a_misspelled_modulus_is_said_once() {
+    for (right, wrong) in [
+        ("shear_modulus", "shear_modulu"),
+        ("poissons_ratio", "poisson_ratio"),
+    ] {
+        let text = GOOD.replacen(right, wrong, 1);
+        let mistakes = tower_from_toml(&text).expect_err("no tower");
+        assert_eq!(mistakes.len(), 1, "{mistakes:?}");
+        assert_eq!(mistakes[0].hint, Some(format!("did you mean `{right}`?")));
+    }
+}
+
+#[test]
 fn several_mistakes_are_said_together() {
     let text = GOOD
         .replacen("8500.0", "nan", 1)

@@ -119,6 +119,8 @@ fn shear_modulus(
             reading.mistake(Diagnostic::new(value.span(), message).with_hint(hint));
             None
         }
+        // A misspelled one was said already, as for every other key.
+        (None, None) if table.has_misspelled("poissons_ratio") || table.has_misspelled(key) => None,
         (None, None) => {
             let message = format!(
                 "{} has neither `shear_modulus` nor `poissons_ratio`",
