@@ -79,11 +79,12 @@ pub(crate) struct SolveArguments {
     /// The tower (TOML); - is standard input
     pub(crate) file: PathBuf,
 
-    /// The element: rmje and cardanic as published or with exact tapered sections, or lumped as Adams models beams
+    /// Chains of rigid bodies: rmje and cardanic, as published or with exact tapered sections, and lumped as Adams models beams;
+    /// bmodes, the finite element of BModes; spectral, the beam itself
     #[arg(long, default_value = Method::RmjeExact.name(), value_parser = method_parser())]
     method: Method,
 
-    /// Segments [default: 100, and two for each short span between steps, kinks and masses]
+    /// Segments, or elements [default: 100, and two for each short span between steps, kinks and masses; spectral: one a piece]
     #[arg(long, value_name = "N", value_parser = number_parser(1, MAX_SEGMENTS))]
     segments: Option<usize>,
 
@@ -139,11 +140,8 @@ impl SolveArguments {
 }
 
 fn method_parser() -> impl TypedValueParser<Value = Method> {
-    let names = Method::ALL.map(Method::name);
-    PossibleValuesParser::new(names).map(|name| {
-        let named = Method::ALL.into_iter().find(|method| method.name() == name);
-        named.unwrap_or_default()
-    })
+    PossibleValuesParser::new(Method::ALL.map(Method::name))
+        .map(|name| Method::named(&name).unwrap_or_default())
 }
 
 fn hinge_parser(text: &str) -> Result<f64, String> {

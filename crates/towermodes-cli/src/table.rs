@@ -1,10 +1,10 @@
 //! A solution for people.
 
 use comfy_table::{CellAlignment, Table, presets};
-use towermodes::{Mode, Solution, Tower};
+use towermodes::{Method, Mode, Solution, Tower};
 
 /// Frequencies are shown with at least this many decimals, and at most with those a number holds.
-const DECIMALS: std::ops::RangeInclusive<i32> = 4..=13;
+const DECIMALS: std::ops::RangeInclusive<i32> = 4..=11;
 
 /// The modes as a table, and one line on what they are of.
 pub(crate) fn render(tower: &Tower, solution: &Solution) -> String {
@@ -52,7 +52,12 @@ fn shown(mode: &Mode, value_hz: f64) -> String {
     }
     let decimals = 1 - mode.error_hz().log10().floor() as i32;
     let decimals = usize::try_from(decimals.clamp(*DECIMALS.start(), *DECIMALS.end()));
-    format!("{value_hz:.*}", decimals.unwrap_or_default())
+    let decimals = decimals.unwrap_or_default();
+    let least = 0.1_f64.powi(i32::try_from(decimals).unwrap_or_default());
+    if value_hz < least {
+        return format!("<{least:.decimals$}");
+    }
+    format!("{value_hz:.decimals$}")
 }
 
 /// Pads numbers on the right so that their decimal points stand in one column.
@@ -94,21 +99,45 @@ fn summary(tower: &Tower, solution: &Solution) -> String {
         0.0 => "no top mass".to_owned(),
         kg => format!("top {}", tonnes(kg)),
     };
-    let (count, segments) = (solution.certificate.count, solution.segments);
-    let plural = |count: usize| if count == 1 { "" } else { "s" };
+    let count = solution.certificate.count;
     let listed = if count > solution.modes.len() {
         "the list cuts a pair"
     } else {
         "all listed"
     };
     format!(
-        "tower {}, {top} | {}, {segments} segment{} | certified: this chain has {count} mode{} below {} Hz, {listed}",
+        "tower {}, {top} | {}, {} | certified: this {} has {} below {} Hz, {listed}",
         tonnes(tower.mass_kg()),
         solution.method.name(),
-        plural(segments),
-        plural(count),
+        fineness(solution),
+        if is_beam(solution.method) {
+            "beam"
+        } else {
+            "chain"
+        },
+        counted(count, "mode"),
         four_digits(solution.certificate.below_hz),
     )
+}
+
+/// "100 segments", or "1 element of degree 19".
+fn fineness(solution: &Solution) -> String {
+    let noun = if is_beam(solution.method) {
+        "element"
+    } else {
+        "segment"
+    };
+    let degree = solution.degree.map(|degree| format!(" of degree {degree}"));
+    counted(solution.segments, noun) + &degree.unwrap_or_default()
+}
+
+fn is_beam(method: Method) -> bool {
+    matches!(method, Method::Bmodes | Method::Spectral)
+}
+
+/// "1 mode", "2 modes".
+fn counted(count: usize, noun: &str) -> String {
+    format!("{count} {noun}{}", if count == 1 { "" } else { "s" })
 }
 
 fn tonnes(kg: f64) -> String {

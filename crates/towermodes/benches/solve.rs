@@ -8,7 +8,7 @@ use std::time::Duration;
 use criterion::{BenchmarkId, Criterion, criterion_group, criterion_main};
 use towermodes::chain::{ChainPencil, ChainWorkspace, DecoupledChains, count_below, mass_times};
 use towermodes::eigen::{EigenWorkspace, lowest};
-use towermodes::elements::{Mesh, Recipe, assemble};
+use towermodes::elements::{Borders, Mesh, Recipe, assemble};
 use towermodes::{
     Material, Method, Options, Rna, Station, Tower, TowerDescription, Workspace, solve_with,
 };
@@ -28,7 +28,7 @@ fn tower(rna_kg: f64) -> Tower {
 
 fn chains(tower: &Tower, segments: usize) -> DecoupledChains {
     let mut chains = DecoupledChains::default();
-    let mesh = Mesh::new(tower, segments);
+    let mesh = Mesh::new(tower, Borders::Pieces, segments);
     assemble(tower, &mesh, &Recipe::default(), &mut chains);
     chains
 }
@@ -80,7 +80,7 @@ fn pieces(c: &mut Criterion) {
     let mut group = c.benchmark_group("pieces, 100 segments");
     let tower = tower(350e3);
     let mut chains = chains(&tower, 100);
-    let mesh = Mesh::new(&tower, 100);
+    let mesh = Mesh::new(&tower, Borders::Pieces, 100);
     let size = chains.fore_aft.degrees_of_freedom();
     let (x, mut y, mut loads) = (vec![1.0; size], vec![0.0; size], Vec::new());
     group.bench_function("product", |b| {

@@ -24,9 +24,11 @@
 //! Data flows one way: [`tower`] → [`chain`] and [`elements`] → [`eigen`] → [`modes`] → [`solve()`]. SI units throughout; heights are in
 //! the user's own datum; x is fore-aft (downwind), y side-side, z up.
 
+pub mod beam;
 pub mod chain;
 pub mod eigen;
 pub mod elements;
+mod method;
 pub mod modes;
 mod number;
 mod solve;
@@ -34,14 +36,15 @@ pub mod tower;
 mod warning;
 
 pub use eigen::{EigenError, Statistics};
-pub use elements::Method;
+pub use method::Method;
 pub use modes::{Family, ShapePoint};
 pub use solve::{
     Certificate, DEFAULT_MODES, DEFAULT_POINTS, DEFAULT_SEGMENTS, MAX_POINTS, MAX_SEGMENTS,
-    MAX_VECTOR_BYTES, Mode, Options, Solution, SolveError, Workspace, solve, solve_with,
+    MAX_SPECTRAL_ELEMENTS, MAX_VECTOR_BYTES, Mode, Options, Solution, SolveError, Workspace, solve,
+    solve_with,
 };
 pub use tower::{
-    Inertia, Material, Place, PointMass, Problem, Rna, Shear, Station, Tower, TowerDescription,
-    TowerError,
+    Inertia, Material, Place, Planes, PointMass, Problem, Properties, PropertyStation, Rna, Shear,
+    Station, Tower, TowerDescription, TowerError,
 };
 pub use warning::Warning;

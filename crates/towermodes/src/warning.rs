@@ -121,6 +121,11 @@ pub enum Warning {
         /// Where the list was certified to end, Hz.
         below_hz: f64,
     },
+    /// A tower that shears, solved as one that does not.
+    #[error(
+        "BModes has no shear deformation: it is left out, and the frequencies are too high for it; other methods have it"
+    )]
+    ShearLeftOut,
     /// Modes that the segments do not resolve.
     #[error(
         "{} not resolved (error up to {:.0} %); use more segments",

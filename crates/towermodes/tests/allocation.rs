@@ -5,13 +5,15 @@ mod towers;
 use towermodes::Tower;
 use towermodes::chain::{ChainPencil, ChainWorkspace, DecoupledChains};
 use towermodes::eigen::{EigenWorkspace, lowest};
-use towermodes::elements::{Mesh, Recipe, assemble};
+use towermodes::elements::{Borders, Mesh, Recipe, assemble};
 use towers::{reference, reference_350t};
 
 #[test]
 fn a_reused_workspace_allocates_nothing() {
     let towers = [reference(), reference_350t()].map(|d| Tower::new(d).expect("a valid tower"));
-    let mesh = towers.each_ref().map(|tower| Mesh::new(tower, 100));
+    let mesh = towers
+        .each_ref()
+        .map(|tower| Mesh::new(tower, Borders::Pieces, 100));
     let (mut chains, mut work) = (DecoupledChains::default(), ChainWorkspace::default());
     let mut eigen = EigenWorkspace::default();
     let mut solve = |index: usize| {

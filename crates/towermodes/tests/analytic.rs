@@ -8,7 +8,7 @@ mod towers;
 
 use towermodes::chain::{Chain, ChainPencil, ChainWorkspace};
 use towermodes::eigen::{EigenWorkspace, lowest};
-use towermodes::elements::Mesh;
+use towermodes::elements::{Borders, Mesh};
 use towermodes::tower::{Piece, compliance};
 use towermodes::{
     EigenError, Family, Inertia, Method, Options, Rna, Shear, Tower, TowerDescription,
@@ -317,8 +317,11 @@ fn tied_chain(beam: &Uniform, segments: usize, ground: impl Fn(f64) -> [[f64; 2]
     let tower = Tower::new(beam.description.clone()).expect("a valid tower");
     let piece = &tower.pieces()[0];
     let mut chain = Chain::default();
-    for border in Mesh::new(&tower, segments).borders_m().windows(2) {
-        let compliance = compliance(piece, border[0], border[1]);
+    for border in Mesh::new(&tower, Borders::Pieces, segments)
+        .borders_m()
+        .windows(2)
+    {
+        let compliance = compliance(piece, border[0], border[1]).bending.fore_aft;
         let joint_m = compliance.elastic_centre_m;
         add_tied_body(&mut chain, piece, border[0], joint_m, &ground);
         let flexibility = [compliance.deflection_m_per_n, compliance.bending_per_n_m];
@@ -337,7 +340,7 @@ fn add_tied_body(
     ground: &impl Fn(f64) -> [[f64; 2]; 2],
 ) {
     let (length, middle) = (to - from, 0.5 * (from + to));
-    let mass = piece.section_at(middle).mass_kg_per_m * length;
+    let mass = piece.section_at(middle).masses.mass_kg_per_m * length;
     chain.add_body(middle, [[mass, 0.0], [0.0, mass * length * length / 12.0]]);
     chain.add_ground_stiffness(middle, ground(length));
 }

@@ -8,8 +8,8 @@ use towermodes::chain::{
     count_below, factorize, mass_times, solve as articulated_solve, stiffness_times,
 };
 use towermodes::eigen::Pencil;
-use towermodes::elements::{Mesh, Recipe, assemble};
-use towermodes::{Method, Options, Tower, TowerDescription};
+use towermodes::elements::{Borders, Element, Mesh, Recipe, assemble};
+use towermodes::{Method, Options, Planes, Tower, TowerDescription};
 use towers::{assert_close, reference, reference_350t, rich, solved};
 
 /// A one-degree joint of the paper: axis, height, sliding or turning, stiffness.
@@ -138,12 +138,12 @@ fn equation_15_as_a_dense_matrix_gives_the_same_eigenvalues() {
     }
 }
 
-fn chains(description: &TowerDescription, segments: usize, method: Method) -> DecoupledChains {
+fn chains(description: &TowerDescription, segments: usize, element: Element) -> DecoupledChains {
     let tower = Tower::new(description.clone()).expect("a valid tower");
-    let mesh = Mesh::new(&tower, segments);
+    let mesh = Mesh::new(&tower, Borders::Pieces, segments);
     let mut chains = DecoupledChains::default();
     let recipe = Recipe {
-        method,
+        element,
         ..Recipe::default()
     };
     assemble(&tower, &mesh, &recipe, &mut chains);
@@ -226,8 +226,8 @@ where
 #[test]
 fn inertia_counts_equal_dense_eigenvalue_counts() {
     for (name, description) in [("reference", reference()), ("rich", rich())] {
-        for method in Method::ALL {
-            let chains = chains(&description, 20, method);
+        for element in Element::ALL {
+            let chains = chains(&description, 20, element);
             check_counts(&chains.fore_aft, &format!("{name} bending"));
             check_counts(&chains.torsion, &format!("{name} torsion"));
             check_counts(&chains.axial, &format!("{name} axial"));
@@ -237,7 +237,7 @@ fn inertia_counts_equal_dense_eigenvalue_counts() {
 
 #[test]
 fn inertia_counts_hold_with_springs_to_ground() {
-    let mut chain = chains(&reference(), 20, Method::RmjeExact).fore_aft;
+    let mut chain = chains(&reference(), 20, Element::RmjeExact).fore_aft;
     // At the tip: a lateral spring and a negative rotational one, as gravity makes.
     chain.add_ground_stiffness(87.6, [[1e5, 0.0], [0.0, -1e6]]);
     check_counts(&chain, "springs");
@@ -267,8 +267,8 @@ where
 
 #[test]
 fn articulated_solve_inverts_the_shifted_matrix() {
-    for method in Method::ALL {
-        let mut chains = chains(&rich(), 16, method);
+    for element in Element::ALL {
+        let mut chains = chains(&rich(), 16, element);
         for shift in [-10.0, 0.0, 3.0, 500.0] {
             check_solve(&chains.fore_aft, shift);
             check_solve(&chains.torsion, shift);
@@ -290,8 +290,14 @@ fn a_six_component_chain_has_the_spectra_of_its_decoupled_ones() {
     for k in 0..12 {
         let s = f64::from(k);
         let flexibility = JointFlexibility {
-            deflection_m_per_n: 1e-9 * (1.0 + 0.1 * s),
-            bending_per_n_m: 2e-11 * (1.0 + 0.2 * s),
+            deflection_m_per_n: Planes {
+                fore_aft: 1e-9 * (1.0 + 0.1 * s),
+                side_side: 1.3e-9,
+            },
+            bending_per_n_m: Planes {
+                fore_aft: 2e-11 * (1.0 + 0.2 * s),
+                side_side: 3e-11 * (1.0 + 0.1 * s),
+            },
             axial_m_per_n: 5e-11,
             torsion_per_n_m: 3e-11 * (1.0 + 0.3 * s),
         };
@@ -333,7 +339,7 @@ fn a_six_component_chain_has_the_spectra_of_its_decoupled_ones() {
 
 #[test]
 fn a_pencil_gives_the_same_answers_whatever_was_asked_before() {
-    let chain = chains(&reference(), 10, Method::RmjeExact).fore_aft;
+    let chain = chains(&reference(), 10, Element::RmjeExact).fore_aft;
     let mut work = ChainWorkspace::default();
     let mut pencil = ChainPencil::new(&chain, &mut work);
     let x: Vec<f64> = (0..pencil.size()).map(|i| (i as f64).cos()).collect();

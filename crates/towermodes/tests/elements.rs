@@ -159,17 +159,27 @@ fn prismatic_sections_or_rotary_inertia_bring_the_order_down_to_2() {
     }
 }
 
+fn segmented() -> impl Iterator<Item = Method> {
+    Method::ALL
+        .into_iter()
+        .filter(|&method| method != Method::Spectral)
+}
+
 #[test]
 fn error_estimates_of_every_element_are_honest() {
-    let truth = |family: Family, order: usize| match family {
-        Family::Torsion => 11.9613216,
-        Family::Axial => 16.5228378,
-        _ => [0.8912624087, 4.3537118608, 11.2461953172, 21.33701097][order - 1],
+    let rayleigh = [0.8912624087, 4.3537118608, 11.2461953172, 21.33701097];
+    let euler_bernoulli = [0.8921691544, 4.3781396436, 11.40064744, 21.88358035];
+    let truth = |method: Method, family: Family, order: usize| match (family, method) {
+        (Family::Torsion, _) => 11.9613216,
+        (Family::Axial, _) => 16.5228378,
+        (_, Method::Bmodes) => euler_bernoulli[order - 1],
+        _ => rayleigh[order - 1],
     };
-    for method in Method::ALL {
+    // The spectral beam's estimates are below what the reference values have digits for.
+    for method in segmented() {
         for segments in [20, 40, 100] {
             for mode in solved(&reference(), &options(method, segments)).modes {
-                let error = (mode.frequency_hz - truth(mode.family, mode.order)).abs();
+                let error = (mode.frequency_hz - truth(method, mode.family, mode.order)).abs();
                 let ratio = mode.discretization_error_hz / error;
                 let case = format!(
                     "{}, {segments} segments, {}: {ratio:.3}",
@@ -205,7 +215,8 @@ fn shear_has_the_same_limit_in_every_element() {
         ..reference()
     };
     let truth = [0.885153338, 4.206221834, 10.435474971];
-    for method in Method::ALL {
+    // BModes has no shear.
+    for method in segmented().filter(|&method| method != Method::Bmodes) {
         for mode in solved(&sheared, &options(method, 400)).modes {
             if mode.family == Family::ForeAft && mode.order <= 3 {
                 // The published element's third power remains; the others are at n⁻⁴.

@@ -245,7 +245,7 @@ fn modal_mass_is_the_mass_the_shape_moves() {
                     .iter()
                     .find(|p| z <= p.top_m)
                     .expect("on the tower");
-                piece.section_at(z.max(piece.base_m)).mass_kg_per_m
+                piece.section_at(z.max(piece.base_m)).masses.mass_kg_per_m
             };
             let density = 0.5 * (at((z - 1e-9).max(10.0)) + at((z + 1e-9).min(120.0)));
             sum += weight * h * density * phi2;

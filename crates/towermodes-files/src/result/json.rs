@@ -12,10 +12,12 @@ use super::ResultError;
 #[derive(Serialize, JsonSchema)]
 #[schemars(title = "towermodes solution")]
 struct SolutionJson<'a> {
-    /// The element, by its name on the command line.
+    /// The method, by its name on the command line.
     method: &'static str,
-    /// Number of segments.
+    /// Number of segments, or of elements.
     segments: usize,
+    /// Polynomial degree of the elements of the spectral beam; null for other methods.
+    degree: Option<usize>,
     /// Degrees of freedom of the whole tower.
     degrees_of_freedom: usize,
     /// What was solved.
@@ -48,7 +50,7 @@ struct TowerJson<'a> {
 struct ModeJson {
     /// Place in the list, from 1.
     number: usize,
-    /// Natural frequency of the chain of rigid bodies, Hz.
+    /// Natural frequency of the chain of rigid bodies or of the beam, Hz.
     frequency_hz: f64,
     /// 1/frequency, s.
     period_s: f64,
@@ -62,7 +64,7 @@ struct ModeJson {
     algebraic_error_hz: f64,
     /// Estimate of the error of cutting the tower into segments, Hz.
     discretization_error_hz: f64,
-    /// The beam's frequency extrapolated from two numbers of segments, Hz.
+    /// The beam's frequency extrapolated from several numbers of segments, Hz.
     extrapolated_hz: f64,
     /// Modal mass for the shape as normalized, kg; null for torsion.
     modal_mass_kg: Option<f64>,
@@ -141,6 +143,7 @@ fn solution_json<'a>(tower: &'a Tower, solution: &Solution) -> SolutionJson<'a> 
     SolutionJson {
         method: solution.method.name(),
         segments: solution.segments,
+        degree: solution.degree,
         degrees_of_freedom: solution.degrees_of_freedom,
         tower: TowerJson {
             name: tower.name(),

@@ -5,10 +5,12 @@ use towermodes::TowerDescription;
 use super::Reading;
 use super::foundation::check_foundation;
 use super::masses::{point_masses, rna};
-use super::materials::materials;
+use super::materials::{Materials, materials};
+use super::properties::properties;
 use super::stations::{TOWER, outfitting_factor, shear, stations};
 use super::table::{Keys, Table};
 use super::values::text;
+use crate::diagnostic::Diagnostic;
 
 /// The sections of a file.
 pub(super) const FILE: Keys = Keys {
@@ -30,21 +32,75 @@ pub(super) fn description(root: &Table<'_>, reading: &mut Reading) -> Option<Tow
         .get("name")
         .and_then(|v| text(v, "name", reading))
         .unwrap_or_default();
-    let materials = materials(root, reading);
+    let has_properties = root
+        .get("tower")
+        .and_then(|tower| tower.get_ref().as_table())
+        .is_some_and(|tower| tower.contains_key("properties"));
+    // A table of properties needs no material.
+    let materials = (!has_properties).then(|| materials(root, reading));
     check_foundation(root, reading);
     let rna = root.get("rna").and_then(|value| rna(value, reading));
     let point_masses = point_masses(root, reading);
     let hint = "add [tower] with stations = [[height, diameter, wall], ...]";
     let value = root.require("tower", hint, reading)?;
     let tower = Table::of(value, "[tower]", &TOWER, reading)?;
-    let stations = stations(&tower, materials.as_ref(), reading);
+    let body = match materials {
+        Some(materials) => of_tubes(&tower, materials, reading),
+        None => of_properties(root, &tower, reading),
+    };
     Some(TowerDescription {
         name: name.to_owned(),
-        stations: stations?,
-        materials: materials?.list,
-        outfitting_factor: outfitting_factor(&tower, reading)?,
-        shear: shear(&tower, reading)?,
         rna: rna.unwrap_or_default(),
         point_masses: point_masses?,
+        outfitting_factor: outfitting_factor(&tower, reading)?,
+        ..body?
+    })
+}
+
+/// What materials, stations and shear say of a tower of tubes.
+fn of_tubes(
+    tower: &Table<'_>,
+    materials: Option<Materials>,
+    reading: &mut Reading,
+) -> Option<TowerDescription> {
+    let stations = stations(tower, materials.as_ref(), reading);
+    let shear = shear(tower, reading);
+    Some(TowerDescription {
+        stations: stations?,
+        materials: materials?.list,
+        shear: shear?,
+        ..TowerDescription::default()
+    })
+}
+
+/// What a table of properties says of a tower; all that belongs to tubes would change nothing.
+fn of_properties(
+    root: &Table<'_>,
+    tower: &Table<'_>,
+    reading: &mut Reading,
+) -> Option<TowerDescription> {
+    let of_tubes = [
+        (root, "material"),
+        (root, "materials"),
+        (tower, "stations"),
+        (tower, "shear"),
+    ];
+    for (table, key) in of_tubes {
+        if let Some(value) = table.get(key) {
+            let message = format!("`{key}` means nothing beside [tower.properties]");
+            let hint = match key {
+                "stations" => "keep one of the two",
+                "shear" => {
+                    "give the table the columns shear_stiffness_fore_aft_n and shear_stiffness_side_side_n (kappa GA, N)"
+                }
+                _ => "remove it: the table has the masses and the stiffnesses",
+            };
+            reading.mistake(Diagnostic::new(value.span(), message).with_hint(hint));
+        }
+    }
+    let value = tower.require("properties", "", reading)?;
+    Some(TowerDescription {
+        properties: properties(value, reading)?,
+        ..TowerDescription::default()
     })
 }

@@ -4,6 +4,7 @@ mod file;
 mod foundation;
 mod masses;
 mod materials;
+mod properties;
 mod stations;
 mod table;
 mod values;

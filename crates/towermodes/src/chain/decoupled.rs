@@ -2,6 +2,7 @@
 
 use super::model::Chain;
 use super::spatial::{JointFlexibility, RigidBody};
+use crate::tower::Plane;
 
 /// The chains into which a tower with everything on its axis falls apart.
 ///
@@ -41,9 +42,11 @@ impl DecoupledChains {
 
     /// A joint at a height (m); see [`Chain::add_joint`].
     pub fn add_joint(&mut self, height_m: f64, flexibility: &JointFlexibility) {
-        self.fore_aft.add_joint(height_m, flexibility.bending());
+        self.fore_aft
+            .add_joint(height_m, flexibility.bending(Plane::ForeAft));
         if !self.planes_are_equal {
-            self.side_side.add_joint(height_m, flexibility.bending());
+            self.side_side
+                .add_joint(height_m, flexibility.bending(Plane::SideSide));
         }
         self.torsion.add_joint(height_m, flexibility.torsion());
         self.axial.add_joint(height_m, flexibility.axial());

@@ -1,6 +1,7 @@
 //! Bodies and joints of a tower in space, and what each decoupled chain sees of them.
 
 use super::space::Matrix;
+use crate::tower::{Plane, Planes};
 
 /// A rigid body whose centre of mass lies on the tower's axis, seen from a reference height on that axis.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -69,13 +70,13 @@ impl RigidBody {
     }
 }
 
-/// The flexibilities of the springs in a joint of an axisymmetric tower: 1/k, zero where the joint is rigid.
+/// The flexibilities of the springs in a joint on the tower's axis: 1/k, zero where the joint is rigid.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct JointFlexibility {
-    /// Both transverse slidings, m/N.
-    pub deflection_m_per_n: f64,
-    /// Both bending rotations, rad/(N m).
-    pub bending_per_n_m: f64,
+    /// Transverse sliding in each plane, m/N.
+    pub deflection_m_per_n: Planes<f64>,
+    /// Bending rotation in each plane, rad/(N m).
+    pub bending_per_n_m: Planes<f64>,
     /// Axial sliding, m/N.
     pub axial_m_per_n: f64,
     /// Rotation about the axis, rad/(N m).
@@ -83,9 +84,12 @@ pub struct JointFlexibility {
 }
 
 impl JointFlexibility {
-    /// For a bending chain: deflection, rotation.
-    pub fn bending(&self) -> [f64; 2] {
-        [self.deflection_m_per_n, self.bending_per_n_m]
+    /// For the bending chain of a plane: deflection, rotation.
+    pub fn bending(&self, plane: Plane) -> [f64; 2] {
+        [
+            self.deflection_m_per_n.of(plane),
+            self.bending_per_n_m.of(plane),
+        ]
     }
 
     /// For the torsion chain.
@@ -101,6 +105,23 @@ impl JointFlexibility {
     /// For the coupled chain (x, y, z, rx, ry, rz).
     pub fn spatial(&self) -> [f64; 6] {
         let (w, theta) = (self.deflection_m_per_n, self.bending_per_n_m);
-        [w, w, self.axial_m_per_n, theta, theta, self.torsion_per_n_m]
+        [
+            w.fore_aft,
+            w.side_side,
+            self.axial_m_per_n,
+            theta.side_side,
+            theta.fore_aft,
+            self.torsion_per_n_m,
+        ]
+    }
+
+    /// The same joint without what moves in the side-side plane, and a joint with that alone: where the planes' joints sit apart.
+    pub fn split(&self) -> [Self; 2] {
+        let (mut others, mut side_side) = (*self, Self::default());
+        side_side.deflection_m_per_n.side_side = self.deflection_m_per_n.side_side;
+        side_side.bending_per_n_m.side_side = self.bending_per_n_m.side_side;
+        others.deflection_m_per_n.side_side = 0.0;
+        others.bending_per_n_m.side_side = 0.0;
+        [others, side_side]
     }
 }

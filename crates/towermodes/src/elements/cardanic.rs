@@ -10,7 +10,7 @@
 
 use super::{Assembly, springs};
 use crate::chain::JointFlexibility;
-use crate::tower::{Piece, compliance, gauss_hinges};
+use crate::tower::{Piece, Plane, Planes, compliance, gauss_hinges};
 
 /// k = (1 − 1/√3)/2, the statically exact place of the hinges.
 pub const GAUSS_HINGE_POSITION: f64 = 0.211_324_865_405_187_1;
@@ -26,11 +26,11 @@ pub(super) fn add_prismatic_segment(
     let (length, middle_m) = (top_m - base_m, 0.5 * (base_m + top_m));
     let section = piece.section_at(middle_m);
     let all = springs::prismatic(&section, length);
-    let hinge = springs::hinge(0.5 * all.bending_per_n_m);
+    let hinge = springs::hinge(all.bending_per_n_m.map(|whole| 0.5 * whole));
     let (lower_m, upper_m) = (base_m + position * length, top_m - position * length);
     let middle = JointFlexibility {
-        deflection_m_per_n: section.shear_flexibility_per_n * length,
-        bending_per_n_m: 0.0,
+        deflection_m_per_n: section.shear_flexibility_per_n.map(|shear| shear * length),
+        bending_per_n_m: Planes::default(),
         ..all
     };
     assembly.add_prismatic_body(&section, base_m, lower_m);
@@ -50,23 +50,29 @@ pub(super) fn add_exact_segment(
     top_m: f64,
 ) {
     let whole = compliance(piece, base_m, top_m);
-    let [lower, upper] = gauss_hinges(piece, base_m, top_m, &whole);
-    let middle_m = whole.elastic_centre_m;
-    let middle = JointFlexibility {
-        // Shear belongs into a sliding joint of its own: in the hinges' spacing it would push them off a short segment.
-        deflection_m_per_n: whole.shear_m_per_n,
-        bending_per_n_m: 0.0,
-        ..springs::exact(&whole)
+    let joints_of = |plane| {
+        let bending = whole.bending.of(plane);
+        let [lower, upper] = gauss_hinges(piece, base_m, top_m, plane, &bending).map(|hinge| {
+            (
+                hinge.height_m,
+                springs::hinge(Planes::both(hinge.bending_per_n_m)),
+            )
+        });
+        let middle = JointFlexibility {
+            // Shear belongs into a sliding joint of its own: in the hinges' spacing it would push them off a short segment.
+            deflection_m_per_n: whole.bending.map(|plane| plane.shear_m_per_n),
+            bending_per_n_m: Planes::default(),
+            ..springs::exact(&whole)
+        };
+        [lower, (bending.elastic_centre_m, middle), upper]
     };
-    assembly.add_exact_body(piece, base_m, lower.height_m);
-    assembly
-        .chains
-        .add_joint(lower.height_m, &springs::hinge(lower.bending_per_n_m));
-    assembly.add_exact_body(piece, lower.height_m, middle_m);
-    assembly.chains.add_joint(middle_m, &middle);
-    assembly.add_exact_body(piece, middle_m, upper.height_m);
-    assembly
-        .chains
-        .add_joint(upper.height_m, &springs::hinge(upper.bending_per_n_m));
-    assembly.add_exact_body(piece, upper.height_m, top_m);
+    let [lower, middle, upper] = joints_of(Plane::ForeAft);
+    if piece.planes_are_equal() {
+        assembly.add_exact_bodies(piece, base_m, top_m, [lower, middle, upper]);
+        return;
+    }
+    let [a, b, c] = [lower, middle, upper].map(|(height_m, joint)| (height_m, joint.split()[0]));
+    let [d, e, f] =
+        joints_of(Plane::SideSide).map(|(height_m, joint)| (height_m, joint.split()[1]));
+    assembly.add_exact_bodies(piece, base_m, top_m, [a, b, c, d, e, f]);
 }

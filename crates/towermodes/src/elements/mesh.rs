@@ -1,17 +1,37 @@
 //! Where a tower is cut into segments.
 //!
-//! A step, a kink or a point mass is always a segment border. Between borders the segments are equal, and their number is shared out
-//! by length.
+//! A step or a point mass is always a segment border, and a kink too, except for BModes. Between borders the segments are equal, and
+//! their number is shared out by length.
 
-use crate::tower::{Piece, Tower};
+use crate::tower::Tower;
 
-/// A part of a linear piece, cut into equal segments.
+/// What must be a segment border.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Borders {
+    /// Every end of a linear piece, and every point mass.
+    Pieces,
+    /// Steps and point masses alone: sections are taken at the middle of a segment, whatever pieces it reaches over.
+    Steps,
+}
+
+/// A part of a tower that is cut into equal segments.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Span {
-    /// The part.
-    pub piece: Piece,
+    /// Index of the linear piece at its lower end, into [`Tower::pieces`].
+    pub piece: usize,
+    /// Height of its lower end, m.
+    pub base_m: f64,
+    /// Height of its upper end, m.
+    pub top_m: f64,
     /// Into how many equal segments it is cut.
     pub segments: usize,
+}
+
+impl Span {
+    /// Length, m.
+    pub fn length_m(&self) -> f64 {
+        self.top_m - self.base_m
+    }
 }
 
 /// The segments of a tower from the base to the top.
@@ -25,46 +45,47 @@ impl Mesh {
     /// Cuts a tower into `segments`, or as many as it has spans if that is more.
     ///
     /// An even number that gives every span four and more is shared out in pairs, so that [`halved`](Self::halved) exists.
-    pub fn new(tower: &Tower, segments: usize) -> Self {
-        let pieces = spans_of(tower);
-        if segments.is_multiple_of(2) && segments / 4 >= pieces.len() {
-            Self::in_pairs(pieces, segments / 2)
+    pub fn new(tower: &Tower, borders: Borders, segments: usize) -> Self {
+        let spans = spans_of(tower, borders);
+        if segments.is_multiple_of(2) && segments / 4 >= spans.len() {
+            Self::in_pairs(spans, segments / 2)
         } else {
-            Self::shared_out(pieces, segments, 1)
+            Self::shared_out(spans, segments, 1)
         }
     }
 
     /// Cuts a tower into about `segments`, an even number in each span: what is shorter than two of them is cut in two, and the rest
     /// is shared out as if the short spans were not there.
-    pub fn at_least(tower: &Tower, segments: usize) -> Self {
-        let pieces = spans_of(tower);
+    pub fn at_least(tower: &Tower, borders: Borders, segments: usize) -> Self {
+        let spans = spans_of(tower, borders);
         let pair_m = tower.height_m() / (segments / 2) as f64;
-        let short = pieces
-            .iter()
-            .filter(|piece| piece.length_m() < pair_m)
-            .count();
-        let short = if short == pieces.len() { 0 } else { short };
-        Self::in_pairs(pieces, segments / 2 + short)
+        let short = spans.iter().filter(|span| span.length_m() < pair_m).count();
+        let short = if short == spans.len() { 0 } else { short };
+        Self::in_pairs(spans, segments / 2 + short)
     }
 
-    fn in_pairs(pieces: Vec<Piece>, pairs: usize) -> Self {
-        Self::shared_out(pieces, pairs, 2)
+    /// Cuts a tower nowhere but where it must be.
+    pub fn coarsest(tower: &Tower, borders: Borders) -> Self {
+        Self::from_spans(spans_of(tower, borders))
+    }
+
+    fn in_pairs(spans: Vec<Span>, pairs: usize) -> Self {
+        Self::shared_out(spans, pairs, 2)
     }
 
     /// Shares `shares` out by length, each worth so many segments.
-    fn shared_out(pieces: Vec<Piece>, shares: usize, segments_each: usize) -> Self {
-        let lengths: Vec<f64> = pieces.iter().map(Piece::length_m).collect();
+    fn shared_out(mut spans: Vec<Span>, shares: usize, segments_each: usize) -> Self {
+        let lengths: Vec<f64> = spans.iter().map(Span::length_m).collect();
         let counts = shared_by_length(&lengths, shares);
-        let spans = pieces.into_iter().zip(counts).map(|(piece, count)| Span {
-            piece,
-            segments: segments_each * count,
-        });
-        Self::from_spans(spans.collect())
+        for (span, count) in spans.iter_mut().zip(counts) {
+            span.segments = segments_each * count;
+        }
+        Self::from_spans(spans)
     }
 
     /// The fewest segments a tower can be cut into: its steps, kinks and point masses make them.
-    pub fn fewest_segments(tower: &Tower) -> usize {
-        spans_of(tower).len()
+    pub fn fewest_segments(tower: &Tower, borders: Borders) -> usize {
+        spans_of(tower, borders).len()
     }
 
     /// Every two segments as one, if every span has an even number of them.
@@ -90,11 +111,11 @@ impl Mesh {
         let total: usize = spans.iter().map(|span| span.segments).sum();
         let mut borders_m = Vec::with_capacity(total + 1);
         for span in &spans {
-            let (base_m, length_m) = (span.piece.base_m, span.piece.length_m());
-            let border = |k: usize| base_m + length_m * (k as f64 / span.segments as f64);
+            let border =
+                |k: usize| span.base_m + span.length_m() * (k as f64 / span.segments as f64);
             borders_m.extend((0..span.segments).map(border));
         }
-        borders_m.extend(spans.last().map(|span| span.piece.top_m));
+        borders_m.extend(spans.last().map(|span| span.top_m));
         Self { spans, borders_m }
     }
 
@@ -113,43 +134,48 @@ impl Mesh {
         &self.borders_m
     }
 
-    /// The borders of each span, with its piece: a slice one longer than the span's number of segments.
-    pub fn spans_with_borders(&self) -> impl Iterator<Item = (&Piece, &[f64])> {
+    /// The spans with the borders of each: a slice one longer than the span's number of segments.
+    pub fn spans_with_borders(&self) -> impl Iterator<Item = (&Span, &[f64])> {
         let mut first = 0;
         self.spans.iter().map(move |span| {
             let borders = &self.borders_m[first..=first + span.segments];
             first += span.segments;
-            (&span.piece, borders)
+            (span, borders)
         })
-    }
-
-    /// The piece that a segment is a part of.
-    pub fn piece_of(&self, segment: usize) -> &Piece {
-        let middle_m = 0.5 * (self.borders_m[segment] + self.borders_m[segment + 1]);
-        let span = self
-            .spans
-            .partition_point(|span| span.piece.top_m < middle_m);
-        &self.spans[span.min(self.spans.len() - 1)].piece
     }
 }
 
-/// The tower's linear pieces, cut at the point masses.
-fn spans_of(tower: &Tower) -> Vec<Piece> {
-    let mut spans = Vec::with_capacity(tower.pieces().len());
-    let mut masses = tower
-        .point_masses()
-        .iter()
-        .map(|mass| mass.height_m)
-        .peekable();
-    for piece in tower.pieces() {
-        let mut base_m = piece.base_m;
-        while let Some(height_m) = masses.next_if(|&height_m| height_m < piece.top_m) {
-            if height_m > base_m {
-                spans.push(piece.part(base_m, height_m));
-                base_m = height_m;
+/// The parts between the borders that there must be, each as one segment.
+fn spans_of(tower: &Tower, borders: Borders) -> Vec<Span> {
+    let (pieces, masses) = (tower.pieces(), tower.point_masses());
+    // Masses are sorted by height.
+    let from = |height_m: f64| masses.partition_point(|mass| mass.height_m < height_m);
+    let mut spans: Vec<Span> = Vec::with_capacity(pieces.len());
+    for (index, piece) in pieces.iter().enumerate() {
+        let begin = |base_m| Span {
+            piece: index,
+            base_m,
+            top_m: piece.top_m,
+            segments: 1,
+        };
+        let masses = &masses[from(piece.base_m)..from(piece.top_m)];
+        let has_mass_below = masses.first().is_some_and(|m| m.height_m == piece.base_m);
+        match spans.last_mut() {
+            Some(last)
+                if borders == Borders::Steps
+                    && !has_mass_below
+                    && pieces[index - 1].meets(piece) =>
+            {
+                last.top_m = piece.top_m;
+            }
+            _ => spans.push(begin(piece.base_m)),
+        }
+        for mass in masses {
+            if let Some(last) = spans.last_mut().filter(|last| last.base_m < mass.height_m) {
+                last.top_m = mass.height_m;
+                spans.push(begin(mass.height_m));
             }
         }
-        spans.push(piece.part(base_m, piece.top_m));
     }
     spans
 }

@@ -13,7 +13,7 @@
 
 use super::{Assembly, springs};
 use crate::chain::JointFlexibility;
-use crate::tower::Piece;
+use crate::tower::{Piece, Planes};
 
 /// Adds one segment between two heights (m).
 pub(super) fn add_segment(assembly: &mut Assembly<'_>, piece: &Piece, base_m: f64, top_m: f64) {
@@ -22,7 +22,7 @@ pub(super) fn add_segment(assembly: &mut Assembly<'_>, piece: &Piece, base_m: f6
     let section = piece.section_at(at(0.5));
     let all = springs::prismatic(&section, length);
     let slide = JointFlexibility {
-        bending_per_n_m: 0.0,
+        bending_per_n_m: Planes::default(),
         ..all
     };
     assembly.add_prismatic_body(&section, base_m, at(0.25));

@@ -1,34 +1,35 @@
 //! The springs of a segment: the flexibilities of its exact static stiffness, all in one joint. Elements share them out.
 
 use crate::chain::JointFlexibility;
-use crate::tower::{Compliance, Section};
+use crate::tower::{Compliance, Planes, Section};
 
 /// Of a prismatic segment of a length (m): L/EI, L³(1+φ)/(12EI) with φ = 12EI/(κGAL²) written out, L/EA, L/GJ.
 #[inline]
 pub(super) fn prismatic(section: &Section, length: f64) -> JointFlexibility {
-    let bending = length / section.bending_n_m2;
+    let bending = section.bending_n_m2.map(|ei| length / ei);
+    let sliding = |bending: f64, shear: f64| bending * length * length / 12.0 + shear * length;
     JointFlexibility {
-        deflection_m_per_n: bending * length * length / 12.0
-            + section.shear_flexibility_per_n * length,
+        deflection_m_per_n: bending.zip(section.shear_flexibility_per_n, sliding),
         bending_per_n_m: bending,
         axial_m_per_n: length / section.axial_n,
         torsion_per_n_m: length / section.torsion_n_m2,
     }
 }
 
-/// Of any segment, about its elastic centre.
+/// Of any segment, about the elastic centre of each plane.
 #[inline]
 pub(super) fn exact(compliance: &Compliance) -> JointFlexibility {
+    let bending = compliance.bending;
     JointFlexibility {
-        deflection_m_per_n: compliance.deflection_m_per_n + compliance.shear_m_per_n,
-        bending_per_n_m: compliance.bending_per_n_m,
+        deflection_m_per_n: bending.map(|plane| plane.deflection_m_per_n + plane.shear_m_per_n),
+        bending_per_n_m: bending.map(|plane| plane.bending_per_n_m),
         axial_m_per_n: compliance.axial_m_per_n,
         torsion_per_n_m: compliance.torsion_per_n_m,
     }
 }
 
 /// A joint that only bends.
-pub(super) fn hinge(bending_per_n_m: f64) -> JointFlexibility {
+pub(super) fn hinge(bending_per_n_m: Planes<f64>) -> JointFlexibility {
     JointFlexibility {
         bending_per_n_m,
         ..JointFlexibility::default()

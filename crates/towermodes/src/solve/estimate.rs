@@ -1,11 +1,11 @@
 //! The discretization error of each mode, from meshes that are coarser or finer by halves.
 
 use super::Workspace;
+use super::model::{Cut, Model};
 use super::options::{Options, SolveError};
 use super::solution::Mode;
-use super::spectrum::{Spectrum, chains_of};
-use crate::chain::DecoupledChains;
-use crate::elements::{Mesh, assemble};
+use super::spectrum::{Spectrum, count_below};
+use crate::elements::Mesh;
 use crate::modes::{Family, richardson};
 use crate::tower::Tower;
 
@@ -22,18 +22,18 @@ struct Ladder {
 /// another number than the certificate's, the list ends within the error of the segments.
 pub(super) fn estimate_errors(
     tower: &Tower,
-    mesh: &Mesh,
+    cut: &Cut,
     options: &Options,
     modes: &mut [Mode],
     below: f64,
     workspace: &mut Workspace,
 ) -> Result<usize, SolveError> {
     let powers_of = |mode: &Mode| match mode.family {
-        Family::ForeAft | Family::SideSide => options.method.bending_powers(tower.shear()),
+        Family::ForeAft | Family::SideSide => options.method.bending_powers(tower.shears()),
         Family::Torsion | Family::Axial => options.method.axial_powers(),
     };
     let steps = modes.iter().map(|mode| powers_of(mode).len()).max();
-    let ladder = Ladder::new(mesh, modes, steps.unwrap_or(0));
+    let ladder = Ladder::new(&cut.mesh, modes, steps.unwrap_or(0));
     let (levels, elsewhere) = solve_ladder(tower, &ladder, options, modes, below, workspace)?;
     for (index, mode) in modes.iter_mut().enumerate() {
         let powers = powers_of(mode);
@@ -74,9 +74,7 @@ fn solve_ladder(
     below: f64,
     workspace: &mut Workspace,
 ) -> Result<(Vec<Vec<f64>>, usize), SolveError> {
-    let Workspace {
-        chains, spectrum, ..
-    } = workspace;
+    let Workspace { model, spectrum } = workspace;
     let mut levels = Vec::with_capacity(ladder.meshes.len());
     let mut elsewhere = 0;
     for (index, mesh) in ladder.meshes.iter().enumerate() {
@@ -84,10 +82,14 @@ fn solve_ladder(
             levels.push(modes.iter().map(|mode| mode.frequency_hz).collect());
             continue;
         }
-        assemble(tower, mesh, &options.recipe(), chains);
-        levels.push(frequencies(modes, chains, spectrum)?);
+        let cut = Cut {
+            mesh: mesh.clone(),
+            degree: 0,
+        };
+        model.assemble(tower, &cut, options);
+        levels.push(frequencies(modes, model, spectrum)?);
         if index.abs_diff(ladder.own) == 1 {
-            elsewhere = spectrum.count_below(chains, below);
+            elsewhere = count_below(model, below);
         }
     }
     Ok((levels, elsewhere))
@@ -102,20 +104,20 @@ fn has_all(mesh: &Mesh, modes: &[Mode]) -> bool {
     })
 }
 
-/// The frequencies of the same modes on the mesh that `chains` were assembled from, Hz.
+/// The frequencies of the same modes on the mesh that the model is of, Hz.
 fn frequencies(
     modes: &[Mode],
-    chains: &DecoupledChains,
+    model: &mut Model,
     spectrum: &mut Spectrum,
 ) -> Result<Vec<f64>, SolveError> {
-    for &family in chains_of(chains) {
+    for &family in model.families() {
         let orders = modes.iter().filter(|m| m.family == family).map(|m| m.order);
         let wanted = orders.max().unwrap_or(0);
         if wanted > 0 {
-            spectrum.solve_family(chains, family, wanted)?;
+            spectrum.solve_family(model, family, wanted)?;
         }
     }
-    let frequency =
-        |mode: &Mode| spectrum.of(chains, mode.family).eigenvalues()[mode.order - 1].frequency_hz();
+    let eigenvalues = |family| spectrum.of(model.planes_are_equal(), family).eigenvalues();
+    let frequency = |mode: &Mode| eigenvalues(mode.family)[mode.order - 1].frequency_hz();
     Ok(modes.iter().map(frequency).collect())
 }

@@ -1,32 +1,34 @@
 //! The front door: a tower in, its modes out.
 
+mod degree;
 mod estimate;
+mod model;
 mod options;
 mod solution;
 mod spectrum;
 mod warnings;
 
 pub use options::{
-    DEFAULT_MODES, DEFAULT_POINTS, DEFAULT_SEGMENTS, MAX_POINTS, MAX_SEGMENTS, MAX_VECTOR_BYTES,
-    Options, SolveError,
+    DEFAULT_MODES, DEFAULT_POINTS, DEFAULT_SEGMENTS, MAX_POINTS, MAX_SEGMENTS,
+    MAX_SPECTRAL_ELEMENTS, MAX_VECTOR_BYTES, Options, SolveError,
 };
 pub use solution::{Certificate, Mode, Solution};
 
-use crate::chain::DecoupledChains;
+use crate::Method;
 use crate::eigen::EigenError;
-use crate::elements::{Mesh, assemble};
-use crate::modes::{Family, ModeCurve, ShapeWorkspace};
+use crate::elements::Mesh;
+use crate::modes::{Family, ModeCurve};
 use crate::tower::Tower;
 use estimate::estimate_errors;
+use model::{Cut, Model};
 use spectrum::{Found, Proof, Spectrum};
 use warnings::{uncertain_end, warnings};
 
 /// Memory that is reused from solve to solve.
 #[derive(Debug, Default)]
 pub struct Workspace {
-    chains: DecoupledChains,
+    model: Model,
     spectrum: Spectrum,
-    shapes: ShapeWorkspace,
 }
 
 /// Finds the lowest modes of a tower.
@@ -50,22 +52,35 @@ pub fn solve_with(
     workspace: &mut Workspace,
 ) -> Result<Solution, SolveError> {
     options.check()?;
-    let mesh = mesh_of(tower, options)?;
-    let (found, proof) = solve_mesh(tower, &mesh, options, workspace)?;
-    let listed = &found[..options.modes];
-    let mut modes = shapes(tower, &mesh, options, listed, workspace);
-    let degrees_of_freedom = workspace.chains.degrees_of_freedom();
-    let elsewhere = estimate_errors(tower, &mesh, options, &mut modes, proof.below, workspace)?;
-    let certificate = Certificate {
-        complete: true,
-        count: proof.count,
-        below_hz: proof.below.sqrt() / std::f64::consts::TAU,
+    match options.method {
+        Method::Spectral => degree::solve(tower, options, workspace),
+        _ => solve_segments(tower, options, workspace),
+    }
+}
+
+/// On segments of a fixed kind: solved once, the errors estimated from meshes of half or twice as many.
+fn solve_segments(
+    tower: &Tower,
+    options: &Options,
+    workspace: &mut Workspace,
+) -> Result<Solution, SolveError> {
+    let cut = Cut {
+        mesh: mesh_of(tower, options)?,
+        degree: 0,
     };
-    let mut warnings = warnings(tower, &mesh, options, &modes, &found);
+    let found = solve_cut(tower, &cut, options, workspace)?;
+    let Workspace { model, spectrum } = workspace;
+    let proof = spectrum.prove(model, &found, options.modes)?;
+    let mut modes = shapes(tower, &cut.mesh, options, &found, workspace);
+    let degrees_of_freedom = workspace.model.degrees_of_freedom();
+    let elsewhere = estimate_errors(tower, &cut, options, &mut modes, proof.below, workspace)?;
+    let certificate = certificate(&proof);
+    let mut warnings = warnings(tower, &cut.mesh, options, &modes, &found);
     warnings.extend(uncertain_end(&modes, &certificate, elsewhere));
     Ok(Solution {
         method: options.method,
-        segments: mesh.segments(),
+        segments: cut.mesh.segments(),
+        degree: None,
         degrees_of_freedom,
         modes,
         certificate,
@@ -74,92 +89,82 @@ pub fn solve_with(
     })
 }
 
-fn mesh_of(tower: &Tower, options: &Options) -> Result<Mesh, SolveError> {
-    let fewest = Mesh::fewest_segments(tower);
-    let Some(segments) = options.segments else {
-        return within_limit(fewest).map(|()| Mesh::at_least(tower, DEFAULT_SEGMENTS));
-    };
-    within_limit(segments)?;
-    within_limit(fewest)?;
-    Ok(Mesh::new(tower, segments))
+fn certificate(proof: &Proof) -> Certificate {
+    Certificate {
+        complete: true,
+        count: proof.count,
+        below_hz: proof.below.sqrt() / std::f64::consts::TAU,
+    }
 }
 
-fn within_limit(segments: usize) -> Result<(), SolveError> {
-    if (1..=MAX_SEGMENTS).contains(&segments) {
+fn mesh_of(tower: &Tower, options: &Options) -> Result<Mesh, SolveError> {
+    let (borders, most) = (options.borders(), MAX_SEGMENTS);
+    let fewest = Mesh::fewest_segments(tower, borders);
+    let Some(segments) = options.segments else {
+        return within_limit(fewest, most)
+            .map(|()| Mesh::at_least(tower, borders, DEFAULT_SEGMENTS));
+    };
+    within_limit(segments, most)?;
+    within_limit(fewest, most)?;
+    Ok(Mesh::new(tower, borders, segments))
+}
+
+fn within_limit(segments: usize, most: usize) -> Result<(), SolveError> {
+    if (1..=most).contains(&segments) {
         Ok(())
     } else {
-        Err(SolveError::Segments { segments })
+        Err(SolveError::Segments { segments, most })
     }
 }
 
-/// Assembles the tower on a mesh, solves it, and proves the list complete.
-fn solve_mesh(
+/// Assembles the tower as cut and solves it for at least the modes asked for.
+fn solve_cut(
     tower: &Tower,
-    mesh: &Mesh,
+    cut: &Cut,
     options: &Options,
     workspace: &mut Workspace,
-) -> Result<(Vec<Found>, Proof), SolveError> {
-    let Workspace {
-        chains, spectrum, ..
-    } = workspace;
-    assemble(tower, mesh, &options.recipe(), chains);
-    if !chains.is_finite() {
+) -> Result<Vec<Found>, SolveError> {
+    let Workspace { model, spectrum } = workspace;
+    model.assemble(tower, cut, options);
+    if !model.is_finite() {
         return Err(EigenError::NotFinite.into());
     }
-    options.check_size(mesh.segments(), chains.degrees_of_freedom())?;
-    let found = spectrum.solve(chains, options.modes)?;
-    let proof = spectrum.prove(chains, &found, options.modes)?;
-    Ok((found, proof))
+    options.check_size(cut.mesh.segments(), model.degrees_of_freedom())?;
+    Ok(spectrum.solve(model, options.modes)?)
 }
 
-/// The modes with their shapes; the discretization error is still missing.
+/// The modes asked for with their shapes; the discretization error is still missing.
 fn shapes(
     tower: &Tower,
     mesh: &Mesh,
     options: &Options,
-    listed: &[Found],
+    found: &[Found],
     workspace: &mut Workspace,
 ) -> Vec<Mode> {
-    let Workspace {
-        chains,
-        spectrum,
-        shapes,
-    } = workspace;
+    let Workspace { model, spectrum } = workspace;
     let heights_m = equal_heights(tower, options.points);
-    let stations_m: Vec<f64> = tower.stations().iter().map(|s| s.height_m).collect();
-    let mut modes: Vec<Mode> = Vec::with_capacity(listed.len());
-    for found in listed {
+    let stations_m = tower.station_heights_m();
+    let planes_are_equal = model.planes_are_equal();
+    let mut modes: Vec<Mode> = Vec::with_capacity(options.modes);
+    for found in &found[..options.modes] {
         let number = modes.len() + 1;
         // Of a repeated pair the second is the first in the other plane.
         let twin = modes
             .last()
-            .filter(|_| found.family == Family::SideSide && chains.planes_are_equal());
+            .filter(|_| found.family == Family::SideSide && planes_are_equal);
         let mode = match twin {
             Some(twin) => twin.in_side_side(number),
             None => {
-                let vector = spectrum.of(chains, found.family).vector(found.order - 1);
-                let curve = curve_of(found.family, mesh, chains, vector, shapes);
+                let eigenvectors = spectrum.of(planes_are_equal, found.family);
+                let vector = eigenvectors.vector(found.order - 1);
+                let curves = model.curves(tower, mesh, found.family, vector);
+                let curve = ModeCurve::new(mesh.borders_m(), &*curves);
                 Mode::new(number, found, &curve, &heights_m, &stations_m)
             }
         };
         modes.push(mode);
     }
     modes
-}
-
-fn curve_of<'a>(
-    family: Family,
-    mesh: &'a Mesh,
-    chains: &DecoupledChains,
-    vector: &[f64],
-    shapes: &'a mut ShapeWorkspace,
-) -> ModeCurve<'a> {
-    match family {
-        Family::ForeAft => ModeCurve::bending(mesh, &chains.fore_aft, vector, shapes),
-        Family::SideSide => ModeCurve::bending(mesh, &chains.side_side, vector, shapes),
-        Family::Torsion => ModeCurve::axial(mesh, &chains.torsion, vector, shapes),
-        Family::Axial => ModeCurve::axial(mesh, &chains.axial, vector, shapes),
-    }
 }
 
 /// Heights from the base to the top in equal steps, both ends exactly.

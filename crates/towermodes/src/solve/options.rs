@@ -2,8 +2,10 @@
 
 use thiserror::Error;
 
+use crate::Method;
+use crate::beam::BeamRecipe;
 use crate::eigen::EigenError;
-use crate::elements::{GAUSS_HINGE_POSITION, Method, Recipe};
+use crate::elements::{Borders, Element, GAUSS_HINGE_POSITION, Recipe};
 use crate::modes::ShapePoint;
 
 /// Segments used unless told; where steps and point masses make short spans, each of these has two on top.
@@ -14,6 +16,8 @@ pub const DEFAULT_MODES: usize = 8;
 pub const DEFAULT_POINTS: usize = 101;
 /// More segments than this are refused: they would take gigabytes, and 10⁶ already leave no error but rounding.
 pub const MAX_SEGMENTS: usize = 2_000_000;
+/// More elements of the spectral beam than this are refused: each holds a full matrix, and a few have no error but rounding.
+pub const MAX_SPECTRAL_ELEMENTS: usize = 10_000;
 /// More heights than this are refused.
 pub const MAX_POINTS: usize = 1_000_000;
 /// Eigenvectors, with the vectors they are made from, or shapes that would take more memory than this, in bytes, are refused.
@@ -90,12 +94,31 @@ impl Options {
         Ok(())
     }
 
-    /// What the elements need to know of it.
-    pub(super) fn recipe(&self) -> Recipe {
+    /// What the elements of a chain need to know of it.
+    pub(super) fn recipe(&self, element: Element) -> Recipe {
         Recipe {
-            method: self.method,
+            element,
             rotary_inertia: self.rotary_inertia,
             hinge_position: self.hinge_position,
+        }
+    }
+
+    /// What the elements of a beam need to know of it, and their degree if they are spectral.
+    pub(super) fn beam_recipe(&self, degree: usize) -> BeamRecipe {
+        match self.method {
+            Method::Bmodes => BeamRecipe::Bmodes,
+            _ => BeamRecipe::Spectral {
+                degree,
+                rotary_inertia: self.rotary_inertia,
+            },
+        }
+    }
+
+    /// Where segments must end.
+    pub(super) fn borders(&self) -> Borders {
+        match self.method {
+            Method::Bmodes => Borders::Steps,
+            _ => Borders::Pieces,
         }
     }
 }
@@ -105,10 +128,12 @@ impl Options {
 #[non_exhaustive]
 pub enum SolveError {
     /// No segments, or too many.
-    #[error("{segments} segments cannot be used; the number must be from 1 to {MAX_SEGMENTS}")]
+    #[error("{segments} segments cannot be used; the number must be from 1 to {most}")]
     Segments {
-        /// The number asked for.
+        /// The number asked for, or that the tower's steps make.
         segments: usize,
+        /// The most that the method takes.
+        most: usize,
     },
     /// No modes asked for.
     #[error("no modes were asked for; the least is 1")]

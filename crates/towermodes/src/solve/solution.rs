@@ -1,9 +1,9 @@
 //! What a solve gives.
 
 use super::spectrum::Found;
+use crate::Method;
 use crate::Warning;
 use crate::eigen::Statistics;
-use crate::elements::Method;
 use crate::modes::{Family, ModeCurve, ShapePoint};
 
 /// A natural mode of a tower.
@@ -110,10 +110,12 @@ pub struct Certificate {
 /// The lowest modes of a tower, with their errors and the proof that they are all.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Solution {
-    /// The element used.
+    /// The method used.
     pub method: Method,
-    /// Number of segments used.
+    /// Number of segments used, or of elements.
     pub segments: usize,
+    /// Polynomial degree of the elements of the spectral beam; none for other methods.
+    pub degree: Option<usize>,
     /// Degrees of freedom of the whole tower.
     pub degrees_of_freedom: usize,
     /// The modes by frequency; of a repeated pair the fore-aft one first.

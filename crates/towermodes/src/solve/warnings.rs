@@ -3,9 +3,9 @@
 use super::options::Options;
 use super::solution::{Certificate, Mode};
 use super::spectrum::Found;
-use crate::Warning;
 use crate::elements::Mesh;
 use crate::tower::Tower;
+use crate::{Method, Warning};
 
 /// An estimate above this share of the frequency says that the mode is not resolved.
 const RESOLVED: f64 = 0.02;
@@ -23,7 +23,14 @@ pub(super) fn warnings(
     if !(0.01..=100.0).contains(&frequency_hz) {
         warnings.push(Warning::UnusualFrequency { frequency_hz });
     }
-    if let Some(asked) = options.segments.filter(|&asked| asked != mesh.segments()) {
+    if options.method == Method::Bmodes && tower.shears() {
+        warnings.push(Warning::ShearLeftOut);
+    }
+    // The spectral beam takes more elements when it needs them.
+    let asked = options
+        .segments
+        .filter(|_| options.method != Method::Spectral);
+    if let Some(asked) = asked.filter(|&asked| asked != mesh.segments()) {
         let used = mesh.segments();
         warnings.push(Warning::MoreSegments { asked, used });
     }

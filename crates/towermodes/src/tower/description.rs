@@ -1,6 +1,7 @@
 //! What a user says about a tower, before anything is checked.
 
 use super::material::Material;
+use super::properties::Properties;
 
 /// One row of the tower's geometry: the tube at a height. Between rows diameter and wall are linear.
 ///
@@ -27,6 +28,17 @@ impl Station {
             material: 0,
         }
     }
+}
+
+/// One row of a table of section properties, for towers that are not tubes.
+///
+/// Two rows at the same height are a step.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct PropertyStation {
+    /// Height z, m, in the user's own datum; the lowest row is the clamped base.
+    pub height_m: f64,
+    /// The section there.
+    pub properties: Properties,
 }
 
 /// The inertia tensor of the rotor-nacelle assembly about its own centre of mass, kg m².
@@ -111,11 +123,13 @@ pub struct TowerDescription {
     pub name: String,
     /// The materials that stations refer to.
     pub materials: Vec<Material>,
-    /// The geometry from the base to the top; at least two rows.
+    /// The geometry from the base to the top; at least two rows, or none if there are `properties`.
     pub stations: Vec<Station>,
+    /// Instead of `stations`: the properties of the sections from the base to the top.
+    pub properties: Vec<PropertyStation>,
     /// Multiplies the density of the tower (paint, bolts, platforms); 1 unless told.
     pub outfitting_factor: f64,
-    /// Shear deformation; none unless told.
+    /// Shear deformation of `stations`; none unless told. `properties` have their own shear stiffness.
     pub shear: Shear,
     /// The rotor-nacelle assembly; none unless told.
     pub rna: Rna,
@@ -129,6 +143,7 @@ impl Default for TowerDescription {
             name: String::new(),
             materials: Vec::new(),
             stations: Vec::new(),
+            properties: Vec::new(),
             outfitting_factor: 1.0,
             shear: Shear::Rigid,
             rna: Rna::default(),

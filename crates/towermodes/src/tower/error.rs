@@ -13,7 +13,7 @@ use crate::number::Plain;
 pub enum Place {
     /// The list of stations as a whole.
     Stations,
-    /// One value of one station: `height`, `diameter`, `wall` or `material`.
+    /// One value of one station: `height`, `diameter`, `wall` or `material`; of a row of a property table: `height` or its column.
     Station {
         /// Which station.
         index: usize,
@@ -201,6 +201,12 @@ pub enum Problem {
         /// Entry yz, kg m².
         yz: f64,
     },
+    /// Tubes and a property table for one tower.
+    #[error("the tower is given twice, by stations and by a table of properties")]
+    StationsAndProperties,
+    /// Shear stiffness in some rows of a property table.
+    #[error("some rows have a shear stiffness and some have none")]
+    ShearInSomeRows,
     /// A shear coefficient no section has.
     #[error("shear coefficient {value} is outside (0, 1]")]
     ShearCoefficient {
@@ -241,6 +247,10 @@ impl Problem {
             }
             Self::ProductsOfInertia { .. } => {
                 "leave xy, xz and yz out to solve the centred machine"
+            }
+            Self::StationsAndProperties => "keep one of the two",
+            Self::ShearInSomeRows => {
+                "give it in every row, or in none for a tower that does not shear"
             }
             Self::ShearCoefficient { .. } => {
                 "a thin tube has about 0.53; shear = true uses Cowper's value"

@@ -1,10 +1,13 @@
 //! Exact section integrals over any part of a linear piece.
 //!
-//! Diameter and wall are linear, so A is a quadratic and I a quartic in height: three Gauss points give every mass integral
-//! exactly. Compliances ∫ dx/EI are rational; five points on panels over which no dimension changes by more than 10 % leave
-//! an error below 1e-15 (the nearest pole of the integrand is 20 half-panels away).
+//! Diameter and wall of a tube are linear, so A is a quadratic and I a quartic in height, and the masses of a table are quadratics at
+//! most: three Gauss points give every mass integral exactly. Compliances ∫ dx/EI are rational; five points on panels over which no
+//! dimension of a tube and no stiffness of a table changes by more than 10 % leave an error below 1e-15 (the nearest pole of the
+//! integrand is 20 half-panels away).
 
-use super::piece::{Piece, Section};
+use super::piece::Piece;
+use super::planes::{Plane, Planes};
+use super::section::Section;
 
 /// Gauss-Legendre nodes and weights on [−1, 1] with three points: exact to degree 5.
 const GAUSS_3: [(f64, f64); 3] = [
@@ -31,13 +34,26 @@ pub struct MassIntegrals {
     pub first_moment_kg_m: f64,
     /// ∫ ρA (z − z₀)² dz, kg m²; the section's own rotary inertia is not in it.
     pub second_moment_kg_m2: f64,
-    /// ∫ ρI dz, kg m²: rotary inertia about a diameter; about the tower's axis it is twice this.
-    pub rotary_inertia_kg_m2: f64,
+    /// ∫ ρI dz, kg m²: the sections' rotary inertia in each bending plane.
+    pub rotary_inertia_kg_m2: Planes<f64>,
+    /// The same about the tower's axis, kg m².
+    pub polar_inertia_kg_m2: f64,
 }
 
 /// Compliance integrals of a part of the tower, as a cantilever feels them.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Compliance {
+    /// Each plane's own.
+    pub bending: Planes<BendingCompliance>,
+    /// ∫ dz/EA, m/N.
+    pub axial_m_per_n: f64,
+    /// ∫ dz/GJ, rad/(N m).
+    pub torsion_per_n_m: f64,
+}
+
+/// Compliance integrals of a part of the tower in one bending plane.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct BendingCompliance {
     /// ∫ dz/EI, rad/(N m): end rotation by a unit moment.
     pub bending_per_n_m: f64,
     /// Elastic centre z_c = ∫ z dz/EI ÷ ∫ dz/EI, m: a force there does not rotate the end.
@@ -46,10 +62,6 @@ pub struct Compliance {
     pub deflection_m_per_n: f64,
     /// ∫ dz/(κGA), m/N: the same from shear.
     pub shear_m_per_n: f64,
-    /// ∫ dz/EA, m/N.
-    pub axial_m_per_n: f64,
-    /// ∫ dz/GJ, rad/(N m).
-    pub torsion_per_n_m: f64,
 }
 
 /// The mass integrals of `piece` between two heights (m) inside it, about `reference_m`.
@@ -58,45 +70,84 @@ pub fn mass_integrals(piece: &Piece, base_m: f64, top_m: f64, reference_m: f64) 
     let mut sum = MassIntegrals::default();
     for (node, weight) in GAUSS_3 {
         let z = middle + half * node;
-        let tube = piece.tube_at(z);
-        let arm = z - reference_m;
-        let density_weight = piece.material.density_kg_per_m3 * weight * half;
-        let mass = density_weight * tube.area_m2();
+        let (arm, weight) = (z - reference_m, weight * half);
+        let masses = piece.masses_at(z);
+        let mass = weight * masses.mass_kg_per_m;
         sum.mass_kg += mass;
         sum.first_moment_kg_m += mass * arm;
         sum.second_moment_kg_m2 += mass * arm * arm;
-        sum.rotary_inertia_kg_m2 += density_weight * tube.second_moment_of_area_m4();
+        sum.rotary_inertia_kg_m2 = sum
+            .rotary_inertia_kg_m2
+            .zip(masses.rotary_inertia_kg_m, |sum, rotary| {
+                sum + weight * rotary
+            });
+        sum.polar_inertia_kg_m2 += weight * masses.polar_inertia_kg_m;
     }
     sum
+}
+
+/// Moments of 1/EI of one plane about the middle of a part: the elastic centre is near it, so nothing cancels.
+#[derive(Default)]
+struct Moments {
+    zeroth: f64,
+    first: f64,
+    second: f64,
+    shear: f64,
+}
+
+impl Moments {
+    #[inline]
+    fn add(&mut self, section: &Section, plane: Plane, arm: f64, weight: f64) {
+        let bending = weight / section.bending_n_m2.of(plane);
+        self.zeroth += bending;
+        self.first += bending * arm;
+        self.second += bending * arm * arm;
+        self.shear += weight * section.shear_flexibility_per_n.of(plane);
+    }
+
+    /// The compliance of the part between two heights (m).
+    fn compliance(&self, base_m: f64, top_m: f64) -> BendingCompliance {
+        let middle = 0.5 * (base_m + top_m);
+        let offset = self.first / self.zeroth;
+        // Over a part too short for a number between its ends there is nothing left but rounding.
+        let elastic_centre_m = if offset.is_finite() {
+            (middle + offset).clamp(base_m, top_m)
+        } else {
+            middle
+        };
+        let deflection = self.second - self.first * (elastic_centre_m - middle);
+        BendingCompliance {
+            bending_per_n_m: self.zeroth,
+            elastic_centre_m,
+            deflection_m_per_n: deflection.max(0.0),
+            shear_m_per_n: self.shear,
+        }
+    }
 }
 
 /// The compliance integrals of `piece` between two heights (m) inside it.
 pub fn compliance(piece: &Piece, base_m: f64, top_m: f64) -> Compliance {
     let middle = 0.5 * (base_m + top_m);
-    let mut sum = Compliance::default();
-    // Moments of 1/EI about the middle: the elastic centre is near it, so nothing cancels.
-    let (mut first, mut second) = (0.0, 0.0);
+    let planes_differ = !piece.planes_are_equal();
+    let (mut fore_aft, mut side_side) = (Moments::default(), Moments::default());
+    let (mut axial_m_per_n, mut torsion_per_n_m) = (0.0, 0.0);
     integrate(piece, base_m, top_m, &mut |z, weight, section| {
         let arm = z - middle;
-        let bending = weight / section.bending_n_m2;
-        sum.bending_per_n_m += bending;
-        first += bending * arm;
-        second += bending * arm * arm;
-        sum.shear_m_per_n += weight * section.shear_flexibility_per_n;
-        sum.axial_m_per_n += weight / section.axial_n;
-        sum.torsion_per_n_m += weight / section.torsion_n_m2;
+        fore_aft.add(section, Plane::ForeAft, arm, weight);
+        if planes_differ {
+            side_side.add(section, Plane::SideSide, arm, weight);
+        }
+        axial_m_per_n += weight / section.axial_n;
+        torsion_per_n_m += weight / section.torsion_n_m2;
     });
-    let offset = first / sum.bending_per_n_m;
-    // Over a part too short for a number between its ends there is nothing left but rounding.
-    let elastic_centre_m = if offset.is_finite() {
-        (middle + offset).clamp(base_m, top_m)
-    } else {
-        middle
-    };
+    let mut bending = Planes::both(fore_aft.compliance(base_m, top_m));
+    if planes_differ {
+        bending.side_side = side_side.compliance(base_m, top_m);
+    }
     Compliance {
-        elastic_centre_m,
-        deflection_m_per_n: (second - first * (elastic_centre_m - middle)).max(0.0),
-        ..sum
+        bending,
+        axial_m_per_n,
+        torsion_per_n_m,
     }
 }
 
@@ -109,16 +160,23 @@ pub struct Hinge {
     pub bending_per_n_m: f64,
 }
 
-/// The two-point Gauss rule of the measure dz/EI over a part of `piece` whose [`compliance`] is `whole`, lower point first: two hinges that give the same end rotations
-/// and deflections under end forces and moments, and under any load that varies no faster than linearly, as the beam itself.
+/// The two-point Gauss rule of the measure dz/EI of one plane, over a part of `piece` whose [`compliance`] there is `whole`, lower point
+/// first: two hinges that give the same end rotations and deflections under end forces and moments, and under any load that varies no
+/// faster than linearly, as the beam itself.
 ///
 /// With mₖ = ∫ xᵏ dz/EI about the elastic centre (m₁ = 0) the points are the roots of x² − (m₃/m₂) x − m₂/m₀, the weights
 /// m₀ x₂/(x₂ − x₁) and −m₀ x₁/(x₂ − x₁) (Golub & Welsch 1969). For a prismatic part: (1 ∓ 1/√3)/2 of the length, half each.
-pub fn gauss_hinges(piece: &Piece, base_m: f64, top_m: f64, whole: &Compliance) -> [Hinge; 2] {
+pub fn gauss_hinges(
+    piece: &Piece,
+    base_m: f64,
+    top_m: f64,
+    plane: Plane,
+    whole: &BendingCompliance,
+) -> [Hinge; 2] {
     let (centre, m0) = (whole.elastic_centre_m, whole.bending_per_n_m);
     let (m2, mut m3) = (whole.deflection_m_per_n, 0.0);
     integrate(piece, base_m, top_m, &mut |z, weight, section| {
-        m3 += weight / section.bending_n_m2 * (z - centre).powi(3);
+        m3 += weight / section.bending_n_m2.of(plane) * (z - centre).powi(3);
     });
     let hinge = |offset: f64, share: f64| Hinge {
         height_m: (centre + offset).clamp(base_m, top_m),
@@ -139,7 +197,7 @@ pub fn gauss_hinges(piece: &Piece, base_m: f64, top_m: f64, whole: &Compliance) 
 /// change of every dimension over a panel below 10 %.
 #[inline]
 fn integrate(piece: &Piece, base_m: f64, top_m: f64, add: &mut impl FnMut(f64, f64, &Section)) {
-    if steepness(piece, base_m, top_m) <= STEEPEST {
+    if piece.steepness(base_m, top_m) <= STEEPEST {
         integrate_panel(piece, base_m, top_m, add);
     } else {
         integrate_steep(piece, base_m, top_m, add);
@@ -173,7 +231,7 @@ fn integrate_steep(
 ) {
     let middle = 0.5 * (base_m + top_m);
     let divisible = base_m < middle && middle < top_m;
-    if divisible && steepness(piece, base_m, top_m) > STEEPEST {
+    if divisible && piece.steepness(base_m, top_m) > STEEPEST {
         integrate_steep(piece, base_m, middle, add);
         integrate_steep(piece, middle, top_m, add);
     } else {
@@ -181,19 +239,12 @@ fn integrate_steep(
     }
 }
 
-/// The larger of the ratios, thick end to thin end, of diameter and wall.
-fn steepness(piece: &Piece, base_m: f64, top_m: f64) -> f64 {
-    let (a, b) = (piece.tube_at(base_m), piece.tube_at(top_m));
-    let ratio = |x: f64, y: f64| if x > y { x / y } else { y / x };
-    ratio(a.outer_diameter_m, b.outer_diameter_m).max(ratio(a.wall_thickness_m, b.wall_thickness_m))
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::tower::{Material, Shear, Tube};
+    use crate::tower::{Material, Profile, Shear, Tube};
 
-    fn cone() -> Piece {
+    fn cone(top_diameter_m: f64) -> Piece {
         let rod = |d: f64| Tube {
             outer_diameter_m: d,
             wall_thickness_m: d / 2.0,
@@ -201,29 +252,38 @@ mod tests {
         Piece {
             base_m: 0.0,
             top_m: 10.0,
-            base_tube: rod(2.0),
-            top_tube: rod(1.0),
-            material: Material::from_shear_modulus(1.0, 1.0, 0.4),
-            shear: Shear::Rigid,
+            profile: Profile::Tube {
+                base: rod(2.0),
+                top: rod(top_diameter_m),
+                material: Material::from_shear_modulus(1.0, 1.0, 0.4),
+                shear: Shear::Rigid,
+            },
         }
+    }
+
+    fn bending(piece: &Piece, base_m: f64, top_m: f64) -> BendingCompliance {
+        compliance(piece, base_m, top_m).bending.fore_aft
     }
 
     #[test]
     fn solid_cone_has_its_closed_form_integrals() {
         // d = 2 − z/10, I = π d⁴/64: ∫dz/EI = 640/(3π) (1 − 1/8); mass of a frustum π h (R² + Rr + r²)/3.
         let pi = std::f64::consts::PI;
-        let c = compliance(&cone(), 0.0, 10.0);
+        let c = bending(&cone(1.0), 0.0, 10.0);
         let exact = 640.0 / (3.0 * pi) * (1.0 - 1.0 / 8.0);
         assert!((c.bending_per_n_m / exact - 1.0).abs() < 1e-14);
-        let m = mass_integrals(&cone(), 0.0, 10.0, 0.0);
+        let m = mass_integrals(&cone(1.0), 0.0, 10.0, 0.0);
         let exact = pi * 10.0 * (1.0 + 0.5 + 0.25) / 3.0;
         assert!((m.mass_kg / exact - 1.0).abs() < 1e-14);
     }
 
     #[test]
     fn hinges_are_a_gauss_rule_exact_to_the_third_power() {
-        let piece = cone();
-        let rule_of = |piece: &Piece| gauss_hinges(piece, 0.0, 10.0, &compliance(piece, 0.0, 10.0));
+        let piece = cone(1.0);
+        let rule_of = |piece: &Piece| {
+            let whole = bending(piece, 0.0, 10.0);
+            gauss_hinges(piece, 0.0, 10.0, Plane::ForeAft, &whole)
+        };
         let hinges = rule_of(&piece);
         for power in 0..4 {
             let (mut exact, rule) = (
@@ -231,18 +291,14 @@ mod tests {
                 hinges.map(|h| h.bending_per_n_m * h.height_m.powi(power)),
             );
             integrate(&piece, 0.0, 10.0, &mut |z, weight, section| {
-                exact += weight / section.bending_n_m2 * z.powi(power);
+                exact += weight / section.bending_n_m2.fore_aft * z.powi(power);
             });
             assert!(
                 ((rule[0] + rule[1]) / exact - 1.0).abs() < 1e-13,
                 "power {power}"
             );
         }
-        let prismatic = Piece {
-            top_tube: piece.base_tube,
-            ..piece
-        };
-        let [lower, upper] = rule_of(&prismatic);
+        let [lower, upper] = rule_of(&cone(2.0));
         let offset = 5.0 / 3.0_f64.sqrt();
         assert!((lower.height_m - (5.0 - offset)).abs() < 1e-13);
         assert!((upper.height_m - (5.0 + offset)).abs() < 1e-13);
@@ -251,13 +307,13 @@ mod tests {
 
     #[test]
     fn integrals_over_parts_add_up() {
-        let piece = cone();
-        let whole = compliance(&piece, 0.0, 10.0);
-        let (a, b) = (compliance(&piece, 0.0, 3.7), compliance(&piece, 3.7, 10.0));
+        let piece = cone(1.0);
+        let whole = bending(&piece, 0.0, 10.0);
+        let (a, b) = (bending(&piece, 0.0, 3.7), bending(&piece, 3.7, 10.0));
         let sum = a.bending_per_n_m + b.bending_per_n_m;
         assert!((sum / whole.bending_per_n_m - 1.0).abs() < 1e-14);
         // Steiner: the parts' own deflections plus their distances from the common centre.
-        let steiner = |c: &Compliance| {
+        let steiner = |c: &BendingCompliance| {
             let arm = c.elastic_centre_m - whole.elastic_centre_m;
             c.deflection_m_per_n + arm * arm * c.bending_per_n_m
         };

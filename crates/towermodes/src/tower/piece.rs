@@ -1,24 +1,70 @@
-//! A linear piece of a tower: one material, diameter and wall linear in height.
+//! A linear piece of a tower: a tube of one material, or a table of properties, linear in height.
 
-use super::description::{Shear, Station};
+use super::description::{PropertyStation, Shear, Station};
 use super::material::Material;
-use super::section::Tube;
+use super::properties::Properties;
+use super::section::{Section, SectionMasses, Tube};
 
-/// The tower between two heights over which diameter and wall are linear.
+/// The tower between two heights over which its profile is linear.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Piece {
     /// Height of the lower end, m.
     pub base_m: f64,
     /// Height of the upper end, m.
     pub top_m: f64,
-    /// The tube at the lower end.
-    pub base_tube: Tube,
-    /// The tube at the upper end.
-    pub top_tube: Tube,
-    /// The material; its density includes the outfitting factor.
-    pub material: Material,
-    /// The shear model.
-    pub shear: Shear,
+    /// What is linear between them.
+    pub profile: Profile,
+}
+
+/// What is linear over a piece.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Profile {
+    /// Diameter and wall of a tube.
+    Tube {
+        /// The tube at the lower end.
+        base: Tube,
+        /// The tube at the upper end.
+        top: Tube,
+        /// The material; its density includes the outfitting factor.
+        material: Material,
+        /// The shear model.
+        shear: Shear,
+    },
+    /// The columns of a property table.
+    Table {
+        /// The row at the lower end; its masses include the outfitting factor.
+        base: Properties,
+        /// The row at the upper end.
+        top: Properties,
+    },
+}
+
+impl Profile {
+    /// The profile from the lower end of this to the upper end of another, if both are of one kind and material.
+    fn up_to(&self, upper: &Self) -> Option<Self> {
+        match (*self, *upper) {
+            (
+                Self::Tube {
+                    base,
+                    material,
+                    shear,
+                    ..
+                },
+                Self::Tube {
+                    top,
+                    material: other,
+                    ..
+                },
+            ) => (material == other).then_some(Self::Tube {
+                base,
+                top,
+                material,
+                shear,
+            }),
+            (Self::Table { base, .. }, Self::Table { top, .. }) => Some(Self::Table { base, top }),
+            _ => None,
+        }
+    }
 }
 
 impl Piece {
@@ -27,124 +73,155 @@ impl Piece {
         self.top_m - self.base_m
     }
 
-    /// The tube at a height (m) inside the piece.
+    /// How far up the piece a height (m) is: 0 at its base, 1 at its top.
     #[inline]
-    pub fn tube_at(&self, height_m: f64) -> Tube {
-        let s = (height_m - self.base_m) / self.length_m();
-        let blend = |a: f64, b: f64| a + s * (b - a);
-        let (a, b) = (&self.base_tube, &self.top_tube);
-        Tube {
-            outer_diameter_m: blend(a.outer_diameter_m, b.outer_diameter_m),
-            wall_thickness_m: blend(a.wall_thickness_m, b.wall_thickness_m),
-        }
+    fn share_at(&self, height_m: f64) -> f64 {
+        (height_m - self.base_m) / self.length_m()
     }
 
-    /// The section's stiffnesses and masses per length at a height (m).
+    /// The section at a height (m) inside the piece.
     #[inline]
     pub fn section_at(&self, height_m: f64) -> Section {
-        Section::of_tube(&self.tube_at(height_m), &self.material, self.shear)
+        let s = self.share_at(height_m);
+        match &self.profile {
+            Profile::Tube {
+                base,
+                top,
+                material,
+                shear,
+            } => Section::of_tube(&base.blend(top, s), material, *shear),
+            Profile::Table { base, top } => base.blend(top, s),
+        }
     }
 
-    /// The same piece between two heights (m) inside it.
-    pub fn part(&self, base_m: f64, top_m: f64) -> Self {
-        Self {
-            base_m,
-            top_m,
-            base_tube: self.tube_at(base_m),
-            top_tube: self.tube_at(top_m),
-            ..*self
+    /// The masses of [`section_at`](Self::section_at) alone.
+    #[inline]
+    pub(super) fn masses_at(&self, height_m: f64) -> SectionMasses {
+        match &self.profile {
+            Profile::Tube {
+                base,
+                top,
+                material,
+                ..
+            } => {
+                let tube = base.blend(top, self.share_at(height_m));
+                SectionMasses::of_tube(&tube, material)
+            }
+            Profile::Table { .. } => self.section_at(height_m).masses,
         }
+    }
+
+    /// Whether both bending planes are equal.
+    #[inline]
+    pub fn planes_are_equal(&self) -> bool {
+        match &self.profile {
+            Profile::Tube { .. } => true,
+            Profile::Table { base, top } => base.planes_are_equal() && top.planes_are_equal(),
+        }
+    }
+
+    /// Whether it deforms in shear.
+    pub fn shears(&self) -> bool {
+        match &self.profile {
+            Profile::Tube { shear, .. } => *shear != Shear::Rigid,
+            Profile::Table { base, .. } => base.shear_n.is_some(),
+        }
+    }
+
+    /// The largest ratio, thick end to thin end, of what the compliances between two heights (m) depend on.
+    pub(super) fn steepness(&self, base_m: f64, top_m: f64) -> f64 {
+        let ratio = |x: f64, y: f64| if x > y { x / y } else { y / x };
+        match &self.profile {
+            Profile::Tube { base, top, .. } => {
+                let at = |height_m| base.blend(top, self.share_at(height_m));
+                let (a, b) = (at(base_m), at(top_m));
+                ratio(a.outer_diameter_m, b.outer_diameter_m)
+                    .max(ratio(a.wall_thickness_m, b.wall_thickness_m))
+            }
+            Profile::Table { .. } => {
+                let (a, b) = (self.section_at(base_m), self.section_at(top_m));
+                let pairs = a.values().into_iter().zip(b.values());
+                // What is zero at both ends has the ratio NaN, which `max` leaves out.
+                pairs.map(|(x, y)| ratio(x, y)).fold(1.0, f64::max)
+            }
+        }
+    }
+
+    /// Whether `upper`, which begins where this piece ends, begins with the section this one ends with.
+    pub fn meets(&self, upper: &Self) -> bool {
+        let height_m = self.top_m;
+        is_same(&self.section_at(height_m), &upper.section_at(height_m))
     }
 
     /// The piece that reaches over both, if `upper` goes on in one line from this piece.
     fn joined(&self, upper: &Self) -> Option<Self> {
         let whole = Self {
+            base_m: self.base_m,
             top_m: upper.top_m,
-            top_tube: upper.top_tube,
-            ..*self
+            profile: self.profile.up_to(&upper.profile)?,
         };
-        let line = whole.tube_at(self.top_m);
-        // The tolerance lets a row be split in two by hand with full digits, and nothing else.
-        let on_line = |value: f64, line: f64| (value - line).abs() <= 1e-12 * value;
-        let straight = [&self.top_tube, &upper.base_tube].iter().all(|tube| {
-            on_line(tube.outer_diameter_m, line.outer_diameter_m)
-                && on_line(tube.wall_thickness_m, line.wall_thickness_m)
-        });
-        (straight && self.material == upper.material).then_some(whole)
+        let line = whole.section_at(self.top_m);
+        let straight = is_same(&self.section_at(self.top_m), &line) && self.meets(upper);
+        straight.then_some(whole)
     }
 }
 
+/// Whether two sections differ by no more than rounding: a row can be split in two by hand with full digits, and nothing else.
+fn is_same(a: &Section, b: &Section) -> bool {
+    let pairs = a.values().into_iter().zip(b.values());
+    pairs.into_iter().all(|(a, b)| (a - b).abs() <= 1e-11 * a)
+}
+
 /// The fewest linear pieces that stations make: a station on the line of its neighbours separates nothing.
-pub(super) fn pieces_of(
+pub(super) fn tube_pieces(
     stations: &[Station],
     materials: &[Material],
     outfitting_factor: f64,
     shear: Shear,
 ) -> Vec<Piece> {
-    let mut pieces: Vec<Piece> = Vec::with_capacity(stations.len());
     let tube = |s: &Station| Tube {
         outer_diameter_m: s.outer_diameter_m,
         wall_thickness_m: s.wall_thickness_m,
     };
-    for pair in stations.windows(2) {
+    let pieces = stations.windows(2).map(|pair| {
         let (below, above) = (&pair[0], &pair[1]);
-        if above.height_m == below.height_m {
-            continue;
-        }
         let mut material = materials[below.material];
         material.density_kg_per_m3 *= outfitting_factor;
-        let piece = Piece {
+        Piece {
             base_m: below.height_m,
             top_m: above.height_m,
-            base_tube: tube(below),
-            top_tube: tube(above),
-            material,
-            shear,
-        };
-        match pieces.last().and_then(|last| last.joined(&piece)) {
-            Some(whole) => *pieces.last_mut().expect("joined to it") = whole,
-            None => pieces.push(piece),
-        }
-    }
-    pieces
-}
-
-/// What a beam feels of a section: stiffnesses and masses per length.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Section {
-    /// Mass per length ρA, kg/m.
-    pub mass_kg_per_m: f64,
-    /// Rotary inertia per length about a diameter ρI, kg m.
-    pub rotary_inertia_kg_m: f64,
-    /// Bending stiffness EI, N m².
-    pub bending_n_m2: f64,
-    /// Torsional stiffness GJ = 2GI, N m².
-    pub torsion_n_m2: f64,
-    /// Axial stiffness EA, N.
-    pub axial_n: f64,
-    /// Shear flexibility 1/(κGA), 1/N; zero for a beam without shear deformation.
-    pub shear_flexibility_per_n: f64,
-}
-
-impl Section {
-    /// The section of a tube.
-    #[inline]
-    pub fn of_tube(tube: &Tube, material: &Material, shear: Shear) -> Self {
-        let (area, second_moment) = (tube.area_m2(), tube.second_moment_of_area_m4());
-        let shear_flexibility = |kappa: f64| 1.0 / (kappa * material.shear_modulus_pa * area);
-        Self {
-            mass_kg_per_m: material.density_kg_per_m3 * area,
-            rotary_inertia_kg_m: material.density_kg_per_m3 * second_moment,
-            bending_n_m2: material.youngs_modulus_pa * second_moment,
-            torsion_n_m2: material.shear_modulus_pa * 2.0 * second_moment,
-            axial_n: material.youngs_modulus_pa * area,
-            shear_flexibility_per_n: match shear {
-                Shear::Rigid => 0.0,
-                Shear::Cowper => {
-                    shear_flexibility(tube.cowper_shear_coefficient(material.poissons_ratio()))
-                }
-                Shear::Coefficient(kappa) => shear_flexibility(kappa),
+            profile: Profile::Tube {
+                base: tube(below),
+                top: tube(above),
+                material,
+                shear,
             },
         }
+    });
+    fewest(pieces)
+}
+
+/// The fewest linear pieces that the rows of a property table make.
+pub(super) fn table_pieces(rows: &[PropertyStation], outfitting_factor: f64) -> Vec<Piece> {
+    let pieces = rows.windows(2).map(|pair| Piece {
+        base_m: pair[0].height_m,
+        top_m: pair[1].height_m,
+        profile: Profile::Table {
+            base: pair[0].properties.heavier(outfitting_factor),
+            top: pair[1].properties.heavier(outfitting_factor),
+        },
+    });
+    fewest(pieces)
+}
+
+/// Leaves out pieces without a length and joins those that go on in one line.
+fn fewest(pieces: impl Iterator<Item = Piece>) -> Vec<Piece> {
+    let mut fewest: Vec<Piece> = Vec::new();
+    for piece in pieces.filter(|piece| piece.top_m != piece.base_m) {
+        match fewest.last().and_then(|last| last.joined(&piece)) {
+            Some(whole) => *fewest.last_mut().expect("joined to it") = whole,
+            None => fewest.push(piece),
+        }
     }
+    fewest
 }

@@ -1,6 +1,6 @@
 //! Inputs that are possible but look like a slip: millimetres, tonnes, a misplaced digit.
 
-use super::Tower;
+use super::{Profile, Properties, Tower};
 use crate::Warning;
 
 /// The warnings that the input alone gives rise to.
@@ -13,6 +13,7 @@ pub(super) fn plausibility(tower: &Tower) -> Vec<Warning> {
         });
     }
     materials(tower, &mut warnings);
+    table(tower, &mut warnings);
     rna(tower, &mut warnings);
     warnings
 }
@@ -62,6 +63,31 @@ const RNA_CENTRE: Usual = Usual {
     usual: "it is measured from the tower top, not from the ground",
 };
 
+const AXIAL_WAVE: Usual = Usual {
+    quantity: "the speed of sound sqrt(EA/mass) in a row of the table",
+    unit: " m/s",
+    range: 1000.0..=8000.0,
+    usual: "steel has about 5000 m/s, concrete 3800; look at the units of EA and of the mass",
+};
+const TORSION_WAVE: Usual = Usual {
+    quantity: "the speed of torsional waves sqrt(GJ/polar inertia) in a row of the table",
+    unit: " m/s",
+    range: 500.0..=6000.0,
+    usual: "steel has about 3200 m/s, concrete 2400; look at the units of GJ and of the polar inertia",
+};
+const GYRATION: Usual = Usual {
+    quantity: "the radius of gyration sqrt(EI/EA) in a row of the table",
+    unit: " m",
+    range: 0.05..=20.0,
+    usual: "a tube has about a third of its diameter; look at the units of EI and EA",
+};
+const PERPENDICULAR: Usual = Usual {
+    quantity: "the sum of a row's rotary inertias, divided by its polar inertia,",
+    unit: "",
+    range: 0.95..=1.05,
+    usual: "it is 1 for any flat section",
+};
+
 impl Usual {
     fn check(&self, value: f64, warnings: &mut Vec<Warning>) {
         if !self.range.contains(&value) {
@@ -79,7 +105,9 @@ fn materials(tower: &Tower, warnings: &mut Vec<Warning>) {
     OUTFITTING_FACTOR.check(tower.outfitting_factor(), warnings);
     let mut checked = Vec::new();
     for piece in tower.pieces() {
-        let material = piece.material;
+        let Profile::Tube { material, .. } = piece.profile else {
+            continue;
+        };
         if checked.contains(&material) {
             continue;
         }
@@ -93,6 +121,37 @@ fn materials(tower: &Tower, warnings: &mut Vec<Warning>) {
         && below.height_m != last.height_m
     {
         warnings.push(Warning::UselessMaterial);
+    }
+}
+
+/// What the rows of a property table say of their material and shape; one warning of a kind is enough.
+fn table(tower: &Tower, warnings: &mut Vec<Warning>) {
+    type Quantity = fn(&Properties) -> f64;
+    let quantities: [(&Usual, Quantity); 4] = [
+        (&AXIAL_WAVE, |p| (p.axial_n / p.mass_kg_per_m).sqrt()),
+        (&TORSION_WAVE, |p| {
+            (p.torsion_n_m2 / p.polar_inertia_kg_m).sqrt()
+        }),
+        (&GYRATION, |p| {
+            (p.bending_n_m2.fore_aft.max(p.bending_n_m2.side_side) / p.axial_n).sqrt()
+        }),
+        (&PERPENDICULAR, |p| {
+            let rotary = p.rotary_inertia_kg_m;
+            (rotary.fore_aft + rotary.side_side) / p.polar_inertia_kg_m
+        }),
+    ];
+    for (usual, quantity) in quantities {
+        let values = tower
+            .properties()
+            .iter()
+            .map(|row| quantity(&row.properties));
+        // A tower without rotary inertia is a model in its own right.
+        let unusual = values
+            .filter(|&value| value != 0.0)
+            .find(|value| !usual.range.contains(value));
+        if let Some(value) = unusual {
+            usual.check(value, warnings);
+        }
     }
 }
 
@@ -119,12 +178,11 @@ fn stations(tower: &Tower, warnings: &mut Vec<Warning>) {
             height_m: s.height_m,
         });
     }
-    let (first, last) = (&stations[..2], &stations[stations.len() - 2..]);
+    let heights_m = tower.station_heights_m();
+    let (first, last) = (&heights_m[..2], &heights_m[heights_m.len() - 2..]);
     for end in [first, last] {
-        if end[0].height_m == end[1].height_m {
-            warnings.push(Warning::UselessStation {
-                height_m: end[0].height_m,
-            });
+        if end[0] == end[1] {
+            warnings.push(Warning::UselessStation { height_m: end[0] });
         }
     }
 }

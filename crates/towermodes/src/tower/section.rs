@@ -1,6 +1,10 @@
-//! The circular tube: area, second moment of area, shear coefficient.
+//! Sections: the circular tube, and what a beam feels of a section.
 
 use std::f64::consts::PI;
+
+use super::description::Shear;
+use super::material::Material;
+use super::planes::Planes;
 
 /// A circular tube of outer diameter d and wall thickness t (0 < t ≤ d/2; t = d/2 is a solid rod).
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -44,6 +48,95 @@ impl Tube {
         let m2 = m * m;
         let q = (1.0 + m2) * (1.0 + m2);
         6.0 * (1.0 + nu) * q / ((7.0 + 6.0 * nu) * q + (20.0 + 12.0 * nu) * m2)
+    }
+
+    /// The tube a share `s` of the way from this one to `top`.
+    #[inline]
+    pub(super) fn blend(&self, top: &Self, s: f64) -> Self {
+        let blend = |a: f64, b: f64| a + s * (b - a);
+        Self {
+            outer_diameter_m: blend(self.outer_diameter_m, top.outer_diameter_m),
+            wall_thickness_m: blend(self.wall_thickness_m, top.wall_thickness_m),
+        }
+    }
+}
+
+/// Masses per length of a section.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct SectionMasses {
+    /// Mass ρA, kg/m.
+    pub mass_kg_per_m: f64,
+    /// Rotary inertia that resists bending in each plane, ρI, kg m.
+    pub rotary_inertia_kg_m: Planes<f64>,
+    /// Inertia about the tower's axis, ρJ = 2ρI for a tube, kg m.
+    pub polar_inertia_kg_m: f64,
+}
+
+impl SectionMasses {
+    /// The masses of a tube.
+    #[inline]
+    pub fn of_tube(tube: &Tube, material: &Material) -> Self {
+        let rotary = material.density_kg_per_m3 * tube.second_moment_of_area_m4();
+        Self {
+            mass_kg_per_m: material.density_kg_per_m3 * tube.area_m2(),
+            rotary_inertia_kg_m: Planes::both(rotary),
+            polar_inertia_kg_m: 2.0 * rotary,
+        }
+    }
+}
+
+/// What a beam feels of a section: masses per length, stiffnesses and shear flexibilities.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Section {
+    /// Masses per length.
+    pub masses: SectionMasses,
+    /// Bending stiffness EI in each plane, N m².
+    pub bending_n_m2: Planes<f64>,
+    /// Torsional stiffness GJ, N m².
+    pub torsion_n_m2: f64,
+    /// Axial stiffness EA, N.
+    pub axial_n: f64,
+    /// Shear flexibility 1/(κGA) in each plane, 1/N; zero for a beam without shear deformation.
+    pub shear_flexibility_per_n: Planes<f64>,
+}
+
+impl Section {
+    /// The section of a tube.
+    #[inline]
+    pub fn of_tube(tube: &Tube, material: &Material, shear: Shear) -> Self {
+        let (area, second_moment) = (tube.area_m2(), tube.second_moment_of_area_m4());
+        let shear_flexibility = |kappa: f64| 1.0 / (kappa * material.shear_modulus_pa * area);
+        Self {
+            masses: SectionMasses::of_tube(tube, material),
+            bending_n_m2: Planes::both(material.youngs_modulus_pa * second_moment),
+            torsion_n_m2: material.shear_modulus_pa * 2.0 * second_moment,
+            axial_n: material.youngs_modulus_pa * area,
+            shear_flexibility_per_n: Planes::both(match shear {
+                Shear::Rigid => 0.0,
+                Shear::Cowper => {
+                    shear_flexibility(tube.cowper_shear_coefficient(material.poissons_ratio()))
+                }
+                Shear::Coefficient(kappa) => shear_flexibility(kappa),
+            }),
+        }
+    }
+
+    /// All its values, to compare sections by.
+    pub(super) fn values(&self) -> [f64; 10] {
+        let (rotary, bending) = (self.masses.rotary_inertia_kg_m, self.bending_n_m2);
+        let shear = self.shear_flexibility_per_n;
+        [
+            self.masses.mass_kg_per_m,
+            rotary.fore_aft,
+            rotary.side_side,
+            self.masses.polar_inertia_kg_m,
+            bending.fore_aft,
+            bending.side_side,
+            self.torsion_n_m2,
+            self.axial_n,
+            shear.fore_aft,
+            shear.side_side,
+        ]
     }
 }
 

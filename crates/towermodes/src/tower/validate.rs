@@ -1,15 +1,22 @@
 //! The checks that turn a description into a tower.
 
-use super::description::{PointMass, Rna, Shear, Station, TowerDescription};
+use super::description::{PointMass, PropertyStation, Rna, Shear, Station, TowerDescription};
 use super::error::{Place, Problem, TowerError};
 use super::material::Material;
+use super::properties::Properties;
 
 /// Everything a description must satisfy to be a tower.
 pub(super) fn validate(description: &TowerDescription) -> Result<(), TowerError> {
     for (index, material) in description.materials.iter().enumerate() {
         check_material(index, material)?;
     }
-    check_stations(&description.stations, description.materials.len())?;
+    let heights_m = if description.properties.is_empty() {
+        check_stations(&description.stations, description.materials.len())?
+    } else if description.stations.is_empty() {
+        check_properties(&description.properties)?
+    } else {
+        return error(Place::Stations, Problem::StationsAndProperties);
+    };
     positive(
         Place::OutfittingFactor,
         "the outfitting factor",
@@ -18,7 +25,7 @@ pub(super) fn validate(description: &TowerDescription) -> Result<(), TowerError>
     )?;
     check_shear(description.shear)?;
     check_rna(&description.rna)?;
-    let (base_m, top_m) = ends(&description.stations);
+    let (base_m, top_m) = ends(&heights_m);
     for (index, mass) in description.point_masses.iter().enumerate() {
         check_point_mass(index, mass, base_m, top_m)?;
     }
@@ -101,15 +108,8 @@ fn check_material(index: usize, material: &Material) -> Result<(), TowerError> {
     )
 }
 
-fn check_stations(stations: &[Station], materials: usize) -> Result<(), TowerError> {
-    if stations.len() < 2 {
-        return error(
-            Place::Stations,
-            Problem::TooFewStations {
-                count: stations.len(),
-            },
-        );
-    }
+/// Checks the stations and gives their heights, m.
+fn check_stations(stations: &[Station], materials: usize) -> Result<Vec<f64>, TowerError> {
     for (index, station) in stations.iter().enumerate() {
         check_tube(index, station)?;
         if station.material >= materials {
@@ -126,7 +126,74 @@ fn check_stations(stations: &[Station], materials: usize) -> Result<(), TowerErr
             );
         }
     }
-    check_heights(stations)
+    let heights_m: Vec<f64> = stations.iter().map(|station| station.height_m).collect();
+    check_heights(&heights_m)?;
+    Ok(heights_m)
+}
+
+/// Checks the rows of a property table and gives their heights, m.
+fn check_properties(rows: &[PropertyStation]) -> Result<Vec<f64>, TowerError> {
+    for (index, row) in rows.iter().enumerate() {
+        check_row(index, row)?;
+        if row.properties.shear_n.is_some() != rows[0].properties.shear_n.is_some() {
+            let key = "shear_stiffness_fore_aft_n";
+            return error(Place::Station { index, key }, Problem::ShearInSomeRows);
+        }
+    }
+    let heights_m: Vec<f64> = rows.iter().map(|row| row.height_m).collect();
+    check_heights(&heights_m)?;
+    Ok(heights_m)
+}
+
+fn check_row(index: usize, row: &PropertyStation) -> Result<(), TowerError> {
+    let at = |key| Place::Station { index, key };
+    let Properties {
+        mass_kg_per_m,
+        rotary_inertia_kg_m: rotary,
+        polar_inertia_kg_m,
+        bending_n_m2: bending,
+        torsion_n_m2,
+        axial_n,
+        shear_n,
+    } = row.properties;
+    finite(at("height"), "height", row.height_m)?;
+    let mut positives = vec![
+        ("mass_kg_per_m", "mass per length", mass_kg_per_m, " kg/m"),
+        ("ei_fore_aft_n_m2", "EI fore-aft", bending.fore_aft, " N m2"),
+        (
+            "ei_side_side_n_m2",
+            "EI side-side",
+            bending.side_side,
+            " N m2",
+        ),
+        ("gj_n_m2", "GJ", torsion_n_m2, " N m2"),
+        ("ea_n", "EA", axial_n, " N"),
+        (
+            "polar_inertia_kg_m",
+            "polar inertia",
+            polar_inertia_kg_m,
+            " kg m",
+        ),
+    ];
+    if let Some(shear) = shear_n {
+        let (key, other) = ("shear_stiffness_fore_aft_n", "shear_stiffness_side_side_n");
+        positives.push((key, "shear stiffness fore-aft", shear.fore_aft, " N"));
+        positives.push((other, "shear stiffness side-side", shear.side_side, " N"));
+    }
+    for (key, quantity, value, unit) in positives {
+        positive(at(key), quantity, value, unit)?;
+    }
+    let (key, other) = (
+        "rotary_inertia_fore_aft_kg_m",
+        "rotary_inertia_side_side_kg_m",
+    );
+    not_negative(at(key), "rotary inertia fore-aft", rotary.fore_aft, " kg m")?;
+    not_negative(
+        at(other),
+        "rotary inertia side-side",
+        rotary.side_side,
+        " kg m",
+    )
 }
 
 fn check_tube(index: usize, station: &Station) -> Result<(), TowerError> {
@@ -148,17 +215,21 @@ fn check_tube(index: usize, station: &Station) -> Result<(), TowerError> {
     )
 }
 
-fn check_heights(stations: &[Station]) -> Result<(), TowerError> {
-    let (base_m, top_m) = ends(stations);
-    if stations.iter().all(|s| s.height_m == base_m) {
+fn check_heights(heights_m: &[f64]) -> Result<(), TowerError> {
+    if heights_m.len() < 2 {
+        let count = heights_m.len();
+        return error(Place::Stations, Problem::TooFewStations { count });
+    }
+    let (base_m, top_m) = ends(heights_m);
+    if heights_m.iter().all(|&height_m| height_m == base_m) {
         return error(Place::Stations, Problem::NoHeight { height_m: base_m });
     }
-    for index in 1..stations.len() {
+    for index in 1..heights_m.len() {
         let place = Place::Station {
             index,
             key: "height",
         };
-        let (height_m, previous_m) = (stations[index].height_m, stations[index - 1].height_m);
+        let (height_m, previous_m) = (heights_m[index], heights_m[index - 1]);
         if height_m < previous_m {
             return error(
                 place,
@@ -168,15 +239,15 @@ fn check_heights(stations: &[Station]) -> Result<(), TowerError> {
                 },
             );
         }
-        if index > 1 && height_m == stations[index - 2].height_m {
+        if index > 1 && height_m == heights_m[index - 2] {
             return error(place, Problem::HeightThrice { height_m });
         }
     }
     finite(Place::Stations, "the tower's height", top_m - base_m)
 }
 
-fn ends(stations: &[Station]) -> (f64, f64) {
-    (stations[0].height_m, stations[stations.len() - 1].height_m)
+fn ends(heights_m: &[f64]) -> (f64, f64) {
+    (heights_m[0], heights_m[heights_m.len() - 1])
 }
 
 fn check_shear(shear: Shear) -> Result<(), TowerError> {

@@ -72,6 +72,7 @@ pub fn rich() -> TowerDescription {
                 mass_kg: 8e3,
             },
         ],
+        ..TowerDescription::default()
     }
 }
 

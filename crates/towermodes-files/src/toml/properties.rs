@@ -1,0 +1,161 @@
+//! `[tower.properties]`: the sections as columns of properties per length, for towers that are not tubes.
+
+use towermodes::{Place, Planes, Properties, PropertyStation};
+
+use super::Reading;
+use super::table::{Keys, Table};
+use super::values::{Value, every_row, list, number};
+use crate::diagnostic::Diagnostic;
+
+const PROPERTIES: Keys = Keys {
+    known: &[
+        "z_m",
+        "mass_kg_per_m",
+        "ei_fore_aft_n_m2",
+        "ei_side_side_n_m2",
+        "gj_n_m2",
+        "ea_n",
+        "polar_inertia_kg_m",
+        "rotary_inertia_fore_aft_kg_m",
+        "rotary_inertia_side_side_kg_m",
+        "shear_stiffness_fore_aft_n",
+        "shear_stiffness_side_side_n",
+    ],
+    planned: &[],
+};
+
+/// All rows of the table.
+pub(super) fn properties(value: &Value<'_>, reading: &mut Reading) -> Option<Vec<PropertyStation>> {
+    let table = Table::of(value, "[tower.properties]", &PROPERTIES, reading)?;
+    reading.remember(Place::Stations, value.span());
+    let hint = "z_m = [heights of the rows, m], and a list as long for each other column";
+    let heights = table.require("z_m", hint, reading)?;
+    let heights_m = column(heights, "z_m", "height", None, reading)?;
+    Columns { table, heights_m }.rows(reading)
+}
+
+/// The table with its heights, which say how long every column is.
+struct Columns<'a> {
+    table: Table<'a>,
+    heights_m: Vec<f64>,
+}
+
+impl Columns<'_> {
+    /// A column that may be there: `Some(None)` if it is not, `None` after a mistake.
+    fn optional(&self, key: &'static str, reading: &mut Reading) -> Option<Option<Vec<f64>>> {
+        let Some(value) = self.table.get(key) else {
+            return (!self.table.has_misspelled(key)).then_some(None);
+        };
+        column(value, key, key, Some(self.heights_m.len()), reading).map(Some)
+    }
+
+    fn required(&self, key: &'static str, hint: &str, reading: &mut Reading) -> Option<Vec<f64>> {
+        let value = self.table.require(key, hint, reading)?;
+        column(value, key, key, Some(self.heights_m.len()), reading)
+    }
+
+    fn rows(&self, reading: &mut Reading) -> Option<Vec<PropertyStation>> {
+        let mass = self.required("mass_kg_per_m", "mass per length, kg/m", reading);
+        let fore_aft = self.required(
+            "ei_fore_aft_n_m2",
+            "EI against fore-aft bending, N m2",
+            reading,
+        );
+        let side_side = self.optional("ei_side_side_n_m2", reading);
+        let torsion = self.required("gj_n_m2", "torsional stiffness GJ, N m2", reading);
+        let axial = self.required("ea_n", "axial stiffness EA, N", reading);
+        let hint = "inertia per length about the tower's axis, kg m; density times J for a tube";
+        let polar = self.required("polar_inertia_kg_m", hint, reading);
+        let rotary = self.pair(
+            "rotary_inertia_fore_aft_kg_m",
+            "rotary_inertia_side_side_kg_m",
+            reading,
+        );
+        let shear = self.pair(
+            "shear_stiffness_fore_aft_n",
+            "shear_stiffness_side_side_n",
+            reading,
+        );
+        let (mass, fore_aft, torsion, axial, polar) = (mass?, fore_aft?, torsion?, axial?, polar?);
+        let side_side = side_side?.unwrap_or_else(|| fore_aft.clone());
+        let (rotary, shear) = (rotary?, shear?);
+        let row = |i: usize| {
+            let bending_n_m2 = Planes {
+                fore_aft: fore_aft[i],
+                side_side: side_side[i],
+            };
+            PropertyStation {
+                height_m: self.heights_m[i],
+                properties: Properties {
+                    mass_kg_per_m: mass[i],
+                    rotary_inertia_kg_m: match &rotary {
+                        Some(rotary) => rotary[i],
+                        None => shared_out(polar[i], bending_n_m2),
+                    },
+                    polar_inertia_kg_m: polar[i],
+                    bending_n_m2,
+                    torsion_n_m2: torsion[i],
+                    axial_n: axial[i],
+                    shear_n: shear.as_ref().map(|shear| shear[i]),
+                },
+            }
+        };
+        Some((0..self.heights_m.len()).map(row).collect())
+    }
+
+    /// A quantity of both planes that may be there; where only the fore-aft column is, both planes have it.
+    fn pair(
+        &self,
+        fore_aft: &'static str,
+        side_side: &'static str,
+        reading: &mut Reading,
+    ) -> Option<Option<Vec<Planes<f64>>>> {
+        let (first, second) = (
+            self.optional(fore_aft, reading),
+            self.optional(side_side, reading),
+        );
+        let planes = |(&fore_aft, &side_side): (&f64, &f64)| Planes {
+            fore_aft,
+            side_side,
+        };
+        match (first?, second?) {
+            (None, None) => Some(None),
+            (Some(first), None) => Some(Some(first.into_iter().map(Planes::both).collect())),
+            (Some(first), Some(second)) => {
+                Some(Some(first.iter().zip(&second).map(planes).collect()))
+            }
+            (None, Some(_)) => {
+                self.table
+                    .require(fore_aft, "the other plane's column is there", reading);
+                None
+            }
+        }
+    }
+}
+
+/// The rotary inertia of both planes that a flat section of one material has: in the ratio of EI, and their sum the polar inertia.
+fn shared_out(polar_kg_m: f64, bending_n_m2: Planes<f64>) -> Planes<f64> {
+    let sum = bending_n_m2.fore_aft + bending_n_m2.side_side;
+    bending_n_m2.map(|ei| polar_kg_m * (ei / sum))
+}
+
+/// A list of numbers of the length of the others; `place` is what the tower's checks call one of them.
+fn column(
+    value: &Value<'_>,
+    key: &str,
+    place: &'static str,
+    rows: Option<usize>,
+    reading: &mut Reading,
+) -> Option<Vec<f64>> {
+    let values = list(value, key, reading)?;
+    if let Some(rows) = rows.filter(|&rows| rows != values.len()) {
+        let message = format!("{key} has {} values, but z_m has {rows}", values.len());
+        let hint = "every column has one value for each height";
+        reading.mistake(Diagnostic::new(value.span(), message).with_hint(hint));
+        return None;
+    }
+    every_row(values, |index, value| {
+        reading.remember(Place::Station { index, key: place }, value.span());
+        number(value, key, reading)
+    })
+}

@@ -1,0 +1,71 @@
+//! Section properties per length, given where no tube says them, and how they vary between rows.
+
+use super::planes::Planes;
+use super::section::{Section, SectionMasses};
+
+/// What a row of a property table says of the section at its height.
+///
+/// Between two rows mass, stiffnesses and squared radii of gyration (inertia over mass) are linear in height, as BModes interpolates.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Properties {
+    /// Mass per length, kg/m.
+    pub mass_kg_per_m: f64,
+    /// Rotary inertia per length that resists bending in each plane, kg m; may be zero.
+    pub rotary_inertia_kg_m: Planes<f64>,
+    /// Inertia per length about the tower's axis, kg m.
+    pub polar_inertia_kg_m: f64,
+    /// Bending stiffness EI in each plane, N m².
+    pub bending_n_m2: Planes<f64>,
+    /// Torsional stiffness GJ, N m².
+    pub torsion_n_m2: f64,
+    /// Axial stiffness EA, N.
+    pub axial_n: f64,
+    /// Shear stiffness κGA in each plane, N; none for a tower without shear deformation.
+    pub shear_n: Option<Planes<f64>>,
+}
+
+impl Properties {
+    /// The section a share `s` of the way from this row to `top`.
+    #[inline]
+    pub(super) fn blend(&self, top: &Self, s: f64) -> Section {
+        let blend = |a: f64, b: f64| a + s * (b - a);
+        let mass_kg_per_m = blend(self.mass_kg_per_m, top.mass_kg_per_m);
+        let inertia =
+            |a: f64, b: f64| mass_kg_per_m * blend(a / self.mass_kg_per_m, b / top.mass_kg_per_m);
+        let shear_flexibility =
+            |(a, b): (Planes<f64>, Planes<f64>)| a.zip(b, |a, b| 1.0 / blend(a, b));
+        Section {
+            masses: SectionMasses {
+                mass_kg_per_m,
+                rotary_inertia_kg_m: self
+                    .rotary_inertia_kg_m
+                    .zip(top.rotary_inertia_kg_m, inertia),
+                polar_inertia_kg_m: inertia(self.polar_inertia_kg_m, top.polar_inertia_kg_m),
+            },
+            bending_n_m2: self.bending_n_m2.zip(top.bending_n_m2, blend),
+            torsion_n_m2: blend(self.torsion_n_m2, top.torsion_n_m2),
+            axial_n: blend(self.axial_n, top.axial_n),
+            shear_flexibility_per_n: self
+                .shear_n
+                .zip(top.shear_n)
+                .map_or(Planes::both(0.0), shear_flexibility),
+        }
+    }
+
+    /// Mass and inertias `factor` times as large.
+    pub(super) fn heavier(&self, factor: f64) -> Self {
+        Self {
+            mass_kg_per_m: factor * self.mass_kg_per_m,
+            rotary_inertia_kg_m: self.rotary_inertia_kg_m.map(|inertia| factor * inertia),
+            polar_inertia_kg_m: factor * self.polar_inertia_kg_m,
+            ..*self
+        }
+    }
+
+    /// Whether both bending planes are equal.
+    pub(super) fn planes_are_equal(&self) -> bool {
+        self.bending_n_m2.are_equal()
+            && self.rotary_inertia_kg_m.are_equal()
+            && self.shear_n.is_none_or(|shear| shear.are_equal())
+    }
+}
