@@ -1,4 +1,4 @@
-//! The elements beside the published one, each against values from elsewhere and with its observed order.
+//! Every method beside the others: observed orders, honest estimates, complete pairs, one limit. Their digits are in the manual.
 
 mod towers;
 
@@ -16,73 +16,6 @@ fn options(method: Method, segments: usize) -> Options {
         modes: 10,
         ..Options::default()
     }
-}
-
-fn check(got: &[f64], expected: &[f64], tolerance: f64, case: &str) {
-    for (order, (got, expected)) in got.iter().zip(expected).enumerate() {
-        assert_close(
-            *got,
-            *expected,
-            tolerance,
-            &format!("{case}, bending {}", order + 1),
-        );
-    }
-}
-
-#[test]
-fn cardanic_gives_the_values_of_an_independent_dense_solution() {
-    let cases = [
-        (reference(), 10, [0.8878359, 4.3346322, 11.193374]),
-        (reference(), 20, [0.8904036, 4.3489152, 11.2329341]),
-        (reference_350t(), 10, [0.2996087, 3.0369401, 9.0699751]),
-        (reference_350t(), 20, [0.3000564, 3.0431939, 9.0903078]),
-    ];
-    for (description, segments, expected) in cases {
-        let got = bending(&description, &options(Method::Cardanic, segments));
-        // Seven digits are given.
-        check(
-            &got,
-            &expected,
-            2e-7,
-            &format!("cardanic, {segments} segments"),
-        );
-    }
-}
-
-#[test]
-fn cardanic_torsion_and_axial_are_those_of_the_papers_zhao_columns() {
-    // To the printed digit. The columns' bending entries are not matched by any k: theirs, 0.8857 4.2929 11.0090 for 20 segments, are
-    // 0.53, 1.3 and 2.0 % below ours.
-    let cases = [
-        (reference(), 10, 11.9013, 16.4770),
-        (reference(), 20, 11.9463, 16.5114),
-        (reference_350t(), 10, 11.9013, 7.1095),
-        (reference_350t(), 20, 11.9463, 7.1130),
-    ];
-    for (description, segments, torsion, axial) in cases {
-        let solution = solved(&description, &options(Method::Cardanic, segments));
-        let shown = |family| format!("{:.4}", frequencies(&solution, family)[0]);
-        assert_eq!(shown(Family::Torsion), format!("{torsion:.4}"));
-        assert_eq!(shown(Family::Axial), format!("{axial:.4}"));
-    }
-}
-
-#[test]
-fn lumped_gives_the_values_of_an_independent_dense_solution() {
-    let expected = [0.8905483969, 4.3432510318, 11.1815469657];
-    check(
-        &bending(&reference(), &options(Method::Lumped, 20)),
-        &expected,
-        1e-9,
-        "lumped",
-    );
-    let expected = [0.3000646260, 3.0394682000, 9.0494833116];
-    check(
-        &bending(&reference_350t(), &options(Method::Lumped, 20)),
-        &expected,
-        1e-9,
-        "lumped, 350 t",
-    );
 }
 
 /// log₂ of the ratio of successive differences for n, 2n and 4n segments in one bending frequency.
@@ -125,6 +58,21 @@ fn two_hinges_have_order_4_on_a_uniform_euler_bernoulli_beam() {
             };
             assert_order(order(&beam.description, &quarter, 20, 1), 2.0, "k = 1/4");
         }
+    }
+}
+
+#[test]
+fn bmodes_has_order_4_on_a_uniform_beam_and_2_on_a_taper() {
+    let beam = Uniform::new(0.02, None);
+    let base = options(Method::Bmodes, 0);
+    for mode in [1, 2, 3] {
+        let uniform = order(&beam.description, &base, 10, mode);
+        assert_order(uniform, 4.0, &format!("uniform {mode}"));
+        assert_order(
+            order(&reference(), &base, 40, mode),
+            2.0,
+            &format!("tapered {mode}"),
+        );
     }
 }
 

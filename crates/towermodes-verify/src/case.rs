@@ -1,0 +1,297 @@
+//! One case: a tower, its known answers, and the methods that should give them.
+
+use towermodes::{Family, Method, Options, Solution, Tower, TowerDescription, solve};
+
+use crate::manual::Chapter;
+use crate::row::Row;
+
+/// A tower with known answers.
+#[derive(Debug, Clone)]
+pub struct Case {
+    /// Where in the manual it stands.
+    pub chapter: Chapter,
+    /// What it is.
+    pub name: String,
+    /// Where the expected values are from.
+    pub source: &'static str,
+    /// The tower.
+    pub tower: TowerDescription,
+    /// What the values are multiples of.
+    pub unit: Unit,
+    /// What the last digit of an expected value means.
+    pub digits: Digits,
+    /// What is expected.
+    pub expected: Vec<Expected>,
+    /// Who should give it.
+    pub runs: Vec<Run>,
+}
+
+/// What a value is a multiple of.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Unit {
+    /// Its name: `Hz`, or `1` for a dimensionless frequency.
+    pub name: &'static str,
+    /// How much it is, Hz.
+    pub hz: f64,
+}
+
+impl Unit {
+    /// Values in Hz.
+    pub const HZ: Self = Self {
+        name: "Hz",
+        hz: 1.0,
+    };
+
+    /// Dimensionless values, as the literature has them, each worth so many Hz.
+    pub fn dimensionless(hz: f64) -> Self {
+        Self { name: "1", hz }
+    }
+}
+
+/// What the last digit of an expected value means.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Digits {
+    /// It was printed, so it was rounded: half a unit of it is left open.
+    Printed,
+    /// It was computed and is known to about one unit.
+    Computed,
+}
+
+/// A value that is expected of a mode.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Expected {
+    /// The family of the mode; fore-aft stands for both members of a pair where the planes are equal.
+    pub family: Family,
+    /// Its order in the family, from 1.
+    pub order: usize,
+    /// The value, in the case's unit.
+    pub value: f64,
+    /// Digits given after the decimal point.
+    pub decimals: usize,
+}
+
+impl Expected {
+    /// The values of the modes of one family from the first on, written as their source has them.
+    ///
+    /// # Panics
+    /// If a text is not a number: the manual itself would be wrong.
+    pub fn series(family: Family, values: &[&str]) -> Vec<Self> {
+        let series = values.iter().enumerate();
+        series
+            .map(|(index, text)| Self::of(family, index + 1, text))
+            .collect()
+    }
+
+    /// One value, written as its source has it.
+    ///
+    /// # Panics
+    /// As [`series`](Self::series).
+    pub fn of(family: Family, order: usize, text: &str) -> Self {
+        Self {
+            family,
+            order,
+            value: text.parse().expect("a number of the manual"),
+            decimals: text.split_once('.').map_or(0, |(_, digits)| digits.len()),
+        }
+    }
+
+    /// What it is a value of: "bending 2".
+    pub fn what(&self, planes_are_equal: bool) -> String {
+        let family = match self.family {
+            Family::ForeAft if planes_are_equal => "bending",
+            other => other.name(),
+        };
+        format!("{family} {}", self.order)
+    }
+
+    /// The families that have it: both bending planes if they are equal.
+    fn families(&self, planes_are_equal: bool) -> &'static [Family] {
+        match self.family {
+            Family::ForeAft if planes_are_equal => &[Family::ForeAft, Family::SideSide],
+            Family::ForeAft => &[Family::ForeAft],
+            Family::SideSide => &[Family::SideSide],
+            Family::Torsion => &[Family::Torsion],
+            _ => &[Family::Axial],
+        }
+    }
+
+    /// How much the digits given leave open, in the case's unit.
+    fn open(&self, digits: Digits) -> f64 {
+        let unit = 0.1_f64.powi(self.decimals as i32);
+        match digits {
+            // A printed value may lie on the edge of its rounding.
+            Digits::Printed => 0.5 * unit * (1.0 + 1e-9),
+            Digits::Computed => unit,
+        }
+    }
+}
+
+/// Which of a mode's frequencies is compared.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Value {
+    /// That of the model itself.
+    Frequency,
+    /// The one extrapolated from several numbers of segments.
+    Extrapolated,
+}
+
+/// A method that should give the expected values.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Run {
+    /// How the tower is solved; the number of modes is set as the case needs it.
+    pub options: Options,
+    /// Which frequency is compared.
+    pub value: Value,
+    /// What the method promises, relatively: the error that is left to it beside the digits of the source.
+    pub allowance: f64,
+}
+
+impl Run {
+    /// A method with so many segments, whose own frequencies are compared.
+    pub fn of(method: Method, segments: usize) -> Self {
+        Self {
+            options: Options {
+                method,
+                segments: Some(segments),
+                ..Options::default()
+            },
+            value: Value::Frequency,
+            allowance: 0.0,
+        }
+    }
+
+    /// The spectral beam, converged to 1e-10.
+    pub fn spectral() -> Self {
+        Self {
+            options: Options {
+                method: Method::Spectral,
+                ..Options::default()
+            },
+            value: Value::Frequency,
+            allowance: 1e-10,
+        }
+    }
+
+    /// A method extrapolated from so many segments, with an error of n⁻⁴ left.
+    pub fn extrapolated(method: Method, segments: usize, allowance: f64) -> Self {
+        Self {
+            value: Value::Extrapolated,
+            allowance,
+            ..Self::of(method, segments)
+        }
+    }
+
+    /// The same as an Euler-Bernoulli beam.
+    pub fn without_rotary_inertia(mut self) -> Self {
+        self.options.rotary_inertia = false;
+        self
+    }
+
+    /// The same with more left to the method.
+    pub fn allowing(mut self, allowance: f64) -> Self {
+        self.allowance = allowance;
+        self
+    }
+
+    /// The method with its segments: "rmje 20", "rmje-exact 400, extrapolated".
+    pub fn name(&self) -> String {
+        let method = self.options.method.name();
+        let segments = self.options.segments.map(|n| format!(" {n}"));
+        let extrapolated = match self.value {
+            Value::Frequency => "",
+            Value::Extrapolated => ", extrapolated",
+        };
+        format!("{method}{}{extrapolated}", segments.unwrap_or_default())
+    }
+}
+
+impl Case {
+    /// Solves the tower by every method and compares.
+    pub fn run(&self) -> Vec<Row> {
+        self.runs.iter().flat_map(|run| self.rows(run)).collect()
+    }
+
+    fn rows(&self, run: &Run) -> Vec<Row> {
+        let tower = Tower::new(self.tower.clone());
+        let planes_are_equal = tower.as_ref().is_ok_and(Tower::planes_are_equal);
+        let solution = match &tower {
+            Ok(tower) => self.solution(run, tower),
+            Err(error) => Err(error.to_string()),
+        };
+        let row = |expected: &Expected| Row {
+            chapter: self.chapter,
+            case: self.name.clone(),
+            source: self.source,
+            what: expected.what(planes_are_equal),
+            method: run.name(),
+            unit: self.unit.name,
+            expected: *expected,
+            got: match &solution {
+                Ok(solution) => self.got(run, solution, expected, planes_are_equal),
+                Err(error) => Err(error.clone()),
+            },
+            tolerance: run.allowance + expected.open(self.digits) / expected.value,
+        };
+        self.expected.iter().map(row).collect()
+    }
+
+    /// Solves for more and more modes until all expected ones are there.
+    fn solution(&self, run: &Run, tower: &Tower) -> Result<Solution, String> {
+        let mut modes = 2 * self.expected.len() + 4;
+        loop {
+            let options = Options {
+                modes,
+                points: 2,
+                ..run.options.clone()
+            };
+            let solution = match solve(tower, &options) {
+                Ok(solution) => solution,
+                Err(towermodes::SolveError::TooManyModes { available, .. })
+                    if modes > available =>
+                {
+                    modes = available;
+                    continue;
+                }
+                Err(error) => return Err(error.to_string()),
+            };
+            let has = |expected: &Expected| {
+                let mut families = expected.families(tower.planes_are_equal()).iter();
+                families.all(|&family| find(&solution, family, expected.order).is_some())
+            };
+            if modes >= solution.degrees_of_freedom || self.expected.iter().all(has) {
+                return Ok(solution);
+            }
+            modes *= 2;
+        }
+    }
+
+    /// What came out for a value; of a pair that there should be, both members.
+    fn got(
+        &self,
+        run: &Run,
+        solution: &Solution,
+        expected: &Expected,
+        planes_are_equal: bool,
+    ) -> Result<f64, String> {
+        let value = |family: Family| {
+            let mode = find(solution, family, expected.order)?;
+            let hz = match run.value {
+                Value::Frequency => mode.frequency_hz,
+                Value::Extrapolated => mode.extrapolated_hz,
+            };
+            Some(hz / self.unit.hz)
+        };
+        let got = value(expected.family).ok_or("the mode is not there")?;
+        let mut families = expected.families(planes_are_equal).iter();
+        if families.all(|&family| value(family) == Some(got)) {
+            Ok(got)
+        } else {
+            Err("the pair is not complete".into())
+        }
+    }
+}
+
+fn find(solution: &Solution, family: Family, order: usize) -> Option<&towermodes::Mode> {
+    let mut modes = solution.modes.iter();
+    modes.find(|mode| mode.family == family && mode.order == order)
+}

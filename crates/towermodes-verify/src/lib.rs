@@ -1,0 +1,22 @@
+//! The verification manual: towers and beams with known answers, and whether they come out.
+//!
+//! ```
+//! let case = &towermodes_verify::manual()[0];
+//! let rows = case.run();
+//! assert!(rows.iter().all(|row| row.passes()));
+//! assert_eq!(rows[0].expected.value, 0.8905);
+//! ```
+//!
+//! A [`Case`] is a tower, where its answers are from, and what each method should give. A tolerance is never chosen: it is what the last
+//! digit given leaves open, and what the run promises ([`Run::allowance`]).
+
+mod case;
+mod manual;
+mod markdown;
+mod row;
+pub mod towers;
+
+pub use case::{Case, Digits, Expected, Run, Unit, Value};
+pub use manual::{CHAPTERS, Chapter, manual};
+pub use markdown::markdown;
+pub use row::Row;

@@ -1,0 +1,47 @@
+//! The manual: every case, one chapter a file.
+
+mod bmodes;
+mod elements;
+mod paper;
+mod tapers;
+mod tips;
+mod tower;
+mod uniform;
+
+use crate::case::Case;
+
+/// A part of the manual.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Chapter {
+    /// Its name on the command line.
+    pub name: &'static str,
+    /// Its title.
+    pub title: &'static str,
+    /// What it is about, in a paragraph.
+    pub introduction: &'static str,
+}
+
+/// The chapters in their order.
+pub const CHAPTERS: [Chapter; 7] = [
+    paper::CHAPTER,
+    elements::CHAPTER,
+    bmodes::CHAPTER,
+    uniform::CHAPTER,
+    tips::CHAPTER,
+    tapers::CHAPTER,
+    tower::CHAPTER,
+];
+
+/// Every case in the order of the chapters.
+pub fn manual() -> Vec<Case> {
+    let chapters = [
+        paper::cases(),
+        elements::cases(),
+        bmodes::cases(),
+        uniform::cases(),
+        tips::cases(),
+        tapers::cases(),
+        tower::cases(),
+    ];
+    chapters.into_iter().flatten().collect()
+}

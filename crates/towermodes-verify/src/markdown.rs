@@ -1,0 +1,51 @@
+//! The manual as a chapter of the book.
+
+use std::fmt::Write;
+
+use crate::row::Row;
+
+/// All rows, chapter by chapter and case by case, as Markdown.
+pub fn markdown(rows: &[Row]) -> String {
+    let mut text = String::from(
+        "# Verification\n\n\
+         Every line is a value that is known from elsewhere and what the program gives for it. This chapter is printed by\n\
+         `towermodes verify --format markdown`; a test compares the two. A tolerance is not chosen: it is what the last digit of the\n\
+         expected value leaves open, and what the method promises.\n\n",
+    );
+    let failures = rows.iter().filter(|row| !row.passes()).count();
+    let _ = writeln!(
+        text,
+        "{} values, {} come out.",
+        rows.len(),
+        rows.len() - failures
+    );
+    for chapter in rows.chunk_by(|a, b| a.chapter == b.chapter) {
+        let _ = write!(
+            text,
+            "\n## {}\n\n{}\n",
+            chapter[0].chapter.title, chapter[0].chapter.introduction
+        );
+        for case in chapter.chunk_by(|a, b| (&a.case, a.source) == (&b.case, b.source)) {
+            let _ = write!(text, "\n**{}** ({})\n\n", case[0].case, case[0].source);
+            text.push_str("| method | mode | expected | got | difference | tolerance | |\n|---|---|---|---|---|---|---|\n");
+            for row in case {
+                let _ = writeln!(text, "| {} |", cells(row).join(" | "));
+            }
+        }
+    }
+    text
+}
+
+fn cells(row: &Row) -> [String; 7] {
+    let unit = if row.unit == "Hz" { " Hz" } else { "" };
+    let decimals = row.expected.decimals;
+    [
+        row.method.clone(),
+        row.what.clone(),
+        format!("{:.decimals$}{unit}", row.expected.value),
+        row.shown(),
+        row.shown_difference(),
+        format!("{:.0e}", row.tolerance),
+        row.verdict().into(),
+    ]
+}

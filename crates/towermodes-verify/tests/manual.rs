@@ -1,0 +1,85 @@
+//! The manual comes out, is in the book as it comes out, and would notice if it did not.
+
+use std::path::Path;
+
+use towermodes_verify::{CHAPTERS, Row, manual, markdown};
+
+fn rows() -> Vec<Row> {
+    manual().iter().flat_map(|case| case.run()).collect()
+}
+
+#[test]
+fn every_value_comes_out() {
+    let rows = rows();
+    let failed: Vec<String> = rows
+        .iter()
+        .filter(|row| !row.passes())
+        .map(|row| {
+            format!(
+                "{}, {}, {} by {}: expected {}, got {}, difference {} > {:.1e}",
+                row.chapter.name,
+                row.case,
+                row.what,
+                row.method,
+                row.expected.value,
+                row.shown(),
+                row.shown_difference(),
+                row.tolerance
+            )
+        })
+        .collect();
+    assert!(
+        failed.is_empty(),
+        "{} of {}:\n{}",
+        failed.len(),
+        rows.len(),
+        failed.join("\n")
+    );
+    assert!(rows.len() > 400, "{} rows: cases are missing", rows.len());
+    for chapter in CHAPTERS {
+        assert!(
+            rows.iter().any(|row| row.chapter == chapter),
+            "{}",
+            chapter.name
+        );
+    }
+}
+
+/// `TOWERMODES_OVERWRITE=1 cargo test -p towermodes-verify` writes the chapter as it comes out now.
+#[test]
+fn the_books_chapter_is_what_comes_out() {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../book/src/verification.md");
+    let printed = markdown(&rows());
+    if std::env::var_os("TOWERMODES_OVERWRITE").is_some() {
+        std::fs::write(&path, &printed).expect("writable");
+    }
+    let book = std::fs::read_to_string(&path).expect("the chapter");
+    assert_eq!(book, printed);
+}
+
+#[test]
+fn a_value_off_by_little_more_than_its_tolerance_fails() {
+    for case in manual() {
+        for run in &case.runs {
+            let mut wrong = case.clone();
+            wrong.runs = vec![run.clone()];
+            for (expected, row) in wrong.clone().run().iter().enumerate() {
+                wrong.expected[expected].value *= 1.0 + 2.5 * row.tolerance;
+            }
+            for row in wrong.run() {
+                assert!(!row.passes(), "{}, {}, {}", row.case, row.what, row.method);
+            }
+        }
+    }
+}
+
+#[test]
+fn a_wrong_tower_fails() {
+    let mut case = manual().remove(0);
+    case.tower.stations[0].wall_thickness_m *= 1.001;
+    assert!(case.run().iter().any(|row| !row.passes()));
+    case.tower.stations[0].wall_thickness_m = 4.0;
+    let rows = case.run();
+    assert!(rows.iter().all(|row| !row.passes()));
+    assert!(rows[0].shown().contains("less than twice the wall"));
+}

@@ -1,0 +1,213 @@
+//! Chains of flexible elements: the O(n) algorithms against dense matrices, the degree, fine meshes, planes that differ.
+
+mod towers;
+
+use nalgebra::{DMatrix, SymmetricEigen};
+use towermodes::beam::{
+    Beam, BeamPencil, BeamPencilWorkspace, BeamRecipe, BeamWorkspace, DecoupledBeams,
+    assemble_beams,
+};
+use towermodes::chain::{Dim, Space};
+use towermodes::eigen::Pencil;
+use towermodes::elements::{Borders, Mesh};
+use towermodes::tower::{Properties, Section};
+use towermodes::{Family, Method, Options, Planes, Tower, TowerDescription};
+use towers::{assert_close, elliptic, frequencies, reference, reference_350t, rich, solved};
+
+fn spectral(degree: usize) -> BeamRecipe {
+    BeamRecipe::Spectral {
+        degree,
+        rotary_inertia: true,
+    }
+}
+
+fn beams(description: &TowerDescription, segments: usize, recipe: BeamRecipe) -> DecoupledBeams {
+    let tower = Tower::new(description.clone()).expect("a valid tower");
+    let mesh = Mesh::new(&tower, Borders::Pieces, segments);
+    let (mut beams, mut work) = (DecoupledBeams::default(), BeamWorkspace::default());
+    assemble_beams(&tower, &mesh, recipe, &mut work, &mut beams);
+    beams
+}
+
+/// ω² of a beam, rising, from its dense inertia: 1/λ are the eigenvalues of M because K is the identity.
+fn dense_eigenvalues<const D: usize>(beam: &Beam<D>) -> Vec<f64>
+where
+    Dim<D>: Space,
+{
+    let mut work = BeamPencilWorkspace::default();
+    let mut pencil = BeamPencil::new(beam, &mut work);
+    let size = pencil.size();
+    let mut mass = DMatrix::zeros(size, size);
+    let mut unit = vec![0.0; size];
+    for column in 0..size {
+        unit[column] = 1.0;
+        pencil.mass_times(&unit, mass.column_mut(column).as_mut_slice());
+        unit[column] = 0.0;
+    }
+    let asymmetry = (&mass - mass.transpose()).norm() / mass.norm();
+    assert!(asymmetry < 1e-14, "asymmetry {asymmetry:e}");
+    let eigen = SymmetricEigen::new(mass);
+    let mut lambdas: Vec<f64> = eigen.eigenvalues.iter().map(|theta| 1.0 / theta).collect();
+    lambdas.sort_by(f64::total_cmp);
+    lambdas
+}
+
+fn check_counts<const D: usize>(beam: &Beam<D>, case: &str)
+where
+    Dim<D>: Space,
+{
+    let lambdas = dense_eigenvalues(beam);
+    let mut work = BeamPencilWorkspace::default();
+    let mut pencil = BeamPencil::new(beam, &mut work);
+    // Dense eigenvalues are exact to ε λ_max only.
+    let usable = lambdas
+        .iter()
+        .take_while(|&&l| l > 0.0 && l < 1e9 * lambdas[0]);
+    for (index, pair) in usable.collect::<Vec<_>>().windows(2).enumerate() {
+        if pair[1] / pair[0] > 1.0 + 1e-4 {
+            let shift = 0.5 * (pair[0] + pair[1]);
+            assert_eq!(pencil.count_below(shift), index + 1, "{case} at {shift}");
+        }
+    }
+    assert_eq!(pencil.count_below(0.5 * lambdas[0]), 0, "{case}");
+}
+
+#[test]
+fn inertia_counts_equal_dense_eigenvalue_counts() {
+    for (name, description) in [
+        ("reference", reference_350t()),
+        ("rich", rich()),
+        ("elliptic", elliptic()),
+    ] {
+        for (recipe, segments) in [(BeamRecipe::Bmodes, 12), (spectral(3), 8), (spectral(9), 1)] {
+            let beams = beams(&description, segments, recipe);
+            let case = format!("{name}, {recipe:?}");
+            check_counts(&beams.fore_aft, &case);
+            check_counts(&beams.torsion, &case);
+            check_counts(&beams.axial, &case);
+            if !beams.planes_are_equal() {
+                check_counts(&beams.side_side, &case);
+            }
+        }
+    }
+}
+
+/// Relative errors of the first three bending modes of the reference tower at a degree, as an Euler-Bernoulli beam.
+fn errors_at(degree: usize) -> [f64; 3] {
+    let recipe = BeamRecipe::Spectral {
+        degree,
+        rotary_inertia: false,
+    };
+    let lambdas = dense_eigenvalues(&beams(&reference(), 1, recipe).fore_aft);
+    let exact = [0.892169154365, 4.378139643592, 11.400647435166];
+    std::array::from_fn(|mode| lambdas[mode].sqrt() / std::f64::consts::TAU / exact[mode] - 1.0)
+}
+
+#[test]
+fn the_spectral_error_falls_exponentially_with_the_degree() {
+    // A Ritz value is never too low, and four degrees more are worth two digits and more until rounding is left: an algebraic order
+    // would have to be 9 from 6 to 10 and 11 from 8 to 12.
+    for degree in [5, 6, 7, 8, 9] {
+        let (coarse, fine) = (errors_at(degree), errors_at(degree + 4));
+        for (mode, (coarse, fine)) in coarse.into_iter().zip(fine).enumerate() {
+            let case = format!("mode {mode}, degree {degree}: {coarse:e} to {fine:e}");
+            assert!(fine > -1e-12, "{case}");
+            assert!(fine < 0.01 * coarse || fine < 1e-12, "{case}");
+        }
+    }
+    assert!(errors_at(13).into_iter().all(|error| error < 1e-10));
+}
+
+#[test]
+fn a_hundred_thousand_elements_of_bmodes_keep_their_digits() {
+    let options = Options {
+        method: Method::Bmodes,
+        segments: Some(100_000),
+        ..Options::default()
+    };
+    let got = frequencies(&solved(&reference(), &options), Family::ForeAft);
+    // The order is 2, so what is left is 1e-4 of what 1000 elements leave: 1e-10.
+    let expected = [0.892169154365, 4.378139643592, 11.400647435166];
+    for (got, expected) in got.iter().zip(expected) {
+        assert_close(*got, expected, 2e-10, "bmodes");
+    }
+}
+
+/// The elliptic tower with both planes as one of them is.
+fn as_plane(pick: impl Fn(Planes<f64>) -> f64) -> TowerDescription {
+    let mut tower = elliptic();
+    let both = |planes| Planes::both(pick(planes));
+    for row in &mut tower.properties {
+        let properties: &mut Properties = &mut row.properties;
+        properties.bending_n_m2 = both(properties.bending_n_m2);
+        properties.rotary_inertia_kg_m = both(properties.rotary_inertia_kg_m);
+        properties.shear_n = properties.shear_n.map(both);
+    }
+    tower
+}
+
+#[test]
+fn each_plane_of_a_table_is_solved_as_if_the_other_were_not_there() {
+    let (fore_aft, side_side) = (as_plane(|p| p.fore_aft), as_plane(|p| p.side_side));
+    for method in Method::ALL {
+        let options = Options {
+            method,
+            modes: 9,
+            ..Options::default()
+        };
+        let together = solved(&elliptic(), &options);
+        for (alone, family) in [(&fore_aft, Family::ForeAft), (&side_side, Family::SideSide)] {
+            let got = frequencies(&together, family);
+            let expected = frequencies(&solved(alone, &options), family);
+            assert!(got.len() >= 2, "{}", method.name());
+            for (got, expected) in got.iter().zip(&expected) {
+                assert_close(*got, *expected, 1e-11, method.name());
+            }
+        }
+    }
+}
+
+#[test]
+fn every_method_has_the_limit_of_a_table_with_two_planes_steps_and_shear() {
+    let with = |method, segments| Options {
+        method,
+        segments,
+        modes: 8,
+        rotary_inertia: true,
+        ..Options::default()
+    };
+    let truth = solved(&elliptic(), &with(Method::Spectral, None));
+    let segmented = [
+        Method::RmjeExact,
+        Method::CardanicExact,
+        Method::Cardanic,
+        Method::Lumped,
+    ];
+    for method in segmented {
+        let got = solved(&elliptic(), &with(method, Some(400)));
+        for (got, truth) in got.modes.iter().zip(&truth.modes) {
+            assert_eq!((got.family, got.order), (truth.family, truth.order));
+            assert_close(got.extrapolated_hz, truth.frequency_hz, 2e-7, method.name());
+        }
+    }
+}
+
+#[test]
+fn a_table_of_a_tubes_rows_has_the_tubes_section_at_them() {
+    let tube = Tower::new(reference()).expect("a valid tower");
+    let table = Tower::new(towers::reference_table(1.0, 0.0)).expect("a valid tower");
+    for row in table.properties() {
+        let of =
+            |tower: &Tower| -> Section { tower.piece_at(row.height_m).section_at(row.height_m) };
+        let (tube, table) = (of(&tube), of(&table));
+        let close = |a: f64, b: f64| assert_close(a, b, 1e-13, "section");
+        close(table.masses.mass_kg_per_m, tube.masses.mass_kg_per_m);
+        close(
+            table.masses.polar_inertia_kg_m,
+            tube.masses.polar_inertia_kg_m,
+        );
+        close(table.bending_n_m2.fore_aft, tube.bending_n_m2.fore_aft);
+        close(table.torsion_n_m2, tube.torsion_n_m2);
+        close(table.axial_n, tube.axial_n);
+    }
+}
