@@ -16,6 +16,15 @@ pub(crate) enum Failure {
     Mistakes(Source, Vec<Diagnostic>),
     /// The request is impossible or the computation failed.
     Unsolved(SolveError),
+    /// The arguments do not go together.
+    Usage(&'static str),
+    /// Values of the manual did not come out.
+    Unverified {
+        /// How many.
+        failures: usize,
+        /// Of how many.
+        values: usize,
+    },
     /// The result would overwrite the input.
     OverwritesInput(String),
     /// The result could not be written.
@@ -35,6 +44,11 @@ impl Failure {
             Self::Unsolved(error) => {
                 say(&message(Level::ERROR, &error.to_string(), hint(error)));
             }
+            Self::Usage(text) => say(&message(Level::ERROR, text, None)),
+            Self::Unverified { failures, values } => {
+                let text = format!("{failures} of {values} values did not come out");
+                say(&message(Level::ERROR, &text, Some("look for FAIL above")));
+            }
             Self::OverwritesInput(path) => {
                 let text = format!("{path} is the tower itself; the result would overwrite it");
                 say(&message(
@@ -53,7 +67,7 @@ impl Failure {
     fn code(&self) -> u8 {
         match self {
             Self::Unsolved(error) if !error.is_usage() => 1,
-            Self::Unwritable(..) => 1,
+            Self::Unwritable(..) | Self::Unverified { .. } => 1,
             _ => 2,
         }
     }

@@ -4,11 +4,15 @@
 //! wrong input.
 
 mod args;
+mod compare;
+mod converge;
 mod failure;
+mod input;
 mod output;
 mod shell;
 mod solve;
 mod table;
+mod verify;
 
 use std::process::ExitCode;
 
@@ -24,7 +28,10 @@ fn main() -> ExitCode {
     let done = match arguments.command {
         Command::Solve(arguments) => solve::run(&arguments),
         Command::Completions { shell } => shell::completions(shell),
-        Command::Schema => shell::schema(),
+        Command::Compare(arguments) => compare::run(&arguments),
+        Command::Converge(arguments) => converge::run(&arguments),
+        Command::Verify(arguments) => verify::run(&arguments),
+        Command::Schema { of } => shell::schema(&of),
         Command::Man { of } => shell::man(of.as_deref()),
     };
     match done {

@@ -1,7 +1,8 @@
 //! Where results go.
 
-use std::io::Write;
+use std::io::{IsTerminal, Write};
 use std::path::Path;
+use std::time::{Duration, Instant};
 
 use same_file::Handle;
 
@@ -37,5 +38,34 @@ pub(crate) fn check_not_input(input: &Path, output: Option<&Path>) -> Result<(),
             Err(Failure::OverwritesInput(output.display().to_string()))
         }
         _ => Ok(()),
+    }
+}
+
+/// Work that takes no longer than this is done without a word.
+const QUIET: Duration = Duration::from_secs(1);
+
+/// Says what is done, to people who wait.
+pub(crate) struct Progress {
+    started: Instant,
+    is_watched: bool,
+}
+
+impl Progress {
+    /// From now on.
+    pub(crate) fn start() -> Self {
+        Self {
+            started: Instant::now(),
+            is_watched: std::io::stderr().is_terminal(),
+        }
+    }
+
+    /// Says that something is done, if somebody has waited for long.
+    pub(crate) fn say(&self, what: &str) {
+        if self.is_watched && self.started.elapsed() > QUIET {
+            anstream::eprintln!(
+                "done: {what} ({:.1} s)",
+                self.started.elapsed().as_secs_f64()
+            );
+        }
     }
 }

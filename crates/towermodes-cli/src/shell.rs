@@ -2,6 +2,7 @@
 
 use clap::CommandFactory;
 use clap_complete::Shell;
+use towermodes_files::{ResultKind, write_json_schema};
 
 use crate::args::Arguments;
 use crate::failure::Failure;
@@ -14,10 +15,16 @@ pub(crate) fn completions(shell: Shell) -> Result<(), Failure> {
     deliver(&script, None)
 }
 
-/// `towermodes schema`.
-pub(crate) fn schema() -> Result<(), Failure> {
+/// `towermodes schema [COMMAND]`.
+pub(crate) fn schema(of: &str) -> Result<(), Failure> {
+    let kind = match of {
+        "compare" => ResultKind::Comparison,
+        "converge" => ResultKind::Convergence,
+        "verify" => ResultKind::Verification,
+        _ => ResultKind::Solution,
+    };
     let mut schema = Vec::new();
-    towermodes_files::write_json_schema(&mut schema)?;
+    write_json_schema(kind, &mut schema)?;
     deliver(&schema, None)
 }
 

@@ -126,36 +126,170 @@ fn json_gives_shapes_at_equal_heights_and_at_the_stations() {
     );
 }
 
+/// The commands whose results have schemas, with arguments that make a result.
+const RESULTS: [&[&str]; 4] = [
+    &["solve", "examples/reference-tower.toml"],
+    &["compare", "examples/reference-tower.toml", "--modes", "2"],
+    &[
+        "converge",
+        "examples/reference-tower.toml",
+        "--segments",
+        "4,8",
+    ],
+    &["verify", "paper"],
+];
+
 #[test]
-fn the_schema_in_the_book_is_the_programs_own() {
-    let in_book = std::fs::read(root().join("book/src/solve.schema.json")).expect("the schema");
+fn the_schemas_in_the_book_are_the_programs_own() {
+    for command in RESULTS.map(|arguments| arguments[0]) {
+        let path = format!("book/src/{command}.schema.json");
+        let in_book = std::fs::read(root().join(&path)).expect("the schema");
+        assert!(
+            output(&["schema", command]).stdout == in_book,
+            "run: towermodes schema {command} > {path}"
+        );
+    }
+}
+
+/// The keys of an object, in the order of the alphabet.
+fn keys(value: &Value) -> Vec<String> {
+    value
+        .as_object()
+        .expect("an object")
+        .keys()
+        .cloned()
+        .collect()
+}
+
+/// Compares the keys of a value with its schema, and those of the objects inside it.
+fn check_keys(value: &Value, schema: &Value, definitions: &Value, path: &str) {
+    let named = schema["$ref"]
+        .as_str()
+        .and_then(|name| name.rsplit('/').next());
+    let schema = named.map_or(schema, |name| &definitions[name]);
+    match value {
+        Value::Object(entries) => {
+            assert_eq!(keys(&schema["properties"]), keys(value), "{path}");
+            for (key, value) in entries {
+                let path = format!("{path}.{key}");
+                check_keys(value, &schema["properties"][key], definitions, &path);
+            }
+        }
+        Value::Array(items) => {
+            let of_items = &schema["items"];
+            assert!(!of_items.is_null(), "{path}");
+            items
+                .iter()
+                .for_each(|item| check_keys(item, of_items, definitions, path));
+        }
+        _ => {}
+    }
+}
+
+#[test]
+fn the_schemas_name_every_key() {
+    for arguments in RESULTS {
+        let schema = json(&["schema", arguments[0]]);
+        let result = json(&[arguments, &["--format", "json"]].concat());
+        check_keys(&result, &schema, &schema["$defs"], arguments[0]);
+    }
+}
+
+#[test]
+fn a_comparison_has_a_column_for_each_method_and_number_of_segments() {
+    let file = "examples/reference-tower.toml";
+    let result = json(&["compare", file, "--segments", "20,60", "--format", "json"]);
+    let methods = result["methods"].as_array().expect("a list");
+    // Six methods with two numbers each, and the spectral beam once.
+    assert_eq!(methods.len(), 13);
+    let of = |name: &str, segments: usize| {
+        let mut methods = methods.iter();
+        methods
+            .find(|m| m["method"] == name && m["segments"] == segments)
+            .expect("a column")
+    };
+    close(&of("rmje", 60)["frequencies_hz"][0], 0.89118235, 1e-8);
+    close(&of("lumped", 20)["frequencies_hz"][1], 4.3432510318, 1e-9);
+    assert_eq!(of("bmodes", 20)["degrees_of_freedom"], 180);
+    assert_eq!(of("spectral", 1)["relative_differences"][0], 0.0);
+    let difference = of("bmodes", 60)["relative_differences"][2].as_f64();
     assert!(
-        output(&["schema"]).stdout == in_book,
-        "run: towermodes schema > book/src/solve.schema.json"
+        difference.is_some_and(|d| (d - 0.0136).abs() < 1e-4),
+        "{difference:?}"
+    );
+    for method in methods {
+        assert!(
+            method["seconds_per_solve"]
+                .as_f64()
+                .is_some_and(|s| s > 0.0)
+        );
+        assert_eq!(method["frequencies_hz"].as_array().map(Vec::len), Some(5));
+    }
+}
+
+#[test]
+fn a_method_too_coarse_for_a_mode_says_so() {
+    let file = "examples/reference-tower.toml";
+    let result = json(&[
+        "compare",
+        file,
+        "--methods",
+        "rmje",
+        "--segments",
+        "1",
+        "--modes",
+        "20",
+        "--format",
+        "json",
+    ]);
+    let frequencies = result["methods"][0]["frequencies_hz"]
+        .as_array()
+        .expect("a list");
+    assert!(frequencies[0].is_number());
+    assert!(frequencies.last().is_some_and(Value::is_null));
+}
+
+#[test]
+fn convergence_has_errors_and_orders() {
+    let result = json(&[
+        "converge",
+        "examples/reference-tower.toml",
+        "--method",
+        "bmodes",
+        "--segments",
+        "20,40,80",
+        "--format",
+        "json",
+    ]);
+    assert_eq!(result["limit_has_rotary_inertia"], false);
+    close(&result["modes"][0]["frequency_hz"], 0.892169154365, 1e-10);
+    let last = &result["levels"][2];
+    close(&last["observed_orders"][0], 2.0, 0.01);
+    close(&last["frequencies_hz"][0], 0.892115364, 1e-8);
+    assert!(result["levels"][0]["observed_orders"][0].is_null());
+}
+
+#[test]
+fn the_manual_is_in_the_book_as_the_program_prints_it() {
+    let in_book = std::fs::read(root().join("book/src/verification.md")).expect("the chapter");
+    let output = output(&["verify", "--format", "markdown"]);
+    assert!(output.status.success());
+    assert!(
+        output.stdout == in_book,
+        "run: towermodes verify --format markdown > book/src/verification.md"
     );
 }
 
 #[test]
-fn the_schema_names_every_key() {
-    let schema = json(&["schema"]);
-    let result = json(&["solve", "examples/reference-tower.toml", "--format", "json"]);
-    let keys = |value: &Value| {
-        value
-            .as_object()
-            .expect("an object")
-            .keys()
-            .cloned()
-            .collect::<Vec<_>>()
-    };
-    assert_eq!(keys(&schema["properties"]), keys(&result));
-    let definitions = &schema["$defs"];
+fn the_manual_as_csv_has_one_line_a_value() {
+    let output = output(&["verify", "--format", "csv"]);
+    let text = String::from_utf8(output.stdout).expect("text");
+    assert!(text.starts_with("chapter,case,source,method,mode,unit,expected,got,"));
+    let rows = json(&["verify", "--format", "json"]);
+    assert_eq!(rows["failures"], 0);
     assert_eq!(
-        keys(&definitions["ModeJson"]["properties"]),
-        keys(&result["modes"][0])
-    );
-    assert_eq!(
-        keys(&definitions["ShapeJson"]["properties"]),
-        keys(&result["modes"][0]["shape"])
+        rows["values"].as_u64(),
+        Some(text.lines().count() as u64 - 1)
     );
 }
 

@@ -27,6 +27,10 @@ mod source;
 mod toml;
 
 pub use diagnostic::Diagnostic;
-pub use result::{ResultError, write_csv, write_json, write_json_schema};
+pub use result::{
+    ResultError, ResultKind, write_comparison_csv, write_comparison_json, write_convergence_csv,
+    write_convergence_json, write_csv, write_json, write_json_schema, write_verification_csv,
+    write_verification_json,
+};
 pub use source::{MAX_FILE_BYTES, ReadError, Source};
 pub use toml::tower_from_toml;

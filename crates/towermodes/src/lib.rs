@@ -32,6 +32,7 @@ mod method;
 pub mod modes;
 mod number;
 mod solve;
+pub mod study;
 pub mod tower;
 mod warning;
 
@@ -39,9 +40,9 @@ pub use eigen::{EigenError, Statistics};
 pub use method::Method;
 pub use modes::{Family, ShapePoint};
 pub use solve::{
-    Certificate, DEFAULT_MODES, DEFAULT_POINTS, DEFAULT_SEGMENTS, MAX_POINTS, MAX_SEGMENTS,
-    MAX_SPECTRAL_ELEMENTS, MAX_VECTOR_BYTES, Mode, Options, Solution, SolveError, Workspace, solve,
-    solve_with,
+    Certificate, DEFAULT_MODES, DEFAULT_POINTS, DEFAULT_SEGMENTS, MAX_DEGREE, MAX_POINTS,
+    MAX_SEGMENTS, MAX_SPECTRAL_ELEMENTS, MAX_VECTOR_BYTES, Mode, Options, Solution, SolveError,
+    Workspace, solve, solve_with,
 };
 pub use tower::{
     Inertia, Material, Place, Planes, PointMass, Problem, Properties, PropertyStation, Rna, Shear,

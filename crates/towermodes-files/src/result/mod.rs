@@ -1,11 +1,22 @@
 //! Results as other programs read them.
 
-mod csv;
-mod json;
+mod comparison;
+mod convergence;
+mod schema;
+mod solution_csv;
+mod solution_json;
+mod verification;
 
-pub use csv::write_csv;
-pub use json::{write_json, write_json_schema};
+pub use comparison::{write_comparison_csv, write_comparison_json};
+pub use convergence::{write_convergence_csv, write_convergence_json};
+pub use schema::{ResultKind, write_json_schema};
+pub use solution_csv::write_csv;
+pub use solution_json::write_json;
+pub use verification::{write_verification_csv, write_verification_json};
 
+use std::io::Write;
+
+use serde::Serialize;
 use thiserror::Error;
 
 /// Why a result could not be written.
@@ -21,4 +32,11 @@ pub enum ResultError {
     /// CSV could not be made.
     #[error(transparent)]
     Csv(#[from] ::csv::Error),
+}
+
+/// Indented JSON with a newline at the end.
+fn write_pretty(value: &impl Serialize, mut writer: impl Write) -> Result<(), ResultError> {
+    serde_json::to_writer_pretty(&mut writer, value)?;
+    writeln!(writer)?;
+    Ok(())
 }

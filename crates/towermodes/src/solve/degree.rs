@@ -6,6 +6,7 @@ use super::solution::Solution;
 use super::spectrum::Found;
 use super::warnings::warnings;
 use super::{Workspace, certificate, shapes, solve_cut, within_limit};
+use crate::eigen::Statistics;
 use crate::elements::Mesh;
 use crate::tower::Tower;
 
@@ -14,34 +15,45 @@ const CONVERGED: f64 = 1e-10;
 /// How much the degree is raised at a time.
 const STEP: usize = 2;
 /// Above this degree elements are halved instead: their matrices are full.
-const MAX_DEGREE: usize = 30;
+const HIGHEST_DEGREE: usize = 30;
 /// More modes an element than this are a matter of more elements, not of a higher degree.
 const MODES_AN_ELEMENT: usize = 20;
 
-/// Solves with rising degree until the modes asked for have converged; the last change is the estimate of the error.
+/// A cut that is solved, with the change from a coarser or to a finer one, Hz a mode.
+struct Solved {
+    cut: Cut,
+    found: Vec<Found>,
+    changes_hz: Vec<f64>,
+}
+
+/// Solves with rising degree until the modes asked for have converged, or with the degree asked for; the change from one degree to the
+/// next is the estimate of the error.
 pub(super) fn solve(
     tower: &Tower,
     options: &Options,
     workspace: &mut Workspace,
 ) -> Result<Solution, SolveError> {
-    let mut cut = first_cut(tower, options)?;
-    let mut found = solve_cut(tower, &cut, options, workspace)?;
-    let mut statistics = workspace.spectrum.statistics;
-    let changes = loop {
-        cut = finer(cut, options);
-        let finer = solve_cut(tower, &cut, options, workspace)?;
+    let mut statistics = Statistics::default();
+    let mut solve_cut = |cut: &Cut, workspace: &mut Workspace| {
+        let found = solve_cut(tower, cut, options, workspace)?;
         statistics += workspace.spectrum.statistics;
-        let changes = changes(&finer[..options.modes], &found);
-        found = finer;
-        if have_converged(&changes, &found) || !can_be_finer(&cut, options) {
-            break changes;
-        }
+        Ok::<_, SolveError>(found)
+    };
+    let first = first_cut(tower, options)?;
+    let solve = |cut: &Cut| solve_cut(cut, workspace);
+    let Solved {
+        cut,
+        found,
+        changes_hz,
+    } = match options.degree {
+        None => raise(first, options, solve)?,
+        Some(degree) => fix(Cut { degree, ..first }, options, solve)?,
     };
     let Workspace { model, spectrum } = workspace;
     let proof = spectrum.prove(model, &found, options.modes)?;
     let degrees_of_freedom = model.degrees_of_freedom();
     let mut modes = shapes(tower, &cut.mesh, options, &found, workspace);
-    for (mode, change_hz) in modes.iter_mut().zip(changes) {
+    for (mode, change_hz) in modes.iter_mut().zip(changes_hz) {
         mode.discretization_error_hz = change_hz;
     }
     let warnings = warnings(tower, &cut.mesh, options, &modes, &found);
@@ -55,6 +67,48 @@ pub(super) fn solve(
         warnings,
         statistics,
     })
+}
+
+/// Solves with one degree, after the next one, which says how far it is off.
+fn fix(
+    cut: Cut,
+    options: &Options,
+    mut solve: impl FnMut(&Cut) -> Result<Vec<Found>, SolveError>,
+) -> Result<Solved, SolveError> {
+    let finer = solve(&Cut {
+        degree: cut.degree + STEP,
+        ..cut.clone()
+    })?;
+    let found = solve(&cut)?;
+    let changes_hz = changes(&found[..options.modes], &finer);
+    Ok(Solved {
+        cut,
+        found,
+        changes_hz,
+    })
+}
+
+/// Raises the degree until the modes asked for have converged.
+fn raise(
+    first: Cut,
+    options: &Options,
+    mut solve: impl FnMut(&Cut) -> Result<Vec<Found>, SolveError>,
+) -> Result<Solved, SolveError> {
+    let mut cut = first;
+    let mut found = solve(&cut)?;
+    loop {
+        cut = finer(cut, options);
+        let finer = solve(&cut)?;
+        let changes_hz = changes(&finer[..options.modes], &found);
+        found = finer;
+        if have_converged(&changes_hz, &found) || !can_be_finer(&cut, options) {
+            return Ok(Solved {
+                cut,
+                found,
+                changes_hz,
+            });
+        }
+    }
 }
 
 /// One element a linear piece, or as many as told, of a degree that may do.
@@ -87,7 +141,7 @@ fn first_degree(modes: usize, elements: usize) -> usize {
 
 /// The next finer cut: a higher degree, or elements of half the length.
 fn finer(cut: Cut, options: &Options) -> Cut {
-    if cut.degree + STEP <= MAX_DEGREE {
+    if cut.degree + STEP <= HIGHEST_DEGREE {
         return Cut {
             degree: cut.degree + STEP,
             ..cut
@@ -102,19 +156,20 @@ fn finer(cut: Cut, options: &Options) -> Cut {
 
 fn can_be_finer(cut: &Cut, options: &Options) -> bool {
     let elements = cut.mesh.segments();
-    cut.degree + STEP <= MAX_DEGREE || 2 * elements <= MAX_SPECTRAL_ELEMENTS.min(64 * options.modes)
+    cut.degree + STEP <= HIGHEST_DEGREE
+        || 2 * elements <= MAX_SPECTRAL_ELEMENTS.min(64 * options.modes)
 }
 
-/// How far each mode moved since the coarser cut, Hz; all of its frequency if it was not there.
-fn changes(finer: &[Found], coarser: &[Found]) -> Vec<f64> {
+/// How far each mode is from what it is on another cut, Hz; all of its frequency if it is not there.
+fn changes(modes: &[Found], others: &[Found]) -> Vec<f64> {
     let change = |found: &Found| {
-        let before = coarser
+        let other = others
             .iter()
             .find(|other| other.family == found.family && other.order == found.order);
-        let before_hz = before.map_or(0.0, |before| before.eigenvalue.frequency_hz());
-        (before_hz - found.eigenvalue.frequency_hz()).abs()
+        let other_hz = other.map_or(0.0, |other| other.eigenvalue.frequency_hz());
+        (other_hz - found.eigenvalue.frequency_hz()).abs()
     };
-    finer.iter().map(change).collect()
+    modes.iter().map(change).collect()
 }
 
 /// Whether no change is above the tolerance, or above what the eigenvalues are known to.

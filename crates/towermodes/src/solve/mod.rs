@@ -9,7 +9,7 @@ mod spectrum;
 mod warnings;
 
 pub use options::{
-    DEFAULT_MODES, DEFAULT_POINTS, DEFAULT_SEGMENTS, MAX_POINTS, MAX_SEGMENTS,
+    DEFAULT_MODES, DEFAULT_POINTS, DEFAULT_SEGMENTS, MAX_DEGREE, MAX_POINTS, MAX_SEGMENTS,
     MAX_SPECTRAL_ELEMENTS, MAX_VECTOR_BYTES, Options, SolveError,
 };
 pub use solution::{Certificate, Mode, Solution};

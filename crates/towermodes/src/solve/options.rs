@@ -18,6 +18,8 @@ pub const DEFAULT_POINTS: usize = 101;
 pub const MAX_SEGMENTS: usize = 2_000_000;
 /// More elements of the spectral beam than this are refused: each holds a full matrix, and a few have no error but rounding.
 pub const MAX_SPECTRAL_ELEMENTS: usize = 10_000;
+/// A higher degree of the elements of the spectral beam than this is refused; more elements do more.
+pub const MAX_DEGREE: usize = 60;
 /// More heights than this are refused.
 pub const MAX_POINTS: usize = 1_000_000;
 /// Eigenvectors, with the vectors they are made from, or shapes that would take more memory than this, in bytes, are refused.
@@ -30,6 +32,8 @@ pub struct Options {
     pub method: Method,
     /// Number of segments; `None` is [`DEFAULT_SEGMENTS`] and two more for each short span between steps, kinks and masses.
     pub segments: Option<usize>,
+    /// Polynomial degree of the elements of the spectral beam, 2 to [`MAX_DEGREE`]; `None` raises it until the modes stand still.
+    pub degree: Option<usize>,
     /// How many modes, from the lowest.
     pub modes: usize,
     /// At how many equal heights, base and top included, shapes are given.
@@ -45,6 +49,7 @@ impl Default for Options {
         Self {
             method: Method::default(),
             segments: None,
+            degree: None,
             modes: DEFAULT_MODES,
             points: DEFAULT_POINTS,
             rotary_inertia: true,
@@ -58,6 +63,12 @@ impl Options {
     pub(super) fn check(&self) -> Result<(), SolveError> {
         if self.modes == 0 {
             return Err(SolveError::NoModes);
+        }
+        if let Some(degree) = self
+            .degree
+            .filter(|degree| !(2..=MAX_DEGREE).contains(degree))
+        {
+            return Err(SolveError::Degree { degree });
         }
         if !(2..=MAX_POINTS).contains(&self.points) {
             return Err(SolveError::Points {
@@ -135,6 +146,17 @@ pub enum SolveError {
         /// The most that the method takes.
         most: usize,
     },
+    /// A degree of the spectral beam that cannot be.
+    #[error(
+        "elements of degree {degree} cannot be used; the degree must be from 2 to {MAX_DEGREE}"
+    )]
+    Degree {
+        /// The degree asked for.
+        degree: usize,
+    },
+    /// A method without shear deformation where only one that has it makes sense.
+    #[error("BModes has no shear deformation, so it converges to no beam of a tower that shears")]
+    NoShear,
     /// No modes asked for.
     #[error("no modes were asked for; the least is 1")]
     NoModes,

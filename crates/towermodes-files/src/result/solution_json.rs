@@ -6,12 +6,12 @@ use schemars::JsonSchema;
 use serde::Serialize;
 use towermodes::{Certificate, Mode, ShapePoint, Solution, Tower};
 
-use super::ResultError;
+use super::{ResultError, write_pretty};
 
 /// The result of `towermodes solve --format json`. Keys are stable: new ones may be added, none is renamed.
 #[derive(Serialize, JsonSchema)]
 #[schemars(title = "towermodes solution")]
-struct SolutionJson<'a> {
+pub(super) struct SolutionJson<'a> {
     /// The method, by its name on the command line.
     method: &'static str,
     /// Number of segments, or of elements.
@@ -115,16 +115,6 @@ struct SolverJson {
     restarts: usize,
 }
 
-/// The JSON schema of [`write_json`]'s output, indented, with a newline at the end.
-///
-/// # Errors
-/// [`ResultError`] if the writer refuses.
-pub fn write_json_schema(mut writer: impl Write) -> Result<(), ResultError> {
-    serde_json::to_writer_pretty(&mut writer, &schemars::schema_for!(SolutionJson<'static>))?;
-    writeln!(writer)?;
-    Ok(())
-}
-
 /// Writes a solution as indented JSON with a newline at the end.
 ///
 /// # Errors
@@ -132,11 +122,9 @@ pub fn write_json_schema(mut writer: impl Write) -> Result<(), ResultError> {
 pub fn write_json(
     tower: &Tower,
     solution: &Solution,
-    mut writer: impl Write,
+    writer: impl Write,
 ) -> Result<(), ResultError> {
-    serde_json::to_writer_pretty(&mut writer, &solution_json(tower, solution))?;
-    writeln!(writer)?;
-    Ok(())
+    write_pretty(&solution_json(tower, solution), writer)
 }
 
 fn solution_json<'a>(tower: &'a Tower, solution: &Solution) -> SolutionJson<'a> {

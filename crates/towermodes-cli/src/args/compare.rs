@@ -1,0 +1,84 @@
+//! The arguments of `compare`.
+
+use std::path::PathBuf;
+
+use clap::Args;
+use towermodes::elements::GAUSS_HINGE_POSITION;
+use towermodes::study::ColumnSpec;
+use towermodes::{DEFAULT_MODES, MAX_SEGMENTS, Method, Options};
+
+use super::Destination;
+use super::parsers::{hinge_parser, method_parser, number_parser};
+
+const EXAMPLES: &str = "Examples:
+  towermodes compare tower.toml
+  towermodes compare tower.toml --segments 20,40,60 --methods rmje,cardanic,bmodes
+  towermodes compare tower.toml --no-rotary-inertia --format csv
+
+The differences are to the spectral beam, which is exact to ten digits. BModes has no rotary inertia and no shear: with
+--no-rotary-inertia the others have none either.";
+
+/// The arguments of `compare`.
+#[derive(Debug, Args)]
+#[command(after_help = EXAMPLES)]
+pub(crate) struct CompareArguments {
+    /// The tower (TOML); - is standard input
+    pub(crate) file: PathBuf,
+
+    /// The methods, with commas between them [default: all]
+    #[arg(long, value_name = "LIST", value_delimiter = ',', value_parser = method_parser())]
+    methods: Vec<Method>,
+
+    /// Numbers of segments or elements, with commas between them; the spectral beam has its own
+    #[arg(long, value_name = "LIST", value_delimiter = ',', default_value = "60", value_parser = number_parser(1, MAX_SEGMENTS))]
+    segments: Vec<usize>,
+
+    /// How many modes of the spectral beam, from the lowest
+    #[arg(long, value_name = "K", default_value_t = DEFAULT_MODES, value_parser = number_parser(1, usize::MAX))]
+    modes: usize,
+
+    /// Leave the rotary inertia of the sections out of bending: an Euler-Bernoulli beam
+    #[arg(long)]
+    no_rotary_inertia: bool,
+
+    /// Where the hinges of the method cardanic sit, as a share of the segment from each end [default: 0.2113249, the Gauss points]
+    #[arg(long, value_name = "SHARE", value_parser = hinge_parser)]
+    hinges: Option<f64>,
+
+    #[command(flatten)]
+    pub(crate) destination: Destination,
+}
+
+impl CompareArguments {
+    /// What holds for all methods.
+    pub(crate) fn options(&self) -> Options {
+        Options {
+            modes: self.modes,
+            rotary_inertia: !self.no_rotary_inertia,
+            hinge_position: self.hinges.unwrap_or(GAUSS_HINGE_POSITION),
+            ..Options::default()
+        }
+    }
+
+    /// The columns: each method with each number of segments, the spectral beam once.
+    pub(crate) fn columns(&self) -> Vec<ColumnSpec> {
+        let methods = if self.methods.is_empty() {
+            &Method::ALL[..]
+        } else {
+            &self.methods
+        };
+        let columns_of = |&method: &Method| {
+            let own = method == Method::Spectral;
+            let segments = if own {
+                &self.segments[..1]
+            } else {
+                &self.segments
+            };
+            segments.iter().map(move |&segments| ColumnSpec {
+                method,
+                segments: (!own).then_some(segments),
+            })
+        };
+        methods.iter().flat_map(columns_of).collect()
+    }
+}

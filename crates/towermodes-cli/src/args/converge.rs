@@ -1,0 +1,102 @@
+//! The arguments of `converge`.
+
+use std::path::PathBuf;
+
+use clap::Args;
+use towermodes::elements::GAUSS_HINGE_POSITION;
+use towermodes::study::Fineness;
+use towermodes::{DEFAULT_MODES, MAX_DEGREE, MAX_SEGMENTS, Method, Options};
+
+use super::Destination;
+use super::parsers::{hinge_parser, method_parser, number_parser};
+
+const EXAMPLES: &str = "Examples:
+  towermodes converge tower.toml --method rmje
+  towermodes converge tower.toml --method cardanic-exact --segments 10,20,40,80 --no-rotary-inertia
+  towermodes converge tower.toml --method spectral --degrees 4,6,8,10
+
+Errors are relative ones, against the spectral beam: as it is, or without rotary inertia for BModes, which has none.";
+
+/// The arguments of `converge`.
+#[derive(Debug, Args)]
+#[command(after_help = EXAMPLES)]
+pub(crate) struct ConvergeArguments {
+    /// The tower (TOML); - is standard input
+    pub(crate) file: PathBuf,
+
+    /// The method
+    #[arg(long, default_value = Method::RmjeExact.name(), value_parser = method_parser())]
+    method: Method,
+
+    /// Numbers of segments or elements, with commas between them [default: 10,20,40,80,160,320]
+    #[arg(long, value_name = "LIST", value_delimiter = ',', value_parser = number_parser(1, MAX_SEGMENTS))]
+    segments: Vec<usize>,
+
+    /// Degrees of --method spectral, with commas between them [default: 4,6,8,10,12,14]
+    #[arg(long, value_name = "LIST", value_delimiter = ',', value_parser = number_parser(2, MAX_DEGREE))]
+    degrees: Vec<usize>,
+
+    /// How many modes, from the lowest
+    #[arg(long, value_name = "K", default_value_t = DEFAULT_MODES, value_parser = number_parser(1, usize::MAX))]
+    modes: usize,
+
+    /// Leave the rotary inertia of the sections out of bending: an Euler-Bernoulli beam
+    #[arg(long)]
+    no_rotary_inertia: bool,
+
+    /// Where the hinges of --method cardanic sit, as a share of the segment from each end [default: 0.2113249, the Gauss points]
+    #[arg(long, value_name = "SHARE", value_parser = hinge_parser)]
+    hinges: Option<f64>,
+
+    #[command(flatten)]
+    pub(crate) destination: Destination,
+}
+
+impl ConvergeArguments {
+    /// The method, and what it is asked for.
+    pub(crate) fn options(&self) -> Options {
+        Options {
+            method: self.method,
+            modes: self.modes,
+            rotary_inertia: !self.no_rotary_inertia,
+            hinge_position: self.hinges.unwrap_or(GAUSS_HINGE_POSITION),
+            ..Options::default()
+        }
+    }
+
+    /// The numbers of segments, or the degrees of the spectral beam.
+    ///
+    /// # Errors
+    /// What is wrong if the list is not one of the method.
+    pub(crate) fn fineness(&self) -> Result<Vec<Fineness>, &'static str> {
+        let is_spectral = self.method == Method::Spectral;
+        match (
+            is_spectral,
+            self.segments.is_empty(),
+            self.degrees.is_empty(),
+        ) {
+            (true, false, _) => Err(
+                "--method spectral converges with its degree: use --degrees instead of --segments",
+            ),
+            (false, _, false) => {
+                Err("--degrees is for --method spectral; the others have --segments")
+            }
+            (true, ..) => Ok(listed(
+                &self.degrees,
+                &[4, 6, 8, 10, 12, 14],
+                Fineness::Degree,
+            )),
+            (false, ..) => Ok(listed(
+                &self.segments,
+                &[10, 20, 40, 80, 160, 320],
+                Fineness::Segments,
+            )),
+        }
+    }
+}
+
+/// What was given, or the default.
+fn listed(given: &[usize], default: &[usize], kind: fn(usize) -> Fineness) -> Vec<Fineness> {
+    let numbers = if given.is_empty() { default } else { given };
+    numbers.iter().map(|&number| kind(number)).collect()
+}

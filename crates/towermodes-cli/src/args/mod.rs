@@ -1,0 +1,115 @@
+//! The command line.
+
+mod compare;
+mod converge;
+mod parsers;
+mod solve;
+mod verify;
+
+pub(crate) use compare::CompareArguments;
+pub(crate) use converge::ConvergeArguments;
+pub(crate) use solve::SolveArguments;
+pub(crate) use verify::{VerifyArguments, VerifyFormat};
+
+use std::path::{Path, PathBuf};
+use std::process::ExitCode;
+
+use clap::error::ErrorKind;
+use clap::{Args, Parser, Subcommand, ValueEnum};
+
+/// Natural frequencies and mode shapes of wind turbine towers, certified.
+#[derive(Debug, Parser)]
+#[command(
+    name = "towermodes",
+    version,
+    after_help = "Example:\n  towermodes solve examples/nrel-5mw.toml"
+)]
+pub(crate) struct Arguments {
+    #[command(subcommand)]
+    pub(crate) command: Command,
+}
+
+/// What the program does.
+#[derive(Debug, Subcommand)]
+pub(crate) enum Command {
+    /// Find the lowest natural frequencies and mode shapes of a tower.
+    Solve(SolveArguments),
+    /// Put several methods side by side, with their differences to the exact beam, sizes and times.
+    Compare(CompareArguments),
+    /// Show how the error of a method falls as its segments get more.
+    Converge(ConvergeArguments),
+    /// Check the program against the values that are known from elsewhere.
+    Verify(VerifyArguments),
+    /// Print a completion script for a shell.
+    #[command(
+        after_help = "Example:\n  towermodes completions bash > ~/.local/share/bash-completion/completions/towermodes"
+    )]
+    Completions {
+        /// The shell.
+        shell: clap_complete::Shell,
+    },
+    /// Print the JSON schema of the result of a command with `--format json`.
+    #[command(after_help = "Example:\n  towermodes schema solve > solve.schema.json")]
+    Schema {
+        /// The command.
+        #[arg(default_value = "solve", value_parser = ["solve", "compare", "converge", "verify"])]
+        of: String,
+    },
+    /// Print the manual page, of the program or of one of its commands.
+    #[command(after_help = "Example:\n  towermodes man solve | man -l -")]
+    Man {
+        /// The command.
+        #[arg(value_parser = ["solve", "compare", "converge", "verify", "completions", "schema", "man"])]
+        of: Option<String>,
+    },
+}
+
+/// How a result is printed.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub(crate) enum Format {
+    /// For people.
+    Table,
+    /// Everything there is, of solve the shapes too.
+    Json,
+    /// One line a mode.
+    Csv,
+}
+
+/// How and where a result goes.
+#[derive(Debug, Args)]
+pub(crate) struct Destination {
+    /// How the result is printed
+    #[arg(long, short, value_enum, default_value_t = Format::Table)]
+    pub(crate) format: Format,
+
+    /// Write the result to a file instead of standard output (-)
+    #[arg(long, short, value_name = "PATH")]
+    output: Option<PathBuf>,
+}
+
+impl Destination {
+    /// The file the result goes to, if not to standard output.
+    pub(crate) fn output(&self) -> Option<&Path> {
+        file_of(self.output.as_deref())
+    }
+}
+
+/// A path that is not `-`, which is standard output.
+fn file_of(path: Option<&Path>) -> Option<&Path> {
+    path.filter(|path| *path != Path::new("-"))
+}
+
+/// Prints help, or what is wrong with the command line; a file in place of a command gets the command it needs.
+pub(crate) fn report(error: &clap::Error) -> ExitCode {
+    let _ = error.print();
+    let file = std::env::args_os()
+        .nth(1)
+        .filter(|name| Path::new(name).is_file());
+    if let (ErrorKind::InvalidSubcommand, Some(file)) = (error.kind(), file) {
+        anstream::eprintln!(
+            "\nto solve it: towermodes solve {}",
+            Path::new(&file).display()
+        );
+    }
+    ExitCode::from(u8::try_from(error.exit_code()).unwrap_or(2))
+}

@@ -1,0 +1,61 @@
+//! `towermodes compare`.
+
+use std::time::{Duration, Instant};
+
+use towermodes::study::compare;
+use towermodes::{Options, Tower, Workspace, solve_with};
+use towermodes_files::{write_comparison_csv, write_comparison_json};
+
+use crate::args::{CompareArguments, Format};
+use crate::failure::{Failure, warn};
+use crate::input::tower;
+use crate::output::{Progress, check_not_input, deliver};
+use crate::table;
+
+/// A column is timed until this much time has gone by …
+const TIMING: Duration = Duration::from_millis(20);
+/// … and at least so often.
+const FEWEST_TIMINGS: usize = 3;
+
+/// Reads the tower, solves it by every method, prints what each makes of it.
+pub(crate) fn run(arguments: &CompareArguments) -> Result<(), Failure> {
+    let output = arguments.destination.output();
+    check_not_input(&arguments.file, output)?;
+    let tower = tower(&arguments.file)?;
+    let progress = Progress::start();
+    let mut times = Vec::new();
+    let comparison = compare(
+        &tower,
+        &arguments.options(),
+        &arguments.columns(),
+        |column, options| {
+            times.push(time_of(&tower, options));
+            progress.say(&format!("{} {}", column.method.name(), column.segments));
+        },
+    )
+    .map_err(Failure::Unsolved)?;
+    let mut result = Vec::new();
+    match arguments.destination.format {
+        Format::Table => result.extend(table::comparison(&tower, &comparison, &times).into_bytes()),
+        Format::Json => write_comparison_json(&comparison, &times, &mut result)?,
+        Format::Csv => write_comparison_csv(&comparison, &times, &mut result)?,
+    }
+    warn(&tower.plausibility());
+    deliver(&result, output)
+}
+
+/// The fastest of several solves in memory that is reused.
+fn time_of(tower: &Tower, options: &Options) -> Duration {
+    let mut workspace = Workspace::default();
+    let mut fastest = Duration::MAX;
+    let started = Instant::now();
+    let mut timings = 0;
+    while timings < FEWEST_TIMINGS || started.elapsed() < TIMING {
+        let start = Instant::now();
+        // It was solved before, so it is solved again.
+        let _ = solve_with(tower, options, &mut workspace);
+        fastest = fastest.min(start.elapsed());
+        timings += 1;
+    }
+    fastest
+}

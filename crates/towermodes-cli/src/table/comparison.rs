@@ -1,0 +1,96 @@
+//! A comparison of methods for people, in the layout of the paper's tables: modes down, methods across.
+
+use std::time::Duration;
+
+use comfy_table::CellAlignment;
+use towermodes::study::{Column, Comparison};
+use towermodes::{Family, Method, Tower};
+
+use super::text::{plain_table, title};
+
+/// Frequencies, differences to the spectral beam, sizes and times.
+pub(crate) fn comparison(tower: &Tower, comparison: &Comparison, times: &[Duration]) -> String {
+    let columns = &comparison.columns;
+    let mut table = plain_table();
+    let mut add = |first: String, cell: &dyn Fn(usize) -> String| {
+        table.add_row(std::iter::once(first).chain((0..columns.len()).map(cell)));
+    };
+    add("frequency, Hz".into(), &|i| columns[i].method.name().into());
+    add(String::new(), &|i| fineness(&columns[i]));
+    for (row, mode) in comparison.modes.iter().enumerate() {
+        let pair = if mode.is_pair { " (twice)" } else { "" };
+        add(mode.label() + pair, &|i| {
+            frequency(columns[i].frequencies_hz[row])
+        });
+    }
+    add(String::new(), &|_| String::new());
+    add("difference to spectral".into(), &|_| String::new());
+    for (row, mode) in comparison.modes.iter().enumerate() {
+        let difference = |i: usize| comparison.relative_difference(&columns[i], row);
+        add(mode.label(), &|i| {
+            difference(i).map_or("-".into(), shown_difference)
+        });
+    }
+    add(String::new(), &|_| String::new());
+    add("degrees of freedom".into(), &|i| {
+        columns[i].degrees_of_freedom.to_string()
+    });
+    add("time a solve".into(), &|i| shown_time(times[i]));
+    for column in 1..=columns.len() {
+        if let Some(column) = table.column_mut(column) {
+            column.set_cell_alignment(CellAlignment::Right);
+        }
+    }
+    let note = note(comparison).map_or_else(String::new, |note| format!("\n{note}\n"));
+    format!("{}{}\n{note}", title(tower), table.trim_fmt())
+}
+
+/// "60", or "degree 17".
+fn fineness(column: &Column) -> String {
+    match column.degree {
+        Some(degree) => format!("degree {degree}"),
+        None => column.segments.to_string(),
+    }
+}
+
+fn frequency(value_hz: Option<f64>) -> String {
+    match value_hz {
+        None => "-".into(),
+        Some(hz) if (1e-2..1e5).contains(&hz) => format!("{hz:.5}"),
+        Some(hz) => format!("{hz:.5e}"),
+    }
+}
+
+fn shown_difference(difference: f64) -> String {
+    if difference.abs() < 1e-10 {
+        "0".into()
+    } else {
+        format!("{difference:+.1e}")
+    }
+}
+
+fn shown_time(time: Duration) -> String {
+    let seconds = time.as_secs_f64();
+    match seconds {
+        ..1e-3 => format!("{:.0} us", seconds * 1e6),
+        ..1.0 => format!("{:.1} ms", seconds * 1e3),
+        _ => format!("{seconds:.1} s"),
+    }
+}
+
+/// What explains large differences of BModes.
+fn note(comparison: &Comparison) -> Option<&'static str> {
+    let of = |method| {
+        comparison
+            .columns
+            .iter()
+            .find(|column| column.method == method)
+    };
+    let bmodes = of(Method::Bmodes)?;
+    let mut modes = comparison.modes.iter();
+    let bending = modes.position(|mode| mode.family == Family::ForeAft)?;
+    let differs = comparison.relative_difference(bmodes, bending)?.abs() > 1e-4;
+    differs.then_some(
+        "bmodes has no rotary inertia and no shear; --no-rotary-inertia compares it with beams that have no rotary inertia either.",
+    )
+}

@@ -1,0 +1,89 @@
+//! How a method converges, for people: errors, observed orders, and a picture of both.
+
+use comfy_table::CellAlignment;
+use towermodes::Tower;
+use towermodes::study::{Convergence, Fineness, Level};
+
+use super::plot::{Series, XAxis, plot};
+use super::text::{plain_table, title};
+
+/// The errors and orders of each mode, and their picture.
+pub(crate) fn convergence(tower: &Tower, convergence: &Convergence) -> String {
+    let mut table = plain_table();
+    let is_spectral = is_spectral(convergence);
+    let x_axis = XAxis {
+        name: if is_spectral { "degree" } else { "n" },
+        is_logarithmic: !is_spectral,
+    };
+    let order = if is_spectral { "digits" } else { "order" };
+    let mut header = vec![x_axis.name.to_owned()];
+    for (index, mode) in convergence.modes.iter().enumerate() {
+        header.extend([format!("{}: {}", mark(index), mode.label()), order.into()]);
+    }
+    table.set_header(header);
+    for level in &convergence.levels {
+        let mut row = vec![level.asked.number().to_string()];
+        for (error, order) in level.errors.iter().zip(&level.orders) {
+            row.push(error.map_or("-".into(), |error| format!("{error:+.1e}")));
+            row.push(order.map_or(String::new(), |order| format!("{order:.2}")));
+        }
+        table.add_row(row);
+    }
+    for column in 0..=2 * convergence.modes.len() {
+        if let Some(column) = table.column_mut(column) {
+            column.set_cell_alignment(CellAlignment::Right);
+        }
+    }
+    format!(
+        "{}{}\n\n{}\n\n{}",
+        title(tower),
+        heading(convergence),
+        table.trim_fmt(),
+        plot(&series(convergence), &x_axis)
+    )
+}
+
+fn is_spectral(convergence: &Convergence) -> bool {
+    let first = convergence.levels.first();
+    matches!(first.map(|level| level.asked), Some(Fineness::Degree(_)))
+}
+
+fn heading(convergence: &Convergence) -> String {
+    let beam = if convergence.rotary_inertia {
+        "the spectral beam"
+    } else {
+        "the spectral beam without rotary inertia"
+    };
+    let order = if is_spectral(convergence) {
+        "decimal digits gained a degree"
+    } else {
+        "observed order p of n^-p"
+    };
+    format!(
+        "{}: relative error against {beam}, and {order}",
+        convergence.method.name()
+    )
+}
+
+/// The character a mode has in the picture: 1 to 9, then letters.
+fn mark(index: usize) -> char {
+    let marks = ('1'..='9').chain('a'..='z');
+    marks
+        .chain(std::iter::repeat('*'))
+        .nth(index)
+        .unwrap_or('*')
+}
+
+fn series(convergence: &Convergence) -> Vec<Series> {
+    let of_mode = |index: usize| {
+        let point = |level: &Level| {
+            let error = level.errors[index]?.abs();
+            Some((level.asked.number() as f64, error)).filter(|_| error > 0.0)
+        };
+        Series {
+            mark: mark(index),
+            points: convergence.levels.iter().filter_map(point).collect(),
+        }
+    };
+    (0..convergence.modes.len()).map(of_mode).collect()
+}

@@ -1,0 +1,88 @@
+//! Numbers and names as people read them.
+
+use comfy_table::{Table, presets};
+use towermodes::Tower;
+
+/// A table without lines.
+pub(super) fn plain_table() -> Table {
+    let mut table = Table::new();
+    table.load_style(presets::NOTHING);
+    table
+}
+
+/// The tower's name and an empty line, if it has one.
+pub(super) fn title(tower: &Tower) -> String {
+    match tower.name() {
+        "" => String::new(),
+        name => printable(name) + "\n\n",
+    }
+}
+
+/// Pads numbers on the right so that their decimal points stand in one column.
+pub(super) fn aligned(numbers: impl Iterator<Item = String>) -> Vec<String> {
+    let numbers: Vec<String> = numbers.collect();
+    let decimals = |number: &String| number.find('.').map_or(0, |point| number.len() - point);
+    let widest = numbers.iter().map(decimals).max().unwrap_or(0);
+    let padded = |number: String| {
+        let padding = widest - decimals(&number);
+        number + &" ".repeat(padding)
+    };
+    numbers.into_iter().map(padded).collect()
+}
+
+/// Four significant digits.
+pub(super) fn four_digits(value: f64) -> String {
+    if !(1e-4..1e9).contains(&value) {
+        return format!("{value:.3e}");
+    }
+    let decimals = (3 - value.log10().floor() as i32).max(0);
+    format!("{value:.*}", usize::try_from(decimals).unwrap_or_default())
+}
+
+/// A name without what would disturb a terminal: control characters and marks that turn the direction of writing.
+fn printable(name: &str) -> String {
+    let disturbs = |c: char| {
+        c.is_control()
+            || ('\u{202a}'..='\u{202e}').contains(&c)
+            || ('\u{2066}'..='\u{2069}').contains(&c)
+    };
+    name.chars()
+        .map(|c| if disturbs(c) { ' ' } else { c })
+        .collect()
+}
+
+/// "1 mode", "2 modes".
+pub(super) fn counted(count: usize, noun: &str) -> String {
+    format!("{count} {noun}{}", if count == 1 { "" } else { "s" })
+}
+
+/// A mass in tonnes.
+pub(super) fn tonnes(kg: f64) -> String {
+    if kg < 1e9 {
+        format!("{:.3} t", kg / 1000.0)
+    } else {
+        format!("{:.6e} t", kg / 1000.0)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{aligned, four_digits};
+
+    #[test]
+    fn decimal_points_stand_in_one_column() {
+        let numbers = ["0.25", "12.1234", "7"].map(String::from);
+        assert_eq!(
+            aligned(numbers.into_iter()),
+            ["0.25  ", "12.1234", "7     "]
+        );
+    }
+
+    #[test]
+    fn four_digits_whatever_the_size() {
+        assert_eq!(four_digits(3.33105), "3.331");
+        assert_eq!(four_digits(0.046_871), "0.04687");
+        assert_eq!(four_digits(123_456.0), "123456");
+        assert_eq!(four_digits(1e-7), "1.000e-7");
+    }
+}

@@ -1,0 +1,61 @@
+//! The verification manual for people.
+
+use comfy_table::CellAlignment;
+use towermodes_verify::Row;
+
+use super::text::plain_table;
+
+/// All rows, chapter by chapter and case by case, and how many come out.
+pub(crate) fn verification(rows: &[Row]) -> String {
+    let mut text = String::new();
+    for chapter in rows.chunk_by(|a, b| a.chapter == b.chapter) {
+        text.push_str(&format!(
+            "{}\n\n{}\n\n",
+            chapter[0].chapter.title,
+            of_chapter(chapter)
+        ));
+    }
+    let passed = rows.iter().filter(|row| row.passes()).count();
+    text.push_str(&format!("{passed} of {} values come out\n", rows.len()));
+    text
+}
+
+/// One table, so that all columns of a chapter stand in line, with each case's name and source above its rows.
+fn of_chapter(rows: &[Row]) -> String {
+    let mut table = plain_table();
+    table.set_header([
+        "method",
+        "mode",
+        "expected",
+        "got",
+        "difference",
+        "tolerance",
+        "",
+    ]);
+    for row in rows {
+        let decimals = row.expected.decimals;
+        table.add_row([
+            row.method.clone(),
+            row.what.clone(),
+            format!("{:.decimals$}", row.expected.value),
+            row.shown(),
+            row.shown_difference(),
+            format!("{:.0e}", row.tolerance),
+            row.verdict().to_owned(),
+        ]);
+    }
+    for column in 2..=5 {
+        if let Some(column) = table.column_mut(column) {
+            column.set_cell_alignment(CellAlignment::Right);
+        }
+    }
+    let mut lines = table.lines();
+    let mut text = lines.next().unwrap_or_default().trim_end().to_owned();
+    for case in rows.chunk_by(|a, b| (&a.case, a.source) == (&b.case, b.source)) {
+        text.push_str(&format!("\n {} ({})", case[0].case, case[0].source));
+        for line in lines.by_ref().take(case.len()) {
+            text.push_str(&format!("\n{}", line.trim_end()));
+        }
+    }
+    text
+}

@@ -1,0 +1,35 @@
+//! `towermodes verify`.
+
+use towermodes_files::{write_verification_csv, write_verification_json};
+use towermodes_verify::{Row, manual, markdown};
+
+use crate::args::{VerifyArguments, VerifyFormat};
+use crate::failure::Failure;
+use crate::output::{Progress, deliver};
+use crate::table;
+
+/// Runs the manual, prints it, and fails if a value does not come out.
+pub(crate) fn run(arguments: &VerifyArguments) -> Result<(), Failure> {
+    let cases = manual().into_iter();
+    let progress = Progress::start();
+    let mut rows: Vec<Row> = Vec::new();
+    for case in cases.filter(|case| arguments.has(case.chapter.name)) {
+        rows.extend(case.run());
+        progress.say(&format!("{}: {}", case.chapter.name, case.name));
+    }
+    let mut result = Vec::new();
+    match arguments.format {
+        VerifyFormat::Table => result.extend(table::verification(&rows).into_bytes()),
+        VerifyFormat::Json => write_verification_json(&rows, &mut result)?,
+        VerifyFormat::Csv => write_verification_csv(&rows, &mut result)?,
+        VerifyFormat::Markdown => result.extend(markdown(&rows).into_bytes()),
+    }
+    deliver(&result, arguments.output())?;
+    match rows.iter().filter(|row| !row.passes()).count() {
+        0 => Ok(()),
+        failures => Err(Failure::Unverified {
+            failures,
+            values: rows.len(),
+        }),
+    }
+}

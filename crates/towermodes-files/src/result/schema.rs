@@ -1,0 +1,41 @@
+//! The JSON schemas of the results.
+
+use std::io::Write;
+
+use schemars::{JsonSchema, schema_for};
+
+use super::comparison::ComparisonJson;
+use super::convergence::ConvergenceJson;
+use super::solution_json::SolutionJson;
+use super::verification::VerificationJson;
+use super::{ResultError, write_pretty};
+
+/// A result that is written as JSON.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum ResultKind {
+    /// Of `towermodes solve`.
+    Solution,
+    /// Of `towermodes compare`.
+    Comparison,
+    /// Of `towermodes converge`.
+    Convergence,
+    /// Of `towermodes verify`.
+    Verification,
+}
+
+/// Writes the JSON schema of a result, indented, with a newline at the end.
+///
+/// # Errors
+/// [`ResultError`] if the writer refuses.
+pub fn write_json_schema(kind: ResultKind, writer: impl Write) -> Result<(), ResultError> {
+    match kind {
+        ResultKind::Solution => write_schema_of::<SolutionJson<'static>>(writer),
+        ResultKind::Comparison => write_schema_of::<ComparisonJson>(writer),
+        ResultKind::Convergence => write_schema_of::<ConvergenceJson>(writer),
+        ResultKind::Verification => write_schema_of::<VerificationJson<'static>>(writer),
+    }
+}
+
+fn write_schema_of<T: JsonSchema>(writer: impl Write) -> Result<(), ResultError> {
+    write_pretty(&schema_for!(T), writer)
+}

@@ -1,0 +1,78 @@
+//! The same modes by different methods: what is followed is family and order, not the place in the list, which meshes change.
+
+use crate::modes::Family;
+use crate::solve::{Mode, Options, Solution, SolveError, Workspace, solve_with};
+use crate::tower::Tower;
+
+/// A mode that is followed from method to method.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct FollowedMode {
+    /// The kind of motion.
+    pub family: Family,
+    /// Order within the family, from 1.
+    pub order: usize,
+    /// The frequency that the others are compared with, that of the spectral beam, Hz.
+    pub frequency_hz: f64,
+    /// Whether the side-side mode of the same order has this frequency too; it is not followed then.
+    pub is_pair: bool,
+}
+
+impl FollowedMode {
+    /// What it is: "1st fore-aft bending", or "1st bending" for a pair.
+    pub fn label(&self) -> String {
+        let label = self.family.label(self.order);
+        if self.is_pair {
+            label.replace("fore-aft ", "")
+        } else {
+            label
+        }
+    }
+}
+
+/// The modes of a solution, a pair once.
+pub(super) fn followed(tower: &Tower, solution: &Solution) -> Vec<FollowedMode> {
+    let pairs = tower.planes_are_equal();
+    let modes = solution.modes.iter();
+    modes
+        .filter(|mode| !(pairs && mode.family == Family::SideSide))
+        .map(|mode| FollowedMode {
+            family: mode.family,
+            order: mode.order,
+            frequency_hz: mode.frequency_hz,
+            is_pair: pairs && mode.family == Family::ForeAft,
+        })
+        .collect()
+}
+
+/// Solves for more and more modes until all that are followed are there, or there are no more.
+pub(super) fn solve_for(
+    tower: &Tower,
+    options: &Options,
+    modes: &[FollowedMode],
+    workspace: &mut Workspace,
+) -> Result<Solution, SolveError> {
+    let mut options = Options {
+        modes: modes.iter().map(|mode| 1 + usize::from(mode.is_pair)).sum(),
+        points: 2,
+        ..options.clone()
+    };
+    loop {
+        let solution = match solve_with(tower, &options, workspace) {
+            Err(SolveError::TooManyModes { available, .. }) if available > 0 => {
+                options.modes = available;
+                return solve_with(tower, &options, workspace);
+            }
+            result => result?,
+        };
+        if modes.iter().all(|mode| find(&solution, mode).is_some()) {
+            return Ok(solution);
+        }
+        options.modes *= 2;
+    }
+}
+
+/// The mode of a solution that is the followed one.
+pub(super) fn find<'s>(solution: &'s Solution, mode: &FollowedMode) -> Option<&'s Mode> {
+    let mut modes = solution.modes.iter();
+    modes.find(|other| other.family == mode.family && other.order == mode.order)
+}
