@@ -2,13 +2,29 @@
 
 use proptest::prelude::*;
 use proptest::sample::Index;
-use towermodes::{Options, solve};
+use towermodes::{Method, Options, solve};
 use towermodes_files::tower_from_toml;
 
-const FILES: [&str; 4] = [
+const FILES: [&str; 5] = [
     include_str!("../../../examples/reference-tower.toml"),
     include_str!("../../../examples/reference-tower-350t.toml"),
     include_str!("../../../examples/nrel-5mw.toml"),
+    r#"
+name = "elliptic"
+[tower]
+outfitting_factor = 1.02
+[tower.properties]
+z_m = [0.0, 40.0, 40.0, 90.0]
+mass_kg_per_m = [5000, 4800.0, 4200.0, 3000.0]
+ei_fore_aft_n_m2 = [6.0e11, 5.0e11, 4.5e11, 1.2e11]
+ei_side_side_n_m2 = [7.0e11, 5.5e11, 4.5e11, 1.1e11]
+gj_n_m2 = [5.0e11, 4.0e11, 3.6e11, 0.9e11]
+ea_n = [1.4e11, 1.3e11, 1.1e11, 0.6e11]
+polar_inertia_kg_m = [5.0e4, 4.0e4, 3.6e4, 0.9e4]
+shear_stiffness_fore_aft_n = [2.6e10, 2.4e10, 2.1e10, 1.2e10]
+[rna]
+mass = 300e3
+"#,
     r#"
 name = "hybrid"
 [materials.concrete]
@@ -142,6 +158,7 @@ proptest! {
     fn mutated_files_are_solved_or_refused(
         file in 0..FILES.len(),
         mutations in prop::collection::vec(any_mutation(), 1..4),
+        method in prop::sample::select(Method::ALL.to_vec()),
         segments in 1..40usize,
     ) {
         let mut text = FILES[file].to_owned();
@@ -150,7 +167,7 @@ proptest! {
         }
         match tower_from_toml(&text) {
             Ok(tower) => {
-                let options = Options { segments: Some(segments), modes: 6, ..Options::default() };
+                let options = Options { method, segments: Some(segments), modes: 6, ..Options::default() };
                 if let Ok(solution) = solve(&tower, &options) {
                     prop_assert!(solution.certificate.complete);
                     for mode in &solution.modes {

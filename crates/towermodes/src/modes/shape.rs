@@ -14,6 +14,12 @@ pub struct ShapePoint {
 }
 
 impl ShapePoint {
+    /// Whether every number is finite.
+    pub(crate) fn is_finite(&self) -> bool {
+        let mut motion = self.translation.iter().chain(&self.rotation);
+        motion.all(|value| value.is_finite())
+    }
+
     /// The same motion in the side-side plane, if this one is in the fore-aft plane.
     ///
     /// A positive slope of y is a negative rotation about x.

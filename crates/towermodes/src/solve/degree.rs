@@ -52,7 +52,7 @@ pub(super) fn solve(
     let Workspace { model, spectrum } = workspace;
     let proof = spectrum.prove(model, &found, options.modes)?;
     let degrees_of_freedom = model.degrees_of_freedom();
-    let mut modes = shapes(tower, &cut.mesh, options, &found, workspace);
+    let mut modes = shapes(tower, &cut.mesh, options, &found, workspace)?;
     for (mode, change_hz) in modes.iter_mut().zip(changes_hz) {
         mode.discretization_error_hz = change_hz;
     }

@@ -71,7 +71,7 @@ fn solve_segments(
     let found = solve_cut(tower, &cut, options, workspace)?;
     let Workspace { model, spectrum } = workspace;
     let proof = spectrum.prove(model, &found, options.modes)?;
-    let mut modes = shapes(tower, &cut.mesh, options, &found, workspace);
+    let mut modes = shapes(tower, &cut.mesh, options, &found, workspace)?;
     let degrees_of_freedom = workspace.model.degrees_of_freedom();
     let elsewhere = estimate_errors(tower, &cut, options, &mut modes, proof.below, workspace)?;
     let certificate = certificate(&proof);
@@ -140,7 +140,7 @@ fn shapes(
     options: &Options,
     found: &[Found],
     workspace: &mut Workspace,
-) -> Vec<Mode> {
+) -> Result<Vec<Mode>, SolveError> {
     let Workspace { model, spectrum } = workspace;
     let heights_m = equal_heights(tower, options.points);
     let stations_m = tower.station_heights_m();
@@ -162,9 +162,12 @@ fn shapes(
                 Mode::new(number, found, &curve, &heights_m, &stations_m)
             }
         };
+        if !mode.is_finite() {
+            return Err(EigenError::NotFinite.into());
+        }
         modes.push(mode);
     }
-    modes
+    Ok(modes)
 }
 
 /// Heights from the base to the top in equal steps, both ends exactly.

@@ -69,6 +69,12 @@ impl Mode {
         }
     }
 
+    /// Whether no number of it overflowed on the way.
+    pub(super) fn is_finite(&self) -> bool {
+        let mut points = self.shape.iter().chain(&self.station_shape);
+        self.modal_mass.is_finite() && points.all(ShapePoint::is_finite)
+    }
+
     /// 1/frequency, s.
     pub fn period_s(&self) -> f64 {
         1.0 / self.frequency_hz
