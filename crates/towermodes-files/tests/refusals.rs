@@ -492,3 +492,144 @@ fn line_ends_and_marks_of_other_systems_are_read() {
     assert!(tower_from_toml(&GOOD.replace('\n', "\r\n")).is_ok());
     assert!(tower_from_toml(&format!("\u{feff}{GOOD}")).is_ok());
 }
+
+/// A table of properties in which each test makes one mistake.
+const TABLE: &str = r#"name = "table"
+[tower]
+outfitting_factor = 1.05
+[tower.properties]
+z_m = [0.0, 40.0, 40.0, 90.0]
+mass_kg_per_m = [5000, 4800.0, 4200.0, 3000.0]
+ei_fore_aft_n_m2 = [6.0e11, 5.0e11, 4.5e11, 1.2e11]
+ei_side_side_n_m2 = [7.0e11, 5.5e11, 4.5e11, 1.1e11]
+gj_n_m2 = [5.0e11, 4.0e11, 3.6e11, 0.9e11]
+ea_n = [1.4e11, 1.3e11, 1.1e11, 0.6e11]
+polar_inertia_kg_m = [5.0e4, 4.0e4, 3.6e4, 0.9e4]
+shear_stiffness_fore_aft_n = [2.6e10, 2.4e10, 2.1e10, 1.2e10]
+"#;
+
+#[track_caller]
+fn refused_table(from: &str, to: &str, place: &str, message: &str, hint: &str) {
+    assert!(TABLE.contains(from), "the test is wrong: {from}");
+    refused_text(&TABLE.replacen(from, to, 1), place, message, hint);
+}
+
+#[test]
+fn the_good_table_is_good() {
+    let tower = tower_from_toml(TABLE).expect("a tower");
+    assert_eq!(tower.pieces().len(), 2);
+    assert!(tower.shears() && !tower.planes_are_equal());
+    let row = tower.properties()[0].properties;
+    assert_eq!(row.bending_n_m2.side_side, 7.0e11);
+    // One shear column is both planes'; the polar inertia is shared out as EI, and the masses have the outfitting in them.
+    assert_eq!(row.shear_n.map(|shear| shear.side_side), Some(2.6e10));
+    assert!((row.rotary_inertia_kg_m.fore_aft - 5.0e4 * 6.0 / 13.0).abs() < 1e-8);
+    let section = tower.piece_at(0.0).section_at(0.0);
+    assert!((section.masses.mass_kg_per_m - 5250.0).abs() < 1e-9);
+    // Without a column of its own the other plane is the same.
+    let one = TABLE.replace("ei_side_side_n_m2 = [7.0e11, 5.5e11, 4.5e11, 1.1e11]\n", "");
+    assert!(tower_from_toml(&one).expect("a tower").planes_are_equal());
+}
+
+#[test]
+fn tables_of_properties_with_a_mistake() {
+    refused_table(
+        "gj_n_m2",
+        "gj_nm2",
+        "9:1",
+        "`gj_nm2` is not a key",
+        "did you mean `gj_n_m2`?",
+    );
+    refused_table(
+        "ea_n = [1.4e11, 1.3e11, 1.1e11, 0.6e11]\n",
+        "",
+        "4:1",
+        "has no `ea_n`",
+        "axial stiffness",
+    );
+    refused_table(
+        "z_m = [0.0, 40.0, 40.0, 90.0]\n",
+        "",
+        "4:1",
+        "has no `z_m`",
+        "heights",
+    );
+    refused_table(
+        "[1.4e11, 1.3e11, 1.1e11, 0.6e11]",
+        "[1.4e11, 1.3e11]",
+        "10:8",
+        "ea_n has 2 values, but z_m has 4",
+        "one value for each height",
+    );
+    refused_table(
+        "[5000, ",
+        "[\"x\", ",
+        "6:18",
+        "mass_kg_per_m must be a number",
+        "",
+    );
+    refused_table("[5000, ", "[nan, ", "6:18", "mass_kg_per_m is nan", "");
+    refused_table(
+        "5.0e11, 4.5e11, 1.2e11",
+        "0.0, 4.5e11, 1.2e11",
+        "7:29",
+        "EI fore-aft is 0 N m2",
+        "",
+    );
+    refused_table("5.5e11", "-5.5e11", "8:30", "EI side-side", "");
+    refused_table("4.0e4", "-1", "11:30", "polar inertia is -1 kg m", "");
+    refused_table("2.4e10", "0", "12:39", "shear stiffness", "");
+    refused_table(
+        "90.0]",
+        "30.0]",
+        "5:25",
+        "height 30 m is below",
+        "base to the top",
+    );
+    refused_table(
+        "[0.0, 40.0, 40.0, 90.0]",
+        "[40.0, 40.0, 40.0, 90.0]",
+        "5:21",
+        "third station",
+        "",
+    );
+    refused_table(
+        "z_m = [0.0, 40.0, 40.0, 90.0]",
+        "z_m = 5",
+        "5:7",
+        "must be a list",
+        "",
+    );
+    refused_table(
+        "shear_stiffness_fore_aft_n",
+        "shear_stiffness_side_side_n",
+        "4:1",
+        "has no `shear_stiffness_fore_aft_n`",
+        "other plane",
+    );
+}
+
+#[test]
+fn what_belongs_to_tubes_beside_a_table() {
+    refused_table(
+        "[tower]\n",
+        "[tower]\nshear = true\n",
+        "3:9",
+        "`shear` means nothing",
+        "shear_stiffness",
+    );
+    refused_table(
+        "[tower]\n",
+        "[tower]\nstations = [[0.0, 6.0, 0.03], [90.0, 4.0, 0.02]]\n",
+        "3:12",
+        "`stations` means nothing",
+        "one of the two",
+    );
+    refused_table(
+        "name = \"table\"\n",
+        "[material]\ndensity = 1.0\n",
+        "1:1",
+        "`material` means nothing",
+        "remove it",
+    );
+}

@@ -3,6 +3,9 @@
 mod towers;
 
 use towermodes::Tower;
+use towermodes::beam::{
+    BeamPencil, BeamPencilWorkspace, BeamRecipe, BeamWorkspace, DecoupledBeams, assemble_beams,
+};
 use towermodes::chain::{ChainPencil, ChainWorkspace, DecoupledChains};
 use towermodes::eigen::{EigenWorkspace, lowest};
 use towermodes::elements::{Borders, Mesh, Recipe, assemble};
@@ -35,4 +38,31 @@ fn a_reused_workspace_allocates_nothing() {
         solve(1);
     });
     assert_eq!(again.count_total, 0);
+}
+
+#[test]
+fn beams_allocate_nothing_either() {
+    let tower = Tower::new(reference_350t()).expect("a valid tower");
+    let recipes = [
+        (BeamRecipe::Bmodes, 50),
+        (
+            BeamRecipe::Spectral {
+                degree: 15,
+                rotary_inertia: true,
+            },
+            1,
+        ),
+    ];
+    for (recipe, segments) in recipes {
+        let mesh = Mesh::new(&tower, Borders::Pieces, segments);
+        let (mut beams, mut assembly) = (DecoupledBeams::default(), BeamWorkspace::default());
+        let (mut work, mut eigen) = (BeamPencilWorkspace::default(), EigenWorkspace::default());
+        let mut solve = || {
+            assemble_beams(&tower, &mesh, recipe, &mut assembly, &mut beams);
+            let mut pencil = BeamPencil::new(&beams.fore_aft, &mut work);
+            lowest(&mut pencil, 4, &mut eigen).expect("stable");
+        };
+        assert!(allocation_counter::measure(&mut solve).count_total > 0);
+        assert_eq!(allocation_counter::measure(&mut solve).count_total, 0);
+    }
 }

@@ -2,8 +2,10 @@
 
 mod towers;
 
-use towermodes::{Inertia, Material, Options, PointMass, Rna, Station, TowerDescription, Warning};
-use towers::{reference, reference_350t, rich, solved};
+use towermodes::{
+    Inertia, Material, Method, Options, PointMass, Rna, Station, TowerDescription, Warning,
+};
+use towers::{elliptic, reference, reference_350t, rich, solved};
 
 /// The warnings of the reference tower changed.
 fn warned(change: impl FnOnce(&mut TowerDescription)) -> Vec<Warning> {
@@ -140,4 +142,63 @@ fn more_segments_than_asked_for() {
         t.point_masses = (1..250).map(|k| mass(0.35 * f64::from(k))).collect();
     };
     assert!(only(masses).contains("250 segments are used, not 200"));
+}
+
+/// The warnings of a table of properties with every row changed.
+fn table_warned(change: impl Fn(&mut towermodes::Properties)) -> Vec<String> {
+    let mut description = elliptic();
+    for row in &mut description.properties {
+        change(&mut row.properties);
+    }
+    let tower = towermodes::Tower::new(description).expect("a valid tower");
+    tower
+        .plausibility()
+        .iter()
+        .map(ToString::to_string)
+        .collect()
+}
+
+#[test]
+fn tables_in_wrong_units() {
+    let check = |warnings: Vec<String>, words: &str| {
+        assert!(
+            warnings.iter().any(|w| w.contains(words)),
+            "{words}: {warnings:?}"
+        );
+    };
+    assert_eq!(table_warned(|_| ()), [""; 0]);
+    check(table_warned(|p| p.mass_kg_per_m /= 1000.0), "sqrt(EA/mass)");
+    check(table_warned(|p| p.axial_n /= 1000.0), "sqrt(EA/mass)");
+    check(
+        table_warned(|p| p.torsion_n_m2 /= 1000.0),
+        "sqrt(GJ/polar inertia)",
+    );
+    check(
+        table_warned(|p| p.bending_n_m2.fore_aft *= 1e6),
+        "sqrt(EI/EA)",
+    );
+    check(
+        table_warned(|p| p.rotary_inertia_kg_m.fore_aft *= 2.0),
+        "flat section",
+    );
+    // None at all is an Euler-Bernoulli beam, not a slip.
+    assert_eq!(
+        table_warned(|p| p.rotary_inertia_kg_m = Default::default()),
+        [""; 0]
+    );
+}
+
+#[test]
+fn bmodes_says_that_it_leaves_shear_out() {
+    let solve = |description, method| {
+        let options = Options {
+            method,
+            ..Options::default()
+        };
+        solved(&description, &options).warnings
+    };
+    let has = |warnings: Vec<Warning>| warnings.contains(&Warning::ShearLeftOut);
+    assert!(has(solve(elliptic(), Method::Bmodes)));
+    assert!(!has(solve(elliptic(), Method::Spectral)));
+    assert!(!has(solve(reference(), Method::Bmodes)));
 }

@@ -5,7 +5,7 @@ mod towers;
 use towermodes::{
     Inertia, Place, PointMass, Problem, Rna, Shear, Station, Tower, TowerDescription, TowerError,
 };
-use towers::reference;
+use towers::{elliptic, reference};
 
 fn refused(change: impl FnOnce(&mut TowerDescription)) -> TowerError {
     let mut description = reference();
@@ -193,4 +193,64 @@ fn point_masses_are_on_the_tower() {
     for height_m in [0.0, 40.0, 87.6] {
         assert!(mass(height_m, 5000.0).is_ok());
     }
+}
+
+#[test]
+fn rows_of_a_property_table_must_be_positive_and_finite() {
+    type Change = fn(&mut towermodes::Properties, f64);
+    let changes: [(&str, Change); 8] = [
+        ("mass_kg_per_m", |p, x| p.mass_kg_per_m = x),
+        ("ei_fore_aft_n_m2", |p, x| p.bending_n_m2.fore_aft = x),
+        ("ei_side_side_n_m2", |p, x| p.bending_n_m2.side_side = x),
+        ("gj_n_m2", |p, x| p.torsion_n_m2 = x),
+        ("ea_n", |p, x| p.axial_n = x),
+        ("polar_inertia_kg_m", |p, x| p.polar_inertia_kg_m = x),
+        ("shear_stiffness_fore_aft_n", |p, x| {
+            p.shear_n = p.shear_n.map(|shear| towermodes::Planes {
+                fore_aft: x,
+                ..shear
+            });
+        }),
+        ("shear_stiffness_side_side_n", |p, x| {
+            p.shear_n = p.shear_n.map(|shear| towermodes::Planes {
+                side_side: x,
+                ..shear
+            });
+        }),
+    ];
+    for (key, change) in changes {
+        for bad in NOT_POSITIVE {
+            let mut description = elliptic();
+            change(&mut description.properties[2].properties, bad);
+            let error = Tower::new(description).expect_err("no tower can be like this");
+            assert_eq!(error.place, Place::Station { index: 2, key });
+        }
+    }
+    let mut description = elliptic();
+    description.properties[1]
+        .properties
+        .rotary_inertia_kg_m
+        .side_side = -1.0;
+    let error = Tower::new(description).expect_err("negative inertia");
+    assert!(matches!(
+        error.problem,
+        Problem::Negative { value: -1.0, .. }
+    ));
+}
+
+#[test]
+fn a_table_shears_in_every_row_or_in_none_and_excludes_stations() {
+    let mut description = elliptic();
+    description.properties[3].properties.shear_n = None;
+    let error = Tower::new(description).expect_err("half a shear");
+    assert_eq!(error.problem, Problem::ShearInSomeRows);
+    let mut description = elliptic();
+    description.stations = reference().stations;
+    description.materials = reference().materials;
+    let error = Tower::new(description).expect_err("two towers");
+    assert_eq!(error.problem, Problem::StationsAndProperties);
+    let mut description = elliptic();
+    description.properties.truncate(1);
+    let error = Tower::new(description).expect_err("one row");
+    assert_eq!(error.problem, Problem::TooFewStations { count: 1 });
 }

@@ -27,6 +27,8 @@ pub struct Beam<const D: usize> {
     pub(super) masses: Vec<f64>,
     /// L of each element, lower triangular: `coordinates` rows an element.
     pub(super) roots: Vec<f64>,
+    /// Working memory of [`add_body`](Self::add_body).
+    top: Vec<f64>,
 }
 
 impl<const D: usize> Beam<D>
@@ -80,10 +82,12 @@ where
         lower_matrix(&mut inertia, reference_m - (base_m + length_m));
         let element = self.elements() - 1;
         let rows = self.rows();
-        let mut moved = vec![0.0; D * rows];
-        self.top_motion(element, &mut moved);
+        let mut top = std::mem::take(&mut self.top);
+        top.resize(D * rows, 0.0);
+        self.top_motion(element, &mut top);
         let mass = &mut self.masses[element * rows * rows..];
-        add_congruent(&inertia, &moved, rows, mass);
+        add_congruent(&inertia, &top, rows, mass);
+        self.top = top;
     }
 
     /// The D×rows matrix [X T] of an element, row by row: the motion of its top for the motion of its base and its coordinates.
