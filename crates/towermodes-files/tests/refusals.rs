@@ -589,7 +589,7 @@ fn tables_of_properties_with_a_mistake() {
     refused_table(
         "[0.0, 40.0, 40.0, 90.0]",
         "[40.0, 40.0, 40.0, 90.0]",
-        "5:21",
+        "5:20",
         "third station",
         "",
     );

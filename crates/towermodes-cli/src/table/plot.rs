@@ -89,7 +89,7 @@ pub(super) fn plot(series: &[Series], x_axis: &XAxis) -> String {
 /// The power of ten of a row, if it has one.
 fn tick(y: &Axis, row: usize, height: usize) -> String {
     let rows_a_decade = (height - 1) / (y.high - y.low) as usize;
-    if row % rows_a_decade != 0 {
+    if !row.is_multiple_of(rows_a_decade) {
         return " ".repeat(7);
     }
     let exponent = y.high as i32 - (row / rows_a_decade) as i32;
