@@ -80,7 +80,7 @@ impl Piece {
     }
 
     /// The section at a height (m) inside the piece.
-    #[inline]
+    #[inline(always)]
     pub fn section_at(&self, height_m: f64) -> Section {
         let s = self.share_at(height_m);
         match &self.profile {
