@@ -11,10 +11,11 @@ use crate::table;
 
 /// Reads the tower, solves it, prints the result; warnings go to standard error.
 pub(crate) fn run(arguments: &SolveArguments) -> Result<(), Failure> {
+    let options = arguments.options().map_err(Failure::Usage)?;
     let output = arguments.destination.output();
     check_not_input(&arguments.file, output)?;
     let tower = tower(&arguments.file)?;
-    let solution = solve(&tower, &arguments.options()).map_err(Failure::Unsolved)?;
+    let solution = solve(&tower, &options).map_err(Failure::Unsolved)?;
     let mut result = Vec::new();
     match arguments.destination.format {
         Format::Table => result.extend(table::solution(&tower, &solution).into_bytes()),

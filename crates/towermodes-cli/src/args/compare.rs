@@ -3,12 +3,12 @@
 use std::path::PathBuf;
 
 use clap::Args;
-use towermodes::elements::GAUSS_HINGE_POSITION;
 use towermodes::study::ColumnSpec;
-use towermodes::{DEFAULT_MODES, MAX_SEGMENTS, Method, Options};
+use towermodes::{MAX_SEGMENTS, Method, Options};
 
 use super::Destination;
-use super::parsers::{hinge_parser, method_parser, number_parser};
+use super::model::ModelArguments;
+use super::parsers::{method_parser, number_parser};
 
 const EXAMPLES: &str = "Examples:
   towermodes compare tower.toml
@@ -33,17 +33,8 @@ pub(crate) struct CompareArguments {
     #[arg(long, value_name = "LIST", value_delimiter = ',', default_value = "60", value_parser = number_parser(1, MAX_SEGMENTS))]
     segments: Vec<usize>,
 
-    /// How many modes of the spectral beam, from the lowest
-    #[arg(long, value_name = "K", default_value_t = DEFAULT_MODES, value_parser = number_parser(1, usize::MAX))]
-    modes: usize,
-
-    /// Leave the rotary inertia of the sections out of bending: an Euler-Bernoulli beam
-    #[arg(long)]
-    no_rotary_inertia: bool,
-
-    /// Where the hinges of the method cardanic sit, as a share of the segment from each end [default: 0.2113249, the Gauss points]
-    #[arg(long, value_name = "SHARE", value_parser = hinge_parser)]
-    hinges: Option<f64>,
+    #[command(flatten)]
+    model: ModelArguments,
 
     #[command(flatten)]
     pub(crate) destination: Destination,
@@ -52,12 +43,7 @@ pub(crate) struct CompareArguments {
 impl CompareArguments {
     /// What holds for all methods.
     pub(crate) fn options(&self) -> Options {
-        Options {
-            modes: self.modes,
-            rotary_inertia: !self.no_rotary_inertia,
-            hinge_position: self.hinges.unwrap_or(GAUSS_HINGE_POSITION),
-            ..Options::default()
-        }
+        self.model.options()
     }
 
     /// The columns: each method with each number of segments, the spectral beam once.

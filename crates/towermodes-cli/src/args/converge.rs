@@ -3,12 +3,12 @@
 use std::path::PathBuf;
 
 use clap::Args;
-use towermodes::elements::GAUSS_HINGE_POSITION;
 use towermodes::study::Fineness;
-use towermodes::{DEFAULT_MODES, MAX_DEGREE, MAX_SEGMENTS, Method, Options};
+use towermodes::{MAX_DEGREE, MAX_SEGMENTS, Method, Options};
 
 use super::Destination;
-use super::parsers::{hinge_parser, method_parser, number_parser};
+use super::model::ModelArguments;
+use super::parsers::{method_parser, number_parser};
 
 const EXAMPLES: &str = "Examples:
   towermodes converge tower.toml --method rmje
@@ -36,17 +36,8 @@ pub(crate) struct ConvergeArguments {
     #[arg(long, value_name = "LIST", value_delimiter = ',', value_parser = number_parser(2, MAX_DEGREE))]
     degrees: Vec<usize>,
 
-    /// How many modes, from the lowest
-    #[arg(long, value_name = "K", default_value_t = DEFAULT_MODES, value_parser = number_parser(1, usize::MAX))]
-    modes: usize,
-
-    /// Leave the rotary inertia of the sections out of bending: an Euler-Bernoulli beam
-    #[arg(long)]
-    no_rotary_inertia: bool,
-
-    /// Where the hinges of --method cardanic sit, as a share of the segment from each end [default: 0.2113249, the Gauss points]
-    #[arg(long, value_name = "SHARE", value_parser = hinge_parser)]
-    hinges: Option<f64>,
+    #[command(flatten)]
+    model: ModelArguments,
 
     #[command(flatten)]
     pub(crate) destination: Destination,
@@ -57,10 +48,7 @@ impl ConvergeArguments {
     pub(crate) fn options(&self) -> Options {
         Options {
             method: self.method,
-            modes: self.modes,
-            rotary_inertia: !self.no_rotary_inertia,
-            hinge_position: self.hinges.unwrap_or(GAUSS_HINGE_POSITION),
-            ..Options::default()
+            ..self.model.options()
         }
     }
 
@@ -69,6 +57,7 @@ impl ConvergeArguments {
     /// # Errors
     /// What is wrong if the list is not one of the method.
     pub(crate) fn fineness(&self) -> Result<Vec<Fineness>, &'static str> {
+        self.model.check(self.method)?;
         let is_spectral = self.method == Method::Spectral;
         match (
             is_spectral,

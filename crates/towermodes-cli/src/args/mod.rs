@@ -2,6 +2,7 @@
 
 mod compare;
 mod converge;
+mod model;
 mod parsers;
 mod solve;
 mod verify;

@@ -3,12 +3,10 @@
 use std::path::PathBuf;
 
 use clap::Args;
-use towermodes::elements::GAUSS_HINGE_POSITION;
-use towermodes::{
-    DEFAULT_MODES, DEFAULT_POINTS, MAX_DEGREE, MAX_POINTS, MAX_SEGMENTS, Method, Options,
-};
+use towermodes::{DEFAULT_POINTS, MAX_DEGREE, MAX_POINTS, MAX_SEGMENTS, Method, Options};
 
-use super::parsers::{hinge_parser, method_parser, number_parser};
+use super::model::ModelArguments;
+use super::parsers::{method_parser, number_parser};
 use super::{Destination, Format};
 
 macro_rules! examples {
@@ -47,21 +45,12 @@ pub(crate) struct SolveArguments {
     #[arg(long, value_name = "P", value_parser = number_parser(2, MAX_DEGREE))]
     degree: Option<usize>,
 
-    /// How many modes, from the lowest
-    #[arg(long, value_name = "K", default_value_t = DEFAULT_MODES, value_parser = number_parser(1, usize::MAX))]
-    modes: usize,
+    #[command(flatten)]
+    model: ModelArguments,
 
     /// At how many equal heights the JSON gives shapes
     #[arg(long, value_name = "COUNT", default_value_t = DEFAULT_POINTS, value_parser = number_parser(2, MAX_POINTS))]
     points: usize,
-
-    /// Leave the rotary inertia of the sections out of bending: an Euler-Bernoulli beam
-    #[arg(long)]
-    no_rotary_inertia: bool,
-
-    /// Where the hinges of --method cardanic sit, as a share of the segment from each end [default: 0.2113249, the Gauss points]
-    #[arg(long, value_name = "SHARE", value_parser = hinge_parser)]
-    hinges: Option<f64>,
 
     #[command(flatten)]
     pub(crate) destination: Destination,
@@ -69,20 +58,25 @@ pub(crate) struct SolveArguments {
 
 impl SolveArguments {
     /// What the library is asked for.
-    pub(crate) fn options(&self) -> Options {
-        Options {
+    ///
+    /// # Errors
+    /// What is wrong if an option means nothing to the method.
+    pub(crate) fn options(&self) -> Result<Options, &'static str> {
+        self.model.check(self.method)?;
+        if self.degree.is_some() && self.method != Method::Spectral {
+            return Err("--degree is for --method spectral; the others have --segments");
+        }
+        Ok(Options {
             method: self.method,
             segments: self.segments,
             degree: self.degree,
-            modes: self.modes,
             // Only the JSON has shapes.
             points: if self.destination.format == Format::Json {
                 self.points
             } else {
                 2
             },
-            rotary_inertia: !self.no_rotary_inertia,
-            hinge_position: self.hinges.unwrap_or(GAUSS_HINGE_POSITION),
-        }
+            ..self.model.options()
+        })
     }
 }

@@ -1,0 +1,48 @@
+//! What `solve`, `compare` and `converge` ask of every method.
+
+use clap::Args;
+use towermodes::elements::GAUSS_HINGE_POSITION;
+use towermodes::{DEFAULT_MODES, Method, Options};
+
+use super::parsers::{hinge_parser, number_parser};
+
+/// What holds whatever the method.
+#[derive(Debug, Args)]
+pub(super) struct ModelArguments {
+    /// How many modes, from the lowest
+    #[arg(long, value_name = "K", default_value_t = DEFAULT_MODES, value_parser = number_parser(1, usize::MAX))]
+    modes: usize,
+
+    /// Leave the rotary inertia of the sections out of bending: an Euler-Bernoulli beam
+    #[arg(long)]
+    no_rotary_inertia: bool,
+
+    /// Where the hinges of the method cardanic sit, as a share of the segment from each end [default: 0.2113249, the Gauss points]
+    #[arg(long, value_name = "SHARE", value_parser = hinge_parser)]
+    hinges: Option<f64>,
+}
+
+impl ModelArguments {
+    /// Refuses what would mean nothing to the only method there is.
+    ///
+    /// # Errors
+    /// What is wrong.
+    pub(super) fn check(&self, method: Method) -> Result<(), &'static str> {
+        if self.hinges.is_some() && method != Method::Cardanic {
+            return Err(
+                "--hinges is for --method cardanic; the others have their hinges where they are exact",
+            );
+        }
+        Ok(())
+    }
+
+    /// The default options with these changed.
+    pub(super) fn options(&self) -> Options {
+        Options {
+            modes: self.modes,
+            rotary_inertia: !self.no_rotary_inertia,
+            hinge_position: self.hinges.unwrap_or(GAUSS_HINGE_POSITION),
+            ..Options::default()
+        }
+    }
+}
