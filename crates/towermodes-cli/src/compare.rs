@@ -40,7 +40,7 @@ pub(crate) fn run(arguments: &CompareArguments) -> Result<(), Failure> {
         Format::Json => write_comparison_json(&comparison, &times, &mut result)?,
         Format::Csv => write_comparison_csv(&comparison, &times, &mut result)?,
     }
-    warn(&tower.plausibility());
+    warn(&comparison.warnings);
     deliver(&result, output)
 }
 

@@ -26,6 +26,6 @@ pub(crate) fn run(arguments: &ConvergeArguments) -> Result<(), Failure> {
         Format::Json => write_convergence_json(&convergence, &mut result)?,
         Format::Csv => write_convergence_csv(&convergence, &mut result)?,
     }
-    warn(&tower.plausibility());
+    warn(&convergence.warnings);
     deliver(&result, output)
 }

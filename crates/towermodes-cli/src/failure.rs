@@ -93,7 +93,9 @@ fn say(text: &str) {
 
 fn hint(error: &SolveError) -> Option<&'static str> {
     match error {
-        SolveError::TooManyModes { .. } => Some("raise --segments or lower --modes"),
+        SolveError::TooManyModes { .. } => {
+            Some("raise --segments (of --method spectral --degree) or lower --modes")
+        }
         SolveError::Eigen(EigenError::NotFinite) => Some("look for a value with the wrong unit"),
         SolveError::Eigen(_) => {
             Some("ask for fewer modes, or look for a value with the wrong unit")

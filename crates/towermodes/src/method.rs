@@ -18,7 +18,8 @@ pub enum Method {
     Lumped,
     /// The 15-dof finite element of BModes: Euler-Bernoulli, sections constant over an element.
     Bmodes,
-    /// The beam itself: one element a linear piece, polynomials of a degree that is raised until the modes stand still.
+    /// The beam itself: one element a linear piece, or more where it is steep, polynomials of a degree that is raised until the modes stand
+    /// still.
     Spectral,
 }
 

@@ -95,7 +95,8 @@ pub enum Warning {
     },
     /// The number of modes asked for cuts a repeated pair.
     #[error(
-        "{label} at {frequency_hz:.6} Hz equals the last mode and was cut off; ask for one mode more to see the pair"
+        "{label} at {:.6} Hz equals the last mode and was cut off; ask for one mode more to see the pair",
+        Plain(*.frequency_hz)
     )]
     CutPair {
         /// The label of the mode that was left out.
@@ -115,7 +116,8 @@ pub enum Warning {
     },
     /// The number of modes below the end of the list is another on another mesh, or the extrapolated frequencies say so.
     #[error(
-        "the list ends, at {below_hz:.4} Hz, within the error of the segments; more of them may change which modes are the lowest"
+        "with more segments another mode may come into the list or leave it: it ends at {:.4} Hz, and errors reach beyond that",
+        Plain(*.below_hz)
     )]
     UncertainEnd {
         /// Where the list was certified to end, Hz.
@@ -126,9 +128,20 @@ pub enum Warning {
         "BModes has no shear deformation: it is left out, and the frequencies are too high for it; other methods have it"
     )]
     ShearLeftOut,
+    /// Elements that see less of the tower than there is.
+    #[error(
+        "BModes takes the section at the middle of each of {elements} elements, but the tower has {pieces} linear pieces; what lies \
+         between is not seen, and the errors do not show it; use more elements"
+    )]
+    PiecesUnseen {
+        /// Elements used.
+        elements: usize,
+        /// Linear pieces of the tower.
+        pieces: usize,
+    },
     /// Modes that the segments do not resolve.
     #[error(
-        "{} not resolved (error up to {:.0} %); use more segments",
+        "{} not resolved (error up to {:.0} %); use more segments, or a higher degree",
         if *.others == 0 { format!("mode {number} is") } else { format!("mode {number} and {others} more are") },
         100.0 * .worst
     )]

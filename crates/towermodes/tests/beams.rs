@@ -11,7 +11,7 @@ use towermodes::chain::{Dim, Space};
 use towermodes::eigen::Pencil;
 use towermodes::elements::{Borders, Mesh};
 use towermodes::tower::{Properties, Section};
-use towermodes::{Family, Method, Options, Planes, Tower, TowerDescription};
+use towermodes::{Family, Method, Options, Planes, Tower, TowerDescription, Warning};
 use towers::{assert_close, elliptic, frequencies, reference, reference_350t, rich, solved};
 
 fn spectral(degree: usize) -> BeamRecipe {
@@ -210,4 +210,87 @@ fn a_table_of_a_tubes_rows_has_the_tubes_section_at_them() {
         close(table.torsion_n_m2, tube.torsion_n_m2);
         close(table.axial_n, tube.axial_n);
     }
+}
+
+#[test]
+fn a_cone_that_ends_in_a_point_carries_its_tip_mass_on_a_soft_tip() {
+    // Tip of 1 µm: a polynomial over the whole cone cannot follow 1/EI, which grows by 27 powers of ten; elements are cut for it.
+    let description = TowerDescription {
+        materials: vec![towermodes::Material::from_shear_modulus(
+            7850.0, 2.1e11, 8.08e10,
+        )],
+        stations: vec![
+            towermodes::Station::new(0.0, 6.0, 3.0),
+            towermodes::Station::new(80.0, 1e-6, 5e-7),
+        ],
+        rna: towermodes::Rna::point(1.0),
+        ..TowerDescription::default()
+    };
+    let with = |method, segments| Options {
+        method,
+        segments,
+        modes: 4,
+        ..Options::default()
+    };
+    let spectral = solved(&description, &with(Method::Spectral, None));
+    let got = frequencies(&spectral, Family::ForeAft);
+    // Deflection of a cone's tip by a unit force: 64 L³/(3 π E d₀³ d₁); all the mass that moves is the tip's.
+    let compliance = 64.0 * 80.0_f64.powi(3) / (3.0 * std::f64::consts::PI * 2.1e11 * 216.0 * 1e-6);
+    assert_close(
+        got[0],
+        (1.0 / compliance).sqrt() / std::f64::consts::TAU,
+        3e-4,
+        "static",
+    );
+    let chain = solved(&description, &with(Method::CardanicExact, Some(4000)));
+    for (mode, got) in got.iter().enumerate() {
+        let expected = towers::extrapolated(&chain, Family::ForeAft)[mode];
+        // The chain's own error here, from 2000 and 4000 segments.
+        assert_close(*got, expected, 5e-8, "cardanic-exact");
+    }
+    assert!(spectral.segments > 10 && spectral.modes[0].error_hz() < 1e-9);
+}
+
+#[test]
+fn bmodes_sees_every_piece_or_says_so() {
+    // A wall that alternates: the elements' middles would see one of the two walls alone.
+    let mut description = reference();
+    let station = |k: usize| {
+        let s = k as f64 / 300.0;
+        let wall = if k % 2 == 0 { 0.03 } else { 0.036 };
+        towermodes::Station::new(87.6 * s, 6.0 - 2.0 * s, wall)
+    };
+    description.stations = (0..=300).map(station).collect();
+    let with = |segments| Options {
+        method: Method::Bmodes,
+        segments,
+        modes: 2,
+        ..Options::default()
+    };
+    let is_unseen = |w: &Warning| {
+        matches!(
+            w,
+            Warning::PiecesUnseen {
+                elements: 100,
+                pieces: 300
+            }
+        )
+    };
+    assert!(
+        solved(&description, &with(Some(100)))
+            .warnings
+            .iter()
+            .any(is_unseen)
+    );
+    let seen = solved(&description, &with(None));
+    assert_eq!((seen.segments, seen.warnings.len()), (600, 0));
+    let beam = Options {
+        method: Method::Spectral,
+        rotary_inertia: false,
+        ..with(None)
+    };
+    let truth = solved(&description, &beam).modes[0].frequency_hz;
+    let ratio = seen.modes[0].discretization_error_hz / (seen.modes[0].frequency_hz - truth);
+    assert!((0.8..1.25).contains(&ratio), "{ratio}");
+    assert_close(seen.modes[0].extrapolated_hz, truth, 1e-5, "extrapolated");
 }

@@ -20,7 +20,7 @@ The differences are to the spectral beam, which is exact to ten digits. BModes h
 
 /// The arguments of `compare`.
 #[derive(Debug, Args)]
-#[command(after_help = EXAMPLES)]
+#[command(allow_negative_numbers = true, after_help = EXAMPLES)]
 pub(crate) struct CompareArguments {
     /// The tower (TOML); - is standard input
     pub(crate) file: PathBuf,

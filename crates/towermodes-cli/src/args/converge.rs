@@ -19,7 +19,7 @@ Errors are relative ones, against the spectral beam: as it is, or without rotary
 
 /// The arguments of `converge`.
 #[derive(Debug, Args)]
-#[command(after_help = EXAMPLES)]
+#[command(allow_negative_numbers = true, after_help = EXAMPLES)]
 pub(crate) struct ConvergeArguments {
     /// The tower (TOML); - is standard input
     pub(crate) file: PathBuf,

@@ -12,7 +12,7 @@ pub(super) fn method_parser() -> impl TypedValueParser<Value = Method> {
 /// The place of a hinge.
 pub(super) fn hinge_parser(text: &str) -> Result<f64, String> {
     let position = text.parse().ok().filter(|k: &f64| *k > 0.0 && *k < 0.5);
-    position.ok_or_else(|| "must be between 0 and 0.5, the middle of a segment".into())
+    position.ok_or_else(|| "must be more than 0 and less than 0.5, the middle of a segment".into())
 }
 
 /// A whole number from `least` to `most`, with both in the message.

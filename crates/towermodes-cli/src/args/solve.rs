@@ -27,7 +27,7 @@ const LONG_HELP: &str = concat!(include_str!("tower-file.txt"), "\n", examples!(
 
 /// The arguments of `solve`.
 #[derive(Debug, Args)]
-#[command(after_help = examples!(), after_long_help = LONG_HELP)]
+#[command(allow_negative_numbers = true, after_help = examples!(), after_long_help = LONG_HELP)]
 pub(crate) struct SolveArguments {
     /// The tower (TOML); - is standard input
     pub(crate) file: PathBuf,

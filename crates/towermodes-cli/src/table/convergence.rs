@@ -17,8 +17,8 @@ pub(crate) fn convergence(tower: &Tower, convergence: &Convergence) -> String {
     };
     let order = if is_spectral { "digits" } else { "order" };
     let mut header = vec![x_axis.name.to_owned()];
-    for (index, mode) in convergence.modes.iter().enumerate() {
-        header.extend([format!("{}: {}", mark(index), mode.label()), order.into()]);
+    for index in 0..convergence.modes.len() {
+        header.extend([mark(index).to_string(), order.into()]);
     }
     table.set_header(header);
     for level in &convergence.levels {
@@ -35,9 +35,10 @@ pub(crate) fn convergence(tower: &Tower, convergence: &Convergence) -> String {
         }
     }
     format!(
-        "{}{}\n\n{}\n\n{}",
+        "{}{}\n\n{}\n{}\n\n{}",
         title(tower),
         heading(convergence),
+        legend(convergence),
         table.trim_fmt(),
         plot(&series(convergence), &x_axis)
     )
@@ -63,6 +64,21 @@ fn heading(convergence: &Convergence) -> String {
         "{}: relative error against {beam}, and {order}",
         convergence.method.name()
     )
+}
+
+/// What each mark is, with the frequency it converges to.
+fn legend(convergence: &Convergence) -> String {
+    let modes = convergence.modes.iter().enumerate();
+    modes
+        .map(|(index, mode)| {
+            format!(
+                "{}  {}, {:.6} Hz\n",
+                mark(index),
+                mode.label(),
+                mode.frequency_hz
+            )
+        })
+        .collect()
 }
 
 /// The character a mode has in the picture: 1 to 9, then letters.

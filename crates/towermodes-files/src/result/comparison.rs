@@ -109,6 +109,7 @@ pub fn write_comparison_csv(
         "family",
         "order",
         "label",
+        "is_pair",
         "frequency_hz",
         "relative_difference",
     ])?;
@@ -125,6 +126,7 @@ pub fn write_comparison_csv(
                 mode.family.name().to_owned(),
                 mode.order.to_string(),
                 mode.label(),
+                mode.is_pair.to_string(),
                 or_empty(column.frequencies_hz[index].map(|f| f.to_string())),
                 or_empty(difference.map(|difference| format!("{difference:e}"))),
             ])?;

@@ -25,11 +25,11 @@ pub enum EigenError {
     NotFinite,
     /// The stiffest modes asked for are below the rounding of the softest.
     #[error(
-        "{wanted} modes were asked for, but only the lowest {resolved} can be told from rounding: the stiffest part of the tower \
+        "of one kind of motion only the lowest {resolved} of {wanted} modes can be told from rounding: the stiffest part of the tower \
          is too stiff beside the softest"
     )]
     Unresolved {
-        /// Asked for.
+        /// How many there should be.
         wanted: usize,
         /// How many have residuals that mean something.
         resolved: usize,

@@ -1,15 +1,23 @@
 //! Where a tower is cut into segments.
 //!
-//! A step or a point mass is always a segment border, and a kink too, except for BModes. Between borders the segments are equal, and
+//! A step or a point mass is always a segment border, and a kink too, except for BModes; the spectral beam is cut where it is steep,
+//! too. Between borders the segments are equal, and
 //! their number is shared out by length.
 
 use crate::tower::Tower;
+
+/// The largest ratio of a dimension or property at the ends of a span between [`Borders::Gradual`] ones: the apex of a cone is then two
+/// thirds of the span away from it, and a polynomial of degree p is exact to 3⁻ᵖ in its strains.
+pub const STEEPEST_SPAN: f64 = 4.0;
 
 /// What must be a segment border.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Borders {
     /// Every end of a linear piece, and every point mass.
     Pieces,
+    /// Those, and as many more that no dimension of a tube and no property of a table changes by more than [`STEEPEST_SPAN`] over a
+    /// span: what polynomials can follow.
+    Gradual,
     /// Steps and point masses alone: sections are taken at the middle of a segment, whatever pieces it reaches over.
     Steps,
 }
@@ -147,6 +155,45 @@ impl Mesh {
 
 /// The parts between the borders that there must be, each as one segment.
 fn spans_of(tower: &Tower, borders: Borders) -> Vec<Span> {
+    let spans = smooth_spans(tower, borders);
+    if borders != Borders::Gradual {
+        return spans;
+    }
+    let mut gradual = Vec::with_capacity(spans.len());
+    for span in spans {
+        add_gradual(tower, span, &mut gradual);
+    }
+    gradual
+}
+
+/// Adds a span, cut until it is gradual.
+fn add_gradual(tower: &Tower, span: Span, spans: &mut Vec<Span>) {
+    let piece = &tower.pieces()[span.piece];
+    match piece.even_cut_m(span.base_m, span.top_m, STEEPEST_SPAN) {
+        None => spans.push(span),
+        Some(cut_m) => {
+            add_gradual(
+                tower,
+                Span {
+                    top_m: cut_m,
+                    ..span
+                },
+                spans,
+            );
+            add_gradual(
+                tower,
+                Span {
+                    base_m: cut_m,
+                    ..span
+                },
+                spans,
+            );
+        }
+    }
+}
+
+/// The parts between stations, kinks and masses, or between steps and masses.
+fn smooth_spans(tower: &Tower, borders: Borders) -> Vec<Span> {
     let (pieces, masses) = (tower.pieces(), tower.point_masses());
     // Masses are sorted by height.
     let from = |height_m: f64| masses.partition_point(|mass| mass.height_m < height_m);

@@ -111,7 +111,7 @@ fn raise(
     }
 }
 
-/// One element a linear piece, or as many as told, of a degree that may do.
+/// One element a linear piece, more where it is steep, or as many as told, of a degree that may do.
 fn first_cut(tower: &Tower, options: &Options) -> Result<Cut, SolveError> {
     let borders = options.borders();
     let mut mesh = match options.segments {
@@ -135,8 +135,13 @@ fn first_cut(tower: &Tower, options: &Options) -> Result<Cut, SolveError> {
 
 /// A degree at which so many modes of so many elements are nearly there.
 fn first_degree(modes: usize, elements: usize) -> usize {
-    // Half of the modes are in each bending plane, and a half wave takes about a degree and a half.
-    7 + modes.div_ceil(elements)
+    // Half of the modes are in each bending plane, and a half wave takes about a degree and a half; an element that sees a part of a
+    // half wave alone needs few.
+    if modes >= elements {
+        7 + modes.div_ceil(elements)
+    } else {
+        4 + (4 * modes).div_ceil(elements)
+    }
 }
 
 /// The next finer cut: a higher degree, or elements of half the length.

@@ -33,7 +33,12 @@ pub(super) fn estimate_errors(
         Family::Torsion | Family::Axial => options.method.axial_powers(),
     };
     let steps = modes.iter().map(|mode| powers_of(mode).len()).max();
-    let ladder = Ladder::new(&cut.mesh, modes, steps.unwrap_or(0));
+    let ladder = Ladder::new(
+        &cut.mesh,
+        modes,
+        options.fewest_seeing(tower),
+        steps.unwrap_or(0),
+    );
     let (levels, elsewhere) = solve_ladder(tower, &ladder, options, modes, below, workspace)?;
     for (index, mode) in modes.iter_mut().enumerate() {
         let powers = powers_of(mode);
@@ -50,10 +55,12 @@ pub(super) fn estimate_errors(
 }
 
 impl Ladder {
-    /// `steps` meshes beside `mesh`: coarser ones while every span can be halved and every family still has its modes, then finer ones.
-    fn new(mesh: &Mesh, modes: &[Mode], steps: usize) -> Self {
+    /// `steps` meshes beside `mesh`: coarser ones while every span can be halved, every family still has its modes and there are no
+    /// fewer segments than `fewest`, then finer ones.
+    fn new(mesh: &Mesh, modes: &[Mode], fewest: usize, steps: usize) -> Self {
         let halves = std::iter::successors(Some(mesh.clone()), |mesh| {
-            mesh.halved().filter(|halved| has_all(halved, modes))
+            mesh.halved()
+                .filter(|halved| halved.segments() >= fewest && has_all(halved, modes))
         });
         let mut meshes: Vec<Mesh> = halves.take(1 + steps).collect();
         let own = 1 + steps - meshes.len();

@@ -102,7 +102,7 @@ fn mesh_of(tower: &Tower, options: &Options) -> Result<Mesh, SolveError> {
     let fewest = Mesh::fewest_segments(tower, borders);
     let Some(segments) = options.segments else {
         return within_limit(fewest, most)
-            .map(|()| Mesh::at_least(tower, borders, DEFAULT_SEGMENTS));
+            .map(|()| Mesh::at_least(tower, borders, options.default_segments(tower)));
     };
     within_limit(segments, most)?;
     within_limit(fewest, most)?;

@@ -7,6 +7,7 @@ use crate::beam::BeamRecipe;
 use crate::eigen::EigenError;
 use crate::elements::{Borders, Element, GAUSS_HINGE_POSITION, Recipe};
 use crate::modes::ShapePoint;
+use crate::tower::Tower;
 
 /// Segments used unless told; where steps and point masses make short spans, each of these has two on top.
 pub const DEFAULT_SEGMENTS: usize = 100;
@@ -17,7 +18,7 @@ pub const DEFAULT_POINTS: usize = 101;
 /// More segments than this are refused: they would take gigabytes, and 10⁶ already leave no error but rounding.
 pub const MAX_SEGMENTS: usize = 2_000_000;
 /// More elements of the spectral beam than this are refused: each holds a full matrix, and a few have no error but rounding.
-pub const MAX_SPECTRAL_ELEMENTS: usize = 10_000;
+pub const MAX_SPECTRAL_ELEMENTS: usize = 100_000;
 /// A higher degree of the elements of the spectral beam than this is refused; more elements do more.
 pub const MAX_DEGREE: usize = 60;
 /// More heights than this are refused.
@@ -125,10 +126,26 @@ impl Options {
         }
     }
 
+    /// The fewest segments that see every piece of the tower: those of BModes, which take its middle and reach over the ends of pieces,
+    /// must be as many as there are.
+    pub(super) fn fewest_seeing(&self, tower: &Tower) -> usize {
+        match self.method {
+            Method::Bmodes => tower.pieces().len(),
+            _ => 1,
+        }
+    }
+
+    /// Segments unless told: two for each piece if every piece must be seen.
+    pub(super) fn default_segments(&self, tower: &Tower) -> usize {
+        let seeing = 2 * self.fewest_seeing(tower);
+        DEFAULT_SEGMENTS.max(seeing).min(MAX_SEGMENTS)
+    }
+
     /// Where segments must end.
     pub(super) fn borders(&self) -> Borders {
         match self.method {
             Method::Bmodes => Borders::Steps,
+            Method::Spectral => Borders::Gradual,
             _ => Borders::Pieces,
         }
     }

@@ -26,6 +26,10 @@ pub(super) fn warnings(
     if options.method == Method::Bmodes && tower.shears() {
         warnings.push(Warning::ShearLeftOut);
     }
+    let (elements, pieces) = (mesh.segments(), tower.pieces().len());
+    if elements < options.fewest_seeing(tower) {
+        warnings.push(Warning::PiecesUnseen { elements, pieces });
+    }
     // The spectral beam takes more elements when it needs them.
     let asked = options
         .segments

@@ -1,6 +1,7 @@
 //! Several methods side by side.
 
 use super::follow::{FollowedMode, find, followed, solve_for};
+use crate::Warning;
 use crate::method::Method;
 use crate::solve::{Options, SolveError, Workspace, solve_with};
 use crate::tower::Tower;
@@ -36,6 +37,8 @@ pub struct Comparison {
     pub modes: Vec<FollowedMode>,
     /// The methods.
     pub columns: Vec<Column>,
+    /// What the spectral beam warns of: a mode that it does not resolve is no measure for the others.
+    pub warnings: Vec<Warning>,
 }
 
 impl Comparison {
@@ -72,6 +75,7 @@ pub fn compare(
     let mut comparison = Comparison {
         modes: followed(tower, &truth),
         columns: Vec::with_capacity(columns.len()),
+        warnings: truth.warnings,
     };
     for spec in columns {
         let options = with(spec);

@@ -1,6 +1,7 @@
 //! One method as its segments get more.
 
 use super::follow::{FollowedMode, find, followed, solve_for};
+use crate::Warning;
 use crate::method::Method;
 use crate::solve::{Options, SolveError, Workspace, solve_with};
 use crate::tower::Tower;
@@ -52,6 +53,8 @@ pub struct Convergence {
     pub rotary_inertia: bool,
     /// From the first asked for to the last.
     pub levels: Vec<Level>,
+    /// What the spectral beam warns of: a mode that it does not resolve is no measure for the method.
+    pub warnings: Vec<Warning>,
 }
 
 /// Errors below this are rounding and the error of the limit itself, and have no order.
@@ -87,7 +90,8 @@ pub fn converge(
 ) -> Result<Convergence, SolveError> {
     let mut workspace = Workspace::default();
     let limit = limit_options(tower, options)?;
-    let modes = followed(tower, &solve_with(tower, &limit, &mut workspace)?);
+    let beam = solve_with(tower, &limit, &mut workspace)?;
+    let modes = followed(tower, &beam);
     let mut levels: Vec<Level> = Vec::with_capacity(fineness.len());
     for &asked in fineness {
         let options = match asked {
@@ -123,6 +127,7 @@ pub fn converge(
         modes,
         rotary_inertia: limit.rotary_inertia,
         levels,
+        warnings: beam.warnings,
     })
 }
 

@@ -130,19 +130,37 @@ impl Piece {
 
     /// The largest ratio, thick end to thin end, of what the compliances between two heights (m) depend on.
     pub(super) fn steepness(&self, base_m: f64, top_m: f64) -> f64 {
-        let ratio = |x: f64, y: f64| if x > y { x / y } else { y / x };
+        ratio(self.steepest(base_m, top_m))
+    }
+
+    /// The height (m) between two others that halves what is steepest between them: there it is the geometric mean of what it is at
+    /// both. None if its ratio at the two is no more than `most`, or if there is no number between them.
+    pub fn even_cut_m(&self, base_m: f64, top_m: f64, most: f64) -> Option<f64> {
+        let (a, b) = self.steepest(base_m, top_m);
+        // It is linear: a + s (b − a) = √(ab).
+        let cut_m = base_m + (top_m - base_m) * a.sqrt() / (a.sqrt() + b.sqrt());
+        (ratio((a, b)) > most && base_m < cut_m && cut_m < top_m).then_some(cut_m)
+    }
+
+    /// What the compliances between two heights (m) depend on and has the largest ratio at them: its values there.
+    fn steepest(&self, base_m: f64, top_m: f64) -> (f64, f64) {
+        let steeper = |x: (f64, f64), y| if ratio(y) > ratio(x) { y } else { x };
         match &self.profile {
             Profile::Tube { base, top, .. } => {
                 let at = |height_m| base.blend(top, self.share_at(height_m));
                 let (a, b) = (at(base_m), at(top_m));
-                ratio(a.outer_diameter_m, b.outer_diameter_m)
-                    .max(ratio(a.wall_thickness_m, b.wall_thickness_m))
+                steeper(
+                    (a.outer_diameter_m, b.outer_diameter_m),
+                    (a.wall_thickness_m, b.wall_thickness_m),
+                )
             }
             Profile::Table { .. } => {
                 let (a, b) = (self.section_at(base_m), self.section_at(top_m));
-                let pairs = a.values().into_iter().zip(b.values());
-                // What is zero at both ends has the ratio NaN, which `max` leaves out.
-                pairs.map(|(x, y)| ratio(x, y)).fold(1.0, f64::max)
+                // What is zero at both ends has the ratio NaN, which is no larger.
+                a.values()
+                    .into_iter()
+                    .zip(b.values())
+                    .fold((1.0, 1.0), steeper)
             }
         }
     }
@@ -164,6 +182,11 @@ impl Piece {
         let straight = is_same(&self.section_at(self.top_m), &line) && self.meets(upper);
         straight.then_some(whole)
     }
+}
+
+/// The ratio of the larger to the smaller.
+fn ratio((x, y): (f64, f64)) -> f64 {
+    if x > y { x / y } else { y / x }
 }
 
 /// Whether two sections differ by no more than rounding: a row can be split in two by hand with full digits, and nothing else.
