@@ -257,7 +257,7 @@ fn bmodes_sees_every_piece_or_says_so() {
     let mut description = reference();
     let station = |k: usize| {
         let s = k as f64 / 300.0;
-        let wall = if k % 2 == 0 { 0.03 } else { 0.036 };
+        let wall = if k.is_multiple_of(2) { 0.03 } else { 0.036 };
         towermodes::Station::new(87.6 * s, 6.0 - 2.0 * s, wall)
     };
     description.stations = (0..=300).map(station).collect();
