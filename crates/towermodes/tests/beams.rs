@@ -294,3 +294,33 @@ fn bmodes_sees_every_piece_or_says_so() {
     assert!((0.8..1.25).contains(&ratio), "{ratio}");
     assert_close(seen.modes[0].extrapolated_hz, truth, 1e-5, "extrapolated");
 }
+
+#[test]
+fn a_table_whose_shear_stiffness_grows_a_millionfold() {
+    // What is linear is the stiffness, not the flexibility: cut by the wrong one, elements would never be gradual.
+    for reversed in [false, true] {
+        let mut description = elliptic();
+        let shears = if reversed {
+            [1.2e10, 2.6e4]
+        } else {
+            [2.6e4, 1.2e10]
+        };
+        let rows = [0, 3].map(|index| description.properties[index]);
+        description.properties = rows.to_vec();
+        for (row, shear) in description.properties.iter_mut().zip(shears) {
+            row.properties.shear_n = Some(Planes::both(shear));
+        }
+        let with = |method, segments| Options {
+            method,
+            segments,
+            modes: 4,
+            ..Options::default()
+        };
+        let spectral = solved(&description, &with(Method::Spectral, None));
+        assert!(spectral.segments < 20, "{}", spectral.segments);
+        let chain = solved(&description, &with(Method::RmjeExact, Some(40_000)));
+        for (mode, beam) in chain.modes.iter().zip(&spectral.modes) {
+            assert_close(mode.extrapolated_hz, beam.frequency_hz, 1e-7, &mode.label());
+        }
+    }
+}

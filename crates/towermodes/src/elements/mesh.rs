@@ -15,7 +15,7 @@ pub const STEEPEST_SPAN: f64 = 4.0;
 pub enum Borders {
     /// Every end of a linear piece, and every point mass.
     Pieces,
-    /// Those, and as many more that no dimension of a tube and no property of a table changes by more than [`STEEPEST_SPAN`] over a
+    /// Those, and as many more that no dimension of a tube and no stiffness of a table changes by more than [`STEEPEST_SPAN`] over a
     /// span: what polynomials can follow.
     Gradual,
     /// Steps and point masses alone: sections are taken at the middle of a segment, whatever pieces it reaches over.

@@ -13,10 +13,11 @@ pub struct Estimate {
 }
 
 /// Extrapolates the frequencies (Hz) of one mode on meshes from the finest to the coarsest, each with half the segments of the one
-/// before, for an error with these powers of 1/n: one mesh more than there are powers.
+/// before, for an error with these powers of 1/n: one mesh more than there are powers, or two.
 ///
 /// Each power p in turn: fᵢ ← fᵢ + (fᵢ − fᵢ₊₁)/(2ᵖ − 1).  The error is that of `frequency_hz`, which is one of the meshes', but no less
-/// than the last power changed the extrapolated value: where terms cancel, the estimate must not.
+/// than the last power changed the extrapolated value, and no less than what another mesh more says: how far the value extrapolated
+/// without the finest mesh is off, over 2ᵖ of the lowest power. Where terms cancel, or two meshes agree by chance, the estimate must not.
 pub fn richardson(frequency_hz: f64, mut meshes_hz: Vec<f64>, powers: &[i32]) -> Estimate {
     let mut last_change = 0.0_f64;
     for (removed, &power) in powers.iter().enumerate() {
@@ -31,8 +32,15 @@ pub fn richardson(frequency_hz: f64, mut meshes_hz: Vec<f64>, powers: &[i32]) ->
         meshes_hz.pop();
     }
     let extrapolated_hz = meshes_hz.first().copied().unwrap_or(frequency_hz);
+    let chance = match (meshes_hz.get(1), powers.first()) {
+        (Some(coarser_hz), Some(&power)) => {
+            (extrapolated_hz - coarser_hz).abs() / 2.0_f64.powi(power)
+        }
+        _ => 0.0,
+    };
+    let error_hz = (extrapolated_hz - frequency_hz).abs();
     Estimate {
-        error_hz: (extrapolated_hz - frequency_hz).abs().max(last_change),
+        error_hz: error_hz.max(last_change).max(chance),
         // Meshes too coarse for any power extrapolate to nonsense; where it shows, the mode's own value is the better one.
         extrapolated_hz: if extrapolated_hz > 0.0 {
             extrapolated_hz
@@ -45,6 +53,19 @@ pub fn richardson(frequency_hz: f64, mut meshes_hz: Vec<f64>, powers: &[i32]) ->
 #[cfg(test)]
 mod tests {
     use super::richardson;
+
+    #[test]
+    fn meshes_that_agree_by_chance_are_found_out_by_another() {
+        // The two finest agree, and the third says that they are nowhere.
+        let two = richardson(1.0, vec![1.0, 1.0], &[2]);
+        assert_eq!(two.error_hz, 0.0);
+        let three = richardson(1.0, vec![1.0, 1.0, 1.3], &[2]);
+        assert!((three.error_hz - 0.1 / 4.0).abs() < 1e-15);
+        // Where the power is right the third changes nothing.
+        let f = |n: f64| 3.0 + n.powi(-2);
+        let smooth = richardson(f(8.0), vec![f(8.0), f(4.0), f(2.0)], &[2]);
+        assert!((smooth.error_hz - 1.0 / 64.0).abs() < 1e-15);
+    }
 
     #[test]
     fn pure_powers_are_extrapolated_exactly() {

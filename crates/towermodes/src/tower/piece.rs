@@ -154,13 +154,14 @@ impl Piece {
                     (a.wall_thickness_m, b.wall_thickness_m),
                 )
             }
-            Profile::Table { .. } => {
-                let (a, b) = (self.section_at(base_m), self.section_at(top_m));
-                // What is zero at both ends has the ratio NaN, which is no larger.
-                a.values()
-                    .into_iter()
-                    .zip(b.values())
-                    .fold((1.0, 1.0), steeper)
+            Profile::Table { base, top } => {
+                let at = |height_m| {
+                    let s = self.share_at(height_m);
+                    let columns = base.stiffnesses().into_iter().zip(top.stiffnesses());
+                    columns.map(move |(a, b)| a + s * (b - a))
+                };
+                // A shear stiffness that is not there is zero at both ends: the ratio NaN, which is no larger.
+                at(base_m).zip(at(top_m)).fold((1.0, 1.0), steeper)
             }
         }
     }

@@ -52,6 +52,19 @@ impl Properties {
         }
     }
 
+    /// The stiffnesses, all linear between rows; zero for a shear stiffness that is not there.
+    pub(super) fn stiffnesses(&self) -> [f64; 6] {
+        let (bending, shear) = (self.bending_n_m2, self.shear_n.unwrap_or_default());
+        [
+            bending.fore_aft,
+            bending.side_side,
+            self.torsion_n_m2,
+            self.axial_n,
+            shear.fore_aft,
+            shear.side_side,
+        ]
+    }
+
     /// Mass and inertias `factor` times as large.
     pub(super) fn heavier(&self, factor: f64) -> Self {
         Self {
