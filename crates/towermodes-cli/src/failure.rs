@@ -141,3 +141,18 @@ fn rendered(report: &[Group<'_>]) -> String {
     text.push('\n');
     text
 }
+
+#[cfg(test)]
+mod tests {
+    use super::Failure;
+
+    #[test]
+    fn a_value_of_the_manual_that_does_not_come_out_is_exit_code_1() {
+        let failure = Failure::Unverified {
+            failures: 1,
+            values: 579,
+        };
+        assert_eq!(failure.code(), 1);
+        assert_eq!(Failure::Usage("").code(), 2);
+    }
+}

@@ -14,6 +14,8 @@ use super::vector::{add_combination, dot, fill_pseudo_random, project, scale};
 const TOLERANCE: f64 = 1e-13;
 /// … or below this, relative to the largest Ritz value: no product is more accurate than that.
 const FLOOR: f64 = 2.0 * f64::EPSILON;
+/// A projected matrix up to this size is diagonalized at once with its eigenvectors.
+const SMALL: usize = 64;
 /// The Ritz values are looked at when the forecast of the residual is small enough, and at every so many steps whatever it says.
 const LOOK_ANYWAY: usize = 8;
 
@@ -203,23 +205,33 @@ impl Lanczos {
 
     /// Whether the residual estimates β |last component| of the `wanted` largest Ritz values are small.
     fn has_converged(&mut self, wanted: usize, beta: f64) -> bool {
-        if !self.diagonalize_fully() {
+        // Last components alone cost the square of the size, whole eigenvectors its cube: worth it where looks are in vain for long.
+        if self.used > SMALL && !(self.diagonalize_rows(1) && self.are_small(wanted, beta, 1)) {
             return false;
         }
-        let size = self.used;
+        self.diagonalize_fully() && self.are_small(wanted, beta, self.used)
+    }
+
+    /// Whether the residual estimates are small, from so many of the last rows of the eigenvectors of the projected matrix.
+    fn are_small(&self, wanted: usize, beta: f64, rows: usize) -> bool {
         let largest = self.values[self.order[0]];
         self.order.iter().take(wanted).all(|&i| {
-            let last_component = self.components[i * size + size - 1];
+            let last_component = self.components[(i + 1) * rows - 1];
             beta * last_component.abs() <= self.allowed(self.values[i], largest)
         })
     }
 
     /// Ritz values and the eigenvectors of the projected matrix; false if they are not numbers.
     fn diagonalize_fully(&mut self) -> bool {
+        self.diagonalize_rows(self.used)
+    }
+
+    /// Ritz values and so many of the last rows of the eigenvectors of the projected matrix; false if they are not numbers.
+    fn diagonalize_rows(&mut self, rows: usize) -> bool {
         let size = self.used;
         self.components.clear();
-        self.components.resize(size * size, 0.0);
-        (0..size).for_each(|i| self.components[i * size + i] = 1.0);
+        self.components.resize(size * rows, 0.0);
+        (0..rows).for_each(|row| self.components[(size - rows + row) * rows + row] = 1.0);
         self.values.clear();
         self.values.extend_from_slice(&self.alpha);
         self.off_diagonal.clear();
@@ -228,7 +240,7 @@ impl Lanczos {
             &mut self.values,
             &mut self.off_diagonal,
             &mut self.components,
-            size,
+            rows,
         );
         self.order.clear();
         self.order.extend(0..size);
