@@ -6,7 +6,7 @@ use towermodes::{
     Family, Inertia, Material, Method, Options, PointMass, Rna, Shear, Solution, SolveError,
     Station, Tower, TowerDescription, Warning, Workspace, solve, solve_with,
 };
-use towers::{assert_close, reference, reference_350t, rich, solved};
+use towers::{assert_close, elliptic, reference, reference_350t, rich, solved};
 
 fn with_modes(modes: usize) -> Options {
     Options {
@@ -315,12 +315,51 @@ fn impossible_options_are_refused() {
 #[test]
 fn a_used_workspace_changes_no_bit() {
     let mut workspace = Workspace::default();
-    let towers = [rich(), reference(), reference_350t(), rich()];
-    for (description, modes) in towers.into_iter().zip([20, 3, 8, 5]) {
+    let towers = [rich(), reference(), elliptic(), reference_350t(), rich()];
+    for (description, modes) in towers.into_iter().zip([20, 3, 6, 8, 5]) {
         let tower = Tower::new(description).expect("a valid tower");
-        let fresh = solve(&tower, &with_modes(modes)).expect("solvable");
-        let reused = solve_with(&tower, &with_modes(modes), &mut workspace).expect("solvable");
-        assert_eq!(fresh, reused);
+        for method in Method::ALL {
+            let options = Options {
+                method,
+                ..with_modes(modes)
+            };
+            let fresh = solve(&tower, &options).expect("solvable");
+            let reused = solve_with(&tower, &options, &mut workspace).expect("solvable");
+            assert_eq!(fresh, reused, "{}", method.name());
+        }
+    }
+}
+
+#[test]
+fn leading_modes_of_beams_do_not_depend_on_how_many_are_asked_for() {
+    // The spectral beam takes another degree for other modes: 1e-10 is what it promises of frequencies, and of shapes the root of it.
+    for (method, promise) in [(Method::Bmodes, 1e-12), (Method::Spectral, 1e-5)] {
+        for description in [reference(), elliptic()] {
+            let with = |modes| {
+                let options = Options {
+                    method,
+                    ..with_modes(modes)
+                };
+                solved(&description, &options)
+            };
+            let all = with(20);
+            for few in [1, 3, 8].map(with) {
+                for (a, b) in few.modes.iter().zip(&all.modes) {
+                    assert_eq!(a.label(), b.label());
+                    assert_close(a.frequency_hz, b.frequency_hz, 2e-10, method.name());
+                    assert_close(a.modal_mass, b.modal_mass, promise, method.name());
+                    for (p, q) in a.shape.iter().zip(&b.shape) {
+                        let difference =
+                            (0..3).map(|i| (p.translation[i] - q.translation[i]).abs());
+                        assert!(
+                            difference.fold(0.0, f64::max) < promise,
+                            "{}",
+                            method.name()
+                        );
+                    }
+                }
+            }
+        }
     }
 }
 
