@@ -324,3 +324,35 @@ fn a_table_whose_shear_stiffness_grows_a_millionfold() {
         }
     }
 }
+
+#[test]
+fn shapes_and_modal_masses_are_those_of_the_chains() {
+    // Three ways from an eigenvector to a shape: bodies at borders, Hermite's cubics, Legendre's polynomials.
+    for description in [rich(), elliptic()] {
+        let with = |method| Options {
+            method,
+            segments: (method != Method::Spectral).then_some(400),
+            modes: 8,
+            ..Options::default()
+        };
+        let beam = solved(&description, &with(Method::Spectral));
+        let chain = solved(&description, &with(Method::CardanicExact));
+        for (beam, chain) in beam.modes.iter().zip(&chain.modes) {
+            assert_eq!(beam.label(), chain.label());
+            assert_close(beam.modal_mass, chain.modal_mass, 2e-4, &beam.label());
+            let points = beam.shape.iter().chain(&beam.station_shape);
+            for (p, q) in points.zip(chain.shape.iter().chain(&chain.station_shape)) {
+                for axis in 0..3 {
+                    let moved = (p.translation[axis] - q.translation[axis]).abs();
+                    let turned = (p.rotation[axis] - q.rotation[axis]).abs();
+                    let case = format!(
+                        "{} at {} m: {moved:e}, {turned:e}",
+                        beam.label(),
+                        p.height_m
+                    );
+                    assert!(moved < 2e-4 && turned < 2e-4, "{case}");
+                }
+            }
+        }
+    }
+}
