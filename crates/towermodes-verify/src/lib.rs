@@ -7,8 +7,8 @@
 //! assert_eq!(rows[0].expected.value, 0.8905);
 //! ```
 //!
-//! A [`Case`] is a tower, where its answers are from, and what each method should give. A tolerance is never chosen: it is what the last
-//! digit given leaves open, and what the run promises ([`Run::allowance`]).
+//! A [`Case`] is a tower, where its answers are from, and what each method should give. A tolerance is what the last
+//! digit given leaves open, and an allowance for the method or the reference ([`Run::allowance`]).
 
 mod case;
 mod manual;

@@ -9,8 +9,8 @@ pub fn markdown(rows: &[Row]) -> String {
     let mut text = String::from(
         "# Verification\n\n\
          Every line is a value that is known from elsewhere and what the program gives for it. This chapter is printed by\n\
-         `towermodes verify --format markdown`; a test compares the two. A tolerance is not chosen: it is what the last digit of the\n\
-         expected value leaves open, and what the method promises.\n\n",
+         `towermodes verify --format markdown`; a test compares the two. A tolerance is what the last digit of the\n\
+         expected value leaves open, and an allowance for the method or the reference, stated with the case.\n\n",
     );
     let failures = rows.iter().filter(|row| !row.passes()).count();
     let _ = writeln!(

@@ -124,6 +124,7 @@ fn solve_cut(
     options: &Options,
     workspace: &mut Workspace,
 ) -> Result<Vec<Found>, SolveError> {
+    options.check_memory(cut)?;
     let Workspace { model, spectrum } = workspace;
     model.assemble(tower, cut, options);
     if !model.is_finite() {

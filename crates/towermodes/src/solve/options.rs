@@ -2,6 +2,7 @@
 
 use thiserror::Error;
 
+use super::model::Cut;
 use crate::Method;
 use crate::beam::BeamRecipe;
 use crate::eigen::EigenError;
@@ -101,6 +102,20 @@ impl Options {
             return Err(SolveError::TooLarge {
                 modes,
                 degrees_of_freedom: available,
+            });
+        }
+        Ok(())
+    }
+
+    /// Refuses more spectral elements of a degree than memory holds: each has full matrices, of two planes, torsion and stretch, and
+    /// twice as large ones where the tower shears.
+    pub(super) fn check_memory(&self, cut: &Cut) -> Result<(), SolveError> {
+        let (segments, rows) = (cut.mesh.segments(), 2 * cut.degree + 2);
+        let bytes = segments.saturating_mul(4 * rows * rows * size_of::<f64>());
+        if self.method == Method::Spectral && bytes > 2 * MAX_VECTOR_BYTES {
+            return Err(SolveError::TooLarge {
+                modes: self.modes,
+                degrees_of_freedom: segments * 4 * cut.degree,
             });
         }
         Ok(())

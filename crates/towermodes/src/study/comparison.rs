@@ -50,7 +50,8 @@ impl Comparison {
 
 /// Solves a tower by several methods for the lowest modes of the spectral beam.
 ///
-/// `options` holds for all: the number of modes, rotary inertia, the place of hinges. Each solved column is told to `done`.
+/// `options` holds for all: the number of modes, rotary inertia, the place of hinges. Each solved column is told to `done`, with the
+/// options that solved it.
 ///
 /// # Errors
 /// [`SolveError`] of the first method that cannot solve it.
@@ -64,6 +65,7 @@ pub fn compare(
     let with = |spec: &ColumnSpec| Options {
         method: spec.method,
         segments: spec.segments,
+        degree: None,
         points: 2,
         ..options.clone()
     };
@@ -79,26 +81,28 @@ pub fn compare(
     };
     for spec in columns {
         let options = with(spec);
-        let column = column(tower, &options, &comparison.modes, &mut workspace)?;
-        done(&column, &options);
+        let (column, modes) = column(tower, &options, &comparison.modes, &mut workspace)?;
+        done(&column, &Options { modes, ..options });
         comparison.columns.push(column);
     }
     Ok(comparison)
 }
 
+/// A column, and how many modes had to be found for it.
 fn column(
     tower: &Tower,
     options: &Options,
     modes: &[FollowedMode],
     workspace: &mut Workspace,
-) -> Result<Column, SolveError> {
+) -> Result<(Column, usize), SolveError> {
     let solution = solve_for(tower, options, modes, workspace)?;
     let frequency = |mode| find(&solution, mode).map(|mode| mode.frequency_hz);
-    Ok(Column {
+    let column = Column {
         method: options.method,
         segments: solution.segments,
         degree: solution.degree,
         degrees_of_freedom: solution.degrees_of_freedom,
         frequencies_hz: modes.iter().map(frequency).collect(),
-    })
+    };
+    Ok((column, solution.modes.len()))
 }
