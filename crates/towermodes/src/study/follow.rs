@@ -56,15 +56,20 @@ pub(super) fn solve_for(
         points: 2,
         ..options.clone()
     };
+    let mut there_are_no_more = false;
     loop {
         let solution = match solve_with(tower, &options, workspace) {
-            Err(SolveError::TooManyModes { available, .. }) if available > 0 => {
+            // Another mesh or degree of the same solve may have fewer still.
+            Err(SolveError::TooManyModes { available, .. })
+                if (1..options.modes).contains(&available) =>
+            {
                 options.modes = available;
-                return solve_with(tower, &options, workspace);
+                there_are_no_more = true;
+                continue;
             }
             result => result?,
         };
-        if modes.iter().all(|mode| find(&solution, mode).is_some()) {
+        if there_are_no_more || modes.iter().all(|mode| find(&solution, mode).is_some()) {
             return Ok(solution);
         }
         options.modes *= 2;
