@@ -1,6 +1,7 @@
 //! One case: a tower, its known answers, and the methods that should give them.
 
-use towermodes::{Family, Method, Options, Solution, Tower, TowerDescription, solve};
+use towermodes::study::solve_until;
+use towermodes::{Family, Method, Options, Solution, Tower, TowerDescription, Workspace};
 
 use crate::manual::Chapter;
 use crate::row::Row;
@@ -235,34 +236,21 @@ impl Case {
         self.expected.iter().map(row).collect()
     }
 
-    /// Solves for more and more modes until all expected ones are there.
+    /// Solves for all expected modes, or for as many as there are.
     fn solution(&self, run: &Run, tower: &Tower) -> Result<Solution, String> {
-        let mut modes = 2 * self.expected.len() + 4;
-        loop {
-            let options = Options {
-                modes,
-                points: 2,
-                ..run.options.clone()
-            };
-            let solution = match solve(tower, &options) {
-                Ok(solution) => solution,
-                Err(towermodes::SolveError::TooManyModes { available, .. })
-                    if modes > available =>
-                {
-                    modes = available;
-                    continue;
-                }
-                Err(error) => return Err(error.to_string()),
-            };
-            let has = |expected: &Expected| {
-                let mut families = expected.families(tower.planes_are_equal()).iter();
-                families.all(|&family| find(&solution, family, expected.order).is_some())
-            };
-            if modes >= solution.degrees_of_freedom || self.expected.iter().all(has) {
-                return Ok(solution);
-            }
-            modes *= 2;
-        }
+        let options = Options {
+            modes: 2 * self.expected.len() + 4,
+            ..run.options.clone()
+        };
+        let planes_are_equal = tower.planes_are_equal();
+        let has_all = |solution: &Solution| {
+            self.expected.iter().all(|expected| {
+                let mut families = expected.families(planes_are_equal).iter();
+                families.all(|&family| solution.mode(family, expected.order).is_some())
+            })
+        };
+        solve_until(tower, &options, &mut Workspace::default(), has_all)
+            .map_err(|error| error.to_string())
     }
 
     /// What came out for a value; of a pair that there should be, both members.
@@ -274,7 +262,7 @@ impl Case {
         planes_are_equal: bool,
     ) -> Result<f64, String> {
         let value = |family: Family| {
-            let mode = find(solution, family, expected.order)?;
+            let mode = solution.mode(family, expected.order)?;
             let hz = match run.value {
                 Value::Frequency => mode.frequency_hz,
                 Value::Extrapolated => mode.extrapolated_hz,
@@ -289,9 +277,4 @@ impl Case {
             Err("the pair is not complete".into())
         }
     }
-}
-
-fn find(solution: &Solution, family: Family, order: usize) -> Option<&towermodes::Mode> {
-    let mut modes = solution.modes.iter();
-    modes.find(|mode| mode.family == family && mode.order == order)
 }

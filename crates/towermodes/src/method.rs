@@ -80,8 +80,8 @@ impl Method {
         }
     }
 
-    /// The leading powers p of its error n⁻ᵖ in torsion and axially: 2, with BModes 2 and 4, but 1 and 2 for the published element, whose joint for both sits
-    /// at L/4. The two can cancel on usual meshes, so both are needed to know the error.
+    /// The leading powers p of its error n⁻ᵖ in torsion and axially: 2, with BModes 2 and 4, but 1 and 2 for the published element, whose
+    /// joint for both sits at L/4. The two can cancel on usual meshes, so both are needed to know the error.
     pub fn axial_powers(self) -> &'static [i32] {
         match self {
             Self::Rmje => &[1, 2],

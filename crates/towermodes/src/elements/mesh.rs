@@ -1,21 +1,20 @@
 //! Where a tower is cut into segments.
 //!
 //! A step or a point mass is always a segment border, and a kink too, except for BModes; the spectral beam is cut where it is steep,
-//! too. Between borders the segments are equal, and
-//! their number is shared out by length.
+//! too. Between borders the segments are equal, and their number is shared out by length.
 
 use crate::tower::Tower;
 
 /// The largest ratio of a dimension or property at the ends of a span between [`Borders::Gradual`] ones: the apex of a cone is then two
 /// thirds of the span away from it, and a polynomial of degree p is exact to 3⁻ᵖ in its strains.
-pub const STEEPEST_SPAN: f64 = 4.0;
+const STEEPEST_SPAN: f64 = 4.0;
 
 /// What must be a segment border.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Borders {
     /// Every end of a linear piece, and every point mass.
     Pieces,
-    /// Those, and as many more that no dimension of a tube and no stiffness of a table changes by more than [`STEEPEST_SPAN`] over a
+    /// Those, and as many more that no dimension of a tube and no stiffness of a table changes by more than a factor of 4 over a
     /// span: what polynomials can follow.
     Gradual,
     /// Steps and point masses alone: sections are taken at the middle of a segment, whatever pieces it reaches over.
@@ -130,11 +129,6 @@ impl Mesh {
     /// Number of segments.
     pub fn segments(&self) -> usize {
         self.borders_m.len().saturating_sub(1)
-    }
-
-    /// The spans from the base to the top.
-    pub fn spans(&self) -> &[Span] {
-        &self.spans
     }
 
     /// The segment borders from the base to the top, m: one more than there are segments.

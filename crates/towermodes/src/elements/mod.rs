@@ -11,7 +11,7 @@ mod springs;
 
 pub(crate) use attached::{machine, masses_up_to};
 pub use cardanic::GAUSS_HINGE_POSITION;
-pub use mesh::{Borders, Mesh, STEEPEST_SPAN, Span};
+pub use mesh::{Borders, Mesh, Span};
 
 use crate::chain::DecoupledChains;
 use crate::tower::{Piece, Tower};

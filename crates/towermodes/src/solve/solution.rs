@@ -133,3 +133,11 @@ pub struct Solution {
     /// What it cost.
     pub statistics: Statistics,
 }
+
+impl Solution {
+    /// The mode of a family and an order in it, from 1, if it is in the list.
+    pub fn mode(&self, family: Family, order: usize) -> Option<&Mode> {
+        let mut modes = self.modes.iter();
+        modes.find(|mode| mode.family == family && mode.order == order)
+    }
+}

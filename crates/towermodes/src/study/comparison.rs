@@ -1,6 +1,6 @@
 //! Several methods side by side.
 
-use super::follow::{FollowedMode, find, followed, solve_for};
+use super::follow::{FollowedMode, followed, solve_for};
 use crate::Warning;
 use crate::method::Method;
 use crate::solve::{Options, SolveError, Workspace, solve_with};
@@ -96,7 +96,7 @@ fn column(
     workspace: &mut Workspace,
 ) -> Result<(Column, usize), SolveError> {
     let solution = solve_for(tower, options, modes, workspace)?;
-    let frequency = |mode| find(&solution, mode).map(|mode| mode.frequency_hz);
+    let frequency = |mode: &FollowedMode| mode.frequency_in(&solution);
     let column = Column {
         method: options.method,
         segments: solution.segments,

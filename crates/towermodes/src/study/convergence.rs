@@ -1,6 +1,6 @@
 //! One method as its segments get more.
 
-use super::follow::{FollowedMode, find, followed, solve_for};
+use super::follow::{FollowedMode, followed, solve_for};
 use crate::Warning;
 use crate::method::Method;
 use crate::solve::{Options, SolveError, Workspace, solve_with};
@@ -64,7 +64,7 @@ const ROUNDING: f64 = 1e-11;
 ///
 /// # Errors
 /// [`SolveError::NoShear`] for BModes and a tower that shears: it converges to no beam of that tower.
-pub fn limit_options(tower: &Tower, options: &Options) -> Result<Options, SolveError> {
+fn limit_options(tower: &Tower, options: &Options) -> Result<Options, SolveError> {
     if options.method == Method::Bmodes && tower.shears() {
         return Err(SolveError::NoShear);
     }
@@ -105,7 +105,7 @@ pub fn converge(
             },
         };
         let solution = solve_for(tower, &options, &modes, &mut workspace)?;
-        let frequency = |mode| find(&solution, mode).map(|mode| mode.frequency_hz);
+        let frequency = |mode: &FollowedMode| mode.frequency_in(&solution);
         let frequencies_hz: Vec<_> = modes.iter().map(frequency).collect();
         let error =
             |(f, mode): (&Option<f64>, &FollowedMode)| Some((*f)? / mode.frequency_hz - 1.0);

@@ -1,7 +1,7 @@
 //! The same modes by different methods: what is followed is family and order, not the place in the list, which meshes change.
 
 use crate::modes::Family;
-use crate::solve::{Mode, Options, Solution, SolveError, Workspace, solve_with};
+use crate::solve::{Options, Solution, SolveError, Workspace, solve_with};
 use crate::tower::Tower;
 
 /// A mode that is followed from method to method.
@@ -27,6 +27,12 @@ impl FollowedMode {
             label
         }
     }
+
+    /// Its frequency in a solution, if it is there, Hz.
+    pub(super) fn frequency_in(&self, solution: &Solution) -> Option<f64> {
+        let mode = solution.mode(self.family, self.order)?;
+        Some(mode.frequency_hz)
+    }
 }
 
 /// The modes of a solution, a pair once.
@@ -44,15 +50,35 @@ pub(super) fn followed(tower: &Tower, solution: &Solution) -> Vec<FollowedMode> 
         .collect()
 }
 
-/// Solves for more and more modes until all that are followed are there, or there are no more.
+/// Solves until all that are followed are there, or there are no more.
 pub(super) fn solve_for(
     tower: &Tower,
     options: &Options,
     modes: &[FollowedMode],
     workspace: &mut Workspace,
 ) -> Result<Solution, SolveError> {
-    let mut options = Options {
+    let options = Options {
         modes: modes.iter().map(|mode| 1 + usize::from(mode.is_pair)).sum(),
+        ..options.clone()
+    };
+    solve_until(tower, &options, workspace, |solution| {
+        modes
+            .iter()
+            .all(|mode| mode.frequency_in(solution).is_some())
+    })
+}
+
+/// Solves for the modes asked for and, while `has_all` is not content, for twice as many, until there are no more; shapes have two points.
+///
+/// # Errors
+/// [`SolveError`], but for more modes than there are.
+pub fn solve_until(
+    tower: &Tower,
+    options: &Options,
+    workspace: &mut Workspace,
+    has_all: impl Fn(&Solution) -> bool,
+) -> Result<Solution, SolveError> {
+    let mut options = Options {
         points: 2,
         ..options.clone()
     };
@@ -69,15 +95,9 @@ pub(super) fn solve_for(
             }
             result => result?,
         };
-        if there_are_no_more || modes.iter().all(|mode| find(&solution, mode).is_some()) {
+        if there_are_no_more || has_all(&solution) {
             return Ok(solution);
         }
         options.modes *= 2;
     }
-}
-
-/// The mode of a solution that is the followed one.
-pub(super) fn find<'s>(solution: &'s Solution, mode: &FollowedMode) -> Option<&'s Mode> {
-    let mut modes = solution.modes.iter();
-    modes.find(|other| other.family == mode.family && other.order == mode.order)
 }

@@ -5,5 +5,5 @@ mod convergence;
 mod follow;
 
 pub use comparison::{Column, ColumnSpec, Comparison, compare};
-pub use convergence::{Convergence, Fineness, Level, converge, limit_options};
-pub use follow::FollowedMode;
+pub use convergence::{Convergence, Fineness, Level, converge};
+pub use follow::{FollowedMode, solve_until};
