@@ -25,7 +25,7 @@ pub fn markdown(rows: &[Row]) -> String {
             "\n## {}\n\n{}\n",
             chapter[0].chapter.title, chapter[0].chapter.introduction
         );
-        for case in chapter.chunk_by(|a, b| (&a.case, a.source) == (&b.case, b.source)) {
+        for case in chapter.chunk_by(Row::is_of_the_case_of) {
             let _ = write!(text, "\n**{}** ({})\n\n", case[0].case, case[0].source);
             text.push_str("| method | mode | expected | got | difference | tolerance | |\n|---|---|---|---|---|---|---|\n");
             for row in case {

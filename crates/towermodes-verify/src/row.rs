@@ -33,6 +33,11 @@ impl Row {
         Some(got / self.expected.value - 1.0)
     }
 
+    /// Whether another row, next to this one, is of the same case.
+    pub fn is_of_the_case_of(&self, other: &Self) -> bool {
+        (&self.case, self.source) == (&other.case, other.source)
+    }
+
     /// What came out with one digit more than was expected, or why nothing did.
     pub fn shown(&self) -> String {
         let decimals = self.expected.decimals + 1;

@@ -2,11 +2,10 @@
 
 use std::time::Duration;
 
-use comfy_table::CellAlignment;
 use towermodes::study::{Column, Comparison};
 use towermodes::{Family, Method, Tower};
 
-use super::text::{plain_table, title};
+use super::text::{align_right, plain_table, title};
 
 /// Frequencies, differences to the spectral beam, sizes and times.
 pub(crate) fn comparison(tower: &Tower, comparison: &Comparison, times: &[Duration]) -> String {
@@ -36,11 +35,7 @@ pub(crate) fn comparison(tower: &Tower, comparison: &Comparison, times: &[Durati
         columns[i].degrees_of_freedom.to_string()
     });
     add("time a solve".into(), &|i| shown_time(times[i]));
-    for column in 1..=columns.len() {
-        if let Some(column) = table.column_mut(column) {
-            column.set_cell_alignment(CellAlignment::Right);
-        }
-    }
+    align_right(&mut table, 1..=columns.len());
     let note = note(comparison).map_or_else(String::new, |note| format!("\n{note}\n"));
     format!("{}{}\n{note}", title(tower), table.trim_fmt())
 }

@@ -1,11 +1,10 @@
 //! How a method converges, for people: errors, observed orders, and a picture of both.
 
-use comfy_table::CellAlignment;
 use towermodes::Tower;
 use towermodes::study::{Convergence, Fineness, Level};
 
 use super::plot::{Series, XAxis, plot};
-use super::text::{plain_table, title};
+use super::text::{align_right, plain_table, title};
 
 /// The errors and orders of each mode, and their picture.
 pub(crate) fn convergence(tower: &Tower, convergence: &Convergence) -> String {
@@ -29,11 +28,7 @@ pub(crate) fn convergence(tower: &Tower, convergence: &Convergence) -> String {
         }
         table.add_row(row);
     }
-    for column in 0..=2 * convergence.modes.len() {
-        if let Some(column) = table.column_mut(column) {
-            column.set_cell_alignment(CellAlignment::Right);
-        }
-    }
+    align_right(&mut table, 0..=2 * convergence.modes.len());
     format!(
         "{}{}\n\n{}\n{}\n\n{}",
         title(tower),

@@ -1,9 +1,8 @@
 //! A solution for people.
 
-use comfy_table::CellAlignment;
 use towermodes::{Method, Mode, Solution, Tower};
 
-use super::text::{aligned, counted, four_digits, plain_table, title, tonnes};
+use super::text::{align_right, aligned, counted, four_digits, plain_table, title, tonnes};
 
 /// Frequencies are shown with at least this many decimals, and at most with those a number holds.
 const DECIMALS: std::ops::RangeInclusive<i32> = 4..=11;
@@ -33,11 +32,7 @@ fn modes(solution: &Solution) -> String {
             four_digits(mode.period_s()),
         ]);
     }
-    for column in [0, 2, 3, 4] {
-        if let Some(column) = table.column_mut(column) {
-            column.set_cell_alignment(CellAlignment::Right);
-        }
-    }
+    align_right(&mut table, [0, 2, 3, 4]);
     table.trim_fmt()
 }
 

@@ -1,9 +1,8 @@
 //! The verification manual for people.
 
-use comfy_table::CellAlignment;
 use towermodes_verify::Row;
 
-use super::text::plain_table;
+use super::text::{align_right, plain_table};
 
 /// All rows, chapter by chapter and case by case, and how many come out.
 pub(crate) fn verification(rows: &[Row]) -> String {
@@ -44,14 +43,10 @@ fn of_chapter(rows: &[Row]) -> String {
             row.verdict().to_owned(),
         ]);
     }
-    for column in 2..=5 {
-        if let Some(column) = table.column_mut(column) {
-            column.set_cell_alignment(CellAlignment::Right);
-        }
-    }
+    align_right(&mut table, 2..=5);
     let mut lines = table.lines();
     let mut text = lines.next().unwrap_or_default().trim_end().to_owned();
-    for case in rows.chunk_by(|a, b| (&a.case, a.source) == (&b.case, b.source)) {
+    for case in rows.chunk_by(Row::is_of_the_case_of) {
         text.push_str(&format!("\n {} ({})", case[0].case, case[0].source));
         for line in lines.by_ref().take(case.len()) {
             text.push_str(&format!("\n{}", line.trim_end()));
