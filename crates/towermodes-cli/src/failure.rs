@@ -96,6 +96,12 @@ fn hint(error: &SolveError) -> Option<&'static str> {
         SolveError::TooManyModes { .. } => {
             Some("raise --segments (of --method spectral --degree) or lower --modes")
         }
+        SolveError::Buckles { .. } => Some(
+            "carry less, widen the tower or thicken its wall; without [gravity] the frequencies are those of weights that press on nothing",
+        ),
+        SolveError::Unstable { .. } => Some(
+            "a hydrostatic stiffness is buoyancy alone: [gravity] adds what the weights do; look at the height of the centre of mass too",
+        ),
         SolveError::Eigen(EigenError::NotFinite) => Some("look for a value with the wrong unit"),
         SolveError::Eigen(_) => {
             Some("ask for fewer modes, or look for a value with the wrong unit")
@@ -150,7 +156,7 @@ mod tests {
     fn a_value_of_the_manual_that_does_not_come_out_is_exit_code_1() {
         let failure = Failure::Unverified {
             failures: 1,
-            values: 579,
+            values: 901,
         };
         assert_eq!(failure.code(), 1);
         assert_eq!(Failure::Usage("").code(), 2);

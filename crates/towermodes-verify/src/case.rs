@@ -1,8 +1,9 @@
 //! One case: a tower, its known answers, and the methods that should give them.
 
 use towermodes::study::solve_until;
-use towermodes::{Family, Method, Options, Solution, Tower, TowerDescription, Workspace};
+use towermodes::{Method, Mode, Options, Solution, Tower, TowerDescription, Workspace};
 
+use crate::expected::{Digits, Expected, Quantity, families};
 use crate::manual::Chapter;
 use crate::row::Row;
 
@@ -42,88 +43,12 @@ impl Unit {
         name: "Hz",
         hz: 1.0,
     };
+    /// Values that are no frequencies.
+    pub const NONE: Self = Self { name: "1", hz: 1.0 };
 
     /// Dimensionless values, as the literature has them, each worth so many Hz.
     pub fn dimensionless(hz: f64) -> Self {
         Self { name: "1", hz }
-    }
-}
-
-/// What the last digit of an expected value means.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Digits {
-    /// It was printed, so it was rounded: half a unit of it is left open.
-    Printed,
-    /// It was computed and is known to about one unit.
-    Computed,
-}
-
-/// A value that is expected of a mode.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Expected {
-    /// The family of the mode; fore-aft stands for both members of a pair where the planes are equal.
-    pub family: Family,
-    /// Its order in the family, from 1.
-    pub order: usize,
-    /// The value, in the case's unit.
-    pub value: f64,
-    /// Digits given after the decimal point.
-    pub decimals: usize,
-}
-
-impl Expected {
-    /// The values of the modes of one family from the first on, written as their source has them.
-    ///
-    /// # Panics
-    /// If a text is not a number: the manual itself would be wrong.
-    pub fn series(family: Family, values: &[&str]) -> Vec<Self> {
-        let series = values.iter().enumerate();
-        series
-            .map(|(index, text)| Self::of(family, index + 1, text))
-            .collect()
-    }
-
-    /// One value, written as its source has it.
-    ///
-    /// # Panics
-    /// As [`series`](Self::series).
-    pub fn of(family: Family, order: usize, text: &str) -> Self {
-        Self {
-            family,
-            order,
-            value: text.parse().expect("a number of the manual"),
-            decimals: text.split_once('.').map_or(0, |(_, digits)| digits.len()),
-        }
-    }
-
-    /// What it is a value of: "bending 2".
-    pub fn what(&self, planes_are_equal: bool) -> String {
-        let family = match self.family {
-            Family::ForeAft if planes_are_equal => "bending",
-            other => other.name(),
-        };
-        format!("{family} {}", self.order)
-    }
-
-    /// The families that have it: both bending planes if they are equal.
-    fn families(&self, planes_are_equal: bool) -> &'static [Family] {
-        match self.family {
-            Family::ForeAft if planes_are_equal => &[Family::ForeAft, Family::SideSide],
-            Family::ForeAft => &[Family::ForeAft],
-            Family::SideSide => &[Family::SideSide],
-            Family::Torsion => &[Family::Torsion],
-            _ => &[Family::Axial],
-        }
-    }
-
-    /// How much the digits given leave open, in the case's unit.
-    fn open(&self, digits: Digits) -> f64 {
-        let unit = 0.1_f64.powi(self.decimals as i32);
-        match digits {
-            // A printed value may lie on the edge of its rounding.
-            Digits::Printed => 0.5 * unit * (1.0 + 1e-9),
-            Digits::Computed => unit,
-        }
     }
 }
 
@@ -194,6 +119,14 @@ impl Run {
         self
     }
 
+    /// The frequency of a mode that is compared, Hz.
+    fn frequency_hz(&self, mode: &Mode) -> f64 {
+        match self.value {
+            Value::Frequency => mode.frequency_hz,
+            Value::Extrapolated => mode.extrapolated_hz,
+        }
+    }
+
     /// The method with its segments: "rmje 20", "rmje-exact 400, extrapolated".
     pub fn name(&self) -> String {
         let method = self.options.method.name();
@@ -243,11 +176,17 @@ impl Case {
             ..run.options.clone()
         };
         let planes_are_equal = tower.planes_are_equal();
+        let has = |solution: &Solution, expected: &Expected| match expected.quantity {
+            Quantity::Mode(family, order) => {
+                let mut families = families(family, planes_are_equal).into_iter();
+                families.all(|family| solution.mode(family, order).is_some())
+            }
+            Quantity::Lowest(place) => solution.modes.len() >= place,
+            Quantity::BucklingLoadFactor => true,
+        };
         let has_all = |solution: &Solution| {
-            self.expected.iter().all(|expected| {
-                let mut families = expected.families(planes_are_equal).iter();
-                families.all(|&family| solution.mode(family, expected.order).is_some())
-            })
+            let mut expected = self.expected.iter();
+            expected.all(|expected| has(solution, expected))
         };
         solve_until(tower, &options, &mut Workspace::default(), has_all)
             .map_err(|error| error.to_string())
@@ -261,20 +200,31 @@ impl Case {
         expected: &Expected,
         planes_are_equal: bool,
     ) -> Result<f64, String> {
-        let value = |family: Family| {
-            let mode = solution.mode(family, expected.order)?;
-            let hz = match run.value {
-                Value::Frequency => mode.frequency_hz,
-                Value::Extrapolated => mode.extrapolated_hz,
-            };
-            Some(hz / self.unit.hz)
-        };
-        let got = value(expected.family).ok_or("the mode is not there")?;
-        let mut families = expected.families(planes_are_equal).iter();
-        if families.all(|&family| value(family) == Some(got)) {
-            Ok(got)
-        } else {
-            Err("the pair is not complete".into())
+        let in_unit = |mode: &Mode| run.frequency_hz(mode) / self.unit.hz;
+        match expected.quantity {
+            Quantity::Mode(family, order) => {
+                let value = |family| solution.mode(family, order).map(in_unit);
+                let got = value(family).ok_or("the mode is not there")?;
+                let mut families = families(family, planes_are_equal).into_iter();
+                if families.all(|family| value(family) == Some(got)) {
+                    Ok(got)
+                } else {
+                    Err("the pair is not complete".into())
+                }
+            }
+            Quantity::Lowest(place) => {
+                let mode = solution.modes.get(place - 1);
+                Ok(mode.map(in_unit).ok_or("the mode is not there")?)
+            }
+            Quantity::BucklingLoadFactor => {
+                let factor = buckling_load_factor(solution);
+                Ok(factor.ok_or("no weights buckle the tower")?)
+            }
         }
     }
+}
+
+/// All weights times this factor buckle the tower.
+fn buckling_load_factor(solution: &Solution) -> Option<f64> {
+    solution.buckling_load_factor
 }

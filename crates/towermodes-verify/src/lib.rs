@@ -11,12 +11,14 @@
 //! digit given leaves open, and an allowance for the method or the reference ([`Run::allowance`]).
 
 mod case;
+mod expected;
 mod manual;
 mod markdown;
 mod row;
 pub mod towers;
 
-pub use case::{Case, Digits, Expected, Run, Unit, Value};
+pub use case::{Case, Run, Unit, Value};
+pub use expected::{Digits, Expected, Quantity};
 pub use manual::{CHAPTERS, Chapter, manual};
 pub use markdown::markdown;
 pub use row::Row;

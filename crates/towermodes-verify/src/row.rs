@@ -1,6 +1,6 @@
 //! One line of the manual.
 
-use crate::case::Expected;
+use crate::expected::Expected;
 use crate::manual::Chapter;
 
 /// One line of the manual: an expected value and what came out.

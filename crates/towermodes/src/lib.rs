@@ -31,21 +31,25 @@ pub mod elements;
 mod method;
 pub mod modes;
 mod number;
+pub mod parts;
 mod solve;
+pub mod space;
 pub mod study;
+mod symmetric;
 pub mod tower;
 mod warning;
 
 pub use eigen::{EigenError, Statistics};
 pub use method::Method;
-pub use modes::{Family, ShapePoint};
+pub use modes::{ByMotion, Energy, Family, ShapePoint};
 pub use solve::{
     Certificate, DEFAULT_MODES, DEFAULT_POINTS, DEFAULT_SEGMENTS, MAX_DEGREE, MAX_POINTS,
     MAX_SEGMENTS, MAX_SPECTRAL_ELEMENTS, MAX_VECTOR_BYTES, Mode, Options, Solution, SolveError,
     Workspace, solve, solve_with,
 };
 pub use tower::{
-    Inertia, Material, Place, Planes, PointMass, Problem, Properties, PropertyStation, Rna, Shear,
-    Station, Tower, TowerDescription, TowerError,
+    FloatingPlatform, Foundation, FoundationSprings, HalfSpace, Inertia, Material, Place, Planes,
+    PointMass, Problem, Properties, PropertyStation, ReferredMatrix, Rna, Shear, SoilRow,
+    SoilStiffness, Station, StiffnessFoundation, Tower, TowerDescription, TowerError, Water, Wires,
 };
 pub use warning::Warning;

@@ -73,9 +73,25 @@ pub enum Warning {
         /// Mass of the tower, kg.
         tower_kg: f64,
     },
+    /// Soil around a tower whose base is clamped all the same.
+    #[error(
+        "the base is clamped below soil: the soil holds what the clamp leaves; a pile has type = \"springs\" at its tip"
+    )]
+    SoilAndClamp,
+    /// A matrix of a floating platform was not symmetric.
+    #[error(
+        "the {what} of the platform is not symmetric (entries differ by up to {:.2} %); the mean of both halves is used",
+        100.0 * .difference
+    )]
+    Symmetrized {
+        /// Which matrix.
+        what: &'static str,
+        /// The largest difference of two entries that should be equal, as a share of the larger.
+        difference: f64,
+    },
     /// Principal moments of inertia that no mass distribution has.
     #[error(
-        "a moment of inertia of the rotor-nacelle assembly ({} kg m2) exceeds the sum of the other two \
+        "a principal moment of inertia of the rotor-nacelle assembly ({} kg m2) exceeds the sum of the other two \
          ({} kg m2), which no mass distribution has",
         Plain(*.largest_kg_m2), Plain(*.others_kg_m2)
     )]

@@ -3,13 +3,14 @@
 mod towers;
 
 use towermodes::Tower;
-use towermodes::beam::{
-    BeamPencil, BeamPencilWorkspace, BeamRecipe, BeamWorkspace, DecoupledBeams, assemble_beams,
-};
-use towermodes::chain::{ChainPencil, ChainWorkspace, DecoupledChains};
+use towermodes::beam::{BeamRecipe, BeamWorkspace, Beams, assemble_beams};
+use towermodes::chain::Chains;
 use towermodes::eigen::{EigenWorkspace, lowest};
 use towermodes::elements::{Borders, Mesh, Recipe, assemble};
+use towermodes::parts::{Parts, Problem};
 use towers::{reference, reference_350t};
+
+const AT_REST: Problem = Problem::Vibration { origin: 0.0 };
 
 #[test]
 fn a_reused_workspace_allocates_nothing() {
@@ -17,8 +18,7 @@ fn a_reused_workspace_allocates_nothing() {
     let mesh = towers
         .each_ref()
         .map(|tower| Mesh::new(tower, Borders::Pieces, 100));
-    let (mut chains, mut work) = (DecoupledChains::default(), ChainWorkspace::default());
-    let mut eigen = EigenWorkspace::default();
+    let (mut chains, mut eigen) = (Parts::<Chains>::default(), EigenWorkspace::default());
     let mut solve = |index: usize| {
         assemble(
             &towers[index],
@@ -26,8 +26,10 @@ fn a_reused_workspace_allocates_nothing() {
             &Recipe::default(),
             &mut chains,
         );
-        let mut pencil = ChainPencil::new(&chains.fore_aft, &mut work);
-        lowest(&mut pencil, 4, &mut eigen).expect("stable");
+        let found = chains
+            .part_mut(0)
+            .with_pencil(AT_REST, |pencil| lowest(pencil, 4, &mut eigen));
+        found.expect("stable");
     };
     let first = allocation_counter::measure(|| solve(0));
     assert!(first.count_total > 0, "the counter does not count");
@@ -55,12 +57,14 @@ fn beams_allocate_nothing_either() {
     ];
     for (recipe, segments) in recipes {
         let mesh = Mesh::new(&tower, Borders::Pieces, segments);
-        let (mut beams, mut assembly) = (DecoupledBeams::default(), BeamWorkspace::default());
-        let (mut work, mut eigen) = (BeamPencilWorkspace::default(), EigenWorkspace::default());
+        let (mut beams, mut assembly) = (Parts::<Beams>::default(), BeamWorkspace::default());
+        let mut eigen = EigenWorkspace::default();
         let mut solve = || {
             assemble_beams(&tower, &mesh, recipe, &mut assembly, &mut beams);
-            let mut pencil = BeamPencil::new(&beams.fore_aft, &mut work);
-            lowest(&mut pencil, 4, &mut eigen).expect("stable");
+            let found = beams
+                .part_mut(0)
+                .with_pencil(AT_REST, |pencil| lowest(pencil, 4, &mut eigen));
+            found.expect("stable");
         };
         assert!(allocation_counter::measure(&mut solve).count_total > 0);
         assert_eq!(allocation_counter::measure(&mut solve).count_total, 0);

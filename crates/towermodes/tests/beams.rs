@@ -1,17 +1,17 @@
 //! Chains of flexible elements: the O(n) algorithms against dense matrices, the degree, fine meshes, planes that differ.
 
+mod pencils;
 mod towers;
 
-use nalgebra::{DMatrix, SymmetricEigen};
-use towermodes::beam::{
-    Beam, BeamPencil, BeamPencilWorkspace, BeamRecipe, BeamWorkspace, DecoupledBeams,
-    assemble_beams,
-};
-use towermodes::chain::{Dim, Space};
-use towermodes::eigen::Pencil;
+use pencils::{check_counts, check_solve, dense_eigenvalues};
+use towermodes::beam::{BeamRecipe, BeamWorkspace, Beams, assemble_beams};
 use towermodes::elements::{Borders, Mesh};
+use towermodes::parts::{Parts, Problem};
 use towermodes::tower::{Properties, Section};
-use towermodes::{Family, Method, Options, Planes, Tower, TowerDescription, Warning};
+use towermodes::{
+    Family, Foundation, FoundationSprings, Method, Options, Planes, SoilRow, SoilStiffness, Tower,
+    TowerDescription, Warning,
+};
 use towers::{assert_close, elliptic, frequencies, reference, reference_350t, rich, solved};
 
 fn spectral(degree: usize) -> BeamRecipe {
@@ -21,72 +21,55 @@ fn spectral(degree: usize) -> BeamRecipe {
     }
 }
 
-fn beams(description: &TowerDescription, segments: usize, recipe: BeamRecipe) -> DecoupledBeams {
+fn beams(description: &TowerDescription, segments: usize, recipe: BeamRecipe) -> Parts<Beams> {
     let tower = Tower::new(description.clone()).expect("a valid tower");
     let mesh = Mesh::new(&tower, Borders::Pieces, segments);
-    let (mut beams, mut work) = (DecoupledBeams::default(), BeamWorkspace::default());
-    assemble_beams(&tower, &mesh, recipe, &mut work, &mut beams);
-    beams
+    let (mut parts, mut work) = (Parts::default(), BeamWorkspace::default());
+    assemble_beams(&tower, &mesh, recipe, &mut work, &mut parts);
+    parts
 }
 
-/// ω² of a beam, rising, from its dense inertia: 1/λ are the eigenvalues of M because K is the identity.
-fn dense_eigenvalues<const D: usize>(beam: &Beam<D>) -> Vec<f64>
-where
-    Dim<D>: Space,
-{
-    let mut work = BeamPencilWorkspace::default();
-    let mut pencil = BeamPencil::new(beam, &mut work);
-    let size = pencil.size();
-    let mut mass = DMatrix::zeros(size, size);
-    let mut unit = vec![0.0; size];
-    for column in 0..size {
-        unit[column] = 1.0;
-        pencil.mass_times(&unit, mass.column_mut(column).as_mut_slice());
-        unit[column] = 0.0;
-    }
-    let asymmetry = (&mass - mass.transpose()).norm() / mass.norm();
-    assert!(asymmetry < 1e-14, "asymmetry {asymmetry:e}");
-    let eigen = SymmetricEigen::new(mass);
-    let mut lambdas: Vec<f64> = eigen.eigenvalues.iter().map(|theta| 1.0 / theta).collect();
-    lambdas.sort_by(f64::total_cmp);
-    lambdas
-}
-
-fn check_counts<const D: usize>(beam: &Beam<D>, case: &str)
-where
-    Dim<D>: Space,
-{
-    let lambdas = dense_eigenvalues(beam);
-    let mut work = BeamPencilWorkspace::default();
-    let mut pencil = BeamPencil::new(beam, &mut work);
-    // Dense eigenvalues are exact to ε λ_max only.
-    let usable = lambdas
-        .iter()
-        .take_while(|&&l| l > 0.0 && l < 1e9 * lambdas[0]);
-    for (index, pair) in usable.collect::<Vec<_>>().windows(2).enumerate() {
-        if pair[1] / pair[0] > 1.0 + 1e-4 {
-            let shift = 0.5 * (pair[0] + pair[1]);
-            assert_eq!(pencil.count_below(shift), index + 1, "{case} at {shift}");
-        }
-    }
-    assert_eq!(pencil.count_below(0.5 * lambdas[0]), 0, "{case}");
-}
+const AT_REST: Problem = Problem::Vibration { origin: 0.0 };
 
 #[test]
-fn inertia_counts_equal_dense_eigenvalue_counts() {
-    for (name, description) in [
+fn counts_and_solves_equal_those_of_dense_matrices() {
+    let mut towers = vec![
         ("reference", reference_350t()),
         ("rich", rich()),
         ("elliptic", elliptic()),
-    ] {
+    ];
+    // With weights, soil, and a base and a machine that couple everything.
+    for (_, tower) in &mut towers.clone() {
+        tower.gravity_m_per_s2 = 9.81;
+        tower.rna.center_m = [1.2, -0.4, 2.0];
+        let soil = |height_m| SoilRow {
+            height_m,
+            stiffness: SoilStiffness {
+                x_n_per_m2: 1e6,
+                y_n_per_m2: 2e6,
+                z_n_per_m2: 3e6,
+                torsion_n: 4e6,
+            },
+        };
+        tower.soil = vec![vec![soil(0.0), soil(30.0)]];
+        tower.foundation = Foundation::Springs(FoundationSprings {
+            lateral_n_per_m: 1e8,
+            rocking_n_m: 1e11,
+            coupling_n: 0.0,
+            vertical_n_per_m: f64::INFINITY,
+            torsion_n_m: 1e10,
+        });
+        towers.push(("tied", tower.clone()));
+    }
+    for (name, description) in towers {
         for (recipe, segments) in [(BeamRecipe::Bmodes, 12), (spectral(3), 8), (spectral(9), 1)] {
-            let beams = beams(&description, segments, recipe);
-            let case = format!("{name}, {recipe:?}");
-            check_counts(&beams.fore_aft, &case);
-            check_counts(&beams.torsion, &case);
-            check_counts(&beams.axial, &case);
-            if !beams.planes_are_equal() {
-                check_counts(&beams.side_side, &case);
+            let mut parts = beams(&description, segments, recipe);
+            for part in 0..parts.count() {
+                let case = format!("{name}, {recipe:?}, part {part}");
+                parts.part_mut(part).with_pencil(AT_REST, |pencil| {
+                    check_counts(pencil, 8, &case);
+                    check_solve(pencil, 1e-8, &case);
+                });
             }
         }
     }
@@ -98,7 +81,10 @@ fn errors_at(degree: usize) -> [f64; 3] {
         degree,
         rotary_inertia: false,
     };
-    let lambdas = dense_eigenvalues(&beams(&reference(), 1, recipe).fore_aft);
+    let mut parts = beams(&reference(), 1, recipe);
+    let lambdas = parts
+        .part_mut(0)
+        .with_pencil(AT_REST, |pencil| dense_eigenvalues(pencil));
     let exact = [0.892169154365, 4.378139643592, 11.400647435166];
     std::array::from_fn(|mode| lambdas[mode].sqrt() / std::f64::consts::TAU / exact[mode] - 1.0)
 }

@@ -1,15 +1,17 @@
 //! The O(n) algorithms against dense matrices.
 
+mod pencils;
 mod towers;
 
 use nalgebra::{DMatrix, DVector, SymmetricEigen, Vector3};
-use towermodes::chain::{
-    Chain, ChainPencil, ChainWorkspace, DecoupledChains, Dim, JointFlexibility, RigidBody, Space,
-    count_below, factorize, mass_times, solve as articulated_solve, stiffness_times,
-};
-use towermodes::eigen::Pencil;
+use pencils::{check_counts, check_solve, dense_eigenvalues};
+use towermodes::chain::Chains;
 use towermodes::elements::{Borders, Element, Mesh, Recipe, assemble};
-use towermodes::{Method, Options, Planes, Tower, TowerDescription};
+use towermodes::parts::{Parts, Problem};
+use towermodes::{
+    Foundation, FoundationSprings, Inertia, Method, Options, PointMass, SoilRow, SoilStiffness,
+    Tower, TowerDescription, Water, Wires,
+};
 use towers::{assert_close, reference, reference_350t, rich, solved};
 
 /// A one-degree joint of the paper: axis, height, sliding or turning, stiffness.
@@ -138,215 +140,164 @@ fn equation_15_as_a_dense_matrix_gives_the_same_eigenvalues() {
     }
 }
 
-fn chains(description: &TowerDescription, segments: usize, element: Element) -> DecoupledChains {
+fn chains(description: &TowerDescription, segments: usize, element: Element) -> Parts<Chains> {
     let tower = Tower::new(description.clone()).expect("a valid tower");
     let mesh = Mesh::new(&tower, Borders::Pieces, segments);
-    let mut chains = DecoupledChains::default();
+    let mut parts = Parts::default();
     let recipe = Recipe {
         element,
         ..Recipe::default()
     };
-    assemble(&tower, &mesh, &recipe, &mut chains);
-    chains
+    assemble(&tower, &mesh, &recipe, &mut parts);
+    parts
 }
 
-/// A matrix from a product, column by column.
-fn dense_of(size: usize, mut times: impl FnMut(&[f64], &mut [f64])) -> DMatrix<f64> {
-    let mut matrix = DMatrix::zeros(size, size);
-    let mut unit = vec![0.0; size];
-    for column in 0..size {
-        unit[column] = 1.0;
-        times(&unit, matrix.column_mut(column).as_mut_slice());
-        unit[column] = 0.0;
-    }
-    matrix
-}
-
-fn dense_pencil<const D: usize>(chain: &Chain<D>) -> (DMatrix<f64>, DMatrix<f64>)
-where
-    Dim<D>: Space,
-{
-    let size = chain.degrees_of_freedom();
-    let mut loads = Vec::new();
-    let mass = dense_of(size, |x, y| mass_times(chain, &mut loads, x, y));
-    let stiffness = dense_of(size, |x, y| stiffness_times(chain, &mut loads, x, y));
-    (stiffness, mass)
-}
-
-/// λ of K u = λ M u for K positive definite, rising.
-fn dense_eigenvalues((stiffness, mass): &(DMatrix<f64>, DMatrix<f64>)) -> Vec<f64> {
-    let root = stiffness.clone().cholesky().expect("positive definite").l();
-    let half = root.solve_lower_triangular(mass).expect("regular");
-    let scaled = root
-        .solve_lower_triangular(&half.transpose())
-        .expect("regular");
-    let symmetric = 0.5 * (&scaled + scaled.transpose());
-    rising(
-        SymmetricEigen::new(symmetric)
-            .eigenvalues
-            .iter()
-            .map(|theta| 1.0 / theta),
-    )
-}
-
-/// Shifts all over the spectrum: between neighbours, close to each side of each, below all and above all.
-fn shifts(eigenvalues: &[f64]) -> Vec<(f64, usize)> {
-    let mut shifts = vec![(-1.0, 0), (0.0, 0), (eigenvalues[0] * 0.5, 0)];
-    // Above 1e6 λ₁ the dense eigenvalues have lost the digits that a near shift needs.
-    let trusted = eigenvalues
-        .iter()
-        .take_while(|&&value| value < 1e6 * eigenvalues[0]);
-    for (index, &value) in trusted.enumerate() {
-        shifts.push((value * (1.0 - 1e-7), index));
-        shifts.push((value * (1.0 + 1e-7), index + 1));
-        if let Some(next) = eigenvalues.get(index + 1) {
-            shifts.push(((value * next).sqrt(), index + 1));
-        }
-    }
-    shifts
-}
-
-fn check_counts<const D: usize>(chain: &Chain<D>, case: &str)
-where
-    Dim<D>: Space,
-{
-    let eigenvalues = dense_eigenvalues(&dense_pencil(chain));
-    let shifts = shifts(&eigenvalues);
-    assert!(shifts.len() > 30, "{case}: too few shifts to mean anything");
-    for (shift, count) in shifts {
-        assert_eq!(count_below(chain, shift), count, "{case} at {shift:e}");
-        assert_eq!(
-            factorize(chain, shift, &mut Vec::new()),
-            count,
-            "{case} at {shift:e}"
-        );
-    }
-}
+const AT_REST: Problem = Problem::Vibration { origin: 0.0 };
 
 #[test]
 fn inertia_counts_equal_dense_eigenvalue_counts() {
     for (name, description) in [("reference", reference()), ("rich", rich())] {
         for element in Element::ALL {
-            let chains = chains(&description, 20, element);
-            check_counts(&chains.fore_aft, &format!("{name} bending"));
-            check_counts(&chains.torsion, &format!("{name} torsion"));
-            check_counts(&chains.axial, &format!("{name} axial"));
+            let mut parts = chains(&description, 20, element);
+            for part in 0..parts.count() {
+                let case = format!("{name}, {element:?}, part {part}");
+                parts
+                    .part_mut(part)
+                    .with_pencil(AT_REST, |pencil| check_counts(pencil, 30, &case));
+            }
+        }
+    }
+}
+
+/// Soil, water, wires, weights, springs under the base and a machine beside the axis, in one plane, in both, or in all directions.
+fn grounded() -> Vec<(&'static str, TowerDescription)> {
+    let base = TowerDescription {
+        foundation: Foundation::Springs(FoundationSprings {
+            lateral_n_per_m: 2e8,
+            rocking_n_m: 5e10,
+            coupling_n: -1e9,
+            vertical_n_per_m: 1e10,
+            torsion_n_m: 2e10,
+        }),
+        soil: vec![vec![soil(10.0, 3e7, 2e7), soil(30.0, 0.0, 1e6)]],
+        water: Some(Water {
+            level_m: 55.0,
+            bed_m: Some(30.0),
+            density_kg_per_m3: 1025.0,
+            added_mass_coefficient: 1.0,
+            flooded: true,
+        }),
+        wires: vec![Wires {
+            height_m: 90.0,
+            count: 4,
+            stiffness_n_per_m: 3e6,
+            angle_deg: 40.0,
+        }],
+        gravity_m_per_s2: 9.81,
+        ..rich()
+    };
+    let with_centre = |x: f64, y: f64| {
+        let mut tower = base.clone();
+        tower.rna.center_m = [x, y, 2.1];
+        tower
+    };
+    vec![
+        ("centred", with_centre(0.0, 0.0)),
+        ("beside the axis", with_centre(-1.5, 0.0)),
+        ("beside both planes", with_centre(-1.5, 0.8)),
+    ]
+}
+
+fn soil(height_m: f64, x_n_per_m2: f64, y_n_per_m2: f64) -> SoilRow {
+    SoilRow {
+        height_m,
+        stiffness: SoilStiffness {
+            x_n_per_m2,
+            y_n_per_m2,
+            z_n_per_m2: 1e6,
+            torsion_n: 1e7,
+        },
+    }
+}
+
+#[test]
+fn counts_and_solves_hold_with_all_that_ties_a_tower_to_the_ground() {
+    for (name, description) in grounded() {
+        for element in Element::ALL {
+            let mut parts = chains(&description, 14, element);
+            for part in 0..parts.count() {
+                let case = format!("{name}, {element:?}, part {part}");
+                let part = parts.part_mut(part);
+                part.with_pencil(AT_REST, |pencil| check_counts(pencil, 20, &case));
+                for origin in [-10.0, -1000.0, 0.0] {
+                    let problem = Problem::Vibration { origin };
+                    part.with_pencil(problem, |pencil| check_solve(pencil, 1e-8, &case));
+                }
+            }
         }
     }
 }
 
 #[test]
-fn inertia_counts_hold_with_springs_to_ground() {
-    let mut chain = chains(&reference(), 20, Element::RmjeExact).fore_aft;
-    // At the tip: a lateral spring and a negative rotational one, as gravity makes.
-    chain.add_ground_stiffness(87.6, [[1e5, 0.0], [0.0, -1e6]]);
-    check_counts(&chain, "springs");
-}
-
-fn check_solve<const D: usize>(chain: &Chain<D>, shift: f64)
-where
-    Dim<D>: Space,
-{
-    let (stiffness, mass) = dense_pencil(chain);
-    let size = chain.degrees_of_freedom();
-    let exact = DVector::from_fn(size, |i, _| 1.0 + (i as f64).sin());
-    let mut x: Vec<f64> = ((stiffness - shift * mass) * &exact)
-        .iter()
-        .copied()
-        .collect();
-    let mut factors = Vec::new();
-    factorize(chain, shift, &mut factors);
-    articulated_solve(chain, &factors, &mut x);
-    for (x, exact) in x.iter().zip(&exact) {
-        assert!(
-            (x - exact).abs() < 1e-7,
-            "{x} instead of {exact} at shift {shift}"
-        );
+fn buckling_counts_equal_dense_eigenvalue_counts() {
+    for (name, description) in grounded() {
+        let mut parts = chains(&description, 10, Element::RmjeExact);
+        let case = format!("{name}, buckling");
+        parts
+            .part_mut(0)
+            .with_pencil(Problem::Buckling, |pencil| check_counts(pencil, 10, &case));
     }
 }
 
-#[test]
-fn articulated_solve_inverts_the_shifted_matrix() {
-    for element in Element::ALL {
-        let mut chains = chains(&rich(), 16, element);
-        for shift in [-10.0, 0.0, 3.0, 500.0] {
-            check_solve(&chains.fore_aft, shift);
-            check_solve(&chains.torsion, shift);
-        }
-        chains
-            .fore_aft
-            .add_ground_stiffness(110.0, [[3e5, 1e5], [1e5, 2e6]]);
-        for shift in [-10.0, 0.0, 3.0] {
-            check_solve(&chains.fore_aft, shift);
-        }
-    }
-}
-
-/// The reference tower as one coupled chain of 6×6 blocks with lumped bodies, beside its decoupled chains.
 #[test]
 fn a_six_component_chain_has_the_spectra_of_its_decoupled_ones() {
-    let (mut coupled, mut decoupled) = (Chain::<6>::default(), DecoupledChains::default());
-    decoupled.restart(false, 12);
-    for k in 0..12 {
-        let s = f64::from(k);
-        let flexibility = JointFlexibility {
-            deflection_m_per_n: Planes {
-                fore_aft: 1e-9 * (1.0 + 0.1 * s),
-                side_side: 1.3e-9,
-            },
-            bending_per_n_m: Planes {
-                fore_aft: 2e-11 * (1.0 + 0.2 * s),
-                side_side: 3e-11 * (1.0 + 0.1 * s),
-            },
-            axial_m_per_n: 5e-11,
-            torsion_per_n_m: 3e-11 * (1.0 + 0.3 * s),
-        };
-        coupled.add_joint(7.0 * s + 3.0, flexibility.spatial());
-        decoupled.add_joint(7.0 * s + 3.0, &flexibility);
-        let body = RigidBody {
-            mass_kg: 2e4,
-            first_moment_kg_m: 3e3,
-            inertia_xx_kg_m2: 9e4 + 1e3 * s,
-            inertia_yy_kg_m2: 8e4,
-            inertia_zz_kg_m2: 1e5,
-        };
-        coupled.add_body(7.0 * s + 5.0, body.spatial());
-        decoupled.add_body(7.0 * s + 5.0, &body);
+    // A tower whose motions are all coupled, but by springs too weak to be seen.
+    let description = grounded().remove(0).1;
+    let mut coupled = description.clone();
+    coupled.point_masses.push(PointMass {
+        height_m: 95.0,
+        mass_kg: 0.0,
+        inertia_kg_m2: Inertia {
+            xx: 1e-3,
+            yy: 1e-3,
+            zz: 1e-3,
+            xy: 1e-4,
+            xz: 1e-4,
+            yz: 1e-4,
+        },
+    });
+    coupled.rna.center_m[0] = 1e-9;
+    let (mut one, mut four) = (
+        chains(&coupled, 12, Element::RmjeExact),
+        chains(&description, 12, Element::RmjeExact),
+    );
+    assert_eq!((one.count(), four.count()), (1, 4));
+    let mut union: Vec<f64> = Vec::new();
+    for part in 0..4 {
+        let own = four
+            .part_mut(part)
+            .with_pencil(AT_REST, |pencil| dense_eigenvalues(pencil));
+        union.extend(own);
     }
-    let union = dense_eigenvalues(&dense_pencil(&decoupled.fore_aft))
-        .into_iter()
-        .chain(dense_eigenvalues(&dense_pencil(&decoupled.side_side)))
-        .chain(dense_eigenvalues(&dense_pencil(&decoupled.torsion)))
-        .chain(dense_eigenvalues(&dense_pencil(&decoupled.axial)));
-    let union = rising(union);
-    for (got, expected) in dense_eigenvalues(&dense_pencil(&coupled))
-        .iter()
-        .zip(&union)
-    {
+    let union = rising(union.into_iter());
+    let all = one
+        .part_mut(0)
+        .with_pencil(AT_REST, |pencil| dense_eigenvalues(pencil));
+    for (got, expected) in all.iter().zip(&union).take(30) {
         assert_close(*got, *expected, 1e-8, "coupled");
     }
-    for pair in union[..40].windows(2) {
-        let (shift, sum) = ((pair[0] * pair[1]).sqrt(), |shift| {
-            count_below(&decoupled.fore_aft, shift)
-                + count_below(&decoupled.side_side, shift)
-                + count_below(&decoupled.torsion, shift)
-                + count_below(&decoupled.axial, shift)
-        });
-        assert_eq!(count_below(&coupled, shift), sum(shift), "at {shift}");
-    }
-    check_solve(&coupled, 100.0);
 }
 
 #[test]
 fn a_pencil_gives_the_same_answers_whatever_was_asked_before() {
-    let chain = chains(&reference(), 10, Element::RmjeExact).fore_aft;
-    let mut work = ChainWorkspace::default();
-    let mut pencil = ChainPencil::new(&chain, &mut work);
-    let x: Vec<f64> = (0..pencil.size()).map(|i| (i as f64).cos()).collect();
-    let (mut first, mut second) = (x.clone(), x.clone());
-    pencil.mass_times(&x, &mut first);
-    pencil.count_below(50.0);
-    pencil.stiffness_times(&x, &mut second);
-    pencil.mass_times(&x, &mut second);
-    assert_eq!(first, second);
+    let mut parts = chains(&reference(), 10, Element::RmjeExact);
+    parts.part_mut(0).with_pencil(AT_REST, |pencil| {
+        let x: Vec<f64> = (0..pencil.size()).map(|i| (i as f64).cos()).collect();
+        let (mut first, mut second) = (x.clone(), x.clone());
+        pencil.mass_times(&x, &mut first);
+        pencil.count_below(50.0);
+        pencil.stiffness_times(&x, &mut second);
+        pencil.mass_times(&x, &mut second);
+        assert_eq!(first, second);
+    });
 }

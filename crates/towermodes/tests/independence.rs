@@ -179,6 +179,7 @@ fn modes_below_the_rounding_of_the_lowest_are_refused_not_invented() {
         description.point_masses = vec![PointMass {
             height_m: 87.6 - below_top,
             mass_kg: 5e3,
+            ..PointMass::default()
         }];
         Tower::new(description).expect("a valid tower")
     };

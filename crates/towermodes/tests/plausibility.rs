@@ -138,6 +138,7 @@ fn more_segments_than_asked_for() {
         let mass = |height_m| PointMass {
             height_m,
             mass_kg: 1.0,
+            ..PointMass::default()
         };
         t.point_masses = (1..250).map(|k| mass(0.35 * f64::from(k))).collect();
     };

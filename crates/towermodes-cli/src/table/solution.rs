@@ -14,6 +14,14 @@ pub(crate) fn solution(tower: &Tower, solution: &Solution) -> String {
     text.push_str("\n\n");
     text.push_str(&summary(tower, solution));
     text.push('\n');
+    text.push_str(&effective_masses(solution));
+    if let Some(factor) = solution.buckling_load_factor {
+        text.push_str(&format!(
+            " | buckles at {} times its weight",
+            four_digits(factor)
+        ));
+    }
+    text.push('\n');
     text
 }
 
@@ -26,7 +34,7 @@ fn modes(solution: &Solution) -> String {
     for (mode, (frequency, error)) in modes().zip(frequencies.iter().zip(&errors)) {
         table.add_row([
             mode.number.to_string(),
-            mode.label(),
+            what_it_is(mode),
             frequency.clone(),
             error.clone(),
             four_digits(mode.period_s()),
@@ -34,6 +42,19 @@ fn modes(solution: &Solution) -> String {
     }
     align_right(&mut table, [0, 2, 3, 4]);
     table.trim_fmt()
+}
+
+/// Its label, with the other parts of its energy from one percent on: "1st fore-aft bending (8 % torsion)".
+fn what_it_is(mode: &Mode) -> String {
+    let parts = mode.other_parts();
+    let shown = parts.iter().filter(|(_, share)| *share >= 0.01);
+    let parts: Vec<String> = shown
+        .map(|(family, share)| format!("{:.0} % {}", 100.0 * share, family.name()))
+        .collect();
+    if parts.is_empty() {
+        return mode.label();
+    }
+    format!("{} ({})", mode.label(), parts.join(", "))
 }
 
 /// A frequency or its error, with as many decimals as show two digits of the error.
@@ -77,6 +98,14 @@ fn summary(tower: &Tower, solution: &Solution) -> String {
         counted(count, "mode"),
         four_digits(solution.certificate.below_hz),
     )
+}
+
+/// Which share of the mass the modes move.
+fn effective_masses(solution: &Solution) -> String {
+    let [x, y, z, ..] = solution
+        .effective_mass_shares()
+        .map(|share| format!("{:.0} %", 100.0 * share));
+    format!("effective mass of these modes: {x} in x, {y} in y, {z} in z")
 }
 
 /// "100 segments", or "1 element of degree 19".

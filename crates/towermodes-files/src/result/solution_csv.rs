@@ -6,7 +6,8 @@ use towermodes::{Mode, Solution};
 
 use super::ResultError;
 
-const HEADER: [&str; 11] = [
+/// The keys of a mode in the JSON; a dot goes into an object.
+const HEADER: [&str; 25] = [
     "number",
     "family",
     "order",
@@ -18,6 +19,20 @@ const HEADER: [&str; 11] = [
     "extrapolated_hz",
     "modal_mass_kg",
     "modal_inertia_kg_m2",
+    "energy.kinetic.fore_aft",
+    "energy.kinetic.side_side",
+    "energy.kinetic.torsion",
+    "energy.kinetic.axial",
+    "energy.strain.fore_aft",
+    "energy.strain.side_side",
+    "energy.strain.torsion",
+    "energy.strain.axial",
+    "effective_mass.x",
+    "effective_mass.y",
+    "effective_mass.z",
+    "effective_mass.rotation_x",
+    "effective_mass.rotation_y",
+    "effective_mass.rotation_z",
 ];
 
 /// Writes the modes of a solution as CSV with a header.
@@ -34,19 +49,23 @@ pub fn write_csv(solution: &Solution, writer: impl Write) -> Result<(), ResultEr
     Ok(())
 }
 
-fn record(mode: &Mode) -> [String; 11] {
+fn record(mode: &Mode) -> Vec<String> {
     let or_empty = |value: Option<f64>| value.map_or_else(String::new, |v| v.to_string());
-    [
+    let mut record = vec![
         mode.number.to_string(),
         mode.family.name().to_owned(),
         mode.order.to_string(),
         mode.label(),
         mode.frequency_hz.to_string(),
-        mode.period_s().to_string(),
+        or_empty(Some(mode.period_s()).filter(|period| period.is_finite())),
         format!("{:e}", mode.algebraic_error_hz),
         format!("{:e}", mode.discretization_error_hz),
         mode.extrapolated_hz.to_string(),
         or_empty(mode.modal_mass_kg()),
         or_empty(mode.modal_inertia_kg_m2()),
-    ]
+    ];
+    let energy = [mode.energy.kinetic.values(), mode.energy.strain.values()];
+    let shares = energy.iter().flatten().chain(&mode.effective_mass);
+    record.extend(shares.map(|value| format!("{value:e}")));
+    record
 }

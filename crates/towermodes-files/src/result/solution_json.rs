@@ -4,7 +4,7 @@ use std::io::Write;
 
 use schemars::JsonSchema;
 use serde::Serialize;
-use towermodes::{Certificate, Mode, ShapePoint, Solution, Tower};
+use towermodes::{ByMotion, Certificate, Mode, ShapePoint, Solution, Tower};
 
 use super::{ResultError, write_pretty};
 
@@ -26,6 +26,10 @@ pub(super) struct SolutionJson<'a> {
     modes: Vec<ModeJson>,
     /// The proof that no mode is missing.
     certificate: CertificateJson,
+    /// The factor by which all weights must be multiplied for the tower to buckle; null without gravity, or where it floats.
+    buckling_load_factor: Option<f64>,
+    /// Effective masses of the listed modes together, as shares of the whole tower's.
+    effective_mass_shares: DirectionsJson,
     /// What it cost.
     solver: SolverJson,
     /// What looks like a slip.
@@ -43,6 +47,50 @@ struct TowerJson<'a> {
     mass_kg: f64,
     /// Mass of the rotor-nacelle assembly, kg.
     top_mass_kg: f64,
+    /// Acceleration of gravity, m/s2; 0 if weights are left out.
+    gravity_m_per_s2: f64,
+    /// Inertia of all that moves against rigid motions (x, y, z, rotation about x, y, z) of the whole tower about its base: kg, kg m,
+    /// kg m2.
+    rigid_inertia: [[f64; 6]; 6],
+}
+
+/// A value for each direction.
+#[derive(Serialize, JsonSchema)]
+struct DirectionsJson {
+    /// Translation fore-aft; an effective mass in kg.
+    x: f64,
+    /// Translation side-side; an effective mass in kg.
+    y: f64,
+    /// Translation upwards; an effective mass in kg.
+    z: f64,
+    /// Rotation about x through the base; an effective mass in kg m2.
+    rotation_x: f64,
+    /// Rotation about y through the base; an effective mass in kg m2.
+    rotation_y: f64,
+    /// Rotation about the tower's axis; an effective mass in kg m2.
+    rotation_z: f64,
+}
+
+/// Where the energy of a mode is.
+#[derive(Serialize, JsonSchema)]
+struct EnergyJson {
+    /// Shares of the kinetic energy.
+    kinetic: ByMotionJson,
+    /// Shares of the strain energy of tower, foundation, soil, wires and weights; all zero if there is none.
+    strain: ByMotionJson,
+}
+
+/// A share for each motion of a bare tower.
+#[derive(Serialize, JsonSchema)]
+struct ByMotionJson {
+    /// Bending fore-aft.
+    fore_aft: f64,
+    /// Bending side-side.
+    side_side: f64,
+    /// Twist about the tower's axis.
+    torsion: f64,
+    /// Stretch along the tower's axis.
+    axial: f64,
 }
 
 /// A natural mode.
@@ -52,9 +100,10 @@ struct ModeJson {
     number: usize,
     /// Natural frequency of the chain of rigid bodies or of the beam, Hz.
     frequency_hz: f64,
-    /// 1/frequency, s.
-    period_s: f64,
-    /// `fore-aft`, `side-side`, `torsion` or `axial`.
+    /// 1/frequency, s; null for a motion that nothing resists.
+    period_s: Option<f64>,
+    /// `fore-aft`, `side-side`, `torsion`, `axial` or `coupled`; of a floating tower that moves as one body `surge`, `sway`, `heave`,
+    /// `roll`, `pitch` or `yaw`.
     family: &'static str,
     /// Order within the family, from 1.
     order: usize,
@@ -66,17 +115,22 @@ struct ModeJson {
     discretization_error_hz: f64,
     /// The beam's frequency extrapolated from several numbers of segments, Hz.
     extrapolated_hz: f64,
-    /// Modal mass for the shape as normalized, kg; null for torsion.
+    /// Modal mass for the shape as normalized, kg; null for torsion and yaw.
     modal_mass_kg: Option<f64>,
-    /// Modal inertia for the shape as normalized, kg m2; null except for torsion.
+    /// Modal inertia for the shape as normalized, kg m2; null except for torsion and yaw.
     modal_inertia_kg_m2: Option<f64>,
+    /// Where its energy is.
+    energy: EnergyJson,
+    /// Effective modal masses: over all modes they add up to the diagonal of the tower's rigid inertia.
+    effective_mass: DirectionsJson,
     /// The shape at equal heights from the base to the top.
     shape: ShapeJson,
     /// The shape at the stations of the file.
     station_shape: ShapeJson,
 }
 
-/// A shape, one list an axis; the largest translation (in torsion: rotation) of the tower is 1, positive at the top.
+/// A shape, one list an axis; the largest translation in the mode's direction (in torsion and yaw: rotation) of the tower is 1, positive
+/// at the top.
 #[derive(Serialize, JsonSchema)]
 struct ShapeJson {
     /// Heights in the datum of the stations, m.
@@ -138,9 +192,13 @@ fn solution_json<'a>(tower: &'a Tower, solution: &Solution) -> SolutionJson<'a> 
             height_m: tower.height_m(),
             mass_kg: tower.mass_kg(),
             top_mass_kg: tower.rna().mass_kg,
+            gravity_m_per_s2: tower.gravity_m_per_s2(),
+            rigid_inertia: solution.rigid_inertia,
         },
         modes: solution.modes.iter().map(mode_json).collect(),
         certificate: certificate_json(&solution.certificate),
+        buckling_load_factor: solution.buckling_load_factor,
+        effective_mass_shares: directions_json(solution.effective_mass_shares()),
         solver: SolverJson {
             products: solution.statistics.products,
             restarts: solution.statistics.restarts,
@@ -161,7 +219,7 @@ fn mode_json(mode: &Mode) -> ModeJson {
     ModeJson {
         number: mode.number,
         frequency_hz: mode.frequency_hz,
-        period_s: mode.period_s(),
+        period_s: Some(mode.period_s()).filter(|period| period.is_finite()),
         family: mode.family.name(),
         order: mode.order,
         label: mode.label(),
@@ -170,8 +228,34 @@ fn mode_json(mode: &Mode) -> ModeJson {
         extrapolated_hz: mode.extrapolated_hz,
         modal_mass_kg: mode.modal_mass_kg(),
         modal_inertia_kg_m2: mode.modal_inertia_kg_m2(),
+        energy: EnergyJson {
+            kinetic: by_motion_json(&mode.energy.kinetic),
+            strain: by_motion_json(&mode.energy.strain),
+        },
+        effective_mass: directions_json(mode.effective_mass),
         shape: shape_json(&mode.shape),
         station_shape: shape_json(&mode.station_shape),
+    }
+}
+
+fn directions_json(values: [f64; 6]) -> DirectionsJson {
+    let [x, y, z, rotation_x, rotation_y, rotation_z] = values;
+    DirectionsJson {
+        x,
+        y,
+        z,
+        rotation_x,
+        rotation_y,
+        rotation_z,
+    }
+}
+
+fn by_motion_json(values: &ByMotion) -> ByMotionJson {
+    ByMotionJson {
+        fore_aft: values.fore_aft,
+        side_side: values.side_side,
+        torsion: values.torsion,
+        axial: values.axial,
     }
 }
 

@@ -3,13 +3,17 @@
 use towermodes::TowerDescription;
 
 use super::Reading;
-use super::foundation::check_foundation;
+use super::foundation::foundation;
+use super::gravity::gravity;
 use super::masses::{point_masses, rna};
 use super::materials::{Materials, materials};
 use super::properties::properties;
+use super::soil::soil;
 use super::stations::{TOWER, outfitting_factor, shear, stations};
 use super::table::{Keys, Table};
 use super::values::text;
+use super::water::water;
+use super::wires::wires;
 use crate::diagnostic::Diagnostic;
 
 /// The sections of a file.
@@ -22,8 +26,12 @@ pub(super) const FILE: Keys = Keys {
         "rna",
         "point_mass",
         "foundation",
+        "soil",
+        "water",
+        "wires",
+        "gravity",
     ],
-    planned: &["soil", "water", "wires", "gravity", "rotor"],
+    planned: &["rotor"],
 };
 
 /// The whole file.
@@ -38,7 +46,9 @@ pub(super) fn description(root: &Table<'_>, reading: &mut Reading) -> Option<Tow
         .is_some_and(|tower| tower.contains_key("properties"));
     // A table of properties needs no material.
     let materials = (!has_properties).then(|| materials(root, reading));
-    check_foundation(root, reading);
+    let (foundation, soil) = (foundation(root, reading), soil(root, reading));
+    let (water, wires) = (water(root, reading), wires(root, reading));
+    let gravity = gravity(root, reading);
     let rna = root.get("rna").and_then(|value| rna(value, reading));
     let point_masses = point_masses(root, reading);
     let hint = "add [tower] with stations = [[height, diameter, wall], ...]";
@@ -52,6 +62,11 @@ pub(super) fn description(root: &Table<'_>, reading: &mut Reading) -> Option<Tow
         name: name.to_owned(),
         rna: rna.unwrap_or_default(),
         point_masses: point_masses?,
+        foundation: foundation?,
+        soil: soil?,
+        water: water?,
+        wires: wires?,
+        gravity_m_per_s2: gravity?,
         outfitting_factor: outfitting_factor(&tower, reading)?,
         ..body?
     })

@@ -1,13 +1,20 @@
 //! A tower from TOML.
 
+mod body;
 mod file;
 mod foundation;
+mod gravity;
 mod masses;
 mod materials;
+mod matrix;
+mod numbers;
 mod properties;
+mod soil;
 mod stations;
 mod table;
 mod values;
+mod water;
+mod wires;
 
 use std::collections::HashMap;
 use std::ops::Range;
@@ -17,6 +24,9 @@ use towermodes::{Place, Tower, TowerDescription, TowerError};
 
 use crate::diagnostic::Diagnostic;
 use table::Table;
+
+/// The key under which the span of a whole table is remembered, for values that it leaves out.
+const TABLE: &str = "";
 
 /// What is collected while a file is read: mistakes, and where in the file each value of the tower came from.
 #[derive(Debug, Default)]
@@ -37,15 +47,30 @@ impl Reading {
 
     /// A mistake that the tower's own checks found, at its place in the file.
     fn tower_mistake(&self, error: &TowerError) -> Diagnostic {
-        let span = self
-            .places
-            .get(&error.place)
-            .or_else(|| self.places.get(&Place::Stations));
-        let diagnostic = Diagnostic::new(span.cloned().unwrap_or(0..0), error.problem.to_string());
+        let diagnostic = Diagnostic::new(self.span(error.place), error.problem.to_string());
         match error.problem.hint() {
             Some(hint) => diagnostic.with_hint(hint),
             None => diagnostic,
         }
+    }
+
+    /// Where a value stands; one that is left out at its table, or at the stations.
+    fn span(&self, place: Place) -> Range<usize> {
+        let places = [place, table_of(place), Place::Stations];
+        let span = places.iter().find_map(|place| self.places.get(place));
+        span.cloned().unwrap_or(0..0)
+    }
+}
+
+/// The place of the whole table that a value belongs to, if it is remembered.
+fn table_of(place: Place) -> Place {
+    let key = TABLE;
+    match place {
+        Place::Foundation { .. } => Place::Foundation { key },
+        Place::Soil { layer, .. } => Place::Soil { layer, row: 0, key },
+        Place::Water { .. } => Place::Water { key },
+        Place::Wires { index, .. } => Place::Wires { index, key },
+        other => other,
     }
 }
 

@@ -5,7 +5,7 @@ use std::ops::Range;
 use toml::de::{DeTable, DeValue};
 
 use super::Reading;
-use super::values::{Value, wrong_kind};
+use super::values::{Value, every_row, wrong_kind};
 use crate::diagnostic::Diagnostic;
 
 /// The keys a table may have.
@@ -38,7 +38,7 @@ impl<'a> Table<'a> {
             name: "the file".into(),
             keys: Some(keys),
         };
-        table.check_keys(keys, reading);
+        table.check_keys(keys, |_| None, reading);
         table
     }
 
@@ -49,9 +49,20 @@ impl<'a> Table<'a> {
         keys: &'static Keys,
         reading: &mut Reading,
     ) -> Option<Self> {
+        Self::with_elsewhere(value, name, keys, |_| None, reading)
+    }
+
+    /// The same where a key may belong elsewhere, which `elsewhere` then says.
+    pub(super) fn with_elsewhere(
+        value: &'a Value<'a>,
+        name: impl Into<String>,
+        keys: &'static Keys,
+        elsewhere: impl Fn(&str) -> Option<String>,
+        reading: &mut Reading,
+    ) -> Option<Self> {
         let mut table = Self::with_any_keys(value, name, reading)?;
         table.keys = Some(keys);
-        table.check_keys(keys, reading);
+        table.check_keys(keys, elsewhere, reading);
         Some(table)
     }
 
@@ -81,8 +92,13 @@ impl<'a> Table<'a> {
         &self.name
     }
 
-    /// Complains about keys that mean nothing, with the nearest one that does.
-    fn check_keys(&self, keys: &Keys, reading: &mut Reading) {
+    /// Complains about keys that mean nothing, with where they belong or the nearest one that does.
+    fn check_keys(
+        &self,
+        keys: &Keys,
+        elsewhere: impl Fn(&str) -> Option<String>,
+        reading: &mut Reading,
+    ) {
         for key in self.entries.keys() {
             let name: &str = key.get_ref();
             if keys.known.contains(&name) {
@@ -96,11 +112,9 @@ impl<'a> Table<'a> {
                 Diagnostic::new(key.span(), message).with_hint(hint)
             } else {
                 let message = format!("`{name}` is not a key of {}", self.name);
-                Diagnostic::new(key.span(), message).with_hint(suggestion(
-                    name,
-                    keys.known,
-                    "it may have",
-                ))
+                let hint =
+                    elsewhere(name).unwrap_or_else(|| suggestion(name, keys.known, "it may have"));
+                Diagnostic::new(key.span(), message).with_hint(hint)
             };
             reading.mistake(diagnostic);
         }
@@ -139,6 +153,25 @@ impl<'a> Table<'a> {
             .iter()
             .map(|(key, value)| (&**key.get_ref(), value))
     }
+}
+
+/// Every `[[key]]` of a file, as `read` makes it of its index and value; there may be none.
+pub(super) fn every_table<T>(
+    root: &Table<'_>,
+    key: &str,
+    one: &str,
+    reading: &mut Reading,
+    read: fn(usize, &Value<'_>, &mut Reading) -> Option<T>,
+) -> Option<Vec<T>> {
+    let Some(value) = root.get(key) else {
+        return Some(Vec::new());
+    };
+    let Some(rows) = value.get_ref().as_array() else {
+        let hint = format!("write [[{key}]] in double brackets, once for each {one}");
+        reading.mistake(wrong_kind(value, key, "a list of tables").with_hint(hint));
+        return None;
+    };
+    every_row(rows, |index, row| read(index, row, reading))
 }
 
 /// The nearest of the known names, or all of them after the words `there_are`.

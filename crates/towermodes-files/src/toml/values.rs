@@ -37,6 +37,27 @@ pub(super) fn number(value: &Value<'_>, what: &str, reading: &mut Reading) -> Op
     finite
 }
 
+/// A finite number, or infinity where it is written as such.
+pub(super) fn number_or_infinity(
+    value: &Value<'_>,
+    what: &str,
+    reading: &mut Reading,
+) -> Option<f64> {
+    infinity(value).or_else(|| number(value, what, reading))
+}
+
+/// Infinity that is meant: `inf` and not a number too large.
+pub(super) fn infinity(value: &Value<'_>) -> Option<f64> {
+    let DeValue::Float(float) = value.get_ref() else {
+        return None;
+    };
+    match float.as_str() {
+        "inf" | "+inf" => Some(f64::INFINITY),
+        "-inf" => Some(f64::NEG_INFINITY),
+        _ => None,
+    }
+}
+
 fn integer_value(digits: &str, radix: u32) -> Option<f64> {
     match radix {
         10 => digits.parse().ok(),
@@ -44,6 +65,15 @@ fn integer_value(digits: &str, radix: u32) -> Option<f64> {
             .ok()
             .map(|integer| integer as f64),
     }
+}
+
+/// `true` or `false`.
+pub(super) fn truth(value: &Value<'_>, what: &str, reading: &mut Reading) -> Option<bool> {
+    let truth = value.get_ref().as_bool();
+    if truth.is_none() {
+        reading.mistake(wrong_kind(value, what, "true or false"));
+    }
+    truth
 }
 
 /// A text.

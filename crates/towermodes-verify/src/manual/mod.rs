@@ -2,11 +2,15 @@
 
 mod bmodes;
 mod elements;
+mod gravity;
 mod paper;
+mod real;
+mod springs;
 mod tapers;
 mod tips;
 mod tower;
 mod uniform;
+mod winkler;
 
 use crate::case::Case;
 
@@ -22,7 +26,7 @@ pub struct Chapter {
 }
 
 /// The chapters in their order.
-pub const CHAPTERS: [Chapter; 7] = [
+pub const CHAPTERS: [Chapter; 11] = [
     paper::CHAPTER,
     elements::CHAPTER,
     bmodes::CHAPTER,
@@ -30,6 +34,10 @@ pub const CHAPTERS: [Chapter; 7] = [
     tips::CHAPTER,
     tapers::CHAPTER,
     tower::CHAPTER,
+    springs::CHAPTER,
+    winkler::CHAPTER,
+    gravity::CHAPTER,
+    real::CHAPTER,
 ];
 
 /// Every case in the order of the chapters.
@@ -42,6 +50,10 @@ pub fn manual() -> Vec<Case> {
         tips::cases(),
         tapers::cases(),
         tower::cases(),
+        springs::cases(),
+        winkler::cases(),
+        gravity::cases(),
+        real::cases(),
     ];
     chapters.into_iter().flatten().collect()
 }

@@ -3,7 +3,8 @@
 use towermodes::{Family, Method, TowerDescription};
 
 use super::Chapter;
-use crate::case::{Case, Digits, Expected, Run, Unit};
+use crate::case::{Case, Run, Unit};
+use crate::expected::{Digits, Expected};
 use crate::towers::{reference, reference_350t, reference_table};
 
 pub(super) const CHAPTER: Chapter = Chapter {

@@ -3,6 +3,7 @@
 use super::Chapter;
 use super::uniform::{bending_case, runs, runs_without_rotary_inertia};
 use crate::case::Case;
+use crate::expected::Expected;
 use crate::towers::Uniform;
 
 pub(super) const CHAPTER: Chapter = Chapter {
@@ -10,7 +11,8 @@ pub(super) const CHAPTER: Chapter = Chapter {
     title: "Uniform beams with a mass on top",
     introduction: "A clamped uniform Euler-Bernoulli beam with a tip mass μ = M/(mL), its inertia j = J/(mL³) about its centre and the \
         centre ε = e/L above the tip. Frequencies must fall as j rises; a published table of this case has them rise, by a wrong sign, \
-        and is not used.",
+        and is not used. With its centre d = x/L beside the axis, fore-aft, the mass couples side-side bending with torsion, and fore-aft \
+        bending with stretch.",
 };
 
 const TIP_MASS: [(f64, &[&str]); 6] = [
@@ -57,6 +59,84 @@ const TIP_BODY: [([f64; 3], &[&str]); 7] = [
     ),
 ];
 
+const BESIDE_SOURCE: &str = "frequency equations of bending with torsion and of bending with stretch, coupled at the tip, 40 digits";
+
+/// r, (μ, j, ε), d. All modes, side-side with torsion (the first of each) and fore-aft with stretch.
+///
+/// With L = m = EI = 1 a tube has EA = 1/r², GJ = 0.8 (G = 0.4 E) and the polar inertia 2r² per length. Clamped, bending v is a sum of
+/// cosh βx − cos βx and sinh βx − sin βx with λ = β², twist φ of sin(λ r √2.5 x), stretch u of sin(λ r x). At the tip, with the
+/// velocities of the mass's centre per λ, y = v + ε v′ + d φ, x = w + ε w′ and z = u − d w′:
+///
+/// | side-side and torsion | fore-aft and stretch |
+/// |---|---|
+/// | v‴ = −λ² μ y | w‴ = −λ² μ x |
+/// | v″ = λ² (j v′ + μ ε y) | w″ = λ² (j w′ + μ ε x − μ d z) |
+/// | 0.8 φ′ = λ² (j φ + μ d y) | u′/r² = λ² μ z |
+///
+/// The zeros of both determinants, merged, in 40 digits.
+const BESIDE: [(f64, [f64; 3], f64, &[&str]); 4] = [
+    (
+        0.02,
+        [1.0, 0.01, 0.0],
+        0.1,
+        &[
+            "1.5250884043",
+            "1.5302264575",
+            "8.0896947241",
+            "11.0938752265",
+            "13.4914614601",
+            "27.3207856633",
+            "32.3567687801",
+            "53.2207315045",
+        ],
+    ),
+    (
+        0.02,
+        [1.0, 0.0, 0.0],
+        0.05,
+        &[
+            "1.5525435946",
+            "1.5538723357",
+            "15.3437876936",
+            "15.5786225048",
+            "35.5155574147",
+            "36.7517160960",
+            "55.5101302347",
+            "57.8757496708",
+        ],
+    ),
+    (
+        0.05,
+        [0.5, 0.05, 0.0],
+        0.2,
+        &[
+            "1.8171138338",
+            "1.8277946074",
+            "3.7731029119",
+            "7.2175213962",
+            "8.2245150504",
+            "22.8478473159",
+            "26.8871465391",
+            "26.9955874950",
+        ],
+    ),
+    (
+        0.02,
+        [1.3, 0.02, 0.0224],
+        0.05,
+        &[
+            "1.3360280146",
+            "1.3373036256",
+            "6.2167017873",
+            "10.5800513766",
+            "11.0708069426",
+            "27.4997466213",
+            "28.6468521189",
+            "41.6299096267",
+        ],
+    ),
+];
+
 pub(super) fn cases() -> Vec<Case> {
     let source = "frequency equation, 40 digits";
     let mut cases = Vec::new();
@@ -86,5 +166,13 @@ pub(super) fn cases() -> Vec<Case> {
         &["1.33615395", "10.9082116", "27.3074008", "58.6488251"],
         runs(),
     ));
+    for (r, [mu, j, eps], d, values) in BESIDE {
+        let beam = Uniform::new(r, None).with_tip(mu, j, eps).with_offset(d);
+        let name = format!("r = {r}, μ = {mu}, j = {j}, ε = {eps}, d = {d}");
+        let runs = runs_without_rotary_inertia();
+        let mut case = bending_case(CHAPTER, name, BESIDE_SOURCE, beam, &[], runs);
+        case.expected = Expected::lowest(values);
+        cases.push(case);
+    }
     cases
 }

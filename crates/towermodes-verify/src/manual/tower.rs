@@ -4,7 +4,8 @@ use towermodes::{Family, Shear, TowerDescription};
 
 use super::Chapter;
 use super::uniform::{runs, runs_without_rotary_inertia};
-use crate::case::{Case, Digits, Expected, Run, Unit};
+use crate::case::{Case, Run, Unit};
+use crate::expected::{Digits, Expected};
 use crate::towers::{reference, reference_350t, reference_with_machine};
 
 pub(super) const CHAPTER: Chapter = Chapter {

@@ -6,11 +6,12 @@
 //! **Spectral.** The beam itself, on elements that lie within one linear piece, with exact sections; of degree p: deflections of degree
 //! p in bending, p axially and in torsion. Where the tower shears, rotation and deflection are independent, each of degree p or less.
 
-use super::decoupled::DecoupledBeams;
-use super::element::{Stencil, Stiffness, Strain};
-use super::model::Beam;
-use crate::elements::{Mesh, machine, masses_up_to};
-use crate::tower::{Plane, Section, Tower};
+use super::element::{Slice, Stencil};
+use super::strain::{Strain, deformations};
+use super::structure::Beams;
+use crate::elements::Mesh;
+use crate::parts::{Parts, on_components};
+use crate::tower::{Section, Tower};
 
 /// How a tower is made into beams.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -31,6 +32,7 @@ pub enum BeamRecipe {
 pub struct BeamWorkspace {
     stencil: Stencil,
     sections: Vec<Section>,
+    compressions_n: Vec<f64>,
 }
 
 /// How many polynomials each strain has, and at how many points they are integrated.
@@ -40,6 +42,17 @@ struct Degrees {
     torsion: usize,
     axial: usize,
     points: usize,
+}
+
+impl Degrees {
+    fn of(&self, strain: Strain) -> usize {
+        match strain {
+            Strain::Curvature(_) => self.curvature,
+            Strain::Shear(_) => self.shear,
+            Strain::Twist => self.torsion,
+            Strain::Stretch => self.axial,
+        }
+    }
 }
 
 impl BeamRecipe {
@@ -78,31 +91,59 @@ pub fn assemble_beams(
     mesh: &Mesh,
     recipe: BeamRecipe,
     workspace: &mut BeamWorkspace,
-    beams: &mut DecoupledBeams,
+    parts: &mut Parts<Beams>,
 ) {
     let degrees = recipe.degrees(tower.shears());
-    beams.restart(
-        tower.planes_are_equal(),
-        (degrees.curvature, degrees.shear),
-        degrees.torsion,
-        degrees.axial,
-    );
-    let polynomials = degrees.axial.max(degrees.shear);
+    parts.restart(tower);
+    parts.deform(|strain| degrees.of(strain));
+    let polynomials = degrees.axial.max(degrees.shear).max(degrees.curvature);
     workspace.stencil.prepare(degrees.points, polynomials);
-    let mut masses = tower.point_masses();
+    let gravity = tower.gravity_m_per_s2();
+    let mut attachments = tower.attachments();
     for (span, borders) in mesh.spans_with_borders() {
-        masses = masses_up_to(span.base_m, masses, |z, body| beams.add_body(z, body));
+        attachments = parts.attach_up_to(span.base_m, attachments, gravity);
         for border in borders.windows(2) {
-            let ends = (border[0], border[1] - border[0]);
-            take_sections(tower, recipe, span.piece, ends, workspace);
-            add_element(beams, ends, &degrees, recipe.rotary_inertia(), workspace);
+            let (base_m, length_m) = (border[0], border[1] - border[0]);
+            take_sections(tower, recipe, span.piece, (base_m, length_m), workspace);
+            let BeamWorkspace {
+                stencil,
+                sections,
+                compressions_n,
+            } = workspace;
+            let slice = Slice {
+                base_m,
+                length_m,
+                sections,
+                compressions_n,
+                rotary_inertia: recipe.rotary_inertia(),
+            };
+            parts.add_element(stencil, &slice);
         }
     }
-    masses_up_to(tower.top_m(), masses, |z, body| beams.add_body(z, body));
-    machine(tower, |z, body| beams.add_body(z, body));
+    parts.attach_up_to(tower.top_m(), attachments, gravity);
 }
 
-/// The sections at the points of an element: those there, or that of the middle at all of them.
+impl Parts<Beams> {
+    /// Elements from here on have so many coordinates of each strain.
+    fn deform(&mut self, count: impl Fn(Strain) -> usize) {
+        for part in self.iter_mut() {
+            let motions = part.motions();
+            on_components!(part, beam, components => {
+                beam.structure.deform(deformations(motions, components, &count));
+            });
+        }
+    }
+
+    fn add_element(&mut self, stencil: &mut Stencil, slice: &Slice<'_>) {
+        for part in self.iter_mut() {
+            on_components!(part, beam, components => {
+                stencil.add_element(&mut beam.structure, &components, slice);
+            });
+        }
+    }
+}
+
+/// The sections at the points of an element, or that of the middle at all of them, and the compression if there is gravity.
 fn take_sections(
     tower: &Tower,
     recipe: BeamRecipe,
@@ -110,9 +151,18 @@ fn take_sections(
     (base_m, length_m): (f64, f64),
     workspace: &mut BeamWorkspace,
 ) {
-    let BeamWorkspace { stencil, sections } = workspace;
+    let BeamWorkspace {
+        stencil,
+        sections,
+        compressions_n,
+    } = workspace;
     let heights_m = stencil.heights_m(base_m, length_m);
     sections.clear();
+    compressions_n.clear();
+    if tower.gravity_m_per_s2() != 0.0 {
+        let heights_m = stencil.heights_m(base_m, length_m);
+        compressions_n.extend(heights_m.map(|height_m| tower.compression_n(height_m)));
+    }
     match recipe {
         BeamRecipe::Spectral { .. } => {
             let piece = &tower.pieces()[piece];
@@ -124,67 +174,4 @@ fn take_sections(
             sections.extend(heights_m.map(|_| section));
         }
     }
-}
-
-/// Adds one element to each beam, with the sections taken.
-fn add_element(
-    beams: &mut DecoupledBeams,
-    ends: (f64, f64),
-    degrees: &Degrees,
-    rotary_inertia: bool,
-    workspace: &mut BeamWorkspace,
-) {
-    let BeamWorkspace { stencil, sections } = workspace;
-    let bend = |beam: &mut Beam<2>, plane: Plane, stencil: &mut Stencil| {
-        let strains = bending_strains(degrees, plane);
-        let inertia = |section: &Section| {
-            let rotary = section.masses.rotary_inertia_kg_m.of(plane);
-            let rotary = if rotary_inertia { rotary } else { 0.0 };
-            [section.masses.mass_kg_per_m, rotary]
-        };
-        stencil.add_element(beam, ends, &strains, sections, &inertia);
-    };
-    bend(&mut beams.fore_aft, Plane::ForeAft, stencil);
-    if !beams.planes_are_equal() {
-        bend(&mut beams.side_side, Plane::SideSide, stencil);
-    }
-    let line = |count, stiffness| {
-        [Strain {
-            count,
-            integrals: [1],
-            stiffness,
-        }]
-    };
-    let twist = line(degrees.torsion, |section| section.torsion_n_m2);
-    let polar = |section: &Section| [section.masses.polar_inertia_kg_m];
-    stencil.add_element(&mut beams.torsion, ends, &twist, sections, &polar);
-    let stretch = line(degrees.axial, |section| section.axial_n);
-    let mass = |section: &Section| [section.masses.mass_kg_per_m];
-    stencil.add_element(&mut beams.axial, ends, &stretch, sections, &mass);
-}
-
-/// Curvature turns sections and moves them; shear moves them alone.
-fn bending_strains(degrees: &Degrees, plane: Plane) -> [Strain<2>; 2] {
-    let (curvature, shear): (Stiffness, Stiffness) = match plane {
-        Plane::ForeAft => (
-            |section| section.bending_n_m2.fore_aft,
-            |section| 1.0 / section.shear_flexibility_per_n.fore_aft,
-        ),
-        Plane::SideSide => (
-            |section| section.bending_n_m2.side_side,
-            |section| 1.0 / section.shear_flexibility_per_n.side_side,
-        ),
-    };
-    [
-        Strain {
-            count: degrees.curvature,
-            integrals: [2, 1],
-            stiffness: curvature,
-        },
-        Strain {
-            count: degrees.shear,
-            integrals: [1, 0],
-            stiffness: shear,
-        },
-    ]
 }

@@ -1,30 +1,29 @@
-//! One beam element of any degree: its stiffness, its inertia, the motion of its top.
+//! One beam element of any degree: its stiffness, its inertia, what soil and weights do to it, the motion of its top.
 //!
 //! A strain of the element (curvature, shear, stretch, twist) is Σ c_k P_k(ξ), and each motion component is that strain integrated
 //! once or twice over the height. The stiffness ∫ s P_i P_j dz is a weighted Gram matrix of Legendre polynomials, diagonal where the
 //! section is constant and well conditioned at any degree. In y = Lᵀ c it is the identity.
 
 use super::legendre::{Legendre, Term, gauss_points};
-use super::model::{Beam, rigid_motion};
-use crate::chain::{Dim, Space};
-use crate::tower::Section;
+use super::model::{Beam, WEIGHTS, place, rigid_motion};
+use super::strain::{Deformation, Strain};
+use crate::parts::{Component, Role};
+use crate::space::{Dim, Lever, Space};
+use crate::tower::{Motion, Section, SoilStiffness};
 
-/// The stiffness of a section against a strain.
-pub(super) type Stiffness = fn(&Section) -> f64;
-
-/// A strain, and how it moves the element.
-#[derive(Clone, Copy)]
-pub(super) struct Strain<const D: usize> {
-    /// Number of its coordinates.
-    pub(super) count: usize,
-    /// How often it is integrated to give each motion component; 0 where it does not move it.
-    pub(super) integrals: [usize; D],
-    /// What sections resist it with.
-    pub(super) stiffness: Stiffness,
+/// What an element is made of: its sections at the points of a stencil.
+pub(super) struct Slice<'a> {
+    /// Height of its base, m.
+    pub(super) base_m: f64,
+    /// Length, m.
+    pub(super) length_m: f64,
+    /// The section at each point.
+    pub(super) sections: &'a [Section],
+    /// The compression at each point, N; empty if weights are left out.
+    pub(super) compressions_n: &'a [f64],
+    /// Whether sections have rotary inertia in bending.
+    pub(super) rotary_inertia: bool,
 }
-
-/// What the sections of an element resist a motion with: each component its mass per length.
-pub(super) type Inertia<'a, const D: usize> = &'a dyn Fn(&Section) -> [f64; D];
 
 /// The Gauss points of an element with the polynomials there, and working memory.
 #[derive(Debug, Clone, Default)]
@@ -35,6 +34,7 @@ pub(super) struct Stencil {
     at_top: Vec<Term>,
     count: usize,
     shape: Vec<f64>,
+    shear: Vec<f64>,
 }
 
 impl Stencil {
@@ -56,75 +56,191 @@ impl Stencil {
         self.points.iter().map(height)
     }
 
-    /// Adds an element that begins at `base_m` (m) with the sections at its points.
+    /// Adds an element to a beam with these components.
     pub(super) fn add_element<const D: usize>(
         &mut self,
         beam: &mut Beam<D>,
-        (base_m, length_m): (f64, f64),
-        strains: &[Strain<D>],
-        sections: &[Section],
-        inertia: Inertia<'_, D>,
+        components: &[Component; D],
+        slice: &Slice<'_>,
     ) where
         Dim<D>: Space,
     {
         let (m, rows) = (beam.coordinates(), beam.rows());
-        beam.ends.push((base_m, length_m));
+        beam.ends.push((slice.base_m, slice.length_m));
         let from = beam.roots.len();
         beam.roots.resize(from + m * m, 0.0);
         let root = &mut beam.roots[from..];
-        self.add_stiffness(length_m, strains, sections, m, root);
+        self.add_stiffness(slice, &beam.deformations, m, root);
         cholesky(root, m);
-        let from = beam.masses.len();
-        beam.masses.resize(from + rows * rows, 0.0);
-        let mass = &mut beam.masses[from..];
         self.shape.resize(D * rows, 0.0);
-        for (point, section) in sections.iter().enumerate() {
-            let (xi, weight) = self.points[point];
-            let rise_m = 0.5 * length_m * (1.0 + xi);
-            let at = &self.at_points[point];
-            write_shape(at, length_m, rise_m, strains, root, &mut self.shape);
-            let inertia = inertia(section).map(|inertia| 0.5 * length_m * weight * inertia);
-            add_squares(&inertia, &self.shape, rows, mass);
+        for point in 0..slice.sections.len() {
+            self.add_point(beam, components, slice, point);
         }
+        let Self { at_top, shape, .. } = self;
+        let root = &beam.roots[from..];
+        let top_m = slice.length_m;
+        write_shape(at_top, top_m, top_m, &beam.deformations, root, shape);
+        for row in shape.chunks_exact(rows) {
+            beam.tips.extend_from_slice(&row[D..]);
+        }
+    }
+
+    /// Adds to the matrices of the last element what is at one of its points.
+    fn add_point<const D: usize>(
+        &mut self,
+        beam: &mut Beam<D>,
+        components: &[Component; D],
+        slice: &Slice<'_>,
+        point: usize,
+    ) where
+        Dim<D>: Space,
+    {
+        let (xi, weight) = self.points[point];
+        let (section, length_m) = (&slice.sections[point], slice.length_m);
+        let rise_m = 0.5 * length_m * (1.0 + xi);
+        let weight = 0.5 * length_m * weight;
+        let (element, m) = (beam.elements() - 1, beam.coordinates());
+        let rows = beam.rows();
+        let root = &beam.roots[element * m * m..];
+        let at = &self.at_points[point];
         write_shape(
-            &self.at_top,
+            at,
             length_m,
-            length_m,
-            strains,
+            rise_m,
+            &beam.deformations,
             root,
             &mut self.shape,
         );
-        for row in self.shape.chunks_exact(rows) {
-            beam.tips.extend_from_slice(&row[D..]);
+        let of = |place: usize, beam: &mut Beam<D>| {
+            let matrices = &mut beam.matrices[place];
+            matrices.resize((element + 1) * rows * rows, 0.0);
+            std::mem::take(matrices)
+        };
+        let inertia = components.map(|(i, _)| weight * inertia(section, slice.rotary_inertia)[i]);
+        let mut matrices = of(place(Role::Inertia), beam);
+        let matrix = &mut matrices[element * rows * rows..];
+        add_squares(&inertia, &self.shape, rows, matrix);
+        beam.matrices[place(Role::Inertia)] = matrices;
+        if section.soil != SoilStiffness::default() {
+            let soil = components.map(|(i, _)| weight * soil(&section.soil)[i]);
+            let mut matrices = of(place(Role::Ground), beam);
+            let matrix = &mut matrices[element * rows * rows..];
+            add_squares(&soil, &self.shape, rows, matrix);
+            beam.matrices[place(Role::Ground)] = matrices;
+        }
+        if let Some(compression_n) = slice.compressions_n.get(point) {
+            let mut matrices = of(WEIGHTS, beam);
+            let matrix = &mut matrices[element * rows * rows..];
+            for lever in Dim::<D>::LEVERS {
+                self.write_shear(beam, components, lever, point);
+                let factor = -weight * compression_n;
+                self.add_sinking::<D>(lever, factor, rows, matrix);
+            }
+            beam.matrices[WEIGHTS] = matrices;
+        }
+    }
+
+    /// The shear at a point by the coordinates y, in the plane of a lever: one row.
+    fn write_shear<const D: usize>(
+        &mut self,
+        beam: &Beam<D>,
+        components: &[Component; D],
+        lever: &Lever,
+        point: usize,
+    ) where
+        Dim<D>: Space,
+    {
+        let (element, m) = (beam.elements() - 1, beam.coordinates());
+        self.shear.clear();
+        self.shear.resize(beam.rows(), 0.0);
+        let mut own = self.shear[D..].iter_mut();
+        let moved = components[lever.moved].0;
+        for deformation in &beam.deformations {
+            let is_own = matches!(deformation.strain, Strain::Shear(plane)
+                if Motion::Bending(plane).components()[0].0 == moved);
+            let coordinates = own.by_ref().take(deformation.count);
+            for (coordinate, term) in coordinates.zip(&self.at_points[point]) {
+                *coordinate = if is_own { term.value } else { 0.0 };
+            }
+        }
+        forward_substitute(&beam.roots[element * m * m..], &mut self.shear[D..]);
+    }
+
+    /// sum += factor·(θ θᵀ + θ γᵀ + γ θᵀ), with the rotation θ = dw/dz − γ of a lever's plane and the shear γ written last.
+    ///
+    /// −N times it is what a compression N does: sections turned by θ carry what is above them down by θ²/2, and slide down along
+    /// themselves by γ θ (Haringx 1948).
+    fn add_sinking<const D: usize>(
+        &self,
+        lever: &Lever,
+        factor: f64,
+        rows: usize,
+        sum: &mut [f64],
+    ) {
+        let theta = &self.shape[lever.by * rows..(lever.by + 1) * rows];
+        let gamma = &self.shear;
+        for (i, out) in sum.chunks_exact_mut(rows).take(rows).enumerate() {
+            for (j, out) in out.iter_mut().enumerate() {
+                let turned = theta[i] * theta[j];
+                let slid = theta[i] * gamma[j] + gamma[i] * theta[j];
+                *out += factor * (turned + lever.sign * slid);
+            }
         }
     }
 
     /// ∫ s P_i P_j dz of each strain, one block a strain; the lower triangle.
     fn add_stiffness<const D: usize>(
         &self,
-        length_m: f64,
-        strains: &[Strain<D>],
-        sections: &[Section],
+        slice: &Slice<'_>,
+        deformations: &[Deformation<D>],
         m: usize,
         sum: &mut [f64],
     ) {
-        for (point, section) in sections.iter().enumerate() {
+        for (point, section) in slice.sections.iter().enumerate() {
             let terms = &self.at_points[point];
-            let weight = 0.5 * length_m * self.points[point].1;
+            let weight = 0.5 * slice.length_m * self.points[point].1;
             let mut first = 0;
-            for strain in strains {
-                let stiffness = weight * (strain.stiffness)(section);
-                for i in 0..strain.count {
+            for deformation in deformations {
+                let stiffness = weight * deformation.strain.stiffness(section);
+                for i in 0..deformation.count {
                     let row = &mut sum[(first + i) * m + first..];
                     let factor = stiffness * terms[i].value;
                     for (entry, term) in row[..=i].iter_mut().zip(terms) {
                         *entry += factor * term.value;
                     }
                 }
-                first += strain.count;
+                first += deformation.count;
             }
         }
     }
+}
+
+/// What a section resists motions (x, y, z, rotation about x, y, z) with, kg/m and kg m.
+fn inertia(section: &Section, rotary_inertia: bool) -> [f64; 6] {
+    let masses = &section.masses;
+    let transverse = masses.mass_kg_per_m + masses.water_kg_per_m;
+    let share = f64::from(u8::from(rotary_inertia));
+    let rotary = masses.rotary_inertia_kg_m.map(|rotary| share * rotary);
+    [
+        transverse,
+        transverse,
+        masses.mass_kg_per_m,
+        rotary.side_side,
+        rotary.fore_aft,
+        masses.polar_inertia_kg_m,
+    ]
+}
+
+/// What soil resists motions (x, y, z, rotation about x, y, z) with.
+fn soil(soil: &SoilStiffness) -> [f64; 6] {
+    [
+        soil.x_n_per_m2,
+        soil.y_n_per_m2,
+        soil.z_n_per_m2,
+        0.0,
+        0.0,
+        soil.torsion_n,
+    ]
 }
 
 /// The motion components `rise_m` above the element's base, for the motion of the base and the coordinates y: D rows.
@@ -132,7 +248,7 @@ fn write_shape<const D: usize>(
     at: &[Term],
     length_m: f64,
     rise_m: f64,
-    strains: &[Strain<D>],
+    deformations: &[Deformation<D>],
     root: &[f64],
     shape: &mut [f64],
 ) where
@@ -144,13 +260,16 @@ fn write_shape<const D: usize>(
     for (d, row) in shape.chunks_exact_mut(rows).enumerate() {
         row[..D].copy_from_slice(&rigid[d]);
         let mut coordinates = row[D..].iter_mut();
-        for strain in strains {
-            let integral = |k: usize| match strain.integrals[d] {
+        for deformation in deformations {
+            let times = deformation.integrals[d];
+            let sign = f64::from(times.signum());
+            let integral = |k: usize| match times.abs() {
                 0 => 0.0,
-                1 => half * at[k].first,
-                _ => half * half * at[k].second,
+                1 => sign * half * at[k].first,
+                _ => sign * half * half * at[k].second,
             };
-            for (k, coordinate) in coordinates.by_ref().take(strain.count).enumerate() {
+            let own = coordinates.by_ref().take(deformation.count);
+            for (k, coordinate) in own.enumerate() {
                 *coordinate = integral(k);
             }
         }

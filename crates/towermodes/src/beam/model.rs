@@ -1,48 +1,102 @@
 //! A chain of flexible elements.
 
-use crate::chain::{Dim, Matrix, Space, lower_matrix};
+use super::strain::Deformation;
+use crate::parts::Role;
+use crate::space::{Dim, Matrix, Space, add_scaled, lower_matrix, raise};
 
-/// A clamped chain of flexible elements, in D motion components.
+/// A chain of flexible elements, in D motion components, clamped or on a base that moves.
 ///
 /// Each element moves with its base and deforms by itself in `coordinates` ways: its strains are Legendre polynomials c_k P_k, and its
-/// unknowns are y = Lᵀ c with L Lᵀ the element's stiffness for c. So the stiffness of the whole is the identity, as in a
+/// unknowns are y = Lᵀ c with L Lᵀ the element's stiffness for c. So the stiffness of the elements is the identity, as in a
 /// [`Chain`](crate::chain::Chain), and the pencil is
 ///
-/// y = λ Jᵀ M J y,
+/// (1 + Jᵀ S J) y = λ Jᵀ M J y,
 ///
-/// where J maps y to the motion of each element's base and its own y, and M holds one matrix an element for these. The space is that of
-/// Hermite cubics and bubbles, but no stiffness of a node is ever formed, whose entries nearly cancel in fine meshes.
+/// where J maps y to the motion of each element's base and its own y, and M, the inertia, and S, what ties to the ground, hold one
+/// matrix an element for these. The space is that of Hermite cubics and bubbles, but no stiffness of a node is ever formed, whose
+/// entries nearly cancel in fine meshes.
 ///
-/// Vectors hold the coordinates element by element from the base.
+/// Vectors hold the coordinates of the base, if it moves, then those of the elements from the base up.
 #[derive(Debug, Clone, Default)]
 pub struct Beam<const D: usize> {
-    /// Coordinates of an element that are not shear, and all of them.
-    bent: usize,
+    /// How elements deform.
+    pub(super) deformations: Vec<Deformation<D>>,
     coordinates: usize,
+    pub(super) base: Option<MovingBase<D>>,
     /// Where each element begins, m, and its length, m.
     pub(super) ends: Vec<(f64, f64)>,
     /// Motion of each element's top by its coordinates: D rows an element.
     pub(super) tips: Vec<f64>,
-    /// Inertia of each element for the motion of its base and its coordinates: D + coordinates rows an element.
-    pub(super) masses: Vec<f64>,
+    /// Inertia, ground and weights of each element for the motion of its base and its coordinates: D + coordinates rows an element. The
+    /// last two may be shorter, or empty, if the elements above have none.
+    pub(super) matrices: [Vec<f64>; 3],
     /// L of each element, lower triangular: `coordinates` rows an element.
     pub(super) roots: Vec<f64>,
-    /// Working memory of [`add_body`](Self::add_body).
+    /// Working memory of [`add`](Self::add).
     top: Vec<f64>,
+}
+
+/// A base that moves.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct MovingBase<const D: usize> {
+    /// Motion for a coordinate of 1; zero where it is held.
+    pub(super) unit: [f64; D],
+    height_m: f64,
+    /// Inertia, ground and weights.
+    pub(super) matrices: [Matrix<D>; 3],
+}
+
+impl<const D: usize> MovingBase<D> {
+    /// The components that move.
+    pub(super) fn moving(&self) -> impl DoubleEndedIterator<Item = usize> + Clone + use<D> {
+        let unit = self.unit;
+        (0..D).filter(move |&component| unit[component] != 0.0)
+    }
+}
+
+/// The place of the weights' matrices.
+pub(super) const WEIGHTS: usize = 2;
+
+/// The place of a role's matrices.
+pub(super) fn place(role: Role) -> usize {
+    match role {
+        Role::Inertia => 0,
+        Role::Ground => 1,
+    }
 }
 
 impl<const D: usize> Beam<D>
 where
     Dim<D>: Space,
 {
-    /// Forgets all elements but keeps the memory; elements from here on have this many coordinates, those that shear last.
-    pub fn restart(&mut self, bent: usize, sheared: usize) {
-        self.bent = bent;
-        self.coordinates = bent + sheared;
+    /// Forgets all elements but keeps the memory.
+    pub fn clear(&mut self) {
+        self.base = None;
         self.ends.clear();
         self.tips.clear();
-        self.masses.clear();
+        self.matrices.iter_mut().for_each(Vec::clear);
         self.roots.clear();
+    }
+
+    /// Elements from here on deform so.
+    pub fn deform(&mut self, deformations: impl Iterator<Item = Deformation<D>>) {
+        self.deformations.clear();
+        self.deformations.extend(deformations);
+        self.coordinates = self.deformations.iter().map(|d| d.count).sum();
+    }
+
+    /// How elements deform, in the order of their coordinates.
+    pub fn deformations(&self) -> &[Deformation<D>] {
+        &self.deformations
+    }
+
+    /// Begins with a base that moves freely in the components with a `unit`, the motion that a coordinate of 1 is; zero holds one.
+    pub fn add_base(&mut self, height_m: f64, unit: [f64; D]) {
+        self.base = Some(MovingBase {
+            unit,
+            height_m,
+            matrices: [[[0.0; D]; D]; 3],
+        });
     }
 
     /// Number of elements.
@@ -55,38 +109,58 @@ where
         self.coordinates
     }
 
-    /// Those of them that are not shear: the first ones.
-    pub fn bent(&self) -> usize {
-        self.bent
+    /// Coordinates of the base.
+    pub fn base_coordinates(&self) -> usize {
+        self.base.as_ref().map_or(0, |base| base.moving().count())
     }
 
     /// Number of unknowns: the length of every vector of this beam.
     pub fn degrees_of_freedom(&self) -> usize {
-        self.coordinates * self.elements()
+        self.base_coordinates() + self.coordinates * self.elements()
     }
 
-    /// Rows of an element's inertia.
+    /// Rows of an element's matrices.
     #[inline]
     pub(super) fn rows(&self) -> usize {
         D + self.coordinates
     }
 
-    /// Adds an inertia, given about `reference_m`, to the top of the last element; before the first that is the clamped base, which
-    /// does not move.
+    /// Adds a matrix, given about `reference_m`, to the top of the last element; before the first that is the base.
     ///
-    /// The top moves by X v + T y, so the inertia B is seen as [X T]ᵀ B [X T].
-    pub fn add_body(&mut self, reference_m: f64, mut inertia: Matrix<D>) {
+    /// The top moves by X v + T y, so a matrix B is seen as [X T]ᵀ B [X T].
+    pub fn add(&mut self, role: Role, reference_m: f64, matrix: Matrix<D>) {
+        self.add_at(place(role), reference_m, matrix);
+    }
+
+    /// Takes a stiffness (N m) against rotation in the bending planes, by which weights overturn it, from the top of the last element;
+    /// before the first that is the base.
+    pub fn overturn(&mut self, stiffness_n_m: f64) {
+        let mut matrix = [[0.0; D]; D];
+        for lever in Dim::<D>::LEVERS {
+            matrix[lever.by][lever.by] = -stiffness_n_m;
+        }
+        let last = self.ends.last();
+        let top_m = last.map_or(0.0, |(base_m, length_m)| base_m + length_m);
+        self.add_at(WEIGHTS, top_m, matrix);
+    }
+
+    fn add_at(&mut self, place: usize, reference_m: f64, mut matrix: Matrix<D>) {
         let Some(&(base_m, length_m)) = self.ends.last() else {
+            if let Some(base) = &mut self.base {
+                lower_matrix(&mut matrix, reference_m - base.height_m);
+                add_scaled(&mut base.matrices[place], 1.0, &matrix);
+            }
             return;
         };
-        lower_matrix(&mut inertia, reference_m - (base_m + length_m));
+        lower_matrix(&mut matrix, reference_m - (base_m + length_m));
         let element = self.elements() - 1;
         let rows = self.rows();
         let mut top = std::mem::take(&mut self.top);
         top.resize(D * rows, 0.0);
         self.top_motion(element, &mut top);
-        let mass = &mut self.masses[element * rows * rows..];
-        add_congruent(&inertia, &top, rows, mass);
+        let matrices = &mut self.matrices[place];
+        matrices.resize((element + 1) * rows * rows, 0.0);
+        add_congruent(&matrix, &top, rows, &mut matrices[element * rows * rows..]);
         self.top = top;
     }
 
@@ -105,8 +179,18 @@ where
 
     /// Whether every number is finite: false if the input's numbers overflowed on the way here.
     pub fn is_finite(&self) -> bool {
-        let all = self.tips.iter().chain(&self.masses).chain(&self.roots);
-        all.into_iter().all(|value| value.is_finite())
+        let base = self.base.iter().flat_map(|base| {
+            let matrices = base.matrices.iter().flatten().flatten();
+            matrices.chain(&base.unit)
+        });
+        let own = self.tips.iter().chain(&self.roots);
+        let mut all = own.chain(self.matrices.iter().flatten()).chain(base);
+        all.all(|value| value.is_finite())
+    }
+
+    /// Whether its stiffness is the elements' alone.
+    pub fn is_untied(&self) -> bool {
+        self.base.is_none() && self.matrices[1..].iter().all(Vec::is_empty)
     }
 
     /// An element's coordinates y turned into its strain coefficients: c = L⁻ᵀ y, in place.
@@ -136,7 +220,7 @@ where
     for column in 0..D {
         let mut motion = [0.0; D];
         motion[column] = 1.0;
-        crate::chain::raise(&mut motion, rise_m);
+        raise(&mut motion, rise_m);
         for row in 0..D {
             matrix[row][column] = motion[row];
         }

@@ -1,7 +1,8 @@
-//! Products with a beam's inertia in O(n): one sweep up for the motions, one sweep down for the forces.
+//! Products with a beam's matrices in O(n): one sweep up for the motions, one sweep down for the forces.
 
 use super::model::Beam;
-use crate::chain::{Dim, Space, add, lower, raise};
+use crate::parts::{Balance, Combination};
+use crate::space::{Dim, Space, add, lower, raise, times};
 
 /// The motion of every element's base, and of the top last.
 pub fn motions<const D: usize>(beam: &Beam<D>, x: &[f64], motions: &mut Vec<[f64; D]>)
@@ -9,30 +10,34 @@ where
     Dim<D>: Space,
 {
     motions.clear();
-    let coordinates = beam.coordinates();
-    let top = sweep_up(
-        beam,
-        [0.0; D],
-        |e| &x[e * coordinates..(e + 1) * coordinates],
-        |_, motion, _| {
-            motions.push(*motion);
-        },
-    );
+    let (of_base, own) = split(beam, x);
+    let base = base_motion(beam, of_base);
+    let top = sweep_up(beam, base, own, |_, motion, _| motions.push(*motion));
     motions.push(top);
 }
 
-/// out = Jᵀ M J x; `loads` is working memory.
-pub fn mass_times<const D: usize>(beam: &Beam<D>, loads: &mut Vec<f64>, x: &[f64], out: &mut [f64])
-where
+/// out = A x for a combination A of the beam's matrices; `loads` is working memory.
+pub fn product<const D: usize>(
+    beam: &Beam<D>,
+    combination: &Combination,
+    loads: &mut Vec<f64>,
+    x: &[f64],
+    out: &mut [f64],
+) where
     Dim<D>: Space,
 {
-    let coordinates = beam.coordinates();
-    let own = |e: usize| &x[e * coordinates..(e + 1) * coordinates];
+    let (of_base, own) = split(beam, x);
+    let base = base_motion(beam, of_base);
+    let factors = factors(combination);
     loads.clear();
-    sweep_up(beam, [0.0; D], own, |e, motion, own| {
-        add_load(beam, e, motion, own, loads);
+    sweep_up(beam, base, own, |e, motion, own| {
+        add_load(beam, &factors, e, motion, own, loads);
     });
-    sweep_down(beam, loads, out);
+    sweep_down(beam, base_load(beam, &factors, &base), loads, out);
+    let first = of_base.len();
+    for (out, x) in out[first..].iter_mut().zip(&x[first..]) {
+        *out += combination.springs * x;
+    }
 }
 
 /// out = Jᵀ M r with r the rigid motion that is one in every component at the base: a start vector for iterations.
@@ -40,21 +45,93 @@ pub fn base_excitation<const D: usize>(beam: &Beam<D>, loads: &mut Vec<f64>, out
 where
     Dim<D>: Space,
 {
+    let factors = factors(&Combination::MASS);
     loads.clear();
-    sweep_up(
-        beam,
-        [1.0; D],
-        // No element deforms: no coordinates are as good as zeros.
-        |_| &[],
-        |e, motion, own| add_load(beam, e, motion, own, loads),
-    );
-    sweep_down(beam, loads, out);
+    // No element deforms: no coordinates are as good as zeros.
+    sweep_up(beam, [1.0; D], &[], |e, motion, own| {
+        add_load(beam, &factors, e, motion, own, loads);
+    });
+    sweep_down(beam, base_load(beam, &factors, &[1.0; D]), loads, out);
 }
 
-/// Appends M_e (v, y): the inertia forces of one element for the motion of its base and its coordinates.
+/// The resultant of A x about the base, and what each component contributes to xᵀ A x.
+///
+/// An element's coordinates contribute to the component that their strain moves last: rotation in bending.
+pub fn balance<const D: usize>(
+    beam: &Beam<D>,
+    combination: &Combination,
+    loads: &mut Vec<f64>,
+    x: &[f64],
+) -> Balance<D>
+where
+    Dim<D>: Space,
+{
+    let (of_base, own) = split(beam, x);
+    let base = base_motion(beam, of_base);
+    let factors = factors(combination);
+    let base_m = beam.ends.first().map_or(0.0, |(base_m, _)| *base_m);
+    let mut force = base_load(beam, &factors, &base);
+    let mut energy: [f64; D] = std::array::from_fn(|c| force[c] * base[c]);
+    sweep_up(beam, base, own, |element, motion, own| {
+        loads.clear();
+        add_load(beam, &factors, element, motion, own, loads);
+        let (of_motion, of_own) = loads.split_at(D);
+        for c in 0..D {
+            energy[c] += of_motion[c] * motion[c];
+        }
+        let mut contributions = own.iter().zip(of_own);
+        for deformation in &beam.deformations {
+            let component = deformation.integrals.iter().rposition(|times| *times != 0);
+            for (y, load) in contributions.by_ref().take(deformation.count) {
+                energy[component.unwrap_or(0)] += y * (load + combination.springs * y);
+            }
+        }
+        let mut load: [f64; D] = std::array::from_fn(|c| of_motion[c]);
+        lower(&mut load, beam.ends[element].0 - base_m);
+        add(&mut force, &load);
+    });
+    Balance { force, energy }
+}
+
+/// The factors of a combination in the order in which matrices are kept.
+pub(super) fn factors(combination: &Combination) -> [f64; 3] {
+    [combination.mass, combination.ground, combination.weights]
+}
+
+/// The coordinates of the base and those of the elements.
+fn split<'x, const D: usize>(beam: &Beam<D>, x: &'x [f64]) -> (&'x [f64], &'x [f64])
+where
+    Dim<D>: Space,
+{
+    x.split_at(beam.base_coordinates())
+}
+
+pub(super) fn base_motion<const D: usize>(beam: &Beam<D>, coordinates: &[f64]) -> [f64; D] {
+    let mut motion = [0.0; D];
+    if let Some(base) = &beam.base {
+        for (component, x) in base.moving().zip(coordinates) {
+            motion[component] = base.unit[component] * x;
+        }
+    }
+    motion
+}
+
+fn base_load<const D: usize>(beam: &Beam<D>, factors: &[f64; 3], motion: &[f64; D]) -> [f64; D] {
+    let mut load = [0.0; D];
+    if let Some(base) = &beam.base {
+        for (factor, matrix) in factors.iter().zip(&base.matrices) {
+            let force = times(matrix, motion).map(|force| factor * force);
+            add(&mut load, &force);
+        }
+    }
+    load
+}
+
+/// Appends A_e (v, y): the forces of one element for the motion of its base and its coordinates.
 #[inline]
 fn add_load<const D: usize>(
     beam: &Beam<D>,
+    factors: &[f64; 3],
     element: usize,
     motion: &[f64; D],
     own: &[f64],
@@ -63,19 +140,26 @@ fn add_load<const D: usize>(
     Dim<D>: Space,
 {
     let rows = beam.rows();
-    let mass = &beam.masses[element * rows * rows..(element + 1) * rows * rows];
-    loads.extend(
-        mass.chunks_exact(rows)
-            .map(|row| dot(&row[..D], motion) + dot(&row[D..], own)),
-    );
+    let from = loads.len();
+    loads.resize(from + rows, 0.0);
+    let load = &mut loads[from..];
+    for (factor, matrices) in factors.iter().zip(&beam.matrices) {
+        let of_element = element * rows * rows..(element + 1) * rows * rows;
+        let Some(matrix) = matrices.get(of_element).filter(|_| *factor != 0.0) else {
+            continue;
+        };
+        for (load, row) in load.iter_mut().zip(matrix.chunks_exact(rows)) {
+            *load += factor * (dot(&row[..D], motion) + dot(&row[D..], own));
+        }
+    }
 }
 
 /// From the base up: v ← X v + T y, told to `visit` element by element before it changes; returns the motion of the top.
 #[inline]
-fn sweep_up<'x, const D: usize>(
+fn sweep_up<const D: usize>(
     beam: &Beam<D>,
     base: [f64; D],
-    own: impl Fn(usize) -> &'x [f64],
+    own: &[f64],
     mut visit: impl FnMut(usize, &[f64; D], &[f64]),
 ) -> [f64; D]
 where
@@ -84,7 +168,9 @@ where
     let mut motion = base;
     let coordinates = beam.coordinates();
     for (element, &(_, length_m)) in beam.ends.iter().enumerate() {
-        let own = own(element);
+        let own = own
+            .get(element * coordinates..(element + 1) * coordinates)
+            .unwrap_or_default();
         visit(element, &motion, own);
         raise(&mut motion, length_m);
         let tip = &beam.tips[element * D * coordinates..(element + 1) * D * coordinates];
@@ -97,15 +183,16 @@ where
 
 /// From the top down: out = own load + Tᵀ F, F ← Xᵀ F + load of the base.
 #[inline]
-fn sweep_down<const D: usize>(beam: &Beam<D>, loads: &[f64], out: &mut [f64])
+fn sweep_down<const D: usize>(beam: &Beam<D>, base_load: [f64; D], loads: &[f64], out: &mut [f64])
 where
     Dim<D>: Space,
 {
     let (rows, coordinates) = (beam.rows(), beam.coordinates());
+    let (of_base, own) = out.split_at_mut(beam.base_coordinates());
     let mut force = [0.0; D];
     for (element, &(_, length_m)) in beam.ends.iter().enumerate().rev() {
         let load = &loads[element * rows..(element + 1) * rows];
-        let out = &mut out[element * coordinates..(element + 1) * coordinates];
+        let out = &mut own[element * coordinates..(element + 1) * coordinates];
         out.copy_from_slice(&load[D..]);
         let tip = &beam.tips[element * D * coordinates..(element + 1) * D * coordinates];
         for (component, row) in force.iter().zip(tip.chunks_exact(coordinates)) {
@@ -116,6 +203,12 @@ where
         lower(&mut force, length_m);
         let base: [f64; D] = std::array::from_fn(|d| load[d]);
         add(&mut force, &base);
+    }
+    add(&mut force, &base_load);
+    if let Some(base) = &beam.base {
+        for (out, component) in of_base.iter_mut().zip(base.moving()) {
+            *out = base.unit[component] * force[component];
+        }
     }
 }
 

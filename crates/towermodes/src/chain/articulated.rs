@@ -10,8 +10,9 @@
 //! joint are eliminated one by one, which needs no inverse. The pivots δ are the D of a factorization L D Lᵀ, so by Sylvester's
 //! law the number of negative ones is the number of eigenvalues below σ: a Sturm count in O(n).
 
-use super::model::Chain;
-use super::space::{Dim, Space, add_scaled, lower, lower_matrix, raise};
+use super::model::{Chain, Link};
+use crate::parts::Combination;
+use crate::space::{Dim, Matrix, Space, add, add_scaled, lower, lower_matrix, raise};
 
 /// Pivots closer to zero than this are moved there, to the negative side: 1 is the unit of a pivot, so the change is far
 /// below rounding, and an eigenvalue hit exactly counts as below.
@@ -20,38 +21,38 @@ const TINY_PIVOT: f64 = 1e-30;
 /// One eliminated spring.
 #[derive(Debug, Clone, Copy)]
 pub struct Elimination<const D: usize> {
-    /// δ.
-    pivot: f64,
+    /// 1/δ.
+    inverse: f64,
     /// P e before the elimination.
     column: [f64; D],
 }
 
-/// The number of eigenvalues of the chain below the shift σ (rad²/s²), counted without storing anything.
-pub fn count_below<const D: usize>(chain: &Chain<D>, shift: f64) -> usize
+/// The number of negative eigenvalues of a combination of the chain's matrices, counted without storing anything.
+pub fn count_negative<const D: usize>(chain: &Chain<D>, combination: &Combination) -> usize
 where
     Dim<D>: Space,
 {
-    eliminate(chain, shift, |_| {})
+    eliminate(chain, combination, |_| {})
 }
 
-/// Factors K − σM into `factors` and returns the number of eigenvalues below σ (rad²/s²).
+/// Factors a combination of the chain's matrices into `factors` and returns the number of its negative eigenvalues.
 pub fn factorize<const D: usize>(
     chain: &Chain<D>,
-    shift: f64,
+    combination: &Combination,
     factors: &mut Vec<Elimination<D>>,
 ) -> usize
 where
     Dim<D>: Space,
 {
     factors.clear();
-    eliminate(chain, shift, |elimination| factors.push(elimination))
+    eliminate(chain, combination, |elimination| factors.push(elimination))
 }
 
 /// Eliminates every spring from the tip down, tells each to `record`, returns how many pivots are negative.
 #[inline]
 fn eliminate<const D: usize>(
     chain: &Chain<D>,
-    shift: f64,
+    combination: &Combination,
     mut record: impl FnMut(Elimination<D>),
 ) -> usize
 where
@@ -63,39 +64,95 @@ where
     for (joint, link) in chain.links.iter().enumerate().rev() {
         lower_matrix(&mut p, above_m - link.height_m);
         above_m = link.height_m;
-        add_scaled(&mut p, -shift, &link.inertia);
-        if let Some(ground) = chain.ground_of(joint) {
-            add_scaled(&mut p, 1.0, ground);
-        }
-        for (component, &root) in link.root.iter().enumerate() {
+        add_body(chain, combination, joint, &mut p);
+        let spring = combination.springs * link.spring;
+        for component in 0..D {
+            let root = link.root[component];
             if root == 0.0 {
                 continue;
             }
-            let column = p[component];
-            let mut pivot = 1.0 + root * root * column[component];
+            let sinking = sinking(link, combination.weights, component);
+            let mut column = p[component];
+            let mut pivot = spring + root * root * column[component];
             if pivot.abs() < TINY_PIVOT {
                 pivot = -TINY_PIVOT;
             }
             negative += usize::from(pivot < 0.0);
-            record(Elimination { pivot, column });
+            add(&mut column, &sinking);
             let inverse = 1.0 / pivot;
-            let factor = root * root * inverse;
-            for (row, out) in p.iter_mut().enumerate() {
-                // In the spring's own row and column p − p p_e g²/δ is p/δ: no cancellation when the spring is soft.
-                for (col, entry) in out.iter_mut().enumerate() {
-                    *entry = if row == component || col == component {
-                        *entry * inverse
-                    } else {
-                        *entry - column[row] * column[col] * factor
-                    };
-                }
-            }
+            record(Elimination { inverse, column });
+            update(
+                &mut p,
+                component,
+                &column,
+                &sinking,
+                (spring, root, inverse),
+            );
         }
     }
     negative
 }
 
-/// Solves (K − σM) y = x in place, with the factors of [`factorize`].
+/// P ← P − p pᵀ g²/δ after the elimination of one spring k of root g.
+#[inline]
+fn update<const D: usize>(
+    matrix: &mut Matrix<D>,
+    component: usize,
+    column: &[f64; D],
+    sinking: &[f64; D],
+    (spring, root, inverse): (f64, f64, f64),
+) {
+    let factor = root * root * inverse;
+    let own = matrix[component];
+    for (row, c) in matrix.iter_mut().zip(column) {
+        for (entry, d) in row.iter_mut().zip(column) {
+            *entry -= c * d * factor;
+        }
+    }
+    // In the spring's own row and column p − p p_e g²/δ is p k/δ: no cancellation when the spring is soft.
+    let (share, slid) = (spring * inverse, own[component] * factor);
+    for k in 0..D {
+        let entry = own[k] * share - sinking[k] * slid;
+        matrix[component][k] = entry;
+        matrix[k][component] = entry;
+    }
+}
+
+/// P ← P + mass M + ground S + weights G of one body.
+#[inline]
+fn add_body<const D: usize>(
+    chain: &Chain<D>,
+    combination: &Combination,
+    joint: usize,
+    p: &mut Matrix<D>,
+) where
+    Dim<D>: Space,
+{
+    add_scaled(p, combination.mass, &chain.links[joint].inertia);
+    if let Some(ground) = chain.ground.get(joint) {
+        add_scaled(p, combination.ground, ground);
+    }
+    for lever in Dim::<D>::LEVERS {
+        p[lever.by][lever.by] -= combination.weights * chain.links[joint].overturning_n_m;
+    }
+}
+
+/// The column −N s e_θ by which a slide of a joint is coupled with the rotation of its body.
+#[inline]
+fn sinking<const D: usize>(link: &Link<D>, weights: f64, component: usize) -> [f64; D]
+where
+    Dim<D>: Space,
+{
+    let mut column = [0.0; D];
+    for lever in Dim::<D>::LEVERS {
+        if lever.moved == component {
+            column[lever.by] -= weights * link.compression_n * lever.sign;
+        }
+    }
+    column
+}
+
+/// Solves A y = x in place, with the factors of A from [`factorize`].
 ///
 /// Down: u = x − g eᵀb, b ← b + p g u/δ.  Up: y = (u − g pᵀv)/δ, v ← v + e g y.
 pub fn solve<const D: usize>(chain: &Chain<D>, factors: &[Elimination<D>], x: &mut [f64])
@@ -118,15 +175,18 @@ where
     for link in chain.links.iter().rev() {
         lower(&mut bias, above_m - link.height_m);
         above_m = link.height_m;
-        first -= link.root.iter().filter(|root| **root != 0.0).count();
-        let moving = (0..D).filter(|&component| link.root[component] != 0.0);
-        for (x, component) in x[first..].iter_mut().zip(moving) {
-            let elimination = eliminations
-                .next()
-                .expect("one elimination for each spring");
+        first -= link.moving;
+        let mut own = x[first..first + link.moving].iter_mut();
+        for component in 0..D {
             let root = link.root[component];
+            if root == 0.0 {
+                continue;
+            }
+            let (Some(x), Some(elimination)) = (own.next(), eliminations.next()) else {
+                unreachable!("one coordinate and one elimination for each spring");
+            };
             *x -= root * bias[component];
-            let reaction = root * *x / elimination.pivot;
+            let reaction = root * *x * elimination.inverse;
             for (b, p) in bias.iter_mut().zip(&elimination.column) {
                 *b += p * reaction;
             }
@@ -145,24 +205,29 @@ where
     for link in &chain.links {
         raise(&mut motion, link.height_m - below_m);
         below_m = link.height_m;
-        let count = link.root.iter().filter(|root| **root != 0.0).count();
-        let moving = (0..D)
-            .rev()
-            .filter(|&component| link.root[component] != 0.0);
-        for (x, component) in x[first..first + count].iter_mut().rev().zip(moving) {
-            let elimination = eliminations
-                .next()
-                .expect("one elimination for each spring");
+        let mut own = x[first..first + link.moving].iter_mut().rev();
+        first += link.moving;
+        for component in (0..D).rev() {
             let root = link.root[component];
-            let pull: f64 = elimination
-                .column
-                .iter()
-                .zip(&motion)
-                .map(|(p, v)| p * v)
-                .sum();
-            *x = (*x - root * pull) / elimination.pivot;
+            if root == 0.0 {
+                continue;
+            }
+            let (Some(x), Some(elimination)) = (own.next(), eliminations.next()) else {
+                unreachable!("one coordinate and one elimination for each spring");
+            };
+            let pull = dot(&elimination.column, &motion);
+            *x = (*x - root * pull) * elimination.inverse;
             motion[component] += root * *x;
         }
-        first += count;
     }
+}
+
+/// pᵀv, even and odd components apart: half as long a chain of additions to wait for.
+#[inline]
+fn dot<const D: usize>(p: &[f64; D], v: &[f64; D]) -> f64 {
+    let mut sums = [0.0; 2];
+    for (k, (p, v)) in p.iter().zip(v).enumerate() {
+        sums[k % 2] += p * v;
+    }
+    sums[0] + sums[1]
 }

@@ -1,17 +1,13 @@
 //! Rigid bodies and elastic joints: the O(n) product, the articulated factorization, the inertia count.
 
 mod articulated;
-mod decoupled;
+mod joint;
 mod model;
-mod pencil;
 mod product;
-mod space;
-mod spatial;
+mod structure;
 
-pub use articulated::{Elimination, count_below, factorize, solve};
-pub use decoupled::DecoupledChains;
+pub use articulated::{Elimination, count_negative, factorize, solve};
+pub use joint::JointFlexibility;
 pub use model::{Chain, Link};
-pub use pencil::{ChainPencil, ChainWorkspace};
-pub use product::{base_excitation, mass_times, motions, stiffness_times};
-pub use space::{Dim, Lever, Matrix, Space, add, add_scaled, lower, lower_matrix, raise, times};
-pub use spatial::{JointFlexibility, RigidBody};
+pub use product::{Loads, base_excitation, motions, product};
+pub use structure::{ChainWork, Chains};

@@ -1,35 +1,46 @@
 //! The chain itself: joints with springs, bodies between them.
 
-use super::space::{Dim, Matrix, Space, add_scaled, lower_matrix};
+use crate::parts::Role;
+use crate::space::{Dim, Matrix, Space, add_scaled, lower_matrix};
 
 /// A joint and the rigid body it carries, up to the next joint.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Link<const D: usize> {
     /// Height of the joint, m.
     pub(super) height_m: f64,
-    /// √(1/k) of each spring; zero where the joint is rigid.
+    /// √(1/k) of each spring; zero where the joint is rigid. Where it is free any number, the unit of its coordinate.
     pub(super) root: [f64; D],
+    /// How many of these are not zero.
+    pub(super) moving: usize,
+    /// 1 for a joint with springs; 0 for the base, which is free but for what ties its body to the ground.
+    pub(super) spring: f64,
+    /// Compression at the joint, N.
+    pub(super) compression_n: f64,
+    /// What weights take from the body's stiffness against rotation in the bending planes, N m.
+    pub(super) overturning_n_m: f64,
     /// Inertia of the body about the joint.
     pub(super) inertia: Matrix<D>,
 }
 
-/// A clamped chain of rigid bodies joined by diagonal springs, in D motion components.
+/// A chain of rigid bodies joined by diagonal springs, in D motion components, clamped or on a base that moves.
 ///
 /// Its unknowns are the *scaled joint coordinates* y = K^{1/2} q: a joint of stiffness k moves by q = y/√k. In them the joint
 /// stiffness is the identity, a rigid joint (k = ∞) is an ordinary zero, and the pencil is
 ///
 /// (1 + Gᵀ Jᵀ S J G) y = λ Gᵀ Jᵀ M J G y,  G = K^{−1/2},
 ///
-/// where J maps joint to body motions, M holds the bodies' inertias and S what ties bodies to the ground (none for a bare
-/// tower). Nothing here is ill-conditioned however fine the chain: Nikolić & Šalinić's eq. (17) with no matrix formed.
+/// where J maps joint to body motions, M holds the bodies' inertias and S what ties bodies to the ground: foundation, soil, wires,
+/// weights. Nothing here is ill-conditioned however fine the chain: Nikolić & Šalinić's eq. (17) with no matrix formed.
 ///
 /// Vectors hold the moving coordinates only, joint by joint from the base, so their length is
 /// [`degrees_of_freedom`](Self::degrees_of_freedom).
 #[derive(Debug, Clone, PartialEq)]
 pub struct Chain<const D: usize> {
     pub(super) links: Vec<Link<D>>,
-    /// Stiffness to ground of each body about its joint; empty if no body has any.
+    /// Stiffness to ground of each body about its joint; may be shorter, or empty, if the bodies above have none.
     pub(super) ground: Vec<Matrix<D>>,
+    /// Whether weights overturn any body.
+    has_weights: bool,
     degrees_of_freedom: usize,
 }
 
@@ -38,6 +49,7 @@ impl<const D: usize> Default for Chain<D> {
         Self {
             links: Vec::new(),
             ground: Vec::new(),
+            has_weights: false,
             degrees_of_freedom: 0,
         }
     }
@@ -51,6 +63,7 @@ where
     pub fn clear(&mut self) {
         self.links.clear();
         self.ground.clear();
+        self.has_weights = false;
         self.degrees_of_freedom = 0;
     }
 
@@ -59,11 +72,21 @@ where
         self.links.reserve_exact(joints);
     }
 
+    /// Begins with a base that moves freely in the components with a `unit`, the motion that a coordinate of 1 is; the others are held.
+    pub fn add_base(&mut self, height_m: f64, unit: [f64; D]) {
+        self.push(height_m, unit, 0.0, 0.0);
+    }
+
     /// Ends the present body with a joint at `height_m`, not below the joints before it.
     ///
-    /// `flexibility` is 1/k of each component, zero where the joint is rigid; a joint rigid in all components is none.
-    pub fn add_joint(&mut self, height_m: f64, flexibility: [f64; D]) {
-        let root = flexibility.map(f64::sqrt);
+    /// `flexibility` is 1/k of each component, zero where the joint is rigid; a joint rigid in all components is none. Where it slides
+    /// by δ under a compression of `compression_n`, above a body turned by θ, what it carries sinks by δ θ: the shear's part of
+    /// Haringx's (1948) theory of columns.
+    pub fn add_joint(&mut self, height_m: f64, flexibility: [f64; D], compression_n: f64) {
+        self.push(height_m, flexibility.map(f64::sqrt), 1.0, compression_n);
+    }
+
+    fn push(&mut self, height_m: f64, root: [f64; D], spring: f64, compression_n: f64) {
         let moving = root.iter().filter(|r| **r != 0.0).count();
         if moving == 0 {
             return;
@@ -72,28 +95,38 @@ where
         self.links.push(Link {
             height_m,
             root,
+            moving,
+            spring,
+            compression_n,
+            overturning_n_m: 0.0,
             inertia: [[0.0; D]; D],
         });
     }
 
-    /// Adds an inertia, given about `reference_m`, to the present body; before the first joint that is the clamped base, which
-    /// does not move.
-    pub fn add_body(&mut self, reference_m: f64, mut inertia: Matrix<D>) {
-        if let Some(link) = self.links.last_mut() {
-            lower_matrix(&mut inertia, reference_m - link.height_m);
-            add_scaled(&mut link.inertia, 1.0, &inertia);
+    /// Adds a matrix, given about `reference_m`, to the present body; before the first joint that is the clamped base, which does not
+    /// move.
+    #[inline]
+    pub fn add(&mut self, role: Role, reference_m: f64, mut matrix: Matrix<D>) {
+        let count = self.links.len();
+        let Some(link) = self.links.last_mut() else {
+            return;
+        };
+        lower_matrix(&mut matrix, reference_m - link.height_m);
+        match role {
+            Role::Inertia => add_scaled(&mut link.inertia, 1.0, &matrix),
+            Role::Ground => {
+                self.ground.resize(count, [[0.0; D]; D]);
+                add_scaled(&mut self.ground[count - 1], 1.0, &matrix);
+            }
         }
     }
 
-    /// Ties the present body to the ground by a stiffness given about `reference_m`: soil (positive), gravity (negative).
-    pub fn add_ground_stiffness(&mut self, reference_m: f64, mut stiffness: Matrix<D>) {
-        let Some(link) = self.links.last() else {
-            return;
-        };
-        lower_matrix(&mut stiffness, reference_m - link.height_m);
-        self.ground.resize(self.links.len(), [[0.0; D]; D]);
-        if let Some(ground) = self.ground.last_mut() {
-            add_scaled(ground, 1.0, &stiffness);
+    /// Takes a stiffness (N m) against rotation in the bending planes, by which weights overturn it, from the present body.
+    #[inline]
+    pub fn overturn(&mut self, stiffness_n_m: f64) {
+        if let Some(link) = self.links.last_mut() {
+            link.overturning_n_m += stiffness_n_m;
+            self.has_weights = true;
         }
     }
 
@@ -112,17 +145,27 @@ where
         self.links[joint].height_m
     }
 
-    /// Whether every flexibility and inertia is a finite number: false if the input's numbers overflowed on the way here.
+    /// Whether every flexibility, inertia and stiffness is a finite number: false if the input's numbers overflowed on the way here.
     pub fn is_finite(&self) -> bool {
-        self.links.iter().all(|link| {
+        let links = self.links.iter().all(|link| {
             let inertia = link.inertia.iter().flatten();
-            inertia.chain(&link.root).all(|value| value.is_finite())
-        })
+            let values = inertia
+                .chain(&link.root)
+                .chain([&link.compression_n, &link.overturning_n_m]);
+            values.into_iter().all(|value| value.is_finite())
+        });
+        let mut ties = self.ground.iter().flatten().flatten();
+        links && ties.all(|value| value.is_finite())
     }
 
-    /// Stiffness to ground of the body of a joint, if any body has any.
-    #[inline]
-    pub(super) fn ground_of(&self, joint: usize) -> Option<&Matrix<D>> {
-        self.ground.get(joint)
+    /// Whether weights overturn any body.
+    pub(super) fn has_weights(&self) -> bool {
+        self.has_weights
+    }
+
+    /// Whether its stiffness is the joints' alone.
+    pub fn is_untied(&self) -> bool {
+        let is_free = self.links.first().is_some_and(|base| base.spring == 0.0);
+        !is_free && self.ground.is_empty() && !self.has_weights
     }
 }

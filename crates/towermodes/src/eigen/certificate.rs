@@ -45,18 +45,9 @@ pub(crate) fn verify(
 
 /// The relative error bound of eigenvalue `index` of a complete list, from its relative residual ρ.
 ///
-/// min(ρ, ρ²/gap) + rounding: the residual bound, or Kato's and Temple's (Kato 1949) with the relative gap to the neighbours,
-/// which is proved because the list is complete up to `margin` above its last member.
-///
-/// Rounding: a relative error η of the motions J u changes uᵀJᵀMJu by at most 2 η ‖M^½ J u‖ ‖M^½ |J| |u|‖, relative to it by
-/// about η √(θ₁/θ), the ratio of this frequency to the lowest; η is taken as √n ε (Higham & Mary 2019).
-pub(super) fn error_bound(
-    eigenvalues: &[f64],
-    index: usize,
-    residual: f64,
-    margin: f64,
-    size: usize,
-) -> f64 {
+/// min(ρ, ρ²/gap): the residual bound, or Kato's and Temple's (Kato 1949) with the relative gap to the neighbours, which is proved because
+/// the list is complete up to `margin` above its last member.
+pub(super) fn residual_bound(eigenvalues: &[f64], index: usize, residual: f64, margin: f64) -> f64 {
     // Distances in θ = 1/λ, relative to θ of this eigenvalue, because the residual is one of θ.
     let value = eigenvalues[index];
     let distance = |other: f64| (1.0 - value / other).abs();
@@ -67,7 +58,15 @@ pub(super) fn error_bound(
         Some(&other) => distance(other),
         None => margin / (1.0 + margin),
     };
-    let gap = below.min(above);
-    let rounding = (size as f64).sqrt() * f64::EPSILON * (value / eigenvalues[0]).sqrt();
-    residual.min(residual * residual / gap) + rounding
+    residual.min(residual * residual / below.min(above))
+}
+
+/// What rounding adds to the bound, relatively, for so many unknowns and terms of the stiffness that are `gross` times as large as their
+/// sum.
+///
+/// A relative error η of the motions J u changes uᵀJᵀMJu by at most 2 η ‖M^½ J u‖ ‖M^½ |J| |u|‖, relative to it by about η √(θ₁/θ), the
+/// ratio of this frequency to the lowest; and uᵀKu by η times the sizes of its terms. η is taken as √n ε (Higham & Mary 2019).
+pub(super) fn rounding(eigenvalues: &[f64], index: usize, size: usize, gross: f64) -> f64 {
+    let eta = (size as f64).sqrt() * f64::EPSILON;
+    eta * ((eigenvalues[index] / eigenvalues[0]).sqrt() + (gross - 1.0).max(0.0))
 }

@@ -28,7 +28,7 @@ pub(super) struct Lanczos {
     /// The projected operator: diagonal and off-diagonal.
     alpha: Vec<f64>,
     beta: Vec<f64>,
-    /// M v, then the next vector, then K times it.
+    /// M v, then the next vector, then K times it before its last change; that only unless K is the identity.
     image: Vec<f64>,
     next: Vec<f64>,
     stiff: Vec<f64>,
@@ -119,18 +119,32 @@ impl Lanczos {
         add_combination(last_two, &factors[2 - last_two.len()..], &mut self.next);
         let correction = self.orthogonalize(pencil);
         self.alpha.push(alpha + correction);
-        dot(&self.next, &self.stiff).max(0.0).sqrt()
+        self.norm(pencil)
     }
 
-    /// next ← next − V Vᵀ K next, once; leaves K next in `stiff` and returns the part along the newest vector.
+    /// The K-norm of `next` after [`orthogonalize`](Self::orthogonalize): what that subtracted is K-orthogonal to what is left, so K times
+    /// the vector before serves as well as K times it now.
+    fn norm(&self, pencil: &dyn Pencil) -> f64 {
+        let stiff = if pencil.stiffness_is_identity() {
+            &self.next
+        } else {
+            &self.stiff
+        };
+        dot(&self.next, stiff).max(0.0).sqrt()
+    }
+
+    /// next ← next − V Vᵀ K next, once; returns the part along the newest vector.
     fn orthogonalize(&mut self, pencil: &mut dyn Pencil) -> f64 {
-        let basis = &self.basis[..self.used];
+        let stiff = if pencil.stiffness_is_identity() {
+            &self.next
+        } else {
+            pencil.stiffness_times(&self.next, &mut self.stiff);
+            &self.stiff
+        };
         self.coefficients.resize(self.used, 0.0);
-        pencil.stiffness_times(&self.next, &mut self.stiff);
-        project(basis, &self.stiff, &mut self.coefficients);
+        project(&self.basis[..self.used], stiff, &mut self.coefficients);
         let along_newest = self.coefficients.last().copied().unwrap_or(0.0);
         self.subtract_coefficients();
-        pencil.stiffness_times(&self.next, &mut self.stiff);
         along_newest
     }
 
@@ -159,12 +173,12 @@ impl Lanczos {
     fn append_orthonormalized(&mut self, pencil: &mut dyn Pencil, seed: usize) -> bool {
         for attempt in 0..4 {
             pencil.stiffness_times(&self.next, &mut self.stiff);
-            let before = dot(&self.next, &self.stiff);
+            let before = dot(&self.next, &self.stiff).max(0.0).sqrt();
             for _ in 0..2 {
                 self.orthogonalize(pencil);
             }
-            let norm = dot(&self.next, &self.stiff).max(0.0).sqrt();
-            if norm > 1e-8 * before.max(0.0).sqrt() {
+            let norm = self.norm(pencil);
+            if norm > 1e-8 * before {
                 self.append(1.0 / norm);
                 return true;
             }

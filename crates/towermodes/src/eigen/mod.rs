@@ -11,6 +11,8 @@ pub(crate) use certificate::{Verdict, verify};
 pub use error::EigenError;
 pub use pencil::Pencil;
 
+use std::f64::consts::TAU;
+
 use lanczos::Lanczos;
 
 /// Restarts after a count that disagrees, before giving up.
@@ -27,19 +29,28 @@ const MAX_RESIDUAL: f64 = 1e-4;
 pub struct Eigenvalue {
     /// λ = ω², rad²/s².
     pub lambda: f64,
-    /// Bound on |λ − λ_exact|/λ, algebraic and rounding error together.
-    pub relative_error: f64,
+    /// Bound on |λ − λ_exact|, algebraic and rounding error together, rad²/s².
+    pub error: f64,
 }
 
 impl Eigenvalue {
-    /// √λ/2π, Hz.
+    /// √λ/2π, Hz; 0 for a motion that nothing resists, whose λ may be less by rounding.
     pub fn frequency_hz(&self) -> f64 {
-        self.lambda.sqrt() / std::f64::consts::TAU
+        self.lambda.max(0.0).sqrt() / TAU
     }
 
-    /// The bound as a frequency: f·(relative error)/2, Hz.
+    /// The bound as a frequency, Hz: how far √λ can be off.
     pub fn frequency_error_hz(&self) -> f64 {
-        0.5 * self.frequency_hz() * self.relative_error
+        let least = (self.lambda - self.error).max(0.0);
+        self.error / (self.lambda.max(self.error).sqrt() + least.sqrt()) / TAU
+    }
+
+    /// The eigenvalue λ + `origin` of a problem whose spectrum begins elsewhere.
+    pub fn shifted(&self, origin: f64) -> Self {
+        Self {
+            lambda: self.lambda + origin,
+            error: self.error + f64::EPSILON * origin.abs(),
+        }
     }
 }
 
@@ -121,15 +132,15 @@ impl EigenWorkspace {
     }
 
     /// Fills the eigenvalues with the bounds that a proved margin above the last one allows.
-    fn bound(&mut self, margin: f64, size: usize) {
+    fn bound(&mut self, pencil: &mut dyn Pencil, margin: f64) {
         self.eigenvalues.clear();
-        for (index, (&lambda, &residual)) in self.lambdas.iter().zip(&self.residuals).enumerate() {
-            let relative_error =
-                certificate::error_bound(&self.lambdas, index, residual, margin, size);
-            self.eigenvalues.push(Eigenvalue {
-                lambda,
-                relative_error,
-            });
+        for (index, &lambda) in self.lambdas.iter().enumerate() {
+            let gross = pencil.gross_stiffness(&self.vectors[index]);
+            let residual = self.residuals[index];
+            let relative = certificate::residual_bound(&self.lambdas, index, residual, margin)
+                + certificate::rounding(&self.lambdas, index, pencil.size(), gross);
+            let error = relative * lambda;
+            self.eigenvalues.push(Eigenvalue { lambda, error });
         }
     }
 }
@@ -186,7 +197,7 @@ fn find_until_complete(
         let count_below = |shift| pencil.count_below(shift);
         match verify(last, wanted, &MARGINS, count_below) {
             Verdict::Complete { margin } => {
-                workspace.bound(margin, size);
+                workspace.bound(pencil, margin);
                 return Ok(Statistics {
                     products: workspace.lanczos.products,
                     restarts,
@@ -197,7 +208,7 @@ fn find_until_complete(
                     return Err(EigenError::Incomplete {
                         found: wanted,
                         counted: count,
-                        below_hz: shift.sqrt() / std::f64::consts::TAU,
+                        below_hz: shift.sqrt() / TAU,
                         restarts,
                     });
                 }

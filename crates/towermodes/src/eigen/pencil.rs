@@ -14,6 +14,11 @@ pub trait Pencil {
     /// out = K x.
     fn stiffness_times(&mut self, x: &[f64], out: &mut [f64]);
 
+    /// Whether K is the identity, so that products with it need not be asked for.
+    fn stiffness_is_identity(&self) -> bool {
+        false
+    }
+
     /// The number of eigenvalues below `shift` (rad²/s²), by the inertia of K − shift·M.
     fn count_below(&mut self, shift: f64) -> usize;
 
@@ -22,6 +27,12 @@ pub trait Pencil {
 
     /// x ← K⁻¹ x, after [`factorize`](Self::factorize).
     fn solve(&mut self, x: &mut [f64]);
+
+    /// The sizes of all that xᵀ K x is the sum of, for a vector with xᵀ K x = 1: more than 1 where terms cancel, as weights take from the
+    /// stiffness.
+    fn gross_stiffness(&mut self, _: &[f64]) -> f64 {
+        1.0
+    }
 
     /// A start vector with a part in every low mode.
     fn start(&mut self, out: &mut [f64]);

@@ -1,22 +1,32 @@
-//! Pieces of tower as rigid bodies, prismatic or exact.
+//! Pieces of tower as rigid bodies with the soil around them and the weight they carry, prismatic or exact.
 
 use super::Assembly;
-use crate::chain::{JointFlexibility, RigidBody};
-use crate::tower::{Piece, Planes, Section, mass_integrals};
+use crate::chain::JointFlexibility;
+use crate::parts::{OnAxis, Role};
+use crate::tower::{Piece, Planes, Section, SoilStiffness, mass_integrals, soil_integrals};
 
 impl Assembly<'_> {
     /// Adds a rigid prismatic rod between two heights (m), about its middle.
     #[inline]
     pub(super) fn add_prismatic_body(&mut self, section: &Section, base_m: f64, top_m: f64) {
-        let length = top_m - base_m;
-        let mass_kg = section.masses.mass_kg_per_m * length;
-        let rotary = section.masses.rotary_inertia_kg_m.map(|i| i * length);
-        let (second, polar) = (
-            mass_kg * length * length / 12.0,
-            section.masses.polar_inertia_kg_m * length,
-        );
-        let body = self.body(mass_kg, 0.0, second, rotary, polar);
-        self.chains.add_body(0.5 * (base_m + top_m), &body);
+        let (length, middle_m) = (top_m - base_m, 0.5 * (base_m + top_m));
+        let masses = &section.masses;
+        let transverse_kg = (masses.mass_kg_per_m + masses.water_kg_per_m) * length;
+        let second = transverse_kg * length * length / 12.0;
+        let inertia = OnAxis {
+            bending: masses.rotary_inertia_kg_m.map(|rotary| {
+                let rotary = self.rotary(rotary * length);
+                [transverse_kg, 0.0, second + rotary]
+            }),
+            torsion: masses.polar_inertia_kg_m * length,
+            axial: masses.mass_kg_per_m * length,
+        };
+        self.parts.add(Role::Inertia, middle_m, &inertia);
+        if section.soil != SoilStiffness::default() {
+            let soil = prismatic_soil(&section.soil, length);
+            self.parts.add(Role::Ground, middle_m, &soil);
+        }
+        self.add_weight(base_m, top_m);
     }
 
     /// Adds the tower between two heights (m) as a rigid body with its exact mass, centre and inertia, about its middle.
@@ -24,35 +34,55 @@ impl Assembly<'_> {
     pub(super) fn add_exact_body(&mut self, piece: &Piece, base_m: f64, top_m: f64) {
         let reference_m = 0.5 * (base_m + top_m);
         let mass = mass_integrals(piece, base_m, top_m, reference_m);
-        let body = self.body(
-            mass.mass_kg,
-            mass.first_moment_kg_m,
-            mass.second_moment_kg_m2,
-            mass.rotary_inertia_kg_m2,
-            mass.polar_inertia_kg_m2,
-        );
-        self.chains.add_body(reference_m, &body);
+        let inertia = OnAxis {
+            bending: mass.rotary_inertia_kg_m2.map(|rotary| {
+                let second = mass.second_moment_kg_m2 + self.rotary(rotary);
+                [mass.transverse_kg, mass.first_moment_kg_m, second]
+            }),
+            torsion: mass.polar_inertia_kg_m2,
+            axial: mass.mass_kg,
+        };
+        self.parts.add(Role::Inertia, reference_m, &inertia);
+        if let Some(soil) = soil_integrals(piece, base_m, top_m, reference_m) {
+            let soil = OnAxis {
+                bending: soil.transverse,
+                torsion: soil.torsion_n_m,
+                axial: soil.axial_n_per_m,
+            };
+            self.parts.add(Role::Ground, reference_m, &soil);
+        }
+        self.add_weight(base_m, top_m);
     }
 
-    /// A body whose sections have rotary inertia in bending only if the recipe says so.
+    /// Sections have rotary inertia in bending only if the recipe says so.
     #[inline]
-    fn body(
-        &self,
-        mass_kg: f64,
-        first_moment_kg_m: f64,
-        second_moment_kg_m2: f64,
-        rotary_kg_m2: Planes<f64>,
-        polar_kg_m2: f64,
-    ) -> RigidBody {
-        let rotary_share = f64::from(u8::from(self.recipe.rotary_inertia));
-        let transverse = rotary_kg_m2.map(|rotary| second_moment_kg_m2 + rotary_share * rotary);
-        RigidBody {
-            mass_kg,
-            first_moment_kg_m,
-            inertia_xx_kg_m2: transverse.side_side,
-            inertia_yy_kg_m2: transverse.fore_aft,
-            inertia_zz_kg_m2: polar_kg_m2,
+    fn rotary(&self, rotary: f64) -> f64 {
+        if self.recipe.rotary_inertia {
+            rotary
+        } else {
+            0.0
         }
+    }
+
+    /// A body that turns by θ lowers all it carries, and itself: −½ θ² ∫ N dz.
+    #[inline]
+    fn add_weight(&mut self, base_m: f64, top_m: f64) {
+        if self.tower.gravity_m_per_s2() == 0.0 {
+            return;
+        }
+        let overturning_n_m = self.tower.compression_integral_n_m(base_m, top_m);
+        self.parts.overturn(overturning_n_m);
+    }
+
+    /// Adds a joint at a height (m).
+    #[inline]
+    pub(super) fn add_joint(&mut self, height_m: f64, joint: &JointFlexibility) {
+        let compression_n = if self.tower.gravity_m_per_s2() == 0.0 {
+            0.0
+        } else {
+            self.tower.compression_n(height_m)
+        };
+        self.parts.add_joint(height_m, joint, compression_n);
     }
 
     /// Adds exact bodies between two heights (m), joined where `joints` say, with their heights (m).
@@ -67,9 +97,22 @@ impl Assembly<'_> {
         let mut below_m = base_m;
         for (height_m, flexibility) in &joints {
             self.add_exact_body(piece, below_m, *height_m);
-            self.chains.add_joint(*height_m, flexibility);
+            self.add_joint(*height_m, flexibility);
             below_m = *height_m;
         }
         self.add_exact_body(piece, below_m, top_m);
+    }
+}
+
+/// Constant springs along a rod of a length (m), about its middle: k l against moving, k l³/12 against turning.
+fn prismatic_soil(soil: &SoilStiffness, length: f64) -> OnAxis {
+    let springs = Planes {
+        fore_aft: soil.x_n_per_m2,
+        side_side: soil.y_n_per_m2,
+    };
+    OnAxis {
+        bending: springs.map(|k| [k * length, 0.0, k * length.powi(3) / 12.0]),
+        torsion: soil.torsion_n * length,
+        axial: soil.z_n_per_m2 * length,
     }
 }

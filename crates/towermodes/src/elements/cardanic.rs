@@ -34,11 +34,11 @@ pub(super) fn add_prismatic_segment(
         ..all
     };
     assembly.add_prismatic_body(&section, base_m, lower_m);
-    assembly.chains.add_joint(lower_m, &hinge);
+    assembly.add_joint(lower_m, &hinge);
     assembly.add_prismatic_body(&section, lower_m, middle_m);
-    assembly.chains.add_joint(middle_m, &middle);
+    assembly.add_joint(middle_m, &middle);
     assembly.add_prismatic_body(&section, middle_m, upper_m);
-    assembly.chains.add_joint(upper_m, &hinge);
+    assembly.add_joint(upper_m, &hinge);
     assembly.add_prismatic_body(&section, upper_m, top_m);
 }
 
@@ -67,7 +67,7 @@ pub(super) fn add_exact_segment(
         [lower, (bending.elastic_centre_m, middle), upper]
     };
     let [lower, middle, upper] = joints_of(Plane::ForeAft);
-    if piece.planes_are_equal() {
+    if piece.stiff_planes_are_equal() {
         assembly.add_exact_bodies(piece, base_m, top_m, [lower, middle, upper]);
         return;
     }

@@ -12,8 +12,6 @@ pub(super) fn add_segment(assembly: &mut Assembly<'_>, piece: &Piece, base_m: f6
     let middle_m = 0.5 * (base_m + top_m);
     let section = piece.section_at(middle_m);
     assembly.add_prismatic_body(&section, base_m, middle_m);
-    assembly
-        .chains
-        .add_joint(middle_m, &springs::prismatic(&section, top_m - base_m));
+    assembly.add_joint(middle_m, &springs::prismatic(&section, top_m - base_m));
     assembly.add_prismatic_body(&section, middle_m, top_m);
 }

@@ -188,7 +188,7 @@ fn add_gradual(tower: &Tower, span: Span, spans: &mut Vec<Span>) {
 
 /// The parts between stations, kinks and masses, or between steps and masses.
 fn smooth_spans(tower: &Tower, borders: Borders) -> Vec<Span> {
-    let (pieces, masses) = (tower.pieces(), tower.point_masses());
+    let (pieces, masses) = (tower.pieces(), tower.attachments());
     // Masses are sorted by height.
     let from = |height_m: f64| masses.partition_point(|mass| mass.height_m < height_m);
     let mut spans: Vec<Span> = Vec::with_capacity(pieces.len());

@@ -1,6 +1,5 @@
 //! Recipes that turn a tower into a chain, one a file, and where they cut it.
 
-mod attached;
 mod bodies;
 mod cardanic;
 mod lumped;
@@ -9,11 +8,11 @@ mod rmje;
 mod rmje_exact;
 mod springs;
 
-pub(crate) use attached::{machine, masses_up_to};
 pub use cardanic::GAUSS_HINGE_POSITION;
 pub use mesh::{Borders, Mesh, Span};
 
-use crate::chain::DecoupledChains;
+use crate::chain::Chains;
+use crate::parts::Parts;
 use crate::tower::{Piece, Tower};
 
 /// A way to make a chain of a segment of a tower.
@@ -74,9 +73,10 @@ impl Default for Recipe {
     }
 }
 
-/// A tower being made into chains.
+/// A tower being made into the parts of a model.
 struct Assembly<'a> {
-    chains: &'a mut DecoupledChains,
+    tower: &'a Tower,
+    parts: &'a mut Parts<Chains>,
     recipe: &'a Recipe,
 }
 
@@ -96,22 +96,26 @@ impl Assembly<'_> {
 }
 
 /// Makes the chains of a tower cut as `mesh` says, with a border at every station.
-pub fn assemble(tower: &Tower, mesh: &Mesh, recipe: &Recipe, chains: &mut DecoupledChains) {
-    let joints = recipe.element.joints() * mesh.segments();
-    chains.restart(tower.planes_are_equal(), joints);
-    let mut assembly = Assembly { chains, recipe };
-    let mut masses = tower.point_masses();
+pub fn assemble(tower: &Tower, mesh: &Mesh, recipe: &Recipe, parts: &mut Parts<Chains>) {
+    parts.restart(tower);
+    parts.reserve(1 + recipe.element.joints() * mesh.segments());
+    let mut assembly = Assembly {
+        tower,
+        parts,
+        recipe,
+    };
+    let gravity = tower.gravity_m_per_s2();
+    let mut attachments = tower.attachments();
     for (span, borders) in mesh.spans_with_borders() {
         let piece = &tower.pieces()[span.piece];
-        masses = masses_up_to(span.base_m, masses, |z, body| {
-            assembly.chains.add_body(z, body);
-        });
+        attachments = assembly
+            .parts
+            .attach_up_to(span.base_m, attachments, gravity);
         for border in borders.windows(2) {
             assembly.add_segment(piece, border[0], border[1]);
         }
     }
-    masses_up_to(tower.top_m(), masses, |z, body| {
-        assembly.chains.add_body(z, body);
-    });
-    machine(tower, |z, body| assembly.chains.add_body(z, body));
+    assembly
+        .parts
+        .attach_up_to(tower.top_m(), attachments, gravity);
 }

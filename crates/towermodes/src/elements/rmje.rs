@@ -26,10 +26,8 @@ pub(super) fn add_segment(assembly: &mut Assembly<'_>, piece: &Piece, base_m: f6
         ..all
     };
     assembly.add_prismatic_body(&section, base_m, at(0.25));
-    assembly.chains.add_joint(at(0.25), &slide);
+    assembly.add_joint(at(0.25), &slide);
     assembly.add_prismatic_body(&section, at(0.25), at(0.5));
-    assembly
-        .chains
-        .add_joint(at(0.5), &springs::hinge(all.bending_per_n_m));
+    assembly.add_joint(at(0.5), &springs::hinge(all.bending_per_n_m));
     assembly.add_prismatic_body(&section, at(0.5), top_m);
 }

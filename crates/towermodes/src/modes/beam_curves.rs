@@ -1,48 +1,87 @@
 //! The curve of a mode of a beam: the polynomials of its elements themselves.
 
 use super::sampling::SegmentCurves;
-use crate::beam::{Beam, Legendre, motions};
-use crate::chain::{Dim, Space};
+use crate::beam::{Beam, Beams, Legendre, Strain, motions};
+use crate::parts::{Component, Part, embedded, on_components};
+use crate::space::{Dim, Space, raise};
+use crate::tower::{Motion, Plane};
 
 /// Halvings that locate a turning point: 2⁻²⁶ of an interval, which changes the value there by 2⁻⁵².
 const HALVINGS: usize = 26;
 
 /// The curves of one eigenvector of a beam.
-#[derive(Debug)]
-pub struct BeamCurves<'a, const D: usize> {
-    beam: &'a Beam<D>,
-    bases: Vec<[f64; D]>,
+#[derive(Debug, Clone, Default)]
+pub struct BeamCurves {
+    /// The motion of every element's base.
+    bases: Vec<[f64; 6]>,
+    lengths_m: Vec<f64>,
+    /// The kinds of strain and the number of coefficients of each.
+    deformations: Vec<(Strain, usize)>,
     /// Strain coefficients, element by element.
     strains: Vec<f64>,
+    /// Coefficients of an element.
+    count: usize,
 }
 
-impl<'a, const D: usize> BeamCurves<'a, D>
-where
-    Dim<D>: Space,
-{
-    /// Those of an eigenvector of a beam.
-    pub fn new(beam: &'a Beam<D>, vector: &[f64]) -> Self {
-        let (mut bases, mut strains) = (Vec::new(), vector.to_vec());
+/// A motion and how it changes with height.
+struct Rising {
+    motion: [f64; 6],
+    /// Per metre; of translations and the rotation about z.
+    slope: [f64; 6],
+}
+
+impl BeamCurves {
+    /// Those of an eigenvector of a part of a tower.
+    pub fn new(part: &Part<Beams>, vector: &[f64]) -> Self {
+        on_components!(part, member, components => {
+            Self::of_beam(&member.structure, &components, vector)
+        })
+    }
+
+    fn of_beam<const D: usize>(beam: &Beam<D>, components: &[Component; D], vector: &[f64]) -> Self
+    where
+        Dim<D>: Space,
+    {
+        let mut bases = Vec::new();
         motions(beam, vector, &mut bases);
+        let mut strains = vector[beam.base_coordinates()..].to_vec();
         let own = strains.chunks_exact_mut(beam.coordinates());
         own.enumerate()
             .for_each(|(element, own)| beam.to_strains(element, own));
+        let deformations = beam.deformations().iter();
         Self {
-            beam,
-            bases,
+            bases: bases
+                .iter()
+                .map(|base| embedded(base, components))
+                .collect(),
+            lengths_m: (0..beam.elements()).map(|e| beam.length_m(e)).collect(),
+            deformations: deformations.map(|d| (d.strain, d.count)).collect(),
             strains,
+            count: beam.coordinates(),
         }
     }
 
-    fn strains(&self, element: usize) -> &[f64] {
-        let count = self.beam.coordinates();
-        &self.strains[element * count..(element + 1) * count]
+    fn at(&self, element: usize, s: f64) -> Rising {
+        let (length_m, base) = (self.lengths_m[element], &self.bases[element]);
+        let mut motion = *base;
+        raise(&mut motion, s * length_m);
+        let mut rising = Rising {
+            motion,
+            slope: [base[4], -base[3], 0.0, 0.0, 0.0, 0.0],
+        };
+        let mut strains = &self.strains[element * self.count..(element + 1) * self.count];
+        for &(strain, count) in &self.deformations {
+            let (own, others) = strains.split_at(count);
+            rising.deform(strain, own, s, 0.5 * length_m);
+            strains = others;
+        }
+        rising
     }
 
     /// The value of largest magnitude of a polynomial on 0 ≤ s ≤ 1, from its value and slope at s: at an end or where the slope changes
     /// sign.
     fn extreme_of(&self, value_and_slope: impl Fn(f64) -> [f64; 2]) -> f64 {
-        let intervals = self.beam.coordinates() + 2;
+        let intervals = self.count + 2;
         let larger = |a: f64, b: f64| if b.abs() > a.abs() { b } else { a };
         let [mut extreme, mut slope_below] = value_and_slope(0.0);
         for k in 1..=intervals {
@@ -57,6 +96,44 @@ where
         }
         extreme
     }
+}
+
+impl Rising {
+    /// Adds what a strain with these coefficients does up to s, on an element of this half length (m).
+    fn deform(&mut self, strain: Strain, coefficients: &[f64], s: f64, half: f64) {
+        let [mut value, mut first, mut second] = [0.0; 3];
+        for (c, term) in coefficients.iter().zip(Legendre::at(2.0 * s - 1.0)) {
+            value += c * term.value;
+            first += c * term.first;
+            second += c * term.second;
+        }
+        match strain {
+            Strain::Curvature(plane) => {
+                let [(w, _), (theta, sign)] = bending(plane);
+                self.motion[w] += half * half * second;
+                self.motion[theta] += sign * half * first;
+                self.slope[w] += half * first;
+            }
+            Strain::Shear(plane) => {
+                let [(w, _), _] = bending(plane);
+                self.motion[w] += half * first;
+                self.slope[w] += value;
+            }
+            Strain::Twist => {
+                self.motion[5] += half * first;
+                self.slope[5] += value;
+            }
+            Strain::Stretch => {
+                self.motion[2] += half * first;
+                self.slope[2] += value;
+            }
+        }
+    }
+}
+
+fn bending(plane: Plane) -> [Component; 2] {
+    let components = Motion::Bending(plane).components();
+    [components[0], components[1]]
 }
 
 /// The value where the slope changes sign between two places, by bisection.
@@ -77,69 +154,15 @@ fn turning_value(
     value_and_slope(low)[0]
 }
 
-impl BeamCurves<'_, 2> {
-    /// Deflection, rotation of the section and slope at s.
-    fn at(&self, element: usize, s: f64) -> [f64; 3] {
-        let [deflection, rotation] = self.bases[element];
-        let length_m = self.beam.length_m(element);
-        let half = 0.5 * length_m;
-        let (curvatures, shears) = self.strains(element).split_at(self.beam.bent());
-        let (mut bent, mut turned) = (0.0, 0.0);
-        for (c, term) in curvatures.iter().zip(Legendre::at(2.0 * s - 1.0)) {
-            bent += c * term.second;
-            turned += c * term.first;
-        }
-        let (mut slid, mut shear) = (0.0, 0.0);
-        for (d, term) in shears.iter().zip(Legendre::at(2.0 * s - 1.0)) {
-            slid += d * term.first;
-            shear += d * term.value;
-        }
-        let turned = rotation + half * turned;
-        [
-            deflection + s * length_m * rotation + half * (half * bent + slid),
-            turned,
-            turned + shear,
-        ]
-    }
-}
-
-impl SegmentCurves for BeamCurves<'_, 2> {
-    fn motion(&self, element: usize, s: f64) -> [f64; 2] {
-        let [deflection, rotation, _] = self.at(element, s);
-        [deflection, rotation]
+impl SegmentCurves for BeamCurves {
+    fn motion(&self, element: usize, s: f64) -> [f64; 6] {
+        self.at(element, s).motion
     }
 
-    fn extreme(&self, element: usize) -> f64 {
+    fn extreme(&self, element: usize, component: usize) -> f64 {
         self.extreme_of(|s| {
-            let [deflection, _, slope] = self.at(element, s);
-            [deflection, slope]
+            let rising = self.at(element, s);
+            [rising.motion[component], rising.slope[component]]
         })
-    }
-}
-
-impl BeamCurves<'_, 1> {
-    /// The motion and the strain at s.
-    fn at(&self, element: usize, s: f64) -> [f64; 2] {
-        let half = 0.5 * self.beam.length_m(element);
-        let (mut moved, mut strain) = (0.0, 0.0);
-        for (c, term) in self
-            .strains(element)
-            .iter()
-            .zip(Legendre::at(2.0 * s - 1.0))
-        {
-            moved += c * term.first;
-            strain += c * term.value;
-        }
-        [self.bases[element][0] + half * moved, strain]
-    }
-}
-
-impl SegmentCurves for BeamCurves<'_, 1> {
-    fn motion(&self, element: usize, s: f64) -> [f64; 2] {
-        [self.at(element, s)[0], 0.0]
-    }
-
-    fn extreme(&self, element: usize) -> f64 {
-        self.extreme_of(|s| self.at(element, s))
     }
 }

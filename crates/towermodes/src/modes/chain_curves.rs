@@ -5,127 +5,111 @@
 
 use super::sampling::SegmentCurves;
 use super::shape::Cubic;
-use crate::chain::{Chain, Dim, Space, motions, raise};
+use crate::chain::{Chain, Chains, motions};
 use crate::elements::Mesh;
-use crate::tower::{Plane, Tower, compliance};
-
-/// Working memory for turning a chain's eigenvectors into curves.
-#[derive(Debug, Clone, Default)]
-pub struct ChainCurvesWorkspace {
-    planar: Motions<2>,
-    linear: Motions<1>,
-}
-
-#[derive(Debug, Clone, Default)]
-struct Motions<const D: usize> {
-    bodies: Vec<[f64; D]>,
-    borders: Vec<[f64; D]>,
-}
+use crate::parts::{Part, embedded, on_components};
+use crate::space::{Dim, Space, raise};
+use crate::tower::{Motion, Motions, Plane, Tower, compliance};
 
 /// The curves of one eigenvector of a chain.
 pub struct ChainCurves<'a> {
+    tower: &'a Tower,
     borders_m: &'a [f64],
-    motion: BorderMotion<'a>,
-}
-
-/// The motion of the segment borders: deflection and rotation in bending, one value otherwise.
-enum BorderMotion<'a> {
-    /// With the plane of a tower that shears.
-    Bending(&'a [[f64; 2]], Option<(&'a Tower, Plane)>),
-    Axial(&'a [[f64; 1]]),
+    /// The motion of every segment border.
+    borders: Vec<[f64; 6]>,
+    motions: Motions,
 }
 
 impl<'a> ChainCurves<'a> {
-    /// Those of an eigenvector of a bending chain of a tower.
-    pub fn bending(
-        tower: &'a Tower,
-        plane: Plane,
-        mesh: &'a Mesh,
-        chain: &Chain<2>,
-        vector: &[f64],
-        workspace: &'a mut ChainCurvesWorkspace,
-    ) -> Self {
-        workspace.planar.find(mesh, chain, vector);
-        let shears = tower.shears().then_some((tower, plane));
+    /// Those of an eigenvector of a part of a tower.
+    pub fn new(tower: &'a Tower, mesh: &'a Mesh, part: &Part<Chains>, vector: &[f64]) -> Self {
+        let mut borders = Vec::with_capacity(mesh.borders_m().len());
+        on_components!(part, member, components => {
+            border_motions(mesh, &member.structure, vector, |motion| {
+                borders.push(embedded(motion, &components));
+            });
+        });
         Self {
+            tower,
             borders_m: mesh.borders_m(),
-            motion: BorderMotion::Bending(&workspace.planar.borders, shears),
+            borders,
+            motions: part.motions(),
         }
     }
 
-    /// Those of an eigenvector of the torsion or the axial chain.
-    pub fn axial(
-        mesh: &'a Mesh,
-        chain: &Chain<1>,
-        vector: &[f64],
-        workspace: &'a mut ChainCurvesWorkspace,
-    ) -> Self {
-        workspace.linear.find(mesh, chain, vector);
-        Self {
-            borders_m: mesh.borders_m(),
-            motion: BorderMotion::Axial(&workspace.linear.borders),
-        }
-    }
-
-    fn curve(&self, segment: usize) -> Cubic {
+    fn curve(&self, segment: usize, motion: Motion) -> Cubic {
         let (base_m, top_m) = (self.borders_m[segment], self.borders_m[segment + 1]);
-        match &self.motion {
-            BorderMotion::Bending(motion, shears) => {
-                let share = shears.map_or(0.0, |(tower, plane)| {
-                    shear_share(tower, plane, base_m, top_m)
-                });
-                Cubic::beam(motion[segment], motion[segment + 1], top_m - base_m, share)
+        let (below, above) = (&self.borders[segment], &self.borders[segment + 1]);
+        let components = motion.components();
+        let own = |border: &[f64; 6], k: usize| components[k].1 * border[components[k].0];
+        let length_m = top_m - base_m;
+        match motion {
+            Motion::Bending(plane) => {
+                let share = shear_share(self.tower, plane, base_m, top_m);
+                let (below, above) = (
+                    [own(below, 0), own(below, 1)],
+                    [own(above, 0), own(above, 1)],
+                );
+                Cubic::beam(below, above, length_m, share)
             }
-            BorderMotion::Axial(motion) => {
-                Cubic::line(motion[segment][0], motion[segment + 1][0], top_m - base_m)
-            }
+            Motion::Torsion | Motion::Axial => Cubic::line(own(below, 0), own(above, 0), length_m),
         }
     }
 }
 
 impl SegmentCurves for ChainCurves<'_> {
-    fn motion(&self, segment: usize, s: f64) -> [f64; 2] {
-        let curve = self.curve(segment);
-        let rotation = match self.motion {
-            BorderMotion::Bending(..) => curve.rotation(s),
-            BorderMotion::Axial(_) => 0.0,
-        };
-        [curve.value(s), rotation]
+    fn motion(&self, segment: usize, s: f64) -> [f64; 6] {
+        let mut vector = [0.0; 6];
+        for motion in self.motions.iter() {
+            let curve = self.curve(segment, motion);
+            let values = [curve.value(s), curve.rotation(s)];
+            for ((component, sign), value) in motion.components().iter().zip(values) {
+                vector[*component] = sign * value;
+            }
+        }
+        vector
     }
 
-    fn extreme(&self, segment: usize) -> f64 {
-        self.curve(segment).extreme()
+    fn extreme(&self, segment: usize, component: usize) -> f64 {
+        let mut moved = self.motions.iter();
+        let motion = moved.find(|motion| motion.components()[0].0 == component);
+        motion.map_or(0.0, |motion| self.curve(segment, motion).extreme())
     }
 }
 
 /// The share of a segment's sliding that is shear deformation.
 fn shear_share(tower: &Tower, plane: Plane, base_m: f64, top_m: f64) -> f64 {
+    if !tower.shears() {
+        return 0.0;
+    }
     let piece = tower.piece_at(0.5 * (base_m + top_m));
     let compliance = compliance(piece, base_m, top_m).bending.of(plane);
     compliance.shear_m_per_n / (compliance.shear_m_per_n + compliance.deflection_m_per_n)
 }
 
-impl<const D: usize> Motions<D>
-where
+/// Tells `visit` the motion at every segment border: that of the body that reaches over it.
+fn border_motions<const D: usize>(
+    mesh: &Mesh,
+    chain: &Chain<D>,
+    vector: &[f64],
+    mut visit: impl FnMut(&[f64; D]),
+) where
     Dim<D>: Space,
 {
-    /// The motion at every segment border: that of the body that reaches over it.
-    fn find(&mut self, mesh: &Mesh, chain: &Chain<D>, vector: &[f64]) {
-        motions(chain, vector, &mut self.bodies);
-        self.borders.clear();
-        let mut body = 0;
-        for &border_m in mesh.borders_m() {
-            while body < chain.joints() && chain.joint_height_m(body) <= border_m {
-                body += 1;
-            }
-            self.borders.push(match body.checked_sub(1) {
-                None => [0.0; D],
-                Some(joint) => {
-                    let mut motion = self.bodies[joint];
-                    raise(&mut motion, border_m - chain.joint_height_m(joint));
-                    motion
-                }
-            });
+    let mut bodies = Vec::with_capacity(chain.joints());
+    motions(chain, vector, &mut bodies);
+    let mut body = 0;
+    for &border_m in mesh.borders_m() {
+        while body < chain.joints() && chain.joint_height_m(body) <= border_m {
+            body += 1;
         }
+        visit(&match body.checked_sub(1) {
+            None => [0.0; D],
+            Some(joint) => {
+                let mut motion = bodies[joint];
+                raise(&mut motion, border_m - chain.joint_height_m(joint));
+                motion
+            }
+        });
     }
 }

@@ -2,6 +2,8 @@
 
 use std::fmt;
 
+use crate::tower::{Motion, Plane};
+
 /// The kind of motion of a mode.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 #[non_exhaustive]
@@ -14,17 +16,78 @@ pub enum Family {
     Torsion,
     /// Stretch along the tower's axis.
     Axial,
+    /// No one of these has most of the energy.
+    Coupled,
+    /// A floating tower moves along x as one body.
+    Surge,
+    /// It moves along y as one body.
+    Sway,
+    /// It moves along z as one body.
+    Heave,
+    /// It turns about x as one body.
+    Roll,
+    /// It turns about y as one body.
+    Pitch,
+    /// It turns about z as one body.
+    Yaw,
 }
 
 impl Family {
-    /// Its name in results: `fore-aft`, `side-side`, `torsion`, `axial`.
+    /// All families.
+    pub const ALL: [Self; 11] = [
+        Self::ForeAft,
+        Self::SideSide,
+        Self::Torsion,
+        Self::Axial,
+        Self::Coupled,
+        Self::Surge,
+        Self::Sway,
+        Self::Heave,
+        Self::Roll,
+        Self::Pitch,
+        Self::Yaw,
+    ];
+
+    /// The motions of a floating tower as one body: along x, y, z, about x, y, z.
+    pub const RIGID: [Self; 6] = [
+        Self::Surge,
+        Self::Sway,
+        Self::Heave,
+        Self::Roll,
+        Self::Pitch,
+        Self::Yaw,
+    ];
+
+    /// The family of one motion of a bare tower.
+    pub fn of(motion: Motion) -> Self {
+        match motion {
+            Motion::Bending(Plane::ForeAft) => Self::ForeAft,
+            Motion::Bending(Plane::SideSide) => Self::SideSide,
+            Motion::Torsion => Self::Torsion,
+            Motion::Axial => Self::Axial,
+        }
+    }
+
+    /// Its name in results: `fore-aft`, `side-side`, `torsion`, `axial`, `coupled`, `surge`, `sway`, `heave`, `roll`, `pitch`, `yaw`.
     pub fn name(self) -> &'static str {
         match self {
             Self::ForeAft => "fore-aft",
             Self::SideSide => "side-side",
             Self::Torsion => "torsion",
             Self::Axial => "axial",
+            Self::Coupled => "coupled",
+            Self::Surge => "surge",
+            Self::Sway => "sway",
+            Self::Heave => "heave",
+            Self::Roll => "roll",
+            Self::Pitch => "pitch",
+            Self::Yaw => "yaw",
         }
+    }
+
+    /// Whether a floating tower moves as one body.
+    pub fn is_rigid(self) -> bool {
+        Self::RIGID.contains(&self)
     }
 
     /// What one of its modes is called, without the order.
@@ -32,14 +95,38 @@ impl Family {
         match self {
             Self::ForeAft => "fore-aft bending",
             Self::SideSide => "side-side bending",
-            Self::Torsion => "torsion",
-            Self::Axial => "axial",
+            Self::Coupled => "coupled mode",
+            _ => self.name(),
         }
     }
 
-    /// The label of its mode of an order (from 1): "2nd fore-aft bending".
+    /// The label of its mode of an order (from 1): "2nd fore-aft bending"; of the one that moves the tower as one body its name.
     pub fn label(self, order: usize) -> String {
+        if self.is_rigid() {
+            return self.name().to_owned();
+        }
         format!("{} {}", Ordinal(order), self.noun())
+    }
+
+    /// The family of the same motion in the side-side plane, if it is one in the fore-aft plane.
+    pub(crate) fn turned_to_side_side(self) -> Self {
+        match self {
+            Self::ForeAft => Self::SideSide,
+            Self::Surge => Self::Sway,
+            Self::Pitch => Self::Roll,
+            other => other,
+        }
+    }
+
+    /// The components in (x, y, z, rotation about x, y, z) of which the largest is 1 in a shape: a translation, or the rotation about z.
+    pub(crate) fn normalized_by(self) -> &'static [usize] {
+        match self {
+            Self::ForeAft | Self::Surge | Self::Pitch => &[0],
+            Self::SideSide | Self::Sway | Self::Roll => &[1],
+            Self::Axial | Self::Heave => &[2],
+            Self::Torsion | Self::Yaw => &[5],
+            Self::Coupled => &[0, 1, 2],
+        }
     }
 }
 

@@ -1,15 +1,15 @@
 //! A mode as curves over the segments, normalized and sampled.
 
-use super::family::Family;
 use super::shape::ShapePoint;
 
-/// What a model knows of a mode between its segment borders; heights within a segment are shares s from 0 to 1.
+/// What a model knows of a mode between its segment borders; heights within a segment are shares s from 0 to 1, motions (x, y, z, rotation
+/// about x, y, z).
 pub trait SegmentCurves {
-    /// The motion at s: deflection and rotation of the section in bending; otherwise the motion itself and zero.
-    fn motion(&self, segment: usize, s: f64) -> [f64; 2];
+    /// The motion of the section at s.
+    fn motion(&self, segment: usize, s: f64) -> [f64; 6];
 
-    /// The motion of largest magnitude on the segment.
-    fn extreme(&self, segment: usize) -> f64;
+    /// The value of largest magnitude of a translation, or of the rotation about z, on the segment.
+    fn extreme(&self, segment: usize, component: usize) -> f64;
 }
 
 /// A mode, ready to be sampled.
@@ -21,16 +21,26 @@ pub struct ModeCurve<'a> {
 }
 
 impl<'a> ModeCurve<'a> {
-    /// The mode with these curves between the segment borders (m).
-    pub fn new(borders_m: &'a [f64], curves: &'a dyn SegmentCurves) -> Self {
+    /// The mode with these curves between the segment borders (m), normalized by the largest of these components.
+    pub fn new(borders_m: &'a [f64], curves: &'a dyn SegmentCurves, components: &[usize]) -> Self {
         let segments = borders_m.len() - 1;
-        let largest = (0..segments)
-            .map(|segment| curves.extreme(segment).abs())
-            .fold(0.0, f64::max);
+        let largest_of = |component: usize| {
+            let extremes = (0..segments).map(|segment| curves.extreme(segment, component).abs());
+            extremes.fold(0.0, f64::max)
+        };
+        let mut largest = (components[0], largest_of(components[0]));
+        for &component in &components[1..] {
+            let other = largest_of(component);
+            if other > largest.1 {
+                largest = (component, other);
+            }
+        }
         Self {
             borders_m,
             curves,
-            largest: largest.copysign(curves.motion(segments - 1, 1.0)[0]),
+            largest: largest
+                .1
+                .copysign(curves.motion(segments - 1, 1.0)[largest.0]),
         }
     }
 
@@ -39,33 +49,25 @@ impl<'a> ModeCurve<'a> {
         self.largest
     }
 
-    /// The shape at heights (m) on the tower, as motion of the given family.
-    pub fn sample(&self, family: Family, heights_m: &[f64]) -> Vec<ShapePoint> {
+    /// The shape at heights (m) on the tower.
+    pub fn sample(&self, heights_m: &[f64]) -> Vec<ShapePoint> {
         let point = |&height_m: &f64| {
             let borders = self.borders_m;
             let above = borders.partition_point(|&border| border <= height_m);
             let segment = above.clamp(1, borders.len() - 1) - 1;
             let s = (height_m - borders[segment]) / (borders[segment + 1] - borders[segment]);
-            let [value, rotation] = self.curves.motion(segment, s).map(|x| x / self.largest);
-            shape_point(family, height_m, value, rotation)
+            // A zero stays one whatever the sign of the largest.
+            let motion = self
+                .curves
+                .motion(segment, s)
+                .map(|x| if x == 0.0 { 0.0 } else { x / self.largest });
+            let [x, y, z, rx, ry, rz] = motion;
+            ShapePoint {
+                height_m,
+                translation: [x, y, z],
+                rotation: [rx, ry, rz],
+            }
         };
         heights_m.iter().map(point).collect()
-    }
-}
-
-fn shape_point(family: Family, height_m: f64, value: f64, rotation: f64) -> ShapePoint {
-    let (translation, rotation) = match family {
-        Family::ForeAft | Family::SideSide => ([value, 0.0, 0.0], [0.0, rotation, 0.0]),
-        Family::Axial => ([0.0, 0.0, value], [0.0; 3]),
-        Family::Torsion => ([0.0; 3], [0.0, 0.0, value]),
-    };
-    let point = ShapePoint {
-        height_m,
-        translation,
-        rotation,
-    };
-    match family {
-        Family::SideSide => point.turned_to_side_side(),
-        _ => point,
     }
 }

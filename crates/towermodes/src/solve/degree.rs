@@ -5,7 +5,7 @@ use super::options::{MAX_SPECTRAL_ELEMENTS, Options, SolveError};
 use super::solution::Solution;
 use super::spectrum::Found;
 use super::warnings::warnings;
-use super::{Workspace, certificate, shapes, solve_cut, within_limit};
+use super::{Workspace, describe, solve_cut, within_limit};
 use crate::eigen::Statistics;
 use crate::elements::Mesh;
 use crate::tower::Tower;
@@ -49,24 +49,13 @@ pub(super) fn solve(
         None => raise(first, options, solve)?,
         Some(degree) => fix(Cut { degree, ..first }, options, solve)?,
     };
-    let Workspace { model, spectrum } = workspace;
-    let proof = spectrum.prove(model, &found, options.modes)?;
-    let degrees_of_freedom = model.degrees_of_freedom();
-    let mut modes = shapes(tower, &cut.mesh, options, &found, workspace)?;
-    for (mode, change_hz) in modes.iter_mut().zip(changes_hz) {
+    let mut result = describe(tower, &cut.mesh, options, &found, workspace)?;
+    for (mode, change_hz) in result.modes.iter_mut().zip(changes_hz) {
         mode.discretization_error_hz = change_hz;
     }
-    let warnings = warnings(tower, &cut.mesh, options, &modes, &found);
-    Ok(Solution {
-        method: options.method,
-        segments: cut.mesh.segments(),
-        degree: Some(cut.degree),
-        degrees_of_freedom,
-        modes,
-        certificate: certificate(&proof),
-        warnings,
-        statistics,
-    })
+    let warnings = warnings(tower, &cut.mesh, options, &result);
+    let (method, segments, degree) = (options.method, cut.mesh.segments(), Some(cut.degree));
+    Ok(result.into_solution(method, segments, degree, warnings, statistics))
 }
 
 /// Solves with one degree, after the next one, which says how far it is off.
@@ -168,9 +157,7 @@ fn can_be_finer(cut: &Cut, options: &Options) -> bool {
 /// How far each mode is from what it is on another cut, Hz; all of its frequency if it is not there.
 fn changes(modes: &[Found], others: &[Found]) -> Vec<f64> {
     let change = |found: &Found| {
-        let other = others
-            .iter()
-            .find(|other| other.family == found.family && other.order == found.order);
+        let other = others.iter().find(|other| other.key == found.key);
         let other_hz = other.map_or(0.0, |other| other.eigenvalue.frequency_hz());
         (other_hz - found.eigenvalue.frequency_hz()).abs()
     };

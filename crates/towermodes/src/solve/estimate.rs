@@ -1,13 +1,15 @@
 //! The discretization error of each mode, from meshes that are coarser or finer by halves.
 
-use super::Workspace;
 use super::model::{Cut, Model};
 use super::options::{Options, SolveError};
 use super::solution::Mode;
 use super::spectrum::{Spectrum, count_below};
+use super::stability::find_origin;
+use super::{Described, Workspace};
+use crate::eigen::EigenError;
 use crate::elements::Mesh;
-use crate::modes::{Family, richardson};
-use crate::tower::Tower;
+use crate::modes::richardson;
+use crate::tower::{Motion, Tower};
 
 /// Meshes that halve each other's segments, finest first.
 struct Ladder {
@@ -24,14 +26,12 @@ pub(super) fn estimate_errors(
     tower: &Tower,
     cut: &Cut,
     options: &Options,
-    modes: &mut [Mode],
-    below: f64,
+    result: &mut Described,
     workspace: &mut Workspace,
 ) -> Result<usize, SolveError> {
-    let powers_of = |mode: &Mode| match mode.family {
-        Family::ForeAft | Family::SideSide => options.method.bending_powers(tower.shears()),
-        Family::Torsion | Family::Axial => options.method.axial_powers(),
-    };
+    let (modes, below) = (&mut result.modes, result.proof.below);
+    let powers = part_powers(tower, options, &workspace.model);
+    let powers_of = |mode: &Mode| powers[mode.key.part];
     // Where borders are irregular two meshes can agree by chance, and one more finds it out; a single piece converges smoothly.
     let more = usize::from(tower.pieces().len() > 1);
     let steps = modes.iter().map(|mode| powers_of(mode).len() + more).max();
@@ -40,6 +40,7 @@ pub(super) fn estimate_errors(
         modes,
         options.fewest_seeing(tower),
         steps.unwrap_or(0),
+        &workspace.model,
     );
     let (levels, elsewhere) = solve_ladder(tower, &ladder, options, modes, below, workspace)?;
     for (index, mode) in modes.iter_mut().enumerate() {
@@ -60,10 +61,10 @@ pub(super) fn estimate_errors(
 impl Ladder {
     /// `steps` meshes beside `mesh`: coarser ones while every span can be halved, every family still has its modes and there are no
     /// fewer segments than `fewest`, then finer ones.
-    fn new(mesh: &Mesh, modes: &[Mode], fewest: usize, steps: usize) -> Self {
+    fn new(mesh: &Mesh, modes: &[Mode], fewest: usize, steps: usize, model: &Model) -> Self {
         let halves = std::iter::successors(Some(mesh.clone()), |mesh| {
             mesh.halved()
-                .filter(|halved| halved.segments() >= fewest && has_all(halved, modes))
+                .filter(|halved| halved.segments() >= fewest && has_all(halved, modes, model))
         });
         let mut meshes: Vec<Mesh> = halves.take(1 + steps).collect();
         let own = 1 + steps - meshes.len();
@@ -97,6 +98,7 @@ fn solve_ladder(
             degree: 0,
         };
         model.assemble(tower, &cut, options);
+        find_origin(tower, model)?;
         levels.push(frequencies(modes, model, spectrum)?);
         if index.abs_diff(ladder.own) == 1 {
             elsewhere = count_below(model, below);
@@ -105,29 +107,54 @@ fn solve_ladder(
     Ok((levels, elsewhere))
 }
 
+/// The powers of 1/n in the errors of each part's modes: those of bending, or of torsion and axial motion, or the more there are.
+fn part_powers(tower: &Tower, options: &Options, model: &Model) -> Vec<&'static [i32]> {
+    let method = options.method;
+    let powers_of = |motion: Motion| match motion {
+        Motion::Bending(_) => method.bending_powers(tower.shears()),
+        Motion::Torsion | Motion::Axial => method.axial_powers(),
+    };
+    (0..model.parts())
+        .map(|part| {
+            let powers = model.motions(part).iter().map(powers_of);
+            powers.max_by_key(|powers| powers.len()).unwrap_or_default()
+        })
+        .collect()
+}
+
 /// Whether a mesh is fine enough to have every mode of the list: every element has at least two joint coordinates a segment in a bending
 /// plane, one in torsion and one axially.
-fn has_all(mesh: &Mesh, modes: &[Mode]) -> bool {
-    modes.iter().all(|mode| match mode.family {
-        Family::ForeAft | Family::SideSide => mode.order <= 2 * mesh.segments(),
-        Family::Torsion | Family::Axial => mode.order <= mesh.segments(),
+fn has_all(mesh: &Mesh, modes: &[Mode], model: &Model) -> bool {
+    let coordinates = |motion: Motion| 1 + usize::from(motion.bends());
+    modes.iter().all(|mode| {
+        let motions = model.motions(mode.key.part).iter();
+        mode.key.order <= motions.map(coordinates).sum::<usize>() * mesh.segments()
     })
 }
 
-/// The frequencies of the same modes on the mesh that the model is of, Hz.
+/// The frequencies of the same modes on the mesh that the model is of, Hz; 0 for those of a part that weights make unstable on it.
 fn frequencies(
     modes: &[Mode],
     model: &mut Model,
     spectrum: &mut Spectrum,
 ) -> Result<Vec<f64>, SolveError> {
-    for &family in model.families() {
-        let orders = modes.iter().filter(|m| m.family == family).map(|m| m.order);
-        let wanted = orders.max().unwrap_or(0);
-        if wanted > 0 {
-            spectrum.solve_family(model, family, wanted)?;
+    let mut is_stable = vec![true; model.parts()];
+    for (part, is_stable) in is_stable.iter_mut().enumerate() {
+        let own = modes.iter().filter(|mode| mode.key.part == part);
+        let Some(wanted) = own.map(|mode| mode.key.order).max() else {
+            continue;
+        };
+        match spectrum.solve_part(model, part, wanted) {
+            Err(EigenError::Unstable { .. }) => *is_stable = false,
+            result => result?,
         }
     }
-    let eigenvalues = |family| spectrum.of(model.planes_are_equal(), family).eigenvalues();
-    let frequency = |mode: &Mode| eigenvalues(mode.family)[mode.order - 1].frequency_hz();
+    let frequency = |mode: &Mode| {
+        if is_stable[mode.key.part] {
+            spectrum.eigenvalue(model, mode.key).frequency_hz()
+        } else {
+            0.0
+        }
+    };
     Ok(modes.iter().map(frequency).collect())
 }

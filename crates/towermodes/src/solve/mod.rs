@@ -3,9 +3,11 @@
 mod degree;
 mod estimate;
 mod model;
+mod naming;
 mod options;
 mod solution;
 mod spectrum;
+mod stability;
 mod warnings;
 
 pub use options::{
@@ -14,14 +16,18 @@ pub use options::{
 };
 pub use solution::{Certificate, Mode, Solution};
 
-use crate::Method;
-use crate::eigen::EigenError;
+use crate::eigen::{EigenError, Statistics};
 use crate::elements::Mesh;
-use crate::modes::{Family, ModeCurve};
+use crate::modes::ModeCurve;
+use crate::space::SpatialMatrix;
 use crate::tower::Tower;
+use crate::{Method, Warning};
 use estimate::estimate_errors;
 use model::{Cut, Model};
+use naming::{Identity, identify};
+pub(crate) use spectrum::ModeKey;
 use spectrum::{Found, Proof, Spectrum};
+use stability::{buckling_load_factor, find_origin};
 use warnings::{uncertain_end, warnings};
 
 /// Memory that is reused from solve to solve.
@@ -69,23 +75,81 @@ fn solve_segments(
         degree: 0,
     };
     let found = solve_cut(tower, &cut, options, workspace)?;
+    let statistics = workspace.spectrum.statistics;
+    let mut result = describe(tower, &cut.mesh, options, &found, workspace)?;
+    let elsewhere = estimate_errors(tower, &cut, options, &mut result, workspace)?;
+    let certificate = certificate(&result.proof);
+    let mut warnings = warnings(tower, &cut.mesh, options, &result);
+    warnings.extend(uncertain_end(&result.modes, &certificate, elsewhere));
+    let segments = cut.mesh.segments();
+    Ok(result.into_solution(options.method, segments, None, warnings, statistics))
+}
+
+/// What a solved cut gives before its errors are known.
+struct Described {
+    modes: Vec<Mode>,
+    proof: Proof,
+    /// The mode that repeats the last of the list and is not in it: label and frequency (Hz).
+    cut_off: Option<(String, f64)>,
+    degrees_of_freedom: usize,
+    rigid_inertia: SpatialMatrix,
+    buckling_load_factor: Option<f64>,
+}
+
+impl Described {
+    fn into_solution(
+        self,
+        method: Method,
+        segments: usize,
+        degree: Option<usize>,
+        warnings: Vec<Warning>,
+        statistics: Statistics,
+    ) -> Solution {
+        Solution {
+            method,
+            segments,
+            degree,
+            degrees_of_freedom: self.degrees_of_freedom,
+            certificate: certificate(&self.proof),
+            modes: self.modes,
+            rigid_inertia: self.rigid_inertia,
+            buckling_load_factor: self.buckling_load_factor,
+            warnings,
+            statistics,
+        }
+    }
+}
+
+/// Proves that nothing is missing below what was found, and describes the modes asked for.
+fn describe(
+    tower: &Tower,
+    mesh: &Mesh,
+    options: &Options,
+    found: &[Found],
+    workspace: &mut Workspace,
+) -> Result<Described, SolveError> {
     let Workspace { model, spectrum } = workspace;
-    let proof = spectrum.prove(model, &found, options.modes)?;
-    let mut modes = shapes(tower, &cut.mesh, options, &found, workspace)?;
-    let degrees_of_freedom = workspace.model.degrees_of_freedom();
-    let elsewhere = estimate_errors(tower, &cut, options, &mut modes, proof.below, workspace)?;
-    let certificate = certificate(&proof);
-    let mut warnings = warnings(tower, &cut.mesh, options, &modes, &found);
-    warnings.extend(uncertain_end(&modes, &certificate, elsewhere));
-    Ok(Solution {
-        method: options.method,
-        segments: cut.mesh.segments(),
-        degree: None,
-        degrees_of_freedom,
+    let proof = spectrum.prove(model, found, options.modes)?;
+    let buckling_load_factor = buckling_load_factor(tower, model)?;
+    // BModes has no rotary inertia of sections.
+    let rotary_inertia = options.rotary_inertia && options.method != Method::Bmodes;
+    let rigid_inertia = tower.rigid_inertia(rotary_inertia);
+    let listed = &found[..found.len().min(options.modes + 1)];
+    let identities = identify(tower, model, spectrum, listed, &rigid_inertia);
+    let modes = shapes(tower, mesh, options, listed, &identities, workspace)?;
+    let (origin, last) = (workspace.model.origin, &found[options.modes - 1]);
+    let next = listed.get(options.modes).zip(identities.get(options.modes));
+    let cut_off = next.filter(|(found, _)| found.repeats(last, origin));
+    Ok(Described {
         modes,
-        certificate,
-        warnings,
-        statistics: workspace.spectrum.statistics,
+        proof,
+        cut_off: cut_off.map(|(found, identity)| {
+            let label = identity.family.label(identity.order);
+            (label, found.eigenvalue.frequency_hz())
+        }),
+        degrees_of_freedom: workspace.model.degrees_of_freedom(),
+        rigid_inertia,
+        buckling_load_factor,
     })
 }
 
@@ -93,7 +157,7 @@ fn certificate(proof: &Proof) -> Certificate {
     Certificate {
         complete: true,
         count: proof.count,
-        below_hz: proof.below.sqrt() / std::f64::consts::TAU,
+        below_hz: proof.below.max(0.0).sqrt() / std::f64::consts::TAU,
     }
 }
 
@@ -131,7 +195,17 @@ fn solve_cut(
         return Err(EigenError::NotFinite.into());
     }
     options.check_size(cut.mesh.segments(), model.degrees_of_freedom())?;
-    Ok(spectrum.solve(model, options.modes)?)
+    find_origin(tower, model)?;
+    spectrum
+        .solve(model, options.modes)
+        .map_err(|error| match error {
+            // Say by how much.
+            EigenError::Unstable { .. } => match buckling_load_factor(tower, model) {
+                Err(buckles) => buckles,
+                Ok(_) => error.into(),
+            },
+            _ => error.into(),
+        })
 }
 
 /// The modes asked for with their shapes; the discretization error is still missing.
@@ -140,27 +214,34 @@ fn shapes(
     mesh: &Mesh,
     options: &Options,
     found: &[Found],
+    identities: &[Identity],
     workspace: &mut Workspace,
 ) -> Result<Vec<Mode>, SolveError> {
     let Workspace { model, spectrum } = workspace;
     let heights_m = equal_heights(tower, options.points);
     let stations_m = tower.station_heights_m();
-    let planes_are_equal = model.planes_are_equal();
     let mut modes: Vec<Mode> = Vec::with_capacity(options.modes);
-    for found in &found[..options.modes] {
+    for (found, identity) in found.iter().zip(identities).take(options.modes) {
         let number = modes.len() + 1;
         // Of a repeated pair the second is the first in the other plane.
-        let twin = modes
-            .last()
-            .filter(|_| found.family == Family::SideSide && planes_are_equal);
+        let twin = modes.last().filter(|_| found.key.is_turned);
         let mode = match twin {
-            Some(twin) => twin.in_side_side(number),
+            Some(twin) => twin.in_side_side(number, found, identity),
             None => {
-                let eigenvectors = spectrum.of(planes_are_equal, found.family);
-                let vector = eigenvectors.vector(found.order - 1);
-                let curves = model.curves(tower, mesh, found.family, vector);
-                let curve = ModeCurve::new(mesh.borders_m(), &*curves);
-                Mode::new(number, found, &curve, &heights_m, &stations_m)
+                let vector = spectrum.vector(found.key);
+                let curves = model.curves(tower, mesh, found.key.part, vector);
+                let components = identity.family.normalized_by();
+                let curve = ModeCurve::new(mesh.borders_m(), &*curves, components);
+                let origin = model.origin;
+                Mode::new(
+                    number,
+                    found,
+                    identity,
+                    origin,
+                    &curve,
+                    &heights_m,
+                    &stations_m,
+                )
             }
         };
         if !mode.is_finite() {

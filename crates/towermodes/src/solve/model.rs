@@ -1,20 +1,15 @@
-//! A tower as one eigenvalue problem a family, whatever the method.
+//! A tower as eigenvalue problems of independent parts, whatever the method.
 
 use super::options::Options;
-use crate::beam::{BeamPencil, BeamPencilWorkspace, BeamWorkspace, DecoupledBeams, assemble_beams};
-use crate::chain::{ChainPencil, ChainWorkspace, DecoupledChains};
+use crate::beam::{BeamWorkspace, Beams, assemble_beams};
+use crate::chain::Chains;
 use crate::eigen::Pencil;
 use crate::elements::{Mesh, assemble};
-use crate::modes::{BeamCurves, ChainCurves, ChainCurvesWorkspace, Family, SegmentCurves};
-use crate::tower::{Plane, Tower};
-
-/// All families, in the order in which modes of one frequency are listed.
-pub(super) const FAMILIES: [Family; 4] = [
-    Family::ForeAft,
-    Family::SideSide,
-    Family::Torsion,
-    Family::Axial,
-];
+use crate::modes::{BeamCurves, ByMotion, ChainCurves, SegmentCurves};
+use crate::parts::{
+    Balance, Combination, Kind, Part, Parts, Problem, Structure, embedded, on_components,
+};
+use crate::tower::{Motions, Tower};
 
 /// Where a tower is cut, and how finely each part is represented.
 #[derive(Debug, Clone, PartialEq)]
@@ -25,22 +20,51 @@ pub(super) struct Cut {
 }
 
 /// The eigenvalue problems of a tower, with the memory to work on them.
-#[derive(Debug, Default)]
+#[derive(Default)]
 pub(super) struct Model {
     is_chain: bool,
-    chains: DecoupledChains,
-    planar: ChainWorkspace<2>,
-    linear: ChainWorkspace<1>,
-    chain_curves: ChainCurvesWorkspace,
-    beams: DecoupledBeams,
+    chains: Parts<Chains>,
+    beams: Parts<Beams>,
     assembly: BeamWorkspace,
-    beam: BeamPencilWorkspace,
+    /// Where the spectrum begins, rad²/s²: 0, or below where nothing holds a floating tower in some direction.
+    pub(super) origin: f64,
+}
+
+impl std::fmt::Debug for Model {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.debug_struct("Model").finish_non_exhaustive()
+    }
+}
+
+/// Runs the same code on the parts, whatever they are made of.
+macro_rules! on_parts {
+    ($model:expr, $parts:ident => $act:expr) => {
+        if $model.is_chain {
+            let $parts = &$model.chains;
+            $act
+        } else {
+            let $parts = &$model.beams;
+            $act
+        }
+    };
+}
+
+/// The forces and the energy of a motion.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Resultants {
+    /// Products of the inertia forces with rigid motions (x, y, z, rotation about x, y, z) about the base.
+    pub(super) force: [f64; 6],
+    /// Kinetic energy, times 2/ω².
+    pub(super) kinetic: ByMotion,
+    /// Strain energy, times 2.
+    pub(super) strain: ByMotion,
 }
 
 impl Model {
     /// Makes the problems of a tower cut as told.
     pub(super) fn assemble(&mut self, tower: &Tower, cut: &Cut, options: &Options) {
         self.is_chain = options.method.element().is_some();
+        self.origin = 0.0;
         match options.method.element() {
             Some(element) => {
                 assemble(tower, &cut.mesh, &options.recipe(element), &mut self.chains);
@@ -55,97 +79,112 @@ impl Model {
         }
     }
 
-    pub(super) fn planes_are_equal(&self) -> bool {
-        if self.is_chain {
-            self.chains.planes_are_equal()
-        } else {
-            self.beams.planes_are_equal()
-        }
-    }
-
     pub(super) fn degrees_of_freedom(&self) -> usize {
-        if self.is_chain {
-            self.chains.degrees_of_freedom()
-        } else {
-            self.beams.degrees_of_freedom()
-        }
+        on_parts!(self, parts => parts.degrees_of_freedom())
     }
 
     /// Whether no number overflowed.
     pub(super) fn is_finite(&self) -> bool {
-        if self.is_chain {
-            self.chains.is_finite()
-        } else {
-            self.beams.is_finite()
-        }
+        on_parts!(self, parts => parts.is_finite())
     }
 
-    /// The families that are solved: an equal plane once.
-    pub(super) fn families(&self) -> &'static [Family] {
-        if self.planes_are_equal() {
-            &[Family::ForeAft, Family::Torsion, Family::Axial]
-        } else {
-            &FAMILIES
-        }
+    /// Number of parts: those that are solved, an equal plane once.
+    pub(super) fn parts(&self) -> usize {
+        on_parts!(self, parts => parts.count())
     }
 
-    /// How many times the modes of a family are there.
-    pub(super) fn multiplicity(&self, family: Family) -> usize {
-        1 + usize::from(family == Family::ForeAft && self.planes_are_equal())
+    /// How many times the modes of a part are there.
+    pub(super) fn multiplicity(&self, part: usize) -> usize {
+        on_parts!(self, parts => parts.multiplicity(part))
     }
 
-    /// Lets `act` work on the eigenvalue problem of a family.
+    /// The motions of a part.
+    pub(super) fn motions(&self, part: usize) -> Motions {
+        on_parts!(self, parts => parts.part(part).motions())
+    }
+
+    /// Lets `act` work on the vibration problem of a part.
     pub(super) fn with_pencil<R>(
         &mut self,
-        family: Family,
+        part: usize,
+        act: impl FnOnce(&mut dyn Pencil) -> R,
+    ) -> R {
+        let origin = self.origin;
+        self.with_problem(part, Problem::Vibration { origin }, act)
+    }
+
+    /// Lets `act` work on any problem of a part.
+    pub(super) fn with_problem<R>(
+        &mut self,
+        part: usize,
+        problem: Problem,
         act: impl FnOnce(&mut dyn Pencil) -> R,
     ) -> R {
         if self.is_chain {
-            let (chains, planar, linear) = (&self.chains, &mut self.planar, &mut self.linear);
-            match family {
-                Family::ForeAft => act(&mut ChainPencil::new(&chains.fore_aft, planar)),
-                Family::SideSide => act(&mut ChainPencil::new(&chains.side_side, planar)),
-                Family::Torsion => act(&mut ChainPencil::new(&chains.torsion, linear)),
-                Family::Axial => act(&mut ChainPencil::new(&chains.axial, linear)),
-            }
+            self.chains.part_mut(part).with_pencil(problem, act)
         } else {
-            let (beams, work) = (&self.beams, &mut self.beam);
-            match family {
-                Family::ForeAft => act(&mut BeamPencil::new(&beams.fore_aft, work)),
-                Family::SideSide => act(&mut BeamPencil::new(&beams.side_side, work)),
-                Family::Torsion => act(&mut BeamPencil::new(&beams.torsion, work)),
-                Family::Axial => act(&mut BeamPencil::new(&beams.axial, work)),
-            }
+            self.beams.part_mut(part).with_pencil(problem, act)
         }
     }
 
-    /// An eigenvector of a family as curves over the segments.
+    /// An eigenvector of a part as curves over the segments.
     pub(super) fn curves<'a>(
-        &'a mut self,
+        &self,
         tower: &'a Tower,
         mesh: &'a Mesh,
-        family: Family,
+        part: usize,
         vector: &[f64],
     ) -> Box<dyn SegmentCurves + 'a> {
-        let (chains, work, beams) = (&self.chains, &mut self.chain_curves, &self.beams);
-        let bent = |plane, chain, work| {
-            Box::new(ChainCurves::bending(
-                tower, plane, mesh, chain, vector, work,
+        if self.is_chain {
+            Box::new(ChainCurves::new(
+                tower,
+                mesh,
+                self.chains.part(part),
+                vector,
             ))
-        };
-        match (family, self.is_chain) {
-            (Family::ForeAft, true) => bent(Plane::ForeAft, &chains.fore_aft, work),
-            (Family::SideSide, true) => bent(Plane::SideSide, &chains.side_side, work),
-            (Family::Torsion, true) => {
-                Box::new(ChainCurves::axial(mesh, &chains.torsion, vector, work))
-            }
-            (Family::Axial, true) => {
-                Box::new(ChainCurves::axial(mesh, &chains.axial, vector, work))
-            }
-            (Family::ForeAft, false) => Box::new(BeamCurves::new(&beams.fore_aft, vector)),
-            (Family::SideSide, false) => Box::new(BeamCurves::new(&beams.side_side, vector)),
-            (Family::Torsion, false) => Box::new(BeamCurves::new(&beams.torsion, vector)),
-            (Family::Axial, false) => Box::new(BeamCurves::new(&beams.axial, vector)),
+        } else {
+            Box::new(BeamCurves::new(self.beams.part(part), vector))
         }
     }
+
+    /// The forces and the energy of an eigenvector of a part.
+    pub(super) fn resultants(&mut self, tower: &Tower, part: usize, vector: &[f64]) -> Resultants {
+        let base_m = tower.base_m();
+        if self.is_chain {
+            resultants(self.chains.part_mut(part), vector, base_m)
+        } else {
+            resultants(self.beams.part_mut(part), vector, base_m)
+        }
+    }
+
+    /// The motion (x, y, z, rotation about x, y, z) of the base in an eigenvector of a part.
+    pub(super) fn base_motion(&self, part: usize, vector: &[f64]) -> [f64; 6] {
+        if self.is_chain {
+            base_motion(self.chains.part(part), vector)
+        } else {
+            base_motion(self.beams.part(part), vector)
+        }
+    }
+}
+
+fn resultants<K: Kind>(part: &mut Part<K>, vector: &[f64], base_m: f64) -> Resultants {
+    on_components!(part, member, components => {
+        let (structure, work) = (&member.structure, &mut member.work);
+        let mut balance = |combination| structure.balance(&combination, work, vector, base_m);
+        let Balance { force, energy } = balance(Combination::MASS);
+        let strain = balance(Combination::STIFFNESS).energy;
+        // Energies have no sign of a direction.
+        let unsigned = components.map(|(i, _)| (i, 1.0));
+        Resultants {
+            force: embedded(&force, &components),
+            kinetic: ByMotion::sums(embedded(&energy, &unsigned)),
+            strain: ByMotion::sums(embedded(&strain, &unsigned)),
+        }
+    })
+}
+
+fn base_motion<K: Kind>(part: &Part<K>, vector: &[f64]) -> [f64; 6] {
+    on_components!(part, member, components => {
+        embedded(&member.structure.base_motion(vector), &components)
+    })
 }

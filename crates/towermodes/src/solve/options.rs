@@ -7,7 +7,8 @@ use crate::Method;
 use crate::beam::BeamRecipe;
 use crate::eigen::EigenError;
 use crate::elements::{Borders, Element, GAUSS_HINGE_POSITION, Recipe};
-use crate::modes::ShapePoint;
+use crate::modes::{Family, ShapePoint};
+use crate::number::Plain;
 use crate::tower::Tower;
 
 /// Segments used unless told; where steps and point masses make short spans, each of these has two on top.
@@ -237,6 +238,21 @@ pub enum SolveError {
         /// Degrees of freedom.
         degrees_of_freedom: usize,
     },
+    /// The weights are more than the tower bears.
+    #[error(
+        "the tower buckles under its own weight: it would bear {:.4} times the weights it carries",
+        Plain(*.load_factor)
+    )]
+    Buckles {
+        /// The factor by which the weights must be multiplied for the tower to be just stable, below 1.
+        load_factor: f64,
+    },
+    /// A floating tower that does not stay as it is.
+    #[error("the floating tower is unstable in {}: its stiffness there is negative", .motion.name())]
+    Unstable {
+        /// The motion that grows.
+        motion: Family,
+    },
     /// The eigenvalues were not found.
     #[error(transparent)]
     Eigen(#[from] EigenError),
@@ -245,6 +261,9 @@ pub enum SolveError {
 impl SolveError {
     /// Whether the request is at fault, not the tower or the computation.
     pub fn is_usage(&self) -> bool {
-        !matches!(self, Self::Eigen(_))
+        !matches!(
+            self,
+            Self::Eigen(_) | Self::Buckles { .. } | Self::Unstable { .. }
+        )
     }
 }

@@ -1,29 +1,32 @@
-//! The lowest modes of all families together, and the proof that none is missing.
+//! The lowest modes of all parts together, and the proof that none is missing.
 
-use super::model::{FAMILIES, Model};
+use super::model::Model;
 use crate::eigen::{EigenError, EigenWorkspace, Eigenvalue, Statistics, Verdict, lowest, verify};
-use crate::modes::Family;
 
 /// Relative distances above the last mode at which completeness is certified, widest first.
 const MARGINS: [f64; 7] = [0.1, 0.03, 0.01, 1e-3, 1e-4, 1e-6, REPEATED];
 /// Eigenvalues closer than this, relatively, count as repeated: two planes of different inertia can cross as near as that.
 const REPEATED: f64 = 1e-9;
 
-/// Eigenvalues and eigenvectors of all families.
+/// Eigenvalues and eigenvectors of all parts.
 #[derive(Debug, Default)]
 pub(super) struct Spectrum {
-    fore_aft: EigenWorkspace,
-    side_side: EigenWorkspace,
-    torsion: EigenWorkspace,
-    axial: EigenWorkspace,
+    parts: Vec<EigenWorkspace>,
     pub(super) statistics: Statistics,
 }
 
-/// A mode found: its family, its order in it from 1, and its eigenvalue.
+/// Which mode it is, on any mesh and by any method: its part, its order in it from 1, and which of two equal planes it is in.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub(crate) struct ModeKey {
+    pub(crate) part: usize,
+    pub(crate) order: usize,
+    pub(crate) is_turned: bool,
+}
+
+/// A mode found, and its eigenvalue.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Found {
-    pub(super) family: Family,
-    pub(super) order: usize,
+    pub(super) key: ModeKey,
     pub(super) eigenvalue: Eigenvalue,
 }
 
@@ -35,96 +38,91 @@ pub(super) struct Proof {
 }
 
 impl Spectrum {
-    /// The eigenvalues and vectors of a family after a solve.
-    pub(super) fn of(&self, planes_are_equal: bool, family: Family) -> &EigenWorkspace {
-        match family {
-            Family::SideSide if !planes_are_equal => &self.side_side,
-            Family::ForeAft | Family::SideSide => &self.fore_aft,
-            Family::Torsion => &self.torsion,
-            Family::Axial => &self.axial,
-        }
+    /// The eigenvector of a mode of the last solve.
+    pub(super) fn vector(&self, key: ModeKey) -> &[f64] {
+        self.parts[key.part].vector(key.order - 1)
     }
 
-    fn own(&mut self, family: Family) -> &mut EigenWorkspace {
-        match family {
-            Family::ForeAft => &mut self.fore_aft,
-            Family::SideSide => &mut self.side_side,
-            Family::Torsion => &mut self.torsion,
-            Family::Axial => &mut self.axial,
-        }
+    /// The eigenvalue of a mode of the last solve of its part.
+    pub(super) fn eigenvalue(&self, model: &Model, key: ModeKey) -> Eigenvalue {
+        self.parts[key.part].eigenvalues()[key.order - 1].shifted(model.origin)
     }
 
-    /// Solves the problem of one family for its `wanted` lowest modes.
-    pub(super) fn solve_family(
+    /// Solves the problem of one part for its `wanted` lowest modes.
+    pub(super) fn solve_part(
         &mut self,
         model: &mut Model,
-        family: Family,
+        part: usize,
         wanted: usize,
     ) -> Result<(), EigenError> {
-        let workspace = self.own(family);
-        let statistics = model.with_pencil(family, |pencil| lowest(pencil, wanted, workspace))?;
+        self.parts
+            .resize_with(model.parts().max(self.parts.len()), EigenWorkspace::default);
+        let workspace = &mut self.parts[part];
+        let statistics = model.with_pencil(part, |pencil| lowest(pencil, wanted, workspace))?;
         self.statistics += statistics;
         Ok(())
     }
 
-    /// Solves for at least the `wanted` lowest modes of all families together; returns all found, sorted.
+    /// Solves for at least the `wanted` lowest modes of all parts together; returns all found, sorted.
     ///
-    /// Fore-aft bending, the softest, is solved first; its highest mode bounds how many the others must give.
+    /// The first part, which bends fore-aft and so is the softest, is solved first; its highest mode bounds how many the others must
+    /// give.
     pub(super) fn solve(
         &mut self,
         model: &mut Model,
         wanted: usize,
     ) -> Result<Vec<Found>, EigenError> {
         self.statistics = Statistics::default();
-        let families = model.families();
-        let all_bending = size(model, Family::ForeAft);
+        let all_first = size(model, 0);
         // Side-side bending is as soft, or nearly, and gives the other half.
-        let mut bending = wanted.div_ceil(2).min(all_bending);
+        let is_alone = model.parts() == 1;
+        let half = if is_alone { wanted } else { wanted.div_ceil(2) };
+        let mut first = half.min(all_first);
         loop {
-            self.solve_family(model, Family::ForeAft, bending)?;
-            let ceiling = self.fore_aft.eigenvalues().last().map_or(0.0, |e| e.lambda);
-            let mut total = self.fore_aft.eigenvalues().len() * model.multiplicity(Family::ForeAft);
-            let mut others = [0; 3];
-            for (count, &family) in others.iter_mut().zip(&families[1..]) {
-                // Just above the ceiling, so that a mode equal to it counts.
-                *count = count_family(model, family, ceiling * (1.0 + REPEATED));
-                total += *count;
-            }
-            if total < wanted && bending < all_bending {
-                bending = (bending + (wanted - total)).min(all_bending);
+            self.solve_part(model, 0, first)?;
+            let ceiling = self.parts[0].eigenvalues().last().map_or(0.0, |e| e.lambda);
+            let mut total = self.parts[0].eigenvalues().len() * model.multiplicity(0);
+            // Just above the ceiling, so that a mode equal to it counts.
+            let above = ceiling * (1.0 + REPEATED);
+            let others: Vec<usize> = (1..model.parts())
+                .map(|part| count_part(model, part, above))
+                .collect();
+            total += others.iter().sum::<usize>();
+            if total < wanted && first < all_first {
+                first = (first + (wanted - total)).min(all_first);
                 continue;
             }
-            for (&count, &family) in others.iter().zip(&families[1..]) {
-                // With bending exhausted there is no ceiling: anything may be among the lowest.
-                let all = wanted.min(size(model, family));
+            for (part, count) in (1..).zip(others) {
+                // With the first part exhausted there is no ceiling: anything may be among the lowest.
+                let all = wanted.min(size(model, part));
                 let count = if total < wanted { all } else { count };
-                self.solve_family(model, family, count)?;
+                self.solve_part(model, part, count)?;
             }
-            return Ok(self.sorted(model.planes_are_equal()));
+            return Ok(self.sorted(model));
         }
     }
 
     /// All modes found, by frequency; of a repeated pair the fore-aft mode first.
-    fn sorted(&self, planes_are_equal: bool) -> Vec<Found> {
+    fn sorted(&self, model: &Model) -> Vec<Found> {
         let mut found: Vec<Found> = Vec::new();
-        for family in FAMILIES {
-            let eigenvalues = self.of(planes_are_equal, family).eigenvalues();
-            found.extend(
-                eigenvalues
-                    .iter()
-                    .enumerate()
-                    .map(|(index, &eigenvalue)| Found {
-                        family,
+        for (part, workspace) in self.parts.iter().take(model.parts()).enumerate() {
+            for is_turned in [false, true].into_iter().take(model.multiplicity(part)) {
+                let eigenvalues = workspace.eigenvalues().iter().enumerate();
+                found.extend(eigenvalues.map(|(index, eigenvalue)| Found {
+                    key: ModeKey {
+                        part,
                         order: index + 1,
-                        eigenvalue,
-                    }),
-            );
+                        is_turned,
+                    },
+                    eigenvalue: eigenvalue.shifted(model.origin),
+                }));
+            }
         }
         found.sort_by(|a, b| a.eigenvalue.lambda.total_cmp(&b.eigenvalue.lambda));
         found
     }
 
-    /// Counts the modes of all families in the gap above `found[..listed]`.
+    /// Counts the modes of all parts in the gap above `found[..listed]`.
     ///
     /// A mode that repeats the last of the list lies below the gap too, and is counted.
     pub(super) fn prove(
@@ -133,45 +131,50 @@ impl Spectrum {
         found: &[Found],
         listed: usize,
     ) -> Result<Proof, EigenError> {
-        let last = &found[listed - 1];
-        let lambda = last.eigenvalue.lambda;
-        let repeats = found[listed..].iter().take_while(|next| next.repeats(last));
+        let (last, origin) = (&found[listed - 1], model.origin);
+        // Distances are relative to the beginning of the spectrum.
+        let lambda = last.eigenvalue.lambda - origin;
+        let repeats = found[listed..]
+            .iter()
+            .take_while(|next| next.repeats(last, origin));
         let expected = listed + repeats.count();
-        let count_below = |shift| count_below(model, shift);
+        let count_below = |shift| count_below(model, shift + origin);
         match verify(lambda, expected, &MARGINS, count_below) {
             Verdict::Complete { margin } => Ok(Proof {
                 count: expected,
-                below: lambda * (1.0 + margin),
+                below: lambda * (1.0 + margin) + origin,
             }),
             Verdict::Disagrees { count, shift } => Err(EigenError::Incomplete {
                 found: listed,
                 counted: count,
-                below_hz: shift.sqrt() / std::f64::consts::TAU,
+                below_hz: (shift + origin).max(0.0).sqrt() / std::f64::consts::TAU,
                 restarts: self.statistics.restarts,
             }),
         }
     }
 }
 
-fn size(model: &mut Model, family: Family) -> usize {
-    model.with_pencil(family, |pencil| pencil.size())
+fn size(model: &mut Model, part: usize) -> usize {
+    model.with_pencil(part, |pencil| pencil.size())
 }
 
-fn count_family(model: &mut Model, family: Family, shift: f64) -> usize {
-    model.with_pencil(family, |pencil| pencil.count_below(shift))
+/// Number of modes of a part below μ, counted from the beginning of the spectrum, rad²/s².
+fn count_part(model: &mut Model, part: usize, shift: f64) -> usize {
+    model.with_pencil(part, |pencil| pencil.count_below(shift))
 }
 
-/// Number of modes of all families below λ = `shift`, rad²/s².
-pub(super) fn count_below(model: &mut Model, shift: f64) -> usize {
-    let families = model.families().iter();
-    families
-        .map(|&family| model.multiplicity(family) * count_family(model, family, shift))
+/// Number of modes of all parts below λ, rad²/s².
+pub(super) fn count_below(model: &mut Model, lambda: f64) -> usize {
+    let shift = lambda - model.origin;
+    (0..model.parts())
+        .map(|part| model.multiplicity(part) * count_part(model, part, shift))
         .sum()
 }
 
 impl Found {
     /// Whether its eigenvalue is that of another mode, so that no count is taken between the two.
-    pub(super) fn repeats(&self, other: &Self) -> bool {
-        self.eigenvalue.lambda <= other.eigenvalue.lambda * (1.0 + REPEATED)
+    pub(super) fn repeats(&self, other: &Self, origin: f64) -> bool {
+        let from_origin = |found: &Self| found.eigenvalue.lambda - origin;
+        from_origin(self) <= from_origin(other) * (1.0 + REPEATED)
     }
 }

@@ -1,8 +1,8 @@
 //! What looks like a slip once the modes are known.
 
+use super::Described;
 use super::options::Options;
 use super::solution::{Certificate, Mode};
-use super::spectrum::Found;
 use crate::elements::Mesh;
 use crate::tower::Tower;
 use crate::{Method, Warning};
@@ -15,12 +15,13 @@ pub(super) fn warnings(
     tower: &Tower,
     mesh: &Mesh,
     options: &Options,
-    modes: &[Mode],
-    found: &[Found],
+    result: &Described,
 ) -> Vec<Warning> {
-    let mut warnings = tower.plausibility();
-    let frequency_hz = modes[0].frequency_hz;
-    if !(0.01..=100.0).contains(&frequency_hz) {
+    let modes = &result.modes;
+    let mut warnings = tower.plausibility().to_vec();
+    let mut elastic = modes.iter().filter(|mode| !mode.family.is_rigid());
+    let lowest_hz = elastic.next().map(|mode| mode.frequency_hz);
+    if let Some(frequency_hz) = lowest_hz.filter(|hz| !(0.01..=100.0).contains(hz)) {
         warnings.push(Warning::UnusualFrequency { frequency_hz });
     }
     if options.method == Method::Bmodes && tower.shears() {
@@ -39,11 +40,10 @@ pub(super) fn warnings(
         warnings.push(Warning::MoreSegments { asked, used });
     }
     warnings.extend(unresolved(modes));
-    let last = &found[modes.len() - 1];
-    if let Some(cut) = found.get(modes.len()).filter(|cut| cut.repeats(last)) {
+    if let Some((label, frequency_hz)) = result.cut_off.clone() {
         warnings.push(Warning::CutPair {
-            label: cut.family.label(cut.order),
-            frequency_hz: cut.eigenvalue.frequency_hz(),
+            label,
+            frequency_hz,
         });
     }
     warnings

@@ -1,7 +1,7 @@
 //! The same modes by different methods: what is followed is family and order, not the place in the list, which meshes change.
 
 use crate::modes::Family;
-use crate::solve::{Options, Solution, SolveError, Workspace, solve_with};
+use crate::solve::{ModeKey, Options, Solution, SolveError, Workspace, solve_with};
 use crate::tower::Tower;
 
 /// A mode that is followed from method to method.
@@ -15,6 +15,8 @@ pub struct FollowedMode {
     pub frequency_hz: f64,
     /// Whether the side-side mode of the same order has this frequency too; it is not followed then.
     pub is_pair: bool,
+    /// Which mode it is by any method: families may change from one to another where motions are coupled.
+    key: ModeKey,
 }
 
 impl FollowedMode {
@@ -22,7 +24,11 @@ impl FollowedMode {
     pub fn label(&self) -> String {
         let label = self.family.label(self.order);
         if self.is_pair {
-            label.replace("fore-aft ", "")
+            match self.family {
+                Family::Surge => "surge and sway".to_owned(),
+                Family::Pitch => "pitch and roll".to_owned(),
+                _ => label.replace("fore-aft ", ""),
+            }
         } else {
             label
         }
@@ -30,7 +36,7 @@ impl FollowedMode {
 
     /// Its frequency in a solution, if it is there, Hz.
     pub(super) fn frequency_in(&self, solution: &Solution) -> Option<f64> {
-        let mode = solution.mode(self.family, self.order)?;
+        let mode = solution.modes.iter().find(|mode| mode.key == self.key)?;
         Some(mode.frequency_hz)
     }
 }
@@ -40,12 +46,13 @@ pub(super) fn followed(tower: &Tower, solution: &Solution) -> Vec<FollowedMode> 
     let pairs = tower.planes_are_equal();
     let modes = solution.modes.iter();
     modes
-        .filter(|mode| !(pairs && mode.family == Family::SideSide))
+        .filter(|mode| !mode.key.is_turned)
         .map(|mode| FollowedMode {
             family: mode.family,
             order: mode.order,
             frequency_hz: mode.frequency_hz,
-            is_pair: pairs && mode.family == Family::ForeAft,
+            is_pair: pairs && mode.key.part == 0,
+            key: mode.key,
         })
         .collect()
 }

@@ -1,14 +1,17 @@
 //! What a user says about a tower, before anything is checked.
 
+use super::foundation::Foundation;
 use super::material::Material;
 use super::properties::Properties;
+use super::surroundings::{SoilRow, Water, Wires};
+use crate::symmetric::eigenpairs;
 
 /// One row of the tower's geometry: the tube at a height. Between rows diameter and wall are linear.
 ///
 /// Two rows at the same height are a step.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Station {
-    /// Height z, m, in the user's own datum; the lowest station is the clamped base.
+    /// Height z, m, in the user's own datum; the lowest station is the base.
     pub height_m: f64,
     /// Outer diameter, m.
     pub outer_diameter_m: f64,
@@ -35,13 +38,13 @@ impl Station {
 /// Two rows at the same height are a step.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct PropertyStation {
-    /// Height z, m, in the user's own datum; the lowest row is the clamped base.
+    /// Height z, m, in the user's own datum; the lowest row is the base.
     pub height_m: f64,
     /// The section there.
     pub properties: Properties,
 }
 
-/// The inertia tensor of the rotor-nacelle assembly about its own centre of mass, kg m².
+/// The inertia tensor of a rigid body about its own centre of mass, kg m².
 ///
 /// Products of inertia are the entries of the tensor (xy = −∫ x y dm).
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -58,6 +61,22 @@ pub struct Inertia {
     pub xz: f64,
     /// Entry yz, kg m².
     pub yz: f64,
+}
+
+impl Inertia {
+    /// The symmetric tensor.
+    pub fn tensor(&self) -> [[f64; 3]; 3] {
+        [
+            [self.xx, self.xy, self.xz],
+            [self.xy, self.yy, self.yz],
+            [self.xz, self.yz, self.zz],
+        ]
+    }
+
+    /// The principal moments of inertia, rising, kg m².
+    pub fn principal_kg_m2(&self) -> [f64; 3] {
+        eigenpairs(self.tensor()).0
+    }
 }
 
 /// The rotor-nacelle assembly: a rigid body on the tower top. All zero means there is none.
@@ -81,13 +100,15 @@ impl Rna {
     }
 }
 
-/// A mass on the tower's axis without inertia of its own: a flange, a platform, a transformer.
-#[derive(Debug, Clone, Copy, PartialEq)]
+/// A mass on the tower's axis: a flange, a platform, a transformer.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct PointMass {
     /// Height z, m, in the datum of the stations.
     pub height_m: f64,
     /// Mass, kg.
     pub mass_kg: f64,
+    /// Inertia about its centre, kg m²; zero for none.
+    pub inertia_kg_m2: Inertia,
 }
 
 /// Whether the beam deforms in shear.
@@ -135,6 +156,16 @@ pub struct TowerDescription {
     pub rna: Rna,
     /// Masses along the tower, in any order.
     pub point_masses: Vec<PointMass>,
+    /// What holds the base; clamped unless told.
+    pub foundation: Foundation,
+    /// Layers of soil around the tower, each rows by rising height; where layers overlap their springs add up.
+    pub soil: Vec<Vec<SoilRow>>,
+    /// Water around the tower; none unless told.
+    pub water: Option<Water>,
+    /// Wires that hold the tower.
+    pub wires: Vec<Wires>,
+    /// Acceleration of gravity g, m/s²; 0, which is so unless told, leaves the weights' part of the stiffness out.
+    pub gravity_m_per_s2: f64,
 }
 
 impl Default for TowerDescription {
@@ -148,6 +179,11 @@ impl Default for TowerDescription {
             shear: Shear::Rigid,
             rna: Rna::default(),
             point_masses: Vec::new(),
+            foundation: Foundation::Clamped,
+            soil: Vec::new(),
+            water: None,
+            wires: Vec::new(),
+            gravity_m_per_s2: 0.0,
         }
     }
 }

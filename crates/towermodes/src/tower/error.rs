@@ -27,7 +27,7 @@ pub enum Place {
         /// Which of its values.
         key: &'static str,
     },
-    /// One value of one point mass: `height` or `mass`.
+    /// One value of one point mass: `height`, `mass` or `inertia`.
     PointMass {
         /// Which point mass.
         index: usize,
@@ -39,6 +39,34 @@ pub enum Place {
         /// Which of its values.
         key: &'static str,
     },
+    /// One value of the foundation: its key.
+    Foundation {
+        /// Which of its values.
+        key: &'static str,
+    },
+    /// One value of a layer of soil: `rows`, or of one of its rows `height`, `x`, `y`, `z`, `torsion`.
+    Soil {
+        /// Which layer.
+        layer: usize,
+        /// Which of its rows.
+        row: usize,
+        /// Which of its values.
+        key: &'static str,
+    },
+    /// One value of the water: its key.
+    Water {
+        /// Which of its values.
+        key: &'static str,
+    },
+    /// One value of a set of wires: `height`, `count`, `stiffness` or `angle`.
+    Wires {
+        /// Which set.
+        index: usize,
+        /// Which of its values.
+        key: &'static str,
+    },
+    /// The acceleration of gravity.
+    Gravity,
     /// The outfitting factor.
     OutfittingFactor,
     /// The shear coefficient.
@@ -53,6 +81,13 @@ impl fmt::Display for Place {
             Self::Material { index, .. } => write!(f, "material {}", index + 1),
             Self::PointMass { index, .. } => write!(f, "point mass {}", index + 1),
             Self::Rna { .. } => write!(f, "rotor-nacelle assembly"),
+            Self::Foundation { .. } => write!(f, "foundation"),
+            Self::Soil { layer, row, .. } => {
+                write!(f, "row {} of soil layer {}", row + 1, layer + 1)
+            }
+            Self::Water { .. } => write!(f, "water"),
+            Self::Wires { index, .. } => write!(f, "wires {}", index + 1),
+            Self::Gravity => write!(f, "gravity"),
             Self::OutfittingFactor => write!(f, "outfitting factor"),
             Self::Shear => write!(f, "shear"),
         }
@@ -177,29 +212,135 @@ pub enum Problem {
     /// An RNA that has inertia but no mass.
     #[error("the assembly has an inertia but no mass")]
     InertiaWithoutMass,
-    /// A centre of mass off the tower's axis.
+    /// A tensor that no body has.
     #[error(
-        "the centre of mass is {x_m} m fore-aft and {y_m} m side-side of the tower's axis; \
-         eccentric machines couple bending with torsion, which this version does not solve yet"
+        "the principal moments of inertia are {}, {} and {} kg m2; none can be negative",
+        Plain(significant(.principal_kg_m2[0])), Plain(significant(.principal_kg_m2[1])), Plain(significant(.principal_kg_m2[2]))
     )]
-    EccentricRna {
-        /// Fore-aft offset, m.
-        x_m: f64,
-        /// Side-side offset, m.
-        y_m: f64,
+    NegativeInertia {
+        /// The principal moments, rising, kg m².
+        principal_kg_m2: [f64; 3],
     },
-    /// Products of inertia, which couple the families of modes.
+    /// A matrix that is not symmetric.
     #[error(
-        "products of inertia (xy {xy}, xz {xz}, yz {yz} kg m2) couple bending with torsion, \
-         which this version does not solve yet"
+        "the {what} is not symmetric: row {row}, column {column} is {} and row {column}, column {row} is {}",
+        Plain(*.upper), Plain(*.lower)
     )]
-    ProductsOfInertia {
-        /// Entry xy, kg m².
-        xy: f64,
-        /// Entry xz, kg m².
-        xz: f64,
-        /// Entry yz, kg m².
-        yz: f64,
+    Asymmetric {
+        /// Which matrix.
+        what: &'static str,
+        /// Row of the entry above the diagonal, from 1.
+        row: usize,
+        /// Column of the entry above the diagonal, from 1.
+        column: usize,
+        /// The entry above the diagonal.
+        upper: f64,
+        /// The entry below the diagonal.
+        lower: f64,
+    },
+    /// A matrix that gives energy back.
+    #[error("the {what} has the negative eigenvalue {}", Plain(significant(*.eigenvalue)))]
+    Indefinite {
+        /// Which matrix.
+        what: &'static str,
+        /// The smallest eigenvalue, in the units of the matrix.
+        eigenvalue: f64,
+    },
+    /// A tower that can move away.
+    #[error("nothing holds the tower against {motions}")]
+    Free {
+        /// What it is free to do.
+        motions: FreeMotions,
+    },
+    /// A spring between motions of which one is impossible.
+    #[error("a coupling spring means nothing where the lateral or the rocking spring is infinite")]
+    CouplingOfRigid,
+    /// A soil that no soil is.
+    #[error("the soil's Poisson's ratio is {}, outside 0 to 0.5", Plain(*.value))]
+    SoilPoissonsRatio {
+        /// The value given.
+        value: f64,
+    },
+    /// A rigid hold for what floats.
+    #[error("the {what} has an infinite entry, but a floating platform is not rigidly held")]
+    InfiniteAndFloating {
+        /// Which matrix.
+        what: &'static str,
+    },
+    /// Fewer than two rows of soil.
+    #[error("a layer of soil needs at least two rows, got {count}")]
+    TooFewSoilRows {
+        /// How many there are.
+        count: usize,
+    },
+    /// Soil rows that go down.
+    #[error("height {} m is below the row before it ({} m)", Plain(*.height_m), Plain(*.previous_m))]
+    SoilRowsDecrease {
+        /// This row's height, m.
+        height_m: f64,
+        /// The height of the row before, m.
+        previous_m: f64,
+    },
+    /// Soil where no tower is.
+    #[error(
+        "the soil reaches from {} m to {} m, but the tower from {} m to {} m",
+        Plain(*.bottom_m), Plain(*.surface_m), Plain(*.base_m), Plain(*.top_m)
+    )]
+    SoilOutsideTower {
+        /// Height of the lowest row, m.
+        bottom_m: f64,
+        /// Height of the highest row, m.
+        surface_m: f64,
+        /// Height of the base, m.
+        base_m: f64,
+        /// Height of the top, m.
+        top_m: f64,
+    },
+    /// All rows of soil at one height.
+    #[error("the soil has no depth: every row is at {} m", Plain(*.height_m))]
+    SoilWithoutDepth {
+        /// The height all have, m.
+        height_m: f64,
+    },
+    /// Water around a tower whose diameter nobody said.
+    #[error("water needs the diameters of tubes, and a table of properties has none")]
+    WaterAroundTable,
+    /// Ground above the water.
+    #[error("the bed at {} m is not below the water level {} m", Plain(*.bed_m), Plain(*.level_m))]
+    BedAboveWater {
+        /// Height of the bed, m.
+        bed_m: f64,
+        /// Height of the surface, m.
+        level_m: f64,
+    },
+    /// Water where no tower is.
+    #[error(
+        "no tower stands in the water: its surface is at {} m and its bed at {} m, but the tower reaches from {} m to {} m",
+        Plain(*.level_m), Plain(*.bed_m), Plain(*.base_m), Plain(*.top_m)
+    )]
+    WaterOutsideTower {
+        /// Height of the bed, m.
+        bed_m: f64,
+        /// Height of the surface, m.
+        level_m: f64,
+        /// Height of the base, m.
+        base_m: f64,
+        /// Height of the top, m.
+        top_m: f64,
+    },
+    /// Fewer than three wires.
+    #[error(
+        "at least three equally spaced wires are needed to hold in every direction, got {count}"
+    )]
+    TooFewWires {
+        /// How many there are.
+        count: usize,
+    },
+    /// Wires that go up.
+    #[error("the angle of the wires from the horizontal is {} degrees, outside 0 to 90", Plain(*.angle_deg))]
+    WireAngle {
+        /// The angle, degrees.
+        angle_deg: f64,
     },
     /// Tubes and a property table for one tower.
     #[error("the tower is given twice, by stations and by a table of properties")]
@@ -213,6 +354,37 @@ pub enum Problem {
         /// The value given.
         value: f64,
     },
+}
+
+/// Motions of a tower as a whole that nothing resists, of x, y, z, rotation about x, y, z.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct FreeMotions(pub [bool; 6]);
+
+impl fmt::Display for FreeMotions {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        const NAMES: [&str; 6] = [
+            "translation in x",
+            "translation in y",
+            "translation in z",
+            "rotation about x",
+            "rotation about y",
+            "rotation about z",
+        ];
+        let free = NAMES.iter().zip(self.0).filter(|(_, is_free)| *is_free);
+        let names: Vec<&str> = free.map(|(name, _)| *name).collect();
+        match names.split_last() {
+            Some((last, [_, ..])) => {
+                let others = names[..names.len() - 1].join(", ");
+                write!(f, "{others} and {last}")
+            }
+            _ => write!(f, "{}", names.concat()),
+        }
+    }
+}
+
+/// To six digits.
+fn significant(value: f64) -> f64 {
+    format!("{value:.5e}").parse().unwrap_or(value)
 }
 
 /// To four digits after the point.
@@ -242,12 +414,37 @@ impl Problem {
                 "heights are in the datum of the stations; what sits on top belongs into [rna]"
             }
             Self::InertiaWithoutMass => "give the mass, or leave the inertia out",
-            Self::EccentricRna { .. } => {
-                "put the centre of mass on the axis, center = [0, 0, z], to solve the centred machine"
+            Self::NegativeInertia { .. } => {
+                "products are the entries of the tensor (xy is minus the integral of x y dm), all in kg m2 about the body's own centre"
             }
-            Self::ProductsOfInertia { .. } => {
-                "leave xy, xz and yz out to solve the centred machine"
+            Self::Asymmetric { .. } => {
+                "the order is x, y, z, rotation about x, y, z; entry (row, column) and entry (column, row) are the same quantity"
             }
+            Self::Indefinite { .. } => {
+                "look at the signs of the coupling: a force in x and the rotation about y that it makes have one sign, y and x the other"
+            }
+            Self::Free { .. } => {
+                "clamp it, give it springs or soil there, or make it type = \"floating\""
+            }
+            Self::CouplingOfRigid => "leave coupling out, or give both springs a number",
+            Self::SoilPoissonsRatio { .. } => "sand has about 0.3, saturated clay 0.5",
+            Self::InfiniteAndFloating { .. } => {
+                "write finite stiffnesses, or use type = \"springs\", where inf is allowed"
+            }
+            Self::TooFewSoilRows { .. } => {
+                "one row at the bottom and one at the surface are enough"
+            }
+            Self::SoilRowsDecrease { .. } => "list the rows from the bottom to the surface",
+            Self::SoilOutsideTower { .. } | Self::WaterOutsideTower { .. } => {
+                "heights are in the datum of the stations; a depth below it is negative"
+            }
+            Self::SoilWithoutDepth { .. } => "the first value of a row is its height in m",
+            Self::WaterAroundTable => {
+                "put the water's mass into the table's mass_kg_per_m, or give stations"
+            }
+            Self::BedAboveWater { .. } => "leave bed out if it is the lowest station",
+            Self::TooFewWires { .. } => "count is the number of equally spaced wires",
+            Self::WireAngle { .. } => "a wire at 45 degrees has angle_deg = 45",
             Self::StationsAndProperties => "keep one of the two",
             Self::ShearInSomeRows => {
                 "give it in every row, or in none for a tower that does not shear"

@@ -28,11 +28,15 @@ const GAUSS_5: [(f64, f64); 5] = [
 /// Mass integrals of a part of the tower about a reference height z₀.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct MassIntegrals {
-    /// ∫ ρA dz, kg.
+    /// ∫ ρA dz, kg: of the tower alone.
     pub mass_kg: f64,
-    /// ∫ ρA (z − z₀) dz, kg m.
+    /// ∫ ρA (z − z₀) dz, kg m: of the tower alone.
+    pub structural_moment_kg_m: f64,
+    /// ∫ m dz, kg, with m = ρA and the water that moves transversely.
+    pub transverse_kg: f64,
+    /// ∫ m (z − z₀) dz, kg m.
     pub first_moment_kg_m: f64,
-    /// ∫ ρA (z − z₀)² dz, kg m²; the section's own rotary inertia is not in it.
+    /// ∫ m (z − z₀)² dz, kg m²; the section's own rotary inertia is not in it.
     pub second_moment_kg_m2: f64,
     /// ∫ ρI dz, kg m²: the sections' rotary inertia in each bending plane.
     pub rotary_inertia_kg_m2: Planes<f64>,
@@ -72,8 +76,11 @@ pub fn mass_integrals(piece: &Piece, base_m: f64, top_m: f64, reference_m: f64) 
         let z = middle + half * node;
         let (arm, weight) = (z - reference_m, weight * half);
         let masses = piece.masses_at(z);
-        let mass = weight * masses.mass_kg_per_m;
-        sum.mass_kg += mass;
+        let own = weight * masses.mass_kg_per_m;
+        let mass = own + weight * masses.water_kg_per_m;
+        sum.mass_kg += own;
+        sum.structural_moment_kg_m += own * arm;
+        sum.transverse_kg += mass;
         sum.first_moment_kg_m += mass * arm;
         sum.second_moment_kg_m2 += mass * arm * arm;
         sum.rotary_inertia_kg_m2 = sum
@@ -84,6 +91,46 @@ pub fn mass_integrals(piece: &Piece, base_m: f64, top_m: f64, reference_m: f64) 
         sum.polar_inertia_kg_m2 += weight * masses.polar_inertia_kg_m;
     }
     sum
+}
+
+/// Integrals of soil springs along a part of the tower about a reference height z₀.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct SoilIntegrals {
+    /// ∫ k dz, N/m, ∫ k (z − z₀) dz, N, and ∫ k (z − z₀)² dz, N m, in each plane.
+    pub transverse: Planes<[f64; 3]>,
+    /// ∫ k_z dz, N/m.
+    pub axial_n_per_m: f64,
+    /// ∫ k_t dz, N m.
+    pub torsion_n_m: f64,
+}
+
+/// The soil integrals of `piece` between two heights (m) inside it, about `reference_m`; none if there is no soil.
+pub fn soil_integrals(
+    piece: &Piece,
+    base_m: f64,
+    top_m: f64,
+    reference_m: f64,
+) -> Option<SoilIntegrals> {
+    piece.ambient.soil?;
+    let (middle, half) = (0.5 * (base_m + top_m), 0.5 * (top_m - base_m));
+    let mut sum = SoilIntegrals::default();
+    // Linear springs times a square: three points are exact.
+    for (node, weight) in GAUSS_3 {
+        let z = middle + half * node;
+        let (arm, weight) = (z - reference_m, weight * half);
+        let soil = piece.soil_at(z);
+        let springs = Planes {
+            fore_aft: soil.x_n_per_m2,
+            side_side: soil.y_n_per_m2,
+        };
+        sum.transverse = sum.transverse.zip(springs, |[a, b, c], k| {
+            let k = weight * k;
+            [a + k, b + k * arm, c + k * arm * arm]
+        });
+        sum.axial_n_per_m += weight * soil.z_n_per_m2;
+        sum.torsion_n_m += weight * soil.torsion_n;
+    }
+    Some(sum)
 }
 
 /// Moments of 1/EI of one plane about the middle of a part: the elastic centre is near it, so nothing cancels.
@@ -128,7 +175,7 @@ impl Moments {
 /// The compliance integrals of `piece` between two heights (m) inside it.
 pub fn compliance(piece: &Piece, base_m: f64, top_m: f64) -> Compliance {
     let middle = 0.5 * (base_m + top_m);
-    let planes_differ = !piece.planes_are_equal();
+    let planes_differ = !piece.stiff_planes_are_equal();
     let (mut fore_aft, mut side_side) = (Moments::default(), Moments::default());
     let (mut axial_m_per_n, mut torsion_per_n_m) = (0.0, 0.0);
     integrate(piece, base_m, top_m, &mut |z, weight, section| {
@@ -258,6 +305,7 @@ mod tests {
                 material: Material::from_shear_modulus(1.0, 1.0, 0.4),
                 shear: Shear::Rigid,
             },
+            ambient: crate::tower::Ambient::default(),
         }
     }
 

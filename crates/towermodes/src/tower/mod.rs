@@ -1,28 +1,49 @@
-//! What a tower is: geometry, materials, masses; validated once, constant afterwards.
+//! What a tower is: geometry, materials, masses, what holds and surrounds it; validated once, constant afterwards.
 
+mod ambient;
+mod attachment;
+mod base;
 mod description;
 mod error;
+mod foundation;
+mod held;
+mod independent;
 mod integrals;
 mod material;
 mod piece;
 mod planes;
 mod plausibility;
 mod properties;
+mod rigid;
 mod section;
+mod surroundings;
 mod validate;
+mod weight;
+
+pub use ambient::Ambient;
+pub use attachment::Attachment;
+pub use base::Base;
 
 pub use description::{Inertia, PointMass, PropertyStation, Rna, Shear, Station, TowerDescription};
-pub use error::{Place, Problem, TowerError};
+pub use error::{FreeMotions, Place, Problem, TowerError};
+pub use foundation::{
+    FloatingPlatform, Foundation, FoundationSprings, HalfSpace, ReferredMatrix, StiffnessFoundation,
+};
+pub use independent::{Motion, Motions};
 pub use integrals::{
-    BendingCompliance, Compliance, Hinge, MassIntegrals, compliance, gauss_hinges, mass_integrals,
+    BendingCompliance, Compliance, Hinge, MassIntegrals, SoilIntegrals, compliance, gauss_hinges,
+    mass_integrals, soil_integrals,
 };
 pub use material::Material;
 pub use piece::{Piece, Profile};
 pub use planes::{Plane, Planes};
 pub use properties::Properties;
 pub use section::{Section, SectionMasses, Tube};
+pub use surroundings::{SoilRow, SoilStiffness, Water, Wires};
 
-/// A clamped tower that can exist: every property is finite and positive, every wall fits its tube.
+use weight::Above;
+
+/// A tower that can exist: every property is finite and positive, every wall fits its tube, something holds it or it floats.
 ///
 /// Made by [`Tower::new`] from a [`TowerDescription`]; constant afterwards.
 #[derive(Debug, Clone, PartialEq)]
@@ -32,9 +53,15 @@ pub struct Tower {
     properties: Vec<PropertyStation>,
     pieces: Vec<Piece>,
     rna: Rna,
-    point_masses: Vec<PointMass>,
+    attachments: Vec<Attachment>,
+    base: Base,
+    gravity_m_per_s2: f64,
+    above: Above,
+    independent: Vec<Motions>,
+    planes_are_equal: bool,
     outfitting_factor: f64,
     mass_kg: f64,
+    warnings: Vec<crate::Warning>,
 }
 
 impl Tower {
@@ -44,24 +71,44 @@ impl Tower {
     /// [`TowerError`] with the place and the numbers of the first thing that no tower can have.
     pub fn new(description: TowerDescription) -> Result<Self, TowerError> {
         validate::validate(&description)?;
-        let pieces = pieces_of(&description);
-        let mut point_masses = description.point_masses;
-        point_masses.sort_by(|a, b| a.height_m.total_cmp(&b.height_m));
-        let mass_kg = pieces
+        let pieces = ambient::surrounded(pieces_of(&description), &description);
+        let (base_m, top_m) = (pieces[0].base_m, pieces[pieces.len() - 1].top_m);
+        let attachments = attachments_of(&description, top_m);
+        let above = Above::new(&pieces, &attachments);
+        let masses = description.point_masses.iter();
+        let mass_kg = above.tower_kg + masses.map(|m| m.mass_kg).sum::<f64>();
+        let carried_kg = mass_kg + description.rna.mass_kg;
+        let base = Base::new(&description.foundation, base_m, carried_kg);
+        let of_base = [&base.stiffness, &base.inertia];
+        let matrices = attachments
             .iter()
-            .map(|p| mass_integrals(p, p.base_m, p.top_m, p.base_m).mass_kg)
-            .sum::<f64>()
-            + point_masses.iter().map(|m| m.mass_kg).sum::<f64>();
-        Ok(Self {
+            .flat_map(Attachment::matrices)
+            .chain(of_base);
+        let planes_are_equal = pieces.iter().all(Piece::planes_are_equal)
+            && base.moves[0] == base.moves[1]
+            && base.moves[3] == base.moves[4]
+            && matrices.clone().all(independent::planes_are_equal);
+        let independent = independent::independent_motions(matrices);
+        let mut tower = Self {
+            planes_are_equal: planes_are_equal && independent.len() == Motion::ALL.len(),
+            independent,
             name: description.name,
             stations: description.stations,
             properties: description.properties,
-            pieces,
             rna: description.rna,
-            point_masses,
+            pieces,
+            attachments,
+            base,
+            gravity_m_per_s2: description.gravity_m_per_s2,
+            above,
             outfitting_factor: description.outfitting_factor,
             mass_kg,
-        })
+            warnings: Vec::new(),
+        };
+        held::check(&tower)?;
+        tower.warnings =
+            plausibility::plausibility(&tower, &description.foundation, description.water.as_ref());
+        Ok(tower)
     }
 
     /// What the user calls it; may be empty.
@@ -96,9 +143,24 @@ impl Tower {
         &self.rna
     }
 
-    /// The point masses by increasing height.
-    pub fn point_masses(&self) -> &[PointMass] {
-        &self.point_masses
+    /// Point masses, wires and the rotor-nacelle assembly by increasing height.
+    pub fn attachments(&self) -> &[Attachment] {
+        &self.attachments
+    }
+
+    /// The base and what holds it.
+    pub fn base(&self) -> &Base {
+        &self.base
+    }
+
+    /// Acceleration of gravity, m/s²; 0 if weights are left out.
+    pub fn gravity_m_per_s2(&self) -> f64 {
+        self.gravity_m_per_s2
+    }
+
+    /// The smallest sets of motions that are coupled with each other and with no other, by the structure of the tower.
+    pub fn independent_motions(&self) -> &[Motions] {
+        &self.independent
     }
 
     /// What the density of the tower was multiplied by.
@@ -108,8 +170,12 @@ impl Tower {
 
     /// The piece that a height (m) on the tower lies in; of two that meet there the lower one.
     pub fn piece_at(&self, height_m: f64) -> &Piece {
+        &self.pieces[self.piece_index_at(height_m)]
+    }
+
+    fn piece_index_at(&self, height_m: f64) -> usize {
         let index = self.pieces.partition_point(|piece| piece.top_m < height_m);
-        &self.pieces[index.min(self.pieces.len() - 1)]
+        index.min(self.pieces.len() - 1)
     }
 
     /// Whether the tower deforms in shear.
@@ -117,7 +183,7 @@ impl Tower {
         self.pieces[0].shears()
     }
 
-    /// Height z of the clamped base in the user's datum, m.
+    /// Height z of the base in the user's datum, m.
     pub fn base_m(&self) -> f64 {
         self.pieces[0].base_m
     }
@@ -137,15 +203,14 @@ impl Tower {
         self.mass_kg
     }
 
-    /// Whether both bending planes are equal, so that each bending frequency is there twice.
+    /// Whether both bending planes are equal and nothing couples them, so that each bending frequency is there twice.
     pub fn planes_are_equal(&self) -> bool {
-        self.rna.inertia_kg_m2.xx == self.rna.inertia_kg_m2.yy
-            && self.pieces.iter().all(Piece::planes_are_equal)
+        self.planes_are_equal
     }
 
     /// What looks like a slip in the input, though it is possible.
-    pub fn plausibility(&self) -> Vec<crate::Warning> {
-        plausibility::plausibility(self)
+    pub fn plausibility(&self) -> &[crate::Warning] {
+        &self.warnings
     }
 }
 
@@ -156,4 +221,14 @@ fn pieces_of(description: &TowerDescription) -> Vec<Piece> {
     }
     let (stations, materials) = (&description.stations, &description.materials);
     piece::tube_pieces(stations, materials, factor, description.shear)
+}
+
+fn attachments_of(description: &TowerDescription, top_m: f64) -> Vec<Attachment> {
+    let masses = description.point_masses.iter();
+    let wires = description.wires.iter();
+    let mut attachments: Vec<Attachment> = masses.map(Attachment::of_point_mass).collect();
+    attachments.extend(wires.map(Attachment::of_wires));
+    attachments.push(Attachment::of_rna(&description.rna, top_m));
+    attachments.sort_by(|a, b| a.height_m.total_cmp(&b.height_m));
+    attachments
 }

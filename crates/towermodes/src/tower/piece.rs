@@ -1,9 +1,11 @@
 //! A linear piece of a tower: a tube of one material, or a table of properties, linear in height.
 
+use super::ambient::Ambient;
 use super::description::{PropertyStation, Shear, Station};
 use super::material::Material;
 use super::properties::Properties;
 use super::section::{Section, SectionMasses, Tube};
+use super::surroundings::SoilStiffness;
 
 /// The tower between two heights over which its profile is linear.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -14,6 +16,8 @@ pub struct Piece {
     pub top_m: f64,
     /// What is linear between them.
     pub profile: Profile,
+    /// The soil and the water around it.
+    pub ambient: Ambient,
 }
 
 /// What is linear over a piece.
@@ -83,15 +87,28 @@ impl Piece {
     #[inline(always)]
     pub fn section_at(&self, height_m: f64) -> Section {
         let s = self.share_at(height_m);
-        match &self.profile {
+        let mut section = match &self.profile {
             Profile::Tube {
                 base,
                 top,
                 material,
                 shear,
-            } => Section::of_tube(&base.blend(top, s), material, *shear),
+            } => {
+                let tube = base.blend(top, s);
+                let mut section = Section::of_tube(&tube, material, *shear);
+                section.masses.water_kg_per_m = self.ambient.water_kg_per_m(&tube);
+                section
+            }
             Profile::Table { base, top } => base.blend(top, s),
-        }
+        };
+        section.soil = self.ambient.soil_at(s);
+        section
+    }
+
+    /// The soil springs at a height (m) inside the piece; none if there is no soil.
+    #[inline]
+    pub(super) fn soil_at(&self, height_m: f64) -> SoilStiffness {
+        self.ambient.soil_at(self.share_at(height_m))
     }
 
     /// The masses of [`section_at`](Self::section_at) alone.
@@ -105,7 +122,10 @@ impl Piece {
                 ..
             } => {
                 let tube = base.blend(top, self.share_at(height_m));
-                SectionMasses::of_tube(&tube, material)
+                SectionMasses {
+                    water_kg_per_m: self.ambient.water_kg_per_m(&tube),
+                    ..SectionMasses::of_tube(&tube, material)
+                }
             }
             Profile::Table { .. } => self.section_at(height_m).masses,
         }
@@ -114,10 +134,23 @@ impl Piece {
     /// Whether both bending planes are equal.
     #[inline]
     pub fn planes_are_equal(&self) -> bool {
+        self.stiff_planes_are_equal() && self.soil_is_round()
+    }
+
+    /// Whether the sections are as stiff and heavy in both planes.
+    #[inline]
+    pub fn stiff_planes_are_equal(&self) -> bool {
         match &self.profile {
             Profile::Tube { .. } => true,
             Profile::Table { base, top } => base.planes_are_equal() && top.planes_are_equal(),
         }
+    }
+
+    fn soil_is_round(&self) -> bool {
+        let is_round = |soil: &SoilStiffness| soil.x_n_per_m2 == soil.y_n_per_m2;
+        self.ambient
+            .soil
+            .is_none_or(|ends| ends.iter().all(is_round))
     }
 
     /// Whether it deforms in shear.
@@ -172,12 +205,41 @@ impl Piece {
         is_same(&self.section_at(height_m), &upper.section_at(height_m))
     }
 
+    /// The part between two heights (m), with nothing around it; the whole piece is itself.
+    pub(super) fn part(&self, base_m: f64, top_m: f64) -> Self {
+        let at = |height_m| self.share_at(height_m);
+        let profile = match self.profile {
+            Profile::Tube {
+                base,
+                top,
+                material,
+                shear,
+            } => Profile::Tube {
+                base: base.blend(&top, at(base_m)),
+                top: base.blend(&top, at(top_m)),
+                material,
+                shear,
+            },
+            Profile::Table { base, top } => Profile::Table {
+                base: base.row_at(&top, at(base_m)),
+                top: base.row_at(&top, at(top_m)),
+            },
+        };
+        Self {
+            base_m,
+            top_m,
+            profile,
+            ambient: Ambient::default(),
+        }
+    }
+
     /// The piece that reaches over both, if `upper` goes on in one line from this piece.
     fn joined(&self, upper: &Self) -> Option<Self> {
         let whole = Self {
             base_m: self.base_m,
             top_m: upper.top_m,
             profile: self.profile.up_to(&upper.profile)?,
+            ambient: self.ambient,
         };
         let line = whole.section_at(self.top_m);
         let straight = is_same(&self.section_at(self.top_m), &line) && self.meets(upper);
@@ -220,6 +282,7 @@ pub(super) fn tube_pieces(
                 material,
                 shear,
             },
+            ambient: Ambient::default(),
         }
     });
     fewest(pieces)
@@ -234,6 +297,7 @@ pub(super) fn table_pieces(rows: &[PropertyStation], outfitting_factor: f64) -> 
             base: pair[0].properties.heavier(outfitting_factor),
             top: pair[1].properties.heavier(outfitting_factor),
         },
+        ambient: Ambient::default(),
     });
     fewest(pieces)
 }

@@ -1,7 +1,7 @@
 //! The two bending planes.
 
 /// A bending plane of a tower.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Plane {
     /// Bending in the plane of the wind: translation x, rotation about y.
     ForeAft,

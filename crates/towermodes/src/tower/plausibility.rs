@@ -1,10 +1,16 @@
 //! Inputs that are possible but look like a slip: millimetres, tonnes, a misplaced digit.
 
-use super::{Profile, Properties, Tower};
+use super::foundation::Foundation;
+use super::validate::largest_asymmetry;
+use super::{Profile, Properties, Tower, Water};
 use crate::Warning;
 
 /// The warnings that the input alone gives rise to.
-pub(super) fn plausibility(tower: &Tower) -> Vec<Warning> {
+pub(super) fn plausibility(
+    tower: &Tower,
+    foundation: &Foundation,
+    water: Option<&Water>,
+) -> Vec<Warning> {
     let mut warnings = Vec::new();
     stations(tower, &mut warnings);
     if tower.height_m() > 1000.0 {
@@ -15,7 +21,40 @@ pub(super) fn plausibility(tower: &Tower) -> Vec<Warning> {
     materials(tower, &mut warnings);
     table(tower, &mut warnings);
     rna(tower, &mut warnings);
+    platform(foundation, &mut warnings);
+    let has_soil = tower
+        .pieces()
+        .iter()
+        .any(|piece| piece.ambient.soil.is_some());
+    if has_soil && *foundation == Foundation::Clamped {
+        warnings.push(Warning::SoilAndClamp);
+    }
+    if tower.gravity_m_per_s2() != 0.0 {
+        GRAVITY.check(tower.gravity_m_per_s2(), &mut warnings);
+    }
+    if let Some(water) = water {
+        WATER.check(water.density_kg_per_m3, &mut warnings);
+        ADDED_MASS.check(water.added_mass_coefficient, &mut warnings);
+    }
     warnings
+}
+
+/// Matrices of a floating platform that are not quite symmetric.
+fn platform(foundation: &Foundation, warnings: &mut Vec<Warning>) {
+    let Foundation::Floating(platform) = foundation else {
+        return;
+    };
+    let matrices = [
+        ("added mass", &platform.added_mass),
+        ("hydrostatic stiffness", &platform.hydrostatic),
+        ("mooring stiffness", &platform.mooring),
+    ];
+    for (what, referred) in matrices {
+        let difference = largest_asymmetry(&referred.matrix);
+        if difference > 0.0 {
+            warnings.push(Warning::Symmetrized { what, difference });
+        }
+    }
 }
 
 /// A quantity with the range in which towers have it.
@@ -61,6 +100,25 @@ const RNA_CENTRE: Usual = Usual {
     unit: " m",
     range: -20.0..=20.0,
     usual: "it is measured from the tower top, not from the ground",
+};
+
+const GRAVITY: Usual = Usual {
+    quantity: "the acceleration of gravity",
+    unit: " m/s2",
+    range: 9.7..=9.9,
+    usual: "on Earth it is 9.81 m/s2",
+};
+const WATER: Usual = Usual {
+    quantity: "the water's density",
+    unit: " kg/m3",
+    range: 900.0..=1100.0,
+    usual: "sea water has 1025; the unit is kg/m3",
+};
+const ADDED_MASS: Usual = Usual {
+    quantity: "the added mass coefficient",
+    unit: "",
+    range: 0.0..=2.0,
+    usual: "a cylinder has about 1",
 };
 
 const AXIAL_WAVE: Usual = Usual {
@@ -199,10 +257,8 @@ fn rna(tower: &Tower, warnings: &mut Vec<Warning>) {
             tower_kg: tower.mass_kg(),
         });
     }
-    let inertia = &rna.inertia_kg_m2;
-    let sum = inertia.xx + inertia.yy + inertia.zz;
-    let largest_kg_m2 = inertia.xx.max(inertia.yy).max(inertia.zz);
-    let others_kg_m2 = sum - largest_kg_m2;
+    let [least_kg_m2, middle_kg_m2, largest_kg_m2] = rna.inertia_kg_m2.principal_kg_m2();
+    let others_kg_m2 = least_kg_m2 + middle_kg_m2;
     // A flat disc has equality; the tolerance is for rounded inputs.
     if largest_kg_m2 > others_kg_m2 * (1.0 + 1e-6) {
         warnings.push(Warning::TriangleInequality {

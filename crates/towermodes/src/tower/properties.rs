@@ -2,6 +2,7 @@
 
 use super::planes::Planes;
 use super::section::{Section, SectionMasses};
+use super::surroundings::SoilStiffness;
 
 /// What a row of a property table says of the section at its height.
 ///
@@ -37,6 +38,7 @@ impl Properties {
         Section {
             masses: SectionMasses {
                 mass_kg_per_m,
+                water_kg_per_m: 0.0,
                 rotary_inertia_kg_m: self
                     .rotary_inertia_kg_m
                     .zip(top.rotary_inertia_kg_m, inertia),
@@ -49,6 +51,23 @@ impl Properties {
                 .shear_n
                 .zip(top.shear_n)
                 .map_or(Planes::both(0.0), shear_flexibility),
+            soil: SoilStiffness::default(),
+        }
+    }
+
+    /// The row a share `s` of the way from this row to `top`.
+    pub(super) fn row_at(&self, top: &Self, s: f64) -> Self {
+        let section = self.blend(top, s);
+        Self {
+            mass_kg_per_m: section.masses.mass_kg_per_m,
+            rotary_inertia_kg_m: section.masses.rotary_inertia_kg_m,
+            polar_inertia_kg_m: section.masses.polar_inertia_kg_m,
+            bending_n_m2: section.bending_n_m2,
+            torsion_n_m2: section.torsion_n_m2,
+            axial_n: section.axial_n,
+            shear_n: self
+                .shear_n
+                .map(|_| section.shear_flexibility_per_n.map(f64::recip)),
         }
     }
 

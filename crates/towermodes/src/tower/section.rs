@@ -5,6 +5,7 @@ use std::f64::consts::PI;
 use super::description::Shear;
 use super::material::Material;
 use super::planes::Planes;
+use super::surroundings::SoilStiffness;
 
 /// A circular tube of outer diameter d and wall thickness t (0 < t ≤ d/2; t = d/2 is a solid rod).
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -66,6 +67,8 @@ impl Tube {
 pub struct SectionMasses {
     /// Mass ρA, kg/m.
     pub mass_kg_per_m: f64,
+    /// Mass of water that moves with it transversely, kg/m.
+    pub water_kg_per_m: f64,
     /// Rotary inertia that resists bending in each plane, ρI, kg m.
     pub rotary_inertia_kg_m: Planes<f64>,
     /// Inertia about the tower's axis, ρJ = 2ρI for a tube, kg m.
@@ -79,6 +82,7 @@ impl SectionMasses {
         let rotary = material.density_kg_per_m3 * tube.second_moment_of_area_m4();
         Self {
             mass_kg_per_m: material.density_kg_per_m3 * tube.area_m2(),
+            water_kg_per_m: 0.0,
             rotary_inertia_kg_m: Planes::both(rotary),
             polar_inertia_kg_m: 2.0 * rotary,
         }
@@ -98,6 +102,8 @@ pub struct Section {
     pub axial_n: f64,
     /// Shear flexibility 1/(κGA) in each plane, 1/N; zero for a beam without shear deformation.
     pub shear_flexibility_per_n: Planes<f64>,
+    /// Springs of the soil around it.
+    pub soil: SoilStiffness,
 }
 
 impl Section {
@@ -118,14 +124,21 @@ impl Section {
                 }
                 Shear::Coefficient(kappa) => shear_flexibility(kappa),
             }),
+            soil: SoilStiffness::default(),
         }
     }
 
     /// All its values, to compare sections by.
-    pub(super) fn values(&self) -> [f64; 10] {
+    pub(super) fn values(&self) -> [f64; 15] {
         let (rotary, bending) = (self.masses.rotary_inertia_kg_m, self.bending_n_m2);
         let shear = self.shear_flexibility_per_n;
+        let [soil_x, soil_y, soil_z, soil_torsion] = self.soil.values();
         [
+            self.masses.water_kg_per_m,
+            soil_x,
+            soil_y,
+            soil_z,
+            soil_torsion,
             self.masses.mass_kg_per_m,
             rotary.fore_aft,
             rotary.side_side,

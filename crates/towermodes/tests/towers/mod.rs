@@ -26,6 +26,25 @@ pub fn extrapolated(solution: &Solution, family: Family) -> Vec<f64> {
     of_family.map(|m| m.extrapolated_hz).collect()
 }
 
+/// The frequencies of all modes, rising, Hz.
+pub fn all_frequencies(solution: &Solution) -> Vec<f64> {
+    solution.modes.iter().map(|m| m.frequency_hz).collect()
+}
+
+/// Asserts that two lists of frequencies have one length and no relative difference over the tolerance, naming the case.
+#[track_caller]
+pub fn assert_same(got: &[f64], expected: &[f64], tolerance: f64, case: &str) {
+    assert_eq!(got.len(), expected.len(), "{case}");
+    for (place, (got, expected)) in got.iter().zip(expected).enumerate() {
+        assert_close(
+            *got,
+            *expected,
+            tolerance,
+            &format!("{case}, mode {}", place + 1),
+        );
+    }
+}
+
 /// Asserts |got/expected − 1| ≤ tolerance, naming the case.
 #[track_caller]
 pub fn assert_close(got: f64, expected: f64, tolerance: f64, case: &str) {

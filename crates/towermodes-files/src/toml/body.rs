@@ -1,0 +1,76 @@
+//! What rigid bodies have: a centre of mass and an inertia.
+
+use towermodes::{Inertia, Place};
+
+use super::Reading;
+use super::table::{Keys, Table};
+use super::values::{Value, list, number};
+use crate::diagnostic::Diagnostic;
+
+const INERTIA: Keys = Keys {
+    known: &["xx", "yy", "zz", "xy", "xz", "yz"],
+    planned: &[],
+};
+
+/// `[x, y, z]`; the hint says from where.
+pub(super) fn center(
+    value: &Value<'_>,
+    hint: &str,
+    place: Place,
+    reading: &mut Reading,
+) -> Option<[f64; 3]> {
+    reading.remember(place, value.span());
+    let values = list(value, "center", reading)?;
+    if values.len() != 3 {
+        let message = format!("center has {} values instead of 3", values.len());
+        reading.mistake(Diagnostic::new(value.span(), message).with_hint(hint));
+        return None;
+    }
+    let mut coordinate =
+        |index: usize| number(&values[index], "a coordinate of the centre", reading);
+    let (x, y, z) = (coordinate(0), coordinate(1), coordinate(2));
+    Some([x?, y?, z?])
+}
+
+/// The table of an inertia; entries that are left out and not required are zero.
+pub(super) fn inertia(
+    value: &Value<'_>,
+    required: &[&str],
+    place: Place,
+    reading: &mut Reading,
+) -> Option<Inertia> {
+    reading.remember(place, value.span());
+    let table = Table::of(value, "inertia", &INERTIA, reading)?;
+    let mut entry = |key: &str| {
+        let value = if required.contains(&key) {
+            Some(table.require(key, "kg m2, about the centre of mass", reading)?)
+        } else {
+            table.get(key)
+        };
+        value.map_or(Some(0.0), |value| {
+            number(value, &format!("inertia {key}"), reading)
+        })
+    };
+    let (xx, yy, zz) = (entry("xx"), entry("yy"), entry("zz"));
+    let (xy, xz, yz) = (entry("xy"), entry("xz"), entry("yz"));
+    Some(Inertia {
+        xx: xx?,
+        yy: yy?,
+        zz: zz?,
+        xy: xy?,
+        xz: xz?,
+        yz: yz?,
+    })
+}
+
+/// The inertia of a table that may have one.
+pub(super) fn inertia_if_any(
+    table: &Table<'_>,
+    place: Place,
+    reading: &mut Reading,
+) -> Option<Inertia> {
+    match table.get("inertia") {
+        Some(value) => inertia(value, &[], place, reading),
+        None => Some(Inertia::default()),
+    }
+}

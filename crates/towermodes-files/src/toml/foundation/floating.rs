@@ -1,0 +1,98 @@
+//! `[foundation] type = "floating"`: a rigid platform with water around it and moorings.
+
+use towermodes::{FloatingPlatform, Foundation, ReferredMatrix};
+
+use super::{Kind, at};
+use crate::diagnostic::Diagnostic;
+use crate::toml::Reading;
+use crate::toml::body::{center, inertia};
+use crate::toml::matrix::matrix;
+use crate::toml::table::{Keys, Table};
+use crate::toml::values::{number, number_or_infinity};
+
+pub(super) const KIND: Kind = Kind {
+    name: "floating",
+    keys: Keys {
+        known: &[
+            "type",
+            "mass",
+            "center",
+            "inertia",
+            "added_mass",
+            "added_mass_height",
+            "hydrostatic",
+            "hydrostatic_height",
+            "mooring",
+            "mooring_height",
+        ],
+        planned: &[],
+    },
+    nature: "a floating platform is not rigidly held, but by its matrices hydrostatic and mooring",
+    read,
+};
+
+/// Where the centre of mass is measured from.
+const CENTER: &str =
+    "[x, y, z] in m: x and y from the tower's axis, z in the datum of the stations";
+
+fn read(table: &Table<'_>, reading: &mut Reading) -> Option<Foundation> {
+    let mass = table.required_number("mass", "mass with ballast in kg", at("mass"), reading);
+    let center = table
+        .require("center", CENTER, reading)
+        .and_then(|value| center(value, CENTER, at("center"), reading));
+    let hint = "inertia = { xx = ..., yy = ..., zz = ... } about the centre of mass, kg m2";
+    let inertia = table
+        .require("inertia", hint, reading)
+        .and_then(|value| inertia(value, &["xx", "yy", "zz"], at("inertia"), reading));
+    let mut referred = |key, height_key| referred(table, key, height_key, reading);
+    let added_mass = referred("added_mass", "added_mass_height");
+    let hydrostatic = referred("hydrostatic", "hydrostatic_height");
+    let mooring = referred("mooring", "mooring_height");
+    Some(Foundation::Floating(Box::new(FloatingPlatform {
+        mass_kg: mass?,
+        center_m: center?,
+        inertia_kg_m2: inertia?,
+        added_mass: added_mass?,
+        hydrostatic: hydrostatic?,
+        mooring: mooring?,
+    })))
+}
+
+/// A matrix that may be there and the height of the point that it is about, which then must be.
+fn referred(
+    table: &Table<'_>,
+    key: &'static str,
+    height_key: &'static str,
+    reading: &mut Reading,
+) -> Option<ReferredMatrix> {
+    let Some(value) = table.get(key) else {
+        return without_matrix(table, key, height_key, reading);
+    };
+    reading.remember(at(key), value.span());
+    // Infinity goes on to the tower's checks, which say what it would mean.
+    let matrix = matrix(value, key, reading, number_or_infinity);
+    let hint = "height in m, in the datum of the stations, of the point that the matrix is about";
+    let height = table
+        .require(height_key, hint, reading)
+        .and_then(|value| number(value, height_key, reading));
+    Some(ReferredMatrix {
+        matrix: matrix?,
+        height_m: height?,
+    })
+}
+
+fn without_matrix(
+    table: &Table<'_>,
+    key: &str,
+    height_key: &str,
+    reading: &mut Reading,
+) -> Option<ReferredMatrix> {
+    // A misspelled matrix was said already.
+    if let Some(height) = table.get(height_key).filter(|_| !table.has_misspelled(key)) {
+        let message = format!("`{height_key}` means nothing without `{key}`");
+        let hint = "give the matrix too, or leave its height out";
+        reading.mistake(Diagnostic::new(height.span(), message).with_hint(hint));
+        return None;
+    }
+    Some(ReferredMatrix::default())
+}

@@ -1,0 +1,48 @@
+//! Matrices for the motion (x, y, z, rotation about x, y, z) of a point.
+
+use towermodes::space::SpatialMatrix;
+
+use super::Reading;
+use super::values::{Value, every_row, list};
+use crate::diagnostic::Diagnostic;
+
+const HINT: &str =
+    "a matrix is six rows of six numbers, in the order x, y, z, rotation about x, y, z";
+
+/// Six rows of six entries; `entry` reads one that has a name in messages.
+pub(super) fn matrix(
+    value: &Value<'_>,
+    what: &str,
+    reading: &mut Reading,
+    entry: fn(&Value<'_>, &str, &mut Reading) -> Option<f64>,
+) -> Option<SpatialMatrix> {
+    let rows = list(value, what, reading)?;
+    if rows.len() != 6 {
+        let message = format!("{what} has {} rows instead of 6", rows.len());
+        reading.mistake(Diagnostic::new(value.span(), message).with_hint(HINT));
+        return None;
+    }
+    let rows = every_row(rows, |index, row| {
+        let what = format!("row {} of {what}", index + 1);
+        self::row(row, &what, reading, entry)
+    });
+    rows?.try_into().ok()
+}
+
+fn row(
+    value: &Value<'_>,
+    what: &str,
+    reading: &mut Reading,
+    entry: fn(&Value<'_>, &str, &mut Reading) -> Option<f64>,
+) -> Option<[f64; 6]> {
+    let entries = list(value, what, reading)?;
+    if entries.len() != 6 {
+        let message = format!("{what} has {} values instead of 6", entries.len());
+        reading.mistake(Diagnostic::new(value.span(), message).with_hint(HINT));
+        return None;
+    }
+    let entries = every_row(entries, |index, value| {
+        entry(value, &format!("{what}, column {},", index + 1), reading)
+    });
+    entries?.try_into().ok()
+}

@@ -1,0 +1,56 @@
+//! Numbers and names in tables, remembered where the tower's own checks may ask for them.
+
+use towermodes::Place;
+
+use super::Reading;
+use super::table::Table;
+use super::values::{number, text};
+
+impl Table<'_> {
+    /// A finite number that must be there.
+    pub(super) fn required_number(
+        &self,
+        key: &str,
+        hint: &str,
+        place: Place,
+        reading: &mut Reading,
+    ) -> Option<f64> {
+        let value = self.require(key, hint, reading)?;
+        reading.remember(place, value.span());
+        number(value, key, reading)
+    }
+
+    /// A finite number that may be there: `Some(None)` if it is not, `None` after a mistake.
+    pub(super) fn optional_number(
+        &self,
+        key: &str,
+        place: Place,
+        reading: &mut Reading,
+    ) -> Option<Option<f64>> {
+        let Some(value) = self.get(key) else {
+            return Some(None);
+        };
+        reading.remember(place, value.span());
+        number(value, key, reading).map(Some)
+    }
+
+    /// A finite number that has a default.
+    pub(super) fn number_or(
+        &self,
+        default: f64,
+        key: &str,
+        place: Place,
+        reading: &mut Reading,
+    ) -> Option<f64> {
+        let number = self.optional_number(key, place, reading)?;
+        Some(number.unwrap_or(default))
+    }
+
+    /// Checks the `name`, which may be there for the reader of the file; nothing is computed from it.
+    pub(super) fn check_name(&self, what: &str, reading: &mut Reading) -> Option<()> {
+        match self.get("name") {
+            Some(name) => text(name, what, reading).map(|_| ()),
+            None => Some(()),
+        }
+    }
+}

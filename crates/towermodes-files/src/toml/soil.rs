@@ -1,0 +1,100 @@
+//! `[[soil]]`: layers of springs around the tower.
+
+use toml::de::DeArray;
+use towermodes::{Place, SoilRow, SoilStiffness};
+
+use super::table::{Keys, Table, every_table};
+use super::values::{Value, every_row, list, number, wrong_kind};
+use super::{Reading, TABLE};
+use crate::diagnostic::Diagnostic;
+
+const SOIL: Keys = Keys {
+    known: &["rows", "name"],
+    planned: &[],
+};
+const ROW: &str = "a row is [height in m, spring in x, spring in y] in N/m2, then, if wanted, in z (N/m2) and in torsion (N)";
+
+/// The values of a row after each other: what the tower's checks call them, and what they are called in messages.
+const COLUMNS: [(&str, &str); 5] = [
+    ("height", "height"),
+    ("x", "the soil spring in x"),
+    ("y", "the soil spring in y"),
+    ("z", "the soil spring in z"),
+    ("torsion", "the soil spring in torsion"),
+];
+
+/// All `[[soil]]`.
+pub(super) fn soil(root: &Table<'_>, reading: &mut Reading) -> Option<Vec<Vec<SoilRow>>> {
+    every_table(root, "soil", "layer", reading, layer)
+}
+
+fn layer(index: usize, value: &Value<'_>, reading: &mut Reading) -> Option<Vec<SoilRow>> {
+    let layer = index;
+    let at = |key| Place::Soil { layer, row: 0, key };
+    reading.remember(at(TABLE), value.span());
+    let table = Table::of(value, "[[soil]]", &SOIL, reading)?;
+    let name = table.check_name("a soil's name", reading);
+    let hint = "rows = [[height, spring in x, spring in y], ...] from the bottom to the surface";
+    let rows = table.require("rows", hint, reading)?;
+    reading.remember(at("rows"), rows.span());
+    let rows = list(rows, "rows", reading)?;
+    let first = rows.iter().next().and_then(|row| row.get_ref().as_array());
+    let length = first.map(|row| row.len()).filter(|&length| is_row(length));
+    let rows = every_row(rows, |row, value| {
+        let values = values_of(value, row, length, reading)?;
+        soil_row(values, |key| Place::Soil { layer, row, key }, reading)
+    });
+    name?;
+    rows
+}
+
+fn is_row(length: usize) -> bool {
+    (3..=COLUMNS.len()).contains(&length)
+}
+
+/// The values of a row, if it has as many as a row has and as the first has.
+fn values_of<'a>(
+    value: &'a Value<'a>,
+    row: usize,
+    length: Option<usize>,
+    reading: &mut Reading,
+) -> Option<&'a DeArray<'a>> {
+    let what = format!("row {} of the soil", row + 1);
+    let Some(values) = value.get_ref().as_array() else {
+        reading.mistake(wrong_kind(value, &what, "a list in brackets").with_hint(ROW));
+        return None;
+    };
+    let count = values.len();
+    let message = match length {
+        _ if !is_row(count) => format!("{what} has {count} values instead of 3 to 5"),
+        Some(length) if length != count => {
+            format!("{what} has {count} values, but the first row has {length}")
+        }
+        _ => return Some(values),
+    };
+    reading.mistake(Diagnostic::new(value.span(), message).with_hint(ROW));
+    None
+}
+
+/// A row of its values; what is not given is zero.
+fn soil_row(
+    values: &DeArray<'_>,
+    at: impl Fn(&'static str) -> Place,
+    reading: &mut Reading,
+) -> Option<SoilRow> {
+    let mut row = [Some(0.0); COLUMNS.len()];
+    for ((value, (key, what)), entry) in values.iter().zip(COLUMNS).zip(&mut row) {
+        reading.remember(at(key), value.span());
+        *entry = number(value, what, reading);
+    }
+    let [height, x, y, z, torsion] = row;
+    Some(SoilRow {
+        height_m: height?,
+        stiffness: SoilStiffness {
+            x_n_per_m2: x?,
+            y_n_per_m2: y?,
+            z_n_per_m2: z?,
+            torsion_n: torsion?,
+        },
+    })
+}

@@ -1,0 +1,72 @@
+//! `[[wires]]`.
+
+use towermodes::{Place, Wires};
+
+use super::table::{Keys, Table, every_table};
+use super::values::{Value, number};
+use super::{Reading, TABLE};
+use crate::diagnostic::Diagnostic;
+
+const WIRES: Keys = Keys {
+    known: &[
+        "height",
+        "count",
+        "stiffness",
+        "angle_deg",
+        "azimuth_deg",
+        "name",
+    ],
+    planned: &[],
+};
+
+/// All `[[wires]]`.
+pub(super) fn wires(root: &Table<'_>, reading: &mut Reading) -> Option<Vec<Wires>> {
+    every_table(root, "wires", "set of wires", reading, set_of_wires)
+}
+
+fn set_of_wires(index: usize, value: &Value<'_>, reading: &mut Reading) -> Option<Wires> {
+    let at = |key| Place::Wires { index, key };
+    reading.remember(at(TABLE), value.span());
+    let table = Table::of(value, "[[wires]]", &WIRES, reading)?;
+    let name = table.check_name("a name of wires", reading);
+    let hint = "height of their upper ends in m, in the datum of the stations";
+    let height = table.required_number("height", hint, at("height"), reading);
+    let count = table
+        .require("count", "number of equally spaced wires", reading)
+        .and_then(|value| {
+            reading.remember(at("count"), value.span());
+            count(value, reading)
+        });
+    let hint = "EA/L of each wire in N/m";
+    let stiffness = table.required_number("stiffness", hint, at("stiffness"), reading);
+    let hint = "angle from the horizontal in degrees";
+    let angle = table.required_number("angle_deg", hint, at("angle"), reading);
+    // Three or more equally spaced wires hold the same in every direction, whichever way the first one goes.
+    let azimuth = table
+        .get("azimuth_deg")
+        .map_or(Some(0.0), |value| number(value, "azimuth_deg", reading));
+    name?;
+    azimuth?;
+    Some(Wires {
+        height_m: height?,
+        count: count?,
+        stiffness_n_per_m: stiffness?,
+        angle_deg: angle?,
+    })
+}
+
+/// A number of wires; whether they are enough the tower's checks say.
+fn count(value: &Value<'_>, reading: &mut Reading) -> Option<usize> {
+    let count = number(value, "count", reading)?;
+    if count.fract() == 0.0 && (1.0..=1e9).contains(&count) {
+        return Some(count as usize);
+    }
+    let message = if count.abs() < 1e9 {
+        format!("count is {count}, not a number of wires")
+    } else {
+        format!("count is {count:e}, not a number of wires")
+    };
+    let hint = "a whole number of at least 3";
+    reading.mistake(Diagnostic::new(value.span(), message).with_hint(hint));
+    None
+}

@@ -1,0 +1,714 @@
+//! Mistakes in what holds and surrounds a tower: their line and column, what is wrong and what would be right.
+
+mod refused;
+
+use refused::refused_text;
+use towermodes_files::tower_from_toml;
+
+/// Every file begins with this tower, so that what each test is about begins in line 7.
+const TOWER: &str = "[material]
+density = 8500.0
+youngs_modulus = 2.1e11
+shear_modulus = 8.08e10
+[tower]
+stations = [[-20.0, 6.0, 0.06], [80.0, 4.0, 0.02]]
+";
+const STIFFNESS: &str = r#"[foundation]
+type = "stiffness"
+matrix = [
+  [2e9, 0, 0, 0, -1e10, 0],
+  [0, 2e9, 0, 1e10, 0, 0],
+  [0, 0, 5e9, 0, 0, 0],
+  [0, 1e10, 0, 3e11, 0, 0],
+  [-1e10, 0, 0, 0, 3e11, 0],
+  [0, 0, 0, 0, 0, 1e11],
+]
+"#;
+const SPRINGS: &str = r#"[foundation]
+type = "springs"
+lateral = 1e8
+rocking = 2e10
+vertical = 3e9
+torsion = inf
+coupling = -4e8
+"#;
+const HALF_SPACE: &str = r#"[foundation]
+type = "half-space"
+radius = 8.0
+soil_shear_modulus = 5e7
+soil_poissons_ratio = 0.35
+embedment = 2.0
+"#;
+const FLOATING: &str = r#"[foundation]
+type = "floating"
+mass = 7.5e6
+center = [0.0, 0.0, -90.0]
+inertia = { xx = 4e9, yy = 4e9, zz = 1.6e8 }
+hydrostatic_height = -5.0
+hydrostatic = [
+  [0, 0, 0, 0, 0, 0],
+  [0, 0, 0, 0, 0, 0],
+  [0, 0, 3.3e5, 0, 0, 0],
+  [0, 0, 0, 5e9, 0, 0],
+  [0, 0, 0, 0, 5e9, 0],
+  [0, 0, 0, 0, 0, 1e8],
+]
+"#;
+const SOIL: &str = r#"[[soil]]
+name = "sand"
+rows = [
+  [-30.0, 2e7, 3e7],
+  [-10.0, 0, 0],
+]
+"#;
+const WATER: &str = r#"[water]
+level = 10.0
+bed = -15.0
+density = 1000.0
+added_mass_coefficient = 0.9
+flooded = true
+"#;
+const WIRES: &str = r#"[[wires]]
+name = "stays"
+height = 60.0
+count = 3
+stiffness = 1e6
+angle_deg = 45.0
+azimuth_deg = 30.0
+"#;
+
+/// Replaces `from` by `to` in what follows the tower and expects the first mistake there, as [`refused_text`].
+#[track_caller]
+fn refused(good: &str, from: &str, to: &str, place: &str, message: &str, hint: &str) {
+    assert!(good.contains(from), "the test is wrong: {from}");
+    let text = format!("{TOWER}{}", good.replacen(from, to, 1));
+    refused_text(&text, place, message, hint);
+}
+
+#[test]
+fn without_a_mistake_all_are_good() {
+    for good in [STIFFNESS, SPRINGS, HALF_SPACE, FLOATING, SOIL, WATER, WIRES] {
+        let tower = tower_from_toml(&format!("{TOWER}{good}"));
+        assert!(tower.is_ok(), "{good}{tower:?}");
+    }
+}
+
+#[test]
+fn matrices_of_another_size() {
+    let hint = "six rows of six numbers, in the order x, y, z";
+    refused(
+        STIFFNESS,
+        "  [0, 0, 0, 0, 0, 1e11],\n",
+        "",
+        "9:10",
+        "matrix has 5 rows instead of 6",
+        hint,
+    );
+    refused(
+        STIFFNESS,
+        "[0, 0, 5e9, 0, 0, 0]",
+        "[0, 0, 5e9, 0, 0]",
+        "12:3",
+        "row 3 of matrix has 5 values instead of 6",
+        hint,
+    );
+    refused(
+        STIFFNESS,
+        "[0, 0, 5e9, 0, 0, 0]",
+        "5e9",
+        "12:3",
+        "row 3 of matrix must be a list in brackets, not a number",
+        "",
+    );
+    refused(
+        STIFFNESS,
+        "5e9",
+        "\"5e9\"",
+        "12:10",
+        "row 3 of matrix, column 3, must be a number, not a text",
+        "without quotation marks",
+    );
+    refused(
+        STIFFNESS,
+        "5e9",
+        "nan",
+        "12:10",
+        "row 3 of matrix, column 3, is nan",
+        "",
+    );
+}
+
+#[test]
+fn matrices_that_no_foundation_has() {
+    refused(
+        STIFFNESS,
+        "0, -1e10",
+        "0, 1e10",
+        "9:10",
+        "the stiffness is not symmetric: row 1, column 5 is 1e10 and row 5, column 1 is -1e10",
+        "x, y, z, rotation about x, y, z",
+    );
+    let indefinite = STIFFNESS.replace("3e11", "3e10");
+    refused(
+        &indefinite,
+        "2e9",
+        "2e9",
+        "9:10",
+        "the stiffness has the negative eigenvalue -1.20465e9",
+        "signs of the coupling",
+    );
+    refused(
+        STIFFNESS,
+        "5e9",
+        "inf",
+        "12:10",
+        "row 3 of matrix, column 3, is infinite",
+        "type = \"springs\"",
+    );
+    let masses = format!("{STIFFNESS}mass = [{}]\n", "[0, 0, 0, 0, 0, 0], ".repeat(6));
+    refused(
+        &masses,
+        "mass = [[0, ",
+        "mass = [[-1, ",
+        "17:8",
+        "the mass matrix has the negative eigenvalue -1",
+        "",
+    );
+    refused(&masses, "mass = [", "mass = [[0], ", "17:8", "7 rows", "");
+}
+
+#[test]
+fn springs_that_no_base_has() {
+    refused(
+        SPRINGS,
+        "rocking = 2e10\n",
+        "",
+        "7:1",
+        "[foundation] of type \"springs\" has no `rocking`",
+        "rocking in N m; inf is rigid, 0 is none",
+    );
+    refused(
+        SPRINGS,
+        "= 1e8",
+        "= -1e8",
+        "9:11",
+        "the lateral spring is -1e8 N/m, but cannot be negative",
+        "",
+    );
+    refused(
+        SPRINGS,
+        "= 3e9",
+        "= -inf",
+        "11:12",
+        "the vertical spring is -inf",
+        "ordinary number",
+    );
+    refused(
+        SPRINGS,
+        "= inf",
+        "= 1e999",
+        "12:11",
+        "torsion is infinite or too large",
+        "",
+    );
+    refused(
+        SPRINGS,
+        "= -4e8",
+        "= inf",
+        "13:12",
+        "coupling is infinite",
+        "",
+    );
+    refused(
+        SPRINGS,
+        "= 1e8",
+        "= inf",
+        "13:12",
+        "a coupling spring means nothing",
+        "leave coupling out",
+    );
+    refused(
+        SPRINGS,
+        "= -4e8",
+        "= -4e9",
+        "13:12",
+        "coupling and rocking springs has the negative eigenvalue",
+        "signs",
+    );
+    refused(
+        SPRINGS,
+        "lateral",
+        "latteral",
+        "9:1",
+        "`latteral` is not a key of [foundation] of type \"springs\"",
+        "did you mean `lateral`?",
+    );
+}
+
+#[test]
+fn towers_that_nothing_holds() {
+    let free = SPRINGS.replace("coupling = -4e8\n", "");
+    refused(
+        &free,
+        "= 1e8",
+        "= 0",
+        "8:8",
+        "nothing holds the tower against translation in x and translation in y",
+        "soil",
+    );
+    refused(
+        &free,
+        "= inf",
+        "= 0.0",
+        "8:8",
+        "nothing holds the tower against rotation about z",
+        "type = \"floating\"",
+    );
+    // Wires hold it laterally.
+    let held = free.replace("= 1e8", "= 0");
+    assert!(tower_from_toml(&format!("{TOWER}{held}{WIRES}")).is_ok());
+}
+
+#[test]
+fn footings_that_cannot_be() {
+    refused(
+        HALF_SPACE,
+        "radius = 8.0\n",
+        "",
+        "7:1",
+        "of type \"half-space\" has no `radius`",
+        "radius of the footing in m",
+    );
+    refused(HALF_SPACE, "8.0", "0", "9:10", "radius is 0 m", "");
+    refused(
+        HALF_SPACE,
+        "0.35",
+        "0.6",
+        "11:23",
+        "Poisson's ratio is 0.6, outside 0 to 0.5",
+        "clay 0.5",
+    );
+    refused(
+        HALF_SPACE,
+        "= 2.0",
+        "= -2.0",
+        "12:13",
+        "the embedment is -2 m",
+        "",
+    );
+    refused(
+        HALF_SPACE,
+        "5e7",
+        "inf",
+        "10:22",
+        "soil_shear_modulus is infinite",
+        "",
+    );
+}
+
+#[test]
+fn platforms_that_do_not_float() {
+    refused(
+        FLOATING,
+        "3.3e5",
+        "inf",
+        "13:15",
+        "the hydrostatic stiffness has an infinite entry, but a floating platform is not rigidly held",
+        "type = \"springs\", where inf is allowed",
+    );
+    refused(
+        FLOATING,
+        "3.3e5",
+        "1e999",
+        "16:10",
+        "row 3 of hydrostatic, column 3, is infinite or too large",
+        "",
+    );
+    refused(
+        FLOATING,
+        "mass = 7.5e6",
+        "lateral = inf\nmass = 7.5e6",
+        "9:1",
+        "`lateral` is not a key of [foundation] of type \"floating\"",
+        "it belongs to type = \"springs\"; a floating platform is not rigidly held",
+    );
+    refused(
+        FLOATING,
+        "hydrostatic_height = -5.0\n",
+        "",
+        "7:1",
+        "has no `hydrostatic_height`",
+        "of the point that the matrix is about",
+    );
+    refused(
+        FLOATING,
+        "hydrostatic_height",
+        "mooring_height = -70.0\nhydrostatic_height",
+        "12:18",
+        "`mooring_height` means nothing without `mooring`",
+        "give the matrix too",
+    );
+    refused(
+        FLOATING,
+        "[0.0, 0.0, -90.0]",
+        "-90.0",
+        "10:10",
+        "center must be a list",
+        "",
+    );
+    refused(
+        FLOATING,
+        "[0.0, 0.0, -90.0]",
+        "[-90.0]",
+        "10:10",
+        "center has 1 values instead of 3",
+        "z in the datum of the stations",
+    );
+    refused(
+        FLOATING,
+        "yy = 4e9, ",
+        "",
+        "11:11",
+        "inertia has no `yy`",
+        "about the centre of mass",
+    );
+    refused(
+        FLOATING,
+        "xx = 4e9",
+        "xx = -4e9",
+        "11:11",
+        "moments of inertia are -4e9, 1.6e8 and 4e9 kg m2",
+        "",
+    );
+    refused(
+        FLOATING,
+        "7.5e6",
+        "0",
+        "9:8",
+        "the platform's mass is 0 kg",
+        "",
+    );
+    refused(
+        FLOATING,
+        "[0, 0, 0, 0, 5e9, 0]",
+        "[1e6, 0, 0, 0, 5e9, 0]",
+        "13:15",
+        "the hydrostatic stiffness is not symmetric: row 1, column 5 is 0 and row 5, column 1 is 1000000",
+        "",
+    );
+}
+
+#[test]
+fn types_and_their_keys() {
+    refused(
+        SPRINGS,
+        "\"springs\"",
+        "\"spring\"",
+        "8:8",
+        "there is no foundation of type `spring`",
+        "did you mean `springs`?",
+    );
+    refused(
+        SPRINGS,
+        "\"springs\"",
+        "\"jelly\"",
+        "8:8",
+        "there is no foundation of type `jelly`",
+        "there are clamped, stiffness, springs, half-space, floating",
+    );
+    refused(
+        SPRINGS,
+        "\"springs\"",
+        "\"clamped\"",
+        "13:1",
+        "`coupling` is not a key of [foundation] of type \"clamped\"",
+        "it belongs to type = \"springs\"; a clamped base does not move",
+    );
+    refused(
+        SPRINGS,
+        "lateral",
+        "mass = 1e5\nlateral",
+        "9:1",
+        "`mass` is not a key",
+        "it belongs to type = \"stiffness\" or \"floating\"",
+    );
+    refused(
+        SPRINGS,
+        "type = \"springs\"\n",
+        "",
+        "7:1",
+        "[foundation] has no `type`",
+        "\"clamped\" or \"stiffness\" or \"springs\"",
+    );
+    refused(
+        SPRINGS,
+        "type",
+        "tpye",
+        "8:1",
+        "`tpye` is not a key of [foundation]",
+        "did you mean `type`?",
+    );
+    let text = format!("{TOWER}{}", SPRINGS.replace("type", "tpye"));
+    assert_eq!(tower_from_toml(&text).expect_err("no tower").len(), 1);
+}
+
+#[test]
+fn soil_that_cannot_be() {
+    refused(
+        SOIL,
+        "[-10.0,",
+        "[90.0,",
+        "11:4",
+        "the soil reaches from -30 m to 90 m, but the tower from -20 m to 80 m",
+        "a depth below it is negative",
+    );
+    refused(
+        SOIL,
+        "[-30.0, 2e7, 3e7]",
+        "[-30.0, 2e7]",
+        "10:3",
+        "row 1 of the soil has 2 values instead of 3 to 5",
+        "a row is [height in m, spring in x, spring in y]",
+    );
+    refused(
+        SOIL,
+        "[-30.0, 2e7, 3e7]",
+        "[-30.0, 1, 2, 3, 4, 5]",
+        "10:3",
+        "row 1 of the soil has 6 values instead of 3 to 5",
+        "in torsion (N)",
+    );
+    refused(
+        SOIL,
+        "[-10.0, 0, 0]",
+        "[-10.0, 0, 0, 0]",
+        "11:3",
+        "row 2 of the soil has 4 values, but the first row has 3",
+        "",
+    );
+    refused(
+        SOIL,
+        "[-10.0, 0, 0]",
+        "-10.0",
+        "11:3",
+        "row 2 of the soil must be a list in brackets, not a number",
+        "",
+    );
+    refused(
+        SOIL,
+        "3e7",
+        "-3e7",
+        "10:16",
+        "the soil spring in y is -3e7 N/m2, but cannot be negative",
+        "",
+    );
+    refused(
+        SOIL,
+        "2e7",
+        "inf",
+        "10:11",
+        "the soil spring in x is infinite",
+        "",
+    );
+    refused(
+        SOIL,
+        "[-10.0,",
+        "[-40.0,",
+        "11:4",
+        "height -40 m is below the row before it (-30 m)",
+        "from the bottom to the surface",
+    );
+    refused(
+        SOIL,
+        "  [-10.0, 0, 0],\n",
+        "",
+        "9:8",
+        "a layer of soil needs at least two rows, got 1",
+        "",
+    );
+    refused(
+        SOIL,
+        "[-30.0,",
+        "[-10.0,",
+        "11:4",
+        "the soil has no depth: every row is at -10 m",
+        "",
+    );
+    refused(
+        SOIL,
+        "rows",
+        "row",
+        "9:1",
+        "`row` is not a key of [[soil]]",
+        "did you mean `rows`?",
+    );
+    refused(
+        SOIL,
+        "[[soil]]",
+        "[soil]",
+        "7:1",
+        "soil must be a list of tables",
+        "write [[soil]] in double brackets, once for each layer",
+    );
+    let second = format!("{SOIL}{}", SOIL.replace("2e7", "-2e7"));
+    refused(&second, "name", "name", "16:11", "spring in x is -2e7", "");
+}
+
+#[test]
+fn water_that_cannot_be() {
+    refused(
+        &WATER.replace("bed = -15.0\n", ""),
+        "10.0",
+        "-30.0",
+        "8:9",
+        "no tower stands in the water",
+        "datum",
+    );
+    refused(
+        WATER,
+        "-15.0",
+        "12.0",
+        "9:7",
+        "the bed at 12 m is not below the water level 10 m",
+        "lowest station",
+    );
+    refused(
+        WATER,
+        "level = 10.0\n",
+        "",
+        "7:1",
+        "[water] has no `level`",
+        "height of the surface",
+    );
+    refused(
+        WATER,
+        "1000.0",
+        "0",
+        "10:11",
+        "the water's density is 0 kg/m3",
+        "",
+    );
+    refused(
+        WATER,
+        "0.9",
+        "-1",
+        "11:26",
+        "the added mass coefficient is -1",
+        "",
+    );
+    refused(
+        WATER,
+        "= true",
+        "= 1",
+        "12:11",
+        "flooded must be true or false, not a number",
+        "",
+    );
+    refused(
+        WATER,
+        "density",
+        "desnity",
+        "10:1",
+        "`desnity` is not a key of [water]",
+        "did you mean `density`?",
+    );
+}
+
+#[test]
+fn wires_that_cannot_be() {
+    refused(
+        WIRES,
+        "count = 3",
+        "count = 2",
+        "10:9",
+        "2 wires hold in some directions only; at least three are needed",
+        "equally spaced",
+    );
+    for (count, said) in [
+        ("0", "count is 0"),
+        ("-3", "count is -3"),
+        ("3.5", "count is 3.5"),
+        ("1e300", "count is 1e300, not a number of wires"),
+    ] {
+        let hint = "a whole number of at least 3";
+        let to = format!("count = {count}");
+        refused(WIRES, "count = 3", &to, "10:9", said, hint);
+    }
+    refused(
+        WIRES,
+        "60.0",
+        "81.0",
+        "9:10",
+        "height 81 m is not on the tower, which reaches from -20 m to 80 m",
+        "",
+    );
+    refused(
+        WIRES,
+        "45.0",
+        "120",
+        "12:13",
+        "the angle of the wires from the horizontal is 120 degrees, outside 0 to 90",
+        "angle_deg = 45",
+    );
+    refused(
+        WIRES,
+        "1e6",
+        "0",
+        "11:13",
+        "the stiffness of a wire is 0 N/m",
+        "",
+    );
+    refused(
+        WIRES,
+        "30.0",
+        "\"north\"",
+        "13:15",
+        "azimuth_deg must be a number",
+        "",
+    );
+    refused(
+        WIRES,
+        "angle_deg",
+        "angle",
+        "12:1",
+        "`angle` is not a key of [[wires]]",
+        "height, count, stiffness, angle_deg",
+    );
+    refused(
+        WIRES,
+        "count = 3\n",
+        "",
+        "7:1",
+        "[[wires]] has no `count`",
+        "equally spaced",
+    );
+    refused(
+        WIRES,
+        "[[wires]]",
+        "[wires]",
+        "7:1",
+        "wires must be a list of tables",
+        "once for each set of wires",
+    );
+}
+
+#[test]
+fn gravity_that_cannot_be() {
+    let gravity = "[gravity]\nacceleration = 9.81\n";
+    refused(
+        gravity,
+        "9.81",
+        "-9.81",
+        "8:16",
+        "the acceleration of gravity is -9.81 m/s2, but cannot be negative",
+        "",
+    );
+    refused(
+        gravity,
+        "acceleration",
+        "accelaration",
+        "8:1",
+        "`accelaration` is not a key of [gravity]",
+        "did you mean `acceleration`?",
+    );
+}

@@ -1,0 +1,157 @@
+//! A tower turned about its axis.
+
+use towermodes::space::SpatialMatrix;
+use towermodes::{FloatingPlatform, Foundation, Inertia, ReferredMatrix, TowerDescription};
+
+/// A 3×3 matrix.
+type Matrix = [[f64; 3]; 3];
+
+/// The same tower turned by an angle (rad) about its axis: all that a tower of tubes can have beside its axis, and nothing of a table of
+/// properties or of soil, whose planes must be equal for this to be the same tower.
+///
+/// A vector v becomes R v, a tensor R J Rᵀ and a matrix for the six motions diag(R, R) K diag(R, R)ᵀ.
+pub fn rotated(description: &TowerDescription, azimuth_rad: f64) -> TowerDescription {
+    let (sine, cosine) = azimuth_rad.sin_cos();
+    let turn = Turn([[cosine, -sine, 0.0], [sine, cosine, 0.0], [0.0, 0.0, 1.0]]);
+    let mut turned = description.clone();
+    turned.rna.center_m = turn.vector(turned.rna.center_m);
+    turned.rna.inertia_kg_m2 = turn.inertia(&turned.rna.inertia_kg_m2);
+    for mass in &mut turned.point_masses {
+        mass.inertia_kg_m2 = turn.inertia(&mass.inertia_kg_m2);
+    }
+    match &mut turned.foundation {
+        Foundation::Stiffness(foundation) => {
+            foundation.stiffness = turn.matrix(&foundation.stiffness);
+            foundation.inertia = turn.matrix(&foundation.inertia);
+        }
+        Foundation::Floating(platform) => **platform = turn.platform(platform),
+        Foundation::Clamped | Foundation::Springs(_) | Foundation::HalfSpace(_) => {}
+    }
+    turned
+}
+
+/// The rotation R.
+struct Turn(Matrix);
+
+impl Turn {
+    fn vector(&self, v: [f64; 3]) -> [f64; 3] {
+        std::array::from_fn(|i| (0..3).map(|k| self.0[i][k] * v[k]).sum())
+    }
+
+    /// R A Rᵀ: R times each column, then times each row of that.
+    fn tensor(&self, a: Matrix) -> Matrix {
+        transposed(transposed(a).map(|column| self.vector(column))).map(|row| self.vector(row))
+    }
+
+    fn inertia(&self, inertia: &Inertia) -> Inertia {
+        let t = self.tensor(inertia.tensor());
+        Inertia {
+            xx: t[0][0],
+            yy: t[1][1],
+            zz: t[2][2],
+            xy: t[0][1],
+            xz: t[0][2],
+            yz: t[1][2],
+        }
+    }
+
+    fn matrix(&self, matrix: &SpatialMatrix) -> SpatialMatrix {
+        let mut turned = [[0.0; 6]; 6];
+        for (top, left) in [(0, 0), (0, 3), (3, 0), (3, 3)] {
+            let block = self.tensor(std::array::from_fn(|i| {
+                std::array::from_fn(|j| matrix[top + i][left + j])
+            }));
+            for (i, row) in block.iter().enumerate() {
+                turned[top + i][left..left + 3].copy_from_slice(row);
+            }
+        }
+        turned
+    }
+
+    fn platform(&self, platform: &FloatingPlatform) -> FloatingPlatform {
+        let referred = |referred: &ReferredMatrix| ReferredMatrix {
+            matrix: self.matrix(&referred.matrix),
+            ..*referred
+        };
+        FloatingPlatform {
+            mass_kg: platform.mass_kg,
+            center_m: self.vector(platform.center_m),
+            inertia_kg_m2: self.inertia(&platform.inertia_kg_m2),
+            added_mass: referred(&platform.added_mass),
+            hydrostatic: referred(&platform.hydrostatic),
+            mooring: referred(&platform.mooring),
+        }
+    }
+}
+
+fn transposed(a: Matrix) -> Matrix {
+    std::array::from_fn(|i| std::array::from_fn(|j| a[j][i]))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::towers::{floater, reference_eccentric};
+
+    #[test]
+    fn a_quarter_turn_takes_x_to_y_and_y_to_minus_x() {
+        let turned = rotated(&reference_eccentric(), std::f64::consts::FRAC_PI_2);
+        let (rna, inertia) = (turned.rna, turned.rna.inertia_kg_m2);
+        let expected = [0.0, -0.41, 1.97];
+        for (got, expected) in rna.center_m.into_iter().zip(expected) {
+            assert!((got - expected).abs() < 1e-15);
+        }
+        let expected = [
+            (inertia.xx, 2.353e7),
+            (inertia.yy, 4.37e7),
+            (inertia.zz, 2.542e7),
+            (inertia.xy, 0.0),
+            (inertia.xz, 0.0),
+            (inertia.yz, 1.169e6),
+        ];
+        for (got, expected) in expected {
+            assert!((got - expected).abs() < 1e-7, "{got}, not {expected}");
+        }
+    }
+
+    #[test]
+    fn energy_is_that_of_the_motion_turned_with_it() {
+        let turn = Turn([[0.6, -0.8, 0.0], [0.8, 0.6, 0.0], [0.0, 0.0, 1.0]]);
+        let mut matrix = [[0.0; 6]; 6];
+        for (i, row) in matrix.iter_mut().enumerate() {
+            for (j, entry) in row.iter_mut().enumerate() {
+                *entry = ((i * i + j * j + i * j) % 7) as f64;
+            }
+        }
+        let motion = [0.3, -0.4, 0.7, 0.2, 0.9, -0.5];
+        let [x, y, z, rx, ry, rz] = motion;
+        let ([x, y, z], [rx, ry, rz]) = (turn.vector([x, y, z]), turn.vector([rx, ry, rz]));
+        let energy = |matrix: &SpatialMatrix, motion: [f64; 6]| {
+            let force = towermodes::space::times(matrix, &motion);
+            force.iter().zip(motion).map(|(f, v)| f * v).sum::<f64>()
+        };
+        let turned = energy(&turn.matrix(&matrix), [x, y, z, rx, ry, rz]);
+        assert!((turned - energy(&matrix, motion)).abs() < 1e-12);
+    }
+
+    #[test]
+    fn a_whole_turn_changes_nothing() {
+        let round = rotated(&floater(), std::f64::consts::TAU);
+        let (Foundation::Floating(a), Foundation::Floating(b)) =
+            (&round.foundation, &floater().foundation)
+        else {
+            panic!("both float");
+        };
+        for (a, b) in [
+            (&a.added_mass, &b.added_mass),
+            (&a.hydrostatic, &b.hydrostatic),
+            (&a.mooring, &b.mooring),
+        ] {
+            let (a, b) = (a.matrix.as_flattened(), b.matrix.as_flattened());
+            let largest = b.iter().fold(0.0_f64, |m, x| m.max(x.abs()));
+            for (a, b) in a.iter().zip(b) {
+                assert!((a - b).abs() <= 1e-15 * largest, "{a}, not {b}");
+            }
+        }
+    }
+}

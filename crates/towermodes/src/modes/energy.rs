@@ -1,0 +1,103 @@
+//! Where the energy of a mode is.
+
+use crate::tower::Motion;
+
+/// The share of the energy that makes a mode one of a motion's.
+const MAJORITY: f64 = 0.6;
+
+/// A value for each motion of a bare tower.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct ByMotion {
+    /// Bending fore-aft.
+    pub fore_aft: f64,
+    /// Bending side-side.
+    pub side_side: f64,
+    /// Twist.
+    pub torsion: f64,
+    /// Stretch.
+    pub axial: f64,
+}
+
+impl ByMotion {
+    /// The sums of a vector's components (x, y, z, rotation about x, y, z) by motion.
+    pub(crate) fn sums(components: [f64; 6]) -> Self {
+        let [x, y, z, rx, ry, rz] = components;
+        Self {
+            fore_aft: x + ry,
+            side_side: y + rx,
+            torsion: rz,
+            axial: z,
+        }
+    }
+
+    /// In the order of [`Motion::ALL`].
+    pub fn values(&self) -> [f64; 4] {
+        [self.fore_aft, self.side_side, self.torsion, self.axial]
+    }
+
+    /// As shares of their sum; all zero if the sum is not positive beside its terms.
+    pub(crate) fn shares(&self) -> Self {
+        let values = self.values();
+        let (sum, size): (f64, f64) = (values.iter().sum(), values.iter().map(|x| x.abs()).sum());
+        if sum > 1e-9 * size && sum.is_normal() {
+            self.map(|value| value / sum)
+        } else {
+            Self::default()
+        }
+    }
+
+    fn map(&self, change: impl Fn(f64) -> f64) -> Self {
+        Self {
+            fore_aft: change(self.fore_aft),
+            side_side: change(self.side_side),
+            torsion: change(self.torsion),
+            axial: change(self.axial),
+        }
+    }
+}
+
+/// The parts of a mode's energy, each of the two adding up to 1; the strain energy is that of tower, foundation, soil, wires and
+/// weights, and zero in all parts where there is none.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Energy {
+    /// Kinetic energy.
+    pub kinetic: ByMotion,
+    /// Strain energy.
+    pub strain: ByMotion,
+}
+
+impl Energy {
+    /// The mean of both; the kinetic part alone where there is no strain energy.
+    pub fn mean(&self) -> ByMotion {
+        let (k, s) = (&self.kinetic, &self.strain);
+        if *s == ByMotion::default() {
+            return *k;
+        }
+        ByMotion {
+            fore_aft: 0.5 * (k.fore_aft + s.fore_aft),
+            side_side: 0.5 * (k.side_side + s.side_side),
+            torsion: 0.5 * (k.torsion + s.torsion),
+            axial: 0.5 * (k.axial + s.axial),
+        }
+    }
+
+    /// The motion with most of the energy, if it is clearly most.
+    pub(crate) fn main_motion(&self) -> Option<Motion> {
+        let mean = self.mean().values();
+        let mut shares = Motion::ALL.into_iter().zip(mean);
+        shares.find_map(|(motion, share)| (share >= MAJORITY).then_some(motion))
+    }
+
+    /// The same energy in the side-side plane, if it is in the fore-aft plane.
+    pub(crate) fn turned_to_side_side(&self) -> Self {
+        let turned = |parts: &ByMotion| ByMotion {
+            fore_aft: parts.side_side,
+            side_side: parts.fore_aft,
+            ..*parts
+        };
+        Self {
+            kinetic: turned(&self.kinetic),
+            strain: turned(&self.strain),
+        }
+    }
+}

@@ -1,0 +1,65 @@
+//! Matrices of a piece of tower, which lies on the axis: inertia, soil, weight.
+
+use crate::space::{Matrix, SpatialMatrix};
+use crate::tower::{Motion, Plane, Planes};
+
+/// A matrix for rigid motions that couples neither the bending planes nor torsion nor stretch: inertia or stiffness.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct OnAxis {
+    /// For deflection w and rotation θ in each plane, θ being minus the rotation about x in the side-side plane: ww, wθ, θθ.
+    pub bending: Planes<[f64; 3]>,
+    /// For rotation about the axis.
+    pub torsion: f64,
+    /// For motion along the axis.
+    pub axial: f64,
+}
+
+impl OnAxis {
+    /// What a bending plane sees.
+    #[inline]
+    pub fn plane(&self, plane: Plane) -> Matrix<2> {
+        let [ww, wt, tt] = self.bending.of(plane);
+        [[ww, wt], [wt, tt]]
+    }
+
+    /// What torsion or axial motion sees.
+    #[inline]
+    pub fn line(&self, line: Line) -> f64 {
+        match line {
+            Line::Torsion => self.torsion,
+            Line::Axial => self.axial,
+        }
+    }
+
+    /// What a bending plane and torsion or axial motion see together.
+    #[inline]
+    pub fn plane_and_line(&self, plane: Plane, line: Line) -> Matrix<3> {
+        let [ww, wt, tt] = self.bending.of(plane);
+        [[ww, wt, 0.0], [wt, tt, 0.0], [0.0, 0.0, self.line(line)]]
+    }
+
+    /// For the motion (x, y, z, rotation about x, y, z).
+    pub fn spatial(&self) -> SpatialMatrix {
+        let mut matrix = [[0.0; 6]; 6];
+        for plane in [Plane::ForeAft, Plane::SideSide] {
+            let components = Motion::Bending(plane).components();
+            for (row, (i, s)) in self.plane(plane).iter().zip(components) {
+                for (entry, (j, t)) in row.iter().zip(components) {
+                    matrix[*i][*j] = s * t * entry;
+                }
+            }
+        }
+        matrix[5][5] = self.torsion;
+        matrix[2][2] = self.axial;
+        matrix
+    }
+}
+
+/// A motion with one component.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Line {
+    /// Twist about the axis.
+    Torsion,
+    /// Stretch along the axis.
+    Axial,
+}

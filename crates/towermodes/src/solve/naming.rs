@@ -1,0 +1,116 @@
+//! What each mode is: its family and order, where its energy is, which mass moves with it.
+
+use std::collections::HashMap;
+
+use super::model::{Model, Resultants};
+use super::spectrum::{Found, Spectrum};
+use crate::modes::{Energy, Family, RigidShares, rigid_names};
+use crate::space::SpatialMatrix;
+use crate::tower::Tower;
+
+/// What a mode is.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Identity {
+    pub(super) family: Family,
+    /// Order within the family, from 1.
+    pub(super) order: usize,
+    pub(super) energy: Energy,
+    /// Effective modal masses, kg and kg m².
+    pub(super) effective_mass: [f64; 6],
+}
+
+/// Identifies the modes found, in their order.
+pub(super) fn identify(
+    tower: &Tower,
+    model: &mut Model,
+    spectrum: &Spectrum,
+    found: &[Found],
+    inertia: &SpatialMatrix,
+) -> Vec<Identity> {
+    let origin = model.origin;
+    let resultants: Vec<Resultants> = found
+        .iter()
+        .map(|found| model.resultants(tower, found.key.part, spectrum.vector(found.key)))
+        .collect();
+    let rigid = if tower.base().floats {
+        names_afloat(found, &resultants, origin, inertia)
+    } else {
+        vec![None; found.len()]
+    };
+    let mut orders: HashMap<Family, usize> = HashMap::new();
+    let mut identities = Vec::with_capacity(found.len());
+    for ((found, resultants), rigid) in found.iter().zip(&resultants).zip(rigid) {
+        let energy = Energy {
+            kinetic: resultants.kinetic.shares(),
+            strain: resultants.strain.shares(),
+        };
+        // The vector has uᵀ(K − σM)u = 1, and so uᵀMu = 1/(λ − σ).
+        let from_origin = found.eigenvalue.lambda - origin;
+        let identity = Identity {
+            family: rigid.unwrap_or_else(|| family(model, found, &energy)),
+            order: 0,
+            energy,
+            effective_mass: resultants.force.map(|force| force * force * from_origin),
+        };
+        let mut identity = if found.key.is_turned {
+            identity.turned_to_side_side()
+        } else {
+            identity
+        };
+        let order = orders.entry(identity.family).or_insert(0);
+        *order += 1;
+        identity.order = *order;
+        identities.push(identity);
+    }
+    identities
+}
+
+/// The family of a mode of an elastic tower: that of the only motion of its part, or of the one with most of its energy.
+fn family(model: &Model, found: &Found, energy: &Energy) -> Family {
+    let mut motions = model.motions(found.key.part).iter();
+    match (motions.next(), motions.next()) {
+        (Some(only), None) => Family::of(only),
+        _ => energy.main_motion().map_or(Family::Coupled, Family::of),
+    }
+}
+
+/// The names of the modes in which a floating tower moves as one body; those of the second of two equal planes as in the first.
+fn names_afloat(
+    found: &[Found],
+    resultants: &[Resultants],
+    origin: f64,
+    inertia: &SpatialMatrix,
+) -> Vec<Option<Family>> {
+    let own: Vec<usize> = (0..found.len())
+        .filter(|&i| !found[i].key.is_turned)
+        .collect();
+    let shares: Vec<RigidShares> = own
+        .iter()
+        .map(|&i| {
+            let scale = (found[i].eigenvalue.lambda - origin).sqrt();
+            RigidShares::new(inertia, &resultants[i].force.map(|force| force * scale))
+        })
+        .collect();
+    let mut names = vec![None; found.len()];
+    for (&i, name) in own.iter().zip(rigid_names(&shares)) {
+        let twin = |other: &Found| {
+            (other.key.part, other.key.order) == (found[i].key.part, found[i].key.order)
+        };
+        let same = (0..found.len()).filter(|&j| twin(&found[j]));
+        same.for_each(|j| names[j] = name);
+    }
+    names
+}
+
+impl Identity {
+    /// The same in the side-side plane, of a mode in the fore-aft plane.
+    fn turned_to_side_side(&self) -> Self {
+        let [x, y, z, rx, ry, rz] = self.effective_mass;
+        Self {
+            family: self.family.turned_to_side_side(),
+            order: self.order,
+            energy: self.energy.turned_to_side_side(),
+            effective_mass: [y, x, z, ry, rx, rz],
+        }
+    }
+}

@@ -1,0 +1,114 @@
+//! Whether a tower stands: buckling of one that is held, stability of one that floats.
+
+use super::model::Model;
+use super::options::SolveError;
+use crate::eigen::{EigenError, EigenWorkspace, lowest};
+use crate::modes::Family;
+use crate::parts::Problem;
+use crate::tower::{Motion, Tower};
+
+/// Frequencies of rigid motions, rad²/s², among which the softest that something resists is looked for.
+const SOFTEST: f64 = 1e-8;
+const STIFFEST: f64 = 1e12;
+/// A motion slower by this than the softest one that something resists is one that nothing resists.
+const UNRESISTED: f64 = 1e-6;
+
+/// Sets where the spectrum of a floating tower begins: at 0, or below if nothing resists some motion.
+///
+/// # Errors
+/// [`SolveError::Unstable`] if a motion grows by itself.
+pub(super) fn find_origin(tower: &Tower, model: &mut Model) -> Result<(), SolveError> {
+    model.origin = 0.0;
+    if !tower.base().floats {
+        return Ok(());
+    }
+    let at_rest = count(model, 0.0);
+    if at_rest == 0 {
+        return Ok(());
+    }
+    let softest = softest_resisted(model, at_rest);
+    if count(model, -UNRESISTED * softest) > 0 {
+        return Err(unstable(tower, model, softest));
+    }
+    // Near enough that the slow modes keep their digits, far enough that the tower's do.
+    model.origin = -0.1 * softest;
+    Ok(())
+}
+
+/// Number of modes of all parts below λ, rad²/s².
+fn count(model: &mut Model, lambda: f64) -> usize {
+    super::spectrum::count_below(model, lambda)
+}
+
+/// About the lowest λ, rad²/s², below which there are more modes than those without resistance: within a factor of 2.
+fn softest_resisted(model: &mut Model, without: usize) -> f64 {
+    let mut lambda = SOFTEST;
+    while lambda < STIFFEST && count(model, lambda) <= without {
+        lambda *= 2.0;
+    }
+    lambda
+}
+
+/// Names the motion that grows fastest.
+fn unstable(tower: &Tower, model: &mut Model, scale: f64) -> SolveError {
+    let mut below = -scale;
+    while count(model, below) > 0 && below > -STIFFEST {
+        below *= 2.0;
+    }
+    model.origin = below;
+    let mut workspace = EigenWorkspace::default();
+    let mut worst: Option<(f64, usize, Vec<f64>)> = None;
+    for part in 0..model.parts() {
+        let found = model.with_pencil(part, |pencil| lowest(pencil, 1, &mut workspace));
+        let Ok(lambda) = found.map(|_| workspace.eigenvalues()[0].lambda) else {
+            continue;
+        };
+        if worst.as_ref().is_none_or(|(least, ..)| lambda < *least) {
+            worst = Some((lambda, part, workspace.vector(0).to_vec()));
+        }
+    }
+    let motion = worst.map_or([0.0; 6], |(_, part, vector)| {
+        model.base_motion(part, &vector)
+    });
+    let inertia = tower.rigid_inertia(true);
+    let energy: [f64; 6] = std::array::from_fn(|i| inertia[i][i] * motion[i] * motion[i]);
+    let largest = (0..6).max_by(|&a, &b| energy[a].total_cmp(&energy[b]));
+    SolveError::Unstable {
+        motion: Family::RIGID[largest.unwrap_or(0)],
+    }
+}
+
+/// The factor by which weights must be multiplied for the tower to buckle; none without gravity, or where it floats.
+///
+/// # Errors
+/// [`SolveError::Buckles`] if it does.
+pub(super) fn buckling_load_factor(
+    tower: &Tower,
+    model: &mut Model,
+) -> Result<Option<f64>, SolveError> {
+    if tower.gravity_m_per_s2() == 0.0 || tower.base().floats {
+        return Ok(None);
+    }
+    let mut least: Option<f64> = None;
+    let mut workspace = EigenWorkspace::default();
+    for part in 0..model.parts() {
+        let bends = model.motions(part).iter().any(Motion::bends);
+        if !bends {
+            continue;
+        }
+        let problem = Problem::Buckling;
+        match model.with_problem(part, problem, |pencil| lowest(pencil, 1, &mut workspace)) {
+            Ok(_) => {
+                let factor = workspace.eigenvalues()[0].lambda;
+                least = Some(least.map_or(factor, |least| least.min(factor)));
+            }
+            // Weights too small beside the stiffness to count.
+            Err(EigenError::NotFinite) => {}
+            Err(error) => return Err(error.into()),
+        }
+    }
+    match least {
+        Some(load_factor) if load_factor <= 1.0 => Err(SolveError::Buckles { load_factor }),
+        factor => Ok(factor),
+    }
+}

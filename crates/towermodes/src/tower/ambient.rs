@@ -1,0 +1,109 @@
+//! What soil and water do to a piece of a tower.
+
+use super::description::TowerDescription;
+use super::piece::Piece;
+use super::section::Tube;
+use super::surroundings::{SoilRow, SoilStiffness, Water};
+
+/// What surrounds a piece: linear soil springs, water on either side of the wall.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Ambient {
+    /// Soil springs at the lower and the upper end; none if there is no soil.
+    pub soil: Option<[SoilStiffness; 2]>,
+    /// ρ C_a π/4 where there is water outside, kg/m³: times D² the added mass per length.
+    pub outside_kg_per_m3: f64,
+    /// ρ π/4 where there is water inside, kg/m³: times (D − 2t)² its mass per length.
+    pub inside_kg_per_m3: f64,
+}
+
+impl Ambient {
+    /// Mass of water that moves transversely with a tube, kg/m.
+    #[inline]
+    pub(super) fn water_kg_per_m(&self, tube: &Tube) -> f64 {
+        let (d, inner) = (tube.outer_diameter_m, tube.inner_diameter_m());
+        self.outside_kg_per_m3 * d * d + self.inside_kg_per_m3 * inner * inner
+    }
+
+    /// Soil springs a share `s` of the way up.
+    #[inline]
+    pub(super) fn soil_at(&self, s: f64) -> SoilStiffness {
+        self.soil
+            .map_or_else(SoilStiffness::default, |[base, top]| base.blend(&top, s))
+    }
+}
+
+/// Cuts pieces where soil and water begin, end or bend, and says of each part what surrounds it.
+pub(super) fn surrounded(pieces: Vec<Piece>, description: &TowerDescription) -> Vec<Piece> {
+    let base_m = pieces.first().map_or(0.0, |piece| piece.base_m);
+    let mut cuts_m: Vec<f64> = description
+        .soil
+        .iter()
+        .flatten()
+        .map(|r| r.height_m)
+        .collect();
+    if let Some(water) = &description.water {
+        cuts_m.extend([water.level_m, water.bed_m.unwrap_or(base_m)]);
+    }
+    if cuts_m.is_empty() {
+        return pieces;
+    }
+    cuts_m.sort_by(f64::total_cmp);
+    cuts_m.dedup();
+    let mut parts = Vec::with_capacity(pieces.len() + cuts_m.len());
+    for piece in pieces {
+        let mut below_m = piece.base_m;
+        let inside = cuts_m
+            .iter()
+            .filter(|cut| piece.base_m < **cut && **cut < piece.top_m);
+        for &end_m in inside.chain([&piece.top_m]) {
+            let mut part = piece.part(below_m, end_m);
+            part.ambient = ambient(description, base_m, &part);
+            parts.push(part);
+            below_m = end_m;
+        }
+    }
+    parts
+}
+
+/// What surrounds a piece that no cut lies within.
+fn ambient(description: &TowerDescription, base_m: f64, piece: &Piece) -> Ambient {
+    let soil = description
+        .soil
+        .iter()
+        .filter_map(|rows| soil_of(rows, piece));
+    let soil = soil.reduce(|a, b| [a[0].and(&b[0]), a[1].and(&b[1])]);
+    let mut ambient = Ambient {
+        soil,
+        ..Ambient::default()
+    };
+    if let Some(water) = &description.water {
+        let quarter = water.density_kg_per_m3 * std::f64::consts::FRAC_PI_4;
+        let is_under = |bed_m: f64| bed_m <= piece.base_m && piece.top_m <= water.level_m;
+        if is_under(water.bed_m.unwrap_or(base_m)) {
+            ambient.outside_kg_per_m3 = quarter * water.added_mass_coefficient;
+        }
+        if water.flooded && is_under(base_m) {
+            ambient.inside_kg_per_m3 = quarter;
+        }
+    }
+    ambient
+}
+
+/// The springs of one layer at both ends of a piece; none if it does not reach there. Two rows at one height are a step.
+fn soil_of(rows: &[SoilRow], piece: &Piece) -> Option<[SoilStiffness; 2]> {
+    let middle_m = 0.5 * (piece.base_m + piece.top_m);
+    let around = rows
+        .windows(2)
+        .find(|pair| (pair[0].height_m..=pair[1].height_m).contains(&middle_m))?;
+    let (below, above) = (&around[0], &around[1]);
+    let at = |height_m: f64| {
+        let s = (height_m - below.height_m) / (above.height_m - below.height_m);
+        below.stiffness.blend(&above.stiffness, s)
+    };
+    Some([at(piece.base_m), at(piece.top_m)])
+}
+
+/// Whether there is a height on the tower where water is, for a plain mistake.
+pub(super) fn reaches(water: &Water, base_m: f64, top_m: f64) -> bool {
+    water.level_m > base_m && water.bed_m.unwrap_or(base_m) < top_m
+}

@@ -1,0 +1,94 @@
+//! The lowest section of a tower: how it may move, what holds it there, what moves with it.
+
+use super::attachment::spatial_inertia;
+use super::foundation::{FloatingPlatform, Foundation, FoundationSprings, ReferredMatrix};
+use crate::space::{SpatialMatrix, add_scaled, lower_matrix};
+
+/// The base of a tower, for its motion (x, y, z, rotation about x, y, z).
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Base {
+    /// Which motions are possible; the others are rigidly held.
+    pub moves: [bool; 6],
+    /// Stiffness to the ground: N/m, N, N m; zero for motions that are rigidly held.
+    pub stiffness: SpatialMatrix,
+    /// Inertia that moves with it: kg, kg m, kg m².
+    pub inertia: SpatialMatrix,
+    /// Moment of the platform's and the tower's mass about the point that the hydrostatic stiffness is about, kg m: times g what weights
+    /// take from the stiffness against rotation about x and y; zero for what does not float.
+    pub overturning_kg_m: f64,
+    /// Whether it floats: rigid-body modes are modes of their own.
+    pub floats: bool,
+}
+
+impl Base {
+    /// Of a foundation under a tower with its base at `base_m` that carries `mass_kg`, with all that is on it.
+    pub(super) fn new(foundation: &Foundation, base_m: f64, mass_kg: f64) -> Self {
+        match foundation {
+            Foundation::Clamped => Self::default(),
+            Foundation::Stiffness(foundation) => Self {
+                moves: [true; 6],
+                stiffness: symmetrized(&foundation.stiffness),
+                inertia: symmetrized(&foundation.inertia),
+                ..Self::default()
+            },
+            Foundation::Springs(springs) => Self::on_springs(springs),
+            Foundation::HalfSpace(footing) => Self::on_springs(&footing.springs()),
+            Foundation::Floating(platform) => Self::afloat(platform, base_m, mass_kg),
+        }
+    }
+
+    /// Whether it does not move at all.
+    pub fn is_clamped(&self) -> bool {
+        self.moves == [false; 6]
+    }
+
+    fn on_springs(springs: &FoundationSprings) -> Self {
+        let diagonal = springs.diagonal();
+        let moves = diagonal.map(f64::is_finite);
+        let mut stiffness = [[0.0; 6]; 6];
+        for i in (0..6).filter(|&i| moves[i]) {
+            stiffness[i][i] = diagonal[i];
+        }
+        // A lateral spring that is rigid has no coupling: validation saw to that.
+        for (translation, rotation, sign) in [(0, 4, 1.0), (1, 3, -1.0)] {
+            if moves[translation] && moves[rotation] {
+                stiffness[translation][rotation] = sign * springs.coupling_n;
+                stiffness[rotation][translation] = sign * springs.coupling_n;
+            }
+        }
+        Self {
+            moves,
+            stiffness,
+            ..Self::default()
+        }
+    }
+
+    /// The weights turn over about the point that the hydrostatic stiffness is about: only about that point, where buoyancy and weights
+    /// are in balance, do its entries and theirs add up.
+    fn afloat(platform: &FloatingPlatform, base_m: f64, mass_kg: f64) -> Self {
+        let [x, y, z] = platform.center_m;
+        let centre = [x, y, z - base_m];
+        let mut base = Self {
+            moves: [true; 6],
+            inertia: spatial_inertia(platform.mass_kg, centre, &platform.inertia_kg_m2),
+            floats: true,
+            ..Self::default()
+        };
+        let add = |sum: &mut SpatialMatrix, referred: &ReferredMatrix| {
+            let mut matrix = symmetrized(&referred.matrix);
+            lower_matrix(&mut matrix, referred.height_m - base_m);
+            add_scaled(sum, 1.0, &matrix);
+        };
+        add(&mut base.inertia, &platform.added_mass);
+        add(&mut base.stiffness, &platform.hydrostatic);
+        add(&mut base.stiffness, &platform.mooring);
+        let pivot_m = platform.hydrostatic.height_m;
+        base.overturning_kg_m = platform.mass_kg * (z - pivot_m) + mass_kg * (base_m - pivot_m);
+        base
+    }
+}
+
+/// (A + Aᵀ)/2.
+fn symmetrized(matrix: &SpatialMatrix) -> SpatialMatrix {
+    std::array::from_fn(|i| std::array::from_fn(|j| 0.5 * (matrix[i][j] + matrix[j][i])))
+}

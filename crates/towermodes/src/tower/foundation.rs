@@ -1,0 +1,137 @@
+//! What a tower stands on, as a user says it.
+
+use super::description::Inertia;
+use crate::space::SpatialMatrix;
+
+/// What holds the lowest station.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub enum Foundation {
+    /// It does not move.
+    #[default]
+    Clamped,
+    /// A stiffness for all six motions, and possibly an inertia.
+    Stiffness(Box<StiffnessFoundation>),
+    /// Springs, any of which may be infinite.
+    Springs(FoundationSprings),
+    /// A rigid circular footing on elastic soil.
+    HalfSpace(HalfSpace),
+    /// A rigid floating platform.
+    Floating(Box<FloatingPlatform>),
+}
+
+/// Matrices for the motion (x, y, z, rotation about x, y, z) of the base: N/m, N, N m; kg, kg m, kg m².
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct StiffnessFoundation {
+    /// Stiffness about the base, symmetric.
+    pub stiffness: SpatialMatrix,
+    /// Inertia about the base, symmetric; zero for none.
+    pub inertia: SpatialMatrix,
+}
+
+/// Springs under the base, the same in both planes; infinity is a rigid one, zero none.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct FoundationSprings {
+    /// Against translation x and y, N/m.
+    pub lateral_n_per_m: f64,
+    /// Against rotation about x and y, N m.
+    pub rocking_n_m: f64,
+    /// Between x and rotation about y, and with the opposite sign between y and rotation about x, N.
+    pub coupling_n: f64,
+    /// Against translation z, N/m.
+    pub vertical_n_per_m: f64,
+    /// Against rotation about z, N m.
+    pub torsion_n_m: f64,
+}
+
+impl FoundationSprings {
+    /// Rigid in every direction.
+    pub const RIGID: Self = Self {
+        lateral_n_per_m: f64::INFINITY,
+        rocking_n_m: f64::INFINITY,
+        coupling_n: 0.0,
+        vertical_n_per_m: f64::INFINITY,
+        torsion_n_m: f64::INFINITY,
+    };
+
+    /// Along the diagonal of the stiffness: x, y, z, rotation about x, y, z.
+    pub(super) fn diagonal(&self) -> [f64; 6] {
+        let (lateral, rocking) = (self.lateral_n_per_m, self.rocking_n_m);
+        [
+            lateral,
+            lateral,
+            self.vertical_n_per_m,
+            rocking,
+            rocking,
+            self.torsion_n_m,
+        ]
+    }
+}
+
+/// A rigid circular footing in an elastic half-space.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct HalfSpace {
+    /// Radius R, m.
+    pub radius_m: f64,
+    /// Depth of embedment e, m.
+    pub embedment_m: f64,
+    /// Shear modulus G of the soil, Pa.
+    pub shear_modulus_pa: f64,
+    /// Poisson's ratio ν of the soil.
+    pub poissons_ratio: f64,
+}
+
+impl HalfSpace {
+    /// The springs of the footing, static and uncoupled:
+    ///
+    /// | | surface footing | times, for embedment e |
+    /// |---|---|---|
+    /// | vertical | 4GR/(1−ν) | 1 + 0.6 (1−ν) e/R |
+    /// | lateral | 32(1−ν)GR/(7−8ν) | 1 + 0.55 (2−ν) e/R |
+    /// | rocking | 8GR³/(3(1−ν)) | 1 + 1.2 (1−ν) e/R + 0.2 (2−ν) (e/R)³ |
+    /// | torsion | 16GR³/3 | 1 |
+    ///
+    /// Source: Arya, O'Neill & Pincus, *Design of Structures and Foundations for Vibrating Machines* (1979), ch. 4, after Richart,
+    /// Hall & Woods (1970) and Whitman (1972).
+    pub fn springs(&self) -> FoundationSprings {
+        let (g, r, nu) = (self.shear_modulus_pa, self.radius_m, self.poissons_ratio);
+        let e = self.embedment_m / r;
+        let vertical = 1.0 + 0.6 * (1.0 - nu) * e;
+        let lateral = 1.0 + 0.55 * (2.0 - nu) * e;
+        let rocking = 1.0 + 1.2 * (1.0 - nu) * e + 0.2 * (2.0 - nu) * e.powi(3);
+        FoundationSprings {
+            lateral_n_per_m: 32.0 * (1.0 - nu) * g * r / (7.0 - 8.0 * nu) * lateral,
+            rocking_n_m: 8.0 * g * r.powi(3) / (3.0 * (1.0 - nu)) * rocking,
+            coupling_n: 0.0,
+            vertical_n_per_m: 4.0 * g * r / (1.0 - nu) * vertical,
+            torsion_n_m: 16.0 * g * r.powi(3) / 3.0,
+        }
+    }
+}
+
+/// A matrix for the motion (x, y, z, rotation about x, y, z) of a point on the tower's axis.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct ReferredMatrix {
+    /// The matrix.
+    pub matrix: SpatialMatrix,
+    /// Height of the point in the datum of the stations, m.
+    pub height_m: f64,
+}
+
+/// A rigid platform that floats and carries the tower's base.
+///
+/// Slightly asymmetric matrices are symmetrized, with a warning.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct FloatingPlatform {
+    /// Mass with ballast, kg.
+    pub mass_kg: f64,
+    /// Centre of mass, m: x and y from the tower's axis, z in the datum of the stations.
+    pub center_m: [f64; 3],
+    /// Inertia about the centre of mass, kg m².
+    pub inertia_kg_m2: Inertia,
+    /// Hydrodynamic added mass: kg, kg m, kg m².
+    pub added_mass: ReferredMatrix,
+    /// Hydrostatic stiffness, of the water plane and the buoyancy: N/m, N, N m. The weights' part is that of gravity.
+    pub hydrostatic: ReferredMatrix,
+    /// Stiffness of the moorings: N/m, N, N m.
+    pub mooring: ReferredMatrix,
+}

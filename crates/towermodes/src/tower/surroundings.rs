@@ -1,0 +1,102 @@
+//! What stands around a tower, as a user says it: soil, water, wires.
+
+/// One row of soil springs along the tower; linear in height between rows, nothing outside them.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct SoilRow {
+    /// Height z in the datum of the stations, m.
+    pub height_m: f64,
+    /// The springs there.
+    pub stiffness: SoilStiffness,
+}
+
+/// Springs to the ground per length of tower.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct SoilStiffness {
+    /// Against translation x, N/m².
+    pub x_n_per_m2: f64,
+    /// Against translation y, N/m².
+    pub y_n_per_m2: f64,
+    /// Against translation z, N/m².
+    pub z_n_per_m2: f64,
+    /// Against rotation about the axis, N m per radian and metre.
+    pub torsion_n: f64,
+}
+
+impl SoilStiffness {
+    /// All its values.
+    pub(super) fn values(&self) -> [f64; 4] {
+        [
+            self.x_n_per_m2,
+            self.y_n_per_m2,
+            self.z_n_per_m2,
+            self.torsion_n,
+        ]
+    }
+
+    fn from_values([x_n_per_m2, y_n_per_m2, z_n_per_m2, torsion_n]: [f64; 4]) -> Self {
+        Self {
+            x_n_per_m2,
+            y_n_per_m2,
+            z_n_per_m2,
+            torsion_n,
+        }
+    }
+
+    /// The springs a share `s` of the way from these to `top`.
+    #[inline]
+    pub(super) fn blend(&self, top: &Self, s: f64) -> Self {
+        let (a, b) = (self.values(), top.values());
+        Self::from_values(std::array::from_fn(|i| a[i] + s * (b[i] - a[i])))
+    }
+
+    /// These and others together.
+    pub(super) fn and(&self, other: &Self) -> Self {
+        let (a, b) = (self.values(), other.values());
+        Self::from_values(std::array::from_fn(|i| a[i] + b[i]))
+    }
+}
+
+/// Still water around the tower, and in it if it is flooded: mass for transverse motion.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Water {
+    /// Height of the surface in the datum of the stations, m.
+    pub level_m: f64,
+    /// Height of the ground, m; `None` is the lowest station.
+    pub bed_m: Option<f64>,
+    /// Density ρ, kg/m³.
+    pub density_kg_per_m3: f64,
+    /// Added mass coefficient C_a: the water outside moves with the mass ρ C_a π D²/4 per length, between bed and level.
+    pub added_mass_coefficient: f64,
+    /// Whether water stands inside too: ρ π (D − 2t)²/4 per length, from the lowest station to the level.
+    pub flooded: bool,
+}
+
+/// Taut wires from one height of the tower to the ground, equally spaced around it.
+///
+/// n ≥ 3 wires of stiffness k each at an angle α from the horizontal hold the tower's axis with n/2 k cos²α in every horizontal direction
+/// and with n k sin²α vertically. Their tension, and that they are fixed to the shell and not to the axis, is neglected.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Wires {
+    /// Height of their upper ends in the datum of the stations, m.
+    pub height_m: f64,
+    /// How many there are, at least three.
+    pub count: usize,
+    /// Stiffness EA/L of each, N/m.
+    pub stiffness_n_per_m: f64,
+    /// Angle from the horizontal, degrees.
+    pub angle_deg: f64,
+}
+
+impl Wires {
+    /// Stiffness n/2 k cos²α in every horizontal direction, N/m.
+    pub fn horizontal_n_per_m(&self) -> f64 {
+        let cosine = self.angle_deg.to_radians().cos();
+        0.5 * self.count as f64 * self.stiffness_n_per_m * cosine * cosine
+    }
+
+    /// Stiffness n k sin²α vertically, N/m.
+    pub fn vertical_n_per_m(&self) -> f64 {
+        let sine = self.angle_deg.to_radians().sin();
+        self.count as f64 * self.stiffness_n_per_m * sine * sine
+    }
+}

@@ -1,0 +1,214 @@
+//! The checks of what the base stands on.
+
+use super::{check_inertia, error, finite, not_negative, positive};
+use crate::space::SpatialMatrix;
+use crate::symmetric::eigenpairs;
+use crate::tower::base::Base;
+use crate::tower::error::{Place, Problem, TowerError};
+use crate::tower::foundation::{
+    FloatingPlatform, Foundation, FoundationSprings, HalfSpace, StiffnessFoundation,
+};
+
+/// Entries of a stiffness that should be equal may differ by this share of their diagonal entries: they are often printed rounded.
+const ROUNDED: f64 = 1e-6;
+/// Entries of a floating platform's matrices may differ by this share of the larger one: they come from panel codes.
+const SLIGHTLY: f64 = 0.05;
+/// … or by this share of their diagonal entries.
+const NOISE: f64 = 1e-3;
+/// A scaled eigenvalue above minus this is not negative.
+const NEGATIVE: f64 = 1e-9;
+
+pub(super) fn check_foundation(foundation: &Foundation) -> Result<(), TowerError> {
+    match foundation {
+        Foundation::Clamped => Ok(()),
+        Foundation::Stiffness(foundation) => check_stiffness(foundation),
+        Foundation::Springs(springs) => check_springs(springs),
+        Foundation::HalfSpace(footing) => check_half_space(footing),
+        Foundation::Floating(platform) => check_platform(platform),
+    }
+}
+
+fn at(key: &'static str) -> Place {
+    Place::Foundation { key }
+}
+
+fn check_stiffness(foundation: &StiffnessFoundation) -> Result<(), TowerError> {
+    let matrices = [
+        ("matrix", "stiffness", &foundation.stiffness),
+        ("mass", "mass matrix", &foundation.inertia),
+    ];
+    for (key, what, matrix) in matrices {
+        check_finite(key, what, matrix)?;
+        if let Some(problem) = asymmetry(what, matrix, 0.0, ROUNDED) {
+            return error(at(key), problem);
+        }
+        check_not_indefinite(key, what, matrix)?;
+    }
+    Ok(())
+}
+
+fn check_springs(springs: &FoundationSprings) -> Result<(), TowerError> {
+    let values = [
+        (
+            "lateral",
+            "the lateral spring",
+            springs.lateral_n_per_m,
+            " N/m",
+        ),
+        ("rocking", "the rocking spring", springs.rocking_n_m, " N m"),
+        (
+            "vertical",
+            "the vertical spring",
+            springs.vertical_n_per_m,
+            " N/m",
+        ),
+        ("torsion", "the torsion spring", springs.torsion_n_m, " N m"),
+    ];
+    for (key, quantity, value, unit) in values {
+        // Infinity is a rigid spring.
+        if value != f64::INFINITY {
+            not_negative(at(key), quantity, value, unit)?;
+        }
+    }
+    let coupling = springs.coupling_n;
+    finite(at("coupling"), "the coupling spring", coupling)?;
+    let (lateral, rocking) = (springs.lateral_n_per_m, springs.rocking_n_m);
+    if coupling == 0.0 {
+        return Ok(());
+    }
+    if lateral.is_infinite() || rocking.is_infinite() {
+        return error(at("coupling"), Problem::CouplingOfRigid);
+    }
+    let (values, _) = eigenpairs([[lateral, coupling], [coupling, rocking]]);
+    if coupling * coupling <= lateral * rocking * (1.0 - NEGATIVE) {
+        return Ok(());
+    }
+    let problem = Problem::Indefinite {
+        what: "lateral, coupling and rocking springs",
+        eigenvalue: values[0],
+    };
+    error(at("coupling"), problem)
+}
+
+fn check_half_space(footing: &HalfSpace) -> Result<(), TowerError> {
+    let (g, nu) = (footing.shear_modulus_pa, footing.poissons_ratio);
+    positive(at("radius"), "the footing's radius", footing.radius_m, " m")?;
+    let embedment = footing.embedment_m;
+    not_negative(at("embedment"), "the embedment", embedment, " m")?;
+    positive(
+        at("soil_shear_modulus"),
+        "the soil's shear modulus",
+        g,
+        " Pa",
+    )?;
+    finite(at("soil_poissons_ratio"), "the soil's Poisson's ratio", nu)?;
+    if (0.0..=0.5).contains(&nu) {
+        return Ok(());
+    }
+    let problem = Problem::SoilPoissonsRatio { value: nu };
+    error(at("soil_poissons_ratio"), problem)
+}
+
+fn check_platform(platform: &FloatingPlatform) -> Result<(), TowerError> {
+    positive(at("mass"), "the platform's mass", platform.mass_kg, " kg")?;
+    let quantities = ["the centre's x", "the centre's y", "the centre's z"];
+    for (quantity, value) in quantities.into_iter().zip(platform.center_m) {
+        finite(at("center"), quantity, value)?;
+    }
+    check_inertia(at("inertia"), &platform.inertia_kg_m2)?;
+    let matrices = [
+        ("added_mass", "added mass", &platform.added_mass),
+        (
+            "hydrostatic",
+            "hydrostatic stiffness",
+            &platform.hydrostatic,
+        ),
+        ("mooring", "mooring stiffness", &platform.mooring),
+    ];
+    for (key, what, referred) in matrices {
+        let quantity = "the height that the matrix is about";
+        finite(at(key), quantity, referred.height_m)?;
+        if referred.matrix.iter().flatten().any(|x| x.is_infinite()) {
+            return error(at(key), Problem::InfiniteAndFloating { what });
+        }
+        check_finite(key, what, &referred.matrix)?;
+        if let Some(problem) = asymmetry(what, &referred.matrix, SLIGHTLY, NOISE) {
+            return error(at(key), problem);
+        }
+    }
+    let foundation = Foundation::Floating(Box::new(*platform));
+    let what = "mass of the platform with its added mass";
+    let base = Base::new(&foundation, platform.center_m[2], 0.0);
+    check_not_indefinite("added_mass", what, &base.inertia)
+}
+
+fn check_finite(
+    key: &'static str,
+    what: &'static str,
+    matrix: &SpatialMatrix,
+) -> Result<(), TowerError> {
+    let mut entries = matrix.iter().flatten();
+    match entries.find(|entry| !entry.is_finite()) {
+        None => Ok(()),
+        Some(&value) => {
+            let problem = Problem::NotFinite {
+                quantity: what,
+                value,
+            };
+            error(at(key), problem)
+        }
+    }
+}
+
+/// The first pair of entries that should be equal and are not, by more than a share of the larger and of their diagonal entries.
+fn asymmetry(
+    what: &'static str,
+    matrix: &SpatialMatrix,
+    of_the_larger: f64,
+    of_the_diagonal: f64,
+) -> Option<Problem> {
+    let pairs = (0..6).flat_map(|row| (row + 1..6).map(move |column| (row, column)));
+    pairs.into_iter().find_map(|(row, column)| {
+        let (upper, lower) = (matrix[row][column], matrix[column][row]);
+        let diagonal = (matrix[row][row] * matrix[column][column]).abs().sqrt();
+        let allowed = of_the_larger * upper.abs().max(lower.abs());
+        let is_off = (upper - lower).abs() > allowed.max(of_the_diagonal * diagonal);
+        is_off.then_some(Problem::Asymmetric {
+            what,
+            row: row + 1,
+            column: column + 1,
+            upper,
+            lower,
+        })
+    })
+}
+
+/// The largest difference of entries that should be equal, as a share of the larger of the two; 0 if the matrix is symmetric.
+pub(in crate::tower) fn largest_asymmetry(matrix: &SpatialMatrix) -> f64 {
+    let pairs = (0..6).flat_map(|row| (row + 1..6).map(move |column| (row, column)));
+    let shares = pairs.map(|(row, column)| {
+        let (upper, lower) = (matrix[row][column], matrix[column][row]);
+        let share = (upper - lower).abs() / upper.abs().max(lower.abs());
+        if share.is_nan() { 0.0 } else { share }
+    });
+    shares.fold(0.0, f64::max)
+}
+
+/// Refuses a matrix with a negative eigenvalue; whether it is negative is judged where its diagonal is scaled to one.
+fn check_not_indefinite(
+    key: &'static str,
+    what: &'static str,
+    matrix: &SpatialMatrix,
+) -> Result<(), TowerError> {
+    let scale = |i: usize| match matrix[i][i] {
+        diagonal if diagonal > 0.0 => diagonal.sqrt(),
+        _ => 1.0,
+    };
+    let scaled: SpatialMatrix =
+        std::array::from_fn(|i| std::array::from_fn(|j| matrix[i][j] / (scale(i) * scale(j))));
+    if eigenpairs(scaled).0[0] >= -NEGATIVE {
+        return Ok(());
+    }
+    let eigenvalue = eigenpairs(*matrix).0[0];
+    error(at(key), Problem::Indefinite { what, eigenvalue })
+}

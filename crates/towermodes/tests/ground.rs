@@ -1,0 +1,447 @@
+//! What a tower stands on and in: limits, sums, formulas, and what more of anything does.
+
+mod towers;
+
+use towermodes::{
+    Foundation, FoundationSprings, HalfSpace, Method, Options, PointMass, SoilRow, SoilStiffness,
+    TowerDescription, Wires,
+};
+use towermodes::{SolveError, Tower, solve};
+use towers::Uniform;
+use towers::{
+    all_frequencies, assert_close, assert_same, monopile, reference_350t, reference_eccentric,
+    solved,
+};
+
+const CHAINS: [Method; 5] = [
+    Method::RmjeExact,
+    Method::Rmje,
+    Method::CardanicExact,
+    Method::Cardanic,
+    Method::Lumped,
+];
+
+fn of_method(method: Method) -> Options {
+    Options {
+        method,
+        ..Options::default()
+    }
+}
+
+/// The spectral beam of a degree of its own choice differs by what it promises, 1e-10; of this one by rounding.
+fn spectral() -> Options {
+    Options {
+        degree: Some(14),
+        ..of_method(Method::Spectral)
+    }
+}
+
+fn all(description: &TowerDescription, options: &Options) -> Vec<f64> {
+    all_frequencies(&solved(description, options))
+}
+
+fn on(springs: FoundationSprings) -> TowerDescription {
+    TowerDescription {
+        foundation: Foundation::Springs(springs),
+        ..reference_eccentric()
+    }
+}
+
+#[test]
+fn stiff_springs_are_a_clamp() {
+    let stiff = FoundationSprings {
+        lateral_n_per_m: 1e21,
+        rocking_n_m: 1e21,
+        coupling_n: 0.0,
+        vertical_n_per_m: 1e21,
+        torsion_n_m: 1e21,
+    };
+    for method in CHAINS {
+        let options = of_method(method);
+        let clamped = all(&reference_eccentric(), &options);
+        // The tower is 1e12 times as soft: EI/L, GJ/L and EA/L are 1e9 to 1e10.
+        let sprung = all(&on(stiff), &options);
+        assert_same(&sprung, &clamped, 1e-9, method.name());
+        // Infinite ones are no springs at all.
+        let rigid = all(&on(FoundationSprings::RIGID), &options);
+        assert_same(&rigid, &clamped, 1e-13, method.name());
+    }
+    for method in [Method::Bmodes, Method::Spectral] {
+        let options = of_method(method);
+        let clamped = all(&reference_eccentric(), &options);
+        assert_same(
+            &all(&on(FoundationSprings::RIGID), &options),
+            &clamped,
+            1e-13,
+            method.name(),
+        );
+    }
+}
+
+#[test]
+fn soft_springs_are_not_a_clamp() {
+    // Each of them alone lowers something: none is forgotten.
+    let clamped = all(&reference_eccentric(), &spectral());
+    type Change = fn(&mut FoundationSprings);
+    let changes: [(&str, Change); 4] = [
+        ("lateral", |s| s.lateral_n_per_m = 1e8),
+        ("rocking", |s| s.rocking_n_m = 1e10),
+        ("vertical", |s| s.vertical_n_per_m = 1e9),
+        ("torsion", |s| s.torsion_n_m = 1e9),
+    ];
+    for (name, change) in changes {
+        let mut springs = FoundationSprings::RIGID;
+        change(&mut springs);
+        let soft = all(&on(springs), &spectral());
+        let fell = soft
+            .iter()
+            .zip(&clamped)
+            .any(|(soft, clamped)| *soft < 0.95 * clamped);
+        assert!(fell, "{name}: {soft:?}, {clamped:?}");
+    }
+}
+
+#[test]
+fn the_sign_of_a_coupling_spring_says_on_which_side_of_the_base_it_rests() {
+    // Springs K about a point e below the base, where x = x_base − e θ, are K_T, K_R + K_T e² and the coupling −K_T e at the base.
+    let (lateral, rocking, e) = (2e9, 1e11, 3.0);
+    let about = |e: f64| {
+        on(FoundationSprings {
+            lateral_n_per_m: lateral,
+            rocking_n_m: rocking + lateral * e * e,
+            coupling_n: -lateral * e,
+            ..FoundationSprings::RIGID
+        })
+    };
+    // Independent Ritz solutions, to a unit of the last digit.
+    let below = [0.2689936730, 0.2713919847, 1.2997909652, 1.6467497680];
+    let above = [0.2707854912, 0.2732480625, 1.2998561216, 1.6674581627];
+    for (e, truth) in [(e, below), (-e, above)] {
+        let got = all(&about(e), &spectral());
+        assert_same(&got[..4], &truth, 1e-9, "spectral");
+        for method in CHAINS {
+            // What 100 segments leave is less than the sign is worth, 0.7 %.
+            let got = all(&about(e), &of_method(method));
+            assert_same(&got[..4], &truth, 1e-3, method.name());
+        }
+    }
+}
+
+fn soil(height_m: f64, [x, y, z, torsion]: [f64; 4]) -> SoilRow {
+    SoilRow {
+        height_m,
+        stiffness: SoilStiffness {
+            x_n_per_m2: x,
+            y_n_per_m2: y,
+            z_n_per_m2: z,
+            torsion_n: torsion,
+        },
+    }
+}
+
+fn within(layers: Vec<Vec<SoilRow>>) -> TowerDescription {
+    TowerDescription {
+        soil: layers,
+        ..reference_eccentric()
+    }
+}
+
+const FIRM: [f64; 4] = [6e6, 5e6, 2e6, 8e6];
+const SOFT: [f64; 4] = [2e6, 3e6, 1e6, 4e6];
+
+fn blend(a: [f64; 4], b: [f64; 4], share: f64) -> [f64; 4] {
+    std::array::from_fn(|i| a[i] + share * (b[i] - a[i]))
+}
+
+fn sum(a: [f64; 4], b: [f64; 4]) -> [f64; 4] {
+    std::array::from_fn(|i| a[i] + b[i])
+}
+
+#[test]
+fn layers_that_overlap_are_one_layer_with_their_sum() {
+    // One from 0 to 40 m that softens upwards, one from 20 to 60 m.
+    let lower = vec![soil(0.0, FIRM), soil(40.0, SOFT)];
+    let upper = vec![soil(20.0, SOFT), soil(60.0, SOFT)];
+    let middle = blend(FIRM, SOFT, 0.5);
+    let together = vec![
+        soil(0.0, FIRM),
+        soil(20.0, middle),
+        soil(20.0, sum(middle, SOFT)),
+        soil(40.0, sum(SOFT, SOFT)),
+        soil(40.0, SOFT),
+        soil(60.0, SOFT),
+    ];
+    let (two, one) = (within(vec![lower, upper]), within(vec![together]));
+    let methods = CHAINS.into_iter().chain([Method::Bmodes]).map(of_method);
+    for options in methods.chain([spectral()]) {
+        // The same cuts and, but for rounding, the same springs.
+        let case = options.method.name();
+        assert_same(&all(&two, &options), &all(&one, &options), 1e-12, case);
+    }
+    // A layer forgotten would show.
+    let bare = all(&reference_eccentric(), &spectral());
+    assert!(all(&two, &spectral())[0] > 1.05 * bare[0]);
+}
+
+#[test]
+fn rows_on_the_line_between_rows_change_nothing() {
+    let (base, top) = (0.0, 87.6);
+    let row = |share: f64| soil(base + share * (top - base), blend(FIRM, SOFT, share));
+    let whole = within(vec![vec![row(0.0), row(1.0)]]);
+    let split = within(vec![vec![row(0.0), row(0.25), row(0.5), row(1.0)]]);
+    // Polynomials of degree 14 leave nothing in either.
+    let (a, b) = (all(&whole, &spectral()), all(&split, &spectral()));
+    assert_same(&a, &b, 1e-11, "spectral");
+    // Quarters share 400 segments out as they lay before: it is one mesh, and only rounding differs.
+    let fine = Options {
+        segments: Some(400),
+        ..Options::default()
+    };
+    assert_same(&all(&whole, &fine), &all(&split, &fine), 1e-6, "rmje-exact");
+}
+
+#[test]
+fn soil_below_the_tower_holds_nothing() {
+    // Given down to 30 m below the base: what reaches the tower is the line from there.
+    let deep = within(vec![vec![soil(-30.0, FIRM), soil(30.0, SOFT)]]);
+    let middle = blend(FIRM, SOFT, 0.5);
+    let cut = within(vec![vec![soil(0.0, middle), soil(30.0, SOFT)]]);
+    assert_same(
+        &all(&deep, &spectral()),
+        &all(&cut, &spectral()),
+        1e-12,
+        "deep",
+    );
+}
+
+type Change = fn(&mut TowerDescription);
+
+/// Every frequency of the monopile before and after.
+fn before_and_after(change: Change, options: &Options) -> [Vec<f64>; 2] {
+    let mut changed = monopile();
+    change(&mut changed);
+    [all(&monopile(), options), all(&changed, options)]
+}
+
+fn of_springs(tower: &mut TowerDescription, change: fn(&mut FoundationSprings)) {
+    if let Foundation::Springs(springs) = &mut tower.foundation {
+        change(springs);
+    }
+}
+
+fn firmer(tower: &mut TowerDescription, change: fn(&mut SoilStiffness)) {
+    tower.soil[0]
+        .iter_mut()
+        .for_each(|row| change(&mut row.stiffness));
+}
+
+/// Changes that leave the mesh as it is, so that the k-th eigenvalue of the chain itself cannot fall (Weyl).
+const STIFFER: [(&str, Change); 9] = [
+    ("lateral", |t| of_springs(t, |s| s.lateral_n_per_m *= 2.0)),
+    ("rocking", |t| of_springs(t, |s| s.rocking_n_m *= 2.0)),
+    ("vertical", |t| of_springs(t, |s| s.vertical_n_per_m *= 2.0)),
+    ("torsion", |t| of_springs(t, |s| s.torsion_n_m *= 2.0)),
+    ("soil x", |t| firmer(t, |s| s.x_n_per_m2 *= 1.5)),
+    ("soil y", |t| firmer(t, |s| s.y_n_per_m2 *= 1.5)),
+    ("soil z", |t| firmer(t, |s| s.z_n_per_m2 *= 1.5)),
+    ("soil torsion", |t| firmer(t, |s| s.torsion_n *= 1.5)),
+    ("wires", |t| {
+        t.wires.push(Wires {
+            count: 4,
+            ..t.wires[0]
+        });
+    }),
+];
+
+const HEAVIER: [(&str, Change); 4] = [
+    ("water", |t| {
+        if let Some(water) = &mut t.water {
+            water.added_mass_coefficient *= 1.5;
+        }
+    }),
+    ("denser water", |t| {
+        if let Some(water) = &mut t.water {
+            water.density_kg_per_m3 *= 1.1;
+        }
+    }),
+    // It presses too, which lowers them further.
+    ("point mass", |t| {
+        t.point_masses.push(PointMass {
+            height_m: 12.0,
+            mass_kg: 50e3,
+            ..PointMass::default()
+        });
+    }),
+    ("inertia", |t| t.point_masses[0].inertia_kg_m2.zz *= 10.0),
+];
+
+#[test]
+fn more_stiffness_raises_and_more_mass_lowers_every_frequency() {
+    for method in [Method::RmjeExact, Method::CardanicExact, Method::Bmodes] {
+        let options = Options {
+            modes: 12,
+            ..of_method(method)
+        };
+        for (changes, sign) in [(&STIFFER[..], 1.0), (&HEAVIER[..], -1.0)] {
+            for (name, change) in changes {
+                let [before, after] = before_and_after(*change, &options);
+                let case = format!("{}, {name}", method.name());
+                let rises = before.iter().zip(&after).map(|(a, b)| sign * (b / a - 1.0));
+                let (least, most) = rises.fold((f64::INFINITY, 0.0_f64), |(least, most), rise| {
+                    (least.min(rise), most.max(rise))
+                });
+                // Rounding alone may go the other way; what counts for nothing would not go its own way.
+                assert!(least > -1e-11, "{case}: {least:e}");
+                assert!(most > 1e-7, "{case}: {most:e}");
+            }
+        }
+    }
+}
+
+#[test]
+fn weights_lower_the_bending_frequencies() {
+    let heavy = TowerDescription {
+        gravity_m_per_s2: 9.81,
+        ..reference_350t()
+    };
+    for method in Method::ALL {
+        let (light, heavy) = (
+            all(&reference_350t(), &of_method(method)),
+            all(&heavy, &of_method(method)),
+        );
+        // 0.30020574 and 0.29380746 Hz, by two independent Ritz solutions; BModes has no rotary inertia, which changes it less.
+        assert_close(heavy[0] / light[0], 0.978_687, 1e-4, method.name());
+        assert_eq!(heavy[0], heavy[1], "{}", method.name());
+    }
+}
+
+#[test]
+fn flooding_adds_the_water_inside() {
+    // 32 m² of water over 50 m are 2.7 times the mass of the pile there.
+    let mut dry = monopile();
+    if let Some(water) = &mut dry.water {
+        water.flooded = false;
+    }
+    for (a, b) in all(&dry, &spectral())
+        .iter()
+        .zip(all(&monopile(), &spectral()))
+    {
+        assert!(b <= a * (1.0 + 1e-11), "{a} rose to {b}");
+    }
+    assert_ne!(all(&dry, &spectral()), all(&monopile(), &spectral()));
+}
+
+fn footing(embedment_m: f64) -> HalfSpace {
+    HalfSpace {
+        radius_m: 10.0,
+        embedment_m,
+        shear_modulus_pa: 5e7,
+        poissons_ratio: 1.0 / 3.0,
+    }
+}
+
+#[test]
+fn a_surface_footing_has_the_springs_of_the_textbook() {
+    // For ν = 1/3 the formulas of Richart, Hall & Woods are 6 GR, 64/13 GR, 4 GR³ and 16/3 GR³.
+    let (g, r) = (5e7, 10.0_f64);
+    let springs = footing(0.0).springs();
+    assert_close(springs.vertical_n_per_m, 6.0 * g * r, 1e-14, "vertical");
+    let lateral = 64.0 / 13.0 * g * r;
+    assert_close(springs.lateral_n_per_m, lateral, 1e-14, "lateral");
+    assert_close(springs.rocking_n_m, 4.0 * g * r.powi(3), 1e-14, "rocking");
+    let torsion = 16.0 / 3.0 * g * r.powi(3);
+    assert_close(springs.torsion_n_m, torsion, 1e-14, "torsion");
+    assert_eq!(springs.coupling_n, 0.0);
+}
+
+#[test]
+fn a_footing_half_its_radius_deep_is_stiffer_by_the_textbook() {
+    // e/R = 1/2, ν = 1/3: 1 + 0.6 × 2/3 × 1/2, 1 + 0.55 × 5/3 × 1/2, 1 + 1.2 × 2/3 × 1/2 + 0.2 × 5/3 × 1/8.
+    let (surface, deep) = (footing(0.0).springs(), footing(5.0).springs());
+    let factor = |of: fn(&FoundationSprings) -> f64| of(&deep) / of(&surface);
+    assert_close(factor(|s| s.vertical_n_per_m), 1.2, 1e-14, "vertical");
+    assert_close(factor(|s| s.lateral_n_per_m), 35.0 / 24.0, 1e-14, "lateral");
+    assert_close(factor(|s| s.rocking_n_m), 173.0 / 120.0, 1e-14, "rocking");
+    assert_eq!(factor(|s| s.torsion_n_m), 1.0);
+}
+
+#[test]
+fn a_half_space_is_its_springs() {
+    for embedment_m in [0.0, 5.0] {
+        let half_space = footing(embedment_m);
+        let of = |foundation| {
+            let tower = TowerDescription {
+                foundation,
+                ..reference_eccentric()
+            };
+            all(&tower, &Options::default())
+        };
+        let springs = of(Foundation::Springs(half_space.springs()));
+        assert_eq!(of(Foundation::HalfSpace(half_space)), springs);
+        assert!(springs[0] < all(&reference_eccentric(), &Options::default())[0]);
+    }
+}
+
+/// The zero of J₋₁⸝₃ at (2/3)√α: the self-weight m g L³/(EI) that buckles a clamped uniform column.
+const CRITICAL: f64 = 7.83734743894348;
+
+fn column(alpha: f64) -> TowerDescription {
+    Uniform::new(0.01, None).under_gravity(alpha).description
+}
+
+#[test]
+fn a_column_that_buckles_under_its_own_weight_is_refused_with_the_load() {
+    let tower = Tower::new(column(8.0)).expect("a valid tower");
+    for method in Method::ALL {
+        let Err(SolveError::Buckles { load_factor }) = solve(&tower, &of_method(method)) else {
+            panic!("{} does not buckle", method.name());
+        };
+        // 100 segments: (κl)²/12 with κ = 2/L is 3e-5.
+        let tolerance = match method {
+            Method::Spectral => 1e-8,
+            _ => 2e-4,
+        };
+        assert_close(load_factor, CRITICAL / 8.0, tolerance, method.name());
+    }
+}
+
+#[test]
+fn a_column_close_to_buckling_is_solved() {
+    let fast = |method| Options {
+        rotary_inertia: false,
+        ..of_method(method)
+    };
+    let solution = solved(&column(7.8), &fast(Method::Spectral));
+    let factor = solution.buckling_load_factor.expect("weights press");
+    assert_close(factor, CRITICAL / 7.8, 1e-9, "load factor");
+    let unit = Uniform::new(0.01, None).unit_hz;
+    assert_close(
+        solution.modes[0].frequency_hz / unit,
+        0.243259605,
+        1e-8,
+        "λ",
+    );
+    assert!(
+        solved(&column(0.0), &fast(Method::Spectral))
+            .buckling_load_factor
+            .is_none()
+    );
+}
+
+#[test]
+fn the_load_factor_falls_as_the_inverse_of_gravity() {
+    let factor = |gravity_m_per_s2| {
+        let tower = TowerDescription {
+            gravity_m_per_s2,
+            ..reference_eccentric()
+        };
+        solved(&tower, &spectral()).buckling_load_factor
+    };
+    let (one, two) = (
+        factor(9.81).expect("it presses"),
+        factor(19.62).expect("it presses"),
+    );
+    assert_close(one, 2.0 * two, 1e-9, "twice the gravity");
+    // From an independent Ritz solution.
+    assert_close(one, 22.11544391, 1e-8, "the reference tower");
+}
