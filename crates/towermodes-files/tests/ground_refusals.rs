@@ -621,7 +621,7 @@ fn wires_that_cannot_be() {
         "count = 3",
         "count = 2",
         "10:9",
-        "2 wires hold in some directions only; at least three are needed",
+        "at least three equally spaced wires are needed to hold in every direction, got 2",
         "equally spaced",
     );
     for (count, said) in [

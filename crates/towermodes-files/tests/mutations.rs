@@ -5,10 +5,13 @@ use proptest::sample::Index;
 use towermodes::{Method, Options, solve};
 use towermodes_files::tower_from_toml;
 
-const FILES: [&str; 5] = [
+const FILES: [&str; 8] = [
     include_str!("../../../examples/reference-tower.toml"),
     include_str!("../../../examples/reference-tower-350t.toml"),
     include_str!("../../../examples/nrel-5mw.toml"),
+    include_str!("../../../examples/monopile.toml"),
+    include_str!("../../../examples/floating.toml"),
+    include_str!("../../../examples/guyed.toml"),
     r#"
 name = "elliptic"
 [tower]
@@ -58,7 +61,7 @@ type = "clamped"
 ];
 
 /// Pieces that are likely to hurt.
-const SPLICES: [&str; 24] = [
+const SPLICES: [&str; 30] = [
     "0",
     "-1",
     "nan",
@@ -79,6 +82,12 @@ const SPLICES: [&str; 24] = [
     "\n",
     "[[point_mass]]\n",
     "[rna]\n",
+    "[[soil]]\n",
+    "[gravity]\n",
+    "[foundation]\n",
+    "type = \"springs\"\n",
+    "type = \"floating\"\n",
+    "[[wires]]\n",
     "stations",
     "\u{0}",
     "ü",
@@ -171,7 +180,9 @@ proptest! {
                 if let Ok(solution) = solve(&tower, &options) {
                     prop_assert!(solution.certificate.complete);
                     for mode in &solution.modes {
-                        prop_assert!(mode.frequency_hz.is_finite() && mode.frequency_hz > 0.0);
+                        // Only what floats may have motions that nothing resists.
+                        let is_held = mode.frequency_hz > 0.0 || mode.family.is_rigid();
+                        prop_assert!(mode.frequency_hz.is_finite() && mode.frequency_hz >= 0.0 && is_held);
                         prop_assert!(mode.discretization_error_hz.is_finite());
                         prop_assert!(mode.shape.iter().all(|p| p.translation.iter().chain(&p.rotation).all(|v| v.is_finite())));
                     }
