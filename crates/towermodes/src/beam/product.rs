@@ -30,6 +30,13 @@ pub fn product<const D: usize>(
     let base = base_motion(beam, of_base);
     let factors = factors(combination);
     loads.clear();
+    if *combination == Combination::MASS {
+        sweep_up(beam, base, own, |e, motion, own| {
+            add_forces(&beam.matrices[0], beam.rows(), e, motion, own, loads);
+        });
+        sweep_down(beam, base_load(beam, &factors, &base), loads, out);
+        return;
+    }
     sweep_up(beam, base, own, |e, motion, own| {
         add_load(beam, &factors, e, motion, own, loads);
     });
@@ -142,16 +149,32 @@ fn add_load<const D: usize>(
     let rows = beam.rows();
     let from = loads.len();
     loads.resize(from + rows, 0.0);
-    let load = &mut loads[from..];
     for (factor, matrices) in factors.iter().zip(&beam.matrices) {
-        let of_element = element * rows * rows..(element + 1) * rows * rows;
-        let Some(matrix) = matrices.get(of_element).filter(|_| *factor != 0.0) else {
+        if *factor == 0.0 || matrices.len() < (element + 1) * rows * rows {
             continue;
-        };
-        for (load, row) in load.iter_mut().zip(matrix.chunks_exact(rows)) {
-            *load += factor * (dot(&row[..D], motion) + dot(&row[D..], own));
         }
+        let to = loads.len();
+        add_forces(matrices, rows, element, motion, own, loads);
+        for k in 0..rows {
+            loads[from + k] += factor * loads[to + k];
+        }
+        loads.truncate(to);
     }
+}
+
+/// Appends A_e (v, y) of one element for one kind of matrix.
+#[inline]
+fn add_forces<const D: usize>(
+    matrices: &[f64],
+    rows: usize,
+    element: usize,
+    motion: &[f64; D],
+    own: &[f64],
+    loads: &mut Vec<f64>,
+) {
+    let matrix = &matrices[element * rows * rows..(element + 1) * rows * rows];
+    let force = |row: &[f64]| dot(&row[..D], motion) + dot(&row[D..], own);
+    loads.extend(matrix.chunks_exact(rows).map(force));
 }
 
 /// From the base up: v ← X v + T y, told to `visit` element by element before it changes; returns the motion of the top.

@@ -158,11 +158,6 @@ where
         links && ties.all(|value| value.is_finite())
     }
 
-    /// Whether weights overturn any body.
-    pub(super) fn has_weights(&self) -> bool {
-        self.has_weights
-    }
-
     /// Whether its stiffness is the joints' alone.
     pub fn is_untied(&self) -> bool {
         let is_free = self.links.first().is_some_and(|base| base.spring == 0.0);

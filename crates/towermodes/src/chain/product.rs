@@ -44,26 +44,25 @@ pub fn product<const D: usize>(
 ) where
     Dim<D>: Space,
 {
-    loads.bodies.clear();
-    loads.slides.clear();
-    if combination.weights == 0.0 || !chain.has_weights() {
-        let Loads { bodies, .. } = loads;
+    let Loads { bodies, slides } = loads;
+    bodies.clear();
+    slides.clear();
+    if *combination == Combination::MASS {
         sweep_up(chain, x, |joint, motion, _| {
-            bodies.push(body_load(chain, combination, joint, motion));
+            bodies.push(times(&chain.links[joint].inertia, motion));
         });
-        sweep_down(chain, out, |joint| (loads.bodies[joint], [0.0; D]));
-    } else {
-        sweep_up(chain, x, |joint, motion, own| {
-            let (carried, slide) = sinking(&chain.links[joint], combination.weights, motion, own);
-            let mut load = body_load(chain, combination, joint, motion);
-            add(&mut load, &carried);
-            loads.bodies.push(load);
-            loads.slides.push(slide);
-        });
-        sweep_down(chain, out, |joint| {
-            (loads.bodies[joint], loads.slides[joint])
-        });
+        sweep_down(chain, out, |joint| bodies[joint], |_, _| 0.0);
+        return;
     }
+    sweep_up(chain, x, |joint, motion, own| {
+        let (carried, slide) = sinking(&chain.links[joint], combination.weights, motion, own);
+        let mut load = body_load(chain, combination, joint, motion);
+        add(&mut load, &carried);
+        bodies.push(load);
+        slides.push(slide);
+    });
+    let slide = |joint: usize, component: usize| slides[joint][component];
+    sweep_down(chain, out, |joint| bodies[joint], slide);
     add_springs(chain, combination.springs, x, out);
 }
 
@@ -172,12 +171,13 @@ where
     Dim<D>: Space,
 {
     let base_m = chain.links.first().map_or(0.0, |link| link.height_m);
-    sweep_down(chain, out, |joint| {
+    let load = |joint: usize| {
         let link = &chain.links[joint];
         let mut motion = [1.0; D];
         raise(&mut motion, link.height_m - base_m);
-        (times(&link.inertia, &motion), [0.0; D])
-    });
+        times(&link.inertia, &motion)
+    };
+    sweep_down(chain, out, load, |_, _| 0.0);
 }
 
 /// From the base up: v ← X v + G x, told to `body` joint by joint, with the joint's own G x.
@@ -212,7 +212,8 @@ fn sweep_up<const D: usize>(
 fn sweep_down<const D: usize>(
     chain: &Chain<D>,
     out: &mut [f64],
-    load: impl Fn(usize) -> ([f64; D], [f64; D]),
+    load: impl Fn(usize) -> [f64; D],
+    slide: impl Fn(usize, usize) -> f64,
 ) where
     Dim<D>: Space,
 {
@@ -222,12 +223,11 @@ fn sweep_down<const D: usize>(
     for (joint, link) in chain.links.iter().enumerate().rev() {
         lower(&mut force, above_m - link.height_m);
         above_m = link.height_m;
-        let (body, slide) = load(joint);
-        add(&mut force, &body);
+        add(&mut force, &load(joint));
         for (component, root) in link.root.iter().enumerate().rev() {
             if *root != 0.0 {
                 let out = coordinates.next().expect("one coordinate for each spring");
-                *out = root * (force[component] + slide[component]);
+                *out = root * (force[component] + slide(joint, component));
             }
         }
     }

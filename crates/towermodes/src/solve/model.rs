@@ -56,7 +56,7 @@ pub(super) struct Resultants {
     pub(super) force: [f64; 6],
     /// Kinetic energy, times 2/ω².
     pub(super) kinetic: ByMotion,
-    /// Strain energy, times 2.
+    /// Strain energy, times 2, or as much as it by motion.
     pub(super) strain: ByMotion,
 }
 
@@ -168,11 +168,17 @@ impl Model {
 }
 
 fn resultants<K: Kind>(part: &mut Part<K>, vector: &[f64], base_m: f64) -> Resultants {
+    let is_single = part.motions().iter().nth(1).is_none();
     on_components!(part, member, components => {
         let (structure, work) = (&member.structure, &mut member.work);
         let mut balance = |combination| structure.balance(&combination, work, vector, base_m);
         let Balance { force, energy } = balance(Combination::MASS);
-        let strain = balance(Combination::STIFFNESS).energy;
+        // Where there is but one motion all strain energy is its own, and its size says nothing.
+        let strain = if is_single {
+            energy
+        } else {
+            balance(Combination::STIFFNESS).energy
+        };
         // Energies have no sign of a direction.
         let unsigned = components.map(|(i, _)| (i, 1.0));
         Resultants {

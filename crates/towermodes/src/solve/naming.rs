@@ -28,10 +28,15 @@ pub(super) fn identify(
     inertia: &SpatialMatrix,
 ) -> Vec<Identity> {
     let origin = model.origin;
-    let resultants: Vec<Resultants> = found
-        .iter()
-        .map(|found| model.resultants(tower, found.key.part, spectrum.vector(found.key)))
-        .collect();
+    let mut resultants: Vec<Resultants> = Vec::with_capacity(found.len());
+    for (index, mode) in found.iter().enumerate() {
+        // Of a repeated pair the second has what the first has.
+        let known = match resultants.last() {
+            Some(last) if mode.key.is_turned && found[index - 1].key.is_twin(mode.key) => *last,
+            _ => model.resultants(tower, mode.key.part, spectrum.vector(mode.key)),
+        };
+        resultants.push(known);
+    }
     let rigid = if tower.base().floats {
         names_afloat(found, &resultants, origin, inertia)
     } else {
@@ -93,10 +98,7 @@ fn names_afloat(
         .collect();
     let mut names = vec![None; found.len()];
     for (&i, name) in own.iter().zip(rigid_names(&shares)) {
-        let twin = |other: &Found| {
-            (other.key.part, other.key.order) == (found[i].key.part, found[i].key.order)
-        };
-        let same = (0..found.len()).filter(|&j| twin(&found[j]));
+        let same = (0..found.len()).filter(|&j| found[j].key.is_twin(found[i].key));
         same.for_each(|j| names[j] = name);
     }
     names

@@ -23,6 +23,13 @@ pub(crate) struct ModeKey {
     pub(crate) is_turned: bool,
 }
 
+impl ModeKey {
+    /// Whether it is the same mode but for the plane.
+    pub(super) fn is_twin(self, other: Self) -> bool {
+        (self.part, self.order) == (other.part, other.order)
+    }
+}
+
 /// A mode found, and its eigenvalue.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Found {
