@@ -51,7 +51,7 @@ fn fineness(column: &Column) -> String {
 fn frequency(value_hz: Option<f64>) -> String {
     match value_hz {
         None => "-".into(),
-        Some(hz) if (1e-2..1e5).contains(&hz) => format!("{hz:.5}"),
+        Some(hz) if hz == 0.0 || (1e-2..1e5).contains(&hz) => format!("{hz:.5}"),
         Some(hz) => format!("{hz:.5e}"),
     }
 }

@@ -37,11 +37,20 @@ fn modes(solution: &Solution) -> String {
             what_it_is(mode),
             frequency.clone(),
             error.clone(),
-            four_digits(mode.period_s()),
+            period(mode),
         ]);
     }
     align_right(&mut table, [0, 2, 3, 4]);
     table.trim_fmt()
+}
+
+/// The period, if the mode has one.
+fn period(mode: &Mode) -> String {
+    if mode.frequency_hz > 0.0 {
+        four_digits(mode.period_s())
+    } else {
+        "none".to_owned()
+    }
 }
 
 /// Its label, with the other parts of its energy from one percent on: "1st fore-aft bending (8 % torsion)".
@@ -60,14 +69,14 @@ fn what_it_is(mode: &Mode) -> String {
 /// A frequency or its error, with as many decimals as show two digits of the error.
 fn shown(mode: &Mode, value_hz: f64) -> String {
     // Far from 1 Hz an exponent says more than a row of zeros.
-    if !(1e-4..1e6).contains(&mode.frequency_hz) {
+    if mode.frequency_hz > 0.0 && !(1e-4..1e6).contains(&mode.frequency_hz) {
         return format!("{value_hz:.6e}");
     }
     let decimals = 1 - mode.error_hz().log10().floor() as i32;
     let decimals = usize::try_from(decimals.clamp(*DECIMALS.start(), *DECIMALS.end()));
     let decimals = decimals.unwrap_or_default();
     let least = 0.1_f64.powi(i32::try_from(decimals).unwrap_or_default());
-    if value_hz < least {
+    if value_hz > 0.0 && value_hz < least {
         return format!("<{least:.decimals$}");
     }
     format!("{value_hz:.decimals$}")

@@ -34,9 +34,17 @@ pub struct Eigenvalue {
 }
 
 impl Eigenvalue {
-    /// √λ/2π, Hz; 0 for a motion that nothing resists, whose λ may be less by rounding.
+    /// Whether it cannot be told from zero.
+    pub fn is_zero(&self) -> bool {
+        self.lambda <= self.error
+    }
+
+    /// √λ/2π, Hz; 0 where it cannot be told from zero.
     pub fn frequency_hz(&self) -> f64 {
-        self.lambda.max(0.0).sqrt() / TAU
+        if self.is_zero() {
+            return 0.0;
+        }
+        self.lambda.sqrt() / TAU
     }
 
     /// The bound as a frequency, Hz: how far √λ can be off.

@@ -4,7 +4,7 @@ use std::collections::HashMap;
 
 use super::model::{Model, Resultants};
 use super::spectrum::{Found, Spectrum};
-use crate::modes::{Energy, Family, RigidShares, rigid_names};
+use crate::modes::{ByMotion, Energy, Family, RigidShares, rigid_names};
 use crate::space::SpatialMatrix;
 use crate::tower::Tower;
 
@@ -45,9 +45,15 @@ pub(super) fn identify(
     let mut orders: HashMap<Family, usize> = HashMap::new();
     let mut identities = Vec::with_capacity(found.len());
     for ((found, resultants), rigid) in found.iter().zip(&resultants).zip(rigid) {
+        // What nothing resists has no strain energy but rounding.
+        let strain = if found.eigenvalue.is_zero() {
+            ByMotion::default()
+        } else {
+            resultants.strain.shares()
+        };
         let energy = Energy {
             kinetic: resultants.kinetic.shares(),
-            strain: resultants.strain.shares(),
+            strain,
         };
         // The vector has uᵀ(K − σM)u = 1, and so uᵀMu = 1/(λ − σ).
         let from_origin = found.eigenvalue.lambda - origin;

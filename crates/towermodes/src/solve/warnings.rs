@@ -64,7 +64,9 @@ pub(super) fn uncertain_end(
 
 fn unresolved(modes: &[Mode]) -> Option<Warning> {
     let relative = |m: &Mode| m.error_hz() / m.frequency_hz;
-    let unresolved: Vec<&Mode> = modes.iter().filter(|m| relative(m) > RESOLVED).collect();
+    // What nothing resists has frequency 0, and no error is small beside that.
+    let moving = modes.iter().filter(|m| m.frequency_hz > 0.0);
+    let unresolved: Vec<&Mode> = moving.filter(|m| relative(m) > RESOLVED).collect();
     Some(Warning::Unresolved {
         number: unresolved.first()?.number,
         others: unresolved.len() - 1,

@@ -42,9 +42,9 @@ pub struct Comparison {
 }
 
 impl Comparison {
-    /// Relative difference of a column's frequency to that of the spectral beam, f/f_spectral − 1.
+    /// Relative difference of a column's frequency to that of the spectral beam, f/f_spectral − 1; 0 where both are.
     pub fn relative_difference(&self, column: &Column, mode: usize) -> Option<f64> {
-        Some(column.frequencies_hz[mode]? / self.modes[mode].frequency_hz - 1.0)
+        self.modes[mode].relative_difference(column.frequencies_hz[mode])
     }
 }
 

@@ -107,8 +107,7 @@ pub fn converge(
         let solution = solve_for(tower, &options, &modes, &mut workspace)?;
         let frequency = |mode: &FollowedMode| mode.frequency_in(&solution);
         let frequencies_hz: Vec<_> = modes.iter().map(frequency).collect();
-        let error =
-            |(f, mode): (&Option<f64>, &FollowedMode)| Some((*f)? / mode.frequency_hz - 1.0);
+        let error = |(f, mode): (&Option<f64>, &FollowedMode)| mode.relative_difference(*f);
         let errors = frequencies_hz.iter().zip(&modes).map(error).collect();
         let mut level = Level {
             asked,

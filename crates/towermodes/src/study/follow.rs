@@ -34,6 +34,15 @@ impl FollowedMode {
         }
     }
 
+    /// f/f_mode − 1 of a frequency (Hz) that it has elsewhere; 0 if both are, as of motions that nothing resists.
+    pub(super) fn relative_difference(&self, frequency_hz: Option<f64>) -> Option<f64> {
+        match (frequency_hz?, self.frequency_hz) {
+            (f, limit) if f == limit => Some(0.0),
+            (_, 0.0) => None,
+            (f, limit) => Some(f / limit - 1.0),
+        }
+    }
+
     /// Its frequency in a solution, if it is there, Hz.
     pub(super) fn frequency_in(&self, solution: &Solution) -> Option<f64> {
         let mode = solution.modes.iter().find(|mode| mode.key == self.key)?;
