@@ -152,11 +152,7 @@ fn table_warned(change: impl Fn(&mut towermodes::Properties)) -> Vec<String> {
         change(&mut row.properties);
     }
     let tower = towermodes::Tower::new(description).expect("a valid tower");
-    tower
-        .plausibility()
-        .iter()
-        .map(ToString::to_string)
-        .collect()
+    tower.warnings().iter().map(ToString::to_string).collect()
 }
 
 #[test]

@@ -4,7 +4,7 @@ mod towers;
 
 use towermodes::space::{SpatialMatrix, times};
 use towermodes::{
-    Family, Foundation, Method, Mode, Options, Rna, ShapePoint, SoilRow, SoilStiffness,
+    Family, Foundation, Inertia, Method, Mode, Options, Rna, ShapePoint, SoilRow, SoilStiffness,
     StiffnessFoundation, TowerDescription,
 };
 use towermodes::{SolveError, Tower, solve};
@@ -259,21 +259,48 @@ fn lists_are_complete_and_do_not_depend_on_how_many_modes_are_asked_for() {
     }
 }
 
+/// A small platform on stiff moorings, with several modes in each plane that are largely rigid.
+fn stiffly_moored() -> TowerDescription {
+    let mut tower = floater();
+    if let Foundation::Floating(platform) = &mut tower.foundation {
+        platform.mass_kg = 4e5;
+        platform.center_m = [0.0, 0.0, -14.0];
+        platform.inertia_kg_m2 = Inertia {
+            xx: 1.4e8,
+            yy: 1.4e8,
+            zz: 1.4e8,
+            ..Inertia::default()
+        };
+        platform.added_mass.matrix = SpatialMatrix::default();
+        platform.hydrostatic.matrix = SpatialMatrix::default();
+        platform.mooring.matrix = SpatialMatrix::default();
+        for (i, k) in [5e7, 5e7, 1.1e7, 1.06e10, 1.06e10, 1e8]
+            .into_iter()
+            .enumerate()
+        {
+            platform.mooring.matrix[i][i] = k;
+        }
+    }
+    tower
+}
+
 #[test]
-fn labels_of_coupled_modes_are_of_one_family_and_rise_in_it() {
-    for description in every_kind() {
-        let solution = solved(&description, &options(Method::RmjeExact, 20));
-        let mut seen: Vec<(Family, usize)> = Vec::new();
-        for mode in &solution.modes {
-            let before = seen.iter().filter(|(family, _)| *family == mode.family);
-            assert_eq!(
-                mode.order,
-                before.count() + 1,
-                "{}, mode {}",
-                description.name,
-                mode.number
-            );
-            seen.push((mode.family, mode.order));
+fn names_do_not_depend_on_how_many_modes_are_asked_for() {
+    let mut towers = every_kind().to_vec();
+    towers.push(stiffly_moored());
+    towers.push(rotated(&stiffly_moored(), 0.7));
+    for description in towers {
+        let labels = |modes| -> Vec<String> {
+            let solution = solved(&description, &options(Method::RmjeExact, modes));
+            solution.modes.iter().map(Mode::label).collect()
+        };
+        let many = labels(20);
+        for modes in [1, 2, 3, 5, 6, 8, 12] {
+            assert_eq!(labels(modes), many[..modes], "{}", description.name);
+        }
+        // Each name once.
+        for (i, label) in many.iter().enumerate() {
+            assert!(!many[..i].contains(label), "{label}: {many:?}");
         }
     }
 }

@@ -7,9 +7,9 @@
 use super::legendre::{Legendre, Term, gauss_points};
 use super::model::{Beam, WEIGHTS, place, rigid_motion};
 use super::strain::{Deformation, Strain};
-use crate::parts::{Component, Role};
+use crate::parts::Role;
 use crate::space::{Dim, Lever, Space};
-use crate::tower::{Motion, Section, SoilStiffness};
+use crate::tower::{Component, Motion, Section, SoilStiffness};
 
 /// What an element is made of: its sections at the points of a stencil.
 pub(super) struct Slice<'a> {
@@ -116,19 +116,22 @@ impl Stencil {
             matrices.resize((element + 1) * rows * rows, 0.0);
             std::mem::take(matrices)
         };
-        let inertia = components.map(|(i, _)| weight * inertia(section, slice.rotary_inertia)[i]);
+        let inertia = inertia(section, slice.rotary_inertia);
+        let inertia = components.map(|(i, _)| weight * inertia[i]);
         let mut matrices = of(place(Role::Inertia), beam);
         let matrix = &mut matrices[element * rows * rows..];
         add_squares(&inertia, &self.shape, rows, matrix);
         beam.matrices[place(Role::Inertia)] = matrices;
         if section.soil != SoilStiffness::default() {
-            let soil = components.map(|(i, _)| weight * soil(&section.soil)[i]);
+            let soil = soil(&section.soil);
+            let soil = components.map(|(i, _)| weight * soil[i]);
             let mut matrices = of(place(Role::Ground), beam);
             let matrix = &mut matrices[element * rows * rows..];
             add_squares(&soil, &self.shape, rows, matrix);
             beam.matrices[place(Role::Ground)] = matrices;
         }
-        if let Some(compression_n) = slice.compressions_n.get(point) {
+        let bends = !Dim::<D>::LEVERS.is_empty();
+        if let Some(compression_n) = slice.compressions_n.get(point).filter(|_| bends) {
             let mut matrices = of(WEIGHTS, beam);
             let matrix = &mut matrices[element * rows * rows..];
             for lever in Dim::<D>::LEVERS {

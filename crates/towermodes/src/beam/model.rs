@@ -1,7 +1,7 @@
 //! A chain of flexible elements.
 
 use super::strain::Deformation;
-use crate::parts::Role;
+use crate::parts::{Combination, Role};
 use crate::space::{Dim, Matrix, Space, add_scaled, lower_matrix, raise};
 
 /// A chain of flexible elements, in D motion components, clamped or on a base that moves.
@@ -12,8 +12,8 @@ use crate::space::{Dim, Matrix, Space, add_scaled, lower_matrix, raise};
 ///
 /// (1 + Jᵀ S J) y = λ Jᵀ M J y,
 ///
-/// where J maps y to the motion of each element's base and its own y, and M, the inertia, and S, what ties to the ground, hold one
-/// matrix an element for these. The space is that of Hermite cubics and bubbles, but no stiffness of a node is ever formed, whose
+/// where J maps y to the motion of each element's base and its own y, and M, the inertia, and S, what ties to the ground less what
+/// weights take, hold one matrix an element for these. The space is that of Hermite cubics and bubbles, but no stiffness of a node is ever formed, whose
 /// entries nearly cancel in fine meshes.
 ///
 /// Vectors hold the coordinates of the base, if it moves, then those of the elements from the base up.
@@ -92,7 +92,8 @@ where
 
     /// Begins with a base that moves freely in the components with a `unit`, the motion that a coordinate of 1 is; zero holds one.
     pub fn add_base(&mut self, height_m: f64, unit: [f64; D]) {
-        self.base = Some(MovingBase {
+        let moves = unit.iter().any(|unit| *unit != 0.0);
+        self.base = moves.then_some(MovingBase {
             unit,
             height_m,
             matrices: [[[0.0; D]; D]; 3],
@@ -135,6 +136,9 @@ where
     /// Takes a stiffness (N m) against rotation in the bending planes, by which weights overturn it, from the top of the last element;
     /// before the first that is the base.
     pub fn overturn(&mut self, stiffness_n_m: f64) {
+        if Dim::<D>::LEVERS.is_empty() {
+            return;
+        }
         let mut matrix = [[0.0; D]; D];
         for lever in Dim::<D>::LEVERS {
             matrix[lever.by][lever.by] = -stiffness_n_m;
@@ -188,9 +192,14 @@ where
         all.all(|value| value.is_finite())
     }
 
-    /// Whether its stiffness is the elements' alone.
-    pub fn is_untied(&self) -> bool {
-        self.base.is_none() && self.matrices[1..].iter().all(Vec::is_empty)
+    /// Whether a combination of its matrices is the elements' stiffness alone, which is the identity.
+    pub fn is_identity(&self, combination: &Combination) -> bool {
+        let [_, ground, weights] = &self.matrices;
+        let is_tied = combination.ground != 0.0 && !ground.is_empty();
+        let is_pressed = combination.weights != 0.0 && !weights.is_empty();
+        combination.springs == 1.0
+            && combination.mass == 0.0
+            && !(self.base.is_some() || is_tied || is_pressed)
     }
 
     /// An element's coordinates y turned into its strain coefficients: c = L⁻ᵀ y, in place.

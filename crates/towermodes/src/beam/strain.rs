@@ -1,7 +1,6 @@
 //! The ways in which an element deforms.
 
-use crate::parts::Component;
-use crate::tower::{Motion, Motions, Plane, Section};
+use crate::tower::{Component, Motion, Motions, Plane, Section};
 
 /// A kind of strain.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

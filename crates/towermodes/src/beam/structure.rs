@@ -44,7 +44,7 @@ where
     }
 
     fn is_identity(&self, combination: &Combination) -> bool {
-        self.is_untied() && combination.springs == 1.0 && combination.mass == 0.0
+        Self::is_identity(self, combination)
     }
 
     fn times(&self, combination: &Combination, work: &mut BeamWork, x: &[f64], out: &mut [f64]) {
@@ -71,10 +71,6 @@ where
         _: f64,
     ) -> Balance<D> {
         product::balance(self, combination, &mut work.loads, x)
-    }
-
-    fn base_motion(&self, x: &[f64]) -> [f64; D] {
-        product::base_motion(self, x)
     }
 
     fn start(&self, work: &mut BeamWork, out: &mut [f64]) {

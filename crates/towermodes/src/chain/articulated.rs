@@ -1,10 +1,12 @@
-//! The articulated factorization of K − σM in O(n), with solve and inertia count.
+//! The articulated factorization of a combination of a chain's matrices, as K − σM, in O(n), with solve and inertia count.
 //!
-//! In scaled joint coordinates K − σM = 1 + Gᵀ Jᵀ B J G with B = S − σM block diagonal over the bodies. Seen from a joint, all
-//! that is above it is one symmetric D×D matrix P. Going down from the tip,
+//! In scaled joint coordinates it is k + Gᵀ Jᵀ B J G with k = 1 for springs, 0 for a free base, and B = S + W − σM block diagonal
+//! over the bodies. Seen from a joint, all that is above it is one symmetric D×D matrix P. Going down from the tip,
 //!
 //! P ← B + Xᵀ P X;  for each spring of the joint, with column p = P e and root g = 1/√k:
-//! δ = 1 + g² eᵀp,  P ← P − p pᵀ g²/δ.
+//! δ = k + g² eᵀp,  P ← P − p pᵀ g²/δ.
+//!
+//! A slide under a compression N is coupled with the rotation θ above it by −N: its column is p − N e_θ.
 //!
 //! This is Featherstone's articulated-body recursion (2008, ch. 7) with forces in place of accelerations; the springs of one
 //! joint are eliminated one by one, which needs no inverse. The pivots δ are the D of a factorization L D Lᵀ, so by Sylvester's

@@ -1,7 +1,6 @@
 //! The springs of a joint in space, and what each part of a model sees of them.
 
-use crate::parts::Line;
-use crate::tower::{Plane, Planes};
+use crate::tower::{Line, Plane, Planes};
 
 /// The flexibilities of the springs in a joint on the tower's axis: 1/k, zero where the joint is rigid.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -52,6 +51,16 @@ impl JointFlexibility {
             theta.fore_aft,
             self.torsion_per_n_m,
         ]
+    }
+
+    /// Whether it bends.
+    pub fn turns(&self) -> bool {
+        self.bending_per_n_m != Planes::default()
+    }
+
+    /// Whether it slides transversely.
+    pub fn slides(&self) -> bool {
+        self.deflection_m_per_n != Planes::default()
     }
 
     /// The same joint without what moves in the side-side plane, and a joint with that alone: where the planes' joints sit apart.

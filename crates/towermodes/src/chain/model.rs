@@ -1,6 +1,6 @@
 //! The chain itself: joints with springs, bodies between them.
 
-use crate::parts::Role;
+use crate::parts::{Combination, Role};
 use crate::space::{Dim, Matrix, Space, add_scaled, lower_matrix};
 
 /// A joint and the rigid body it carries, up to the next joint.
@@ -29,8 +29,8 @@ pub struct Link<const D: usize> {
 ///
 /// (1 + Gᵀ Jᵀ S J G) y = λ Gᵀ Jᵀ M J G y,  G = K^{−1/2},
 ///
-/// where J maps joint to body motions, M holds the bodies' inertias and S what ties bodies to the ground: foundation, soil, wires,
-/// weights. Nothing here is ill-conditioned however fine the chain: Nikolić & Šalinić's eq. (17) with no matrix formed.
+/// where J maps joint to body motions, M holds the bodies' inertias and S what ties bodies to the ground, foundation, soil and wires,
+/// and what weights take from that. Nothing here is ill-conditioned however fine the chain: Nikolić & Šalinić's eq. (17) with no matrix formed.
 ///
 /// Vectors hold the moving coordinates only, joint by joint from the base, so their length is
 /// [`degrees_of_freedom`](Self::degrees_of_freedom).
@@ -80,8 +80,8 @@ where
     /// Ends the present body with a joint at `height_m`, not below the joints before it.
     ///
     /// `flexibility` is 1/k of each component, zero where the joint is rigid; a joint rigid in all components is none. Where it slides
-    /// by δ under a compression of `compression_n`, above a body turned by θ, what it carries sinks by δ θ: the shear's part of
-    /// Haringx's (1948) theory of columns.
+    /// by δ under a compression of `compression_n`, along sections turned by θ, what it carries sinks by δ θ: the shear's part of
+    /// Haringx's (1948) theory of columns. θ is that of the body above, so a joint that slides much should not turn too.
     pub fn add_joint(&mut self, height_m: f64, flexibility: [f64; D], compression_n: f64) {
         self.push(height_m, flexibility.map(f64::sqrt), 1.0, compression_n);
     }
@@ -124,7 +124,8 @@ where
     /// Takes a stiffness (N m) against rotation in the bending planes, by which weights overturn it, from the present body.
     #[inline]
     pub fn overturn(&mut self, stiffness_n_m: f64) {
-        if let Some(link) = self.links.last_mut() {
+        let bends = !Dim::<D>::LEVERS.is_empty();
+        if let Some(link) = self.links.last_mut().filter(|_| bends) {
             link.overturning_n_m += stiffness_n_m;
             self.has_weights = true;
         }
@@ -158,9 +159,11 @@ where
         links && ties.all(|value| value.is_finite())
     }
 
-    /// Whether its stiffness is the joints' alone.
-    pub fn is_untied(&self) -> bool {
+    /// Whether a combination of its matrices is that of the joints' springs alone, which is the identity.
+    pub fn is_identity(&self, combination: &Combination) -> bool {
         let is_free = self.links.first().is_some_and(|base| base.spring == 0.0);
-        !is_free && self.ground.is_empty() && !self.has_weights
+        let is_tied = combination.ground != 0.0 && !self.ground.is_empty();
+        let is_pressed = combination.weights != 0.0 && self.has_weights;
+        combination.springs == 1.0 && combination.mass == 0.0 && !(is_free || is_tied || is_pressed)
     }
 }

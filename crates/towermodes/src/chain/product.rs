@@ -151,18 +151,6 @@ where
     Balance { force, energy }
 }
 
-/// The motion of a base that moves.
-pub fn base_motion<const D: usize>(chain: &Chain<D>, x: &[f64]) -> [f64; D] {
-    let mut motion = [0.0; D];
-    if let Some(base) = chain.links.first().filter(|base| base.spring == 0.0) {
-        let moving = (0..D).filter(|&component| base.root[component] != 0.0);
-        for (component, x) in moving.zip(x) {
-            motion[component] = base.root[component] * x;
-        }
-    }
-    motion
-}
-
 /// out = Gᵀ Jᵀ M r with r the rigid motion that is one in every component at the lowest joint.
 ///
 /// Every mode that a shaken base excites has a part in it, and low modes most: a start vector for iterations.

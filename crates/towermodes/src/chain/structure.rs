@@ -56,7 +56,7 @@ where
     }
 
     fn is_identity(&self, combination: &Combination) -> bool {
-        self.is_untied() && combination.springs == 1.0 && combination.mass == 0.0
+        Self::is_identity(self, combination)
     }
 
     fn times(&self, combination: &Combination, work: &mut Self::Work, x: &[f64], out: &mut [f64]) {
@@ -83,10 +83,6 @@ where
         base_m: f64,
     ) -> Balance<D> {
         product::balance(self, combination, x, base_m)
-    }
-
-    fn base_motion(&self, x: &[f64]) -> [f64; D] {
-        product::base_motion(self, x)
     }
 
     fn start(&self, _: &mut Self::Work, out: &mut [f64]) {

@@ -1,6 +1,6 @@
 //! The only thing the eigensolver knows of a model.
 
-/// A symmetric eigenvalue problem K u = λ M u with K positive definite and M positive semidefinite.
+/// A symmetric eigenvalue problem K u = λ M u with K positive definite; M may be indefinite, then the eigenvalues are the positive ones.
 ///
 /// λ = ω² in rad²/s²; vectors have length [`size`](Self::size). Implementations keep their working memory inside, hence
 /// `&mut self`; results must not depend on what was asked before.

@@ -1,9 +1,9 @@
 //! Pieces of tower as rigid bodies with the soil around them and the weight they carry, prismatic or exact.
 
-use super::Assembly;
+use super::{Assembly, springs};
 use crate::chain::JointFlexibility;
-use crate::parts::{OnAxis, Role};
-use crate::tower::{Piece, Planes, Section, SoilStiffness, mass_integrals, soil_integrals};
+use crate::parts::Role;
+use crate::tower::{OnAxis, Piece, Planes, Section, SoilStiffness, mass_integrals, soil_integrals};
 
 impl Assembly<'_> {
     /// Adds a rigid prismatic rod between two heights (m), about its middle.
@@ -15,7 +15,12 @@ impl Assembly<'_> {
         let second = transverse_kg * length * length / 12.0;
         let inertia = OnAxis {
             bending: masses.rotary_inertia_kg_m.map(|rotary| {
-                let rotary = self.rotary(rotary * length);
+                // Sections have rotary inertia in bending only if the recipe says so.
+                let rotary = if self.recipe.rotary_inertia {
+                    rotary * length
+                } else {
+                    0.0
+                };
                 [transverse_kg, 0.0, second + rotary]
             }),
             torsion: masses.polar_inertia_kg_m * length,
@@ -34,34 +39,12 @@ impl Assembly<'_> {
     pub(super) fn add_exact_body(&mut self, piece: &Piece, base_m: f64, top_m: f64) {
         let reference_m = 0.5 * (base_m + top_m);
         let mass = mass_integrals(piece, base_m, top_m, reference_m);
-        let inertia = OnAxis {
-            bending: mass.rotary_inertia_kg_m2.map(|rotary| {
-                let second = mass.second_moment_kg_m2 + self.rotary(rotary);
-                [mass.transverse_kg, mass.first_moment_kg_m, second]
-            }),
-            torsion: mass.polar_inertia_kg_m2,
-            axial: mass.mass_kg,
-        };
+        let inertia = mass.on_axis(self.recipe.rotary_inertia);
         self.parts.add(Role::Inertia, reference_m, &inertia);
         if let Some(soil) = soil_integrals(piece, base_m, top_m, reference_m) {
-            let soil = OnAxis {
-                bending: soil.transverse,
-                torsion: soil.torsion_n_m,
-                axial: soil.axial_n_per_m,
-            };
             self.parts.add(Role::Ground, reference_m, &soil);
         }
         self.add_weight(base_m, top_m);
-    }
-
-    /// Sections have rotary inertia in bending only if the recipe says so.
-    #[inline]
-    fn rotary(&self, rotary: f64) -> f64 {
-        if self.recipe.rotary_inertia {
-            rotary
-        } else {
-            0.0
-        }
     }
 
     /// A body that turns by θ lowers all it carries, and itself: −½ θ² ∫ N dz.
@@ -75,14 +58,27 @@ impl Assembly<'_> {
     }
 
     /// Adds a joint at a height (m).
-    #[inline]
+    ///
+    /// A compression works on the slide times the rotation where it happens. That is between those below and above the joint, so where
+    /// shear slides much the hinge is halved around the slide; either rotation alone would cost an order of convergence.
     pub(super) fn add_joint(&mut self, height_m: f64, joint: &JointFlexibility) {
-        let compression_n = if self.tower.gravity_m_per_s2() == 0.0 {
-            0.0
-        } else {
-            self.tower.compression_n(height_m)
+        if self.tower.gravity_m_per_s2() == 0.0 {
+            self.parts.add_joint(height_m, joint, 0.0);
+            return;
+        }
+        let compression_n = self.tower.compression_n(height_m);
+        if !(self.tower.shears() && joint.turns() && joint.slides()) {
+            self.parts.add_joint(height_m, joint, compression_n);
+            return;
+        }
+        let half = springs::hinge(joint.bending_per_n_m.map(|whole| 0.5 * whole));
+        let slide = JointFlexibility {
+            bending_per_n_m: Planes::default(),
+            ..*joint
         };
-        self.parts.add_joint(height_m, joint, compression_n);
+        for part in [&half, &slide, &half] {
+            self.parts.add_joint(height_m, part, compression_n);
+        }
     }
 
     /// Adds exact bodies between two heights (m), joined where `joints` say, with their heights (m).
@@ -106,12 +102,10 @@ impl Assembly<'_> {
 
 /// Constant springs along a rod of a length (m), about its middle: k l against moving, k l³/12 against turning.
 fn prismatic_soil(soil: &SoilStiffness, length: f64) -> OnAxis {
-    let springs = Planes {
-        fore_aft: soil.x_n_per_m2,
-        side_side: soil.y_n_per_m2,
-    };
     OnAxis {
-        bending: springs.map(|k| [k * length, 0.0, k * length.powi(3) / 12.0]),
+        bending: soil
+            .transverse()
+            .map(|k| [k * length, 0.0, k * length.powi(3) / 12.0]),
         torsion: soil.torsion_n * length,
         axial: soil.z_n_per_m2 * length,
     }

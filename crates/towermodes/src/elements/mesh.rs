@@ -1,6 +1,6 @@
 //! Where a tower is cut into segments.
 //!
-//! A step or a point mass is always a segment border, and a kink too, except for BModes; the spectral beam is cut where it is steep,
+//! A step or an attached mass or wire is always a segment border, and a kink, of the tower, the soil or the water, too, except for BModes; the spectral beam is cut where it is steep,
 //! too. Between borders the segments are equal, and their number is shared out by length.
 
 use crate::tower::Tower;
@@ -186,11 +186,11 @@ fn add_gradual(tower: &Tower, span: Span, spans: &mut Vec<Span>) {
     }
 }
 
-/// The parts between stations, kinks and masses, or between steps and masses.
+/// The parts between the ends of pieces and what is attached, or between steps and what is attached.
 fn smooth_spans(tower: &Tower, borders: Borders) -> Vec<Span> {
-    let (pieces, masses) = (tower.pieces(), tower.attachments());
-    // Masses are sorted by height.
-    let from = |height_m: f64| masses.partition_point(|mass| mass.height_m < height_m);
+    let (pieces, attachments) = (tower.pieces(), tower.attachments());
+    // They are sorted by height.
+    let from = |height_m: f64| attachments.partition_point(|a| a.height_m < height_m);
     let mut spans: Vec<Span> = Vec::with_capacity(pieces.len());
     for (index, piece) in pieces.iter().enumerate() {
         let begin = |base_m| Span {
@@ -199,22 +199,25 @@ fn smooth_spans(tower: &Tower, borders: Borders) -> Vec<Span> {
             top_m: piece.top_m,
             segments: 1,
         };
-        let masses = &masses[from(piece.base_m)..from(piece.top_m)];
-        let has_mass_below = masses.first().is_some_and(|m| m.height_m == piece.base_m);
+        let within = &attachments[from(piece.base_m)..from(piece.top_m)];
+        let has_one_below = within.first().is_some_and(|a| a.height_m == piece.base_m);
         match spans.last_mut() {
             Some(last)
                 if borders == Borders::Steps
-                    && !has_mass_below
+                    && !has_one_below
                     && pieces[index - 1].meets(piece) =>
             {
                 last.top_m = piece.top_m;
             }
             _ => spans.push(begin(piece.base_m)),
         }
-        for mass in masses {
-            if let Some(last) = spans.last_mut().filter(|last| last.base_m < mass.height_m) {
-                last.top_m = mass.height_m;
-                spans.push(begin(mass.height_m));
+        for attachment in within {
+            if let Some(last) = spans
+                .last_mut()
+                .filter(|last| last.base_m < attachment.height_m)
+            {
+                last.top_m = attachment.height_m;
+                spans.push(begin(attachment.height_m));
             }
         }
     }

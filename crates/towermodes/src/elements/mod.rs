@@ -95,7 +95,7 @@ impl Assembly<'_> {
     }
 }
 
-/// Makes the chains of a tower cut as `mesh` says, with a border at every station.
+/// Makes the chains of a tower cut as `mesh` says, with a border at every end of a linear piece.
 pub fn assemble(tower: &Tower, mesh: &Mesh, recipe: &Recipe, parts: &mut Parts<Chains>) {
     parts.restart(tower);
     parts.reserve(1 + recipe.element.joints() * mesh.segments());

@@ -2,9 +2,9 @@
 
 use super::sampling::SegmentCurves;
 use crate::beam::{Beam, Beams, Legendre, Strain, motions};
-use crate::parts::{Component, Part, embedded, on_components};
+use crate::parts::{Part, embedded, on_components, plane_components};
 use crate::space::{Dim, Space, raise};
-use crate::tower::{Motion, Plane};
+use crate::tower::Component;
 
 /// Halvings that locate a turning point: 2⁻²⁶ of an interval, which changes the value there by 2⁻⁵².
 const HALVINGS: usize = 26;
@@ -81,7 +81,8 @@ impl BeamCurves {
     /// The value of largest magnitude of a polynomial on 0 ≤ s ≤ 1, from its value and slope at s: at an end or where the slope changes
     /// sign.
     fn extreme_of(&self, value_and_slope: impl Fn(f64) -> [f64; 2]) -> f64 {
-        let intervals = self.count + 2;
+        let degree = self.deformations.iter().map(|(_, count)| count).max();
+        let intervals = degree.map_or(1, |degree| degree + 3);
         let larger = |a: f64, b: f64| if b.abs() > a.abs() { b } else { a };
         let [mut extreme, mut slope_below] = value_and_slope(0.0);
         for k in 1..=intervals {
@@ -109,13 +110,13 @@ impl Rising {
         }
         match strain {
             Strain::Curvature(plane) => {
-                let [(w, _), (theta, sign)] = bending(plane);
+                let [(w, _), (theta, sign)] = plane_components(plane);
                 self.motion[w] += half * half * second;
                 self.motion[theta] += sign * half * first;
                 self.slope[w] += half * first;
             }
             Strain::Shear(plane) => {
-                let [(w, _), _] = bending(plane);
+                let [(w, _), _] = plane_components(plane);
                 self.motion[w] += half * first;
                 self.slope[w] += value;
             }
@@ -129,11 +130,6 @@ impl Rising {
             }
         }
     }
-}
-
-fn bending(plane: Plane) -> [Component; 2] {
-    let components = Motion::Bending(plane).components();
-    [components[0], components[1]]
 }
 
 /// The value where the slope changes sign between two places, by bisection.

@@ -84,8 +84,9 @@ impl Energy {
     /// The motion with most of the energy, if it is clearly most.
     pub(crate) fn main_motion(&self) -> Option<Motion> {
         let mean = self.mean().values();
-        let mut shares = Motion::ALL.into_iter().zip(mean);
-        shares.find_map(|(motion, share)| (share >= MAJORITY).then_some(motion))
+        let shares = Motion::ALL.into_iter().zip(mean);
+        let (motion, share) = shares.max_by(|a, b| a.1.total_cmp(&b.1))?;
+        (share >= MAJORITY).then_some(motion)
     }
 
     /// The same energy in the side-side plane, if it is in the fore-aft plane.

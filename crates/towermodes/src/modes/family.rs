@@ -91,7 +91,7 @@ impl Family {
     }
 
     /// What one of its modes is called, without the order.
-    fn noun(self) -> &'static str {
+    pub(crate) fn noun(self) -> &'static str {
         match self {
             Self::ForeAft => "fore-aft bending",
             Self::SideSide => "side-side bending",

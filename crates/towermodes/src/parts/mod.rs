@@ -1,14 +1,12 @@
 //! The independent parts of a tower's model, whatever it is made of, and each as an eigenvalue problem.
 
 mod model;
-mod on_axis;
 mod part;
 mod pencil;
 mod structure;
 
 pub use model::Parts;
-pub use on_axis::{Line, OnAxis};
-pub use part::{Component, Kind, Member, Part};
+pub use part::{Kind, Member, Part};
 pub(crate) use part::{
     SPACE, embedded, on_components, on_structure, plane_and_line_components, plane_components,
 };

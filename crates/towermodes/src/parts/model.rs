@@ -1,9 +1,8 @@
 //! All parts of a tower's model together.
 
-use super::on_axis::OnAxis;
 use super::part::{Kind, Part};
 use super::structure::Role;
-use crate::tower::{Attachment, Motion, Motions, Plane, Tower};
+use crate::tower::{Attachment, Motion, Motions, OnAxis, Plane, Tower};
 
 /// The parts of a model: one for each smallest set of coupled motions, the second of two equal bending planes left out.
 pub struct Parts<K: Kind> {
@@ -40,10 +39,9 @@ impl<K: Kind> Parts<K> {
         if base.is_clamped() {
             return;
         }
-        let unit = tower.base_units();
         let overturning_n_m = tower.gravity_m_per_s2() * base.overturning_kg_m;
         for part in &mut self.parts {
-            part.add_base(base_m, unit);
+            part.add_base(base_m, base.units);
             part.add_spatial(Role::Inertia, base_m, &base.inertia);
             part.add_spatial(Role::Ground, base_m, &base.stiffness);
             part.overturn(overturning_n_m);

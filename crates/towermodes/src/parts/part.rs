@@ -1,11 +1,10 @@
 //! A structure for motions that are coupled with each other, in as many components as they have.
 
-use super::on_axis::{Line, OnAxis};
 use super::pencil::{Problem, StructurePencil};
 use super::structure::{Role, Structure};
 use crate::eigen::Pencil;
 use crate::space::{Dim, Matrix, Space, SpatialMatrix};
-use crate::tower::{Motion, Motions, Plane};
+use crate::tower::{Component, Line, Motion, Motions, OnAxis, Plane};
 
 /// A kind of structure, of any number of components: chains or beams.
 pub trait Kind {
@@ -91,9 +90,6 @@ pub(crate) use on_components;
 /// The components of space.
 pub(crate) const SPACE: [Component; 6] =
     [(0, 1.0), (1, 1.0), (2, 1.0), (3, 1.0), (4, 1.0), (5, 1.0)];
-
-/// A component of a part: its place in (x, y, z, rotation about x, y, z), and its sign there.
-pub type Component = (usize, f64);
 
 impl<K: Kind> Part<K> {
     /// An empty part for a set of motions.
@@ -215,18 +211,4 @@ pub(crate) fn embedded<const D: usize>(motion: &[f64; D], components: &[Componen
         vector[*i] = sign * value;
     }
     vector
-}
-
-impl Line {
-    /// The motion that it is.
-    pub fn motion(self) -> Motion {
-        match self {
-            Self::Torsion => Motion::Torsion,
-            Self::Axial => Motion::Axial,
-        }
-    }
-
-    pub(crate) fn components(self) -> [Component; 1] {
-        [self.motion().components()[0]]
-    }
 }

@@ -115,13 +115,17 @@ where
             return 1.0;
         }
         let stiffness = self.problem.stiffness();
-        let mut energy = |combination| {
-            let balance = self.structure.balance(&combination, self.work, x, 0.0);
-            balance.energy.iter().sum::<f64>().abs()
+        let mut size_of = |factor: f64, matrix: Combination| {
+            if factor == 0.0 {
+                return 0.0;
+            }
+            let balance = self.structure.balance(&matrix, self.work, x, 0.0);
+            (factor * balance.energy.iter().sum::<f64>()).abs()
         };
-        energy(Combination::ELASTIC)
-            + stiffness.weights.abs() * energy(Combination::WEIGHTS)
-            + stiffness.mass.abs() * energy(Combination::MASS)
+        size_of(stiffness.springs, Combination::SPRINGS)
+            + size_of(stiffness.ground, Combination::GROUND)
+            + size_of(stiffness.weights, Combination::WEIGHTS)
+            + size_of(stiffness.mass, Combination::MASS)
     }
 
     fn start(&mut self, out: &mut [f64]) {

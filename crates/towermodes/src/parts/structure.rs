@@ -26,6 +26,20 @@ impl Combination {
         ground: 0.0,
         weights: 0.0,
     };
+    /// The springs of joints or elements.
+    pub const SPRINGS: Self = Self {
+        springs: 1.0,
+        mass: 0.0,
+        ground: 0.0,
+        weights: 0.0,
+    };
+    /// The ground.
+    pub const GROUND: Self = Self {
+        springs: 0.0,
+        mass: 0.0,
+        ground: 1.0,
+        weights: 0.0,
+    };
     /// The stiffness without the weights.
     pub const ELASTIC: Self = Self {
         springs: 1.0,
@@ -124,9 +138,6 @@ where
         x: &[f64],
         base_m: f64,
     ) -> Balance<D>;
-
-    /// The motion of the base for coordinates x.
-    fn base_motion(&self, x: &[f64]) -> [f64; D];
 
     /// A start vector for iterations: the inertia forces of a rigid motion that is one in every component at the base.
     fn start(&self, work: &mut Self::Work, out: &mut [f64]);

@@ -131,9 +131,7 @@ fn describe(
     let Workspace { model, spectrum } = workspace;
     let proof = spectrum.prove(model, found, options.modes)?;
     let buckling_load_factor = buckling_load_factor(tower, model)?;
-    // BModes has no rotary inertia of sections.
-    let rotary_inertia = options.rotary_inertia && options.method != Method::Bmodes;
-    let rigid_inertia = tower.rigid_inertia(rotary_inertia);
+    let rigid_inertia = tower.rigid_inertia(options.has_rotary_inertia());
     let listed = &found[..found.len().min(options.modes + 1)];
     let identities = identify(tower, model, spectrum, listed, &rigid_inertia);
     let modes = shapes(tower, mesh, options, listed, &identities, workspace)?;
@@ -188,7 +186,7 @@ fn solve_cut(
     options: &Options,
     workspace: &mut Workspace,
 ) -> Result<Vec<Found>, SolveError> {
-    options.check_memory(cut)?;
+    options.check_memory(tower, cut)?;
     let Workspace { model, spectrum } = workspace;
     model.assemble(tower, cut, options);
     if !model.is_finite() {

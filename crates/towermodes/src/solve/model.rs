@@ -56,8 +56,8 @@ pub(super) struct Resultants {
     pub(super) force: [f64; 6],
     /// Kinetic energy, times 2/ω².
     pub(super) kinetic: ByMotion,
-    /// Strain energy, times 2, or as much as it by motion.
-    pub(super) strain: ByMotion,
+    /// Strain energy, times 2; none for a part of one motion, which has all of it.
+    pub(super) strain: Option<ByMotion>,
 }
 
 impl Model {
@@ -156,15 +156,6 @@ impl Model {
             resultants(self.beams.part_mut(part), vector, base_m)
         }
     }
-
-    /// The motion (x, y, z, rotation about x, y, z) of the base in an eigenvector of a part.
-    pub(super) fn base_motion(&self, part: usize, vector: &[f64]) -> [f64; 6] {
-        if self.is_chain {
-            base_motion(self.chains.part(part), vector)
-        } else {
-            base_motion(self.beams.part(part), vector)
-        }
-    }
 }
 
 fn resultants<K: Kind>(part: &mut Part<K>, vector: &[f64], base_m: f64) -> Resultants {
@@ -173,24 +164,18 @@ fn resultants<K: Kind>(part: &mut Part<K>, vector: &[f64], base_m: f64) -> Resul
         let (structure, work) = (&member.structure, &mut member.work);
         let mut balance = |combination| structure.balance(&combination, work, vector, base_m);
         let Balance { force, energy } = balance(Combination::MASS);
-        // Where there is but one motion all strain energy is its own, and its size says nothing.
+        // Where there is but one motion all energy is its own, whatever its size.
         let strain = if is_single {
-            energy
+            None
         } else {
-            balance(Combination::STIFFNESS).energy
+            Some(balance(Combination::STIFFNESS).energy)
         };
         // Energies have no sign of a direction.
         let unsigned = components.map(|(i, _)| (i, 1.0));
         Resultants {
             force: embedded(&force, &components),
             kinetic: ByMotion::sums(embedded(&energy, &unsigned)),
-            strain: ByMotion::sums(embedded(&strain, &unsigned)),
+            strain: strain.map(|energy| ByMotion::sums(embedded(&energy, &unsigned))),
         }
-    })
-}
-
-fn base_motion<K: Kind>(part: &Part<K>, vector: &[f64]) -> [f64; 6] {
-    on_components!(part, member, components => {
-        embedded(&member.structure.base_motion(vector), &components)
     })
 }

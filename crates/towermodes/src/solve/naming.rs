@@ -4,7 +4,7 @@ use std::collections::HashMap;
 
 use super::model::{Model, Resultants};
 use super::spectrum::{Found, Spectrum};
-use crate::modes::{ByMotion, Energy, Family, RigidShares, rigid_names};
+use crate::modes::{ByMotion, Energy, Family, RigidBody, rigid_names};
 use crate::space::SpatialMatrix;
 use crate::tower::Tower;
 
@@ -46,15 +46,13 @@ pub(super) fn identify(
     let mut identities = Vec::with_capacity(found.len());
     for ((found, resultants), rigid) in found.iter().zip(&resultants).zip(rigid) {
         // What nothing resists has no strain energy but rounding.
-        let strain = if found.eigenvalue.is_zero() {
-            ByMotion::default()
-        } else {
-            resultants.strain.shares()
+        let kinetic = resultants.kinetic.shares();
+        let strain = match resultants.strain {
+            _ if found.eigenvalue.is_zero() => ByMotion::default(),
+            None => kinetic,
+            Some(strain) => strain.shares(),
         };
-        let energy = Energy {
-            kinetic: resultants.kinetic.shares(),
-            strain,
-        };
+        let energy = Energy { kinetic, strain };
         // The vector has uᵀ(K − σM)u = 1, and so uᵀMu = 1/(λ − σ).
         let from_origin = found.eigenvalue.lambda - origin;
         let identity = Identity {
@@ -95,15 +93,13 @@ fn names_afloat(
     let own: Vec<usize> = (0..found.len())
         .filter(|&i| !found[i].key.is_turned)
         .collect();
-    let shares: Vec<RigidShares> = own
-        .iter()
-        .map(|&i| {
-            let scale = (found[i].eigenvalue.lambda - origin).sqrt();
-            RigidShares::new(inertia, &resultants[i].force.map(|force| force * scale))
-        })
-        .collect();
+    let body = RigidBody::new(inertia);
+    let shares = own.iter().map(|&i| {
+        let scale = (found[i].eigenvalue.lambda - origin).sqrt();
+        body.shares(&resultants[i].force.map(|force| force * scale))
+    });
     let mut names = vec![None; found.len()];
-    for (&i, name) in own.iter().zip(rigid_names(&shares)) {
+    for (&i, name) in own.iter().zip(rigid_names(shares)) {
         let same = (0..found.len()).filter(|&j| found[j].key.is_twin(found[i].key));
         same.for_each(|j| names[j] = name);
     }

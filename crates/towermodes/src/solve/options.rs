@@ -9,7 +9,7 @@ use crate::eigen::EigenError;
 use crate::elements::{Borders, Element, GAUSS_HINGE_POSITION, Recipe};
 use crate::modes::{Family, ShapePoint};
 use crate::number::Plain;
-use crate::tower::Tower;
+use crate::tower::{Motion, Tower};
 
 /// Segments used unless told; where steps and point masses make short spans, each of these has two on top.
 pub const DEFAULT_SEGMENTS: usize = 100;
@@ -33,7 +33,7 @@ pub const MAX_VECTOR_BYTES: usize = 4 << 30;
 pub struct Options {
     /// The element.
     pub method: Method,
-    /// Number of segments; `None` is [`DEFAULT_SEGMENTS`] and two more for each short span between steps, kinks and masses.
+    /// Number of segments; `None` is [`DEFAULT_SEGMENTS`] and two more for each short span between steps, kinks and what is attached.
     pub segments: Option<usize>,
     /// Polynomial degree of the elements of the spectral beam, 2 to [`MAX_DEGREE`]; `None` raises it until the modes stand still.
     pub degree: Option<usize>,
@@ -86,7 +86,7 @@ impl Options {
         Ok(())
     }
 
-    /// Refuses more modes than a chain of so many degrees of freedom has, or than memory holds.
+    /// Refuses more modes than a model of so many degrees of freedom has, or than memory holds.
     pub(super) fn check_size(&self, segments: usize, available: usize) -> Result<(), SolveError> {
         let (modes, points) = (self.modes, self.points);
         if modes > available {
@@ -108,18 +108,32 @@ impl Options {
         Ok(())
     }
 
-    /// Refuses more spectral elements of a degree than memory holds: each has full matrices, of two planes, torsion and stretch, and
-    /// twice as large ones where the tower shears.
-    pub(super) fn check_memory(&self, cut: &Cut) -> Result<(), SolveError> {
-        let (segments, rows) = (cut.mesh.segments(), 2 * cut.degree + 2);
-        let bytes = segments.saturating_mul(4 * rows * rows * size_of::<f64>());
+    /// Refuses more spectral elements of a degree than memory holds: each has full matrices for every part of the tower, of stiffness
+    /// and inertia, and where it is tied to the ground or pressed by weights of these too, and their factors.
+    pub(super) fn check_memory(&self, tower: &Tower, cut: &Cut) -> Result<(), SolveError> {
+        let coordinates = |motion: Motion| {
+            let of_shear = usize::from(tower.shears() && motion.bends());
+            (1 + of_shear) * cut.degree
+        };
+        let parts = tower.independent_motions().iter();
+        let rows = parts.map(|part| 6 + part.iter().map(coordinates).sum::<usize>());
+        let squares: usize = rows.clone().map(|rows| rows * rows).sum();
+        let is_untied = tower.base().is_clamped() && tower.gravity_m_per_s2() == 0.0;
+        let matrices = if is_untied { 2 } else { 5 };
+        let segments = cut.mesh.segments();
+        let bytes = segments.saturating_mul(matrices * squares * size_of::<f64>());
         if self.method == Method::Spectral && bytes > 2 * MAX_VECTOR_BYTES {
             return Err(SolveError::TooLarge {
                 modes: self.modes,
-                degrees_of_freedom: segments * 4 * cut.degree,
+                degrees_of_freedom: segments * rows.sum::<usize>(),
             });
         }
         Ok(())
+    }
+
+    /// Whether sections have rotary inertia in bending: if told so, and never with BModes.
+    pub(crate) fn has_rotary_inertia(&self) -> bool {
+        self.rotary_inertia && self.method != Method::Bmodes
     }
 
     /// What the elements of a chain need to know of it.
@@ -247,8 +261,8 @@ pub enum SolveError {
         /// The factor by which the weights must be multiplied for the tower to be just stable, below 1.
         load_factor: f64,
     },
-    /// A floating tower that does not stay as it is.
-    #[error("the floating tower is unstable in {}: its stiffness there is negative", .motion.name())]
+    /// A floating tower that does not stay as it is, as one body or by buckling.
+    #[error("the floating tower is unstable in {}: its stiffness there is negative", .motion.noun())]
     Unstable {
         /// The motion that grows.
         motion: Family,

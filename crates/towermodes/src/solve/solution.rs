@@ -13,7 +13,7 @@ use crate::space::SpatialMatrix;
 pub struct Mode {
     /// Place in the list, from 1.
     pub number: usize,
-    /// Natural frequency of the chain of rigid bodies, Hz.
+    /// Natural frequency of the chain of rigid bodies or of the beam, Hz; 0 for a motion that nothing resists.
     pub frequency_hz: f64,
     /// The kind of motion: that with most of the energy.
     pub family: Family,

@@ -3,7 +3,7 @@
 use super::model::Model;
 use super::options::SolveError;
 use crate::eigen::{EigenError, EigenWorkspace, lowest};
-use crate::modes::Family;
+use crate::modes::{ByMotion, Energy, Family, RigidBody};
 use crate::parts::Problem;
 use crate::tower::{Motion, Tower};
 
@@ -28,7 +28,7 @@ pub(super) fn find_origin(tower: &Tower, model: &mut Model) -> Result<(), SolveE
     }
     let softest = softest_resisted(model, at_rest);
     if count(model, -UNRESISTED * softest) > 0 {
-        return Err(unstable(tower, model, softest));
+        return Err(unstable(tower, model, softest)?);
     }
     // Near enough that the slow modes keep their digits, far enough that the tower's do.
     model.origin = -0.1 * softest;
@@ -49,8 +49,8 @@ fn softest_resisted(model: &mut Model, without: usize) -> f64 {
     lambda
 }
 
-/// Names the motion that grows fastest.
-fn unstable(tower: &Tower, model: &mut Model, scale: f64) -> SolveError {
+/// Names the motion that grows fastest: one of the whole, or of the tower on its platform.
+fn unstable(tower: &Tower, model: &mut Model, scale: f64) -> Result<SolveError, EigenError> {
     let mut below = -scale;
     while count(model, below) > 0 && below > -STIFFEST {
         below *= 2.0;
@@ -59,23 +59,27 @@ fn unstable(tower: &Tower, model: &mut Model, scale: f64) -> SolveError {
     let mut workspace = EigenWorkspace::default();
     let mut worst: Option<(f64, usize, Vec<f64>)> = None;
     for part in 0..model.parts() {
-        let found = model.with_pencil(part, |pencil| lowest(pencil, 1, &mut workspace));
-        let Ok(lambda) = found.map(|_| workspace.eigenvalues()[0].lambda) else {
+        model.with_pencil(part, |pencil| lowest(pencil, 1, &mut workspace))?;
+        let Some(lambda) = workspace.eigenvalues().first().map(|e| e.lambda) else {
             continue;
         };
         if worst.as_ref().is_none_or(|(least, ..)| lambda < *least) {
             worst = Some((lambda, part, workspace.vector(0).to_vec()));
         }
     }
-    let motion = worst.map_or([0.0; 6], |(_, part, vector)| {
-        model.base_motion(part, &vector)
-    });
-    let inertia = tower.rigid_inertia(true);
-    let energy: [f64; 6] = std::array::from_fn(|i| inertia[i][i] * motion[i] * motion[i]);
-    let largest = (0..6).max_by(|&a, &b| energy[a].total_cmp(&energy[b]));
-    SolveError::Unstable {
-        motion: Family::RIGID[largest.unwrap_or(0)],
-    }
+    let (lambda, part, vector) = worst.ok_or(EigenError::NotFinite)?;
+    let resultants = model.resultants(tower, part, &vector);
+    let force = resultants.force.map(|force| force * lambda.sqrt());
+    let shares = RigidBody::new(&tower.rigid_inertia(true)).shares(&force);
+    let of_the_tower = || {
+        let kinetic = resultants.kinetic.shares();
+        let strain = ByMotion::default();
+        let motion = Energy { kinetic, strain }.main_motion();
+        motion.map_or(Family::Coupled, Family::of)
+    };
+    let rigid = shares.name(&[false; 6]);
+    let motion = rigid.map_or_else(of_the_tower, |motion| Family::RIGID[motion]);
+    Ok(SolveError::Unstable { motion })
 }
 
 /// The factor by which weights must be multiplied for the tower to buckle; none without gravity, or where it floats.

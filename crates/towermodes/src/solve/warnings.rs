@@ -18,7 +18,7 @@ pub(super) fn warnings(
     result: &Described,
 ) -> Vec<Warning> {
     let modes = &result.modes;
-    let mut warnings = tower.plausibility().to_vec();
+    let mut warnings = tower.warnings().to_vec();
     let mut elastic = modes.iter().filter(|mode| !mode.family.is_rigid());
     let lowest_hz = elastic.next().map(|mode| mode.frequency_hz);
     if let Some(frequency_hz) = lowest_hz.filter(|hz| !(0.01..=100.0).contains(hz)) {

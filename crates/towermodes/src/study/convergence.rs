@@ -72,7 +72,7 @@ fn limit_options(tower: &Tower, options: &Options) -> Result<Options, SolveError
         method: Method::Spectral,
         segments: None,
         degree: None,
-        rotary_inertia: options.rotary_inertia && options.method != Method::Bmodes,
+        rotary_inertia: options.has_rotary_inertia(),
         points: 2,
         ..options.clone()
     })

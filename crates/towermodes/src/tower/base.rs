@@ -9,6 +9,8 @@ use crate::space::{SpatialMatrix, add_scaled, lower_matrix};
 pub struct Base {
     /// Which motions are possible; the others are rigidly held.
     pub moves: [bool; 6],
+    /// The motion that is 1 for each coordinate of the base, m or rad; 0 where it is rigidly held.
+    pub units: [f64; 6],
     /// Stiffness to the ground: N/m, N, N m; zero for motions that are rigidly held.
     pub stiffness: SpatialMatrix,
     /// Inertia that moves with it: kg, kg m, kg m².

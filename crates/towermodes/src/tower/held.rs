@@ -34,7 +34,7 @@ fn free_motion(stiffness: &SpatialMatrix, moves: [bool; 6]) -> Option<FreeMotion
     let scaled: SpatialMatrix = std::array::from_fn(|i| {
         std::array::from_fn(|j| {
             if possible(i) && possible(j) {
-                stiffness[i][j] / (stiffness[i][i] * stiffness[j][j]).sqrt()
+                stiffness[i][j] / stiffness[i][i].sqrt() / stiffness[j][j].sqrt()
             } else {
                 f64::from(u8::from(i == j))
             }

@@ -3,6 +3,9 @@
 use super::planes::Plane;
 use crate::space::SpatialMatrix;
 
+/// A component of a motion: its place in (x, y, z, rotation about x, y, z), and its sign there.
+pub type Component = (usize, f64);
+
 /// The motions that a bare tower has independently of each other.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Motion {
@@ -24,7 +27,7 @@ impl Motion {
     ];
 
     /// Its components in (x, y, z, rotation about x, y, z), each with the sign that it has in a chain: translations first.
-    pub fn components(self) -> &'static [(usize, f64)] {
+    pub fn components(self) -> &'static [Component] {
         match self {
             Self::Bending(Plane::ForeAft) => &[(0, 1.0), (4, 1.0)],
             // A positive slope of y is a negative rotation about x.

@@ -5,6 +5,7 @@
 //! dimension of a tube and no stiffness of a table changes by more than 10 % leave an error below 1e-15 (the nearest pole of the
 //! integrand is 20 half-panels away).
 
+use super::on_axis::OnAxis;
 use super::piece::Piece;
 use super::planes::{Plane, Planes};
 use super::section::Section;
@@ -93,42 +94,39 @@ pub fn mass_integrals(piece: &Piece, base_m: f64, top_m: f64, reference_m: f64) 
     sum
 }
 
-/// Integrals of soil springs along a part of the tower about a reference height z₀.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub struct SoilIntegrals {
-    /// ∫ k dz, N/m, ∫ k (z − z₀) dz, N, and ∫ k (z − z₀)² dz, N m, in each plane.
-    pub transverse: Planes<[f64; 3]>,
-    /// ∫ k_z dz, N/m.
-    pub axial_n_per_m: f64,
-    /// ∫ k_t dz, N m.
-    pub torsion_n_m: f64,
+impl MassIntegrals {
+    /// As the inertia of a rigid body about the reference, with or without the sections' rotary inertia in bending.
+    #[inline]
+    pub fn on_axis(&self, rotary_inertia: bool) -> OnAxis {
+        OnAxis {
+            bending: self.rotary_inertia_kg_m2.map(|rotary| {
+                let rotary = if rotary_inertia { rotary } else { 0.0 };
+                let second = self.second_moment_kg_m2 + rotary;
+                [self.transverse_kg, self.first_moment_kg_m, second]
+            }),
+            torsion: self.polar_inertia_kg_m2,
+            axial: self.mass_kg,
+        }
+    }
 }
 
-/// The soil integrals of `piece` between two heights (m) inside it, about `reference_m`; none if there is no soil.
-pub fn soil_integrals(
-    piece: &Piece,
-    base_m: f64,
-    top_m: f64,
-    reference_m: f64,
-) -> Option<SoilIntegrals> {
+/// What soil springs do to `piece` between two heights (m) inside it, as a rigid body about `reference_m`: ∫ k dz, ∫ k (z − z₀) dz and
+/// ∫ k (z − z₀)² dz in each plane, ∫ k_t dz, ∫ k_z dz. None if there is no soil.
+pub fn soil_integrals(piece: &Piece, base_m: f64, top_m: f64, reference_m: f64) -> Option<OnAxis> {
     piece.ambient.soil?;
     let (middle, half) = (0.5 * (base_m + top_m), 0.5 * (top_m - base_m));
-    let mut sum = SoilIntegrals::default();
+    let mut sum = OnAxis::default();
     // Linear springs times a square: three points are exact.
     for (node, weight) in GAUSS_3 {
         let z = middle + half * node;
         let (arm, weight) = (z - reference_m, weight * half);
         let soil = piece.soil_at(z);
-        let springs = Planes {
-            fore_aft: soil.x_n_per_m2,
-            side_side: soil.y_n_per_m2,
-        };
-        sum.transverse = sum.transverse.zip(springs, |[a, b, c], k| {
+        sum.bending = sum.bending.zip(soil.transverse(), |[a, b, c], k| {
             let k = weight * k;
             [a + k, b + k * arm, c + k * arm * arm]
         });
-        sum.axial_n_per_m += weight * soil.z_n_per_m2;
-        sum.torsion_n_m += weight * soil.torsion_n;
+        sum.axial += weight * soil.z_n_per_m2;
+        sum.torsion += weight * soil.torsion_n;
     }
     Some(sum)
 }

@@ -10,6 +10,7 @@ mod held;
 mod independent;
 mod integrals;
 mod material;
+mod on_axis;
 mod piece;
 mod planes;
 mod plausibility;
@@ -29,12 +30,13 @@ pub use error::{FreeMotions, Place, Problem, TowerError};
 pub use foundation::{
     FloatingPlatform, Foundation, FoundationSprings, HalfSpace, ReferredMatrix, StiffnessFoundation,
 };
-pub use independent::{Motion, Motions};
+pub use independent::{Component, Motion, Motions};
 pub use integrals::{
-    BendingCompliance, Compliance, Hinge, MassIntegrals, SoilIntegrals, compliance, gauss_hinges,
-    mass_integrals, soil_integrals,
+    BendingCompliance, Compliance, Hinge, MassIntegrals, compliance, gauss_hinges, mass_integrals,
+    soil_integrals,
 };
 pub use material::Material;
+pub use on_axis::{Line, OnAxis};
 pub use piece::{Piece, Profile};
 pub use planes::{Plane, Planes};
 pub use properties::Properties;
@@ -106,6 +108,7 @@ impl Tower {
             warnings: Vec::new(),
         };
         held::check(&tower)?;
+        tower.base.units = tower.base_units();
         tower.warnings =
             plausibility::plausibility(&tower, &description.foundation, description.water.as_ref());
         Ok(tower)
@@ -209,7 +212,7 @@ impl Tower {
     }
 
     /// What looks like a slip in the input, though it is possible.
-    pub fn plausibility(&self) -> &[crate::Warning] {
+    pub fn warnings(&self) -> &[crate::Warning] {
         &self.warnings
     }
 }

@@ -147,7 +147,7 @@ impl Piece {
     }
 
     fn soil_is_round(&self) -> bool {
-        let is_round = |soil: &SoilStiffness| soil.x_n_per_m2 == soil.y_n_per_m2;
+        let is_round = |soil: &SoilStiffness| soil.transverse().are_equal();
         self.ambient
             .soil
             .is_none_or(|ends| ends.iter().all(is_round))

@@ -26,7 +26,7 @@ pub(super) fn plausibility(
         .pieces()
         .iter()
         .any(|piece| piece.ambient.soil.is_some());
-    if has_soil && *foundation == Foundation::Clamped {
+    if has_soil && tower.base().is_clamped() {
         warnings.push(Warning::SoilAndClamp);
     }
     if tower.gravity_m_per_s2() != 0.0 {

@@ -1,5 +1,7 @@
 //! What stands around a tower, as a user says it: soil, water, wires.
 
+use super::planes::Planes;
+
 /// One row of soil springs along the tower; linear in height between rows, nothing outside them.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct SoilRow {
@@ -23,6 +25,15 @@ pub struct SoilStiffness {
 }
 
 impl SoilStiffness {
+    /// Against deflection in each plane.
+    #[inline]
+    pub fn transverse(&self) -> Planes<f64> {
+        Planes {
+            fore_aft: self.x_n_per_m2,
+            side_side: self.y_n_per_m2,
+        }
+    }
+
     /// All its values.
     pub(super) fn values(&self) -> [f64; 4] {
         [

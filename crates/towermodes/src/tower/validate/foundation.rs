@@ -170,7 +170,7 @@ fn asymmetry(
     let pairs = (0..6).flat_map(|row| (row + 1..6).map(move |column| (row, column)));
     pairs.into_iter().find_map(|(row, column)| {
         let (upper, lower) = (matrix[row][column], matrix[column][row]);
-        let diagonal = (matrix[row][row] * matrix[column][column]).abs().sqrt();
+        let diagonal = matrix[row][row].abs().sqrt() * matrix[column][column].abs().sqrt();
         let allowed = of_the_larger * upper.abs().max(lower.abs());
         let is_off = (upper - lower).abs() > allowed.max(of_the_diagonal * diagonal);
         is_off.then_some(Problem::Asymmetric {
@@ -205,7 +205,7 @@ fn check_not_indefinite(
         _ => 1.0,
     };
     let scaled: SpatialMatrix =
-        std::array::from_fn(|i| std::array::from_fn(|j| matrix[i][j] / (scale(i) * scale(j))));
+        std::array::from_fn(|i| std::array::from_fn(|j| matrix[i][j] / scale(i) / scale(j)));
     if eigenpairs(scaled).0[0] >= -NEGATIVE {
         return Ok(());
     }

@@ -1,7 +1,8 @@
 //! Matrices of a piece of tower, which lies on the axis: inertia, soil, weight.
 
+use super::independent::{Component, Motion};
+use super::planes::{Plane, Planes};
 use crate::space::{Matrix, SpatialMatrix};
-use crate::tower::{Motion, Plane, Planes};
 
 /// A matrix for rigid motions that couples neither the bending planes nor torsion nor stretch: inertia or stiffness.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -62,4 +63,18 @@ pub enum Line {
     Torsion,
     /// Stretch along the axis.
     Axial,
+}
+
+impl Line {
+    /// The motion that it is.
+    pub fn motion(self) -> Motion {
+        match self {
+            Self::Torsion => Motion::Torsion,
+            Self::Axial => Motion::Axial,
+        }
+    }
+
+    pub(crate) fn components(self) -> [Component; 1] {
+        [self.motion().components()[0]]
+    }
 }
