@@ -4,7 +4,7 @@ use std::io::{self, Write as _};
 use std::process::ExitCode;
 
 use annotate_snippets::{AnnotationKind, Group, Level, Renderer, Snippet};
-use towermodes::{EigenError, SolveError, Warning};
+use towermodes::{EigenError, Family, SolveError, Warning};
 use towermodes_files::{Diagnostic, ReadError, ResultError, Source};
 
 /// Why the program ends without a result.
@@ -99,8 +99,16 @@ fn hint(error: &SolveError) -> Option<&'static str> {
         SolveError::Buckles { .. } => Some(
             "carry less, widen the tower or thicken its wall; without [gravity] the frequencies are those of weights that press on nothing",
         ),
+        SolveError::Eigen(EigenError::TooStiff) => {
+            Some("no soil or wire is a million times as stiff as a tower: look at the units")
+        }
+        SolveError::Unstable {
+            motion: Family::Roll | Family::Pitch,
+        } => Some(
+            "a hydrostatic stiffness is buoyancy alone: [gravity] adds what the weights do; look at g and the height of the centre of mass too",
+        ),
         SolveError::Unstable { .. } => Some(
-            "a hydrostatic stiffness is buoyancy alone: [gravity] adds what the weights do; look at the height of the centre of mass too",
+            "look at the signs of the hydrostatic and mooring stiffness there, and at the weights",
         ),
         SolveError::Eigen(EigenError::NotFinite) => Some("look for a value with the wrong unit"),
         SolveError::Eigen(_) => {

@@ -19,6 +19,11 @@ impl fmt::Display for Plain {
     }
 }
 
+/// To six digits.
+pub(crate) fn significant(value: f64) -> f64 {
+    format!("{value:.5e}").parse().unwrap_or(value)
+}
+
 #[cfg(test)]
 mod tests {
     use super::Plain;

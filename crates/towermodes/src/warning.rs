@@ -2,7 +2,7 @@
 
 use thiserror::Error;
 
-use crate::number::Plain;
+use crate::number::{Plain, significant};
 
 /// Something a user should look at; the computation goes on.
 #[derive(Debug, Clone, PartialEq, Error)]
@@ -65,13 +65,38 @@ pub enum Warning {
     /// A rotor-nacelle assembly heavier than five towers.
     #[error(
         "the rotor-nacelle assembly ({} kg) is heavier than five towers (one is {} kg)",
-        Plain(*.rna_kg), Plain(.tower_kg.round())
+        Plain(.rna_kg.round()), Plain(.tower_kg.round())
     )]
     HeavyRna {
         /// Mass of the assembly, kg.
         rna_kg: f64,
         /// Mass of the tower, kg.
         tower_kg: f64,
+    },
+    /// Couplings of translation and rotation that have one sign where they should have opposite ones.
+    #[error(
+        "the {what} couples x with rotation about y and y with rotation about x with the same sign ({} and {}); what is the same in both \
+         planes has opposite signs",
+        Plain(*.fore_aft), Plain(*.side_side)
+    )]
+    CouplingSigns {
+        /// Which matrix.
+        what: &'static str,
+        /// Entry x, rotation about y.
+        fore_aft: f64,
+        /// Entry y, rotation about x.
+        side_side: f64,
+    },
+    /// Soil too stiff for the segments.
+    #[error(
+        "soil lets motions in by {} m only, less than a segment there ({} m): errors do not show what happens between; use more segments",
+        Plain(significant(*.penetration_m)), Plain(significant(*.segment_m))
+    )]
+    SoilUnresolved {
+        /// How far motions reach into the soil, m.
+        penetration_m: f64,
+        /// Length that the segments resolve there, m.
+        segment_m: f64,
     },
     /// Soil around a tower whose base is clamped all the same.
     #[error(

@@ -4,7 +4,7 @@ mod towers;
 
 use towermodes::{
     Foundation, FoundationSprings, HalfSpace, Material, Method, Options, PointMass, Rna, Shear,
-    SoilRow, SoilStiffness, Station, TowerDescription, Water, Wires,
+    SoilRow, SoilStiffness, Station, TowerDescription, Warning, Water, Wires,
 };
 use towermodes::{SolveError, Tower, solve};
 use towers::Uniform;
@@ -473,6 +473,69 @@ fn a_column_that_shears_buckles_at_haringxs_load() {
             _ => 5e-5,
         };
         assert_close(factor.expect("it presses"), exact, tolerance, method.name());
+    }
+}
+
+#[test]
+fn errors_are_honest_where_a_coarser_chain_buckles() {
+    // The chain of 100 segments bears 1.0000 times these weights, that of 50 less than once.
+    let mut description = reference_350t();
+    description.gravity_m_per_s2 = 228.054;
+    let beam = solved(&description, &of_method(Method::Spectral));
+    for method in [Method::RmjeExact, Method::Lumped] {
+        let chain = solved(&description, &of_method(method));
+        for (mode, exact) in chain.modes.iter().zip(&beam.modes) {
+            let error = (mode.frequency_hz - exact.frequency_hz).abs();
+            let case = format!("{}, {}: {error:e}", method.name(), mode.label());
+            assert!(error <= 1.5 * mode.error_hz(), "{case}");
+            // And no nonsense above the first.
+            assert!(
+                mode.order == 1 || mode.error_hz() < 1e-3 * mode.frequency_hz,
+                "{case}"
+            );
+        }
+    }
+}
+
+#[test]
+fn soil_that_no_segment_resolves_is_warned_of() {
+    for (stiffness, is_warned) in [(1e9, false), (1e22, true)] {
+        let rows = [0.0, 40.0].map(|z| soil(z, [stiffness, stiffness, 0.0, 0.0]));
+        let tower = within(vec![rows.to_vec()]);
+        for method in [Method::RmjeExact, Method::Spectral] {
+            let said = solved(&tower, &of_method(method)).warnings;
+            let warned = said
+                .iter()
+                .any(|w| matches!(w, Warning::SoilUnresolved { .. }));
+            assert_eq!(warned, is_warned, "{}, {stiffness:e}", method.name());
+        }
+    }
+}
+
+#[test]
+fn wires_beside_which_rounding_hides_the_tower_are_refused() {
+    let held = |stiffness_n_per_m| TowerDescription {
+        wires: vec![Wires {
+            height_m: 60.0,
+            count: 3,
+            stiffness_n_per_m,
+            angle_deg: 45.0,
+        }],
+        ..reference_eccentric()
+    };
+    for method in Method::ALL {
+        let solve = |stiffness| {
+            let tower = Tower::new(held(stiffness)).expect("a valid tower");
+            solve(&tower, &of_method(method))
+        };
+        assert!(solve(1e12).is_ok(), "{}", method.name());
+        for stiffness in [1e24, 1e28, 1e32] {
+            assert!(
+                solve(stiffness).is_err(),
+                "{}, {stiffness:e}",
+                method.name()
+            );
+        }
     }
 }
 

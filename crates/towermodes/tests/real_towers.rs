@@ -7,7 +7,7 @@ use towermodes::{
     Family, Foundation, Inertia, Method, Mode, Options, Rna, ShapePoint, SoilRow, SoilStiffness,
     StiffnessFoundation, TowerDescription,
 };
-use towermodes::{SolveError, Tower, solve};
+use towermodes::{Problem, SolveError, Tower, solve};
 use towers::{
     all_frequencies, assert_close, assert_same, floater, monopile, reference_350t,
     reference_eccentric, reference_on_springs, rotated, solved,
@@ -273,6 +273,7 @@ fn stiffly_moored() -> TowerDescription {
         };
         platform.added_mass.matrix = SpatialMatrix::default();
         platform.hydrostatic.matrix = SpatialMatrix::default();
+        platform.hydrostatic.matrix[2][2] = 1e6;
         platform.mooring.matrix = SpatialMatrix::default();
         for (i, k) in [5e7, 5e7, 1.1e7, 1.06e10, 1.06e10, 1e8]
             .into_iter()
@@ -282,6 +283,41 @@ fn stiffly_moored() -> TowerDescription {
         }
     }
     tower
+}
+
+#[test]
+fn planes_that_are_coupled_by_next_to_nothing_keep_their_names() {
+    for offset_m in [1e-12, 1e-9, 1e-7] {
+        let mut description = reference_350t();
+        description.rna.center_m = [offset_m, offset_m, 2.0];
+        for method in Method::ALL {
+            let solution = solved(&description, &options(method, 8));
+            let labels: Vec<String> = solution.modes[..4].iter().map(Mode::label).collect();
+            let expected = [
+                "1st fore-aft",
+                "1st side-side",
+                "2nd fore-aft",
+                "2nd side-side",
+            ];
+            for ((label, expected), mode) in labels.iter().zip(expected).zip(&solution.modes) {
+                let case = format!("{}, {offset_m}: {labels:?}", method.name());
+                assert!(label.starts_with(expected), "{case}");
+                assert!(mode.other_parts()[0].1 < 1e-6, "{case}");
+            }
+        }
+    }
+}
+
+#[test]
+fn a_platform_under_gravity_needs_its_buoyancy() {
+    let mut spar = floater();
+    if let Foundation::Floating(platform) = &mut spar.foundation {
+        platform.hydrostatic.matrix = SpatialMatrix::default();
+    }
+    let error = Tower::new(spar.clone()).expect_err("weights and no buoyancy");
+    assert_eq!(error.problem, Problem::WeightsWithoutBuoyancy);
+    spar.gravity_m_per_s2 = 0.0;
+    assert!(Tower::new(spar).is_ok());
 }
 
 #[test]

@@ -16,10 +16,13 @@ pub(crate) fn solution(tower: &Tower, solution: &Solution) -> String {
     text.push('\n');
     text.push_str(&effective_masses(solution));
     if let Some(factor) = solution.buckling_load_factor {
-        text.push_str(&format!(
-            " | buckles at {} times its weight",
+        // Near 1 every digit matters.
+        let factor = if factor < 1.01 {
+            format!("{factor:.6}")
+        } else {
             four_digits(factor)
-        ));
+        };
+        text.push_str(&format!(" | buckles at {factor} times its weight"));
     }
     text.push('\n');
     text

@@ -61,12 +61,11 @@ pub(super) fn residual_bound(eigenvalues: &[f64], index: usize, residual: f64, m
     residual.min(residual * residual / below.min(above))
 }
 
-/// What rounding adds to the bound, relatively, for so many unknowns and terms of the stiffness that are `gross` times as large as their
-/// sum.
+/// What rounding adds to the bound, relatively, for so many unknowns and a stiffness whose terms cancel by so much.
 ///
 /// A relative error η of the motions J u changes uᵀJᵀMJu by at most 2 η ‖M^½ J u‖ ‖M^½ |J| |u|‖, relative to it by about η √(θ₁/θ), the
-/// ratio of this frequency to the lowest; and uᵀKu by η times the sizes of its terms. η is taken as √n ε (Higham & Mary 2019).
-pub(super) fn rounding(eigenvalues: &[f64], index: usize, size: usize, gross: f64) -> f64 {
+/// ratio of this frequency to the lowest; and uᵀKu by η times the `cancellation` of its terms. η is taken as √n ε (Higham & Mary 2019).
+pub(super) fn rounding(eigenvalues: &[f64], index: usize, size: usize, cancellation: f64) -> f64 {
     let eta = (size as f64).sqrt() * f64::EPSILON;
-    eta * ((eigenvalues[index] / eigenvalues[0]).sqrt() + (gross - 1.0).max(0.0))
+    eta * ((eigenvalues[index] / eigenvalues[0]).sqrt() + cancellation)
 }

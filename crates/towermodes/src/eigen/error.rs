@@ -20,6 +20,9 @@ pub enum EigenError {
         /// How many.
         negative: usize,
     },
+    /// The stiffness cancels so much that rounding hides what is left.
+    #[error("springs to the ground are so stiff beside the tower that rounding hides it")]
+    TooStiff,
     /// The numbers overflowed.
     #[error("the numbers of this tower are too large or too small to compute with")]
     NotFinite,

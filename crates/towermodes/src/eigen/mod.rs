@@ -24,6 +24,9 @@ const MARGINS: [f64; 4] = [1e-2, 1e-4, 1e-6, 1e-9];
 /// Relative residuals above this mean nothing: the mode is below the rounding of the lowest one.
 const MAX_RESIDUAL: f64 = 1e-4;
 
+/// Cancellation in the stiffness that leaves a relative error above this is refused: soil or wires 10¹⁴ times as stiff as the tower.
+const MAX_ROUNDING: f64 = 1e-7;
+
 /// One eigenvalue with its bound.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Eigenvalue {
@@ -104,6 +107,15 @@ impl EigenWorkspace {
         &self.vectors[index]
     }
 
+    /// Replaces the eigenvectors `first..first + count`, which have one eigenvalue, by orthonormal mixtures of them: a row for each.
+    pub(crate) fn mix<const N: usize>(&mut self, first: usize, count: usize, rows: &[[f64; N]; N]) {
+        let old: Vec<Vec<f64>> = self.vectors[first..first + count].to_vec();
+        for (vector, row) in self.vectors[first..].iter_mut().zip(rows).take(count) {
+            vector.fill(0.0);
+            vector::add_combination(&old, &row[..count], vector);
+        }
+    }
+
     /// Takes the converged Ritz pairs over, sorted by λ. Returns false if they are not numbers.
     fn extract(&mut self, pencil: &mut dyn Pencil, wanted: usize) -> bool {
         self.vectors
@@ -140,16 +152,23 @@ impl EigenWorkspace {
     }
 
     /// Fills the eigenvalues with the bounds that a proved margin above the last one allows.
-    fn bound(&mut self, pencil: &mut dyn Pencil, margin: f64) {
+    ///
+    /// # Errors
+    /// [`EigenError::TooStiff`].
+    fn bound(&mut self, pencil: &mut dyn Pencil, margin: f64) -> Result<(), EigenError> {
         self.eigenvalues.clear();
         for (index, &lambda) in self.lambdas.iter().enumerate() {
-            let gross = pencil.gross_stiffness(&self.vectors[index]);
+            let cancellation = pencil.stiffness_cancellation(&self.vectors[index]);
+            if certificate::rounding(&self.lambdas, 0, pencil.size(), cancellation) > MAX_ROUNDING {
+                return Err(EigenError::TooStiff);
+            }
             let residual = self.residuals[index];
             let relative = certificate::residual_bound(&self.lambdas, index, residual, margin)
-                + certificate::rounding(&self.lambdas, index, pencil.size(), gross);
+                + certificate::rounding(&self.lambdas, index, pencil.size(), cancellation);
             let error = relative * lambda;
             self.eigenvalues.push(Eigenvalue { lambda, error });
         }
+        Ok(())
     }
 }
 
@@ -205,7 +224,7 @@ fn find_until_complete(
         let count_below = |shift| pencil.count_below(shift);
         match verify(last, wanted, &MARGINS, count_below) {
             Verdict::Complete { margin } => {
-                workspace.bound(pencil, margin);
+                workspace.bound(pencil, margin)?;
                 return Ok(Statistics {
                     products: workspace.lanczos.products,
                     restarts,

@@ -28,10 +28,10 @@ pub trait Pencil {
     /// x ← K⁻¹ x, after [`factorize`](Self::factorize).
     fn solve(&mut self, x: &mut [f64]);
 
-    /// The sizes of all that xᵀ K x is the sum of, for a vector with xᵀ K x = 1: more than 1 where terms cancel, as weights take from the
-    /// stiffness.
-    fn gross_stiffness(&mut self, _: &[f64]) -> f64 {
-        1.0
+    /// By how much a small relative error of the terms and motions that xᵀ K x = 1 is made of is enlarged in it: more than 0 where terms
+    /// cancel, as weights take from the stiffness, or where motions cancel at something stiff.
+    fn stiffness_cancellation(&mut self, _: &[f64]) -> f64 {
+        0.0
     }
 
     /// A start vector with a part in every low mode.

@@ -110,22 +110,26 @@ where
         }
     }
 
-    fn gross_stiffness(&mut self, x: &[f64]) -> f64 {
+    fn stiffness_cancellation(&mut self, x: &[f64]) -> f64 {
         if self.stiffness_is_identity() {
-            return 1.0;
+            return 0.0;
         }
         let stiffness = self.problem.stiffness();
-        let mut size_of = |factor: f64, matrix: Combination| {
+        let mut size_of = |factor: f64, matrix: Combination, x: &[f64]| {
             if factor == 0.0 {
                 return 0.0;
             }
             let balance = self.structure.balance(&matrix, self.work, x, 0.0);
             (factor * balance.energy.iter().sum::<f64>()).abs()
         };
-        size_of(stiffness.springs, Combination::SPRINGS)
-            + size_of(stiffness.ground, Combination::GROUND)
-            + size_of(stiffness.weights, Combination::WEIGHTS)
-            + size_of(stiffness.mass, Combination::MASS)
+        let gross = size_of(stiffness.springs, Combination::SPRINGS, x)
+            + size_of(stiffness.ground, Combination::GROUND, x)
+            + size_of(stiffness.weights, Combination::WEIGHTS, x)
+            + size_of(stiffness.mass, Combination::MASS, x);
+        // Motions at what ties to the ground are sums over all below: as if none of them cancelled.
+        let all: Vec<f64> = x.iter().map(|x| x.abs()).collect();
+        let ties = size_of(stiffness.ground, Combination::GROUND, &all);
+        (gross - 1.0).max(0.0) + 2.0 * ties.sqrt()
     }
 
     fn start(&mut self, out: &mut [f64]) {

@@ -49,13 +49,13 @@ pub(super) fn solve(
         None => raise(first, options, solve)?,
         Some(degree) => fix(Cut { degree, ..first }, options, solve)?,
     };
-    let mut result = describe(tower, &cut.mesh, options, &found, workspace)?;
+    let mut result = describe(tower, &cut, options, &found, workspace)?;
     for (mode, change_hz) in result.modes.iter_mut().zip(changes_hz) {
         mode.discretization_error_hz = change_hz;
     }
     let warnings = warnings(tower, &cut.mesh, options, &result);
-    let (method, segments, degree) = (options.method, cut.mesh.segments(), Some(cut.degree));
-    Ok(result.into_solution(method, segments, degree, warnings, statistics))
+    let (method, segments) = (options.method, cut.mesh.segments());
+    Ok(result.into_solution(method, segments, warnings, statistics))
 }
 
 /// Solves with one degree, after the next one, which says how far it is off.

@@ -8,7 +8,7 @@ use super::stability::find_origin;
 use super::{Described, Workspace};
 use crate::eigen::EigenError;
 use crate::elements::Mesh;
-use crate::modes::richardson;
+use crate::modes::{Estimate, richardson};
 use crate::tower::{Motion, Tower};
 
 /// Meshes that halve each other's segments, finest first.
@@ -35,14 +35,16 @@ pub(super) fn estimate_errors(
     // Where borders are irregular two meshes can agree by chance, and one more finds it out; a single piece converges smoothly.
     let more = usize::from(tower.pieces().len() > 1);
     let steps = modes.iter().map(|mode| powers_of(mode).len() + more).max();
-    let ladder = Ladder::new(
-        &cut.mesh,
-        modes,
-        options.fewest_seeing(tower),
-        steps.unwrap_or(0),
-        &workspace.model,
-    );
-    let (levels, elsewhere) = solve_ladder(tower, &ladder, options, modes, below, workspace)?;
+    let ladder_from =
+        |fewest, model: &Model| Ladder::new(&cut.mesh, modes, fewest, steps.unwrap_or(0), model);
+    let mut ladder = ladder_from(options.fewest_seeing(tower), &workspace.model);
+    let (mut levels, mut elsewhere) =
+        solve_ladder(tower, &ladder, options, modes, below, workspace)?;
+    if levels[ladder.own..].iter().flatten().any(Option::is_none) {
+        // A coarser chain buckles where this one stands: only finer ones say something.
+        ladder = ladder_from(cut.mesh.segments(), &workspace.model);
+        (levels, elsewhere) = solve_ladder(tower, &ladder, options, modes, below, workspace)?;
+    }
     for (index, mode) in modes.iter_mut().enumerate() {
         let powers = powers_of(mode);
         // As many meshes as the powers need, coarser ones before finer ones.
@@ -51,7 +53,15 @@ pub(super) fn estimate_errors(
         let meshes_hz = levels[finest..=finest + needed]
             .iter()
             .map(|level| level[index]);
-        let estimate = richardson(mode.frequency_hz, meshes_hz.collect(), powers);
+        // A finer chain that buckles leaves nothing certain of the mode.
+        let uncertain = Estimate {
+            error_hz: mode.frequency_hz,
+            extrapolated_hz: mode.frequency_hz,
+        };
+        let estimate = meshes_hz.collect::<Option<Vec<f64>>>();
+        let estimate = estimate.map_or(uncertain, |meshes_hz| {
+            richardson(mode.frequency_hz, meshes_hz, powers)
+        });
         mode.discretization_error_hz = estimate.error_hz;
         mode.extrapolated_hz = estimate.extrapolated_hz;
     }
@@ -75,7 +85,10 @@ impl Ladder {
     }
 }
 
-/// The frequencies of the same modes (Hz) on every mesh, and how many modes the mesh next to the solution's own has below `below`: the
+/// The frequencies of the modes on a mesh, Hz; none of those of a part that weights make unstable there.
+type Level = Vec<Option<f64>>;
+
+/// The frequencies of the same modes on every mesh, and how many modes the mesh next to the solution's own has below `below`: the
 /// coarser neighbour if there is one.
 fn solve_ladder(
     tower: &Tower,
@@ -84,13 +97,13 @@ fn solve_ladder(
     modes: &[Mode],
     below: f64,
     workspace: &mut Workspace,
-) -> Result<(Vec<Vec<f64>>, usize), SolveError> {
+) -> Result<(Vec<Level>, usize), SolveError> {
     let Workspace { model, spectrum } = workspace;
     let mut levels = Vec::with_capacity(ladder.meshes.len());
     let mut elsewhere = 0;
     for (index, mesh) in ladder.meshes.iter().enumerate() {
         if index == ladder.own {
-            levels.push(modes.iter().map(|mode| mode.frequency_hz).collect());
+            levels.push(modes.iter().map(|mode| Some(mode.frequency_hz)).collect());
             continue;
         }
         let cut = Cut {
@@ -132,12 +145,12 @@ fn has_all(mesh: &Mesh, modes: &[Mode], model: &Model) -> bool {
     })
 }
 
-/// The frequencies of the same modes on the mesh that the model is of, Hz; 0 for those of a part that weights make unstable on it.
+/// The frequencies of the same modes on the mesh that the model is of.
 fn frequencies(
     modes: &[Mode],
     model: &mut Model,
     spectrum: &mut Spectrum,
-) -> Result<Vec<f64>, SolveError> {
+) -> Result<Level, SolveError> {
     let mut is_stable = vec![true; model.parts()];
     for (part, is_stable) in is_stable.iter_mut().enumerate() {
         let own = modes.iter().filter(|mode| mode.key.part == part);
@@ -150,11 +163,8 @@ fn frequencies(
         }
     }
     let frequency = |mode: &Mode| {
-        if is_stable[mode.key.part] {
-            spectrum.eigenvalue(model, mode.key).frequency_hz()
-        } else {
-            0.0
-        }
+        let eigenvalue = || spectrum.eigenvalue(model, mode.key);
+        is_stable[mode.key.part].then(|| eigenvalue().frequency_hz())
     };
     Ok(modes.iter().map(frequency).collect())
 }

@@ -1,5 +1,6 @@
 //! The front door: a tower in, its modes out.
 
+mod alignment;
 mod degree;
 mod estimate;
 mod model;
@@ -76,18 +77,20 @@ fn solve_segments(
     };
     let found = solve_cut(tower, &cut, options, workspace)?;
     let statistics = workspace.spectrum.statistics;
-    let mut result = describe(tower, &cut.mesh, options, &found, workspace)?;
+    let mut result = describe(tower, &cut, options, &found, workspace)?;
     let elsewhere = estimate_errors(tower, &cut, options, &mut result, workspace)?;
     let certificate = certificate(&result.proof);
     let mut warnings = warnings(tower, &cut.mesh, options, &result);
     warnings.extend(uncertain_end(&result.modes, &certificate, elsewhere));
     let segments = cut.mesh.segments();
-    Ok(result.into_solution(options.method, segments, None, warnings, statistics))
+    Ok(result.into_solution(options.method, segments, warnings, statistics))
 }
 
 /// What a solved cut gives before its errors are known.
 struct Described {
     modes: Vec<Mode>,
+    /// Polynomial degree, if it is the spectral beam.
+    degree: Option<usize>,
     proof: Proof,
     /// The mode that repeats the last of the list and is not in it: label and frequency (Hz).
     cut_off: Option<(String, f64)>,
@@ -101,14 +104,13 @@ impl Described {
         self,
         method: Method,
         segments: usize,
-        degree: Option<usize>,
         warnings: Vec<Warning>,
         statistics: Statistics,
     ) -> Solution {
         Solution {
             method,
             segments,
-            degree,
+            degree: self.degree,
             degrees_of_freedom: self.degrees_of_freedom,
             certificate: certificate(&self.proof),
             modes: self.modes,
@@ -123,7 +125,7 @@ impl Described {
 /// Proves that nothing is missing below what was found, and describes the modes asked for.
 fn describe(
     tower: &Tower,
-    mesh: &Mesh,
+    cut: &Cut,
     options: &Options,
     found: &[Found],
     workspace: &mut Workspace,
@@ -134,12 +136,13 @@ fn describe(
     let rigid_inertia = tower.rigid_inertia(options.has_rotary_inertia());
     let listed = &found[..found.len().min(options.modes + 1)];
     let identities = identify(tower, model, spectrum, listed, &rigid_inertia);
-    let modes = shapes(tower, mesh, options, listed, &identities, workspace)?;
+    let modes = shapes(tower, &cut.mesh, options, listed, &identities, workspace)?;
     let (origin, last) = (workspace.model.origin, &found[options.modes - 1]);
     let next = listed.get(options.modes).zip(identities.get(options.modes));
     let cut_off = next.filter(|(found, _)| found.repeats(last, origin));
     Ok(Described {
         modes,
+        degree: (options.method == Method::Spectral).then_some(cut.degree),
         proof,
         cut_off: cut_off.map(|(found, identity)| {
             let label = identity.family.label(identity.order);
@@ -195,12 +198,12 @@ fn solve_cut(
     options.check_size(cut.mesh.segments(), model.degrees_of_freedom())?;
     find_origin(tower, model)?;
     spectrum
-        .solve(model, options.modes)
+        .solve(tower, model, options.modes)
         .map_err(|error| match error {
-            // Say by how much.
+            // Say by how much; what is held and does not buckle cannot be unstable but by rounding.
             EigenError::Unstable { .. } => match buckling_load_factor(tower, model) {
-                Err(buckles) => buckles,
-                Ok(_) => error.into(),
+                Err(buckles @ SolveError::Buckles { .. }) => buckles,
+                _ => EigenError::TooStiff.into(),
             },
             _ => error.into(),
         })

@@ -254,7 +254,7 @@ pub enum SolveError {
     },
     /// The weights are more than the tower bears.
     #[error(
-        "the tower buckles under its own weight: it would bear {:.4} times the weights it carries",
+        "the tower buckles under its own weight: it would bear {:.6} times the weights it carries",
         Plain(*.load_factor)
     )]
     Buckles {

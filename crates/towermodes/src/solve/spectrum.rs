@@ -1,7 +1,9 @@
 //! The lowest modes of all parts together, and the proof that none is missing.
 
+use super::alignment::align;
 use super::model::Model;
 use crate::eigen::{EigenError, EigenWorkspace, Eigenvalue, Statistics, Verdict, lowest, verify};
+use crate::tower::Tower;
 
 /// Relative distances above the last mode at which completeness is certified, widest first.
 const MARGINS: [f64; 7] = [0.1, 0.03, 0.01, 1e-3, 1e-4, 1e-6, REPEATED];
@@ -76,6 +78,7 @@ impl Spectrum {
     /// give.
     pub(super) fn solve(
         &mut self,
+        tower: &Tower,
         model: &mut Model,
         wanted: usize,
     ) -> Result<Vec<Found>, EigenError> {
@@ -105,6 +108,9 @@ impl Spectrum {
                 let count = if total < wanted { all } else { count };
                 self.solve_part(model, part, count)?;
             }
+            for (part, workspace) in self.parts.iter_mut().take(model.parts()).enumerate() {
+                align(tower, model, part, REPEATED, workspace);
+            }
             return Ok(self.sorted(model));
         }
     }
@@ -125,7 +131,12 @@ impl Spectrum {
                 }));
             }
         }
-        found.sort_by(|a, b| a.eigenvalue.lambda.total_cmp(&b.eigenvalue.lambda));
+        // What nothing resists has no order but that of the parts.
+        let lambda = |found: &Found| match found.eigenvalue {
+            eigenvalue if eigenvalue.is_zero() => 0.0,
+            eigenvalue => eigenvalue.lambda,
+        };
+        found.sort_by(|a, b| lambda(a).total_cmp(&lambda(b)));
         found
     }
 

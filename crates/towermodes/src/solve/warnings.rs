@@ -39,6 +39,7 @@ pub(super) fn warnings(
         let used = mesh.segments();
         warnings.push(Warning::MoreSegments { asked, used });
     }
+    warnings.extend(soil_unresolved(tower, mesh, result.degree));
     warnings.extend(unresolved(modes));
     if let Some((label, frequency_hz)) = result.cut_off.clone() {
         warnings.push(Warning::CutPair {
@@ -60,6 +61,40 @@ pub(super) fn uncertain_end(
     let is_uncertain =
         count_elsewhere != certificate.count || modes.iter().any(|m| m.extrapolated_hz >= below_hz);
     is_uncertain.then_some(Warning::UncertainEnd { below_hz })
+}
+
+/// Says that motions die out in the soil within a part of a segment: those that a tower on an elastic bed has, (4EI/k)^¼ in bending, (EA/k)^½
+/// and (GJ/k)^½ along and about the axis. A polynomial of a degree resolves so many parts of its element.
+fn soil_unresolved(tower: &Tower, mesh: &Mesh, degree: Option<usize>) -> Option<Warning> {
+    let parts = degree.unwrap_or(1) as f64;
+    let mut worst: Option<(f64, f64)> = None;
+    for border in mesh.borders_m().windows(2) {
+        let middle_m = 0.5 * (border[0] + border[1]);
+        let piece = tower.piece_at(middle_m);
+        if piece.ambient.soil.is_none() {
+            continue;
+        }
+        let section = piece.section_at(middle_m);
+        let (soil, bending) = (section.soil, section.bending_n_m2);
+        let transverse = soil.transverse();
+        let lengths_m = [
+            (4.0 * bending.fore_aft / transverse.fore_aft).powf(0.25),
+            (4.0 * bending.side_side / transverse.side_side).powf(0.25),
+            (section.axial_n / soil.z_n_per_m2).sqrt(),
+            (section.torsion_n_m2 / soil.torsion_n).sqrt(),
+        ];
+        let penetration_m = lengths_m.into_iter().fold(f64::INFINITY, f64::min);
+        let segment_m = (border[1] - border[0]) / parts;
+        let is_worse = worst.is_none_or(|(p, s)| segment_m / penetration_m > s / p);
+        if penetration_m < segment_m && is_worse {
+            worst = Some((penetration_m, segment_m));
+        }
+    }
+    let (penetration_m, segment_m) = worst?;
+    Some(Warning::SoilUnresolved {
+        penetration_m,
+        segment_m,
+    })
 }
 
 fn unresolved(modes: &[Mode]) -> Option<Warning> {

@@ -4,7 +4,7 @@ use std::fmt;
 
 use thiserror::Error;
 
-use crate::number::Plain;
+use crate::number::{Plain, significant};
 
 /// Where in a [`TowerDescription`](super::TowerDescription) something is wrong.
 ///
@@ -267,6 +267,11 @@ pub enum Problem {
         /// Which matrix.
         what: &'static str,
     },
+    /// A platform that its weights press down and no water holds up.
+    #[error(
+        "with gravity a floating platform needs its hydrostatic stiffness, and the height that it is about"
+    )]
+    WeightsWithoutBuoyancy,
     /// Fewer than two rows of soil.
     #[error("a layer of soil needs at least two rows, got {count}")]
     TooFewSoilRows {
@@ -382,11 +387,6 @@ impl fmt::Display for FreeMotions {
     }
 }
 
-/// To six digits.
-fn significant(value: f64) -> f64 {
-    format!("{value:.5e}").parse().unwrap_or(value)
-}
-
 /// To four digits after the point.
 fn rounded(value: f64) -> f64 {
     let scaled = (value * 1e4).round() / 1e4;
@@ -430,6 +430,9 @@ impl Problem {
             Self::SoilPoissonsRatio { .. } => "sand has about 0.3, saturated clay 0.5",
             Self::InfiniteAndFloating { .. } => {
                 "write finite stiffnesses, or use type = \"springs\", where inf is allowed"
+            }
+            Self::WeightsWithoutBuoyancy => {
+                "give hydrostatic and hydrostatic_height; leave [gravity] out to solve without weights"
             }
             Self::TooFewSoilRows { .. } => {
                 "one row at the bottom and one at the surface are enough"

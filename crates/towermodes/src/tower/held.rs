@@ -42,9 +42,17 @@ fn free_motion(stiffness: &SpatialMatrix, moves: [bool; 6]) -> Option<FreeMotion
     });
     let (values, vectors) = eigenpairs(scaled);
     // A value that is not a number is free too: the springs overflow.
-    if values[0] > FREE {
-        return None;
+    let is_free = |value: &f64| value.partial_cmp(&FREE) != Some(std::cmp::Ordering::Greater);
+    let mut named = [false; 6];
+    for (_, vector) in values
+        .iter()
+        .zip(&vectors)
+        .filter(|(value, _)| is_free(value))
+    {
+        let largest = vector.iter().fold(0.0_f64, |a, x| a.max(x.abs()));
+        for (named, x) in named.iter_mut().zip(vector) {
+            *named |= x.abs() > NAMED * largest;
+        }
     }
-    let largest = vectors[0].iter().fold(0.0_f64, |a, x| a.max(x.abs()));
-    Some(FreeMotions(vectors[0].map(|x| x.abs() > NAMED * largest)))
+    named.contains(&true).then_some(FreeMotions(named))
 }

@@ -1,9 +1,10 @@
 //! Inputs that are possible but look like a slip: millimetres, tonnes, a misplaced digit.
 
-use super::foundation::Foundation;
+use super::foundation::{FloatingPlatform, Foundation};
 use super::validate::largest_asymmetry;
 use super::{Profile, Properties, Tower, Water};
 use crate::Warning;
+use crate::space::SpatialMatrix;
 
 /// The warnings that the input alone gives rise to.
 pub(super) fn plausibility(
@@ -21,7 +22,7 @@ pub(super) fn plausibility(
     materials(tower, &mut warnings);
     table(tower, &mut warnings);
     rna(tower, &mut warnings);
-    platform(foundation, &mut warnings);
+    base(tower, foundation, &mut warnings);
     let has_soil = tower
         .pieces()
         .iter()
@@ -39,17 +40,46 @@ pub(super) fn plausibility(
     warnings
 }
 
-/// Matrices of a floating platform that are not quite symmetric.
-fn platform(foundation: &Foundation, warnings: &mut Vec<Warning>) {
-    let Foundation::Floating(platform) = foundation else {
-        return;
-    };
+/// What is odd about a foundation.
+fn base(tower: &Tower, foundation: &Foundation, warnings: &mut Vec<Warning>) {
+    match foundation {
+        Foundation::Clamped | Foundation::Springs(_) => {}
+        Foundation::Stiffness(foundation) => {
+            coupling("foundation's stiffness", &foundation.stiffness, warnings);
+        }
+        Foundation::HalfSpace(footing) => {
+            SOIL_MODULUS.check(footing.shear_modulus_pa, warnings);
+            EMBEDMENT.check(footing.embedment_m / footing.radius_m, warnings);
+            if let Some(station) = tower.stations().first() {
+                let radius_m = 0.5 * station.outer_diameter_m;
+                FOOTING.check(footing.radius_m / radius_m, warnings);
+            }
+        }
+        Foundation::Floating(floating) => platform(floating, warnings),
+    }
+}
+
+/// The same in both planes would have opposite signs.
+fn coupling(what: &'static str, matrix: &SpatialMatrix, warnings: &mut Vec<Warning>) {
+    let (fore_aft, side_side) = (matrix[0][4], matrix[1][3]);
+    if fore_aft * side_side > 0.0 {
+        warnings.push(Warning::CouplingSigns {
+            what,
+            fore_aft,
+            side_side,
+        });
+    }
+}
+
+/// Matrices of a floating platform that are not quite symmetric, or of odd signs.
+fn platform(platform: &FloatingPlatform, warnings: &mut Vec<Warning>) {
     let matrices = [
         ("added mass", &platform.added_mass),
         ("hydrostatic stiffness", &platform.hydrostatic),
         ("mooring stiffness", &platform.mooring),
     ];
     for (what, referred) in matrices {
+        coupling(what, &referred.matrix, warnings);
         let difference = largest_asymmetry(&referred.matrix);
         if difference > 0.0 {
             warnings.push(Warning::Symmetrized { what, difference });
@@ -102,6 +132,24 @@ const RNA_CENTRE: Usual = Usual {
     usual: "it is measured from the tower top, not from the ground",
 };
 
+const SOIL_MODULUS: Usual = Usual {
+    quantity: "the soil's shear modulus",
+    unit: " Pa",
+    range: 1e6..=5e10,
+    usual: "soft clay has about 5e6, dense sand 1e8, rock 1e10; the unit is Pa",
+};
+const EMBEDMENT: Usual = Usual {
+    quantity: "the footing's embedment, divided by its radius,",
+    unit: "",
+    range: 0.0..=2.0,
+    usual: "the formulas are for shallow footings",
+};
+const FOOTING: Usual = Usual {
+    quantity: "the footing's radius, divided by that of the tower on it,",
+    unit: "",
+    range: 1.0..=20.0,
+    usual: "a footing is wider than the tower; the unit is m",
+};
 const GRAVITY: Usual = Usual {
     quantity: "the acceleration of gravity",
     unit: " m/s2",

@@ -4,6 +4,7 @@ use super::{check_inertia, error, finite, not_negative, positive};
 use crate::space::SpatialMatrix;
 use crate::symmetric::eigenpairs;
 use crate::tower::base::Base;
+use crate::tower::description::TowerDescription;
 use crate::tower::error::{Place, Problem, TowerError};
 use crate::tower::foundation::{
     FloatingPlatform, Foundation, FoundationSprings, HalfSpace, StiffnessFoundation,
@@ -80,11 +81,11 @@ fn check_springs(springs: &FoundationSprings) -> Result<(), TowerError> {
         return error(at("coupling"), Problem::CouplingOfRigid);
     }
     let (values, _) = eigenpairs([[lateral, coupling], [coupling, rocking]]);
-    if coupling * coupling <= lateral * rocking * (1.0 - NEGATIVE) {
+    if coupling * coupling <= lateral * rocking {
         return Ok(());
     }
     let problem = Problem::Indefinite {
-        what: "lateral, coupling and rocking springs",
+        what: "matrix of lateral, coupling and rocking springs",
         eigenvalue: values[0],
     };
     error(at("coupling"), problem)
@@ -140,6 +141,18 @@ fn check_platform(platform: &FloatingPlatform) -> Result<(), TowerError> {
     let what = "mass of the platform with its added mass";
     let base = Base::new(&foundation, platform.center_m[2], 0.0);
     check_not_indefinite("added_mass", what, &base.inertia)
+}
+
+/// Weights turn a floating tower over about the point that its hydrostatic stiffness is about: without that they have none.
+pub(super) fn check_buoyancy(description: &TowerDescription) -> Result<(), TowerError> {
+    let Foundation::Floating(platform) = &description.foundation else {
+        return Ok(());
+    };
+    let has_buoyancy = platform.hydrostatic.matrix != SpatialMatrix::default();
+    if has_buoyancy || description.gravity_m_per_s2 == 0.0 {
+        return Ok(());
+    }
+    error(at("type"), Problem::WeightsWithoutBuoyancy)
 }
 
 fn check_finite(

@@ -5,7 +5,7 @@ mod surroundings;
 
 pub(super) use foundation::largest_asymmetry;
 
-use foundation::check_foundation;
+use foundation::{check_buoyancy, check_foundation};
 use surroundings::check_surroundings;
 
 use super::description::{
@@ -40,6 +40,7 @@ pub(super) fn validate(description: &TowerDescription) -> Result<(), TowerError>
         check_point_mass(index, mass, base_m, top_m)?;
     }
     check_foundation(&description.foundation)?;
+    check_buoyancy(description)?;
     check_surroundings(description, base_m, top_m)
 }
 

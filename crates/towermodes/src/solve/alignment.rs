@@ -1,0 +1,72 @@
+//! Modes of one frequency, turned to the axes.
+//!
+//! Any mixture of modes with the same frequency is a mode. Which one an eigensolver gives is chance; the one that bends in one plane, or
+//! surges without yawing, is what a person means.
+
+use super::model::Model;
+use crate::eigen::EigenWorkspace;
+use crate::symmetric::eigenpairs;
+use crate::tower::Tower;
+
+/// More modes of one frequency than this are left as they are.
+const MOST: usize = 6;
+
+/// Mixes the eigenvectors of a part that have one eigenvalue, within a relative distance, so that each is as much of one motion as can
+/// be: bending fore-aft first, then side-side, torsion, stretch.
+pub(super) fn align(
+    tower: &Tower,
+    model: &mut Model,
+    part: usize,
+    repeated: f64,
+    workspace: &mut EigenWorkspace,
+) {
+    if model.motions(part).iter().nth(1).is_none() {
+        return;
+    }
+    let lambdas: Vec<f64> = workspace.eigenvalues().iter().map(|e| e.lambda).collect();
+    let mut first = 0;
+    while first < lambdas.len() {
+        let ceiling = lambdas[first] * (1.0 + repeated);
+        let count = lambdas[first..]
+            .iter()
+            .take_while(|l| **l <= ceiling)
+            .count();
+        if (2..=MOST).contains(&count) {
+            let rows = axes(tower, model, part, workspace, first, count);
+            workspace.mix(first, count, &rows);
+        }
+        first += count;
+    }
+}
+
+/// How to mix so many vectors from `first` on: one row for each new one.
+fn axes(
+    tower: &Tower,
+    model: &mut Model,
+    part: usize,
+    workspace: &EigenWorkspace,
+    first: usize,
+    count: usize,
+) -> [[f64; MOST]; MOST] {
+    // The motion that should come first has the lowest value.
+    let mut value = |vector: &[f64]| {
+        let kinetic = model.resultants(tower, part, vector).kinetic;
+        -(3.0 * kinetic.fore_aft + 2.0 * kinetic.side_side + kinetic.torsion)
+    };
+    let mut form = |i: usize, j: usize| {
+        let (a, b) = (workspace.vector(first + i), workspace.vector(first + j));
+        let of = |sign: f64| -> Vec<f64> { a.iter().zip(b).map(|(a, b)| a + sign * b).collect() };
+        // A bilinear form from its squares.
+        0.25 * (value(&of(1.0)) - value(&of(-1.0)))
+    };
+    let mut matrix = [[0.0; MOST]; MOST];
+    let pairs = (0..count).flat_map(|i| (0..=i).map(move |j| (i, j)));
+    for (i, j) in pairs {
+        matrix[i][j] = form(i, j);
+        matrix[j][i] = matrix[i][j];
+    }
+    // What is not there comes last.
+    let beyond = 1.0 + matrix.iter().flatten().map(|x| x.abs()).sum::<f64>();
+    (count..MOST).for_each(|i| matrix[i][i] = beyond);
+    eigenpairs(matrix).1
+}
