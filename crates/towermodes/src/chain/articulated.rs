@@ -130,7 +130,7 @@ fn add_body<const D: usize>(
 ) where
     Dim<D>: Space,
 {
-    add_scaled(p, combination.mass, &chain.links[joint].inertia);
+    add_scaled(p, combination.mass, &chain.inertias[joint]);
     if let Some(ground) = chain.ground.get(joint) {
         add_scaled(p, combination.ground, ground);
     }

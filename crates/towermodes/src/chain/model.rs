@@ -3,7 +3,7 @@
 use crate::parts::{Combination, Role};
 use crate::space::{Dim, Matrix, Space, add_scaled, lower_matrix};
 
-/// A joint and the rigid body it carries, up to the next joint.
+/// A joint and what weights do to the rigid body it carries, up to the next joint.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Link<const D: usize> {
     /// Height of the joint, m.
@@ -18,8 +18,6 @@ pub struct Link<const D: usize> {
     pub(super) compression_n: f64,
     /// What weights take from the body's stiffness against rotation in the bending planes, N m.
     pub(super) overturning_n_m: f64,
-    /// Inertia of the body about the joint.
-    pub(super) inertia: Matrix<D>,
 }
 
 /// A chain of rigid bodies joined by diagonal springs, in D motion components, clamped or on a base that moves.
@@ -37,6 +35,8 @@ pub struct Link<const D: usize> {
 #[derive(Debug, Clone, PartialEq)]
 pub struct Chain<const D: usize> {
     pub(super) links: Vec<Link<D>>,
+    /// Inertia of each body about its joint; apart from the links, because most sweeps do not need it.
+    pub(super) inertias: Vec<Matrix<D>>,
     /// Stiffness to ground of each body about its joint; may be shorter, or empty, if the bodies above have none.
     pub(super) ground: Vec<Matrix<D>>,
     /// Whether weights overturn any body.
@@ -48,6 +48,7 @@ impl<const D: usize> Default for Chain<D> {
     fn default() -> Self {
         Self {
             links: Vec::new(),
+            inertias: Vec::new(),
             ground: Vec::new(),
             has_weights: false,
             degrees_of_freedom: 0,
@@ -62,6 +63,7 @@ where
     /// Forgets all joints and bodies but keeps the memory.
     pub fn clear(&mut self) {
         self.links.clear();
+        self.inertias.clear();
         self.ground.clear();
         self.has_weights = false;
         self.degrees_of_freedom = 0;
@@ -70,6 +72,7 @@ where
     /// Makes room for this many joints.
     pub fn reserve(&mut self, joints: usize) {
         self.links.reserve_exact(joints);
+        self.inertias.reserve_exact(joints);
     }
 
     /// Begins with a base that moves freely in the components with a `unit`, the motion that a coordinate of 1 is; the others are held.
@@ -99,8 +102,8 @@ where
             spring,
             compression_n,
             overturning_n_m: 0.0,
-            inertia: [[0.0; D]; D],
         });
+        self.inertias.push([[0.0; D]; D]);
     }
 
     /// Adds a matrix, given about `reference_m`, to the present body; before the first joint that is the clamped base, which does not
@@ -108,12 +111,12 @@ where
     #[inline]
     pub fn add(&mut self, role: Role, reference_m: f64, mut matrix: Matrix<D>) {
         let count = self.links.len();
-        let Some(link) = self.links.last_mut() else {
+        let (Some(link), Some(inertia)) = (self.links.last(), self.inertias.last_mut()) else {
             return;
         };
         lower_matrix(&mut matrix, reference_m - link.height_m);
         match role {
-            Role::Inertia => add_scaled(&mut link.inertia, 1.0, &matrix),
+            Role::Inertia => add_scaled(inertia, 1.0, &matrix),
             Role::Ground => {
                 self.ground.resize(count, [[0.0; D]; D]);
                 add_scaled(&mut self.ground[count - 1], 1.0, &matrix);
@@ -149,14 +152,14 @@ where
     /// Whether every flexibility, inertia and stiffness is a finite number: false if the input's numbers overflowed on the way here.
     pub fn is_finite(&self) -> bool {
         let links = self.links.iter().all(|link| {
-            let inertia = link.inertia.iter().flatten();
-            let values = inertia
-                .chain(&link.root)
-                .chain([&link.compression_n, &link.overturning_n_m]);
-            values.into_iter().all(|value| value.is_finite())
+            let values = [link.compression_n, link.overturning_n_m];
+            link.root
+                .iter()
+                .chain(&values)
+                .all(|value| value.is_finite())
         });
-        let mut ties = self.ground.iter().flatten().flatten();
-        links && ties.all(|value| value.is_finite())
+        let mut matrices = self.inertias.iter().chain(&self.ground).flatten().flatten();
+        links && matrices.all(|value| value.is_finite())
     }
 
     /// Whether a combination of its matrices is that of the joints' springs alone, which is the identity.

@@ -49,7 +49,7 @@ pub fn product<const D: usize>(
     slides.clear();
     if *combination == Combination::MASS {
         sweep_up(chain, x, |joint, motion, _| {
-            bodies.push(times(&chain.links[joint].inertia, motion));
+            bodies.push(times(&chain.inertias[joint], motion));
         });
         sweep_down(chain, out, |joint| bodies[joint], |_, _| 0.0);
         return;
@@ -82,7 +82,7 @@ fn body_load<const D: usize>(
             }
         }
     };
-    add_product(combination.mass, Some(&chain.links[joint].inertia));
+    add_product(combination.mass, Some(&chain.inertias[joint]));
     add_product(combination.ground, chain.ground.get(joint));
     load
 }
@@ -163,7 +163,7 @@ where
         let link = &chain.links[joint];
         let mut motion = [1.0; D];
         raise(&mut motion, link.height_m - base_m);
-        times(&link.inertia, &motion)
+        times(&chain.inertias[joint], &motion)
     };
     sweep_down(chain, out, load, |_, _| 0.0);
 }
