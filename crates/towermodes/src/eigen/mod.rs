@@ -202,6 +202,46 @@ pub fn lowest(
     find_until_complete(pencil, wanted, workspace)
 }
 
+/// The relative distance below the least eigenvalue at which a count proves that there is none below.
+const LEAST: f64 = 1e-9;
+
+/// Finds the least eigenvalue alone and proves that none is below it; whether it is repeated is not asked.
+///
+/// # Errors
+/// As [`lowest`].
+pub(crate) fn least(
+    pencil: &mut dyn Pencil,
+    workspace: &mut EigenWorkspace,
+) -> Result<f64, EigenError> {
+    let negative = pencil.factorize();
+    if negative > 0 {
+        return Err(EigenError::Unstable { negative });
+    }
+    workspace.eigenvalues.clear();
+    workspace.lanczos.reset(pencil.size());
+    let mut below = 0;
+    for restarts in 0..=MAX_RESTARTS {
+        workspace.lanczos.lock(&[], &[]);
+        let done = workspace.lanczos.start(pencil, restarts)
+            && workspace.lanczos.run(pencil, 1)
+            && workspace.extract(pencil, 1);
+        if !done {
+            return Err(EigenError::NotFinite);
+        }
+        let lambda = workspace.lambdas[0];
+        below = pencil.count_below(lambda * (1.0 - LEAST));
+        if below == 0 && workspace.residuals[0] <= MAX_RESIDUAL {
+            return Ok(lambda);
+        }
+    }
+    Err(EigenError::Incomplete {
+        found: 0,
+        counted: below,
+        below_hz: workspace.lambdas[0].sqrt() / TAU,
+        restarts: MAX_RESTARTS,
+    })
+}
+
 fn find_until_complete(
     pencil: &mut dyn Pencil,
     wanted: usize,

@@ -178,9 +178,20 @@ impl<K: Kind> Part<K> {
         problem: Problem,
         act: impl FnOnce(&mut dyn Pencil) -> R,
     ) -> R {
+        self.with_pencil_beginning(problem, None, act)
+    }
+
+    /// The same, with iterations that begin with a vector near the one looked for.
+    pub fn with_pencil_beginning<R>(
+        &mut self,
+        problem: Problem,
+        first: Option<&[f64]>,
+        act: impl FnOnce(&mut dyn Pencil) -> R,
+    ) -> R {
         on_structure!(self, member => {
             let Member { structure, work } = member;
-            act(&mut StructurePencil::new(structure, work, problem))
+            let pencil = StructurePencil::new(structure, work, problem);
+            act(&mut pencil.beginning_with(first))
         })
     }
 

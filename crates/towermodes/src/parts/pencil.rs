@@ -42,6 +42,8 @@ where
     structure: &'a S,
     work: &'a mut S::Work,
     problem: Problem,
+    /// Where an iteration begins, if something better is known than the structure's own start.
+    first: Option<&'a [f64]>,
 }
 
 impl<'a, S, const D: usize> StructurePencil<'a, S, D>
@@ -55,7 +57,13 @@ where
             structure,
             work,
             problem,
+            first: None,
         }
+    }
+
+    /// The same, with iterations that begin with a vector near the one looked for.
+    pub fn beginning_with(self, first: Option<&'a [f64]>) -> Self {
+        Self { first, ..self }
     }
 
     /// The vibration of a structure that nothing lets float away.
@@ -115,24 +123,31 @@ where
             return 0.0;
         }
         let stiffness = self.problem.stiffness();
-        let mut size_of = |factor: f64, matrix: Combination, x: &[f64]| {
+        let mut energy = |factor: f64, matrix: Combination, x: &[f64]| {
             if factor == 0.0 {
                 return 0.0;
             }
             let balance = self.structure.balance(&matrix, self.work, x, 0.0);
-            (factor * balance.energy.iter().sum::<f64>()).abs()
+            factor * balance.energy.iter().sum::<f64>()
         };
-        let gross = size_of(stiffness.springs, Combination::SPRINGS, x)
-            + size_of(stiffness.ground, Combination::GROUND, x)
-            + size_of(stiffness.weights, Combination::WEIGHTS, x)
-            + size_of(stiffness.mass, Combination::MASS, x);
+        let others = [
+            energy(stiffness.ground, Combination::GROUND, x),
+            -energy(stiffness.weights, Combination::WEIGHTS, x),
+            energy(stiffness.mass, Combination::MASS, x),
+        ];
+        // All terms add up to 1, so the springs have the rest.
+        let springs = 1.0 - others.iter().sum::<f64>();
+        let gross = springs.abs() + others.iter().map(|term| term.abs()).sum::<f64>();
         // Motions at what ties to the ground are sums over all below: as if none of them cancelled.
         let all: Vec<f64> = x.iter().map(|x| x.abs()).collect();
-        let ties = size_of(stiffness.ground, Combination::GROUND, &all);
+        let ties = energy(stiffness.ground, Combination::GROUND, &all).abs();
         (gross - 1.0).max(0.0) + 2.0 * ties.sqrt()
     }
 
     fn start(&mut self, out: &mut [f64]) {
-        self.structure.start(self.work, out);
+        match self.first {
+            Some(first) => out.copy_from_slice(first),
+            None => self.structure.start(self.work, out),
+        }
     }
 }

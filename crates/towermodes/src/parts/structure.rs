@@ -26,13 +26,6 @@ impl Combination {
         ground: 0.0,
         weights: 0.0,
     };
-    /// The springs of joints or elements.
-    pub const SPRINGS: Self = Self {
-        springs: 1.0,
-        mass: 0.0,
-        ground: 0.0,
-        weights: 0.0,
-    };
     /// The ground.
     pub const GROUND: Self = Self {
         springs: 0.0,

@@ -132,7 +132,7 @@ fn describe(
 ) -> Result<Described, SolveError> {
     let Workspace { model, spectrum } = workspace;
     let proof = spectrum.prove(model, found, options.modes)?;
-    let buckling_load_factor = buckling_load_factor(tower, model)?;
+    let buckling_load_factor = buckling_load_factor(tower, model, Some(spectrum))?;
     let rigid_inertia = tower.rigid_inertia(options.has_rotary_inertia());
     let listed = &found[..found.len().min(options.modes + 1)];
     let identities = identify(tower, model, spectrum, listed, &rigid_inertia);
@@ -201,7 +201,7 @@ fn solve_cut(
         .solve(tower, model, options.modes)
         .map_err(|error| match error {
             // Say by how much; what is held and does not buckle cannot be unstable but by rounding.
-            EigenError::Unstable { .. } => match buckling_load_factor(tower, model) {
+            EigenError::Unstable { .. } => match buckling_load_factor(tower, model, None) {
                 Err(buckles @ SolveError::Buckles { .. }) => buckles,
                 _ => EigenError::TooStiff.into(),
             },

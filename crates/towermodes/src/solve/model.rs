@@ -110,20 +110,23 @@ impl Model {
         act: impl FnOnce(&mut dyn Pencil) -> R,
     ) -> R {
         let origin = self.origin;
-        self.with_problem(part, Problem::Vibration { origin }, act)
+        self.with_problem(part, Problem::Vibration { origin }, None, act)
     }
 
-    /// Lets `act` work on any problem of a part.
+    /// Lets `act` work on any problem of a part, iterations beginning with a vector if one is known.
     pub(super) fn with_problem<R>(
         &mut self,
         part: usize,
         problem: Problem,
+        first: Option<&[f64]>,
         act: impl FnOnce(&mut dyn Pencil) -> R,
     ) -> R {
         if self.is_chain {
-            self.chains.part_mut(part).with_pencil(problem, act)
+            let part = self.chains.part_mut(part);
+            part.with_pencil_beginning(problem, first, act)
         } else {
-            self.beams.part_mut(part).with_pencil(problem, act)
+            let part = self.beams.part_mut(part);
+            part.with_pencil_beginning(problem, first, act)
         }
     }
 

@@ -52,6 +52,12 @@ impl Spectrum {
         self.parts[key.part].vector(key.order - 1)
     }
 
+    /// The lowest eigenvector of a part in the last solve, if any was found.
+    pub(super) fn first_of(&self, part: usize) -> Option<&[f64]> {
+        let workspace = &self.parts[part];
+        (!workspace.eigenvalues().is_empty()).then(|| workspace.vector(0))
+    }
+
     /// The eigenvalue of a mode of the last solve of its part.
     pub(super) fn eigenvalue(&self, model: &Model, key: ModeKey) -> Eigenvalue {
         self.parts[key.part].eigenvalues()[key.order - 1].shifted(model.origin)

@@ -2,7 +2,8 @@
 
 use super::model::Model;
 use super::options::SolveError;
-use crate::eigen::{EigenError, EigenWorkspace, lowest};
+use super::spectrum::Spectrum;
+use crate::eigen::{EigenError, EigenWorkspace, Pencil, least, lowest};
 use crate::modes::{ByMotion, Energy, Family, RigidBody};
 use crate::parts::Problem;
 use crate::tower::{Motion, Tower};
@@ -82,36 +83,38 @@ fn unstable(tower: &Tower, model: &mut Model, scale: f64) -> Result<SolveError, 
     Ok(SolveError::Unstable { motion })
 }
 
-/// The factor by which weights must be multiplied for the tower to buckle; none without gravity, or where it floats.
+/// The factor by which weights must be multiplied for the tower to buckle; none without gravity, or where it floats. The modes, if they
+/// are known, are near the shapes in which it buckles.
 ///
 /// # Errors
 /// [`SolveError::Buckles`] if it does.
 pub(super) fn buckling_load_factor(
     tower: &Tower,
     model: &mut Model,
+    modes: Option<&Spectrum>,
 ) -> Result<Option<f64>, SolveError> {
     if tower.gravity_m_per_s2() == 0.0 || tower.base().floats {
         return Ok(None);
     }
-    let mut least: Option<f64> = None;
+    let mut lowest_factor = None;
     let mut workspace = EigenWorkspace::default();
     for part in 0..model.parts() {
         let bends = model.motions(part).iter().any(Motion::bends);
         if !bends {
             continue;
         }
-        let problem = Problem::Buckling;
-        match model.with_problem(part, problem, |pencil| lowest(pencil, 1, &mut workspace)) {
-            Ok(_) => {
-                let factor = workspace.eigenvalues()[0].lambda;
-                least = Some(least.map_or(factor, |least| least.min(factor)));
+        let first = modes.and_then(|modes| modes.first_of(part));
+        let find = |pencil: &mut dyn Pencil| least(pencil, &mut workspace);
+        match model.with_problem(part, Problem::Buckling, first, find) {
+            Ok(factor) => {
+                lowest_factor = Some(lowest_factor.map_or(factor, |least: f64| least.min(factor)));
             }
             // Weights too small beside the stiffness to count.
             Err(EigenError::NotFinite) => {}
             Err(error) => return Err(error.into()),
         }
     }
-    match least {
+    match lowest_factor {
         Some(load_factor) if load_factor <= 1.0 => Err(SolveError::Buckles { load_factor }),
         factor => Ok(factor),
     }
