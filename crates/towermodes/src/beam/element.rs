@@ -111,35 +111,23 @@ impl Stencil {
             root,
             &mut self.shape,
         );
-        let of = |place: usize, beam: &mut Beam<D>| {
-            let matrices = &mut beam.matrices[place];
-            matrices.resize((element + 1) * rows * rows, 0.0);
-            std::mem::take(matrices)
-        };
         let inertia = inertia(section, slice.rotary_inertia);
         let inertia = components.map(|(i, _)| weight * inertia[i]);
-        let mut matrices = of(place(Role::Inertia), beam);
-        let matrix = &mut matrices[element * rows * rows..];
+        let matrix = beam.last_matrix(place(Role::Inertia));
         add_squares(&inertia, &self.shape, rows, matrix);
-        beam.matrices[place(Role::Inertia)] = matrices;
         if section.soil != SoilStiffness::default() {
             let soil = soil(&section.soil);
             let soil = components.map(|(i, _)| weight * soil[i]);
-            let mut matrices = of(place(Role::Ground), beam);
-            let matrix = &mut matrices[element * rows * rows..];
+            let matrix = beam.last_matrix(place(Role::Ground));
             add_squares(&soil, &self.shape, rows, matrix);
-            beam.matrices[place(Role::Ground)] = matrices;
         }
-        let bends = !Dim::<D>::LEVERS.is_empty();
-        if let Some(compression_n) = slice.compressions_n.get(point).filter(|_| bends) {
-            let mut matrices = of(WEIGHTS, beam);
-            let matrix = &mut matrices[element * rows * rows..];
-            for lever in Dim::<D>::LEVERS {
-                self.write_shear(beam, components, lever, point);
-                let factor = -weight * compression_n;
-                self.add_sinking::<D>(lever, factor, rows, matrix);
-            }
-            beam.matrices[WEIGHTS] = matrices;
+        let Some(compression_n) = slice.compressions_n.get(point) else {
+            return;
+        };
+        for lever in Dim::<D>::LEVERS {
+            self.write_shear(beam, components, lever, point);
+            let matrix = beam.last_matrix(WEIGHTS);
+            self.add_sinking::<D>(lever, -weight * compression_n, rows, matrix);
         }
     }
 

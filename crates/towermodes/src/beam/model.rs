@@ -157,15 +157,21 @@ where
             return;
         };
         lower_matrix(&mut matrix, reference_m - (base_m + length_m));
-        let element = self.elements() - 1;
         let rows = self.rows();
         let mut top = std::mem::take(&mut self.top);
         top.resize(D * rows, 0.0);
-        self.top_motion(element, &mut top);
-        let matrices = &mut self.matrices[place];
-        matrices.resize((element + 1) * rows * rows, 0.0);
-        add_congruent(&matrix, &top, rows, &mut matrices[element * rows * rows..]);
+        self.top_motion(self.elements() - 1, &mut top);
+        add_congruent(&matrix, &top, rows, self.last_matrix(place));
         self.top = top;
+    }
+
+    /// The matrix of the last element at a place.
+    pub(super) fn last_matrix(&mut self, place: usize) -> &mut [f64] {
+        let size = self.rows() * self.rows();
+        let count = self.elements();
+        let matrices = &mut self.matrices[place];
+        matrices.resize(count * size, 0.0);
+        &mut matrices[(count - 1) * size..]
     }
 
     /// The D×rows matrix [X T] of an element, row by row: the motion of its top for the motion of its base and its coordinates.

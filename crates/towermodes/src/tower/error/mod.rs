@@ -1,98 +1,15 @@
 //! Why a description is not a tower, with the place and the numbers.
 
+mod hint;
+mod place;
+
+pub use place::Place;
+
 use std::fmt;
 
 use thiserror::Error;
 
 use crate::number::{Plain, significant};
-
-/// Where in a [`TowerDescription`](super::TowerDescription) something is wrong.
-///
-/// Indices count from 0; `key` is the name the quantity has in a TOML file.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-pub enum Place {
-    /// The list of stations as a whole.
-    Stations,
-    /// One value of one station: `height`, `diameter`, `wall` or `material`; of a row of a property table: `height` or its column.
-    Station {
-        /// Which station.
-        index: usize,
-        /// Which of its values.
-        key: &'static str,
-    },
-    /// One value of one material: `density`, `youngs_modulus`, `shear_modulus`.
-    Material {
-        /// Which material.
-        index: usize,
-        /// Which of its values.
-        key: &'static str,
-    },
-    /// One value of one point mass: `height`, `mass` or `inertia`.
-    PointMass {
-        /// Which point mass.
-        index: usize,
-        /// Which of its values.
-        key: &'static str,
-    },
-    /// One value of the rotor-nacelle assembly: `mass`, `center` or `inertia`.
-    Rna {
-        /// Which of its values.
-        key: &'static str,
-    },
-    /// One value of the foundation: its key.
-    Foundation {
-        /// Which of its values.
-        key: &'static str,
-    },
-    /// One value of a layer of soil: `rows`, or of one of its rows `height`, `x`, `y`, `z`, `torsion`.
-    Soil {
-        /// Which layer.
-        layer: usize,
-        /// Which of its rows.
-        row: usize,
-        /// Which of its values.
-        key: &'static str,
-    },
-    /// One value of the water: its key.
-    Water {
-        /// Which of its values.
-        key: &'static str,
-    },
-    /// One value of a set of wires: `height`, `count`, `stiffness` or `angle`.
-    Wires {
-        /// Which set.
-        index: usize,
-        /// Which of its values.
-        key: &'static str,
-    },
-    /// The acceleration of gravity.
-    Gravity,
-    /// The outfitting factor.
-    OutfittingFactor,
-    /// The shear coefficient.
-    Shear,
-}
-
-impl fmt::Display for Place {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::Stations => write!(f, "stations"),
-            Self::Station { index, .. } => write!(f, "station {}", index + 1),
-            Self::Material { index, .. } => write!(f, "material {}", index + 1),
-            Self::PointMass { index, .. } => write!(f, "point mass {}", index + 1),
-            Self::Rna { .. } => write!(f, "rotor-nacelle assembly"),
-            Self::Foundation { .. } => write!(f, "foundation"),
-            Self::Soil { layer, row, .. } => {
-                write!(f, "row {} of soil layer {}", row + 1, layer + 1)
-            }
-            Self::Water { .. } => write!(f, "water"),
-            Self::Wires { index, .. } => write!(f, "wires {}", index + 1),
-            Self::Gravity => write!(f, "gravity"),
-            Self::OutfittingFactor => write!(f, "outfitting factor"),
-            Self::Shear => write!(f, "shear"),
-        }
-    }
-}
 
 /// A description that no tower can have: where, and what is wrong.
 #[derive(Debug, Clone, PartialEq, Error)]
@@ -391,73 +308,4 @@ impl fmt::Display for FreeMotions {
 fn rounded(value: f64) -> f64 {
     let scaled = (value * 1e4).round() / 1e4;
     if scaled.is_finite() { scaled } else { value }
-}
-
-impl Problem {
-    /// What would be right, in one sentence, where more can be said than the message says.
-    pub fn hint(&self) -> Option<&'static str> {
-        Some(match self {
-            Self::NotFinite { .. } => "write an ordinary number, as 6.0 or 2.1e11",
-            Self::ImpossibleModuli { .. } => {
-                "both moduli are in Pa; for steel E is about 2.1e11 and G about 8.08e10"
-            }
-            Self::TooFewStations { .. } => "one row at the base and one at the top are enough",
-            Self::HeightDecreases { .. } => {
-                "list the stations from the base to the top; two rows at one height are a step"
-            }
-            Self::HeightThrice { .. } => "keep the row below the step and the row above it",
-            Self::NoHeight { .. } => "the first value of a row is its height above the datum in m",
-            Self::WallTooThick { .. } => {
-                "a row is height, outer diameter, wall thickness, all in m; 27 mm is 0.027"
-            }
-            Self::OutsideTower { .. } => {
-                "heights are in the datum of the stations; what sits on top belongs into [rna]"
-            }
-            Self::InertiaWithoutMass => "give the mass, or leave the inertia out",
-            Self::NegativeInertia { .. } => {
-                "products are the entries of the tensor (xy is minus the integral of x y dm), all in kg m2 about the body's own centre"
-            }
-            Self::Asymmetric { .. } => {
-                "the order is x, y, z, rotation about x, y, z; entry (row, column) and entry (column, row) are the same quantity"
-            }
-            Self::Indefinite { .. } => {
-                "look at the signs of the coupling: a force in x and the rotation about y that it makes have one sign, y and x the other"
-            }
-            Self::Free { .. } => {
-                "clamp it, give it springs or soil there, or make it type = \"floating\""
-            }
-            Self::CouplingOfRigid => "leave coupling out, or give both springs a number",
-            Self::SoilPoissonsRatio { .. } => "sand has about 0.3, saturated clay 0.5",
-            Self::InfiniteAndFloating { .. } => {
-                "write finite stiffnesses, or use type = \"springs\", where inf is allowed"
-            }
-            Self::WeightsWithoutBuoyancy => {
-                "give hydrostatic and hydrostatic_height; leave [gravity] out to solve without weights"
-            }
-            Self::TooFewSoilRows { .. } => {
-                "one row at the bottom and one at the surface are enough"
-            }
-            Self::SoilRowsDecrease { .. } => "list the rows from the bottom to the surface",
-            Self::SoilOutsideTower { .. } | Self::WaterOutsideTower { .. } => {
-                "heights are in the datum of the stations; a depth below it is negative"
-            }
-            Self::SoilWithoutDepth { .. } => "the first value of a row is its height in m",
-            Self::WaterAroundTable => {
-                "put the water's mass into the table's mass_kg_per_m, or give stations"
-            }
-            Self::BedAboveWater { .. } => "leave bed out if it is the lowest station",
-            Self::TooFewWires { .. } => "count is the number of equally spaced wires",
-            Self::WireAngle { .. } => "a wire at 45 degrees has angle_deg = 45",
-            Self::StationsAndProperties => "keep one of the two",
-            Self::ShearInSomeRows => {
-                "give it in every row, or in none for a tower that does not shear"
-            }
-            Self::ShearCoefficient { .. } => {
-                "a thin tube has about 0.53; shear = true uses Cowper's value"
-            }
-            Self::NotPositive { .. } | Self::Negative { .. } | Self::UnknownMaterial { .. } => {
-                return None;
-            }
-        })
-    }
 }

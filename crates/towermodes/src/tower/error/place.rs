@@ -1,0 +1,91 @@
+//! Where in a description something is wrong.
+
+use std::fmt;
+
+/// Where in a [`TowerDescription`](crate::tower::TowerDescription) something is wrong.
+///
+/// Indices count from 0; `key` is the name the quantity has in a TOML file.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Place {
+    /// The list of stations as a whole.
+    Stations,
+    /// One value of one station: `height`, `diameter`, `wall` or `material`; of a row of a property table: `height` or its column.
+    Station {
+        /// Which station.
+        index: usize,
+        /// Which of its values.
+        key: &'static str,
+    },
+    /// One value of one material: `density`, `youngs_modulus`, `shear_modulus`.
+    Material {
+        /// Which material.
+        index: usize,
+        /// Which of its values.
+        key: &'static str,
+    },
+    /// One value of one point mass: `height`, `mass` or `inertia`.
+    PointMass {
+        /// Which point mass.
+        index: usize,
+        /// Which of its values.
+        key: &'static str,
+    },
+    /// One value of the rotor-nacelle assembly: `mass`, `center` or `inertia`.
+    Rna {
+        /// Which of its values.
+        key: &'static str,
+    },
+    /// One value of the foundation: its key.
+    Foundation {
+        /// Which of its values.
+        key: &'static str,
+    },
+    /// One value of a layer of soil: `rows`, or of one of its rows `height`, `x`, `y`, `z`, `torsion`.
+    Soil {
+        /// Which layer.
+        layer: usize,
+        /// Which of its rows.
+        row: usize,
+        /// Which of its values.
+        key: &'static str,
+    },
+    /// One value of the water: its key.
+    Water {
+        /// Which of its values.
+        key: &'static str,
+    },
+    /// One value of a set of wires: `height`, `count`, `stiffness` or `angle`.
+    Wires {
+        /// Which set.
+        index: usize,
+        /// Which of its values.
+        key: &'static str,
+    },
+    /// The acceleration of gravity.
+    Gravity,
+    /// The outfitting factor.
+    OutfittingFactor,
+    /// The shear coefficient.
+    Shear,
+}
+
+impl fmt::Display for Place {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Stations => write!(f, "stations"),
+            Self::Station { index, .. } => write!(f, "station {}", index + 1),
+            Self::Material { index, .. } => write!(f, "material {}", index + 1),
+            Self::PointMass { index, .. } => write!(f, "point mass {}", index + 1),
+            Self::Rna { .. } => write!(f, "rotor-nacelle assembly"),
+            Self::Foundation { .. } => write!(f, "foundation"),
+            Self::Soil { layer, row, .. } => {
+                write!(f, "row {} of soil layer {}", row + 1, layer + 1)
+            }
+            Self::Water { .. } => write!(f, "water"),
+            Self::Wires { index, .. } => write!(f, "wires {}", index + 1),
+            Self::Gravity => write!(f, "gravity"),
+            Self::OutfittingFactor => write!(f, "outfitting factor"),
+            Self::Shear => write!(f, "shear"),
+        }
+    }
+}
