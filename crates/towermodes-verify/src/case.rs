@@ -217,14 +217,9 @@ impl Case {
                 Ok(mode.map(in_unit).ok_or("the mode is not there")?)
             }
             Quantity::BucklingLoadFactor => {
-                let factor = buckling_load_factor(solution);
+                let factor = solution.buckling_load_factor;
                 Ok(factor.ok_or("no weights buckle the tower")?)
             }
         }
     }
-}
-
-/// All weights times this factor buckle the tower.
-fn buckling_load_factor(solution: &Solution) -> Option<f64> {
-    solution.buckling_load_factor
 }

@@ -10,78 +10,22 @@ use towermodes::chain::Chains;
 use towermodes::eigen::{EigenWorkspace, lowest};
 use towermodes::elements::{Borders, Mesh, Recipe, assemble};
 use towermodes::parts::{Parts, Problem};
-use towermodes::{
-    FloatingPlatform, Foundation, FoundationSprings, Inertia, Material, Method, Options,
-    ReferredMatrix, Rna, Station, Tower, TowerDescription, Workspace, solve_with,
-};
+use towermodes::{Method, Options, Rna, Tower, TowerDescription, Workspace, solve_with};
+use towermodes_verify::towers::{floater, reference, reference_on_springs};
 
 fn tower(rna_kg: f64) -> Tower {
-    Tower::new(description(rna_kg)).expect("a valid tower")
-}
-
-fn description(rna_kg: f64) -> TowerDescription {
-    TowerDescription {
-        materials: vec![Material::from_shear_modulus(8500.0, 2.1e11, 8.08e10)],
-        stations: vec![
-            Station::new(0.0, 6.0, 0.027),
-            Station::new(87.6, 3.87, 0.019),
-        ],
+    Tower::new(TowerDescription {
         rna: Rna::point(rna_kg),
-        ..TowerDescription::default()
-    }
+        ..reference()
+    })
+    .expect("a valid tower")
 }
 
-/// The same with an eccentric machine, on springs, with weights: coupled chains.
-fn real_tower() -> TowerDescription {
-    TowerDescription {
-        rna: Rna {
-            mass_kg: 350e3,
-            center_m: [-0.41, 0.3, 1.97],
-            inertia_kg_m2: Inertia {
-                xx: 4.37e7,
-                yy: 2.353e7,
-                zz: 2.542e7,
-                xz: 1.169e6,
-                ..Inertia::default()
-            },
-        },
-        foundation: Foundation::Springs(FoundationSprings {
-            lateral_n_per_m: 2e9,
-            rocking_n_m: 1e11,
-            coupling_n: 0.0,
-            vertical_n_per_m: 1e10,
-            torsion_n_m: 1e11,
-        }),
-        gravity_m_per_s2: 9.81,
-        ..description(0.0)
-    }
-}
-
-/// A spar that carries the same tower.
-fn floating_tower() -> TowerDescription {
-    let diagonal = |values: [f64; 6]| ReferredMatrix {
-        matrix: std::array::from_fn(|i| {
-            std::array::from_fn(|j| if i == j { values[i] } else { 0.0 })
-        }),
-        height_m: 0.0,
-    };
-    let inertia = Inertia {
-        xx: 4e9,
-        yy: 4e9,
-        zz: 1.6e8,
-        ..Inertia::default()
-    };
-    TowerDescription {
-        foundation: Foundation::Floating(Box::new(FloatingPlatform {
-            mass_kg: 7.5e6,
-            center_m: [0.0, 0.0, -90.0],
-            inertia_kg_m2: inertia,
-            added_mass: diagonal([8e6, 8e6, 2.4e5, 3.8e10, 3.8e10, 0.0]),
-            hydrostatic: diagonal([0.0, 0.0, 3.3e5, -5.0e9, -5.0e9, 0.0]),
-            mooring: diagonal([4.1e4, 4.1e4, 1.2e4, 3.1e8, 3.1e8, 1.1e8]),
-        })),
-        ..real_tower()
-    }
+/// A tower with its machine turned out of the planes, so that all motions are coupled.
+fn turned(mut tower: TowerDescription) -> TowerDescription {
+    tower.rna.center_m[1] = 0.3;
+    tower.gravity_m_per_s2 = 9.81;
+    tower
 }
 
 fn chains(tower: &Tower, segments: usize) -> Parts<Chains> {
@@ -96,7 +40,10 @@ const AT_REST: Problem = Problem::Vibration { origin: 0.0 };
 /// Towers whose motions are all coupled, 8 modes, by the default method.
 fn coupled(c: &mut Criterion) {
     let mut group = c.benchmark_group("coupled, 8 modes");
-    for (name, description) in [("held", real_tower()), ("floating", floating_tower())] {
+    for (name, description) in [
+        ("held", turned(reference_on_springs())),
+        ("floating", turned(floater())),
+    ] {
         let tower = Tower::new(description).expect("a valid tower");
         for segments in [100, 100_000] {
             if segments > 1000 {

@@ -19,26 +19,26 @@ pub struct Combination {
 }
 
 impl Combination {
-    /// The inertia.
-    pub const MASS: Self = Self {
+    const NONE: Self = Self {
         springs: 0.0,
-        mass: 1.0,
+        mass: 0.0,
         ground: 0.0,
         weights: 0.0,
     };
+    /// The inertia.
+    pub const MASS: Self = Self {
+        mass: 1.0,
+        ..Self::NONE
+    };
     /// The ground.
     pub const GROUND: Self = Self {
-        springs: 0.0,
-        mass: 0.0,
         ground: 1.0,
-        weights: 0.0,
+        ..Self::NONE
     };
     /// The stiffness without the weights.
     pub const ELASTIC: Self = Self {
         springs: 1.0,
-        mass: 0.0,
-        ground: 1.0,
-        weights: 0.0,
+        ..Self::GROUND
     };
     /// The stiffness.
     pub const STIFFNESS: Self = Self {
@@ -47,10 +47,8 @@ impl Combination {
     };
     /// What weights take from the stiffness.
     pub const WEIGHTS: Self = Self {
-        springs: 0.0,
-        mass: 0.0,
-        ground: 0.0,
         weights: -1.0,
+        ..Self::NONE
     };
 
     /// This minus `shift` times another.

@@ -29,7 +29,7 @@ pub(super) fn estimate_errors(
     result: &mut Described,
     workspace: &mut Workspace,
 ) -> Result<usize, SolveError> {
-    let (modes, below) = (&mut result.modes, result.proof.below);
+    let (modes, below) = (&mut result.modes, result.below);
     let powers = part_powers(tower, options, &workspace.model);
     let powers_of = |mode: &Mode| powers[mode.key.part];
     // Where borders are irregular two meshes can agree by chance, and one more finds it out; a single piece converges smoothly.

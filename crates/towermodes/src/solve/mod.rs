@@ -79,9 +79,8 @@ fn solve_segments(
     let statistics = workspace.spectrum.statistics;
     let mut result = describe(tower, &cut, options, &found, workspace)?;
     let elsewhere = estimate_errors(tower, &cut, options, &mut result, workspace)?;
-    let certificate = certificate(&result.proof);
     let mut warnings = warnings(tower, &cut.mesh, options, &result);
-    warnings.extend(uncertain_end(&result.modes, &certificate, elsewhere));
+    warnings.extend(uncertain_end(&result.modes, &result.certificate, elsewhere));
     let segments = cut.mesh.segments();
     Ok(result.into_solution(options.method, segments, warnings, statistics))
 }
@@ -91,7 +90,9 @@ struct Described {
     modes: Vec<Mode>,
     /// Polynomial degree, if it is the spectral beam.
     degree: Option<usize>,
-    proof: Proof,
+    certificate: Certificate,
+    /// Where the list was certified to end, λ, rad²/s².
+    below: f64,
     /// The mode that repeats the last of the list and is not in it: label and frequency (Hz).
     cut_off: Option<(String, f64)>,
     degrees_of_freedom: usize,
@@ -112,7 +113,7 @@ impl Described {
             segments,
             degree: self.degree,
             degrees_of_freedom: self.degrees_of_freedom,
-            certificate: certificate(&self.proof),
+            certificate: self.certificate,
             modes: self.modes,
             rigid_inertia: self.rigid_inertia,
             buckling_load_factor: self.buckling_load_factor,
@@ -143,7 +144,8 @@ fn describe(
     Ok(Described {
         modes,
         degree: (options.method == Method::Spectral).then_some(cut.degree),
-        proof,
+        certificate: certificate(&proof),
+        below: proof.below,
         cut_off: cut_off.map(|(found, identity)| {
             let label = identity.family.label(identity.order);
             (label, found.eigenvalue.frequency_hz())
