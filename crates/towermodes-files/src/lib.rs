@@ -21,12 +21,19 @@
 //! assert_eq!(diagnostics[0].hint.as_deref(), Some("did you mean `density`?"));
 //! ```
 
+mod companions;
 mod diagnostic;
+pub mod elastodyn;
+mod input;
+mod places;
+mod records;
 mod result;
 mod source;
 mod toml;
 
+pub use companions::{Beside, Companions, InMemory};
 pub use diagnostic::Diagnostic;
+pub use input::{BladeInput, FileFormat, InputError, Note, ReadOptions, TowerInput, TowerPart};
 pub use result::{
     ResultError, ResultKind, write_comparison_csv, write_comparison_json, write_convergence_csv,
     write_convergence_json, write_csv, write_json, write_json_schema, write_verification_csv,

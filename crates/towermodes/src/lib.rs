@@ -25,6 +25,7 @@
 //! the user's own datum; x is fore-aft (downwind), y side-side, z up.
 
 pub mod beam;
+pub mod blade;
 pub mod chain;
 pub mod eigen;
 pub mod elements;
@@ -39,6 +40,7 @@ mod symmetric;
 pub mod tower;
 mod warning;
 
+pub use blade::{BladeDescription, BladeSection};
 pub use eigen::{EigenError, Statistics};
 pub use method::Method;
 pub use modes::{ByMotion, Energy, Family, ShapePoint};
@@ -48,8 +50,8 @@ pub use solve::{
     Workspace, solve, solve_with,
 };
 pub use tower::{
-    FloatingPlatform, Foundation, FoundationSprings, HalfSpace, Inertia, Material, Place, Planes,
-    PointMass, Problem, Properties, PropertyStation, ReferredMatrix, Rna, Shear, SoilRow,
+    AddedMassRow, FloatingPlatform, Foundation, FoundationSprings, HalfSpace, Inertia, Material, Place, Planes,
+    PointMass, Problem, Properties, PropertyStation, ReferredMatrix, RigidBody, Rna, Shear, SoilRow,
     SoilStiffness, Station, StiffnessFoundation, Tower, TowerDescription, TowerError, Water, Wires,
 };
 pub use warning::Warning;

@@ -244,6 +244,7 @@ fn shapes(
                     &curve,
                     &heights_m,
                     &stations_m,
+                    &options.heights_m,
                 )
             }
         };

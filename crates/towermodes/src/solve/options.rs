@@ -35,12 +35,17 @@ pub struct Options {
     pub method: Method,
     /// Number of segments; `None` is [`DEFAULT_SEGMENTS`] and two more for each short span between steps, kinks and what is attached.
     pub segments: Option<usize>,
+    /// Where the segments begin and end, m, from the base to the top, in place of `segments`; every mass, wire and step must be at one, but for
+    /// the method `bmodes`, whose elements reach over steps.
+    pub borders_m: Option<Vec<f64>>,
     /// Polynomial degree of the elements of the spectral beam, 2 to [`MAX_DEGREE`]; `None` raises it until the modes stand still.
     pub degree: Option<usize>,
     /// How many modes, from the lowest.
     pub modes: usize,
     /// At how many equal heights, base and top included, shapes are given.
     pub points: usize,
+    /// Other heights at which shapes are given, m: [`Mode::shape_there`](crate::Mode::shape_there).
+    pub heights_m: Vec<f64>,
     /// Whether sections have rotary inertia in bending (false: an Euler-Bernoulli beam).
     pub rotary_inertia: bool,
     /// Where the hinges of the cardanic element sit, as a share k of the segment from each end; (1 − 1/√3)/2 unless told.
@@ -52,9 +57,11 @@ impl Default for Options {
         Self {
             method: Method::default(),
             segments: None,
+            borders_m: None,
             degree: None,
             modes: DEFAULT_MODES,
             points: DEFAULT_POINTS,
+            heights_m: Vec::new(),
             rotary_inertia: true,
             hinge_position: GAUSS_HINGE_POSITION,
         }

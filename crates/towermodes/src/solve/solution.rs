@@ -36,6 +36,8 @@ pub struct Mode {
     pub shape: Vec<ShapePoint>,
     /// The shape at the tower's stations.
     pub station_shape: Vec<ShapePoint>,
+    /// The shape at the heights of [`Options::heights_m`](crate::Options::heights_m).
+    pub shape_there: Vec<ShapePoint>,
     /// Which mode it is on any mesh and by any method.
     pub(crate) key: ModeKey,
 }
@@ -50,6 +52,7 @@ impl Mode {
         curve: &ModeCurve<'_>,
         heights_m: &[f64],
         stations_m: &[f64],
+        others_m: &[f64],
     ) -> Self {
         let frequency_hz = found.eigenvalue.frequency_hz();
         Self {
@@ -68,6 +71,7 @@ impl Mode {
                 / (curve.largest() * curve.largest() * (found.eigenvalue.lambda - origin)),
             shape: curve.sample(heights_m),
             station_shape: curve.sample(stations_m),
+            shape_there: curve.sample(others_m),
         }
     }
 
@@ -84,13 +88,15 @@ impl Mode {
             key: found.key,
             shape: turned(&self.shape),
             station_shape: turned(&self.station_shape),
+            shape_there: turned(&self.shape_there),
             ..*self
         }
     }
 
     /// Whether no number of it overflowed on the way.
     pub(super) fn is_finite(&self) -> bool {
-        let mut points = self.shape.iter().chain(&self.station_shape);
+        let points = self.shape.iter().chain(&self.station_shape);
+        let mut points = points.chain(&self.shape_there);
         self.modal_mass.is_finite() && points.all(ShapePoint::is_finite)
     }
 

@@ -3,7 +3,7 @@
 use super::foundation::Foundation;
 use super::material::Material;
 use super::properties::Properties;
-use super::surroundings::{SoilRow, Water, Wires};
+use super::surroundings::{AddedMassRow, SoilRow, Water, Wires};
 use crate::symmetric::eigenpairs;
 
 /// One row of the tower's geometry: the tube at a height. Between rows diameter and wall are linear.
@@ -71,6 +71,19 @@ impl Inertia {
             [self.xy, self.yy, self.yz],
             [self.xz, self.yz, self.zz],
         ]
+    }
+
+    /// The inertia that a symmetric tensor says.
+    pub fn from_tensor(tensor: [[f64; 3]; 3]) -> Self {
+        let [[xx, xy, xz], [_, yy, yz], [_, _, zz]] = tensor;
+        Self {
+            xx,
+            yy,
+            zz,
+            xy,
+            xz,
+            yz,
+        }
     }
 
     /// The principal moments of inertia, rising, kg m².
@@ -160,6 +173,8 @@ pub struct TowerDescription {
     pub foundation: Foundation,
     /// Layers of soil around the tower, each rows by rising height; where layers overlap their springs add up.
     pub soil: Vec<Vec<SoilRow>>,
+    /// Tables of mass that moves with the tower transversely, as water does, each rows by rising height; where they overlap they add up.
+    pub added_mass: Vec<Vec<AddedMassRow>>,
     /// Water around the tower; none unless told.
     pub water: Option<Water>,
     /// Wires that hold the tower.
@@ -181,6 +196,7 @@ impl Default for TowerDescription {
             point_masses: Vec::new(),
             foundation: Foundation::Clamped,
             soil: Vec::new(),
+            added_mass: Vec::new(),
             water: None,
             wires: Vec::new(),
             gravity_m_per_s2: 0.0,

@@ -16,6 +16,7 @@ mod planes;
 mod plausibility;
 mod properties;
 mod rigid;
+mod rigid_body;
 mod section;
 mod surroundings;
 mod validate;
@@ -40,8 +41,9 @@ pub use on_axis::{Line, OnAxis};
 pub use piece::{Piece, Profile};
 pub use planes::{Plane, Planes};
 pub use properties::Properties;
+pub use rigid_body::RigidBody;
 pub use section::{Section, SectionMasses, Tube};
-pub use surroundings::{SoilRow, SoilStiffness, Water, Wires};
+pub use surroundings::{AddedMassRow, SoilRow, SoilStiffness, Water, Wires};
 
 use weight::Above;
 

@@ -13,13 +13,13 @@ pub struct Properties {
     pub mass_kg_per_m: f64,
     /// Rotary inertia per length that resists bending in each plane, kg m; may be zero.
     pub rotary_inertia_kg_m: Planes<f64>,
-    /// Inertia per length about the tower's axis, kg m.
+    /// Inertia per length about the tower's axis, kg m; may be zero if the tower does not twist.
     pub polar_inertia_kg_m: f64,
     /// Bending stiffness EI in each plane, N m².
     pub bending_n_m2: Planes<f64>,
-    /// Torsional stiffness GJ, N m².
+    /// Torsional stiffness GJ, N m²; infinite, in all rows of a table, for a tower that does not twist.
     pub torsion_n_m2: f64,
-    /// Axial stiffness EA, N.
+    /// Axial stiffness EA, N; infinite, in all rows of a table, for a tower that does not stretch.
     pub axial_n: f64,
     /// Shear stiffness κGA in each plane, N; none for a tower without shear deformation.
     pub shear_n: Option<Planes<f64>>,

@@ -67,6 +67,15 @@ impl SoilStiffness {
     }
 }
 
+/// One row of mass that moves with the tower transversely and is none of it; linear in height between rows, nothing outside them.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct AddedMassRow {
+    /// Height z in the datum of the stations, m.
+    pub height_m: f64,
+    /// Mass per length, kg/m, for motion in x and y.
+    pub mass_kg_per_m: f64,
+}
+
 /// Still water around the tower, and in it if it is flooded: mass for transverse motion.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Water {

@@ -49,6 +49,15 @@ pub enum Place {
         /// Which of its values.
         key: &'static str,
     },
+    /// One value of a table of added mass: `rows`, or of one of its rows `height` or `mass`.
+    AddedMass {
+        /// Which table.
+        table: usize,
+        /// Which of its rows.
+        row: usize,
+        /// Which of its values.
+        key: &'static str,
+    },
     /// One value of the water: its key.
     Water {
         /// Which of its values.
@@ -80,6 +89,9 @@ impl fmt::Display for Place {
             Self::Foundation { .. } => write!(f, "foundation"),
             Self::Soil { layer, row, .. } => {
                 write!(f, "row {} of soil layer {}", row + 1, layer + 1)
+            }
+            Self::AddedMass { table, row, .. } => {
+                write!(f, "row {} of added mass {}", row + 1, table + 1)
             }
             Self::Water { .. } => write!(f, "water"),
             Self::Wires { index, .. } => write!(f, "wires {}", index + 1),

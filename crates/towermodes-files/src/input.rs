@@ -1,0 +1,217 @@
+//! What a reader makes of a file.
+
+use thiserror::Error;
+use towermodes::{Method, Tower, TowerDescription};
+
+use crate::diagnostic::Diagnostic;
+use crate::places::Places;
+use crate::source::{ReadError, Source};
+
+/// The kinds of file that describe a tower.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum FileFormat {
+    /// This program's own.
+    Toml,
+    /// A main input file of BModes.
+    Bmodes,
+    /// A main input file of ElastoDyn, with its tower and blade files.
+    ElastoDyn,
+    /// A tower file of ElastoDyn alone.
+    ElastoDynTower,
+    /// A turbine in windIO, version 1 or 2.
+    WindIo,
+    /// A structural file of HAWC2.
+    Hawc2,
+}
+
+impl FileFormat {
+    /// What it is called.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Toml => "TOML",
+            Self::Bmodes => "BModes",
+            Self::ElastoDyn => "ElastoDyn",
+            Self::ElastoDynTower => "ElastoDyn tower",
+            Self::WindIo => "windIO",
+            Self::Hawc2 => "HAWC2",
+        }
+    }
+}
+
+/// Something a reader had to decide, or found and could not take over.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Note {
+    /// What it is, with the numbers.
+    pub message: String,
+    /// The file and the line (from 1) it is about, if it is about one.
+    pub place: Option<(String, usize)>,
+}
+
+impl Note {
+    /// A note on the whole.
+    pub fn new(message: impl Into<String>) -> Self {
+        Self {
+            message: message.into(),
+            place: None,
+        }
+    }
+
+    /// A note on a place in a file.
+    pub fn at(source: &Source, at: usize, message: impl Into<String>) -> Self {
+        let (line, _) = Diagnostic::new(at..at, "").line_and_column(&source.text);
+        Self {
+            place: Some((source.name.clone(), line)),
+            ..Self::new(message)
+        }
+    }
+}
+
+impl std::fmt::Display for Note {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        if let Some((file, line)) = &self.place {
+            write!(f, "{file}:{line}: ")?;
+        }
+        write!(f, "{}", self.message)
+    }
+}
+
+/// Why a file gives no tower.
+#[derive(Debug, Error)]
+pub enum InputError {
+    /// It, or a file that it names, cannot be read.
+    #[error(transparent)]
+    Unreadable(#[from] ReadError),
+    /// It has mistakes.
+    #[error("{}: {}", source_file.name, mistakes.first().map_or(String::new(), ToString::to_string))]
+    Mistakes {
+        /// The file they are in.
+        source_file: Box<Source>,
+        /// All that were found; never empty.
+        mistakes: Vec<Diagnostic>,
+    },
+}
+
+impl InputError {
+    /// One mistake in a file.
+    pub fn mistake(source: &Source, mistake: Diagnostic) -> Self {
+        Self::mistakes(source, vec![mistake])
+    }
+
+    /// Mistakes in a file.
+    pub fn mistakes(source: &Source, mistakes: Vec<Diagnostic>) -> Self {
+        let source_file = Box::new(source.clone());
+        Self::Mistakes {
+            source_file,
+            mistakes,
+        }
+    }
+}
+
+/// A tower as its files describe it, before the library has checked it.
+#[derive(Debug, Clone)]
+pub struct TowerInput {
+    /// What kind of file it is.
+    pub format: FileFormat,
+    /// What the files say; may be changed before it is checked.
+    pub description: TowerDescription,
+    /// The element borders that the file prescribes for the finite elements of BModes, m in the datum of the stations; none if none.
+    pub borders_m: Option<Vec<f64>>,
+    /// The method that the file is made for, if any.
+    pub method: Option<Method>,
+    /// How many modes the file asks for, if it does.
+    pub modes: Option<usize>,
+    /// What the user should know.
+    pub notes: Vec<Note>,
+    /// The files, the main one first.
+    pub(crate) sources: Vec<Source>,
+    /// Where in them each value stands.
+    pub(crate) places: Places,
+}
+
+impl TowerInput {
+    /// A description from a file, with nothing else said of it.
+    pub(crate) fn new(format: FileFormat, description: TowerDescription, source: Source) -> Self {
+        Self {
+            format,
+            description,
+            borders_m: None,
+            method: None,
+            modes: None,
+            notes: Vec::new(),
+            sources: vec![source],
+            places: Places::default(),
+        }
+    }
+
+    /// The tower.
+    ///
+    /// # Errors
+    /// [`InputError::Mistakes`] at the place of what no tower can have.
+    pub fn tower(&self) -> Result<Tower, InputError> {
+        Tower::new(self.description.clone()).map_err(|error| {
+            let (file, diagnostic) = self.places.mistake(&error);
+            InputError::mistake(&self.sources[file.min(self.sources.len() - 1)], diagnostic)
+        })
+    }
+
+    /// The files it was read from, the main one first.
+    pub fn files(&self) -> impl Iterator<Item = &str> {
+        self.sources.iter().map(|source| source.name.as_str())
+    }
+}
+
+/// How files are read where they leave a choice.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct ReadOptions {
+    /// Whether a BModes deck is understood as BModes 3.00 does, its faults included.
+    pub bmodes_quirks: bool,
+    /// Height of the tower's top above ground or sea level, m: for files that do not say it.
+    pub tower_height_m: Option<f64>,
+    /// Height of the tower's base above ground or sea level, m: for files that do not say it.
+    pub tower_base_m: f64,
+    /// Which part of a turbine.
+    pub part: TowerPart,
+}
+
+impl Default for ReadOptions {
+    fn default() -> Self {
+        Self {
+            bmodes_quirks: false,
+            tower_height_m: None,
+            tower_base_m: 0.0,
+            part: TowerPart::All,
+        }
+    }
+}
+
+/// Which part of a turbine is read from a file that has several.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum TowerPart {
+    /// The tower, on its monopile if there is one.
+    #[default]
+    All,
+    /// The tower alone, from its own base.
+    Tower,
+    /// The monopile alone.
+    Monopile,
+}
+
+/// A blade as its files describe it.
+#[derive(Debug, Clone)]
+pub struct BladeInput {
+    /// What the files say.
+    pub description: towermodes::BladeDescription,
+    /// How many modes the file asks for.
+    pub modes: usize,
+    /// What the user should know.
+    pub notes: Vec<Note>,
+    /// The files, the main one first.
+    pub(crate) sources: Vec<Source>,
+}
+
+impl BladeInput {
+    /// The files it was read from, the main one first.
+    pub fn files(&self) -> impl Iterator<Item = &str> {
+        self.sources.iter().map(|source| source.name.as_str())
+    }
+}

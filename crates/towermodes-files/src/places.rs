@@ -1,0 +1,57 @@
+//! Where in its files each value of a tower came from.
+
+use std::collections::HashMap;
+use std::ops::Range;
+
+use towermodes::{Place, TowerError};
+
+use crate::diagnostic::Diagnostic;
+
+/// The key under which the span of a whole table is remembered, for values that it leaves out.
+pub(crate) const TABLE: &str = "";
+
+/// Where each value of a tower stands: in which of its files, and there at which bytes.
+#[derive(Debug, Clone, Default, PartialEq, Eq)]
+pub(crate) struct Places {
+    spans: HashMap<Place, (usize, Range<usize>)>,
+}
+
+impl Places {
+    /// Remembers where a value stands: in a file, by its place among the tower's files from 0, at these bytes.
+    pub(crate) fn remember(&mut self, place: Place, file: usize, span: Range<usize>) {
+        self.spans.insert(place, (file, span));
+    }
+
+    /// A mistake that the tower's own checks found: the file it is in, and where there.
+    pub(crate) fn mistake(&self, error: &TowerError) -> (usize, Diagnostic) {
+        let (file, span) = self.find(error.place);
+        let diagnostic = Diagnostic::new(span, error.problem.to_string());
+        let diagnostic = match error.problem.hint() {
+            Some(hint) => diagnostic.with_hint(hint),
+            None => diagnostic,
+        };
+        (file, diagnostic)
+    }
+
+    /// Where a value stands; one that is left out at its table, or at the stations.
+    fn find(&self, place: Place) -> (usize, Range<usize>) {
+        let places = [place, table_of(place), Place::Stations];
+        let found = places.iter().find_map(|place| self.spans.get(place));
+        found.cloned().unwrap_or((0, 0..0))
+    }
+}
+
+/// The place of the whole table that a value belongs to, if it is remembered.
+fn table_of(place: Place) -> Place {
+    let key = TABLE;
+    match place {
+        Place::Foundation { .. } => Place::Foundation { key },
+        Place::Rna { .. } => Place::Rna { key },
+        Place::Station { index, .. } => Place::Station { index, key },
+        Place::Soil { layer, .. } => Place::Soil { layer, row: 0, key },
+        Place::AddedMass { table, .. } => Place::AddedMass { table, row: 0, key },
+        Place::Water { .. } => Place::Water { key },
+        Place::Wires { index, .. } => Place::Wires { index, key },
+        other => other,
+    }
+}

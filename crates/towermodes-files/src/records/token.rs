@@ -1,0 +1,152 @@
+//! The values of a line.
+
+use std::ops::Range;
+
+use crate::diagnostic::Diagnostic;
+
+/// One value of a line as it stands there.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub(crate) struct Token<'a> {
+    /// Its text, without quotes.
+    pub(crate) text: &'a str,
+    /// The bytes of the file it takes, quotes included.
+    pub(crate) span: Range<usize>,
+    /// Whether it stood in quotes.
+    pub(crate) is_quoted: bool,
+}
+
+impl Token<'_> {
+    /// The finite number it is; exponents may be written with d, as Fortran does.
+    pub(crate) fn number(&self, what: &str) -> Result<f64, Diagnostic> {
+        let value = self.any_number(what)?;
+        if value.is_finite() {
+            return Ok(value);
+        }
+        Err(self.wrong(format!(
+            "{what} is {}, which is not a finite number",
+            self.text
+        )))
+    }
+
+    /// The number it is, be it infinite or none.
+    fn any_number(&self, what: &str) -> Result<f64, Diagnostic> {
+        let plain = self.text.replace(['d', 'D'], "e");
+        let parsed = if self.is_quoted {
+            None
+        } else {
+            // `nan` and `inf` have no digit; everything else is read without its letters swapped.
+            self.text
+                .parse()
+                .ok()
+                .or_else(|| plain.parse::<f64>().ok())
+        };
+        parsed.ok_or_else(|| self.wrong(format!("{what} is expected here, a number")))
+    }
+
+    /// The whole number it is.
+    pub(crate) fn integer(&self, what: &str) -> Result<i64, Diagnostic> {
+        let parsed = if self.is_quoted {
+            None
+        } else {
+            self.text.parse().ok()
+        };
+        parsed.ok_or_else(|| self.wrong(format!("{what} is expected here, a whole number")))
+    }
+
+    /// The logical value it is: anything that begins with T or F, or with a point and one of these.
+    pub(crate) fn logical(&self, what: &str) -> Result<bool, Diagnostic> {
+        let letters = self.text.strip_prefix('.').unwrap_or(self.text);
+        match letters.chars().next().filter(|_| !self.is_quoted) {
+            Some('t' | 'T') => Ok(true),
+            Some('f' | 'F') => Ok(false),
+            _ => Err(self.wrong(format!("{what} is expected here, true or false"))),
+        }
+    }
+
+    /// A mistake at its place, with what stands there.
+    pub(crate) fn wrong(&self, message: impl AsRef<str>) -> Diagnostic {
+        let found: String = self.text.chars().take(40).collect();
+        let message = format!("{}; found `{found}`", message.as_ref());
+        Diagnostic::new(self.span.clone(), message)
+    }
+}
+
+/// The values of a line, one after the other.
+#[derive(Debug, Clone)]
+pub(crate) struct Tokens<'a> {
+    text: &'a str,
+    start: usize,
+    next: usize,
+}
+
+impl<'a> Tokens<'a> {
+    pub(super) fn new(text: &'a str, start: usize) -> Self {
+        let next = 0;
+        Self { text, start, next }
+    }
+}
+
+impl<'a> Iterator for Tokens<'a> {
+    type Item = Token<'a>;
+
+    fn next(&mut self) -> Option<Token<'a>> {
+        let is_gap = |c: char| c.is_whitespace() || c == ',';
+        let rest = self.text.get(self.next..)?;
+        let from = self.next + (rest.len() - rest.trim_start_matches(is_gap).len());
+        let rest = &self.text[from..];
+        let first = rest.chars().next().filter(|c| *c != '/')?;
+        let is_quote = first == '"' || first == '\'';
+        let (inner, length) = if is_quote {
+            let inner = rest[1..].split(first).next().unwrap_or_default();
+            (inner, (inner.len() + 2).min(rest.len()))
+        } else {
+            let inner = rest
+                .split(|c| is_gap(c) || c == '/')
+                .next()
+                .unwrap_or_default();
+            (inner, inner.len())
+        };
+        self.next = from + length;
+        let span = self.start + from..self.start + from + length;
+        Some(Token {
+            text: inner,
+            span,
+            is_quoted: is_quote,
+        })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::records::{Line, Token};
+
+    fn tokens(text: &str) -> Vec<Token<'_>> {
+        Line { text, start: 0 }.tokens().collect()
+    }
+
+    #[test]
+    fn values_end_at_blanks_commas_and_slashes() {
+        let texts = |text| -> Vec<String> {
+            tokens(text)
+                .iter()
+                .map(|token| token.text.to_owned())
+                .collect()
+        };
+        assert_eq!(texts(" 1.0,2\t 3 / 4"), ["1.0", "2", "3"]);
+        assert_eq!(texts("'a b/c, d' rest"), ["a b/c, d", "rest"]);
+        assert_eq!(texts("\"open"), ["open"]);
+        assert!(texts("/ nothing").is_empty());
+        assert!(texts("").is_empty());
+    }
+
+    #[test]
+    fn numbers_are_those_of_fortran() {
+        let number = |text| tokens(text)[0].number("it");
+        assert_eq!(number("1.5d3"), Ok(1500.0));
+        assert_eq!(number("1.D0"), Ok(1.0));
+        assert_eq!(number(".5E-1"), Ok(0.05));
+        for wrong in ["nan", "inf", "1e999", "350000kg", "'1'", "x", "d"] {
+            assert!(number(wrong).is_err(), "{wrong}");
+        }
+    }
+}

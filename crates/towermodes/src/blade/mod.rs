@@ -1,0 +1,5 @@
+//! What a rotating blade is.
+
+mod description;
+
+pub use description::{BladeDescription, BladeSection};
