@@ -40,18 +40,20 @@ mod symmetric;
 pub mod tower;
 mod warning;
 
-pub use blade::{BladeDescription, BladeSection};
+pub use blade::{Blade, BladeDescription, BladeError, BladeSection};
 pub use eigen::{EigenError, Statistics};
 pub use method::Method;
 pub use modes::{ByMotion, Energy, Family, ShapePoint};
 pub use solve::{
-    Certificate, DEFAULT_MODES, DEFAULT_POINTS, DEFAULT_SEGMENTS, MAX_DEGREE, MAX_POINTS,
-    MAX_SEGMENTS, MAX_SPECTRAL_ELEMENTS, MAX_VECTOR_BYTES, Mode, Options, Solution, SolveError,
-    Workspace, solve, solve_with,
+    BladeFamily, BladeMode, BladeSolution, Certificate, DEFAULT_MODES, DEFAULT_POINTS,
+    DEFAULT_SEGMENTS, MAX_DEGREE, MAX_POINTS, MAX_SEGMENTS, MAX_SPECTRAL_ELEMENTS,
+    MAX_VECTOR_BYTES, Mode, Options, Solution, SolveError, Workspace, solve, solve_blade,
+    solve_with,
 };
 pub use tower::{
-    AddedMassRow, FloatingPlatform, Foundation, FoundationSprings, HalfSpace, Inertia, Material, Place, Planes,
-    PointMass, Problem, Properties, PropertyStation, ReferredMatrix, RigidBody, Rna, Shear, SoilRow,
-    SoilStiffness, Station, StiffnessFoundation, Tower, TowerDescription, TowerError, Water, Wires,
+    AddedMassRow, FloatingPlatform, Foundation, FoundationSprings, HalfSpace, Inertia, Material,
+    Place, Planes, PointMass, Problem, Properties, PropertyStation, ReferredMatrix, RigidBody, Rna,
+    Shear, SoilRow, SoilStiffness, Station, StiffnessFoundation, Tower, TowerDescription,
+    TowerError, Water, Wires,
 };
 pub use warning::Warning;

@@ -35,10 +35,7 @@ impl Token<'_> {
             None
         } else {
             // `nan` and `inf` have no digit; everything else is read without its letters swapped.
-            self.text
-                .parse()
-                .ok()
-                .or_else(|| plain.parse::<f64>().ok())
+            self.text.parse().ok().or_else(|| plain.parse::<f64>().ok())
         };
         parsed.ok_or_else(|| self.wrong(format!("{what} is expected here, a number")))
     }

@@ -95,7 +95,13 @@ pub fn assemble_beams(
 ) {
     let degrees = recipe.degrees(tower.shears());
     parts.restart(tower);
-    parts.deform(|strain| degrees.of(strain));
+    parts.deform(|strain| {
+        if tower.is_rigid_in(strain.motion()) {
+            0
+        } else {
+            degrees.of(strain)
+        }
+    });
     let polynomials = degrees.axial.max(degrees.shear).max(degrees.curvature);
     workspace.stencil.prepare(degrees.points, polynomials);
     let gravity = tower.gravity_m_per_s2();

@@ -6,6 +6,7 @@ mod elimination;
 mod legendre;
 mod model;
 mod product;
+mod rotating;
 mod strain;
 mod structure;
 
@@ -14,5 +15,6 @@ pub use elimination::{Factors, count_negative, factorize, solve};
 pub use legendre::{Legendre, Term, gauss_points};
 pub use model::Beam;
 pub use product::{base_excitation, motions, product};
+pub(crate) use rotating::assemble_blade;
 pub use strain::{Deformation, Strain};
 pub use structure::{BeamWork, Beams};

@@ -26,8 +26,20 @@ impl Strain {
         Self::Stretch,
     ];
 
+    /// Its place in [`ALL`](Self::ALL).
+    pub(super) fn index(self) -> usize {
+        match self {
+            Self::Curvature(Plane::ForeAft) => 0,
+            Self::Shear(Plane::ForeAft) => 1,
+            Self::Curvature(Plane::SideSide) => 2,
+            Self::Shear(Plane::SideSide) => 3,
+            Self::Twist => 4,
+            Self::Stretch => 5,
+        }
+    }
+
     /// The motion it is part of.
-    fn motion(self) -> Motion {
+    pub(super) fn motion(self) -> Motion {
         match self {
             Self::Curvature(plane) | Self::Shear(plane) => Motion::Bending(plane),
             Self::Twist => Motion::Torsion,

@@ -24,6 +24,8 @@ pub struct BladeDescription {
     pub pitch_rad: f64,
     /// The body at the tip, its centre from the tip and all in (X, Y, Z).
     pub tip: RigidBody,
+    /// Whether the rotation pulls the body at the tip too; BModes 3.00 leaves that out.
+    pub tip_is_pulled: bool,
 }
 
 /// A section of a blade.

@@ -1,5 +1,10 @@
-//! What a rotating blade is.
+//! What a rotating blade is: sections with twist and offsets, a rotor's speed, a body at the tip; validated once, constant afterwards.
 
+#[allow(clippy::module_inception, reason = "the file is about the type")]
+mod blade;
 mod description;
+mod error;
 
+pub use blade::Blade;
 pub use description::{BladeDescription, BladeSection};
+pub use error::BladeError;

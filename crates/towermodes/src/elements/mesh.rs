@@ -3,11 +3,37 @@
 //! A step or an attached mass or wire is always a segment border, and a kink, of the tower, the soil or the water, too, except for BModes; the spectral beam is cut where it is steep,
 //! too. Between borders the segments are equal, and their number is shared out by length.
 
+use thiserror::Error;
+
+use crate::number::Plain;
 use crate::tower::Tower;
 
 /// The largest ratio of a dimension or property at the ends of a span between [`Borders::Gradual`] ones: the apex of a cone is then two
 /// thirds of the span away from it, and a polynomial of degree p is exact to 3⁻ᵖ in its strains.
 const STEEPEST_SPAN: f64 = 4.0;
+
+/// Heights that differ by this share of the tower's are the same.
+const ROUNDED: f64 = 1e-9;
+
+/// Why a tower cannot be cut at given heights.
+#[derive(Debug, Clone, Copy, PartialEq, Error)]
+pub enum BorderError {
+    /// What is attached, or an end of the tower, is at none of them.
+    #[error("no border of an element is at {} m, where the tower ends or something is attached", Plain(*.height_m))]
+    Missing {
+        /// The height, m.
+        height_m: f64,
+    },
+    /// There are some below the base or above the top.
+    #[error("the borders of the elements do not begin at the base or do not end at the top")]
+    Beyond,
+    /// They do not rise.
+    #[error("the border of an element at {} m is not above the one before it", Plain(*.height_m))]
+    NotRising {
+        /// The height, m.
+        height_m: f64,
+    },
+}
 
 /// What must be a segment border.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -74,6 +100,41 @@ impl Mesh {
     /// Cuts a tower nowhere but where it must be.
     pub fn coarsest(tower: &Tower, borders: Borders) -> Self {
         Self::from_spans(spans_of(tower, borders))
+    }
+
+    /// Cuts a tower at given heights, m, rising strictly from its base to its top: whatever is attached must be at one of them. Heights that
+    /// differ from these by rounding are moved there.
+    ///
+    /// # Errors
+    /// The first thing that is not so.
+    pub fn with_borders(tower: &Tower, heights_m: &[f64]) -> Result<Self, BorderError> {
+        let mut borders_m = heights_m.to_vec();
+        let rounding_m = ROUNDED * tower.height_m();
+        let attached = tower.attachments().iter().map(|a| a.height_m);
+        for height_m in attached.chain([tower.base_m(), tower.top_m()]) {
+            let near = |border: &&mut f64| (**border - height_m).abs() <= rounding_m;
+            match borders_m.iter_mut().find(near) {
+                Some(border) => *border = height_m,
+                None => return Err(BorderError::Missing { height_m }),
+            }
+        }
+        let ends = (borders_m.first().copied(), borders_m.last().copied());
+        if ends != (Some(tower.base_m()), Some(tower.top_m())) {
+            return Err(BorderError::Beyond);
+        }
+        let is_rising = |pair: &[f64]| pair[0] < pair[1];
+        if let Some(row) = borders_m.windows(2).position(|pair| !is_rising(pair)) {
+            let height_m = borders_m[row + 1];
+            return Err(BorderError::NotRising { height_m });
+        }
+        let pieces = tower.pieces();
+        let spans = borders_m.windows(2).map(|pair| Span {
+            piece: pieces.partition_point(|piece| piece.top_m <= pair[0]),
+            base_m: pair[0],
+            top_m: pair[1],
+            segments: 1,
+        });
+        Ok(Self::from_spans(spans.collect()))
     }
 
     fn in_pairs(spans: Vec<Span>, pairs: usize) -> Self {

@@ -9,7 +9,7 @@ mod rmje_exact;
 mod springs;
 
 pub use cardanic::GAUSS_HINGE_POSITION;
-pub use mesh::{Borders, Mesh, Span};
+pub use mesh::{BorderError, Borders, Mesh, Span};
 
 use crate::chain::Chains;
 use crate::parts::Parts;

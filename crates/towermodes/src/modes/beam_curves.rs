@@ -38,14 +38,19 @@ impl BeamCurves {
         })
     }
 
-    fn of_beam<const D: usize>(beam: &Beam<D>, components: &[Component; D], vector: &[f64]) -> Self
+    pub(crate) fn of_beam<const D: usize>(
+        beam: &Beam<D>,
+        components: &[Component; D],
+        vector: &[f64],
+    ) -> Self
     where
         Dim<D>: Space,
     {
         let mut bases = Vec::new();
         motions(beam, vector, &mut bases);
         let mut strains = vector[beam.base_coordinates()..].to_vec();
-        let own = strains.chunks_exact_mut(beam.coordinates());
+        // A part that does not deform has none.
+        let own = strains.chunks_exact_mut(beam.coordinates().max(1));
         own.enumerate()
             .for_each(|(element, own)| beam.to_strains(element, own));
         let deformations = beam.deformations().iter();

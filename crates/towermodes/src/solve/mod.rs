@@ -1,6 +1,7 @@
 //! The front door: a tower in, its modes out.
 
 mod alignment;
+mod blade;
 mod degree;
 mod estimate;
 mod model;
@@ -11,6 +12,7 @@ mod spectrum;
 mod stability;
 mod warnings;
 
+pub use blade::{BladeFamily, BladeMode, BladeSolution, solve_blade};
 pub use options::{
     DEFAULT_MODES, DEFAULT_POINTS, DEFAULT_SEGMENTS, MAX_DEGREE, MAX_POINTS, MAX_SEGMENTS,
     MAX_SPECTRAL_ELEMENTS, MAX_VECTOR_BYTES, Options, SolveError,
@@ -166,6 +168,10 @@ fn certificate(proof: &Proof) -> Certificate {
 
 fn mesh_of(tower: &Tower, options: &Options) -> Result<Mesh, SolveError> {
     let (borders, most) = (options.borders(), MAX_SEGMENTS);
+    if let Some(borders_m) = &options.borders_m {
+        within_limit(borders_m.len().saturating_sub(1), most)?;
+        return Ok(Mesh::with_borders(tower, borders_m)?);
+    }
     let fewest = Mesh::fewest_segments(tower, borders);
     let Some(segments) = options.segments else {
         return within_limit(fewest, most)

@@ -6,7 +6,7 @@ use super::model::Cut;
 use crate::Method;
 use crate::beam::BeamRecipe;
 use crate::eigen::EigenError;
-use crate::elements::{Borders, Element, GAUSS_HINGE_POSITION, Recipe};
+use crate::elements::{BorderError, Borders, Element, GAUSS_HINGE_POSITION, Recipe};
 use crate::modes::{Family, ShapePoint};
 use crate::number::Plain;
 use crate::tower::{Motion, Tower};
@@ -35,8 +35,8 @@ pub struct Options {
     pub method: Method,
     /// Number of segments; `None` is [`DEFAULT_SEGMENTS`] and two more for each short span between steps, kinks and what is attached.
     pub segments: Option<usize>,
-    /// Where the segments begin and end, m, from the base to the top, in place of `segments`; every mass, wire and step must be at one, but for
-    /// the method `bmodes`, whose elements reach over steps.
+    /// Where the elements of the method `bmodes` begin and end, m, from the base to the top, in place of `segments`: whatever is attached must
+    /// be at one of these heights; steps need not be.
     pub borders_m: Option<Vec<f64>>,
     /// Polynomial degree of the elements of the spectral beam, 2 to [`MAX_DEGREE`]; `None` raises it until the modes stand still.
     pub degree: Option<usize>,
@@ -79,6 +79,9 @@ impl Options {
             .filter(|degree| !(2..=MAX_DEGREE).contains(degree))
         {
             return Err(SolveError::Degree { degree });
+        }
+        if self.borders_m.is_some() && self.method != Method::Bmodes {
+            return Err(SolveError::BordersOfOthers);
         }
         if !(2..=MAX_POINTS).contains(&self.points) {
             return Err(SolveError::Points {
@@ -192,6 +195,14 @@ impl Options {
 #[derive(Debug, Clone, PartialEq, Error)]
 #[non_exhaustive]
 pub enum SolveError {
+    /// Borders for a method that has its own.
+    #[error(
+        "borders of elements are for the method bmodes; the others have theirs at the tower's steps and kinks"
+    )]
+    BordersOfOthers,
+    /// Borders at which a tower cannot be cut.
+    #[error(transparent)]
+    Borders(#[from] BorderError),
     /// No segments, or too many.
     #[error("{segments} segments cannot be used; the number must be from 1 to {most}")]
     Segments {

@@ -3,13 +3,15 @@
 use super::description::TowerDescription;
 use super::piece::Piece;
 use super::section::Tube;
-use super::surroundings::{SoilRow, SoilStiffness, Water};
+use super::surroundings::{AddedMassRow, SoilRow, SoilStiffness, Water};
 
 /// What surrounds a piece: linear soil springs, water on either side of the wall.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Ambient {
     /// Soil springs at the lower and the upper end; none if there is no soil.
     pub soil: Option<[SoilStiffness; 2]>,
+    /// Mass that moves with it transversely at the lower and the upper end, kg/m; none if no table says so.
+    pub added_kg_per_m: Option<[f64; 2]>,
     /// ρ C_a π/4 where there is water outside, kg/m³: times D² the added mass per length.
     pub outside_kg_per_m3: f64,
     /// ρ π/4 where there is water inside, kg/m³: times (D − 2t)² its mass per length.
@@ -24,6 +26,13 @@ impl Ambient {
         self.outside_kg_per_m3 * d * d + self.inside_kg_per_m3 * inner * inner
     }
 
+    /// Mass from tables that moves with it transversely a share `s` of the way up, kg/m.
+    #[inline]
+    pub(super) fn added_kg_per_m_at(&self, s: f64) -> f64 {
+        self.added_kg_per_m
+            .map_or(0.0, |[base, top]| base + s * (top - base))
+    }
+
     /// Soil springs a share `s` of the way up.
     #[inline]
     pub(super) fn soil_at(&self, s: f64) -> SoilStiffness {
@@ -35,12 +44,9 @@ impl Ambient {
 /// Cuts pieces where soil and water begin, end or bend, and says of each part what surrounds it.
 pub(super) fn surrounded(pieces: Vec<Piece>, description: &TowerDescription) -> Vec<Piece> {
     let base_m = pieces.first().map_or(0.0, |piece| piece.base_m);
-    let mut cuts_m: Vec<f64> = description
-        .soil
-        .iter()
-        .flatten()
-        .map(|r| r.height_m)
-        .collect();
+    let soil = description.soil.iter().flatten().map(|row| row.height_m);
+    let added = description.added_mass.iter().flatten();
+    let mut cuts_m: Vec<f64> = soil.chain(added.map(|row| row.height_m)).collect();
     if let Some(water) = &description.water {
         cuts_m.extend([water.level_m, water.bed_m.unwrap_or(base_m)]);
     }
@@ -71,9 +77,11 @@ fn ambient(description: &TowerDescription, base_m: f64, piece: &Piece) -> Ambien
         .soil
         .iter()
         .filter_map(|rows| soil_of(rows, piece));
-    let soil = soil.reduce(|a, b| [a[0].and(&b[0]), a[1].and(&b[1])]);
+    let tables = description.added_mass.iter();
+    let added = tables.filter_map(|rows| added_mass_of(rows, piece));
     let mut ambient = Ambient {
-        soil,
+        soil: soil.reduce(|a, b| [a[0].and(&b[0]), a[1].and(&b[1])]),
+        added_kg_per_m: added.reduce(|a, b| [a[0] + b[0], a[1] + b[1]]),
         ..Ambient::default()
     };
     if let Some(water) = &description.water {
@@ -89,18 +97,32 @@ fn ambient(description: &TowerDescription, base_m: f64, piece: &Piece) -> Ambien
     ambient
 }
 
-/// The springs of one layer at both ends of a piece; none if it does not reach there. Two rows at one height are a step.
+/// The springs of one layer at both ends of a piece; none if it does not reach there.
 fn soil_of(rows: &[SoilRow], piece: &Piece) -> Option<[SoilStiffness; 2]> {
+    let (pair, shares) = around(rows, |row| row.height_m, piece)?;
+    Some(shares.map(|s| pair[0].stiffness.blend(&pair[1].stiffness, s)))
+}
+
+/// The mass of one table at both ends of a piece, kg/m; none if it does not reach there.
+fn added_mass_of(rows: &[AddedMassRow], piece: &Piece) -> Option<[f64; 2]> {
+    let (pair, shares) = around(rows, |row| row.height_m, piece)?;
+    let (below, above) = (pair[0].mass_kg_per_m, pair[1].mass_kg_per_m);
+    Some(shares.map(|s| below + s * (above - below)))
+}
+
+/// The two rows around a piece, and how far from the lower to the upper one its ends are; two rows at one height are a step.
+fn around<'a, R>(
+    rows: &'a [R],
+    height_m: impl Fn(&R) -> f64,
+    piece: &Piece,
+) -> Option<(&'a [R], [f64; 2])> {
     let middle_m = 0.5 * (piece.base_m + piece.top_m);
-    let around = rows
+    let pair = rows
         .windows(2)
-        .find(|pair| (pair[0].height_m..=pair[1].height_m).contains(&middle_m))?;
-    let (below, above) = (&around[0], &around[1]);
-    let at = |height_m: f64| {
-        let s = (height_m - below.height_m) / (above.height_m - below.height_m);
-        below.stiffness.blend(&above.stiffness, s)
-    };
-    Some([at(piece.base_m), at(piece.top_m)])
+        .find(|pair| (height_m(&pair[0])..=height_m(&pair[1])).contains(&middle_m))?;
+    let (below_m, above_m) = (height_m(&pair[0]), height_m(&pair[1]));
+    let share = |z_m: f64| (z_m - below_m) / (above_m - below_m);
+    Some((pair, [share(piece.base_m), share(piece.top_m)]))
 }
 
 /// Whether there is a height on the tower where water is, for a plain mistake.

@@ -68,7 +68,7 @@ impl Attachment {
 /// `[[m 1, −m [c]×], [m [c]×, J − m [c]×[c]×]]`: the spatial inertia of a body about a point from which its centre of mass is at c.
 ///
 /// Source: Featherstone, *Rigid Body Dynamics Algorithms* (2008), eq. 2.63, translation first.
-pub(super) fn spatial_inertia(mass_kg: f64, c: [f64; 3], inertia: &Inertia) -> SpatialMatrix {
+pub(crate) fn spatial_inertia(mass_kg: f64, c: [f64; 3], inertia: &Inertia) -> SpatialMatrix {
     let m = mass_kg;
     let [x, y, z] = c;
     let cross = [[0.0, -z, y], [z, 0.0, -x], [-y, x, 0.0]];

@@ -27,12 +27,15 @@ impl Base {
     pub(super) fn new(foundation: &Foundation, base_m: f64, mass_kg: f64) -> Self {
         match foundation {
             Foundation::Clamped => Self::default(),
-            Foundation::Stiffness(foundation) => Self {
-                moves: [true; 6],
-                stiffness: symmetrized(&foundation.stiffness),
-                inertia: symmetrized(&foundation.inertia),
-                ..Self::default()
-            },
+            Foundation::Stiffness(foundation) => {
+                let (moves, stiffness) = foundation.moving();
+                Self {
+                    moves,
+                    stiffness: symmetrized(&stiffness),
+                    inertia: symmetrized(&foundation.inertia),
+                    ..Self::default()
+                }
+            }
             Foundation::Springs(springs) => Self::on_springs(springs),
             Foundation::HalfSpace(footing) => Self::on_springs(&footing.springs()),
             Foundation::Floating(platform) => Self::afloat(platform, base_m, mass_kg),

@@ -22,7 +22,7 @@ pub enum Foundation {
 /// Matrices for the motion (x, y, z, rotation about x, y, z) of the base: N/m, N, N m; kg, kg m, kg m².
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct StiffnessFoundation {
-    /// Stiffness about the base, symmetric.
+    /// Stiffness about the base, symmetric; infinite on the diagonal where the base is rigidly held, whatever else that row and column say.
     pub stiffness: SpatialMatrix,
     /// Inertia about the base, symmetric; zero for none.
     pub inertia: SpatialMatrix,
@@ -41,6 +41,22 @@ pub struct FoundationSprings {
     pub vertical_n_per_m: f64,
     /// Against rotation about z, N m.
     pub torsion_n_m: f64,
+}
+
+impl StiffnessFoundation {
+    /// Which motions are possible, and the stiffness against these alone.
+    pub(super) fn moving(&self) -> ([bool; 6], SpatialMatrix) {
+        let moves: [bool; 6] = std::array::from_fn(|i| self.stiffness[i][i] != f64::INFINITY);
+        let entry = |i: usize, j: usize| {
+            if moves[i] && moves[j] {
+                self.stiffness[i][j]
+            } else {
+                0.0
+            }
+        };
+        let stiffness = std::array::from_fn(|i| std::array::from_fn(|j| entry(i, j)));
+        (moves, stiffness)
+    }
 }
 
 impl FoundationSprings {

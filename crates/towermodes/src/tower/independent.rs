@@ -53,7 +53,7 @@ impl Motion {
 }
 
 /// A set of motions that are coupled with each other and with no other.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
 pub struct Motions([bool; 4]);
 
 impl Motions {
@@ -82,6 +82,12 @@ impl Motions {
             }
         }
         vector
+    }
+
+    /// The set without a motion.
+    pub(super) fn without(mut self, motion: Motion) -> Self {
+        self.0[motion.index()] = false;
+        self
     }
 
     /// This and another set together.

@@ -24,6 +24,7 @@ mod weight;
 
 pub use ambient::Ambient;
 pub use attachment::Attachment;
+pub(crate) use attachment::spatial_inertia;
 pub use base::Base;
 
 pub use description::{Inertia, PointMass, PropertyStation, Rna, Shear, Station, TowerDescription};
@@ -93,9 +94,10 @@ impl Tower {
             && base.moves[3] == base.moves[4]
             && matrices.clone().all(independent::planes_are_equal);
         let independent = independent::independent_motions(matrices);
+        let is_uncoupled = independent.len() == Motion::ALL.len();
         let mut tower = Self {
-            planes_are_equal: planes_are_equal && independent.len() == Motion::ALL.len(),
-            independent,
+            planes_are_equal: planes_are_equal && is_uncoupled,
+            independent: possible(independent, &pieces, &base),
             name: description.name,
             stations: description.stations,
             properties: description.properties,
@@ -183,6 +185,11 @@ impl Tower {
         index.min(self.pieces.len() - 1)
     }
 
+    /// Whether the tower does not deform at all in a motion: its table has an infinite stiffness there.
+    pub fn is_rigid_in(&self, motion: Motion) -> bool {
+        self.pieces[0].is_rigid_in(motion)
+    }
+
     /// Whether the tower deforms in shear.
     pub fn shears(&self) -> bool {
         self.pieces[0].shears()
@@ -217,6 +224,19 @@ impl Tower {
     pub fn warnings(&self) -> &[crate::Warning] {
         &self.warnings
     }
+}
+
+/// The sets without the motions that nothing can make: neither the tower deforms so nor its base moves so.
+fn possible(sets: Vec<Motions>, pieces: &[Piece], base: &Base) -> Vec<Motions> {
+    let is_held = |motion: &Motion| {
+        let components = motion.components();
+        pieces[0].is_rigid_in(*motion) && components.iter().all(|(i, _)| !base.moves[*i])
+    };
+    let held = Motion::ALL.into_iter().filter(is_held);
+    let held: Vec<Motion> = held.collect();
+    let without = |set: Motions| held.iter().fold(set, |set, motion| set.without(*motion));
+    let sets = sets.into_iter().map(without);
+    sets.filter(|set| set.iter().next().is_some()).collect()
 }
 
 fn pieces_of(description: &TowerDescription) -> Vec<Piece> {

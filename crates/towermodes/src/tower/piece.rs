@@ -2,6 +2,7 @@
 
 use super::ambient::Ambient;
 use super::description::{PropertyStation, Shear, Station};
+use super::independent::Motion;
 use super::material::Material;
 use super::properties::Properties;
 use super::section::{Section, SectionMasses, Tube};
@@ -96,13 +97,23 @@ impl Piece {
             } => {
                 let tube = base.blend(top, s);
                 let mut section = Section::of_tube(&tube, material, *shear);
-                section.masses.water_kg_per_m = self.ambient.water_kg_per_m(&tube);
+                section.masses.water_kg_per_m = self.water_kg_per_m(&tube, s);
                 section
             }
-            Profile::Table { base, top } => base.blend(top, s),
+            Profile::Table { base, top } => {
+                let mut section = base.blend(top, s);
+                section.masses.water_kg_per_m = self.ambient.added_kg_per_m_at(s);
+                section
+            }
         };
         section.soil = self.ambient.soil_at(s);
         section
+    }
+
+    /// Mass that moves with a tube of it transversely, a share `s` of the way up, kg/m.
+    #[inline]
+    fn water_kg_per_m(&self, tube: &Tube, s: f64) -> f64 {
+        self.ambient.water_kg_per_m(tube) + self.ambient.added_kg_per_m_at(s)
     }
 
     /// The soil springs at a height (m) inside the piece; none if there is no soil.
@@ -121,9 +132,10 @@ impl Piece {
                 material,
                 ..
             } => {
-                let tube = base.blend(top, self.share_at(height_m));
+                let s = self.share_at(height_m);
+                let tube = base.blend(top, s);
                 SectionMasses {
-                    water_kg_per_m: self.ambient.water_kg_per_m(&tube),
+                    water_kg_per_m: self.water_kg_per_m(&tube, s),
                     ..SectionMasses::of_tube(&tube, material)
                 }
             }
@@ -151,6 +163,18 @@ impl Piece {
         self.ambient
             .soil
             .is_none_or(|ends| ends.iter().all(is_round))
+    }
+
+    /// Whether it does not deform at all in a motion, whatever moves it.
+    pub(super) fn is_rigid_in(&self, motion: Motion) -> bool {
+        let Profile::Table { base, .. } = &self.profile else {
+            return false;
+        };
+        match motion {
+            Motion::Bending(_) => false,
+            Motion::Torsion => base.torsion_n_m2.is_infinite(),
+            Motion::Axial => base.axial_n.is_infinite(),
+        }
     }
 
     /// Whether it deforms in shear.
@@ -255,7 +279,9 @@ fn ratio((x, y): (f64, f64)) -> f64 {
 /// Whether two sections differ by no more than rounding: a row can be split in two by hand with full digits, and nothing else.
 fn is_same(a: &Section, b: &Section) -> bool {
     let pairs = a.values().into_iter().zip(b.values());
-    pairs.into_iter().all(|(a, b)| (a - b).abs() <= 1e-11 * a)
+    pairs
+        .into_iter()
+        .all(|(a, b)| a == b || (a - b).abs() <= 1e-11 * a)
 }
 
 /// The fewest linear pieces that stations make: a station on the line of its neighbours separates nothing.

@@ -251,9 +251,9 @@ fn table(tower: &Tower, warnings: &mut Vec<Warning>) {
             .properties()
             .iter()
             .map(|row| quantity(&row.properties));
-        // A tower without rotary inertia is a model in its own right.
+        // A tower without rotary inertia is a model in its own right, and so is one that does not twist or stretch.
         let unusual = values
-            .filter(|&value| value != 0.0)
+            .filter(|&value| value != 0.0 && value.is_finite())
             .find(|value| !usual.range.contains(value));
         if let Some(value) = unusual {
             usual.check(value, warnings);

@@ -29,7 +29,8 @@ impl Properties {
     /// The section a share `s` of the way from this row to `top`.
     #[inline]
     pub(super) fn blend(&self, top: &Self, s: f64) -> Section {
-        let blend = |a: f64, b: f64| a + s * (b - a);
+        // Infinite is infinite all the way.
+        let blend = |a: f64, b: f64| if a == b { a } else { a + s * (b - a) };
         let mass_kg_per_m = blend(self.mass_kg_per_m, top.mass_kg_per_m);
         let inertia =
             |a: f64, b: f64| mass_kg_per_m * blend(a / self.mass_kg_per_m, b / top.mass_kg_per_m);

@@ -36,7 +36,11 @@ impl RigidBody {
         let mass_kg: f64 = bodies.iter().map(|body| body.mass_kg).sum();
         let mean = |i: usize| {
             let moment: f64 = bodies.iter().map(|b| b.mass_kg * b.center_m[i]).sum();
-            if mass_kg == 0.0 { 0.0 } else { moment / mass_kg }
+            if mass_kg == 0.0 {
+                0.0
+            } else {
+                moment / mass_kg
+            }
         };
         let center_m = [mean(0), mean(1), mean(2)];
         let mut tensor = [[0.0; 3]; 3];
@@ -96,7 +100,9 @@ impl RigidBody {
         let own = self.inertia_kg_m2.tensor();
         let entry = |i: usize, j: usize| {
             let terms = (0..3).flat_map(|k| (0..3).map(move |l| (k, l)));
-            terms.map(|(k, l)| rotation[i][k] * own[k][l] * rotation[j][l]).sum()
+            terms
+                .map(|(k, l)| rotation[i][k] * own[k][l] * rotation[j][l])
+                .sum()
         };
         Self {
             mass_kg: self.mass_kg,

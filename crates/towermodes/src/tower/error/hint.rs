@@ -43,14 +43,12 @@ impl Problem {
             Self::WeightsWithoutBuoyancy => {
                 "give hydrostatic and hydrostatic_height; leave [gravity] out to solve without weights"
             }
-            Self::TooFewSoilRows { .. } => {
-                "one row at the bottom and one at the surface are enough"
-            }
-            Self::SoilRowsDecrease { .. } => "list the rows from the bottom to the surface",
-            Self::SoilOutsideTower { .. } | Self::WaterOutsideTower { .. } => {
+            Self::TooFewRows { .. } => "one row at the bottom and one at the surface are enough",
+            Self::RowsDecrease { .. } => "list the rows from the bottom to the surface",
+            Self::RowsOutsideTower { .. } | Self::WaterOutsideTower { .. } => {
                 "heights are in the datum of the stations; a depth below it is negative"
             }
-            Self::SoilWithoutDepth { .. } => "the first value of a row is its height in m",
+            Self::RowsWithoutDepth { .. } => "the first value of a row is its height in m",
             Self::WaterAroundTable => {
                 "put the water's mass into the table's mass_kg_per_m, or give stations"
             }
@@ -60,6 +58,9 @@ impl Problem {
             Self::StationsAndProperties => "keep one of the two",
             Self::ShearInSomeRows => {
                 "give it in every row, or in none for a tower that does not shear"
+            }
+            Self::RigidInSomeRows { .. } => {
+                "infinity is for a tower that does not twist, or stretch, at all; give every row a number otherwise"
             }
             Self::ShearCoefficient { .. } => {
                 "a thin tube has about 0.53; shear = true uses Cowper's value"

@@ -189,26 +189,30 @@ pub enum Problem {
         "with gravity a floating platform needs its hydrostatic stiffness, and the height that it is about"
     )]
     WeightsWithoutBuoyancy,
-    /// Fewer than two rows of soil.
-    #[error("a layer of soil needs at least two rows, got {count}")]
-    TooFewSoilRows {
+    /// Fewer than two rows around the tower.
+    #[error("{what} needs at least two rows, got {count}")]
+    TooFewRows {
+        /// Of what.
+        what: &'static str,
         /// How many there are.
         count: usize,
     },
-    /// Soil rows that go down.
+    /// Rows around the tower that go down.
     #[error("height {} m is below the row before it ({} m)", Plain(*.height_m), Plain(*.previous_m))]
-    SoilRowsDecrease {
+    RowsDecrease {
         /// This row's height, m.
         height_m: f64,
         /// The height of the row before, m.
         previous_m: f64,
     },
-    /// Soil where no tower is.
+    /// Rows where no tower is.
     #[error(
-        "the soil reaches from {} m to {} m, but the tower from {} m to {} m",
+        "{what} reaches from {} m to {} m, but the tower from {} m to {} m",
         Plain(*.bottom_m), Plain(*.surface_m), Plain(*.base_m), Plain(*.top_m)
     )]
-    SoilOutsideTower {
+    RowsOutsideTower {
+        /// Of what.
+        what: &'static str,
         /// Height of the lowest row, m.
         bottom_m: f64,
         /// Height of the highest row, m.
@@ -218,9 +222,11 @@ pub enum Problem {
         /// Height of the top, m.
         top_m: f64,
     },
-    /// All rows of soil at one height.
-    #[error("the soil has no depth: every row is at {} m", Plain(*.height_m))]
-    SoilWithoutDepth {
+    /// All rows at one height.
+    #[error("{what} has no depth: every row is at {} m", Plain(*.height_m))]
+    RowsWithoutDepth {
+        /// Of what.
+        what: &'static str,
         /// The height all have, m.
         height_m: f64,
     },
@@ -270,6 +276,12 @@ pub enum Problem {
     /// Shear stiffness in some rows of a property table.
     #[error("some rows have a shear stiffness and some have none")]
     ShearInSomeRows,
+    /// An infinite stiffness in some rows of a property table.
+    #[error("some rows of {column} are infinite and some are not")]
+    RigidInSomeRows {
+        /// The column.
+        column: &'static str,
+    },
     /// A shear coefficient no section has.
     #[error("shear coefficient {value} is outside (0, 1]")]
     ShearCoefficient {

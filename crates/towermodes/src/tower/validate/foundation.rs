@@ -34,8 +34,9 @@ fn at(key: &'static str) -> Place {
 }
 
 fn check_stiffness(foundation: &StiffnessFoundation) -> Result<(), TowerError> {
+    let (_, stiffness) = foundation.moving();
     let matrices = [
-        ("matrix", "stiffness", &foundation.stiffness),
+        ("matrix", "stiffness", &stiffness),
         ("mass", "mass matrix", &foundation.inertia),
     ];
     for (key, what, matrix) in matrices {

@@ -151,10 +151,26 @@ fn check_properties(rows: &[PropertyStation]) -> Result<Vec<f64>, TowerError> {
             let key = "shear_stiffness_fore_aft_n";
             return error(Place::Station { index, key }, Problem::ShearInSomeRows);
         }
+        check_rigidity(index, &row.properties, &rows[0].properties)?;
     }
     let heights_m: Vec<f64> = rows.iter().map(|row| row.height_m).collect();
     check_heights(&heights_m)?;
     Ok(heights_m)
+}
+
+/// A tower twists, or stretches, everywhere or nowhere.
+fn check_rigidity(index: usize, row: &Properties, first: &Properties) -> Result<(), TowerError> {
+    let columns = [
+        ("gj_n_m2", row.torsion_n_m2, first.torsion_n_m2),
+        ("ea_n", row.axial_n, first.axial_n),
+    ];
+    for (key, value, first) in columns {
+        if value.is_infinite() != first.is_infinite() {
+            let problem = Problem::RigidInSomeRows { column: key };
+            return error(Place::Station { index, key }, problem);
+        }
+    }
+    Ok(())
 }
 
 fn check_row(index: usize, row: &PropertyStation) -> Result<(), TowerError> {
@@ -178,15 +194,16 @@ fn check_row(index: usize, row: &PropertyStation) -> Result<(), TowerError> {
             bending.side_side,
             " N m2",
         ),
-        ("gj_n_m2", "GJ", torsion_n_m2, " N m2"),
-        ("ea_n", "EA", axial_n, " N"),
-        (
-            "polar_inertia_kg_m",
-            "polar inertia",
-            polar_inertia_kg_m,
-            " kg m",
-        ),
     ];
+    // Infinity is a tower that does not twist or stretch.
+    if torsion_n_m2 != f64::INFINITY {
+        positives.push(("gj_n_m2", "GJ", torsion_n_m2, " N m2"));
+        let (key, quantity) = ("polar_inertia_kg_m", "polar inertia");
+        positives.push((key, quantity, polar_inertia_kg_m, " kg m"));
+    }
+    if axial_n != f64::INFINITY {
+        positives.push(("ea_n", "EA", axial_n, " N"));
+    }
     if let Some(shear) = shear_n {
         let (key, other) = ("shear_stiffness_fore_aft_n", "shear_stiffness_side_side_n");
         positives.push((key, "shear stiffness fore-aft", shear.fore_aft, " N"));
@@ -195,6 +212,8 @@ fn check_row(index: usize, row: &PropertyStation) -> Result<(), TowerError> {
     for (key, quantity, value, unit) in positives {
         positive(at(key), quantity, value, unit)?;
     }
+    let (key, quantity) = ("polar_inertia_kg_m", "polar inertia");
+    not_negative(at(key), quantity, polar_inertia_kg_m, " kg m")?;
     let (key, other) = (
         "rotary_inertia_fore_aft_kg_m",
         "rotary_inertia_side_side_kg_m",

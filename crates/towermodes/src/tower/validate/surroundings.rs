@@ -1,10 +1,10 @@
-//! The checks of soil, water, wires and gravity.
+//! The checks of soil, added mass, water, wires and gravity.
 
 use super::{error, finite, not_negative, positive};
 use crate::tower::ambient;
 use crate::tower::description::TowerDescription;
 use crate::tower::error::{Place, Problem, TowerError};
-use crate::tower::surroundings::{SoilRow, Water, Wires};
+use crate::tower::surroundings::{AddedMassRow, SoilRow, Water, Wires};
 
 pub(super) fn check_surroundings(
     description: &TowerDescription,
@@ -13,6 +13,9 @@ pub(super) fn check_surroundings(
 ) -> Result<(), TowerError> {
     for (layer, rows) in description.soil.iter().enumerate() {
         check_soil(layer, rows, base_m, top_m)?;
+    }
+    for (table, rows) in description.added_mass.iter().enumerate() {
+        check_added_mass(table, rows, base_m, top_m)?;
     }
     if let Some(water) = &description.water {
         if !description.properties.is_empty() {
@@ -34,10 +37,6 @@ pub(super) fn check_surroundings(
 
 fn check_soil(layer: usize, rows: &[SoilRow], base_m: f64, top_m: f64) -> Result<(), TowerError> {
     let at = |row, key| Place::Soil { layer, row, key };
-    if rows.len() < 2 {
-        let count = rows.len();
-        return error(at(0, "rows"), Problem::TooFewSoilRows { count });
-    }
     for (row, soil) in rows.iter().enumerate() {
         finite(at(row, "height"), "height", soil.height_m)?;
         let springs = soil.stiffness;
@@ -55,31 +54,63 @@ fn check_soil(layer: usize, rows: &[SoilRow], base_m: f64, top_m: f64) -> Result
         for (key, quantity, value, unit) in values {
             not_negative(at(row, key), quantity, value, unit)?;
         }
-        let before = row.checked_sub(1).map(|before| rows[before].height_m);
-        if let Some(previous_m) = before.filter(|before| *before > soil.height_m) {
-            let height_m = soil.height_m;
-            let problem = Problem::SoilRowsDecrease {
-                height_m,
-                previous_m,
+    }
+    let heights_m: Vec<f64> = rows.iter().map(|row| row.height_m).collect();
+    check_rows("the soil", &heights_m, (base_m, top_m), at)
+}
+
+fn check_added_mass(
+    table: usize,
+    rows: &[AddedMassRow],
+    base_m: f64,
+    top_m: f64,
+) -> Result<(), TowerError> {
+    let at = |row, key| Place::AddedMass { table, row, key };
+    for (row, added) in rows.iter().enumerate() {
+        finite(at(row, "height"), "height", added.height_m)?;
+        let value = added.mass_kg_per_m;
+        not_negative(at(row, "mass"), "the added mass", value, " kg/m")?;
+    }
+    let heights_m: Vec<f64> = rows.iter().map(|row| row.height_m).collect();
+    check_rows("the added mass", &heights_m, (base_m, top_m), at)
+}
+
+/// The heights of rows around the tower: at least two, rising, and on the tower at least in part.
+fn check_rows(
+    what: &'static str,
+    heights_m: &[f64],
+    (base_m, top_m): (f64, f64),
+    at: impl Fn(usize, &'static str) -> Place,
+) -> Result<(), TowerError> {
+    let (Some(&bottom_m), Some(&surface_m)) = (heights_m.first(), heights_m.last()) else {
+        return error(at(0, "rows"), Problem::TooFewRows { what, count: 0 });
+    };
+    if heights_m.len() == 1 {
+        return error(at(0, "rows"), Problem::TooFewRows { what, count: 1 });
+    }
+    for (row, pair) in heights_m.windows(2).enumerate() {
+        if pair[0] > pair[1] {
+            let problem = Problem::RowsDecrease {
+                height_m: pair[1],
+                previous_m: pair[0],
             };
-            return error(at(row, "height"), problem);
+            return error(at(row + 1, "height"), problem);
         }
     }
-    let (bottom_m, surface_m) = (rows[0].height_m, rows[rows.len() - 1].height_m);
+    let last = at(heights_m.len() - 1, "height");
     if surface_m > top_m || surface_m <= base_m {
-        let problem = Problem::SoilOutsideTower {
+        let problem = Problem::RowsOutsideTower {
+            what,
             bottom_m,
             surface_m,
             base_m,
             top_m,
         };
-        return error(at(rows.len() - 1, "height"), problem);
+        return error(last, problem);
     }
     if bottom_m == surface_m {
-        let problem = Problem::SoilWithoutDepth {
-            height_m: surface_m,
-        };
-        return error(at(rows.len() - 1, "height"), problem);
+        let height_m = surface_m;
+        return error(last, Problem::RowsWithoutDepth { what, height_m });
     }
     Ok(())
 }

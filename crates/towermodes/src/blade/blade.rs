@@ -1,0 +1,185 @@
+//! A blade that can exist, and what it is between its sections.
+
+use super::description::{BladeDescription, BladeSection};
+use super::error::BladeError;
+
+/// A blade that can exist: every property is finite, and positive where it must be; constant afterwards.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Blade {
+    description: BladeDescription,
+}
+
+impl Blade {
+    /// Checks a description and makes the blade of it.
+    ///
+    /// # Errors
+    /// [`BladeError`] with the numbers of the first thing that no blade can have.
+    pub fn new(description: BladeDescription) -> Result<Self, BladeError> {
+        let (hub_m, tip_m) = (description.hub_radius_m, description.tip_radius_m);
+        let numbers = [
+            ("the radius of the hub", hub_m),
+            ("the radius of the tip", tip_m),
+            ("the speed of the rotor", description.rotor_speed_rad_per_s),
+            ("the pitch", description.pitch_rad),
+            ("the mass at the tip", description.tip.mass_kg),
+        ];
+        finite(numbers)?;
+        if hub_m < 0.0 || tip_m <= hub_m {
+            return Err(BladeError::NoLength { hub_m, tip_m });
+        }
+        check_tip(&description)?;
+        for (index, section) in description.sections.iter().enumerate() {
+            check_section(index, section)?;
+        }
+        let spans: Vec<f64> = description.sections.iter().map(|s| s.span).collect();
+        check_range("sections", &spans, |a, b| a <= b)?;
+        check_range("borders of the elements", &description.borders, |a, b| {
+            a < b
+        })?;
+        Ok(Self { description })
+    }
+
+    /// What it was made of.
+    pub fn description(&self) -> &BladeDescription {
+        &self.description
+    }
+
+    /// Length from the root to the tip, m.
+    pub fn length_m(&self) -> f64 {
+        self.description.tip_radius_m - self.description.hub_radius_m
+    }
+
+    /// Distance from the rotor's axis at a share of the span, m.
+    pub fn radius_m(&self, span: f64) -> f64 {
+        self.description.hub_radius_m + span * self.length_m()
+    }
+
+    /// Mass without the body at the tip, kg: exact for sections that are linear between those given.
+    pub fn mass_kg(&self) -> f64 {
+        let pairs = self.description.sections.windows(2);
+        let masses = pairs.map(|pair| {
+            let mean = 0.5 * (pair[0].mass_kg_per_m + pair[1].mass_kg_per_m);
+            mean * (pair[1].span - pair[0].span) * self.length_m()
+        });
+        masses.sum()
+    }
+
+    /// The section at a share of the span: mass, stiffnesses, squared radii of gyration (inertia over mass), offsets and twist are linear
+    /// between the sections given, as BModes interpolates.
+    pub fn section_at(&self, span: f64) -> BladeSection {
+        let sections = &self.description.sections;
+        let above = sections.partition_point(|section| section.span < span);
+        let above = above.clamp(1, sections.len() - 1);
+        let (a, b) = (&sections[above - 1], &sections[above]);
+        let s = (span - a.span) / (b.span - a.span);
+        let blend = |value: fn(&BladeSection) -> f64| {
+            let (a, b) = (value(a), value(b));
+            a + s * (b - a)
+        };
+        let mass_kg_per_m = blend(|s| s.mass_kg_per_m);
+        BladeSection {
+            span,
+            twist_rad: blend(|s| s.twist_rad),
+            mass_kg_per_m,
+            flap_inertia_kg_m: mass_kg_per_m * blend(|s| s.flap_inertia_kg_m / s.mass_kg_per_m),
+            edge_inertia_kg_m: mass_kg_per_m * blend(|s| s.edge_inertia_kg_m / s.mass_kg_per_m),
+            flap_n_m2: blend(|s| s.flap_n_m2),
+            edge_n_m2: blend(|s| s.edge_n_m2),
+            torsion_n_m2: blend(|s| s.torsion_n_m2),
+            axial_n: blend(|s| s.axial_n),
+            center_of_mass_m: blend(|s| s.center_of_mass_m),
+            tension_center_m: blend(|s| s.tension_center_m),
+        }
+    }
+}
+
+fn finite<const N: usize>(values: [(&'static str, f64); N]) -> Result<(), BladeError> {
+    match values.into_iter().find(|(_, value)| !value.is_finite()) {
+        None => Ok(()),
+        Some((quantity, value)) => Err(BladeError::NotFinite { quantity, value }),
+    }
+}
+
+fn check_tip(description: &BladeDescription) -> Result<(), BladeError> {
+    let (mass_kg, inertia) = (description.tip.mass_kg, &description.tip.inertia_kg_m2);
+    if mass_kg < 0.0 {
+        return Err(BladeError::NegativeTip { mass_kg });
+    }
+    let [x, y, z] = description.tip.center_m;
+    finite([
+        ("an offset at the tip", x),
+        ("an offset at the tip", y),
+        ("an offset at the tip", z),
+    ])?;
+    for value in inertia.tensor().into_iter().flatten() {
+        finite([("an inertia at the tip", value)])?;
+    }
+    let principal = inertia.principal_kg_m2();
+    if principal[0] < -1e-9 * principal[2].abs() {
+        let moment_kg_m2 = principal[0];
+        return Err(BladeError::NegativeTipInertia { moment_kg_m2 });
+    }
+    Ok(())
+}
+
+fn check_section(section: usize, values: &BladeSection) -> Result<(), BladeError> {
+    finite([
+        ("a section's place", values.span),
+        ("a section's twist", values.twist_rad),
+        ("a section's centre of mass", values.center_of_mass_m),
+        ("a section's tension centre", values.tension_center_m),
+        ("a section's flap inertia", values.flap_inertia_kg_m),
+        ("a section's edge inertia", values.edge_inertia_kg_m),
+    ])?;
+    let polar = values.flap_inertia_kg_m + values.edge_inertia_kg_m;
+    let positive = [
+        ("the mass per length", values.mass_kg_per_m),
+        ("the flap stiffness", values.flap_n_m2),
+        ("the edge stiffness", values.edge_n_m2),
+        ("the torsional stiffness", values.torsion_n_m2),
+        ("the axial stiffness", values.axial_n),
+        ("the sum of both inertias", polar),
+    ];
+    for (quantity, value) in positive {
+        finite([(quantity, value)])?;
+        if value <= 0.0 {
+            return Err(BladeError::NotPositive {
+                quantity,
+                section,
+                value,
+            });
+        }
+    }
+    let (offset_m, axial_n, edge_n_m2) =
+        (values.tension_center_m, values.axial_n, values.edge_n_m2);
+    if axial_n * offset_m * offset_m < edge_n_m2 {
+        return Ok(());
+    }
+    Err(BladeError::TensionCenter {
+        section,
+        offset_m,
+        axial_n,
+        edge_n_m2,
+    })
+}
+
+/// From 0 to 1, and rising.
+fn check_range(
+    what: &'static str,
+    spans: &[f64],
+    rises: impl Fn(f64, f64) -> bool,
+) -> Result<(), BladeError> {
+    let ends = (spans.first().copied(), spans.last().copied());
+    if ends != (Some(0.0), Some(1.0)) {
+        let (first, last) = (ends.0.unwrap_or(f64::NAN), ends.1.unwrap_or(f64::NAN));
+        return Err(BladeError::NotWhole { what, first, last });
+    }
+    // A place that is not a number rises over nothing.
+    match spans.windows(2).find(|pair| !rises(pair[0], pair[1])) {
+        None => Ok(()),
+        Some(pair) => Err(BladeError::NotRising {
+            what,
+            span: pair[1],
+        }),
+    }
+}
