@@ -523,7 +523,7 @@ fn soil_that_cannot_be() {
         "  [-10.0, 0, 0],\n",
         "",
         "9:8",
-        "a layer of soil needs at least two rows, got 1",
+        "the soil needs at least two rows, got 1",
         "",
     );
     refused(

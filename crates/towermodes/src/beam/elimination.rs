@@ -171,7 +171,7 @@ where
     let mut force = [0.0; D];
     for element in (0..beam.elements()).rev() {
         let own = &mut own[element * coordinates..(element + 1) * coordinates];
-        for (component, row) in force.iter().zip(tips(element).chunks_exact(coordinates)) {
+        for (component, row) in force.iter().zip(tips(element).chunks_exact(coordinates.max(1))) {
             own.iter_mut()
                 .zip(row)
                 .for_each(|(x, tip)| *x += component * tip);
@@ -197,7 +197,7 @@ where
         raise(&mut motion, beam.length_m(element));
         for (component, row) in motion
             .iter_mut()
-            .zip(tips(element).chunks_exact(coordinates))
+            .zip(tips(element).chunks_exact(coordinates.max(1)))
         {
             *component += row.iter().zip(&*own).map(|(tip, y)| tip * y).sum::<f64>();
         }

@@ -197,7 +197,7 @@ where
         visit(element, &motion, own);
         raise(&mut motion, length_m);
         let tip = &beam.tips[element * D * coordinates..(element + 1) * D * coordinates];
-        for (component, row) in motion.iter_mut().zip(tip.chunks_exact(coordinates)) {
+        for (component, row) in motion.iter_mut().zip(tip.chunks_exact(coordinates.max(1))) {
             *component += dot(row, own);
         }
     }
@@ -218,7 +218,7 @@ where
         let out = &mut own[element * coordinates..(element + 1) * coordinates];
         out.copy_from_slice(&load[D..]);
         let tip = &beam.tips[element * D * coordinates..(element + 1) * D * coordinates];
-        for (component, row) in force.iter().zip(tip.chunks_exact(coordinates)) {
+        for (component, row) in force.iter().zip(tip.chunks_exact(coordinates.max(1))) {
             for (out, tip) in out.iter_mut().zip(row) {
                 *out += component * tip;
             }
