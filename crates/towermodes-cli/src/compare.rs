@@ -7,7 +7,7 @@ use towermodes::{Options, Tower, Workspace, solve_with};
 use towermodes_files::{write_comparison_csv, write_comparison_json};
 
 use crate::args::{CompareArguments, Format};
-use crate::failure::{Failure, warn};
+use crate::failure::{Failure, note, warn};
 use crate::input::tower;
 use crate::output::{Progress, check_not_input, deliver};
 use crate::table;
@@ -20,8 +20,8 @@ const FEWEST_TIMINGS: usize = 3;
 /// Reads the tower, solves it by every method, prints what each makes of it.
 pub(crate) fn run(arguments: &CompareArguments) -> Result<(), Failure> {
     let output = arguments.destination.output();
-    check_not_input(&arguments.file, output)?;
-    let tower = tower(&arguments.file)?;
+    check_not_input(&arguments.input.file, output)?;
+    let (tower, notes) = tower(&arguments.input)?;
     let progress = Progress::start();
     let mut times = Vec::new();
     let comparison = compare(
@@ -40,6 +40,7 @@ pub(crate) fn run(arguments: &CompareArguments) -> Result<(), Failure> {
         Format::Json => write_comparison_json(&comparison, &times, &mut result)?,
         Format::Csv => write_comparison_csv(&comparison, &times, &mut result)?,
     }
+    note(&notes);
     warn(&comparison.warnings);
     deliver(&result, output)
 }

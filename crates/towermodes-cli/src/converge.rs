@@ -4,7 +4,7 @@ use towermodes::study::converge;
 use towermodes_files::{write_convergence_csv, write_convergence_json};
 
 use crate::args::{ConvergeArguments, Format};
-use crate::failure::{Failure, warn};
+use crate::failure::{Failure, note, warn};
 use crate::input::tower;
 use crate::output::{Progress, check_not_input, deliver};
 use crate::table;
@@ -13,8 +13,8 @@ use crate::table;
 pub(crate) fn run(arguments: &ConvergeArguments) -> Result<(), Failure> {
     let fineness = arguments.fineness().map_err(Failure::Usage)?;
     let output = arguments.destination.output();
-    check_not_input(&arguments.file, output)?;
-    let tower = tower(&arguments.file)?;
+    check_not_input(&arguments.input.file, output)?;
+    let (tower, notes) = tower(&arguments.input)?;
     let progress = Progress::start();
     let convergence = converge(&tower, &arguments.options(), &fineness, |level| {
         progress.say(&level.asked.number().to_string());
@@ -26,6 +26,7 @@ pub(crate) fn run(arguments: &ConvergeArguments) -> Result<(), Failure> {
         Format::Json => write_convergence_json(&convergence, &mut result)?,
         Format::Csv => write_convergence_csv(&convergence, &mut result)?,
     }
+    note(&notes);
     warn(&convergence.warnings);
     deliver(&result, output)
 }

@@ -4,18 +4,18 @@ use std::io::{self, Write as _};
 use std::process::ExitCode;
 
 use annotate_snippets::{AnnotationKind, Group, Level, Renderer, Snippet};
-use towermodes::{EigenError, Family, SolveError, Warning};
-use towermodes_files::{Diagnostic, ReadError, ResultError, Source};
+use towermodes::{BladeError, EigenError, Family, SolveError, Warning};
+use towermodes_files::{Diagnostic, InputError, Note, ResultError, Source};
 
 /// Why the program ends without a result.
 #[derive(Debug)]
 pub(crate) enum Failure {
-    /// The file cannot be read.
-    Unreadable(ReadError),
-    /// The file is not a tower.
-    Mistakes(Source, Vec<Diagnostic>),
+    /// A file cannot be read, or is no tower.
+    Input(InputError),
     /// The request is impossible or the computation failed.
     Unsolved(SolveError),
+    /// The file is no blade.
+    Blade(BladeError),
     /// The arguments do not go together.
     Usage(&'static str),
     /// Values of the manual did not come out.
@@ -39,11 +39,15 @@ impl Failure {
             Self::Unwritable(_, error) if error.kind() == io::ErrorKind::BrokenPipe => {
                 return ExitCode::SUCCESS;
             }
-            Self::Mistakes(source, mistakes) => say(&mistakes_text(source, mistakes)),
-            Self::Unreadable(error) => say(&message(Level::ERROR, &error.to_string(), None)),
+            Self::Input(InputError::Mistakes {
+                source_file,
+                mistakes,
+            }) => say(&mistakes_text(source_file, mistakes)),
+            Self::Input(error) => say(&message(Level::ERROR, &error.to_string(), None)),
             Self::Unsolved(error) => {
                 say(&message(Level::ERROR, &error.to_string(), hint(error)));
             }
+            Self::Blade(error) => say(&message(Level::ERROR, &error.to_string(), None)),
             Self::Usage(text) => say(&message(Level::ERROR, text, None)),
             Self::Unverified { failures, values } => {
                 let text = format!("{failures} of {values} values did not come out");
@@ -76,6 +80,13 @@ impl Failure {
 impl From<ResultError> for Failure {
     fn from(error: ResultError) -> Self {
         Self::Unwritable("the result".into(), io::Error::other(error))
+    }
+}
+
+/// Says what the reader of a file decided or left out.
+pub(crate) fn note(notes: &[Note]) {
+    for note in notes {
+        say(&message(Level::WARNING, &note.to_string(), None));
     }
 }
 

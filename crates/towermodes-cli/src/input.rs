@@ -2,18 +2,46 @@
 
 use std::path::Path;
 
-use towermodes::Tower;
-use towermodes_files::{Source, tower_from_toml};
+use towermodes::{Rna, Tower};
+use towermodes_files::{
+    Beside, Input, InputError, Note, Source, TowerInput, read, read_source,
+};
 
+use crate::args::{InputArguments, ReadingArguments};
 use crate::failure::Failure;
 
-/// Reads the tower from a file, or from standard input.
-pub(crate) fn tower(file: &Path) -> Result<Tower, Failure> {
-    let source = if file == Path::new("-") {
+/// Reads what a file, or standard input, describes.
+pub(crate) fn input(file: &Path, reading: &ReadingArguments) -> Result<Input, Failure> {
+    let options = reading.options();
+    let input = if file == Path::new("-") {
         Source::from_stdin()
+            .map_err(InputError::from)
+            .and_then(|source| read_source(source, &Beside::file(file), &options))
     } else {
-        Source::from_path(file)
+        read(file, &options)
     };
-    let source = source.map_err(Failure::Unreadable)?;
-    tower_from_toml(&source.text).map_err(|mistakes| Failure::Mistakes(source, mistakes))
+    let mut input = input.map_err(Failure::Input)?;
+    if let Input::Tower(tower) = &mut input
+        && reading.no_rna
+    {
+        tower.description.rna = Rna::default();
+    }
+    Ok(input)
+}
+
+/// Reads the tower of a file, or of standard input; a rotating blade is none.
+pub(crate) fn tower_input(arguments: &InputArguments) -> Result<TowerInput, Failure> {
+    match input(&arguments.file, &arguments.reading)? {
+        Input::Tower(tower) => Ok(*tower),
+        Input::Blade(_) => Err(Failure::Usage(
+            "this is a deck of a rotating blade; only solve reads these",
+        )),
+    }
+}
+
+/// The tower of a file, and what its reader noted.
+pub(crate) fn tower(arguments: &InputArguments) -> Result<(Tower, Vec<Note>), Failure> {
+    let input = tower_input(arguments)?;
+    let tower = input.tower().map_err(Failure::Input)?;
+    Ok((tower, input.notes))
 }

@@ -41,6 +41,14 @@ pub(crate) fn check_not_input(input: &Path, output: Option<&Path>) -> Result<(),
     }
 }
 
+/// The same for every file that an input was read from.
+pub(crate) fn check_not_inputs<'a>(
+    mut files: impl Iterator<Item = &'a str>,
+    output: Option<&Path>,
+) -> Result<(), Failure> {
+    files.try_for_each(|file| check_not_input(Path::new(file), output))
+}
+
 /// Work that takes no longer than this is done without a word.
 const QUIET: Duration = Duration::from_secs(1);
 

@@ -18,6 +18,7 @@ pub(crate) fn completions(shell: Shell) -> Result<(), Failure> {
 /// `towermodes schema [COMMAND]`.
 pub(crate) fn schema(of: &str) -> Result<(), Failure> {
     let kind = match of {
+        "blade" => ResultKind::Blade,
         "compare" => ResultKind::Comparison,
         "converge" => ResultKind::Convergence,
         "verify" => ResultKind::Verification,

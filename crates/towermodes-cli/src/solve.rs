@@ -1,27 +1,74 @@
 //! `towermodes solve`.
 
-use towermodes::solve;
-use towermodes_files::{write_csv, write_json};
+mod bmodes_out;
 
-use crate::args::{Format, SolveArguments};
-use crate::failure::{Failure, warn};
-use crate::input::tower;
-use crate::output::{check_not_input, deliver};
+use towermodes::{Blade, solve, solve_blade};
+use towermodes_files::{
+    BladeInput, Input, TowerInput, write_blade_csv, write_blade_json, write_csv, write_json,
+};
+
+use crate::args::{Prescribed, SolveArguments, SolveFormat};
+use crate::failure::{Failure, note, warn};
+use crate::input::input;
+use crate::output::{check_not_input, check_not_inputs, deliver};
 use crate::table;
 
-/// Reads the tower, solves it, prints the result; warnings go to standard error.
+/// Reads the tower, or the blade, solves it, prints the result; warnings go to standard error.
 pub(crate) fn run(arguments: &SolveArguments) -> Result<(), Failure> {
-    let options = arguments.options().map_err(Failure::Usage)?;
-    let output = arguments.destination.output();
-    check_not_input(&arguments.file, output)?;
-    let tower = tower(&arguments.file)?;
+    let file = &arguments.input.file;
+    check_not_input(file, arguments.output())?;
+    let result = match input(file, &arguments.input.reading)? {
+        Input::Tower(tower) => of_tower(*tower, arguments)?,
+        Input::Blade(blade) => of_blade(&blade, arguments)?,
+    };
+    deliver(&result, arguments.output())
+}
+
+fn of_tower(mut input: TowerInput, arguments: &SolveArguments) -> Result<Vec<u8>, Failure> {
+    check_not_inputs(input.files(), arguments.output())?;
+    let prescribed = Prescribed {
+        method: input.method,
+        modes: input.modes,
+        borders_m: input.borders_m.take(),
+    };
+    let borders_m = prescribed.borders_m.clone();
+    let mut options = arguments.options(prescribed).map_err(Failure::Usage)?;
+    let tower = input.tower().map_err(Failure::Input)?;
+    let nodes = bmodes_out::Nodes::of_tower(&tower, borders_m, arguments.points());
+    if arguments.format == SolveFormat::Bmodes {
+        options.heights_m = nodes.heights_m();
+    }
     let solution = solve(&tower, &options).map_err(Failure::Unsolved)?;
     let mut result = Vec::new();
-    match arguments.destination.format {
-        Format::Table => result.extend(table::solution(&tower, &solution).into_bytes()),
-        Format::Json => write_json(&tower, &solution, &mut result)?,
-        Format::Csv => write_csv(&solution, &mut result)?,
+    match arguments.format {
+        SolveFormat::Table => result.extend(table::solution(&tower, &solution).into_bytes()),
+        SolveFormat::Json => write_json(&tower, &solution, &input.notes, &mut result)?,
+        SolveFormat::Csv => write_csv(&solution, &mut result)?,
+        SolveFormat::Bmodes => result = nodes.of_solution(&tower, &solution).into_bytes(),
     }
+    note(&input.notes);
     warn(&solution.warnings);
-    deliver(&result, output)
+    Ok(result)
+}
+
+fn of_blade(input: &BladeInput, arguments: &SolveArguments) -> Result<Vec<u8>, Failure> {
+    check_not_inputs(input.files(), arguments.output())?;
+    arguments.check_for_blade().map_err(Failure::Usage)?;
+    let blade = Blade::new(input.description.clone()).map_err(Failure::Blade)?;
+    let nodes = bmodes_out::Nodes::of_blade(&blade);
+    let radii_m = match arguments.format {
+        SolveFormat::Bmodes => nodes.heights_m(),
+        _ => nodes.borders_m().to_vec(),
+    };
+    let modes = arguments.modes().unwrap_or(input.modes);
+    let solution = solve_blade(&blade, modes, &radii_m).map_err(Failure::Unsolved)?;
+    let mut result = Vec::new();
+    match arguments.format {
+        SolveFormat::Table => result.extend(table::blade(&blade, &solution).into_bytes()),
+        SolveFormat::Json => write_blade_json(&blade, &solution, &input.notes, &mut result)?,
+        SolveFormat::Csv => write_blade_csv(&solution, &mut result)?,
+        SolveFormat::Bmodes => result = nodes.of_blade_solution(&blade, &solution).into_bytes(),
+    }
+    note(&input.notes);
+    Ok(result)
 }

@@ -35,7 +35,7 @@ pub use companions::{Beside, Companions, InMemory};
 pub use diagnostic::Diagnostic;
 pub use input::{BladeInput, FileFormat, InputError, Note, ReadOptions, TowerInput, TowerPart};
 pub use result::{
-    ResultError, ResultKind, write_comparison_csv, write_comparison_json, write_convergence_csv,
+    ResultError, ResultKind, write_blade_csv, write_blade_json, write_comparison_csv, write_comparison_json, write_convergence_csv,
     write_convergence_json, write_csv, write_json, write_json_schema, write_verification_csv,
     write_verification_json,
 };

@@ -1,11 +1,10 @@
 //! The arguments of `compare`.
 
-use std::path::PathBuf;
-
 use clap::Args;
 use towermodes::study::ColumnSpec;
 use towermodes::{MAX_SEGMENTS, Method, Options};
 
+use super::input::InputArguments;
 use super::Destination;
 use super::model::ModelArguments;
 use super::parsers::{method_parser, number_parser};
@@ -22,8 +21,8 @@ The differences are to the spectral beam, which is exact to ten digits. BModes h
 #[derive(Debug, Args)]
 #[command(allow_negative_numbers = true, after_help = EXAMPLES)]
 pub(crate) struct CompareArguments {
-    /// The tower (TOML); - is standard input
-    pub(crate) file: PathBuf,
+    #[command(flatten)]
+    pub(crate) input: InputArguments,
 
     /// The methods, with commas between them [default: all]
     #[arg(long, value_name = "LIST", value_delimiter = ',', value_parser = method_parser())]

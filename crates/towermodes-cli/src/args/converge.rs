@@ -1,11 +1,10 @@
 //! The arguments of `converge`.
 
-use std::path::PathBuf;
-
 use clap::Args;
 use towermodes::study::Fineness;
 use towermodes::{MAX_DEGREE, MAX_SEGMENTS, Method, Options};
 
+use super::input::InputArguments;
 use super::Destination;
 use super::model::ModelArguments;
 use super::parsers::{method_parser, number_parser};
@@ -21,8 +20,8 @@ Errors are relative ones, against the spectral beam: as it is, or without rotary
 #[derive(Debug, Args)]
 #[command(allow_negative_numbers = true, after_help = EXAMPLES)]
 pub(crate) struct ConvergeArguments {
-    /// The tower (TOML); - is standard input
-    pub(crate) file: PathBuf,
+    #[command(flatten)]
+    pub(crate) input: InputArguments,
 
     /// The method
     #[arg(long, default_value = Method::RmjeExact.name(), value_parser = method_parser())]

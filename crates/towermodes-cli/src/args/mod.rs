@@ -2,6 +2,7 @@
 
 mod compare;
 mod converge;
+mod input;
 mod model;
 mod parsers;
 mod solve;
@@ -9,7 +10,8 @@ mod verify;
 
 pub(crate) use compare::CompareArguments;
 pub(crate) use converge::ConvergeArguments;
-pub(crate) use solve::SolveArguments;
+pub(crate) use input::{InputArguments, ReadingArguments};
+pub(crate) use solve::{Prescribed, SolveArguments, SolveFormat};
 pub(crate) use verify::{VerifyArguments, VerifyFormat};
 
 use std::path::{Path, PathBuf};
@@ -49,11 +51,11 @@ pub(crate) enum Command {
         /// The shell.
         shell: clap_complete::Shell,
     },
-    /// Print the JSON schema of the result of a command with `--format json`.
+    /// Print the JSON schema of the result of a command with `--format json` (blade: of solve for a rotating blade).
     #[command(after_help = "Example:\n  towermodes schema solve > solve.schema.json")]
     Schema {
         /// The command.
-        #[arg(default_value = "solve", value_parser = ["solve", "compare", "converge", "verify"])]
+        #[arg(default_value = "solve", value_parser = ["solve", "blade", "compare", "converge", "verify"])]
         of: String,
     },
     /// Print the manual page, of the program or of one of its commands.

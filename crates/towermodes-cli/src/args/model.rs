@@ -9,9 +9,9 @@ use super::parsers::{hinge_parser, number_parser};
 /// What holds whatever the method.
 #[derive(Debug, Args)]
 pub(super) struct ModelArguments {
-    /// How many modes, from the lowest
-    #[arg(long, value_name = "K", default_value_t = DEFAULT_MODES, value_parser = number_parser(1, usize::MAX))]
-    modes: usize,
+    /// How many modes, from the lowest [default: 8; of BModes decks what they ask for]
+    #[arg(long, value_name = "K", value_parser = number_parser(1, usize::MAX))]
+    pub(super) modes: Option<usize>,
 
     /// Leave the rotary inertia of the sections out of bending: an Euler-Bernoulli beam
     #[arg(long)]
@@ -39,7 +39,7 @@ impl ModelArguments {
     /// The default options with these changed.
     pub(super) fn options(&self) -> Options {
         Options {
-            modes: self.modes,
+            modes: self.modes.unwrap_or(DEFAULT_MODES),
             rotary_inertia: !self.no_rotary_inertia,
             hinge_position: self.hinges.unwrap_or(GAUSS_HINGE_POSITION),
             ..Options::default()

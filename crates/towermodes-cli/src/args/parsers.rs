@@ -26,3 +26,24 @@ pub(super) fn number_parser(
         _ => Err(format!("must be a whole number from {least} to {most}")),
     }
 }
+
+/// A height in m.
+pub(super) fn height_parser(text: &str) -> Result<f64, String> {
+    let height_m = text.parse().ok().filter(|height_m: &f64| height_m.is_finite());
+    height_m.ok_or_else(|| "must be a number, in m".into())
+}
+
+/// A percentage that damping can have.
+pub(super) fn damping_parser(text: &str) -> Result<f64, String> {
+    let percent = text.parse().ok().filter(|p| (0.0..=100.0).contains(p));
+    percent.ok_or_else(|| "must be a number from 0 to 100, in percent of critical".into())
+}
+
+/// A set and a subset of it, from 1.
+pub(super) fn subset_parser(text: &str) -> Result<(usize, usize), String> {
+    let parsed = text.split_once(',').and_then(|(set, subset)| {
+        let number = |text: &str| text.trim().parse().ok().filter(|n: &usize| *n > 0);
+        Some((number(set)?, number(subset)?))
+    });
+    parsed.ok_or_else(|| "must be two whole numbers from 1, as 1,2".into())
+}

@@ -1,13 +1,14 @@
 //! The arguments of `solve`.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
-use clap::Args;
+use clap::{Args, ValueEnum};
 use towermodes::{DEFAULT_POINTS, MAX_DEGREE, MAX_POINTS, MAX_SEGMENTS, Method, Options};
 
 use super::model::ModelArguments;
 use super::parsers::{method_parser, number_parser};
-use super::{Destination, Format};
+use super::file_of;
+use super::input::InputArguments;
 
 macro_rules! examples {
     () => {
@@ -17,6 +18,8 @@ macro_rules! examples {
   towermodes solve tower.toml --method rmje --segments 60
   towermodes solve tower.toml --method spectral --no-rotary-inertia
   generate-tower | towermodes solve - --format csv
+  towermodes solve deck.bmi --format bmodes --output deck.out
+  towermodes solve IEA-15-240-RWT.yaml --part tower --no-rna
 
 Exit codes: 0 done, 1 the computation or the output failed, 2 wrong usage or wrong input."
     };
@@ -29,15 +32,15 @@ const LONG_HELP: &str = concat!(include_str!("tower-file.txt"), "\n", examples!(
 #[derive(Debug, Args)]
 #[command(allow_negative_numbers = true, after_help = examples!(), after_long_help = LONG_HELP)]
 pub(crate) struct SolveArguments {
-    /// The tower (TOML); - is standard input
-    pub(crate) file: PathBuf,
+    #[command(flatten)]
+    pub(crate) input: InputArguments,
 
     /// Chains of rigid bodies: rmje and cardanic, as published or with exact tapered sections, and lumped as Adams models beams;
-    /// bmodes, the finite element of BModes; spectral, the beam itself
-    #[arg(long, default_value = Method::RmjeExact.name(), value_parser = method_parser())]
-    method: Method,
+    /// bmodes, the finite element of BModes; spectral, the beam itself [default: rmje-exact; bmodes for BModes decks]
+    #[arg(long, value_parser = method_parser())]
+    method: Option<Method>,
 
-    /// Segments, or elements [default: 100, and two for each short span between steps, kinks and masses; spectral: one a piece]
+    /// Segments, or elements [default: 100, and two for each short span between steps, kinks and masses; spectral: one a piece; BModes decks: their own elements]
     #[arg(long, value_name = "N", value_parser = number_parser(1, MAX_SEGMENTS))]
     segments: Option<usize>,
 
@@ -52,31 +55,94 @@ pub(crate) struct SolveArguments {
     #[arg(long, value_name = "COUNT", default_value_t = DEFAULT_POINTS, value_parser = number_parser(2, MAX_POINTS))]
     points: usize,
 
-    #[command(flatten)]
-    pub(crate) destination: Destination,
+    /// How the result is printed
+    #[arg(long, short, value_enum, default_value_t = SolveFormat::Table)]
+    pub(crate) format: SolveFormat,
+
+    /// Write the result to a file instead of standard output (-)
+    #[arg(long, short, value_name = "PATH")]
+    output: Option<PathBuf>,
+}
+
+/// How the modes are printed.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub(crate) enum SolveFormat {
+    /// For people.
+    Table,
+    /// Everything there is, the shapes too.
+    Json,
+    /// One line a mode.
+    Csv,
+    /// The layout of an output file of BModes, for scripts that read these.
+    Bmodes,
+}
+
+/// What a file prescribes for its solution.
+#[derive(Debug, Clone, Default)]
+pub(crate) struct Prescribed {
+    /// The method it is made for.
+    pub(crate) method: Option<Method>,
+    /// How many modes it asks for.
+    pub(crate) modes: Option<usize>,
+    /// The borders of its finite elements, m.
+    pub(crate) borders_m: Option<Vec<f64>>,
 }
 
 impl SolveArguments {
+    /// The file the result goes to, if not to standard output.
+    pub(crate) fn output(&self) -> Option<&Path> {
+        file_of(self.output.as_deref())
+    }
+
+    /// How many modes are wanted, if it was said here.
+    pub(crate) fn modes(&self) -> Option<usize> {
+        self.model.modes
+    }
+
+    /// Refuses what means nothing to a rotating blade, which has one method and the elements of its deck.
+    ///
+    /// # Errors
+    /// What is wrong.
+    pub(crate) fn check_for_blade(&self) -> Result<(), &'static str> {
+        if self.method.is_some_and(|method| method != Method::Bmodes) {
+            return Err("a rotating blade is solved by --method bmodes alone");
+        }
+        if self.segments.is_some() || self.degree.is_some() {
+            return Err("a rotating blade has the elements of its deck");
+        }
+        Ok(())
+    }
+
     /// What the library is asked for.
     ///
     /// # Errors
     /// What is wrong if an option means nothing to the method.
-    pub(crate) fn options(&self) -> Result<Options, &'static str> {
-        self.model.check(self.method)?;
-        if self.degree.is_some() && self.method != Method::Spectral {
+    pub(crate) fn options(&self, prescribed: Prescribed) -> Result<Options, &'static str> {
+        let method = self.method.or(prescribed.method).unwrap_or_default();
+        self.model.check(method)?;
+        if self.degree.is_some() && method != Method::Spectral {
             return Err("--degree is for --method spectral; the others have --segments");
         }
+        let own_elements = method == Method::Bmodes && self.segments.is_none();
+        let options = self.model.options();
         Ok(Options {
-            method: self.method,
+            method,
             segments: self.segments,
+            borders_m: prescribed.borders_m.filter(|_| own_elements),
             degree: self.degree,
+            modes: self.model.modes.or(prescribed.modes).unwrap_or(options.modes),
             // Only the JSON has shapes.
-            points: if self.destination.format == Format::Json {
+            points: if self.format == SolveFormat::Json {
                 self.points
             } else {
                 2
             },
-            ..self.model.options()
+            ..options
         })
+    }
+
+    /// At how many equal heights shapes are wanted.
+    pub(crate) fn points(&self) -> usize {
+        self.points
     }
 }

@@ -1,5 +1,6 @@
 //! Results for people.
 
+mod blade;
 mod comparison;
 mod convergence;
 mod plot;
@@ -7,6 +8,7 @@ mod solution;
 mod text;
 mod verification;
 
+pub(crate) use blade::blade;
 pub(crate) use comparison::comparison;
 pub(crate) use convergence::convergence;
 pub(crate) use solution::solution;

@@ -21,7 +21,12 @@ pub(super) fn align_right(table: &mut Table, columns: impl IntoIterator<Item = u
 
 /// The tower's name and an empty line, if it has one.
 pub(super) fn title(tower: &Tower) -> String {
-    match tower.name() {
+    name_line(tower.name())
+}
+
+/// A name and an empty line, if there is one.
+pub(super) fn name_line(name: &str) -> String {
+    match name {
         "" => String::new(),
         name => printable(name) + "\n\n",
     }

@@ -1,5 +1,6 @@
 //! Results as other programs read them.
 
+mod blade;
 mod comparison;
 mod convergence;
 mod schema;
@@ -7,6 +8,7 @@ mod solution_csv;
 mod solution_json;
 mod verification;
 
+pub use blade::{write_blade_csv, write_blade_json};
 pub use comparison::{write_comparison_csv, write_comparison_json};
 pub use convergence::{write_convergence_csv, write_convergence_json};
 pub use schema::{ResultKind, write_json_schema};

@@ -4,6 +4,7 @@ use std::io::Write;
 
 use schemars::{JsonSchema, schema_for};
 
+use super::blade::BladeSolutionJson;
 use super::comparison::ComparisonJson;
 use super::convergence::ConvergenceJson;
 use super::solution_json::SolutionJson;
@@ -15,6 +16,8 @@ use super::{ResultError, write_pretty};
 pub enum ResultKind {
     /// Of `towermodes solve`.
     Solution,
+    /// Of `towermodes solve` for a rotating blade.
+    Blade,
     /// Of `towermodes compare`.
     Comparison,
     /// Of `towermodes converge`.
@@ -30,6 +33,7 @@ pub enum ResultKind {
 pub fn write_json_schema(kind: ResultKind, writer: impl Write) -> Result<(), ResultError> {
     match kind {
         ResultKind::Solution => write_schema_of::<SolutionJson<'static>>(writer),
+        ResultKind::Blade => write_schema_of::<BladeSolutionJson<'static>>(writer),
         ResultKind::Comparison => write_schema_of::<ComparisonJson>(writer),
         ResultKind::Convergence => write_schema_of::<ConvergenceJson>(writer),
         ResultKind::Verification => write_schema_of::<VerificationJson<'static>>(writer),

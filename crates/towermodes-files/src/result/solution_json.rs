@@ -7,6 +7,7 @@ use serde::Serialize;
 use towermodes::{ByMotion, Certificate, Mode, ShapePoint, Solution, Tower};
 
 use super::{ResultError, write_pretty};
+use crate::input::Note;
 
 /// The result of `towermodes solve --format json`. Keys are stable: new ones may be added, none is renamed.
 #[derive(Serialize, JsonSchema)]
@@ -32,7 +33,7 @@ pub(super) struct SolutionJson<'a> {
     effective_mass_shares: DirectionsJson,
     /// What it cost.
     solver: SolverJson,
-    /// What looks like a slip.
+    /// What the reader of the file decided or left out, and what looks like a slip.
     warnings: Vec<String>,
 }
 
@@ -82,7 +83,7 @@ struct EnergyJson {
 
 /// A share for each motion of a bare tower.
 #[derive(Serialize, JsonSchema)]
-struct ByMotionJson {
+pub(super) struct ByMotionJson {
     /// Bending fore-aft.
     fore_aft: f64,
     /// Bending side-side.
@@ -132,7 +133,7 @@ struct ModeJson {
 /// A shape, one list an axis; the largest translation in the mode's direction (in torsion and yaw: rotation) of the tower is 1, positive
 /// at the top.
 #[derive(Serialize, JsonSchema)]
-struct ShapeJson {
+pub(super) struct ShapeJson {
     /// Heights in the datum of the stations, m.
     height_m: Vec<f64>,
     /// Translation fore-aft.
@@ -151,7 +152,7 @@ struct ShapeJson {
 
 /// The proof that no mode is missing.
 #[derive(Serialize, JsonSchema)]
-struct CertificateJson {
+pub(super) struct CertificateJson {
     /// Whether the list and the count agree; always true in a result.
     complete: bool,
     /// Number of modes below `below_hz` by inertia count; more than listed only if the list cuts a repeated pair.
@@ -169,19 +170,26 @@ struct SolverJson {
     restarts: usize,
 }
 
-/// Writes a solution as indented JSON with a newline at the end.
+/// Writes a solution as indented JSON with a newline at the end; what the reader of the file noted comes before the warnings.
 ///
 /// # Errors
 /// [`ResultError`] if the writer refuses.
 pub fn write_json(
     tower: &Tower,
     solution: &Solution,
+    notes: &[Note],
     writer: impl Write,
 ) -> Result<(), ResultError> {
-    write_pretty(&solution_json(tower, solution), writer)
+    write_pretty(&solution_json(tower, solution, notes), writer)
 }
 
-fn solution_json<'a>(tower: &'a Tower, solution: &Solution) -> SolutionJson<'a> {
+fn solution_json<'a>(
+    tower: &'a Tower,
+    solution: &Solution,
+    notes: &[Note],
+) -> SolutionJson<'a> {
+    let notes = notes.iter().map(ToString::to_string);
+    let warnings = solution.warnings.iter().map(ToString::to_string);
     SolutionJson {
         method: solution.method.name(),
         segments: solution.segments,
@@ -203,11 +211,11 @@ fn solution_json<'a>(tower: &'a Tower, solution: &Solution) -> SolutionJson<'a> 
             products: solution.statistics.products,
             restarts: solution.statistics.restarts,
         },
-        warnings: solution.warnings.iter().map(ToString::to_string).collect(),
+        warnings: notes.chain(warnings).collect(),
     }
 }
 
-fn certificate_json(certificate: &Certificate) -> CertificateJson {
+pub(super) fn certificate_json(certificate: &Certificate) -> CertificateJson {
     CertificateJson {
         complete: certificate.complete,
         count: certificate.count,
@@ -259,7 +267,7 @@ fn by_motion_json(values: &ByMotion) -> ByMotionJson {
     }
 }
 
-fn shape_json(points: &[ShapePoint]) -> ShapeJson {
+pub(super) fn shape_json(points: &[ShapePoint]) -> ShapeJson {
     let column = |value: fn(&ShapePoint) -> f64| points.iter().map(value).collect();
     ShapeJson {
         height_m: column(|p| p.height_m),

@@ -16,23 +16,22 @@ mod values;
 mod water;
 mod wires;
 
-use std::collections::HashMap;
 use std::ops::Range;
 
 use ::toml::de::DeTable;
-use towermodes::{Place, Tower, TowerDescription, TowerError};
+use towermodes::{Place, Tower, TowerDescription};
 
 use crate::diagnostic::Diagnostic;
+use crate::input::{FileFormat, InputError, TowerInput};
+use crate::places::{Places, TABLE};
+use crate::source::Source;
 use table::Table;
-
-/// The key under which the span of a whole table is remembered, for values that it leaves out.
-const TABLE: &str = "";
 
 /// What is collected while a file is read: mistakes, and where in the file each value of the tower came from.
 #[derive(Debug, Default)]
 struct Reading {
     mistakes: Vec<Diagnostic>,
-    places: HashMap<Place, Range<usize>>,
+    places: Places,
 }
 
 impl Reading {
@@ -42,35 +41,7 @@ impl Reading {
 
     /// Remembers where a value stands, for mistakes that only the whole tower shows.
     fn remember(&mut self, place: Place, span: Range<usize>) {
-        self.places.insert(place, span);
-    }
-
-    /// A mistake that the tower's own checks found, at its place in the file.
-    fn tower_mistake(&self, error: &TowerError) -> Diagnostic {
-        let diagnostic = Diagnostic::new(self.span(error.place), error.problem.to_string());
-        match error.problem.hint() {
-            Some(hint) => diagnostic.with_hint(hint),
-            None => diagnostic,
-        }
-    }
-
-    /// Where a value stands; one that is left out at its table, or at the stations.
-    fn span(&self, place: Place) -> Range<usize> {
-        let places = [place, table_of(place), Place::Stations];
-        let span = places.iter().find_map(|place| self.places.get(place));
-        span.cloned().unwrap_or(0..0)
-    }
-}
-
-/// The place of the whole table that a value belongs to, if it is remembered.
-fn table_of(place: Place) -> Place {
-    let key = TABLE;
-    match place {
-        Place::Foundation { .. } => Place::Foundation { key },
-        Place::Soil { layer, .. } => Place::Soil { layer, row: 0, key },
-        Place::Water { .. } => Place::Water { key },
-        Place::Wires { index, .. } => Place::Wires { index, key },
-        other => other,
+        self.places.remember(place, 0, span);
     }
 }
 
@@ -81,6 +52,26 @@ fn table_of(place: Place) -> Place {
 /// # Errors
 /// All mistakes found, in the order of the file where they are of one kind; never an empty list.
 pub fn tower_from_toml(text: &str) -> Result<Tower, Vec<Diagnostic>> {
+    let (description, places) = describe(text)?;
+    Tower::new(description).map_err(|error| vec![places.mistake(&error).1])
+}
+
+/// Reads a tower from a TOML file.
+///
+/// # Errors
+/// [`InputError::Mistakes`] with all that were found.
+pub(crate) fn read_toml(source: Source) -> Result<TowerInput, InputError> {
+    match describe(&source.text) {
+        Ok((description, places)) => {
+            let input = TowerInput::new(FileFormat::Toml, description, source);
+            Ok(TowerInput { places, ..input })
+        }
+        Err(mistakes) => Err(InputError::mistakes(&source, mistakes)),
+    }
+}
+
+/// What a file says, and where.
+fn describe(text: &str) -> Result<(TowerDescription, Places), Vec<Diagnostic>> {
     if text.trim().is_empty() {
         let hint = "a tower needs at least [material] and [tower] with its stations";
         return Err(vec![
@@ -92,13 +83,9 @@ pub fn tower_from_toml(text: &str) -> Result<Tower, Vec<Diagnostic>> {
     let root = Table::root(document.get_ref(), text.len(), &file::FILE, &mut reading);
     let description = file::description(&root, &mut reading);
     match description {
-        Some(description) if reading.mistakes.is_empty() => checked(description, &reading),
+        Some(description) if reading.mistakes.is_empty() => Ok((description, reading.places)),
         _ => Err(reading.mistakes),
     }
-}
-
-fn checked(description: TowerDescription, reading: &Reading) -> Result<Tower, Vec<Diagnostic>> {
-    Tower::new(description).map_err(|error| vec![reading.tower_mistake(&error)])
 }
 
 fn syntax_mistake(error: &::toml::de::Error, text: &str) -> Diagnostic {

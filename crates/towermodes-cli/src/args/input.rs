@@ -1,0 +1,76 @@
+//! Which file is read, and how where its format leaves a choice.
+
+use std::path::PathBuf;
+
+use clap::{Args, ValueEnum};
+use towermodes_files::{ReadOptions, TowerPart};
+
+use super::parsers::{height_parser, subset_parser};
+
+/// The file and how it is read.
+#[derive(Debug, Args)]
+pub(crate) struct InputArguments {
+    /// A tower in TOML, a BModes deck (.bmi), an ElastoDyn main or tower file (.dat, or the .fst that names it), a turbine in windIO (.yaml)
+    /// or a HAWC2 _st.dat, known by content and name; - is standard input
+    pub(crate) file: PathBuf,
+
+    #[command(flatten)]
+    pub(crate) reading: ReadingArguments,
+}
+
+/// What files of other programs leave open.
+#[derive(Debug, Clone, Copy, Args)]
+#[command(next_help_heading = "Files of other programs")]
+pub(crate) struct ReadingArguments {
+    /// Leave the rotor-nacelle assembly out: the tower alone
+    #[arg(long)]
+    pub(crate) no_rna: bool,
+
+    /// Understand a BModes deck as BModes 3.00 does, its faults included
+    #[arg(long)]
+    bmodes_quirks: bool,
+
+    /// Part of a windIO turbine
+    #[arg(long, value_enum, default_value_t = Part::All)]
+    part: Part,
+
+    /// Height of the tower's top above ground or sea level, m, for an ElastoDyn tower file alone
+    #[arg(long, value_name = "M", value_parser = height_parser)]
+    tower_height: Option<f64>,
+
+    /// Height of the tower's base above ground or sea level, m, for files that do not say it
+    #[arg(long, value_name = "M", default_value_t = 0.0, value_parser = height_parser)]
+    tower_base: f64,
+
+    /// Set and subset of a HAWC2 file, as 1,2 [default: the first of each]
+    #[arg(long, value_name = "SET,SUBSET", value_parser = subset_parser)]
+    subset: Option<(usize, usize)>,
+}
+
+/// Part of a turbine.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+enum Part {
+    /// The tower, on its monopile if there is one.
+    All,
+    /// The tower alone, clamped at its own base.
+    Tower,
+    /// The monopile alone.
+    Monopile,
+}
+
+impl ReadingArguments {
+    /// What the readers are told.
+    pub(crate) fn options(&self) -> ReadOptions {
+        ReadOptions {
+            bmodes_quirks: self.bmodes_quirks,
+            tower_height_m: self.tower_height,
+            tower_base_m: self.tower_base,
+            part: match self.part {
+                Part::All => TowerPart::All,
+                Part::Tower => TowerPart::Tower,
+                Part::Monopile => TowerPart::Monopile,
+            },
+            hawc2_subset: self.subset,
+        }
+    }
+}

@@ -1,0 +1,101 @@
+//! Any file that describes a tower or a blade: its format recognized by its content and its name.
+
+use std::path::Path;
+
+use crate::bmodes::{self, BmodesInput, read_bmodes};
+use crate::companions::{Beside, Companions};
+use crate::diagnostic::Diagnostic;
+use crate::elastodyn::{self, read_elastodyn, read_elastodyn_tower};
+use crate::hawc2::{self, read_hawc2};
+use crate::input::{BladeInput, FileFormat, InputError, ReadOptions, TowerInput};
+use crate::source::Source;
+use crate::toml::read_toml;
+use crate::windio::{self, read_windio};
+
+/// What a file describes.
+#[derive(Debug, Clone)]
+pub enum Input {
+    /// A tower.
+    Tower(Box<TowerInput>),
+    /// A rotating blade.
+    Blade(Box<BladeInput>),
+}
+
+/// Reads a file from disk, with the files that it names.
+///
+/// # Errors
+/// [`InputError`].
+pub fn read(path: &Path, options: &ReadOptions) -> Result<Input, InputError> {
+    read_source(Source::from_path(path)?, &Beside::file(path), options)
+}
+
+/// Reads a file whose text is known, with the files that it names.
+///
+/// # Errors
+/// [`InputError`].
+pub fn read_source(
+    source: Source,
+    companions: &dyn Companions,
+    options: &ReadOptions,
+) -> Result<Input, InputError> {
+    let tower = match recognize(&source) {
+        Some(FileFormat::Toml) => read_toml(source)?,
+        Some(FileFormat::Bmodes) => {
+            return Ok(match read_bmodes(source, companions, options)? {
+                BmodesInput::Tower(tower) => Input::Tower(tower),
+                BmodesInput::Blade(blade) => Input::Blade(blade),
+            });
+        }
+        Some(FileFormat::ElastoDyn) => read_elastodyn(source, companions, options)?.input,
+        Some(FileFormat::ElastoDynTower) => read_elastodyn_tower(source, options)?,
+        Some(FileFormat::WindIo) => read_windio(source, options)?,
+        Some(FileFormat::Hawc2) => read_hawc2(source, options)?,
+        None => return Err(unknown(&source)),
+    };
+    Ok(Input::Tower(Box::new(tower)))
+}
+
+/// What kind of file it is, if it is one that describes a tower or a blade.
+pub fn recognize(source: &Source) -> Option<FileFormat> {
+    let (name, text) = (source.name.as_str(), source.text.as_str());
+    let ends_with = |ending: &str| {
+        let from = name.len().checked_sub(ending.len());
+        from.and_then(|from| name.get(from..))
+            .is_some_and(|end| end.eq_ignore_ascii_case(ending))
+    };
+    let by_name = [
+        (".toml", FileFormat::Toml),
+        (".bmi", FileFormat::Bmodes),
+        (".yaml", FileFormat::WindIo),
+        (".yml", FileFormat::WindIo),
+    ];
+    let named = by_name.into_iter().find(|(ending, _)| ends_with(ending));
+    if let Some((_, format)) = named {
+        return Some(format);
+    }
+    let by_content = [
+        (elastodyn::is_main_file(text), FileFormat::ElastoDyn),
+        (elastodyn::is_fst(text), FileFormat::ElastoDyn),
+        (elastodyn::is_tower_file(text), FileFormat::ElastoDynTower),
+        (hawc2::is_hawc2(text, name), FileFormat::Hawc2),
+        (bmodes::is_deck(text), FileFormat::Bmodes),
+        (windio::is_windio(text, name), FileFormat::WindIo),
+        (text.trim().is_empty() || looks_like_toml(text), FileFormat::Toml),
+    ];
+    let found = by_content.into_iter().find(|(is, _)| *is);
+    found.map(|(_, format)| format)
+}
+
+/// Whether the first line that says something is a key with a value or the name of a table.
+fn looks_like_toml(text: &str) -> bool {
+    let mut lines = text.lines().map(str::trim);
+    let first = lines.find(|line| !line.is_empty() && !line.starts_with('#'));
+    first.is_some_and(|line| line.starts_with('[') || line.contains('='))
+}
+
+fn unknown(source: &Source) -> InputError {
+    let first_line = source.text.lines().next().unwrap_or_default().len();
+    let mistake = Diagnostic::new(0..first_line, "this is no file that describes a tower");
+    let hint = "give a tower in TOML, a BModes deck (.bmi), an ElastoDyn main or tower file, a turbine in windIO (.yaml) or a HAWC2 _st.dat";
+    InputError::mistake(source, mistake.with_hint(hint))
+}
