@@ -171,6 +171,8 @@ pub struct ReadOptions {
     pub tower_base_m: f64,
     /// Which part of a turbine.
     pub part: TowerPart,
+    /// Which set and which subset in it of a structural file of HAWC2, by their numbers; the first of the file unless told.
+    pub hawc2_subset: Option<(usize, usize)>,
 }
 
 impl Default for ReadOptions {
@@ -180,6 +182,7 @@ impl Default for ReadOptions {
             tower_height_m: None,
             tower_base_m: 0.0,
             part: TowerPart::All,
+            hawc2_subset: None,
         }
     }
 }

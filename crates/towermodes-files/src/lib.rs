@@ -21,23 +21,36 @@
 //! assert_eq!(diagnostics[0].hint.as_deref(), Some("did you mean `density`?"));
 //! ```
 
+mod bmodes;
 mod companions;
 mod diagnostic;
 pub mod elastodyn;
+mod hawc2;
 mod input;
 mod places;
+mod read;
 mod records;
 mod result;
 mod source;
 mod toml;
+mod windio;
 
+pub use bmodes::{
+    BmodesFiles, BmodesInput, BmodesWriteError, BmodesWriteOptions, OutHeader, OutMode, OutRow,
+    euclidean, read_bmodes, write_bmodes, write_bmodes_out,
+};
 pub use companions::{Beside, Companions, InMemory};
 pub use diagnostic::Diagnostic;
-pub use input::{BladeInput, FileFormat, InputError, Note, ReadOptions, TowerInput, TowerPart};
+pub use hawc2::read_hawc2;
+pub use input::{
+    BladeInput, FileFormat, InputError, Note, ReadOptions, TowerInput, TowerPart,
+};
+pub use read::{Input, read, read_source, recognize};
 pub use result::{
-    ResultError, ResultKind, write_blade_csv, write_blade_json, write_comparison_csv, write_comparison_json, write_convergence_csv,
-    write_convergence_json, write_csv, write_json, write_json_schema, write_verification_csv,
-    write_verification_json,
+    ResultError, ResultKind, write_blade_csv, write_blade_json, write_comparison_csv,
+    write_comparison_json, write_convergence_csv, write_convergence_json, write_csv, write_json,
+    write_json_schema, write_verification_csv, write_verification_json,
 };
 pub use source::{MAX_FILE_BYTES, ReadError, Source};
-pub use toml::tower_from_toml;
+pub use toml::{description_from_toml, tower_from_toml, write_toml};
+pub use windio::{WindIoWriteError, read_windio, write_windio};

@@ -28,6 +28,7 @@ pub mod beam;
 pub mod blade;
 pub mod chain;
 pub mod eigen;
+pub mod elastodyn;
 pub mod elements;
 mod method;
 pub mod modes;
@@ -38,6 +39,7 @@ pub mod space;
 pub mod study;
 mod symmetric;
 pub mod tower;
+mod verdict;
 mod warning;
 
 pub use blade::{Blade, BladeDescription, BladeError, BladeSection};
@@ -56,4 +58,5 @@ pub use tower::{
     Shear, SoilRow, SoilStiffness, Station, StiffnessFoundation, Tower, TowerDescription,
     TowerError, Water, Wires,
 };
+pub use verdict::Verdict;
 pub use warning::Warning;

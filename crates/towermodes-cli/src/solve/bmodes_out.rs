@@ -1,7 +1,7 @@
 //! Modes in the layout of BModes: at the borders of elements, scaled as BModes scales.
 
 use towermodes::{Blade, BladeSolution, ShapePoint, Solution, Tower};
-use towermodes_files::bmodes::{OutHeader, OutMode, euclidean, write_bmodes_out};
+use towermodes_files::{OutHeader, OutMode, euclidean, write_bmodes_out};
 
 /// Heights between two nodes, as shares of the element: where BModes has unknowns of its own.
 const INTERIOR: [f64; 3] = [1.0 / 3.0, 0.5, 2.0 / 3.0];

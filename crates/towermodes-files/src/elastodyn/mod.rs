@@ -1,5 +1,36 @@
 //! The files of ElastoDyn, OpenFAST's model of tower, blades and drive train.
 
+mod blade_file;
+mod columns;
+mod deck;
+mod description;
+mod diff;
+mod fst;
+mod layout;
+mod lump;
+mod main_file;
+mod main_reader;
+mod names;
+mod patch;
+mod positional;
+mod recognise;
+mod rules;
+mod tower_alone;
 mod tower_file;
+mod tower_reader;
+mod writer;
 
+pub use blade_file::{BladeFile, BladeMasses, BladeRow, read_blade_file};
+pub use deck::{ElastoDynDeck, read_elastodyn};
+pub use diff::unified_diff;
+pub use lump::lump_rna;
+pub use main_file::{MainFile, Platform};
+pub use main_reader::read_main_file;
+pub use patch::{PatchError, patched};
+pub use rules::TowerFileError;
+pub use tower_alone::read_elastodyn_tower;
 pub use tower_file::{CoefficientSpans, ConcentratedMass, TowerFile, TowerRow};
+pub use tower_reader::read_tower_file;
+pub use writer::{header_with_heights, write_tower_file};
+
+pub(crate) use recognise::{is_fst, is_main_file, is_tower_file};

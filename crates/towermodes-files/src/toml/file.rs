@@ -3,6 +3,7 @@
 use towermodes::TowerDescription;
 
 use super::Reading;
+use super::added_mass::added_mass;
 use super::foundation::foundation;
 use super::gravity::gravity;
 use super::masses::{point_masses, rna};
@@ -27,6 +28,7 @@ pub(super) const FILE: Keys = Keys {
         "point_mass",
         "foundation",
         "soil",
+        "added_mass",
         "water",
         "wires",
         "gravity",
@@ -47,6 +49,7 @@ pub(super) fn description(root: &Table<'_>, reading: &mut Reading) -> Option<Tow
     // A table of properties needs no material.
     let materials = (!has_properties).then(|| materials(root, reading));
     let (foundation, soil) = (foundation(root, reading), soil(root, reading));
+    let added_mass = added_mass(root, reading);
     let (water, wires) = (water(root, reading), wires(root, reading));
     let gravity = gravity(root, reading);
     let rna = root.get("rna").and_then(|value| rna(value, reading));
@@ -64,6 +67,7 @@ pub(super) fn description(root: &Table<'_>, reading: &mut Reading) -> Option<Tow
         point_masses: point_masses?,
         foundation: foundation?,
         soil: soil?,
+        added_mass: added_mass?,
         water: water?,
         wires: wires?,
         gravity_m_per_s2: gravity?,

@@ -1,5 +1,6 @@
-//! A tower from TOML.
+//! A tower from TOML, and back into it.
 
+mod added_mass;
 mod body;
 mod file;
 mod foundation;
@@ -15,6 +16,7 @@ mod table;
 mod values;
 mod water;
 mod wires;
+mod write;
 
 use std::ops::Range;
 
@@ -26,6 +28,8 @@ use crate::input::{FileFormat, InputError, TowerInput};
 use crate::places::{Places, TABLE};
 use crate::source::Source;
 use table::Table;
+
+pub use write::write_toml;
 
 /// What is collected while a file is read: mistakes, and where in the file each value of the tower came from.
 #[derive(Debug, Default)]
@@ -54,6 +58,14 @@ impl Reading {
 pub fn tower_from_toml(text: &str) -> Result<Tower, Vec<Diagnostic>> {
     let (description, places) = describe(text)?;
     Tower::new(description).map_err(|error| vec![places.mistake(&error).1])
+}
+
+/// Reads what the text of a TOML file says of a tower, which [`Tower::new`] has yet to check.
+///
+/// # Errors
+/// All mistakes of the file itself, as [`tower_from_toml`] has them.
+pub fn description_from_toml(text: &str) -> Result<TowerDescription, Vec<Diagnostic>> {
+    describe(text).map(|(description, _)| description)
 }
 
 /// Reads a tower from a TOML file.

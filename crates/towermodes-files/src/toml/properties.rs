@@ -4,7 +4,7 @@ use towermodes::{Place, Planes, Properties, PropertyStation};
 
 use super::Reading;
 use super::table::{Keys, Table};
-use super::values::{Value, every_row, list, number};
+use super::values::{Value, every_row, list, number, number_or_infinity};
 use crate::diagnostic::Diagnostic;
 
 const PROPERTIES: Keys = Keys {
@@ -23,6 +23,9 @@ const PROPERTIES: Keys = Keys {
     ],
     planned: &[],
 };
+
+/// The columns that may be infinite, for a tower that does not twist or does not stretch.
+const MAY_BE_INFINITE: [&str; 2] = ["gj_n_m2", "ea_n"];
 
 /// All rows of the table.
 pub(super) fn properties(value: &Value<'_>, reading: &mut Reading) -> Option<Vec<PropertyStation>> {
@@ -134,7 +137,7 @@ impl Columns<'_> {
 }
 
 /// The rotary inertia of both planes that a flat section of one material has: in the ratio of EI, and their sum the polar inertia.
-fn shared_out(polar_kg_m: f64, bending_n_m2: Planes<f64>) -> Planes<f64> {
+pub(super) fn shared_out(polar_kg_m: f64, bending_n_m2: Planes<f64>) -> Planes<f64> {
     let sum = bending_n_m2.fore_aft + bending_n_m2.side_side;
     bending_n_m2.map(|ei| polar_kg_m * (ei / sum))
 }
@@ -154,8 +157,13 @@ fn column(
         reading.mistake(Diagnostic::new(value.span(), message).with_hint(hint));
         return None;
     }
+    let entry = if MAY_BE_INFINITE.contains(&key) {
+        number_or_infinity
+    } else {
+        number
+    };
     every_row(values, |index, value| {
         reading.remember(Place::Station { index, key: place }, value.span());
-        number(value, key, reading)
+        entry(value, key, reading)
     })
 }

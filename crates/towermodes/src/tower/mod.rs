@@ -58,6 +58,7 @@ pub struct Tower {
     properties: Vec<PropertyStation>,
     pieces: Vec<Piece>,
     rna: Rna,
+    point_masses: Vec<PointMass>,
     attachments: Vec<Attachment>,
     base: Base,
     gravity_m_per_s2: f64,
@@ -102,6 +103,7 @@ impl Tower {
             stations: description.stations,
             properties: description.properties,
             rna: description.rna,
+            point_masses: description.point_masses,
             pieces,
             attachments,
             base,
@@ -148,6 +150,11 @@ impl Tower {
     /// The rotor-nacelle assembly.
     pub fn rna(&self) -> &Rna {
         &self.rna
+    }
+
+    /// The point masses as they were given.
+    pub fn point_masses(&self) -> &[PointMass] {
+        &self.point_masses
     }
 
     /// Point masses, wires and the rotor-nacelle assembly by increasing height.

@@ -1,0 +1,183 @@
+//! A blade from a deck.
+//!
+//! BModes turns the signs of twist and offsets; the library's blade has them as BModes computes with them.
+
+use std::f64::consts::PI;
+
+use towermodes::{BladeDescription, BladeSection, Inertia, RigidBody};
+
+use super::Sources;
+use super::deck::{Deck, HubConnection, Section};
+use super::notes::{Notes, choice, dialect, extra_columns, modes};
+use super::tower::scaled;
+use crate::diagnostic::Diagnostic;
+use crate::input::{BladeInput, InputError};
+
+/// What a deck says of a blade; with `quirks` as BModes 3.00 understands it.
+pub(super) fn blade(deck: &Deck, sources: Sources, quirks: bool) -> Result<BladeInput, InputError> {
+    let in_main = |mistake| InputError::mistake(&sources.main, mistake);
+    check_hub(deck).map_err(in_main)?;
+    let tip = tip(deck, quirks).map_err(in_main)?;
+    let general = &deck.general;
+    let speed = scaled(&general.rot_rpm, &general.rpm_mult).map_err(in_main)?;
+    let sections: Result<Vec<_>, _> = deck.sections.iter().map(|row| section(row, deck)).collect();
+    let sections = sections.map_err(|mistake| InputError::mistake(&sources.sections, mistake))?;
+    let description = BladeDescription {
+        name: deck.title.clone(),
+        hub_radius_m: general.root_m.value,
+        tip_radius_m: general.radius_m.value,
+        sections,
+        borders: deck.borders.iter().map(|border| border.value).collect(),
+        rotor_speed_rad_per_s: speed * PI / 30.0,
+        pitch_rad: general.pitch_deg.value.to_radians(),
+        tip,
+        tip_is_pulled: !quirks,
+    };
+    let mut notes = Notes::default();
+    let modes = blade_notes(deck, quirks, &mut notes);
+    Ok(BladeInput {
+        description,
+        modes,
+        notes: notes.of(&sources),
+        sources: sources.into_list(),
+    })
+}
+
+fn check_hub(deck: &Deck) -> Result<(), Diagnostic> {
+    let hub = &deck.general.hub;
+    let number = match hub.value {
+        HubConnection::Clamped => return Ok(()),
+        HubConnection::Free => 2,
+        HubConnection::AxiallyAndInTorsion => 3,
+    };
+    let message =
+        format!("hub_conn is {number}, but nothing holds a blade that is not clamped to its hub");
+    Err(hub
+        .wrong(message)
+        .with_hint("a blade has hub_conn = 1; BModes stops at others too"))
+}
+
+/// A principal moment of inertia may be negative by this share of the largest: tensors are rounded.
+const ROUNDED: f64 = 1e-9;
+
+/// The body at the tip in the axes of the blade: X lag, Y flap, Z span.
+fn tip(deck: &Deck, quirks: bool) -> Result<RigidBody, Diagnostic> {
+    let [xx, yy, zz, xy, zx, yz] = &deck.tip.inertia_kg_m2;
+    let inertia_kg_m2 = Inertia {
+        xx: yy.value,
+        yy: xx.value,
+        zz: zz.value,
+        xy: 0.0 - xy.value,
+        xz: 0.0 - yz.value,
+        yz: zx.value,
+    };
+    let principal = inertia_kg_m2.principal_kg_m2();
+    if principal[0] < -ROUNDED * principal[2].max(-principal[0]) {
+        let [a, b, c] = principal;
+        let message = format!(
+            "the principal moments of inertia of the tip mass are {a:.6e}, {b:.6e} and {c:.6e} kg m2; none can be negative"
+        );
+        return Err(xy
+            .wrong(message)
+            .with_hint("products are entries of the tensor, about the tip mass's own centre"));
+    }
+    Ok(RigidBody {
+        mass_kg: deck.tip.mass_kg.value,
+        center_m: tip_center(deck, quirks),
+        inertia_kg_m2,
+    })
+}
+
+/// Version 3.00 takes the line of `cm_axial` for `cm_loc`, and turns its sign once for each row of the section file.
+fn tip_center(deck: &Deck, quirks: bool) -> [f64; 3] {
+    let (lateral_m, axial) = (deck.tip.cm_loc_m.value, &deck.tip.cm_axial_m);
+    if !quirks {
+        let axial_m = axial.as_ref().map_or(0.0, |axial| axial.value);
+        return [0.0 - lateral_m, 0.0, axial_m];
+    }
+    let read_m = axial.as_ref().map_or(lateral_m, |axial| axial.value);
+    let is_turned = deck.sections.len() % 2 == 1;
+    [if is_turned { 0.0 - read_m } else { read_m }, 0.0, 0.0]
+}
+
+/// A row in the library's terms: factors applied, signs turned, the inertias referred to the axes of the stiffnesses.
+fn section(row: &Section, deck: &Deck) -> Result<BladeSection, Diagnostic> {
+    let factors = &deck.multipliers;
+    let flap = scaled(&row.flap_inertia_kg_m, &factors.flap_inertia)?;
+    let edge = scaled(&row.edge_inertia_kg_m, &factors.edge_inertia)?;
+    if flap + edge <= 0.0 {
+        let message = "flp_iner and edge_iner with their factors are both 0: nothing resists the section's acceleration in torsion";
+        return Err(row.flap_inertia_kg_m.wrong(message));
+    }
+    let turned = (row.twist_deg.value - row.inertia_twist_deg.value).to_radians();
+    let (mean, half) = (0.5 * (edge + flap), 0.5 * (edge - flap));
+    let half = half * (2.0 * turned).cos();
+    let offset_m = row.tension_center_m.value - row.shear_center_m.value;
+    let offset_factor = factors.tension_center.value * factors.shear_center.value;
+    let section = BladeSection {
+        span: row.location.value,
+        twist_rad: 0.0 - row.twist_deg.value.to_radians(),
+        mass_kg_per_m: scaled(&row.mass_kg_per_m, &factors.mass)?,
+        flap_inertia_kg_m: mean - half,
+        edge_inertia_kg_m: mean + half,
+        flap_n_m2: scaled(&row.flap_n_m2, &factors.flap)?,
+        edge_n_m2: scaled(&row.edge_n_m2, &factors.edge)?,
+        torsion_n_m2: scaled(&row.torsion_n_m2, &factors.torsion)?,
+        axial_n: scaled(&row.axial_n, &factors.axial)?,
+        center_of_mass_m: 0.0 - row.center_of_mass_m.value * factors.center_of_mass.value,
+        tension_center_m: 0.0 - offset_m * offset_factor,
+    };
+    if section.center_of_mass_m.is_finite() && section.tension_center_m.is_finite() {
+        return Ok(section);
+    }
+    let message = "the offsets of this row with their factors have no room in a number";
+    Err(row.center_of_mass_m.wrong(message))
+}
+
+fn blade_notes(deck: &Deck, quirks: bool, notes: &mut Notes) -> usize {
+    dialect(deck, notes);
+    tip_offset(deck, quirks, notes);
+    let general = &deck.general;
+    if general.pitch_deg.value != 0.0 {
+        let message = format!(
+            "bl_thp = {} degrees is added to the twist as BModes adds it: the sections are turned by bl_thp - str_tw",
+            general.pitch_deg.value
+        );
+        notes.on(&general.pitch_deg, message);
+    }
+    if general.precone_deg.value != 0.0 {
+        let message = format!(
+            "precone = {} degrees is not used, as in BModes",
+            general.precone_deg.value
+        );
+        notes.on(&general.precone_deg, message);
+    }
+    let turned = |row: &&Section| (row.twist_deg.value - row.inertia_twist_deg.value).abs() > 45.0;
+    if let Some(row) = deck.sections.iter().find(turned) {
+        let message = format!(
+            "at sec_loc {} the principal axes of inertia (tw_iner = {}) are turned by more than 45 degrees from those of stiffness (str_tw = {})",
+            row.location.value, row.inertia_twist_deg.value, row.twist_deg.value
+        );
+        notes.at_sections(row.inertia_twist_deg.span.start, message);
+    }
+    extra_columns(deck, notes);
+    modes(deck, notes)
+}
+
+fn tip_offset(deck: &Deck, quirks: bool, notes: &mut Notes) {
+    let (right, bmodes) = (tip_center(deck, false), tip_center(deck, true));
+    if deck.tip.mass_kg.value == 0.0 || right == bmodes {
+        return;
+    }
+    let [[x, _, z], [read_as, ..]] = [right, bmodes];
+    let said = format!(
+        "takes the line of cm_axial for cm_loc and turns its sign for each of the {} sections: the tip mass is {read_as} m off the axis in lag, \
+         and not along the span",
+        deck.sections.len()
+    );
+    let right = format!(
+        "it is {x} m off the axis in lag (cm_loc with its sign turned once) and {z} m along the span (cm_axial)"
+    );
+    let value = deck.tip.cm_axial_m.as_ref().unwrap_or(&deck.tip.cm_loc_m);
+    notes.on(value, choice(quirks, &said, &right));
+}

@@ -1,0 +1,172 @@
+//! What stands in a deck of BModes: every value as it is written, with its place.
+
+use std::ops::Range;
+
+use super::reader::Value;
+
+/// A main input file with its section file.
+#[derive(Debug, Clone)]
+pub(super) struct Deck {
+    pub(super) dialect: Dialect,
+    pub(super) title: String,
+    pub(super) beam: Beam,
+    pub(super) general: General,
+    pub(super) tip: Tip,
+    pub(super) multipliers: Multipliers,
+    /// Borders of the elements from the root, as shares of the flexible length.
+    pub(super) borders: Vec<Value<f64>>,
+    /// What supports a tower; nothing for a blade.
+    pub(super) support: Support,
+    /// The rows of the section file by rising `sec_loc`.
+    pub(super) sections: Vec<Section>,
+    /// Where more numbers than are read begin in the section file.
+    pub(super) extra_columns: Option<usize>,
+}
+
+/// Which program's lines a deck has.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Dialect {
+    /// BModes 1.03: no `cm_axial`, no `tow_support`.
+    V1,
+    /// BModes 3.00.
+    V3,
+    /// A later BModes, of which no source is public (`BModes_JJ`): `tow_support` 1 is the offshore block, and wires follow it.
+    Later,
+}
+
+/// What a deck describes.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Beam {
+    Blade,
+    Tower,
+}
+
+/// How the root is held.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum HubConnection {
+    /// 1: not at all free.
+    Clamped,
+    /// 2: entirely free.
+    Free,
+    /// 3: held axially and in torsion, on springs otherwise.
+    AxiallyAndInTorsion,
+}
+
+/// The general parameters.
+#[derive(Debug, Clone)]
+pub(super) struct General {
+    pub(super) rot_rpm: Value<f64>,
+    pub(super) rpm_mult: Value<f64>,
+    pub(super) radius_m: Value<f64>,
+    pub(super) root_m: Value<f64>,
+    pub(super) precone_deg: Value<f64>,
+    pub(super) pitch_deg: Value<f64>,
+    pub(super) hub: Value<HubConnection>,
+    pub(super) modes: Value<usize>,
+}
+
+/// The body at the tip.
+#[derive(Debug, Clone)]
+pub(super) struct Tip {
+    pub(super) mass_kg: Value<f64>,
+    pub(super) cm_loc_m: Value<f64>,
+    /// Not in version 1.03.
+    pub(super) cm_axial_m: Option<Value<f64>>,
+    /// ixx, iyy, izz, ixy, izx, iyz.
+    pub(super) inertia_kg_m2: [Value<f64>; 6],
+}
+
+/// The factors of the section file's columns.
+#[derive(Debug, Clone)]
+pub(super) struct Multipliers {
+    pub(super) mass: Value<f64>,
+    pub(super) flap_inertia: Value<f64>,
+    pub(super) edge_inertia: Value<f64>,
+    pub(super) flap: Value<f64>,
+    pub(super) edge: Value<f64>,
+    pub(super) torsion: Value<f64>,
+    pub(super) axial: Value<f64>,
+    pub(super) center_of_mass: Value<f64>,
+    pub(super) shear_center: Value<f64>,
+    pub(super) tension_center: Value<f64>,
+}
+
+/// A row of the section file.
+#[derive(Debug, Clone)]
+pub(super) struct Section {
+    pub(super) location: Value<f64>,
+    pub(super) twist_deg: Value<f64>,
+    pub(super) inertia_twist_deg: Value<f64>,
+    pub(super) mass_kg_per_m: Value<f64>,
+    pub(super) flap_inertia_kg_m: Value<f64>,
+    pub(super) edge_inertia_kg_m: Value<f64>,
+    pub(super) flap_n_m2: Value<f64>,
+    pub(super) edge_n_m2: Value<f64>,
+    pub(super) torsion_n_m2: Value<f64>,
+    pub(super) axial_n: Value<f64>,
+    pub(super) center_of_mass_m: Value<f64>,
+    pub(super) shear_center_m: Value<f64>,
+    pub(super) tension_center_m: Value<f64>,
+}
+
+/// What supports a tower beside its base.
+#[derive(Debug, Clone, Default)]
+pub(super) struct Support {
+    pub(super) wires: Vec<WireSet>,
+    pub(super) offshore: Option<Box<Offshore>>,
+    /// Where wires stand that this dialect does not read.
+    pub(super) unread_wires: Option<usize>,
+}
+
+/// Wires at one node.
+#[derive(Debug, Clone)]
+pub(super) struct WireSet {
+    pub(super) count: Value<usize>,
+    /// From 1 at the base.
+    pub(super) node: Value<usize>,
+    pub(super) stiffness_n_per_m: Value<f64>,
+    pub(super) angle_deg: Value<f64>,
+}
+
+/// The block of a platform or a monopile.
+#[derive(Debug, Clone)]
+pub(super) struct Offshore {
+    pub(super) draft_m: Value<f64>,
+    pub(super) cm_depth_m: Value<f64>,
+    pub(super) mass_kg: Value<f64>,
+    pub(super) inertia_kg_m2: MatrixValue<3>,
+    pub(super) reference_depth_m: Value<f64>,
+    pub(super) hydro_mass: MatrixValue<6>,
+    pub(super) hydro_stiffness: MatrixValue<6>,
+    pub(super) mooring_stiffness: MatrixValue<6>,
+    pub(super) added_mass: Distribution,
+    pub(super) stiffness: Distribution,
+}
+
+/// A matrix and the bytes of its rows.
+#[derive(Debug, Clone)]
+pub(super) struct MatrixValue<const N: usize> {
+    pub(super) rows: [[f64; N]; N],
+    pub(super) spans: [Range<usize>; N],
+}
+
+impl<const N: usize> MatrixValue<N> {
+    /// The bytes of all its rows.
+    pub(super) fn span(&self) -> Range<usize> {
+        let start = self.spans.first().map_or(0, |span| span.start);
+        start..self.spans.last().map_or(start, |span| span.end)
+    }
+
+    /// Whether it says nothing.
+    pub(super) fn is_zero(&self) -> bool {
+        self.rows.iter().flatten().all(|entry| *entry == 0.0)
+    }
+}
+
+/// A table over the height.
+#[derive(Debug, Clone)]
+pub(super) struct Distribution {
+    pub(super) count: Value<usize>,
+    /// Heights above the flexible base, m, and values there; none if there are fewer than two.
+    pub(super) rows: Vec<(Value<f64>, Value<f64>)>,
+}

@@ -1,0 +1,194 @@
+//! Numbers as a list-directed read of Fortran takes them from a record: repeats, values left out, an early end.
+
+use crate::diagnostic::Diagnostic;
+use crate::records::{Line, Token};
+
+/// No list of a deck is longer than this.
+pub(super) const MAX_COUNT: usize = 100_000;
+/// What stands on a line beyond so many values is not looked at: a line may be as long as a file.
+const MAX_TOKENS: usize = 2 * MAX_COUNT;
+
+/// A value of a record, how often it is meant, and what stands between it and the value before.
+#[derive(Debug, Clone)]
+pub(super) struct Item<'a> {
+    /// The value.
+    pub(super) token: Token<'a>,
+    /// How often it is repeated: `3*0.0` is three zeros.
+    pub(super) repeats: usize,
+    /// Commas since the value before it, or since the record's start.
+    pub(super) commas: usize,
+}
+
+/// The values of a record one after the other, with what stands between them.
+#[derive(Debug)]
+pub(super) struct Items<'a> {
+    line: Line<'a>,
+    tokens: Vec<Token<'a>>,
+    next: usize,
+}
+
+impl<'a> Items<'a> {
+    pub(super) fn new(line: Line<'a>) -> Self {
+        let tokens = line.tokens().take(MAX_TOKENS).collect();
+        let next = 0;
+        Self { line, tokens, next }
+    }
+
+    /// The next value, if there is one before the record's end or a `/`.
+    pub(super) fn next_item(&mut self) -> Result<Option<Item<'a>>, Diagnostic> {
+        let Some(token) = self.tokens.get(self.next).cloned() else {
+            return Ok(None);
+        };
+        let gap = self.gap_before(self.next);
+        self.next += 1;
+        let (repeats, token) = repeated(token)?;
+        Ok(Some(Item {
+            token,
+            repeats,
+            commas: commas(gap),
+        }))
+    }
+
+    /// The next value as it stands, without taking it.
+    pub(super) fn peek(&self) -> Option<&Token<'a>> {
+        self.tokens.get(self.next)
+    }
+
+    /// The first of what is still to come, beyond so many values, that is a word and no number.
+    pub(super) fn label_after(&self, values: usize) -> Option<&Token<'a>> {
+        let from = (self.next + values).min(self.tokens.len());
+        let mut rest = self.tokens[from..].iter();
+        rest.find(|token| token.text.contains(char::is_alphanumeric) && !is_number(token))
+    }
+
+    /// Whether the next value is a number that follows by a comma and nothing else.
+    pub(super) fn is_joined_number_next(&self) -> bool {
+        let is_number = self.peek().is_some_and(|token| is_number(token));
+        self.next > 0 && is_number && self.gap_before(self.next) == ","
+    }
+
+    /// How many numbers are still to come before anything else.
+    pub(super) fn numbers_left(&self) -> usize {
+        let rest = self.tokens[self.next.min(self.tokens.len())..].iter();
+        rest.take_while(|token| is_number(token)).count()
+    }
+
+    /// Commas after the last value.
+    pub(super) fn commas_left(&self) -> usize {
+        commas(
+            self.gap_before(self.tokens.len())
+                .split('/')
+                .next()
+                .unwrap_or_default(),
+        )
+    }
+
+    /// Whether a `/` ends the values.
+    pub(super) fn ends_by_slash(&self) -> bool {
+        let gap = self.gap_before(self.tokens.len());
+        gap.trim_start_matches(|c: char| c.is_whitespace() || c == ',')
+            .starts_with('/')
+    }
+
+    /// What stands between a value, or the record's end, and the value before.
+    fn gap_before(&self, index: usize) -> &'a str {
+        let base = self.line.start;
+        let from = match index.checked_sub(1) {
+            Some(before) => self.tokens[before].span.end - base,
+            None => 0,
+        };
+        let to = match self.tokens.get(index) {
+            Some(token) => token.span.start - base,
+            None => self.line.text.len(),
+        };
+        self.line.text.get(from..to).unwrap_or_default()
+    }
+}
+
+fn commas(gap: &str) -> usize {
+    gap.matches(',').count()
+}
+
+/// Whether a value is a plain number.
+pub(super) fn is_number(token: &Token<'_>) -> bool {
+    token.number("").is_ok()
+}
+
+/// `r*c` as r and c.
+fn repeated(token: Token<'_>) -> Result<(usize, Token<'_>), Diagnostic> {
+    let Some((count, value)) = token.text.split_once('*').filter(|_| !token.is_quoted) else {
+        return Ok((1, token));
+    };
+    let Some(repeats) = count.parse::<usize>().ok().filter(|&repeats| repeats > 0) else {
+        return Ok((1, token));
+    };
+    if value.is_empty() {
+        let message = format!(
+            "`{}` leaves values out, which then are whatever they were",
+            token.text
+        );
+        return Err(Diagnostic::new(token.span, message).with_hint("write each value"));
+    }
+    let start = token.span.end - value.len();
+    let value = Token {
+        text: value,
+        span: start..token.span.end,
+        is_quoted: false,
+    };
+    Ok((repeats, value))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn items(text: &str) -> Vec<(String, usize, usize)> {
+        let mut items = Items::new(Line { text, start: 7 });
+        std::iter::from_fn(|| items.next_item().ok().flatten())
+            .map(|item| (item.token.text.to_owned(), item.repeats, item.commas))
+            .collect()
+    }
+
+    #[test]
+    fn repeats_and_commas_are_seen() {
+        let expected = [("1.0", 1, 0), ("0.5", 3, 1), ("2", 1, 2)];
+        let expected = expected.map(|(text, repeats, commas)| (text.to_owned(), repeats, commas));
+        assert_eq!(items("1.0, 3*0.5,,2 / rest"), expected);
+        assert!(
+            Items::new(Line {
+                text: "4*",
+                start: 0
+            })
+            .next_item()
+            .is_err()
+        );
+    }
+
+    #[test]
+    fn a_slash_ends_the_values() {
+        let mut values = Items::new(Line {
+            text: "1 , / 2",
+            start: 0,
+        });
+        assert!(values.next_item().is_ok());
+        assert!(values.ends_by_slash());
+        assert_eq!(values.commas_left(), 1);
+        assert!(
+            !Items::new(Line {
+                text: "1 2",
+                start: 0
+            })
+            .ends_by_slash()
+        );
+    }
+
+    #[test]
+    fn a_decimal_comma_is_seen() {
+        let mut items = Items::new(Line {
+            text: "3,5e5 tip_mass",
+            start: 0,
+        });
+        assert!(items.next_item().is_ok());
+        assert!(items.is_joined_number_next());
+    }
+}

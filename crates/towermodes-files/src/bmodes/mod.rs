@@ -1,0 +1,195 @@
+//! Decks of BModes, the finite-element program of NREL for towers and blades: a main file (.bmi) and a section file.
+//!
+//! The lines and what they mean: BModes 3.00 (Bir, NREL, 2008), its sample files, and the decks that later versions and other programs
+//! write.
+
+mod blade;
+mod deck;
+mod fortran;
+mod foundation;
+mod list;
+mod main_file;
+mod matrix;
+mod notes;
+mod out;
+mod quantity;
+mod reader;
+mod section_checks;
+mod sections;
+mod slips;
+mod support;
+mod surroundings;
+mod tower;
+mod write;
+
+pub use out::{OutHeader, OutMode, OutRow, euclidean, write_bmodes_out};
+pub use write::{BmodesFiles, BmodesWriteError, BmodesWriteOptions, write_bmodes};
+
+use crate::companions::Companions;
+use crate::input::{BladeInput, InputError, ReadOptions, TowerInput};
+use crate::records::{Line, Lines};
+use crate::source::Source;
+use deck::{Beam, Deck, Support};
+use quantity::Quantity;
+use reader::Reader;
+
+/// What a deck describes.
+#[derive(Debug, Clone)]
+pub enum BmodesInput {
+    /// A tower.
+    Tower(Box<TowerInput>),
+    /// A blade.
+    Blade(Box<BladeInput>),
+}
+
+/// The files of a deck, the main one first.
+struct Sources {
+    main: Source,
+    sections: Source,
+}
+
+impl Sources {
+    fn into_list(self) -> Vec<Source> {
+        vec![self.main, self.sections]
+    }
+}
+
+/// Reads a deck from its main file; the section file that it names comes from `companions`.
+///
+/// # Errors
+/// [`InputError::Unreadable`] if there is no section file, [`InputError::Mistakes`] for what BModes or physics do not allow.
+pub fn read_bmodes(
+    source: Source,
+    companions: &dyn Companions,
+    options: &ReadOptions,
+) -> Result<BmodesInput, InputError> {
+    let (deck, sources) = read_deck(source, companions)?;
+    let quirks = options.bmodes_quirks;
+    Ok(match deck.beam {
+        Beam::Tower => BmodesInput::Tower(Box::new(tower::tower(&deck, sources, quirks)?)),
+        Beam::Blade => BmodesInput::Blade(Box::new(blade::blade(&deck, sources, quirks)?)),
+    })
+}
+
+fn read_deck(source: Source, companions: &dyn Companions) -> Result<(Deck, Sources), InputError> {
+    let mut reader = Reader::new(&source.text);
+    let in_main = |mistake| InputError::mistake(&source, mistake);
+    let main = main_file::main_file(&mut reader).map_err(in_main)?;
+    let (dialect, support) = match main.beam {
+        Beam::Blade => (main.dialect, Support::default()),
+        Beam::Tower => {
+            support::support(&mut reader, main.dialect, main.borders.len()).map_err(in_main)?
+        }
+    };
+    let file = companions.read(main.sections_file.value)?;
+    let sections = sections::sections(&file.text, main.beam)
+        .map_err(|mistakes| InputError::mistakes(&file, mistakes))?;
+    let deck = Deck {
+        dialect,
+        title: main.title,
+        beam: main.beam,
+        general: main.general,
+        tip: main.tip,
+        multipliers: main.multipliers,
+        borders: main.borders,
+        support,
+        sections: sections.rows,
+        extra_columns: sections.extra_columns,
+    };
+    let sources = Sources {
+        main: source,
+        sections: file,
+    };
+    Ok((deck, sources))
+}
+
+/// How many lines are looked at to recognize a deck.
+const LOOKED_AT: usize = 60;
+
+/// Whether a text is the main file of a deck: lines that carry the names of its quantities after a value, or, where names are left out,
+/// the kinds of value in its general parameters.
+pub(crate) fn is_deck(text: &str) -> bool {
+    let lines: Vec<Line<'_>> = Lines::new(text).take(LOOKED_AT).collect();
+    let names = [
+        &quantity::BEAM_TYPE,
+        &quantity::HUB_CONN,
+        &quantity::MODEPR,
+        &quantity::ID_MAT,
+        &quantity::SEC_PROPS_FILE,
+        &quantity::NSELT,
+    ];
+    let is_named = |line: &&Line<'_>| {
+        let label = line
+            .tokens()
+            .skip(1)
+            .find(|t| t.text.contains(char::is_alphanumeric));
+        let quantity = label.and_then(|label| Quantity::called(label.text));
+        quantity.is_some_and(|quantity| names.contains(&quantity))
+    };
+    lines.iter().filter(is_named).count() >= 2 || has_general_parameters(&lines)
+}
+
+/// Whether the values of lines 5 to 16 are of the kinds that a deck has there.
+fn has_general_parameters(lines: &[Line<'_>]) -> bool {
+    let kinds = b"lirrrrrriill";
+    let values = lines.iter().skip(4).filter(|line| !line.is_blank());
+    let mut count = 0;
+    let fits = |(line, kind): (&Line<'_>, &u8)| {
+        count += 1;
+        line.first().is_some_and(|token| match kind {
+            b'l' => token.logical("").is_ok(),
+            b'i' => token.integer("").is_ok(),
+            _ => token.number("").is_ok(),
+        })
+    };
+    let all_fit = values.zip(kinds).all(fits);
+    all_fit && count == kinds.len()
+}
+
+#[cfg(test)]
+mod tests {
+    use std::path::Path;
+
+    use super::deck::Dialect;
+    use super::{is_deck, read_deck};
+    use crate::companions::Beside;
+    use crate::source::Source;
+
+    #[test]
+    fn decks_are_recognized_by_their_lines() {
+        let named = "a\nb\n\nc\nf Echo\n2 beam_type\n0. romg:\n1 hub_conn: x\n";
+        assert!(is_deck(named));
+        let bare = "a\nb\n\nc\nf\n2\n0.\n1.\n87.6\n0.\n0.\n0.\n1\n10\nt\nf\n";
+        assert!(is_deck(bare));
+        assert!(!is_deck(
+            "[tower]\nbeam_type = 2\nhub_conn = 1\nid_mat = 3\n"
+        ));
+        assert!(!is_deck(
+            "------- ELASTODYN -------\nfile\nFalse Echo\n\"default\" DT\n"
+        ));
+        assert!(!is_deck(""));
+    }
+
+    #[test]
+    fn the_sample_decks_show_their_dialects() {
+        let Some(folder) = std::env::var_os("TOWERMODES_PEER_DATA") else {
+            eprintln!("skipped: TOWERMODES_PEER_DATA is not set");
+            return;
+        };
+        let samples = [
+            ("Test01_nonunif_blade.bmi", Dialect::V3),
+            ("Test02_blade_with_tip_mass.bmi", Dialect::V3),
+            ("Test03_tower.bmi", Dialect::V3),
+            ("Test04_wires_supported_tower.bmi", Dialect::V3),
+            ("CS_Monopile.bmi", Dialect::Later),
+            ("OC3Hywind.bmi", Dialect::Later),
+        ];
+        for (name, dialect) in samples {
+            let path = Path::new(&folder).join("bmodes").join(name);
+            let source = Source::from_path(&path).expect("the sample is there");
+            assert!(is_deck(&source.text), "{name}");
+            let (deck, _) = read_deck(source, &Beside::file(&path)).expect("a deck");
+            assert_eq!(deck.dialect, dialect, "{name}");
+        }
+    }
+}

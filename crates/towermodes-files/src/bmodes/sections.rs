@@ -1,0 +1,240 @@
+//! Reads the section file of a deck.
+
+use super::deck::{Beam, Section};
+use super::list::{Items, MAX_COUNT};
+use super::quantity as q;
+use super::reader::{Reader, Value};
+use super::section_checks::{check_locations, wrong};
+use crate::diagnostic::Diagnostic;
+use crate::records::{Line, Token};
+
+/// The columns of the file.
+pub(super) const COLUMNS: [&str; 13] = [
+    "sec_loc",
+    "str_tw",
+    "tw_iner",
+    "mass_den",
+    "flp_iner",
+    "edge_iner",
+    "flp_stff",
+    "edge_stff",
+    "tor_stff",
+    "axial_stff",
+    "cg_offst",
+    "sc_offst",
+    "tc_offst",
+];
+
+/// A row as it is written.
+pub(super) type Row = [Value<f64>; COLUMNS.len()];
+
+/// More mistakes than these help nobody.
+const MAX_MISTAKES: usize = 20;
+
+/// All rows, and where the first number beyond the columns stands.
+#[derive(Debug, Clone)]
+pub(super) struct Sections {
+    pub(super) rows: Vec<Section>,
+    pub(super) extra_columns: Option<usize>,
+}
+
+/// Reads and checks the rows.
+pub(super) fn sections(text: &str, beam: Beam) -> Result<Sections, Vec<Diagnostic>> {
+    let (mut rows, extra_columns) = rows(text).map_err(|mistake| vec![mistake])?;
+    let mut mistakes: Vec<Diagnostic> = rows.iter().flat_map(|row| wrong(row, beam)).collect();
+    if let Err(mistake) = check_locations(&mut rows) {
+        mistakes.push(mistake);
+    }
+    if !mistakes.is_empty() {
+        mistakes.sort_by_key(|mistake| mistake.span.start);
+        mistakes.truncate(MAX_MISTAKES);
+        return Err(mistakes);
+    }
+    let rows = rows.into_iter().map(section).collect();
+    Ok(Sections {
+        rows,
+        extra_columns,
+    })
+}
+
+fn section(row: Row) -> Section {
+    let [
+        location,
+        twist_deg,
+        inertia_twist_deg,
+        mass_kg_per_m,
+        flap_inertia_kg_m,
+        edge_inertia_kg_m,
+        flap_n_m2,
+        edge_n_m2,
+        torsion_n_m2,
+        axial_n,
+        center_of_mass_m,
+        shear_center_m,
+        tension_center_m,
+    ] = row;
+    Section {
+        location,
+        twist_deg,
+        inertia_twist_deg,
+        mass_kg_per_m,
+        flap_inertia_kg_m,
+        edge_inertia_kg_m,
+        flap_n_m2,
+        edge_n_m2,
+        torsion_n_m2,
+        axial_n,
+        center_of_mass_m,
+        shear_center_m,
+        tension_center_m,
+    }
+}
+
+fn rows(text: &str) -> Result<(Vec<Row>, Option<usize>), Diagnostic> {
+    let mut reader = Reader::new(text);
+    reader.comment("the first line of the section file, a comment,")?;
+    let count = reader.count(&q::N_SECS, 2, MAX_COUNT)?;
+    for what in [
+        "the line before the columns' names",
+        "the columns' names",
+        "the columns' units",
+    ] {
+        reader.comment(what)?;
+    }
+    let mut rows = Vec::new();
+    let mut extra_columns = None;
+    for index in 0..count.value {
+        let (row, extra) = row(&mut reader, index, count.value)?;
+        rows.push(row);
+        extra_columns = extra_columns.or(extra);
+    }
+    check_end(&reader, &count)?;
+    Ok((rows, extra_columns))
+}
+
+/// A row of the table, on one record or on several that have its numbers exactly.
+fn row(
+    reader: &mut Reader<'_>,
+    index: usize,
+    count: usize,
+) -> Result<(Row, Option<usize>), Diagnostic> {
+    let what = format!("row {} of n_secs = {count}", index + 1);
+    let first = reader.lines.expect_filled(&what)?;
+    let mut values = numbers(&first)?;
+    if values.is_empty() {
+        return Err(no_row(&first, &what, index));
+    }
+    let on_first = values.len();
+    while values.len() < COLUMNS.len() {
+        let next = reader.lines.clone().find(|line| !line.is_blank());
+        let more = next.map_or(Ok(Vec::new()), |line| numbers(&line))?;
+        if more.is_empty() || values.len() + more.len() > COLUMNS.len() {
+            return Err(too_few(&first, &what, on_first));
+        }
+        reader.lines.expect_filled(&what)?;
+        values.extend(more);
+    }
+    let extra = values.get(COLUMNS.len()).map(|value| value.span.start);
+    if extra.is_some() && has_joined_numbers(&first) {
+        let message = format!("{what} has {} numbers instead of 13", values.len());
+        let hint = "write decimal points, as 0.5, and blanks between numbers";
+        return Err(Diagnostic::new(first.span(), message).with_hint(hint));
+    }
+    let mut values = values.into_iter();
+    let empty = || Value {
+        value: 0.0,
+        span: first.span(),
+    };
+    let row = std::array::from_fn(|_| values.next().unwrap_or_else(empty));
+    Ok((row, extra))
+}
+
+fn no_row(line: &Line<'_>, what: &str, index: usize) -> Diagnostic {
+    let found: String = line.text.trim().chars().take(40).collect();
+    let message = format!("{what} is expected here, 13 numbers; found `{found}`");
+    let diagnostic = Diagnostic::new(line.span(), message);
+    if index == 0 {
+        diagnostic.with_hint("between n_secs and the rows are three lines: blank, names, units")
+    } else {
+        diagnostic.with_hint(format!("the rows end after {index}; n_secs should say so"))
+    }
+}
+
+fn too_few(line: &Line<'_>, what: &str, found: usize) -> Diagnostic {
+    let missing = COLUMNS.get(found).copied().unwrap_or_default();
+    let message =
+        format!("{what} has {found} numbers instead of 13: from `{missing}` on they are missing");
+    let hint = format!("a row is {}", COLUMNS.join(" "));
+    Diagnostic::new(line.span(), message).with_hint(hint)
+}
+
+/// The numbers of a line up to its first text; a text among its columns is a mistake.
+fn numbers(line: &Line<'_>) -> Result<Vec<Value<f64>>, Diagnostic> {
+    let mut values = Vec::new();
+    let mut items = Items::new(*line);
+    while let Some(item) = items.next_item()? {
+        let column = COLUMNS.get(values.len());
+        let name = column.copied().unwrap_or("a number");
+        if item.commas > usize::from(!values.is_empty()) {
+            let message =
+                format!("{name} is left out: nothing stands between two commas before this");
+            return Err(Diagnostic::new(item.token.span, message).with_hint("write each value"));
+        }
+        match item.token.number(name) {
+            Ok(value) => {
+                let span = item.token.span;
+                let repeats = item.repeats.min(COLUMNS.len());
+                values.extend((0..repeats).map(|_| Value {
+                    value,
+                    span: span.clone(),
+                }));
+            }
+            Err(mistake) if !values.is_empty() && column.is_some() => {
+                return Err(unreadable(mistake, &item.token));
+            }
+            Err(_) => break,
+        }
+        if values.len() > 2 * COLUMNS.len() {
+            break;
+        }
+    }
+    Ok(values)
+}
+
+fn unreadable(mistake: Diagnostic, token: &Token<'_>) -> Diagnostic {
+    let begins = token
+        .text
+        .starts_with(|c: char| c.is_ascii_digit() || c == '.');
+    if begins && token.text.ends_with(char::is_alphabetic) {
+        mistake.with_hint("leave units away")
+    } else {
+        mistake.with_hint("a row is 13 numbers; text may follow them")
+    }
+}
+
+/// How many numbers a line begins with.
+fn columns(line: &Line<'_>) -> usize {
+    let tokens = line.tokens().take(COLUMNS.len());
+    tokens.take_while(|token| token.number("").is_ok()).count()
+}
+
+/// Whether numbers are joined by commas without blanks, as decimal commas are.
+fn has_joined_numbers(line: &Line<'_>) -> bool {
+    let bytes = line.text.as_bytes();
+    let is_joined =
+        |three: &[u8]| three[0].is_ascii_digit() && three[1] == b',' && three[2].is_ascii_digit();
+    bytes.windows(3).any(is_joined)
+}
+
+/// Refuses more rows than `n_secs` says.
+fn check_end(reader: &Reader<'_>, count: &Value<usize>) -> Result<(), Diagnostic> {
+    let rest = reader.lines.clone().filter(|line| !line.is_blank());
+    let more = rest.take_while(|line| columns(line) == COLUMNS.len());
+    let more = more.count();
+    if more == 0 {
+        return Ok(());
+    }
+    let message = format!("n_secs is {}, but {more} more rows follow", count.value);
+    let hint = format!("write n_secs = {}", count.value + more);
+    Err(count.wrong(message).with_hint(hint))
+}

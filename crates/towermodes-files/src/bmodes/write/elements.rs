@@ -1,0 +1,81 @@
+//! The element borders of a deck.
+
+use super::layout::{Cut, Layout, Need};
+use crate::input::Note;
+
+/// The borders as shares of the length, from 0 to 1: at least `wanted` elements and no more than `most`, if what must be allows it.
+pub(super) fn borders(
+    layout: &Layout,
+    most: usize,
+    wanted: usize,
+    notes: &mut Vec<Note>,
+) -> Vec<f64> {
+    let needed = |need: Need| {
+        let is_needed = |cut: &&Cut| cut.need >= need;
+        let heights = layout.cuts.iter().filter(is_needed);
+        heights
+            .map(|cut| layout.share(cut.height_m))
+            .collect::<Vec<f64>>()
+    };
+    let mut ends = needed(Need::Wanted);
+    let mut note = |message: String| notes.push(Note::new(message));
+    if ends.len() - 1 > most {
+        note(format!(
+            "to end at every step the deck would need {} elements, and BModes 3.00 takes {most}: steps lie within elements",
+            ends.len() - 1
+        ));
+        ends = needed(Need::Essential);
+    }
+    let spans = ends.len() - 1;
+    if spans > most {
+        note(format!(
+            "masses and wires need {spans} elements, and BModes 3.00 takes {most}: it stops at this deck"
+        ));
+    } else if wanted > most {
+        note(format!(
+            "BModes 3.00 takes {most} elements: {wanted} were asked for"
+        ));
+    }
+    divided(&ends, wanted.min(most).max(spans))
+}
+
+/// The nodes of the wires, from 1 at the base.
+pub(super) fn wire_nodes(layout: &Layout, borders: &[f64]) -> Vec<usize> {
+    let node = |(_, height_m): &(usize, f64)| {
+        let share = layout.share(*height_m);
+        borders.partition_point(|border| *border < share) + 1
+    };
+    layout.wires_at_nodes.iter().map(node).collect()
+}
+
+/// As many elements in all, one after the other where they are longest.
+fn divided(ends: &[f64], total: usize) -> Vec<f64> {
+    let lengths: Vec<f64> = ends.windows(2).map(|pair| pair[1] - pair[0]).collect();
+    let mut counts = vec![1_usize; lengths.len()];
+    for _ in lengths.len()..total {
+        let size = |i: &usize| lengths[*i] / counts[*i] as f64;
+        let longest = (0..lengths.len()).max_by(|a, b| size(a).total_cmp(&size(b)));
+        if let Some(longest) = longest {
+            counts[longest] += 1;
+        }
+    }
+    let mut borders = Vec::with_capacity(total + 1);
+    for (pair, count) in ends.windows(2).zip(counts) {
+        let border = |k: usize| pair[0] + (pair[1] - pair[0]) * (k as f64 / count as f64);
+        borders.extend((0..count).map(border));
+    }
+    borders.extend(ends.last());
+    borders
+}
+
+#[cfg(test)]
+mod tests {
+    use super::divided;
+
+    #[test]
+    fn elements_are_shared_out_by_length() {
+        assert_eq!(divided(&[0.0, 1.0], 4), [0.0, 0.25, 0.5, 0.75, 1.0]);
+        assert_eq!(divided(&[0.0, 0.1, 0.9, 1.0], 4), [0.0, 0.1, 0.5, 0.9, 1.0]);
+        assert_eq!(divided(&[0.0, 0.1, 1.0], 2), [0.0, 0.1, 1.0]);
+    }
+}

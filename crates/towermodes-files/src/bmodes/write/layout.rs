@@ -1,0 +1,176 @@
+//! Where a deck cuts a tower: the heights between which everything is smooth, and those that elements must end at.
+
+use towermodes::{Tower, TowerDescription};
+
+use super::number::significant;
+use super::spread::{Spread, spreads};
+use crate::input::Note;
+
+/// Heights closer than this share of the tower's length are one: a step takes 1e-7 of it, so that the rows around it stay in order.
+pub(super) const CLOSEST: f64 = 1e-6;
+
+/// A height at which something begins or ends.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Cut {
+    pub(super) height_m: f64,
+    pub(super) need: Need,
+}
+
+/// How much an element must end at a cut.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub(super) enum Need {
+    /// Something bends: elements take their sections at their middles anyway.
+    None,
+    /// Something steps.
+    Wanted,
+    /// The end of the tower, of a mass or of wires.
+    Essential,
+}
+
+/// A tower between cuts, and what is spread over parts of it.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Layout {
+    pub(super) base_m: f64,
+    pub(super) top_m: f64,
+    /// From the base to the top.
+    pub(super) cuts: Vec<Cut>,
+    /// Masses, and wires of a tower that is offshore, each between two cuts.
+    pub(super) spreads: Vec<Spread>,
+    /// Masses that are at the top: their indices in the description.
+    pub(super) masses_at_the_top: Vec<usize>,
+    /// Masses at the base.
+    pub(super) masses_at_the_base: Vec<usize>,
+    /// Wires at the base.
+    pub(super) wires_at_the_base: Vec<usize>,
+    /// Wires at nodes: each index and the height of its node, m.
+    pub(super) wires_at_nodes: Vec<(usize, f64)>,
+}
+
+impl Layout {
+    pub(super) fn new(
+        tower: &Tower,
+        description: &TowerDescription,
+        is_offshore: bool,
+        notes: &mut Vec<Note>,
+    ) -> Self {
+        let mut layout = Self {
+            base_m: tower.base_m(),
+            top_m: tower.top_m(),
+            cuts: Vec::new(),
+            spreads: Vec::new(),
+            masses_at_the_top: Vec::new(),
+            masses_at_the_base: Vec::new(),
+            wires_at_the_base: Vec::new(),
+            wires_at_nodes: Vec::new(),
+        };
+        spreads(&mut layout, description, is_offshore, notes);
+        layout.cut(tower, notes);
+        layout.snap();
+        layout
+    }
+
+    pub(super) fn length_m(&self) -> f64 {
+        self.top_m - self.base_m
+    }
+
+    /// A height as a share of the tower's length.
+    pub(super) fn share(&self, height_m: f64) -> f64 {
+        (height_m - self.base_m) / self.length_m()
+    }
+
+    /// What lies between neighbouring cuts, m.
+    pub(super) fn intervals_m(&self) -> impl Iterator<Item = (f64, f64)> {
+        self.cuts
+            .windows(2)
+            .map(|pair| (pair[0].height_m, pair[1].height_m))
+    }
+
+    /// Whatever is spread over a height, per length.
+    pub(super) fn spread_at(&self, height_m: f64, per_length: impl Fn(&Spread) -> f64) -> f64 {
+        let here = |s: &&Spread| s.from_m < height_m && height_m < s.to_m;
+        self.spreads
+            .iter()
+            .filter(here)
+            .map(|s| per_length(s) / (s.to_m - s.from_m))
+            .sum()
+    }
+
+    fn cut(&mut self, tower: &Tower, notes: &mut Vec<Note>) {
+        let mut wanted = vec![Cut {
+            height_m: self.top_m,
+            need: Need::Essential,
+        }];
+        wanted.extend(tower.pieces().windows(2).map(|pair| Cut {
+            height_m: pair[0].top_m,
+            need: if pair[0].meets(&pair[1]) {
+                Need::None
+            } else {
+                Need::Wanted
+            },
+        }));
+        let ends = self.spreads.iter().flat_map(|s| [s.from_m, s.to_m]);
+        let nodes = self.wires_at_nodes.iter().map(|(_, height_m)| *height_m);
+        wanted.extend(ends.chain(nodes).map(|height_m| Cut {
+            height_m,
+            need: Need::Essential,
+        }));
+        wanted.sort_by(|a, b| a.height_m.total_cmp(&b.height_m));
+        self.cuts = vec![Cut {
+            height_m: self.base_m,
+            need: Need::Essential,
+        }];
+        let mut joined = 0;
+        for cut in wanted {
+            joined += usize::from(self.add(cut));
+        }
+        if joined > 0 {
+            let message = format!(
+                "{joined} heights are written as those beside them, which are nearer than {} m",
+                significant(CLOSEST * self.length_m())
+            );
+            notes.push(Note::new(message));
+        }
+    }
+
+    /// Adds a cut, or joins it with the last one if that is too close; says whether two heights that differ became one.
+    fn add(&mut self, cut: Cut) -> bool {
+        let closest_m = CLOSEST * self.length_m();
+        let is_first = self.cuts.len() == 1;
+        match self.cuts.last_mut() {
+            Some(last) if cut.height_m - last.height_m < closest_m => {
+                let differ = cut.height_m != last.height_m;
+                last.need = last.need.max(cut.need);
+                // The tower ends where it ends.
+                if cut.height_m == self.top_m && !is_first {
+                    last.height_m = self.top_m;
+                }
+                differ
+            }
+            _ => {
+                self.cuts.push(cut);
+                false
+            }
+        }
+    }
+
+    /// Lets all that is spread begin and end at cuts.
+    fn snap(&mut self) {
+        let cuts = &self.cuts;
+        for spread in &mut self.spreads {
+            spread.from_m = nearest(cuts, spread.from_m);
+            spread.to_m = nearest(cuts, spread.to_m);
+        }
+        for (_, height_m) in &mut self.wires_at_nodes {
+            *height_m = nearest(cuts, *height_m);
+        }
+    }
+}
+
+/// The height of the nearest cut, m.
+fn nearest(cuts: &[Cut], height_m: f64) -> f64 {
+    let above = cuts.partition_point(|cut| cut.height_m < height_m);
+    let around = cuts[above.saturating_sub(1)..cuts.len().min(above + 1)].iter();
+    let distance = |cut: &&Cut| (cut.height_m - height_m).abs();
+    let nearest = around.min_by(|a, b| distance(a).total_cmp(&distance(b)));
+    nearest.map_or(height_m, |cut| cut.height_m)
+}

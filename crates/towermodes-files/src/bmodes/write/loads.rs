@@ -1,0 +1,177 @@
+//! What surrounds a tower along its length as tables of a deck: mass of water, and springs of soil.
+
+use towermodes::Tower;
+use towermodes::tower::Piece;
+
+use super::error::BmodesWriteError;
+use super::layout::Layout;
+use super::number::{rounded, significant};
+use super::section::section_of;
+use super::sections::STEP;
+use super::support::Hub;
+use crate::input::Note;
+
+/// Between rows a line may differ from the mass of the water by this share of the largest.
+const OFF: f64 = 1e-5;
+/// Springs in x and y may differ by this share.
+const ROUND: f64 = 1e-6;
+/// Shorter parts of the length are not divided.
+const SHORTEST: f64 = 1e-5;
+
+/// The tables, each rows of height above the base, m, and value; and what has no table.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub(super) struct Loads {
+    /// kg/m.
+    pub(super) added_mass: Vec<(f64, f64)>,
+    /// N/m².
+    pub(super) stiffness: Vec<(f64, f64)>,
+    /// All vertical springs along the tower, N/m, where the base can move so; otherwise zero.
+    pub(super) vertical_n_per_m: f64,
+    /// All torsional springs along the tower, N m, where the base can move so; otherwise zero.
+    pub(super) torsion_n_m: f64,
+}
+
+pub(super) fn loads(
+    tower: &Tower,
+    layout: &Layout,
+    hub: Hub,
+    notes: &mut Vec<Note>,
+) -> Result<Loads, BmodesWriteError> {
+    check_round(tower, layout)?;
+    let (vertical_n_per_m, torsion_n_m) = axial_springs(tower, layout);
+    let mut loads = Loads {
+        added_mass: table(tower, layout, |piece, height_m, _| {
+            section_of(piece, height_m).masses.water_kg_per_m
+        }),
+        stiffness: table(tower, layout, |piece, height_m, middle_m| {
+            let spread = layout.spread_at(middle_m, |s| s.horizontal_n_per_m);
+            section_of(piece, height_m).soil.x_n_per_m2 + spread
+        }),
+        ..Loads::default()
+    };
+    if vertical_n_per_m == 0.0 && torsion_n_m == 0.0 {
+        return Ok(loads);
+    }
+    let what = format!(
+        "BModes has no vertical and no torsional springs along a tower: theirs, {} N/m and {} N m in all,",
+        significant(vertical_n_per_m),
+        significant(torsion_n_m)
+    );
+    if hub == Hub::Free {
+        notes.push(Note::new(format!(
+            "{what} are written as springs of the base"
+        )));
+        (loads.vertical_n_per_m, loads.torsion_n_m) = (vertical_n_per_m, torsion_n_m);
+    } else {
+        notes.push(Note::new(format!("{what} are left out")));
+    }
+    Ok(loads)
+}
+
+fn check_round(tower: &Tower, layout: &Layout) -> Result<(), BmodesWriteError> {
+    for (from_m, to_m) in layout.intervals_m() {
+        let piece = tower.piece_at(0.5 * (from_m + to_m));
+        for height_m in [from_m, to_m] {
+            let soil = section_of(piece, height_m).soil;
+            let (x, y) = (soil.x_n_per_m2, soil.y_n_per_m2);
+            if (x - y).abs() > ROUND * x.max(y) {
+                return Err(BmodesWriteError::UnequalSoil {
+                    height_m,
+                    x_n_per_m2: x,
+                    y_n_per_m2: y,
+                });
+            }
+        }
+    }
+    Ok(())
+}
+
+/// The sums of vertical and of torsional springs; those of soil are linear between cuts.
+fn axial_springs(tower: &Tower, layout: &Layout) -> (f64, f64) {
+    let mut sum = (0.0, 0.0);
+    for (from_m, to_m) in layout.intervals_m() {
+        let piece = tower.piece_at(0.5 * (from_m + to_m));
+        let ends = [from_m, to_m].map(|height_m| section_of(piece, height_m).soil);
+        let mean = 0.5 * (to_m - from_m);
+        sum.0 += mean * (ends[0].z_n_per_m2 + ends[1].z_n_per_m2);
+        sum.1 += mean * (ends[0].torsion_n + ends[1].torsion_n);
+    }
+    sum.0 += layout
+        .spreads
+        .iter()
+        .map(|s| s.vertical_n_per_m)
+        .sum::<f64>();
+    sum
+}
+
+/// The rows of a quantity from the lowest to the highest cut where it is not zero; `value` gives it at a height of a piece, beside a
+/// cut on the side of a middle.
+fn table(
+    tower: &Tower,
+    layout: &Layout,
+    value: impl Fn(&Piece, f64, f64) -> f64,
+) -> Vec<(f64, f64)> {
+    let between = |(from_m, to_m): (f64, f64)| {
+        let middle_m = 0.5 * (from_m + to_m);
+        let piece = tower.piece_at(middle_m);
+        let at = |height_m: f64| (height_m, value(piece, height_m, middle_m));
+        [at(from_m), at(middle_m), at(to_m)]
+    };
+    let parts: Vec<_> = layout.intervals_m().map(between).collect();
+    let largest = parts
+        .iter()
+        .flatten()
+        .fold(0.0_f64, |largest, row| largest.max(row.1));
+    let is_used = |part: &[(f64, f64); 3]| part.iter().any(|row| row.1 != 0.0);
+    let (first, last) = (
+        parts.iter().position(is_used),
+        parts.iter().rposition(is_used),
+    );
+    let used = first
+        .zip(last)
+        .map_or(0..0, |(first, last)| first..last + 1);
+    let fine = (SHORTEST * layout.length_m(), OFF * largest);
+    let mut rows: Vec<(f64, f64)> = Vec::new();
+    for [low, middle, high] in &parts[used] {
+        let piece = tower.piece_at(middle.0);
+        match rows.last() {
+            Some(before) if before.1 == low.1 => {}
+            Some(_) => rows.push((low.0 + STEP * layout.length_m(), low.1)),
+            None => rows.push(*low),
+        }
+        let at = |height_m: f64| value(piece, height_m, middle.0);
+        divide(*low, *high, fine, &at, &mut rows);
+        rows.push(*high);
+    }
+    let row = |(height_m, value)| (above_base(layout, height_m), rounded(value));
+    rows.into_iter().map(row).collect()
+}
+
+/// Adds the rows between two that the line between them needs, down to a length and a difference that do not matter.
+fn divide(
+    low: (f64, f64),
+    high: (f64, f64),
+    fine: (f64, f64),
+    at: &impl Fn(f64) -> f64,
+    rows: &mut Vec<(f64, f64)>,
+) {
+    let middle_m = 0.5 * (low.0 + high.0);
+    let middle = (middle_m, at(middle_m));
+    let is_straight = (0.5 * (low.1 + high.1) - middle.1).abs() <= fine.1;
+    if high.0 - low.0 < fine.0 || is_straight {
+        return;
+    }
+    divide(low, middle, fine, at, rows);
+    rows.push(middle);
+    divide(middle, high, fine, at, rows);
+}
+
+/// A height above the base, not higher than the top even where rounding would make it so.
+fn above_base(layout: &Layout, height_m: f64) -> f64 {
+    let above_m = rounded(height_m - layout.base_m);
+    if layout.base_m + above_m > layout.top_m {
+        height_m - layout.base_m
+    } else {
+        above_m
+    }
+}

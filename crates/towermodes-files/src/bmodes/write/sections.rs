@@ -1,0 +1,181 @@
+//! The file of sections: as many rows as make the lines between them the tower.
+
+use towermodes::Tower;
+
+use super::super::out::one_line;
+use super::layout::Layout;
+use super::number::{number, rounded, significant};
+use super::section::{DeckSection, MadeUp, deck_section};
+use crate::input::Note;
+
+/// Between rows a line may differ from the tower by this share.
+const OFF: f64 = 1e-5;
+/// Rows on both sides of a step are this share of the length apart, as decks in public have it (0.27881 and 0.27882): BModes takes the
+/// first interval that the middle of an element lies in, and no element has its middle in so short a one.
+pub(super) const STEP: f64 = 1e-7;
+/// Shorter parts of the length are not divided.
+const SHORTEST: f64 = 1e-5;
+/// Rows on both sides that differ by no more than rounding are one.
+const ROUNDING: f64 = 1e-11;
+/// Rotary inertia may differ from half the polar one by this share before it is said.
+const ROTARY_OFF: f64 = 1e-6;
+
+/// A row: its share of the length, and the section there.
+pub(super) type Row = (f64, DeckSection);
+
+/// All rows from the base to the top.
+pub(super) fn rows(tower: &Tower, layout: &Layout, notes: &mut Vec<Note>) -> Vec<Row> {
+    let mut made_up = MadeUp::default();
+    let mut rows: Vec<Row> = Vec::new();
+    for (from_m, to_m) in layout.intervals_m() {
+        let middle_m = 0.5 * (from_m + to_m);
+        let piece = tower.piece_at(middle_m);
+        let spread = (
+            layout.spread_at(middle_m, |s| s.mass_kg),
+            layout.spread_at(middle_m, |s| s.polar_inertia_kg_m2),
+        );
+        let mut at = |share: f64| {
+            let height_m = layout.base_m + share * layout.length_m();
+            deck_section(piece, height_m, spread, &mut made_up)
+        };
+        let (from, to) = (layout.share(from_m), layout.share(to_m));
+        let (first, last) = (at(from), at(to));
+        match rows.last() {
+            Some((_, before)) if before.is_near(&first, ROUNDING) => {}
+            Some(_) => rows.push((from + STEP, first)),
+            None => rows.push((from, first)),
+        }
+        divide((from, first), (to, last), &mut at, &mut rows);
+        rows.push((to, last));
+    }
+    said_of_sections(&made_up, notes);
+    rows
+}
+
+/// Adds the rows between two that the line between them needs.
+fn divide(from: Row, to: Row, at: &mut impl FnMut(f64) -> DeckSection, rows: &mut Vec<Row>) {
+    if to.0 - from.0 < SHORTEST {
+        return;
+    }
+    let is_off = [0.25, 0.5, 0.75].into_iter().any(|s| {
+        let section = at(from.0 + s * (to.0 - from.0));
+        !from.1.between(&to.1, s).is_near(&section, OFF)
+    });
+    if is_off {
+        let middle = 0.5 * (from.0 + to.0);
+        let section = at(middle);
+        divide(from, (middle, section), at, rows);
+        rows.push((middle, section));
+        divide((middle, section), to, at, rows);
+    }
+}
+
+fn said_of_sections(made_up: &MadeUp, notes: &mut Vec<Note>) {
+    let mut note = |message: String| notes.push(Note::new(message));
+    if made_up.twist {
+        note("the tower does not twist, which BModes cannot say: GJ is written as 10000 EI".into());
+    }
+    if made_up.stretch {
+        note(
+            "the tower does not stretch, which BModes cannot say: EA is written as 10000 EI per m2"
+                .into(),
+        );
+    }
+    if made_up.polar_inertia {
+        note("without polar inertia BModes finds no frequency at all: that of a thin steel tube of the same EI is written".into());
+    }
+    if made_up.rotary_off > ROTARY_OFF {
+        note(format!(
+            "the rotary inertia differs from half the polar one by up to {} %: a deck holds the polar one alone, as BModes has no rotary \
+             inertia in bending",
+            significant(100.0 * made_up.rotary_off)
+        ));
+    }
+}
+
+/// The text of the file.
+pub(super) fn text(title: &str, rows: &[Row]) -> String {
+    let heads = [
+        ("sec_loc", "(-)"),
+        ("str_tw", "(deg)"),
+        ("tw_iner", "(deg)"),
+        ("mass_den", "(kg/m)"),
+        ("flp_iner", "(kg-m)"),
+        ("edge_iner", "(kg-m)"),
+        ("flp_stff", "(Nm^2)"),
+        ("edge_stff", "(Nm^2)"),
+        ("tor_stff", "(Nm^2)"),
+        ("axial_stff", "(N)"),
+        ("cg_offst", "(m)"),
+        ("sc_offst", "(m)"),
+        ("tc_offst", "(m)"),
+    ];
+    let mut cells = vec![
+        heads.map(|(name, _)| name.to_owned()),
+        heads.map(|(_, unit)| unit.to_owned()),
+    ];
+    cells.extend(rows.iter().map(cells_of));
+    let widths: [usize; 13] =
+        std::array::from_fn(|i| cells.iter().map(|row| row[i].len()).max().unwrap_or(0));
+    let mut text = format!("Sections of {}\n", name_or(title, "a tower"));
+    text.push_str(&format!(
+        "{:<8} n_secs: number of sections (-)\n\n",
+        rows.len()
+    ));
+    for row in &cells {
+        let padded = row
+            .iter()
+            .zip(widths)
+            .map(|(cell, width)| format!("{cell:<width$}"));
+        let line = padded.collect::<Vec<_>>().join("  ");
+        text.push_str(line.trim_end());
+        text.push('\n');
+    }
+    text
+}
+
+/// A title on one line, or what stands for it.
+pub(super) fn name_or(title: &str, without: &str) -> String {
+    let title = one_line(title);
+    match title.trim() {
+        "" => without.into(),
+        title => title.into(),
+    }
+}
+
+fn cells_of((share, section): &Row) -> [String; 13] {
+    let zero = || number(0.0);
+    let DeckSection {
+        mass_kg_per_m,
+        flp_iner_kg_m,
+        bending_n_m2,
+        torsion_n_m2,
+        axial_n,
+    } = *section;
+    [
+        location(*share),
+        zero(),
+        zero(),
+        number(rounded(mass_kg_per_m)),
+        number(rounded(flp_iner_kg_m)),
+        number(rounded(flp_iner_kg_m)),
+        number(rounded(bending_n_m2)),
+        number(rounded(bending_n_m2)),
+        number(rounded(torsion_n_m2)),
+        number(rounded(axial_n)),
+        zero(),
+        zero(),
+        zero(),
+    ]
+}
+
+/// A share of the length to twelve decimals.
+fn location(share: f64) -> String {
+    let text = format!("{share:.12}");
+    let short = text.trim_end_matches('0');
+    if short.ends_with('.') {
+        format!("{short}0")
+    } else {
+        short.into()
+    }
+}

@@ -1,0 +1,194 @@
+//! Blade files of ElastoDyn and FAST 7, as far as a rotor-nacelle assembly needs them: where the mass is.
+//!
+//! OpenFAST reads them by position (`ReadBladeFile` in `ElastoDyn_IO.f90`); the columns changed from seventeen (FAST 7) to six (FAST 8) to
+//! five (OpenFAST 5, without `PitchAxis`), so the column of masses is the one that the line of names calls so.
+
+use super::names::{name_on, plain};
+use super::positional::{Positional, last_fraction, next_fraction};
+use crate::diagnostic::Diagnostic;
+use crate::records::{Line, Token};
+use crate::source::Source;
+
+/// The names of all parameters of a blade file before its table.
+const KEYS: &[&str] = &[
+    "NBlInpSt",
+    "CalcBMode",
+    "BldFlDmp(1)",
+    "BldFlDmp(2)",
+    "BldEdDmp(1)",
+    "FlStTunr(1)",
+    "FlStTunr(2)",
+    "AdjBlMs",
+    "AdjFlSt",
+    "AdjEdSt",
+];
+
+/// The mass along a blade.
+#[derive(Debug, Clone, PartialEq)]
+pub struct BladeFile {
+    /// Factor of the column of masses (`AdjBlMs`).
+    pub mass_factor: f64,
+    /// The table of masses as it stands there, without the factor; linear between rows.
+    pub rows: Vec<BladeRow>,
+}
+
+/// A row of a blade's table.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct BladeRow {
+    /// Distance from the root as a share of the blade's length, 0 to 1 (`BlFract`).
+    pub length_fraction: f64,
+    /// Mass per length, kg/m (`BMassDen`).
+    pub mass_kg_per_m: f64,
+}
+
+/// Mass of a blade and its moments about the root.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct BladeMasses {
+    /// Mass ∫ μ dr, kg.
+    pub mass_kg: f64,
+    /// First moment ∫ μ r dr, kg m.
+    pub first_moment_kg_m: f64,
+    /// Second moment ∫ μ r² dr, kg m².
+    pub second_moment_kg_m2: f64,
+}
+
+impl BladeFile {
+    /// The integrals along a blade of this length, m, exact for a mass per length that is linear between the rows.
+    ///
+    /// ElastoDyn itself takes `BldNodes` elements with the mass at their middles, which comes out some parts in a thousand differently.
+    pub fn masses(&self, length_m: f64) -> BladeMasses {
+        let mut sum = BladeMasses::default();
+        for pair in self.rows.windows(2) {
+            let [a, b] = [pair[0], pair[1]].map(|row| row.length_fraction);
+            let [p, q] = [pair[0], pair[1]].map(|row| self.mass_factor * row.mass_kg_per_m);
+            let h = b - a;
+            // With s from 0 to 1 across the piece: ∫ (p + (q − p) s) (a + h s)^n h ds.
+            let (zeroth, first, second) =
+                (0.5 * (p + q), (p + 2.0 * q) / 6.0, (p + 3.0 * q) / 12.0);
+            sum.mass_kg += h * zeroth;
+            sum.first_moment_kg_m += h * (a * zeroth + h * first);
+            sum.second_moment_kg_m2 += h * (a * a * zeroth + 2.0 * a * h * first + h * h * second);
+        }
+        BladeMasses {
+            mass_kg: length_m * sum.mass_kg,
+            first_moment_kg_m: length_m.powi(2) * sum.first_moment_kg_m,
+            second_moment_kg_m2: length_m.powi(3) * sum.second_moment_kg_m2,
+        }
+    }
+}
+
+/// Reads the masses of a blade file of ElastoDyn, of any version of OpenFAST, or of FAST 7.
+///
+/// # Errors
+/// The first mistake in it.
+pub fn read_blade_file(source: &Source) -> Result<BladeFile, Diagnostic> {
+    let mut lines = Positional::new(&source.text, KEYS);
+    lines.free("the first header line")?;
+    lines.free("the second header line")?;
+    lines.heading("the heading BLADE PARAMETERS")?;
+    let count = lines.parameter("NBlInpSt", "number of rows")?;
+    let wanted = count.count(2)?;
+    if lines
+        .peek_filled()
+        .and_then(|line| name_on(&line))
+        .as_deref()
+        == Some("calcbmode")
+    {
+        lines.parameter("CalcBMode", "flag of FAST 7")?;
+    }
+    // Public writers name the dampings wrongly; nothing depends on them.
+    for key in ["BldFlDmp(1)", "BldFlDmp(2)", "BldEdDmp(1)"] {
+        lines.unnamed_parameter(key, "damping, percent of critical")?;
+    }
+    lines.heading("the heading BLADE ADJUSTMENT FACTORS")?;
+    lines.parameter("FlStTunr(1)", "factor")?;
+    lines.parameter("FlStTunr(2)", "factor")?;
+    let mass_factor = lines.parameter("AdjBlMs", "factor")?.positive()?;
+    lines.parameter("AdjFlSt", "factor")?;
+    lines.parameter("AdjEdSt", "factor")?;
+    lines.heading("the heading DISTRIBUTED BLADE PROPERTIES")?;
+    let names = lines.heading("the names of the columns")?;
+    lines.heading("the units of the columns")?;
+    let mut rows: Vec<BladeRow> = Vec::new();
+    let mut last = 0..0;
+    while rows.len() < wanted {
+        let line = lines.row("the distributed properties", rows.len(), &count)?;
+        let tokens: Vec<Token<'_>> = line.tokens().take(MOST_COLUMNS).collect();
+        let (fraction, token) = cell(&line, &tokens, 0, "BlFract")?;
+        let (mass_kg_per_m, mass) = cell(
+            &line,
+            &tokens,
+            mass_column(&names, tokens.len()),
+            "BMassDen",
+        )?;
+        if mass_kg_per_m <= 0.0 {
+            let message = format!("BMassDen of row {} is {}", rows.len() + 1, mass.text);
+            let mistake = Diagnostic::new(mass.span.clone(), message);
+            return Err(mistake.with_hint("it must be greater than 0"));
+        }
+        let previous = rows.last().map(|row| row.length_fraction);
+        let length_fraction = next_fraction(fraction, token, previous, "BlFract")?;
+        last = token.span.clone();
+        rows.push(BladeRow {
+            length_fraction,
+            mass_kg_per_m,
+        });
+    }
+    if let Some(row) = rows.last_mut() {
+        row.length_fraction = last_fraction(row.length_fraction, last, "BlFract")?;
+    }
+    Ok(BladeFile { mass_factor, rows })
+}
+
+/// Columns beyond those of FAST 7 are not looked at.
+const MOST_COLUMNS: usize = 20;
+
+/// Which column the masses are in: the one of that name, or else the third of five and the fourth of more.
+fn mass_column(names: &Line<'_>, columns: usize) -> usize {
+    let mut names = names.tokens().take(MOST_COLUMNS);
+    let named = names.position(|token| plain(token.text) == "bmassden");
+    named.unwrap_or(if columns == 5 { 2 } else { 3 })
+}
+
+/// A number of a row.
+fn cell<'t, 'a>(
+    line: &Line<'_>,
+    tokens: &'t [Token<'a>],
+    column: usize,
+    name: &str,
+) -> Result<(f64, &'t Token<'a>), Diagnostic> {
+    match tokens.get(column) {
+        Some(token) => Ok((token.number(name)?, token)),
+        None => {
+            let message = format!(
+                "the row has {} numbers; {name} is number {}",
+                tokens.len(),
+                column + 1
+            );
+            Err(Diagnostic::new(line.span(), message))
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{BladeFile, BladeRow};
+
+    #[test]
+    fn a_linear_blade_has_the_integrals_of_a_trapezoid() {
+        let row = |length_fraction, mass_kg_per_m| BladeRow {
+            length_fraction,
+            mass_kg_per_m,
+        };
+        // μ = 2 (10 − r/3) on 0 to 30 m, in two pieces: ∫ μ = 300, ∫ μ r = 3000, ∫ μ r² = 45000.
+        let rows = vec![row(0.0, 10.0), row(0.25, 7.5), row(1.0, 0.0)];
+        let blade = BladeFile {
+            mass_factor: 2.0,
+            rows,
+        };
+        let masses = blade.masses(30.0);
+        assert!((masses.mass_kg - 300.0).abs() < 1e-10);
+        assert!((masses.first_moment_kg_m - 3000.0).abs() < 1e-9);
+        assert!((masses.second_moment_kg_m2 - 45000.0).abs() < 1e-8);
+    }
+}

@@ -1,0 +1,211 @@
+//! A tower from the files of an ElastoDyn model: main file, tower file, blade files.
+
+use std::collections::HashMap;
+use std::ops::Range;
+
+use towermodes::{Foundation, Place, RigidBody};
+
+use super::blade_file::{BladeFile, BladeMasses, read_blade_file};
+use super::description::{Ends, ONLY_BENDS, description, remember};
+use super::fst::{Main, main_source};
+use super::lump;
+use super::main_file::MainFile;
+use super::main_reader::read_main_file;
+use super::recognise::{is_blade_file, is_main_file, is_tower_file};
+use super::tower_file::{CoefficientSpans, TowerFile};
+use super::tower_reader::{TowerReading, read_with_places};
+use crate::companions::Companions;
+use crate::diagnostic::Diagnostic;
+use crate::input::{FileFormat, InputError, Note, ReadOptions, TowerInput};
+use crate::places::{Places, TABLE};
+use crate::source::Source;
+
+/// An ElastoDyn model and the tower that it describes.
+#[derive(Debug, Clone)]
+pub struct ElastoDynDeck {
+    /// The main file's content.
+    pub main: MainFile,
+    /// The main file.
+    pub main_source: Source,
+    /// The tower file's content.
+    pub tower: TowerFile,
+    /// Where in the tower file the coefficients stand.
+    pub coefficient_spans: CoefficientSpans,
+    /// The tower file.
+    pub tower_source: Source,
+    /// Mass of each blade and its moments.
+    pub blades: Vec<BladeMasses>,
+    /// Everything above the tower top as one body.
+    pub rna: RigidBody,
+    /// The tower.
+    pub input: TowerInput,
+}
+
+/// Reads an ElastoDyn model from its main file, or from the `.fst` file that names it; `companions` are the files beside that one.
+///
+/// # Errors
+/// The first mistake in one of the files, among them that a file it names cannot be read.
+pub fn read_elastodyn(
+    source: Source,
+    companions: &dyn Companions,
+    _options: &ReadOptions,
+) -> Result<ElastoDynDeck, InputError> {
+    refuse_parts(&source)?;
+    let Main {
+        source: main_source,
+        fst,
+        folder,
+        notes,
+    } = main_source(source, companions)?;
+    let main = read_main_file(&main_source).map_err(|m| InputError::mistake(&main_source, m))?;
+    let named = Named {
+        source: &main_source,
+        folder: &folder,
+        companions,
+    };
+    let tower_source = named.read(&main.tower_file, "TwrFile", main.place("TwrFile"))?;
+    let reading =
+        read_with_places(&tower_source).map_err(|m| InputError::mistake(&tower_source, m))?;
+    let (blade_sources, blades) = blades(&main, &named)?;
+    let rna = lump::lump_rna(&main, &blades);
+    let mut sources: Vec<Source> = fst.into_iter().collect();
+    sources.extend([main_source.clone(), tower_source.clone()]);
+    let tower_index = sources.len() - 1;
+    sources.extend(blade_sources);
+    let mut input = input(&main, &reading, rna, sources, tower_index);
+    input.notes.splice(0..0, notes);
+    Ok(ElastoDynDeck {
+        main,
+        main_source,
+        tower: reading.file,
+        coefficient_spans: reading.spans.coefficients,
+        tower_source,
+        blades,
+        rna,
+        input,
+    })
+}
+
+/// Refuses files that are only a part of a model.
+fn refuse_parts(source: &Source) -> Result<(), InputError> {
+    let part = match &source.text {
+        text if is_main_file(text) => return Ok(()),
+        text if is_tower_file(text) => "tower",
+        text if is_blade_file(text) => "blade",
+        _ => return Ok(()),
+    };
+    let message = format!("this is a {part} file of ElastoDyn, not a main file");
+    let mistake = Diagnostic::new(0..0, message).with_hint("give the main file that names it");
+    Err(InputError::mistake(source, mistake))
+}
+
+/// The files that a main file names.
+struct Named<'a> {
+    source: &'a Source,
+    /// The folder of the main file as seen from where the companions are.
+    folder: &'a str,
+    companions: &'a dyn Companions,
+}
+
+impl Named<'_> {
+    fn read(&self, path: &str, key: &str, span: Range<usize>) -> Result<Source, InputError> {
+        self.companions
+            .read(&beside(self.folder, path))
+            .map_err(|error| {
+                let message = format!("{key} cannot be read: {error}");
+                let hint = "files are looked for beside the main file";
+                InputError::mistake(self.source, Diagnostic::new(span, message).with_hint(hint))
+            })
+    }
+}
+
+/// A path that is relative to a folder, as seen from where the folder is.
+fn beside(folder: &str, path: &str) -> String {
+    let is_absolute = path.starts_with(['/', '\\']) || path.chars().nth(1) == Some(':');
+    if is_absolute || folder.is_empty() {
+        path.to_owned()
+    } else {
+        format!("{folder}/{path}")
+    }
+}
+
+/// The masses of the blades, and their files without repetition.
+fn blades(
+    main: &MainFile,
+    named: &Named<'_>,
+) -> Result<(Vec<Source>, Vec<BladeMasses>), InputError> {
+    let mut sources = Vec::new();
+    let mut read: HashMap<&str, BladeFile> = HashMap::new();
+    let mut masses = Vec::new();
+    for (path, key) in main
+        .blade_files
+        .iter()
+        .zip(["BldFile(1)", "BldFile(2)", "BldFile(3)"])
+    {
+        if !read.contains_key(path.as_str()) {
+            let source = named.read(path, key, main.place(key))?;
+            let blade = read_blade_file(&source).map_err(|m| InputError::mistake(&source, m))?;
+            sources.push(source);
+            read.insert(path, blade);
+        }
+        masses.extend(
+            read.get(path.as_str())
+                .map(|blade| blade.masses(main.blade_length_m())),
+        );
+    }
+    Ok((sources, masses))
+}
+
+/// The tower of a model, with what the user should know of it.
+fn input(
+    main: &MainFile,
+    reading: &TowerReading,
+    rna: RigidBody,
+    sources: Vec<Source>,
+    tower_index: usize,
+) -> TowerInput {
+    let ends = Ends {
+        base_m: main.tower_base_m,
+        top_m: main.tower_top_m,
+    };
+    let mut description = description(&reading.file, ends, &main.header[1]);
+    description.rna = rna.into();
+    description.foundation = Foundation::Clamped;
+    let mut places = Places::default();
+    remember(&mut places, tower_index, &reading.spans);
+    for (key, name) in [
+        ("mass", "NacMass"),
+        ("center", "NacCMxn"),
+        ("inertia", "NacYIner"),
+        (TABLE, "NacMass"),
+    ] {
+        places.remember(Place::Rna { key }, tower_index - 1, main.place(name));
+    }
+    let mut notes = reading.notes.clone();
+    notes.push(Note::new(ONLY_BENDS));
+    notes.extend(foundation_note(main));
+    notes.extend(lump::notes(main));
+    TowerInput {
+        format: FileFormat::ElastoDyn,
+        description,
+        borders_m: None,
+        method: None,
+        modes: None,
+        notes,
+        sources,
+        places,
+    }
+}
+
+/// That the tower may stand on something that is not in these files.
+fn foundation_note(main: &MainFile) -> Option<Note> {
+    let moves = main.platform_dofs.contains(&true);
+    let base_m = main.tower_base_m;
+    if !moves && base_m == 0.0 {
+        return None;
+    }
+    let why = if moves { " (the platform moves)" } else { "" };
+    Some(Note::new(format!(
+        "the tower is solved clamped at z = {base_m} m{why}; its foundation is in other files"
+    )))
+}

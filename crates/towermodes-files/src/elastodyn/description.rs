@@ -1,0 +1,103 @@
+//! The tower that a tower file of ElastoDyn describes, once its heights are known.
+
+use std::ops::Range;
+
+use towermodes::{Place, Planes, PointMass, Properties, PropertyStation, TowerDescription};
+
+use super::tower_file::{ConcentratedMass, TowerFile, TowerRow};
+use super::tower_reader::TowerSpans;
+use crate::places::{Places, TABLE};
+
+/// That ElastoDyn's towers only bend.
+pub(super) const ONLY_BENDS: &str = "towers of ElastoDyn neither twist nor stretch, and have no rotary inertia: there are bending modes only";
+
+/// Where the flexible tower begins and ends, m.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Ends {
+    pub(super) base_m: f64,
+    pub(super) top_m: f64,
+}
+
+impl Ends {
+    fn height_m(&self, fraction: f64) -> f64 {
+        if fraction == 1.0 {
+            return self.top_m;
+        }
+        self.base_m + fraction * (self.top_m - self.base_m)
+    }
+}
+
+/// The tower, clamped, with nothing on top.
+pub(super) fn description(file: &TowerFile, ends: Ends, title: &str) -> TowerDescription {
+    let mass = |mass: &ConcentratedMass| PointMass {
+        height_m: ends.height_m(mass.height_fraction),
+        mass_kg: mass.mass_kg,
+        ..PointMass::default()
+    };
+    TowerDescription {
+        name: title.trim().chars().take(200).collect(),
+        properties: file
+            .rows
+            .iter()
+            .map(|row| station(file, row, ends))
+            .collect(),
+        point_masses: file.concentrated_masses.iter().map(mass).collect(),
+        ..TowerDescription::default()
+    }
+}
+
+fn station(file: &TowerFile, row: &TowerRow, ends: Ends) -> PropertyStation {
+    PropertyStation {
+        height_m: ends.height_m(row.height_fraction),
+        properties: Properties {
+            mass_kg_per_m: file.mass_factor * row.mass_kg_per_m,
+            rotary_inertia_kg_m: Planes::both(0.0),
+            polar_inertia_kg_m: 0.0,
+            bending_n_m2: Planes {
+                fore_aft: file.fore_aft_factor * row.fore_aft_n_m2,
+                side_side: file.side_side_factor * row.side_side_n_m2,
+            },
+            torsion_n_m2: f64::INFINITY,
+            axial_n: f64::INFINITY,
+            shear_n: None,
+        },
+    }
+}
+
+/// Remembers where the values of the tower file stand, which is one of the tower's files.
+pub(super) fn remember(places: &mut Places, file: usize, spans: &TowerSpans) {
+    places.remember(Place::Stations, file, spans.count.clone());
+    let mut at = |place, span: &Range<usize>| places.remember(place, file, span.clone());
+    for (index, row) in spans.rows.iter().enumerate() {
+        let keys = [
+            "height",
+            "mass_kg_per_m",
+            "ei_fore_aft_n_m2",
+            "ei_side_side_n_m2",
+        ];
+        for (key, span) in keys.into_iter().zip(row) {
+            at(Place::Station { index, key }, span);
+        }
+        at(
+            Place::Station { index, key: TABLE },
+            &(row[0].start..row[3].end),
+        );
+    }
+    for (index, [height, mass]) in spans.masses.iter().enumerate() {
+        at(
+            Place::PointMass {
+                index,
+                key: "height",
+            },
+            height,
+        );
+        at(Place::PointMass { index, key: "mass" }, mass);
+        at(
+            Place::PointMass {
+                index,
+                key: "inertia",
+            },
+            mass,
+        );
+    }
+}

@@ -1,0 +1,143 @@
+//! The rotor-nacelle assembly of an ElastoDyn model as one rigid body.
+
+use std::f64::consts::TAU;
+
+use towermodes::{Inertia, RigidBody};
+
+use super::blade_file::BladeMasses;
+use super::main_file::MainFile;
+use crate::input::Note;
+
+/// Hub, blades, tip masses, generator, nacelle and yaw bearing as one body about the tower top: x downwind, y lateral, z up.
+///
+/// The rotor's apex is at (OverHang cos τ, 0, Twr2Shft + OverHang sin τ) with τ = ShftTilt; the first blade points up, each next one stands
+/// a share of a turn further, clockwise as seen from upwind. Blades are rods: only their mass along their axis counts. `NacYIner` is about
+/// the yaw axis, and the nacelle has no other inertia than what that leaves about its centre. The generator turns with the shaft, with
+/// `GenIner` × `GBRatio`².
+///
+/// Source: the kinematics of ElastoDyn (OpenFAST 5.0, `SetCoordSy`, `CalculatePositions`, `Coeff` in `ElastoDyn.f90`).
+pub fn lump_rna(main: &MainFile, blades: &[BladeMasses]) -> RigidBody {
+    let mut rotor = vec![hub(main), generator(main)];
+    let apex_m = apex_on_shaft_m(main);
+    for (index, masses) in blades.iter().enumerate().take(3) {
+        let azimuth_rad = TAU * index as f64 / blades.len().min(3) as f64;
+        let tip = RigidBody::point(main.tip_masses_kg[index], [0.0, 0.0, main.tip_radius_m]);
+        let blade = RigidBody::combined(&[blade(main, masses), tip]);
+        let coned = blade.turned_about_y(main.precone_deg[index].to_radians());
+        rotor.push(coned.turned_about_x(azimuth_rad).moved([apex_m, 0.0, 0.0]));
+    }
+    // The shaft's downwind end rises with a positive tilt, and turning about y lowers it.
+    let shaft = RigidBody::combined(&rotor).turned_about_y(-main.shaft_tilt_deg.to_radians());
+    RigidBody::combined(&[
+        shaft.moved([0.0, 0.0, main.tower_to_shaft_m]),
+        nacelle(main),
+        RigidBody::point(main.yaw_bearing_mass_kg, [0.0; 3]),
+    ])
+}
+
+/// Where the blades' axes meet, m along the shaft from the yaw axis.
+fn apex_on_shaft_m(main: &MainFile) -> f64 {
+    main.overhang_m - main.undersling_m
+}
+
+/// A blade along z from the apex.
+fn blade(main: &MainFile, masses: &BladeMasses) -> RigidBody {
+    let mass_kg = masses.mass_kg;
+    let center_m = if mass_kg > 0.0 {
+        masses.first_moment_kg_m / mass_kg
+    } else {
+        0.0
+    };
+    let about_center = masses.second_moment_kg_m2 - masses.first_moment_kg_m * center_m;
+    RigidBody {
+        mass_kg,
+        center_m: [0.0, 0.0, main.hub_radius_m + center_m],
+        inertia_kg_m2: Inertia {
+            xx: about_center,
+            yy: about_center,
+            ..Inertia::default()
+        },
+    }
+}
+
+/// The hub on the shaft, which is x.
+fn hub(main: &MainFile) -> RigidBody {
+    let (about_shaft, about_teeter_axis) = hub_inertia_kg_m2(main);
+    RigidBody {
+        mass_kg: main.hub_mass_kg,
+        center_m: [apex_on_shaft_m(main) + main.hub_center_m, 0.0, 0.0],
+        inertia_kg_m2: Inertia {
+            xx: about_shaft,
+            yy: about_teeter_axis,
+            ..Inertia::default()
+        },
+    }
+}
+
+/// The hub's inertia about its centre: about the shaft and about the teeter axis, kg m².
+///
+/// Of two blades the inertia about the teeter pin is brought to the centre, and before OpenFAST 4.2 it holds for both axes.
+pub(super) fn hub_inertia_kg_m2(main: &MainFile) -> (f64, f64) {
+    if main.blade_count != 2 {
+        return (main.hub_inertia_kg_m2, 0.0);
+    }
+    let arm_m = main.undersling_m - main.hub_center_m;
+    let cosine = main.delta3_deg.to_radians().cos();
+    let about_center =
+        |about_pin: f64| (about_pin - main.hub_mass_kg * arm_m * arm_m) / (cosine * cosine);
+    match main.hub_teeter_inertia_kg_m2 {
+        Some(about_pin) => (main.hub_inertia_kg_m2, about_center(about_pin)),
+        None => (
+            about_center(main.hub_inertia_kg_m2),
+            about_center(main.hub_inertia_kg_m2),
+        ),
+    }
+}
+
+/// The inertia of the generator about the slow shaft, kg m².
+fn generator_on_shaft_kg_m2(main: &MainFile) -> f64 {
+    main.generator_inertia_kg_m2 * main.gearbox_ratio * main.gearbox_ratio
+}
+
+fn generator(main: &MainFile) -> RigidBody {
+    let xx = generator_on_shaft_kg_m2(main);
+    RigidBody::massless(Inertia {
+        xx,
+        ..Inertia::default()
+    })
+}
+
+fn nacelle(main: &MainFile) -> RigidBody {
+    let [x, y, _] = main.nacelle_center_m;
+    let zz = main.nacelle_yaw_inertia_kg_m2 - main.nacelle_mass_kg * (x * x + y * y);
+    RigidBody {
+        mass_kg: main.nacelle_mass_kg,
+        center_m: main.nacelle_center_m,
+        inertia_kg_m2: Inertia {
+            zz,
+            ..Inertia::default()
+        },
+    }
+}
+
+/// What was decided to make one rigid body of it.
+pub(super) fn notes(main: &MainFile) -> Vec<Note> {
+    let mut notes = Vec::new();
+    if main.blade_count != 3 {
+        let message = format!(
+            "a rotor of {} blades is not the same in every position; the first blade is taken to point up",
+            main.blade_count
+        );
+        notes.push(Note::new(message));
+    }
+    let generator = generator_on_shaft_kg_m2(main);
+    if generator > 0.0 {
+        notes.push(Note::new(format!(
+            "the rotor is taken as locked to the nacelle, and the generator's inertia about the shaft as GenIner GBRatio^2 = {generator:.6e} kg m2"
+        )));
+    }
+    if main.furling {
+        notes.push(Note::new("the furling model (FurlFile) is left out"));
+    }
+    notes
+}

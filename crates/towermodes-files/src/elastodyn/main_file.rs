@@ -1,0 +1,114 @@
+//! The content of a main file of ElastoDyn, as far as a tower needs it.
+
+use std::collections::BTreeMap;
+use std::ops::Range;
+
+/// What stands in a main (primary) file of ElastoDyn.
+///
+/// x is downwind, y lateral, z up; heights are above ground or mean sea level.
+#[derive(Debug, Clone, PartialEq)]
+pub struct MainFile {
+    /// Its two free header lines.
+    pub header: [String; 2],
+    /// Acceleration of gravity, m/s² (`Gravity`); in files since OpenFAST 3.0 it is elsewhere.
+    pub gravity_m_per_s2: Option<f64>,
+    /// Whether the tower's modes move: first and second fore-aft (`TwFADOF1`, `2`), first and second side-side (`TwSSDOF1`, `2`).
+    pub tower_dofs: [bool; 4],
+    /// Whether the platform moves: surge, sway, heave, roll, pitch, yaw (`PtfmSgDOF` to `PtfmYDOF`).
+    pub platform_dofs: [bool; 6],
+    /// Number of blades (`NumBl`).
+    pub blade_count: usize,
+    /// Distance from the rotor's apex to the blades' tips, m (`TipRad`).
+    pub tip_radius_m: f64,
+    /// Distance from the rotor's apex to the blades' roots, m (`HubRad`).
+    pub hub_radius_m: f64,
+    /// Angle of each blade from the plane normal to the shaft, positive downwind, degrees (`PreCone`); unused ones are zero.
+    pub precone_deg: [f64; 3],
+    /// Distance from the rotor's apex to the hub's centre of mass, positive downwind, m (`HubCM`).
+    pub hub_center_m: f64,
+    /// Distance from the teeter pin to the rotor's apex of two blades, m (`UndSling`).
+    pub undersling_m: f64,
+    /// Angle of the teeter pin of two blades, degrees (`Delta3`).
+    pub delta3_deg: f64,
+    /// Distance along the shaft from the yaw axis to the rotor's apex, or to the teeter pin of two blades, positive downwind, m (`OverHang`).
+    pub overhang_m: f64,
+    /// Angle of the shaft from the horizontal, degrees; negative if the upwind end is the higher one (`ShftTilt`).
+    pub shaft_tilt_deg: f64,
+    /// Centre of mass of the nacelle from the tower top, m (`NacCMxn`, `NacCMyn`, `NacCMzn`).
+    pub nacelle_center_m: [f64; 3],
+    /// Height of the shaft above the tower top at the yaw axis, m (`Twr2Shft`).
+    pub tower_to_shaft_m: f64,
+    /// Height of the tower top, m (`TowerHt`).
+    pub tower_top_m: f64,
+    /// Height of the base of the flexible tower, m (`TowerBsHt`).
+    pub tower_base_m: f64,
+    /// Mass at the tip of each blade, kg (`TipMass`); unused ones are zero.
+    pub tip_masses_kg: [f64; 3],
+    /// Mass of the hub, kg (`HubMass`).
+    pub hub_mass_kg: f64,
+    /// Inertia of the hub, kg m² (`HubIner`): about the shaft, but of two blades in files before OpenFAST 4.2 about the teeter axis.
+    pub hub_inertia_kg_m2: f64,
+    /// Inertia of the hub about the teeter axis, kg m² (`HubIner_Teeter`, since OpenFAST 4.2).
+    pub hub_teeter_inertia_kg_m2: Option<f64>,
+    /// Inertia of the generator about the fast shaft, kg m² (`GenIner`).
+    pub generator_inertia_kg_m2: f64,
+    /// Gearbox ratio (`GBRatio`).
+    pub gearbox_ratio: f64,
+    /// Mass of the nacelle, kg (`NacMass`).
+    pub nacelle_mass_kg: f64,
+    /// Inertia of the nacelle about the yaw axis, kg m² (`NacYIner`).
+    pub nacelle_yaw_inertia_kg_m2: f64,
+    /// Mass of the yaw bearing, at the tower top, kg (`YawBrMass`).
+    pub yaw_bearing_mass_kg: f64,
+    /// The platform.
+    pub platform: Platform,
+    /// How many elements ElastoDyn cuts a blade into (`BldNodes`).
+    pub blade_nodes: usize,
+    /// The file of each blade as the line names it, relative to the main file (`BldFile`); as many as there are blades.
+    pub blade_files: Vec<String>,
+    /// Whether there is a model of furling in another file (`Furling`).
+    pub furling: bool,
+    /// How many elements ElastoDyn cuts the tower into (`TwrNodes`).
+    pub tower_nodes: usize,
+    /// The tower file as the line names it, relative to the main file (`TwrFile`).
+    pub tower_file: String,
+    /// Where each parameter's value stands.
+    pub(super) spans: BTreeMap<&'static str, Range<usize>>,
+}
+
+/// The rigid platform under a tower.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Platform {
+    /// Mass, kg (`PtfmMass`).
+    pub mass_kg: f64,
+    /// Inertia about its centre of mass for roll, pitch and yaw, kg m² (`PtfmRIner`, `PtfmPIner`, `PtfmYIner`).
+    pub inertia_kg_m2: [f64; 3],
+    /// Entries xy, yz, xz of its inertia tensor, kg m² (`PtfmXYIner`, `PtfmYZIner`, `PtfmXZIner`); zero where the file has none.
+    pub products_kg_m2: [f64; 3],
+    /// Its centre of mass, m (`PtfmCMxt`, `PtfmCMyt`, `PtfmCMzt`).
+    pub center_m: [f64; 3],
+    /// The point that its motion is of, m (`PtfmRefxt`, `PtfmRefyt`, `PtfmRefzt`); x and y are zero where the file has none.
+    pub reference_m: [f64; 3],
+}
+
+impl MainFile {
+    /// The bytes of the file that a parameter's value takes, by its name such as `TowerHt` or `BldFile(1)`.
+    pub fn span(&self, key: &str) -> Option<Range<usize>> {
+        self.spans.get(key).cloned()
+    }
+
+    /// The same for a parameter that every layout has.
+    pub(super) fn place(&self, key: &str) -> Range<usize> {
+        self.span(key).unwrap_or(0..0)
+    }
+
+    /// Length of a blade, m: `TipRad` − `HubRad`.
+    pub fn blade_length_m(&self) -> f64 {
+        self.tip_radius_m - self.hub_radius_m
+    }
+
+    /// Length of the flexible tower, m: `TowerHt` − `TowerBsHt`.
+    pub fn tower_length_m(&self) -> f64 {
+        self.tower_top_m - self.tower_base_m
+    }
+}

@@ -1,0 +1,93 @@
+//! A tower from a tower file of ElastoDyn alone, which says everything but the heights of its ends.
+
+use super::description::{Ends, ONLY_BENDS, description, remember};
+use super::tower_reader::read_with_places;
+use crate::diagnostic::Diagnostic;
+use crate::input::{FileFormat, InputError, Note, ReadOptions, TowerInput};
+use crate::source::Source;
+
+const HINT: &str =
+    "give the main file that names it, or --tower-height (and --tower-base if that is not 0)";
+
+/// A tower, clamped and without a rotor-nacelle assembly, from a tower file of ElastoDyn alone.
+///
+/// Its ends are those of the options, or those that a header line of the form `TowerHt = 87.6 m, TowerBsHt = 0 m` says.
+///
+/// # Errors
+/// The first mistake in the file, or that nothing says how high the tower is.
+pub fn read_elastodyn_tower(
+    source: Source,
+    options: &ReadOptions,
+) -> Result<TowerInput, InputError> {
+    let reading = match read_with_places(&source) {
+        Ok(reading) => reading,
+        Err(mistake) => return Err(InputError::mistake(&source, mistake)),
+    };
+    let ends = match ends(&reading.file.header, options) {
+        Ok(ends) => ends,
+        Err(mistake) => return Err(InputError::mistake(&source, mistake)),
+    };
+    let description = description(&reading.file, ends, &reading.file.header[1]);
+    let mut input = TowerInput::new(FileFormat::ElastoDynTower, description, source);
+    remember(&mut input.places, 0, &reading.spans);
+    input.notes = reading.notes;
+    input.notes.push(Note::new(ONLY_BENDS));
+    input.notes.push(Note::new(format!(
+        "the tower stands from {} m to {} m, clamped, with nothing on top: a tower file does not say what it carries",
+        ends.base_m, ends.top_m
+    )));
+    Ok(input)
+}
+
+/// The heights of the ends, of the options if they say them.
+fn ends(header: &[String; 2], options: &ReadOptions) -> Result<Ends, Diagnostic> {
+    let said = |name| header.iter().find_map(|line| value_after(line, name));
+    let ends = match (options.tower_height_m, said("TowerHt")) {
+        (Some(top_m), _) => Ends {
+            base_m: options.tower_base_m,
+            top_m,
+        },
+        (None, Some(top_m)) => Ends {
+            base_m: said("TowerBsHt").unwrap_or(options.tower_base_m),
+            top_m,
+        },
+        (None, None) => {
+            let message = "a tower file alone does not say how high the tower is";
+            return Err(Diagnostic::new(0..0, message).with_hint(HINT));
+        }
+    };
+    let length_m = ends.top_m - ends.base_m;
+    if length_m > 0.0 && length_m.is_finite() {
+        return Ok(ends);
+    }
+    let message = format!(
+        "the tower's top is at {} m and its base at {} m",
+        ends.top_m, ends.base_m
+    );
+    Err(Diagnostic::new(0..0, message).with_hint("the top must be above the base"))
+}
+
+/// The number after `name =` in a line, if it says it.
+fn value_after(line: &str, name: &str) -> Option<f64> {
+    let (_, rest) = line.split_once(name)?;
+    let number = rest.trim_start().strip_prefix('=')?.trim_start();
+    let number = number
+        .split(|c: char| c.is_whitespace() || c == ',')
+        .next()?;
+    number.parse().ok().filter(|value: &f64| value.is_finite())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::value_after;
+
+    #[test]
+    fn heights_are_read_from_a_header_line() {
+        let line = "by towermodes, TowerHt = 87.6 m, TowerBsHt = -10 m";
+        assert_eq!(value_after(line, "TowerHt"), Some(87.6));
+        assert_eq!(value_after(line, "TowerBsHt"), Some(-10.0));
+        for line in ["TowerHt", "TowerHt = ", "TowerHt 87.6", "TowerHt = inf"] {
+            assert_eq!(value_after(line, "TowerHt"), None);
+        }
+    }
+}

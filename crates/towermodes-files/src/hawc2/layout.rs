@@ -1,0 +1,223 @@
+//! Which sets and subsets a structural file of HAWC2 has, and where.
+
+use std::collections::HashSet;
+use std::ops::Range;
+
+use crate::diagnostic::Diagnostic;
+use crate::records::{Line, Lines, Token};
+
+/// More subsets than this are refused: real files have a handful.
+const MAX_SUBSETS: usize = 1000;
+
+/// A set: what follows a line `#1 name`.
+#[derive(Debug)]
+pub(super) struct Set<'a> {
+    /// Its number.
+    pub(super) number: usize,
+    /// The rest of its line.
+    pub(super) name: &'a str,
+    /// The bytes of its line.
+    pub(super) span: Range<usize>,
+}
+
+/// A subset: a line `$1 20 name` and the rows after it.
+#[derive(Debug)]
+pub(super) struct Subset<'a> {
+    /// The number of the set it is in.
+    pub(super) set: usize,
+    /// Its own number.
+    pub(super) number: usize,
+    /// How many rows its line announces; nothing may be allocated by it.
+    pub(super) announced: usize,
+    /// The rest of its line.
+    pub(super) name: &'a str,
+    /// The bytes of its line.
+    pub(super) span: Range<usize>,
+    /// What follows its line, to the end of the file.
+    pub(super) after: Lines<'a>,
+}
+
+impl Subset<'_> {
+    /// What it is called in messages: `set 1, subset 2`.
+    pub(super) fn label(&self) -> String {
+        format!("set {}, subset {}", self.set, self.number)
+    }
+}
+
+/// All sets and subsets of a file, in its order.
+#[derive(Debug, Default)]
+pub(super) struct Layout<'a> {
+    pub(super) sets: Vec<Set<'a>>,
+    pub(super) subsets: Vec<Subset<'a>>,
+}
+
+impl<'a> Layout<'a> {
+    /// Finds the headers; rows are not looked at.
+    pub(super) fn of(text: &'a str) -> Result<Self, Diagnostic> {
+        let mut layout = Self::default();
+        let mut numbers = HashSet::new();
+        let mut lines = Lines::new(text);
+        while let Some(line) = lines.next() {
+            if let Some(set) = set_of(&line) {
+                layout.sets.push(set);
+            } else if line.text.trim_start().starts_with('$') {
+                let subset = layout.subset(&line, lines.clone())?;
+                if !numbers.insert((subset.set, subset.number)) {
+                    let message = format!("{} is there a second time", subset.label());
+                    return Err(Diagnostic::new(line.span(), message)
+                        .with_hint("give each subset of a set its own number"));
+                }
+                layout.subsets.push(subset);
+            }
+            if layout.sets.len().max(layout.subsets.len()) > MAX_SUBSETS {
+                let message = format!("more than {MAX_SUBSETS} sets or subsets");
+                return Err(Diagnostic::new(line.span(), message));
+            }
+        }
+        if layout.subsets.is_empty() {
+            let what = "a line `$1 n`, the subset 1 with its number n of rows,";
+            return Err(lines.ended(what));
+        }
+        Ok(layout)
+    }
+
+    /// The subset that a line `$1 20 name` begins.
+    fn subset(&self, line: &Line<'a>, after: Lines<'a>) -> Result<Subset<'a>, Diagnostic> {
+        let hint = "a subset begins with `$1 20 name`: its number and how many rows follow";
+        let set = self.sets.last().ok_or_else(|| {
+            Diagnostic::new(line.span(), "a subset before any set")
+                .with_hint("a set begins with a line `#1 name`")
+        })?;
+        let mut tokens = header_tokens(line, '$');
+        let mut count = |what: &str| {
+            let token = tokens.next().ok_or_else(|| {
+                let end = line.span().end;
+                Diagnostic::new(end..end, format!("the line ends where {what} is expected"))
+                    .with_hint(hint)
+            })?;
+            let value = token
+                .integer(what)
+                .map_err(|mistake| mistake.with_hint(hint))?;
+            match usize::try_from(value) {
+                Ok(positive) if positive > 0 => Ok(positive),
+                _ => Err(token
+                    .wrong(format!("{what} must be at least 1"))
+                    .with_hint(hint)),
+            }
+        };
+        let number = count("the number of the subset")?;
+        let announced = count("the number of rows of the subset")?;
+        Ok(Subset {
+            set: set.number,
+            number,
+            announced,
+            name: rest_after(line, '$', 2),
+            span: line.span(),
+            after,
+        })
+    }
+
+    /// The subset asked for as (set, subset), or else the first.
+    pub(super) fn choose(&self, asked: Option<(usize, usize)>) -> Result<&Subset<'a>, Diagnostic> {
+        let Some((set, number)) = asked else {
+            // There is one: a layout without is refused.
+            return Ok(&self.subsets[0]);
+        };
+        let mut subsets = self.subsets.iter();
+        subsets
+            .find(|subset| (subset.set, subset.number) == (set, number))
+            .ok_or_else(|| {
+                let listed = self.subsets.iter().take(12).map(Subset::label);
+                let there: Vec<String> = listed.collect();
+                let more = if self.subsets.len() > 12 { "; …" } else { "" };
+                let message = format!("there is no set {set}, subset {number}");
+                let span = self.sets.first().map_or(0..0, |set| set.span.clone());
+                Diagnostic::new(span, message)
+                    .with_hint(format!("the file has {}{more}", there.join("; ")))
+            })
+    }
+
+    /// What the set of a subset is called; may be empty.
+    pub(super) fn name_of(&self, subset: &Subset<'_>) -> &'a str {
+        let mut sets = self.sets.iter().rev();
+        sets.find(|set| set.span.start < subset.span.start)
+            .map_or("", |set| set.name)
+    }
+}
+
+/// The set that a line `#1 name` begins; a `#` without a number is a comment.
+fn set_of<'a>(line: &Line<'a>) -> Option<Set<'a>> {
+    if !line.text.trim_start().starts_with('#') {
+        return None;
+    }
+    let number = header_tokens(line, '#').next()?.text.parse().ok()?;
+    Some(Set {
+        number,
+        name: rest_after(line, '#', 1),
+        span: line.span(),
+    })
+}
+
+/// The values of a header after its sign.
+fn header_tokens<'a>(line: &Line<'a>, sign: char) -> impl Iterator<Item = Token<'a>> + use<'a> {
+    after_sign(line, sign).tokens()
+}
+
+/// What stands on a header after its sign.
+fn after_sign<'a>(line: &Line<'a>, sign: char) -> Line<'a> {
+    let rest = line.text.trim_start().trim_start_matches(sign);
+    Line {
+        text: rest,
+        start: line.start + (line.text.len() - rest.len()),
+    }
+}
+
+/// The text after so many values of a header.
+fn rest_after<'a>(line: &Line<'a>, sign: char, values: usize) -> &'a str {
+    let rest = after_sign(line, sign);
+    let last = rest.tokens().take(values).last();
+    let from = last.map_or(0, |token| token.span.end - rest.start);
+    rest.text.get(from..).unwrap_or_default().trim()
+}
+
+/// Whether a text has the header of a set, and after it one of a subset.
+pub(super) fn headers(text: &str) -> (bool, bool) {
+    let mut has_set = false;
+    for line in Lines::new(text) {
+        has_set = has_set || set_of(&line).is_some();
+        let begins = has_set && line.text.trim_start().starts_with('$');
+        let is_count = |token: Token<'_>| token.integer("").is_ok();
+        if begins
+            && header_tokens(&line, '$')
+                .take(2)
+                .filter(|t| is_count(t.clone()))
+                .count()
+                == 2
+        {
+            return (true, true);
+        }
+    }
+    (has_set, false)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Layout;
+
+    #[test]
+    fn sets_and_subsets_are_found_with_their_names() {
+        let text =
+            "2 sets\n#1 Tower, made by hand\nr m\n$1 2 Flexible\n0 1\n1 1\n$2 2\n#2\n$1 3 x\n";
+        let layout = Layout::of(text).expect("a layout");
+        let labels: Vec<String> = layout.subsets.iter().map(super::Subset::label).collect();
+        assert_eq!(
+            labels,
+            ["set 1, subset 1", "set 1, subset 2", "set 2, subset 1"]
+        );
+        assert_eq!(layout.sets[0].name, "Tower, made by hand");
+        assert_eq!(layout.subsets[0].name, "Flexible");
+        assert_eq!(layout.subsets[2].announced, 3);
+        assert_eq!(layout.name_of(&layout.subsets[2]), "");
+        assert_eq!(layout.choose(Some((2, 1))).expect("there").announced, 3);
+    }
+}

@@ -1,0 +1,163 @@
+//! What a user should know of what was read from a HAWC2 file and what was not.
+
+use super::layout::{Layout, Subset};
+use super::row::{self, Row};
+use super::rows::Table;
+use super::sections::Found;
+use crate::input::{Note, ReadOptions};
+use crate::records::Lines;
+use crate::source::Source;
+
+/// No material is stiffer than this, Pa: a larger modulus makes a body rigid on purpose.
+const STIFFEST_PA: f64 = 1e13;
+/// Of more subsets than these the rest is only counted.
+const LISTED: usize = 8;
+
+/// All notes on a file that was read.
+pub(super) fn notes(
+    source: &Source,
+    layout: &Layout<'_>,
+    subset: &Subset<'_>,
+    table: &Table<'_>,
+    found: &Found,
+    options: &ReadOptions,
+) -> Vec<Note> {
+    let at = |start: usize, message: String| Note::at(source, start, message);
+    let start = subset.span.start;
+    let mut notes = Vec::new();
+    if layout.subsets.len() > 1 {
+        notes.push(at(start, which(layout, subset)));
+    }
+    if let Some((line, count)) = &table.unread {
+        let message = format!(
+            "{count} more rows follow the {} that {} announces; as HAWC2 does, they are not read",
+            subset.announced,
+            subset.label()
+        );
+        notes.push(at(line.start, message));
+    }
+    notes.extend(rigid(&table.rows).map(|message| at(start, message)));
+    notes.push(at(start, shear(found.shears)));
+    notes.extend(
+        left_out(&table.rows, found)
+            .into_iter()
+            .map(|(row, message)| at(table.rows[row].line.start, message)),
+    );
+    if !found.has_gyration {
+        let message =
+            "the radii of gyration are 0: the tower has no rotary inertia, and it does not twist";
+        notes.push(at(start, message.to_owned()));
+    }
+    notes.extend(direction(&table.rows).map(|message| at(start, message)));
+    notes.push(Note::new(ends(&table.rows, options)));
+    notes
+}
+
+/// Which subset was read, and what the others are.
+fn which(layout: &Layout<'_>, taken: &Subset<'_>) -> String {
+    let is_other = |subset: &&Subset<'_>| subset.span != taken.span;
+    let others = layout.subsets.iter().filter(is_other);
+    let listed: Vec<String> = others.clone().take(LISTED).map(described).collect();
+    let more = match others.count() - listed.len() {
+        0 => String::new(),
+        more => format!("; and {more} more"),
+    };
+    let (taken, listed) = (described(taken), listed.join("; "));
+    format!("{taken} is read; not read: {listed}{more}")
+}
+
+/// A subset with its name and the moduli of its first row.
+fn described(subset: &Subset<'_>) -> String {
+    let mut parts = Vec::new();
+    if !subset.name.is_empty() {
+        parts.push(subset.name.chars().take(60).collect());
+    }
+    if let Some(row) = first_row(subset.after.clone()) {
+        parts.push(format!(
+            "E {:e} Pa, G {:e} Pa",
+            row.of(row::YOUNG),
+            row.of(row::SHEAR_MODULUS)
+        ));
+    }
+    match parts.is_empty() {
+        true => subset.label(),
+        false => format!("{} ({})", subset.label(), parts.join("; ")),
+    }
+}
+
+fn first_row(mut lines: Lines<'_>) -> Option<Row<'_>> {
+    Row::parse(lines.find(|line| !line.is_blank())?).ok()
+}
+
+/// What is rigid on purpose.
+fn rigid(rows: &[Row<'_>]) -> Option<String> {
+    let largest = |column: usize| rows.iter().map(|row| row.of(column)).fold(0.0, f64::max);
+    let (e, g) = (largest(row::YOUNG), largest(row::SHEAR_MODULUS));
+    let what = match (e > STIFFEST_PA, g > STIFFEST_PA) {
+        (true, _) => "the body is made rigid on purpose, and its frequencies mean nothing",
+        (false, true) => "torsion and shear are made rigid on purpose",
+        (false, false) => return None,
+    };
+    Some(format!("E = {e:e} Pa and G = {g:e} Pa: {what}"))
+}
+
+fn shear(shears: bool) -> String {
+    if shears {
+        "sections deform in shear, with the stiffness k G A, as HAWC2's Timoshenko beams do; ElastoDyn and BModes have no shear".to_owned()
+    } else {
+        "the shear factors k_x and k_y are 0: there is no shear deformation".to_owned()
+    }
+}
+
+/// Offsets and turned axes, with the row they are in.
+fn left_out(rows: &[Row<'_>], found: &Found) -> Vec<(usize, String)> {
+    let mut notes = Vec::new();
+    if let Some((index, column, share)) = found.offset {
+        let (name, unit) = row::name_and_unit(column);
+        let value = rows[index].of(column);
+        let percent = 100.0 * share;
+        notes.push((
+            index,
+            format!(
+                "offsets of centres from the axis are left out; the largest is {name} = {value}{unit}, {percent:.2} % of the tube's radius"
+            ),
+        ));
+    }
+    if let Some(index) = found.turned {
+        let message = "the turn of the principal axes is left out: it couples the bending planes by less than 1 %";
+        notes.push((index, message.to_owned()));
+    }
+    notes
+}
+
+/// A tower that gets stiffer upwards may be written from its top down.
+fn direction(rows: &[Row<'_>]) -> Option<String> {
+    let stiffness = |row: &Row<'_>| row.of(row::YOUNG) * row.of(row::SECOND_MOMENT[0]);
+    let (first, last) = (rows.first()?, rows.last()?);
+    let (base, top) = (stiffness(first), stiffness(last));
+    (top > 1.01 * base).then(|| {
+        format!(
+            "r is taken to run upwards from the base, but EI is {base:.4e} N m2 at r = {} m and {top:.4e} N m2 at r = {} m; \
+             a body that runs downwards would stand on its head here",
+            first.of(row::R),
+            last.of(row::R)
+        )
+    })
+}
+
+/// Where the tower stands and what the file does not say.
+fn ends(rows: &[Row<'_>], options: &ReadOptions) -> String {
+    let of = |row: Option<&Row<'_>>| options.tower_base_m + row.map_or(0.0, |row| row.of(row::R));
+    let (base_m, top_m) = (of(rows.first()), of(rows.last()));
+    let mut text = format!(
+        "a HAWC2 structural file has no machine, no foundation and no datum: the tower is clamped at {base_m} m, reaches to {top_m} m \
+         and carries nothing"
+    );
+    if let Some(height_m) = options.tower_height_m.filter(|h| (h - top_m).abs() > 1e-3) {
+        text.push_str(&format!(
+            "; its top was said to be at {height_m} m, which would need a base at {} m",
+            height_m - (top_m - options.tower_base_m)
+        ));
+    }
+    text
+}

@@ -1,0 +1,169 @@
+//! A row of a HAWC2 subset: its 19 columns.
+
+use std::ops::Range;
+
+use crate::diagnostic::Diagnostic;
+use crate::records::{Line, Token};
+
+/// Columns of a row, counted from 0.
+pub(super) const R: usize = 0;
+pub(super) const MASS: usize = 1;
+pub(super) const CG: [usize; 2] = [2, 3];
+pub(super) const GYRATION: [usize; 2] = [4, 5];
+pub(super) const SHEAR_CENTRE: [usize; 2] = [6, 7];
+pub(super) const YOUNG: usize = 8;
+pub(super) const SHEAR_MODULUS: usize = 9;
+pub(super) const SECOND_MOMENT: [usize; 2] = [10, 11];
+pub(super) const TORSION: usize = 12;
+pub(super) const SHEAR_FACTOR: [usize; 2] = [13, 14];
+pub(super) const AREA: usize = 15;
+pub(super) const PITCH: usize = 16;
+pub(super) const ELASTIC_CENTRE: [usize; 2] = [17, 18];
+
+/// How many columns there are.
+pub(super) const COLUMNS: usize = 19;
+/// How many a row has that gives the section as a full matrix of stiffness.
+const FULL_MATRIX_COLUMNS: usize = 30;
+
+/// What a column is called, its unit, and what its values may be.
+const NAMES: [(&str, &str, Allowed); COLUMNS] = [
+    ("r, the distance along the body", " m", Allowed::Any),
+    ("m, mass per length", " kg/m", Allowed::Positive),
+    ("x_cg", " m", Allowed::Any),
+    ("y_cg", " m", Allowed::Any),
+    (
+        "ri_x, radius of gyration about x",
+        " m",
+        Allowed::NotNegative,
+    ),
+    (
+        "ri_y, radius of gyration about y",
+        " m",
+        Allowed::NotNegative,
+    ),
+    ("x_sh", " m", Allowed::Any),
+    ("y_sh", " m", Allowed::Any),
+    ("E, Young's modulus", " Pa", Allowed::Positive),
+    ("G, shear modulus", " Pa", Allowed::Positive),
+    (
+        "I_x, second moment of area about x",
+        " m4",
+        Allowed::Positive,
+    ),
+    (
+        "I_y, second moment of area about y",
+        " m4",
+        Allowed::Positive,
+    ),
+    ("K, torsional constant", " m4", Allowed::Positive),
+    ("k_x, shear factor", "", Allowed::NotNegative),
+    ("k_y, shear factor", "", Allowed::NotNegative),
+    ("A, area", " m2", Allowed::Positive),
+    ("the structural pitch", " degrees", Allowed::Any),
+    ("x_e", " m", Allowed::Any),
+    ("y_e", " m", Allowed::Any),
+];
+
+#[derive(Clone, Copy)]
+enum Allowed {
+    Any,
+    NotNegative,
+    Positive,
+}
+
+/// The numbers of a row and where it stands.
+#[derive(Debug, Clone)]
+pub(super) struct Row<'a> {
+    /// Its columns.
+    pub(super) values: [f64; COLUMNS],
+    /// Its line.
+    pub(super) line: Line<'a>,
+}
+
+impl<'a> Row<'a> {
+    /// The numbers of a line; what follows the last column on it is no number, or a mistake.
+    pub(super) fn parse(line: Line<'a>) -> Result<Self, Diagnostic> {
+        let mut tokens = line.tokens();
+        let mut values = [0.0; COLUMNS];
+        for (column, value) in values.iter_mut().enumerate() {
+            let token = tokens.next().ok_or_else(|| too_few(&line, column))?;
+            *value = number(&token, column)?;
+        }
+        let others: Vec<Token<'_>> = tokens.take(FULL_MATRIX_COLUMNS - COLUMNS + 1).collect();
+        let numbers = others.iter().take_while(|token| is_number(token)).count();
+        match numbers {
+            0 => Ok(Self { values, line }),
+            more => Err(too_many(&others[0], COLUMNS + more)),
+        }
+    }
+
+    /// The value of a column.
+    pub(super) fn of(&self, column: usize) -> f64 {
+        self.values[column]
+    }
+
+    /// The values of the columns for x and y.
+    pub(super) fn pair(&self, columns: [usize; 2]) -> [f64; 2] {
+        columns.map(|column| self.values[column])
+    }
+
+    /// The bytes of the file that a column takes.
+    pub(super) fn span(&self, column: usize) -> Range<usize> {
+        let token = self.line.tokens().nth(column);
+        token.map_or_else(|| self.line.span(), |token| token.span)
+    }
+}
+
+/// What a column is called, and its unit after a blank.
+pub(super) fn name_and_unit(column: usize) -> (&'static str, &'static str) {
+    let (name, unit, _) = NAMES[column];
+    (name, unit)
+}
+
+/// Whether a line begins with a number, as every row does and no header.
+pub(super) fn begins_with_number(line: &Line<'_>) -> bool {
+    line.first().is_some_and(|token| is_number(&token))
+}
+
+fn is_number(token: &Token<'_>) -> bool {
+    token.number("").is_ok()
+}
+
+/// The number of a column that it can have.
+fn number(token: &Token<'_>, column: usize) -> Result<f64, Diagnostic> {
+    let (name, unit, allowed) = NAMES[column];
+    let what = format!("column {}, {name},", column + 1);
+    let value = token.number(&what)?;
+    let rule = match allowed {
+        Allowed::Positive if value <= 0.0 => "must be positive",
+        Allowed::NotNegative if value < 0.0 => "cannot be negative",
+        _ => return Ok(value),
+    };
+    let message = format!("{what} is {value}{unit}, but {rule}");
+    Err(Diagnostic::new(token.span.clone(), message))
+}
+
+fn too_few(line: &Line<'_>, found: usize) -> Diagnostic {
+    let end = line.start + line.text.trim_end().len();
+    let message = format!(
+        "the row has {found} columns instead of {COLUMNS}; column {}, {}, is expected here",
+        found + 1,
+        NAMES[found].0
+    );
+    Diagnostic::new(end..end, message)
+        .with_hint("r m x_cg y_cg ri_x ri_y x_sh y_sh E G I_x I_y K k_x k_y A pitch x_e y_e")
+}
+
+fn too_many(first: &Token<'_>, found: usize) -> Diagnostic {
+    let span = first.span.clone();
+    if found >= FULL_MATRIX_COLUMNS {
+        let message = format!(
+            "the row has {found} columns: it gives the section as a full stiffness matrix (FPM), which is not read"
+        );
+        return Diagnostic::new(span, message).with_hint(format!(
+            "give the classic {COLUMNS} columns, with E, G, I_x, I_y, K and A"
+        ));
+    }
+    let message = format!("the row has {found} columns instead of {COLUMNS}");
+    Diagnostic::new(span, message).with_hint("is a blank missing or one too many?")
+}

@@ -1,0 +1,112 @@
+//! The rows of a HAWC2 subset: as many as announced, rising along the body.
+
+use super::layout::Subset;
+use super::row::{self, Row};
+use crate::diagnostic::Diagnostic;
+use crate::records::{Line, Lines, Token};
+
+/// More mistakes than these are not collected: the first ones say what is wrong with all.
+const MAX_MISTAKES: usize = 20;
+
+/// The rows of a subset.
+#[derive(Debug)]
+pub(super) struct Table<'a> {
+    /// Those announced.
+    pub(super) rows: Vec<Row<'a>>,
+    /// The first row after those announced, which HAWC2 does not read, and how many there are.
+    pub(super) unread: Option<(Line<'a>, usize)>,
+}
+
+/// Reads the rows that a subset announces.
+pub(super) fn read_rows<'a>(subset: &Subset<'a>) -> Result<Table<'a>, Vec<Diagnostic>> {
+    let mut lines = subset.after.clone();
+    let (mut rows, mut mistakes) = (Vec::new(), Vec::new());
+    let mut seen = 0;
+    while seen < subset.announced && mistakes.len() < MAX_MISTAKES {
+        let Some(line) = next_row(&mut lines) else {
+            mistakes.push(too_few_rows(subset, &lines, seen));
+            break;
+        };
+        seen += 1;
+        if let Some(other) = line.first().filter(is_word) {
+            mistakes.push(no_row(subset, &other, seen));
+            break;
+        }
+        match Row::parse(line) {
+            Ok(row) => rows.push(row),
+            Err(mistake) => mistakes.push(mistake),
+        }
+    }
+    mistakes.extend(falling(&rows));
+    if mistakes.is_empty() && rows.len() < 2 {
+        let message = "a subset of one row has no length; at least two are needed";
+        mistakes.push(Diagnostic::new(subset.span.clone(), message));
+    }
+    if !mistakes.is_empty() {
+        return Err(mistakes);
+    }
+    let first = next_row(&mut lines).filter(row::begins_with_number);
+    let unread = first.map(|line| {
+        let others = std::iter::from_fn(|| next_row(&mut lines));
+        (line, 1 + others.take_while(row::begins_with_number).count())
+    });
+    Ok(Table { rows, unread })
+}
+
+/// The next line that is not blank; none where a set or subset begins.
+fn next_row<'a>(lines: &mut Lines<'a>) -> Option<Line<'a>> {
+    while let Some(line) = lines.peek() {
+        if line.text.trim_start().starts_with(['#', '$']) {
+            return None;
+        }
+        lines.next();
+        if !line.is_blank() {
+            return Some(line);
+        }
+    }
+    None
+}
+
+/// Whether a value is text, as the names of columns are.
+fn is_word(token: &Token<'_>) -> bool {
+    let is_number = token.number("").is_ok();
+    !is_number && token.text.starts_with(char::is_alphabetic)
+}
+
+fn no_row(subset: &Subset<'_>, found: &Token<'_>, number: usize) -> Diagnostic {
+    let (label, announced) = (subset.label(), subset.announced);
+    let message = format!("row {number} of the {announced} of {label} is expected here");
+    found.wrong(message).with_hint(format!(
+        "rows follow the line `${} {announced}` at once; does it announce too many?",
+        subset.number
+    ))
+}
+
+fn too_few_rows(subset: &Subset<'_>, lines: &Lines<'_>, found: usize) -> Diagnostic {
+    let message = format!(
+        "{} announces {} rows, but {found} follow",
+        subset.label(),
+        subset.announced
+    );
+    let hint = match lines.peek() {
+        Some(_) => format!("write {found} here, or add the missing rows"),
+        None => "the file ends after them; is it complete?".to_owned(),
+    };
+    Diagnostic::new(subset.span.clone(), message).with_hint(hint)
+}
+
+/// The first place where r falls.
+fn falling(rows: &[Row<'_>]) -> Option<Diagnostic> {
+    let pair = rows
+        .windows(2)
+        .find(|pair| pair[1].of(row::R) < pair[0].of(row::R))?;
+    let message = format!(
+        "r is {} m, less than in the row before ({} m)",
+        pair[1].of(row::R),
+        pair[0].of(row::R)
+    );
+    Some(
+        Diagnostic::new(pair[1].span(row::R), message)
+            .with_hint("r is the distance from the body's first node and rises from row to row"),
+    )
+}

@@ -1,0 +1,188 @@
+//! What the columns of HAWC2 say of the sections of a tower.
+
+use towermodes::{Planes, Properties, PropertyStation};
+
+use super::row::{self, Row};
+use crate::diagnostic::Diagnostic;
+
+/// An offset of more than this share of the tube's radius is refused: it couples bending with torsion.
+const LARGEST_OFFSET: f64 = 0.05;
+/// Turned principal axes are refused where they couple the planes by more than this share of EI.
+const LARGEST_COUPLING: f64 = 0.01;
+
+/// What was found in the rows that the sections do not show, for the notes.
+#[derive(Debug, Default)]
+pub(super) struct Found {
+    /// Whether the rows have shear factors.
+    pub(super) shears: bool,
+    /// Whether the rows have radii of gyration.
+    pub(super) has_gyration: bool,
+    /// The largest offset: row, column, share of the tube's radius.
+    pub(super) offset: Option<(usize, usize, f64)>,
+    /// The first row whose axes are turned.
+    pub(super) turned: Option<usize>,
+}
+
+/// The sections at their heights, and what is left out of them.
+pub(super) fn sections(
+    rows: &[Row<'_>],
+    base_m: f64,
+) -> Result<(Vec<PropertyStation>, Found), Vec<Diagnostic>> {
+    let mut found = Found {
+        shears: rows[0].pair(row::SHEAR_FACTOR).iter().any(|k| *k > 0.0),
+        has_gyration: rows[0].pair(row::GYRATION).iter().any(|ri| *ri > 0.0),
+        ..Found::default()
+    };
+    let mut stations = Vec::new();
+    for (index, row) in rows.iter().enumerate() {
+        let checked = same_kind(row, &found)
+            .and_then(|()| axis(index, row, &mut found))
+            .and_then(|()| properties(row, &found));
+        // What one row does wrong all do: the first says it.
+        let properties = checked.map_err(|mistake| vec![mistake])?;
+        stations.push(PropertyStation {
+            height_m: base_m + row.of(row::R),
+            properties,
+        });
+    }
+    Ok((stations, found))
+}
+
+/// Shear factors and radii of gyration are there in all rows or in none.
+fn same_kind(row: &Row<'_>, found: &Found) -> Result<(), Diagnostic> {
+    let kinds = [
+        (row::SHEAR_FACTOR, found.shears, "shear factors"),
+        (row::GYRATION, found.has_gyration, "radii of gyration"),
+    ];
+    for (columns, expected, what) in kinds {
+        let odd = columns.into_iter().find(|&c| (row.of(c) > 0.0) != expected);
+        let Some(column) = odd else { continue };
+        let (name, unit) = row::name_and_unit(column);
+        let message = format!(
+            "{name}, is {}{unit}, but other {what} of the subset are {}",
+            row.of(column),
+            if expected { "positive" } else { "0" }
+        );
+        return Err(Diagnostic::new(row.span(column), message)
+            .with_hint("give all rows positive values for both axes, or all 0"));
+    }
+    Ok(())
+}
+
+/// All centres lie on one axis and the principal axes are fore-aft and side-side, nearly enough.
+fn axis(index: usize, row: &Row<'_>, found: &mut Found) -> Result<(), Diagnostic> {
+    let [i_x, i_y] = row.pair(row::SECOND_MOMENT);
+    // A thin tube of radius R has I/A = R²/2.
+    let radius_m = (2.0 * i_x.max(i_y) / row.of(row::AREA)).sqrt();
+    let columns = [row::CG, row::SHEAR_CENTRE, row::ELASTIC_CENTRE];
+    for column in columns.into_iter().flatten() {
+        let share = row.of(column).abs() / radius_m;
+        if row.of(column) == 0.0 {
+            continue;
+        }
+        if share > LARGEST_OFFSET {
+            return Err(off_axis(row, column, share));
+        }
+        if found.offset.is_none_or(|(_, _, largest)| share > largest) {
+            found.offset = Some((index, column, share));
+        }
+    }
+    let pitch = row.of(row::PITCH).to_radians();
+    let coupling = (0.5 * (i_x - i_y) * (2.0 * pitch).sin()).abs() / i_x.max(i_y);
+    let is_swapped =
+        pitch.cos().abs() < pitch.sin().abs() && (i_x / i_y - 1.0).abs() > LARGEST_COUPLING;
+    if coupling > LARGEST_COUPLING || is_swapped {
+        return Err(turned(row));
+    }
+    if row.of(row::PITCH) != 0.0 && i_x != i_y {
+        found.turned.get_or_insert(index);
+    }
+    Ok(())
+}
+
+fn off_axis(row: &Row<'_>, column: usize, share: f64) -> Diagnostic {
+    let (name, unit) = row::name_and_unit(column);
+    let message = format!(
+        "{name} is {}{unit}, {:.0} % of the radius of a tube with this I and A; \
+         centres that far off the axis are not modelled",
+        row.of(column),
+        100.0 * share
+    );
+    Diagnostic::new(row.span(column), message)
+        .with_hint("is this the file of a blade? towers have 0 here")
+}
+
+fn turned(row: &Row<'_>) -> Diagnostic {
+    let message = format!(
+        "the principal axes are turned by {} degrees and I_x = {} m4 is not I_y = {} m4, \
+         which couples both bending planes; that is not modelled",
+        row.of(row::PITCH),
+        row.of(row::SECOND_MOMENT[0]),
+        row.of(row::SECOND_MOMENT[1])
+    );
+    Diagnostic::new(row.span(row::PITCH), message).with_hint("is this the file of a blade?")
+}
+
+/// The section of a row.
+fn properties(row: &Row<'_>, found: &Found) -> Result<Properties, Diagnostic> {
+    let [e, g, mass, area] =
+        [row::YOUNG, row::SHEAR_MODULUS, row::MASS, row::AREA].map(|column| row.of(column));
+    let squares = row.pair(row::GYRATION).map(|ri| ri * ri);
+    // About the sideways axis x: fore-aft; of a force along y: fore-aft.
+    let about = |[x, y]: [f64; 2]| Planes {
+        fore_aft: x,
+        side_side: y,
+    };
+    let along = |[x, y]: [f64; 2]| Planes {
+        fore_aft: y,
+        side_side: x,
+    };
+    let shear = found
+        .shears
+        .then(|| row.pair(row::SHEAR_FACTOR).map(|k| k * g * area));
+    let bending = row.pair(row::SECOND_MOMENT).map(|i| e * i);
+    let rotary = squares.map(|square| mass * square);
+    let polar = mass * (squares[0] + squares[1]);
+    let torsion = g * row.of(row::TORSION);
+    let mut products = vec![
+        ("E I_x, the bending stiffness", bending[0]),
+        ("E I_y, the bending stiffness", bending[1]),
+        ("G K, the torsional stiffness", torsion),
+        ("E A, the axial stiffness", e * area),
+    ];
+    if let Some([x, y]) = shear {
+        products.extend([
+            ("k_x G A, the shear stiffness", x),
+            ("k_y G A, the shear stiffness", y),
+        ]);
+    }
+    if found.has_gyration {
+        products.push(("m ri_x^2, the rotary inertia", rotary[0]));
+        products.push(("m ri_y^2, the rotary inertia", rotary[1]));
+        products.push(("m (ri_x^2 + ri_y^2), the polar inertia", polar));
+    }
+    in_range(row, &products)?;
+    Ok(Properties {
+        mass_kg_per_m: mass,
+        rotary_inertia_kg_m: about(rotary),
+        polar_inertia_kg_m: polar,
+        bending_n_m2: about(bending),
+        // Without inertia about the axis a torsional mode has no frequency.
+        torsion_n_m2: if found.has_gyration {
+            torsion
+        } else {
+            f64::INFINITY
+        },
+        axial_n: e * area,
+        shear_n: shear.map(along),
+    })
+}
+
+/// A product of values that each are possible may be too large or too small for a number.
+fn in_range(row: &Row<'_>, products: &[(&str, f64)]) -> Result<(), Diagnostic> {
+    let Some((what, value)) = products.iter().find(|(_, v)| !(v.is_finite() && *v > 0.0)) else {
+        return Ok(());
+    };
+    let message = format!("{what} is {value} in this row: the values are too large or too small");
+    Err(Diagnostic::new(row.line.span(), message).with_hint("the units are m, kg/m and Pa"))
+}

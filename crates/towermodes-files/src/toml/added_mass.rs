@@ -1,0 +1,80 @@
+//! `[[added_mass]]`: tables of mass that moves with the tower transversely.
+
+use toml::de::DeArray;
+use towermodes::{AddedMassRow, Place};
+
+use super::table::{Keys, Table, every_table};
+use super::values::{Value, every_row, list, number, wrong_kind};
+use super::{Reading, TABLE};
+use crate::diagnostic::Diagnostic;
+
+const ADDED_MASS: Keys = Keys {
+    known: &["rows", "name"],
+    planned: &[],
+};
+const ROW: &str = "a row is [height in m, mass per length in kg/m]";
+
+/// All `[[added_mass]]`.
+pub(super) fn added_mass(
+    root: &Table<'_>,
+    reading: &mut Reading,
+) -> Option<Vec<Vec<AddedMassRow>>> {
+    every_table(root, "added_mass", "table of added mass", reading, table)
+}
+
+fn table(index: usize, value: &Value<'_>, reading: &mut Reading) -> Option<Vec<AddedMassRow>> {
+    let of_row = |row, key| Place::AddedMass {
+        table: index,
+        row,
+        key,
+    };
+    reading.remember(of_row(0, TABLE), value.span());
+    let table = Table::of(value, "[[added_mass]]", &ADDED_MASS, reading)?;
+    let name = table.check_name("an added mass's name", reading);
+    let hint = "rows = [[height, mass per length], ...] from the bottom to the surface";
+    let rows = table.require("rows", hint, reading)?;
+    reading.remember(of_row(0, "rows"), rows.span());
+    let rows = list(rows, "rows", reading)?;
+    let rows = every_row(rows, |row, value| {
+        let values = values_of(value, row, reading)?;
+        added_mass_row(values, |key| of_row(row, key), reading)
+    });
+    name?;
+    rows
+}
+
+/// The values of a row, if it has as many as a row has.
+fn values_of<'a>(
+    value: &'a Value<'a>,
+    row: usize,
+    reading: &mut Reading,
+) -> Option<&'a DeArray<'a>> {
+    let what = format!("row {} of the added mass", row + 1);
+    let Some(values) = value.get_ref().as_array() else {
+        reading.mistake(wrong_kind(value, &what, "a list in brackets").with_hint(ROW));
+        return None;
+    };
+    if values.len() == 2 {
+        return Some(values);
+    }
+    let message = format!("{what} has {} values instead of 2", values.len());
+    reading.mistake(Diagnostic::new(value.span(), message).with_hint(ROW));
+    None
+}
+
+fn added_mass_row(
+    values: &DeArray<'_>,
+    at: impl Fn(&'static str) -> Place,
+    reading: &mut Reading,
+) -> Option<AddedMassRow> {
+    let mut value = |column: usize, key: &'static str, what: &str| {
+        let value = &values[column];
+        reading.remember(at(key), value.span());
+        number(value, what, reading)
+    };
+    let (height, mass) = (value(0, "height", "height"), value(1, "mass", "added mass"));
+    Some(AddedMassRow {
+        height_m: height?,
+        mass_kg_per_m: mass?,
+    })
+}

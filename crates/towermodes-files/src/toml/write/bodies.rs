@@ -1,0 +1,59 @@
+//! `[rna]` and `[[point_mass]]`.
+
+use towermodes::{Inertia, PointMass, Rna};
+
+use super::Writing;
+use super::text::number;
+
+pub(super) fn rna(rna: &Rna, writing: &mut Writing) {
+    if *rna == Rna::default() {
+        return;
+    }
+    writing.section("[rna]");
+    writing.number("mass", rna.mass_kg, "kg");
+    if rna.center_m != [0.0; 3] {
+        let comment = "of mass from the tower top, m: fore-aft (downwind), side-side, up";
+        writing.value("center", &triple(rna.center_m), comment);
+    }
+    inertia(&rna.inertia_kg_m2, writing);
+}
+
+pub(super) fn point_masses(masses: &[PointMass], writing: &mut Writing) {
+    for mass in masses {
+        writing.section("[[point_mass]]");
+        writing.number("height", mass.height_m, "m");
+        writing.number("mass", mass.mass_kg, "kg");
+        inertia(&mass.inertia_kg_m2, writing);
+    }
+}
+
+/// `inertia`, if there is one.
+fn inertia(inertia: &Inertia, writing: &mut Writing) {
+    if *inertia != Inertia::default() {
+        inertia_with(inertia, &[], writing);
+    }
+}
+
+/// `inertia` with the entries that are not zero and those that must be there.
+pub(super) fn inertia_with(inertia: &Inertia, required: &[&str], writing: &mut Writing) {
+    let entries = [
+        ("xx", inertia.xx),
+        ("yy", inertia.yy),
+        ("zz", inertia.zz),
+        ("xy", inertia.xy),
+        ("xz", inertia.xz),
+        ("yz", inertia.yz),
+    ];
+    let is_written = |(key, value): &(&str, f64)| *value != 0.0 || required.contains(key);
+    let written = entries.into_iter().filter(is_written);
+    let written: Vec<String> = written
+        .map(|(key, value)| format!("{key} = {}", number(value)))
+        .collect();
+    let table = format!("{{ {} }}", written.join(", "));
+    writing.value("inertia", &table, "about the centre of mass, kg m2");
+}
+
+/// `[x, y, z]`.
+pub(super) fn triple(values: [f64; 3]) -> String {
+    format!("[{}]", values.map(number).join(", "))
+}

@@ -1,0 +1,76 @@
+//! `[tower.properties]`.
+
+use towermodes::{Planes, Properties, PropertyStation};
+
+use super::Writing;
+use super::text::list;
+use crate::toml::properties::shared_out;
+
+pub(super) fn properties(rows: &[PropertyStation], writing: &mut Writing) {
+    writing.section("[tower.properties]");
+    let sections = || rows.iter().map(|row| &row.properties);
+    let column = |key: &str, value: fn(&Properties) -> f64, writing: &mut Writing| {
+        list(key, sections().map(value), writing);
+    };
+    writing.line("# Heights of the rows, m; between them mass, stiffnesses and inertia over mass are linear.");
+    list("z_m", rows.iter().map(|row| row.height_m), writing);
+    writing.line("# Mass per length, kg/m.");
+    column("mass_kg_per_m", |p| p.mass_kg_per_m, writing);
+    writing.line("# Bending stiffness EI, N m2.");
+    let keys = ["ei_fore_aft_n_m2", "ei_side_side_n_m2"];
+    let bending: Vec<_> = sections().map(|p| p.bending_n_m2).collect();
+    pair(keys, &bending, writing);
+    writing.line("# Torsional stiffness GJ, N m2, and axial stiffness EA, N; inf where the tower does not twist or stretch.");
+    column("gj_n_m2", |p| p.torsion_n_m2, writing);
+    column("ea_n", |p| p.axial_n, writing);
+    writing.line("# Inertia per length about the tower's axis, kg m.");
+    column("polar_inertia_kg_m", |p| p.polar_inertia_kg_m, writing);
+    rotary_inertia(rows, writing);
+    shear_stiffness(rows, writing);
+}
+
+/// Both planes' columns, or one that is meant for both.
+fn pair([fore_aft, side_side]: [&str; 2], values: &[Planes<f64>], writing: &mut Writing) {
+    list(fore_aft, values.iter().map(|v| v.fore_aft), writing);
+    if !values.iter().all(Planes::are_equal) {
+        list(side_side, values.iter().map(|v| v.side_side), writing);
+    }
+}
+
+/// Left out where it is what the polar inertia makes it.
+fn rotary_inertia(rows: &[PropertyStation], writing: &mut Writing) {
+    let follows = |row: &PropertyStation| {
+        let p = &row.properties;
+        p.rotary_inertia_kg_m == shared_out(p.polar_inertia_kg_m, p.bending_n_m2)
+    };
+    if rows.iter().all(follows) {
+        return;
+    }
+    writing.line("# Inertia per length that resists bending, kg m.");
+    let keys = [
+        "rotary_inertia_fore_aft_kg_m",
+        "rotary_inertia_side_side_kg_m",
+    ];
+    let values = rows.iter().map(|row| row.properties.rotary_inertia_kg_m);
+    pair(keys, &values.collect::<Vec<_>>(), writing);
+}
+
+fn shear_stiffness(rows: &[PropertyStation], writing: &mut Writing) {
+    let values = || rows.iter().map(|row| row.properties.shear_n);
+    let given = values().flatten().count();
+    if given == 0 {
+        return;
+    }
+    if given < rows.len() {
+        let message = format!(
+            "{given} of {} rows have a shear stiffness: the others' is written as nan, which is refused",
+            rows.len()
+        );
+        writing.note(message);
+    }
+    writing.line("# Shear stiffness kappa GA, N.");
+    let keys = ["shear_stiffness_fore_aft_n", "shear_stiffness_side_side_n"];
+    let missing = Planes::both(f64::NAN);
+    let values = values().map(|value| value.unwrap_or(missing));
+    pair(keys, &values.collect::<Vec<_>>(), writing);
+}

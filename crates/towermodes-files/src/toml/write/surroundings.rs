@@ -1,0 +1,92 @@
+//! `[[soil]]`, `[[added_mass]]`, `[water]`, `[[wires]]` and `[gravity]`.
+
+use towermodes::{AddedMassRow, SoilRow, TowerDescription, Water, Wires};
+
+use super::Writing;
+use super::text::number_rows;
+
+/// A file with more wires in a set is refused.
+const MOST_WIRES: usize = 1_000_000_000;
+
+pub(super) fn surroundings(description: &TowerDescription, writing: &mut Writing) {
+    for layer in &description.soil {
+        soil(layer, writing);
+    }
+    for table in &description.added_mass {
+        added_mass(table, writing);
+    }
+    if let Some(water) = &description.water {
+        self::water(water, writing);
+    }
+    for wires in &description.wires {
+        self::wires(wires, writing);
+    }
+    if description.gravity_m_per_s2 != 0.0 {
+        writing.section("[gravity]");
+        writing.number("acceleration", description.gravity_m_per_s2, "m/s2");
+    }
+}
+
+/// With as many columns as are not all zero, and x and y.
+fn soil(layer: &[SoilRow], writing: &mut Writing) {
+    let values = |row: &SoilRow| {
+        let springs = &row.stiffness;
+        [
+            row.height_m,
+            springs.x_n_per_m2,
+            springs.y_n_per_m2,
+            springs.z_n_per_m2,
+            springs.torsion_n,
+        ]
+    };
+    let rows: Vec<[f64; 5]> = layer.iter().map(values).collect();
+    let is_used = |column: usize| rows.iter().any(|row| row[column] != 0.0);
+    let (columns, more) = match (is_used(3), is_used(4)) {
+        (_, true) => (5, ", in z (N/m2), in torsion (N)"),
+        (true, false) => (4, ", in z (N/m2)"),
+        (false, false) => (3, ""),
+    };
+    writing.section("[[soil]]");
+    writing.line(format!(
+        "rows = [  # height in m, springs in x, in y (N/m2){more}"
+    ));
+    number_rows(&rows, columns, writing);
+    writing.line("]");
+}
+
+fn added_mass(table: &[AddedMassRow], writing: &mut Writing) {
+    let rows: Vec<[f64; 2]> = table
+        .iter()
+        .map(|r| [r.height_m, r.mass_kg_per_m])
+        .collect();
+    writing.section("[[added_mass]]");
+    writing.line("rows = [  # height in m, mass that moves with the tower in x and y in kg/m");
+    number_rows(&rows, 2, writing);
+    writing.line("]");
+}
+
+fn water(water: &Water, writing: &mut Writing) {
+    writing.section("[water]");
+    writing.number("level", water.level_m, "m");
+    if let Some(bed_m) = water.bed_m {
+        writing.number("bed", bed_m, "m");
+    }
+    writing.number("density", water.density_kg_per_m3, "kg/m3");
+    writing.number("added_mass_coefficient", water.added_mass_coefficient, "");
+    writing.value("flooded", if water.flooded { "true" } else { "false" }, "");
+}
+
+fn wires(wires: &Wires, writing: &mut Writing) {
+    if !(1..=MOST_WIRES).contains(&wires.count) {
+        let message = format!(
+            "a set of {} wires is refused when the file is read",
+            wires.count
+        );
+        writing.note(message);
+    }
+    writing.section("[[wires]]");
+    writing.number("height", wires.height_m, "of their upper ends, m");
+    writing.value("count", &wires.count.to_string(), "");
+    writing.number("stiffness", wires.stiffness_n_per_m, "EA/L of each, N/m");
+    writing.number("angle_deg", wires.angle_deg, "from the horizontal");
+}

@@ -1,0 +1,191 @@
+//! A quantity along an axis: values at positions from 0 at the base to 1 at the top, linear between them.
+
+use std::ops::Range;
+
+use super::yaml::Node;
+use crate::diagnostic::Diagnostic;
+
+/// Ends of grids and positions of different grids that are nearer than this are the same: they are rounded.
+const ROUNDED: f64 = 1e-12;
+
+/// A grid must begin at 0 and end at 1 within this.
+const END: f64 = 1e-9;
+
+/// A quantity along an axis. Two values at one position are a step.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Curve {
+    grid: Vec<f64>,
+    values: Vec<f64>,
+    spans: Vec<Range<usize>>,
+}
+
+impl Curve {
+    /// Reads `{grid, values}`.
+    pub(super) fn read(node: &Node, what: &str) -> Result<Self, Diagnostic> {
+        Self::read_keys(node, "values", what)
+    }
+
+    /// Reads `{grid, KEY}`.
+    pub(super) fn read_keys(node: &Node, key: &str, what: &str) -> Result<Self, Diagnostic> {
+        let values = node.require(key, what)?;
+        let spans = values.list(what)?.iter().map(|node| node.span.clone());
+        let (spans, numbers) = (spans.collect(), values.numbers(what)?);
+        Self::new(node.require("grid", what)?, values, numbers, spans, what)
+    }
+
+    /// A column of a matrix for each position: `{grid, values: [[...], ...]}`.
+    pub(super) fn read_column(node: &Node, column: usize, what: &str) -> Result<Self, Diagnostic> {
+        let values = node.require("values", what)?;
+        let rows = values.list(what)?;
+        let cell = |row: &Node| {
+            let list = row.list(what)?;
+            let cell = list.get(column).ok_or_else(|| {
+                let message = format!("{what} has {} values in a row instead of 21", list.len());
+                Diagnostic::new(row.span.clone(), message)
+            })?;
+            Ok((cell.number(what)?, cell.span.clone()))
+        };
+        let cells: Vec<_> = rows.iter().map(cell).collect::<Result<_, Diagnostic>>()?;
+        let (numbers, spans) = cells.into_iter().unzip();
+        Self::new(node.require("grid", what)?, values, numbers, spans, what)
+    }
+
+    fn new(
+        grid_node: &Node,
+        values_node: &Node,
+        values: Vec<f64>,
+        spans: Vec<Range<usize>>,
+        what: &str,
+    ) -> Result<Self, Diagnostic> {
+        let grid = grid(grid_node, what)?;
+        if grid.len() != values.len() {
+            let message = format!(
+                "{what} has {} values, but its grid has {}",
+                values.len(),
+                grid.len()
+            );
+            return Err(Diagnostic::new(values_node.span.clone(), message)
+                .with_hint("one value for each position of the grid"));
+        }
+        Ok(Self {
+            grid,
+            values,
+            spans,
+        })
+    }
+
+    /// Where it bends or steps.
+    pub(super) fn grid(&self) -> &[f64] {
+        &self.grid
+    }
+
+    /// Its values, one for each position of the grid.
+    pub(super) fn values(&self) -> &[f64] {
+        &self.values
+    }
+
+    /// Where each value stands in the file.
+    pub(super) fn spans(&self) -> &[Range<usize>] {
+        &self.spans
+    }
+
+    /// Its value just below a position.
+    pub(super) fn below(&self, s: f64) -> f64 {
+        let next = self.grid.partition_point(|&g| g < s);
+        self.at(next, s)
+    }
+
+    /// Its value just above a position.
+    pub(super) fn above(&self, s: f64) -> f64 {
+        let next = self.grid.partition_point(|&g| g <= s);
+        if next > 0 && self.grid[next - 1] == s {
+            return self.values[next - 1];
+        }
+        self.at(next, s)
+    }
+
+    /// Its value at a position between the points `next - 1` and `next`.
+    fn at(&self, next: usize, s: f64) -> f64 {
+        if next == 0 {
+            return self.values[0];
+        }
+        let Some(&top) = self.grid.get(next) else {
+            return self.values[next - 1];
+        };
+        if top == s {
+            return self.values[next];
+        }
+        let share = (s - self.grid[next - 1]) / (top - self.grid[next - 1]);
+        let base = self.values[next - 1];
+        base + share * (self.values[next] - base)
+    }
+
+    /// The value that the file gives at or next below a position: its place in the file.
+    pub(super) fn span_at(&self, s: f64) -> Range<usize> {
+        let next = self.grid.partition_point(|&g| g <= s);
+        self.spans[next.max(1) - 1].clone()
+    }
+}
+
+/// Rising numbers from 0 to 1, none of them there more than twice.
+fn grid(node: &Node, what: &str) -> Result<Vec<f64>, Diagnostic> {
+    let name = format!("the grid of {what}");
+    let list = node.list(&name)?;
+    let mut grid = node.numbers(&name)?;
+    let hint = "positions go from 0 at the base to 1 at the top";
+    let wrong =
+        |i: usize, message: String| Diagnostic::new(list[i].span.clone(), message).with_hint(hint);
+    if grid.len() < 2 {
+        let message = format!("{name} has {} positions, but needs at least 2", grid.len());
+        return Err(Diagnostic::new(node.span.clone(), message).with_hint(hint));
+    }
+    let last = grid.len() - 1;
+    if grid[0].abs() > END {
+        return Err(wrong(
+            0,
+            format!("{name} begins at {} instead of 0", grid[0]),
+        ));
+    }
+    if (grid[last] - 1.0).abs() > END {
+        return Err(wrong(
+            last,
+            format!("{name} ends at {} instead of 1", grid[last]),
+        ));
+    }
+    (grid[0], grid[last]) = (0.0, 1.0);
+    for i in 1..grid.len() {
+        let (before, now) = (grid[i - 1], grid[i]);
+        if now < before {
+            return Err(wrong(i, format!("{name} goes down from {before} to {now}")));
+        }
+        if i > 1 && now == grid[i - 2] {
+            return Err(wrong(
+                i,
+                format!("{name} has {now} three times; two are a step"),
+            ));
+        }
+    }
+    Ok(grid)
+}
+
+/// A position where some quantity bends or steps: the range of the grids' values that are this position but for rounding.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Position {
+    pub(super) from: f64,
+    pub(super) to: f64,
+}
+
+/// The positions of all curves together, rising.
+pub(super) fn positions<'a>(curves: impl IntoIterator<Item = &'a Curve>) -> Vec<Position> {
+    let all = curves.into_iter().flat_map(Curve::grid);
+    let mut all: Vec<f64> = all.copied().collect();
+    all.sort_by(f64::total_cmp);
+    let mut positions: Vec<Position> = Vec::new();
+    for s in all {
+        match positions.last_mut() {
+            Some(last) if s - last.from <= ROUNDED => last.to = s,
+            _ => positions.push(Position { from: s, to: s }),
+        }
+    }
+    positions
+}

@@ -1,0 +1,108 @@
+//! Turbines in windIO, the ontology of IEA Wind, version 1 and 2: their tower and monopile read, and towers written.
+//!
+//! Sources: the schemas of windIO 1.0 and 2.x (`IEAontology_schema.yaml`, `turbine_schema.yaml`).
+
+mod body;
+mod comparison;
+mod curve;
+mod elastic;
+mod joint;
+mod materials;
+mod outline;
+mod part;
+mod reading;
+mod rna;
+mod rotor;
+mod sections;
+mod structure;
+mod uniform;
+mod values;
+mod wall;
+mod water;
+mod write;
+mod yaml;
+
+use crate::diagnostic::Diagnostic;
+use crate::input::{FileFormat, InputError, ReadOptions, TowerInput, TowerPart};
+use crate::places::Places;
+use crate::source::Source;
+use outline::Outline;
+use reading::Reading;
+use structure::Structure;
+
+pub use write::{WindIoWriteError, write_windio};
+
+/// Whether a file looks like windIO: it says so, or it is YAML.
+pub(crate) fn is_windio(text: &str, name: &str) -> bool {
+    let keys = ["windIO_version:", "components:", "\"windIO_version\""];
+    let has_key = |line: &str| keys.iter().any(|key| line.starts_with(key));
+    let extension = name.rsplit_once('.').map(|(_, extension)| extension);
+    let is_yaml = |e: &str| e.eq_ignore_ascii_case("yaml") || e.eq_ignore_ascii_case("yml");
+    extension.is_some_and(is_yaml) || text.lines().any(has_key)
+}
+
+/// Reads the tower of a turbine, on its monopile if there is one, from a file in windIO 1 or 2.
+///
+/// The base is clamped: at the mudline if the file knows the depth of the water, or else at the lowest height. What the file has of the
+/// rotor-nacelle assembly is put together; notes say what is missing.
+///
+/// # Errors
+/// [`InputError::Mistakes`].
+pub fn read_windio(source: Source, options: &ReadOptions) -> Result<TowerInput, InputError> {
+    let mut reading = Reading::new(&source);
+    let mut places = Places::default();
+    let Some(description) = describe(options, &mut places, &mut reading) else {
+        let mistakes = reading.mistakes;
+        return Err(InputError::mistakes(&source, mistakes));
+    };
+    let notes = reading.notes;
+    let mut input = TowerInput::new(FileFormat::WindIo, description, source);
+    input.places = places;
+    input.notes = notes;
+    Ok(input)
+}
+
+fn describe(
+    options: &ReadOptions,
+    places: &mut Places,
+    reading: &mut Reading<'_>,
+) -> Option<towermodes::TowerDescription> {
+    if reading.source.text.trim().is_empty() {
+        let hint = "windIO has at least components and materials";
+        let mistake = Diagnostic::new(0..0, "the file is empty").with_hint(hint);
+        reading.mistakes.push(mistake);
+        return None;
+    }
+    let outline: Outline = reading.keep(yaml::parse(&reading.source.text))?;
+    let version = outline.version(&reading.source.text);
+    let rna = match options.part {
+        TowerPart::Monopile => Ok(towermodes::Rna::default()),
+        _ => rna::rna(&outline, version, places, reading),
+    };
+    let rna = reading.keep(rna);
+    let structure = Structure::read(&outline, version, options.part, places, reading);
+    let (rna, mut structure) = (rna?, structure?);
+    note_platform(&outline, reading);
+    let mudline = water::stand(&mut structure, &outline, options.part, reading);
+    reading.keep(mudline)?;
+    comparison::compare(&structure, reading);
+    let description = structure.describe(places, reading);
+    let mut description = reading.keep(description)?;
+    let name = outline.name.as_ref();
+    let name = name.map(|name| name.name(&reading.source.text));
+    description.name = name.unwrap_or_default().to_owned();
+    description.rna = rna;
+    Some(description)
+}
+
+fn note_platform(outline: &Outline, reading: &mut Reading<'_>) {
+    let Some(components) = &outline.components else {
+        return;
+    };
+    if components.floating_platform.is_some() {
+        reading.note("the floating platform is left out: the tower is clamped at its base; add [foundation] with kind = \"floating\" after `convert --to toml`");
+    }
+    if components.jacket.is_some() {
+        reading.note("the jacket is left out: the tower is clamped at its base");
+    }
+}

@@ -1,0 +1,249 @@
+//! The rotor-nacelle assembly, as far as the file says its masses.
+
+use std::ops::Range;
+
+use towermodes::{Place, RigidBody, Rna};
+
+use super::body::{NEW_KEYS, OLD_KEYS, body};
+use super::outline::{Outline, Version};
+use super::reading::Reading;
+use super::rotor::{Hub, rotor};
+use super::yaml::Node;
+use crate::diagnostic::Diagnostic;
+use crate::places::{Places, TABLE};
+
+/// The bodies found so far.
+struct Assembly {
+    bodies: Vec<(String, RigidBody)>,
+    missing: Vec<&'static str>,
+    span: Range<usize>,
+}
+
+/// Where the rotor's apex is and how the shaft lies.
+struct Shaft {
+    tilt_rad: f64,
+    apex_m: [f64; 3],
+}
+
+/// The bodies of the assembly put together; a note says of what, and what is missing.
+pub(super) fn rna(
+    outline: &Outline,
+    version: Version,
+    places: &mut Places,
+    reading: &mut Reading<'_>,
+) -> Result<Rna, Diagnostic> {
+    let mut assembly = Assembly {
+        bodies: Vec::new(),
+        missing: Vec::new(),
+        span: 0..0,
+    };
+    match version {
+        Version::One => assembly.read_nacelle_1(outline, reading)?,
+        Version::Two => assembly.read_nacelle_2(outline, reading)?,
+    }
+    assembly.read_rotor(outline, version, reading)?;
+    assembly.note(reading);
+    for key in [TABLE, "mass", "center", "inertia"] {
+        places.remember(Place::Rna { key }, 0, assembly.span.clone());
+    }
+    let bodies: Vec<RigidBody> = assembly.bodies.into_iter().map(|(_, body)| body).collect();
+    Ok(match bodies[..] {
+        [] => Rna::default(),
+        [body] => body.into(),
+        _ => RigidBody::combined(&bodies).into(),
+    })
+}
+
+impl Assembly {
+    fn add(&mut self, what: impl Into<String>, body: RigidBody, span: &Range<usize>) {
+        if self.bodies.is_empty() {
+            self.span = span.clone();
+        }
+        self.bodies.push((what.into(), body));
+    }
+
+    /// Version 2: drive train and yaw system, in axes at the tower top.
+    fn read_nacelle_2(
+        &mut self,
+        outline: &Outline,
+        reading: &mut Reading<'_>,
+    ) -> Result<(), Diagnostic> {
+        let components = outline.components.as_ref();
+        let drivetrain = components.and_then(|c| c.drivetrain.as_ref());
+        let yaw = components.and_then(|c| c.yaw.as_ref());
+        for (node, what) in [(drivetrain, "drivetrain"), (yaw, "yaw system")] {
+            match node.and_then(|node| node.get("elastic_properties")) {
+                Some(node) => {
+                    self.add(what, body(node, NEW_KEYS, what, reading)?, &node.span);
+                }
+                // Many files count the yaw system in the drive train.
+                None if what == "drivetrain" => self.missing.push("nacelle (drivetrain)"),
+                None => {}
+            }
+        }
+        Ok(())
+    }
+
+    /// Version 1: the nacelle, in axes at the tower top.
+    fn read_nacelle_1(
+        &mut self,
+        outline: &Outline,
+        reading: &mut Reading<'_>,
+    ) -> Result<(), Diagnostic> {
+        let nacelle = outline.components.as_ref().and_then(|c| c.nacelle.as_ref());
+        let Some(node) = nacelle.and_then(|nacelle| nacelle.get("elastic_properties_mb")) else {
+            self.missing.push("nacelle");
+            return Ok(());
+        };
+        let nacelle = body(node, OLD_KEYS, "nacelle", reading)?;
+        self.add("nacelle", nacelle, &node.span);
+        let yaw_kg = node.number_or("yaw_mass", "mass of the yaw system", 0.0)?;
+        if yaw_kg != 0.0 {
+            let yaw = RigidBody::point(yaw_kg, [0.0; 3]);
+            self.add("yaw system", yaw, &node.span);
+        }
+        Ok(())
+    }
+
+    /// Hub and blades, in axes at the rotor's apex along the shaft.
+    fn read_rotor(
+        &mut self,
+        outline: &Outline,
+        version: Version,
+        reading: &mut Reading<'_>,
+    ) -> Result<(), Diagnostic> {
+        let components = outline.components.as_ref();
+        let is_upwind = is_upwind(outline, reading);
+        let hub = components.and_then(|c| c.hub.as_ref());
+        let (key, keys) = match version {
+            Version::One => ("elastic_properties_mb", OLD_KEYS),
+            Version::Two => ("elastic_properties", NEW_KEYS),
+        };
+        let mut found = Vec::new();
+        match hub.and_then(|hub| hub.get(key)) {
+            Some(node) => found.push((
+                "hub".to_owned(),
+                body(node, keys, "hub", reading)?,
+                node.span.clone(),
+            )),
+            None => self.missing.push("hub"),
+        }
+        let blade = components.and_then(|c| c.blade.as_ref());
+        let blade = match (blade, hub) {
+            (Some(blade), Some(hub)) => {
+                let hub = hub_of(hub, outline, version, is_upwind)?;
+                let span = blade.inertia_matrix().map(|node| node.span.clone());
+                let body = rotor(blade, &hub)?;
+                body.zip(span)
+                    .map(|(body, span)| (format!("{} blades", hub.blades), body, span))
+            }
+            _ => None,
+        };
+        if blade.is_none() {
+            self.missing.push("blades");
+        }
+        found.extend(blade);
+        if found.is_empty() {
+            return Ok(());
+        }
+        let shaft = shaft(outline, version, is_upwind, reading)?;
+        for (what, body, span) in found {
+            let placed = body.turned_about_y(shaft.tilt_rad).moved(shaft.apex_m);
+            self.add(what, placed, &span);
+        }
+        Ok(())
+    }
+
+    /// Says what the assembly is made of, and first of all what it lacks.
+    fn note(&self, reading: &mut Reading<'_>) {
+        let list = |(what, body): &(String, RigidBody)| format!("{what} {:.0} kg", body.mass_kg);
+        let bodies: Vec<String> = self.bodies.iter().map(list).collect();
+        let total: f64 = self.bodies.iter().map(|(_, body)| body.mass_kg).sum();
+        let missing = self.missing.join(", ");
+        let message = if bodies.is_empty() {
+            "NO ROTOR-NACELLE ASSEMBLY: the file gives none of its masses, so the frequencies are those of the bare tower; give [rna] after `convert --to toml`".to_owned()
+        } else if missing.is_empty() {
+            format!(
+                "rotor-nacelle assembly: {total:.0} kg ({})",
+                bodies.join(", ")
+            )
+        } else {
+            format!(
+                "INCOMPLETE ROTOR-NACELLE ASSEMBLY: {total:.0} kg ({}); the file gives no mass of its {missing}, so unless they are counted there the frequencies are too high; give the whole [rna] after `convert --to toml`",
+                bodies.join(", ")
+            )
+        };
+        if self.bodies.is_empty() {
+            reading.note(message);
+        } else {
+            reading.note_at(self.span.start, message);
+        }
+    }
+}
+
+fn is_upwind(outline: &Outline, reading: &Reading<'_>) -> bool {
+    let node = outline.assembly.as_ref();
+    let node = node.and_then(|node| node.get("rotor_orientation"));
+    let name = node.map(|node| node.name(&reading.source.text));
+    !name.is_some_and(|name| name.trim().eq_ignore_ascii_case("downwind"))
+}
+
+fn hub_of(
+    hub: &Node,
+    outline: &Outline,
+    version: Version,
+    is_upwind: bool,
+) -> Result<Hub, Diagnostic> {
+    let shape = hub.get("outer_shape_bem").unwrap_or(hub);
+    let diameter_m = shape.require("diameter", "hub")?.number("hub diameter")?;
+    let cone = shape.number_or("cone_angle", "cone angle", 0.0)?;
+    let assembly = outline.assembly.as_ref();
+    let blades = assembly.and_then(|assembly| assembly.get("number_of_blades"));
+    let count = blades.map_or(Ok(3.0), |node| node.number("number of blades"))?;
+    if let Some(node) = blades.filter(|_| !(1.0..=20.0).contains(&count) || count.fract() != 0.0) {
+        return Err(node.wrong("number_of_blades should be a whole number from 1 to 20"));
+    }
+    Ok(Hub {
+        radius_m: 0.5 * diameter_m,
+        cone_rad: version.radians(cone),
+        blades: count,
+        is_upwind,
+    })
+}
+
+/// Tilt, overhang and height of the apex; those that are left out are zero, and that is noted.
+fn shaft(
+    outline: &Outline,
+    version: Version,
+    is_upwind: bool,
+    reading: &mut Reading<'_>,
+) -> Result<Shaft, Diagnostic> {
+    let components = outline.components.as_ref();
+    let shape = match version {
+        Version::One => components.and_then(|c| c.nacelle.as_ref()?.get("drivetrain")),
+        Version::Two => components.and_then(|c| c.drivetrain.as_ref()?.get("outer_shape")),
+    };
+    let mut absent = Vec::new();
+    let mut value = |key: &'static str| match shape.and_then(|shape| shape.get(key)) {
+        Some(node) => node.number(key),
+        None => {
+            absent.push(key);
+            Ok(0.0)
+        }
+    };
+    let tilt_rad = version.radians(value("uptilt")?);
+    let (overhang_m, height_m) = (value("overhang")?, value("distance_tt_hub")?);
+    if !absent.is_empty() {
+        let message = format!(
+            "the file has no {}: taken as 0 for the place of hub and blades",
+            absent.join(", ")
+        );
+        reading.note(message);
+    }
+    // The end of the shaft that carries the rotor is the higher one.
+    let side = if is_upwind { 1.0 } else { -1.0 };
+    Ok(Shaft {
+        tilt_rad: side * tilt_rad,
+        apex_m: [-side * overhang_m, 0.0, height_m],
+    })
+}

@@ -1,0 +1,269 @@
+//! Tower and monopile put together: what stands, where it ends, and what it is made of.
+
+use towermodes::{Material, Place, PointMass, TowerDescription};
+
+use super::joint::meet;
+use super::materials::Materials;
+use super::outline::{Outline, Version};
+use super::part::{Part, SAME_M};
+use super::reading::Reading;
+use super::sections::{Placed, push, push_station};
+use super::uniform::even_out;
+use super::yaml::Node;
+use crate::diagnostic::Diagnostic;
+use crate::input::TowerPart;
+use crate::places::{Places, TABLE};
+
+/// What stands, from below: the monopile, the tower.
+pub(super) struct Structure {
+    pub(super) parts: Vec<Part>,
+    materials: Vec<super::materials::Used>,
+    pub(super) point_masses: Vec<PointMass>,
+}
+
+impl Structure {
+    /// Reads the parts that are wanted and joins them.
+    pub(super) fn read(
+        outline: &Outline,
+        version: Version,
+        wanted: TowerPart,
+        places: &mut Places,
+        reading: &mut Reading<'_>,
+    ) -> Option<Self> {
+        let components = outline.components.as_ref();
+        let tower = components.and_then(|c| c.tower.as_ref());
+        let tower = tower.filter(|_| wanted != TowerPart::Monopile);
+        let monopile = components.and_then(|c| c.monopile.as_ref());
+        let monopile = monopile.filter(|_| wanted != TowerPart::Tower);
+        if tower.is_none() && (wanted == TowerPart::Tower || monopile.is_none()) {
+            reading.mistakes.push(nothing_to_read(wanted));
+            return None;
+        }
+        let mut materials = Materials::new(outline.materials.as_ref());
+        let mut parts = Vec::new();
+        for (node, what) in [(monopile, "monopile"), (tower, "tower")] {
+            let Some(node) = node else { continue };
+            let part = Part::read(node, what, version, &mut materials, reading);
+            parts.extend(reading.keep(part));
+        }
+        if !reading.mistakes.is_empty() {
+            return None;
+        }
+        if let Err(mistake) = meet(&mut parts, reading) {
+            reading.mistakes.push(mistake);
+            return None;
+        }
+        let mut structure = Self {
+            parts,
+            materials: materials.used,
+            point_masses: Vec::new(),
+        };
+        if let Some(monopile) = monopile {
+            let masses = structure.monopile_masses(monopile, places, reading);
+            reading.keep(masses)?;
+        }
+        Some(structure)
+    }
+
+    /// Height of the lowest section, m.
+    pub(super) fn base_m(&self) -> f64 {
+        self.parts.first().map_or(0.0, Part::base_m)
+    }
+
+    /// Height of the highest section, m.
+    pub(super) fn top_m(&self) -> f64 {
+        self.parts.last().map_or(0.0, Part::top_m)
+    }
+
+    /// Takes away all below a height (m) that lies between base and top; masses from there stay, on the new base.
+    pub(super) fn cut_below(&mut self, height_m: f64) {
+        self.parts.retain(|part| part.top_m() > height_m + SAME_M);
+        if let Some(part) = self
+            .parts
+            .first_mut()
+            .filter(|part| part.base_m() < height_m)
+        {
+            part.cut_below(height_m);
+        }
+        for mass in &mut self.point_masses {
+            mass.height_m = mass.height_m.max(height_m);
+        }
+    }
+
+    /// The transition piece on top of the monopile, and the gravity foundation under it.
+    fn monopile_masses(
+        &mut self,
+        node: &Node,
+        places: &mut Places,
+        reading: &mut Reading<'_>,
+    ) -> Result<(), Diagnostic> {
+        let Some((base_m, top_m)) = self.parts.first().map(|p| (p.base_m(), p.top_m())) else {
+            return Ok(());
+        };
+        let masses = [
+            (
+                "transition_piece_mass",
+                "mass of the transition piece",
+                top_m,
+            ),
+            (
+                "gravity_foundation_mass",
+                "mass of the gravity foundation",
+                base_m,
+            ),
+        ];
+        for (key, what, height_m) in masses {
+            let mass_kg = node.number_or(key, what, 0.0)?;
+            let span = node.get(key).map_or(0..0, |node| node.span.clone());
+            if mass_kg == 0.0 {
+                continue;
+            }
+            let place = match key {
+                "transition_piece_mass" => {
+                    format!("{mass_kg} kg at z = {height_m} m, where the monopile ends")
+                }
+                _ => format!("{mass_kg} kg at the base: it counts only if the base moves"),
+            };
+            reading.note_at(span.start, format!("{what}: {place}, as a point mass"));
+            self.add_mass(height_m, mass_kg, span, places);
+        }
+        Ok(())
+    }
+
+    fn add_mass(
+        &mut self,
+        height_m: f64,
+        mass_kg: f64,
+        span: std::ops::Range<usize>,
+        places: &mut Places,
+    ) {
+        let index = self.point_masses.len();
+        for key in ["height", "mass"] {
+            places.remember(Place::PointMass { index, key }, 0, span.clone());
+        }
+        self.point_masses.push(PointMass {
+            height_m,
+            mass_kg,
+            ..PointMass::default()
+        });
+    }
+
+    /// The sections as tubes if they all are, or else as rows of properties.
+    pub(super) fn describe(
+        mut self,
+        places: &mut Places,
+        reading: &mut Reading<'_>,
+    ) -> Result<TowerDescription, Diagnostic> {
+        let listed: Vec<_> = self
+            .parts
+            .iter_mut()
+            .map(|p| std::mem::take(&mut p.point_masses))
+            .collect();
+        for (height_m, mass_kg, span) in listed.into_iter().flatten() {
+            self.add_mass(height_m, mass_kg, span, places);
+        }
+        for part in &self.parts {
+            places.remember(Place::Stations, 0, part.z.spans()[0].clone());
+        }
+        let tubes: Option<Vec<_>> = self.parts.iter().map(Part::tubes).collect();
+        let mut description =
+            match tubes.filter(|_| self.parts.iter().all(|p| !p.layers.is_empty())) {
+                Some(tubes) => self.of_tubes(tubes, places),
+                None => self.of_table(places, reading)?,
+            };
+        description.point_masses = self.point_masses;
+        Ok(description)
+    }
+
+    /// Tubes; where the parts have different outfitting, it goes into their densities.
+    fn of_tubes(
+        &self,
+        tubes: Vec<Vec<Placed<towermodes::Station>>>,
+        places: &mut Places,
+    ) -> TowerDescription {
+        let factors: Vec<f64> = self.parts.iter().map(|part| part.outfitting.0).collect();
+        let is_one = factors.iter().all(|factor| *factor == factors[0]);
+        let mut description = TowerDescription::default();
+        let mut rows = Vec::new();
+        for (part, tubes) in self.parts.iter().zip(tubes) {
+            places.remember(Place::OutfittingFactor, 0, part.outfitting.1.clone());
+            let first = description.materials.len();
+            let factor = if is_one { 1.0 } else { part.outfitting.0 };
+            if first == 0 || !is_one {
+                self.add_materials(factor, &mut description.materials, places);
+            }
+            for mut tube in tubes {
+                tube.row.material += if is_one { 0 } else { first };
+                push_station(&mut rows, tube);
+            }
+        }
+        description.outfitting_factor = if is_one { factors[0] } else { 1.0 };
+        remember(&rows, places);
+        description.stations = rows.into_iter().map(|placed| placed.row).collect();
+        description
+    }
+
+    fn add_materials(&self, factor: f64, materials: &mut Vec<Material>, places: &mut Places) {
+        for used in &self.materials {
+            let index = materials.len();
+            let keys = ["density", "youngs_modulus", "shear_modulus"];
+            for (key, span) in keys.into_iter().zip(&used.spans) {
+                places.remember(Place::Material { index, key }, 0, span.clone());
+            }
+            materials.push(Material {
+                density_kg_per_m3: factor * used.material.density_kg_per_m3,
+                ..used.material
+            });
+        }
+    }
+
+    fn of_table(
+        &self,
+        places: &mut Places,
+        reading: &mut Reading<'_>,
+    ) -> Result<TowerDescription, Diagnostic> {
+        let materials: Vec<Material> = self.materials.iter().map(|used| used.material).collect();
+        let mut rows = Vec::new();
+        for part in &self.parts {
+            for row in part.table(&materials)? {
+                push(&mut rows, row);
+            }
+            if part.layers.len() > 1 {
+                let message = format!(
+                    "the {} has several layers: its sections are the sums of concentric tubes, from outside in",
+                    part.what
+                );
+                reading.note(message);
+            }
+        }
+        even_out(&mut rows, reading);
+        remember(&rows, places);
+        Ok(TowerDescription {
+            properties: rows.into_iter().map(|placed| placed.row).collect(),
+            ..TowerDescription::default()
+        })
+    }
+
+    /// The materials that walls are made of.
+    pub(super) fn materials(&self) -> Vec<Material> {
+        self.materials.iter().map(|used| used.material).collect()
+    }
+}
+
+fn nothing_to_read(wanted: TowerPart) -> Diagnostic {
+    let (key, what) = match wanted {
+        TowerPart::Monopile => ("monopile", "monopile"),
+        _ => ("tower", "tower"),
+    };
+    Diagnostic::new(0..0, format!("the file has no {what}"))
+        .with_hint(format!("windIO has it under components.{key}"))
+}
+
+fn remember<T>(rows: &[Placed<T>], places: &mut Places) {
+    for (index, row) in rows.iter().enumerate() {
+        for (key, span) in &row.spans {
+            debug_assert!(*key == TABLE || !key.is_empty());
+            places.remember(Place::Station { index, key }, 0, span.clone());
+        }
+    }
+}

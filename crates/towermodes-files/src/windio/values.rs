@@ -1,0 +1,86 @@
+//! What stands in a value of the file: maps, lists, numbers, names; and what is said when it is something else.
+
+use super::yaml::{Node, Value};
+use crate::diagnostic::Diagnostic;
+
+impl Node {
+    /// The value of a key; one that is empty is not there.
+    pub(super) fn get(&self, key: &str) -> Option<&Self> {
+        let Value::Map(entries) = &self.value else {
+            return None;
+        };
+        let found = entries.iter().find(|(name, _)| name == key);
+        found
+            .map(|(_, node)| node)
+            .filter(|node| node.value != Value::Null)
+    }
+
+    /// The value at the end of a path of keys.
+    pub(super) fn find(&self, path: &[&str]) -> Option<&Self> {
+        path.iter().try_fold(self, |node, key| node.get(key))
+    }
+
+    /// The value of a key that must be there; `what` is what it is of.
+    pub(super) fn require(&self, key: &str, what: &str) -> Result<&Self, Diagnostic> {
+        self.get(key).ok_or_else(|| match self.value {
+            Value::Map(_) => Diagnostic::new(self.span.clone(), format!("{what} has no `{key}`")),
+            _ => self.wrong(&format!("{what} should be a map with `{key}`")),
+        })
+    }
+
+    /// The values of a list.
+    pub(super) fn list(&self, what: &str) -> Result<&[Self], Diagnostic> {
+        match &self.value {
+            Value::List(list) => Ok(list),
+            _ => Err(self.wrong(&format!("{what} should be a list"))),
+        }
+    }
+
+    /// The finite number it is, however it is written: 1e9 is text to older readers of YAML.
+    pub(super) fn number(&self, what: &str) -> Result<f64, Diagnostic> {
+        let number = match &self.value {
+            Value::Number(number) => Some(*number),
+            Value::Text(text) => text.trim().parse().ok(),
+            _ => None,
+        };
+        let number = number.ok_or_else(|| self.wrong(&format!("{what} should be a number")))?;
+        if number.is_finite() {
+            return Ok(number);
+        }
+        let message = format!("{what} is {number}, which is not a finite number");
+        Err(Diagnostic::new(self.span.clone(), message))
+    }
+
+    /// The number of a key, or what it is unless told.
+    pub(super) fn number_or(&self, key: &str, what: &str, default: f64) -> Result<f64, Diagnostic> {
+        self.get(key).map_or(Ok(default), |node| node.number(what))
+    }
+
+    /// A list of numbers.
+    pub(super) fn numbers(&self, what: &str) -> Result<Vec<f64>, Diagnostic> {
+        let list = self.list(what)?.iter().enumerate();
+        list.map(|(i, node)| node.number(&format!("value {} of {what}", i + 1)))
+            .collect()
+    }
+
+    /// A name, which may look like a number.
+    pub(super) fn name<'a>(&'a self, text: &'a str) -> &'a str {
+        match &self.value {
+            Value::Text(name) => name,
+            _ => text.get(self.span.clone()).unwrap_or_default().trim(),
+        }
+    }
+
+    /// A mistake at its place, with what stands there.
+    pub(super) fn wrong(&self, message: &str) -> Diagnostic {
+        let found = match &self.value {
+            Value::Null => "nothing".to_owned(),
+            Value::Bool(value) => format!("`{value}`"),
+            Value::Number(value) => format!("the number {value}"),
+            Value::Text(text) => format!("`{}`", text.chars().take(40).collect::<String>()),
+            Value::List(_) => "a list".to_owned(),
+            Value::Map(_) => "a map".to_owned(),
+        };
+        Diagnostic::new(self.span.clone(), format!("{message}; found {found}"))
+    }
+}

@@ -1,0 +1,88 @@
+//! A stretch of a wall of several layers, and its sections.
+
+use std::f64::consts::PI;
+use std::ops::Range;
+
+use towermodes::{Material, Planes, Properties};
+
+/// Largest relative error of mass and stiffness between rows that stand for walls.
+const ROW_ERROR: f64 = 1e-5;
+
+/// A stretch of wall: diameter and thicknesses at its base and top, linear between them.
+pub(super) struct Wall {
+    pub(super) diameter_m: [f64; 2],
+    /// Thicknesses from outside in, m, and which of the materials each layer is of.
+    pub(super) layers: Vec<([f64; 2], usize)>,
+    /// Where the file gives it.
+    pub(super) span: Range<usize>,
+}
+
+impl Wall {
+    /// The section a share of the way up: the sums of its concentric tubes.
+    pub(super) fn properties(
+        &self,
+        share: f64,
+        materials: &[Material],
+        outfitting: f64,
+    ) -> Properties {
+        let blend = |[a, b]: [f64; 2]| a + share * (b - a);
+        let mut outer = 0.5 * blend(self.diameter_m);
+        let (mut mass, mut inertia, mut ei, mut gj, mut ea) = (0.0, 0.0, 0.0, 0.0, 0.0);
+        for &(thickness, material) in &self.layers {
+            let inner = (outer - blend(thickness)).max(0.0);
+            let material = &materials[material];
+            let rings = (outer - inner) * (outer + inner);
+            let area = PI * rings;
+            let second_moment = 0.25 * area * (outer * outer + inner * inner);
+            mass += material.density_kg_per_m3 * area;
+            inertia += material.density_kg_per_m3 * second_moment;
+            ei += material.youngs_modulus_pa * second_moment;
+            gj += 2.0 * material.shear_modulus_pa * second_moment;
+            ea += material.youngs_modulus_pa * area;
+            outer = inner;
+        }
+        Properties {
+            mass_kg_per_m: outfitting * mass,
+            rotary_inertia_kg_m: Planes::both(outfitting * inertia),
+            polar_inertia_kg_m: 2.0 * outfitting * inertia,
+            bending_n_m2: Planes::both(ei),
+            torsion_n_m2: gj,
+            axial_n: ea,
+            shear_n: None,
+        }
+    }
+
+    /// Into how many rows the stretch is to be cut, so that what is linear between them is near enough: the error falls as their square.
+    pub(super) fn rows_between(
+        &self,
+        materials: &[Material],
+        outfitting: f64,
+        most: usize,
+    ) -> usize {
+        let values = |share: f64| {
+            let p = self.properties(share, materials, outfitting);
+            let gyration = p.polar_inertia_kg_m / p.mass_kg_per_m;
+            [
+                p.mass_kg_per_m,
+                p.bending_n_m2.fore_aft,
+                p.torsion_n_m2,
+                p.axial_n,
+                gyration,
+            ]
+        };
+        let (base, top) = (values(0.0), values(1.0));
+        let mut error = 0.0_f64;
+        for share in [0.125, 0.25, 0.375, 0.5, 0.625, 0.75, 0.875] {
+            for ((value, a), b) in values(share).into_iter().zip(base).zip(top) {
+                error = error.max(((a + share * (b - a)) / value - 1.0).abs());
+            }
+        }
+        // Wider where the section is small: the error is relative.
+        let rows = (1.5 * error / ROW_ERROR).sqrt().ceil();
+        if rows.is_finite() {
+            (rows as usize).clamp(1, most)
+        } else {
+            most
+        }
+    }
+}

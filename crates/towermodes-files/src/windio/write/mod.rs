@@ -1,0 +1,150 @@
+//! A tower written as a turbine in windIO 2.
+
+mod left_out;
+mod sections;
+mod yaml_text;
+
+use thiserror::Error;
+use towermodes::{PointMass, Rna, Tower, TowerDescription};
+
+use crate::input::Note;
+use sections::{Axis, tables, walls};
+use yaml_text::Yaml;
+
+/// Why a tower cannot be written in windIO.
+#[derive(Debug, Clone, PartialEq, Error)]
+#[non_exhaustive]
+pub enum WindIoWriteError {
+    /// Two heights are the same position of the axis but for rounding.
+    #[error(
+        "the heights {below_m} m and {above_m} m are too close together for positions from 0 to 1 along {length_m} m"
+    )]
+    TooClose {
+        /// The lower height, m.
+        below_m: f64,
+        /// The higher height, m.
+        above_m: f64,
+        /// Length of the tower, m.
+        length_m: f64,
+    },
+    /// The tower is not the one of the description.
+    #[error("the description has neither stations nor properties")]
+    NoSections,
+}
+
+/// Writes a tower as windIO 2: `description` is what `tower` was made of. The notes say what the format cannot hold.
+///
+/// Everything from base to top is written as `components.tower`, and the rotor-nacelle assembly as `components.drivetrain`.
+///
+/// # Errors
+/// [`WindIoWriteError`].
+pub fn write_windio(
+    tower: &Tower,
+    description: &TowerDescription,
+) -> Result<(String, Vec<Note>), WindIoWriteError> {
+    let mut notes = left_out::notes(description);
+    let axis = Axis::new(tower.base_m(), tower.top_m(), &tower.station_heights_m())?;
+    let (diameter, mut structure, materials) = if !description.stations.is_empty() {
+        walls(description, &axis)
+    } else if description.properties.is_empty() {
+        return Err(WindIoWriteError::NoSections);
+    } else {
+        tables(description, &axis)
+    };
+    if axis.has_steps() {
+        notes.push(Note::new("steps are written as positions that are there twice: the schema of windIO wants different ones, 1 mm apart for instance"));
+    }
+    if let Some(masses) = point_masses(&description.point_masses, &axis) {
+        add_point_masses(&mut structure, masses);
+    }
+    let reference_axis = vec![
+        ("x", straight()),
+        ("y", straight()),
+        ("z", curve(axis.grid.clone(), axis.heights_m.clone())),
+    ];
+    let tower = vec![
+        (
+            "outer_shape",
+            Yaml::Map(vec![("outer_diameter", diameter), ("cd", straight())]),
+        ),
+        ("structure", Yaml::Map(structure)),
+        ("reference_axis", Yaml::Map(reference_axis)),
+    ];
+    let mut components = vec![("tower", Yaml::Map(tower))];
+    if description.rna != Rna::default() {
+        components.push(("drivetrain", assembly(&description.rna)));
+    }
+    let file = vec![
+        ("windIO_version", Yaml::Text("2.0".to_owned())),
+        ("name", Yaml::Text(description.name.clone())),
+        ("assembly", Yaml::Map(Vec::new())),
+        ("components", Yaml::Map(components)),
+        ("materials", materials),
+    ];
+    Ok((yaml_text::text(&file), notes))
+}
+
+fn curve(grid: Vec<f64>, values: Vec<f64>) -> Yaml {
+    Yaml::Map(vec![
+        ("grid", Yaml::Numbers(grid)),
+        ("values", Yaml::Numbers(values)),
+    ])
+}
+
+fn straight() -> Yaml {
+    curve(vec![0.0, 1.0], vec![0.0, 0.0])
+}
+
+fn assembly(rna: &Rna) -> Yaml {
+    let j = &rna.inertia_kg_m2;
+    let body = vec![
+        ("mass", Yaml::Number(rna.mass_kg)),
+        (
+            "inertia",
+            Yaml::Numbers(vec![j.xx, j.yy, j.zz, j.xy, j.xz, j.yz]),
+        ),
+        ("location", Yaml::Numbers(rna.center_m.to_vec())),
+    ];
+    Yaml::Map(vec![("elastic_properties", Yaml::Map(body))])
+}
+
+/// Point masses at their positions; the format wants at least two.
+fn point_masses(masses: &[PointMass], axis: &Axis) -> Option<Yaml> {
+    let mut masses: Vec<(f64, f64)> = masses
+        .iter()
+        .map(|mass| (axis.position(mass.height_m), mass.mass_kg))
+        .collect();
+    if masses.is_empty() {
+        return None;
+    }
+    masses.sort_by(|a, b| a.0.total_cmp(&b.0));
+    masses.dedup_by(|later, kept| {
+        let is_same = later.0 == kept.0;
+        if is_same {
+            kept.1 += later.1;
+        }
+        is_same
+    });
+    if let [only] = masses[..] {
+        masses.push(if only.0 == 1.0 {
+            (0.0, 0.0)
+        } else {
+            (1.0, 0.0)
+        });
+        masses.sort_by(|a, b| a.0.total_cmp(&b.0));
+    }
+    let (grid, masses) = masses.into_iter().unzip();
+    Some(Yaml::Map(vec![
+        ("grid", Yaml::Numbers(grid)),
+        ("mass", Yaml::Numbers(masses)),
+    ]))
+}
+
+fn add_point_masses(structure: &mut [(&'static str, Yaml)], masses: Yaml) {
+    for (key, value) in structure {
+        if let ("elastic_properties", Yaml::Map(beam)) = (*key, value) {
+            beam.push(("point_mass", masses));
+            return;
+        }
+    }
+}

@@ -1,0 +1,9 @@
+//! ElastoDyn models: synthetic decks, the rules of OpenFAST with their lines, and public decks if they are at hand.
+
+mod assembly;
+mod decks;
+mod hostile;
+mod main_file;
+mod public;
+mod texts;
+mod tower;

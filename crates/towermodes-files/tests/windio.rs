@@ -1,0 +1,640 @@
+//! Towers of windIO files: both versions, walls and tables, monopiles, assemblies, and what is said of mistakes.
+
+mod windio_files;
+
+use towermodes::{
+    Inertia, Material, Options, PointMass, Properties, PropertyStation, Rna, Station, Tower,
+    TowerDescription, solve,
+};
+use towermodes_files::{
+    Diagnostic, InputError, ReadOptions, Source, TowerInput, TowerPart, read_windio, write_windio,
+};
+use windio_files::{LAYERED, TABLE, VERSION_1, VERSION_2};
+
+fn read_part(text: &str, part: TowerPart) -> Result<TowerInput, InputError> {
+    let source = Source {
+        name: "turbine.yaml".to_owned(),
+        text: text.to_owned(),
+    };
+    let options = ReadOptions {
+        part,
+        ..ReadOptions::default()
+    };
+    read_windio(source, &options)
+}
+
+fn read(text: &str) -> TowerInput {
+    read_part(text, TowerPart::All).expect("a tower")
+}
+
+/// The first mistake, its line and column.
+fn mistake(text: &str) -> (usize, usize, String) {
+    let error = read_part(text, TowerPart::All)
+        .and_then(|input| input.tower())
+        .expect_err("a mistake");
+    let InputError::Mistakes { mistakes, .. } = error else {
+        panic!("{error}");
+    };
+    let first: &Diagnostic = &mistakes[0];
+    assert!(first.span.end <= text.len(), "{first:?}");
+    let (line, column) = first.line_and_column(text);
+    (line, column, first.message.clone())
+}
+
+fn has_note(input: &TowerInput, words: &str) -> bool {
+    input.notes.iter().any(|note| note.message.contains(words))
+}
+
+/// Line and column of the first place of a text, moved by some characters.
+fn place(text: &str, needle: &str, moved: usize) -> (usize, usize) {
+    let at = text.find(needle).expect("in the text") + moved;
+    Diagnostic::new(at..at, "").line_and_column(text)
+}
+
+fn near(value: f64, expected: f64, tolerance: f64) {
+    let error = (value - expected).abs();
+    assert!(error <= tolerance * expected.abs(), "{value} instead of {expected}");
+}
+
+fn assert_rows(stations: &[Station], expected: &[(f64, f64, f64)]) {
+    let rows = stations
+        .iter()
+        .map(|s| (s.height_m, s.outer_diameter_m, s.wall_thickness_m));
+    let rows: Vec<_> = rows.collect();
+    assert_eq!(rows.len(), expected.len(), "{rows:?}");
+    for (row, expected) in rows.iter().zip(expected) {
+        let error = (row.0 - expected.0).abs()
+            + (row.1 - expected.1).abs()
+            + (row.2 - expected.2).abs();
+        assert!(error < 1e-12, "{row:?} instead of {expected:?}");
+    }
+}
+
+#[test]
+fn each_quantity_has_its_own_grid() {
+    let input = read_part(VERSION_2, TowerPart::Tower).expect("a tower");
+    // Heights bend at 0.25, the wall steps at 0.5, the diameter is straight.
+    let expected = [
+        (10.0, 6.0, 0.04),
+        (30.0, 5.5, 0.04),
+        (50.0, 5.0, 0.04),
+        (50.0, 5.0, 0.03),
+        (90.0, 4.0, 0.02),
+    ];
+    assert_rows(&input.description.stations, &expected);
+    assert_eq!(input.description.name, "small");
+    assert_eq!(input.description.outfitting_factor, 1.1);
+    let steel = input.description.materials[0];
+    // 1e9 without a point is text to older YAML; G is E/(2 (1 + 0.25)).
+    assert_eq!(steel.youngs_modulus_pa, 200e9);
+    assert_eq!(steel.shear_modulus_pa, 80e9);
+    assert_eq!(steel.density_kg_per_m3, 8000.0);
+}
+
+#[test]
+fn tower_and_monopile_are_joined() {
+    let input = read(VERSION_2);
+    let expected = [
+        (-40.0, 6.0, 0.06),
+        (10.0, 6.0, 0.06),
+        (10.0, 6.0, 0.04),
+        (30.0, 5.5, 0.04),
+        (50.0, 5.0, 0.04),
+        (50.0, 5.0, 0.03),
+        (90.0, 4.0, 0.02),
+    ];
+    assert_rows(&input.description.stations, &expected);
+    let masses = &input.description.point_masses;
+    let masses: Vec<_> = masses.iter().map(|m| (m.height_m, m.mass_kg)).collect();
+    assert_eq!(masses, [(10.0, 5e4), (-40.0, 2e5), (90.0, 700.0)]);
+    // The factors differ: they are in the densities.
+    assert_eq!(input.description.outfitting_factor, 1.0);
+    let densities = input.description.materials.iter().map(|m| m.density_kg_per_m3);
+    let densities: Vec<f64> = densities.collect();
+    near(densities[0], 8000.0, 1e-15);
+    near(densities[1], 8800.0, 1e-15);
+    assert_eq!(input.description.stations[0].material, 0);
+    assert_eq!(input.description.stations[2].material, 1);
+    assert!(has_note(&input, "the mudline is not known"));
+    input.tower().expect("a tower");
+}
+
+#[test]
+fn version_1_is_cut_at_the_mudline() {
+    let input = read(VERSION_1);
+    let expected = [(-20.0, 6.0, 0.05), (10.0, 6.0, 0.05), (90.0, 4.0, 0.02)];
+    // The monopile's top is the tower's base: one station.
+    assert_rows(&input.description.stations, &expected);
+    assert!(has_note(&input, "the 30 m of the monopile below the mudline at z = -20 m"));
+    assert!(has_note(&input, "shear modulus 1.4e8 Pa, Poisson's ratio 0.4"));
+    assert!(has_note(&input, "bed = -20.0"));
+    assert_eq!(input.description.water, None);
+    let alone = read_part(VERSION_1, TowerPart::Monopile).expect("a monopile");
+    assert_rows(&alone.description.stations, &expected[..2]);
+    assert_eq!(alone.description.rna, Rna::default());
+}
+
+#[test]
+fn a_rotor_of_straight_blades_has_its_moments() {
+    // Three uniform blades of 10 kg/m from 1 m to 11 m: 300 kg; polar inertia 3 * 10 (11^3 - 1)/3 = 13300, half of it diametral.
+    let input = read(VERSION_1);
+    let rna = &input.description.rna;
+    // Hub of 500 kg at the apex, nacelle of 1000 kg and yaw of 200 kg on the axis.
+    assert_eq!(rna.mass_kg, 2000.0);
+    near(rna.center_m[0], -5.0 * 800.0 / 2000.0, 1e-14);
+    let z_m = (2.0 * 800.0 + 1.0 * 1000.0) / 2000.0;
+    near(rna.center_m[2], z_m, 1e-14);
+    let J { xx, zz } = steiner(z_m);
+    near(rna.inertia_kg_m2.xx, xx, 1e-13);
+    near(rna.inertia_kg_m2.zz, zz, 1e-13);
+    assert!(has_note(&input, "nacelle 1000 kg, yaw system 200 kg, hub 500 kg, 3 blades 300 kg"));
+    assert!(!has_note(&input, "INCOMPLETE"));
+}
+
+struct J {
+    xx: f64,
+    zz: f64,
+}
+
+fn steiner(z_m: f64) -> J {
+    // (mass, x, z, own xx, own zz)
+    let bodies = [
+        (1000.0, 0.0, 1.0, 40.0, 60.0),
+        (200.0, 0.0, 0.0, 0.0, 0.0),
+        (500.0, -5.0, 2.0, 70.0, 0.0),
+        (300.0, -5.0, 2.0, 13_300.0, 6650.0),
+    ];
+    let sum = |f: &dyn Fn((f64, f64, f64, f64, f64)) -> f64| bodies.into_iter().map(f).sum();
+    J {
+        xx: sum(&|(m, _, z, own, _)| own + m * (z - z_m) * (z - z_m)),
+        zz: sum(&|(m, x, _, _, own)| own + m * (x + 2.0) * (x + 2.0)),
+    }
+}
+
+#[test]
+fn what_the_assembly_lacks_is_said() {
+    let input = read(VERSION_2);
+    assert!(has_note(&input, "INCOMPLETE ROTOR-NACELLE ASSEMBLY: 100000 kg"));
+    assert!(has_note(&input, "no mass of its hub, blades"));
+    let drivetrain = "    drivetrain:";
+    let start = VERSION_2.find(drivetrain).expect("there");
+    let end = VERSION_2.find("materials:").expect("there");
+    let bare = format!("{}{}", &VERSION_2[..start], &VERSION_2[end..]);
+    assert!(has_note(&read(&bare), "NO ROTOR-NACELLE ASSEMBLY"));
+    // An inertia that no body has.
+    let text = VERSION_2.replace("[1.0e5, 2e5, 3e5, 0, 0, 0]", "[0, 0, 0, 0, 0, 7e5]");
+    let input = read(&text);
+    assert!(has_note(&input, "no body has the inertia"));
+    assert_eq!(input.description.rna.inertia_kg_m2, Inertia::default());
+}
+
+#[test]
+fn layers_are_summed_from_outside_in() {
+    let input = read(LAYERED);
+    let rows = &input.description.properties;
+    assert!(input.description.stations.is_empty());
+    // At the base: steel from 3 to 2.95 m, concrete from 2.95 to 2.65 m.
+    let pi = std::f64::consts::PI;
+    let ring = |a: f64, b: f64, n: i32| pi * (a.powi(n) - b.powi(n));
+    let (steel_a, concrete_a) = (ring(3.0, 2.95, 2), ring(2.95, 2.65, 2));
+    let (steel_i, concrete_i) = (ring(3.0, 2.95, 4) / 4.0, ring(2.95, 2.65, 4) / 4.0);
+    let first = &rows[0].properties;
+    near(first.mass_kg_per_m, 1.05 * (8000.0 * steel_a + 2500.0 * concrete_a), 1e-12);
+    near(first.bending_n_m2.fore_aft, 2e11 * steel_i + 4e10 * concrete_i, 1e-12);
+    near(first.axial_n, 2e11 * steel_a + 4e10 * concrete_a, 1e-12);
+    near(first.torsion_n_m2, 2.0 * (8e10 * steel_i + 16e9 * concrete_i), 1e-12);
+    let inertia = 1.05 * (8000.0 * steel_i + 2500.0 * concrete_i);
+    near(first.rotary_inertia_kg_m.side_side, inertia, 1e-12);
+    near(first.polar_inertia_kg_m, 2.0 * inertia, 1e-12);
+    // Half way between rows the straight line is near the true value.
+    let top_m = 80.0;
+    for pair in rows.windows(2).filter(|p| p[0].height_m < p[1].height_m) {
+        let z = 0.5 * (pair[0].height_m + pair[1].height_m);
+        let outer = 3.0 - 1.0 * z / top_m;
+        let inner = outer - 0.05;
+        let core = if z < 40.0 { inner - 0.3 * (1.0 - z / 40.0) } else { inner };
+        let ei = (2e11 * ring(outer, inner, 4) + 4e10 * ring(inner, core, 4)) / 4.0;
+        let line = 0.5
+            * (pair[0].properties.bending_n_m2.fore_aft + pair[1].properties.bending_n_m2.fore_aft);
+        near(line, ei, 1.1e-5);
+    }
+    assert!(rows.len() < 400, "{}", rows.len());
+    input.tower().expect("a tower");
+}
+
+#[test]
+fn layers_one_above_the_other_are_tubes() {
+    let concrete_below = LAYERED
+        .replace("values: [0.3, 0.0, 0.0]", "values: [0.3, 0.2, 0.0, 0.0]")
+        .replace("grid: [0.0, 0.5, 1.0] # concrete", "grid: [0.0, 0.5, 0.5, 1.0]")
+        .replace("values: [0.05, 0.05]", "values: [0.0, 0.0, 0.05, 0.05]")
+        .replace("grid: [0.0, 1.0] # steel", "grid: [0.0, 0.5, 0.5, 1.0]");
+    let input = read(&concrete_below);
+    let expected = [(0.0, 6.0, 0.3), (40.0, 5.0, 0.2), (40.0, 5.0, 0.05), (80.0, 4.0, 0.05)];
+    assert_rows(&input.description.stations, &expected);
+    let material = |at: usize| {
+        let material = input.description.stations[at].material;
+        input.description.materials[material].density_kg_per_m3
+    };
+    assert_eq!((material(0), material(2)), (2500.0, 8000.0));
+    input.tower().expect("a tower");
+}
+
+#[test]
+fn tables_are_read_where_there_are_no_layers() {
+    let input = read(TABLE);
+    let rows = &input.description.properties;
+    let row = |at: usize| rows[at].properties;
+    assert_eq!(rows.len(), 3);
+    assert_eq!(rows[1].height_m, 40.0);
+    assert_eq!(row(1).mass_kg_per_m, 4000.0);
+    // About y, K55, is fore-aft.
+    assert_eq!(row(1).bending_n_m2.fore_aft, 4e11);
+    assert_eq!(row(1).bending_n_m2.side_side, 5e11);
+    assert_eq!(row(0).torsion_n_m2, 3e11);
+    assert_eq!(row(2).axial_n, 1.5e10);
+    assert_eq!(row(0).shear_n, None);
+    // A thin tube of 6 m: m D^2/8 and m D^2/4.
+    assert_eq!(row(0).rotary_inertia_kg_m.fore_aft, 5000.0 * 36.0 / 8.0);
+    assert_eq!(row(0).polar_inertia_kg_m, 5000.0 * 36.0 / 4.0);
+    input.tower().expect("a tower");
+    let (line, column, message) = mistake(&TABLE.replace("5000.0, 3000.0", "5000.0, -3000.0"));
+    assert_eq!((line, column), place(TABLE, "5000.0, 3000.0", 8), "{message}");
+}
+
+#[test]
+fn tables_of_version_1_are_read() {
+    let zeros = |at: &[(usize, f64)]| {
+        let mut row = [0.0; 21];
+        for &(at, value) in at {
+            row[at] = value;
+        }
+        format!("{row:?}")
+    };
+    let stiffness = zeros(&[(11, 3e10), (15, 5e11), (18, 4e11), (20, 3e11)]);
+    let inertia = zeros(&[(0, 5e3), (6, 5e3), (11, 5e3), (15, 20.0), (18, 10.0), (20, 30.0)]);
+    let axis = "{x: {grid: [0, 1], values: [0, 0]}, z: {grid: [0, 1], values: [0, 80]}}";
+    let text = format!(
+        "components:\n  tower:\n    outer_shape_bem: {{reference_axis: {axis}}}\n    elastic_properties_mb:\n      six_x_six:\n        stiff_matrix: {{grid: [0, 1], values: [{stiffness}, {stiffness}]}}\n        inertia_matrix: {{grid: [0, 1], values: [{inertia}, {inertia}]}}\n"
+    );
+    let input = read(&text);
+    let row = input.description.properties[1].properties;
+    assert_eq!(input.description.properties[1].height_m, 80.0);
+    assert_eq!(row.mass_kg_per_m, 5e3);
+    assert_eq!((row.bending_n_m2.fore_aft, row.bending_n_m2.side_side), (4e11, 5e11));
+    assert_eq!((row.torsion_n_m2, row.axial_n), (3e11, 3e10));
+    let rotary = row.rotary_inertia_kg_m;
+    assert_eq!((rotary.fore_aft, rotary.side_side), (10.0, 20.0));
+    assert_eq!(row.polar_inertia_kg_m, 30.0);
+    assert!(!has_note(&input, "couplings"));
+}
+
+#[test]
+fn tables_beside_layers_are_compared() {
+    let beam = |mass: f64| {
+        let table = format!(
+            "            elastic_properties:\n                stiffness_matrix: {{grid: [0, 1], K44: [1e12, 1e11], K55: [1e12, 1e11]}}\n                inertia_matrix: {{grid: [0, 1], mass: [{mass}, 2750.4]}}\n            layers:"
+        );
+        VERSION_1_AS_2.replace("            layers:", &table)
+    };
+    // pi t (D - t) rho f: 8233.2 kg/m at the base and 2200.4 kg/m at the top of the tower, by hand.
+    let agreeing = beam(8233.2).replace("2750.4", "2200.4");
+    assert!(!has_note(&read(&agreeing), "disagree"));
+    let input = read(&beam(8233.2));
+    assert!(has_note(&input, "at z = 90 m 2750.4 and 2200.4 kg/m"));
+}
+
+/// A tower of one layer in version 2.
+const VERSION_1_AS_2: &str = "
+windIO_version: '2.0'
+components:
+    tower:
+        outer_shape:
+            outer_diameter: {grid: [0, 1], values: [6.0, 4.0]}
+        structure:
+            outfitting_factor: 1.1
+            layers:
+              - {name: wall, material: 7, thickness: {grid: [0, 1], values: [0.05, 0.02]}}
+        reference_axis:
+            z: {grid: [0, 1], values: [10, 90]}
+materials:
+  - {name: 7, orth: 0, rho: 8000, E: 2e11, nu: 0.25}
+";
+
+#[test]
+fn mistakes_are_shown_where_they_are() {
+    let check = |from: &str, to: &str, at: &str, moved: usize, words: &str| {
+        let text = VERSION_2.replacen(from, to, 1);
+        assert_ne!(text, VERSION_2, "{from} is not in the file");
+        let (line, column, message) = mistake(&text);
+        assert_eq!((line, column), place(&text, at, moved), "{to}: {message}");
+        assert!(message.contains(words), "{to}: {message}");
+    };
+    check("[6.0, 4.0]", "[6.0, -4.0]", "-4.0", 0, "outer diameter is -4 m");
+    check("[6.0, 4.0]", "[6.0, .nan]", ".nan", 0, "not a finite number");
+    check("[6.0, 4.0]", "[6.0, 4.0, 3.0]", "[6.0, 4.0", 0, "has 3 values, but its grid has 2");
+    check("[6.0, 4.0]", "[6.0, four]", "four", 0, "should be a number; found `four`");
+    check("[0.0, 0.25, 1.0]", "[0.0, 0.25, 0.9]", "0.9]", 0, "ends at 0.9 instead of 1");
+    check("[0.0, 0.25, 1.0]", "[0.1, 0.25, 1.0]", "0.1,", 0, "begins at 0.1 instead of 0");
+    check("[0.0, 0.5, 0.5, 1.0]", "[0.0, 0.5, 0.4, 1.0]", "0.4, 1.0", 0, "goes down");
+    check("[10, 30.0, 90.0]", "[10, 95.0, 90.0]", "90.0]", 0, "is not above the one before");
+    check("[10, 30.0, 90.0]", "[5, 30.0, 90.0]", "5, 30", 0, "5 m below the top of the monopile");
+    check("[10, 30.0, 90.0]", "[12, 30.0, 90.0]", "12, 30", 0, "2 m above the top of the monopile");
+    check("material: steel", "material: stel", "stel", 0, "there is no material `stel`");
+    check("0.04, 0.04, 0.03, 0.02", "0.04, 0.04, 0.03, 0.0", "0.0]", 0, "wall thickness");
+    check("0.04, 0.04, 0.03, 0.02", "2.54, 2.54, 0.03, 0.02", "2.54, 0", 0, "less than twice");
+    check("rho: 8000", "rho: -8000", "-8000", 0, "density is -8000");
+    check("nu: 0.25", "nu: 0.5", "0.5\n", 0, "Poisson's ratio");
+    check("    nu: 0.25", "", "name: steel", 0, "has no `G`");
+    check("outfitting_factor: 1.1", "outfitting_factor: x", "x\n", 0, "outfitting factor");
+    check("mass: 100000", "mass: -1", "-1\n", 0, "cannot be negative");
+    check("transition_piece_mass: 5e4", "transition_piece_mass: -5", "-5\n", 0, "mass is -5 kg");
+}
+
+#[test]
+fn files_that_are_no_turbine_are_refused() {
+    let message = |text: &str| mistake(text).2;
+    assert!(message("").contains("empty"));
+    assert!(message("[1, 2]").contains("cannot be read as YAML"));
+    assert!(message("a: b: c").contains("cannot be read as YAML"));
+    assert!(message("name: x\n").contains("no tower"));
+    assert!(message("components: {tower: 3}").contains("no `reference_axis`"));
+    let cut = &VERSION_2[..VERSION_2.find("30.0, 90.0").expect("there")];
+    let (line, _, text) = mistake(cut);
+    assert!(text.contains("cannot be read as YAML"), "{text}");
+    assert!(line >= cut.lines().count() - 1, "{line}: {text}");
+    let no_monopile = read_part(VERSION_1_AS_2, TowerPart::Monopile);
+    assert!(no_monopile.expect_err("none").to_string().contains("no monopile"));
+}
+
+#[test]
+fn anchors_may_be_defined_again_and_names_may_be_numbers() {
+    let text = VERSION_1_AS_2
+        .replace("{grid: [0, 1], values: [6.0, 4.0]}", "{grid: &g [0, 1], values: [6.0, 4.0]}")
+        .replace("{grid: [0, 1], values: [0.05, 0.02]}", "{grid: *g, values: [0.05, 0.02]}")
+        .replace("z: {grid: [0, 1], values: [10, 90]}", "z: {grid: &g [0, 0.5, 1], values: &z [10, 60, 90]}");
+    let input = read(&text);
+    let expected = [(10.0, 6.0, 0.05), (60.0, 5.0, 0.035), (90.0, 4.0, 0.02)];
+    assert_rows(&input.description.stations, &expected);
+    // With a byte order mark and Windows line ends the places are still right.
+    let windows = format!("\u{feff}{}", text.replace('\n', "\r\n")).replace("4.0]}", "-4.0]}");
+    let (line, _, message) = mistake(&windows);
+    assert!(message.contains("outer diameter is -4 m"), "{message}");
+    assert_eq!(line, place(&windows, "-4.0", 0).0);
+}
+
+#[test]
+fn bombs_do_not_explode() {
+    let mut bomb = String::from("a0: &a0 [1, 1, 1, 1, 1, 1, 1, 1, 1, 1]\n");
+    for level in 1..12 {
+        let alias = format!("*a{}", level - 1);
+        let list = vec![alias.as_str(); 10].join(", ");
+        bomb.push_str(&format!("a{level}: &a{level} [{list}]\n"));
+    }
+    let in_use = format!("{bomb}materials: *a11\n{VERSION_1_AS_2}").replacen("\nmaterials:\n", "\nother:\n", 1);
+    assert!(read_part(&in_use, TowerPart::All).is_err());
+    let deep = format!("components: {}", "[".repeat(100_000));
+    assert!(read_part(&deep, TowerPart::All).is_err());
+    let wide = VERSION_1_AS_2.replace("[6.0, 4.0]", &format!("[{}]", "6.0, ".repeat(300_000)));
+    assert!(read_part(&wide, TowerPart::All).is_err());
+}
+
+#[test]
+fn no_damage_makes_it_panic() {
+    for text in [VERSION_1, VERSION_2, LAYERED, TABLE] {
+        for at in (0..text.len()).filter(|at| text.is_char_boundary(*at)) {
+            let _ = read_part(&text[..at], TowerPart::All).and_then(|input| input.tower());
+        }
+        for (from, to) in [("0", "1e308"), (".", "e"), ("1", "-1"), ("[", "{"), (", ", ": ")] {
+            for (at, _) in text.match_indices(from) {
+                let damaged = format!("{}{to}{}", &text[..at], &text[at + from.len()..]);
+                let _ = read_part(&damaged, TowerPart::All).and_then(|input| input.tower());
+            }
+        }
+    }
+}
+
+#[test]
+fn small_gaps_are_closed() {
+    let text = VERSION_2.replace("[10, 30.0, 90.0]", "[10.05, 30.0, 90.0]");
+    let input = read(&text);
+    assert!(has_note(&input, "the gap of 0.05 m"));
+    assert_eq!(input.description.stations[1].height_m, 10.05);
+    assert_eq!(input.description.stations[2].height_m, 10.05);
+}
+
+fn tubes() -> TowerDescription {
+    TowerDescription {
+        name: "a \"tower\": #1".to_owned(),
+        materials: vec![Material::from_shear_modulus(7850.0, 2.1e11, 8.08e10)],
+        stations: vec![
+            Station::new(0.1, 6.0, 0.027),
+            Station::new(33.3, 5.1, 0.025),
+            Station::new(33.3, 5.1, 0.023),
+            Station::new(87.6, 3.87, 0.019),
+        ],
+        outfitting_factor: 1.07,
+        rna: Rna {
+            mass_kg: 350_000.7,
+            center_m: [-0.41, 0.01, 1.97],
+            inertia_kg_m2: Inertia {
+                xx: 4.37e7,
+                yy: 2.35e7,
+                zz: 2.54e7,
+                xy: 3.0,
+                xz: 1.17e6,
+                yz: -5.0,
+            },
+        },
+        point_masses: vec![PointMass {
+            height_m: 33.3,
+            mass_kg: 1234.5,
+            ..PointMass::default()
+        }],
+        ..TowerDescription::default()
+    }
+}
+
+fn written(description: &TowerDescription) -> (TowerInput, String) {
+    let tower = Tower::new(description.clone()).expect("a tower");
+    let (text, notes) = write_windio(&tower, description).expect("a file");
+    assert!(!notes.is_empty());
+    (read(&text), text)
+}
+
+#[test]
+fn what_is_written_is_read_again() {
+    let description = tubes();
+    let (input, text) = written(&description);
+    let again = &input.description;
+    assert_eq!(again.stations, description.stations);
+    assert_eq!(again.materials, description.materials);
+    assert_eq!(again.rna, description.rna);
+    assert_eq!(again.name, description.name);
+    assert_eq!(again.outfitting_factor, 1.07);
+    assert_eq!(again.point_masses.len(), 1);
+    near(again.point_masses[0].height_m, 33.3, 1e-14);
+    assert_eq!(again.point_masses[0].mass_kg, 1234.5);
+    assert!(!has_note(&input, "disagree"), "{text}");
+}
+
+#[test]
+fn several_materials_are_written_as_layers_and_read_again() {
+    let mut description = tubes();
+    description.materials.push(Material::from_shear_modulus(2500.0, 4e10, 1.6e10));
+    description.stations[2].material = 1;
+    // A change of material without a step of the tube.
+    description.stations.insert(3, Station { material: 0, ..Station::new(50.0, 4.5, 0.02) });
+    let (input, _) = written(&description);
+    assert_eq!(input.description.stations.len(), 5);
+    for (again, station) in input.description.stations.iter().zip(&description.stations) {
+        assert_eq!(again.height_m, station.height_m);
+        assert_eq!(again.outer_diameter_m, station.outer_diameter_m);
+        assert_eq!(again.wall_thickness_m, station.wall_thickness_m);
+    }
+    let (before, after) = (Tower::new(description).expect("one"), input.tower().expect("one"));
+    near(after.mass_kg(), before.mass_kg(), 1e-14);
+}
+
+#[test]
+fn tables_are_written_and_read_again() {
+    let both = |fore_aft, side_side| towermodes::Planes {
+        fore_aft,
+        side_side,
+    };
+    let row = |height_m: f64, scale: f64| PropertyStation {
+        height_m,
+        properties: Properties {
+            mass_kg_per_m: 5000.0 * scale,
+            rotary_inertia_kg_m: both(21.0 * scale, 22.0 * scale),
+            polar_inertia_kg_m: 43.0 * scale,
+            bending_n_m2: both(6e11 * scale, 5e11 * scale),
+            torsion_n_m2: 4e11 * scale,
+            axial_n: 1e11 * scale,
+            shear_n: Some(both(2e10 * scale, 3e10 * scale)),
+        },
+    };
+    let description = TowerDescription {
+        properties: vec![row(-5.0, 1.0), row(40.0, 0.7), row(40.0, 0.6), row(83.3, 0.31)],
+        ..TowerDescription::default()
+    };
+    let (input, _) = written(&description);
+    assert_eq!(input.description.properties, description.properties);
+}
+
+#[test]
+fn what_cannot_be_written_is_said() {
+    let mut description = tubes();
+    description.gravity_m_per_s2 = 9.81;
+    description.point_masses[0].inertia_kg_m2.xx = 1.0;
+    description.wires.push(towermodes::Wires {
+        height_m: 50.0,
+        count: 3,
+        stiffness_n_per_m: 1e6,
+        angle_deg: 45.0,
+    });
+    let tower = Tower::new(description.clone()).expect("a tower");
+    let (_, notes) = write_windio(&tower, &description).expect("a file");
+    let all: String = notes.iter().map(ToString::to_string).collect();
+    for word in ["gravity", "wires", "inertias of point masses", "steps", "drag"] {
+        assert!(all.contains(word), "{word}: {all}");
+    }
+    let mut description = tubes();
+    let above = 33.3_f64.next_up();
+    description.stations[2].height_m = above;
+    let tower = Tower::new(description.clone()).expect("a tower");
+    let error = write_windio(&tower, &description).expect_err("too close");
+    assert!(error.to_string().contains("too close"));
+}
+
+/// A real file, if the environment says where they are.
+fn real(path: &str) -> Option<Source> {
+    let Some(folder) = std::env::var_os("TOWERMODES_PEER_DATA") else {
+        eprintln!("skipped: TOWERMODES_PEER_DATA is not set");
+        return None;
+    };
+    let path = std::path::Path::new(&folder).join(path);
+    Some(Source::from_path(&path).expect("a file of TOWERMODES_PEER_DATA"))
+}
+
+fn real_part(path: &str, part: TowerPart) -> Option<TowerInput> {
+    let options = ReadOptions {
+        part,
+        ..ReadOptions::default()
+    };
+    real(path).map(|source| read_windio(source, &options).expect("a tower"))
+}
+
+#[test]
+fn the_15_mw_tower_has_the_mass_and_frequencies_of_openfast() {
+    let files = [
+        "windio/v1/IEA-15-240-RWT.yaml",
+        "windio/v2/IEA-15-240-RWT.yaml",
+        "openfast/iea15_monopile/IEA-15-240-RWT.yaml",
+    ];
+    let mut masses = Vec::new();
+    for path in files {
+        let Some(mut input) = real_part(path, TowerPart::Tower) else {
+            return;
+        };
+        input.description.rna = Rna::default();
+        let tower = input.tower().expect("a tower");
+        // Trapezoids of the rows of OpenFAST's tower file of this turbine over 129.386 m.
+        near(tower.mass_kg(), 853_463.237, 5e-3);
+        masses.push(tower.mass_kg());
+        let solution = solve(&tower, &Options::default()).expect("modes");
+        near(solution.modes[0].frequency_hz, 0.61674, 5e-3);
+        near(solution.modes[2].frequency_hz, 3.21175, 5e-3);
+    }
+    // Conical walls of eleven stations, integrated by hand.
+    near(masses[0], 853_610.124, 1e-9);
+    assert_eq!(masses[0], masses[1]);
+    // With the steps of 1 mm it is the table of OpenFAST.
+    near(masses[2], 853_463.237, 1e-9);
+}
+
+#[test]
+fn the_15_mw_assembly_is_that_of_its_parts() {
+    let path = "windio/v2/IEA-15-240-RWT.yaml";
+    let Some(input) = real_part(path, TowerPart::Tower) else {
+        return;
+    };
+    // Drive train, yaw, hub and three blades put together by another program, the blades in 20000 points.
+    let rna = &input.description.rna;
+    near(rna.mass_kg, 947_543.209, 1e-8);
+    near(rna.center_m[0], -7.395_873_897, 1e-8);
+    near(rna.center_m[1], -0.099_602_044, 1e-7);
+    near(rna.center_m[2], 4.606_854_131, 1e-8);
+    near(rna.inertia_kg_m2.xx, 346_828_640.79, 1e-8);
+    near(rna.inertia_kg_m2.yy, 197_363_299.73, 1e-8);
+    near(rna.inertia_kg_m2.zz, 198_099_433.01, 1e-8);
+    near(rna.inertia_kg_m2.xz, -11_882_357.143, 1e-8);
+    let whole = real_part(path, TowerPart::All).expect("set");
+    // The example's elastic mass of the monopile is that of no steel.
+    assert!(has_note(&whole, "of the monopile disagree"));
+}
+
+#[test]
+fn other_real_files_are_read() {
+    let all = [
+        ("openfast/iea10/IEA-10-198-RWT.yaml", TowerPart::All, -30.0, 115.63),
+        ("openfast/nrel5mw_land/nrel5mw.yaml", TowerPart::All, 0.0, 87.6974416),
+        ("openfast/nrel5mw_land/nrel5mw_tower.yaml", TowerPart::All, 0.0, 87.6974416),
+        ("openfast/nrel5mw_oc3hywind/nrel5mw-spar_oc3.yaml", TowerPart::All, 10.0, 87.6),
+        ("openfast/nrel5mw_oc3monopile/nrel5mw_monopile.yaml", TowerPart::Monopile, -55.0, 10.0),
+        ("windio/v1/IEA-15-240-RWT.yaml", TowerPart::All, -30.0, 144.386),
+        ("windio/v2/IEA-15-240-RWT.yaml", TowerPart::All, -75.0, 144.386),
+    ];
+    for (path, part, base_m, top_m) in all {
+        let Some(input) = real_part(path, part) else {
+            return;
+        };
+        let tower = input.tower().expect("a tower");
+        assert_eq!((tower.base_m(), tower.top_m()), (base_m, top_m), "{path}");
+    }
+    // Its tower begins 10 m below the top of its monopile.
+    let path = "openfast/nrel5mw_oc3monopile/nrel5mw_monopile.yaml";
+    let source = real(path).expect("set");
+    let error = read_windio(source, &ReadOptions::default()).expect_err("an overlap");
+    assert!(error.to_string().contains("10 m below the top of the monopile"));
+}

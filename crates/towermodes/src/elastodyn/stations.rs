@@ -1,0 +1,261 @@
+//! The rows of a tower file: a tower's mass and bending stiffness by height, linear between the rows.
+
+use thiserror::Error;
+
+use super::model::{ConcentratedMass, TowerStation};
+use crate::number::Plain;
+use crate::tower::{Piece, PointMass, Section, Tower};
+
+/// Between rows that are put by themselves the mean error of what is linear is no more than this share of it.
+const ACCURACY: f64 = 1e-6;
+/// Rows of a step are this share of the height apart: ElastoDyn wants heights that rise.
+const STEP: f64 = 1e-6;
+/// More rows than this are refused.
+pub const MAX_STATIONS: usize = 100_000;
+
+/// How many rows there shall be.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Rows {
+    /// As many as keep mass and stiffness between them right to a millionth.
+    #[default]
+    Accurate,
+    /// About so many, and at least those that steps and kinks need.
+    Count(usize),
+}
+
+/// What becomes of masses at a height.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum PointMasses {
+    /// They are listed beside the rows.
+    Listed,
+    /// Each is spread over a part of the tower, this many to the whole height: ElastoDyn's elements.
+    Spread {
+        /// Parts of the height.
+        parts: usize,
+    },
+}
+
+/// The rows of a tower, and the masses beside them.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct TowerRows {
+    /// The rows, from the base to the top.
+    pub stations: Vec<TowerStation>,
+    /// Masses that are not in the rows.
+    pub concentrated_masses: Vec<ConcentratedMass>,
+}
+
+/// Why a tower has no rows.
+#[derive(Debug, Clone, Copy, PartialEq, Error)]
+#[non_exhaustive]
+pub enum RowsError {
+    /// A flexible tower that begins where no tower is.
+    #[error("the flexible tower begins at {} m, but the tower reaches from {} m to {} m", Plain(*.from_m), Plain(*.base_m), Plain(*.top_m))]
+    Outside {
+        /// Where it would begin, m.
+        from_m: f64,
+        /// Base of the tower, m.
+        base_m: f64,
+        /// Top of the tower, m.
+        top_m: f64,
+    },
+    /// More rows than anybody reads.
+    #[error("the tower would have {rows} rows, more than {MAX_STATIONS}")]
+    TooMany {
+        /// How many.
+        rows: usize,
+    },
+}
+
+/// A part of the tower over which mass and stiffness are smooth, with what is spread over it.
+struct Part<'a> {
+    piece: &'a Piece,
+    base_m: f64,
+    top_m: f64,
+    /// Mass of what is spread over it, kg/m.
+    spread_kg_per_m: f64,
+    /// Into how many intervals it is cut.
+    intervals: usize,
+}
+
+/// The rows of a tower above a height (m): its sections' mass, without water, and bending stiffness.
+///
+/// # Errors
+/// [`RowsError`].
+pub fn tower_rows(
+    tower: &Tower,
+    from_m: f64,
+    rows: Rows,
+    masses: PointMasses,
+) -> Result<TowerRows, RowsError> {
+    let (base_m, top_m) = (tower.base_m(), tower.top_m());
+    if !(base_m..top_m).contains(&from_m) {
+        return Err(RowsError::Outside {
+            from_m,
+            base_m,
+            top_m,
+        });
+    }
+    let above = tower.point_masses().iter();
+    let point_masses: Vec<&PointMass> = above.filter(|m| m.height_m >= from_m).collect();
+    let fraction = |height_m: f64| (height_m - from_m) / (top_m - from_m);
+    let concentrated = |mass: &&PointMass| ConcentratedMass {
+        height_fraction: fraction(mass.height_m),
+        mass_kg: mass.mass_kg,
+    };
+    let (listed, spread) = match masses {
+        PointMasses::Listed => (point_masses.iter().map(concentrated).collect(), Vec::new()),
+        PointMasses::Spread { parts } => {
+            let length_m = (top_m - from_m) / parts.max(1) as f64;
+            let spread = point_masses.iter().map(|mass| {
+                let middle_m = mass
+                    .height_m
+                    .clamp(from_m + 0.5 * length_m, top_m - 0.5 * length_m);
+                Spread {
+                    base_m: middle_m - 0.5 * length_m,
+                    top_m: middle_m + 0.5 * length_m,
+                    mass_kg_per_m: mass.mass_kg / length_m,
+                }
+            });
+            (Vec::new(), spread.collect())
+        }
+    };
+    let mut parts = parts_of(tower, from_m, &spread);
+    share_out(&mut parts, rows)?;
+    Ok(TowerRows {
+        stations: stations(&parts, fraction),
+        concentrated_masses: listed,
+    })
+}
+
+/// A mass that is spread over a part of the tower.
+struct Spread {
+    base_m: f64,
+    top_m: f64,
+    mass_kg_per_m: f64,
+}
+
+fn parts_of<'a>(tower: &'a Tower, from_m: f64, spread: &[Spread]) -> Vec<Part<'a>> {
+    let mut cuts_m: Vec<f64> = spread.iter().flat_map(|s| [s.base_m, s.top_m]).collect();
+    cuts_m.sort_by(f64::total_cmp);
+    let mut parts = Vec::new();
+    for piece in tower.pieces().iter().filter(|piece| piece.top_m > from_m) {
+        let mut base_m = piece.base_m.max(from_m);
+        let inside = cuts_m
+            .iter()
+            .copied()
+            .filter(|cut_m| (piece.base_m..piece.top_m).contains(cut_m));
+        for top_m in inside.chain([piece.top_m]) {
+            if top_m <= base_m {
+                continue;
+            }
+            let middle_m = 0.5 * (base_m + top_m);
+            let over = spread
+                .iter()
+                .filter(|s| (s.base_m..s.top_m).contains(&middle_m));
+            parts.push(Part {
+                piece,
+                base_m,
+                top_m,
+                spread_kg_per_m: over.map(|s| s.mass_kg_per_m).sum(),
+                intervals: 1,
+            });
+            base_m = top_m;
+        }
+    }
+    parts
+}
+
+fn share_out(parts: &mut [Part<'_>], rows: Rows) -> Result<(), RowsError> {
+    let whole_m: f64 = parts.iter().map(|part| part.top_m - part.base_m).sum();
+    for part in &mut *parts {
+        part.intervals = match rows {
+            Rows::Accurate => part.accurate_intervals(),
+            Rows::Count(count) => {
+                let share = (part.top_m - part.base_m) / whole_m;
+                let intervals = (share * count.saturating_sub(1) as f64).round();
+                (intervals as usize).max(1)
+            }
+        };
+    }
+    let rows = parts
+        .iter()
+        .fold(1_usize, |sum, part| sum.saturating_add(part.intervals));
+    if rows > MAX_STATIONS {
+        return Err(RowsError::TooMany { rows });
+    }
+    Ok(())
+}
+
+impl Part<'_> {
+    fn values_at(&self, height_m: f64) -> [f64; 3] {
+        let Section {
+            masses,
+            bending_n_m2,
+            ..
+        } = self.piece.section_at(height_m);
+        let mass = masses.mass_kg_per_m + self.spread_kg_per_m;
+        [mass, bending_n_m2.fore_aft, bending_n_m2.side_side]
+    }
+
+    /// So many intervals that what is linear over each is right in the mean to [`ACCURACY`]: a straight line over an interval h is off by
+    /// h² f″/12 in the mean.
+    fn accurate_intervals(&self) -> usize {
+        let middle_m = 0.5 * (self.base_m + self.top_m);
+        let [below, middle, above] = [self.base_m, middle_m, self.top_m].map(|z| self.values_at(z));
+        let intervals = (0..3).map(|i| {
+            // h² f″ over the whole part.
+            let bend = 4.0 * (below[i] - 2.0 * middle[i] + above[i]).abs();
+            let least = below[i].min(above[i]);
+            let relative = bend / (12.0 * least);
+            // What is linear is so but for rounding.
+            if relative < 1e-9 {
+                1
+            } else {
+                (relative / ACCURACY).sqrt().ceil() as usize
+            }
+        });
+        intervals.max().unwrap_or(1).max(1)
+    }
+}
+
+/// Where parts meet there is one row, or two a little apart if it is a step.
+fn stations(parts: &[Part<'_>], fraction: impl Fn(f64) -> f64) -> Vec<TowerStation> {
+    let mut stations: Vec<TowerStation> = Vec::new();
+    for (index, part) in parts.iter().enumerate() {
+        for k in 0..=part.intervals {
+            let s = k as f64 / part.intervals as f64;
+            let height_m = part.base_m * (1.0 - s) + part.top_m * s;
+            let [mass_kg_per_m, fore_aft, side_side] = part.values_at(height_m);
+            let mut station = TowerStation {
+                height_fraction: fraction(height_m),
+                mass_kg_per_m,
+                bending_n_m2: crate::tower::Planes {
+                    fore_aft,
+                    side_side,
+                },
+            };
+            if k == 0
+                && index > 0
+                && let Some(below) = stations.last_mut()
+            {
+                if is_same(below, &station) {
+                    continue;
+                }
+                below.height_fraction -= 0.5 * STEP;
+                station.height_fraction += 0.5 * STEP;
+            }
+            stations.push(station);
+        }
+    }
+    stations
+}
+
+/// Whether there is no step between two rows at one height.
+fn is_same(a: &TowerStation, b: &TowerStation) -> bool {
+    let values = |s: &TowerStation| {
+        let bending = s.bending_n_m2;
+        [s.mass_kg_per_m, bending.fore_aft, bending.side_side]
+    };
+    let pairs = values(a).into_iter().zip(values(b));
+    pairs.into_iter().all(|(a, b)| (a - b).abs() <= 1e-9 * a.abs())
+}
