@@ -4,7 +4,9 @@ use std::io::{self, Write as _};
 use std::process::ExitCode;
 
 use annotate_snippets::{AnnotationKind, Group, Level, Renderer, Snippet};
-use towermodes::{BladeError, EigenError, Family, SolveError, Warning};
+use towermodes::elastodyn::ShapesError;
+use towermodes::{BladeError, EigenError, Family, SolveError, TowerError, Warning};
+use towermodes_files::elastodyn::{MakeError, TowerFileError};
 use towermodes_files::{Diagnostic, InputError, Note, ResultError, Source};
 
 /// Why the program ends without a result.
@@ -16,6 +18,19 @@ pub(crate) enum Failure {
     Unsolved(SolveError),
     /// The file is no blade.
     Blade(BladeError),
+    /// The description is no tower.
+    Tower(TowerError),
+    /// The tower has no tower file of ElastoDyn.
+    TowerFile(MakeError),
+    /// What was asked for cannot be written, and why.
+    Refused(String),
+    /// Shapes of a deck are not those of its tower.
+    Unfit {
+        /// How many.
+        failures: usize,
+    },
+    /// Two descriptions do not agree.
+    Disagree,
     /// The arguments do not go together.
     Usage(&'static str),
     /// Values of the manual did not come out.
@@ -48,6 +63,24 @@ impl Failure {
                 say(&message(Level::ERROR, &error.to_string(), hint(error)));
             }
             Self::Blade(error) => say(&message(Level::ERROR, &error.to_string(), None)),
+            Self::Tower(error) => {
+                let text = format!("{}: {}", error.place, error.problem);
+                say(&message(Level::ERROR, &text, error.problem.hint()));
+            }
+            Self::TowerFile(MakeError::Shapes(ShapesError::Solve(error))) => {
+                say(&message(Level::ERROR, &error.to_string(), hint(error)));
+            }
+            Self::TowerFile(error) => say(&message(Level::ERROR, &error.to_string(), None)),
+            Self::Refused(text) => say(&message(Level::ERROR, text, None)),
+            Self::Unfit { failures } => {
+                let text = format!("{failures} of 4 shapes are not those of the tower");
+                let hint = "towermodes elastodyn patch puts the tower's own in their place";
+                say(&message(Level::ERROR, &text, Some(hint)));
+            }
+            Self::Disagree => {
+                let text = "the two descriptions do not agree";
+                say(&message(Level::ERROR, text, Some("look for fail above")));
+            }
             Self::Usage(text) => say(&message(Level::ERROR, text, None)),
             Self::Unverified { failures, values } => {
                 let text = format!("{failures} of {values} values did not come out");
@@ -68,9 +101,17 @@ impl Failure {
         ExitCode::from(self.code())
     }
 
+    /// What a tower file cannot hold.
+    pub(crate) fn tower_file(error: TowerFileError) -> Self {
+        Self::Refused(error.to_string())
+    }
+
     fn code(&self) -> u8 {
         match self {
-            Self::Unsolved(error) if !error.is_usage() => 1,
+            Self::Unsolved(error) | Self::TowerFile(MakeError::Shapes(ShapesError::Solve(error))) => {
+                if error.is_usage() { 2 } else { 1 }
+            }
+            Self::TowerFile(_) | Self::Refused(_) | Self::Unfit { .. } | Self::Disagree => 1,
             Self::Unwritable(..) | Self::Unverified { .. } => 1,
             _ => 2,
         }
@@ -81,6 +122,11 @@ impl From<ResultError> for Failure {
     fn from(error: ResultError) -> Self {
         Self::Unwritable("the result".into(), io::Error::other(error))
     }
+}
+
+/// Says what belongs to a result but not into it.
+pub(crate) fn report(text: &str) {
+    say(text);
 }
 
 /// Says what the reader of a file decided or left out.

@@ -31,7 +31,12 @@ pub(crate) fn input(file: &Path, reading: &ReadingArguments) -> Result<Input, Fa
 
 /// Reads the tower of a file, or of standard input; a rotating blade is none.
 pub(crate) fn tower_input(arguments: &InputArguments) -> Result<TowerInput, Failure> {
-    match input(&arguments.file, &arguments.reading)? {
+    input_of(&arguments.file, &arguments.reading)
+}
+
+/// The same of any path.
+pub(crate) fn input_of(file: &Path, reading: &ReadingArguments) -> Result<TowerInput, Failure> {
+    match input(file, reading)? {
         Input::Tower(tower) => Ok(*tower),
         Input::Blade(_) => Err(Failure::Usage(
             "this is a deck of a rotating blade; only solve reads these",
@@ -41,7 +46,15 @@ pub(crate) fn tower_input(arguments: &InputArguments) -> Result<TowerInput, Fail
 
 /// The tower of a file, and what its reader noted.
 pub(crate) fn tower(arguments: &InputArguments) -> Result<(Tower, Vec<Note>), Failure> {
-    let input = tower_input(arguments)?;
+    tower_of(&arguments.file, &arguments.reading)
+}
+
+/// The same of any path.
+pub(crate) fn tower_of(
+    file: &Path,
+    reading: &ReadingArguments,
+) -> Result<(Tower, Vec<Note>), Failure> {
+    let input = input_of(file, reading)?;
     let tower = input.tower().map_err(Failure::Input)?;
     Ok((tower, input.notes))
 }

@@ -4,8 +4,11 @@
 //! wrong input.
 
 mod args;
+mod check;
 mod compare;
 mod converge;
+mod convert;
+mod elastodyn;
 mod failure;
 mod input;
 mod output;
@@ -30,6 +33,9 @@ fn main() -> ExitCode {
         Command::Completions { shell } => shell::completions(shell),
         Command::Compare(arguments) => compare::run(&arguments),
         Command::Converge(arguments) => converge::run(&arguments),
+        Command::Convert(arguments) => convert::run(&arguments),
+        Command::Check(arguments) => check::run(&arguments),
+        Command::Elastodyn(arguments) => elastodyn::run(&arguments),
         Command::Verify(arguments) => verify::run(&arguments),
         Command::Schema { of } => shell::schema(&of),
         Command::Man { of } => shell::man(of.as_deref()),

@@ -17,6 +17,11 @@ pub(crate) fn deliver(result: &[u8], output: Option<&Path>) -> Result<(), Failur
     done.map_err(|error| Failure::Unwritable(name, error))
 }
 
+/// Writes a file anew.
+pub(crate) fn replace(path: &Path, text: &[u8]) -> Result<(), Failure> {
+    deliver(text, Some(path))
+}
+
 fn to_standard_output(result: &[u8]) -> std::io::Result<()> {
     let mut stdout = anstream::stdout().lock();
     stdout.write_all(result)?;

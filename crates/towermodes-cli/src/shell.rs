@@ -21,6 +21,8 @@ pub(crate) fn schema(of: &str) -> Result<(), Failure> {
         "blade" => ResultKind::Blade,
         "compare" => ResultKind::Comparison,
         "converge" => ResultKind::Convergence,
+        "check" => ResultKind::Agreement,
+        "validate" => ResultKind::Judgement,
         "verify" => ResultKind::Verification,
         _ => ResultKind::Solution,
     };

@@ -54,7 +54,7 @@ pub use solve::{
 };
 pub use tower::{
     AddedMassRow, FloatingPlatform, Foundation, FoundationSprings, HalfSpace, Inertia, Material,
-    Place, Planes, PointMass, Problem, Properties, PropertyStation, ReferredMatrix, RigidBody, Rna,
+    Place, Plane, Planes, PointMass, Problem, Properties, PropertyStation, ReferredMatrix, RigidBody, Rna,
     Shear, SoilRow, SoilStiffness, Station, StiffnessFoundation, Tower, TowerDescription,
     TowerError, Water, Wires,
 };

@@ -1,15 +1,24 @@
 //! The command line.
 
+mod check;
 mod compare;
 mod converge;
+mod convert;
+mod elastodyn;
 mod input;
 mod model;
 mod parsers;
 mod solve;
 mod verify;
 
+pub(crate) use check::CheckArguments;
 pub(crate) use compare::CompareArguments;
 pub(crate) use converge::ConvergeArguments;
+pub(crate) use convert::{ConvertArguments, Target};
+pub(crate) use elastodyn::{
+    DeckArguments, ElastoDynArguments, ElastoDynCommand, PatchArguments, ReportFormat,
+    TowerArguments, ValidateArguments,
+};
 pub(crate) use input::{InputArguments, ReadingArguments};
 pub(crate) use solve::{Prescribed, SolveArguments, SolveFormat};
 pub(crate) use verify::{VerifyArguments, VerifyFormat};
@@ -41,6 +50,12 @@ pub(crate) enum Command {
     Compare(CompareArguments),
     /// Show how the error of a method falls as its segments get more.
     Converge(ConvergeArguments),
+    /// Write a tower in another format: TOML, BModes, ElastoDyn, windIO.
+    Convert(ConvertArguments),
+    /// Compare two descriptions of one tower by height, or say what one describes.
+    Check(CheckArguments),
+    /// Make, mend and judge the tower files of ElastoDyn (OpenFAST).
+    Elastodyn(ElastoDynArguments),
     /// Check the program against the values that are known from elsewhere.
     Verify(VerifyArguments),
     /// Print a completion script for a shell.
@@ -55,14 +70,14 @@ pub(crate) enum Command {
     #[command(after_help = "Example:\n  towermodes schema solve > solve.schema.json")]
     Schema {
         /// The command.
-        #[arg(default_value = "solve", value_parser = ["solve", "blade", "compare", "converge", "verify"])]
+        #[arg(default_value = "solve", value_parser = ["solve", "blade", "compare", "converge", "check", "validate", "verify"])]
         of: String,
     },
     /// Print the manual page, of the program or of one of its commands.
     #[command(after_help = "Example:\n  towermodes man solve | man -l -")]
     Man {
         /// The command.
-        #[arg(value_parser = ["solve", "compare", "converge", "verify", "completions", "schema", "man"])]
+        #[arg(value_parser = ["solve", "compare", "converge", "convert", "check", "elastodyn", "verify", "completions", "schema", "man"])]
         of: Option<String>,
     },
 }

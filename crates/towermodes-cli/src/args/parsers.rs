@@ -47,3 +47,15 @@ pub(super) fn subset_parser(text: &str) -> Result<(usize, usize), String> {
     });
     parsed.ok_or_else(|| "must be two whole numbers from 1, as 1,2".into())
 }
+
+/// A version of OpenFAST, as 4.2.
+pub(super) fn openfast_parser(text: &str) -> Result<(u32, u32), String> {
+    let text = text.strip_prefix('v').unwrap_or(text);
+    let mut parts = text.split('.').map(|part| part.parse::<u32>().ok());
+    let parsed = match (parts.next(), parts.next()) {
+        (Some(Some(major)), None) => Some((major, 0)),
+        (Some(Some(major)), Some(Some(minor))) => Some((major, minor)),
+        _ => None,
+    };
+    parsed.ok_or_else(|| "must be a version, as 4.2".into())
+}

@@ -9,6 +9,7 @@ mod fst;
 mod layout;
 mod lump;
 mod main_file;
+mod make;
 mod main_reader;
 mod names;
 mod patch;
@@ -25,6 +26,9 @@ pub use deck::{ElastoDynDeck, read_elastodyn};
 pub use diff::unified_diff;
 pub use lump::lump_rna;
 pub use main_file::{MainFile, Platform};
+pub use make::{
+    DEFAULT_NODES, Damping, MadeTowerFile, MakeError, MakeOptions, make_tower_file, quantities,
+};
 pub use main_reader::read_main_file;
 pub use patch::{PatchError, patched};
 pub use rules::TowerFileError;

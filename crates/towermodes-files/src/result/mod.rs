@@ -1,16 +1,20 @@
 //! Results as other programs read them.
 
+mod agreement;
 mod blade;
 mod comparison;
 mod convergence;
+mod judgement;
 mod schema;
 mod solution_csv;
 mod solution_json;
 mod verification;
 
+pub use agreement::{write_agreement_json, write_examination_json};
 pub use blade::{write_blade_csv, write_blade_json};
 pub use comparison::{write_comparison_csv, write_comparison_json};
 pub use convergence::{write_convergence_csv, write_convergence_json};
+pub use judgement::write_judgement_json;
 pub use schema::{ResultKind, write_json_schema};
 pub use solution_csv::write_csv;
 pub use solution_json::write_json;

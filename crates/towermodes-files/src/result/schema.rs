@@ -4,9 +4,11 @@ use std::io::Write;
 
 use schemars::{JsonSchema, schema_for};
 
+use super::agreement::AgreementJson;
 use super::blade::BladeSolutionJson;
 use super::comparison::ComparisonJson;
 use super::convergence::ConvergenceJson;
+use super::judgement::JudgementsJson;
 use super::solution_json::SolutionJson;
 use super::verification::VerificationJson;
 use super::{ResultError, write_pretty};
@@ -22,6 +24,10 @@ pub enum ResultKind {
     Comparison,
     /// Of `towermodes converge`.
     Convergence,
+    /// Of `towermodes check` for two descriptions.
+    Agreement,
+    /// Of `towermodes elastodyn validate`.
+    Judgement,
     /// Of `towermodes verify`.
     Verification,
 }
@@ -36,6 +42,8 @@ pub fn write_json_schema(kind: ResultKind, writer: impl Write) -> Result<(), Res
         ResultKind::Blade => write_schema_of::<BladeSolutionJson<'static>>(writer),
         ResultKind::Comparison => write_schema_of::<ComparisonJson>(writer),
         ResultKind::Convergence => write_schema_of::<ConvergenceJson>(writer),
+        ResultKind::Agreement => write_schema_of::<AgreementJson>(writer),
+        ResultKind::Judgement => write_schema_of::<JudgementsJson>(writer),
         ResultKind::Verification => write_schema_of::<VerificationJson<'static>>(writer),
     }
 }

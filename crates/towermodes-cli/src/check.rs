@@ -1,0 +1,63 @@
+//! `towermodes check`.
+
+use std::path::Path;
+
+use towermodes::Verdict;
+use towermodes::study::{AgreementLimits, agree, examine};
+use towermodes_files::{write_agreement_json, write_examination_json};
+
+use crate::args::{CheckArguments, ReportFormat};
+use crate::failure::{Failure, note, warn};
+use crate::input::{input_of, tower_input};
+use crate::output::deliver;
+use crate::table;
+
+/// Compares two descriptions of one tower, or says what one describes.
+pub(crate) fn run(arguments: &CheckArguments) -> Result<(), Failure> {
+    match &arguments.other {
+        None => of_one(arguments),
+        Some(other) => of_two(arguments, other),
+    }
+}
+
+fn of_one(arguments: &CheckArguments) -> Result<(), Failure> {
+    let input = tower_input(&arguments.input)?;
+    let tower = input.tower().map_err(Failure::Input)?;
+    let examination = examine(&input.description).map_err(Failure::Tower)?;
+    let mut result = Vec::new();
+    match arguments.format {
+        ReportFormat::Table => {
+            result.extend(table::examination(&tower, &examination).into_bytes());
+        }
+        ReportFormat::Json => write_examination_json(&examination, &mut result)?,
+    }
+    note(&input.notes);
+    warn(tower.warnings());
+    deliver(&result, None)
+}
+
+fn of_two(arguments: &CheckArguments, other: &Path) -> Result<(), Failure> {
+    let first = tower_input(&arguments.input)?;
+    let second = input_of(other, &arguments.input.reading)?;
+    for input in [&first, &second] {
+        note(&input.notes);
+        // Mistakes have their place in the file.
+        input.tower().map_err(Failure::Input)?;
+    }
+    let limits = AgreementLimits::default();
+    let agreement = agree(&first.description, &second.description, &limits)
+        .map_err(|error| Failure::Refused(error.to_string()))?;
+    let mut result = Vec::new();
+    match arguments.format {
+        ReportFormat::Table => {
+            let names = [&arguments.input.file, other].map(|path| path.display().to_string());
+            result.extend(table::agreement(&names, &agreement).into_bytes());
+        }
+        ReportFormat::Json => write_agreement_json(&agreement, &mut result)?,
+    }
+    deliver(&result, None)?;
+    match agreement.verdict() {
+        Verdict::Fail => Err(Failure::Disagree),
+        _ => Ok(()),
+    }
+}

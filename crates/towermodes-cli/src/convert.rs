@@ -1,0 +1,139 @@
+//! `towermodes convert`.
+
+use std::path::Path;
+
+use towermodes_files::elastodyn::{MakeOptions, make_tower_file, write_tower_file};
+use towermodes_files::{
+    BmodesWriteOptions, Note, TowerInput, write_bmodes, write_toml, write_windio,
+};
+
+use crate::args::{ConvertArguments, Target};
+use crate::failure::{Failure, note};
+use crate::input::tower_input;
+use crate::output::{check_not_input, check_not_inputs, deliver};
+
+/// The files of a tower in another format.
+struct Converted {
+    text: String,
+    /// A second file: its name and text.
+    companion: Option<(String, String)>,
+    notes: Vec<Note>,
+}
+
+/// Reads any tower, writes it in another format; what that cannot hold goes to standard error.
+pub(crate) fn run(arguments: &ConvertArguments) -> Result<(), Failure> {
+    let output = arguments.output();
+    check_not_input(&arguments.input.file, output)?;
+    let input = tower_input(&arguments.input)?;
+    check_not_inputs(input.files(), output)?;
+    let converted = match arguments.to {
+        Target::Toml => to_toml(&input)?,
+        Target::Bmodes => to_bmodes(&input, output)?,
+        Target::Elastodyn => to_elastodyn(&input, arguments)?,
+        Target::WindIo => to_windio(&input)?,
+    };
+    note(&input.notes);
+    note(&converted.notes);
+    if let (Some((name, text)), Some(output)) = (&converted.companion, output) {
+        let companion = output.with_file_name(name);
+        check_not_inputs(input.files(), Some(&companion))?;
+        deliver(text.as_bytes(), Some(&companion))?;
+    }
+    deliver(converted.text.as_bytes(), output)
+}
+
+fn to_toml(input: &TowerInput) -> Result<Converted, Failure> {
+    // What no tower can have is not handed on.
+    input.tower().map_err(Failure::Input)?;
+    let (text, notes) = write_toml(&input.description);
+    Ok(Converted {
+        text,
+        companion: None,
+        notes,
+    })
+}
+
+fn to_bmodes(input: &TowerInput, output: Option<&Path>) -> Result<Converted, Failure> {
+    let Some(stem) = output.and_then(Path::file_stem) else {
+        return Err(Failure::Usage(
+            "a BModes deck is two files: give --output PATH for the first",
+        ));
+    };
+    let tower = input.tower().map_err(Failure::Input)?;
+    let sections_file = format!("{}_sections.dat", stem.to_string_lossy());
+    let options = BmodesWriteOptions {
+        sections_file: sections_file.clone(),
+        ..BmodesWriteOptions::default()
+    };
+    let files = write_bmodes(&tower, &input.description, &options)
+        .map_err(|error| Failure::Refused(error.to_string()))?;
+    Ok(Converted {
+        text: files.deck,
+        companion: Some((sections_file, files.sections)),
+        notes: files.notes,
+    })
+}
+
+fn to_elastodyn(input: &TowerInput, arguments: &ConvertArguments) -> Result<Converted, Failure> {
+    let tower = input.tower().map_err(Failure::Input)?;
+    let options = MakeOptions {
+        from_m: arguments.from_height,
+        has_concentrated_masses: true,
+        ..MakeOptions::default()
+    };
+    let made = make_tower_file(&tower, &options).map_err(Failure::TowerFile)?;
+    let has_masses = !made.content.concentrated_masses.is_empty();
+    let text = write_tower_file(&made.content, has_masses).map_err(Failure::tower_file)?;
+    let mut notes = made.notes;
+    notes.extend(left_out(input).into_iter().map(Note::new));
+    if has_masses {
+        notes.push(Note::new(
+            "concentrated masses are read by OpenFAST 4.2 and newer",
+        ));
+    }
+    Ok(Converted {
+        text,
+        companion: None,
+        notes,
+    })
+}
+
+/// What a tower file of ElastoDyn has no room for.
+fn left_out(input: &TowerInput) -> Vec<String> {
+    let description = &input.description;
+    let things = [
+        (description.rna.mass_kg != 0.0, "the rotor-nacelle assembly, which is in the main file"),
+        (
+            description.foundation != towermodes::Foundation::Clamped,
+            "the foundation, whose motion is taken off the shapes",
+        ),
+        (!description.soil.is_empty(), "the soil"),
+        (
+            description.water.is_some() || !description.added_mass.is_empty(),
+            "the water's mass",
+        ),
+        (!description.wires.is_empty(), "the wires"),
+    ];
+    let missing: Vec<&str> = things
+        .into_iter()
+        .filter(|(is_there, _)| *is_there)
+        .map(|(_, what)| what)
+        .collect();
+    let rotary = "torsion, stretch and rotary inertia";
+    let all = missing.into_iter().chain([rotary]).collect::<Vec<_>>();
+    vec![format!(
+        "a tower file of ElastoDyn does not hold {}; the shapes are of the tower with all of them",
+        all.join("; ")
+    )]
+}
+
+fn to_windio(input: &TowerInput) -> Result<Converted, Failure> {
+    let tower = input.tower().map_err(Failure::Input)?;
+    let (text, notes) = write_windio(&tower, &input.description)
+        .map_err(|error| Failure::Refused(error.to_string()))?;
+    Ok(Converted {
+        text,
+        companion: None,
+        notes,
+    })
+}

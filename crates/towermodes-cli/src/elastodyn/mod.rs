@@ -1,0 +1,18 @@
+//! `towermodes elastodyn`.
+
+mod deck;
+mod patch;
+mod tower;
+mod validate;
+
+use crate::args::{ElastoDynArguments, ElastoDynCommand};
+use crate::failure::Failure;
+
+/// Runs what was asked for.
+pub(crate) fn run(arguments: &ElastoDynArguments) -> Result<(), Failure> {
+    match &arguments.command {
+        ElastoDynCommand::Tower(arguments) => tower::run(arguments),
+        ElastoDynCommand::Patch(arguments) => patch::run(arguments),
+        ElastoDynCommand::Validate(arguments) => validate::run(arguments),
+    }
+}

@@ -1,0 +1,39 @@
+//! `towermodes elastodyn patch`.
+
+use std::path::{Path, PathBuf};
+
+use towermodes_files::elastodyn::{patched, unified_diff};
+
+use super::deck::{Judged, judged};
+use crate::args::PatchArguments;
+use crate::failure::{Failure, report};
+use crate::output::{deliver, replace};
+use crate::table;
+
+/// Puts the coefficients of the tower's own modes into the deck's tower file.
+pub(crate) fn run(arguments: &PatchArguments) -> Result<(), Failure> {
+    let judged = judged(&arguments.deck)?;
+    let Judged { deck, shapes, .. } = &judged;
+    let old = &deck.tower_source;
+    let new = patched(&old.text, &deck.coefficient_spans, &shapes.coefficients())
+        .map_err(|error| Failure::Refused(error.to_string()))?;
+    if arguments.diff {
+        let diff = unified_diff(&old.name, &old.name, &old.text, &new);
+        return deliver(diff.as_bytes(), None);
+    }
+    let changes = table::changes(&deck.tower, shapes);
+    if arguments.dry_run {
+        return deliver(changes.as_bytes(), None);
+    }
+    report(&changes);
+    if new == old.text {
+        return Ok(());
+    }
+    let path = Path::new(&old.name);
+    if arguments.backup {
+        let mut backup = path.as_os_str().to_owned();
+        backup.push(".bak");
+        replace(&PathBuf::from(backup), old.text.as_bytes())?;
+    }
+    replace(path, new.as_bytes())
+}

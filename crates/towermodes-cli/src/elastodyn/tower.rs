@@ -1,0 +1,25 @@
+//! `towermodes elastodyn tower`.
+
+use towermodes_files::elastodyn::{make_tower_file, write_tower_file};
+
+use crate::args::TowerArguments;
+use crate::failure::{Failure, note, report};
+use crate::input::tower_input;
+use crate::output::{check_not_input, check_not_inputs, deliver};
+use crate::table;
+
+/// Reads any tower, writes the tower file; how well it fits goes to standard error.
+pub(crate) fn run(arguments: &TowerArguments) -> Result<(), Failure> {
+    check_not_input(&arguments.input.file, arguments.output())?;
+    let input = tower_input(&arguments.input)?;
+    check_not_inputs(input.files(), arguments.output())?;
+    let tower = input.tower().map_err(Failure::Input)?;
+    let options = arguments.options();
+    let made = make_tower_file(&tower, &options).map_err(Failure::TowerFile)?;
+    let text = write_tower_file(&made.content, options.has_concentrated_masses)
+        .map_err(Failure::tower_file)?;
+    note(&input.notes);
+    note(&made.notes);
+    report(&table::fits(&tower, &made));
+    deliver(text.as_bytes(), arguments.output())
+}

@@ -1,0 +1,37 @@
+//! `towermodes elastodyn validate`.
+
+use towermodes::Verdict;
+use towermodes::elastodyn::{JudgementLimits, judge};
+use towermodes_files::elastodyn::MakeError;
+use towermodes_files::write_judgement_json;
+
+use super::deck::judged;
+use crate::args::{ReportFormat, ValidateArguments};
+use crate::failure::Failure;
+use crate::output::deliver;
+use crate::table;
+
+/// Judges the shapes of a deck by its tower's own.
+pub(crate) fn run(arguments: &ValidateArguments) -> Result<(), Failure> {
+    let judged = judged(&arguments.deck)?;
+    let (main, file) = (&judged.deck.main, &judged.deck.tower);
+    let flexible_m = main.tower_top_m - main.tower_base_m;
+    let nodes = main.tower_nodes;
+    let model = file.model(flexible_m, nodes, judged.deck.rna.mass_kg);
+    let limits = JudgementLimits::default();
+    let judgements = judge(&model, &file.modes(), &judged.shapes, &limits)
+        .map_err(|error| Failure::TowerFile(MakeError::Model(error)))?;
+    let mut result = Vec::new();
+    match arguments.format {
+        ReportFormat::Table => {
+            let title = &judged.deck.tower_source.name;
+            result.extend(table::judgements(title, &judged.tower, &judgements).into_bytes());
+        }
+        ReportFormat::Json => write_judgement_json(&judgements, &mut result)?,
+    }
+    deliver(&result, None)?;
+    match judgements.iter().filter(|j| j.verdict == Verdict::Fail).count() {
+        0 => Ok(()),
+        failures => Err(Failure::Unfit { failures }),
+    }
+}

@@ -1,0 +1,166 @@
+//! Two descriptions of one tower for people, and what one describes.
+
+use towermodes::study::{Agreement, Compared, ComparedFrequency, Examination, LargestDifference};
+use towermodes::{Tower, Verdict};
+
+use super::text::{align_right, four_digits, plain_table, title, tonnes};
+
+/// Masses, stiffnesses and frequencies of two towers, by height.
+pub(crate) fn agreement(names: &[String; 2], agreement: &Agreement) -> String {
+    format!(
+        "first:  {}\nsecond: {}\n{}\n{}\n\n{}\n\nby height: means over {:.2} m; mass below is from z = {} m\nverdict: {}\n",
+        names[0],
+        names[1],
+        ranges(agreement),
+        whole(agreement),
+        by_height(agreement),
+        agreement.window_m,
+        agreement.overlap.base_m,
+        agreement.verdict().name(),
+    )
+}
+
+fn ranges(agreement: &Agreement) -> String {
+    let [first, second] = &agreement.ranges;
+    if agreement.ranges_agree() {
+        return format!("both from {} m to {} m\n", first.base_m, first.top_m);
+    }
+    let shift = agreement.shift_m.map(|shift_m| {
+        format!("; they are equally long: is the datum of the second {shift_m:.3} m lower (--tower-base)?")
+    });
+    format!(
+        "the first from {} m to {} m, the second from {} m to {} m{}: compared from {} m to {} m (warn)\n",
+        first.base_m,
+        first.top_m,
+        second.base_m,
+        second.top_m,
+        shift.unwrap_or_default(),
+        agreement.overlap.base_m,
+        agreement.overlap.top_m,
+    )
+}
+
+fn whole(agreement: &Agreement) -> String {
+    let mut table = plain_table();
+    table.set_header(["", "first", "second", "difference", "verdict"]);
+    let mut add = |what: String, compared: &Compared, shown: &dyn Fn(f64) -> String| {
+        table.add_row([
+            what,
+            shown(compared.first),
+            shown(compared.second),
+            percent(compared.difference),
+            compared.verdict.name().to_owned(),
+        ]);
+    };
+    let metres = |z: f64| format!("{z:.3} m");
+    let exponent = |x: f64| format!("{x:.5e}");
+    add("mass".into(), &agreement.mass_kg, &tonnes);
+    add("centre of mass".into(), &agreement.center_of_mass_m, &metres);
+    let tip = &agreement.tip_flexibility_m_per_n;
+    add("tip flexibility fore-aft, m/N".into(), &tip.fore_aft, &exponent);
+    add("tip flexibility side-side, m/N".into(), &tip.side_side, &exponent);
+    let largest = |what: &str, l: &LargestDifference| format!("{what}, most apart at {:.2} m", l.height_m);
+    let bending = &agreement.largest_bending;
+    add(largest("mass kg/m", &agreement.largest_mass), &agreement.largest_mass.compared, &four);
+    add(largest("EI fore-aft N m2", &bending.fore_aft), &bending.fore_aft.compared, &exponent);
+    add(largest("EI side-side N m2", &bending.side_side), &bending.side_side.compared, &exponent);
+    let groups = [
+        ("clamped, bare", &agreement.frequencies_bare),
+        ("as given", &agreement.frequencies_as_given),
+    ];
+    for (which, frequencies) in groups {
+        for frequency in frequencies {
+            add_frequency(&mut table, which, frequency);
+        }
+    }
+    align_right(&mut table, 1..=3);
+    table.trim_fmt()
+}
+
+fn add_frequency(table: &mut comfy_table::Table, which: &str, frequency: &ComparedFrequency) {
+    let [first, second] = frequency
+        .frequencies_hz
+        .map(|hz| hz.map_or("-".to_owned(), |hz| format!("{hz:.5} Hz")));
+    let difference = frequency.compared.map(|c| percent(c.difference));
+    table.add_row([
+        format!("{} ({which})", frequency.label()),
+        first,
+        second,
+        difference.unwrap_or("-".to_owned()),
+        frequency.verdict().name().to_owned(),
+    ]);
+}
+
+fn by_height(agreement: &Agreement) -> String {
+    let mut table = plain_table();
+    table.set_header(["z m", "kg/m", "", "diff", "EI N m2", "", "diff", "mass below", "", "diff"]);
+    for row in &agreement.rows {
+        let (mass, bending, below) = (&row.mass_kg_per_m, &row.bending_n_m2.fore_aft, &row.mass_below_kg);
+        table.add_row([
+            format!("{:.2}", row.height_m),
+            format!("{:.1}", mass.first),
+            format!("{:.1}", mass.second),
+            marked(mass),
+            format!("{:.4e}", bending.first),
+            format!("{:.4e}", bending.second),
+            marked(bending),
+            tonnes(below.first),
+            tonnes(below.second),
+            marked(below),
+        ]);
+    }
+    align_right(&mut table, 0..=9);
+    table.trim_fmt()
+}
+
+fn four(value: f64) -> String {
+    four_digits(value)
+}
+
+fn percent(difference: f64) -> String {
+    format!("{:+.3} %", 100.0 * difference)
+}
+
+/// A difference, with its verdict where it does not pass.
+fn marked(compared: &Compared) -> String {
+    let difference = percent(compared.difference);
+    match compared.verdict {
+        Verdict::Pass => difference,
+        verdict => format!("{difference} {}", verdict.name()),
+    }
+}
+
+/// What one description says of a tower.
+pub(crate) fn examination(tower: &Tower, examination: &Examination) -> String {
+    let mut table = plain_table();
+    table.set_header(["z m", "kg/m", "EI fore-aft N m2", "EI side-side N m2", "mass below"]);
+    for row in &examination.rows {
+        table.add_row([
+            format!("{:.2}", row.height_m),
+            format!("{:.2}", row.mass_kg_per_m),
+            format!("{:.5e}", row.bending_n_m2.fore_aft),
+            format!("{:.5e}", row.bending_n_m2.side_side),
+            tonnes(row.mass_below_kg),
+        ]);
+    }
+    align_right(&mut table, 0..=4);
+    let range = &examination.range;
+    let about = examination.inertia_about_base;
+    let points = match examination.point_masses_kg {
+        0.0 => String::new(),
+        kg => format!(", {} of it point masses", tonnes(kg)),
+    };
+    format!(
+        "{}{}\n\nfrom {} m to {} m, {}{points} | centre of mass at {:.4} m | inertia about the base {:.5e} kg m2, about the axis {:.5e} kg m2\ntip flexibility from bending {:.5e} m/N fore-aft, {:.5e} m/N side-side; without the machine and what stands around\n",
+        title(tower),
+        table.trim_fmt(),
+        range.base_m,
+        range.top_m,
+        tonnes(examination.mass_kg),
+        examination.center_of_mass_m,
+        about[4][4],
+        about[5][5],
+        examination.tip_flexibility_m_per_n.fore_aft,
+        examination.tip_flexibility_m_per_n.side_side,
+    )
+}

@@ -1,0 +1,121 @@
+//! Shapes for ElastoDyn for people: how well they fit, how they change, how they are judged.
+
+use towermodes::elastodyn::{Judgement, TowerShape, TowerShapes};
+use towermodes::{Plane, Tower};
+use towermodes_files::elastodyn::{MadeTowerFile, TowerFile};
+
+use super::text::{align_right, four_digits, plain_table, title};
+
+/// How well the polynomials of a made tower file fit, and what ElastoDyn makes of them.
+pub(crate) fn fits(tower: &Tower, made: &MadeTowerFile) -> String {
+    let mut table = plain_table();
+    table.set_header([
+        "shape",
+        "mode Hz",
+        "rms residual",
+        "largest",
+        "condition",
+        "ElastoDyn Hz (alone)",
+        "damping %",
+    ]);
+    let content = &made.content;
+    let damping = [
+        content.fore_aft_damping_percent,
+        content.side_side_damping_percent,
+    ];
+    for (index, shape) in made.shapes.shapes.iter().enumerate() {
+        let alone_hz = made.quantities.of(shape.plane).frequency_alone_hz[index % 2];
+        table.add_row([
+            shape.label.clone(),
+            format!("{:.5}", shape.frequency_hz),
+            format!("{:.1e}", shape.fit.rms_residual),
+            format!("{:.1e}", shape.fit.largest_residual),
+            format!("{:.0}", shape.fit.condition),
+            format!("{alone_hz:.5}"),
+            four_digits(damping[index / 2][index % 2]),
+        ]);
+    }
+    align_right(&mut table, 1..=6);
+    format!(
+        "{}{}\n\n{} rows; residuals are shares of the top's deflection\n",
+        title(tower),
+        table.trim_fmt(),
+        content.rows.len()
+    )
+}
+
+/// The coefficients of a tower file and those of the tower's own modes.
+pub(crate) fn changes(file: &TowerFile, shapes: &TowerShapes) -> String {
+    let mut table = plain_table();
+    table.set_header(["coefficient", "in the file", "of the tower", "rms residual"]);
+    for (index, shape) in shapes.shapes.iter().enumerate() {
+        let texts = shape.decimals.texts();
+        for (k, (old, new)) in file.coefficients[index].iter().zip(texts).enumerate() {
+            let residual = match k {
+                0 => format!("{:.1e}", shape.fit.rms_residual),
+                _ => String::new(),
+            };
+            table.add_row([
+                format!("{}({})", name(shape), k + 2),
+                format!("{old:.8}"),
+                new,
+                residual,
+            ]);
+        }
+    }
+    align_right(&mut table, 1..=3);
+    format!("{}\n", table.trim_fmt())
+}
+
+/// The name that a shape's coefficients have in the file, without their power.
+fn name(shape: &TowerShape) -> String {
+    let plane = match shape.plane {
+        Plane::ForeAft => "FA",
+        Plane::SideSide => "SS",
+    };
+    format!("Tw{plane}M{}Sh", shape.number)
+}
+
+/// How far the shapes of a tower file are from the tower's own modes.
+pub(crate) fn judgements(file: &str, tower: &Tower, judgements: &[Judgement; 4]) -> String {
+    let mut table = plain_table();
+    table.set_header([
+        "shape",
+        "mode Hz",
+        "rms off",
+        "times the best",
+        "MAC",
+        "sum",
+        "implied Hz",
+        "best Hz",
+        "verdict",
+    ]);
+    for judgement in judgements {
+        let plane = match judgement.plane {
+            Plane::ForeAft => "FA",
+            Plane::SideSide => "SS",
+        };
+        table.add_row([
+            format!("Tw{plane}M{}Sh", judgement.number),
+            format!("{:.4}", judgement.mode_hz),
+            format!("{:.2} %", 100.0 * judgement.rms),
+            four_digits(judgement.rms_ratio()),
+            format!("{:.5}", judgement.mac),
+            format!("{:.6}", judgement.sum),
+            format!("{:.4}", judgement.implied_hz),
+            format!("{:.4}", judgement.best_implied_hz),
+            judgement.verdict.name().to_uppercase(),
+        ]);
+    }
+    align_right(&mut table, 1..=7);
+    format!(
+        "{file}\n\n{}\n\nmodes: of the tower from {} m to {} m with {} on top | rms off: of the shape's largest deflection | implied: what ElastoDyn makes of the coefficients, of the tower alone\n",
+        table.trim_fmt(),
+        tower.base_m(),
+        tower.top_m(),
+        match tower.rna().mass_kg {
+            0.0 => "nothing".to_owned(),
+            kg => super::text::tonnes(kg),
+        },
+    )
+}

@@ -1,0 +1,269 @@
+//! A complete tower file of a tower: its rows, its shapes, its damping.
+
+use thiserror::Error;
+use towermodes::elastodyn::{
+    ConcentratedMass as ListedMass, DampingError, Generalized, ModelError, PlaneModes, PointMasses,
+    Rows, RowsError, ShapesError, TowerModel, TowerPolynomial, TowerRows, TowerShapes,
+    TowerStation, damping_to_write_percent, tower_rows, tower_shapes,
+};
+use towermodes::{Method, Options, Plane, Planes, Tower};
+
+use super::tower_file::{ConcentratedMass, TowerFile, TowerRow};
+use super::writer::header_with_heights;
+use crate::input::Note;
+
+/// Elements of ElastoDyn's towers unless told, `TwrNodes`.
+pub const DEFAULT_NODES: usize = 20;
+
+/// The damping of a tower file.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Damping {
+    /// This ratio as it stands, percent of critical.
+    Written(f64),
+    /// What makes this ratio of the tower with what it carries, percent of critical.
+    Wanted(f64),
+}
+
+/// How a tower file is made.
+#[derive(Debug, Clone, PartialEq)]
+pub struct MakeOptions {
+    /// Height at which the flexible tower begins, m; the tower's base unless told.
+    pub from_m: Option<f64>,
+    /// How many rows.
+    pub rows: Rows,
+    /// Whether OpenFAST has the section of concentrated masses, as it does since 4.2; without it masses are spread over an element.
+    pub has_concentrated_masses: bool,
+    /// The damping.
+    pub damping: Damping,
+    /// Elements of ElastoDyn's tower, `TwrNodes`.
+    pub nodes: usize,
+    /// How the tower is solved for its shapes.
+    pub solve: Options,
+}
+
+impl Default for MakeOptions {
+    fn default() -> Self {
+        Self {
+            from_m: None,
+            rows: Rows::Accurate,
+            has_concentrated_masses: false,
+            damping: Damping::Written(1.0),
+            nodes: DEFAULT_NODES,
+            solve: Options {
+                method: Method::Spectral,
+                ..Options::default()
+            },
+        }
+    }
+}
+
+/// A tower file, and what it was made of.
+#[derive(Debug, Clone, PartialEq)]
+pub struct MadeTowerFile {
+    /// What goes into the file.
+    pub content: TowerFile,
+    /// The shapes with their fits.
+    pub shapes: TowerShapes,
+    /// What ElastoDyn makes of it.
+    pub quantities: Planes<Generalized>,
+    /// What the user should know.
+    pub notes: Vec<Note>,
+}
+
+/// Why a tower has no tower file.
+#[derive(Debug, Clone, PartialEq, Error)]
+#[non_exhaustive]
+pub enum MakeError {
+    /// It has no shapes.
+    #[error(transparent)]
+    Shapes(#[from] ShapesError),
+    /// It has no rows.
+    #[error(transparent)]
+    Rows(#[from] RowsError),
+    /// ElastoDyn could not use it.
+    #[error(transparent)]
+    Model(#[from] ModelError),
+    /// The damping cannot be.
+    #[error(transparent)]
+    Damping(#[from] DampingError),
+}
+
+/// Makes the tower file of a tower.
+///
+/// # Errors
+/// [`MakeError`].
+pub fn make_tower_file(tower: &Tower, options: &MakeOptions) -> Result<MadeTowerFile, MakeError> {
+    let from_m = options.from_m.unwrap_or(tower.base_m());
+    let shapes = tower_shapes(tower, &options.solve, from_m)?;
+    let masses = match options.has_concentrated_masses {
+        true => PointMasses::Listed,
+        false => PointMasses::Spread {
+            parts: options.nodes,
+        },
+    };
+    let rows = tower_rows(tower, from_m, options.rows, masses)?;
+    let mut content = content(tower, from_m, &rows, &shapes);
+    let length_m = tower.top_m() - from_m;
+    let model = content.model(length_m, options.nodes, tower.rna().mass_kg);
+    let quantities = quantities(&content, &model)?;
+    set_damping(&mut content, options.damping, &quantities, &shapes)?;
+    let quantities = self::quantities(&content, &model)?;
+    let notes = notes(tower, from_m, &shapes, options);
+    Ok(MadeTowerFile {
+        content,
+        shapes,
+        quantities,
+        notes,
+    })
+}
+
+fn content(tower: &Tower, from_m: f64, rows: &TowerRows, shapes: &TowerShapes) -> TowerFile {
+    let what = match tower.name() {
+        "" => "Tower file made by towermodes",
+        name => name,
+    };
+    let row = |station: &TowerStation| TowerRow {
+        height_fraction: station.height_fraction,
+        mass_kg_per_m: station.mass_kg_per_m,
+        fore_aft_n_m2: station.bending_n_m2.fore_aft,
+        side_side_n_m2: station.bending_n_m2.side_side,
+    };
+    let mass = |mass: &ListedMass| ConcentratedMass {
+        height_fraction: mass.height_fraction,
+        mass_kg: mass.mass_kg,
+    };
+    TowerFile {
+        header: header_with_heights(what, tower.top_m(), from_m),
+        fore_aft_damping_percent: [1.0; 2],
+        side_side_damping_percent: [1.0; 2],
+        fore_aft_tuners: [1.0; 2],
+        side_side_tuners: [1.0; 2],
+        mass_factor: 1.0,
+        fore_aft_factor: 1.0,
+        side_side_factor: 1.0,
+        rows: rows.stations.iter().map(row).collect(),
+        coefficients: shapes.coefficients(),
+        concentrated_masses: rows.concentrated_masses.iter().map(mass).collect(),
+    }
+}
+
+/// ElastoDyn's quantities of both planes.
+///
+/// # Errors
+/// [`ModelError`].
+pub fn quantities(
+    content: &TowerFile,
+    model: &TowerModel,
+) -> Result<Planes<Generalized>, ModelError> {
+    let modes = content.modes();
+    Ok(Planes {
+        fore_aft: model.generalized(Plane::ForeAft, &modes.fore_aft)?,
+        side_side: model.generalized(Plane::SideSide, &modes.side_side)?,
+    })
+}
+
+fn set_damping(
+    content: &mut TowerFile,
+    damping: Damping,
+    quantities: &Planes<Generalized>,
+    shapes: &TowerShapes,
+) -> Result<(), DampingError> {
+    let of = |plane: Plane, first: usize| -> Result<[f64; 2], DampingError> {
+        let alone_hz = quantities.of(plane).frequency_alone_hz;
+        let percent = |i: usize| match damping {
+            Damping::Written(percent) => Ok(percent),
+            Damping::Wanted(percent) => {
+                let coupled_hz = shapes.shapes[first + i].frequency_hz;
+                damping_to_write_percent(percent, alone_hz[i], coupled_hz)
+            }
+        };
+        Ok([percent(0)?, percent(1)?])
+    };
+    content.fore_aft_damping_percent = of(Plane::ForeAft, 0)?;
+    content.side_side_damping_percent = of(Plane::SideSide, 2)?;
+    Ok(())
+}
+
+fn notes(
+    tower: &Tower,
+    from_m: f64,
+    shapes: &TowerShapes,
+    options: &MakeOptions,
+) -> Vec<Note> {
+    let mut notes: Vec<Note> = shapes
+        .passed_over
+        .iter()
+        .map(|mode| {
+            Note::new(format!(
+                "mode {} ({}, {:.4} Hz) is not taken: {:.0} % of its energy is torsion, which ElastoDyn's towers do not have",
+                mode.number, mode.label, mode.frequency_hz, 100.0 * mode.torsion_share
+            ))
+        })
+        .collect();
+    let masses = tower.point_masses().iter();
+    let above = masses.filter(|mass| mass.height_m >= from_m).count();
+    if above > 0 && !options.has_concentrated_masses {
+        notes.push(Note::new(format!(
+            "{above} point mass{} spread over 1/{} of the height each: OpenFAST lists such masses since 4.2 (--openfast 4.2)",
+            if above == 1 { " is" } else { "es are" },
+            options.nodes
+        )));
+    }
+    let rotor = tower.rna();
+    if rotor.mass_kg == 0.0 {
+        notes.push(Note::new(
+            "the shapes are those of a tower that carries nothing: with a rotor-nacelle assembly they are others",
+        ));
+    }
+    notes
+}
+
+impl TowerFile {
+    /// The modes that it describes.
+    pub fn modes(&self) -> Planes<PlaneModes> {
+        let [fa1, fa2, ss1, ss2] = self
+            .coefficients
+            .map(|coefficients| TowerPolynomial { coefficients });
+        Planes {
+            fore_aft: PlaneModes {
+                shapes: [fa1, fa2],
+                tuners: self.fore_aft_tuners,
+                damping_percent: self.fore_aft_damping_percent,
+            },
+            side_side: PlaneModes {
+                shapes: [ss1, ss2],
+                tuners: self.side_side_tuners,
+                damping_percent: self.side_side_damping_percent,
+            },
+        }
+    }
+
+    /// The tower as ElastoDyn knows it: of a flexible length (m) in so many elements, with a mass (kg) on top, without gravity.
+    pub fn model(&self, flexible_length_m: f64, nodes: usize, tower_top_mass_kg: f64) -> TowerModel {
+        let station = |row: &TowerRow| TowerStation {
+            height_fraction: row.height_fraction,
+            mass_kg_per_m: row.mass_kg_per_m,
+            bending_n_m2: Planes {
+                fore_aft: row.fore_aft_n_m2,
+                side_side: row.side_side_n_m2,
+            },
+        };
+        let mass = |mass: &ConcentratedMass| ListedMass {
+            height_fraction: mass.height_fraction,
+            mass_kg: mass.mass_kg,
+        };
+        TowerModel {
+            flexible_length_m,
+            nodes,
+            stations: self.rows.iter().map(station).collect(),
+            mass_factor: self.mass_factor,
+            stiffness_factors: Planes {
+                fore_aft: self.fore_aft_factor,
+                side_side: self.side_side_factor,
+            },
+            concentrated_masses: self.concentrated_masses.iter().map(mass).collect(),
+            tower_top_mass_kg,
+            gravity_m_per_s2: 0.0,
+        }
+    }
+}
