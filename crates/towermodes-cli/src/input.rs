@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use towermodes::{Rna, Tower};
+use towermodes::Tower;
 use towermodes_files::{
     Beside, Input, InputError, Note, Source, TowerInput, read, read_source,
 };
@@ -20,13 +20,7 @@ pub(crate) fn input(file: &Path, reading: &ReadingArguments) -> Result<Input, Fa
     } else {
         read(file, &options)
     };
-    let mut input = input.map_err(Failure::Input)?;
-    if let Input::Tower(tower) = &mut input
-        && reading.no_rna
-    {
-        tower.description.rna = Rna::default();
-    }
-    Ok(input)
+    input.map_err(Failure::Input)
 }
 
 /// Reads the tower of a file, or of standard input; a rotating blade is none.

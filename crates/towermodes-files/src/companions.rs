@@ -27,7 +27,8 @@ impl Beside {
         Self { folder }
     }
 
-    /// Where a companion is: beside the main file, or else in the current folder.
+    /// Where a companion is: where its path leads from the folder of the main file; or else right beside that, whatever folder the path
+    /// names, because decks are often copied flat; or else where it leads from the current folder.
     pub fn path(&self, path: &str) -> PathBuf {
         let relative: PathBuf = path.split(['/', '\\']).collect();
         let relative = if path.starts_with('/') {
@@ -35,12 +36,11 @@ impl Beside {
         } else {
             relative
         };
-        let beside = self.folder.join(&relative);
-        if beside.exists() || !relative.is_file() {
-            beside
-        } else {
-            relative
-        }
+        let named = self.folder.join(&relative);
+        let beside = relative.file_name().map(|name| self.folder.join(name));
+        let candidates = [Some(named.clone()), beside, Some(relative)];
+        let found = candidates.into_iter().flatten().find(|path| path.is_file());
+        found.unwrap_or(named)
     }
 }
 

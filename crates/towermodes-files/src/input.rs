@@ -169,6 +169,8 @@ pub struct ReadOptions {
     pub tower_height_m: Option<f64>,
     /// Height of the tower's base above ground or sea level, m: for files that do not say it.
     pub tower_base_m: f64,
+    /// Whether the rotor-nacelle assembly is left out; files that only say what it is need not be there then.
+    pub without_rna: bool,
     /// Which part of a turbine.
     pub part: TowerPart,
     /// Which set and which subset in it of a structural file of HAWC2, by their numbers; the first of the file unless told.
@@ -181,6 +183,7 @@ impl Default for ReadOptions {
             bmodes_quirks: false,
             tower_height_m: None,
             tower_base_m: 0.0,
+            without_rna: false,
             part: TowerPart::All,
             hawc2_subset: None,
         }

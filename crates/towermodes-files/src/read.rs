@@ -2,6 +2,8 @@
 
 use std::path::Path;
 
+use towermodes::Rna;
+
 use crate::bmodes::{self, BmodesInput, read_bmodes};
 use crate::companions::{Beside, Companions};
 use crate::diagnostic::Diagnostic;
@@ -38,13 +40,13 @@ pub fn read_source(
     companions: &dyn Companions,
     options: &ReadOptions,
 ) -> Result<Input, InputError> {
-    let tower = match recognize(&source) {
+    let mut tower = match recognize(&source) {
         Some(FileFormat::Toml) => read_toml(source)?,
         Some(FileFormat::Bmodes) => {
-            return Ok(match read_bmodes(source, companions, options)? {
-                BmodesInput::Tower(tower) => Input::Tower(tower),
-                BmodesInput::Blade(blade) => Input::Blade(blade),
-            });
+            match read_bmodes(source, companions, options)? {
+                BmodesInput::Tower(tower) => *tower,
+                BmodesInput::Blade(blade) => return Ok(Input::Blade(blade)),
+            }
         }
         Some(FileFormat::ElastoDyn) => read_elastodyn(source, companions, options)?.input,
         Some(FileFormat::ElastoDynTower) => read_elastodyn_tower(source, options)?,
@@ -52,6 +54,9 @@ pub fn read_source(
         Some(FileFormat::Hawc2) => read_hawc2(source, options)?,
         None => return Err(unknown(&source)),
     };
+    if options.without_rna {
+        tower.description.rna = Rna::default();
+    }
     Ok(Input::Tower(Box::new(tower)))
 }
 

@@ -65,6 +65,7 @@ impl ReadingArguments {
             bmodes_quirks: self.bmodes_quirks,
             tower_height_m: self.tower_height,
             tower_base_m: self.tower_base,
+            without_rna: self.no_rna,
             part: match self.part {
                 Part::All => TowerPart::All,
                 Part::Tower => TowerPart::Tower,

@@ -30,13 +30,7 @@ pub(super) fn judged(arguments: &DeckArguments) -> Result<Judged, Failure> {
     note(&deck.input.notes);
     let tower = match &arguments.from {
         Some(from) => of_description(from, arguments)?,
-        None => {
-            let mut input = deck.input.clone();
-            if reading.no_rna {
-                input.description.rna = towermodes::Rna::default();
-            }
-            input.tower().map_err(Failure::Input)?
-        }
+        None => deck.input.tower().map_err(Failure::Input)?,
     };
     let solve = Options {
         method: Method::Spectral,

@@ -14,6 +14,7 @@ pub(crate) fn fits(tower: &Tower, made: &MadeTowerFile) -> String {
         "mode Hz",
         "rms residual",
         "largest",
+        "largest / top",
         "condition",
         "ElastoDyn Hz (alone)",
         "damping %",
@@ -28,16 +29,17 @@ pub(crate) fn fits(tower: &Tower, made: &MadeTowerFile) -> String {
         table.add_row([
             shape.label.clone(),
             format!("{:.5}", shape.frequency_hz),
-            format!("{:.1e}", shape.fit.rms_residual),
-            format!("{:.1e}", shape.fit.largest_residual),
+            format!("{:.1e}", shape.fit.rms_residual / shape.fit.largest_deflection),
+            format!("{:.1e}", shape.fit.largest_residual / shape.fit.largest_deflection),
+            four_digits(shape.fit.largest_deflection),
             format!("{:.0}", shape.fit.condition),
             format!("{alone_hz:.5}"),
             four_digits(damping[index / 2][index % 2]),
         ]);
     }
-    align_right(&mut table, 1..=6);
+    align_right(&mut table, 1..=7);
     format!(
-        "{}{}\n\n{} rows; residuals are shares of the top's deflection\n",
+        "{}{}\n\n{} rows | residuals: of the shape's largest deflection, which is so many times that of the top\n",
         title(tower),
         table.trim_fmt(),
         content.rows.len()
@@ -52,7 +54,7 @@ pub(crate) fn changes(file: &TowerFile, shapes: &TowerShapes) -> String {
         let texts = shape.decimals.texts();
         for (k, (old, new)) in file.coefficients[index].iter().zip(texts).enumerate() {
             let residual = match k {
-                0 => format!("{:.1e}", shape.fit.rms_residual),
+                0 => format!("{:.1e}", shape.fit.rms_residual / shape.fit.largest_deflection),
                 _ => String::new(),
             };
             table.add_row([
@@ -84,6 +86,7 @@ pub(crate) fn judgements(file: &str, tower: &Tower, judgements: &[Judgement; 4])
         "mode Hz",
         "rms off",
         "times the best",
+        "rms off both",
         "MAC",
         "sum",
         "implied Hz",
@@ -100,6 +103,7 @@ pub(crate) fn judgements(file: &str, tower: &Tower, judgements: &[Judgement; 4])
             format!("{:.4}", judgement.mode_hz),
             format!("{:.2} %", 100.0 * judgement.rms),
             four_digits(judgement.rms_ratio()),
+            format!("{:.2} %", 100.0 * judgement.rms_of_both),
             format!("{:.5}", judgement.mac),
             format!("{:.6}", judgement.sum),
             format!("{:.4}", judgement.implied_hz),
@@ -107,9 +111,9 @@ pub(crate) fn judgements(file: &str, tower: &Tower, judgements: &[Judgement; 4])
             judgement.verdict.name().to_uppercase(),
         ]);
     }
-    align_right(&mut table, 1..=7);
+    align_right(&mut table, 1..=8);
     format!(
-        "{file}\n\n{}\n\nmodes: of the tower from {} m to {} m with {} on top | rms off: of the shape's largest deflection | implied: what ElastoDyn makes of the coefficients, of the tower alone\n",
+        "{file}\n\n{}\n\nmodes: of the tower from {} m to {} m with {} on top | rms off: least difference to the mode, of its largest deflection; off both: what both shapes of the plane, which ElastoDyn mixes, cannot follow | implied: what ElastoDyn makes of the coefficients, of the tower alone\n",
         table.trim_fmt(),
         tower.base_m(),
         tower.top_m(),

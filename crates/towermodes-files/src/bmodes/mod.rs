@@ -10,6 +10,7 @@ mod foundation;
 mod list;
 mod main_file;
 mod matrix;
+mod norm;
 mod notes;
 mod out;
 mod quantity;
@@ -22,7 +23,8 @@ mod surroundings;
 mod tower;
 mod write;
 
-pub use out::{OutHeader, OutMode, OutRow, euclidean, write_bmodes_out};
+pub use norm::euclidean;
+pub use out::{OutHeader, OutMode, OutRow, write_bmodes_out};
 pub use write::{BmodesFiles, BmodesWriteError, BmodesWriteOptions, write_bmodes};
 
 use crate::companions::Companions;

@@ -4,7 +4,7 @@
 //! five (OpenFAST 5, without `PitchAxis`), so the column of masses is the one that the line of names calls so.
 
 use super::names::{name_on, plain};
-use super::positional::{Positional, last_fraction, next_fraction};
+use super::positional::{Parameter, Positional, last_fraction, next_fraction};
 use crate::diagnostic::Diagnostic;
 use crate::records::{Line, Token};
 use crate::source::Source;
@@ -106,13 +106,23 @@ pub fn read_blade_file(source: &Source) -> Result<BladeFile, Diagnostic> {
     let mass_factor = lines.parameter("AdjBlMs", "factor")?.positive()?;
     lines.parameter("AdjFlSt", "factor")?;
     lines.parameter("AdjEdSt", "factor")?;
+    let rows = rows(&mut lines, &count, wanted)?;
+    Ok(BladeFile { mass_factor, rows })
+}
+
+/// The distributed properties, as far as they are masses.
+fn rows(
+    lines: &mut Positional<'_>,
+    count: &Parameter<'_>,
+    wanted: usize,
+) -> Result<Vec<BladeRow>, Diagnostic> {
     lines.heading("the heading DISTRIBUTED BLADE PROPERTIES")?;
     let names = lines.heading("the names of the columns")?;
     lines.heading("the units of the columns")?;
     let mut rows: Vec<BladeRow> = Vec::new();
     let mut last = 0..0;
     while rows.len() < wanted {
-        let line = lines.row("the distributed properties", rows.len(), &count)?;
+        let line = lines.row("the distributed properties", rows.len(), count)?;
         let tokens: Vec<Token<'_>> = line.tokens().take(MOST_COLUMNS).collect();
         let (fraction, token) = cell(&line, &tokens, 0, "BlFract")?;
         let (mass_kg_per_m, mass) = cell(
@@ -137,7 +147,7 @@ pub fn read_blade_file(source: &Source) -> Result<BladeFile, Diagnostic> {
     if let Some(row) = rows.last_mut() {
         row.length_fraction = last_fraction(row.length_fraction, last, "BlFract")?;
     }
-    Ok(BladeFile { mass_factor, rows })
+    Ok(rows)
 }
 
 /// Columns beyond those of FAST 7 are not looked at.

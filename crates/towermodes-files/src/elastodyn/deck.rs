@@ -48,7 +48,7 @@ pub struct ElastoDynDeck {
 pub fn read_elastodyn(
     source: Source,
     companions: &dyn Companions,
-    _options: &ReadOptions,
+    options: &ReadOptions,
 ) -> Result<ElastoDynDeck, InputError> {
     refuse_parts(&source)?;
     let Main {
@@ -66,13 +66,22 @@ pub fn read_elastodyn(
     let tower_source = named.read(&main.tower_file, "TwrFile", main.place("TwrFile"))?;
     let reading =
         read_with_places(&tower_source).map_err(|m| InputError::mistake(&tower_source, m))?;
-    let (blade_sources, blades) = blades(&main, &named)?;
-    let rna = lump::lump_rna(&main, &blades);
+    let (blade_sources, blades) = match options.without_rna {
+        true => Default::default(),
+        false => blades(&main, &named)?,
+    };
+    let rna = match options.without_rna {
+        true => RigidBody::default(),
+        false => lump::lump_rna(&main, &blades),
+    };
     let mut sources: Vec<Source> = fst.into_iter().collect();
     sources.extend([main_source.clone(), tower_source.clone()]);
     let tower_index = sources.len() - 1;
     sources.extend(blade_sources);
     let mut input = input(&main, &reading, rna, sources, tower_index);
+    if !options.without_rna {
+        input.notes.extend(lump::notes(&main));
+    }
     input.notes.splice(0..0, notes);
     Ok(ElastoDynDeck {
         main,
@@ -184,7 +193,6 @@ fn input(
     let mut notes = reading.notes.clone();
     notes.push(Note::new(ONLY_BENDS));
     notes.extend(foundation_note(main));
-    notes.extend(lump::notes(main));
     TowerInput {
         format: FileFormat::ElastoDyn,
         description,

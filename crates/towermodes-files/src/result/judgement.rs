@@ -30,11 +30,14 @@ struct JudgementJson {
     mode_hz: f64,
     /// What the coefficients add up to.
     sum: f64,
-    /// Root of the mean square of the difference to the mode, as a share of its largest deflection.
+    /// Root of the mean square of the difference to the mode, as a share of its largest deflection, the shape multiplied by what
+    /// makes it least.
     rms: f64,
     /// The same of the best polynomial.
     best_rms: f64,
-    /// The ratio of the two.
+    /// The same of what both shapes of the plane together cannot follow.
+    rms_of_both: f64,
+    /// The ratio of `rms` and `best_rms`.
     rms_ratio: f64,
     /// Modal assurance criterion.
     mac: f64,
@@ -73,6 +76,7 @@ fn judgement_json(judgement: &Judgement) -> JudgementJson {
         sum: judgement.sum,
         rms: judgement.rms,
         best_rms: judgement.best_rms,
+        rms_of_both: judgement.rms_of_both,
         rms_ratio: judgement.rms_ratio(),
         mac: judgement.mac,
         implied_hz: judgement.implied_hz,

@@ -189,3 +189,43 @@ pub(super) fn positions<'a>(curves: impl IntoIterator<Item = &'a Curve>) -> Vec<
     }
     positions
 }
+
+#[cfg(test)]
+mod tests {
+    use super::{Curve, Position, positions};
+    use crate::windio::yaml::{Node, parse};
+
+    fn curve(text: &str) -> Curve {
+        let node: Node = parse(text).expect("YAML");
+        Curve::read(&node, "it").expect("a curve")
+    }
+
+    #[test]
+    fn a_step_has_two_values() {
+        let stepped = curve("{grid: [0, 0.5, 0.5, 1], values: [1, 3, 7, 5]}");
+        assert_eq!((stepped.below(0.5), stepped.above(0.5)), (3.0, 7.0));
+        assert_eq!((stepped.below(0.25), stepped.above(0.75)), (2.0, 6.0));
+        assert_eq!((stepped.below(0.0), stepped.above(1.0)), (1.0, 5.0));
+    }
+
+    #[test]
+    fn positions_that_differ_by_rounding_are_one() {
+        let (a, b) = (
+            curve("{grid: [0, 0.1, 1], values: [0, 0, 0]}"),
+            curve("{grid: [0, 0.10000000000000003, 0.2, 1], values: [0, 0, 0, 0]}"),
+        );
+        let all = positions([&a, &b]);
+        assert_eq!(all.len(), 4);
+        let (from, to) = (0.1, 0.100_000_000_000_000_03);
+        assert_eq!(all[1], Position { from, to });
+    }
+
+    #[test]
+    fn a_place_is_that_of_the_value_below() {
+        let text = "{grid: [0, 0.5, 1], values: [10, 20, 30]}";
+        let read = curve(text);
+        assert_eq!(&text[read.span_at(0.7)], "20");
+        assert_eq!(&text[read.span_at(0.0)], "10");
+        assert_eq!(&text[read.span_at(1.0)], "30");
+    }
+}

@@ -2,6 +2,7 @@
 //!
 //! Sources: the schemas of windIO 1.0 and 2.x (`IEAontology_schema.yaml`, `turbine_schema.yaml`).
 
+mod airfoils;
 mod body;
 mod comparison;
 mod curve;
@@ -26,6 +27,7 @@ use crate::diagnostic::Diagnostic;
 use crate::input::{FileFormat, InputError, ReadOptions, TowerInput, TowerPart};
 use crate::places::Places;
 use crate::source::Source;
+use airfoils::without_airfoils;
 use outline::Outline;
 use reading::Reading;
 use structure::Structure;
@@ -73,7 +75,7 @@ fn describe(
         reading.mistakes.push(mistake);
         return None;
     }
-    let outline: Outline = reading.keep(yaml::parse(&reading.source.text))?;
+    let outline: Outline = reading.keep(yaml::parse(&without_airfoils(&reading.source.text)))?;
     let version = outline.version(&reading.source.text);
     let rna = match options.part {
         TowerPart::Monopile => Ok(towermodes::Rna::default()),
@@ -104,5 +106,19 @@ fn note_platform(outline: &Outline, reading: &mut Reading<'_>) {
     }
     if components.jacket.is_some() {
         reading.note("the jacket is left out: the tower is clamped at its base");
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::is_windio;
+
+    #[test]
+    fn windio_is_known_by_its_keys_or_its_name() {
+        assert!(is_windio("name: x\ncomponents:\n  tower:\n", "-"));
+        assert!(is_windio("windIO_version: '2.0'\n", "turbine"));
+        assert!(is_windio("", "a.b/turbine.YAML"));
+        assert!(!is_windio("[material]\ndensity = 1\n", "tower.toml"));
+        assert!(!is_windio("  components: x\n", "deck.bmi"));
     }
 }

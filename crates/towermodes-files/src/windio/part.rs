@@ -13,6 +13,9 @@ use crate::diagnostic::Diagnostic;
 /// An axis that leaves the vertical by less than this, m, is straight.
 const STRAIGHT_M: f64 = 1e-6;
 
+/// No wall has more layers than this; every row sums them up.
+const MAX_LAYERS: usize = 50;
+
 /// Heights nearer than this, m, are the same.
 pub(super) const SAME_M: f64 = 1e-6;
 
@@ -237,6 +240,13 @@ fn layers(
         return Ok(Vec::new());
     };
     let list = list.list(&format!("layers of the {what}"))?;
+    if list.len() > MAX_LAYERS {
+        let message = format!(
+            "the {what} has {} layers; {MAX_LAYERS} can be read",
+            list.len()
+        );
+        return Err(Diagnostic::new(list[MAX_LAYERS].span.clone(), message));
+    }
     let mut layers = Vec::new();
     for (i, node) in list.iter().enumerate() {
         let name = format!("layer {} of the {what}", i + 1);

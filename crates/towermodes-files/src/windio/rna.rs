@@ -134,6 +134,11 @@ impl Assembly {
                 let hub = hub_of(hub, outline, version, is_upwind)?;
                 let span = blade.inertia_matrix().map(|node| node.span.clone());
                 let body = rotor(blade, &hub)?;
+                if body.is_some() && hub.blades < 3.0 {
+                    reading.note(
+                        "the rotor has less than three blades: its inertia is the mean of a turn",
+                    );
+                }
                 body.zip(span)
                     .map(|(body, span)| (format!("{} blades", hub.blades), body, span))
             }
@@ -195,7 +200,11 @@ fn hub_of(
     is_upwind: bool,
 ) -> Result<Hub, Diagnostic> {
     let shape = hub.get("outer_shape_bem").unwrap_or(hub);
-    let diameter_m = shape.require("diameter", "hub")?.number("hub diameter")?;
+    let diameter = shape.require("diameter", "hub")?;
+    let diameter_m = diameter.number("hub diameter")?;
+    if diameter_m < 0.0 {
+        return Err(diameter.wrong("hub diameter cannot be negative"));
+    }
     let cone = shape.number_or("cone_angle", "cone angle", 0.0)?;
     let assembly = outline.assembly.as_ref();
     let blades = assembly.and_then(|assembly| assembly.get("number_of_blades"));

@@ -26,7 +26,9 @@ struct Span {
     axis: [Option<Curve>; 3],
 }
 
-/// The blades together: mass, centre on the shaft, inertia; x along the shaft downwind, from the apex. None if the file does not say their mass.
+/// The blades together: mass, centre on the shaft, inertia; x along the shaft downwind, from the apex.
+///
+/// None if the file does not say their mass.
 pub(super) fn rotor(blade: &Blade, hub: &Hub) -> Result<Option<RigidBody>, Diagnostic> {
     let (Some(axis), Some(inertia)) = (blade.axis(), blade.inertia_matrix()) else {
         return Ok(None);

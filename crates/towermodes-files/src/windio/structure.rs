@@ -228,13 +228,7 @@ impl Structure {
             for row in part.table(&materials)? {
                 push(&mut rows, row);
             }
-            if part.layers.len() > 1 {
-                let message = format!(
-                    "the {} has several layers: its sections are the sums of concentric tubes, from outside in",
-                    part.what
-                );
-                reading.note(message);
-            }
+            note_sections(part, reading);
         }
         even_out(&mut rows, reading);
         remember(&rows, places);
@@ -247,6 +241,22 @@ impl Structure {
     /// The materials that walls are made of.
     pub(super) fn materials(&self) -> Vec<Material> {
         self.materials.iter().map(|used| used.material).collect()
+    }
+}
+
+/// Says what was made of the sections of a part.
+fn note_sections(part: &Part, reading: &mut Reading<'_>) {
+    let what = part.what;
+    if part.layers.len() > 1 {
+        reading.note(format!(
+            "the {what} has several layers: its sections are the sums of concentric tubes, from outside in"
+        ));
+    }
+    let table = part.elastic.as_ref().filter(|_| part.layers.is_empty());
+    if table.is_some_and(|table| table.rotary.is_none()) {
+        reading.note(format!(
+            "the elastic properties of the {what} have no rotary inertia: it is that of a thin tube of the outer diameter, or none where that is not known"
+        ));
     }
 }
 

@@ -86,3 +86,27 @@ impl Wall {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn wall(top_m: f64) -> Wall {
+        Wall {
+            diameter_m: [6.0, top_m],
+            layers: vec![([0.03, 0.03], 0), ([0.2, 0.2], 1)],
+            span: 0..0,
+        }
+    }
+
+    #[test]
+    fn straight_walls_need_no_rows_between_and_tapers_many() {
+        let steel = Material::from_poissons_ratio(7850.0, 2.1e11, 0.3);
+        let concrete = Material::from_poissons_ratio(2500.0, 4e10, 0.2);
+        let rows = |top_m| wall(top_m).rows_between(&[steel, concrete], 1.0, 200);
+        assert_eq!(rows(6.0), 1);
+        // EI ~ D^3: the largest error is about 3/4 of the square of the relative change, 1/36 from row to row.
+        assert!((20..=200).contains(&rows(5.0)), "{}", rows(5.0));
+        assert!(rows(5.9) < rows(5.0));
+    }
+}

@@ -115,7 +115,11 @@ fn bytes(location: &Location) -> Range<usize> {
 
 /// Reads a text as YAML. Aliases are replayed within the limits of the parser, so that no small file becomes a large tree.
 pub(super) fn parse<T: DeserializeOwned>(text: &str) -> Result<T, Diagnostic> {
-    let options = serde_saphyr::options! { with_snippet: false };
+    let options = serde_saphyr::options! {
+        with_snippet: false,
+        // Said where the number is used, and only there.
+        non_finite_float_policy: serde_saphyr::options::NonFiniteFloatPolicy::PassThrough,
+    };
     serde_saphyr::from_str_with_options(text, options).map_err(|error| mistake(&error, text))
 }
 

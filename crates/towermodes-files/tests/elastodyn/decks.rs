@@ -108,3 +108,41 @@ fn files_that_are_not_there_or_not_main_files_are_said() {
         "{error}"
     );
 }
+
+#[test]
+fn what_the_library_refuses_is_in_the_right_file() {
+    let refused = |change: fn(&mut towermodes::TowerDescription)| {
+        let mut input = deck(&[]).input;
+        for row in &mut input.description.properties {
+            (row.properties.torsion_n_m2, row.properties.axial_n) = (1e10, 1e10);
+            row.properties.polar_inertia_kg_m = 1.0;
+        }
+        change(&mut input.description);
+        let Err(InputError::Mistakes {
+            source_file,
+            mistakes,
+        }) = input.tower()
+        else {
+            panic!("it is refused");
+        };
+        let text = source_file.text[mistakes[0].span.clone()].to_owned();
+        (source_file.name, text)
+    };
+    let at = |file: &str, text: &str| (file.to_owned(), text.to_owned());
+    let station = refused(|tower| tower.properties[1].properties.mass_kg_per_m = -1.0);
+    assert_eq!(station, at("tower.dat", "900"));
+    let stiffness = refused(|tower| tower.properties[2].properties.bending_n_m2.side_side = 0.0);
+    assert_eq!(stiffness, at("tower.dat", "1.6e10"));
+    let torsion = refused(|tower| tower.properties[1].properties.torsion_n_m2 = -1.0);
+    assert_eq!(torsion, at("tower.dat", "0.25 900 9e9 1.8e10"));
+    let mass = refused(|tower| tower.point_masses[0].height_m = 99.0);
+    assert_eq!(mass, at("tower.dat", "0.5"));
+    assert_eq!(
+        refused(|tower| tower.rna.mass_kg = -1.0),
+        at("main.dat", "2000")
+    );
+    assert_eq!(
+        refused(|tower| tower.rna.inertia_kg_m2.xx = -1e9),
+        at("main.dat", "4000")
+    );
+}

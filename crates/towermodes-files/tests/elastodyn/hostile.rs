@@ -70,7 +70,7 @@ fn damaged(text: &str, state: &mut u64) -> String {
 fn damaged_files_give_a_tower_or_a_mistake_in_the_text() {
     let mut state = 20_261_121;
     let (tower, main) = (TOWER.to_owned() + MASSES, main_text(5, &[]));
-    for round in 0..4000 {
+    for round in 0..2000 {
         let (which, mut companions) = (round % 3, InMemory::default());
         let mut text = |index: usize, text: &str| match index == which {
             true => damaged(text, &mut state),

@@ -40,10 +40,13 @@ pub struct Judgement {
     pub mode_hz: f64,
     /// What the coefficients add up to; OpenFAST refuses what is farther than 0.0015 from 1.
     pub sum: f64,
-    /// Root of the mean square over the height of the difference to the mode, as a share of its largest deflection.
+    /// Root of the mean square over the height of the difference to the mode, as a share of the mode's largest deflection, the shape being
+    /// multiplied by what makes it least: a top that hardly moves would make the difference of shapes that are 1 there as large as one likes.
     pub rms: f64,
     /// The same of the best polynomial.
     pub best_rms: f64,
+    /// The same of what both shapes of the plane together cannot follow: ElastoDyn mixes them.
+    pub rms_of_both: f64,
     /// Modal assurance criterion (Σab)²/(Σa² Σb²) with the mode.
     pub mac: f64,
     /// Frequency that ElastoDyn makes of the shape, of the tower without what it carries, Hz.
@@ -86,8 +89,8 @@ pub fn judge(
     let implied = [implied(Plane::ForeAft)?, implied(Plane::SideSide)?];
     Ok(std::array::from_fn(|i| {
         let (shape, (shipped_hz, best_hz)) = (&own.shapes[i], implied[i / 2]);
-        let polynomial = shipped.of(shape.plane).shapes[i % 2];
-        let mut judgement = compared(shape, &polynomial);
+        let shapes = shipped.of(shape.plane).shapes;
+        let mut judgement = compared(shape, &shapes, i % 2);
         judgement.implied_hz = shipped_hz[i % 2];
         judgement.best_implied_hz = best_hz[i % 2];
         judgement.verdict = judgement.by(limits);
@@ -95,31 +98,63 @@ pub fn judge(
     }))
 }
 
-fn compared(shape: &TowerShape, polynomial: &TowerPolynomial) -> Judgement {
-    let tip = shape.fit.tip_deflection;
-    let points: Vec<(f64, f64)> = shape.samples.bent().map(|(x, w)| (x, w / tip)).collect();
-    let values: Vec<f64> = points.iter().map(|(_, w)| *w).collect();
-    let shipped: Vec<f64> = points.iter().map(|(x, _)| polynomial.value(*x)).collect();
-    let largest = shape.fit.largest_deflection;
-    let squares = points.windows(2).zip(shipped.windows(2));
-    let mean_square: f64 = squares
-        .map(|(mode, file)| {
-            let off = |k: usize| (file[k] - mode[k].1).powi(2);
-            0.5 * (mode[1].0 - mode[0].0) * (off(0) + off(1))
-        })
-        .sum();
+/// A shape of a file beside its mode; frequencies and verdict are still missing.
+fn compared(shape: &TowerShape, shapes: &[TowerPolynomial; 2], number: usize) -> Judgement {
+    let points: Vec<(f64, f64)> = shape.samples.bent().collect();
+    let mode: Vec<f64> = points.iter().map(|(_, w)| *w).collect();
+    let sampled = |polynomial: &TowerPolynomial| -> Vec<f64> {
+        points.iter().map(|(x, _)| polynomial.value(*x)).collect()
+    };
+    let file = shapes.map(|polynomial| sampled(&polynomial));
+    let best = sampled(&shape.fit.polynomial);
+    let weights = trapezoidal(&points);
+    let size = (shape.fit.largest_deflection * shape.fit.tip_deflection).abs();
+    let left = |basis: &[&[f64]]| what_is_left(&mode, basis, &weights).sqrt() / size;
     Judgement {
         plane: shape.plane,
         number: shape.number,
         mode_hz: shape.frequency_hz,
-        sum: polynomial.sum(),
-        rms: mean_square.sqrt() / largest,
-        best_rms: shape.fit.rms_residual / largest,
-        mac: mac(&values, &shipped, None).unwrap_or(0.0),
+        sum: shapes[number].sum(),
+        rms: left(&[&file[number]]),
+        best_rms: left(&[&best]),
+        rms_of_both: left(&[&file[0], &file[1]]),
+        mac: mac(&mode, &file[number], None).unwrap_or(0.0),
         implied_hz: f64::NAN,
         best_implied_hz: f64::NAN,
         verdict: Verdict::Fail,
     }
+}
+
+/// The mean square of what is left of a vector without its parts along others, by Gram and Schmidt.
+fn what_is_left(vector: &[f64], basis: &[&[f64]], weights: &[f64]) -> f64 {
+    let dot = |a: &[f64], b: &[f64]| -> f64 {
+        let terms = a.iter().zip(b).zip(weights);
+        terms.map(|((a, b), weight)| weight * a * b).sum()
+    };
+    let without = |mut vector: Vec<f64>, others: &[Vec<f64>]| {
+        // Twice is enough.
+        for other in others.iter().chain(others) {
+            let share = dot(&vector, other) / dot(other, other);
+            if share.is_finite() {
+                vector.iter_mut().zip(other).for_each(|(v, o)| *v -= share * o);
+            }
+        }
+        vector
+    };
+    let mut orthogonal: Vec<Vec<f64>> = Vec::with_capacity(basis.len());
+    for vector in basis {
+        let next = without(vector.to_vec(), &orthogonal);
+        orthogonal.push(next);
+    }
+    let left = without(vector.to_vec(), &orthogonal);
+    dot(&left, &left)
+}
+
+/// The part of the height that each sample stands for.
+fn trapezoidal(points: &[(f64, f64)]) -> Vec<f64> {
+    let last = points.len().saturating_sub(1);
+    let weight = |i: usize| 0.5 * (points[(i + 1).min(last)].0 - points[i.saturating_sub(1)].0);
+    (0..points.len()).map(weight).collect()
 }
 
 impl Judgement {

@@ -6,8 +6,9 @@ use super::model::{ConcentratedMass, TowerStation};
 use crate::number::Plain;
 use crate::tower::{Piece, PointMass, Section, Tower};
 
-/// Between rows that are put by themselves the mean error of what is linear is no more than this share of it.
-const ACCURACY: f64 = 1e-6;
+/// Between rows that are put by themselves the mean error of what is linear is no more than this share of its least value, which leaves
+/// frequencies an error below a millionth.
+const ACCURACY: f64 = 4e-6;
 /// Rows of a step are this share of the height apart: ElastoDyn wants heights that rise.
 const STEP: f64 = 1e-6;
 /// More rows than this are refused.
@@ -16,7 +17,7 @@ pub const MAX_STATIONS: usize = 100_000;
 /// How many rows there shall be.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Rows {
-    /// As many as keep mass and stiffness between them right to a millionth.
+    /// As many as keep frequencies right to a millionth, mass and stiffness being linear between them.
     #[default]
     Accurate,
     /// About so many, and at least those that steps and kinks need.

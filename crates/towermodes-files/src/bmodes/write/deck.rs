@@ -1,10 +1,10 @@
 //! The text of the main file.
 
 use towermodes::Rna;
-use towermodes::space::SpatialMatrix;
 
 use super::error::BmodesWriteError;
-use super::number::{number, rounded};
+use super::lines::{Lines, VALUES_IN_A_LINE};
+use super::number::number;
 use super::platform::Platform;
 use super::sections::name_or;
 use super::support::{Ends, Hub, Support};
@@ -13,8 +13,6 @@ use super::support::{Ends, Hub, Support};
 const TITLE_LENGTH: usize = 99;
 /// BModes keeps so many characters of a file's name.
 const NAME_LENGTH: usize = 200;
-/// Values on a line of those lists that go over several.
-const VALUES_IN_A_LINE: usize = 8;
 
 /// What the main file says.
 pub(super) struct Deck<'a> {
@@ -39,48 +37,6 @@ pub(super) fn quoted(name: &str) -> Result<String, BmodesWriteError> {
     match quote.filter(|_| is_short && !name.contains(char::is_control)) {
         Some(quote) => Ok(format!("{quote}{name}{quote}")),
         None => Err(BmodesWriteError::FileName { name: name.into() }),
-    }
-}
-
-/// Lines of a deck: BModes counts them, so each is written for itself.
-#[derive(Default)]
-struct Lines(String);
-
-impl Lines {
-    fn comment(&mut self, comment: &str) {
-        self.0.push_str(comment);
-        self.0.push('\n');
-    }
-
-    /// A value, its name and what it is.
-    fn value(&mut self, value: &str, name: &str, meaning: &str) {
-        self.comment(&format!("{value:<22} {:<17}{meaning}", format!("{name}:")));
-    }
-
-    fn number(&mut self, value: f64, name: &str, meaning: &str) {
-        self.value(&number(value), name, meaning);
-    }
-
-    /// As many values as follow from another one, over several lines; the meaning is behind the last one.
-    fn list(&mut self, values: &[String], name: &str, meaning: &str) {
-        let mut lines: Vec<String> = values
-            .chunks(VALUES_IN_A_LINE)
-            .map(|v| v.join("  "))
-            .collect();
-        let last = lines.pop().unwrap_or_else(|| "0.0  0.0".into());
-        for line in lines {
-            self.comment(&line);
-        }
-        self.comment(&format!("{last}  : {name}: {meaning}"));
-    }
-
-    fn matrix(&mut self, matrix: &SpatialMatrix) {
-        for row in matrix {
-            self.comment(
-                &row.map(|entry| format!("{:>22}", number(rounded(entry))))
-                    .join(" "),
-            );
-        }
     }
 }
 

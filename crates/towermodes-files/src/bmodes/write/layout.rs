@@ -27,6 +27,14 @@ pub(super) enum Need {
     Essential,
 }
 
+/// What is spread, for each metre of the tower.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub(super) struct PerMetre {
+    pub(super) mass_kg_per_m: f64,
+    pub(super) polar_inertia_kg_m: f64,
+    pub(super) horizontal_n_per_m2: f64,
+}
+
 /// A tower between cuts, and what is spread over parts of it.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Layout {
@@ -36,6 +44,8 @@ pub(super) struct Layout {
     pub(super) cuts: Vec<Cut>,
     /// Masses, and wires of a tower that is offshore, each between two cuts.
     pub(super) spreads: Vec<Spread>,
+    /// What they are between neighbouring cuts.
+    per_metre: Vec<PerMetre>,
     /// Masses that are at the top: their indices in the description.
     pub(super) masses_at_the_top: Vec<usize>,
     /// Masses at the base.
@@ -58,6 +68,7 @@ impl Layout {
             top_m: tower.top_m(),
             cuts: Vec::new(),
             spreads: Vec::new(),
+            per_metre: Vec::new(),
             masses_at_the_top: Vec::new(),
             masses_at_the_base: Vec::new(),
             wires_at_the_base: Vec::new(),
@@ -66,6 +77,7 @@ impl Layout {
         spreads(&mut layout, description, is_offshore, notes);
         layout.cut(tower, notes);
         layout.snap();
+        layout.add_up();
         layout
     }
 
@@ -85,14 +97,27 @@ impl Layout {
             .map(|pair| (pair[0].height_m, pair[1].height_m))
     }
 
-    /// Whatever is spread over a height, per length.
-    pub(super) fn spread_at(&self, height_m: f64, per_length: impl Fn(&Spread) -> f64) -> f64 {
-        let here = |s: &&Spread| s.from_m < height_m && height_m < s.to_m;
-        self.spreads
-            .iter()
-            .filter(here)
-            .map(|s| per_length(s) / (s.to_m - s.from_m))
-            .sum()
+    /// What is spread over a height, per metre.
+    pub(super) fn spread_at(&self, height_m: f64) -> PerMetre {
+        let above = self.cuts.partition_point(|cut| cut.height_m < height_m);
+        let here = above
+            .checked_sub(1)
+            .and_then(|interval| self.per_metre.get(interval));
+        here.copied().unwrap_or_default()
+    }
+
+    /// Adds up what is spread between neighbouring cuts, once for all heights.
+    fn add_up(&mut self) {
+        self.per_metre = vec![PerMetre::default(); self.cuts.len() - 1];
+        let index = |height_m: f64| self.cuts.partition_point(|cut| cut.height_m < height_m);
+        for spread in &self.spreads {
+            let over_m = spread.to_m - spread.from_m;
+            for sum in &mut self.per_metre[index(spread.from_m)..index(spread.to_m)] {
+                sum.mass_kg_per_m += spread.mass_kg / over_m;
+                sum.polar_inertia_kg_m += spread.polar_inertia_kg_m2 / over_m;
+                sum.horizontal_n_per_m2 += spread.horizontal_n_per_m / over_m;
+            }
+        }
     }
 
     fn cut(&mut self, tower: &Tower, notes: &mut Vec<Note>) {

@@ -44,7 +44,7 @@ pub(super) fn loads(
             section_of(piece, height_m).masses.water_kg_per_m
         }),
         stiffness: table(tower, layout, |piece, height_m, middle_m| {
-            let spread = layout.spread_at(middle_m, |s| s.horizontal_n_per_m);
+            let spread = layout.spread_at(middle_m).horizontal_n_per_m2;
             section_of(piece, height_m).soil.x_n_per_m2 + spread
         }),
         ..Loads::default()

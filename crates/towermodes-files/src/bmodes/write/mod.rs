@@ -4,6 +4,7 @@ mod deck;
 mod elements;
 mod error;
 mod layout;
+mod lines;
 mod loads;
 mod number;
 mod platform;

@@ -4,7 +4,7 @@ use towermodes::Tower;
 use towermodes::tower::{Piece, Section};
 
 use super::error::BmodesWriteError;
-use super::layout::Layout;
+use super::layout::{Layout, PerMetre};
 
 /// The ratio of both planes may change by this share of it.
 const CONSTANT: f64 = 1e-6;
@@ -78,12 +78,11 @@ pub(super) fn section_of(piece: &Piece, height_m: f64) -> Section {
 pub(super) fn deck_section(
     piece: &Piece,
     height_m: f64,
-    spread: (f64, f64),
+    spread: PerMetre,
     made_up: &mut MadeUp,
 ) -> DeckSection {
     let section = section_of(piece, height_m);
     let masses = &section.masses;
-    let (extra_kg_per_m, extra_kg_m) = spread;
     let bending = section.bending_n_m2.fore_aft;
     let own_kg_per_m = masses.mass_kg_per_m;
     let mut torsion_n_m2 = section.torsion_n_m2;
@@ -108,8 +107,8 @@ pub(super) fn deck_section(
         }
     }
     DeckSection {
-        mass_kg_per_m: own_kg_per_m + extra_kg_per_m,
-        flp_iner_kg_m: flp_iner_kg_m + 0.5 * extra_kg_m,
+        mass_kg_per_m: own_kg_per_m + spread.mass_kg_per_m,
+        flp_iner_kg_m: flp_iner_kg_m + 0.5 * spread.polar_inertia_kg_m,
         bending_n_m2: bending,
         torsion_n_m2,
         axial_n,
@@ -146,7 +145,7 @@ mod tests {
     use towermodes::tower::{Ambient, Piece, Profile};
     use towermodes::{Planes, Properties};
 
-    use super::{MadeUp, deck_section};
+    use super::{MadeUp, PerMetre, deck_section};
 
     fn piece(change: fn(&mut Properties)) -> Piece {
         let mut row = Properties {
@@ -172,7 +171,12 @@ mod tests {
 
     fn section(change: fn(&mut Properties)) -> ([f64; 5], MadeUp) {
         let mut made_up = MadeUp::default();
-        let s = deck_section(&piece(change), 30.0, (100.0, 600.0), &mut made_up);
+        let spread = PerMetre {
+            mass_kg_per_m: 100.0,
+            polar_inertia_kg_m: 600.0,
+            ..PerMetre::default()
+        };
+        let s = deck_section(&piece(change), 30.0, spread, &mut made_up);
         let columns = [
             s.mass_kg_per_m,
             s.flp_iner_kg_m,

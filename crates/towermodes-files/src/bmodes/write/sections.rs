@@ -30,10 +30,7 @@ pub(super) fn rows(tower: &Tower, layout: &Layout, notes: &mut Vec<Note>) -> Vec
     for (from_m, to_m) in layout.intervals_m() {
         let middle_m = 0.5 * (from_m + to_m);
         let piece = tower.piece_at(middle_m);
-        let spread = (
-            layout.spread_at(middle_m, |s| s.mass_kg),
-            layout.spread_at(middle_m, |s| s.polar_inertia_kg_m2),
-        );
+        let spread = layout.spread_at(middle_m);
         let mut at = |share: f64| {
             let height_m = layout.base_m + share * layout.length_m();
             deck_section(piece, height_m, spread, &mut made_up)

@@ -26,7 +26,7 @@ pub(super) fn body(description: &TowerDescription, layout: &Layout, notes: &mut 
         }));
         rna = RigidBody::combined(&bodies).into();
         note(format!(
-            "{} point masses at the top are part of the tip mass, {} kg",
+            "point masses at the top ({}) are part of the tip mass, {} kg",
             layout.masses_at_the_top.len(),
             significant(rna.mass_kg)
         ));

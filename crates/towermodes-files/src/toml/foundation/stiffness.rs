@@ -3,7 +3,6 @@
 use towermodes::{Foundation, StiffnessFoundation};
 
 use super::{Kind, at};
-use crate::diagnostic::Diagnostic;
 use crate::toml::Reading;
 use crate::toml::matrix::matrix;
 use crate::toml::table::{Keys, Table};
@@ -21,7 +20,7 @@ pub(super) const KIND: Kind = Kind {
 
 fn read(table: &Table<'_>, reading: &mut Reading) -> Option<Foundation> {
     let hint =
-        "six rows of six: the stiffness against x, y, z, rotation about x, y, z in N/m, N, N m";
+        "six rows of six: the stiffness against x, y, z, rotation about x, y, z in N/m, N, N m; inf on the diagonal is rigid";
     let stiffness = table.require("matrix", hint, reading).and_then(|value| {
         reading.remember(at("matrix"), value.span());
         matrix(value, "matrix", reading, stiffness_entry)
@@ -36,13 +35,7 @@ fn read(table: &Table<'_>, reading: &mut Reading) -> Option<Foundation> {
     })))
 }
 
-/// A rigid base is another type: a matrix does not say how infinite entries are coupled.
+/// A finite number, or an infinite one for a motion that is rigidly held; where in the matrix that may stand the tower knows.
 fn stiffness_entry(value: &Value<'_>, what: &str, reading: &mut Reading) -> Option<f64> {
-    if infinity(value).is_none() {
-        return number(value, what, reading);
-    }
-    let message = format!("{what} is infinite");
-    let hint = "type = \"springs\" has springs that may be inf, and type = \"clamped\" is rigid";
-    reading.mistake(Diagnostic::new(value.span(), message).with_hint(hint));
-    None
+    infinity(value).or_else(|| number(value, what, reading))
 }

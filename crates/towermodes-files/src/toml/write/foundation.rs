@@ -16,10 +16,7 @@ const MOTION: &str = "x, y, z, rotation about x, y, z";
 pub(super) fn foundation(foundation: &Foundation, writing: &mut Writing) {
     match foundation {
         Foundation::Clamped => {}
-        Foundation::Stiffness(foundation) => match as_springs(foundation) {
-            Some(foundation) => springs(&foundation, writing),
-            None => stiffness(foundation, writing),
-        },
+        Foundation::Stiffness(foundation) => stiffness(foundation, writing),
         Foundation::Springs(foundation) => springs(foundation, writing),
         Foundation::HalfSpace(footing) => half_space(footing, writing),
         Foundation::Floating(platform) => floating(platform, writing),
@@ -37,49 +34,7 @@ fn matrix(key: &str, matrix: &SpatialMatrix, comment: &str, writing: &mut Writin
     writing.line("]");
 }
 
-/// The springs that a stiffness with rigid motions is, which in a file only springs have; none if nothing is rigid, or if no springs say it.
-fn as_springs(foundation: &StiffnessFoundation) -> Option<FoundationSprings> {
-    let k = &foundation.stiffness;
-    let is_rigid = |i: usize| k[i][i] == f64::INFINITY;
-    let springs = FoundationSprings {
-        lateral_n_per_m: k[0][0],
-        rocking_n_m: k[4][4],
-        coupling_n: if is_rigid(0) || is_rigid(4) {
-            0.0
-        } else {
-            k[0][4]
-        },
-        vertical_n_per_m: k[2][2],
-        torsion_n_m: k[5][5],
-    };
-    let mut of_springs = NONE;
-    let diagonal = [k[0][0], k[0][0], k[2][2], k[4][4], k[4][4], k[5][5]];
-    for (i, entry) in diagonal.into_iter().enumerate() {
-        of_springs[i][i] = entry;
-    }
-    let coupling = springs.coupling_n;
-    for (i, j, entry) in [(0, 4, coupling), (1, 3, -coupling)] {
-        (of_springs[i][j], of_springs[j][i]) = (entry, entry);
-    }
-    // What a rigid motion has beside its diagonal means nothing.
-    let matters = |i: usize, j: usize| i == j || !(is_rigid(i) || is_rigid(j));
-    let mut entries = (0..6).flat_map(|i| (0..6).map(move |j| (i, j)));
-    let is_said = entries.all(|(i, j)| !matters(i, j) || of_springs[i][j] == k[i][j]);
-    let is_rigid_somewhere = (0..6).any(is_rigid);
-    (is_rigid_somewhere && is_said && foundation.inertia == NONE).then_some(springs)
-}
-
 fn stiffness(foundation: &StiffnessFoundation, writing: &mut Writing) {
-    if foundation
-        .stiffness
-        .iter()
-        .flatten()
-        .any(|entry| entry.is_infinite())
-    {
-        let message = "the foundation's stiffness has infinite entries, which a file has only in type = \"springs\"; these are none, \
-            as they differ in the two planes or have an inertia";
-        writing.note(message);
-    }
     kind("stiffness", writing);
     let comment = format!("{MOTION}, of the base: N/m, N, N m");
     matrix("matrix", &foundation.stiffness, &comment, writing);
