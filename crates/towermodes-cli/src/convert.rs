@@ -77,7 +77,7 @@ fn to_bmodes(input: &TowerInput, output: Option<&Path>) -> Result<Converted, Fai
 fn to_elastodyn(input: &TowerInput, arguments: &ConvertArguments) -> Result<Converted, Failure> {
     let tower = input.tower().map_err(Failure::Input)?;
     let options = MakeOptions {
-        from_m: arguments.from_height,
+        from_m: arguments.from_height.or(input.joint_m),
         has_concentrated_masses: true,
         ..MakeOptions::default()
     };
@@ -102,7 +102,10 @@ fn to_elastodyn(input: &TowerInput, arguments: &ConvertArguments) -> Result<Conv
 fn left_out(input: &TowerInput) -> Vec<String> {
     let description = &input.description;
     let things = [
-        (description.rna.mass_kg != 0.0, "the rotor-nacelle assembly, which is in the main file"),
+        (
+            description.rna.mass_kg != 0.0,
+            "the rotor-nacelle assembly, which is in the main file",
+        ),
         (
             description.foundation != towermodes::Foundation::Clamped,
             "the foundation, whose motion is taken off the shapes",

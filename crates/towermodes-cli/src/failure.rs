@@ -108,8 +108,13 @@ impl Failure {
 
     fn code(&self) -> u8 {
         match self {
-            Self::Unsolved(error) | Self::TowerFile(MakeError::Shapes(ShapesError::Solve(error))) => {
-                if error.is_usage() { 2 } else { 1 }
+            Self::Unsolved(error)
+            | Self::TowerFile(MakeError::Shapes(ShapesError::Solve(error))) => {
+                if error.is_usage() {
+                    2
+                } else {
+                    1
+                }
             }
             Self::TowerFile(_) | Self::Refused(_) | Self::Unfit { .. } | Self::Disagree => 1,
             Self::Unwritable(..) | Self::Unverified { .. } => 1,

@@ -3,9 +3,7 @@
 use std::path::Path;
 
 use towermodes::Tower;
-use towermodes_files::{
-    Beside, Input, InputError, Note, Source, TowerInput, read, read_source,
-};
+use towermodes_files::{Beside, Input, InputError, Note, Source, TowerInput, read, read_source};
 
 use crate::args::{InputArguments, ReadingArguments};
 use crate::failure::Failure;

@@ -34,7 +34,7 @@ fn of_tower(mut input: TowerInput, arguments: &SolveArguments) -> Result<Vec<u8>
     let borders_m = prescribed.borders_m.clone();
     let mut options = arguments.options(prescribed).map_err(Failure::Usage)?;
     let tower = input.tower().map_err(Failure::Input)?;
-    let nodes = bmodes_out::Nodes::of_tower(&tower, borders_m, arguments.points());
+    let nodes = bmodes_out::Nodes::of_tower(&tower, borders_m, arguments.points(), input.layout);
     if arguments.format == SolveFormat::Bmodes {
         options.heights_m = nodes.heights_m();
     }
@@ -55,7 +55,7 @@ fn of_blade(input: &BladeInput, arguments: &SolveArguments) -> Result<Vec<u8>, F
     check_not_inputs(input.files(), arguments.output())?;
     arguments.check_for_blade().map_err(Failure::Usage)?;
     let blade = Blade::new(input.description.clone()).map_err(Failure::Blade)?;
-    let nodes = bmodes_out::Nodes::of_blade(&blade);
+    let nodes = bmodes_out::Nodes::of_blade(&blade, input.layout);
     let radii_m = match arguments.format {
         SolveFormat::Bmodes => nodes.heights_m(),
         _ => nodes.borders_m().to_vec(),

@@ -120,6 +120,10 @@ pub struct TowerInput {
     pub method: Option<Method>,
     /// How many modes the file asks for, if it does.
     pub modes: Option<usize>,
+    /// Height at which the tower stands on its monopile, m, if it does.
+    pub joint_m: Option<f64>,
+    /// What the file says of the layout of results.
+    pub layout: OutLayout,
     /// What the user should know.
     pub notes: Vec<Note>,
     /// The files, the main one first.
@@ -137,6 +141,8 @@ impl TowerInput {
             borders_m: None,
             method: None,
             modes: None,
+            joint_m: None,
+            layout: OutLayout::default(),
             notes: Vec::new(),
             sources: vec![source],
             places: Places::default(),
@@ -158,6 +164,15 @@ impl TowerInput {
     pub fn files(&self) -> impl Iterator<Item = &str> {
         self.sources.iter().map(|source| source.name.as_str())
     }
+}
+
+/// What a BModes deck says of the layout of its results.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct OutLayout {
+    /// Whether tabs separate the columns (`TabDelim`).
+    pub tab_delimited: bool,
+    /// Whether the twist at the middle of elements is printed too (`mid_node_tw`).
+    pub mid_node_twist: bool,
 }
 
 /// How files are read where they leave a choice.
@@ -209,6 +224,8 @@ pub struct BladeInput {
     pub description: towermodes::BladeDescription,
     /// How many modes the file asks for.
     pub modes: usize,
+    /// What the file says of the layout of results.
+    pub layout: OutLayout,
     /// What the user should know.
     pub notes: Vec<Note>,
     /// The files, the main one first.

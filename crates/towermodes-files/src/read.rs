@@ -42,12 +42,10 @@ pub fn read_source(
 ) -> Result<Input, InputError> {
     let mut tower = match recognize(&source) {
         Some(FileFormat::Toml) => read_toml(source)?,
-        Some(FileFormat::Bmodes) => {
-            match read_bmodes(source, companions, options)? {
-                BmodesInput::Tower(tower) => *tower,
-                BmodesInput::Blade(blade) => return Ok(Input::Blade(blade)),
-            }
-        }
+        Some(FileFormat::Bmodes) => match read_bmodes(source, companions, options)? {
+            BmodesInput::Tower(tower) => *tower,
+            BmodesInput::Blade(blade) => return Ok(Input::Blade(blade)),
+        },
         Some(FileFormat::ElastoDyn) => read_elastodyn(source, companions, options)?.input,
         Some(FileFormat::ElastoDynTower) => read_elastodyn_tower(source, options)?,
         Some(FileFormat::WindIo) => read_windio(source, options)?,
@@ -85,7 +83,10 @@ pub fn recognize(source: &Source) -> Option<FileFormat> {
         (hawc2::is_hawc2(text, name), FileFormat::Hawc2),
         (bmodes::is_deck(text), FileFormat::Bmodes),
         (windio::is_windio(text, name), FileFormat::WindIo),
-        (text.trim().is_empty() || looks_like_toml(text), FileFormat::Toml),
+        (
+            text.trim().is_empty() || looks_like_toml(text),
+            FileFormat::Toml,
+        ),
     ];
     let found = by_content.into_iter().find(|(is, _)| *is);
     found.map(|(_, format)| format)

@@ -54,9 +54,9 @@ pub use solve::{
 };
 pub use tower::{
     AddedMassRow, FloatingPlatform, Foundation, FoundationSprings, HalfSpace, Inertia, Material,
-    Place, Plane, Planes, PointMass, Problem, Properties, PropertyStation, ReferredMatrix, RigidBody, Rna,
-    Shear, SoilRow, SoilStiffness, Station, StiffnessFoundation, Tower, TowerDescription,
-    TowerError, Water, Wires,
+    Place, Plane, Planes, PointMass, Problem, Properties, PropertyStation, ReferredMatrix,
+    RigidBody, Rna, Shear, SoilRow, SoilStiffness, Station, StiffnessFoundation, Tower,
+    TowerDescription, TowerError, Water, Wires,
 };
 pub use verdict::Verdict;
 pub use warning::Warning;

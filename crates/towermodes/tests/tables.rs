@@ -59,7 +59,11 @@ fn a_tower_that_does_not_twist_has_no_torsion() {
     let rigid = prismatic(f64::INFINITY, f64::INFINITY);
     let solution = solved(&rigid, &Options::default());
     let families = solution.modes.iter().map(|mode| mode.family);
-    assert!(families.clone().all(|f| f != Family::Torsion && f != Family::Axial));
+    assert!(
+        families
+            .clone()
+            .all(|f| f != Family::Torsion && f != Family::Axial)
+    );
 }
 
 /// On a platform it yaws as a rigid body: f = √(K/J)/2π.
@@ -91,7 +95,11 @@ fn a_tower_that_does_not_twist_yaws_with_its_platform() {
         let yaw = solution.mode(Family::Yaw, 1).expect("yaw");
         let difference = yaw.frequency_hz / expected - 1.0;
         assert!(difference.abs() < 1e-9, "{}: {difference:e}", method.name());
-        assert!(yaw.shape.iter().all(|point| (point.rotation[2] - 1.0).abs() < 1e-9));
+        assert!(
+            yaw.shape
+                .iter()
+                .all(|point| (point.rotation[2] - 1.0).abs() < 1e-9)
+        );
     }
 }
 
@@ -122,7 +130,11 @@ fn a_table_of_added_mass_is_the_water_it_is_of() {
         let (wet, table) = (solved(&wet, &options), solved(&table, &options));
         let (wet, table) = (all_frequencies(&wet), all_frequencies(&table));
         // The border between the tables is one more place to cut.
-        let tolerance = if method == Method::Spectral { 1e-9 } else { 3e-5 };
+        let tolerance = if method == Method::Spectral {
+            1e-9
+        } else {
+            3e-5
+        };
         assert_same(&table, &wet, tolerance, method.name());
     }
 }
@@ -221,7 +233,12 @@ fn a_stiffness_can_be_infinite_in_some_directions() {
     let options = Options::default();
     let matrix = solved(&on(Foundation::Stiffness(Box::new(matrix))), &options);
     let springs = solved(&on(Foundation::Springs(springs)), &options);
-    assert_same(&all_frequencies(&matrix), &all_frequencies(&springs), 1e-14, "");
+    assert_same(
+        &all_frequencies(&matrix),
+        &all_frequencies(&springs),
+        1e-14,
+        "",
+    );
 }
 
 #[test]

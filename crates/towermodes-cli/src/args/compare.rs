@@ -4,8 +4,8 @@ use clap::Args;
 use towermodes::study::ColumnSpec;
 use towermodes::{MAX_SEGMENTS, Method, Options};
 
-use super::input::InputArguments;
 use super::Destination;
+use super::input::InputArguments;
 use super::model::ModelArguments;
 use super::parsers::{method_parser, number_parser};
 

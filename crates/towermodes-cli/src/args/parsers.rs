@@ -29,7 +29,10 @@ pub(super) fn number_parser(
 
 /// A height in m.
 pub(super) fn height_parser(text: &str) -> Result<f64, String> {
-    let height_m = text.parse().ok().filter(|height_m: &f64| height_m.is_finite());
+    let height_m = text
+        .parse()
+        .ok()
+        .filter(|height_m: &f64| height_m.is_finite());
     height_m.ok_or_else(|| "must be a number, in m".into())
 }
 

@@ -5,10 +5,10 @@ use std::path::{Path, PathBuf};
 use clap::{Args, ValueEnum};
 use towermodes::{DEFAULT_POINTS, MAX_DEGREE, MAX_POINTS, MAX_SEGMENTS, Method, Options};
 
-use super::model::ModelArguments;
-use super::parsers::{method_parser, number_parser};
 use super::file_of;
 use super::input::InputArguments;
+use super::model::ModelArguments;
+use super::parsers::{method_parser, number_parser};
 
 macro_rules! examples {
     () => {
@@ -130,7 +130,11 @@ impl SolveArguments {
             segments: self.segments,
             borders_m: prescribed.borders_m.filter(|_| own_elements),
             degree: self.degree,
-            modes: self.model.modes.or(prescribed.modes).unwrap_or(options.modes),
+            modes: self
+                .model
+                .modes
+                .or(prescribed.modes)
+                .unwrap_or(options.modes),
             // Only the JSON has shapes.
             points: if self.format == SolveFormat::Json {
                 self.points

@@ -14,7 +14,9 @@ pub(crate) fn run(arguments: &TowerArguments) -> Result<(), Failure> {
     let input = tower_input(&arguments.input)?;
     check_not_inputs(input.files(), arguments.output())?;
     let tower = input.tower().map_err(Failure::Input)?;
-    let options = arguments.options();
+    let mut options = arguments.options();
+    // On a monopile ElastoDyn's tower is what stands above it.
+    options.from_m = options.from_m.or(input.joint_m);
     let made = make_tower_file(&tower, &options).map_err(Failure::TowerFile)?;
     let text = write_tower_file(&made.content, options.has_concentrated_masses)
         .map_err(Failure::tower_file)?;

@@ -30,7 +30,11 @@ pub(crate) fn run(arguments: &ValidateArguments) -> Result<(), Failure> {
         ReportFormat::Json => write_judgement_json(&judgements, &mut result)?,
     }
     deliver(&result, None)?;
-    match judgements.iter().filter(|j| j.verdict == Verdict::Fail).count() {
+    match judgements
+        .iter()
+        .filter(|j| j.verdict == Verdict::Fail)
+        .count()
+    {
         0 => Ok(()),
         failures => Err(Failure::Unfit { failures }),
     }

@@ -1,7 +1,7 @@
 //! Modes in the layout of BModes: at the borders of elements, scaled as BModes scales.
 
 use towermodes::{Blade, BladeSolution, ShapePoint, Solution, Tower};
-use towermodes_files::{OutHeader, OutMode, euclidean, write_bmodes_out};
+use towermodes_files::{OutHeader, OutLayout, OutMode, euclidean, write_bmodes_out};
 
 /// Heights between two nodes, as shares of the element: where BModes has unknowns of its own.
 const INTERIOR: [f64; 3] = [1.0 / 3.0, 0.5, 2.0 / 3.0];
@@ -11,11 +11,17 @@ pub(super) struct Nodes {
     borders_m: Vec<f64>,
     /// R, m, by which deflections are divided.
     radius_m: f64,
+    layout: OutLayout,
 }
 
 impl Nodes {
     /// The borders of the elements that the file prescribes, or else so many equal heights.
-    pub(super) fn of_tower(tower: &Tower, borders_m: Option<Vec<f64>>, points: usize) -> Self {
+    pub(super) fn of_tower(
+        tower: &Tower,
+        borders_m: Option<Vec<f64>>,
+        points: usize,
+        layout: OutLayout,
+    ) -> Self {
         let (base_m, top_m) = (tower.base_m(), tower.top_m());
         let equal = || {
             let last = (points - 1) as f64;
@@ -27,16 +33,18 @@ impl Nodes {
             borders_m: borders_m.unwrap_or_else(equal),
             // A base above the ground is a rigid part of the length; one below it is the draft.
             radius_m: top_m - base_m.min(0.0),
+            layout,
         }
     }
 
     /// The borders of a blade's elements.
-    pub(super) fn of_blade(blade: &Blade) -> Self {
+    pub(super) fn of_blade(blade: &Blade, layout: OutLayout) -> Self {
         let description = blade.description();
         let borders = description.borders.iter();
         Self {
             borders_m: borders.map(|span| blade.radius_m(*span)).collect(),
             radius_m: description.tip_radius_m,
+            layout,
         }
     }
 
@@ -62,7 +70,7 @@ impl Nodes {
         let modes: Vec<OutMode> = modes
             .map(|mode| self.mode(mode.frequency_hz, &mode.shape_there))
             .collect();
-        write_bmodes_out(&header(tower.name(), false), &modes)
+        write_bmodes_out(&self.header(tower.name(), false), &modes)
     }
 
     /// The modes of a blade, which have shapes at [`heights_m`](Self::heights_m).
@@ -71,7 +79,7 @@ impl Nodes {
         let modes: Vec<OutMode> = modes
             .map(|mode| self.mode(mode.frequency_hz, &mode.shape))
             .collect();
-        write_bmodes_out(&header(&blade.description().name, true), &modes)
+        write_bmodes_out(&self.header(&blade.description().name, true), &modes)
     }
 
     fn mode(&self, frequency_hz: f64, shape: &[ShapePoint]) -> OutMode {
@@ -100,12 +108,14 @@ impl Nodes {
         let [turn_x, turn_y, twist] = point.rotation;
         [u, v, turn_y, w, 0.0 - turn_x, twist]
     }
-}
 
-fn header(name: &str, is_blade: bool) -> OutHeader {
-    OutHeader {
-        title: name.to_owned(),
-        is_blade,
-        ..OutHeader::default()
+    fn header(&self, name: &str, is_blade: bool) -> OutHeader {
+        OutHeader {
+            title: name.to_owned(),
+            is_blade,
+            tab_delimited: self.layout.tab_delimited,
+            mid_node_twist: self.layout.mid_node_twist,
+            timestamp: None,
+        }
     }
 }

@@ -55,15 +55,40 @@ fn whole(agreement: &Agreement) -> String {
     let metres = |z: f64| format!("{z:.3} m");
     let exponent = |x: f64| format!("{x:.5e}");
     add("mass".into(), &agreement.mass_kg, &tonnes);
-    add("centre of mass".into(), &agreement.center_of_mass_m, &metres);
+    add(
+        "centre of mass".into(),
+        &agreement.center_of_mass_m,
+        &metres,
+    );
     let tip = &agreement.tip_flexibility_m_per_n;
-    add("tip flexibility fore-aft, m/N".into(), &tip.fore_aft, &exponent);
-    add("tip flexibility side-side, m/N".into(), &tip.side_side, &exponent);
-    let largest = |what: &str, l: &LargestDifference| format!("{what}, most apart at {:.2} m", l.height_m);
+    add(
+        "tip flexibility fore-aft, m/N".into(),
+        &tip.fore_aft,
+        &exponent,
+    );
+    add(
+        "tip flexibility side-side, m/N".into(),
+        &tip.side_side,
+        &exponent,
+    );
+    let largest =
+        |what: &str, l: &LargestDifference| format!("{what}, most apart at {:.2} m", l.height_m);
     let bending = &agreement.largest_bending;
-    add(largest("mass kg/m", &agreement.largest_mass), &agreement.largest_mass.compared, &four);
-    add(largest("EI fore-aft N m2", &bending.fore_aft), &bending.fore_aft.compared, &exponent);
-    add(largest("EI side-side N m2", &bending.side_side), &bending.side_side.compared, &exponent);
+    add(
+        largest("mass kg/m", &agreement.largest_mass),
+        &agreement.largest_mass.compared,
+        &four,
+    );
+    add(
+        largest("EI fore-aft N m2", &bending.fore_aft),
+        &bending.fore_aft.compared,
+        &exponent,
+    );
+    add(
+        largest("EI side-side N m2", &bending.side_side),
+        &bending.side_side.compared,
+        &exponent,
+    );
     let groups = [
         ("clamped, bare", &agreement.frequencies_bare),
         ("as given", &agreement.frequencies_as_given),
@@ -93,9 +118,24 @@ fn add_frequency(table: &mut comfy_table::Table, which: &str, frequency: &Compar
 
 fn by_height(agreement: &Agreement) -> String {
     let mut table = plain_table();
-    table.set_header(["z m", "kg/m", "", "diff", "EI N m2", "", "diff", "mass below", "", "diff"]);
+    table.set_header([
+        "z m",
+        "kg/m",
+        "",
+        "diff",
+        "EI N m2",
+        "",
+        "diff",
+        "mass below",
+        "",
+        "diff",
+    ]);
     for row in &agreement.rows {
-        let (mass, bending, below) = (&row.mass_kg_per_m, &row.bending_n_m2.fore_aft, &row.mass_below_kg);
+        let (mass, bending, below) = (
+            &row.mass_kg_per_m,
+            &row.bending_n_m2.fore_aft,
+            &row.mass_below_kg,
+        );
         table.add_row([
             format!("{:.2}", row.height_m),
             format!("{:.1}", mass.first),
@@ -133,7 +173,13 @@ fn marked(compared: &Compared) -> String {
 /// What one description says of a tower.
 pub(crate) fn examination(tower: &Tower, examination: &Examination) -> String {
     let mut table = plain_table();
-    table.set_header(["z m", "kg/m", "EI fore-aft N m2", "EI side-side N m2", "mass below"]);
+    table.set_header([
+        "z m",
+        "kg/m",
+        "EI fore-aft N m2",
+        "EI side-side N m2",
+        "mass below",
+    ]);
     for row in &examination.rows {
         table.add_row([
             format!("{:.2}", row.height_m),

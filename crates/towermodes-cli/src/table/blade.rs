@@ -8,7 +8,13 @@ use super::text::{align_right, aligned, counted, four_digits, name_line, plain_t
 pub(crate) fn blade(blade: &Blade, solution: &BladeSolution) -> String {
     let description = blade.description();
     let mut table = plain_table();
-    table.set_header(["mode", "what it is", "frequency Hz", "± error", "per revolution"]);
+    table.set_header([
+        "mode",
+        "what it is",
+        "frequency Hz",
+        "± error",
+        "per revolution",
+    ]);
     let modes = || solution.modes.iter();
     let frequencies = aligned(modes().map(|mode| format!("{:.5}", mode.frequency_hz)));
     let errors = aligned(modes().map(|mode| {
@@ -53,7 +59,9 @@ fn what_it_is(mode: &BladeMode) -> String {
         (BladeFamily::Torsion, kinetic.torsion),
         (BladeFamily::Axial, kinetic.axial),
     ];
-    let others = shares.into_iter().filter(|(family, _)| *family != mode.family);
+    let others = shares
+        .into_iter()
+        .filter(|(family, _)| *family != mode.family);
     let mut others: Vec<(BladeFamily, f64)> = others.filter(|(_, share)| *share >= 0.01).collect();
     others.sort_by(|a, b| b.1.total_cmp(&a.1));
     let others: Vec<String> = others

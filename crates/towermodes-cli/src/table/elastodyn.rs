@@ -29,8 +29,14 @@ pub(crate) fn fits(tower: &Tower, made: &MadeTowerFile) -> String {
         table.add_row([
             shape.label.clone(),
             format!("{:.5}", shape.frequency_hz),
-            format!("{:.1e}", shape.fit.rms_residual / shape.fit.largest_deflection),
-            format!("{:.1e}", shape.fit.largest_residual / shape.fit.largest_deflection),
+            format!(
+                "{:.1e}",
+                shape.fit.rms_residual / shape.fit.largest_deflection
+            ),
+            format!(
+                "{:.1e}",
+                shape.fit.largest_residual / shape.fit.largest_deflection
+            ),
             four_digits(shape.fit.largest_deflection),
             format!("{:.0}", shape.fit.condition),
             format!("{alone_hz:.5}"),
@@ -54,7 +60,10 @@ pub(crate) fn changes(file: &TowerFile, shapes: &TowerShapes) -> String {
         let texts = shape.decimals.texts();
         for (k, (old, new)) in file.coefficients[index].iter().zip(texts).enumerate() {
             let residual = match k {
-                0 => format!("{:.1e}", shape.fit.rms_residual / shape.fit.largest_deflection),
+                0 => format!(
+                    "{:.1e}",
+                    shape.fit.rms_residual / shape.fit.largest_deflection
+                ),
                 _ => String::new(),
             };
             table.add_row([

@@ -38,6 +38,7 @@ pub(super) fn blade(deck: &Deck, sources: Sources, quirks: bool) -> Result<Blade
     Ok(BladeInput {
         description,
         modes,
+        layout: deck.general.layout,
         notes: notes.of(&sources),
         sources: sources.into_list(),
     })

@@ -1,5 +1,6 @@
 //! What stands in a deck of BModes: every value as it is written, with its place.
 
+use crate::input::OutLayout;
 use std::ops::Range;
 
 use super::reader::Value;
@@ -63,6 +64,7 @@ pub(super) struct General {
     pub(super) pitch_deg: Value<f64>,
     pub(super) hub: Value<HubConnection>,
     pub(super) modes: Value<usize>,
+    pub(super) layout: OutLayout,
 }
 
 /// The body at the tip.

@@ -5,6 +5,7 @@ use super::list::MAX_COUNT;
 use super::quantity::{self as q, Quantity};
 use super::reader::{After, Reader, Value};
 use crate::diagnostic::Diagnostic;
+use crate::input::OutLayout;
 use crate::records::Line;
 
 /// What the main file says before the support of a tower.
@@ -87,8 +88,10 @@ fn general(reader: &mut Reader<'_>) -> Result<(Beam, General), Diagnostic> {
     let pitch_deg = reader.number(&q::BL_THP)?;
     let hub = hub_connection(reader)?;
     let modes = reader.count(&q::MODEPR, 1, 1_000_000_000)?;
-    reader.logical(&q::TAB_DELIM)?;
-    reader.logical(&q::MID_NODE_TW)?;
+    let layout = OutLayout {
+        tab_delimited: reader.logical(&q::TAB_DELIM)?.value,
+        mid_node_twist: reader.logical(&q::MID_NODE_TW)?.value,
+    };
     let general = General {
         rot_rpm,
         rpm_mult,
@@ -98,6 +101,7 @@ fn general(reader: &mut Reader<'_>) -> Result<(Beam, General), Diagnostic> {
         pitch_deg,
         hub,
         modes,
+        layout,
     };
     Ok((beam, general))
 }

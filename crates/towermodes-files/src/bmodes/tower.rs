@@ -96,6 +96,8 @@ pub(super) fn tower(deck: &Deck, sources: Sources, quirks: bool) -> Result<Tower
         borders_m: Some(borders_m),
         method: Some(Method::Bmodes),
         modes: Some(modes),
+        joint_m: None,
+        layout: deck.general.layout,
         notes: notes.of(&sources),
         sources: sources.into_list(),
         places,

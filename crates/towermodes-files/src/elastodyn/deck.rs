@@ -16,7 +16,7 @@ use super::tower_file::{CoefficientSpans, TowerFile};
 use super::tower_reader::{TowerReading, read_with_places};
 use crate::companions::Companions;
 use crate::diagnostic::Diagnostic;
-use crate::input::{FileFormat, InputError, Note, ReadOptions, TowerInput};
+use crate::input::{FileFormat, InputError, Note, OutLayout, ReadOptions, TowerInput};
 use crate::places::{Places, TABLE};
 use crate::source::Source;
 
@@ -199,6 +199,8 @@ fn input(
         borders_m: None,
         method: None,
         modes: None,
+        joint_m: None,
+        layout: OutLayout::default(),
         notes,
         sources,
         places,

@@ -184,12 +184,7 @@ fn set_damping(
     Ok(())
 }
 
-fn notes(
-    tower: &Tower,
-    from_m: f64,
-    shapes: &TowerShapes,
-    options: &MakeOptions,
-) -> Vec<Note> {
+fn notes(tower: &Tower, from_m: f64, shapes: &TowerShapes, options: &MakeOptions) -> Vec<Note> {
     let mut notes: Vec<Note> = shapes
         .passed_over
         .iter()
@@ -239,7 +234,12 @@ impl TowerFile {
     }
 
     /// The tower as ElastoDyn knows it: of a flexible length (m) in so many elements, with a mass (kg) on top, without gravity.
-    pub fn model(&self, flexible_length_m: f64, nodes: usize, tower_top_mass_kg: f64) -> TowerModel {
+    pub fn model(
+        &self,
+        flexible_length_m: f64,
+        nodes: usize,
+        tower_top_mass_kg: f64,
+    ) -> TowerModel {
         let station = |row: &TowerRow| TowerStation {
             height_fraction: row.height_fraction,
             mass_kg_per_m: row.mass_kg_per_m,

@@ -9,8 +9,8 @@ mod fst;
 mod layout;
 mod lump;
 mod main_file;
-mod make;
 mod main_reader;
+mod make;
 mod names;
 mod patch;
 mod positional;
@@ -26,10 +26,10 @@ pub use deck::{ElastoDynDeck, read_elastodyn};
 pub use diff::unified_diff;
 pub use lump::lump_rna;
 pub use main_file::{MainFile, Platform};
+pub use main_reader::read_main_file;
 pub use make::{
     DEFAULT_NODES, Damping, MadeTowerFile, MakeError, MakeOptions, make_tower_file, quantities,
 };
-pub use main_reader::read_main_file;
 pub use patch::{PatchError, patched};
 pub use rules::TowerFileError;
 pub use tower_alone::read_elastodyn_tower;

@@ -183,11 +183,7 @@ pub fn write_json(
     write_pretty(&solution_json(tower, solution, notes), writer)
 }
 
-fn solution_json<'a>(
-    tower: &'a Tower,
-    solution: &Solution,
-    notes: &[Note],
-) -> SolutionJson<'a> {
+fn solution_json<'a>(tower: &'a Tower, solution: &Solution, notes: &[Note]) -> SolutionJson<'a> {
     let notes = notes.iter().map(ToString::to_string);
     let warnings = solution.warnings.iter().map(ToString::to_string);
     SolutionJson {

@@ -53,22 +53,24 @@ pub(crate) fn is_windio(text: &str, name: &str) -> bool {
 pub fn read_windio(source: Source, options: &ReadOptions) -> Result<TowerInput, InputError> {
     let mut reading = Reading::new(&source);
     let mut places = Places::default();
-    let Some(description) = describe(options, &mut places, &mut reading) else {
+    let Some((description, joint_m)) = describe(options, &mut places, &mut reading) else {
         let mistakes = reading.mistakes;
         return Err(InputError::mistakes(&source, mistakes));
     };
     let notes = reading.notes;
     let mut input = TowerInput::new(FileFormat::WindIo, description, source);
+    input.joint_m = joint_m;
     input.places = places;
     input.notes = notes;
     Ok(input)
 }
 
+/// The tower, and the height at which it stands on its monopile, m.
 fn describe(
     options: &ReadOptions,
     places: &mut Places,
     reading: &mut Reading<'_>,
-) -> Option<towermodes::TowerDescription> {
+) -> Option<(towermodes::TowerDescription, Option<f64>)> {
     if reading.source.text.trim().is_empty() {
         let hint = "windIO has at least components and materials";
         let mistake = Diagnostic::new(0..0, "the file is empty").with_hint(hint);
@@ -88,13 +90,14 @@ fn describe(
     let mudline = water::stand(&mut structure, &outline, options.part, reading);
     reading.keep(mudline)?;
     comparison::compare(&structure, reading);
+    let joint_m = structure.joint_m();
     let description = structure.describe(places, reading);
     let mut description = reading.keep(description)?;
     let name = outline.name.as_ref();
     let name = name.map(|name| name.name(&reading.source.text));
     description.name = name.unwrap_or_default().to_owned();
     description.rna = rna;
-    Some(description)
+    Some((description, joint_m))
 }
 
 fn note_platform(outline: &Outline, reading: &mut Reading<'_>) {
@@ -102,7 +105,7 @@ fn note_platform(outline: &Outline, reading: &mut Reading<'_>) {
         return;
     };
     if components.floating_platform.is_some() {
-        reading.note("the floating platform is left out: the tower is clamped at its base; add [foundation] with kind = \"floating\" after `convert --to toml`");
+        reading.note("the floating platform is left out: the tower is clamped at its base; add [foundation] with type = \"floating\" after `convert --to toml`");
     }
     if components.jacket.is_some() {
         reading.note("the jacket is left out: the tower is clamped at its base");

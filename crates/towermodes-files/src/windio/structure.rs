@@ -70,6 +70,14 @@ impl Structure {
         self.parts.first().map_or(0.0, Part::base_m)
     }
 
+    /// Height at which the tower stands on its monopile, m, if both are there.
+    pub(super) fn joint_m(&self) -> Option<f64> {
+        match &self.parts[..] {
+            [_, tower] => Some(tower.base_m()),
+            _ => None,
+        }
+    }
+
     /// Height of the highest section, m.
     pub(super) fn top_m(&self) -> f64 {
         self.parts.last().map_or(0.0, Part::top_m)

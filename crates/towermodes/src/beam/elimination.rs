@@ -171,7 +171,10 @@ where
     let mut force = [0.0; D];
     for element in (0..beam.elements()).rev() {
         let own = &mut own[element * coordinates..(element + 1) * coordinates];
-        for (component, row) in force.iter().zip(tips(element).chunks_exact(coordinates.max(1))) {
+        for (component, row) in force
+            .iter()
+            .zip(tips(element).chunks_exact(coordinates.max(1)))
+        {
             own.iter_mut()
                 .zip(row)
                 .for_each(|(x, tip)| *x += component * tip);

@@ -1,12 +1,12 @@
 //! How far the shapes of a tower file are from the tower's own.
 
+use super::decimal::SUM_TOLERANCE;
 use super::mac::mac;
 use super::model::{ModelError, PlaneModes, TowerModel};
-use super::decimal::SUM_TOLERANCE;
 use super::polynomial::TowerPolynomial;
 use super::shapes::{TowerShape, TowerShapes};
-use crate::verdict::Verdict;
 use crate::tower::{Plane, Planes};
+use crate::verdict::Verdict;
 
 /// How large a difference passes, and how large a one is only warned of.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -136,7 +136,10 @@ fn what_is_left(vector: &[f64], basis: &[&[f64]], weights: &[f64]) -> f64 {
         for other in others.iter().chain(others) {
             let share = dot(&vector, other) / dot(other, other);
             if share.is_finite() {
-                vector.iter_mut().zip(other).for_each(|(v, o)| *v -= share * o);
+                vector
+                    .iter_mut()
+                    .zip(other)
+                    .for_each(|(v, o)| *v -= share * o);
             }
         }
         vector

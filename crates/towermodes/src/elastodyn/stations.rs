@@ -258,5 +258,7 @@ fn is_same(a: &TowerStation, b: &TowerStation) -> bool {
         [s.mass_kg_per_m, bending.fore_aft, bending.side_side]
     };
     let pairs = values(a).into_iter().zip(values(b));
-    pairs.into_iter().all(|(a, b)| (a - b).abs() <= 1e-9 * a.abs())
+    pairs
+        .into_iter()
+        .all(|(a, b)| (a - b).abs() <= 1e-9 * a.abs())
 }

@@ -6,8 +6,9 @@ mod convergence;
 mod follow;
 
 pub use agreement::{
-    Agreement, AgreementError, AgreementLimits, AgreementRow, Compared, ComparedFrequency, Examination,
-    ExaminationRow, HeightRange, LargestDifference, Verdict, WhichTower, agree, examine,
+    Agreement, AgreementError, AgreementLimits, AgreementRow, Compared, ComparedFrequency,
+    Examination, ExaminationRow, HeightRange, LargestDifference, Verdict, WhichTower, agree,
+    examine,
 };
 pub use comparison::{Column, ColumnSpec, Comparison, compare};
 pub use convergence::{Convergence, Fineness, Level, converge};

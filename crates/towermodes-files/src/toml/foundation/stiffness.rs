@@ -19,8 +19,7 @@ pub(super) const KIND: Kind = Kind {
 };
 
 fn read(table: &Table<'_>, reading: &mut Reading) -> Option<Foundation> {
-    let hint =
-        "six rows of six: the stiffness against x, y, z, rotation about x, y, z in N/m, N, N m; inf on the diagonal is rigid";
+    let hint = "six rows of six: the stiffness against x, y, z, rotation about x, y, z in N/m, N, N m; inf on the diagonal is rigid";
     let stiffness = table.require("matrix", hint, reading).and_then(|value| {
         reading.remember(at("matrix"), value.span());
         matrix(value, "matrix", reading, stiffness_entry)

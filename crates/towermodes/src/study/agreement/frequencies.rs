@@ -1,13 +1,13 @@
 //! The first bending frequencies of two towers.
 
 use super::compared::Compared;
-use crate::verdict::Verdict;
 use super::{AgreementError, WhichTower};
 use crate::method::Method;
 use crate::modes::Family;
 use crate::solve::{Options, Solution, Workspace};
 use crate::study::solve_until;
 use crate::tower::Tower;
+use crate::verdict::Verdict;
 
 /// The modes that are compared.
 const WANTED: [(Family, usize); 4] = [

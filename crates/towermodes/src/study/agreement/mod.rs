@@ -13,8 +13,8 @@ mod pair;
 #[cfg(test)]
 mod tests;
 
-pub use columns::HeightRange;
 pub use crate::verdict::Verdict;
+pub use columns::HeightRange;
 pub use compared::{AgreementLimits, Compared};
 pub use examination::{Examination, ExaminationRow, examine};
 pub use frequencies::ComparedFrequency;
