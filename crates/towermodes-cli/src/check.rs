@@ -2,9 +2,9 @@
 
 use std::path::Path;
 
-use towermodes::Verdict;
 use towermodes::study::{AgreementLimits, agree, examine};
-use towermodes_files::{write_agreement_json, write_examination_json};
+use towermodes::{Rna, Verdict};
+use towermodes_files::{Note, TowerInput, write_agreement_json, write_examination_json};
 
 use crate::args::{CheckArguments, ReportFormat};
 use crate::failure::{Failure, note, warn};
@@ -37,8 +37,9 @@ fn of_one(arguments: &CheckArguments) -> Result<(), Failure> {
 }
 
 fn of_two(arguments: &CheckArguments, other: &Path) -> Result<(), Failure> {
-    let first = tower_input(&arguments.input)?;
-    let second = input_of(other, &arguments.input.reading)?;
+    let mut first = tower_input(&arguments.input)?;
+    let mut second = input_of(other, &arguments.input.reading)?;
+    leave_lone_machine_out(&mut first, &mut second);
     for input in [&first, &second] {
         note(&input.notes);
         // Mistakes have their place in the file.
@@ -60,4 +61,20 @@ fn of_two(arguments: &CheckArguments, other: &Path) -> Result<(), Failure> {
         Verdict::Fail => Err(Failure::Disagree),
         _ => Ok(()),
     }
+}
+
+/// A machine that only one of two files has says nothing about their towers.
+fn leave_lone_machine_out(first: &mut TowerInput, second: &mut TowerInput) {
+    let has_machine = |input: &TowerInput| input.description.rna != Rna::default();
+    let which = match (has_machine(first), has_machine(second)) {
+        (true, false) => "first",
+        (false, true) => "second",
+        _ => return,
+    };
+    let message = format!(
+        "only the {which} file has a rotor-nacelle assembly: it is left out, and the frequencies are those of the towers alone"
+    );
+    first.notes.push(Note::new(message));
+    first.description.rna = Rna::default();
+    second.description.rna = Rna::default();
 }

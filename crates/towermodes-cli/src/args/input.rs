@@ -7,6 +7,9 @@ use towermodes_files::{ReadOptions, TowerPart};
 
 use super::parsers::{height_parser, subset_parser};
 
+/// The heading of what is about them.
+const OTHERS: &str = "Files of other programs";
+
 /// The file and how it is read.
 #[derive(Debug, Args)]
 pub(crate) struct InputArguments {
@@ -20,30 +23,29 @@ pub(crate) struct InputArguments {
 
 /// What files of other programs leave open.
 #[derive(Debug, Clone, Copy, Args)]
-#[command(next_help_heading = "Files of other programs")]
 pub(crate) struct ReadingArguments {
     /// Leave the rotor-nacelle assembly out: the tower alone
-    #[arg(long)]
+    #[arg(help_heading = OTHERS, long)]
     pub(crate) no_rna: bool,
 
     /// Understand a BModes deck as BModes 3.00 does, its faults included
-    #[arg(long)]
+    #[arg(help_heading = OTHERS, long)]
     bmodes_quirks: bool,
 
     /// Part of a windIO turbine
-    #[arg(long, value_enum, default_value_t = Part::All)]
+    #[arg(help_heading = OTHERS, long, value_enum, default_value_t = Part::All)]
     part: Part,
 
     /// Height of the tower's top above ground or sea level, m, for an ElastoDyn tower file alone
-    #[arg(long, value_name = "M", value_parser = height_parser)]
+    #[arg(help_heading = OTHERS, long, value_name = "M", value_parser = height_parser)]
     tower_height: Option<f64>,
 
     /// Height of the tower's base above ground or sea level, m, for files that do not say it
-    #[arg(long, value_name = "M", default_value_t = 0.0, value_parser = height_parser)]
+    #[arg(help_heading = OTHERS, long, value_name = "M", default_value_t = 0.0, value_parser = height_parser)]
     tower_base: f64,
 
     /// Set and subset of a HAWC2 file, as 1,2 [default: the first of each]
-    #[arg(long, value_name = "SET,SUBSET", value_parser = subset_parser)]
+    #[arg(help_heading = OTHERS, long, value_name = "SET,SUBSET", value_parser = subset_parser)]
     subset: Option<(usize, usize)>,
 }
 

@@ -174,7 +174,8 @@ fn set_damping(
             Damping::Written(percent) => Ok(percent),
             Damping::Wanted(percent) => {
                 let coupled_hz = shapes.shapes[first + i].frequency_hz;
-                damping_to_write_percent(percent, alone_hz[i], coupled_hz)
+                let percent = damping_to_write_percent(percent, alone_hz[i], coupled_hz);
+                percent.map(in_decimals)
             }
         };
         Ok([percent(0)?, percent(1)?])
@@ -182,6 +183,11 @@ fn set_damping(
     content.fore_aft_damping_percent = of(Plane::ForeAft, 0)?;
     content.side_side_damping_percent = of(Plane::SideSide, 2)?;
     Ok(())
+}
+
+/// A ratio in as many decimals as anybody reads.
+fn in_decimals(percent: f64) -> f64 {
+    (percent * 1e6).round() / 1e6
 }
 
 fn notes(tower: &Tower, from_m: f64, shapes: &TowerShapes, options: &MakeOptions) -> Vec<Note> {

@@ -68,7 +68,7 @@ fn parameters(content: &TowerFile, lines: &mut Vec<String>) {
         for ((number, order), value) in [(1, "1st"), (2, "2nd")].into_iter().zip(values) {
             let meaning = format!("Tower {order} {plane} mode structural damping ratio (%)");
             lines.push(item(
-                &value.to_string(),
+                &format!("{value:?}"),
                 &format!("{name}({number})"),
                 &meaning,
             ));
@@ -118,7 +118,7 @@ fn factors(content: &TowerFile, lines: &mut Vec<String>) {
             "Factor to adjust tower side-to-side stiffness (-)",
         ),
     ];
-    lines.extend(items.map(|(value, name, meaning)| item(&value.to_string(), name, meaning)));
+    lines.extend(items.map(|(value, name, meaning)| item(&format!("{value:?}"), name, meaning)));
 }
 
 fn properties(content: &TowerFile, lines: &mut Vec<String>) {

@@ -80,6 +80,7 @@ fn describe(
     let outline: Outline = reading.keep(yaml::parse(&without_airfoils(&reading.source.text)))?;
     let version = outline.version(&reading.source.text);
     let rna = match options.part {
+        _ if options.without_rna => Ok(towermodes::Rna::default()),
         TowerPart::Monopile => Ok(towermodes::Rna::default()),
         _ => rna::rna(&outline, version, places, reading),
     };
