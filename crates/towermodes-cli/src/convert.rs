@@ -83,7 +83,8 @@ fn to_elastodyn(input: &TowerInput, arguments: &ConvertArguments) -> Result<Conv
     };
     let made = make_tower_file(&tower, &options).map_err(Failure::TowerFile)?;
     let has_masses = !made.content.concentrated_masses.is_empty();
-    let text = write_tower_file(&made.content, has_masses).map_err(Failure::tower_file)?;
+    let text =
+        write_tower_file(&made.content, has_masses).map_err(|error| Failure::tower_file(&error))?;
     let mut notes = made.notes;
     notes.extend(left_out(input).into_iter().map(Note::new));
     if has_masses {

@@ -102,7 +102,7 @@ impl Failure {
     }
 
     /// What a tower file cannot hold.
-    pub(crate) fn tower_file(error: TowerFileError) -> Self {
+    pub(crate) fn tower_file(error: &TowerFileError) -> Self {
         Self::Refused(error.to_string())
     }
 

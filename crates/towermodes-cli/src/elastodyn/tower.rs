@@ -19,7 +19,7 @@ pub(crate) fn run(arguments: &TowerArguments) -> Result<(), Failure> {
     options.from_m = options.from_m.or(input.joint_m);
     let made = make_tower_file(&tower, &options).map_err(Failure::TowerFile)?;
     let text = write_tower_file(&made.content, options.has_concentrated_masses)
-        .map_err(Failure::tower_file)?;
+        .map_err(|error| Failure::tower_file(&error))?;
     note(&input.notes);
     note(&made.notes);
     report(&table::fits(&tower, &made));

@@ -175,9 +175,7 @@ impl Local {
         let mass = section.mass_kg_per_m;
         let moment = mass * section.center_of_mass_m;
         let mut matrix = NONE;
-        for translation in 0..3 {
-            matrix[translation][translation] = mass;
-        }
+        (matrix[0][0], matrix[1][1], matrix[2][2]) = (mass, mass, mass);
         matrix[5][5] = section.flap_inertia_kg_m + section.edge_inertia_kg_m;
         set(&mut matrix, 0, 5, -moment * sin);
         set(&mut matrix, 1, 5, moment * cos);

@@ -242,16 +242,8 @@ fn shapes(
                 let components = identity.family.normalized_by();
                 let curve = ModeCurve::new(mesh.borders_m(), &*curves, components);
                 let origin = model.origin;
-                Mode::new(
-                    number,
-                    found,
-                    identity,
-                    origin,
-                    &curve,
-                    &heights_m,
-                    &stations_m,
-                    &options.heights_m,
-                )
+                let heights_m = [&heights_m[..], &stations_m, &options.heights_m];
+                Mode::new(number, found, identity, origin, &curve, heights_m)
             }
         };
         if !mode.is_finite() {

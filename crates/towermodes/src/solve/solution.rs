@@ -43,16 +43,15 @@ pub struct Mode {
 }
 
 impl Mode {
-    /// A mode as found in a spectrum that begins at `origin` (rad²/s²), its discretization error still unknown.
+    /// A mode as found in a spectrum that begins at `origin` (rad²/s²), its discretization error still unknown, with its shape at equal
+    /// heights, at the stations and at others, m.
     pub(super) fn new(
         number: usize,
         found: &Found,
         identity: &Identity,
         origin: f64,
         curve: &ModeCurve<'_>,
-        heights_m: &[f64],
-        stations_m: &[f64],
-        others_m: &[f64],
+        [equal_m, stations_m, others_m]: [&[f64]; 3],
     ) -> Self {
         let frequency_hz = found.eigenvalue.frequency_hz();
         Self {
@@ -69,7 +68,7 @@ impl Mode {
             // The vector has uᵀ(K − σM)u = 1, and so uᵀMu = 1/(λ − σ).
             modal_mass: 1.0
                 / (curve.largest() * curve.largest() * (found.eigenvalue.lambda - origin)),
-            shape: curve.sample(heights_m),
+            shape: curve.sample(equal_m),
             station_shape: curve.sample(stations_m),
             shape_there: curve.sample(others_m),
         }
