@@ -346,17 +346,13 @@ mod tests {
             potential(motion)
         };
         let matrix = pull(&body(), TIP_M, SPEED_SQUARED);
-        for i in 0..6 {
-            for j in 0..6 {
+        for (i, row) in matrix.iter().enumerate() {
+            for (j, entry) in row.iter().enumerate() {
                 let corners = at(i, j, 1.0, 1.0) - at(i, j, 1.0, -1.0) - at(i, j, -1.0, 1.0)
                     + at(i, j, -1.0, -1.0);
                 let curvature = corners / (4.0 * step * step);
-                let difference = (matrix[i][j] - curvature).abs();
-                assert!(
-                    difference < 1e-4,
-                    "({i}, {j}): {} and {curvature}",
-                    matrix[i][j]
-                );
+                let difference = (entry - curvature).abs();
+                assert!(difference < 1e-4, "({i}, {j}): {entry} and {curvature}");
             }
         }
     }

@@ -240,7 +240,7 @@ mod tests {
         assert_coefficients(&first, expected, 1e-11);
         assert!((first.rms_residual - 1.486_729_951e-6).abs() < 1e-12);
         assert!((first.largest_residual - 2.737_832_74e-6).abs() < 1e-12);
-        assert!((first.condition / 2260.311_246_6 - 1.0).abs() < 1e-9);
+        assert!((first.condition / 2_260.311_246_6 - 1.0).abs() < 1e-9);
         assert_eq!(first.largest_deflection, 1.0);
 
         let second = fit(&sampled(&equal(101), cantilever(4.694_091_132_974_175))).expect("a fit");
@@ -248,7 +248,7 @@ mod tests {
             -10.787910495031087,
             14.999066522456157,
             10.783138147922632,
-            -22.181957402200611,
+            -22.181_957_402_200_61,
             8.187663226852909,
         ];
         assert_coefficients(&second, expected, 1e-10);
