@@ -139,14 +139,32 @@ const RESULTS: [&[&str]; 4] = [
     &["verify", "paper"],
 ];
 
+/// The other results with a schema, by its name, and commands that give them.
+const OTHERS: [(&str, &[&str]); 2] = [
+    (
+        "check",
+        &["check", "examples/nrel-5mw.toml", "examples/nrel-5mw.yaml"],
+    ),
+    (
+        "validate",
+        &[
+            "elastodyn",
+            "validate",
+            "examples/small-turbine/ElastoDyn.dat",
+        ],
+    ),
+];
+
 #[test]
 fn the_schemas_in_the_book_are_the_programs_own() {
-    for command in RESULTS.map(|arguments| arguments[0]) {
-        let path = format!("book/src/{command}.schema.json");
+    let others = OTHERS.map(|(name, _)| name);
+    let names = RESULTS.map(|arguments| arguments[0]);
+    for name in names.into_iter().chain(others).chain(["blade"]) {
+        let path = format!("book/src/{name}.schema.json");
         let in_book = std::fs::read(root().join(&path)).expect("the schema");
         assert!(
-            output(&["schema", command]).stdout == in_book,
-            "run: towermodes schema {command} > {path}"
+            output(&["schema", name]).stdout == in_book,
+            "run: towermodes schema {name} > {path}"
         );
     }
 }
@@ -192,6 +210,12 @@ fn the_schemas_name_every_key() {
         let schema = json(&["schema", arguments[0]]);
         let result = json(&[arguments, &["--format", "json"]].concat());
         check_keys(&result, &schema, &schema["$defs"], arguments[0]);
+    }
+    for (name, arguments) in OTHERS {
+        let schema = json(&["schema", name]);
+        let result = output(&[arguments, &["--format", "json"]].concat());
+        let result: Value = serde_json::from_slice(&result.stdout).expect("JSON");
+        check_keys(&result, &schema, &schema["$defs"], name);
     }
 }
 
