@@ -8,7 +8,7 @@ use towermodes_files::{
 };
 
 use crate::args::{ConvertArguments, Target};
-use crate::failure::{Failure, note};
+use crate::failure::{Failure, note, report};
 use crate::input::tower_input;
 use crate::output::{check_not_input, check_not_inputs, deliver};
 
@@ -37,7 +37,16 @@ pub(crate) fn run(arguments: &ConvertArguments) -> Result<(), Failure> {
     if let (Some((name, text)), Some(output)) = (&converted.companion, output) {
         let companion = output.with_file_name(name);
         check_not_inputs(input.files(), Some(&companion))?;
+        // Without the deck that it belongs to it is another's.
+        if companion.exists() && !output.exists() {
+            let name = companion.display();
+            let text = format!("{name}, where the sections would go, is there already");
+            return Err(Failure::Refused(text));
+        }
         deliver(text.as_bytes(), Some(&companion))?;
+        deliver(converted.text.as_bytes(), Some(output))?;
+        report(&format!("written: {}, {}\n", output.display(), companion.display()));
+        return Ok(());
     }
     deliver(converted.text.as_bytes(), output)
 }

@@ -1,7 +1,8 @@
 //! Where results go.
 
+use std::fs;
 use std::io::{IsTerminal, Write};
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 
 use same_file::Handle;
@@ -11,15 +12,43 @@ use crate::failure::Failure;
 /// Writes a finished result to a file, or to standard output.
 pub(crate) fn deliver(result: &[u8], output: Option<&Path>) -> Result<(), Failure> {
     let (name, done) = match output {
-        Some(path) => (path.display().to_string(), std::fs::write(path, result)),
+        Some(path) => (path.display().to_string(), fs::write(path, result)),
         None => ("standard output".into(), to_standard_output(result)),
     };
     done.map_err(|error| Failure::Unwritable(name, error))
 }
 
-/// Writes a file anew.
+/// Writes a file anew: a new one beside it takes its place when it is complete, so that no interruption leaves half of one. Links stay.
 pub(crate) fn replace(path: &Path, text: &[u8]) -> Result<(), Failure> {
-    deliver(text, Some(path))
+    let path = fs::canonicalize(path).unwrap_or_else(|_| path.to_path_buf());
+    let mut name = path.file_name().unwrap_or_default().to_owned();
+    name.push(format!(".{}.tmp", std::process::id()));
+    let new = path.with_file_name(name);
+    let done = fs::write(&new, text)
+        .and_then(|()| match fs::metadata(&path) {
+            Ok(old) => fs::set_permissions(&new, old.permissions()),
+            Err(_) => Ok(()),
+        })
+        .and_then(|()| fs::rename(&new, &path));
+    done.map_err(|error| {
+        let _ = fs::remove_file(&new);
+        Failure::Unwritable(path.display().to_string(), error)
+    })
+}
+
+/// Keeps a file as it is under a name with `.bak` at its end, or `.bak2` and so on where that is taken; gives the name.
+pub(crate) fn back_up(path: &Path, text: &[u8]) -> Result<PathBuf, Failure> {
+    let named = |ending: String| {
+        let mut name = path.as_os_str().to_owned();
+        name.push(ending);
+        PathBuf::from(name)
+    };
+    let numbered = (2..).map(|number| named(format!(".bak{number}")));
+    let mut names = std::iter::once(named(".bak".to_owned())).chain(numbered);
+    let free = names.find(|name| !name.exists());
+    let free = free.unwrap_or_else(|| named(".bak".to_owned()));
+    replace(&free, text)?;
+    Ok(free)
 }
 
 fn to_standard_output(result: &[u8]) -> std::io::Result<()> {

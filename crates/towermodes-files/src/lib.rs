@@ -52,6 +52,6 @@ pub use result::{
     write_csv, write_examination_json, write_json, write_json_schema, write_judgement_json,
     write_verification_csv, write_verification_json,
 };
-pub use source::{MAX_FILE_BYTES, ReadError, Source};
+pub use source::{MAX_FILE_BYTES, ReadError, Source, encoded_as};
 pub use toml::{description_from_toml, tower_from_toml, write_toml};
 pub use windio::{WindIoWriteError, read_windio, write_windio};

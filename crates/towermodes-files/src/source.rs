@@ -41,7 +41,7 @@ pub enum ReadError {
         name: String,
     },
     /// It is not text.
-    #[error("{name}: not a text file (byte {byte} is not UTF-8)")]
+    #[error("{name}: not a text file (byte {byte} is neither UTF-8 nor Latin-1); save it as UTF-8")]
     NotText {
         /// The path.
         name: String,
@@ -97,8 +97,45 @@ impl Source {
             Ok(text) => Ok(Self { name, text }),
             Err(error) => {
                 let byte = error.utf8_error().valid_up_to();
-                Err(ReadError::NotText { name, byte })
+                match latin1(error.as_bytes()) {
+                    Some(text) => Ok(Self { name, text }),
+                    None => Err(ReadError::NotText { name, byte }),
+                }
             }
+        }
+    }
+}
+
+/// The text of bytes in Latin-1, as older programs write degrees and umlauts; none if there are bytes that no text has.
+fn latin1(bytes: &[u8]) -> Option<String> {
+    let is_text = |byte: &u8| matches!(byte, b'\t' | b'\n' | b'\r' | 0x20..=0x7e | 0xa0..=0xfe);
+    let text = || bytes.iter().map(|&byte| char::from(byte)).collect();
+    bytes.iter().all(is_text).then(text)
+}
+
+/// The bytes of a text that was made of a file with these bytes, in the encoding of that file.
+pub fn encoded_as(text: &str, original: &[u8]) -> Vec<u8> {
+    if std::str::from_utf8(original).is_ok() {
+        return text.as_bytes().to_vec();
+    }
+    let latin1 = text.chars().map(|c| u8::try_from(u32::from(c)));
+    let latin1: Result<Vec<u8>, _> = latin1.collect();
+    latin1.unwrap_or_else(|_| text.as_bytes().to_vec())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Source, encoded_as};
+
+    #[test]
+    fn latin1_comes_back_as_it_was() {
+        let bytes = b"87.6 TowerHt - 5\xb0, f\xfcr den Turm\r\n";
+        let source = Source::from_reader("deck".into(), &bytes[..]).expect("text");
+        assert_eq!(source.text, "87.6 TowerHt - 5\u{b0}, f\u{fc}r den Turm\r\n");
+        assert_eq!(encoded_as(&source.text, bytes), bytes);
+        assert_eq!(encoded_as("\u{fc}", "\u{fc}".as_bytes()), "\u{fc}".as_bytes());
+        for binary in [&b"\xff\xfe1\0"[..], b"\0\xff", b"\x7f\x80"] {
+            assert!(Source::from_reader("deck".into(), binary).is_err());
         }
     }
 }

@@ -60,5 +60,10 @@ pub(super) fn openfast_parser(text: &str) -> Result<(u32, u32), String> {
         (Some(Some(major)), Some(Some(minor))) => Some((major, minor)),
         _ => None,
     };
-    parsed.ok_or_else(|| "must be a version, as 4.2".into())
+    match parsed {
+        // FAST 7 and 8 came before OpenFAST 1.
+        Some((7 | 8, _)) => Ok((0, 0)),
+        Some(version) if (1..=6).contains(&version.0) => Ok(version),
+        _ => Err("must be a version of OpenFAST, as 4.2, or 8 for FAST 8".into()),
+    }
 }

@@ -1,13 +1,14 @@
 //! `towermodes elastodyn patch`.
 
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
 use towermodes_files::elastodyn::{patched, unified_diff};
+use towermodes_files::encoded_as;
 
 use super::deck::{Judged, judged};
 use crate::args::PatchArguments;
 use crate::failure::{Failure, report};
-use crate::output::{deliver, replace};
+use crate::output::{back_up, deliver, replace};
 use crate::table;
 
 /// Puts the coefficients of the tower's own modes into the deck's tower file.
@@ -27,13 +28,16 @@ pub(crate) fn run(arguments: &PatchArguments) -> Result<(), Failure> {
     }
     report(&changes);
     if new == old.text {
+        report(&format!("{}: nothing to change\n", old.name));
         return Ok(());
     }
     let path = Path::new(&old.name);
+    let bytes = std::fs::read(path).map_err(|e| Failure::Unwritable(old.name.clone(), e))?;
     if arguments.backup {
-        let mut backup = path.as_os_str().to_owned();
-        backup.push(".bak");
-        replace(&PathBuf::from(backup), old.text.as_bytes())?;
+        let backup = back_up(path, &bytes)?;
+        report(&format!("{}: kept as it was\n", backup.display()));
     }
-    replace(path, new.as_bytes())
+    replace(path, &encoded_as(&new, &bytes))?;
+    report(&format!("{}: written\n", old.name));
+    Ok(())
 }

@@ -115,6 +115,9 @@ pub struct Agreement {
     pub frequencies_as_given: Vec<ComparedFrequency>,
 }
 
+/// The share of a tower that the other may lack.
+const FEW: f64 = 0.01;
+
 impl Agreement {
     /// Whether both towers reach from one height to one, within 1 mm.
     pub fn ranges_agree(&self) -> bool {
@@ -122,12 +125,21 @@ impl Agreement {
         is_same_height(first.base_m, second.base_m) && is_same_height(first.top_m, second.top_m)
     }
 
-    /// The worst verdict of all; towers that do not reach equally far are at least a warning.
+    /// How much of the longer tower the other has no part of.
+    pub fn uncompared_share(&self) -> f64 {
+        let lengths_m = self.ranges.iter().map(HeightRange::length_m);
+        1.0 - self.overlap.length_m() / lengths_m.fold(0.0, f64::max)
+    }
+
+    /// The worst verdict of all; towers that do not reach equally far are at least a warning, and fail if more than a hundredth of one is
+    /// not in the other.
     pub fn verdict(&self) -> Verdict {
         let ranges = if self.ranges_agree() {
             Verdict::Pass
-        } else {
+        } else if self.uncompared_share() <= FEW {
             Verdict::Warn
+        } else {
+            Verdict::Fail
         };
         let (tip, bending) = (&self.tip_flexibility_m_per_n, &self.largest_bending);
         let compared = [
