@@ -45,7 +45,11 @@ pub(crate) fn run(arguments: &ConvertArguments) -> Result<(), Failure> {
         }
         deliver(text.as_bytes(), Some(&companion))?;
         deliver(converted.text.as_bytes(), Some(output))?;
-        report(&format!("written: {}, {}\n", output.display(), companion.display()));
+        report(&format!(
+            "written: {}, {}\n",
+            output.display(),
+            companion.display()
+        ));
         return Ok(());
     }
     deliver(converted.text.as_bytes(), output)

@@ -133,7 +133,10 @@ mod tests {
         let source = Source::from_reader("deck".into(), &bytes[..]).expect("text");
         assert_eq!(source.text, "87.6 TowerHt - 5\u{b0}, f\u{fc}r den Turm\r\n");
         assert_eq!(encoded_as(&source.text, bytes), bytes);
-        assert_eq!(encoded_as("\u{fc}", "\u{fc}".as_bytes()), "\u{fc}".as_bytes());
+        assert_eq!(
+            encoded_as("\u{fc}", "\u{fc}".as_bytes()),
+            "\u{fc}".as_bytes()
+        );
         for binary in [&b"\xff\xfe1\0"[..], b"\0\xff", b"\x7f\x80"] {
             assert!(Source::from_reader("deck".into(), binary).is_err());
         }

@@ -15,7 +15,7 @@ use crate::table;
 pub(crate) fn run(arguments: &ValidateArguments) -> Result<(), Failure> {
     let judged = judged(&arguments.deck)?;
     let (main, file) = (&judged.deck.main, &judged.deck.tower);
-    let flexible_m = main.tower_top_m - main.tower_base_m;
+    let flexible_m = main.tower_length_m();
     let nodes = main.tower_nodes;
     let model = file.model(flexible_m, nodes, judged.deck.rna.mass_kg);
     let limits = JudgementLimits::default();
@@ -25,7 +25,9 @@ pub(crate) fn run(arguments: &ValidateArguments) -> Result<(), Failure> {
     match arguments.format {
         ReportFormat::Table => {
             let title = &judged.deck.tower_source.name;
-            result.extend(table::judgements(title, &judged.tower, &judgements).into_bytes());
+            result.extend(
+                table::judgements(title, &judged.tower, judged.from_m, &judgements).into_bytes(),
+            );
         }
         ReportFormat::Json => write_judgement_json(&judgements, &mut result)?,
     }

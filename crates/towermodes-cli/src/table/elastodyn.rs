@@ -88,7 +88,12 @@ fn name(shape: &TowerShape) -> String {
 }
 
 /// How far the shapes of a tower file are from the tower's own modes.
-pub(crate) fn judgements(file: &str, tower: &Tower, judgements: &[Judgement; 4]) -> String {
+pub(crate) fn judgements(
+    file: &str,
+    tower: &Tower,
+    from_m: f64,
+    judgements: &[Judgement; 4],
+) -> String {
     let mut table = plain_table();
     table.set_header([
         "shape",
@@ -122,13 +127,21 @@ pub(crate) fn judgements(file: &str, tower: &Tower, judgements: &[Judgement; 4])
     }
     align_right(&mut table, 1..=8);
     format!(
-        "{file}\n\n{}\n\nmodes: of the tower from {} m to {} m with {} on top | rms off: least difference to the mode, of its largest deflection; off both: what both shapes of the plane, which ElastoDyn mixes, cannot follow | implied: what ElastoDyn makes of the coefficients, of the tower alone\n",
+        "{file}\n\n{}\n\nmodes: {}, {} on top\nrms off: least difference to the mode, of its largest deflection; both: what both shapes of a plane, which ElastoDyn mixes, cannot follow\nimplied: what ElastoDyn makes of the coefficients, of the tower alone\n",
         table.trim_fmt(),
-        tower.base_m(),
-        tower.top_m(),
+        heights(tower, from_m),
         match tower.rna().mass_kg {
             0.0 => "nothing".to_owned(),
             kg => super::text::tonnes(kg),
         },
     )
+}
+
+/// "of the tower from 0 m to 87.6 m", or what of a longer one.
+fn heights(tower: &Tower, from_m: f64) -> String {
+    let (base_m, top_m) = (tower.base_m(), tower.top_m());
+    if from_m <= base_m {
+        return format!("of the tower from {base_m} m to {top_m} m");
+    }
+    format!("of the tower from {base_m} m to {top_m} m, its part above {from_m} m")
 }

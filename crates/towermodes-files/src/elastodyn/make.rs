@@ -104,11 +104,13 @@ pub fn make_tower_file(tower: &Tower, options: &MakeOptions) -> Result<MadeTower
     let rows = tower_rows(tower, from_m, options.rows, masses)?;
     let mut content = content(tower, from_m, &rows, &shapes);
     let length_m = tower.top_m() - from_m;
+    let coarseness = coarseness(tower, from_m, masses, &content, options)?;
     let model = content.model(length_m, options.nodes, tower.rna().mass_kg);
     let quantities = quantities(&content, &model)?;
     set_damping(&mut content, options.damping, &quantities, &shapes)?;
     let quantities = self::quantities(&content, &model)?;
-    let notes = notes(tower, from_m, &shapes, options);
+    let mut notes = notes(tower, from_m, &shapes, options);
+    notes.extend(coarseness);
     Ok(MadeTowerFile {
         content,
         shapes,
@@ -117,16 +119,49 @@ pub fn make_tower_file(tower: &Tower, options: &MakeOptions) -> Result<MadeTower
     })
 }
 
-fn content(tower: &Tower, from_m: f64, rows: &TowerRows, shapes: &TowerShapes) -> TowerFile {
-    let what = match tower.name() {
-        "" => "Tower file made by towermodes",
-        name => name,
+/// What so few rows make of the tower, if more than a thousandth of its mass or stiffness.
+fn coarseness(
+    tower: &Tower,
+    from_m: f64,
+    masses: PointMasses,
+    content: &TowerFile,
+    options: &MakeOptions,
+) -> Result<Option<Note>, RowsError> {
+    if options.rows == Rows::Accurate {
+        return Ok(None);
+    }
+    let rows = tower_rows(tower, from_m, Rows::Accurate, masses)?;
+    let length_m = tower.top_m() - from_m;
+    let model = |content: &TowerFile| content.model(length_m, options.nodes, 0.0);
+    let accurate = TowerFile {
+        rows: rows.stations.iter().map(tower_row).collect(),
+        ..content.clone()
     };
-    let row = |station: &TowerStation| TowerRow {
+    let likeness = model(&accurate).likeness(&model(content));
+    Ok((likeness.largest() > 1e-3).then(|| {
+        Note::new(format!(
+            "{} rows change the tower's mass by {:+.2} % and its flexibility by {:+.2} %; without --stations there are {}",
+            content.rows.len(),
+            100.0 * likeness.mass,
+            100.0 * likeness.flexibility.fore_aft,
+            accurate.rows.len()
+        ))
+    }))
+}
+
+fn tower_row(station: &TowerStation) -> TowerRow {
+    TowerRow {
         height_fraction: station.height_fraction,
         mass_kg_per_m: station.mass_kg_per_m,
         fore_aft_n_m2: station.bending_n_m2.fore_aft,
         side_side_n_m2: station.bending_n_m2.side_side,
+    }
+}
+
+fn content(tower: &Tower, from_m: f64, rows: &TowerRows, shapes: &TowerShapes) -> TowerFile {
+    let what = match tower.name() {
+        "" => "Tower file made by towermodes",
+        name => name,
     };
     let mass = |mass: &ListedMass| ConcentratedMass {
         height_fraction: mass.height_fraction,
@@ -141,7 +176,7 @@ fn content(tower: &Tower, from_m: f64, rows: &TowerRows, shapes: &TowerShapes) -
         mass_factor: 1.0,
         fore_aft_factor: 1.0,
         side_side_factor: 1.0,
-        rows: rows.stations.iter().map(row).collect(),
+        rows: rows.stations.iter().map(tower_row).collect(),
         coefficients: shapes.coefficients(),
         concentrated_masses: rows.concentrated_masses.iter().map(mass).collect(),
     }
@@ -185,22 +220,26 @@ fn set_damping(
     Ok(())
 }
 
+/// Which modes were left out for their torsion, and what was taken instead.
+pub fn passed_over_notes(shapes: &TowerShapes) -> Vec<Note> {
+    let modes = shapes.passed_over.iter();
+    modes
+        .map(|mode| {
+            Note::new(format!(
+                "mode {} ({}, {:.4} Hz) is not taken but the next: {:.0} % of its energy is torsion, which ElastoDyn's towers do not have",
+                mode.number, mode.label, mode.frequency_hz, 100.0 * mode.torsion_share
+            ))
+        })
+        .collect()
+}
+
 /// A ratio in as many decimals as anybody reads.
 fn in_decimals(percent: f64) -> f64 {
     (percent * 1e6).round() / 1e6
 }
 
 fn notes(tower: &Tower, from_m: f64, shapes: &TowerShapes, options: &MakeOptions) -> Vec<Note> {
-    let mut notes: Vec<Note> = shapes
-        .passed_over
-        .iter()
-        .map(|mode| {
-            Note::new(format!(
-                "mode {} ({}, {:.4} Hz) is not taken: {:.0} % of its energy is torsion, which ElastoDyn's towers do not have",
-                mode.number, mode.label, mode.frequency_hz, 100.0 * mode.torsion_share
-            ))
-        })
-        .collect();
+    let mut notes = passed_over_notes(shapes);
     let masses = tower.point_masses().iter();
     let above = masses.filter(|mass| mass.height_m >= from_m).count();
     if above > 0 && !options.has_concentrated_masses {

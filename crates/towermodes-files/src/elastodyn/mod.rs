@@ -28,7 +28,8 @@ pub use lump::lump_rna;
 pub use main_file::{MainFile, Platform};
 pub use main_reader::read_main_file;
 pub use make::{
-    DEFAULT_NODES, Damping, MadeTowerFile, MakeError, MakeOptions, make_tower_file, quantities,
+    DEFAULT_NODES, Damping, MadeTowerFile, MakeError, MakeOptions, make_tower_file,
+    passed_over_notes, quantities,
 };
 pub use patch::{PatchError, patched};
 pub use rules::TowerFileError;

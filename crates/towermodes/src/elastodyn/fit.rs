@@ -166,7 +166,7 @@ fn largest(values: impl Iterator<Item = f64>) -> f64 {
 }
 
 /// The part of the height that each sample stands for.
-fn trapezoidal(points: &[(f64, f64)]) -> Vec<f64> {
+pub(super) fn trapezoidal(points: &[(f64, f64)]) -> Vec<f64> {
     let last = points.len() - 1;
     let weight = |i: usize| 0.5 * (points[(i + 1).min(last)].0 - points[i.saturating_sub(1)].0);
     (0..points.len()).map(weight).collect()

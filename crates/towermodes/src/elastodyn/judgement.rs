@@ -1,6 +1,7 @@
 //! How far the shapes of a tower file are from the tower's own.
 
 use super::decimal::SUM_TOLERANCE;
+use super::fit::trapezoidal;
 use super::mac::mac;
 use super::model::{ModelError, PlaneModes, TowerModel};
 use super::polynomial::TowerPolynomial;
@@ -151,13 +152,6 @@ fn what_is_left(vector: &[f64], basis: &[&[f64]], weights: &[f64]) -> f64 {
     }
     let left = without(vector.to_vec(), &orthogonal);
     dot(&left, &left)
-}
-
-/// The part of the height that each sample stands for.
-fn trapezoidal(points: &[(f64, f64)]) -> Vec<f64> {
-    let last = points.len().saturating_sub(1);
-    let weight = |i: usize| 0.5 * (points[(i + 1).min(last)].0 - points[i.saturating_sub(1)].0);
-    (0..points.len()).map(weight).collect()
 }
 
 impl Judgement {

@@ -12,6 +12,7 @@ mod decimal;
 mod fit;
 mod judgement;
 mod least_squares;
+mod likeness;
 mod mac;
 mod model;
 mod polynomial;
@@ -29,6 +30,7 @@ pub use decimal::{
 };
 pub use fit::{FitError, PolynomialFit, SMALLEST_TIP_SHARE, fit};
 pub use judgement::{Judgement, JudgementLimits, judge};
+pub use likeness::Likeness;
 pub use mac::mac;
 pub use model::{
     ConcentratedMass, Generalized, MAX_NODES, ModelError, PlaneModes, TowerModel, TowerStation,

@@ -4,13 +4,15 @@ use thiserror::Error;
 
 use super::model::{ConcentratedMass, TowerStation};
 use crate::number::Plain;
-use crate::tower::{Piece, PointMass, Section, Tower};
+use crate::tower::{Piece, Planes, PointMass, Section, Tower};
 
 /// Between rows that are put by themselves the mean error of what is linear is no more than this share of its least value, which leaves
 /// frequencies an error below a millionth.
 const ACCURACY: f64 = 4e-6;
 /// Rows of a step are this share of the height apart: ElastoDyn wants heights that rise.
 const STEP: f64 = 1e-6;
+/// Cuts that are no farther apart than this share of the height are one.
+const CLOSEST: f64 = 4.0 * STEP;
 /// More rows than this are refused.
 pub const MAX_STATIONS: usize = 100_000;
 
@@ -106,18 +108,7 @@ pub fn tower_rows(
     let (listed, spread) = match masses {
         PointMasses::Listed => (point_masses.iter().map(concentrated).collect(), Vec::new()),
         PointMasses::Spread { parts } => {
-            let length_m = (top_m - from_m) / parts.max(1) as f64;
-            let spread = point_masses.iter().map(|mass| {
-                let middle_m = mass
-                    .height_m
-                    .clamp(from_m + 0.5 * length_m, top_m - 0.5 * length_m);
-                Spread {
-                    base_m: middle_m - 0.5 * length_m,
-                    top_m: middle_m + 0.5 * length_m,
-                    mass_kg_per_m: mass.mass_kg / length_m,
-                }
-            });
-            (Vec::new(), spread.collect())
+            (Vec::new(), spread_over(&point_masses, from_m, top_m, parts))
         }
     };
     let mut parts = parts_of(tower, from_m, &spread);
@@ -132,38 +123,79 @@ pub fn tower_rows(
 struct Spread {
     base_m: f64,
     top_m: f64,
-    mass_kg_per_m: f64,
+    mass_kg: f64,
 }
 
-fn parts_of<'a>(tower: &'a Tower, from_m: f64, spread: &[Spread]) -> Vec<Part<'a>> {
-    let mut cuts_m: Vec<f64> = spread.iter().flat_map(|s| [s.base_m, s.top_m]).collect();
-    cuts_m.sort_by(f64::total_cmp);
-    let mut parts = Vec::new();
-    for piece in tower.pieces().iter().filter(|piece| piece.top_m > from_m) {
-        let mut base_m = piece.base_m.max(from_m);
-        let inside = cuts_m
-            .iter()
-            .copied()
-            .filter(|cut_m| (piece.base_m..piece.top_m).contains(cut_m));
-        for top_m in inside.chain([piece.top_m]) {
-            if top_m <= base_m {
-                continue;
-            }
-            let middle_m = 0.5 * (base_m + top_m);
-            let over = spread
-                .iter()
-                .filter(|s| (s.base_m..s.top_m).contains(&middle_m));
-            parts.push(Part {
-                piece,
-                base_m,
-                top_m,
-                spread_kg_per_m: over.map(|s| s.mass_kg_per_m).sum(),
-                intervals: 1,
-            });
-            base_m = top_m;
+/// Each mass over a part of the height with it in the middle, or at an end of the tower as near as can be.
+fn spread_over(masses: &[&PointMass], from_m: f64, top_m: f64, parts: usize) -> Vec<Spread> {
+    let whole_m = top_m - from_m;
+    let length_m = whole_m / parts.max(1) as f64;
+    let spread = masses.iter().map(|mass| {
+        let base_m = (mass.height_m - 0.5 * length_m)
+            .min(top_m - length_m)
+            .max(from_m);
+        Spread {
+            base_m,
+            top_m: (base_m + length_m).min(top_m),
+            mass_kg: mass.mass_kg,
+        }
+    });
+    spread.collect()
+}
+
+/// Where mass or stiffness bends or jumps, m: the ends of pieces, and of what is spread. What is closer together than rows can be is one,
+/// so that each part is longer than a step is wide.
+fn cuts(tower: &Tower, from_m: f64, spread: &[Spread]) -> Vec<f64> {
+    let top_m = tower.top_m();
+    let closest_m = CLOSEST * (top_m - from_m);
+    let ends = tower.pieces().iter().map(|piece| piece.top_m);
+    let spread = spread.iter().flat_map(|s| [s.base_m, s.top_m]);
+    let mut all_m: Vec<f64> = ends.chain(spread).filter(|z| *z > from_m).collect();
+    all_m.sort_by(f64::total_cmp);
+    let mut cuts_m = vec![from_m];
+    for cut_m in all_m {
+        let last_m = cuts_m[cuts_m.len() - 1];
+        if cut_m - last_m > closest_m && top_m - cut_m > closest_m {
+            cuts_m.push(cut_m);
         }
     }
-    parts
+    cuts_m.push(top_m);
+    cuts_m
+}
+
+/// The parts between the cuts, with what is spread over each: all of it, whatever rounding made of its ends.
+fn parts_of<'a>(tower: &'a Tower, from_m: f64, spread: &[Spread]) -> Vec<Part<'a>> {
+    let cuts_m = cuts(tower, from_m, spread);
+    let nearest = |height_m: f64| {
+        let above = cuts_m.partition_point(|cut| *cut < height_m);
+        let above = above.clamp(1, cuts_m.len() - 1);
+        let is_below = height_m - cuts_m[above - 1] < cuts_m[above] - height_m;
+        if is_below { above - 1 } else { above }
+    };
+    // What begins and ends at each cut, kg/m.
+    let mut changes = vec![0.0; cuts_m.len()];
+    for mass in spread {
+        let first = nearest(mass.base_m).min(cuts_m.len() - 2);
+        let last = nearest(mass.top_m).max(first + 1);
+        let mass_kg_per_m = mass.mass_kg / (cuts_m[last] - cuts_m[first]);
+        changes[first] += mass_kg_per_m;
+        changes[last] -= mass_kg_per_m;
+    }
+    let mut spread_kg_per_m = 0.0;
+    let pairs = cuts_m.windows(2).zip(changes);
+    pairs
+        .map(|(pair, change)| {
+            spread_kg_per_m += change;
+            Part {
+                piece: tower.piece_at(0.5 * (pair[0] + pair[1])),
+                base_m: pair[0],
+                top_m: pair[1],
+                // What was added and taken away leaves rounding.
+                spread_kg_per_m: f64::max(spread_kg_per_m, 0.0),
+                intervals: 1,
+            }
+        })
+        .collect()
 }
 
 fn share_out(parts: &mut [Part<'_>], rows: Rows) -> Result<(), RowsError> {
@@ -193,7 +225,9 @@ impl Part<'_> {
             masses,
             bending_n_m2,
             ..
-        } = self.piece.section_at(height_m);
+        } = self
+            .piece
+            .section_at(height_m.clamp(self.piece.base_m, self.piece.top_m));
         let mass = masses.mass_kg_per_m + self.spread_kg_per_m;
         [mass, bending_n_m2.fore_aft, bending_n_m2.side_side]
     }
@@ -230,7 +264,7 @@ fn stations(parts: &[Part<'_>], fraction: impl Fn(f64) -> f64) -> Vec<TowerStati
             let mut station = TowerStation {
                 height_fraction: fraction(height_m),
                 mass_kg_per_m,
-                bending_n_m2: crate::tower::Planes {
+                bending_n_m2: Planes {
                     fore_aft,
                     side_side,
                 },
