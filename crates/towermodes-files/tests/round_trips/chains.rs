@@ -1,6 +1,7 @@
 //! From format to format to format: what is lost is lost once.
 
-use towermodes::TowerDescription;
+use towermodes::{Method, Options, TowerDescription, solve};
+use towermodes_files::TowerInput;
 
 use super::comparison::{bending_hz, frequencies_hz, in_the_air, largest_difference};
 use super::formats::{Target, there_and_back, tower, written};
@@ -99,19 +100,64 @@ fn every_format_stands_still() {
     for (name, description) in towers::all() {
         for target in Target::ALL {
             let first = there_and_back(&description, target).description;
-            let second = there_and_back(&first, target).description;
-            let third = written(&second, target);
-            let fourth = written(&third.read().description, target);
-            let is_still = fourth.source == third.source && fourth.companions == third.companions;
-            assert!(is_still, "{name} {target:?}");
-            let last = fourth.read().description;
-            assert_eq!(last.name, first.name, "{name} {target:?}");
+            let (third, _) = along(&first, &[target, target]);
+            let (fifth, _) = along(&third, &[target, target]);
+            assert_eq!(fifth.name, first.name, "{name} {target:?}");
+            assert_eq!(sizes(&fifth), sizes(&third), "{name} {target:?}");
             let (last_hz, first_hz) = (
-                frequencies_hz(&tower(&last)),
+                frequencies_hz(&tower(&fifth)),
                 frequencies_hz(&tower(&first)),
             );
             let off = largest_difference(&last_hz, &first_hz);
-            assert!(off <= 1e-9, "{name} {target:?}: {off:e}");
+            // Steps are a ten-millionth of the length, and heights beside them are joined.
+            assert!(off <= 1e-8, "{name} {target:?}: {off:e}");
         }
+    }
+}
+
+fn sizes(description: &TowerDescription) -> [usize; 4] {
+    [
+        description.stations.len() + description.properties.len(),
+        description.point_masses.len(),
+        description.soil.iter().map(Vec::len).sum(),
+        description.added_mass.iter().map(Vec::len).sum(),
+    ]
+}
+
+/// By the elements that a deck prescribes, each of which has the section of its middle, Hz.
+fn by_its_elements_hz(input: &TowerInput) -> Vec<f64> {
+    let options = Options {
+        method: Method::Bmodes,
+        borders_m: input.borders_m.clone(),
+        points: 2,
+        ..Options::default()
+    };
+    let solution = solve(&input.tower().expect("a tower"), &options).expect("modes");
+    solution
+        .modes
+        .iter()
+        .map(|mode| mode.frequency_hz)
+        .collect()
+}
+
+/// Masses and wires that a deck has spread are still one element's when the deck comes from another deck: an element takes the section of its
+/// middle, and would miss them or have too much of them.
+#[test]
+fn what_is_spread_keeps_its_elements() {
+    for (name, description) in [
+        ("masses along it", towers::with_masses()),
+        ("stepped", towers::stepped()),
+        ("guyed", towers::example("guyed")),
+        ("monopile", towers::example("monopile")),
+    ] {
+        let first = there_and_back(&description, Target::Bmodes);
+        let second = there_and_back(&first.description, Target::Bmodes);
+        let [one, other] = [&first, &second].map(by_its_elements_hz);
+        let off = largest_difference(&other, &one);
+        assert!(off <= 1e-6, "{name}: {off:e}");
+        // Elements of BModes have constant sections and no rotary inertia.
+        let exact_hz = frequencies_hz(&tower(&first.description));
+        let off = largest_difference(&one, &exact_hz);
+        assert!(off < 0.01, "{name}: {off:e}");
     }
 }
