@@ -1,6 +1,6 @@
 //! A deck of BModes keeps the tower but for weights, shear deformation and what its notes say.
 
-use towermodes::{Foundation, PointMass, SoilRow, SoilStiffness, TowerDescription, Wires};
+use towermodes::{Foundation, Inertia, PointMass, SoilRow, SoilStiffness, TowerDescription, Wires};
 use towermodes_files::{BmodesWriteError, FileFormat};
 
 use super::comparison::{
@@ -56,15 +56,17 @@ fn as_soil(wires: &Wires, width_m: f64) -> Vec<SoilRow> {
 fn spread(mass: &PointMass, width_m: f64) -> impl Iterator<Item = PointMass> + use<> {
     const PARTS: usize = 20;
     let mass = *mass;
-    (0..PARTS).map(move |k| {
-        let mut part = PointMass::default();
-        part.height_m = mass.height_m + width_m * ((k as f64 + 0.5) / PARTS as f64 - 0.5);
-        part.mass_kg = mass.mass_kg / PARTS as f64;
-        part.inertia_kg_m2.zz = mass.inertia_kg_m2.zz / PARTS as f64;
+    let zz = mass.inertia_kg_m2.zz / PARTS as f64;
+    (0..PARTS).map(move |k| PointMass {
+        height_m: mass.height_m + width_m * ((k as f64 + 0.5) / PARTS as f64 - 0.5),
+        mass_kg: mass.mass_kg / PARTS as f64,
         // No body can have an inertia about one axis alone.
-        part.inertia_kg_m2.xx = 0.5 * part.inertia_kg_m2.zz;
-        part.inertia_kg_m2.yy = 0.5 * part.inertia_kg_m2.zz;
-        part
+        inertia_kg_m2: Inertia {
+            xx: 0.5 * zz,
+            yy: 0.5 * zz,
+            zz,
+            ..Inertia::default()
+        },
     })
 }
 

@@ -304,7 +304,7 @@ fn surroundings() -> Vec<Case> {
     vec![
         plain_with("soil", soil_said(Kept), |d| d.soil = vec![soil(across)]),
         plain_with("soil along", soil_said(lost), |d| {
-            d.soil = vec![soil(along)]
+            d.soil = vec![soil(along)];
         }),
         plain_with("soil's twist", soil_said(lost), |d| {
             d.soil = vec![soil(twist)];
