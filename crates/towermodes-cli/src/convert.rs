@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use towermodes_files::elastodyn::{MakeOptions, make_tower_file, write_tower_file};
+use towermodes_files::elastodyn::{MakeOptions, left_out, make_tower_file, write_tower_file};
 use towermodes_files::{
     BmodesWriteOptions, Note, TowerInput, write_bmodes, write_toml, write_windio,
 };
@@ -99,7 +99,7 @@ fn to_elastodyn(input: &TowerInput, arguments: &ConvertArguments) -> Result<Conv
     let text =
         write_tower_file(&made.content, has_masses).map_err(|error| Failure::tower_file(&error))?;
     let mut notes = made.notes;
-    notes.extend(left_out(input).into_iter().map(Note::new));
+    notes.extend(left_out(&input.description));
     if has_masses {
         notes.push(Note::new(
             "concentrated masses are read by OpenFAST 4.2 and newer",
@@ -110,38 +110,6 @@ fn to_elastodyn(input: &TowerInput, arguments: &ConvertArguments) -> Result<Conv
         companion: None,
         notes,
     })
-}
-
-/// What a tower file of ElastoDyn has no room for.
-fn left_out(input: &TowerInput) -> Vec<String> {
-    let description = &input.description;
-    let things = [
-        (
-            description.rna.mass_kg != 0.0,
-            "the rotor-nacelle assembly, which is in the main file",
-        ),
-        (
-            description.foundation != towermodes::Foundation::Clamped,
-            "the foundation, whose motion is taken off the shapes",
-        ),
-        (!description.soil.is_empty(), "the soil"),
-        (
-            description.water.is_some() || !description.added_mass.is_empty(),
-            "the water's mass",
-        ),
-        (!description.wires.is_empty(), "the wires"),
-    ];
-    let missing: Vec<&str> = things
-        .into_iter()
-        .filter(|(is_there, _)| *is_there)
-        .map(|(_, what)| what)
-        .collect();
-    let rotary = "torsion, stretch and rotary inertia";
-    let all = missing.into_iter().chain([rotary]).collect::<Vec<_>>();
-    vec![format!(
-        "a tower file of ElastoDyn does not hold {}; the shapes are of the tower with all of them",
-        all.join("; ")
-    )]
 }
 
 fn to_windio(input: &TowerInput) -> Result<Converted, Failure> {

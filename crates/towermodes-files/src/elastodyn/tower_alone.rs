@@ -27,7 +27,8 @@ pub fn read_elastodyn_tower(
         Ok(ends) => ends,
         Err(mistake) => return Err(InputError::mistake(&source, mistake)),
     };
-    let description = description(&reading.file, ends, &reading.file.header[1]);
+    let title = without_heights(&reading.file.header[1]);
+    let description = description(&reading.file, ends, title);
     let mut input = TowerInput::new(FileFormat::ElastoDynTower, description, source);
     remember(&mut input.places, 0, &reading.spans);
     input.notes = reading.notes;
@@ -41,7 +42,7 @@ pub fn read_elastodyn_tower(
 
 /// The heights of the ends, of the options if they say them.
 fn ends(header: &[String; 2], options: &ReadOptions) -> Result<Ends, Diagnostic> {
-    let said = |name| header.iter().find_map(|line| value_after(line, name));
+    let said = |name| header.iter().rev().find_map(|line| value_after(line, name));
     let ends = match (options.tower_height_m, said("TowerHt")) {
         (Some(top_m), _) => Ends {
             base_m: options.tower_base_m,
@@ -67,9 +68,9 @@ fn ends(header: &[String; 2], options: &ReadOptions) -> Result<Ends, Diagnostic>
     Err(Diagnostic::new(0..0, message).with_hint("the top must be above the base"))
 }
 
-/// The number after `name =` in a line, if it says it.
+/// The number after the last `name =` in a line, if it says it: a tower's own name stands before and may be anything.
 fn value_after(line: &str, name: &str) -> Option<f64> {
-    let (_, rest) = line.split_once(name)?;
+    let (_, rest) = line.rsplit_once(name)?;
     let number = rest.trim_start().strip_prefix('=')?.trim_start();
     let number = number
         .split(|c: char| c.is_whitespace() || c == ',')
@@ -77,9 +78,19 @@ fn value_after(line: &str, name: &str) -> Option<f64> {
     number.parse().ok().filter(|value: &f64| value.is_finite())
 }
 
+/// A header line without the heights at its end: another tower made of this one would have them in its name.
+fn without_heights(line: &str) -> &str {
+    match line.rsplit_once("TowerHt =") {
+        Some((what, heights)) if heights.contains("TowerBsHt =") => {
+            what.trim_end().trim_end_matches(';')
+        }
+        _ => line,
+    }
+}
+
 #[cfg(test)]
 mod tests {
-    use super::value_after;
+    use super::{value_after, without_heights};
 
     #[test]
     fn heights_are_read_from_a_header_line() {
@@ -89,5 +100,15 @@ mod tests {
         for line in ["TowerHt", "TowerHt = ", "TowerHt 87.6", "TowerHt = inf"] {
             assert_eq!(value_after(line, "TowerHt"), None);
         }
+    }
+    #[test]
+    fn the_last_height_counts_and_is_no_part_of_the_name() {
+        let line = "once TowerHt = 50 m, TowerBsHt = 1 m; TowerHt = 87.6 m, TowerBsHt = 0 m";
+        assert_eq!(value_after(line, "TowerHt"), Some(87.6));
+        assert_eq!(value_after(line, "TowerBsHt"), Some(0.0));
+        let name = without_heights(line);
+        assert_eq!(name, "once TowerHt = 50 m, TowerBsHt = 1 m");
+        assert_eq!(without_heights("TowerHt = 9 m, TowerBsHt = 0 m"), "");
+        assert_eq!(without_heights("TowerHt = high"), "TowerHt = high");
     }
 }

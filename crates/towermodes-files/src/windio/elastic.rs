@@ -103,6 +103,11 @@ impl Elastic {
     ) -> Self {
         let given = |q: Option<Quantity>| q.and_then(Quantity::if_given);
         let both = |[a, b]: [Option<Quantity>; 2]| Some([given(a)?, given(b)?]);
+        // Zero in one plane alone is no default.
+        let either = |[a, b]: [Option<Quantity>; 2]| {
+            let pair = [a?, b?];
+            (!pair.iter().all(Quantity::is_zero)).then_some(pair)
+        };
         let [torsion, axial] = stretch.map(given);
         let [fore_aft, side_side, polar] = inertia;
         Self {
@@ -111,7 +116,7 @@ impl Elastic {
             torsion,
             axial,
             shear: both(shear),
-            rotary: both([fore_aft, side_side]),
+            rotary: either([fore_aft, side_side]),
             polar: given(polar),
         }
     }

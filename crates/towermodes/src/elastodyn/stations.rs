@@ -6,9 +6,8 @@ use super::model::{ConcentratedMass, TowerStation};
 use crate::number::Plain;
 use crate::tower::{Piece, Planes, PointMass, Section, Tower};
 
-/// Between rows that are put by themselves the mean error of what is linear is no more than this share of its least value, which leaves
-/// frequencies an error below a millionth.
-const ACCURACY: f64 = 4e-6;
+/// Rows that are put by themselves leave frequencies and the mass an error below this share.
+const ACCURACY: f64 = 1e-6;
 /// Rows of a step are this share of the height apart: ElastoDyn wants heights that rise.
 const STEP: f64 = 1e-6;
 /// Cuts that are no farther apart than this share of the height are one.
@@ -232,24 +231,33 @@ impl Part<'_> {
         [mass, bending_n_m2.fore_aft, bending_n_m2.side_side]
     }
 
-    /// So many intervals that what is linear over each is right in the mean to [`ACCURACY`]: a straight line over an interval h is off by
-    /// h² f″/12 in the mean.
+    /// So many intervals that what is linear over each is right in the mean: a straight line over an interval h is off by h² f″/12 in the
+    /// mean, and a frequency goes with the root of stiffness over mass.
     fn accurate_intervals(&self) -> usize {
-        let middle_m = 0.5 * (self.base_m + self.top_m);
-        let [below, middle, above] = [self.base_m, middle_m, self.top_m].map(|z| self.values_at(z));
-        let intervals = (0..3).map(|i| {
-            // h² f″ over the whole part.
-            let bend = 4.0 * (below[i] - 2.0 * middle[i] + above[i]).abs();
-            let least = below[i].min(above[i]);
-            let relative = bend / (12.0 * least);
-            // What is linear is so but for rounding.
-            if relative < 1e-9 {
-                1
-            } else {
-                (relative / ACCURACY).sqrt().ceil() as usize
-            }
+        let [mass, fore_aft, side_side] = self.bends();
+        let frequency = 0.5 * (mass + fore_aft.max(side_side));
+        let relative = frequency.max(mass) / 12.0;
+        // What is linear is so but for rounding.
+        if relative < 1e-9 {
+            1
+        } else {
+            (relative / ACCURACY).sqrt().ceil() as usize
+        }
+    }
+
+    /// h² f″ over the whole part as a share of f, where it is most: by quarters, since a curve can turn, and bend most where it is least.
+    fn bends(&self) -> [f64; 3] {
+        let values: [[f64; 3]; 5] = std::array::from_fn(|k| {
+            let s = k as f64 / 4.0;
+            self.values_at(self.base_m * (1.0 - s) + self.top_m * s)
         });
-        intervals.max().unwrap_or(1).max(1)
+        std::array::from_fn(|i| {
+            let bends = values.windows(3).map(|three| {
+                let [below, middle, above] = [three[0][i], three[1][i], three[2][i]];
+                16.0 * (below - 2.0 * middle + above).abs() / below.min(above)
+            });
+            bends.fold(0.0, f64::max)
+        })
     }
 }
 

@@ -1,5 +1,6 @@
 //! Where a deck cuts a tower: the heights between which everything is smooth, and those that elements must end at.
 
+use towermodes::tower::Piece;
 use towermodes::{Tower, TowerDescription};
 
 use super::number::significant;
@@ -125,12 +126,17 @@ impl Layout {
             height_m: self.top_m,
             need: Need::Essential,
         }];
+        let closest_m = CLOSEST * self.length_m();
+        // Rows so close together are a step, as it stands in decks; what is spread begins and ends so too.
+        let is_step = |pair: &[Piece]| {
+            !pair[0].meets(&pair[1]) || pair.iter().any(|piece| piece.length_m() < closest_m)
+        };
         wanted.extend(tower.pieces().windows(2).map(|pair| Cut {
             height_m: pair[0].top_m,
-            need: if pair[0].meets(&pair[1]) {
-                Need::None
-            } else {
+            need: if is_step(pair) {
                 Need::Wanted
+            } else {
+                Need::None
             },
         }));
         let ends = self.spreads.iter().flat_map(|s| [s.from_m, s.to_m]);

@@ -1,0 +1,49 @@
+//! What a tower file of ElastoDyn has no room for.
+
+use towermodes::{Foundation, Inertia, Rna, Shear, TowerDescription};
+
+use crate::input::Note;
+
+/// A note on all that a tower file does not hold of a tower; the shapes in it are those of the tower with all of that.
+pub fn left_out(description: &TowerDescription) -> Vec<Note> {
+    let d = description;
+    let mut masses = d.point_masses.iter();
+    let mut rows = d.properties.iter();
+    let shears = if d.stations.is_empty() {
+        rows.any(|row| row.properties.shear_n.is_some())
+    } else {
+        d.shear != Shear::Rigid
+    };
+    let things = [
+        (
+            d.rna != Rna::default(),
+            "the rotor-nacelle assembly, which is in the main file",
+        ),
+        (
+            d.foundation != Foundation::Clamped,
+            "the foundation, whose motion is taken off the shapes",
+        ),
+        (!d.soil.is_empty(), "the soil"),
+        (
+            d.water.is_some() || !d.added_mass.is_empty(),
+            "the water's mass",
+        ),
+        (!d.wires.is_empty(), "the wires"),
+        (
+            d.gravity_m_per_s2 != 0.0,
+            "gravity, which is in the main file",
+        ),
+        (shears, "shear deformation"),
+        (
+            masses.any(|mass| mass.inertia_kg_m2 != Inertia::default()),
+            "the inertias of point masses",
+        ),
+        (true, "torsion, stretch and rotary inertia"),
+    ];
+    let missing = things.into_iter().filter(|(is_there, _)| *is_there);
+    let missing: Vec<&str> = missing.map(|(_, what)| what).collect();
+    vec![Note::new(format!(
+        "a tower file of ElastoDyn does not hold {}; the shapes are of the tower with all of them",
+        missing.join("; ")
+    ))]
+}
