@@ -143,7 +143,7 @@ fn spread_over(masses: &[&PointMass], from_m: f64, top_m: f64, parts: usize) -> 
 }
 
 /// Where mass or stiffness bends or jumps, m: the ends of pieces, and of what is spread. What is closer together than rows can be is one,
-/// so that each part is longer than a step is wide.
+/// in the middle, so that each part is longer than a step is wide and a step that was read from two rows stays where it was.
 fn cuts(tower: &Tower, from_m: f64, spread: &[Spread]) -> Vec<f64> {
     let top_m = tower.top_m();
     let closest_m = CLOSEST * (top_m - from_m);
@@ -152,11 +152,15 @@ fn cuts(tower: &Tower, from_m: f64, spread: &[Spread]) -> Vec<f64> {
     let mut all_m: Vec<f64> = ends.chain(spread).filter(|z| *z > from_m).collect();
     all_m.sort_by(f64::total_cmp);
     let mut cuts_m = vec![from_m];
-    for cut_m in all_m {
-        let last_m = cuts_m[cuts_m.len() - 1];
-        if cut_m - last_m > closest_m && top_m - cut_m > closest_m {
-            cuts_m.push(cut_m);
+    let mut from = 0;
+    while from < all_m.len() {
+        let first_m = all_m[from];
+        let count = all_m[from..].partition_point(|z| z - first_m <= closest_m);
+        let middle_m = 0.5 * (first_m + all_m[from + count - 1]);
+        if middle_m - from_m > closest_m && top_m - middle_m > closest_m {
+            cuts_m.push(middle_m);
         }
+        from += count;
     }
     cuts_m.push(top_m);
     cuts_m
