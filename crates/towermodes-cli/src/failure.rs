@@ -172,6 +172,9 @@ fn hint(error: &SolveError) -> Option<&'static str> {
         SolveError::Unstable { .. } => Some(
             "look at the signs of the hydrostatic and mooring stiffness there, and at the weights",
         ),
+        SolveError::UnstableBlade { .. } => Some(
+            "look at the rotor's speed (rot_rpm in rpm, rpm_mult), at GJ and at the offsets of the sections",
+        ),
         SolveError::Eigen(EigenError::NotFinite) => Some("look for a value with the wrong unit"),
         SolveError::Eigen(_) => {
             Some("ask for fewer modes, or look for a value with the wrong unit")

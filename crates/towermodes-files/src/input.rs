@@ -155,7 +155,8 @@ impl TowerInput {
     /// [`InputError::Mistakes`] at the place of what no tower can have.
     pub fn tower(&self) -> Result<Tower, InputError> {
         Tower::new(self.description.clone()).map_err(|error| {
-            let (file, diagnostic) = self.places.mistake(&error);
+            let is_toml = self.format == FileFormat::Toml;
+            let (file, diagnostic) = self.places.mistake(&error, is_toml);
             InputError::mistake(&self.sources[file.min(self.sources.len() - 1)], diagnostic)
         })
     }
@@ -167,8 +168,10 @@ impl TowerInput {
 }
 
 /// What a BModes deck says of the layout of its results.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct OutLayout {
+    /// What deflections are divided by, m: the radius with the draft; none if nothing is prescribed.
+    pub radius_m: Option<f64>,
     /// Whether tabs separate the columns (`TabDelim`).
     pub tab_delimited: bool,
     /// Whether the twist at the middle of elements is printed too (`mid_node_tw`).

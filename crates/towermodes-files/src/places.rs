@@ -22,11 +22,17 @@ impl Places {
         self.spans.insert(place, (file, span));
     }
 
-    /// A mistake that the tower's own checks found: the file it is in, and where there.
-    pub(crate) fn mistake(&self, error: &TowerError) -> (usize, Diagnostic) {
+    /// A mistake that the tower's own checks found: the file it is in, and where there. Hints that speak of the keys of TOML, or of heights in
+    /// its datum, are for TOML alone.
+    pub(crate) fn mistake(&self, error: &TowerError, is_toml: bool) -> (usize, Diagnostic) {
         let (file, span) = self.find(error.place);
         let diagnostic = Diagnostic::new(span, error.problem.to_string());
-        let diagnostic = match error.problem.hint() {
+        let of_toml = |hint: &&str| hint.contains(['[', '_', '"']) || hint.contains("datum");
+        let hint = error
+            .problem
+            .hint()
+            .filter(|hint| is_toml || !of_toml(hint));
+        let diagnostic = match hint {
             Some(hint) => diagnostic.with_hint(hint),
             None => diagnostic,
         };

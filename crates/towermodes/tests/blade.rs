@@ -3,8 +3,8 @@
 use std::f64::consts::{FRAC_PI_2, TAU};
 
 use towermodes::{
-    Blade, BladeDescription, BladeError, BladeFamily, BladeSection, EigenError, Inertia, RigidBody,
-    SolveError, solve_blade,
+    Blade, BladeDescription, BladeError, BladeFamily, BladeSection, Inertia, RigidBody, SolveError,
+    solve_blade,
 };
 
 const SECTION: BladeSection = BladeSection {
@@ -277,10 +277,7 @@ fn a_blade_that_its_propeller_moment_turns_over_is_refused() {
     description.rotor_speed_rad_per_s = 1.0;
     let blade = Blade::new(description).expect("a blade");
     let refused = solve_blade(&blade, 3, &[]);
-    assert!(matches!(
-        refused,
-        Err(SolveError::Eigen(EigenError::Unstable { .. }))
-    ));
+    assert!(matches!(refused, Err(SolveError::UnstableBlade { .. })));
 }
 
 #[test]

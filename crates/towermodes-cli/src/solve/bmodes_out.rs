@@ -31,8 +31,7 @@ impl Nodes {
         };
         Self {
             borders_m: borders_m.unwrap_or_else(equal),
-            // A base above the ground is a rigid part of the length; one below it is the draft.
-            radius_m: top_m - base_m.min(0.0),
+            radius_m: layout.radius_m.unwrap_or(top_m - base_m),
             layout,
         }
     }

@@ -138,6 +138,7 @@ fn section(row: &Section, deck: &Deck) -> Result<BladeSection, Diagnostic> {
 fn blade_notes(deck: &Deck, quirks: bool, notes: &mut Notes) -> usize {
     dialect(deck, notes);
     tip_offset(deck, quirks, notes);
+    tip_pull(deck, quirks, notes);
     let general = &deck.general;
     if general.pitch_deg.value != 0.0 {
         let message = format!(
@@ -163,6 +164,20 @@ fn blade_notes(deck: &Deck, quirks: bool, notes: &mut Notes) -> usize {
     }
     extra_columns(deck, notes);
     modes(deck, notes)
+}
+
+/// The centrifugal force of the tip mass stiffens the blade.
+fn tip_pull(deck: &Deck, quirks: bool, notes: &mut Notes) {
+    let (mass, general) = (&deck.tip.mass_kg, &deck.general);
+    if mass.value == 0.0 || general.rot_rpm.value * general.rpm_mult.value == 0.0 {
+        return;
+    }
+    let said = format!(
+        "leaves the tip mass of {} kg out of the centrifugal tension",
+        mass.value
+    );
+    let right = "it pulls, which raises the frequencies";
+    notes.on(mass, choice(quirks, &said, right));
 }
 
 fn tip_offset(deck: &Deck, quirks: bool, notes: &mut Notes) {

@@ -89,6 +89,7 @@ fn general(reader: &mut Reader<'_>) -> Result<(Beam, General), Diagnostic> {
     let hub = hub_connection(reader)?;
     let modes = reader.count(&q::MODEPR, 1, 1_000_000_000)?;
     let layout = OutLayout {
+        radius_m: Some(radius_m.value),
         tab_delimited: reader.logical(&q::TAB_DELIM)?.value,
         mid_node_twist: reader.logical(&q::MID_NODE_TW)?.value,
     };

@@ -28,6 +28,7 @@ pub use out::{OutHeader, OutMode, OutRow, write_bmodes_out};
 pub use write::{BmodesFiles, BmodesWriteError, BmodesWriteOptions, write_bmodes};
 
 use crate::companions::Companions;
+use crate::diagnostic::Diagnostic;
 use crate::input::{BladeInput, InputError, ReadOptions, TowerInput};
 use crate::records::{Line, Lines};
 use crate::source::Source;
@@ -83,7 +84,11 @@ fn read_deck(source: Source, companions: &dyn Companions) -> Result<(Deck, Sourc
             support::support(&mut reader, main.dialect, main.borders.len()).map_err(in_main)?
         }
     };
-    let file = companions.read(main.sections_file.value)?;
+    let file = companions.read(main.sections_file.value).map_err(|error| {
+        let message = format!("the section file cannot be read: {error}");
+        let hint = "it is looked for beside the .bmi file; small and capital letters may matter";
+        in_main(Diagnostic::new(main.sections_file.span.clone(), message).with_hint(hint))
+    })?;
     let sections = sections::sections(&file.text, main.beam)
         .map_err(|mistakes| InputError::mistakes(&file, mistakes))?;
     let deck = Deck {

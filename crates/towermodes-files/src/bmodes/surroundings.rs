@@ -3,7 +3,7 @@
 use towermodes::{AddedMassRow, Place, SoilRow, SoilStiffness, Wires};
 
 use super::deck::{Deck, Distribution, WireSet};
-use super::reader::Value;
+use super::notes::Notes;
 use super::tower::{Building, Ends, MAIN};
 use crate::diagnostic::Diagnostic;
 use crate::places::TABLE;
@@ -30,13 +30,17 @@ impl Building {
         }
     }
 
-    pub(super) fn surroundings(&mut self, deck: &Deck) -> Result<(), Diagnostic> {
+    pub(super) fn surroundings(
+        &mut self,
+        deck: &Deck,
+        notes: &mut Notes,
+    ) -> Result<(), Diagnostic> {
         let Some(offshore) = &deck.support.offshore else {
             return Ok(());
         };
-        let added_mass = self.heights_of(&offshore.added_mass)?;
-        for (row, (height, value)) in offshore.added_mass.rows.iter().enumerate() {
-            let table = 0;
+        let added_mass = self.heights_of(&offshore.added_mass, notes);
+        for row in 0..added_mass.len() {
+            let (height, value) = &offshore.added_mass.rows[row];
             let spans = [
                 ("height", height),
                 ("mass", value),
@@ -44,7 +48,7 @@ impl Building {
                 ("rows", height),
             ];
             for (key, value) in spans {
-                let place = Place::AddedMass { table, row, key };
+                let place = Place::AddedMass { table: 0, row, key };
                 self.places.remember(place, MAIN, value.span.clone());
             }
         }
@@ -55,12 +59,14 @@ impl Building {
         if !added_mass.is_empty() {
             self.description.added_mass = vec![added_mass.into_iter().map(row).collect()];
         }
-        self.soil(&offshore.stiffness)
+        self.soil(&offshore.stiffness, notes);
+        Ok(())
     }
 
-    fn soil(&mut self, stiffness: &Distribution) -> Result<(), Diagnostic> {
-        let soil = self.heights_of(stiffness)?;
-        for (row, (height, value)) in stiffness.rows.iter().enumerate() {
+    fn soil(&mut self, stiffness: &Distribution, notes: &mut Notes) {
+        let soil = self.heights_of(stiffness, notes);
+        for row in 0..soil.len() {
+            let (height, value) = &stiffness.rows[row];
             let layer = 0;
             let spans = [
                 ("height", height),
@@ -85,27 +91,55 @@ impl Building {
         if !soil.is_empty() {
             self.description.soil = vec![soil.into_iter().map(row).collect()];
         }
-        Ok(())
     }
 
-    /// A table with heights in the datum of the tower.
-    fn heights_of(&self, table: &Distribution) -> Result<Vec<(f64, f64)>, Diagnostic> {
+    /// A table with heights in the datum of the tower, up to the tower's top: as in BModes what lies beyond has no effect. Empty if none of
+    /// it is beside the flexible tower, or all of it is zero.
+    fn heights_of(&self, table: &Distribution, notes: &mut Notes) -> Vec<(f64, f64)> {
         let Ends { base_m, top_m } = self.ends;
         let length_m = top_m - base_m;
-        let row = |(z, value): &(Value<f64>, Value<f64>)| {
-            if (z.value - length_m).abs() <= 1e-9 * length_m {
-                return Ok((top_m, value.value));
-            }
-            if z.value < length_m {
-                return Ok((base_m + z.value, value.value));
-            }
-            let message = format!(
-                "height {} m above the flexible base lies beyond the tower's top, {length_m} m above it",
-                z.value
-            );
-            Err(z.wrong(message))
+        let rows: Vec<(f64, f64)> = table.rows.iter().map(|(z, v)| (z.value, v.value)).collect();
+        let (Some(first), Some(last)) = (rows.first(), rows.last()) else {
+            return Vec::new();
         };
-        table.rows.iter().map(row).collect()
+        if rows.iter().all(|(_, value)| *value == 0.0) {
+            return Vec::new();
+        }
+        let height = &table.rows[0].0;
+        if last.0 <= 0.0 || first.0 >= length_m {
+            let message = format!(
+                "this table reaches from {} m to {} m above the flexible base, and no part of the flexible tower is there: it has no effect",
+                first.0, last.0
+            );
+            notes.on(height, message);
+            return Vec::new();
+        }
+        let mut within: Vec<(f64, f64)> = Vec::with_capacity(rows.len());
+        for &(z, value) in &rows {
+            let is_beyond = z > length_m * (1.0 + 1e-9);
+            let reaches_top = z >= length_m * (1.0 - 1e-9);
+            match within.last() {
+                Some((below, at_below)) if is_beyond => {
+                    let s = (length_m - below) / (z - below);
+                    let at_top = at_below + s * (value - at_below);
+                    notes.on(
+                        height,
+                        format!(
+                            "the table reaches {} m beyond the tower's top, where it has no effect",
+                            last.0 - length_m
+                        ),
+                    );
+                    within.push((length_m, at_top));
+                    break;
+                }
+                _ => within.push((if reaches_top { length_m } else { z }, value)),
+            }
+        }
+        let in_datum = |(z, value): (f64, f64)| match z == length_m {
+            true => (top_m, value),
+            false => (base_m + z, value),
+        };
+        within.into_iter().map(in_datum).collect()
     }
 }
 

@@ -10,7 +10,7 @@ use super::foundation::foundation;
 use super::notes::{Notes, tower_notes};
 use super::reader::Value;
 use crate::diagnostic::Diagnostic;
-use crate::input::{FileFormat, InputError, TowerInput};
+use crate::input::{FileFormat, InputError, OutLayout, TowerInput};
 use crate::places::{Places, TABLE};
 
 /// The places of the main file and of the section file among a deck's files.
@@ -82,9 +82,11 @@ pub(super) fn tower(deck: &Deck, sources: Sources, quirks: bool) -> Result<Tower
         .map(|border| ends.at(border.value))
         .collect();
     building.wires(&deck.support.wires, &borders_m, quirks);
-    building.surroundings(deck).map_err(in_main)?;
+    building.surroundings(deck, &mut notes).map_err(in_main)?;
     foundation(deck, &mut building, &mut notes).map_err(in_main)?;
     let modes = tower_notes(deck, quirks, &mut notes).map_err(in_main)?;
+    let offshore = deck.support.offshore.as_ref();
+    let draft_m = offshore.map_or(0.0, |block| block.draft_m.value);
     let Building {
         description,
         places,
@@ -97,7 +99,10 @@ pub(super) fn tower(deck: &Deck, sources: Sources, quirks: bool) -> Result<Tower
         method: Some(Method::Bmodes),
         modes: Some(modes),
         joint_m: None,
-        layout: deck.general.layout,
+        layout: OutLayout {
+            radius_m: Some(deck.general.radius_m.value + draft_m),
+            ..deck.general.layout
+        },
         notes: notes.of(&sources),
         sources: sources.into_list(),
         places,

@@ -122,7 +122,10 @@ impl Named<'_> {
             .read(&beside(self.folder, path))
             .map_err(|error| {
                 let message = format!("{key} cannot be read: {error}");
-                let hint = "files are looked for beside the main file";
+                let hint = match key.starts_with("Bld") {
+                    true => "files are looked for beside the main file; without the rotor-nacelle assembly (--no-rna) blades are not needed",
+                    false => "files are looked for beside the main file",
+                };
                 InputError::mistake(self.source, Diagnostic::new(span, message).with_hint(hint))
             })
     }

@@ -99,7 +99,10 @@ impl<'a> Positional<'a> {
             format!("{key} is {said}; {so_far} rows are there")
         };
         match line.first() {
-            Some(token) if token.number("").is_ok() => Ok(line),
+            Some(token) if token.number("").is_ok() => {
+                line.check_commas(&format!("a number of {what}"))?;
+                Ok(line)
+            }
             Some(token) => Err(token
                 .wrong(format!("{what} is expected here"))
                 .with_hint(hint())),
@@ -136,6 +139,7 @@ impl<'a> Parameter<'a> {
             let message = format!("{key} ({what}) is expected here, but this is a heading");
             return Err(Diagnostic::new(line.span(), message).with_hint("is a line missing above?"));
         }
+        line.check_commas(&format!("{key} ({what})"))?;
         match line.first() {
             Some(token) => Ok(Self { key, what, token }),
             None => Err(Diagnostic::new(

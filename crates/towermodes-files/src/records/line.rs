@@ -30,6 +30,35 @@ impl<'a> Line<'a> {
         self.tokens().next()
     }
 
+    /// What stands behind a comma that is one of a number, as in `87,6`: between two numbers without a blank, where no other numbers stand
+    /// or where others are separated by blanks. To Fortran it ends the number.
+    pub(crate) fn decimal_comma(&self) -> Option<Token<'a>> {
+        let is_number = |token: &Token<'a>| token.number("").is_ok();
+        let numbers: Vec<Token<'a>> = self.tokens().take_while(is_number).collect();
+        let is_joined = |pair: &[Token<'a>]| {
+            let gap = pair[0].span.end - self.start..pair[1].span.start - self.start;
+            self.text.get(gap) == Some(",")
+        };
+        let joined = numbers.windows(2).filter(|pair| is_joined(pair)).count();
+        let all = numbers.len().saturating_sub(1);
+        if joined == 0 || (joined == all && all > 1) {
+            return None;
+        }
+        let behind = numbers.windows(2).find(|pair| is_joined(pair));
+        behind.map(|pair| pair[1].clone())
+    }
+
+    /// The mistake of a decimal comma, if there is one.
+    pub(crate) fn check_commas(&self, what: &str) -> Result<(), Diagnostic> {
+        let Some(token) = self.decimal_comma() else {
+            return Ok(());
+        };
+        let message = format!("a comma ends {what} before `{}`", token.text);
+        let hint =
+            "write a decimal point, as 3.5, no comma between thousands, and a blank between values";
+        Err(Diagnostic::new(token.span, message).with_hint(hint))
+    }
+
     /// Whether there is nothing on it.
     pub(crate) fn is_blank(&self) -> bool {
         self.text.trim().is_empty()
@@ -91,6 +120,30 @@ impl<'a> Iterator for Lines<'a> {
 #[cfg(test)]
 mod tests {
     use super::Lines;
+
+    #[test]
+    fn decimal_commas_are_told_from_separators() {
+        let behind = |text: &str| -> Option<String> {
+            let line = super::Line { text, start: 0 };
+            line.decimal_comma().map(|token| token.text.to_owned())
+        };
+        for (text, found) in [
+            ("87,6 TowerHt", "6"),
+            ("240,000 NacMass", "000"),
+            ("0.1 5390,43 5.8E+11 5.8E+11", "43"),
+        ] {
+            assert_eq!(behind(text).as_deref(), Some(found), "{text}");
+        }
+        for text in [
+            "0.1,5390,5.8E+11,5.8E+11",
+            "5, 9 TwrGagNd",
+            "1, 2, 3",
+            "87.6 a,b",
+            "1",
+        ] {
+            assert_eq!(behind(text), None, "{text}");
+        }
+    }
 
     #[test]
     fn lines_have_no_ends_and_keep_their_places() {

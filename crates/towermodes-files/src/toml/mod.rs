@@ -57,7 +57,7 @@ impl Reading {
 /// All mistakes found, in the order of the file where they are of one kind; never an empty list.
 pub fn tower_from_toml(text: &str) -> Result<Tower, Vec<Diagnostic>> {
     let (description, places) = describe(text)?;
-    Tower::new(description).map_err(|error| vec![places.mistake(&error).1])
+    Tower::new(description).map_err(|error| vec![places.mistake(&error, true).1])
 }
 
 /// Reads what the text of a TOML file says of a tower, which [`Tower::new`] has yet to check.

@@ -22,7 +22,7 @@ pub(super) fn meet(parts: &mut [Part], reading: &mut Reading<'_>) -> Result<(), 
             rounded(-gap_m)
         );
         return Err(Diagnostic::new(span, message)
-            .with_hint("they must meet; or read the tower alone or the monopile alone"));
+            .with_hint("they must meet; or read the tower alone (--part tower) or the monopile alone (--part monopile)"));
     }
     if gap_m > SMALL_GAP_M {
         let message = format!(
@@ -30,7 +30,7 @@ pub(super) fn meet(parts: &mut [Part], reading: &mut Reading<'_>) -> Result<(), 
             rounded(gap_m)
         );
         return Err(Diagnostic::new(span, message)
-            .with_hint("they must meet; or read the tower alone or the monopile alone"));
+            .with_hint("they must meet; or read the tower alone (--part tower) or the monopile alone (--part monopile)"));
     }
     if gap_m > SAME_M {
         let message = format!(

@@ -132,6 +132,15 @@ fn mistake(error: &serde_saphyr::Error, text: &str) -> Diagnostic {
     let message = error.to_string();
     // The place is said by whoever shows the mistake.
     let message = message.split(" at line ").next().unwrap_or_default();
+    // What the parser could be told is of no use to the reader.
+    let message = message
+        .split(", set DuplicateKeyPolicy")
+        .next()
+        .unwrap_or_default();
+    let message = match message.contains("budget") {
+        true => "it is larger or deeper nested than any turbine",
+        false => message,
+    };
     let message: Vec<&str> = message.lines().map(str::trim).collect();
     let diagnostic = Diagnostic::new(
         span,

@@ -71,7 +71,12 @@ impl Blade {
         let above = sections.partition_point(|section| section.span < span);
         let above = above.clamp(1, sections.len() - 1);
         let (a, b) = (&sections[above - 1], &sections[above]);
-        let s = (span - a.span) / (b.span - a.span);
+        // At a step there is no way between the two.
+        let s = if a.span == b.span {
+            0.0
+        } else {
+            (span - a.span) / (b.span - a.span)
+        };
         let blend = |value: fn(&BladeSection) -> f64| {
             let (a, b) = (value(a), value(b));
             a + s * (b - a)

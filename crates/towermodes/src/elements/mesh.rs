@@ -109,23 +109,24 @@ impl Mesh {
     /// The first thing that is not so.
     pub fn with_borders(tower: &Tower, heights_m: &[f64]) -> Result<Self, BorderError> {
         let mut borders_m = heights_m.to_vec();
+        // What is no number rises over nothing.
+        let rises = |pair: &[f64]| pair[0] < pair[1];
+        if let Some(row) = borders_m.windows(2).position(|pair| !rises(pair)) {
+            let height_m = borders_m[row + 1];
+            return Err(BorderError::NotRising { height_m });
+        }
         let rounding_m = ROUNDED * tower.height_m();
         let attached = tower.attachments().iter().map(|a| a.height_m);
         for height_m in attached.chain([tower.base_m(), tower.top_m()]) {
-            let near = |border: &&mut f64| (**border - height_m).abs() <= rounding_m;
-            match borders_m.iter_mut().find(near) {
-                Some(border) => *border = height_m,
-                None => return Err(BorderError::Missing { height_m }),
+            let near = borders_m.partition_point(|border| *border < height_m - rounding_m);
+            match borders_m.get_mut(near) {
+                Some(border) if *border <= height_m + rounding_m => *border = height_m,
+                _ => return Err(BorderError::Missing { height_m }),
             }
         }
         let ends = (borders_m.first().copied(), borders_m.last().copied());
         if ends != (Some(tower.base_m()), Some(tower.top_m())) {
             return Err(BorderError::Beyond);
-        }
-        let is_rising = |pair: &[f64]| pair[0] < pair[1];
-        if let Some(row) = borders_m.windows(2).position(|pair| !is_rising(pair)) {
-            let height_m = borders_m[row + 1];
-            return Err(BorderError::NotRising { height_m });
         }
         let pieces = tower.pieces();
         let spans = borders_m.windows(2).map(|pair| Span {

@@ -2,7 +2,7 @@
 
 use std::f64::consts::TAU;
 
-use super::options::{MAX_SEGMENTS, SolveError};
+use super::options::{MAX_VECTOR_BYTES, SolveError};
 use super::solution::Certificate;
 use crate::Method;
 use crate::beam::{Beam, BeamWork, assemble_blade};
@@ -13,6 +13,9 @@ use crate::parts::{Combination, SPACE, Structure, StructurePencil};
 
 /// Relative distances above the last mode at which completeness is certified, widest first.
 const MARGINS: [f64; 6] = [0.1, 0.03, 0.01, 1e-3, 1e-5, 1e-9];
+
+/// More elements of a blade than this are refused: they hold full matrices, and errors are estimated with eight times as many.
+pub const MAX_BLADE_ELEMENTS: usize = 10_000;
 
 /// The kind of motion of a blade's mode: that with most of the kinetic energy.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -94,8 +97,8 @@ pub fn solve_blade(
 ) -> Result<BladeSolution, SolveError> {
     let borders = &blade.description().borders;
     let elements = borders.len() - 1;
-    if elements > MAX_SEGMENTS {
-        let (segments, most) = (elements, MAX_SEGMENTS);
+    if elements > MAX_BLADE_ELEMENTS {
+        let (segments, most) = (elements, MAX_BLADE_ELEMENTS);
         return Err(SolveError::Segments { segments, most });
     }
     if modes == 0 {
@@ -136,6 +139,13 @@ impl Solved {
             return Err(EigenError::NotFinite.into());
         }
         let available = solved.beam.degrees_of_freedom();
+        if modes.saturating_mul(2 * available) > MAX_VECTOR_BYTES / size_of::<f64>() {
+            let degrees_of_freedom = available;
+            return Err(SolveError::TooLarge {
+                modes,
+                degrees_of_freedom,
+            });
+        }
         if modes > available {
             let segments = borders.len() - 1;
             return Err(SolveError::TooManyModes {
@@ -147,8 +157,15 @@ impl Solved {
         let Self {
             beam, work, eigen, ..
         } = &mut solved;
-        lowest(&mut StructurePencil::vibration(beam, work), modes, eigen)?;
-        Ok(solved)
+        let found = lowest(&mut StructurePencil::vibration(beam, work), modes, eigen);
+        match found {
+            // Without rotation every blade is stable.
+            Err(EigenError::Unstable { negative }) => Err(SolveError::UnstableBlade {
+                rotor_speed_rpm: 60.0 * blade.description().rotor_speed_rad_per_s / TAU,
+                negative,
+            }),
+            found => Ok(found.map(|_| solved)?),
+        }
     }
 
     /// Counts the modes below the gap above the last one asked for.

@@ -31,7 +31,12 @@ pub(super) fn estimate_errors(
 ) -> Result<usize, SolveError> {
     let (modes, below) = (&mut result.modes, result.below);
     let powers = part_powers(tower, options, &workspace.model);
-    let powers_of = |mode: &Mode| powers[mode.key.part];
+    let straddles = options.borders_m.is_some() && straddles_a_step(tower, &cut.mesh);
+    // Elements that reach over a step have an error of the first order.
+    let powers_of = |mode: &Mode| match straddles {
+        true => &STRADDLING[..],
+        false => powers[mode.key.part],
+    };
     // Where borders are irregular two meshes can agree by chance, and one more finds it out; a single piece converges smoothly.
     let more = usize::from(tower.pieces().len() > 1);
     let steps = modes.iter().map(|mode| powers_of(mode).len() + more).max();
@@ -66,6 +71,23 @@ pub(super) fn estimate_errors(
         mode.extrapolated_hz = estimate.extrapolated_hz;
     }
     Ok(elsewhere)
+}
+
+/// The powers of 1/n where elements reach over steps.
+const STRADDLING: [i32; 2] = [1, 2];
+
+/// Whether an element reaches over a step of the tower.
+fn straddles_a_step(tower: &Tower, mesh: &Mesh) -> bool {
+    let borders_m = mesh.borders_m();
+    let steps = tower
+        .pieces()
+        .windows(2)
+        .filter(|pair| !pair[0].meets(&pair[1]));
+    let mut heights_m = steps.map(|pair| pair[1].base_m);
+    heights_m.any(|z_m| {
+        let above = borders_m.partition_point(|border| *border < z_m);
+        borders_m.get(above).is_none_or(|border| *border != z_m)
+    })
 }
 
 impl Ladder {

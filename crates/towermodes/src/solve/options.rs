@@ -106,6 +106,7 @@ impl Options {
                 available,
             });
         }
+        let points = points + self.heights_m.len();
         if modes > MAX_VECTOR_BYTES / (points * size_of::<ShapePoint>()) {
             return Err(SolveError::ShapesTooLarge { modes, points });
         }
@@ -195,6 +196,14 @@ impl Options {
 #[derive(Debug, Clone, PartialEq, Error)]
 #[non_exhaustive]
 pub enum SolveError {
+    /// A blade that its rotation turns over.
+    #[error("at {} rpm the blade is unstable: centrifugal forces are larger than {negative} of its stiffnesses", Plain(*.rotor_speed_rpm))]
+    UnstableBlade {
+        /// Speed of the rotor, rpm.
+        rotor_speed_rpm: f64,
+        /// Number of negative eigenvalues of its stiffness.
+        negative: usize,
+    },
     /// Borders for a method that has its own.
     #[error(
         "borders of elements are for the method bmodes; the others have theirs at the tower's steps and kinks"
@@ -295,7 +304,10 @@ impl SolveError {
     pub fn is_usage(&self) -> bool {
         !matches!(
             self,
-            Self::Eigen(_) | Self::Buckles { .. } | Self::Unstable { .. }
+            Self::Eigen(_)
+                | Self::Buckles { .. }
+                | Self::Unstable { .. }
+                | Self::UnstableBlade { .. }
         )
     }
 }

@@ -58,9 +58,9 @@ pub(super) fn surrounded(pieces: Vec<Piece>, description: &TowerDescription) -> 
     let mut parts = Vec::with_capacity(pieces.len() + cuts_m.len());
     for piece in pieces {
         let mut below_m = piece.base_m;
-        let inside = cuts_m
-            .iter()
-            .filter(|cut| piece.base_m < **cut && **cut < piece.top_m);
+        let first = cuts_m.partition_point(|cut| *cut <= piece.base_m);
+        let last = cuts_m.partition_point(|cut| *cut < piece.top_m);
+        let inside = cuts_m[first..last.max(first)].iter();
         for &end_m in inside.chain([&piece.top_m]) {
             let mut part = piece.part(below_m, end_m);
             part.ambient = ambient(description, base_m, &part);
@@ -117,9 +117,8 @@ fn around<'a, R>(
     piece: &Piece,
 ) -> Option<(&'a [R], [f64; 2])> {
     let middle_m = 0.5 * (piece.base_m + piece.top_m);
-    let pair = rows
-        .windows(2)
-        .find(|pair| (height_m(&pair[0])..=height_m(&pair[1])).contains(&middle_m))?;
+    let above = rows.partition_point(|row| height_m(row) < middle_m);
+    let pair = rows.get(above.checked_sub(1)?..=above)?;
     let (below_m, above_m) = (height_m(&pair[0]), height_m(&pair[1]));
     let share = |z_m: f64| (z_m - below_m) / (above_m - below_m);
     Some((pair, [share(piece.base_m), share(piece.top_m)]))
