@@ -1,7 +1,6 @@
 //! Files of every format with lines, numbers and bytes damaged: read or refused at a place inside one of their files, never a panic.
 
 mod damage;
-#[allow(dead_code, reason = "other tests use the rest")]
 #[path = "../decks/mod.rs"]
 mod decks;
 mod own_files;
