@@ -6,14 +6,14 @@ use towermodes_files::{InMemory, ReadOptions, read_source, recognize};
 use towermodes_fuzz::{look_at_input, source, texts};
 
 fuzz_target!(|bytes: &[u8]| {
-    if let Some([main, first, second]) = texts(bytes) {
+    if let Some([main, first, second, third]) = texts(bytes) {
         let named = |file: String| match file.split_once('\n') {
             Some((name, text)) => (name.to_owned(), text.to_owned()),
             None => (file, String::new()),
         };
         let (name, text) = named(main);
         let companions = InMemory {
-            files: [named(first), named(second)].into(),
+            files: [first, second, third].map(named).into(),
         };
         let source = source(&name, text);
         let is_known = recognize(&source).is_some();
