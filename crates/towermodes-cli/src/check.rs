@@ -37,8 +37,11 @@ fn of_one(arguments: &CheckArguments) -> Result<(), Failure> {
 }
 
 fn of_two(arguments: &CheckArguments, other: &Path) -> Result<(), Failure> {
-    let mut first = tower_input(&arguments.input)?;
-    let mut second = input_of(other, &arguments.input.reading)?;
+    let reading = &arguments.input.reading;
+    let mut first = input_of(&arguments.input.file, reading)?;
+    let mut second = input_of(other, reading)?;
+    let checked = reading.check(&[first.format, second.format]);
+    checked.map_err(Failure::Usage)?;
     leave_lone_machine_out(&mut first, &mut second);
     for input in [&first, &second] {
         note(&input.notes);

@@ -23,10 +23,13 @@ pub(crate) fn input(file: &Path, reading: &ReadingArguments) -> Result<Input, Fa
 
 /// Reads the tower of a file, or of standard input; a rotating blade is none.
 pub(crate) fn tower_input(arguments: &InputArguments) -> Result<TowerInput, Failure> {
-    input_of(&arguments.file, &arguments.reading)
+    let input = input_of(&arguments.file, &arguments.reading)?;
+    let checked = arguments.reading.check(&[input.format]);
+    checked.map_err(Failure::Usage)?;
+    Ok(input)
 }
 
-/// The same of any path.
+/// The same of any path, whatever the options.
 pub(crate) fn input_of(file: &Path, reading: &ReadingArguments) -> Result<TowerInput, Failure> {
     match input(file, reading)? {
         Input::Tower(tower) => Ok(*tower),
@@ -38,15 +41,7 @@ pub(crate) fn input_of(file: &Path, reading: &ReadingArguments) -> Result<TowerI
 
 /// The tower of a file, and what its reader noted.
 pub(crate) fn tower(arguments: &InputArguments) -> Result<(Tower, Vec<Note>), Failure> {
-    tower_of(&arguments.file, &arguments.reading)
-}
-
-/// The same of any path.
-pub(crate) fn tower_of(
-    file: &Path,
-    reading: &ReadingArguments,
-) -> Result<(Tower, Vec<Note>), Failure> {
-    let input = input_of(file, reading)?;
+    let input = tower_input(arguments)?;
     let tower = input.tower().map_err(Failure::Input)?;
     Ok((tower, input.notes))
 }

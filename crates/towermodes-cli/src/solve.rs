@@ -4,7 +4,7 @@ mod bmodes_out;
 
 use towermodes::{Blade, solve, solve_blade};
 use towermodes_files::{
-    BladeInput, Input, TowerInput, write_blade_csv, write_blade_json, write_csv, write_json,
+    BladeInput, FileFormat, Input, TowerInput, write_blade_csv, write_blade_json, write_csv, write_json,
 };
 
 use crate::args::{Prescribed, SolveArguments, SolveFormat};
@@ -26,6 +26,8 @@ pub(crate) fn run(arguments: &SolveArguments) -> Result<(), Failure> {
 
 fn of_tower(mut input: TowerInput, arguments: &SolveArguments) -> Result<Vec<u8>, Failure> {
     check_not_inputs(input.files(), arguments.output())?;
+    let checked = arguments.input.reading.check(&[input.format]);
+    checked.map_err(Failure::Usage)?;
     let prescribed = Prescribed {
         method: input.method,
         modes: input.modes,
@@ -54,6 +56,8 @@ fn of_tower(mut input: TowerInput, arguments: &SolveArguments) -> Result<Vec<u8>
 fn of_blade(input: &BladeInput, arguments: &SolveArguments) -> Result<Vec<u8>, Failure> {
     check_not_inputs(input.files(), arguments.output())?;
     arguments.check_for_blade().map_err(Failure::Usage)?;
+    let checked = arguments.input.reading.check(&[FileFormat::Bmodes]);
+    checked.map_err(Failure::Usage)?;
     let blade = Blade::new(input.description.clone()).map_err(Failure::Blade)?;
     let nodes = bmodes_out::Nodes::of_blade(&blade, input.layout);
     let radii_m = match arguments.format {

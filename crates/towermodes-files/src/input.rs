@@ -185,8 +185,8 @@ pub struct ReadOptions {
     pub bmodes_quirks: bool,
     /// Height of the tower's top above ground or sea level, m: for files that do not say it.
     pub tower_height_m: Option<f64>,
-    /// Height of the tower's base above ground or sea level, m: for files that do not say it.
-    pub tower_base_m: f64,
+    /// Height of the tower's base above ground or sea level, m: for files that do not say it; 0 unless told.
+    pub tower_base_m: Option<f64>,
     /// Whether the rotor-nacelle assembly is left out; files that only say what it is need not be there then.
     pub without_rna: bool,
     /// Which part of a turbine.
@@ -200,7 +200,7 @@ impl Default for ReadOptions {
         Self {
             bmodes_quirks: false,
             tower_height_m: None,
-            tower_base_m: 0.0,
+            tower_base_m: None,
             without_rna: false,
             part: TowerPart::All,
             hawc2_subset: None,

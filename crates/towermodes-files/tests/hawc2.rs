@@ -61,7 +61,7 @@ fn has_note(input: &TowerInput, words: &str) -> bool {
 #[test]
 fn columns_become_the_sections_of_both_planes() {
     let options = ReadOptions {
-        tower_base_m: 15.0,
+        tower_base_m: Some(15.0),
         ..ReadOptions::default()
     };
     let input = read(GOOD, &options);

@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 
 use clap::{Args, ValueEnum};
-use towermodes_files::{ReadOptions, TowerPart};
+use towermodes_files::{FileFormat, ReadOptions, TowerPart};
 
 use super::parsers::{height_parser, subset_parser};
 
@@ -40,9 +40,9 @@ pub(crate) struct ReadingArguments {
     #[arg(help_heading = OTHERS, long, value_name = "M", value_parser = height_parser)]
     tower_height: Option<f64>,
 
-    /// Height of the tower's base above ground or sea level, m, for files that do not say it
-    #[arg(help_heading = OTHERS, long, value_name = "M", default_value_t = 0.0, value_parser = height_parser)]
-    tower_base: f64,
+    /// Height of the tower's base above ground or sea level, m, for an ElastoDyn tower file or a HAWC2 file [default: 0]
+    #[arg(help_heading = OTHERS, long, value_name = "M", value_parser = height_parser)]
+    tower_base: Option<f64>,
 
     /// Set and subset of a HAWC2 file, as 1,2 [default: the first of each]
     #[arg(help_heading = OTHERS, long, value_name = "SET,SUBSET", value_parser = subset_parser)]
@@ -61,6 +61,46 @@ enum Part {
 }
 
 impl ReadingArguments {
+    /// Refuses what means nothing to any of the files.
+    ///
+    /// # Errors
+    /// What is wrong.
+    pub(crate) fn check(&self, formats: &[FileFormat]) -> Result<(), &'static str> {
+        let is_one_of = |own: &[FileFormat]| formats.iter().any(|format| own.contains(format));
+        let without_heights = [FileFormat::ElastoDynTower, FileFormat::Hawc2];
+        let options = [
+            (
+                self.bmodes_quirks,
+                &[FileFormat::Bmodes][..],
+                "--bmodes-quirks is for decks of BModes",
+            ),
+            (
+                self.part != Part::All,
+                &[FileFormat::WindIo],
+                "--part is for turbines in windIO",
+            ),
+            (
+                self.subset.is_some(),
+                &[FileFormat::Hawc2],
+                "--subset is for files of HAWC2",
+            ),
+            (
+                self.tower_height.is_some(),
+                &without_heights,
+                "--tower-height is for a tower file of ElastoDyn alone; this file says how high the tower is",
+            ),
+            (
+                self.tower_base.is_some(),
+                &without_heights,
+                "--tower-base is for a tower file of ElastoDyn alone and for files of HAWC2; this file says where the tower begins",
+            ),
+        ];
+        let ignored = options
+            .into_iter()
+            .find(|(is_given, own, _)| *is_given && !is_one_of(own));
+        ignored.map_or(Ok(()), |(.., message)| Err(message))
+    }
+
     /// What the readers are told.
     pub(crate) fn options(&self) -> ReadOptions {
         ReadOptions {

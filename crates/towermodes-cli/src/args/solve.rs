@@ -110,6 +110,10 @@ impl SolveArguments {
         if self.segments.is_some() || self.degree.is_some() {
             return Err("a rotating blade has the elements of its deck");
         }
+        if self.input.reading.no_rna {
+            return Err("a rotating blade has no rotor-nacelle assembly; the body at its tip is in its deck");
+        }
+        self.model.check(Method::Bmodes)?;
         Ok(())
     }
 

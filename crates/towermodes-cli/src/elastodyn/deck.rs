@@ -7,11 +7,11 @@ use towermodes::elastodyn::{
 };
 use towermodes::{Method, Options, Planes, Tower};
 use towermodes_files::elastodyn::{ElastoDynDeck, MakeError, passed_over_notes, read_elastodyn};
-use towermodes_files::{Beside, InputError, Note, ReadOptions, Source};
+use towermodes_files::{Beside, FileFormat, InputError, Note, ReadOptions, Source};
 
-use crate::args::DeckArguments;
+use crate::args::{DeckArguments, ReadingArguments};
 use crate::failure::{Failure, note};
-use crate::input::tower_of;
+use crate::input::input_of;
 
 /// Towers whose mass or flexibility differ by more than this are not one.
 const OTHER: f64 = 0.05;
@@ -31,8 +31,10 @@ pub(super) struct Judged {
 pub(super) fn judged(arguments: &DeckArguments) -> Result<Judged, Failure> {
     let deck = read_deck(arguments)?;
     let (tower, notes) = match &arguments.from {
-        Some(from) => tower_of(from, &arguments.reading)?,
+        Some(from) => of_description(from, &arguments.reading)?,
         None => {
+            let checked = arguments.reading.check(&[FileFormat::ElastoDyn]);
+            checked.map_err(Failure::Usage)?;
             let tower = deck.input.tower().map_err(Failure::Input)?;
             (tower, deck.input.notes.clone())
         }
@@ -55,6 +57,17 @@ pub(super) fn judged(arguments: &DeckArguments) -> Result<Judged, Failure> {
         from_m,
         shapes,
     })
+}
+
+fn of_description(
+    from: &Path,
+    reading: &ReadingArguments,
+) -> Result<(Tower, Vec<Note>), Failure> {
+    let input = input_of(from, reading)?;
+    let checked = reading.check(&[FileFormat::ElastoDyn, input.format]);
+    checked.map_err(Failure::Usage)?;
+    let tower = input.tower().map_err(Failure::Input)?;
+    Ok((tower, input.notes))
 }
 
 /// The deck; where the modes come from another description, files of its machine need not be there.

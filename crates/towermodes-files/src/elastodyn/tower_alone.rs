@@ -43,19 +43,14 @@ pub fn read_elastodyn_tower(
 /// The heights of the ends, of the options if they say them.
 fn ends(header: &[String; 2], options: &ReadOptions) -> Result<Ends, Diagnostic> {
     let said = |name| header.iter().rev().find_map(|line| value_after(line, name));
-    let ends = match (options.tower_height_m, said("TowerHt")) {
-        (Some(top_m), _) => Ends {
-            base_m: options.tower_base_m,
-            top_m,
-        },
-        (None, Some(top_m)) => Ends {
-            base_m: said("TowerBsHt").unwrap_or(options.tower_base_m),
-            top_m,
-        },
-        (None, None) => {
-            let message = "a tower file alone does not say how high the tower is";
-            return Err(Diagnostic::new(0..0, message).with_hint(HINT));
-        }
+    let Some(top_m) = options.tower_height_m.or_else(|| said("TowerHt")) else {
+        let message = "a tower file alone does not say how high the tower is";
+        return Err(Diagnostic::new(0..0, message).with_hint(HINT));
+    };
+    let base_m = options.tower_base_m.or_else(|| said("TowerBsHt"));
+    let ends = Ends {
+        base_m: base_m.unwrap_or(0.0),
+        top_m,
     };
     let length_m = ends.top_m - ends.base_m;
     if length_m > 0.0 && length_m.is_finite() {

@@ -48,7 +48,7 @@ fn read(source: &Source, options: &ReadOptions) -> Result<TowerInput, Vec<Diagno
         .choose(options.hawc2_subset)
         .map_err(|mistake| vec![mistake])?;
     let table = rows::read_rows(subset)?;
-    let (properties, found) = sections::sections(&table.rows, options.tower_base_m)?;
+    let (properties, found) = sections::sections(&table.rows, options.tower_base_m.unwrap_or(0.0))?;
     let description = TowerDescription {
         name: layout.name_of(subset).to_owned(),
         properties,

@@ -147,7 +147,8 @@ fn direction(rows: &[Row<'_>]) -> Option<String> {
 
 /// Where the tower stands and what the file does not say.
 fn ends(rows: &[Row<'_>], options: &ReadOptions) -> String {
-    let of = |row: Option<&Row<'_>>| options.tower_base_m + row.map_or(0.0, |row| row.of(row::R));
+    let base_m = options.tower_base_m.unwrap_or(0.0);
+    let of = |row: Option<&Row<'_>>| base_m + row.map_or(0.0, |row| row.of(row::R));
     let (base_m, top_m) = (of(rows.first()), of(rows.last()));
     let mut text = format!(
         "a HAWC2 structural file has no machine, no foundation and no datum: the tower is clamped at {base_m} m, reaches to {top_m} m \
@@ -156,7 +157,7 @@ fn ends(rows: &[Row<'_>], options: &ReadOptions) -> String {
     if let Some(height_m) = options.tower_height_m.filter(|h| (h - top_m).abs() > 1e-3) {
         text.push_str(&format!(
             "; its top was said to be at {height_m} m, which would need a base at {} m",
-            height_m - (top_m - options.tower_base_m)
+            height_m - (top_m - base_m)
         ));
     }
     text

@@ -1,5 +1,7 @@
 //! `[material]` and `[materials.NAME]`.
 
+use std::collections::HashMap;
+
 use towermodes::{Material, Place};
 
 use super::Reading;
@@ -24,6 +26,8 @@ const MODULI_TOLERANCE: f64 = 5e-3;
 pub(super) struct Materials {
     pub(super) list: Vec<Material>,
     pub(super) names: Vec<String>,
+    /// Which of them a name is.
+    pub(super) by_name: HashMap<String, usize>,
     /// Whether the first one is `[material]`, which stations without a name have.
     pub(super) has_default: bool,
 }
@@ -33,6 +37,7 @@ pub(super) fn materials(root: &Table<'_>, reading: &mut Reading) -> Option<Mater
     let mut materials = Materials {
         list: Vec::new(),
         names: Vec::new(),
+        by_name: HashMap::new(),
         has_default: root.get("material").is_some(),
     };
     let mut complete = true;
@@ -43,6 +48,9 @@ pub(super) fn materials(root: &Table<'_>, reading: &mut Reading) -> Option<Mater
         reading,
     ) {
         Some(material) => {
+            materials
+                .by_name
+                .insert(name.to_owned(), materials.list.len());
             materials.list.push(material);
             materials.names.push(name.to_owned());
         }

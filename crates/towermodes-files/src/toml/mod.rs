@@ -31,6 +31,9 @@ use table::Table;
 
 pub use write::write_toml;
 
+/// More mistakes than these are not collected: the first ones say what is wrong with all, and each may list many names.
+const MAX_MISTAKES: usize = 100;
+
 /// What is collected while a file is read: mistakes, and where in the file each value of the tower came from.
 #[derive(Debug, Default)]
 struct Reading {
@@ -40,7 +43,14 @@ struct Reading {
 
 impl Reading {
     fn mistake(&mut self, diagnostic: Diagnostic) {
-        self.mistakes.push(diagnostic);
+        if !self.is_full() {
+            self.mistakes.push(diagnostic);
+        }
+    }
+
+    /// Whether there are so many mistakes that no more are worth describing.
+    fn is_full(&self) -> bool {
+        self.mistakes.len() >= MAX_MISTAKES
     }
 
     /// Remembers where a value stands, for mistakes that only the whole tower shows.
@@ -54,7 +64,7 @@ impl Reading {
 /// The format is described in the book's reference; every example in the repository is commented.
 ///
 /// # Errors
-/// All mistakes found, in the order of the file where they are of one kind; never an empty list.
+/// The mistakes found, at most a hundred, in the order of the file where they are of one kind; never an empty list.
 pub fn tower_from_toml(text: &str) -> Result<Tower, Vec<Diagnostic>> {
     let (description, places) = describe(text)?;
     Tower::new(description).map_err(|error| vec![places.mistake(&error, true).1])

@@ -5,7 +5,7 @@ use towermodes::{Place, Shear, Station};
 
 use super::Reading;
 use super::materials::Materials;
-use super::table::{Keys, Table, suggestion};
+use super::table::{Keys, Table, listed, suggestion};
 use super::values::{Value, every_row, list, number, text, wrong_kind};
 use crate::diagnostic::Diagnostic;
 
@@ -84,19 +84,21 @@ fn station_material(
             "station {} names no material, and there is no [material]",
             index + 1
         );
+        if reading.is_full() {
+            return None;
+        }
+        let names: Vec<&str> = materials.names.iter().map(String::as_str).collect();
         let hint = format!(
             "add [material], or a fourth value: \"{}\"",
-            materials.names.join("\" or \"")
+            listed(&names).join("\" or \"")
         );
         reading.mistake(Diagnostic::new(row.span(), message).with_hint(hint));
         return None;
     };
     let name = text(value, "a station's fourth value, its material,", reading)?;
-    let found = materials
-        .names
-        .iter()
-        .position(|known| known == name && !name.is_empty());
-    if found.is_none() {
+    let known = materials.by_name.get(name).copied();
+    let found = known.filter(|_| !name.is_empty());
+    if found.is_none() && !reading.is_full() {
         let known: Vec<&str> = materials
             .names
             .iter()

@@ -100,6 +100,9 @@ impl<'a> Table<'a> {
         reading: &mut Reading,
     ) {
         for key in self.entries.keys() {
+            if reading.is_full() {
+                return;
+            }
             let name: &str = key.get_ref();
             if keys.known.contains(&name) {
                 continue;
@@ -174,17 +177,38 @@ pub(super) fn every_table<T>(
     every_row(rows, |index, row| read(index, row, reading))
 }
 
+/// Of more names than these only the first are listed and compared: a file may have any number.
+const MAX_NAMES: usize = 100;
+/// Longer names are not compared, because that takes as long as the product of both lengths; no key of the format is half as long.
+const MAX_COMPARED_BYTES: usize = 80;
+
 /// The nearest of the known names, or all of them after the words `there_are`.
 pub(super) fn suggestion(name: &str, known: &[&str], there_are: &str) -> String {
-    match nearest(name, known) {
+    let listed = listed(known);
+    match nearest(name, &listed) {
         Some(nearest) => format!("did you mean `{nearest}`?"),
-        None => format!("{there_are} {}", known.join(", ")),
+        None if listed.len() < known.len() => format!("{there_are} {}, …", listed.join(", ")),
+        None => format!("{there_are} {}", listed.join(", ")),
     }
+}
+
+/// The names that messages list.
+pub(super) fn listed<'k>(known: &[&'k str]) -> Vec<&'k str> {
+    let short = known.iter().copied().filter(is_short);
+    short.take(MAX_NAMES).collect()
+}
+
+fn is_short(name: &&str) -> bool {
+    name.len() <= MAX_COMPARED_BYTES
 }
 
 /// The known key that a name was probably meant to be.
 fn nearest<'k>(name: &str, known: &[&'k str]) -> Option<&'k str> {
+    if !is_short(&name) {
+        return None;
+    }
     let distance = |key: &&str| strsim::damerau_levenshtein(&name.to_lowercase(), key);
-    let nearest = known.iter().copied().min_by_key(distance)?;
+    let compared = known.iter().copied().filter(is_short);
+    let nearest = compared.min_by_key(distance)?;
     (distance(&nearest) <= 1 + nearest.len() / 3).then_some(nearest)
 }

@@ -149,7 +149,7 @@ fn a_tower_file_alone_needs_its_height() {
     assert!(error.to_string().contains("--tower-height"));
     let told = ReadOptions {
         tower_height_m: Some(90.0),
-        tower_base_m: -10.0,
+        tower_base_m: Some(-10.0),
         ..options
     };
     let input = read(&silent, &told).expect("told");
