@@ -43,8 +43,14 @@ fn of_two(arguments: &CheckArguments, other: &Path) -> Result<(), Failure> {
     let checked = reading.check(&[first.format, second.format]);
     checked.map_err(Failure::Usage)?;
     leave_lone_machine_out(&mut first, &mut second);
+    let mut notes = first.notes.clone();
+    let more = second
+        .notes
+        .iter()
+        .filter(|note| !first.notes.contains(note));
+    notes.extend(more.cloned());
+    note(&notes);
     for input in [&first, &second] {
-        note(&input.notes);
         // Mistakes have their place in the file.
         input.tower().map_err(Failure::Input)?;
     }

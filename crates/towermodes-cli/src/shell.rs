@@ -22,6 +22,7 @@ pub(crate) fn schema(of: &str) -> Result<(), Failure> {
         "compare" => ResultKind::Comparison,
         "converge" => ResultKind::Convergence,
         "check" => ResultKind::Agreement,
+        "check-one" => ResultKind::Examination,
         "validate" => ResultKind::Judgement,
         "verify" => ResultKind::Verification,
         _ => ResultKind::Solution,

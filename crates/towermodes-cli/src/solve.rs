@@ -4,7 +4,8 @@ mod bmodes_out;
 
 use towermodes::{Blade, solve, solve_blade};
 use towermodes_files::{
-    BladeInput, FileFormat, Input, TowerInput, write_blade_csv, write_blade_json, write_csv, write_json,
+    BladeInput, FileFormat, Input, TowerInput, write_blade_csv, write_blade_json, write_csv,
+    write_json,
 };
 
 use crate::args::{Prescribed, SolveArguments, SolveFormat};

@@ -140,7 +140,8 @@ const RESULTS: [&[&str]; 4] = [
 ];
 
 /// The other results with a schema, by its name, and commands that give them.
-const OTHERS: [(&str, &[&str]); 2] = [
+const OTHERS: [(&str, &[&str]); 3] = [
+    ("check-one", &["check", "examples/nrel-5mw.toml"]),
     (
         "check",
         &["check", "examples/nrel-5mw.toml", "examples/nrel-5mw.yaml"],

@@ -66,11 +66,11 @@ pub(crate) enum Command {
         /// The shell.
         shell: clap_complete::Shell,
     },
-    /// Print the JSON schema of the result of a command with `--format json` (blade: of solve for a rotating blade).
+    /// Print the JSON schema of the result of a command with `--format json` (blade: of solve for a rotating blade; check-one: of check for one file; validate: of elastodyn validate).
     #[command(after_help = "Example:\n  towermodes schema solve > solve.schema.json")]
     Schema {
         /// The command.
-        #[arg(default_value = "solve", value_parser = ["solve", "blade", "compare", "converge", "check", "validate", "verify"])]
+        #[arg(default_value = "solve", value_parser = ["solve", "blade", "compare", "converge", "check", "check-one", "validate", "verify"])]
         of: String,
     },
     /// Print the manual page, of the program or of one of its commands.

@@ -111,7 +111,9 @@ impl SolveArguments {
             return Err("a rotating blade has the elements of its deck");
         }
         if self.input.reading.no_rna {
-            return Err("a rotating blade has no rotor-nacelle assembly; the body at its tip is in its deck");
+            return Err(
+                "a rotating blade has no rotor-nacelle assembly; the body at its tip is in its deck",
+            );
         }
         self.model.check(Method::Bmodes)?;
         Ok(())

@@ -59,10 +59,7 @@ pub(super) fn judged(arguments: &DeckArguments) -> Result<Judged, Failure> {
     })
 }
 
-fn of_description(
-    from: &Path,
-    reading: &ReadingArguments,
-) -> Result<(Tower, Vec<Note>), Failure> {
+fn of_description(from: &Path, reading: &ReadingArguments) -> Result<(Tower, Vec<Note>), Failure> {
     let input = input_of(from, reading)?;
     let checked = reading.check(&[FileFormat::ElastoDyn, input.format]);
     checked.map_err(Failure::Usage)?;

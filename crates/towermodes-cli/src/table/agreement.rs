@@ -8,7 +8,7 @@ use super::text::{align_right, four_digits, plain_table, title, tonnes};
 /// Masses, stiffnesses and frequencies of two towers, by height.
 pub(crate) fn agreement(names: &[String; 2], agreement: &Agreement) -> String {
     format!(
-        "first:  {}\nsecond: {}\n{}\n{}\n\n{}\n\nby height: means over {:.2} m; mass below is from z = {} m\nverdict: {}\n",
+        "first:  {}\nsecond: {}\n{}\n{}\n\n{}\n\nby height: means over {:.2} m; mass below is from z = {} m, its difference a share of the whole mass\nverdict: {}\n",
         names[0],
         names[1],
         ranges(agreement),
@@ -26,7 +26,11 @@ fn ranges(agreement: &Agreement) -> String {
         return format!("both from {} m to {} m\n", first.base_m, first.top_m);
     }
     let shift = agreement.shift_m.map(|shift_m| {
-        format!("; they are equally long: is the datum of the second {shift_m:.3} m lower (--tower-base)?")
+        let direction = if shift_m > 0.0 { "lower" } else { "higher" };
+        format!(
+            "; they are equally long: the datum of the second is {:.3} m {direction}",
+            shift_m.abs()
+        )
     });
     format!(
         "the first from {} m to {} m, the second from {} m to {} m{}: compared from {} m to {} m (warn)\n",

@@ -2,7 +2,7 @@
 
 use towermodes::{Blade, BladeFamily, BladeMode, BladeSolution};
 
-use super::text::{align_right, aligned, counted, four_digits, name_line, plain_table};
+use super::text::{align_right, aligned, counted, four_digits, name_line, plain_table, with_error};
 
 /// The modes as a table, and one line on what they are of.
 pub(crate) fn blade(blade: &Blade, solution: &BladeSolution) -> String {
@@ -16,11 +16,11 @@ pub(crate) fn blade(blade: &Blade, solution: &BladeSolution) -> String {
         "per revolution",
     ]);
     let modes = || solution.modes.iter();
-    let frequencies = aligned(modes().map(|mode| format!("{:.5}", mode.frequency_hz)));
-    let errors = aligned(modes().map(|mode| {
-        let error_hz = mode.discretization_error_hz + mode.algebraic_error_hz;
-        format!("{error_hz:.5}")
-    }));
+    let error_hz = |mode: &BladeMode| mode.discretization_error_hz + mode.algebraic_error_hz;
+    let shown =
+        |value_hz: f64, mode: &BladeMode| with_error(value_hz, mode.frequency_hz, error_hz(mode));
+    let frequencies = aligned(modes().map(|mode| shown(mode.frequency_hz, mode)));
+    let errors = aligned(modes().map(|mode| shown(error_hz(mode), mode)));
     let rotor_hz = description.rotor_speed_rad_per_s.abs() / std::f64::consts::TAU;
     for (mode, (frequency, error)) in modes().zip(frequencies.iter().zip(&errors)) {
         table.add_row([

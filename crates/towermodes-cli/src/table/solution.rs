@@ -2,10 +2,9 @@
 
 use towermodes::{Method, Mode, Solution, Tower};
 
-use super::text::{align_right, aligned, counted, four_digits, plain_table, title, tonnes};
-
-/// Frequencies are shown with at least this many decimals, and at most with those a number holds.
-const DECIMALS: std::ops::RangeInclusive<i32> = 4..=11;
+use super::text::{
+    align_right, aligned, counted, four_digits, plain_table, title, tonnes, with_error,
+};
 
 /// The modes as a table, and one line on what they are of.
 pub(crate) fn solution(tower: &Tower, solution: &Solution) -> String {
@@ -32,8 +31,9 @@ fn modes(solution: &Solution) -> String {
     let mut table = plain_table();
     table.set_header(["mode", "what it is", "frequency Hz", "± error", "period s"]);
     let modes = || solution.modes.iter();
-    let frequencies = aligned(modes().map(|m| shown(m, m.frequency_hz)));
-    let errors = aligned(modes().map(|m| shown(m, m.error_hz())));
+    let frequencies =
+        aligned(modes().map(|m| with_error(m.frequency_hz, m.frequency_hz, m.error_hz())));
+    let errors = aligned(modes().map(|m| with_error(m.error_hz(), m.frequency_hz, m.error_hz())));
     for (mode, (frequency, error)) in modes().zip(frequencies.iter().zip(&errors)) {
         table.add_row([
             mode.number.to_string(),
@@ -67,22 +67,6 @@ fn what_it_is(mode: &Mode) -> String {
         return mode.label();
     }
     format!("{} ({})", mode.label(), parts.join(", "))
-}
-
-/// A frequency or its error, with as many decimals as show two digits of the error.
-fn shown(mode: &Mode, value_hz: f64) -> String {
-    // Far from 1 Hz an exponent says more than a row of zeros.
-    if mode.frequency_hz > 0.0 && !(1e-4..1e6).contains(&mode.frequency_hz) {
-        return format!("{value_hz:.6e}");
-    }
-    let decimals = 1 - mode.error_hz().log10().floor() as i32;
-    let decimals = usize::try_from(decimals.clamp(*DECIMALS.start(), *DECIMALS.end()));
-    let decimals = decimals.unwrap_or_default();
-    let least = 0.1_f64.powi(i32::try_from(decimals).unwrap_or_default());
-    if value_hz > 0.0 && value_hz < least {
-        return format!("<{least:.decimals$}");
-    }
-    format!("{value_hz:.decimals$}")
 }
 
 /// Tower mass, top mass, method, certificate.

@@ -44,6 +44,25 @@ pub(super) fn aligned(numbers: impl Iterator<Item = String>) -> Vec<String> {
     numbers.into_iter().map(padded).collect()
 }
 
+/// Frequencies are shown with at least this many decimals, and at most with those a number holds.
+const DECIMALS: std::ops::RangeInclusive<i32> = 4..=11;
+
+/// A frequency or its error, with as many decimals as show two digits of the error.
+pub(super) fn with_error(value_hz: f64, frequency_hz: f64, error_hz: f64) -> String {
+    // Far from 1 Hz an exponent says more than a row of zeros.
+    if frequency_hz > 0.0 && !(1e-4..1e6).contains(&frequency_hz) {
+        return format!("{value_hz:.6e}");
+    }
+    let decimals = 1 - error_hz.log10().floor() as i32;
+    let decimals = usize::try_from(decimals.clamp(*DECIMALS.start(), *DECIMALS.end()));
+    let decimals = decimals.unwrap_or_default();
+    let least = 0.1_f64.powi(i32::try_from(decimals).unwrap_or_default());
+    if value_hz > 0.0 && value_hz < least {
+        return format!("<{least:.decimals$}");
+    }
+    format!("{value_hz:.decimals$}")
+}
+
 /// Four significant digits.
 pub(super) fn four_digits(value: f64) -> String {
     if !(1e-4..1e9).contains(&value) {

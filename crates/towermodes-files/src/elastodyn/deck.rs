@@ -6,7 +6,7 @@ use std::ops::Range;
 use towermodes::{Foundation, Place, RigidBody};
 
 use super::blade_file::{BladeFile, BladeMasses, read_blade_file};
-use super::description::{Ends, ONLY_BENDS, description, remember};
+use super::description::{Ends, ONLY_BENDS, description, remember, tuner_note};
 use super::fst::{Main, main_source};
 use super::lump;
 use super::main_file::MainFile;
@@ -194,6 +194,7 @@ fn input(
         places.remember(Place::Rna { key }, tower_index - 1, main.place(name));
     }
     let mut notes = reading.notes.clone();
+    notes.extend(tuner_note(&reading.file));
     notes.push(Note::new(ONLY_BENDS));
     notes.extend(foundation_note(main));
     TowerInput {

@@ -6,6 +6,7 @@ use towermodes::{Place, Planes, PointMass, Properties, PropertyStation, TowerDes
 
 use super::tower_file::{ConcentratedMass, TowerFile, TowerRow};
 use super::tower_reader::TowerSpans;
+use crate::input::Note;
 use crate::places::{Places, TABLE};
 
 /// That ElastoDyn's towers only bend.
@@ -44,6 +45,15 @@ pub(super) fn description(file: &TowerFile, ends: Ends, title: &str) -> TowerDes
         point_masses: file.concentrated_masses.iter().map(mass).collect(),
         ..TowerDescription::default()
     }
+}
+
+/// That the tuners of the modal stiffnesses are ElastoDyn's own, if there are any.
+pub(super) fn tuner_note(file: &TowerFile) -> Option<Note> {
+    let tuners = [file.fore_aft_tuners, file.side_side_tuners];
+    let is_tuned = tuners.iter().flatten().any(|tuner| *tuner != 1.0);
+    is_tuned.then(|| {
+        Note::new("FAStTunr and SSStTunr multiply modal stiffnesses of ElastoDyn and are in none of these frequencies: they change no tower")
+    })
 }
 
 fn station(file: &TowerFile, row: &TowerRow, ends: Ends) -> PropertyStation {

@@ -1,6 +1,6 @@
 //! A tower from a tower file of ElastoDyn alone, which says everything but the heights of its ends.
 
-use super::description::{Ends, ONLY_BENDS, description, remember};
+use super::description::{Ends, ONLY_BENDS, description, remember, tuner_note};
 use super::tower_reader::read_with_places;
 use crate::diagnostic::Diagnostic;
 use crate::input::{FileFormat, InputError, Note, ReadOptions, TowerInput};
@@ -32,6 +32,7 @@ pub fn read_elastodyn_tower(
     let mut input = TowerInput::new(FileFormat::ElastoDynTower, description, source);
     remember(&mut input.places, 0, &reading.spans);
     input.notes = reading.notes;
+    input.notes.extend(tuner_note(&reading.file));
     input.notes.push(Note::new(ONLY_BENDS));
     input.notes.push(Note::new(format!(
         "the tower stands from {} m to {} m, clamped, with nothing on top: a tower file does not say what it carries",

@@ -117,22 +117,35 @@ struct FrequencyJson {
 }
 
 /// The result of `towermodes check FILE --format json`. Keys are stable: new ones may be added, none is renamed.
-#[derive(Serialize)]
-struct ExaminationJson {
+#[derive(Serialize, JsonSchema)]
+#[schemars(title = "towermodes check of one file")]
+pub(super) struct ExaminationJson {
+    /// From where to where the tower reaches.
     range: RangeJson,
+    /// Mass with outfitting and point masses, kg.
     mass_kg: f64,
+    /// The point masses in it, kg.
     point_masses_kg: f64,
+    /// Height of the centre of mass, m.
     center_of_mass_m: f64,
+    /// Inertia of the tower alone against rigid motions (x, y, z, rotation about x, y, z) about its base: kg, kg m, kg m2.
     inertia_about_base: [[f64; 6]; 6],
+    /// Deflection of the top by a unit force there, from bending, if the base is clamped, m/N.
     tip_flexibility_m_per_n: PlanesJson<f64>,
+    /// By height.
     rows: Vec<ExaminationRowJson>,
 }
 
-#[derive(Serialize)]
+/// The tower at a height.
+#[derive(Serialize, JsonSchema)]
 struct ExaminationRowJson {
+    /// The height, m.
     height_m: f64,
+    /// Mass per length, kg/m.
     mass_kg_per_m: f64,
+    /// EI, N m2.
     bending_n_m2: PlanesJson<f64>,
+    /// Mass from the base to here, kg.
     mass_below_kg: f64,
 }
 
@@ -180,7 +193,8 @@ pub fn write_examination_json(
     let result = ExaminationJson {
         range: range_json(&examination.range),
         mass_kg: examination.mass_kg,
-        point_masses_kg: examination.point_masses_kg,
+        // A sum of none is a negative zero.
+        point_masses_kg: examination.point_masses_kg + 0.0,
         center_of_mass_m: examination.center_of_mass_m,
         inertia_about_base: examination.inertia_about_base,
         tip_flexibility_m_per_n: planes_json(&examination.tip_flexibility_m_per_n, |tip| *tip),

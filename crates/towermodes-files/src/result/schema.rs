@@ -4,7 +4,7 @@ use std::io::Write;
 
 use schemars::{JsonSchema, schema_for};
 
-use super::agreement::AgreementJson;
+use super::agreement::{AgreementJson, ExaminationJson};
 use super::blade::BladeSolutionJson;
 use super::comparison::ComparisonJson;
 use super::convergence::ConvergenceJson;
@@ -26,6 +26,8 @@ pub enum ResultKind {
     Convergence,
     /// Of `towermodes check` for two descriptions.
     Agreement,
+    /// Of `towermodes check` for one description.
+    Examination,
     /// Of `towermodes elastodyn validate`.
     Judgement,
     /// Of `towermodes verify`.
@@ -43,6 +45,7 @@ pub fn write_json_schema(kind: ResultKind, writer: impl Write) -> Result<(), Res
         ResultKind::Comparison => write_schema_of::<ComparisonJson>(writer),
         ResultKind::Convergence => write_schema_of::<ConvergenceJson>(writer),
         ResultKind::Agreement => write_schema_of::<AgreementJson>(writer),
+        ResultKind::Examination => write_schema_of::<ExaminationJson>(writer),
         ResultKind::Judgement => write_schema_of::<JudgementsJson>(writer),
         ResultKind::Verification => write_schema_of::<VerificationJson<'static>>(writer),
     }

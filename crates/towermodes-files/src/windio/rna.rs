@@ -12,6 +12,10 @@ use super::yaml::Node;
 use crate::diagnostic::Diagnostic;
 use crate::places::{Places, TABLE};
 
+/// What a written file says where its drive train is the whole rotor-nacelle assembly.
+pub(super) const WHOLE_ASSEMBLY: &str =
+    "# towermodes: the whole rotor-nacelle assembly, hub and blades included";
+
 /// The bodies found so far.
 struct Assembly {
     bodies: Vec<(String, RigidBody)>,
@@ -164,7 +168,12 @@ impl Assembly {
         let list = |(what, body): &(String, RigidBody)| format!("{what} {:.0} kg", body.mass_kg);
         let bodies: Vec<String> = self.bodies.iter().map(list).collect();
         let total: f64 = self.bodies.iter().map(|(_, body)| body.mass_kg).sum();
-        let missing = self.missing.join(", ");
+        // Files of this program have the whole assembly in one place, and say so.
+        let is_whole = reading.source.text.contains(WHOLE_ASSEMBLY);
+        let missing = match is_whole {
+            true => String::new(),
+            false => self.missing.join(", "),
+        };
         let message = if bodies.is_empty() {
             "NO ROTOR-NACELLE ASSEMBLY: the file gives none of its masses, so the frequencies are those of the bare tower; give [rna] after `convert --to toml`".to_owned()
         } else if missing.is_empty() {

@@ -187,6 +187,14 @@ const GYRATION: Usual = Usual {
     range: 0.05..=20.0,
     usual: "a tube has about a third of its diameter; look at the units of EI and EA",
 };
+/// Speed of sound in steel, m/s.
+const SOUND_M_PER_S: f64 = 5000.0;
+const BENDING_WAVE: Usual = Usual {
+    quantity: "the radius of gyration sqrt(EI/mass) over the speed of sound in steel in a row of the table",
+    unit: " m",
+    range: 0.05..=20.0,
+    usual: "a tube has about a third of its diameter; look at the units of EI and of the mass",
+};
 const PERPENDICULAR: Usual = Usual {
     quantity: "the sum of a row's rotary inertias, divided by its polar inertia,",
     unit: "",
@@ -233,7 +241,13 @@ fn materials(tower: &Tower, warnings: &mut Vec<Warning>) {
 /// What the rows of a property table say of their material and shape; one warning of a kind is enough.
 fn table(tower: &Tower, warnings: &mut Vec<Warning>) {
     type Quantity = fn(&Properties) -> f64;
-    let quantities: [(&Usual, Quantity); 4] = [
+    let quantities: [(&Usual, Quantity); 5] = [
+        (&BENDING_WAVE, |p| {
+            let bending = p.bending_n_m2.fore_aft.max(p.bending_n_m2.side_side);
+            // Where EA is given, the two ratios that it makes say more.
+            let is_alone = p.axial_n.is_infinite();
+            (bending / p.mass_kg_per_m).sqrt() / SOUND_M_PER_S * f64::from(u8::from(is_alone))
+        }),
         (&AXIAL_WAVE, |p| (p.axial_n / p.mass_kg_per_m).sqrt()),
         (&TORSION_WAVE, |p| {
             (p.torsion_n_m2 / p.polar_inertia_kg_m).sqrt()

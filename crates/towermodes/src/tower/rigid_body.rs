@@ -2,6 +2,9 @@
 
 use super::description::{Inertia, Rna};
 
+/// What is smaller than this share of its like is rounding.
+const ROUNDING: f64 = 1e-14;
+
 /// A rigid body: its mass, where its centre is, and its inertia about the centre.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct RigidBody {
@@ -57,6 +60,26 @@ impl RigidBody {
             center_m,
             inertia_kg_m2: Inertia::from_tensor(tensor),
         }
+        .without_rounding()
+    }
+
+    /// The same with zeros where only rounding is left of terms that cancel, as of the blades of a rotor: what is not quite zero would couple
+    /// motions that are none of each other's.
+    fn without_rounding(mut self) -> Self {
+        let size_m = self.center_m.iter().fold(0.0_f64, |a, x| a.max(x.abs()));
+        for center_m in &mut self.center_m {
+            if center_m.abs() < ROUNDING * size_m {
+                *center_m = 0.0;
+            }
+        }
+        let inertia = &mut self.inertia_kg_m2;
+        let size = inertia.xx.abs().max(inertia.yy.abs()).max(inertia.zz.abs());
+        for product in [&mut inertia.xy, &mut inertia.xz, &mut inertia.yz] {
+            if product.abs() < ROUNDING * size {
+                *product = 0.0;
+            }
+        }
+        self
     }
 
     /// The inertia about a point: J + m (r² 1 − r rᵀ), kg m².

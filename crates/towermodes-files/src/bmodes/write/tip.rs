@@ -32,7 +32,8 @@ pub(super) fn body(description: &TowerDescription, layout: &Layout, notes: &mut 
         ));
     }
     let [x, y, z] = rna.center_m;
-    if rna.mass_kg != 0.0 && y != 0.0 {
+    let size_m = x.abs().max(z.abs());
+    if rna.mass_kg != 0.0 && y.abs() > 1e-12 * size_m {
         note(format!(
             "BModes has no side-side offset of the tip mass: the {} m are left out",
             significant(y)

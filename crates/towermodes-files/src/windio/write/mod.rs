@@ -7,6 +7,7 @@ mod yaml_text;
 use thiserror::Error;
 use towermodes::{PointMass, Rna, Tower, TowerDescription};
 
+use super::rna::WHOLE_ASSEMBLY;
 use crate::input::Note;
 use sections::{Axis, tables, walls};
 use yaml_text::Yaml;
@@ -81,7 +82,12 @@ pub fn write_windio(
         ("components", Yaml::Map(components)),
         ("materials", materials),
     ];
-    Ok((yaml_text::text(&file), notes))
+    let text = yaml_text::text(&file);
+    let text = match description.rna == Rna::default() {
+        true => text,
+        false => format!("{WHOLE_ASSEMBLY}\n{text}"),
+    };
+    Ok((text, notes))
 }
 
 fn curve(grid: Vec<f64>, values: Vec<f64>) -> Yaml {
