@@ -292,3 +292,167 @@ fn a_rotating_blade_is_solved_in_every_format() {
         assert_eq!(run(&arguments).status.code(), Some(2), "{arguments:?}");
     }
 }
+
+/// Modes of another tower are none of a deck's: one that is shorter, and one that is softer.
+#[test]
+fn modes_of_another_tower_are_refused() {
+    let folder = Folder::with_deck("other", |text| text);
+    let (deck, before) = (folder.path("ElastoDyn.dat"), folder.text("Tower.dat"));
+    for (other, words) in [
+        ("examples/guyed.toml", "it is 40.000 m high"),
+        ("examples/nrel-5mw.toml", "its mass differs by"),
+    ] {
+        for command in ["patch", "validate"] {
+            let output = run(&["elastodyn", command, &deck, "--from", other]);
+            assert_eq!(output.status.code(), Some(1), "{command} {other}");
+            let said = String::from_utf8_lossy(&output.stderr).into_owned();
+            assert!(said.contains(words), "{said}");
+        }
+    }
+    assert_eq!(folder.text("Tower.dat"), before);
+    // Its own file, at another height: the machine is missing there, the tower is the same.
+    let own = folder.path("Tower.dat");
+    let raised = ["--tower-height", "98", "--tower-base", "20"];
+    let mut arguments = vec!["elastodyn", "patch", &deck, "--from", &own];
+    arguments.extend(raised);
+    done(&arguments);
+}
+
+#[test]
+fn every_backup_is_kept() {
+    let folder = Folder::with_deck("backups", |text| text);
+    let (deck, first) = (folder.path("ElastoDyn.dat"), folder.text("Tower.dat"));
+    done(&["elastodyn", "patch", &deck, "--backup"]);
+    let second = folder
+        .text("Tower.dat")
+        .replace("1.0   AdjTwMa", "1.1   AdjTwMa");
+    fs::write(folder.0.join("Tower.dat"), &second).expect("written");
+    done(&["elastodyn", "patch", &deck, "--backup"]);
+    assert_eq!(folder.text("Tower.dat.bak"), first);
+    assert_eq!(folder.text("Tower.dat.bak2"), second);
+    let left = fs::read_dir(&folder.0)
+        .expect("the folder")
+        .filter_map(Result::ok);
+    let names = left.map(|entry| entry.file_name().to_string_lossy().into_owned());
+    assert!(names.into_iter().all(|name| !name.ends_with(".tmp")));
+}
+
+/// Degrees and umlauts of older programs: one byte each, and so they stay.
+#[test]
+fn a_deck_in_latin1_is_read_and_keeps_its_bytes() {
+    let folder = Folder::with_deck("latin1", |text| text);
+    let path = folder.0.join("Tower.dat");
+    let text = folder
+        .text("Tower.dat")
+        .replacen("Number of input", "f#r Number of input", 1);
+    let bytes: Vec<u8> = text
+        .bytes()
+        .map(|b| if b == b'#' { 0xfc } else { b })
+        .collect();
+    fs::write(&path, bytes).expect("written");
+    let deck = folder.path("ElastoDyn.dat");
+    done(&["elastodyn", "patch", &deck]);
+    let after = fs::read(&path).expect("read");
+    assert_eq!(after.iter().filter(|byte| **byte == 0xfc).count(), 1);
+    done(&["elastodyn", "validate", &deck]);
+}
+
+#[test]
+fn options_that_mean_nothing_to_a_file_are_refused() {
+    let toml = "examples/nrel-5mw.toml";
+    for (file, option, value) in [
+        (toml, "--tower-height", "50"),
+        (toml, "--tower-base", "3"),
+        (toml, "--subset", "1,2"),
+        (toml, "--part", "tower"),
+        ("examples/nrel-5mw.yaml", "--tower-base", "3"),
+        (
+            "examples/small-turbine/ElastoDyn.dat",
+            "--tower-height",
+            "50",
+        ),
+    ] {
+        let output = run(&["solve", file, option, value]);
+        assert_eq!(output.status.code(), Some(2), "{file} {option}");
+        assert!(String::from_utf8_lossy(&output.stderr).contains(option));
+    }
+    assert_eq!(
+        run(&["solve", toml, "--bmodes-quirks"]).status.code(),
+        Some(2)
+    );
+    let openfast = ["elastodyn", "tower", toml, "--openfast", "99"];
+    assert_eq!(run(&openfast).status.code(), Some(2));
+}
+
+/// OpenFAST lists concentrated masses since 4.2; FAST 8 is older, whatever its number.
+#[test]
+fn masses_are_listed_for_those_who_read_lists() {
+    let listed = |version: &str| {
+        let arguments = [
+            "elastodyn",
+            "tower",
+            "examples/monopile.toml",
+            "--openfast",
+            version,
+        ];
+        done(&arguments).contains("NTwCMass")
+    };
+    assert!(listed("4.2") && listed("5.0") && listed("v4.10"));
+    assert!(!listed("4.1") && !listed("3") && !listed("8.16"));
+}
+
+/// A tower of which the other file has a hundredth is not the same tower.
+#[test]
+fn a_stub_does_not_agree_with_its_tower() {
+    let folder = Folder::new("stub");
+    let text = |stations: &str| {
+        format!(
+            "[material]\ndensity = 7850.0\nyoungs_modulus = 2.1e11\npoissons_ratio = 0.3\n[tower]\nstations = {stations}\n"
+        )
+    };
+    let (whole, stub) = (folder.path("whole.toml"), folder.path("stub.toml"));
+    fs::write(&whole, text("[[0, 6.0, 0.035], [100, 4.0, 0.02]]")).expect("written");
+    fs::write(&stub, text("[[0, 6.0, 0.035], [1, 5.98, 0.03485]]")).expect("written");
+    let checked = run(&["check", &whole, &stub]);
+    assert_eq!(checked.status.code(), Some(1));
+    done(&["check", &whole, &whole]);
+}
+
+/// R is the radius with the draft: the flexible tower may be all of it, whatever the height of its base.
+#[test]
+fn deflections_are_divided_by_the_length_of_the_deck() {
+    let folder = Folder::new("draft");
+    done(&[
+        "convert",
+        "examples/floating.toml",
+        "--to",
+        "bmodes",
+        "--output",
+        &folder.path("f.bmi"),
+    ]);
+    let out = done(&["solve", &folder.path("f.bmi"), "--format", "bmodes"]);
+    // ∫ slope d(span) is what the deflection rises by, where the span is measured in R.
+    let mut rows: Vec<[f64; 2]> = Vec::new();
+    let mode = out.split("Mode No.").find(|mode| {
+        let numbers = |line: &str| -> Vec<f64> {
+            line.split_whitespace()
+                .filter_map(|n| n.parse().ok())
+                .collect()
+        };
+        rows = mode
+            .lines()
+            .map(numbers)
+            .filter(|n| n.len() == 6)
+            .map(|n| [n[3], n[4]])
+            .collect();
+        rows.first().is_some_and(|first| first[1].abs() > 1e-3)
+    });
+    assert!(mode.is_some());
+    let step = 1.0 / (rows.len() - 1) as f64;
+    let rise: f64 = rows
+        .windows(2)
+        .map(|pair| 0.5 * step * (pair[0][1] + pair[1][1]))
+        .sum();
+    let risen = rows[rows.len() - 1][0] - rows[0][0];
+    assert!((rise / risen - 1.0).abs() < 2e-3, "{rise} {risen}");
+}

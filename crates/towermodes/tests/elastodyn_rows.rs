@@ -267,3 +267,50 @@ fn rows_that_cannot_be_are_refused() {
         "{refused:?}"
     );
 }
+
+/// Masses anywhere: beside the base, a step and each other, at the very spacing of the elements, spread over all of the tower, on a tower
+/// that begins higher. Rows rise and keep the mass whatever rounding makes of the ends of what is spread.
+#[test]
+fn spread_masses_never_cross() {
+    let mut description = stepped();
+    let step_m = description.stations[1].height_m;
+    let bare = tower(description.clone());
+    let (base_m, height_m) = (bare.base_m(), bare.top_m());
+    for parts in [1, 2, 17, 20, 30] {
+        for from_m in [base_m, base_m + 4.21, base_m + 5.0] {
+            let element_m = (height_m - from_m) / parts as f64;
+            let steps = (0..=parts).map(|k| from_m + k as f64 * element_m);
+            let others = [
+                from_m,
+                from_m + 0.5,
+                step_m - 0.5 * element_m,
+                step_m + 0.5 * element_m,
+                step_m,
+                step_m + 1e-7,
+                height_m - 5.0,
+                height_m,
+            ];
+            let masses = steps.chain(others).map(|z_m| z_m.clamp(from_m, height_m));
+            description.point_masses = masses.map(|z_m| point_mass(z_m, 100.0)).collect();
+            let own_kg = 100.0 * description.point_masses.len() as f64;
+            let tower = tower(description.clone());
+            let masses = PointMasses::Spread { parts };
+            let rows = tower_rows(&tower, from_m, Rows::Accurate, masses).expect("rows");
+            let fractions = rows.stations.iter().map(|row| row.height_fraction);
+            let fractions: Vec<f64> = fractions.collect();
+            assert_eq!((fractions[0], fractions[fractions.len() - 1]), (0.0, 1.0));
+            assert!(
+                fractions.windows(2).all(|pair| pair[0] < pair[1]),
+                "{parts} {from_m}"
+            );
+            let without = tower_rows(&bare, from_m, Rows::Accurate, masses).expect("rows");
+            let length_m = height_m - from_m;
+            let added_kg = mass_kg(&rows, length_m) - mass_kg(&without, length_m);
+            // Steps are ramps of a millionth of the height.
+            assert!(
+                (added_kg / own_kg - 1.0).abs() < 1e-4,
+                "{parts} {from_m}: {added_kg}"
+            );
+        }
+    }
+}

@@ -90,7 +90,7 @@ fn public_decks_are_read() {
         ),
         (
             "iea15_monopile/IEA-15-240-RWT-Monopile_ElastoDyn.dat",
-            "RWT-Monopile_ElastoDyn_tower.dat",
+            "IEA-15-240-RWT_ElastoDyn_blade.dat",
         ),
         (
             "iea10/IEA-10.0-198-RWT_ElastoDyn.dat",
