@@ -47,10 +47,8 @@ fn the_deck_itself_is_fine() {
 
 #[test]
 fn a_missing_section_file_is_named() {
-    let main = with(&tower_file(ALONE), &[("'secs.dat'", "'other.dat'")]);
-    let error = read(&main, SECTIONS, false).expect_err("no such file");
-    assert!(matches!(&error, InputError::Unreadable(_)));
-    assert!(error.to_string().contains("other.dat"), "{error}");
+    let words = ["section file", "other.dat", "no such file"];
+    main_refused("'secs.dat'", "'other.dat'", 31, &words);
 }
 
 #[test]
@@ -528,7 +526,6 @@ fn tables_over_the_height_are_checked() {
         84,
         &["height 5 m", "below"],
     );
-    support_refused(OFFSHORE, "0. 5. 10. :", "0. 5. 95. :", 84, &["95 m", "top"]);
     support_refused(
         OFFSHORE,
         "0. 5. 10. :",
@@ -545,6 +542,31 @@ fn tables_over_the_height_are_checked() {
     );
     let huge = "1000000000000 n_secs_m_distr";
     support_refused(OFFSHORE, "3         n_secs_m_distr", huge, 83, &["at most"]);
+}
+
+/// As in BModes, what lies beyond the tower has no effect, and so have tables of zeros.
+#[test]
+fn tables_end_at_the_top() {
+    let read = |from: &str, to: &str| {
+        let main = with(&tower_file(OFFSHORE), &[(from, to)]);
+        decks::tower(&main, SECTIONS, false)
+    };
+    // 6000 kg/m at 5 m above the base falls to 0 at 95 m; the top is 90 m above it.
+    let long = read("0. 5. 10. :", "0. 5. 95. :");
+    let rows = &long.description.added_mass[0];
+    assert_eq!(rows.len(), 3);
+    assert_eq!(rows[2].height_m, 80.0);
+    assert!((rows[2].mass_kg_per_m - 6000.0 * 5.0 / 90.0).abs() < 1e-9);
+    let said = |input: &towermodes_files::TowerInput, words: &str| {
+        input.notes.iter().any(|note| note.message.contains(words))
+    };
+    assert!(said(&long, "5 m beyond the tower's top"));
+    assert!(long.tower().is_ok());
+    let below = read("0. 5. 10. :", "-30. -20. -10. :");
+    assert!(below.description.added_mass.is_empty());
+    assert!(said(&below, "it has no effect"));
+    let zeros = read("7000. 6000. 0.", "0. 0. 0.");
+    assert!(zeros.description.added_mass.is_empty());
 }
 
 #[test]

@@ -45,17 +45,17 @@ const WRITTEN: &str = "\
 a small tower; TowerHt = 87.6 m, TowerBsHt = 10 m
 ---------------------- TOWER PARAMETERS ----------------------------------------
              3   NTwInpSt    - Number of input stations to specify tower geometry
-             1   TwrFADmp(1) - Tower 1st fore-aft mode structural damping ratio (%)
+           1.0   TwrFADmp(1) - Tower 1st fore-aft mode structural damping ratio (%)
           0.75   TwrFADmp(2) - Tower 2nd fore-aft mode structural damping ratio (%)
-             2   TwrSSDmp(1) - Tower 1st side-to-side mode structural damping ratio (%)
+           2.0   TwrSSDmp(1) - Tower 1st side-to-side mode structural damping ratio (%)
            1.5   TwrSSDmp(2) - Tower 2nd side-to-side mode structural damping ratio (%)
 ---------------------- TOWER ADJUSTMUNT FACTORS --------------------------------
-             1   FAStTunr(1) - Tower fore-aft modal stiffness tuner, 1st mode (-)
+           1.0   FAStTunr(1) - Tower fore-aft modal stiffness tuner, 1st mode (-)
            1.1   FAStTunr(2) - Tower fore-aft modal stiffness tuner, 2nd mode (-)
            1.2   SSStTunr(1) - Tower side-to-side stiffness tuner, 1st mode (-)
            1.3   SSStTunr(2) - Tower side-to-side stiffness tuner, 2nd mode (-)
           1.05   AdjTwMa     - Factor to adjust tower mass density (-)
-             1   AdjFASt     - Factor to adjust tower fore-aft stiffness (-)
+           1.0   AdjFASt     - Factor to adjust tower fore-aft stiffness (-)
            0.9   AdjSSSt     - Factor to adjust tower side-to-side stiffness (-)
 ---------------------- DISTRIBUTED TOWER PROPERTIES ----------------------------
    HtFract         TMassDen        TwFAStif        TwSSStif

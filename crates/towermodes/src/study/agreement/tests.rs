@@ -210,9 +210,15 @@ fn towers_of_different_lengths_are_compared_where_both_are() {
     let short = tube(&[(40.0, 0.03), (100.0, 0.03)]);
     let agreement = compare(&long, &short);
     assert!(!agreement.ranges_agree());
-    assert_eq!(agreement.verdict(), Verdict::Warn);
+    // What is compared agrees, but two fifths of the tower are not compared.
+    assert!((agreement.uncompared_share() - 0.4).abs() < 1e-15);
+    assert_eq!(agreement.verdict(), Verdict::Fail);
     assert_eq!(agreement.shift_m, None);
     assert_eq!(agreement.overlap.length_m(), 60.0);
+    // A hundredth may be missing.
+    let whole = tube(&[(0.0, 0.03), (100.0, 0.03)]);
+    let nearly = compare(&whole, &tube(&[(0.5, 0.03), (100.0, 0.03)]));
+    assert_eq!(nearly.verdict(), Verdict::Warn);
     // 3.516015²/l² √(EI/m)/2π of the upper 60 m, E I/ρ A with I/A = (36 + 5.94²)/16.
     let gyration = (36.0 + 5.94 * 5.94) / 16.0_f64;
     let speed = (2.1e11 / 8500.0 * gyration).sqrt();
