@@ -2,9 +2,9 @@
 
 mod bmodes_out;
 
-use towermodes::{Blade, solve, solve_blade};
+use towermodes::{Blade, BladeMode, BladeSolution, solve, solve_blade};
 use towermodes_files::{
-    BladeInput, FileFormat, Input, TowerInput, write_blade_csv, write_blade_json, write_csv,
+    BladeInput, FileFormat, Input, Note, TowerInput, write_blade_csv, write_blade_json, write_csv,
     write_json,
 };
 
@@ -75,5 +75,32 @@ fn of_blade(input: &BladeInput, arguments: &SolveArguments) -> Result<Vec<u8>, F
         SolveFormat::Bmodes => result = nodes.of_blade_solution(&blade, &solution).into_bytes(),
     }
     note(&input.notes);
+    note(&coarse(&solution));
     Ok(result)
+}
+
+/// Errors of the elements above this share of a frequency are worth a word.
+const COARSE: f64 = 0.01;
+
+/// That the elements of a deck are too coarse for its modes, if they are.
+fn coarse(solution: &BladeSolution) -> Vec<Note> {
+    let share = |mode: &BladeMode| mode.discretization_error_hz / mode.frequency_hz;
+    let coarse: Vec<&BladeMode> = solution
+        .modes
+        .iter()
+        .filter(|m| share(m) > COARSE)
+        .collect();
+    let Some(first) = coarse.first() else {
+        return Vec::new();
+    };
+    let largest = coarse
+        .iter()
+        .fold(0.0_f64, |most, mode| most.max(share(mode)));
+    vec![Note::new(format!(
+        "the {} elements of the deck leave errors of up to {:.1} % in mode {} and {} more; el_loc with more elements has less",
+        solution.elements,
+        100.0 * largest,
+        first.number,
+        coarse.len() - 1
+    ))]
 }

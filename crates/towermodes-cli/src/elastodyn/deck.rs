@@ -6,7 +6,7 @@ use towermodes::elastodyn::{
     PointMasses, Rows, TowerModel, TowerShapes, TowerStation, tower_rows, tower_shapes,
 };
 use towermodes::{Method, Options, Planes, Tower};
-use towermodes_files::elastodyn::{ElastoDynDeck, MakeError, passed_over_notes, read_elastodyn};
+use towermodes_files::elastodyn::{ElastoDynDeck, MakeError, read_elastodyn, torsion_notes};
 use towermodes_files::{Beside, FileFormat, InputError, Note, ReadOptions, Source};
 
 use crate::args::{DeckArguments, ReadingArguments};
@@ -50,7 +50,7 @@ pub(super) fn judged(arguments: &DeckArguments) -> Result<Judged, Failure> {
     };
     let shapes = tower_shapes(&tower, &solve, from_m);
     let shapes = shapes.map_err(|error| Failure::TowerFile(MakeError::Shapes(error)))?;
-    note(&passed_over_notes(&shapes));
+    note(&torsion_notes(&shapes));
     Ok(Judged {
         deck,
         tower,

@@ -1,6 +1,7 @@
 //! `towermodes elastodyn tower`.
 
 use towermodes_files::elastodyn::{make_tower_file, write_tower_file};
+use towermodes_files::{Note, TowerInput};
 
 use crate::args::TowerArguments;
 use crate::failure::{Failure, note, report};
@@ -22,6 +23,19 @@ pub(crate) fn run(arguments: &TowerArguments) -> Result<(), Failure> {
         .map_err(|error| Failure::tower_file(&error))?;
     note(&input.notes);
     note(&made.notes);
+    note(&surrounded_base(&input, options.from_m));
     report(&table::fits(&tower, &made));
     deliver(text.as_bytes(), arguments.output())
+}
+
+/// That ElastoDyn's tower hardly begins where soil and water are.
+fn surrounded_base(input: &TowerInput, from_m: Option<f64>) -> Vec<Note> {
+    let d = &input.description;
+    let is_surrounded = !d.soil.is_empty() || d.water.is_some() || !d.added_mass.is_empty();
+    if from_m.is_some() || !is_surrounded {
+        return Vec::new();
+    }
+    vec![Note::new(
+        "the flexible tower begins at the lowest height, in soil or water; --from-height says where ElastoDyn's tower begins",
+    )]
 }

@@ -220,17 +220,25 @@ fn set_damping(
     Ok(())
 }
 
-/// Which modes were left out for their torsion, and what was taken instead.
-pub fn passed_over_notes(shapes: &TowerShapes) -> Vec<Note> {
-    let modes = shapes.passed_over.iter();
-    modes
-        .map(|mode| {
-            Note::new(format!(
-                "mode {} ({}, {:.4} Hz) is not taken but the next: {:.0} % of its energy is torsion, which ElastoDyn's towers do not have",
-                mode.number, mode.label, mode.frequency_hz, 100.0 * mode.torsion_share
-            ))
-        })
-        .collect()
+/// A mode with more of its energy in torsion is taken with a word.
+const MUCH_TORSION: f64 = 0.1;
+
+/// Which modes were left out for their torsion, and which were taken with some: ElastoDyn's towers have none.
+pub fn torsion_notes(shapes: &TowerShapes) -> Vec<Note> {
+    let left_out = shapes.passed_over.iter().map(|mode| {
+        format!(
+            "mode {} ({}, {:.4} Hz) is not taken but the next: {:.0} % of its energy is torsion, which ElastoDyn's towers do not have",
+            mode.number, mode.label, mode.frequency_hz, 100.0 * mode.torsion_share
+        )
+    });
+    let taken = shapes.shapes.iter();
+    let taken = taken.filter(|shape| shape.torsion_share > MUCH_TORSION).map(|shape| {
+        format!(
+            "{:.0} % of the energy of the {} ({:.4} Hz) is torsion, which ElastoDyn's towers do not have: its bending alone is taken",
+            100.0 * shape.torsion_share, shape.label, shape.frequency_hz
+        )
+    });
+    left_out.chain(taken).map(Note::new).collect()
 }
 
 /// A ratio in as many decimals as anybody reads.
@@ -239,7 +247,7 @@ fn in_decimals(percent: f64) -> f64 {
 }
 
 fn notes(tower: &Tower, from_m: f64, shapes: &TowerShapes, options: &MakeOptions) -> Vec<Note> {
-    let mut notes = passed_over_notes(shapes);
+    let mut notes = torsion_notes(shapes);
     let masses = tower.point_masses().iter();
     let above = masses.filter(|mass| mass.height_m >= from_m).count();
     if above > 0 && !options.has_concentrated_masses {

@@ -30,8 +30,8 @@ pub use lump::lump_rna;
 pub use main_file::{MainFile, Platform};
 pub use main_reader::read_main_file;
 pub use make::{
-    DEFAULT_NODES, Damping, MadeTowerFile, MakeError, MakeOptions, make_tower_file,
-    passed_over_notes, quantities,
+    DEFAULT_NODES, Damping, MadeTowerFile, MakeError, MakeOptions, make_tower_file, quantities,
+    torsion_notes,
 };
 pub use patch::{PatchError, patched};
 pub use rules::TowerFileError;

@@ -3,9 +3,11 @@
 mod assembly;
 mod element;
 mod elimination;
+mod general;
 mod legendre;
 mod model;
 mod product;
+mod pull;
 mod rotating;
 mod strain;
 mod structure;

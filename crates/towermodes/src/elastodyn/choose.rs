@@ -9,7 +9,7 @@ use crate::tower::{Plane, Planes};
 
 /// Modes with a larger share of their energy in torsion than this are not taken for bending modes unless told: ElastoDyn's towers do not
 /// twist.
-pub const DEFAULT_TORSION_LIMIT: f64 = 0.3;
+pub const DEFAULT_TORSION_LIMIT: f64 = 0.5;
 /// Heights at which shapes are sampled for a fit: far more than a polynomial of degree 6 can follow.
 const SAMPLES: usize = 201;
 

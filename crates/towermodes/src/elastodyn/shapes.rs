@@ -7,7 +7,7 @@ use super::decimal::{COEFFICIENT_DECIMALS, DecimalPolynomial, RoundingError};
 use super::fit::{FitError, PolynomialFit, fit};
 use super::shape_samples::ShapeSamples;
 use crate::number::Plain;
-use crate::solve::{Options, SolveError, solve};
+use crate::solve::{Mode, Options, SolveError, solve};
 use crate::tower::{Plane, Tower};
 
 /// Modes asked for first; more where torsion or motions of a floater are among them.
@@ -26,6 +26,8 @@ pub struct TowerShape {
     pub label: String,
     /// The mode's frequency, with all that the tower carries and stands on, Hz.
     pub frequency_hz: f64,
+    /// The share of the mode's energy that is torsion, which the shape does not have.
+    pub torsion_share: f64,
     /// The shape itself.
     pub samples: ShapeSamples,
     /// The polynomial fitted to it, and how well.
@@ -117,7 +119,7 @@ pub fn tower_shapes(
                 let shape = |plane, number: usize| {
                     let mode = bending.modes.of(plane)[number - 1];
                     let samples = bending.samples(plane, number - 1);
-                    shape(plane, number, mode.label(), mode.frequency_hz, samples)
+                    shape(plane, number, mode, samples)
                 };
                 return Ok(TowerShapes {
                     shapes: [
@@ -136,10 +138,10 @@ pub fn tower_shapes(
 fn shape(
     plane: Plane,
     number: usize,
-    label: String,
-    frequency_hz: f64,
+    mode: &Mode,
     samples: ShapeSamples,
 ) -> Result<TowerShape, ShapesError> {
+    let label = mode.label();
     let fit = fit(&samples).map_err(|error| ShapesError::Fit {
         label: label.clone(),
         error,
@@ -153,7 +155,8 @@ fn shape(
         plane,
         number,
         label,
-        frequency_hz,
+        frequency_hz: mode.frequency_hz,
+        torsion_share: mode.energy.mean().torsion,
         samples,
         fit,
         decimals,

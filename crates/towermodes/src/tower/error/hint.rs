@@ -50,7 +50,7 @@ impl Problem {
             }
             Self::RowsWithoutDepth { .. } => "the first value of a row is its height in m",
             Self::WaterAroundTable => {
-                "put the water's mass into the table's mass_kg_per_m, or give stations"
+                "give its mass per length in [[added_mass]], which moves transversely alone, or give stations"
             }
             Self::BedAboveWater { .. } => "leave bed out if it is the lowest station",
             Self::TooFewWires { .. } => "count is the number of equally spaced wires",
