@@ -120,6 +120,8 @@ pub struct TowerInput {
     pub method: Option<Method>,
     /// How many modes the file asks for, if it does.
     pub modes: Option<usize>,
+    /// One of the rotor's blades at standstill, if the files have it.
+    pub blade: Option<towermodes::BladeDescription>,
     /// Height at which the tower stands on its monopile, m, if it does.
     pub joint_m: Option<f64>,
     /// What the file says of the layout of results.
@@ -141,6 +143,7 @@ impl TowerInput {
             borders_m: None,
             method: None,
             modes: None,
+            blade: None,
             joint_m: None,
             layout: OutLayout::default(),
             notes: Vec::new(),

@@ -34,6 +34,7 @@ mod method;
 pub mod modes;
 mod number;
 pub mod parts;
+pub mod rotor;
 mod solve;
 pub mod space;
 pub mod study;
@@ -46,6 +47,7 @@ pub use blade::{Blade, BladeDescription, BladeError, BladeSection};
 pub use eigen::{EigenError, Statistics};
 pub use method::Method;
 pub use modes::{ByMotion, Energy, Family, ShapePoint};
+pub use rotor::Rotor;
 pub use solve::{
     BladeFamily, BladeMode, BladeSolution, Certificate, DEFAULT_MODES, DEFAULT_POINTS,
     DEFAULT_SEGMENTS, MAX_DEGREE, MAX_POINTS, MAX_SEGMENTS, MAX_SPECTRAL_ELEMENTS,

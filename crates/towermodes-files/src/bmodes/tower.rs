@@ -98,6 +98,7 @@ pub(super) fn tower(deck: &Deck, sources: Sources, quirks: bool) -> Result<Tower
         borders_m: Some(borders_m),
         method: Some(Method::Bmodes),
         modes: Some(modes),
+        blade: None,
         joint_m: None,
         layout: OutLayout {
             radius_m: Some(deck.general.radius_m.value + draft_m),

@@ -203,6 +203,7 @@ fn input(
         borders_m: None,
         method: None,
         modes: None,
+        blade: None,
         joint_m: None,
         layout: OutLayout::default(),
         notes,

@@ -4,6 +4,7 @@ use super::foundation::Foundation;
 use super::material::Material;
 use super::properties::Properties;
 use super::surroundings::{AddedMassRow, SoilRow, Water, Wires};
+use crate::rotor::Rotor;
 use crate::symmetric::eigenpairs;
 
 /// One row of the tower's geometry: the tube at a height. Between rows diameter and wall are linear.
@@ -181,6 +182,8 @@ pub struct TowerDescription {
     pub wires: Vec<Wires>,
     /// Acceleration of gravity g, m/s²; 0, which is so unless told, leaves the weights' part of the stiffness out.
     pub gravity_m_per_s2: f64,
+    /// The rotor, for what it excites; none unless told.
+    pub rotor: Option<Rotor>,
 }
 
 impl Default for TowerDescription {
@@ -200,6 +203,7 @@ impl Default for TowerDescription {
             water: None,
             wires: Vec::new(),
             gravity_m_per_s2: 0.0,
+            rotor: None,
         }
     }
 }

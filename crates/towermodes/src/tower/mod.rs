@@ -62,6 +62,7 @@ pub struct Tower {
     attachments: Vec<Attachment>,
     base: Base,
     gravity_m_per_s2: f64,
+    rotor: Option<crate::Rotor>,
     above: Above,
     independent: Vec<Motions>,
     planes_are_equal: bool,
@@ -108,6 +109,7 @@ impl Tower {
             attachments,
             base,
             gravity_m_per_s2: description.gravity_m_per_s2,
+            rotor: description.rotor,
             above,
             outfitting_factor: description.outfitting_factor,
             mass_kg,
@@ -170,6 +172,11 @@ impl Tower {
     /// Acceleration of gravity, m/s²; 0 if weights are left out.
     pub fn gravity_m_per_s2(&self) -> f64 {
         self.gravity_m_per_s2
+    }
+
+    /// The rotor, if it is known.
+    pub fn rotor(&self) -> Option<&crate::Rotor> {
+        self.rotor.as_ref()
     }
 
     /// The smallest sets of motions that are coupled with each other and with no other, by the structure of the tower.

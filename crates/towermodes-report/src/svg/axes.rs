@@ -1,0 +1,207 @@
+//! Axes around a field, with a unit on each.
+
+use super::colour::Colour;
+use super::drawing::{Anchor, Drawing, Stroke, TextStyle};
+use super::scale::{Scale, number};
+use super::text::text_width;
+
+/// Size of the numbers along an axis.
+const NUMBERS: f64 = 11.0;
+/// Size of an axis' name.
+const NAME: f64 = 12.0;
+
+/// A field on a sheet.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Frame {
+    /// The left edge.
+    pub left: f64,
+    /// The upper edge.
+    pub top: f64,
+    /// The right edge.
+    pub right: f64,
+    /// The lower edge.
+    pub bottom: f64,
+}
+
+/// A field with an axis below and one on its left.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Axes {
+    /// The field.
+    pub frame: Frame,
+    /// Along its lower edge.
+    pub x: Scale,
+    /// Along its left edge, upwards.
+    pub y: Scale,
+}
+
+impl Axes {
+    /// Axes of these values; `logarithmic` says which of x and y have equal steps for equal ratios.
+    pub fn new(frame: Frame, x: [f64; 2], y: [f64; 2], logarithmic: [bool; 2]) -> Self {
+        let scale = |values, places, is_logarithmic| {
+            if is_logarithmic {
+                Scale::logarithmic(values, places)
+            } else {
+                Scale::linear(values, places)
+            }
+        };
+        Self {
+            frame,
+            x: scale(x, [frame.left, frame.right], logarithmic[0]),
+            y: scale(y, [frame.bottom, frame.top], logarithmic[1]),
+        }
+    }
+
+    /// The place of a pair of values.
+    pub fn at(&self, x: f64, y: f64) -> (f64, f64) {
+        (self.x.at(x), self.y.at(y))
+    }
+
+    /// The left margin that the numbers and the name of an axis of these values need.
+    pub fn left_margin(values: [f64; 2], is_logarithmic: bool, ticks: usize) -> f64 {
+        let scale = Scale {
+            is_logarithmic,
+            ..Scale::linear(values, [0.0, 1.0])
+        };
+        let widths = tick_texts(&scale, ticks)
+            .into_iter()
+            .map(|(_, text)| text_width(&text, NUMBERS, false));
+        widths.fold(0.0, f64::max) + NUMBERS + 2.2 * NAME
+    }
+
+    /// Draws the grid and the axis below, with about so many numbers and its name, unit included: "rotor speed (rpm)".
+    pub fn draw_x(&self, drawing: &mut Drawing, name: &str, ticks: usize) {
+        let Frame {
+            left,
+            top,
+            right,
+            bottom,
+        } = self.frame;
+        let style = TextStyle::new(NUMBERS)
+            .colour(Colour::Muted)
+            .anchor(Anchor::Middle);
+        for (value, text) in tick_texts(&self.x, ticks) {
+            let x = self.x.at(value);
+            drawing.line((x, top), (x, bottom), &Stroke::new(Colour::Grid, 1.0));
+            drawing.text((x, bottom + 1.5 * NUMBERS), &text, &style);
+        }
+        drawing.line(
+            (left, bottom),
+            (right, bottom),
+            &Stroke::new(Colour::Muted, 1.0),
+        );
+        let style = TextStyle::new(NAME).anchor(Anchor::Middle);
+        drawing.text(
+            (0.5 * (left + right), bottom + 1.5 * NUMBERS + 1.6 * NAME),
+            name,
+            &style,
+        );
+    }
+
+    /// Draws the grid and the axis on the left, with about so many numbers and its name, unit included.
+    pub fn draw_y(&self, drawing: &mut Drawing, name: &str, ticks: usize) {
+        let Frame {
+            left,
+            top,
+            right,
+            bottom,
+        } = self.frame;
+        let style = TextStyle::new(NUMBERS)
+            .colour(Colour::Muted)
+            .anchor(Anchor::End);
+        let texts = tick_texts(&self.y, ticks);
+        let widest = texts
+            .iter()
+            .map(|(_, text)| text_width(text, NUMBERS, false))
+            .fold(0.0, f64::max);
+        for (value, text) in &texts {
+            let y = self.y.at(*value);
+            drawing.line((left, y), (right, y), &Stroke::new(Colour::Grid, 1.0));
+            drawing.text((left - 0.6 * NUMBERS, y + 0.35 * NUMBERS), text, &style);
+        }
+        drawing.line(
+            (left, top),
+            (left, bottom),
+            &Stroke::new(Colour::Muted, 1.0),
+        );
+        let style = TextStyle::new(NAME).anchor(Anchor::Middle).turned();
+        drawing.text(
+            (
+                left - widest - 1.2 * NUMBERS - 0.3 * NAME,
+                0.5 * (top + bottom),
+            ),
+            name,
+            &style,
+        );
+    }
+}
+
+fn tick_texts(scale: &Scale, count: usize) -> Vec<(f64, String)> {
+    let ticks = scale.ticks(count);
+    let step = match ticks[..] {
+        [a, b, ..] => b - a,
+        _ => scale.high - scale.low,
+    };
+    let text = |value: f64| {
+        if scale.is_logarithmic {
+            number(value, value)
+        } else {
+            number(value, step)
+        }
+    };
+    ticks
+        .into_iter()
+        .map(|value| (value, text(value)))
+        .collect()
+}
+
+/// Moves places apart until neighbours are at least `gap` from each other, as little as it can, and all within `range`: for labels beside the
+/// ends of lines. They keep their order; where there is no room for all, they are spread evenly.
+pub fn spread(places: &[f64], gap: f64, range: [f64; 2]) -> Vec<f64> {
+    let mut order: Vec<usize> = (0..places.len()).collect();
+    order.sort_by(|a, b| places[*a].total_cmp(&places[*b]));
+    let room = range[1] - range[0];
+    let gap = gap.min(room / places.len().saturating_sub(1).max(1) as f64);
+    let mut spread = places.to_vec();
+    // Groups that touch share their mean: the least squares of the moves.
+    let mut groups: Vec<(f64, usize)> = Vec::new();
+    for (rank, index) in order.iter().enumerate() {
+        let free = places[*index] - gap * rank as f64;
+        groups.push((free, 1));
+        while let [.., (a, n), (b, m)] = groups[..] {
+            if a <= b {
+                break;
+            }
+            groups.truncate(groups.len() - 2);
+            let together = n + m;
+            groups.push(((a * n as f64 + b * m as f64) / together as f64, together));
+        }
+    }
+    let last = gap * places.len().saturating_sub(1) as f64;
+    let mut rank = 0;
+    for (place, count) in groups {
+        let place = place.clamp(range[0], (range[1] - last).max(range[0]));
+        for _ in 0..count {
+            spread[order[rank]] = place + gap * rank as f64;
+            rank += 1;
+        }
+    }
+    spread
+}
+
+#[cfg(test)]
+mod tests {
+    use super::spread;
+
+    #[test]
+    fn labels_are_moved_apart_and_stay_within() {
+        let places = spread(&[10.0, 11.0, 50.0], 10.0, [0.0, 100.0]);
+        assert_eq!(places, [5.5, 15.5, 50.0]);
+        let places = spread(&[1.0, 1.0, 1.0], 10.0, [0.0, 100.0]);
+        assert_eq!(places, [0.0, 10.0, 20.0]);
+        let places = spread(&[99.0, 98.0], 10.0, [0.0, 100.0]);
+        assert_eq!(places, [100.0, 90.0]);
+        let places = spread(&[5.0, 5.0, 5.0], 10.0, [0.0, 10.0]);
+        assert_eq!(places, [0.0, 5.0, 10.0]);
+        assert!(spread(&[], 10.0, [0.0, 10.0]).is_empty());
+    }
+}

@@ -1,0 +1,191 @@
+//! Colours by their role, for light and dark paper.
+
+/// What a line or a surface stands for; never a colour by itself.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Colour {
+    /// Text and outlines.
+    Ink,
+    /// Text and axes of less weight.
+    Muted,
+    /// Lines of a grid.
+    Grid,
+    /// The background.
+    Paper,
+    /// The walls of a tower.
+    Steel,
+    /// The machine on top.
+    Machine,
+    /// Ground.
+    Soil,
+    /// Water.
+    Water,
+    /// A range that is shaded, as of speeds.
+    Band,
+    /// Members of a family that is drawn together, from 0; beyond the last they begin again.
+    Series(usize),
+    /// What is well.
+    Pass,
+    /// What is near a limit.
+    Warn,
+    /// What is beyond a limit.
+    Fail,
+}
+
+/// Light or dark paper.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Theme {
+    /// For screens by day and for print.
+    Light,
+    /// For screens by night.
+    Dark,
+}
+
+/// Colours of lines that are told apart by all kinds of eyes (after Okabe & Ito, 2008), darkened or lightened until their contrast to the paper
+/// is at least 3.
+const SERIES: [[&str; 2]; 7] = [
+    ["#0072b2", "#56b4e9"],
+    ["#c04e00", "#f0824a"],
+    ["#00805d", "#2fc79b"],
+    ["#a8508a", "#dd94bf"],
+    ["#8a6d00", "#f0e442"],
+    ["#4a3f9e", "#a99cf5"],
+    ["#555555", "#b8b8b8"],
+];
+
+impl Colour {
+    /// Every colour there is.
+    pub const ALL: [Self; 19] = [
+        Self::Ink,
+        Self::Muted,
+        Self::Grid,
+        Self::Paper,
+        Self::Steel,
+        Self::Machine,
+        Self::Soil,
+        Self::Water,
+        Self::Band,
+        Self::Series(0),
+        Self::Series(1),
+        Self::Series(2),
+        Self::Series(3),
+        Self::Series(4),
+        Self::Series(5),
+        Self::Series(6),
+        Self::Pass,
+        Self::Warn,
+        Self::Fail,
+    ];
+
+    /// As `#rrggbb`.
+    pub fn hex(self, theme: Theme) -> &'static str {
+        let [light, dark] = match self {
+            Self::Ink => ["#1b1f24", "#e8eaed"],
+            Self::Muted => ["#57606a", "#a5adb6"],
+            Self::Grid => ["#d8dde3", "#3a4048"],
+            Self::Paper => ["#ffffff", "#16191d"],
+            Self::Steel => ["#8b98a7", "#8896a6"],
+            Self::Machine => ["#5d6b7a", "#a9b6c4"],
+            Self::Soil => ["#d9c7a8", "#5a4a31"],
+            Self::Water => ["#cfe6f5", "#17384d"],
+            Self::Band => ["#e9edf2", "#262c34"],
+            Self::Series(index) => SERIES[index % SERIES.len()],
+            Self::Pass => ["#1a7f37", "#4ac26b"],
+            Self::Warn => ["#8f5f00", "#e3b341"],
+            Self::Fail => ["#cf222e", "#ff7b72"],
+        };
+        match theme {
+            Theme::Light => light,
+            Theme::Dark => dark,
+        }
+    }
+
+    /// The name that classes and variables of style sheets have.
+    pub fn name(self) -> String {
+        match self {
+            Self::Ink => "ink".to_owned(),
+            Self::Muted => "muted".to_owned(),
+            Self::Grid => "grid".to_owned(),
+            Self::Paper => "paper".to_owned(),
+            Self::Steel => "steel".to_owned(),
+            Self::Machine => "machine".to_owned(),
+            Self::Soil => "soil".to_owned(),
+            Self::Water => "water".to_owned(),
+            Self::Band => "band".to_owned(),
+            Self::Series(index) => format!("series{}", index % SERIES.len()),
+            Self::Pass => "pass".to_owned(),
+            Self::Warn => "warn".to_owned(),
+            Self::Fail => "fail".to_owned(),
+        }
+    }
+}
+
+/// The rules of a style sheet that give the classes of drawings, `s-NAME` for strokes and `f-NAME` for fills, their colours: `value` says what
+/// stands for each, a colour or a variable. `scope` stands before each class.
+pub fn stylesheet(scope: &str, value: impl Fn(Colour) -> String) -> String {
+    let rule = |colour: Colour| {
+        let (name, value) = (colour.name(), value(colour));
+        format!("{scope}.s-{name}{{stroke:{value}}}{scope}.f-{name}{{fill:{value}}}")
+    };
+    Colour::ALL.into_iter().map(rule).collect()
+}
+
+/// The contrast of two colours `#rrggbb`, 1 to 21 (Web Content Accessibility Guidelines 2.2, "contrast ratio").
+pub fn contrast(a: &str, b: &str) -> f64 {
+    let (a, b) = (luminance(a), luminance(b));
+    (a.max(b) + 0.05) / (a.min(b) + 0.05)
+}
+
+fn luminance(hex: &str) -> f64 {
+    let channel = |at: usize| {
+        let value = hex
+            .get(at..at + 2)
+            .and_then(|two| u8::from_str_radix(two, 16).ok());
+        let share = f64::from(value.unwrap_or(0)) / 255.0;
+        if share <= 0.04045 {
+            share / 12.92
+        } else {
+            ((share + 0.055) / 1.055).powf(2.4)
+        }
+    };
+    0.2126 * channel(1) + 0.7152 * channel(3) + 0.0722 * channel(5)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Colour, Theme, contrast};
+
+    #[test]
+    fn contrast_is_that_of_the_guidelines() {
+        assert!((contrast("#000000", "#ffffff") - 21.0).abs() < 1e-12);
+        // Their example of the palest grey that is allowed on white for text.
+        assert!((contrast("#767676", "#ffffff") - 4.54).abs() < 0.005);
+    }
+
+    #[test]
+    fn text_and_lines_stand_out_from_their_paper() {
+        for theme in [Theme::Light, Theme::Dark] {
+            let on =
+                |colour: Colour, ground: Colour| contrast(colour.hex(theme), ground.hex(theme));
+            for ground in [Colour::Paper, Colour::Band, Colour::Water] {
+                for text in [Colour::Ink, Colour::Muted] {
+                    assert!(
+                        on(text, ground) >= 4.5,
+                        "{text:?} on {ground:?} in {theme:?}"
+                    );
+                }
+                for line in (0..7).map(Colour::Series) {
+                    assert!(
+                        on(line, ground) >= 3.0,
+                        "{line:?} on {ground:?} in {theme:?}"
+                    );
+                }
+            }
+            for verdict in [Colour::Pass, Colour::Warn, Colour::Fail] {
+                assert!(
+                    on(verdict, Colour::Paper) >= 4.5,
+                    "{verdict:?} in {theme:?}"
+                );
+            }
+        }
+    }
+}

@@ -1,0 +1,507 @@
+//! Shapes and text on a sheet.
+
+use std::fmt::Write;
+
+use super::colour::Colour;
+use super::text::text_width;
+
+/// How a line is drawn.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Stroke {
+    /// Its colour.
+    pub colour: Colour,
+    /// Its width.
+    pub width: f64,
+    /// Whether it is broken.
+    pub dash: Dash,
+}
+
+impl Stroke {
+    /// A whole line.
+    pub fn new(colour: Colour, width: f64) -> Self {
+        Self {
+            colour,
+            width,
+            dash: Dash::Whole,
+        }
+    }
+
+    /// The same line broken.
+    pub fn dashed(self, dash: Dash) -> Self {
+        Self { dash, ..self }
+    }
+}
+
+/// How a line is broken: what tells lines apart without colour.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Dash {
+    /// Not at all.
+    Whole,
+    /// In dashes.
+    Dashed,
+    /// In dots.
+    Dotted,
+    /// In dashes and dots by turns.
+    DashDot,
+    /// In long dashes.
+    Long,
+}
+
+impl Dash {
+    /// A dash for each member of a series, from 0.
+    pub fn of_series(index: usize) -> Self {
+        [
+            Self::Whole,
+            Self::Dashed,
+            Self::DashDot,
+            Self::Dotted,
+            Self::Long,
+        ][index % 5]
+    }
+
+    fn pattern(self) -> Option<&'static str> {
+        match self {
+            Self::Whole => None,
+            Self::Dashed => Some("6 4"),
+            Self::Dotted => Some("1.5 3"),
+            Self::DashDot => Some("8 3 1.5 3"),
+            Self::Long => Some("14 5"),
+        }
+    }
+}
+
+/// A mark at a point: the other thing that tells series apart without colour.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Marker {
+    /// A disc.
+    Disc,
+    /// A square.
+    Square,
+    /// A triangle.
+    Triangle,
+    /// A square on its corner.
+    Diamond,
+    /// A cross.
+    Cross,
+    /// A ring.
+    Ring,
+}
+
+impl Marker {
+    /// A marker for each member of a series, from 0.
+    pub fn of_series(index: usize) -> Self {
+        [
+            Self::Disc,
+            Self::Square,
+            Self::Triangle,
+            Self::Diamond,
+            Self::Cross,
+            Self::Ring,
+        ][index % 6]
+    }
+}
+
+/// Which part of a text is at its point.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Anchor {
+    /// Its beginning.
+    Start,
+    /// Its middle.
+    Middle,
+    /// Its end.
+    End,
+}
+
+/// How a text is written.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct TextStyle {
+    /// Size of the letters.
+    pub size: f64,
+    /// Colour.
+    pub colour: Colour,
+    /// Which part of it is at its point.
+    pub anchor: Anchor,
+    /// Whether it is bold.
+    pub is_bold: bool,
+    /// Whether it reads upwards.
+    pub is_turned: bool,
+}
+
+impl TextStyle {
+    /// Text of a size in ink, beginning at its point.
+    pub fn new(size: f64) -> Self {
+        Self {
+            size,
+            colour: Colour::Ink,
+            anchor: Anchor::Start,
+            is_bold: false,
+            is_turned: false,
+        }
+    }
+
+    /// The same in another colour.
+    pub fn colour(self, colour: Colour) -> Self {
+        Self { colour, ..self }
+    }
+
+    /// The same with another part at its point.
+    pub fn anchor(self, anchor: Anchor) -> Self {
+        Self { anchor, ..self }
+    }
+
+    /// The same in bold.
+    pub fn bold(self) -> Self {
+        Self {
+            is_bold: true,
+            ..self
+        }
+    }
+
+    /// The same reading upwards.
+    pub fn turned(self) -> Self {
+        Self {
+            is_turned: true,
+            ..self
+        }
+    }
+}
+
+/// A text that was written and the box around it.
+#[derive(Debug, Clone, PartialEq)]
+pub struct LabelBox {
+    /// The text.
+    pub text: String,
+    /// The left edge.
+    pub left: f64,
+    /// The upper edge.
+    pub top: f64,
+    /// The right edge.
+    pub right: f64,
+    /// The lower edge.
+    pub bottom: f64,
+}
+
+impl LabelBox {
+    /// Whether it shares more than an edge with another.
+    pub fn overlaps(&self, other: &Self) -> bool {
+        self.left < other.right
+            && other.left < self.right
+            && self.top < other.bottom
+            && other.top < self.bottom
+    }
+}
+
+/// A sheet: x to the right, y downwards, in pixels.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Drawing {
+    /// Its width.
+    pub width: f64,
+    /// Its height.
+    pub height: f64,
+    body: String,
+    labels: Vec<LabelBox>,
+}
+
+impl Drawing {
+    /// An empty sheet.
+    pub fn new(width: f64, height: f64) -> Self {
+        Self {
+            width,
+            height,
+            body: String::new(),
+            labels: Vec::new(),
+        }
+    }
+
+    /// What was drawn, as elements of SVG.
+    pub fn body(&self) -> &str {
+        &self.body
+    }
+
+    /// The texts that were written.
+    pub fn labels(&self) -> &[LabelBox] {
+        &self.labels
+    }
+
+    /// A straight line.
+    pub fn line(&mut self, from: (f64, f64), to: (f64, f64), stroke: &Stroke) {
+        self.polyline(&[from, to], stroke);
+    }
+
+    /// A line through points; where a point is not finite it is interrupted.
+    pub fn polyline(&mut self, points: &[(f64, f64)], stroke: &Stroke) {
+        let path = path_through(points);
+        if path.is_empty() {
+            return;
+        }
+        let attributes = stroke_attributes(stroke);
+        self.put(&format!(
+            r#"<path class="s-{}" fill="none" {attributes} d="{path}"/>"#,
+            stroke.colour.name()
+        ));
+    }
+
+    /// A closed surface, with an edge if there is a stroke.
+    pub fn polygon(&mut self, points: &[(f64, f64)], fill: Colour, edge: Option<&Stroke>) {
+        let path = path_through(points);
+        if path.is_empty() {
+            return;
+        }
+        let painted = painted(fill, edge);
+        self.put(&format!(r#"<path {painted} d="{path}Z"/>"#));
+    }
+
+    /// A rectangle, with an edge if there is a stroke.
+    pub fn rectangle(
+        &mut self,
+        left_top: (f64, f64),
+        size: (f64, f64),
+        fill: Colour,
+        edge: Option<&Stroke>,
+    ) {
+        let (x, y) = left_top;
+        let (width, height) = size;
+        let painted = painted(fill, edge);
+        self.put(&format!(
+            r#"<rect {painted} x="{}" y="{}" width="{}" height="{}"/>"#,
+            short(x),
+            short(y),
+            short(width.max(0.0)),
+            short(height.max(0.0))
+        ));
+    }
+
+    /// A disc, with an edge if there is a stroke.
+    pub fn disc(&mut self, center: (f64, f64), radius: f64, fill: Colour, edge: Option<&Stroke>) {
+        let painted = painted(fill, edge);
+        self.put(&format!(
+            r#"<circle {painted} cx="{}" cy="{}" r="{}"/>"#,
+            short(center.0),
+            short(center.1),
+            short(radius)
+        ));
+    }
+
+    /// A mark at a point, `radius` from its middle to its edge.
+    pub fn marker(&mut self, marker: Marker, at: (f64, f64), radius: f64, colour: Colour) {
+        let (x, y) = at;
+        if !(x.is_finite() && y.is_finite()) {
+            return;
+        }
+        let (r, stroke) = (radius, Stroke::new(colour, 0.4 * radius));
+        match marker {
+            Marker::Disc => self.disc(at, r, colour, None),
+            Marker::Ring => self.disc(at, r, Colour::Paper, Some(&stroke)),
+            Marker::Square => {
+                self.rectangle((x - 0.9 * r, y - 0.9 * r), (1.8 * r, 1.8 * r), colour, None)
+            }
+            Marker::Triangle => self.polygon(
+                &[(x - r, y + 0.8 * r), (x + r, y + 0.8 * r), (x, y - r)],
+                colour,
+                None,
+            ),
+            Marker::Diamond => {
+                let r = 1.2 * r;
+                self.polygon(
+                    &[(x - r, y), (x, y + r), (x + r, y), (x, y - r)],
+                    colour,
+                    None,
+                );
+            }
+            Marker::Cross => {
+                self.line((x - r, y - r), (x + r, y + r), &stroke);
+                self.line((x - r, y + r), (x + r, y - r), &stroke);
+            }
+        }
+    }
+
+    /// A text whose baseline is at the point.
+    pub fn text(&mut self, at: (f64, f64), text: &str, style: &TextStyle) {
+        let (x, y) = at;
+        let anchor = match style.anchor {
+            Anchor::Start => "",
+            Anchor::Middle => r#" text-anchor="middle""#,
+            Anchor::End => r#" text-anchor="end""#,
+        };
+        let weight = if style.is_bold {
+            r#" font-weight="700""#
+        } else {
+            ""
+        };
+        let turn = if style.is_turned {
+            format!(r#" transform="rotate(-90 {} {})""#, short(x), short(y))
+        } else {
+            String::new()
+        };
+        self.put(&format!(
+            r#"<text class="f-{}" x="{}" y="{}" font-size="{}"{anchor}{weight}{turn}>{}</text>"#,
+            style.colour.name(),
+            short(x),
+            short(y),
+            short(style.size),
+            escaped(text)
+        ));
+        self.labels.push(label_box(at, text, style));
+    }
+
+    /// Draws inside a rectangle alone: what reaches beyond is cut. `name` must be the only one of the drawing.
+    pub fn clipped(
+        &mut self,
+        name: &str,
+        left_top: (f64, f64),
+        size: (f64, f64),
+        draw: impl FnOnce(&mut Self),
+    ) {
+        self.put(&format!(
+            r#"<clipPath id="{ID}{name}"><rect x="{}" y="{}" width="{}" height="{}"/></clipPath><g clip-path="url(#{ID}{name})">"#,
+            short(left_top.0),
+            short(left_top.1),
+            short(size.0),
+            short(size.1)
+        ));
+        draw(self);
+        self.put("</g>");
+    }
+
+    fn put(&mut self, element: &str) {
+        self.body.push_str(element);
+        self.body.push('\n');
+    }
+}
+
+/// Stands before every id of a drawing; a figure puts its own name there.
+pub(super) const ID: &str = "@id@";
+
+fn label_box(at: (f64, f64), text: &str, style: &TextStyle) -> LabelBox {
+    let width = text_width(text, style.size, style.is_bold);
+    let before = match style.anchor {
+        Anchor::Start => 0.0,
+        Anchor::Middle => 0.5 * width,
+        Anchor::End => width,
+    };
+    let (x, y) = at;
+    let (above, below) = (0.78 * style.size, 0.24 * style.size);
+    let text = text.to_owned();
+    if style.is_turned {
+        return LabelBox {
+            text,
+            left: x - above,
+            right: x + below,
+            top: y + before - width,
+            bottom: y + before,
+        };
+    }
+    LabelBox {
+        text,
+        left: x - before,
+        right: x - before + width,
+        top: y - above,
+        bottom: y + below,
+    }
+}
+
+fn painted(fill: Colour, edge: Option<&Stroke>) -> String {
+    match edge {
+        None => format!(r#"class="f-{}""#, fill.name()),
+        Some(stroke) => format!(
+            r#"class="f-{} s-{}" {}"#,
+            fill.name(),
+            stroke.colour.name(),
+            stroke_attributes(stroke)
+        ),
+    }
+}
+
+fn stroke_attributes(stroke: &Stroke) -> String {
+    let mut attributes = format!(r#"stroke-width="{}""#, short(stroke.width));
+    if let Some(pattern) = stroke.dash.pattern() {
+        let _ = write!(attributes, r#" stroke-dasharray="{pattern}""#);
+    }
+    attributes.push_str(r#" stroke-linejoin="round""#);
+    attributes
+}
+
+fn path_through(points: &[(f64, f64)]) -> String {
+    let mut path = String::new();
+    let mut is_drawing = false;
+    for (x, y) in points {
+        if !(x.is_finite() && y.is_finite()) {
+            is_drawing = false;
+            continue;
+        }
+        let command = if is_drawing { 'L' } else { 'M' };
+        let _ = write!(path, "{command}{} {}", short(*x), short(*y));
+        is_drawing = true;
+    }
+    path
+}
+
+/// A length in hundredths of a pixel, without zeros at its end.
+fn short(value: f64) -> String {
+    let text = format!("{value:.2}");
+    let text = text.trim_end_matches('0').trim_end_matches('.');
+    if text == "-0" {
+        "0".to_owned()
+    } else {
+        text.to_owned()
+    }
+}
+
+/// A text as SVG has it, without what no document may have.
+pub(super) fn escaped(text: &str) -> String {
+    let mut escaped = String::with_capacity(text.len());
+    for c in text.chars() {
+        match c {
+            '&' => escaped.push_str("&amp;"),
+            '<' => escaped.push_str("&lt;"),
+            '>' => escaped.push_str("&gt;"),
+            '"' => escaped.push_str("&quot;"),
+            c if c.is_control() || ('\u{fffe}'..='\u{ffff}').contains(&c) => escaped.push(' '),
+            c => escaped.push(c),
+        }
+    }
+    escaped
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Anchor, Drawing, Stroke, TextStyle, escaped, short};
+    use crate::svg::Colour;
+
+    #[test]
+    fn lengths_are_short() {
+        assert_eq!(short(1.0), "1");
+        assert_eq!(short(-0.001), "0");
+        assert_eq!(short(120.0), "120");
+        assert_eq!(short(0.126), "0.13");
+    }
+
+    #[test]
+    fn text_cannot_break_out_of_its_element() {
+        assert_eq!(escaped("a<b & \"c\"\u{1}"), "a&lt;b &amp; &quot;c&quot; ");
+    }
+
+    #[test]
+    fn boxes_of_turned_text_stand_upright() {
+        let mut drawing = Drawing::new(100.0, 100.0);
+        let style = TextStyle::new(10.0).anchor(Anchor::Middle).turned();
+        drawing.text((20.0, 50.0), "height", &style);
+        let label = &drawing.labels()[0];
+        assert!(label.bottom - label.top > label.right - label.left);
+        assert!((0.5 * (label.bottom + label.top) - 50.0).abs() < 1e-9);
+    }
+
+    #[test]
+    fn lines_are_interrupted_where_there_is_no_number() {
+        let mut drawing = Drawing::new(10.0, 10.0);
+        let points = [
+            (0.0, 0.0),
+            (1.0, 1.0),
+            (f64::NAN, 0.0),
+            (2.0, 2.0),
+            (3.0, 3.0),
+        ];
+        drawing.polyline(&points, &Stroke::new(Colour::Ink, 1.0));
+        assert!(drawing.body().contains("M0 0L1 1M2 2L3 3"));
+    }
+}

@@ -1,0 +1,85 @@
+//! A picture with its title, its description and its numbers.
+
+use super::colour::{Colour, Theme, stylesheet};
+use super::drawing::{Drawing, ID, LabelBox, escaped};
+
+/// The fonts of a picture: whatever the reader has that is as narrow as DejaVu Sans, whose widths are measured, or narrower.
+const FONTS: &str =
+    "'Helvetica Neue', Helvetica, Arial, 'Liberation Sans', 'DejaVu Sans', sans-serif";
+
+/// Where a picture gets its colours from.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Look {
+    /// A file of its own that follows the reader's preference for light or dark.
+    Standalone,
+    /// A file of its own in one theme.
+    Fixed(Theme),
+    /// A part of a page that has the rules of [`stylesheet`].
+    Inline,
+}
+
+/// The numbers of a picture as a table, for those who do not see it.
+#[derive(Debug, Clone, PartialEq, Default, serde::Serialize)]
+pub struct DataTable {
+    /// What the columns are, units included.
+    pub header: Vec<String>,
+    /// The rows, each as long as the header.
+    pub rows: Vec<Vec<String>>,
+}
+
+/// A picture.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Figure {
+    /// A name of letters, digits and hyphens that no other picture of a page has.
+    pub name: String,
+    /// What it is, in a line.
+    pub title: String,
+    /// What is to be seen, in a sentence or two: the alternative text.
+    pub description: String,
+    /// The picture.
+    pub drawing: Drawing,
+    /// Its numbers.
+    pub table: DataTable,
+}
+
+impl Figure {
+    /// The texts in the picture.
+    pub fn labels(&self) -> &[LabelBox] {
+        self.drawing.labels()
+    }
+
+    /// The picture as SVG.
+    pub fn to_svg(&self, look: Look) -> String {
+        let Drawing { width, height, .. } = self.drawing;
+        let (title, description) = (escaped(&self.title), escaped(&self.description));
+        let name = &self.name;
+        let style = style(look);
+        let paper = match look {
+            Look::Inline => String::new(),
+            _ => format!("<rect class=\"f-paper\" width=\"{width}\" height=\"{height}\"/>\n"),
+        };
+        let size = match look {
+            // A page says how wide it is.
+            Look::Inline => String::new(),
+            _ => format!(r#" width="{width}" height="{height}""#),
+        };
+        let body = self.drawing.body().replace(ID, &format!("{name}-"));
+        format!(
+            "<svg xmlns=\"http://www.w3.org/2000/svg\"{size} viewBox=\"0 0 {width} {height}\" font-family=\"{FONTS}\" role=\"img\" aria-labelledby=\"{name}-title {name}-description\">\n\
+             <title id=\"{name}-title\">{title}</title>\n<desc id=\"{name}-description\">{description}</desc>\n{style}{paper}{body}</svg>\n"
+        )
+    }
+}
+
+fn style(look: Look) -> String {
+    let of = |theme: Theme| stylesheet("", |colour: Colour| colour.hex(theme).to_owned());
+    match look {
+        Look::Inline => String::new(),
+        Look::Fixed(theme) => format!("<style>{}</style>\n", of(theme)),
+        Look::Standalone => format!(
+            "<style>{}@media screen and (prefers-color-scheme:dark){{{}}}</style>\n",
+            of(Theme::Light),
+            of(Theme::Dark)
+        ),
+    }
+}

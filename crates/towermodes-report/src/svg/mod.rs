@@ -1,0 +1,15 @@
+//! A small writer of SVG: shapes in the colours of a role, text that is measured, axes.
+
+mod axes;
+mod colour;
+mod drawing;
+mod figure;
+mod scale;
+mod text;
+
+pub use axes::{Axes, Frame, spread};
+pub use colour::{Colour, Theme, contrast, stylesheet};
+pub use drawing::{Anchor, Dash, Drawing, LabelBox, Marker, Stroke, TextStyle};
+pub use figure::{DataTable, Figure, Look};
+pub use scale::{Scale, number};
+pub use text::{LINE_HEIGHT, text_width};

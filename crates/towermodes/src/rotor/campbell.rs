@@ -1,0 +1,139 @@
+//! Natural frequencies against the speed of a rotor.
+
+use thiserror::Error;
+
+use super::description::Rotor;
+use crate::modes::Family;
+use crate::solve::{BladeFamily, SolveError};
+use crate::verdict::Verdict;
+
+/// The margin that guidelines for certification ask for: an excitation must be 5 % away from a natural frequency (Germanischer Lloyd, *Guideline
+/// for the Certification of Wind Turbines*, 2010; DIBt, *Richtlinie für Windenergieanlagen*, 2012: f_R/f₀ ≤ 0.95 or ≥ 1.05).
+pub const DEFAULT_MARGIN: f64 = 0.05;
+
+/// What is asked of a diagram.
+#[derive(Debug, Clone, PartialEq)]
+pub struct CampbellOptions {
+    /// The least relative distance |n Ω/f − 1| of an excitation to a natural frequency that passes.
+    pub margin: f64,
+    /// Which multiples of the rotor's speed; empty is the speed itself and one, two and three times the number of blades.
+    pub multiples: Vec<usize>,
+    /// How many modes of a blade, from the lowest.
+    pub blade_modes: usize,
+    /// How many speeds from standstill to beyond the highest a blade is solved at.
+    pub speeds: usize,
+}
+
+/// What has a natural frequency.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Excited {
+    /// A mode of the tower: its number in the list of its solution, from 1, its family and order.
+    Tower {
+        /// Its number.
+        number: usize,
+        /// Its family.
+        family: Family,
+        /// Its order in the family.
+        order: usize,
+    },
+    /// A mode of a rotating blade, followed from speed to speed: its family and order at standstill.
+    Blade {
+        /// Its family.
+        family: BladeFamily,
+        /// Its order in the family.
+        order: usize,
+    },
+}
+
+/// A natural frequency against the rotor's speed.
+#[derive(Debug, Clone, PartialEq)]
+pub struct FrequencyLine {
+    /// Of what.
+    pub of: Excited,
+    /// What it is called: "1st fore-aft bending", "blade 1st flap".
+    pub label: String,
+    /// Rotor speed (rpm) and frequency (Hz) by rising speed, from standstill; of a tower's mode the two ends.
+    pub points: Vec<[f64; 2]>,
+    /// The largest estimated error of the frequencies, Hz.
+    pub error_hz: f64,
+}
+
+/// How far an excitation stays from a natural frequency in operation.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Margin {
+    /// Which line of the diagram, from 0.
+    pub line: usize,
+    /// Which multiple n of the rotor's speed Ω.
+    pub multiple: usize,
+    /// The speed of operation at which they are nearest, rpm.
+    pub nearest_rpm: f64,
+    /// The excitation n Ω there, Hz.
+    pub excitation_hz: f64,
+    /// The natural frequency f there, Hz.
+    pub natural_hz: f64,
+    /// n Ω/f − 1 there: negative where the excitation stays below, zero where they meet.
+    pub distance: f64,
+    /// What it is worth.
+    pub verdict: Verdict,
+}
+
+/// Where the first bending frequency of a tower lies among the excitations.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum StiffnessClass {
+    /// Below the rotor's lowest speed.
+    SoftSoft,
+    /// Between the rotor's highest speed and the lowest passing frequency of the blades.
+    SoftStiff,
+    /// Above the highest passing frequency of the blades.
+    StiffStiff,
+    /// Within the range of this multiple of the rotor's speed: it is met in operation.
+    Met {
+        /// The multiple: 1 or the number of blades.
+        multiple: usize,
+    },
+}
+
+/// Natural frequencies against the speed of a rotor, with margins.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Campbell {
+    /// The rotor.
+    pub rotor: Rotor,
+    /// The margin asked for.
+    pub margin: f64,
+    /// The multiples of the rotor's speed, rising.
+    pub multiples: Vec<usize>,
+    /// The lines: modes of the tower by frequency, then those of the blade.
+    pub lines: Vec<FrequencyLine>,
+    /// Every line against every multiple, by line, then by multiple.
+    pub margins: Vec<Margin>,
+    /// Where the first fore-aft and the first side-side mode lie, if they are in the list.
+    pub classes: Vec<(Family, StiffnessClass)>,
+}
+
+/// Why there is no diagram.
+#[derive(Debug, Clone, PartialEq, Error)]
+pub enum CampbellError {
+    /// A margin that is none.
+    #[error("the margin is {margin}, but it must be above 0 and below 1")]
+    Margin {
+        /// The margin.
+        margin: f64,
+    },
+    /// A multiple of nothing.
+    #[error("a multiple of the rotor's speed is 0")]
+    Multiple,
+    /// Too few speeds, or more than anybody looks at.
+    #[error("{speeds} speeds; a blade's modes are followed over 2 to 1000")]
+    Speeds {
+        /// How many.
+        speeds: usize,
+    },
+    /// A blade that cannot be solved at a speed.
+    #[error("the blade at {rotor_speed_rpm} rpm: {error}")]
+    Blade {
+        /// The speed, rpm.
+        rotor_speed_rpm: f64,
+        /// Why.
+        error: SolveError,
+    },
+}
