@@ -1,0 +1,270 @@
+//! The report in a real browser: what moves, what can be reached, what can be read.
+//!
+//! `TOWERMODES_BROWSER` names a Chromium; without it these tests are skipped. `TOWERMODES_SCREENSHOTS` names a folder for pictures of the pages.
+
+mod browser;
+mod report;
+
+use serde_json::Value;
+
+use browser::{OpenPage, View, WIDE};
+use report::{EXAMPLES, report_of};
+
+const READABLE: &str = include_str!("readable.js");
+const LABELS: &str = include_str!("labels.js");
+
+/// The outlines of the moving tower in the three views.
+const OUTLINES: &str = "[...document.querySelectorAll('#animation path.deformed')].map(path => path.getAttribute('d')).join('|')";
+
+fn page(view: View) -> Option<OpenPage> {
+    OpenPage::open(|| report_of("nrel-5mw.toml"), view)
+}
+
+#[test]
+fn play_moves_the_shape_and_pause_stops_it() {
+    let Some(page) = page(WIDE) else { return };
+    let before = page.text(OUTLINES);
+    std::thread::sleep(std::time::Duration::from_millis(200));
+    assert_eq!(
+        page.text(OUTLINES),
+        before,
+        "it moves before anybody wants it"
+    );
+    page.click("#animation-play");
+    assert_eq!(
+        page.text("document.querySelector('#animation-play').getAttribute('aria-pressed')"),
+        "true"
+    );
+    page.wait_for(&format!("{OUTLINES} !== {}", Value::from(before)));
+    page.click("#animation-play");
+    assert_eq!(
+        page.text("document.querySelector('#animation-play').getAttribute('aria-pressed')"),
+        "false"
+    );
+    let stopped = page.text(OUTLINES);
+    std::thread::sleep(std::time::Duration::from_millis(200));
+    assert_eq!(page.text(OUTLINES), stopped, "it does not stop");
+    page.was_quiet();
+}
+
+#[test]
+fn keys_play_and_choose_modes() {
+    let Some(page) = page(WIDE) else { return };
+    page.value("document.querySelector('#animation-play').focus()");
+    page.press(" ");
+    page.wait_for(
+        "document.querySelector('#animation-play').getAttribute('aria-pressed') === 'true'",
+    );
+    page.press(" ");
+    page.wait_for(
+        "document.querySelector('#animation-play').getAttribute('aria-pressed') === 'false'",
+    );
+    page.value("document.querySelector('input[name=animation-mode]:checked').focus()");
+    let before = page.text(OUTLINES);
+    page.press("ArrowDown");
+    page.wait_for("document.querySelectorAll('input[name=animation-mode]')[1].checked");
+    page.wait_for(&format!("{OUTLINES} !== {}", Value::from(before)));
+    page.was_quiet();
+}
+
+#[test]
+fn speed_amplitude_and_phase_do_what_they_say() {
+    let Some(page) = page(WIDE) else { return };
+    let speed = || page.text("document.querySelector('#animation-speed').textContent");
+    let before = speed();
+    page.click("#animation-slower");
+    assert_ne!(speed(), before);
+    page.click("#animation-faster");
+    assert_eq!(speed(), before);
+    for slider in ["#animation-amplitude", "#animation-phase"] {
+        let before = page.text(OUTLINES);
+        page.value(&format!("document.querySelector('{slider}').focus()"));
+        for _ in 0..3 {
+            page.press("ArrowLeft");
+        }
+        page.wait_for(&format!("{OUTLINES} !== {}", Value::from(before)));
+    }
+    page.was_quiet();
+}
+
+#[test]
+fn the_first_mode_bends_the_side_view_alone() {
+    let Some(page) = page(WIDE) else { return };
+    // The label says which view shows it.
+    let label = page.text(
+        "document.querySelector('input[name=animation-mode]:checked').closest('label').textContent",
+    );
+    let moves = |view: &str| {
+        page.value(&format!(
+            "document.querySelector('#view-{view} path.deformed').getAttribute('d') !== document.querySelector('#view-{view} path.undeformed').getAttribute('d')"
+        ))
+    };
+    let (seen, unseen) = if label.contains("side-side") {
+        ("front", "side")
+    } else {
+        ("side", "front")
+    };
+    assert_eq!(moves(seen), Value::Bool(true), "{label}: {seen}");
+    assert_eq!(moves(unseen), Value::Bool(false), "{label}: {unseen}");
+}
+
+#[test]
+fn the_theme_follows_the_reader_and_the_button() {
+    let Some(page) = page(WIDE) else { return };
+    let ground = || page.text("getComputedStyle(document.body).backgroundColor");
+    let light = ground();
+    page.look(View {
+        is_dark: true,
+        ..WIDE
+    });
+    let dark = ground();
+    assert_ne!(light, dark);
+    for expected in [&dark, &light] {
+        // Whatever the order of the button's states, each of both is reached.
+        let mut presses = 0;
+        while ground() != *expected {
+            page.click("#theme");
+            presses += 1;
+            assert!(presses < 4, "the button does not reach {expected}");
+        }
+    }
+    page.was_quiet();
+}
+
+#[test]
+fn everything_can_be_read_in_both_themes_and_on_narrow_windows() {
+    for (name, view) in [
+        ("light", WIDE),
+        (
+            "dark",
+            View {
+                is_dark: true,
+                ..WIDE
+            },
+        ),
+        (
+            "narrow",
+            View {
+                width: 390,
+                is_dark: false,
+            },
+        ),
+    ] {
+        let Some(page) = page(view) else { return };
+        page.keep_picture(name);
+        let unreadable = page.value(READABLE);
+        assert_eq!(
+            unreadable,
+            Value::Array(vec![]),
+            "{name}: contrast below 4.5"
+        );
+        let beyond = page
+            .value("document.documentElement.scrollWidth - document.documentElement.clientWidth");
+        assert_eq!(
+            beyond,
+            Value::from(0),
+            "{name}: the page is wider than its window"
+        );
+        page.was_quiet();
+    }
+}
+
+#[test]
+fn every_example_is_quiet_and_its_labels_are_inside_their_pictures() {
+    for example in EXAMPLES {
+        let Some(page) = OpenPage::open(|| report_of(example), WIDE) else {
+            return;
+        };
+        assert_eq!(page.value(LABELS), Value::Array(vec![]), "{example}");
+        page.click("#animation-play");
+        page.wait_for(
+            "document.querySelector('#animation-play').getAttribute('aria-pressed') === 'true'",
+        );
+        page.was_quiet();
+    }
+}
+
+#[test]
+fn every_picture_has_words_and_numbers() {
+    let Some(page) = page(WIDE) else { return };
+    let pictures = page.value("document.querySelectorAll('figure svg[role=img]').length");
+    assert!(
+        pictures.as_u64().is_some_and(|count| count >= 3),
+        "{pictures}"
+    );
+    let speechless = page.value(
+        "[...document.querySelectorAll('svg[role=img]')].filter(svg => !svg.querySelector('title')?.textContent || !svg.querySelector('desc')?.textContent).length",
+    );
+    assert_eq!(
+        speechless,
+        Value::from(0),
+        "pictures without title or description"
+    );
+    let without_numbers = page.value(
+        "[...document.querySelectorAll('figure')].filter(figure => figure.querySelector('svg[role=img]') && !figure.querySelector('details table tbody tr')).map(figure => figure.id)",
+    );
+    assert_eq!(
+        without_numbers,
+        Value::Array(vec![]),
+        "pictures without a table"
+    );
+    let nameless = page.value(
+        "[...document.querySelectorAll('table')].filter(table => !table.caption || !table.querySelector('th[scope]')).length",
+    );
+    assert_eq!(nameless, Value::from(0), "tables without caption or scope");
+}
+
+#[test]
+fn every_control_is_reached_by_the_keyboard_and_shows_it() {
+    let Some(page) = page(WIDE) else { return };
+    let mut reached = Vec::new();
+    for _ in 0..120 {
+        page.press("Tab");
+        let here = page.value(
+            "(() => { const e = document.activeElement; const s = getComputedStyle(e); return [e.id || e.name || e.tagName, s.outlineStyle !== 'none' || s.boxShadow !== 'none']; })()",
+        );
+        assert_eq!(
+            here[1],
+            Value::Bool(true),
+            "no focus to be seen on {}",
+            here[0]
+        );
+        reached.push(here[0].as_str().unwrap_or_default().to_owned());
+        if reached.last().is_some_and(|name| name == "animation-phase") {
+            break;
+        }
+    }
+    for control in [
+        "theme",
+        "animation-play",
+        "animation-slower",
+        "animation-faster",
+        "animation-mode",
+        "animation-amplitude",
+        "animation-phase",
+    ] {
+        assert!(
+            reached.iter().any(|name| name == control),
+            "{control} is not among {reached:?}"
+        );
+    }
+}
+
+#[test]
+fn it_prints_on_a4() {
+    let Some(page) = page(View {
+        is_dark: true,
+        ..WIDE
+    }) else {
+        return;
+    };
+    let pdf = page.pdf();
+    assert!(pdf.starts_with(b"%PDF"));
+    let text = String::from_utf8_lossy(&pdf);
+    let pages = text.matches("/Type /Page").count() - text.matches("/Type /Pages").count();
+    assert!((2..=16).contains(&pages), "{pages} pages");
+    if let Some(folder) = std::env::var_os("TOWERMODES_SCREENSHOTS") {
+        std::fs::write(std::path::Path::new(&folder).join("print.pdf"), &pdf).expect("a file");
+    }
+    page.was_quiet();
+}
