@@ -51,14 +51,14 @@ pub use rotor::Rotor;
 pub use solve::{
     BladeFamily, BladeMode, BladeSolution, Certificate, DEFAULT_MODES, DEFAULT_POINTS,
     DEFAULT_SEGMENTS, MAX_DEGREE, MAX_POINTS, MAX_SEGMENTS, MAX_SPECTRAL_ELEMENTS,
-    MAX_VECTOR_BYTES, Mode, Options, Solution, SolveError, Workspace, solve, solve_blade,
-    solve_with,
+    MAX_VECTOR_BYTES, Mode, Options, Progress, Solution, SolveError, Stage, Workspace, solve,
+    solve_blade, solve_with,
 };
 pub use tower::{
     AddedMassRow, FloatingPlatform, Foundation, FoundationSprings, HalfSpace, Inertia, Material,
-    Place, Plane, Planes, PointMass, Problem, Properties, PropertyStation, ReferredMatrix,
-    RigidBody, Rna, Shear, SoilRow, SoilStiffness, Station, StiffnessFoundation, Tower,
-    TowerDescription, TowerError, Water, Wires,
+    PartNames, Place, Plane, Planes, PointMass, Problem, Properties, PropertyStation,
+    ReferredMatrix, RigidBody, Rna, Shear, SoilRow, SoilStiffness, Station, StiffnessFoundation,
+    Tower, TowerDescription, TowerError, Water, Wires,
 };
 pub use verdict::Verdict;
 pub use warning::Warning;

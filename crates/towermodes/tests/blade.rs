@@ -315,6 +315,13 @@ fn what_no_blade_can_have_is_refused() {
     let not_positive = |error: BladeError| matches!(error, BladeError::NotPositive { .. });
     assert!(not_positive(refused(|d| d.sections[1].mass_kg_per_m = 0.0)));
     assert!(not_positive(refused(|d| d.sections[0].torsion_n_m2 = -1.0)));
+    // A blade that does not twist may have no polar inertia, but no negative one.
+    assert!(not_positive(refused(|d| {
+        for section in &mut d.sections {
+            section.torsion_n_m2 = f64::INFINITY;
+            section.flap_inertia_kg_m = -2.0 * section.edge_inertia_kg_m;
+        }
+    })));
     let nan = refused(|d| d.sections[0].twist_rad = f64::NAN);
     assert!(matches!(nan, BladeError::NotFinite { .. }));
     let short = refused(|d| d.borders.truncate(3));
@@ -327,4 +334,95 @@ fn what_no_blade_can_have_is_refused() {
     assert!(matches!(backwards, BladeError::NoLength { .. }));
     let light = refused(|d| d.tip.mass_kg = -1.0);
     assert!(matches!(light, BladeError::NegativeTip { .. }));
+}
+
+/// A twisted blade whose masses lie off its axis, so that it twists and stretches as it bends.
+fn coupled(torsion_n_m2: f64, axial_n: f64) -> BladeDescription {
+    let root = BladeSection {
+        twist_rad: 0.3,
+        edge_n_m2: 5.0,
+        center_of_mass_m: 0.05,
+        flap_inertia_kg_m: 1e-3,
+        edge_inertia_kg_m: 4e-3,
+        torsion_n_m2,
+        axial_n,
+        ..SECTION
+    };
+    let mut description = uniform(root, 12);
+    description.sections[1].twist_rad = -0.1;
+    description.rotor_speed_rad_per_s = 4.0;
+    description
+}
+
+/// What a finite stiffness x adds to the compliance is c/x: a tenth of it moves frequencies ten times as much.
+#[test]
+fn infinite_stiffness_is_the_limit_of_large_ones() {
+    let rigid = frequencies(coupled(f64::INFINITY, f64::INFINITY), 4);
+    let twisting = |torsion: f64| frequencies(coupled(torsion, f64::INFINITY), 4);
+    let stretching = |axial: f64| frequencies(coupled(f64::INFINITY, axial), 4);
+    let limits = [
+        (twisting(1e4), twisting(1e5), 2e-4),
+        (stretching(1e4), stretching(1e5), 2e-3),
+    ];
+    for (soft, stiff, largest) in limits {
+        for ((soft, stiff), rigid) in soft.iter().zip(&stiff).zip(&rigid) {
+            let (far, near) = (soft / rigid - 1.0, stiff / rigid - 1.0);
+            assert!(far.abs() < largest, "{far:e}");
+            assert!(
+                (far - 10.0 * near).abs() < 0.02 * far.abs() + 1e-10,
+                "{far:e} {near:e}"
+            );
+        }
+    }
+}
+
+#[test]
+fn a_blade_that_neither_twists_nor_stretches_only_bends() {
+    let families = |description: BladeDescription, modes: usize| {
+        let blade = Blade::new(description).expect("a blade");
+        let solution = solve_blade(&blade, modes, &[]).expect("solved");
+        let families = solution.modes.into_iter().map(|mode| mode.family);
+        (solution.degrees_of_freedom, families.collect::<Vec<_>>())
+    };
+    // Twelve elements with two curvatures in each direction.
+    let (count, all) = families(coupled(f64::INFINITY, f64::INFINITY), 48);
+    assert_eq!(count, 48);
+    let bends = |family: &BladeFamily| matches!(family, BladeFamily::Flap | BladeFamily::Lag);
+    assert!(all.iter().all(bends), "{all:?}");
+    let (count, all) = families(coupled(0.01, f64::INFINITY), 20);
+    assert_eq!(count, 72);
+    assert!(all.contains(&BladeFamily::Torsion));
+    assert!(!all.contains(&BladeFamily::Axial));
+    let (count, all) = families(coupled(f64::INFINITY, 100.0), 20);
+    assert_eq!(count, 84);
+    assert!(all.contains(&BladeFamily::Axial));
+    assert!(!all.contains(&BladeFamily::Torsion));
+}
+
+#[test]
+fn a_blade_is_rigid_everywhere_or_nowhere() {
+    let refused = |change: fn(&mut BladeDescription)| {
+        let mut description = coupled(1.0, 1e7);
+        change(&mut description);
+        Blade::new(description).expect_err("no blade")
+    };
+    let some = refused(|d| d.sections[1].torsion_n_m2 = f64::INFINITY);
+    assert!(matches!(
+        some,
+        BladeError::RigidInSomeSections { section: 1, .. }
+    ));
+    let some = refused(|d| d.sections[0].axial_n = f64::INFINITY);
+    assert!(matches!(
+        some,
+        BladeError::RigidInSomeSections { section: 1, .. }
+    ));
+    let bending = refused(|d| d.sections[0].flap_n_m2 = f64::INFINITY);
+    assert!(matches!(bending, BladeError::NotFinite { .. }));
+    let off_axis = refused(|d| {
+        for section in &mut d.sections {
+            section.axial_n = f64::INFINITY;
+            section.tension_center_m = 0.01;
+        }
+    });
+    assert!(matches!(off_axis, BladeError::TensionCenter { .. }));
 }

@@ -3,7 +3,8 @@
 mod towers;
 
 use towermodes::{
-    Inertia, Material, Method, Options, PointMass, Rna, Station, TowerDescription, Warning,
+    Inertia, Material, Method, Options, PointMass, Rna, Rotor, Station, Tower, TowerDescription,
+    Warning,
 };
 use towers::{elliptic, reference, reference_350t, rich, solved};
 
@@ -67,6 +68,36 @@ fn walls_outside_a_500th_to_a_tenth_of_the_diameter() {
     assert!(warned(wall(1.0 / 10.1)).is_empty());
     assert!(only(wall(1.0 / 510.0)).contains("1/510.0 of the diameter 6 m"));
     assert!(only(wall(1.0 / 9.5)).contains("1/9.5 of the diameter 6 m"));
+}
+
+#[test]
+fn rotors_outside_3_to_100_rpm_on_towers_over_20_m() {
+    let turning = |highest_rpm: f64| Rotor {
+        blades: 3,
+        lowest_rpm: 0.0,
+        highest_rpm,
+    };
+    let tower = Tower::new(reference_350t()).expect("a tower");
+    let said = |highest_rpm: f64| {
+        let warnings = tower.rotor_warnings(&turning(highest_rpm));
+        let texts = warnings.iter().map(ToString::to_string);
+        texts.collect::<Vec<String>>().join("\n")
+    };
+    assert_eq!((said(3.0), said(100.0)), (String::new(), String::new()));
+    assert!(said(101.0).contains("101 rpm"));
+    // 1.27 rad/s is 12.1 rpm.
+    assert!(said(1.27).contains("1 rad/s is 9.55 rpm"));
+    // A solve of the tower has nothing to do with it.
+    assert_eq!(warned(|t| t.rotor = Some(turning(1.27))), []);
+    let small = TowerDescription {
+        stations: vec![
+            Station::new(0.0, 0.6, 0.008),
+            Station::new(19.0, 0.4, 0.006),
+        ],
+        ..reference_350t()
+    };
+    let small = Tower::new(small).expect("a tower");
+    assert_eq!(small.rotor_warnings(&turning(200.0)), []);
 }
 
 #[test]

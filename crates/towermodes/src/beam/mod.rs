@@ -17,6 +17,6 @@ pub use elimination::{Factors, count_negative, factorize, solve};
 pub use legendre::{Legendre, Term, gauss_points};
 pub use model::Beam;
 pub use product::{base_excitation, motions, product};
-pub(crate) use rotating::assemble_blade;
+pub(crate) use rotating::{assemble_blade, blade_coordinates};
 pub use strain::{Deformation, Strain};
 pub use structure::{BeamWork, Beams};

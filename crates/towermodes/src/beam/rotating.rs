@@ -36,7 +36,9 @@ pub(crate) fn assemble_blade(blade: &Blade, borders: &[f64], beam: &mut Beam<6>)
     let all = Motion::ALL.into_iter().map(Motions::only);
     let all = all.fold(Motions::default(), Motions::and);
     beam.clear();
-    beam.deform(deformations(all, SPACE, coordinates));
+    beam.deform(deformations(all, SPACE, |strain| {
+        coordinates(blade, strain)
+    }));
     let mut stencil = Stencil::default();
     stencil.prepare(POINTS, 3);
     let mut outside_n = tensions_outside(blade, borders);
@@ -59,13 +61,26 @@ pub(crate) fn assemble_blade(blade: &Blade, borders: &[f64], beam: &mut Beam<6>)
     }
 }
 
-/// How many polynomials each strain of BModes' element has.
-fn coordinates(strain: Strain) -> usize {
+/// How many polynomials each strain of BModes' element has; none where the blade's stiffness is infinite.
+fn coordinates(blade: &Blade, strain: Strain) -> usize {
+    let is_rigid = |stiffness: fn(&BladeSection) -> f64| {
+        let first = blade.description().sections.first();
+        first.map(stiffness) == Some(f64::INFINITY)
+    };
     match strain {
-        Strain::Curvature(_) | Strain::Twist => 2,
+        Strain::Curvature(_) => 2,
         Strain::Shear(_) => 0,
+        Strain::Twist if is_rigid(|section| section.torsion_n_m2) => 0,
+        Strain::Twist => 2,
+        Strain::Stretch if is_rigid(|section| section.axial_n) => 0,
         Strain::Stretch => 3,
     }
+}
+
+/// How many unknowns an element of a blade has.
+pub(crate) fn blade_coordinates(blade: &Blade) -> usize {
+    let strains = Strain::ALL.into_iter();
+    strains.map(|strain| coordinates(blade, strain)).sum()
 }
 
 /// The centrifugal force of all that is outside each element, N, from the root to the tip.

@@ -30,6 +30,7 @@ impl Blade {
         check_tip(&description)?;
         for (index, section) in description.sections.iter().enumerate() {
             check_section(index, section)?;
+            check_rigidity(index, section, &description.sections[0])?;
         }
         let spans: Vec<f64> = description.sections.iter().map(|s| s.span).collect();
         check_range("sections", &spans, |a, b| a <= b)?;
@@ -79,7 +80,8 @@ impl Blade {
         };
         let blend = |value: fn(&BladeSection) -> f64| {
             let (a, b) = (value(a), value(b));
-            a + s * (b - a)
+            // Infinite is infinite all the way.
+            if a == b { a } else { a + s * (b - a) }
         };
         let mass_kg_per_m = blend(|s| s.mass_kg_per_m);
         BladeSection {
@@ -136,14 +138,15 @@ fn check_section(section: usize, values: &BladeSection) -> Result<(), BladeError
         ("a section's flap inertia", values.flap_inertia_kg_m),
         ("a section's edge inertia", values.edge_inertia_kg_m),
     ])?;
-    let polar = values.flap_inertia_kg_m + values.edge_inertia_kg_m;
     let positive = [
         ("the mass per length", values.mass_kg_per_m),
         ("the flap stiffness", values.flap_n_m2),
         ("the edge stiffness", values.edge_n_m2),
-        ("the torsional stiffness", values.torsion_n_m2),
-        ("the axial stiffness", values.axial_n),
-        ("the sum of both inertias", polar),
+        ("the axial stiffness", or_one_if_infinite(values.axial_n)),
+        (
+            "the torsional stiffness",
+            or_one_if_infinite(values.torsion_n_m2),
+        ),
     ];
     for (quantity, value) in positive {
         finite([(quantity, value)])?;
@@ -155,9 +158,31 @@ fn check_section(section: usize, values: &BladeSection) -> Result<(), BladeError
             });
         }
     }
+    check_polar_inertia(section, values)?;
+    check_tension_center(section, values)
+}
+
+/// What twists must have a polar inertia; what does not may have none, but no negative one.
+fn check_polar_inertia(section: usize, values: &BladeSection) -> Result<(), BladeError> {
+    let quantity = "the sum of both inertias";
+    let value = values.flap_inertia_kg_m + values.edge_inertia_kg_m;
+    finite([(quantity, value)])?;
+    let is_rigid = values.torsion_n_m2 == f64::INFINITY;
+    if value > 0.0 || (is_rigid && value == 0.0) {
+        return Ok(());
+    }
+    Err(BladeError::NotPositive {
+        quantity,
+        section,
+        value,
+    })
+}
+
+/// EA e² is a part of EI about the elastic axis.
+fn check_tension_center(section: usize, values: &BladeSection) -> Result<(), BladeError> {
     let (offset_m, axial_n, edge_n_m2) =
         (values.tension_center_m, values.axial_n, values.edge_n_m2);
-    if axial_n * offset_m * offset_m < edge_n_m2 {
+    if offset_m == 0.0 || axial_n * offset_m * offset_m < edge_n_m2 {
         return Ok(());
     }
     Err(BladeError::TensionCenter {
@@ -166,6 +191,41 @@ fn check_section(section: usize, values: &BladeSection) -> Result<(), BladeError
         axial_n,
         edge_n_m2,
     })
+}
+
+/// Infinity, which is a motion that is not there, passes for 1.
+fn or_one_if_infinite(stiffness: f64) -> f64 {
+    if stiffness == f64::INFINITY {
+        1.0
+    } else {
+        stiffness
+    }
+}
+
+/// A blade twists, or stretches, everywhere or nowhere.
+fn check_rigidity(
+    section: usize,
+    values: &BladeSection,
+    first: &BladeSection,
+) -> Result<(), BladeError> {
+    let stiffnesses = [
+        (
+            "the torsional stiffness",
+            values.torsion_n_m2,
+            first.torsion_n_m2,
+        ),
+        ("the axial stiffness", values.axial_n, first.axial_n),
+    ];
+    let differs = |(_, value, first): &(&str, f64, f64)| value.is_infinite() != first.is_infinite();
+    match stiffnesses.into_iter().find(differs) {
+        None => Ok(()),
+        Some((quantity, value, first)) => Err(BladeError::RigidInSomeSections {
+            quantity,
+            section,
+            value,
+            first,
+        }),
+    }
 }
 
 /// From 0 to 1, and rising.

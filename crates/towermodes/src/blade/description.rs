@@ -45,9 +45,9 @@ pub struct BladeSection {
     pub flap_n_m2: f64,
     /// Bending stiffness in lag, N m².
     pub edge_n_m2: f64,
-    /// Torsional stiffness GJ, N m².
+    /// Torsional stiffness GJ, N m²; infinite, in all sections, for a blade that does not twist.
     pub torsion_n_m2: f64,
-    /// Axial stiffness EA, N.
+    /// Axial stiffness EA, N; infinite, in all sections and without a tension centre off the axis, for a blade that does not stretch.
     pub axial_n: f64,
     /// Offset of the centre of mass from the axis along the section's own X, m.
     pub center_of_mass_m: f64,

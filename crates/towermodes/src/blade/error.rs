@@ -41,6 +41,22 @@ pub enum BladeError {
         /// EI in lag, N m².
         edge_n_m2: f64,
     },
+    /// Infinite in some sections only.
+    #[error(
+        "{quantity} is {first:e} in section 1 and {value:e} in section {}: it is infinite in all sections, for a blade that does not move \
+         so, or in none",
+        .section + 1
+    )]
+    RigidInSomeSections {
+        /// What it is.
+        quantity: &'static str,
+        /// Of which section.
+        section: usize,
+        /// The value there.
+        value: f64,
+        /// The value of the first section.
+        first: f64,
+    },
     /// A hub beyond the tip, or a negative one.
     #[error("the blade reaches from radius {} m to {} m", Plain(*.hub_m), Plain(*.tip_m))]
     NoLength {

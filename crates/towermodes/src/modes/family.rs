@@ -131,7 +131,7 @@ impl Family {
 }
 
 /// A number as 1st, 2nd, 3rd, 4th …
-struct Ordinal(usize);
+pub(crate) struct Ordinal(pub(crate) usize);
 
 impl fmt::Display for Ordinal {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {

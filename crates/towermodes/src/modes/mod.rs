@@ -14,6 +14,7 @@ pub use chain_curves::ChainCurves;
 pub use discretization::{Estimate, richardson};
 pub use energy::{ByMotion, Energy};
 pub use family::Family;
+pub(crate) use family::Ordinal;
 pub(crate) use rigid::{RigidBody, rigid_names};
 pub use sampling::{ModeCurve, SegmentCurves};
 pub use shape::ShapePoint;

@@ -3,8 +3,11 @@
 use thiserror::Error;
 
 use super::description::Rotor;
+use crate::blade::BladeError;
 use crate::modes::Family;
+use crate::number::significant;
 use crate::solve::{BladeFamily, SolveError};
+use crate::tower::TowerError;
 use crate::verdict::Verdict;
 
 /// The margin that guidelines for certification ask for: an excitation must be 5 % away from a natural frequency (Germanischer Lloyd, *Guideline
@@ -20,7 +23,8 @@ pub struct CampbellOptions {
     pub multiples: Vec<usize>,
     /// How many modes of a blade, from the lowest.
     pub blade_modes: usize,
-    /// How many speeds from standstill to beyond the highest a blade is solved at.
+    /// How many equally spaced speeds from standstill to [`BEYOND_OPERATION`](super::BEYOND_OPERATION) times the highest a blade is solved
+    /// at, 2 to 1000; the lowest and the highest speed of operation come in addition where they are not among them.
     pub speeds: usize,
 }
 
@@ -56,6 +60,17 @@ pub struct FrequencyLine {
     pub points: Vec<[f64; 2]>,
     /// The largest estimated error of the frequencies, Hz.
     pub error_hz: f64,
+    /// Why it ends before the others; none if it goes on to the end.
+    pub lost: Option<LineEnd>,
+}
+
+/// Where a mode of a blade was lost: none of the modes at the next speed is like it, and its line ends before.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct LineEnd {
+    /// The speed at which it is not found, rpm.
+    pub rotor_speed_rpm: f64,
+    /// How alike the mode is that was left for it there: the modal assurance criterion, 0 to 1, where 1 is the same shape.
+    pub alike: f64,
 }
 
 /// How far an excitation stays from a natural frequency in operation.
@@ -65,7 +80,7 @@ pub struct Margin {
     pub line: usize,
     /// Which multiple n of the rotor's speed Ω.
     pub multiple: usize,
-    /// The speed of operation at which they are nearest, rpm.
+    /// The speed of operation at which they are nearest, rpm; of a line that was lost as far as it goes.
     pub nearest_rpm: f64,
     /// The excitation n Ω there, Hz.
     pub excitation_hz: f64,
@@ -77,7 +92,19 @@ pub struct Margin {
     pub verdict: Verdict,
 }
 
+impl Margin {
+    /// Whether it is worth a look: the excitation is less than a factor 2 from the natural frequency, or the pair does not pass.
+    pub fn is_near(&self) -> bool {
+        let ratio = 1.0 + self.distance;
+        self.verdict != Verdict::Pass || (0.5 < ratio && ratio < 2.0)
+    }
+}
+
 /// Where the first bending frequency of a tower lies among the excitations.
+///
+/// The rotor's speed excites from its lowest to its highest speed, its blades' passing from the number of blades times the one to that times
+/// the other. Where both ranges overlap (a wide range of speeds), what is in both counts as met by the rotor's speed, and nothing is soft-stiff.
+/// A rotor of one blade has one range: below it is soft-soft, above it stiff-stiff.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum StiffnessClass {
     /// Below the rotor's lowest speed.
@@ -102,11 +129,13 @@ pub struct Campbell {
     pub margin: f64,
     /// The multiples of the rotor's speed, rising.
     pub multiples: Vec<usize>,
+    /// The frequency below which every mode of the tower is in the list, Hz; none if all modes are.
+    pub known_to_hz: Option<f64>,
     /// The lines: modes of the tower by frequency, then those of the blade.
     pub lines: Vec<FrequencyLine>,
     /// Every line against every multiple, by line, then by multiple.
     pub margins: Vec<Margin>,
-    /// Where the first fore-aft and the first side-side mode lie, if they are in the list.
+    /// Where the lowest mode that bends the tower fore-aft lies, and that side-side, if they are in the list; a coupled mode may be both.
     pub classes: Vec<(Family, StiffnessClass)>,
 }
 
@@ -128,8 +157,17 @@ pub enum CampbellError {
         /// How many.
         speeds: usize,
     },
+    /// A rotor that cannot be.
+    #[error(transparent)]
+    Rotor(#[from] TowerError),
+    /// A solution whose shapes are at other heights than the tower's stations.
+    #[error("the solution is not of this tower")]
+    OtherTower,
+    /// A blade that cannot be.
+    #[error("the blade: {0}")]
+    NoBlade(#[from] BladeError),
     /// A blade that cannot be solved at a speed.
-    #[error("the blade at {rotor_speed_rpm} rpm: {error}")]
+    #[error("the blade at {} rpm: {error}", significant(*.rotor_speed_rpm))]
     Blade {
         /// The speed, rpm.
         rotor_speed_rpm: f64,

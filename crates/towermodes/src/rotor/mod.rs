@@ -1,10 +1,19 @@
 //! What a rotor excites: its speeds, the multiples of them, how far natural frequencies are from these, and what its blades do as it turns.
 
 mod campbell;
+mod class;
 mod description;
+mod diagram;
+mod margin;
+mod percent;
+mod reach;
+mod sweep;
+mod track;
 
 pub use campbell::{
-    Campbell, CampbellError, CampbellOptions, DEFAULT_MARGIN, Excited, FrequencyLine, Margin,
-    StiffnessClass,
+    Campbell, CampbellError, CampbellOptions, DEFAULT_MARGIN, Excited, FrequencyLine, LineEnd,
+    Margin, StiffnessClass,
 };
-pub use description::Rotor;
+pub use description::{BEYOND_OPERATION, FASTEST_RPM, MOST_BLADES, Rotor, Rpm};
+pub use diagram::campbell;
+pub use reach::reach_hz;

@@ -5,7 +5,7 @@ use std::f64::consts::TAU;
 use super::options::{MAX_VECTOR_BYTES, SolveError};
 use super::solution::Certificate;
 use crate::Method;
-use crate::beam::{Beam, BeamWork, assemble_blade};
+use crate::beam::{Beam, BeamWork, assemble_blade, blade_coordinates};
 use crate::blade::Blade;
 use crate::eigen::{EigenError, EigenWorkspace, Pencil, Verdict, lowest, verify};
 use crate::modes::{BeamCurves, ByMotion, ModeCurve, ShapePoint, richardson};
@@ -95,6 +95,22 @@ pub fn solve_blade(
     modes: usize,
     radii_m: &[f64],
 ) -> Result<BladeSolution, SolveError> {
+    let mut solution = blade_modes(blade, modes, radii_m)?;
+    estimate(blade, &blade.description().borders, &mut solution.modes)?;
+    Ok(solution)
+}
+
+/// How many unknowns a blade has, and so modes.
+pub(crate) fn blade_degrees_of_freedom(blade: &Blade) -> usize {
+    blade_coordinates(blade) * (blade.description().borders.len() - 1)
+}
+
+/// [`solve_blade`] without the estimate of the elements' errors, which takes most of its time.
+pub(crate) fn blade_modes(
+    blade: &Blade,
+    modes: usize,
+    radii_m: &[f64],
+) -> Result<BladeSolution, SolveError> {
     let borders = &blade.description().borders;
     let elements = borders.len() - 1;
     if elements > MAX_BLADE_ELEMENTS {
@@ -114,7 +130,6 @@ pub fn solve_blade(
         certificate,
     };
     number_families(&mut solution.modes);
-    estimate(blade, borders, &mut solution.modes)?;
     Ok(solution)
 }
 

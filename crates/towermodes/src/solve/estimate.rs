@@ -5,7 +5,7 @@ use super::options::{Options, SolveError};
 use super::solution::Mode;
 use super::spectrum::{Spectrum, count_below};
 use super::stability::find_origin;
-use super::{Described, Workspace};
+use super::{Described, Stage, Workspace};
 use crate::eigen::EigenError;
 use crate::elements::Mesh;
 use crate::modes::{Estimate, richardson};
@@ -123,6 +123,7 @@ fn solve_ladder(
     let Workspace { model, spectrum } = workspace;
     let mut levels = Vec::with_capacity(ladder.meshes.len());
     let mut elsewhere = 0;
+    let mut others = 0;
     for (index, mesh) in ladder.meshes.iter().enumerate() {
         if index == ladder.own {
             levels.push(modes.iter().map(|mode| Some(mode.frequency_hz)).collect());
@@ -132,6 +133,12 @@ fn solve_ladder(
             mesh: mesh.clone(),
             degree: 0,
         };
+        others += 1;
+        model.watch.enter(Stage::Errors {
+            mesh: others,
+            meshes: ladder.meshes.len() - 1,
+            segments: mesh.segments(),
+        });
         model.assemble(tower, &cut, options);
         find_origin(tower, model)?;
         levels.push(frequencies(modes, model, spectrum)?);

@@ -11,13 +11,16 @@ mod solution;
 mod spectrum;
 mod stability;
 mod warnings;
+mod watch;
 
 pub use blade::{BladeFamily, BladeMode, BladeSolution, solve_blade};
+pub(crate) use blade::{blade_degrees_of_freedom, blade_modes};
 pub use options::{
     DEFAULT_MODES, DEFAULT_POINTS, DEFAULT_SEGMENTS, MAX_DEGREE, MAX_POINTS, MAX_SEGMENTS,
     MAX_SPECTRAL_ELEMENTS, MAX_VECTOR_BYTES, Options, SolveError,
 };
 pub use solution::{Certificate, Mode, Solution};
+pub use watch::{Progress, Stage};
 
 use crate::eigen::{EigenError, Statistics};
 use crate::elements::Mesh;
@@ -32,12 +35,37 @@ pub(crate) use spectrum::ModeKey;
 use spectrum::{Found, Proof, Spectrum};
 use stability::{buckling_load_factor, find_origin};
 use warnings::{uncertain_end, warnings};
+use watch::Watch;
 
 /// Memory that is reused from solve to solve.
 #[derive(Debug, Default)]
 pub struct Workspace {
     model: Model,
     spectrum: Spectrum,
+}
+
+impl Workspace {
+    /// Memory whose solves tell somebody what they are at, many times a second or never for a long time, as the tower is. What is computed is
+    /// the same.
+    ///
+    /// # Example
+    /// ```
+    /// use towermodes::{Material, Options, Station, Tower, TowerDescription, Workspace, solve_with};
+    ///
+    /// let tower = Tower::new(TowerDescription {
+    ///     materials: vec![Material::from_shear_modulus(8500.0, 2.1e11, 8.08e10)],
+    ///     stations: vec![Station::new(0.0, 6.0, 0.027), Station::new(87.6, 3.87, 0.019)],
+    ///     ..TowerDescription::default()
+    /// })?;
+    /// let mut workspace = Workspace::watched(|progress| eprintln!("{progress:?}"));
+    /// let solution = solve_with(&tower, &Options::default(), &mut workspace)?;
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn watched(observer: impl FnMut(Progress) + Send + Sync + 'static) -> Self {
+        let mut workspace = Self::default();
+        workspace.model.watch = Watch::new(Box::new(observer));
+        workspace
+    }
 }
 
 /// Finds the lowest modes of a tower.
@@ -134,8 +162,11 @@ fn describe(
     workspace: &mut Workspace,
 ) -> Result<Described, SolveError> {
     let Workspace { model, spectrum } = workspace;
+    model.watch.enter(Stage::Certificate);
     let proof = spectrum.prove(model, found, options.modes)?;
+    model.watch.enter(Stage::Buckling);
     let buckling_load_factor = buckling_load_factor(tower, model, Some(spectrum))?;
+    model.watch.enter(Stage::Shapes);
     let rigid_inertia = tower.rigid_inertia(options.has_rotary_inertia());
     let listed = &found[..found.len().min(options.modes + 1)];
     let identities = identify(tower, model, spectrum, listed, &rigid_inertia);
@@ -199,6 +230,10 @@ fn solve_cut(
 ) -> Result<Vec<Found>, SolveError> {
     options.check_memory(tower, cut)?;
     let Workspace { model, spectrum } = workspace;
+    model.watch.enter(Stage::Modes {
+        segments: cut.mesh.segments(),
+        degree: (options.method == Method::Spectral).then_some(cut.degree),
+    });
     model.assemble(tower, cut, options);
     if !model.is_finite() {
         return Err(EigenError::NotFinite.into());

@@ -1,6 +1,7 @@
 //! A tower as eigenvalue problems of independent parts, whatever the method.
 
 use super::options::Options;
+use super::watch::Watch;
 use crate::beam::{BeamWorkspace, Beams, assemble_beams};
 use crate::chain::Chains;
 use crate::eigen::Pencil;
@@ -28,6 +29,8 @@ pub(super) struct Model {
     assembly: BeamWorkspace,
     /// Where the spectrum begins, rad²/s²: 0, or below where nothing holds a floating tower in some direction.
     pub(super) origin: f64,
+    /// Who is told what is done with it.
+    pub(super) watch: Watch,
 }
 
 impl std::fmt::Debug for Model {
@@ -121,12 +124,14 @@ impl Model {
         first: Option<&[f64]>,
         act: impl FnOnce(&mut dyn Pencil) -> R,
     ) -> R {
+        let watch = &mut self.watch;
+        let watched = |pencil: &mut dyn Pencil| watch.over(pencil, act);
         if self.is_chain {
             let part = self.chains.part_mut(part);
-            part.with_pencil_beginning(problem, first, act)
+            part.with_pencil_beginning(problem, first, watched)
         } else {
             let part = self.beams.part_mut(part);
-            part.with_pencil_beginning(problem, first, act)
+            part.with_pencil_beginning(problem, first, watched)
         }
     }
 

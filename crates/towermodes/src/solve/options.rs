@@ -143,7 +143,7 @@ impl Options {
     }
 
     /// Whether sections have rotary inertia in bending: if told so, and never with BModes.
-    pub(crate) fn has_rotary_inertia(&self) -> bool {
+    pub fn has_rotary_inertia(&self) -> bool {
         self.rotary_inertia && self.method != Method::Bmodes
     }
 

@@ -2,6 +2,7 @@
 
 use super::foundation::Foundation;
 use super::material::Material;
+use super::part_names::PartNames;
 use super::properties::Properties;
 use super::surroundings::{AddedMassRow, SoilRow, Water, Wires};
 use crate::rotor::Rotor;
@@ -184,6 +185,8 @@ pub struct TowerDescription {
     pub gravity_m_per_s2: f64,
     /// The rotor, for what it excites; none unless told.
     pub rotor: Option<Rotor>,
+    /// What its parts are called; nothing unless told.
+    pub part_names: PartNames,
 }
 
 impl Default for TowerDescription {
@@ -204,6 +207,7 @@ impl Default for TowerDescription {
             wires: Vec::new(),
             gravity_m_per_s2: 0.0,
             rotor: None,
+            part_names: PartNames::default(),
         }
     }
 }

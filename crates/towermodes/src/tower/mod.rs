@@ -11,6 +11,7 @@ mod independent;
 mod integrals;
 mod material;
 mod on_axis;
+mod part_names;
 mod piece;
 mod planes;
 mod plausibility;
@@ -39,6 +40,7 @@ pub use integrals::{
 };
 pub use material::Material;
 pub use on_axis::{Line, OnAxis};
+pub use part_names::PartNames;
 pub use piece::{Piece, Profile};
 pub use planes::{Plane, Planes};
 pub use properties::Properties;
@@ -46,6 +48,7 @@ pub use rigid_body::RigidBody;
 pub use section::{Section, SectionMasses, Tube};
 pub use surroundings::{AddedMassRow, SoilRow, SoilStiffness, Water, Wires};
 
+pub(crate) use validate::check_rotor;
 use weight::Above;
 
 /// A tower that can exist: every property is finite and positive, every wall fits its tube, something holds it or it floats.
@@ -209,6 +212,18 @@ impl Tower {
         self.pieces[0].shears()
     }
 
+    /// Whether any section has rotary inertia in bending: tubes have, the rows of a table may not.
+    pub fn has_rotary_inertia(&self) -> bool {
+        let inertias = self
+            .properties
+            .iter()
+            .map(|row| row.properties.rotary_inertia_kg_m);
+        !self.stations.is_empty()
+            || inertias
+                .into_iter()
+                .any(|i| i.fore_aft != 0.0 || i.side_side != 0.0)
+    }
+
     /// Height z of the base in the user's datum, m.
     pub fn base_m(&self) -> f64 {
         self.pieces[0].base_m
@@ -237,6 +252,12 @@ impl Tower {
     /// What looks like a slip in the input, though it is possible.
     pub fn warnings(&self) -> &[crate::Warning] {
         &self.warnings
+    }
+
+    /// What looks like a slip in a rotor on this tower. It matters where its excitations are asked for, and so it is not among
+    /// [`warnings`](Self::warnings).
+    pub fn rotor_warnings(&self, rotor: &crate::Rotor) -> Vec<crate::Warning> {
+        plausibility::rotor_plausibility(self, rotor)
     }
 }
 

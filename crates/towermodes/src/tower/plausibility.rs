@@ -4,6 +4,7 @@ use super::foundation::{FloatingPlatform, Foundation};
 use super::validate::largest_asymmetry;
 use super::{Profile, Properties, Tower, Water};
 use crate::Warning;
+use crate::rotor::Rotor;
 use crate::space::SpatialMatrix;
 
 /// The warnings that the input alone gives rise to.
@@ -36,6 +37,15 @@ pub(super) fn plausibility(
     if let Some(water) = water {
         WATER.check(water.density_kg_per_m3, &mut warnings);
         ADDED_MASS.check(water.added_mass_coefficient, &mut warnings);
+    }
+    warnings
+}
+
+/// What is odd about the rotor on a tower.
+pub(super) fn rotor_plausibility(tower: &Tower, rotor: &Rotor) -> Vec<Warning> {
+    let mut warnings = Vec::new();
+    if tower.height_m() > 20.0 {
+        ROTOR_SPEED.check(rotor.highest_rpm, &mut warnings);
     }
     warnings
 }
@@ -167,6 +177,13 @@ const ADDED_MASS: Usual = Usual {
     unit: "",
     range: 0.0..=2.0,
     usual: "a cylinder has about 1",
+};
+/// Of a rotor on a tower of more than 20 m.
+const ROTOR_SPEED: Usual = Usual {
+    quantity: "the highest speed of the rotor",
+    unit: " rpm",
+    range: 3.0..=100.0,
+    usual: "rotors on towers of more than 20 m turn at 5 to 60 rpm; the unit is turns per minute, 1 rad/s is 9.55 rpm",
 };
 
 const AXIAL_WAVE: Usual = Usual {

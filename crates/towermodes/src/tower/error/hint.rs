@@ -65,6 +65,13 @@ impl Problem {
             Self::ShearCoefficient { .. } => {
                 "a thin tube has about 0.53; shear = true uses Cowper's value"
             }
+            Self::SpeedsFall { .. } => {
+                "rpm = [lowest, highest]; a rotor of constant speed has one number"
+            }
+            Self::RotorTooFast { .. } => "speeds are in turns per minute",
+            Self::Blades { .. } => {
+                "give the number of blades of the rotor, as 3; leave [rotor] out if there is none"
+            }
             Self::NotPositive { .. } | Self::Negative { .. } | Self::UnknownMaterial { .. } => {
                 return None;
             }

@@ -288,6 +288,36 @@ pub enum Problem {
         /// The value given.
         value: f64,
     },
+    /// A rotor without blades, or with more than any has.
+    #[error("the rotor has {count} blades, but rotors have 1 to {most}")]
+    Blades {
+        /// How many.
+        count: usize,
+        /// The most.
+        most: usize,
+    },
+    /// A lowest speed above the highest.
+    #[error(
+        "the rotor's lowest speed {} rpm is above its highest, {} rpm",
+        Plain(*.lowest_rpm), Plain(*.highest_rpm)
+    )]
+    SpeedsFall {
+        /// The lowest speed, rpm.
+        lowest_rpm: f64,
+        /// The highest speed, rpm.
+        highest_rpm: f64,
+    },
+    /// Faster than any rotor.
+    #[error(
+        "the rotor's highest speed is {} rpm, but the most is {} rpm",
+        Plain(*.highest_rpm), Plain(*.most_rpm)
+    )]
+    RotorTooFast {
+        /// The speed, rpm.
+        highest_rpm: f64,
+        /// The most, rpm.
+        most_rpm: f64,
+    },
 }
 
 /// Motions of a tower as a whole that nothing resists, of x, y, z, rotation about x, y, z.

@@ -70,6 +70,11 @@ pub enum Place {
         /// Which of its values.
         key: &'static str,
     },
+    /// One value of the rotor: `blades` or `rpm`.
+    Rotor {
+        /// Which of its values.
+        key: &'static str,
+    },
     /// The acceleration of gravity.
     Gravity,
     /// The outfitting factor.
@@ -95,6 +100,7 @@ impl fmt::Display for Place {
             }
             Self::Water { .. } => write!(f, "water"),
             Self::Wires { index, .. } => write!(f, "wires {}", index + 1),
+            Self::Rotor { .. } => write!(f, "rotor"),
             Self::Gravity => write!(f, "gravity"),
             Self::OutfittingFactor => write!(f, "outfitting factor"),
             Self::Shear => write!(f, "shear"),

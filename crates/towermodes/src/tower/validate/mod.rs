@@ -1,9 +1,11 @@
 //! The checks that turn a description into a tower.
 
 mod foundation;
+mod rotor;
 mod surroundings;
 
 pub(super) use foundation::largest_asymmetry;
+pub(crate) use rotor::check_rotor;
 
 use foundation::{check_buoyancy, check_foundation};
 use surroundings::check_surroundings;
@@ -41,7 +43,8 @@ pub(super) fn validate(description: &TowerDescription) -> Result<(), TowerError>
     }
     check_foundation(&description.foundation)?;
     check_buoyancy(description)?;
-    check_surroundings(description, base_m, top_m)
+    check_surroundings(description, base_m, top_m)?;
+    description.rotor.as_ref().map_or(Ok(()), check_rotor)
 }
 
 fn error<T>(place: Place, problem: Problem) -> Result<T, TowerError> {

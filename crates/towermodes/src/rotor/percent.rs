@@ -1,0 +1,60 @@
+//! Distances in percent, with as many digits as tell them from the margin.
+
+use super::campbell::{Campbell, Margin};
+
+/// Nobody reads more digits after the point.
+const MOST_DIGITS: usize = 6;
+
+impl Campbell {
+    /// A distance in percent, with its sign and a digit after the point: "+12.3"; with more where it would seem to be at the margin, or at twice
+    /// the margin, or on the other side of it: "+4.96" where the margin is 5 %.
+    #[must_use]
+    pub fn distance_percent(&self, margin: &Margin) -> String {
+        signed_percent(margin.distance, self.margin)
+    }
+}
+
+fn signed_percent(distance: f64, margin: f64) -> String {
+    let percent = 100.0 * distance;
+    let text = |digits: usize| format!("{percent:+.digits$}");
+    let limits = [1.0, 2.0].map(|times| times * 100.0 * margin);
+    let is_telling = |text: &String| {
+        let shown = text.parse::<f64>().unwrap_or(percent).abs();
+        // Of what is at the limit itself nothing more can be told.
+        let tells = |limit: &f64| {
+            let (seen, real) = (shown - limit, percent.abs() - limit);
+            real.abs() < 1e-9 || (seen.abs() > 1e-9 && seen.signum() == real.signum())
+        };
+        limits.iter().all(tells)
+    };
+    let mut texts = (1..MOST_DIGITS).map(text);
+    texts.find(is_telling).unwrap_or_else(|| text(MOST_DIGITS))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::signed_percent;
+
+    #[test]
+    fn a_distance_is_on_its_side_of_the_margin() {
+        let said = |percent: f64| signed_percent(percent / 100.0, 0.05);
+        assert_eq!(said(12.34), "+12.3");
+        assert_eq!(said(-4.9), "-4.9");
+        assert_eq!(said(4.96), "+4.96");
+        assert_eq!(said(-4.9996), "-4.9996");
+        assert_eq!(said(5.04), "+5.04");
+        assert_eq!(said(9.97), "+9.97");
+        assert_eq!(said(-10.04), "-10.04");
+        assert_eq!(said(5.0), "+5.0");
+        // 5.000 000 01: six digits are the most.
+        assert_eq!(said(5.000_000_01), "+5.000000");
+    }
+
+    /// The margin may have digits of its own: 7.24 is less than 7.25 and is not shown as more.
+    #[test]
+    fn a_margin_between_tenths_is_kept_apart() {
+        assert_eq!(signed_percent(0.0724, 0.0725), "+7.2");
+        assert_eq!(signed_percent(0.0728, 0.0725), "+7.3");
+        assert_eq!(signed_percent(0.0722, 0.0721), "+7.22");
+    }
+}

@@ -1,0 +1,106 @@
+//! Who watches a solve is told every stage and every product, and changes nothing.
+
+mod towers;
+
+use std::sync::{Arc, Mutex};
+
+use towermodes::{
+    Method, Options, Progress, Solution, Stage, Tower, TowerDescription, Workspace, solve,
+    solve_with,
+};
+use towers::{reference, reference_350t};
+
+/// A solution, with what was told on the way.
+fn watched(tower: &Tower, options: &Options) -> (Solution, Vec<Progress>) {
+    let told = Arc::new(Mutex::new(Vec::new()));
+    let teller = Arc::clone(&told);
+    let mut workspace = Workspace::watched(move |progress| {
+        teller.lock().expect("a list").push(progress);
+    });
+    let solution = solve_with(tower, options, &mut workspace).expect("solved");
+    let told = told.lock().expect("a list").clone();
+    (solution, told)
+}
+
+#[test]
+fn what_is_watched_is_the_same() {
+    let tower = Tower::new(reference_350t()).expect("a valid tower");
+    for method in Method::ALL {
+        let options = Options {
+            method,
+            ..Options::default()
+        };
+        let plain = solve(&tower, &options).expect("solved");
+        assert_eq!(watched(&tower, &options).0, plain);
+    }
+}
+
+/// The stages that were told of, one by one.
+fn stages(told: &[Progress]) -> Vec<Stage> {
+    let entered = told.iter().filter(|progress| progress.products == 0);
+    entered.map(|progress| progress.stage).collect()
+}
+
+#[test]
+fn stages_come_in_order() {
+    let tower = Tower::new(reference()).expect("a valid tower");
+    let modes = Stage::Modes {
+        segments: 100,
+        degree: None,
+    };
+    let errors = |mesh: usize, meshes: usize, segments: usize| Stage::Errors {
+        mesh,
+        meshes,
+        segments,
+    };
+    let before = [modes, Stage::Certificate, Stage::Buckling, Stage::Shapes];
+    // Errors in n^-2 need one coarser mesh, those in n^-2 and n^-4 two.
+    let after = [
+        (Method::RmjeExact, vec![errors(1, 1, 50)]),
+        (Method::Bmodes, vec![errors(1, 2, 50), errors(2, 2, 25)]),
+    ];
+    for (method, after) in after {
+        let options = Options {
+            method,
+            ..Options::default()
+        };
+        let (solution, told) = watched(&tower, &options);
+        assert_eq!(stages(&told), [&before[..], &after].concat());
+        let last_of_modes = told.iter().rfind(|progress| progress.stage == modes);
+        let products = last_of_modes.map(|progress| progress.products);
+        assert_eq!(products, Some(solution.statistics.products));
+    }
+}
+
+#[test]
+fn products_of_a_stage_are_counted_one_by_one() {
+    let heavy = TowerDescription {
+        gravity_m_per_s2: 9.81,
+        ..reference_350t()
+    };
+    let tower = Tower::new(heavy).expect("a valid tower");
+    let (_, told) = watched(&tower, &Options::default());
+    for pair in told.windows(2) {
+        let is_next = pair[0].stage == pair[1].stage && pair[1].products == pair[0].products + 1;
+        assert!(is_next || pair[1].products == 0, "{pair:?}");
+    }
+    let of_buckling = told.iter().filter(|told| told.stage == Stage::Buckling);
+    assert!(of_buckling.count() > 1, "buckling is iterated too");
+}
+
+#[test]
+fn the_spectral_beam_tells_its_degrees() {
+    let tower = Tower::new(reference()).expect("a valid tower");
+    let options = Options {
+        method: Method::Spectral,
+        ..Options::default()
+    };
+    let (solution, told) = watched(&tower, &options);
+    let degree = |stage: Stage| match stage {
+        Stage::Modes { degree, .. } => degree,
+        _ => None,
+    };
+    let degrees: Vec<usize> = stages(&told).into_iter().filter_map(degree).collect();
+    assert!(degrees.windows(2).all(|pair| pair[1] == pair[0] + 2));
+    assert_eq!(degrees.last().copied(), solution.degree);
+}
