@@ -45,6 +45,8 @@ pub struct Note {
     pub message: String,
     /// The file and the line (from 1) it is about, if it is about one.
     pub place: Option<(String, usize)>,
+    /// Whether it is on a part of the turbine that the model lacks, so that it may be of another tower than the user thinks.
+    pub is_on_missing_part: bool,
 }
 
 impl Note {
@@ -53,6 +55,20 @@ impl Note {
         Self {
             message: message.into(),
             place: None,
+            is_on_missing_part: false,
+        }
+    }
+
+    /// A note on a part of the turbine that is not in the model.
+    pub fn on_missing_part(message: impl Into<String>) -> Self {
+        Self::new(message).of_missing_part()
+    }
+
+    /// The same as one on a part of the turbine that is not in the model.
+    pub fn of_missing_part(self) -> Self {
+        Self {
+            is_on_missing_part: true,
+            ..self
         }
     }
 
@@ -72,6 +88,29 @@ impl std::fmt::Display for Note {
             write!(f, "{file}:{line}: ")?;
         }
         write!(f, "{}", self.message)
+    }
+}
+
+/// What a reader had to decide of a rotor and its blades.
+#[derive(Debug, Clone, Default, PartialEq, Eq)]
+pub struct RotorNotes {
+    /// How its speeds of operation were found: nothing that matters where others are given.
+    pub speeds: Vec<Note>,
+    /// How the number of its blades was found: nothing that matters where another is given.
+    pub blades: Vec<Note>,
+    /// All the rest.
+    pub others: Vec<Note>,
+}
+
+impl RotorNotes {
+    /// All of them, those on speeds first.
+    pub fn iter(&self) -> impl Iterator<Item = &Note> {
+        self.of_rotor().chain(&self.others)
+    }
+
+    /// Those on its speeds and the number of its blades, which go with it wherever it is handed on.
+    pub fn of_rotor(&self) -> impl Iterator<Item = &Note> {
+        self.speeds.iter().chain(&self.blades)
     }
 }
 
@@ -120,6 +159,8 @@ pub struct TowerInput {
     pub method: Option<Method>,
     /// How many modes the file asks for, if it does.
     pub modes: Option<usize>,
+    /// How many blades the rotor has, if the files say so, which they may without saying how fast it runs.
+    pub blades: Option<usize>,
     /// One of the rotor's blades at standstill, if the files have it.
     pub blade: Option<towermodes::BladeDescription>,
     /// Height at which the tower stands on its monopile, m, if it does.
@@ -128,6 +169,8 @@ pub struct TowerInput {
     pub layout: OutLayout,
     /// What the user should know.
     pub notes: Vec<Note>,
+    /// What the user should know of the rotor and of the blade, which matters for what they excite alone.
+    pub rotor_notes: RotorNotes,
     /// The files, the main one first.
     pub(crate) sources: Vec<Source>,
     /// Where in them each value stands.
@@ -139,6 +182,7 @@ impl TowerInput {
     pub(crate) fn new(format: FileFormat, description: TowerDescription, source: Source) -> Self {
         Self {
             format,
+            blades: description.rotor.map(|rotor| rotor.blades),
             description,
             borders_m: None,
             method: None,
@@ -147,6 +191,7 @@ impl TowerInput {
             joint_m: None,
             layout: OutLayout::default(),
             notes: Vec::new(),
+            rotor_notes: RotorNotes::default(),
             sources: vec![source],
             places: Places::default(),
         }
@@ -167,6 +212,11 @@ impl TowerInput {
     /// The files it was read from, the main one first.
     pub fn files(&self) -> impl Iterator<Item = &str> {
         self.sources.iter().map(|source| source.name.as_str())
+    }
+
+    /// The same with their texts.
+    pub fn sources(&self) -> &[Source] {
+        &self.sources
     }
 }
 

@@ -44,14 +44,15 @@ pub use companions::{Beside, Companions, InMemory};
 pub use diagnostic::Diagnostic;
 pub use hawc2::read_hawc2;
 pub use input::{
-    BladeInput, FileFormat, InputError, Note, OutLayout, ReadOptions, TowerInput, TowerPart,
+    BladeInput, FileFormat, InputError, Note, OutLayout, ReadOptions, RotorNotes, TowerInput,
+    TowerPart,
 };
 pub use read::{Input, read, read_source, recognize};
 pub use result::{
     ResultError, ResultKind, write_agreement_json, write_blade_csv, write_blade_json,
-    write_comparison_csv, write_comparison_json, write_convergence_csv, write_convergence_json,
-    write_csv, write_examination_json, write_json, write_json_schema, write_judgement_json,
-    write_verification_csv, write_verification_json,
+    write_campbell_csv, write_campbell_json, write_comparison_csv, write_comparison_json,
+    write_convergence_csv, write_convergence_json, write_csv, write_examination_json, write_json,
+    write_json_schema, write_judgement_json, write_verification_csv, write_verification_json,
 };
 pub use source::{MAX_FILE_BYTES, ReadError, Source, encoded_as};
 pub use toml::{description_from_toml, tower_from_toml, write_toml};

@@ -56,6 +56,7 @@ fn table_of(place: Place) -> Place {
         Place::Station { index, .. } => Place::Station { index, key },
         Place::Soil { layer, .. } => Place::Soil { layer, row: 0, key },
         Place::AddedMass { table, .. } => Place::AddedMass { table, row: 0, key },
+        Place::Rotor { .. } => Place::Rotor { key },
         Place::Water { .. } => Place::Water { key },
         Place::Wires { index, .. } => Place::Wires { index, key },
         other => other,

@@ -441,13 +441,58 @@ fn machines_and_masses_that_cannot_be() {
 }
 
 #[test]
-fn what_other_versions_may_know_is_not_ignored() {
-    refused(
-        "[foundation]\ntype = \"clamped\"",
-        "[rotor]\nblades = 3",
-        "26:2",
-        "does not compute with `rotor`",
-        "wrong answer",
+fn a_rotor_has_blades_and_speeds() {
+    let with = |lines: &str, place: &str, message: &str, hint: &str| {
+        let rotor = format!("[rotor]\n{lines}");
+        refused(
+            "[foundation]\ntype = \"clamped\"",
+            &rotor,
+            place,
+            message,
+            hint,
+        );
+    };
+    with("rpm = [6.9, 12.1]", "26:1", "`blades`", "as 3");
+    with("blades = 3", "26:1", "`rpm`", "rpm = [6.9, 12.1]");
+    with("blade = 3\nrpm = 12.1", "27:1", "`blade`", "`blades`");
+    with("blades = 3\nrmp = 12.1", "28:1", "`rmp`", "`rpm`");
+    let blades = |count: &str, message: &str, hint: &str| {
+        let lines = format!("blades = {count}\nrpm = 12.1");
+        with(&lines, "27:10", message, hint);
+    };
+    blades(
+        "0",
+        "0 blades, but rotors have 1 to 10",
+        "leave [rotor] out",
+    );
+    blades("11", "11 blades, but rotors have 1 to 10", "");
+    blades("2.5", "2.5, not a number of blades", "whole number");
+    blades("-3", "-3, not a number of blades", "");
+    blades("1e300", "not a number of blades", "");
+    blades("\"three\"", "blades", "");
+    let rpm = |value: &str, place: &str, message: &str, hint: &str| {
+        with(&format!("blades = 3\nrpm = {value}"), place, message, hint);
+    };
+    rpm(
+        "[12.1, 6.9]",
+        "28:7",
+        "12.1 rpm is above its highest, 6.9 rpm",
+        "[lowest, highest]",
+    );
+    rpm("[6.9]", "28:7", "rpm has 1 numbers, not 2", "one number");
+    rpm("[6.9, 9.0, 12.1]", "28:7", "rpm has 3 numbers, not 2", "");
+    rpm("[]", "28:7", "rpm has 0 numbers, not 2", "");
+    rpm("[\"a\", 12.1]", "28:8", "the lowest rpm", "");
+    rpm("{ low = 1 }", "28:7", "rpm", "[6.9, 12.1]");
+    rpm("0", "28:7", "the rotor's highest speed", "");
+    rpm("[-1, 12.1]", "28:7", "the rotor's lowest speed", "");
+    rpm("nan", "28:7", "rpm", "");
+    rpm("[6.9, inf]", "28:13", "the highest rpm is infinite", "");
+    rpm(
+        "1.1e5",
+        "28:7",
+        "110000 rpm, but the most is 100000 rpm",
+        "turns per minute",
     );
 }
 

@@ -3,8 +3,8 @@
 use proptest::prelude::*;
 use towermodes::{
     AddedMassRow, FloatingPlatform, Foundation, FoundationSprings, HalfSpace, Inertia, Material,
-    Planes, PointMass, Properties, PropertyStation, ReferredMatrix, Rna, Shear, SoilRow,
-    SoilStiffness, Station, StiffnessFoundation, TowerDescription, Water, Wires,
+    PartNames, Planes, PointMass, Properties, PropertyStation, ReferredMatrix, Rna, Rotor, Shear,
+    SoilRow, SoilStiffness, Station, StiffnessFoundation, TowerDescription, Water, Wires,
 };
 use towermodes_files::{description_from_toml, tower_from_toml, write_toml};
 
@@ -77,6 +77,25 @@ fn every_example() {
 }
 
 #[test]
+fn a_rotor_of_one_speed_has_one_number() {
+    let mut description = tubes();
+    description.rotor = Some(Rotor {
+        blades: 2,
+        lowest_rpm: 18.0,
+        highest_rpm: 18.0,
+    });
+    let text = comes_back(&description);
+    assert!(text.contains("rpm = 18.0"), "{text}");
+    description.rotor = Some(Rotor {
+        blades: 3,
+        lowest_rpm: 6.9,
+        highest_rpm: 12.1,
+    });
+    let text = comes_back(&description);
+    assert!(text.contains("rpm = [6.9, 12.1]"), "{text}");
+}
+
+#[test]
 fn a_plain_tower_is_a_plain_file() {
     let text = comes_back(&tubes());
     let expected = "
@@ -114,6 +133,44 @@ fn names_of_any_characters() {
             ..tubes()
         });
     }
+}
+
+/// Names of parts are written as they are read; those that no file has in this order are numbers.
+#[test]
+fn parts_keep_their_names() {
+    let steel = Material::from_poissons_ratio(7850.0, 2.1e11, 0.3);
+    let named = |names: [&str; 2]| TowerDescription {
+        materials: vec![steel; 2],
+        stations: vec![
+            Station::new(0.0, 5.0, 0.03),
+            Station {
+                material: 1,
+                ..Station::new(30.0, 5.0, 0.03)
+            },
+            Station {
+                material: 1,
+                ..Station::new(80.0, 4.0, 0.02)
+            },
+        ],
+        part_names: PartNames {
+            materials: names.map(str::to_owned).to_vec(),
+            ..PartNames::default()
+        },
+        ..TowerDescription::default()
+    };
+    let text = comes_back(&named(["concrete", "steel S355 \"new\""]));
+    assert!(text.contains("[materials.concrete]"), "{text}");
+    assert!(
+        text.contains(r#"[materials."steel S355 \"new\""]"#),
+        "{text}"
+    );
+    let text = comes_back(&named(["", "steel"]));
+    assert!(text.contains("[material]\n"), "{text}");
+    let (text, _) = write_toml(&named(["steel", "concrete"]));
+    assert!(text.contains("[materials.material_1]"), "{text}");
+    let mut one = tubes();
+    one.part_names.materials = vec!["steel".to_owned()];
+    assert!(comes_back(&one).contains("[materials.steel]"));
 }
 
 #[test]
@@ -701,6 +758,13 @@ fn any_description() -> BoxedStrategy<TowerDescription> {
         }),
     ];
     let factor = value();
+    let rotor = proptest::option::of((0..1_000_000_usize, value(), value()).prop_map(
+        |(blades, lowest_rpm, highest_rpm)| Rotor {
+            blades,
+            lowest_rpm,
+            highest_rpm,
+        },
+    ));
     (
         any::<String>(),
         body,
@@ -709,9 +773,10 @@ fn any_description() -> BoxedStrategy<TowerDescription> {
         rna,
         masses,
         factor,
+        rotor,
     )
         .prop_map(
-            |(name, body, around, foundation, rna, point_masses, outfitting_factor)| {
+            |(name, body, around, foundation, rna, point_masses, outfitting_factor, rotor)| {
                 TowerDescription {
                     name,
                     materials: body.materials,
@@ -726,6 +791,7 @@ fn any_description() -> BoxedStrategy<TowerDescription> {
                         center_m: rna.1,
                         inertia_kg_m2: rna.2,
                     },
+                    rotor,
                     ..around
                 }
             },

@@ -3,7 +3,7 @@
 mod windio_files;
 
 use towermodes::{
-    Inertia, Material, Options, PointMass, Properties, PropertyStation, Rna, Station, Tower,
+    Inertia, Material, Options, PointMass, Properties, PropertyStation, Rna, Rotor, Station, Tower,
     TowerDescription, solve,
 };
 use towermodes_files::{
@@ -39,6 +39,12 @@ fn mistake(text: &str) -> (usize, usize, String) {
     assert!(first.span.end <= text.len(), "{first:?}");
     let (line, column) = first.line_and_column(text);
     (line, column, first.message.clone())
+}
+
+/// What the notes say of parts that are missing.
+fn missing_parts(input: &TowerInput) -> String {
+    let notes = input.notes.iter().filter(|note| note.is_on_missing_part);
+    notes.map(|note| format!("{}\n", note.message)).collect()
 }
 
 fn has_note(input: &TowerInput, words: &str) -> bool {
@@ -135,6 +141,8 @@ fn version_1_is_cut_at_the_mudline() {
         &input,
         "the 30 m of the monopile below the mudline at z = -20 m"
     ));
+    assert!(missing_parts(&input).contains("below the mudline"));
+    assert!(!missing_parts(&input).contains("those in air"));
     assert!(has_note(
         &input,
         "shear modulus 1.4e8 Pa, Poisson's ratio 0.4"
@@ -194,11 +202,14 @@ fn what_the_assembly_lacks_is_said() {
         "INCOMPLETE ROTOR-NACELLE ASSEMBLY: 100000 kg"
     ));
     assert!(has_note(&input, "no mass of its hub, blades"));
+    assert!(missing_parts(&input).contains("INCOMPLETE"));
+    assert!(!missing_parts(&input).contains("shear modulus"));
     let drivetrain = "    drivetrain:";
     let start = VERSION_2.find(drivetrain).expect("there");
     let end = VERSION_2.find("materials:").expect("there");
     let bare = format!("{}{}", &VERSION_2[..start], &VERSION_2[end..]);
     assert!(has_note(&read(&bare), "NO ROTOR-NACELLE ASSEMBLY"));
+    assert!(missing_parts(&read(&bare)).contains("NO ROTOR-NACELLE ASSEMBLY"));
     // An inertia that no body has.
     let text = VERSION_2.replace("[1.0e5, 2e5, 3e5, 0, 0, 0]", "[0, 0, 0, 0, 0, 7e5]");
     let input = read(&text);
@@ -760,6 +771,176 @@ fn what_cannot_be_written_is_said() {
     let tower = Tower::new(description.clone()).expect("a tower");
     let error = write_windio(&tower, &description).expect_err("too close");
     assert!(error.to_string().contains("too close"));
+}
+
+/// The rotor of a file with other parts, and what is said of it.
+fn rotor_of(text: &str) -> (Option<Rotor>, Vec<String>) {
+    let input = read(text);
+    let notes = input.rotor_notes.iter();
+    let notes = notes.map(|note| note.message.clone()).collect();
+    (input.description.rotor, notes)
+}
+
+#[track_caller]
+fn assert_rotor(text: &str, blades: usize, [lowest_rpm, highest_rpm]: [f64; 2]) -> Vec<String> {
+    let (rotor, notes) = rotor_of(text);
+    let rotor = rotor.expect("a rotor");
+    assert_eq!(rotor.blades, blades);
+    near(rotor.lowest_rpm, lowest_rpm, 1e-15);
+    near(rotor.highest_rpm, highest_rpm, 1e-15);
+    notes
+}
+
+/// At its own place, not at that of the speeds.
+#[test]
+fn too_many_blades_are_wrong_where_they_stand() {
+    let text = format!(
+        "{VERSION_2}assembly: {{number_of_blades: 11}}\ncontrol: {{rated_rotor_speed: 7.5}}\n"
+    );
+    let (line, column) = place(&text, "number_of_blades: 11", 18);
+    let (at_line, at_column, message) = mistake(&text);
+    assert_eq!((at_line, at_column), (line, column));
+    assert!(message.contains("from 1 to 10"), "{message}");
+}
+
+/// Up to the rated speed; what shuts the machine down is no speed of operation.
+#[test]
+fn speeds_of_version_2_are_in_rpm() {
+    let blades = "assembly: {number_of_blades: 2}\n";
+    let with = |control: &str| format!("{VERSION_2}{blades}control: {control}\n");
+    let notes = assert_rotor(
+        &with("{min_rotor_speed: 5, rated_rotor_speed: 7.5, max_rotor_speed: 9}"),
+        2,
+        [5.0, 7.5],
+    );
+    assert_eq!(notes.len(), 1);
+    assert!(notes[0].contains("max_rotor_speed = 9 rpm is a limit of protection"));
+    let notes = assert_rotor(&with("{rated_rotor_speed: 7.5}"), 2, [7.5, 7.5]);
+    assert!(notes[0].contains("no min_rotor_speed"), "{notes:?}");
+    let unsaid = format!("{VERSION_2}control: {{min_rotor_speed: 5, rated_rotor_speed: 7.5}}\n");
+    let notes = assert_rotor(&unsaid, 3, [5.0, 7.5]);
+    assert!(notes[0].contains("no number_of_blades: taken as 3"));
+    for none in ["{}", "{min_rotor_speed: 5}", "{rated_rotor_speed: 0}"] {
+        assert_eq!(rotor_of(&with(none)), (None, Vec::new()), "{none}");
+        assert_eq!(read(&with(none)).blades, Some(2), "{none}");
+    }
+    assert_eq!(rotor_of(VERSION_2).0, None);
+    assert_eq!(read(VERSION_2).blades, None);
+    let input = read(&unsaid);
+    assert_eq!(input.blades, None);
+    // Told apart from the others: it matters only where nobody says another number.
+    assert_eq!(
+        (
+            input.rotor_notes.blades.len(),
+            input.rotor_notes.others.len()
+        ),
+        (1, 0)
+    );
+}
+
+/// 0.8 rad/s is 7.6394 rpm; with 240 m the tips have 96 m/s, and 7.6 rad/s would be 912 m/s.
+#[test]
+fn speeds_of_version_1_are_in_the_unit_that_the_tips_allow() {
+    let with = |diameter: &str, torque: &str| {
+        let assembly = format!("number_of_blades: 3, {diameter}");
+        let text = VERSION_1.replace("number_of_blades: 3,", &assembly);
+        format!("{text}control: {{torque: {torque}}}\n")
+    };
+    let diameter = "rotor_diameter: 240.0,";
+    let factor = 30.0 / std::f64::consts::PI;
+    let radians = "{VS_minspd: 0.5, VS_maxspd: 0.8}";
+    let notes = assert_rotor(&with(diameter, radians), 3, [0.5 * factor, 0.8 * factor]);
+    assert_eq!(notes.len(), 1, "{notes:?}");
+    assert!(
+        notes[0].contains("the rated speed may be lower"),
+        "{notes:?}"
+    );
+    let turns = "{VS_minspd: 5.0, VS_maxspd: 7.6}";
+    let notes = assert_rotor(&with(diameter, turns), 3, [5.0, 7.6]);
+    assert!(
+        notes[0].contains("taken in rpm") && notes[0].contains("912 m/s"),
+        "{notes:?}"
+    );
+    // 150 m/s is at 1.25 rad/s.
+    assert_rotor(
+        &with(diameter, "{VS_minspd: 1, VS_maxspd: 1.25}"),
+        3,
+        [factor, 1.25 * factor],
+    );
+    assert_rotor(
+        &with(diameter, "{VS_minspd: 1, VS_maxspd: 1.26}"),
+        3,
+        [1.0, 1.26],
+    );
+    let notes = assert_rotor(&with("", radians), 3, [0.5 * factor, 0.8 * factor]);
+    assert!(notes[0].contains("without rotor_diameter"), "{notes:?}");
+    // So do files that say version 2 and have the older keys.
+    let newer = format!(
+        "{VERSION_2}assembly: {{number_of_blades: 3, rotor_diameter: 240}}\ncontrol: {{torque: {turns}}}\n"
+    );
+    assert_rotor(&newer, 3, [5.0, 7.6]);
+    let notes = assert_rotor(&with(diameter, "{VS_maxspd: 0.8}"), 3, [0.8 * factor; 2]);
+    assert!(notes[0].contains("no VS_minspd"), "{notes:?}");
+}
+
+#[test]
+fn speeds_that_no_rotor_has_are_refused_where_they_stand() {
+    let with = |control: &str| {
+        let blades = "assembly: {number_of_blades: 3}\n";
+        format!("{VERSION_2}{blades}control: {control}\n")
+    };
+    for (control, needle, message) in [
+        (
+            "{min_rotor_speed: 9, rated_rotor_speed: 7.5}",
+            "7.5}",
+            "lowest speed 9 rpm is above its highest, 7.5 rpm",
+        ),
+        ("{rated_rotor_speed: -7.5}", "-7.5", "highest speed"),
+        ("{rated_rotor_speed: fast}", "fast", "highest rotor speed"),
+        (
+            "{min_rotor_speed: {}, rated_rotor_speed: 7}",
+            "{}, rated",
+            "lowest rotor speed",
+        ),
+    ] {
+        let text = with(control);
+        let (line, column, said) = mistake(&text);
+        assert_eq!((line, column), place(&text, needle, 0), "{said}");
+        assert!(said.contains(message), "{said}");
+    }
+}
+
+#[test]
+fn real_rotors_are_those_of_their_machines() {
+    for (path, part, range_rpm) in [
+        // 7.56 rpm is rated; 0.5236 and 0.7917 rad/s are 5 and 7.56 rpm.
+        (
+            "windio/v2/IEA-15-240-RWT.yaml",
+            TowerPart::All,
+            [5.000_011_69, 7.559_987_12],
+        ),
+        ("windio/v1/IEA-15-240-RWT.yaml", TowerPart::All, [5.0, 7.56]),
+        // 0.6283 and 0.9094 rad/s.
+        (
+            "openfast/iea10/IEA-10-198-RWT.yaml",
+            TowerPart::All,
+            [6.0, 8.684],
+        ),
+        // In rpm, against the schema.
+        (
+            "openfast/nrel5mw_land/nrel5mw.yaml",
+            TowerPart::All,
+            [6.9, 12.1],
+        ),
+    ] {
+        let Some(input) = real_part(path, part) else {
+            return;
+        };
+        let rotor = input.description.rotor.expect(path);
+        assert_eq!(rotor.blades, 3);
+        near(rotor.lowest_rpm, range_rpm[0], 1e-5);
+        near(rotor.highest_rpm, range_rpm[1], 1e-4);
+    }
 }
 
 /// A real file, if the environment says where they are.

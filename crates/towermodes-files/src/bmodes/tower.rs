@@ -10,7 +10,7 @@ use super::foundation::foundation;
 use super::notes::{Notes, tower_notes};
 use super::reader::Value;
 use crate::diagnostic::Diagnostic;
-use crate::input::{FileFormat, InputError, OutLayout, TowerInput};
+use crate::input::{FileFormat, InputError, OutLayout, RotorNotes, TowerInput};
 use crate::places::{Places, TABLE};
 
 /// The places of the main file and of the section file among a deck's files.
@@ -98,6 +98,7 @@ pub(super) fn tower(deck: &Deck, sources: Sources, quirks: bool) -> Result<Tower
         borders_m: Some(borders_m),
         method: Some(Method::Bmodes),
         modes: Some(modes),
+        blades: None,
         blade: None,
         joint_m: None,
         layout: OutLayout {
@@ -105,6 +106,7 @@ pub(super) fn tower(deck: &Deck, sources: Sources, quirks: bool) -> Result<Tower
             ..deck.general.layout
         },
         notes: notes.of(&sources),
+        rotor_notes: RotorNotes::default(),
         sources: sources.into_list(),
         places,
     })

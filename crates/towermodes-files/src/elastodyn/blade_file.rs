@@ -1,7 +1,8 @@
-//! Blade files of ElastoDyn and FAST 7, as far as a rotor-nacelle assembly needs them: where the mass is.
+//! Blade files of ElastoDyn and FAST 7: mass, stiffness and twist along the blade.
 //!
 //! OpenFAST reads them by position (`ReadBladeFile` in `ElastoDyn_IO.f90`); the columns changed from seventeen (FAST 7) to six (FAST 8) to
-//! five (OpenFAST 5, without `PitchAxis`), so the column of masses is the one that the line of names calls so.
+//! five (OpenFAST 5, without `PitchAxis`), so the column of masses is the one that the line of names calls so, with the twist before it and
+//! both stiffnesses behind it.
 
 use super::names::{name_on, plain};
 use super::positional::{Parameter, Positional, last_fraction, next_fraction};
@@ -23,12 +24,16 @@ const KEYS: &[&str] = &[
     "AdjEdSt",
 ];
 
-/// The mass along a blade.
+/// What a blade is along its length.
 #[derive(Debug, Clone, PartialEq)]
 pub struct BladeFile {
     /// Factor of the column of masses (`AdjBlMs`).
     pub mass_factor: f64,
-    /// The table of masses as it stands there, without the factor; linear between rows.
+    /// Factor of the column of flapwise stiffnesses (`AdjFlSt`).
+    pub flap_factor: f64,
+    /// Factor of the column of edgewise stiffnesses (`AdjEdSt`).
+    pub edge_factor: f64,
+    /// The table as it stands there, without the factors; linear between rows.
     pub rows: Vec<BladeRow>,
 }
 
@@ -39,6 +44,12 @@ pub struct BladeRow {
     pub length_fraction: f64,
     /// Mass per length, kg/m (`BMassDen`).
     pub mass_kg_per_m: f64,
+    /// Structural twist, positive towards feather, degrees (`StrcTwst`).
+    pub twist_deg: f64,
+    /// Flapwise stiffness, N m² (`FlpStff`).
+    pub flap_n_m2: f64,
+    /// Edgewise stiffness, N m² (`EdgStff`).
+    pub edge_n_m2: f64,
 }
 
 /// Mass of a blade and its moments about the root.
@@ -77,7 +88,7 @@ impl BladeFile {
     }
 }
 
-/// Reads the masses of a blade file of ElastoDyn, of any version of OpenFAST, or of FAST 7.
+/// Reads a blade file of ElastoDyn, of any version of OpenFAST, or of FAST 7.
 ///
 /// # Errors
 /// The first mistake in it.
@@ -104,13 +115,17 @@ pub fn read_blade_file(source: &Source) -> Result<BladeFile, Diagnostic> {
     lines.parameter("FlStTunr(1)", "factor")?;
     lines.parameter("FlStTunr(2)", "factor")?;
     let mass_factor = lines.parameter("AdjBlMs", "factor")?.positive()?;
-    lines.parameter("AdjFlSt", "factor")?;
-    lines.parameter("AdjEdSt", "factor")?;
-    let rows = rows(&mut lines, &count, wanted)?;
-    Ok(BladeFile { mass_factor, rows })
+    let flap_factor = lines.parameter("AdjFlSt", "factor")?.positive()?;
+    let edge_factor = lines.parameter("AdjEdSt", "factor")?.positive()?;
+    Ok(BladeFile {
+        mass_factor,
+        flap_factor,
+        edge_factor,
+        rows: rows(&mut lines, &count, wanted)?,
+    })
 }
 
-/// The distributed properties, as far as they are masses.
+/// The distributed properties.
 fn rows(
     lines: &mut Positional<'_>,
     count: &Parameter<'_>,
@@ -125,23 +140,21 @@ fn rows(
         let line = lines.row("the distributed properties", rows.len(), count)?;
         let tokens: Vec<Token<'_>> = line.tokens().take(MOST_COLUMNS).collect();
         let (fraction, token) = cell(&line, &tokens, 0, "BlFract")?;
-        let (mass_kg_per_m, mass) = cell(
-            &line,
-            &tokens,
-            mass_column(&names, tokens.len()),
-            "BMassDen",
-        )?;
-        if mass_kg_per_m <= 0.0 {
-            let message = format!("BMassDen of row {} is {}", rows.len() + 1, mass.text);
-            let mistake = Diagnostic::new(mass.span.clone(), message);
-            return Err(mistake.with_hint("it must be greater than 0"));
-        }
+        let mass = mass_column(&names, tokens.len());
+        let positive = |column, name| positive_cell(&line, &tokens, column, name, rows.len());
+        let mass_kg_per_m = positive(mass, "BMassDen")?;
+        let flap_n_m2 = positive(mass + 1, "FlpStff")?;
+        let edge_n_m2 = positive(mass + 2, "EdgStff")?;
+        let (twist_deg, _) = cell(&line, &tokens, mass.saturating_sub(1), "StrcTwst")?;
         let previous = rows.last().map(|row| row.length_fraction);
         let length_fraction = next_fraction(fraction, token, previous, "BlFract")?;
         last = token.span.clone();
         rows.push(BladeRow {
             length_fraction,
             mass_kg_per_m,
+            twist_deg,
+            flap_n_m2,
+            edge_n_m2,
         });
     }
     if let Some(row) = rows.last_mut() {
@@ -158,6 +171,23 @@ fn mass_column(names: &Line<'_>, columns: usize) -> usize {
     let mut names = names.tokens().take(MOST_COLUMNS);
     let named = names.position(|token| plain(token.text) == "bmassden");
     named.unwrap_or(if columns == 5 { 2 } else { 3 })
+}
+
+/// A number of a row that must be positive.
+fn positive_cell(
+    line: &Line<'_>,
+    tokens: &[Token<'_>],
+    column: usize,
+    name: &str,
+    row: usize,
+) -> Result<f64, Diagnostic> {
+    let (value, token) = cell(line, tokens, column, name)?;
+    if value > 0.0 {
+        return Ok(value);
+    }
+    let message = format!("{name} of row {} is {}", row + 1, token.text);
+    let mistake = Diagnostic::new(token.span.clone(), message);
+    Err(mistake.with_hint("it must be greater than 0"))
 }
 
 /// A number of a row.
@@ -189,11 +219,16 @@ mod tests {
         let row = |length_fraction, mass_kg_per_m| BladeRow {
             length_fraction,
             mass_kg_per_m,
+            twist_deg: 0.0,
+            flap_n_m2: 1.0,
+            edge_n_m2: 1.0,
         };
         // μ = 2 (10 − r/3) on 0 to 30 m, in two pieces: ∫ μ = 300, ∫ μ r = 3000, ∫ μ r² = 45000.
         let rows = vec![row(0.0, 10.0), row(0.25, 7.5), row(1.0, 0.0)];
         let blade = BladeFile {
             mass_factor: 2.0,
+            flap_factor: 1.0,
+            edge_factor: 1.0,
             rows,
         };
         let masses = blade.masses(30.0);

@@ -12,11 +12,12 @@ use super::lump;
 use super::main_file::MainFile;
 use super::main_reader::read_main_file;
 use super::recognise::{is_blade_file, is_main_file, is_tower_file};
+use super::rotor;
 use super::tower_file::{CoefficientSpans, TowerFile};
 use super::tower_reader::{TowerReading, read_with_places};
 use crate::companions::Companions;
 use crate::diagnostic::Diagnostic;
-use crate::input::{FileFormat, InputError, Note, OutLayout, ReadOptions, TowerInput};
+use crate::input::{FileFormat, InputError, Note, OutLayout, ReadOptions, RotorNotes, TowerInput};
 use crate::places::{Places, TABLE};
 use crate::source::Source;
 
@@ -66,30 +67,32 @@ pub fn read_elastodyn(
     let tower_source = named.read(&main.tower_file, "TwrFile", main.place("TwrFile"))?;
     let reading =
         read_with_places(&tower_source).map_err(|m| InputError::mistake(&tower_source, m))?;
-    let (blade_sources, blades) = match options.without_rna {
-        true => Default::default(),
+    let blades = match options.without_rna {
+        true => Blades::default(),
         false => blades(&main, &named)?,
     };
     let rna = match options.without_rna {
         true => RigidBody::default(),
-        false => lump::lump_rna(&main, &blades),
+        false => lump::lump_rna(&main, &blades.masses),
     };
     let mut sources: Vec<Source> = fst.into_iter().collect();
     sources.extend([main_source.clone(), tower_source.clone()]);
     let tower_index = sources.len() - 1;
-    sources.extend(blade_sources);
+    sources.extend(blades.sources);
     let mut input = input(&main, &reading, rna, sources, tower_index);
     if !options.without_rna {
         input.notes.extend(lump::notes(&main));
     }
     input.notes.splice(0..0, notes);
+    input.blade = blades.first.map(|file| rotor::blade(&main, &file));
+    input.rotor_notes = rotor::notes(&main, &main_source, input.blade.is_some());
     Ok(ElastoDynDeck {
         main,
         main_source,
         tower: reading.file,
         coefficient_spans: reading.spans.coefficients,
         tower_source,
-        blades,
+        blades: blades.masses,
         rna,
         input,
     })
@@ -141,14 +144,19 @@ fn beside(folder: &str, path: &str) -> String {
     }
 }
 
-/// The masses of the blades, and their files without repetition.
-fn blades(
-    main: &MainFile,
-    named: &Named<'_>,
-) -> Result<(Vec<Source>, Vec<BladeMasses>), InputError> {
-    let mut sources = Vec::new();
+/// What the files of the blades say.
+#[derive(Default)]
+struct Blades {
+    /// The files without repetition.
+    sources: Vec<Source>,
+    /// Of each blade.
+    masses: Vec<BladeMasses>,
+    first: Option<BladeFile>,
+}
+
+fn blades(main: &MainFile, named: &Named<'_>) -> Result<Blades, InputError> {
+    let mut blades = Blades::default();
     let mut read: HashMap<&str, BladeFile> = HashMap::new();
-    let mut masses = Vec::new();
     for (path, key) in main
         .blade_files
         .iter()
@@ -157,15 +165,16 @@ fn blades(
         if !read.contains_key(path.as_str()) {
             let source = named.read(path, key, main.place(key))?;
             let blade = read_blade_file(&source).map_err(|m| InputError::mistake(&source, m))?;
-            sources.push(source);
+            blades.sources.push(source);
+            blades.first.get_or_insert_with(|| blade.clone());
             read.insert(path, blade);
         }
-        masses.extend(
+        blades.masses.extend(
             read.get(path.as_str())
                 .map(|blade| blade.masses(main.blade_length_m())),
         );
     }
-    Ok((sources, masses))
+    Ok(blades)
 }
 
 /// The tower of a model, with what the user should know of it.
@@ -183,6 +192,7 @@ fn input(
     let mut description = description(&reading.file, ends, &main.header[1]);
     description.rna = rna.into();
     description.foundation = Foundation::Clamped;
+    description.rotor = rotor::rotor(main);
     let mut places = Places::default();
     remember(&mut places, tower_index, &reading.spans);
     for (key, name) in [
@@ -192,6 +202,9 @@ fn input(
         (TABLE, "NacMass"),
     ] {
         places.remember(Place::Rna { key }, tower_index - 1, main.place(name));
+    }
+    for (key, name) in [("blades", "NumBl"), ("rpm", "RotSpeed")] {
+        places.remember(Place::Rotor { key }, tower_index - 1, main.place(name));
     }
     let mut notes = reading.notes.clone();
     notes.extend(tuner_note(&reading.file));
@@ -203,10 +216,12 @@ fn input(
         borders_m: None,
         method: None,
         modes: None,
+        blades: Some(main.blade_count),
         blade: None,
         joint_m: None,
         layout: OutLayout::default(),
         notes,
+        rotor_notes: RotorNotes::default(),
         sources,
         places,
     }
@@ -220,7 +235,11 @@ fn foundation_note(main: &MainFile) -> Option<Note> {
         return None;
     }
     let why = if moves { " (the platform moves)" } else { "" };
-    Some(Note::new(format!(
+    let note = Note::new(format!(
         "the tower is solved clamped at z = {base_m} m{why}; its foundation is in other files"
-    )))
+    ));
+    Some(Note {
+        is_on_missing_part: moves,
+        ..note
+    })
 }

@@ -33,6 +33,7 @@ pub fn left_out(description: &TowerDescription) -> Vec<Note> {
             d.gravity_m_per_s2 != 0.0,
             "gravity, which is in the main file",
         ),
+        (d.rotor.is_some(), "the rotor, which is in the main file"),
         (shears, "shear deformation"),
         (
             masses.any(|mass| mass.inertia_kg_m2 != Inertia::default()),

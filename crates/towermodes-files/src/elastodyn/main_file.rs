@@ -16,6 +16,10 @@ pub struct MainFile {
     pub tower_dofs: [bool; 4],
     /// Whether the platform moves: surge, sway, heave, roll, pitch, yaw (`PtfmSgDOF` to `PtfmYDOF`).
     pub platform_dofs: [bool; 6],
+    /// Pitch of each blade at the start, positive towards feather, degrees (`BlPitch`); unused ones are zero.
+    pub blade_pitch_deg: [f64; 3],
+    /// Speed of the rotor at the start, rpm (`RotSpeed`).
+    pub rotor_speed_rpm: f64,
     /// Number of blades (`NumBl`).
     pub blade_count: usize,
     /// Distance from the rotor's apex to the blades' tips, m (`TipRad`).

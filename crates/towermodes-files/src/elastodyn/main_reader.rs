@@ -12,6 +12,7 @@ use crate::records::{Line, Lines};
 use crate::source::Source;
 
 const BLADES: [&str; 3] = ["BldFile(1)", "BldFile(2)", "BldFile(3)"];
+const PITCH: [&str; 3] = ["BlPitch(1)", "BlPitch(2)", "BlPitch(3)"];
 const PRECONE: [&str; 3] = ["PreCone(1)", "PreCone(2)", "PreCone(3)"];
 const TIP_MASS: [&str; 3] = ["TipMass(1)", "TipMass(2)", "TipMass(3)"];
 
@@ -44,6 +45,8 @@ pub fn read_main_file(source: &Source) -> Result<MainFile, Diagnostic> {
             "PtfmPDOF",
             "PtfmYDOF",
         ])?,
+        blade_pitch_deg: values.of_blades(PITCH, blade_count, |key| values.pitch(key))?,
+        rotor_speed_rpm: values.not_negative("RotSpeed")?,
         blade_count,
         tip_radius_m: values.not_negative("TipRad")?,
         hub_radius_m: values.not_negative("HubRad")?,
@@ -159,6 +162,13 @@ impl<'a> Values<'a> {
             .number_if(|angle| angle.abs() < 90.0, right)
     }
 
+    /// An angle of no more than half a turn, degrees.
+    fn pitch(&self, key: &'static str) -> Result<f64, Diagnostic> {
+        let right = "it must be from -180 to 180 degrees";
+        self.parameter(key)?
+            .number_if(|angle| angle.abs() <= 180.0, right)
+    }
+
     /// A number that some layouts do not have.
     fn optional(&self, key: &'static str) -> Result<Option<f64>, Diagnostic> {
         let line = self.lines.get(key);
@@ -256,10 +266,11 @@ fn meaning(key: &str) -> &'static str {
         "TwrNodes" => "number of tower elements",
         "TwrFile" => "name of the tower file",
         "Furling" => "flag",
+        "RotSpeed" => "speed of the rotor, rpm",
         "Delta3" | "ShftTilt" => "angle, degrees",
         "GBRatio" => "gearbox ratio",
         _ if key.ends_with("DOF") || key.ends_with("DOF1") || key.ends_with("DOF2") => "flag",
-        _ if key.starts_with("PreCone") => "angle, degrees",
+        _ if key.starts_with("PreCone") || key.starts_with("BlPitch") => "angle, degrees",
         _ if key.starts_with("BldFile") => "name of a blade file",
         _ if key.contains("Iner") => "inertia, kg m2",
         _ if key.contains("Mass") => "mass, kg",

@@ -16,6 +16,7 @@ mod names;
 mod patch;
 mod positional;
 mod recognise;
+mod rotor;
 mod rules;
 mod tower_alone;
 mod tower_file;

@@ -34,7 +34,7 @@ pub fn read_elastodyn_tower(
     input.notes = reading.notes;
     input.notes.extend(tuner_note(&reading.file));
     input.notes.push(Note::new(ONLY_BENDS));
-    input.notes.push(Note::new(format!(
+    input.notes.push(Note::on_missing_part(format!(
         "the tower stands from {} m to {} m, clamped, with nothing on top: a tower file does not say what it carries",
         ends.base_m, ends.top_m
     )));

@@ -49,7 +49,7 @@ pub(super) fn notes(
         notes.push(at(start, message.to_owned()));
     }
     notes.extend(direction(&table.rows).map(|message| at(start, message)));
-    notes.push(Note::new(ends(&table.rows, options)));
+    notes.push(Note::on_missing_part(ends(&table.rows, options)));
     notes
 }
 

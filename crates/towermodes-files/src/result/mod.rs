@@ -2,6 +2,7 @@
 
 mod agreement;
 mod blade;
+mod campbell;
 mod comparison;
 mod convergence;
 mod judgement;
@@ -12,6 +13,7 @@ mod verification;
 
 pub use agreement::{write_agreement_json, write_examination_json};
 pub use blade::{write_blade_csv, write_blade_json};
+pub use campbell::{write_campbell_csv, write_campbell_json};
 pub use comparison::{write_comparison_csv, write_comparison_json};
 pub use convergence::{write_convergence_csv, write_convergence_json};
 pub use judgement::write_judgement_json;

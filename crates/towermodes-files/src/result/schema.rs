@@ -6,6 +6,7 @@ use schemars::{JsonSchema, schema_for};
 
 use super::agreement::{AgreementJson, ExaminationJson};
 use super::blade::BladeSolutionJson;
+use super::campbell::CampbellJson;
 use super::comparison::ComparisonJson;
 use super::convergence::ConvergenceJson;
 use super::judgement::JudgementsJson;
@@ -20,6 +21,8 @@ pub enum ResultKind {
     Solution,
     /// Of `towermodes solve` for a rotating blade.
     Blade,
+    /// Of `towermodes campbell`.
+    Campbell,
     /// Of `towermodes compare`.
     Comparison,
     /// Of `towermodes converge`.
@@ -42,6 +45,7 @@ pub fn write_json_schema(kind: ResultKind, writer: impl Write) -> Result<(), Res
     match kind {
         ResultKind::Solution => write_schema_of::<SolutionJson<'static>>(writer),
         ResultKind::Blade => write_schema_of::<BladeSolutionJson<'static>>(writer),
+        ResultKind::Campbell => write_schema_of::<CampbellJson<'static>>(writer),
         ResultKind::Comparison => write_schema_of::<ComparisonJson>(writer),
         ResultKind::Convergence => write_schema_of::<ConvergenceJson>(writer),
         ResultKind::Agreement => write_schema_of::<AgreementJson>(writer),

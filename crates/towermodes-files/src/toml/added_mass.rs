@@ -3,26 +3,35 @@
 use toml::de::DeArray;
 use towermodes::{AddedMassRow, Place};
 
-use super::table::{Keys, Table, every_table};
+use super::table::{Keys, Table, every_table, with_names};
 use super::values::{Value, every_row, list, number, wrong_kind};
 use super::{Reading, TABLE};
 use crate::diagnostic::Diagnostic;
 
 const ADDED_MASS: Keys = Keys {
     known: &["rows", "name"],
-    planned: &[],
 };
 const ROW: &str = "a row is [height in m, mass per length in kg/m]";
 
-/// All `[[added_mass]]`.
+/// All `[[added_mass]]` with their names.
 pub(super) fn added_mass(
     root: &Table<'_>,
     reading: &mut Reading,
-) -> Option<Vec<Vec<AddedMassRow>>> {
-    every_table(root, "added_mass", "table of added mass", reading, table)
+) -> Option<(Vec<Vec<AddedMassRow>>, Vec<String>)> {
+    with_names(every_table(
+        root,
+        "added_mass",
+        "table of added mass",
+        reading,
+        table,
+    ))
 }
 
-fn table(index: usize, value: &Value<'_>, reading: &mut Reading) -> Option<Vec<AddedMassRow>> {
+fn table(
+    index: usize,
+    value: &Value<'_>,
+    reading: &mut Reading,
+) -> Option<(Vec<AddedMassRow>, String)> {
     let of_row = |row, key| Place::AddedMass {
         table: index,
         row,
@@ -30,7 +39,7 @@ fn table(index: usize, value: &Value<'_>, reading: &mut Reading) -> Option<Vec<A
     };
     reading.remember(of_row(0, TABLE), value.span());
     let table = Table::of(value, "[[added_mass]]", &ADDED_MASS, reading)?;
-    let name = table.check_name("an added mass's name", reading);
+    let name = table.name_of("an added mass's name", reading);
     let hint = "rows = [[height, mass per length], ...] from the bottom to the surface";
     let rows = table.require("rows", hint, reading)?;
     reading.remember(of_row(0, "rows"), rows.span());
@@ -39,8 +48,7 @@ fn table(index: usize, value: &Value<'_>, reading: &mut Reading) -> Option<Vec<A
         let values = values_of(value, row, reading)?;
         added_mass_row(values, |key| of_row(row, key), reading)
     });
-    name?;
-    rows
+    Some((rows?, name?))
 }
 
 /// The values of a row, if it has as many as a row has.

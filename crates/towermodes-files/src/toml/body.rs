@@ -9,7 +9,6 @@ use crate::diagnostic::Diagnostic;
 
 const INERTIA: Keys = Keys {
     known: &["xx", "yy", "zz", "xy", "xz", "yz"],
-    planned: &[],
 };
 
 /// `[x, y, z]`; the hint says from where.

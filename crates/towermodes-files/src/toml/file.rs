@@ -1,6 +1,6 @@
 //! The whole file: which sections there are, and the tower they describe together.
 
-use towermodes::TowerDescription;
+use towermodes::{PartNames, TowerDescription};
 
 use super::Reading;
 use super::added_mass::added_mass;
@@ -9,6 +9,7 @@ use super::gravity::gravity;
 use super::masses::{point_masses, rna};
 use super::materials::{Materials, materials};
 use super::properties::properties;
+use super::rotor::rotor;
 use super::soil::soil;
 use super::stations::{TOWER, outfitting_factor, shear, stations};
 use super::table::{Keys, Table};
@@ -32,8 +33,8 @@ pub(super) const FILE: Keys = Keys {
         "water",
         "wires",
         "gravity",
+        "rotor",
     ],
-    planned: &["rotor"],
 };
 
 /// The whole file.
@@ -52,6 +53,7 @@ pub(super) fn description(root: &Table<'_>, reading: &mut Reading) -> Option<Tow
     let added_mass = added_mass(root, reading);
     let (water, wires) = (water(root, reading), wires(root, reading));
     let gravity = gravity(root, reading);
+    let rotor = rotor(root, reading);
     let rna = root.get("rna").and_then(|value| rna(value, reading));
     let point_masses = point_masses(root, reading);
     let hint = "add [tower] with stations = [[height, diameter, wall], ...]";
@@ -61,18 +63,31 @@ pub(super) fn description(root: &Table<'_>, reading: &mut Reading) -> Option<Tow
         Some(materials) => of_tubes(&tower, materials, reading),
         None => of_properties(root, &tower, reading),
     };
+    let (point_masses, point_mass_names) = point_masses?;
+    let (soil, soil_names) = soil?;
+    let (added_mass, added_mass_names) = added_mass?;
+    let (wires, wires_names) = wires?;
+    let body = body?;
     Some(TowerDescription {
         name: name.to_owned(),
         rna: rna.unwrap_or_default(),
-        point_masses: point_masses?,
+        point_masses,
         foundation: foundation?,
-        soil: soil?,
-        added_mass: added_mass?,
+        soil,
+        added_mass,
         water: water?,
-        wires: wires?,
+        wires,
         gravity_m_per_s2: gravity?,
+        rotor: rotor?,
         outfitting_factor: outfitting_factor(&tower, reading)?,
-        ..body?
+        part_names: PartNames {
+            materials: body.part_names.materials.clone(),
+            point_masses: point_mass_names,
+            soil: soil_names,
+            added_mass: added_mass_names,
+            wires: wires_names,
+        },
+        ..body
     })
 }
 
@@ -84,9 +99,14 @@ fn of_tubes(
 ) -> Option<TowerDescription> {
     let stations = stations(tower, materials.as_ref(), reading);
     let shear = shear(tower, reading);
+    let materials = materials?;
     Some(TowerDescription {
         stations: stations?,
-        materials: materials?.list,
+        part_names: PartNames {
+            materials: materials.own_names(),
+            ..PartNames::default()
+        },
+        materials: materials.list,
         shear: shear?,
         ..TowerDescription::default()
     })

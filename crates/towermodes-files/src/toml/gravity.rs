@@ -7,7 +7,6 @@ use super::table::{Keys, Table};
 
 const GRAVITY: Keys = Keys {
     known: &["acceleration"],
-    planned: &[],
 };
 
 /// Standard acceleration of gravity, m/s².

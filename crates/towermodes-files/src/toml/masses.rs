@@ -4,16 +4,14 @@ use towermodes::{Place, PointMass, Rna};
 
 use super::Reading;
 use super::body::{center, inertia_if_any};
-use super::table::{Keys, Table, every_table};
+use super::table::{Keys, Table, every_table, with_names};
 use super::values::Value;
 
 const RNA: Keys = Keys {
     known: &["mass", "center", "inertia"],
-    planned: &[],
 };
 const POINT_MASS: Keys = Keys {
     known: &["height", "mass", "inertia", "name"],
-    planned: &[],
 };
 
 /// The rotor-nacelle assembly.
@@ -35,23 +33,30 @@ pub(super) fn rna(value: &Value<'_>, reading: &mut Reading) -> Option<Rna> {
     })
 }
 
-/// All `[[point_mass]]`.
-pub(super) fn point_masses(root: &Table<'_>, reading: &mut Reading) -> Option<Vec<PointMass>> {
-    every_table(root, "point_mass", "mass", reading, point_mass)
+/// All `[[point_mass]]` with their names.
+pub(super) fn point_masses(
+    root: &Table<'_>,
+    reading: &mut Reading,
+) -> Option<(Vec<PointMass>, Vec<String>)> {
+    with_names(every_table(root, "point_mass", "mass", reading, point_mass))
 }
 
-fn point_mass(index: usize, value: &Value<'_>, reading: &mut Reading) -> Option<PointMass> {
+fn point_mass(
+    index: usize,
+    value: &Value<'_>,
+    reading: &mut Reading,
+) -> Option<(PointMass, String)> {
     let at = |key| Place::PointMass { index, key };
     let table = Table::of(value, "[[point_mass]]", &POINT_MASS, reading)?;
-    let name = table.check_name("a point mass's name", reading);
+    let name = table.name_of("a point mass's name", reading);
     let hint = "height in m, in the datum of the stations";
     let height = table.required_number("height", hint, at("height"), reading);
     let mass = table.required_number("mass", "mass in kg", at("mass"), reading);
     let inertia = inertia_if_any(&table, at("inertia"), reading);
-    name?;
-    Some(PointMass {
+    let mass = PointMass {
         height_m: height?,
         mass_kg: mass?,
         inertia_kg_m2: inertia?,
-    })
+    };
+    Some((mass, name?))
 }

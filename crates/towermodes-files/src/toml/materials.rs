@@ -5,7 +5,7 @@ use std::collections::HashMap;
 use towermodes::{Material, Place};
 
 use super::Reading;
-use super::table::{Keys, Table};
+use super::table::{Keys, Table, all_but_empty};
 use super::values::{Value, number};
 use crate::diagnostic::Diagnostic;
 
@@ -16,9 +16,10 @@ const MATERIAL: Keys = Keys {
         "shear_modulus",
         "poissons_ratio",
     ],
-    planned: &[],
 };
 
+/// What names of materials begin with that are but numbers.
+pub(super) const NUMBERED: &str = "material_";
 /// E/(2(1+ν)) and G may differ by this much, relatively: both are often rounded to three digits.
 const MODULI_TOLERANCE: f64 = 5e-3;
 
@@ -30,6 +31,20 @@ pub(super) struct Materials {
     pub(super) by_name: HashMap<String, usize>,
     /// Whether the first one is `[material]`, which stations without a name have.
     pub(super) has_default: bool,
+}
+
+impl Materials {
+    /// What they are called; nothing where their names are but numbers, as they are written of materials without names.
+    pub(super) fn own_names(&self) -> Vec<String> {
+        let is_number = |name: &String| {
+            let number = name.strip_prefix(NUMBERED);
+            number.is_some_and(|number| number.bytes().all(|byte| byte.is_ascii_digit()))
+        };
+        match self.names.iter().all(is_number) {
+            true => Vec::new(),
+            false => all_but_empty(self.names.clone()),
+        }
+    }
 }
 
 /// `[material]` first, then `[materials.NAME]`.

@@ -10,6 +10,7 @@ mod materials;
 mod matrix;
 mod numbers;
 mod properties;
+mod rotor;
 mod soil;
 mod stations;
 mod table;

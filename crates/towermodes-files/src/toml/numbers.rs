@@ -46,11 +46,11 @@ impl Table<'_> {
         Some(number.unwrap_or(default))
     }
 
-    /// Checks the `name`, which may be there for the reader of the file; nothing is computed from it.
-    pub(super) fn check_name(&self, what: &str, reading: &mut Reading) -> Option<()> {
+    /// The `name`, which may be there for people: nothing is computed from it. Empty if there is none.
+    pub(super) fn name_of(&self, what: &str, reading: &mut Reading) -> Option<String> {
         match self.get("name") {
-            Some(name) => text(name, what, reading).map(|_| ()),
-            None => Some(()),
+            Some(name) => text(name, what, reading).map(str::to_owned),
+            None => Some(String::new()),
         }
     }
 }

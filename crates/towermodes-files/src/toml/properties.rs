@@ -21,7 +21,6 @@ const PROPERTIES: Keys = Keys {
         "shear_stiffness_fore_aft_n",
         "shear_stiffness_side_side_n",
     ],
-    planned: &[],
 };
 
 /// The columns that may be infinite, for a tower that does not twist or does not stretch.

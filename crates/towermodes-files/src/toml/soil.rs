@@ -3,14 +3,13 @@
 use toml::de::DeArray;
 use towermodes::{Place, SoilRow, SoilStiffness};
 
-use super::table::{Keys, Table, every_table};
+use super::table::{Keys, Table, every_table, with_names};
 use super::values::{Value, every_row, list, number, wrong_kind};
 use super::{Reading, TABLE};
 use crate::diagnostic::Diagnostic;
 
 const SOIL: Keys = Keys {
     known: &["rows", "name"],
-    planned: &[],
 };
 const ROW: &str = "a row is [height in m, spring in x, spring in y] in N/m2, then, if wanted, in z (N/m2) and in torsion (N)";
 
@@ -23,17 +22,20 @@ const COLUMNS: [(&str, &str); 5] = [
     ("torsion", "the soil spring in torsion"),
 ];
 
-/// All `[[soil]]`.
-pub(super) fn soil(root: &Table<'_>, reading: &mut Reading) -> Option<Vec<Vec<SoilRow>>> {
-    every_table(root, "soil", "layer", reading, layer)
+/// All `[[soil]]` with their names.
+pub(super) fn soil(
+    root: &Table<'_>,
+    reading: &mut Reading,
+) -> Option<(Vec<Vec<SoilRow>>, Vec<String>)> {
+    with_names(every_table(root, "soil", "layer", reading, layer))
 }
 
-fn layer(index: usize, value: &Value<'_>, reading: &mut Reading) -> Option<Vec<SoilRow>> {
+fn layer(index: usize, value: &Value<'_>, reading: &mut Reading) -> Option<(Vec<SoilRow>, String)> {
     let layer = index;
     let at = |key| Place::Soil { layer, row: 0, key };
     reading.remember(at(TABLE), value.span());
     let table = Table::of(value, "[[soil]]", &SOIL, reading)?;
-    let name = table.check_name("a soil's name", reading);
+    let name = table.name_of("a soil's name", reading);
     let hint = "rows = [[height, spring in x, spring in y], ...] from the bottom to the surface";
     let rows = table.require("rows", hint, reading)?;
     reading.remember(at("rows"), rows.span());
@@ -44,8 +46,7 @@ fn layer(index: usize, value: &Value<'_>, reading: &mut Reading) -> Option<Vec<S
         let values = values_of(value, row, length, reading)?;
         soil_row(values, |key| Place::Soil { layer, row, key }, reading)
     });
-    name?;
-    rows
+    Some((rows?, name?))
 }
 
 fn is_row(length: usize) -> bool {

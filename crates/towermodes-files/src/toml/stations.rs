@@ -12,7 +12,6 @@ use crate::diagnostic::Diagnostic;
 /// The keys of `[tower]`.
 pub(super) const TOWER: Keys = Keys {
     known: &["stations", "properties", "outfitting_factor", "shear"],
-    planned: &[],
 };
 
 /// `stations`, all rows; where the materials have mistakes of their own, names of materials are not checked.

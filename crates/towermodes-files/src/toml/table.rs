@@ -12,8 +12,6 @@ use crate::diagnostic::Diagnostic;
 pub(super) struct Keys {
     /// The keys that are read.
     pub(super) known: &'static [&'static str],
-    /// Keys of the format that this version does not compute with; to ignore them would be a wrong answer.
-    pub(super) planned: &'static [&'static str],
 }
 
 /// A table, where it stands, what it is called in messages and what it may hold.
@@ -107,18 +105,10 @@ impl<'a> Table<'a> {
             if keys.known.contains(&name) {
                 continue;
             }
-            let diagnostic = if keys.planned.contains(&name) {
-                let message = format!("this version does not compute with `{name}`");
-                let hint = format!(
-                    "remove it to solve the tower without; to ignore `{name}` would be a wrong answer"
-                );
-                Diagnostic::new(key.span(), message).with_hint(hint)
-            } else {
-                let message = format!("`{name}` is not a key of {}", self.name);
-                let hint =
-                    elsewhere(name).unwrap_or_else(|| suggestion(name, keys.known, "it may have"));
-                Diagnostic::new(key.span(), message).with_hint(hint)
-            };
+            let message = format!("`{name}` is not a key of {}", self.name);
+            let hint =
+                elsewhere(name).unwrap_or_else(|| suggestion(name, keys.known, "it may have"));
+            let diagnostic = Diagnostic::new(key.span(), message).with_hint(hint);
             reading.mistake(diagnostic);
         }
     }
@@ -175,6 +165,20 @@ pub(super) fn every_table<T>(
         return None;
     };
     every_row(rows, |index, row| read(index, row, reading))
+}
+
+/// The things of [`every_table`] and their names, of which there are none if all are empty.
+pub(super) fn with_names<T>(named: Option<Vec<(T, String)>>) -> Option<(Vec<T>, Vec<String>)> {
+    let (things, names): (Vec<T>, Vec<String>) = named?.into_iter().unzip();
+    Some((things, all_but_empty(names)))
+}
+
+/// Names, or none if all are empty.
+pub(super) fn all_but_empty(mut names: Vec<String>) -> Vec<String> {
+    if names.iter().all(String::is_empty) {
+        names.clear();
+    }
+    names
 }
 
 /// Of more names than these only the first are listed and compared: a file may have any number.

@@ -14,7 +14,6 @@ const WATER: Keys = Keys {
         "added_mass_coefficient",
         "flooded",
     ],
-    planned: &[],
 };
 
 /// Density of sea water, kg/m³.

@@ -2,7 +2,7 @@
 
 use towermodes::{Place, Wires};
 
-use super::table::{Keys, Table, every_table};
+use super::table::{Keys, Table, every_table, with_names};
 use super::values::{Value, number};
 use super::{Reading, TABLE};
 use crate::diagnostic::Diagnostic;
@@ -16,19 +16,24 @@ const WIRES: Keys = Keys {
         "azimuth_deg",
         "name",
     ],
-    planned: &[],
 };
 
-/// All `[[wires]]`.
-pub(super) fn wires(root: &Table<'_>, reading: &mut Reading) -> Option<Vec<Wires>> {
-    every_table(root, "wires", "set of wires", reading, set_of_wires)
+/// All `[[wires]]` with their names.
+pub(super) fn wires(root: &Table<'_>, reading: &mut Reading) -> Option<(Vec<Wires>, Vec<String>)> {
+    with_names(every_table(
+        root,
+        "wires",
+        "set of wires",
+        reading,
+        set_of_wires,
+    ))
 }
 
-fn set_of_wires(index: usize, value: &Value<'_>, reading: &mut Reading) -> Option<Wires> {
+fn set_of_wires(index: usize, value: &Value<'_>, reading: &mut Reading) -> Option<(Wires, String)> {
     let at = |key| Place::Wires { index, key };
     reading.remember(at(TABLE), value.span());
     let table = Table::of(value, "[[wires]]", &WIRES, reading)?;
-    let name = table.check_name("a name of wires", reading);
+    let name = table.name_of("a name of wires", reading);
     let hint = "height of their upper ends in m, in the datum of the stations";
     let height = table.required_number("height", hint, at("height"), reading);
     let count = table
@@ -45,14 +50,14 @@ fn set_of_wires(index: usize, value: &Value<'_>, reading: &mut Reading) -> Optio
     let azimuth = table
         .get("azimuth_deg")
         .map_or(Some(0.0), |value| number(value, "azimuth_deg", reading));
-    name?;
     azimuth?;
-    Some(Wires {
+    let wires = Wires {
         height_m: height?,
         count: count?,
         stiffness_n_per_m: stiffness?,
         angle_deg: angle?,
-    })
+    };
+    Some((wires, name?))
 }
 
 /// A number of wires; whether they are enough the tower's checks say.

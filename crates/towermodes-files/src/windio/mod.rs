@@ -15,6 +15,7 @@ mod reading;
 mod rna;
 mod rotor;
 mod sections;
+mod speeds;
 mod structure;
 mod uniform;
 mod values;
@@ -24,7 +25,7 @@ mod write;
 mod yaml;
 
 use crate::diagnostic::Diagnostic;
-use crate::input::{FileFormat, InputError, ReadOptions, TowerInput, TowerPart};
+use crate::input::{FileFormat, InputError, ReadOptions, RotorNotes, TowerInput, TowerPart};
 use crate::places::Places;
 use crate::source::Source;
 use airfoils::without_airfoils;
@@ -53,24 +54,42 @@ pub(crate) fn is_windio(text: &str, name: &str) -> bool {
 pub fn read_windio(source: Source, options: &ReadOptions) -> Result<TowerInput, InputError> {
     let mut reading = Reading::new(&source);
     let mut places = Places::default();
-    let Some((description, joint_m)) = describe(options, &mut places, &mut reading) else {
+    let mut rotor_notes = RotorNotes::default();
+    let found = describe(options, &mut places, &mut reading, &mut rotor_notes);
+    let Some(Described {
+        description,
+        joint_m,
+        blades,
+    }) = found
+    else {
         let mistakes = reading.mistakes;
         return Err(InputError::mistakes(&source, mistakes));
     };
     let notes = reading.notes;
     let mut input = TowerInput::new(FileFormat::WindIo, description, source);
     input.joint_m = joint_m;
+    input.blades = blades;
     input.places = places;
     input.notes = notes;
+    input.rotor_notes = rotor_notes;
     Ok(input)
 }
 
-/// The tower, and the height at which it stands on its monopile, m.
+/// What a file says of a tower.
+struct Described {
+    description: towermodes::TowerDescription,
+    /// The height at which it stands on its monopile, m.
+    joint_m: Option<f64>,
+    /// The number of the rotor's blades.
+    blades: Option<usize>,
+}
+
 fn describe(
     options: &ReadOptions,
     places: &mut Places,
     reading: &mut Reading<'_>,
-) -> Option<(towermodes::TowerDescription, Option<f64>)> {
+    rotor_notes: &mut RotorNotes,
+) -> Option<Described> {
     if reading.source.text.trim().is_empty() {
         let hint = "windIO has at least components and materials";
         let mistake = Diagnostic::new(0..0, "the file is empty").with_hint(hint);
@@ -85,6 +104,15 @@ fn describe(
         _ => rna::rna(&outline, version, places, reading),
     };
     let rna = reading.keep(rna);
+    let (blades, rotor) = match options.part {
+        TowerPart::Monopile => (None, Ok(None)),
+        _ => (
+            // A mistake in it is said where it counts.
+            speeds::blade_count(&outline).ok().flatten(),
+            speeds::rotor(&outline, places, reading, rotor_notes),
+        ),
+    };
+    let rotor = reading.keep(rotor);
     let structure = Structure::read(&outline, version, options.part, places, reading);
     let (rna, mut structure) = (rna?, structure?);
     note_platform(&outline, reading);
@@ -98,7 +126,12 @@ fn describe(
     let name = name.map(|name| name.name(&reading.source.text));
     description.name = name.unwrap_or_default().to_owned();
     description.rna = rna;
-    Some((description, joint_m))
+    description.rotor = rotor?;
+    Some(Described {
+        description,
+        joint_m,
+        blades,
+    })
 }
 
 fn note_platform(outline: &Outline, reading: &mut Reading<'_>) {
@@ -106,10 +139,10 @@ fn note_platform(outline: &Outline, reading: &mut Reading<'_>) {
         return;
     };
     if components.floating_platform.is_some() {
-        reading.note("the floating platform is left out: the tower is clamped at its base; add [foundation] with type = \"floating\" after `convert --to toml`");
+        reading.note_missing_part("the floating platform is left out: the tower is clamped at its base; add [foundation] with type = \"floating\" after `convert --to toml`");
     }
     if components.jacket.is_some() {
-        reading.note("the jacket is left out: the tower is clamped at its base");
+        reading.note_missing_part("the jacket is left out: the tower is clamped at its base");
     }
 }
 

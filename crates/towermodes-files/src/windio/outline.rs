@@ -15,6 +15,7 @@ pub(super) struct Outline {
     pub(super) components: Option<Components>,
     pub(super) materials: Option<Node>,
     pub(super) environment: Option<Node>,
+    pub(super) control: Option<Node>,
 }
 
 /// The parts of the turbine.

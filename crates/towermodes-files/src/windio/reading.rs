@@ -25,6 +25,10 @@ impl<'a> Reading<'a> {
         self.notes.push(Note::new(message));
     }
 
+    pub(super) fn note_missing_part(&mut self, message: impl Into<String>) {
+        self.notes.push(Note::on_missing_part(message));
+    }
+
     pub(super) fn note_at(&mut self, at: usize, message: impl Into<String>) {
         self.notes.push(Note::at(self.source, at, message));
     }

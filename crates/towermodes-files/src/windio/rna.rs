@@ -8,8 +8,10 @@ use super::body::{NEW_KEYS, OLD_KEYS, body};
 use super::outline::{Outline, Version};
 use super::reading::Reading;
 use super::rotor::{Hub, rotor};
+use super::speeds::{USUAL_BLADES, blade_count};
 use super::yaml::Node;
 use crate::diagnostic::Diagnostic;
+use crate::input::Note;
 use crate::places::{Places, TABLE};
 
 /// What a written file says where its drive train is the whole rotor-nacelle assembly.
@@ -187,11 +189,14 @@ impl Assembly {
                 bodies.join(", ")
             )
         };
-        if self.bodies.is_empty() {
-            reading.note(message);
-        } else {
-            reading.note_at(self.span.start, message);
-        }
+        let note = match self.bodies.is_empty() {
+            true => Note::new(message),
+            false => Note::at(reading.source, self.span.start, message),
+        };
+        reading.notes.push(Note {
+            is_on_missing_part: self.bodies.is_empty() || !missing.is_empty(),
+            ..note
+        });
     }
 }
 
@@ -215,16 +220,11 @@ fn hub_of(
         return Err(diameter.wrong("hub diameter cannot be negative"));
     }
     let cone = shape.number_or("cone_angle", "cone angle", 0.0)?;
-    let assembly = outline.assembly.as_ref();
-    let blades = assembly.and_then(|assembly| assembly.get("number_of_blades"));
-    let count = blades.map_or(Ok(3.0), |node| node.number("number of blades"))?;
-    if let Some(node) = blades.filter(|_| !(1.0..=20.0).contains(&count) || count.fract() != 0.0) {
-        return Err(node.wrong("number_of_blades should be a whole number from 1 to 20"));
-    }
+    let blades = blade_count(outline)?.unwrap_or(USUAL_BLADES);
     Ok(Hub {
         radius_m: 0.5 * diameter_m,
         cone_rad: version.radians(cone),
-        blades: count,
+        blades: blades as f64,
         is_upwind,
     })
 }

@@ -6,7 +6,7 @@ use super::reading::Reading;
 use super::structure::Structure;
 use super::yaml::Node;
 use crate::diagnostic::Diagnostic;
-use crate::input::TowerPart;
+use crate::input::{Note, TowerPart};
 
 /// Takes away what is in the ground, and says so.
 pub(super) fn stand(
@@ -23,7 +23,7 @@ pub(super) fn stand(
     let environment = outline.environment.as_ref();
     let depth = environment.and_then(|environment| environment.get("water_depth"));
     let Some(depth) = depth else {
-        reading.note(format!(
+        reading.note_missing_part(format!(
             "the file does not say the depth of the water, so the mudline is not known: the monopile is clamped at its lowest height, z = {base_m} m, and nothing holds it above"
         ));
         return Ok(());
@@ -32,10 +32,12 @@ pub(super) fn stand(
     if base_m < mudline_m - SAME_M {
         let embedded_m = rounded(mudline_m - base_m);
         structure.cut_below(mudline_m);
-        reading.note_at(depth.span.start, format!(
+        let message = format!(
             "the {embedded_m} m of the monopile below the mudline at z = {mudline_m} m are left out and the tower is clamped there: softer ground lowers the frequencies; add [[soil]] after `convert --to toml`{}",
             soil(environment)
-        ));
+        );
+        let note = Note::at(reading.source, depth.span.start, message);
+        reading.notes.push(note.of_missing_part());
     } else if base_m > mudline_m + SAME_M {
         reading.note_at(depth.span.start, format!(
             "the monopile ends at z = {base_m} m, {} m above the mudline at z = {mudline_m} m: it is clamped where it ends",

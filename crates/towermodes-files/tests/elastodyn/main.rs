@@ -5,5 +5,6 @@ mod decks;
 mod hostile;
 mod main_file;
 mod public;
+mod rotor;
 mod texts;
 mod tower;

@@ -2,7 +2,8 @@
 
 use std::path::PathBuf;
 
-use towermodes::{Inertia, RigidBody};
+use towermodes::rotor::{Campbell, CampbellOptions, Excited, StiffnessClass, campbell};
+use towermodes::{BladeFamily, Family, Inertia, Options, RigidBody, Rotor, Verdict, solve};
 use towermodes_files::elastodyn::{
     BladeMasses, ElastoDynDeck, lump_rna, read_blade_file, read_elastodyn, read_main_file,
     read_tower_file,
@@ -263,4 +264,97 @@ fn the_published_assembly_differs_by_known_conventions() {
     close(rna.inertia_kg_m2.yy, 24_376_664.0, 400.0);
     close(rna.inertia_kg_m2.zz, 22_652_099.0, 400.0);
     close(rna.inertia_kg_m2.xz, -924_870.0, 40.0);
+}
+
+/// What the rotor of the onshore deck excites.
+fn onshore_diagram() -> Option<(ElastoDynDeck, Campbell)> {
+    let deck = peer_deck("nrel5mw_land_deck/NRELOffshrBsline5MW_Onshore_ElastoDyn.dat")?
+        .unwrap_or_else(|error| panic!("{error}"));
+    let tower = deck.input.tower().expect("a tower");
+    let solution = solve(&tower, &Options::default()).expect("modes");
+    let rotor = tower.rotor().expect("a rotor");
+    let options = CampbellOptions::default();
+    let blade = deck.input.blade.as_ref();
+    let diagram = campbell(&tower, &solution, blade, rotor, &options).expect("a diagram");
+    Some((deck, diagram))
+}
+
+/// 12.1 rpm: 1P 0.201667 Hz and 3P 0.605 Hz against 0.31905 Hz (side-side) and 0.32205 Hz (fore-aft): 0.201667/0.32205 − 1 = −37.38 %.
+#[test]
+fn the_nrel_5_mw_tower_is_soft_stiff() {
+    let Some((deck, diagram)) = onshore_diagram() else {
+        return;
+    };
+    let expected = Rotor {
+        blades: 3,
+        lowest_rpm: 12.1,
+        highest_rpm: 12.1,
+    };
+    assert_eq!(deck.input.description.rotor, Some(expected));
+    let tower = |family| {
+        let is_first = |of: Excited| matches!(of, Excited::Tower { family: own, order: 1, .. } if own == family);
+        let line = diagram.lines.iter().position(|line| is_first(line.of));
+        line.expect("a first mode")
+    };
+    for (family, multiple, distance) in [
+        (Family::ForeAft, 1, -0.373_803),
+        (Family::ForeAft, 3, 0.878_590),
+        (Family::SideSide, 1, -0.367_915),
+        (Family::SideSide, 3, 0.896_255),
+    ] {
+        let line = tower(family);
+        let mut margins = diagram.margins.iter();
+        let margin = margins
+            .find(|m| m.line == line && m.multiple == multiple)
+            .expect("a margin");
+        close(margin.distance, distance, 1e-4);
+        assert_eq!(margin.verdict, Verdict::Pass);
+    }
+    let soft_stiff = StiffnessClass::SoftStiff;
+    let expected = [
+        (Family::ForeAft, soft_stiff),
+        (Family::SideSide, soft_stiff),
+    ];
+    assert_eq!(diagram.classes, expected);
+    let said: Vec<String> = deck
+        .input
+        .rotor_notes
+        .iter()
+        .map(ToString::to_string)
+        .collect();
+    assert_eq!(said.len(), 2, "{said:?}");
+    assert!(said[1].contains("PreCone(1) = -2.5 degrees"));
+}
+
+/// Jonkman et al., NREL/TP-500-38060 (2009), table 9-1: the first blade modes of the whole standing turbine, by two programs and three ways
+/// of the blades to move together: flap 0.6296 to 0.7019 Hz, edge 1.0740 to 1.0898 Hz. Those in which the others hold the hub, asymmetric
+/// in pitch and symmetric, are those of a blade on a fixed hub: 0.6664 to 0.7019 Hz and 1.0793 to 1.0898 Hz.
+#[test]
+fn blades_of_the_nrel_5_mw_turbine_are_those_published() {
+    let Some((_, diagram)) = onshore_diagram() else {
+        return;
+    };
+    let line = |family| {
+        let of = Excited::Blade { family, order: 1 };
+        let mut lines = diagram.lines.iter();
+        lines.find(|line| line.of == of).expect("of the blade")
+    };
+    let (flap, lag) = (line(BladeFamily::Flap), line(BladeFamily::Lag));
+    let [standing_flap_hz, standing_lag_hz] = [flap, lag].map(|line| line.points[0][1]);
+    assert!(
+        (0.6664 * 0.95..0.6993 * 1.05).contains(&standing_flap_hz),
+        "{standing_flap_hz}"
+    );
+    assert!(
+        (1.0793 * 0.95..1.0898 * 1.05).contains(&standing_lag_hz),
+        "{standing_lag_hz}"
+    );
+    // Turning makes it stiffer: flap by more than the part of its own speed, 0.2017 Hz, that Southwell gives a uniform beam at most.
+    let rated = |line: &towermodes::rotor::FrequencyLine| {
+        let mut points = line.points.iter();
+        points.find(|point| point[0] == 12.1).expect("rated")[1]
+    };
+    let southwell = (rated(flap).powi(2) - standing_flap_hz.powi(2)) / 0.201_667_f64.powi(2);
+    assert!((1.0..2.0).contains(&southwell), "{southwell}");
+    assert!((standing_lag_hz..1.05 * standing_lag_hz).contains(&rated(lag)));
 }

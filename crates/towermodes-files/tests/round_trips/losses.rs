@@ -2,7 +2,7 @@
 
 use towermodes::{
     AddedMassRow, FloatingPlatform, Foundation, FoundationSprings, Inertia, Planes, PointMass,
-    Properties, Rna, Shear, SoilRow, SoilStiffness, Station, TowerDescription, Water,
+    Properties, Rna, Rotor, Shear, SoilRow, SoilStiffness, Station, TowerDescription, Water,
 };
 
 use super::comparison::{alone, bending_hz, frequencies_hz, largest_difference};
@@ -384,6 +384,37 @@ fn all_things_of_a_tower_come_back_or_are_said() {
         let others = [Target::Bmodes, Target::ElastoDyn, Target::WindIo];
         for (target, fate) in others.into_iter().zip(case.fates) {
             check(case, target, fate);
+        }
+    }
+}
+
+/// It changes no frequency, so it is compared itself.
+#[test]
+fn a_rotor_comes_back_or_is_said() {
+    for (lowest_rpm, highest_rpm) in [(6.9, 12.1), (17.0, 17.0)] {
+        let mut description = plain();
+        description.rotor = Some(Rotor {
+            blades: 2,
+            lowest_rpm,
+            highest_rpm,
+        });
+        for target in Target::ALL {
+            let writing = written(&description, target);
+            let read = writing.read().description.rotor;
+            let said = match target {
+                Target::Toml | Target::WindIo => {
+                    assert_eq!(read, description.rotor, "{target:?}");
+                    continue;
+                }
+                Target::Bmodes => "a tower's deck has no rotor: its 2 blades",
+                Target::ElastoDyn => "the rotor, which is in the main file",
+            };
+            assert_eq!(read, None, "{target:?}");
+            let has = |notes: &[towermodes_files::Note]| {
+                notes.iter().any(|note| note.message.contains(said))
+            };
+            assert!(has(&writing.notes), "{target:?}: {:?}", writing.notes);
+            assert!(!has(&written(&plain(), target).notes), "{target:?}");
         }
     }
 }

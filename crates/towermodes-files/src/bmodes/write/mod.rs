@@ -106,6 +106,12 @@ fn said_of_the_whole(
             "BModes has no gravity: the weights ({gravity} m/s2) are left out"
         )));
     }
+    if let Some(rotor) = tower.rotor() {
+        notes.push(Note::new(format!(
+            "a tower's deck has no rotor: its {} blades and its speeds ({} to {} rpm) are left out",
+            rotor.blades, rotor.lowest_rpm, rotor.highest_rpm
+        )));
+    }
     if tower.shears() {
         let model = match description.shear {
             _ if description.stations.is_empty() => "the table's shear stiffness",

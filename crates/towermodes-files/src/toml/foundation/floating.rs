@@ -25,7 +25,6 @@ pub(super) const KIND: Kind = Kind {
             "mooring",
             "mooring_height",
         ],
-        planned: &[],
     },
     nature: "a floating platform is not rigidly held, but by its matrices hydrostatic and mooring",
     read,

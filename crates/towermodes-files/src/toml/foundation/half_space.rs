@@ -16,7 +16,6 @@ pub(super) const KIND: Kind = Kind {
             "soil_shear_modulus",
             "soil_poissons_ratio",
         ],
-        planned: &[],
     },
     nature: "the springs of a half-space follow from the footing and the soil",
     read,

@@ -31,10 +31,7 @@ static KINDS: [Kind; 5] = [
 
 const CLAMPED: Kind = Kind {
     name: "clamped",
-    keys: Keys {
-        known: &["type"],
-        planned: &[],
-    },
+    keys: Keys { known: &["type"] },
     nature: "a clamped base does not move",
     read: |_, _| Some(Foundation::Clamped),
 };
@@ -63,7 +60,6 @@ static OF_ANY_TYPE: Keys = Keys {
         "mooring",
         "mooring_height",
     ],
-    planned: &[],
 };
 
 fn at(key: &'static str) -> Place {

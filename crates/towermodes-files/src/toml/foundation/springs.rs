@@ -13,7 +13,6 @@ pub(super) const KIND: Kind = Kind {
         known: &[
             "type", "lateral", "rocking", "vertical", "torsion", "coupling",
         ],
-        planned: &[],
     },
     nature: "springs are given one by one",
     read,

@@ -12,7 +12,6 @@ pub(super) const KIND: Kind = Kind {
     name: "stiffness",
     keys: Keys {
         known: &["type", "matrix", "mass"],
-        planned: &[],
     },
     nature: "here the matrix says all",
     read,

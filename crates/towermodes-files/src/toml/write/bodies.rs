@@ -1,6 +1,6 @@
-//! `[rna]` and `[[point_mass]]`.
+//! `[rna]`, `[rotor]` and `[[point_mass]]`.
 
-use towermodes::{Inertia, PointMass, Rna};
+use towermodes::{Inertia, PointMass, Rna, Rotor};
 
 use super::Writing;
 use super::text::number;
@@ -18,9 +18,25 @@ pub(super) fn rna(rna: &Rna, writing: &mut Writing) {
     inertia(&rna.inertia_kg_m2, writing);
 }
 
-pub(super) fn point_masses(masses: &[PointMass], writing: &mut Writing) {
-    for mass in masses {
+pub(super) fn rotor(rotor: Option<&Rotor>, writing: &mut Writing) {
+    let Some(rotor) = rotor else {
+        return;
+    };
+    writing.section("[rotor]");
+    writing.value("blades", &rotor.blades.to_string(), "");
+    let (lowest, highest) = (rotor.lowest_rpm, rotor.highest_rpm);
+    if lowest == highest {
+        writing.number("rpm", highest, "constant");
+    } else {
+        let range = format!("[{}, {}]", number(lowest), number(highest));
+        writing.value("rpm", &range, "lowest and highest in operation");
+    }
+}
+
+pub(super) fn point_masses(masses: &[PointMass], names: &[String], writing: &mut Writing) {
+    for (index, mass) in masses.iter().enumerate() {
         writing.section("[[point_mass]]");
+        writing.name(names.get(index));
         writing.number("height", mass.height_m, "m");
         writing.number("mass", mass.mass_kg, "kg");
         inertia(&mass.inertia_kg_m2, writing);

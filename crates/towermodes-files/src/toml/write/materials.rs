@@ -1,32 +1,48 @@
 //! `[material]`, or `[materials.NAME]` where there are several.
 
-use towermodes::Material;
+use towermodes::{Material, TowerDescription};
 
+use super::super::materials::NUMBERED;
 use super::Writing;
 use super::text::quoted;
 
-/// What the materials are called: a description has no names for them.
+/// What the materials are called: by their own names, where a file can have these, or by numbers.
 pub(super) struct MaterialNames {
     count: usize,
     digits: usize,
+    own: Option<Vec<String>>,
 }
 
 impl MaterialNames {
-    pub(super) fn of(materials: &[Material]) -> Self {
-        let count = materials.len();
+    pub(super) fn of(description: &TowerDescription) -> Self {
+        let (count, names) = (
+            description.materials.len(),
+            &description.part_names.materials,
+        );
         let digits = count.to_string().len();
-        Self { count, digits }
+        // Materials are read in the order of their names, the one without a name first.
+        let are_kept = names.len() == count && names.windows(2).all(|pair| pair[0] < pair[1]);
+        let is_named = names.iter().any(|name| !name.is_empty());
+        Self {
+            count,
+            digits,
+            own: (are_kept && is_named).then(|| names.clone()),
+        }
     }
 
     /// Whether stations say what they are made of.
     pub(super) fn are_needed(&self) -> bool {
-        self.count > 1
+        self.count > 1 || self.own.is_some()
     }
 
-    /// As many digits in every name: materials are read in the order of their names.
+    /// As many digits in every number: materials are read in the order of their names.
     fn name(&self, index: usize) -> String {
+        let own = self.own.as_ref().and_then(|own| own.get(index));
+        if let Some(own) = own {
+            return own.clone();
+        }
         format!(
-            "material_{:0digits$}",
+            "{NUMBERED}{:0digits$}",
             index.saturating_add(1),
             digits = self.digits
         )
@@ -34,19 +50,30 @@ impl MaterialNames {
 
     /// What stands in the row of a station; an index that no material has is a name that no material has.
     pub(super) fn in_row(&self, index: usize) -> Option<String> {
-        (self.are_needed() || index > 0).then(|| quoted(&self.name(index)))
+        let name = self.name(index);
+        (!name.is_empty() && (self.are_needed() || index > 0)).then(|| quoted(&name))
     }
 }
 
 pub(super) fn materials(materials: &[Material], names: &MaterialNames, writing: &mut Writing) {
     for (index, material) in materials.iter().enumerate() {
-        if names.are_needed() {
-            writing.section(&format!("[materials.{}]", names.name(index)));
-        } else {
+        let name = names.name(index);
+        if name.is_empty() || !names.are_needed() {
             writing.section("[material]");
+        } else {
+            writing.section(&format!("[materials.{}]", key(&name)));
         }
         writing.number("density", material.density_kg_per_m3, "kg/m3");
         writing.number("youngs_modulus", material.youngs_modulus_pa, "Pa");
         writing.number("shear_modulus", material.shear_modulus_pa, "Pa");
+    }
+}
+
+/// A name as a key: bare where TOML allows that.
+fn key(name: &str) -> String {
+    let is_bare = |c: char| c.is_ascii_alphanumeric() || c == '_' || c == '-';
+    match name.chars().all(is_bare) {
+        true => name.to_owned(),
+        false => quoted(name),
     }
 }

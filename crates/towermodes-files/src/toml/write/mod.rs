@@ -43,6 +43,13 @@ impl Writing {
         }
     }
 
+    /// The name of a part that has one.
+    fn name(&mut self, name: Option<&String>) {
+        if let Some(name) = name.filter(|name| !name.is_empty()) {
+            self.value("name", &quoted(name), "");
+        }
+    }
+
     fn number(&mut self, key: &str, value: f64, comment: &str) {
         self.value(key, &number(value), comment);
     }
@@ -64,7 +71,9 @@ pub fn write_toml(description: &TowerDescription) -> (String, Vec<Note>) {
     }
     tower(description, &mut writing);
     bodies::rna(&description.rna, &mut writing);
-    bodies::point_masses(&description.point_masses, &mut writing);
+    bodies::rotor(description.rotor.as_ref(), &mut writing);
+    let names = &description.part_names.point_masses;
+    bodies::point_masses(&description.point_masses, names, &mut writing);
     foundation::foundation(&description.foundation, &mut writing);
     surroundings::surroundings(description, &mut writing);
     (writing.text, writing.notes)
@@ -73,7 +82,7 @@ pub fn write_toml(description: &TowerDescription) -> (String, Vec<Note>) {
 /// `[material]`, `[materials]` and `[tower]`.
 fn tower(description: &TowerDescription, writing: &mut Writing) {
     let has_stations = !description.stations.is_empty() || description.properties.is_empty();
-    let names = MaterialNames::of(&description.materials);
+    let names = MaterialNames::of(description);
     if has_stations {
         materials::materials(&description.materials, &names, writing);
     } else {

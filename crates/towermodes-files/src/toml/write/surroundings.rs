@@ -9,17 +9,18 @@ use super::text::number_rows;
 const MOST_WIRES: usize = 1_000_000_000;
 
 pub(super) fn surroundings(description: &TowerDescription, writing: &mut Writing) {
-    for layer in &description.soil {
-        soil(layer, writing);
+    let names = &description.part_names;
+    for (index, layer) in description.soil.iter().enumerate() {
+        soil(layer, names.soil.get(index), writing);
     }
-    for table in &description.added_mass {
-        added_mass(table, writing);
+    for (index, table) in description.added_mass.iter().enumerate() {
+        added_mass(table, names.added_mass.get(index), writing);
     }
     if let Some(water) = &description.water {
         self::water(water, writing);
     }
-    for wires in &description.wires {
-        self::wires(wires, writing);
+    for (index, wires) in description.wires.iter().enumerate() {
+        self::wires(wires, names.wires.get(index), writing);
     }
     if description.gravity_m_per_s2 != 0.0 {
         writing.section("[gravity]");
@@ -28,7 +29,7 @@ pub(super) fn surroundings(description: &TowerDescription, writing: &mut Writing
 }
 
 /// With as many columns as are not all zero, and x and y.
-fn soil(layer: &[SoilRow], writing: &mut Writing) {
+fn soil(layer: &[SoilRow], name: Option<&String>, writing: &mut Writing) {
     let values = |row: &SoilRow| {
         let springs = &row.stiffness;
         [
@@ -47,6 +48,7 @@ fn soil(layer: &[SoilRow], writing: &mut Writing) {
         (false, false) => (3, ""),
     };
     writing.section("[[soil]]");
+    writing.name(name);
     writing.line(format!(
         "rows = [  # height in m, springs in x, in y (N/m2){more}"
     ));
@@ -54,12 +56,13 @@ fn soil(layer: &[SoilRow], writing: &mut Writing) {
     writing.line("]");
 }
 
-fn added_mass(table: &[AddedMassRow], writing: &mut Writing) {
+fn added_mass(table: &[AddedMassRow], name: Option<&String>, writing: &mut Writing) {
     let rows: Vec<[f64; 2]> = table
         .iter()
         .map(|r| [r.height_m, r.mass_kg_per_m])
         .collect();
     writing.section("[[added_mass]]");
+    writing.name(name);
     writing.line("rows = [  # height in m, mass that moves with the tower in x and y in kg/m");
     number_rows(&rows, 2, writing);
     writing.line("]");
@@ -76,7 +79,7 @@ fn water(water: &Water, writing: &mut Writing) {
     writing.value("flooded", if water.flooded { "true" } else { "false" }, "");
 }
 
-fn wires(wires: &Wires, writing: &mut Writing) {
+fn wires(wires: &Wires, name: Option<&String>, writing: &mut Writing) {
     if !(1..=MOST_WIRES).contains(&wires.count) {
         let message = format!(
             "a set of {} wires is refused when the file is read",
@@ -85,6 +88,7 @@ fn wires(wires: &Wires, writing: &mut Writing) {
         writing.note(message);
     }
     writing.section("[[wires]]");
+    writing.name(name);
     writing.number("height", wires.height_m, "of their upper ends, m");
     writing.value("count", &wires.count.to_string(), "");
     writing.number("stiffness", wires.stiffness_n_per_m, "EA/L of each, N/m");

@@ -5,7 +5,7 @@ mod sections;
 mod yaml_text;
 
 use thiserror::Error;
-use towermodes::{PointMass, Rna, Tower, TowerDescription};
+use towermodes::{PointMass, Rna, Rotor, Tower, TowerDescription};
 
 use super::rna::WHOLE_ASSEMBLY;
 use crate::input::Note;
@@ -73,15 +73,19 @@ pub fn write_windio(
     ];
     let mut components = vec![("tower", Yaml::Map(tower))];
     if description.rna != Rna::default() {
-        components.push(("drivetrain", assembly(&description.rna)));
+        components.push(("drivetrain", drivetrain(&description.rna)));
     }
-    let file = vec![
+    let rotor = description.rotor.as_ref();
+    let assembly = rotor.map(|rotor| ("number_of_blades", Yaml::Count(rotor.blades)));
+    let assembly = assembly.into_iter().collect();
+    let mut file = vec![
         ("windIO_version", Yaml::Text("2.0".to_owned())),
         ("name", Yaml::Text(description.name.clone())),
-        ("assembly", Yaml::Map(Vec::new())),
+        ("assembly", Yaml::Map(assembly)),
         ("components", Yaml::Map(components)),
         ("materials", materials),
     ];
+    file.extend(rotor.map(|rotor| ("control", control(rotor))));
     let text = yaml_text::text(&file);
     let text = match description.rna == Rna::default() {
         true => text,
@@ -101,7 +105,15 @@ fn straight() -> Yaml {
     curve(vec![0.0, 1.0], vec![0.0, 0.0])
 }
 
-fn assembly(rna: &Rna) -> Yaml {
+/// The rated speed is the highest in operation; above it is only the limit of protection.
+fn control(rotor: &Rotor) -> Yaml {
+    Yaml::Map(vec![
+        ("min_rotor_speed", Yaml::Number(rotor.lowest_rpm)),
+        ("rated_rotor_speed", Yaml::Number(rotor.highest_rpm)),
+    ])
+}
+
+fn drivetrain(rna: &Rna) -> Yaml {
     let j = &rna.inertia_kg_m2;
     let body = vec![
         ("mass", Yaml::Number(rna.mass_kg)),

@@ -6,6 +6,7 @@ use std::fmt::Write;
 #[derive(Debug, Clone, PartialEq)]
 pub(super) enum Yaml {
     Number(f64),
+    Count(usize),
     Numbers(Vec<f64>),
     Text(String),
     Map(Vec<(&'static str, Yaml)>),
@@ -35,6 +36,9 @@ fn write_value(out: &mut String, value: &Yaml, indent: usize) {
     match value {
         Yaml::Number(value) => {
             let _ = writeln!(out, " {}", number(*value));
+        }
+        Yaml::Count(count) => {
+            let _ = writeln!(out, " {count}");
         }
         Yaml::Numbers(values) => {
             let values: Vec<String> = values.iter().map(|v| number(*v)).collect();

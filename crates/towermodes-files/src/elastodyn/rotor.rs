@@ -1,0 +1,95 @@
+//! The rotor of an ElastoDyn model, and one of its blades.
+
+use towermodes::{BladeDescription, BladeSection, RigidBody, Rotor};
+
+use super::blade_file::BladeFile;
+use super::main_file::MainFile;
+use crate::input::{Note, RotorNotes};
+use crate::source::Source;
+
+/// A blade is cut into so many elements, or into as many as its table has intervals, up to [`MOST_ELEMENTS`].
+const ELEMENTS: usize = 50;
+const MOST_ELEMENTS: usize = 400;
+
+/// Number of blades and the speed at which a simulation begins; none of a rotor that does not turn.
+///
+/// ElastoDyn's files do not say the range of speeds in operation, which the controller decides.
+pub(super) fn rotor(main: &MainFile) -> Option<Rotor> {
+    let rpm = main.rotor_speed_rpm;
+    (rpm > 0.0).then_some(Rotor {
+        blades: main.blade_count,
+        lowest_rpm: rpm,
+        highest_rpm: rpm,
+    })
+}
+
+/// The first blade at standstill, as ElastoDyn has it: it bends, but it neither twists nor stretches, and its sections have no offsets.
+///
+/// Twist and pitch of ElastoDyn are positive towards feather, as those of BModes, and the library's are positive the other way.
+pub(super) fn blade(main: &MainFile, file: &BladeFile) -> BladeDescription {
+    let elements = (file.rows.len() - 1).clamp(ELEMENTS, MOST_ELEMENTS);
+    let sections = file.rows.iter().map(|row| BladeSection {
+        span: row.length_fraction,
+        twist_rad: 0.0 - row.twist_deg.to_radians(),
+        mass_kg_per_m: file.mass_factor * row.mass_kg_per_m,
+        flap_n_m2: file.flap_factor * row.flap_n_m2,
+        edge_n_m2: file.edge_factor * row.edge_n_m2,
+        torsion_n_m2: f64::INFINITY,
+        axial_n: f64::INFINITY,
+        ..BladeSection::default()
+    });
+    BladeDescription {
+        name: main.blade_files.first().cloned().unwrap_or_default(),
+        hub_radius_m: main.hub_radius_m,
+        tip_radius_m: main.tip_radius_m,
+        sections: sections.collect(),
+        borders: (0..=elements).map(|k| k as f64 / elements as f64).collect(),
+        rotor_speed_rad_per_s: 0.0,
+        pitch_rad: 0.0 - main.blade_pitch_deg[0].to_radians(),
+        tip: RigidBody::point(main.tip_masses_kg[0], [0.0; 3]),
+        tip_is_pulled: true,
+    }
+}
+
+/// What was decided of the rotor; of its blade only if that was read.
+pub(super) fn notes(main: &MainFile, source: &Source, has_blade: bool) -> RotorNotes {
+    let at = |key: &str, message: String| Note::at(source, main.place(key).start, message);
+    let mut notes = RotorNotes::default();
+    let rpm = main.rotor_speed_rpm;
+    if rpm > 0.0 {
+        let message = format!(
+            "RotSpeed = {rpm} rpm is taken as the only speed of operation; ElastoDyn's files do not say the range"
+        );
+        notes.speeds.push(at("RotSpeed", message));
+    }
+    if !has_blade {
+        return notes;
+    }
+    let precone_deg = main.precone_deg[0];
+    if precone_deg != 0.0 {
+        let message = format!(
+            "PreCone(1) = {precone_deg} degrees is left out of the blade's modes: it turns in the rotor's plane"
+        );
+        notes.others.push(at("PreCone(1)", message));
+    }
+    let pitch_deg = main.blade_pitch_deg[0];
+    if pitch_deg != 0.0 {
+        let message = format!(
+            "BlPitch(1) = {pitch_deg} degrees, where a simulation begins, is taken for the blade's modes at all speeds"
+        );
+        notes.others.push(at("BlPitch(1)", message));
+    }
+    for (blade, number) in (1..main.blade_count.min(3)).zip(2..) {
+        let is_other = main.blade_files[blade] != main.blade_files[0]
+            || main.tip_masses_kg[blade] != main.tip_masses_kg[0]
+            || main.blade_pitch_deg[blade] != main.blade_pitch_deg[0];
+        if is_other {
+            let key = ["BldFile(1)", "BldFile(2)", "BldFile(3)"][blade];
+            let message = format!(
+                "blade {number} has another file, tip mass or pitch than the first; the modes are those of the first"
+            );
+            notes.others.push(at(key, message));
+        }
+    }
+    notes
+}

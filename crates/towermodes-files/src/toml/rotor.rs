@@ -1,0 +1,74 @@
+//! `[rotor]`.
+
+use towermodes::{Place, Rotor};
+
+use super::table::{Keys, Table};
+use super::values::{Value, list, number, wrong_kind};
+use super::{Reading, TABLE};
+use crate::diagnostic::Diagnostic;
+
+const ROTOR: Keys = Keys {
+    known: &["blades", "rpm"],
+};
+
+const HINT: &str =
+    "its lowest and highest speed in operation, rpm = [6.9, 12.1], or one number if it is constant";
+
+/// The rotor: `Some(None)` if there is none, `None` after a mistake.
+pub(super) fn rotor(root: &Table<'_>, reading: &mut Reading) -> Option<Option<Rotor>> {
+    let Some(value) = root.get("rotor") else {
+        return Some(None);
+    };
+    let at = |key| Place::Rotor { key };
+    reading.remember(at(TABLE), value.span());
+    let table = Table::of(value, "[rotor]", &ROTOR, reading)?;
+    let blades = table
+        .require("blades", "number of blades, as 3", reading)
+        .and_then(|value| {
+            reading.remember(at("blades"), value.span());
+            blades(value, reading)
+        });
+    let speeds = table.require("rpm", HINT, reading).and_then(|value| {
+        reading.remember(at("rpm"), value.span());
+        speeds_rpm(value, reading)
+    });
+    let (blades, [lowest_rpm, highest_rpm]) = (blades?, speeds?);
+    Some(Some(Rotor {
+        blades,
+        lowest_rpm,
+        highest_rpm,
+    }))
+}
+
+/// A number of blades; whether rotors have so many the tower's checks say.
+fn blades(value: &Value<'_>, reading: &mut Reading) -> Option<usize> {
+    let count = number(value, "blades", reading)?;
+    if count.fract() == 0.0 && (0.0..=1e9).contains(&count) {
+        return Some(count as usize);
+    }
+    let message = format!("blades is {count}, not a number of blades");
+    let diagnostic = Diagnostic::new(value.span(), message);
+    reading.mistake(diagnostic.with_hint("a whole number of at least 1"));
+    None
+}
+
+/// One number, or a list of the lowest and the highest.
+fn speeds_rpm(value: &Value<'_>, reading: &mut Reading) -> Option<[f64; 2]> {
+    if value.get_ref().as_array().is_none() {
+        if value.get_ref().is_table() {
+            let diagnostic = wrong_kind(value, "rpm", "a number or a list of two");
+            reading.mistake(diagnostic.with_hint(HINT));
+            return None;
+        }
+        return number(value, "rpm", reading).map(|rpm| [rpm, rpm]);
+    }
+    let speeds = list(value, "rpm", reading)?;
+    let [lowest, highest] = &speeds[..] else {
+        let message = format!("rpm has {} numbers, not 2", speeds.len());
+        reading.mistake(Diagnostic::new(value.span(), message).with_hint(HINT));
+        return None;
+    };
+    let lowest = number(lowest, "the lowest rpm", reading);
+    let highest = number(highest, "the highest rpm", reading);
+    Some([lowest?, highest?])
+}

@@ -1,0 +1,175 @@
+//! How many blades the rotor has and which speeds it runs at.
+
+use std::f64::consts::PI;
+
+use towermodes::rotor::MOST_BLADES;
+use towermodes::{Place, Rotor};
+
+use super::outline::Outline;
+use super::reading::Reading;
+use super::yaml::Node;
+use crate::diagnostic::Diagnostic;
+use crate::input::{Note, RotorNotes};
+use crate::places::{Places, TABLE};
+
+/// No blade's tip is faster in operation, m/s; those of large rotors reach 70 to 110.
+const FASTEST_TIP_M_PER_S: f64 = 150.0;
+
+/// Blades of a rotor whose file does not say how many.
+pub(super) const USUAL_BLADES: usize = 3;
+
+/// Where the limits of the speed stand.
+struct Limits<'a> {
+    lowest: Option<&'a Node>,
+    highest: &'a Node,
+    /// The name of the lowest, for notes.
+    key: &'static str,
+    /// Whether they are those of the controller of torque, whose unit is not sure.
+    of_torque: bool,
+}
+
+impl Limits<'_> {
+    /// The lowest speed, or the highest where the file has no other.
+    fn lowest(
+        &self,
+        highest: f64,
+        note: &mut impl FnMut(&Node, String),
+    ) -> Result<f64, Diagnostic> {
+        if let Some(node) = self.lowest {
+            return node.number("lowest rotor speed");
+        }
+        let key = self.key;
+        note(
+            self.highest,
+            format!("the file has no {key}: the highest speed is taken as the only one"),
+        );
+        Ok(highest)
+    }
+
+    /// How many rpm the unit is: of the controller of torque rad/s, unless the tips would be too fast.
+    fn rpm_of_unit(
+        &self,
+        outline: &Outline,
+        highest: f64,
+        note: &mut impl FnMut(&Node, String),
+    ) -> Result<f64, Diagnostic> {
+        if !self.of_torque {
+            return Ok(1.0);
+        }
+        let assembly = outline.assembly.as_ref();
+        let diameter = assembly.and_then(|assembly| assembly.get("rotor_diameter"));
+        let Some(diameter) = diameter else {
+            let message = format!(
+                "VS_maxspd = {highest} is taken in rad/s, as the schema says; many files have rpm there, and without rotor_diameter nothing shows which"
+            );
+            note(self.highest, message);
+            return Ok(30.0 / PI);
+        };
+        let diameter_m = diameter.number("rotor diameter")?;
+        let tip_m_per_s = 0.5 * diameter_m * highest;
+        if tip_m_per_s <= FASTEST_TIP_M_PER_S {
+            return Ok(30.0 / PI);
+        }
+        let message = format!(
+            "VS_maxspd = {highest} is taken in rpm: in rad/s, as the schema says, the tips of a rotor of {diameter_m} m would have {tip_m_per_s:.0} m/s"
+        );
+        note(self.highest, message);
+        Ok(1.0)
+    }
+
+    /// What the highest speed of operation is, where the file has a limit that is another.
+    fn note_range(
+        &self,
+        outline: &Outline,
+        note: &mut impl FnMut(&Node, String),
+    ) -> Result<(), Diagnostic> {
+        if self.of_torque {
+            let message = "VS_maxspd is taken as the highest speed of operation; it is a limit of the controller, and the rated speed may be lower";
+            note(self.highest, message.to_owned());
+            return Ok(());
+        }
+        let control = outline.control.as_ref();
+        if let Some(node) = control.and_then(|control| control.get("max_rotor_speed")) {
+            let rpm = node.number("max_rotor_speed")?;
+            let message = format!(
+                "max_rotor_speed = {rpm} rpm is a limit of protection, not a speed of operation: the range ends at rated_rotor_speed"
+            );
+            note(node, message);
+        }
+        Ok(())
+    }
+}
+
+/// The rotor, if the file says a speed; what was decided goes to `notes`.
+///
+/// Version 2 has `control.min_rotor_speed` and `rated_rotor_speed`, rpm; its `max_rotor_speed` is a limit at which the machine is shut down,
+/// and no speed of operation. Version 1, and files that say version 2 but have the older `control`, have `control.torque.VS_minspd` and
+/// `VS_maxspd`, in rad/s by the schema, but in rpm in many files: which of both it is the speed of the tips shows. `VS_maxspd` limits the
+/// rated speed, which they do not say.
+pub(super) fn rotor(
+    outline: &Outline,
+    places: &mut Places,
+    reading: &Reading<'_>,
+    notes: &mut RotorNotes,
+) -> Result<Option<Rotor>, Diagnostic> {
+    let Some(limits) = limits(outline) else {
+        return Ok(None);
+    };
+    let highest = limits.highest.number("highest rotor speed")?;
+    if highest == 0.0 {
+        return Ok(None);
+    }
+    for key in [TABLE, "blades", "rpm"] {
+        places.remember(Place::Rotor { key }, 0, limits.highest.span.clone());
+    }
+    let mut note = |node: &Node, message: String| {
+        let note = Note::at(reading.source, node.span.start, message);
+        notes.speeds.push(note);
+    };
+    let lowest = limits.lowest(highest, &mut note)?;
+    let factor = limits.rpm_of_unit(outline, highest, &mut note)?;
+    limits.note_range(outline, &mut note)?;
+    let blades = blade_count(outline)?;
+    if blades.is_none() {
+        let message = format!("the file has no number_of_blades: taken as {USUAL_BLADES}");
+        let at = limits.highest.span.start;
+        notes.blades.push(Note::at(reading.source, at, message));
+    }
+    Ok(Some(Rotor {
+        blades: blades.unwrap_or(USUAL_BLADES),
+        lowest_rpm: factor * lowest,
+        highest_rpm: factor * highest,
+    }))
+}
+
+fn limits(outline: &Outline) -> Option<Limits<'_>> {
+    let control = outline.control.as_ref()?;
+    if let Some(highest) = control.get("rated_rotor_speed") {
+        return Some(Limits {
+            lowest: control.get("min_rotor_speed"),
+            highest,
+            key: "min_rotor_speed",
+            of_torque: false,
+        });
+    }
+    Some(Limits {
+        lowest: control.find(&["torque", "VS_minspd"]),
+        highest: control.find(&["torque", "VS_maxspd"])?,
+        key: "VS_minspd",
+        of_torque: true,
+    })
+}
+
+/// The number of blades, if the file says it.
+pub(super) fn blade_count(outline: &Outline) -> Result<Option<usize>, Diagnostic> {
+    let assembly = outline.assembly.as_ref();
+    let Some(node) = assembly.and_then(|assembly| assembly.get("number_of_blades")) else {
+        return Ok(None);
+    };
+    let count = node.number("number of blades")?;
+    if (1.0..=MOST_BLADES as f64).contains(&count) && count.fract() == 0.0 {
+        return Ok(Some(count as usize));
+    }
+    let message = format!("number_of_blades should be a whole number from 1 to {MOST_BLADES}");
+    Err(node.wrong(&message))
+}
