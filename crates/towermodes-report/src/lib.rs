@@ -3,4 +3,7 @@
 //! A picture is a [`Figure`](svg::Figure): SVG with measured text, a description and the numbers it shows as a table.
 
 pub mod figures;
+pub mod raster;
+pub mod report;
 pub mod svg;
+pub mod terminal;

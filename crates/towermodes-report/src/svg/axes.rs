@@ -2,7 +2,7 @@
 
 use super::colour::Colour;
 use super::drawing::{Anchor, Drawing, Stroke, TextStyle};
-use super::scale::{Scale, number};
+use super::scale::{Scale, is_far_from_one, plain, power_of_ten};
 use super::text::text_width;
 
 /// Size of the numbers along an axis.
@@ -62,14 +62,21 @@ impl Axes {
             is_logarithmic,
             ..Scale::linear(values, [0.0, 1.0])
         };
-        let widths = tick_texts(&scale, ticks)
-            .into_iter()
-            .map(|(_, text)| text_width(&text, NUMBERS, false));
-        widths.fold(0.0, f64::max) + NUMBERS + 2.2 * NAME
+        Self::left_margin_at(&tick_texts(&scale, ticks))
+    }
+
+    /// The same with what is written at each value.
+    pub fn left_margin_at(ticks: &[(f64, String)]) -> f64 {
+        widest(ticks) + NUMBERS + 2.2 * NAME
     }
 
     /// Draws the grid and the axis below, with about so many numbers and its name, unit included: "rotor speed (rpm)".
     pub fn draw_x(&self, drawing: &mut Drawing, name: &str, ticks: usize) {
+        self.draw_x_at(drawing, name, &tick_texts(&self.x, ticks));
+    }
+
+    /// The same with its own values and what is written at each.
+    pub fn draw_x_at(&self, drawing: &mut Drawing, name: &str, ticks: &[(f64, String)]) {
         let Frame {
             left,
             top,
@@ -79,10 +86,10 @@ impl Axes {
         let style = TextStyle::new(NUMBERS)
             .colour(Colour::Muted)
             .anchor(Anchor::Middle);
-        for (value, text) in tick_texts(&self.x, ticks) {
-            let x = self.x.at(value);
+        for (value, text) in ticks {
+            let x = self.x.at(*value);
             drawing.line((x, top), (x, bottom), &Stroke::new(Colour::Grid, 1.0));
-            drawing.text((x, bottom + 1.5 * NUMBERS), &text, &style);
+            drawing.text((x, bottom + 1.5 * NUMBERS), text, &style);
         }
         drawing.line(
             (left, bottom),
@@ -99,6 +106,11 @@ impl Axes {
 
     /// Draws the grid and the axis on the left, with about so many numbers and its name, unit included.
     pub fn draw_y(&self, drawing: &mut Drawing, name: &str, ticks: usize) {
+        self.draw_y_at(drawing, name, &tick_texts(&self.y, ticks));
+    }
+
+    /// The same with its own values and what is written at each.
+    pub fn draw_y_at(&self, drawing: &mut Drawing, name: &str, ticks: &[(f64, String)]) {
         let Frame {
             left,
             top,
@@ -108,12 +120,7 @@ impl Axes {
         let style = TextStyle::new(NUMBERS)
             .colour(Colour::Muted)
             .anchor(Anchor::End);
-        let texts = tick_texts(&self.y, ticks);
-        let widest = texts
-            .iter()
-            .map(|(_, text)| text_width(text, NUMBERS, false))
-            .fold(0.0, f64::max);
-        for (value, text) in &texts {
+        for (value, text) in ticks {
             let y = self.y.at(*value);
             drawing.line((left, y), (right, y), &Stroke::new(Colour::Grid, 1.0));
             drawing.text((left - 0.6 * NUMBERS, y + 0.35 * NUMBERS), text, &style);
@@ -126,7 +133,7 @@ impl Axes {
         let style = TextStyle::new(NAME).anchor(Anchor::Middle).turned();
         drawing.text(
             (
-                left - widest - 1.2 * NUMBERS - 0.3 * NAME,
+                left - widest(ticks) - 1.2 * NUMBERS - 0.3 * NAME,
                 0.5 * (top + bottom),
             ),
             name,
@@ -135,18 +142,33 @@ impl Axes {
     }
 }
 
+fn widest(ticks: &[(f64, String)]) -> f64 {
+    let widths = ticks
+        .iter()
+        .map(|(_, text)| text_width(text, NUMBERS, false));
+    widths.fold(0.0, f64::max)
+}
+
 fn tick_texts(scale: &Scale, count: usize) -> Vec<(f64, String)> {
     let ticks = scale.ticks(count);
     let step = match ticks[..] {
         [a, b, ..] => b - a,
         _ => scale.high - scale.low,
     };
-    let text = |value: f64| {
-        if scale.is_logarithmic {
-            number(value, value)
-        } else {
-            number(value, step)
-        }
+    // One style for all: powers of ten as soon as one number needs them, on a linear axis the largest.
+    let is_far = |value: &f64| *value != 0.0 && is_far_from_one(*value);
+    let largest = ticks
+        .iter()
+        .fold(0.0_f64, |most, value| most.max(value.abs()));
+    let has_powers = if scale.is_logarithmic {
+        ticks.iter().any(is_far)
+    } else {
+        is_far(&largest)
+    };
+    let text = |value: f64| match (value == 0.0, has_powers) {
+        (true, _) => "0".to_owned(),
+        (false, true) => power_of_ten(value),
+        (false, false) => plain(value, if scale.is_logarithmic { value } else { step }),
     };
     ticks
         .into_iter()
@@ -190,7 +212,20 @@ pub fn spread(places: &[f64], gap: f64, range: [f64; 2]) -> Vec<f64> {
 
 #[cfg(test)]
 mod tests {
-    use super::spread;
+    use super::{Scale, spread, tick_texts};
+
+    #[test]
+    fn numbers_along_an_axis_have_one_style() {
+        let texts = |scale: Scale| -> Vec<String> {
+            let ticks = tick_texts(&scale, 4).into_iter();
+            ticks.map(|(_, text)| text).collect()
+        };
+        let linear = |high: f64| texts(Scale::linear([0.0, high], [0.0, 1.0]));
+        assert_eq!(linear(8e-4), ["0", "0.0002", "0.0004", "0.0006", "0.0008"]);
+        assert_eq!(linear(2e-4), ["0", "5·10⁻⁵", "10⁻⁴", "1.5·10⁻⁴", "2·10⁻⁴"]);
+        let logarithmic = texts(Scale::logarithmic([1e-4, 1e-1], [0.0, 1.0]));
+        assert_eq!(logarithmic, ["10⁻⁴", "10⁻³", "10⁻²", "10⁻¹"]);
+    }
 
     #[test]
     fn labels_are_moved_apart_and_stay_within() {

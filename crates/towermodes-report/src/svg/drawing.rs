@@ -293,7 +293,7 @@ impl Drawing {
             Marker::Disc => self.disc(at, r, colour, None),
             Marker::Ring => self.disc(at, r, Colour::Paper, Some(&stroke)),
             Marker::Square => {
-                self.rectangle((x - 0.9 * r, y - 0.9 * r), (1.8 * r, 1.8 * r), colour, None)
+                self.rectangle((x - 0.9 * r, y - 0.9 * r), (1.8 * r, 1.8 * r), colour, None);
             }
             Marker::Triangle => self.polygon(
                 &[(x - r, y + 0.8 * r), (x + r, y + 0.8 * r), (x, y - r)],

@@ -84,21 +84,31 @@ fn round_step(step: f64) -> f64 {
     nearest.unwrap_or(10.0) * power
 }
 
+/// Whether a number is short as a power of ten and long written out.
+pub(super) fn is_far_from_one(value: f64) -> bool {
+    !(-3.5..6.5).contains(&value.abs().log10())
+}
+
 /// A number with as many decimals as a step between neighbours needs, `10⁻⁴` for powers of ten that are far from one.
 pub fn number(value: f64, step: f64) -> String {
     if value == 0.0 {
         return "0".to_owned();
     }
-    let exponent = value.abs().log10();
-    if !(-3.5..6.5).contains(&exponent) {
+    if is_far_from_one(value) {
         return power_of_ten(value);
     }
+    plain(value, step)
+}
+
+/// A number written out with as many decimals as a step between neighbours needs.
+pub(super) fn plain(value: f64, step: f64) -> String {
     let decimals = (-(step.abs().log10() + 1e-9).floor()).clamp(0.0, 9.0) as usize;
     let text = format!("{value:.decimals$}");
     text.replace('-', "\u{2212}")
 }
 
-fn power_of_ten(value: f64) -> String {
+/// A positive number as its power of ten: "10⁻⁴", "2.5·10⁹".
+pub fn power_of_ten(value: f64) -> String {
     let exponent = (value.abs().log10() + 1e-9).floor();
     let mantissa = value / 10.0_f64.powf(exponent);
     let digits: String = format!("{exponent:.0}").chars().map(superscript).collect();

@@ -1,0 +1,128 @@
+//! What a script needs to move a tower in its modes.
+
+use serde::Serialize;
+use towermodes::{Mode, ShapePoint, Solution, Tower};
+
+use super::outline::{is_nominal, outer_diameter_m};
+
+/// Most heights of a moving tower.
+const MOST_HEIGHTS: usize = 60;
+
+/// A tower and its modes at a few heights, with five significant digits.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct AnimationData {
+    /// Heights from the base to the top in the datum of the stations, m; at most 60.
+    pub height_m: Vec<f64>,
+    /// Outer radius there, m; of a table of properties that of the steel tube of the same bending stiffness with a wall of 1/200 of its
+    /// diameter.
+    pub radius_m: Vec<f64>,
+    /// Whether the radius is such a nominal one.
+    pub is_nominal: bool,
+    /// The modes by frequency.
+    pub modes: Vec<AnimatedMode>,
+}
+
+/// One mode of a moving tower.
+///
+/// The largest translation (for torsion and yaw the largest rotation) is about 1; rotations of other modes are per metre.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct AnimatedMode {
+    /// Place in the list of modes, from 1.
+    pub number: usize,
+    /// What it is: "1st fore-aft bending".
+    pub label: String,
+    /// The name of its family: `fore-aft`.
+    pub family: &'static str,
+    /// Natural frequency, Hz.
+    pub frequency_hz: f64,
+    /// Translation fore-aft at each height.
+    pub x: Vec<f64>,
+    /// Translation side-side.
+    pub y: Vec<f64>,
+    /// Translation upwards.
+    pub z: Vec<f64>,
+    /// Rotation about the tower's axis.
+    pub rotation_z: Vec<f64>,
+}
+
+/// What a script needs to move the tower in these modes, from their shapes at equal heights.
+pub fn animation_data(tower: &Tower, solution: &Solution) -> AnimationData {
+    let points = solution.modes.first().map_or(&[][..], |mode| &mode.shape);
+    let heights_m: Vec<f64> = few(points).map(|point| point.height_m).collect();
+    let radius_m = heights_m
+        .iter()
+        .map(|height_m| rounded(0.5 * outer_diameter_m(tower, *height_m)));
+    AnimationData {
+        radius_m: radius_m.collect(),
+        is_nominal: is_nominal(tower),
+        modes: solution.modes.iter().map(animated).collect(),
+        height_m: heights_m.into_iter().map(rounded).collect(),
+    }
+}
+
+fn animated(mode: &Mode) -> AnimatedMode {
+    let translation = |axis: usize| {
+        let points = few(&mode.shape);
+        points
+            .map(|point| rounded(point.translation[axis]))
+            .collect()
+    };
+    AnimatedMode {
+        number: mode.number,
+        label: mode.label(),
+        family: mode.family.name(),
+        frequency_hz: rounded(mode.frequency_hz),
+        x: translation(0),
+        y: translation(1),
+        z: translation(2),
+        rotation_z: few(&mode.shape)
+            .map(|point| rounded(point.rotation[2]))
+            .collect(),
+    }
+}
+
+/// At most [`MOST_HEIGHTS`] of the points, the first and the last among them.
+fn few(points: &[ShapePoint]) -> impl Iterator<Item = &ShapePoint> {
+    let intervals = points.len().saturating_sub(1);
+    let step = intervals.div_ceil(MOST_HEIGHTS - 1).max(1);
+    let between = points.iter().take(intervals).step_by(step);
+    between.chain(points.last())
+}
+
+/// A number with five significant digits.
+fn rounded(value: f64) -> f64 {
+    format!("{value:.4e}").parse().unwrap_or(value)
+}
+
+#[cfg(test)]
+mod tests {
+    use towermodes::ShapePoint;
+
+    use super::{few, rounded};
+
+    #[test]
+    fn numbers_have_five_digits() {
+        assert_eq!(rounded(0.322_126_8), 0.322_13);
+        assert_eq!(rounded(-123_456.0), -123_460.0);
+        assert_eq!(rounded(0.0), 0.0);
+    }
+
+    #[test]
+    fn heights_are_few_and_reach_both_ends() {
+        for count in [0, 1, 2, 59, 60, 61, 101, 119, 120, 1000] {
+            let points: Vec<ShapePoint> = (0..count)
+                .map(|k| ShapePoint {
+                    height_m: k as f64,
+                    ..ShapePoint::default()
+                })
+                .collect();
+            let chosen: Vec<f64> = few(&points).map(|point| point.height_m).collect();
+            assert!(chosen.len() <= 60, "{count}: {}", chosen.len());
+            assert!(chosen.is_sorted_by(|a, b| a < b));
+            assert_eq!(chosen.first(), points.first().map(|point| &point.height_m));
+            assert_eq!(chosen.last(), points.last().map(|point| &point.height_m));
+        }
+        let points = vec![ShapePoint::default(); 101];
+        assert_eq!(few(&points).count(), 51);
+    }
+}

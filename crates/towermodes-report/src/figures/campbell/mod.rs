@@ -1,0 +1,151 @@
+//! Natural frequencies against the rotor's speed, crossed by its excitations: the Campbell diagram.
+
+mod above;
+mod extent;
+mod field;
+mod lines;
+mod marks;
+mod rays;
+
+use towermodes::Verdict;
+use towermodes::rotor::{Campbell, Margin, Rotor, Rpm};
+
+use crate::svg::{DataTable, Figure};
+
+use above::{above_text, unresisted_text};
+use field::drawing;
+use lines::{Shown, shown, three_digits};
+
+/// At most so many pairs are named in the description.
+const NAMED: usize = 6;
+
+/// The natural frequencies of tower and blade against the rotor's speed, its excitations, and where they come too near in operation.
+pub fn campbell(campbell: &Campbell) -> Figure {
+    let shown = shown(campbell);
+    Figure {
+        name: "campbell".to_owned(),
+        title: "Campbell diagram: natural frequencies and excitations against rotor speed"
+            .to_owned(),
+        description: description(campbell, &shown),
+        drawing: drawing(campbell, &shown),
+        table: table(campbell),
+    }
+}
+
+fn description(campbell: &Campbell, shown: &Shown) -> String {
+    let mut text = format!(
+        "Natural frequencies from 0 to {} Hz against the rotor's speed from 0 to {} rpm, with the excitations {}. {}.",
+        three_digits(shown.highest_hz),
+        three_digits(shown.last_rpm),
+        excitations(&shown.multiples),
+        operation(&campbell.rotor)
+    );
+    for (verdict, words) in [
+        (Verdict::Fail, "Too near each other in operation"),
+        (Verdict::Warn, "Warned of"),
+    ] {
+        text.extend(pairs(campbell, verdict).map(|pairs| format!(" {words}: {pairs}.")));
+    }
+    if campbell
+        .margins
+        .iter()
+        .all(|margin| margin.verdict == Verdict::Pass)
+    {
+        text.push_str(" All pairs keep their margin.");
+    }
+    let above = above_text(campbell, shown);
+    let more =
+        (shown.more_multiples > 0).then(|| format!("{} more excitations", shown.more_multiples));
+    for not_drawn in [above, unresisted_text(shown), more].into_iter().flatten() {
+        text.push_str(&format!(" Not drawn: {not_drawn}."));
+    }
+    text
+}
+
+/// "1P, 3P, 6P, 9P", "1P to 30P".
+fn excitations(multiples: &[usize]) -> String {
+    let is_whole = multiples.windows(2).all(|pair| pair[1] == pair[0] + 1);
+    match multiples {
+        [first, _, _, .., last] if is_whole => format!("{first}P to {last}P"),
+        multiples => {
+            let names: Vec<String> = multiples.iter().map(|n| format!("{n}P")).collect();
+            names.join(", ")
+        }
+    }
+}
+
+/// "Operation: 3 blades at 6.9 to 12.1 rpm".
+fn operation(rotor: &Rotor) -> String {
+    let noun = if rotor.blades == 1 { "blade" } else { "blades" };
+    format!("Operation: {} {noun} at {}", rotor.blades, speeds(rotor))
+}
+
+/// "6.9 to 12.1 rpm".
+fn speeds(rotor: &Rotor) -> String {
+    let (lowest, highest) = (
+        Rpm(rotor.lowest_rpm).to_string(),
+        Rpm(rotor.highest_rpm).to_string(),
+    );
+    if lowest == highest {
+        format!("{lowest} rpm")
+    } else {
+        format!("{lowest} to {highest} rpm")
+    }
+}
+
+/// The pairs of a verdict in words, the first of many; none if there are none.
+fn pairs(campbell: &Campbell, verdict: Verdict) -> Option<String> {
+    let name = |margin: &Margin| {
+        let label = campbell.lines.get(margin.line).map(|line| &line.label);
+        format!(
+            "{}P and {} at {} rpm",
+            margin.multiple,
+            label.map_or("", |label| label),
+            Rpm(margin.nearest_rpm)
+        )
+    };
+    let of_verdict = |margin: &&Margin| margin.verdict == verdict;
+    let all: Vec<&Margin> = campbell.margins.iter().filter(of_verdict).collect();
+    let named: Vec<String> = all.iter().take(NAMED).map(|margin| name(margin)).collect();
+    let more = match all.len() - named.len() {
+        0 => String::new(),
+        more => format!("; and {more} more"),
+    };
+    (!all.is_empty()).then(|| named.join("; ") + &more)
+}
+
+/// The lines with their points, then the excitations in operation: that of a tower's mode is the same at every speed.
+fn table(campbell: &Campbell) -> DataTable {
+    let header = ["line", "rotor speed (rpm)", "frequency (Hz)"];
+    let row = |name: &str, rpm: String, hz: f64| vec![name.to_owned(), rpm, format!("{hz:.4}")];
+    let mut rows = Vec::new();
+    for line in &campbell.lines {
+        let is_level = line.points.windows(2).all(|pair| pair[0][1] == pair[1][1]);
+        match line.points.first() {
+            Some([_, hz]) if is_level => rows.push(row(&line.label, "any".to_owned(), *hz)),
+            _ => rows.extend(
+                line.points
+                    .iter()
+                    .map(|[rpm, hz]| row(&line.label, Rpm(*rpm).to_string(), *hz)),
+            ),
+        }
+    }
+    let Rotor {
+        lowest_rpm,
+        highest_rpm,
+        ..
+    } = campbell.rotor;
+    let mut ends = vec![lowest_rpm, highest_rpm];
+    ends.dedup();
+    for multiple in &campbell.multiples {
+        let hz = |rpm: f64| *multiple as f64 * rpm / 60.0;
+        rows.extend(
+            ends.iter()
+                .map(|rpm| row(&format!("{multiple}P"), Rpm(*rpm).to_string(), hz(*rpm))),
+        );
+    }
+    DataTable {
+        header: header.map(str::to_owned).to_vec(),
+        rows,
+    }
+}

@@ -1,0 +1,111 @@
+//! Labels in a column beside the ends of lines, moved apart, with a leader to each.
+
+use crate::svg::{Colour, Drawing, Marker, Stroke, TextStyle, spread, text_width};
+
+/// Size of the letters.
+const SIZE: f64 = 11.0;
+/// Distance from label to label.
+const GAP: f64 = 14.0;
+/// From the field to a label, the leader between them.
+const LEADER: f64 = 22.0;
+/// What a marker before a label needs.
+const MARKER: f64 = 14.0;
+/// Between the labels and the edge of the picture.
+const MARGIN: f64 = 10.0;
+/// Wider labels are cut.
+const WIDEST: f64 = 270.0;
+
+/// What is written beside the end of a line.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct EndLabel {
+    /// Where the line ends.
+    pub(super) y: f64,
+    /// What it is.
+    pub(super) text: String,
+    /// The colour of the line.
+    pub(super) colour: Colour,
+    /// The marker of the line.
+    pub(super) marker: Option<Marker>,
+    /// Whether it is bold.
+    pub(super) is_bold: bool,
+}
+
+impl EndLabel {
+    fn marker_width(&self) -> f64 {
+        if self.marker.is_some() { MARKER } else { 0.0 }
+    }
+
+    fn style(&self) -> TextStyle {
+        let style = TextStyle::new(SIZE);
+        if self.is_bold { style.bold() } else { style }
+    }
+
+    fn width(&self) -> f64 {
+        self.marker_width() + text_width(&self.text, SIZE, self.is_bold)
+    }
+}
+
+/// What a column of labels of these texts needs to the right of a field.
+pub(super) fn column_width(labels: &[EndLabel]) -> f64 {
+    let widest = labels.iter().map(EndLabel::width).fold(0.0, f64::max);
+    LEADER + widest.min(WIDEST) + MARGIN
+}
+
+/// Writes the labels to the right of `x`, within `range`.
+pub(super) fn draw(drawing: &mut Drawing, x: f64, range: [f64; 2], labels: &[EndLabel]) {
+    let ends: Vec<f64> = labels
+        .iter()
+        .map(|label| label.y.clamp(range[0], range[1]))
+        .collect();
+    let places = spread(&ends, GAP, range);
+    for (label, (end, place)) in labels.iter().zip(ends.iter().zip(places)) {
+        let stroke = Stroke::new(label.colour, 0.8);
+        let (from, to) = (x + 3.0, x + LEADER - 4.0);
+        drawing.polyline(
+            &[
+                (from, *end),
+                (from + 3.0, *end),
+                (to - 3.0, place),
+                (to, place),
+            ],
+            &stroke,
+        );
+        if let Some(marker) = label.marker {
+            drawing.marker(marker, (x + LEADER + 3.0, place), 4.0, label.colour);
+        }
+        let text = cut(&label.text, WIDEST - label.marker_width(), label.is_bold);
+        let at = (x + LEADER + label.marker_width(), place + 0.35 * SIZE);
+        drawing.text(at, &text, &label.style());
+    }
+}
+
+/// A text without what does not fit.
+fn cut(text: &str, width: f64, is_bold: bool) -> String {
+    if text_width(text, SIZE, is_bold) <= width {
+        return text.to_owned();
+    }
+    let mut short = String::new();
+    let mut room = width - text_width("\u{2026}", SIZE, is_bold);
+    for c in text.chars() {
+        room -= text_width(&c.to_string(), SIZE, is_bold);
+        if room < 0.0 {
+            break;
+        }
+        short.push(c);
+    }
+    short + "\u{2026}"
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{WIDEST, cut};
+    use crate::svg::text_width;
+
+    #[test]
+    fn what_does_not_fit_is_cut() {
+        assert_eq!(cut("1st torsion", WIDEST, false), "1st torsion");
+        let cut = cut(&"1st torsion ".repeat(9), WIDEST, false);
+        assert!(cut.starts_with("1st torsion 1st") && cut.ends_with('\u{2026}'));
+        assert!(text_width(&cut, 11.0, false) <= WIDEST);
+    }
+}

@@ -1,0 +1,258 @@
+//! How far the frequencies of several methods are from those of the beam itself.
+
+use towermodes::Method;
+use towermodes::study::{Column, Comparison};
+
+use super::error_axis::{ErrorAxis, signed};
+use super::legend::{self, Entry, Sample, words};
+use crate::svg::{
+    Anchor, Axes, Colour, DataTable, Drawing, Figure, Frame, Marker, Stroke, TextStyle, text_width,
+};
+
+const WIDTH: f64 = 900.0;
+/// Height of the field.
+const FIELD: f64 = 360.0;
+const TOP: f64 = 18.0;
+/// From the field to the names of the modes.
+const SPACE: f64 = 10.0;
+const SIZE: f64 = 11.0;
+/// More modes have no room for their names.
+const MODES: usize = 40;
+/// More methods cannot be told apart.
+const METHODS: usize = 12;
+/// Neighbouring dots of a mode are so far apart where there is room.
+const APART: f64 = 9.0;
+
+/// The relative differences of the methods' frequencies from the spectral beam's, a row of dots a mode.
+pub fn error(comparison: &Comparison) -> Figure {
+    let methods = drawn(comparison);
+    Figure {
+        name: "error".to_owned(),
+        title: "Differences of the methods' frequencies from the beam's".to_owned(),
+        description: description(comparison, &methods),
+        drawing: drawing(comparison, &methods),
+        table: table(comparison),
+    }
+}
+
+/// The columns that are drawn: the spectral beam is the measure, not one of them, unless it is alone.
+fn drawn(comparison: &Comparison) -> Vec<&Column> {
+    let others = comparison
+        .columns
+        .iter()
+        .filter(|c| c.method != Method::Spectral);
+    let others: Vec<&Column> = others.take(METHODS).collect();
+    if others.is_empty() {
+        comparison.columns.iter().take(1).collect()
+    } else {
+        others
+    }
+}
+
+/// How far a column is from the beam in a mode, if it has it.
+fn difference(comparison: &Comparison, column: &Column, mode: usize) -> Option<f64> {
+    let difference = comparison.relative_difference(column, mode)?;
+    difference.is_finite().then_some(difference)
+}
+
+/// "rmje-exact (60)", "spectral (degree 17)".
+fn name(column: &Column) -> String {
+    match column.degree {
+        Some(degree) => format!("{} (degree {degree})", column.method.name()),
+        None => format!("{} ({})", column.method.name(), column.segments),
+    }
+}
+
+fn modes(comparison: &Comparison) -> std::ops::Range<usize> {
+    0..comparison.modes.len().min(MODES)
+}
+
+/// How many modes are not drawn.
+fn hidden(comparison: &Comparison) -> usize {
+    comparison.modes.len() - modes(comparison).len()
+}
+
+/// "20 more modes"; none of none.
+pub(super) fn hidden_text(hidden: usize) -> Option<String> {
+    match hidden {
+        0 => None,
+        1 => Some("1 more mode".to_owned()),
+        count => Some(format!("{count} more modes")),
+    }
+}
+
+fn description(comparison: &Comparison, methods: &[&Column]) -> String {
+    let names: Vec<String> = methods.iter().map(|column| name(column)).collect();
+    let mut text = format!(
+        "Relative differences of the frequencies of {} from those of the spectral beam, for {}, on a logarithmic axis.",
+        names.join(", "),
+        match comparison.modes.len() {
+            1 => "1 mode".to_owned(),
+            count => format!("{count} modes"),
+        }
+    );
+    let largest = |column: &&Column| {
+        let all =
+            (0..comparison.modes.len()).filter_map(|mode| difference(comparison, column, mode));
+        all.map(f64::abs).fold(0.0, f64::max)
+    };
+    let worst = methods
+        .iter()
+        .max_by(|a, b| largest(a).total_cmp(&largest(b)));
+    text.extend(worst.map(|column| {
+        format!(
+            " The largest is {:.1e}, of {}.",
+            largest(column),
+            column.method.name()
+        )
+    }));
+    match hidden(comparison) {
+        0 => {}
+        1 => text.push_str(" The last mode is not drawn."),
+        hidden => text.push_str(&format!(" The last {hidden} modes are not drawn.")),
+    }
+    text
+}
+
+fn drawing(comparison: &Comparison, methods: &[&Column]) -> Drawing {
+    let differences = modes(comparison).flat_map(|mode| {
+        methods
+            .iter()
+            .filter_map(move |column| difference(comparison, column, mode))
+    });
+    let errors = ErrorAxis::of(differences);
+    let frame = Frame {
+        left: Axes::left_margin_at(&errors.ticks()),
+        top: TOP,
+        right: WIDTH - 14.0,
+        bottom: TOP + FIELD,
+    };
+    let count = modes(comparison).len().max(1) as f64;
+    let axes = Axes::new(frame, [0.0, count], errors.range, [false, true]);
+    let labels: Vec<String> = modes(comparison)
+        .map(|mode| comparison.modes[mode].label())
+        .collect();
+    let names_height = names_height(&labels, &axes);
+    let mut entries: Vec<Entry> = methods.iter().enumerate().map(entry).collect();
+    entries.extend(hidden_text(hidden(comparison)).map(words));
+    let legend_top = frame.bottom + SPACE + names_height + SPACE;
+    let room = frame.right - frame.left;
+    let height = legend_top + legend::height(&entries, room) + 6.0;
+    let mut drawing = Drawing::new(WIDTH, height.ceil());
+    axes.draw_y_at(
+        &mut drawing,
+        "relative difference |f / f of the beam − 1| (–)",
+        &errors.ticks(),
+    );
+    names(&mut drawing, &labels, &axes);
+    dots(&mut drawing, comparison, methods, &errors, &axes);
+    legend::draw(&mut drawing, (frame.left, legend_top), room, &entries);
+    drawing
+}
+
+fn marker(index: usize) -> (Marker, Colour) {
+    (Marker::of_series(index), Colour::Series(index))
+}
+
+fn entry((index, column): (usize, &&Column)) -> Entry {
+    let sample = Sample {
+        line: None,
+        marker: Some(marker(index)),
+    };
+    (sample, name(column))
+}
+
+/// The middle of a mode's room.
+fn middle(mode: usize) -> f64 {
+    mode as f64 + 0.5
+}
+
+fn column_width(axes: &Axes) -> f64 {
+    axes.x.at(1.0) - axes.x.at(0.0)
+}
+
+fn is_turned(labels: &[String], axes: &Axes) -> bool {
+    let widths = labels.iter().map(|label| text_width(label, SIZE, false));
+    widths.fold(0.0, f64::max) + 8.0 > column_width(axes)
+}
+
+fn names_height(labels: &[String], axes: &Axes) -> f64 {
+    if !is_turned(labels, axes) {
+        return SIZE;
+    }
+    let widths = labels.iter().map(|label| text_width(label, SIZE, false));
+    widths.fold(0.0, f64::max)
+}
+
+/// The names of the modes below the field, turned where they are too long, and a line up from each.
+fn names(drawing: &mut Drawing, labels: &[String], axes: &Axes) {
+    let Frame {
+        left,
+        top,
+        right,
+        bottom,
+    } = axes.frame;
+    let turned = is_turned(labels, axes);
+    for (mode, label) in labels.iter().enumerate() {
+        let x = axes.x.at(middle(mode));
+        drawing.line((x, top), (x, bottom), &Stroke::new(Colour::Grid, 1.0));
+        let style = TextStyle::new(SIZE);
+        if turned {
+            let style = style.anchor(Anchor::End).turned();
+            drawing.text((x + 0.35 * SIZE, bottom + SPACE), label, &style);
+        } else {
+            let style = style.anchor(Anchor::Middle);
+            drawing.text((x, bottom + SPACE + 0.8 * SIZE), label, &style);
+        }
+    }
+    drawing.line(
+        (left, bottom),
+        (right, bottom),
+        &Stroke::new(Colour::Muted, 1.0),
+    );
+}
+
+/// The dots of each mode side by side, in the order of the legend.
+fn dots(
+    drawing: &mut Drawing,
+    comparison: &Comparison,
+    methods: &[&Column],
+    errors: &ErrorAxis,
+    axes: &Axes,
+) {
+    let count = methods.len() as f64;
+    let apart = APART.min(0.8 * column_width(axes) / count);
+    let radius = (0.55 * apart).clamp(2.0, 4.2);
+    for mode in modes(comparison) {
+        for (index, column) in methods.iter().enumerate() {
+            let Some(difference) = difference(comparison, column, mode) else {
+                continue;
+            };
+            let (x, y) = axes.at(middle(mode), errors.value(difference));
+            let (marker, colour) = marker(index);
+            let x = x + (index as f64 - 0.5 * (count - 1.0)) * apart;
+            drawing.marker(marker, (x, y), radius, colour);
+        }
+    }
+}
+
+/// A row a mode: its frequency and the difference of each method, with its sign.
+fn table(comparison: &Comparison) -> DataTable {
+    let first = ["mode".to_owned(), "frequency (Hz)".to_owned()];
+    let row = |mode: usize| {
+        let followed = &comparison.modes[mode];
+        let first = [followed.label(), format!("{:.6}", followed.frequency_hz)];
+        let cells = comparison.columns.iter().map(|column| {
+            let difference = comparison.relative_difference(column, mode);
+            difference.map_or_else(String::new, signed)
+        });
+        first.into_iter().chain(cells).collect()
+    };
+    DataTable {
+        header: first
+            .into_iter()
+            .chain(comparison.columns.iter().map(name))
+            .collect(),
+        rows: (0..comparison.modes.len()).map(row).collect(),
+    }
+}

@@ -1,0 +1,102 @@
+//! What the lines and markers of a picture are, in rows.
+
+use crate::svg::{Colour, Drawing, LINE_HEIGHT, Marker, Stroke, TextStyle, text_width};
+
+/// Size of the letters.
+const SIZE: f64 = 11.0;
+/// Length of a sample of a line.
+const LINE: f64 = 28.0;
+/// Room of a sample of a marker alone.
+const MARKER: f64 = 12.0;
+/// From a sample to its text.
+const SPACE: f64 = 6.0;
+/// From an entry to the next.
+const BETWEEN: f64 = 22.0;
+
+/// How something is drawn; what is words alone has neither line nor marker.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Sample {
+    /// As a line.
+    pub(super) line: Option<Stroke>,
+    /// With a marker.
+    pub(super) marker: Option<(Marker, Colour)>,
+}
+
+impl Sample {
+    fn width(&self) -> f64 {
+        match (self.line, self.marker) {
+            (Some(_), _) => LINE,
+            (None, Some(_)) => MARKER,
+            (None, None) => 0.0,
+        }
+    }
+
+    /// From the beginning of an entry to its text.
+    fn indent(&self) -> f64 {
+        match self.width() {
+            0.0 => 0.0,
+            width => width + SPACE,
+        }
+    }
+}
+
+/// How something is drawn, and what it is.
+pub(super) type Entry = (Sample, String);
+
+/// An entry of words alone.
+pub(super) fn words(text: String) -> Entry {
+    let (line, marker) = (None, None);
+    (Sample { line, marker }, text)
+}
+
+fn width(entry: &Entry) -> f64 {
+    entry.0.indent() + text_width(&entry.1, SIZE, false)
+}
+
+/// The entries of each row of a legend of this width.
+fn rows(entries: &[Entry], room: f64) -> Vec<Vec<&Entry>> {
+    let mut rows: Vec<Vec<&Entry>> = Vec::new();
+    let mut used = f64::INFINITY;
+    for entry in entries {
+        let more = width(entry) + BETWEEN;
+        match rows.last_mut() {
+            Some(row) if used + more <= room + BETWEEN => {
+                row.push(entry);
+                used += more;
+            }
+            _ => {
+                rows.push(vec![entry]);
+                used = more;
+            }
+        }
+    }
+    rows
+}
+
+/// The height of a row.
+const ROW: f64 = 1.2 * LINE_HEIGHT * SIZE;
+
+/// The height of a legend of this width.
+pub(super) fn height(entries: &[Entry], room: f64) -> f64 {
+    ROW * rows(entries, room).len() as f64
+}
+
+/// Draws a legend of this width below and to the right of a point.
+pub(super) fn draw(drawing: &mut Drawing, (left, top): (f64, f64), room: f64, entries: &[Entry]) {
+    for (index, row) in rows(entries, room).into_iter().enumerate() {
+        let mut x = left;
+        let middle = top + (index as f64 + 0.5) * ROW;
+        for entry in row {
+            let (sample, text) = entry;
+            if let Some(stroke) = &sample.line {
+                drawing.line((x, middle), (x + LINE, middle), stroke);
+            }
+            if let Some((marker, colour)) = sample.marker {
+                drawing.marker(marker, (x + 0.5 * sample.width(), middle), 4.5, colour);
+            }
+            let at = (x + sample.indent(), middle + 0.35 * SIZE);
+            drawing.text(at, text, &TextStyle::new(SIZE));
+            x += width(entry) + BETWEEN;
+        }
+    }
+}

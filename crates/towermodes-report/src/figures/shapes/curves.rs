@@ -1,0 +1,70 @@
+//! What of a mode is drawn: one component of its motion, and which modes are others turned.
+
+use towermodes::{Family, Mode, ShapePoint};
+
+/// Shapes of a repeated pair agree to this.
+const EQUAL_SHAPE: f64 = 1e-6;
+/// And frequencies to this, relative.
+const EQUAL_FREQUENCY: f64 = 1e-9;
+
+/// A component of a motion.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Part {
+    /// Translation fore-aft.
+    X,
+    /// Translation side-side.
+    Y,
+    /// Translation upwards.
+    Z,
+    /// Rotation about the tower's axis.
+    RotationZ,
+}
+
+impl Part {
+    /// What is largest in modes of a family: what their shapes are shares of.
+    pub fn main(family: Family) -> Self {
+        match family {
+            Family::SideSide | Family::Sway | Family::Roll => Self::Y,
+            Family::Axial | Family::Heave => Self::Z,
+            Family::Torsion | Family::Yaw => Self::RotationZ,
+            _ => Self::X,
+        }
+    }
+
+    /// Its value at a height.
+    pub fn of(self, point: &ShapePoint) -> f64 {
+        match self {
+            Self::X => point.translation[0],
+            Self::Y => point.translation[1],
+            Self::Z => point.translation[2],
+            Self::RotationZ => point.rotation[2],
+        }
+    }
+
+    /// Its name.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::X => "x",
+            Self::Y => "y",
+            Self::Z => "z",
+            Self::RotationZ => "rotation z",
+        }
+    }
+}
+
+/// Whether a side-side mode is a fore-aft one turned: their frequencies and curves are the same.
+pub(super) fn is_turned(fore_aft: &Mode, side_side: &Mode) -> bool {
+    let (a, b) = (fore_aft.frequency_hz, side_side.frequency_hz);
+    let points = fore_aft.shape.iter().zip(&side_side.shape);
+    let mut differences = points.map(|(a, b)| (Part::X.of(a) - Part::Y.of(b)).abs());
+    (a - b).abs() <= EQUAL_FREQUENCY * a.max(b) && differences.all(|it| it <= EQUAL_SHAPE)
+}
+
+/// Its place in its family: "1st"; of a motion as one body its name.
+pub(super) fn order(mode: &Mode) -> String {
+    let label = mode.label();
+    if mode.family.is_rigid() {
+        return label;
+    }
+    label.split(' ').next().unwrap_or_default().to_owned()
+}

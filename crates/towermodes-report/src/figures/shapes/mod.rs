@@ -1,0 +1,76 @@
+//! The shapes of the modes beside the tower: a panel for each family, heights on one axis.
+
+mod curves;
+mod layout;
+mod numbers;
+mod panels;
+mod strip;
+
+use towermodes::{Solution, Tower, TowerDescription};
+
+use super::outline::is_nominal;
+use super::quantity::factor;
+use crate::svg::{Colour, Drawing, Figure, TextStyle};
+use layout::{WIDTH, column, rows, sheet_height, strips};
+use panels::panels;
+use strip::draw_strip;
+
+/// The shapes of a tower's modes over its height, by family, each as a share of its largest deflection, of torsion and yaw of its largest
+/// rotation.
+///
+/// Of a family with more than six modes the six lowest are drawn. Where every side-side mode is a fore-aft one turned, there is one panel for
+/// both. Modes of no one family have a panel for each of x, y and the rotation about z.
+pub fn shapes(description: &TowerDescription, tower: &Tower, solution: &Solution) -> Figure {
+    let panels = panels(solution);
+    let column = column(tower);
+    let rows = rows(&panels, column);
+    let height = sheet_height(rows.len());
+    let mut drawing = Drawing::new(WIDTH, height);
+    let mut note = String::new();
+    for (index, strip) in strips(&rows, height, column).iter().enumerate() {
+        let view = draw_strip(&mut drawing, strip, (description, tower), index);
+        note = note_of(tower, (view.diameter_factor, view.wall_factor));
+    }
+    let style = TextStyle::new(10.0).colour(Colour::Muted);
+    drawing.text((12.0, height - 8.0), &note, &style);
+    Figure {
+        name: "shapes".to_owned(),
+        title: title(tower, solution),
+        description: numbers::description(tower, solution),
+        drawing,
+        table: numbers::table(solution),
+    }
+}
+
+fn title(tower: &Tower, solution: &Solution) -> String {
+    let count = solution.modes.len();
+    let modes = match count {
+        1 => "Shape of the lowest mode".to_owned(),
+        count => format!("Shapes of the lowest {count} modes"),
+    };
+    match tower.name() {
+        "" => modes,
+        name => format!("{modes}: {name}"),
+    }
+}
+
+/// Says how the tower is drawn and what the lines across are.
+fn note_of(tower: &Tower, (diameters, walls): (f64, f64)) -> String {
+    let tower_note = if is_nominal(tower) {
+        format!(
+            "Tower: heights to scale, width {} (\u{221d} fourth root of EI).",
+            factor(diameters)
+        )
+    } else {
+        format!(
+            "Tower: heights to scale, diameters {}, walls {}.",
+            factor(diameters),
+            factor(walls)
+        )
+    };
+    match tower.point_masses().len() {
+        0 => tower_note,
+        1..=strip::MOST_MASSES => format!("{tower_note} Dotted lines across: point masses."),
+        count => format!("{tower_note} {count} point masses, on the tower only."),
+    }
+}

@@ -1,0 +1,97 @@
+//! The picture of the shapes in words and as a table.
+
+use towermodes::{Family, Mode, Solution, Tower};
+
+use super::curves::Part;
+use crate::figures::quantity::{frequency, metres, significant};
+use crate::svg::DataTable;
+
+/// Heights of the table.
+const HEIGHTS: usize = 11;
+/// Most modes of the description.
+const MOST_MODES: usize = 6;
+
+/// What is to be seen.
+pub(super) fn description(tower: &Tower, solution: &Solution) -> String {
+    let modes = &solution.modes;
+    let named = modes.iter().take(MOST_MODES);
+    let named: Vec<String> = named
+        .map(|mode| format!("{} at {} Hz", mode.label(), frequency(mode.frequency_hz)))
+        .collect();
+    let more = match modes.len().saturating_sub(MOST_MODES) {
+        0 => String::new(),
+        more => format!(", and {more} more"),
+    };
+    format!(
+        "Deflections of the tower from z = {} m to z = {} m in its natural modes, each as a share of its largest: {}{more}.",
+        metres(tower.base_m()),
+        metres(tower.top_m()),
+        if named.is_empty() {
+            "none".to_owned()
+        } else {
+            named.join(", ")
+        }
+    )
+}
+
+/// Every mode's curve at a few heights.
+pub(super) fn table(solution: &Solution) -> DataTable {
+    let points = solution.modes.first().map_or(0, |mode| mode.shape.len());
+    let chosen = chosen(points);
+    let mut header = vec![
+        "mode".to_owned(),
+        "frequency (Hz)".to_owned(),
+        "motion".to_owned(),
+    ];
+    if let Some(first) = solution.modes.first() {
+        let heights = chosen.iter().filter_map(|index| first.shape.get(*index));
+        header.extend(heights.map(|point| format!("z = {} m", metres(point.height_m))));
+    }
+    DataTable {
+        header,
+        rows: solution
+            .modes
+            .iter()
+            .flat_map(|mode| rows(mode, &chosen))
+            .collect(),
+    }
+}
+
+fn rows(mode: &Mode, chosen: &[usize]) -> Vec<Vec<String>> {
+    let parts: &[Part] = match mode.family {
+        Family::Coupled => &[Part::X, Part::Y, Part::RotationZ],
+        family => &[Part::main(family)],
+    };
+    let row = |part: &Part| {
+        let mut cells = vec![
+            mode.label(),
+            frequency(mode.frequency_hz),
+            part.name().to_owned(),
+        ];
+        let points = chosen.iter().map(|index| mode.shape.get(*index));
+        // What is nothing beside the largest, 1, is zero; a rotation per metre has no largest.
+        let is_share = mode.family != Family::Coupled || *part != Part::RotationZ;
+        let value = |value: f64| {
+            if is_share && value.abs() < 5e-4 {
+                0.0
+            } else {
+                value
+            }
+        };
+        cells.extend(points.map(|point| {
+            point.map_or_else(String::new, |point| significant(value(part.of(point)), 3))
+        }));
+        cells
+    };
+    parts.iter().map(row).collect()
+}
+
+/// Which of so many points: at most [`HEIGHTS`] at about equal distances, the first and the last among them.
+fn chosen(points: usize) -> Vec<usize> {
+    if points <= HEIGHTS {
+        return (0..points).collect();
+    }
+    (0..HEIGHTS)
+        .map(|k| k * (points - 1) / (HEIGHTS - 1))
+        .collect()
+}

@@ -1,0 +1,204 @@
+//! Which panels there are, and which curves are in each.
+
+use towermodes::{Family, Mode, ShapePoint, Solution};
+
+use super::curves::{Part, is_turned, order};
+use crate::figures::quantity::{frequency, round_factor};
+
+/// Heading of the first panel of coupled modes.
+pub(super) const COUPLED_X: &str = "coupled: x";
+/// Most curves of a panel.
+const MOST_CURVES: usize = 6;
+/// A panel reaches below zero if a curve does by more than this.
+const BELOW_ZERO: f64 = 0.02;
+
+/// A field with curves over the height.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Panel {
+    /// What stands above it.
+    pub heading: &'static str,
+    /// A second line.
+    pub note: Option<&'static str>,
+    /// Names of the axis below, the fullest first.
+    pub axis: [&'static str; 2],
+    /// The values at its left and right edge.
+    pub range: [f64; 2],
+    /// About how many numbers its axis has in a narrow panel and in a wide one.
+    pub ticks: [usize; 2],
+    /// The curves.
+    pub curves: Vec<Curve>,
+    /// How many modes it has that are not drawn.
+    pub more: usize,
+}
+
+/// One component of a mode over the height.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Curve {
+    /// "1st 0.3221 Hz".
+    pub label: String,
+    /// Heights, m, and values.
+    pub points: Vec<(f64, f64)>,
+}
+
+/// Numbers between −1 or 0 and 1.
+const SHARES: [usize; 2] = [2, 4];
+const DEFLECTION: [&str; 2] = [
+    "deflection / largest (\u{2212})",
+    "defl. / largest (\u{2212})",
+];
+const ROTATION: [&str; 2] = ["rotation / largest (\u{2212})", "rot. / largest (\u{2212})"];
+
+/// The panels of a solution's modes, by family.
+pub(super) fn panels(solution: &Solution) -> Vec<Panel> {
+    let of = |family: Family| -> Vec<&Mode> {
+        let modes = solution.modes.iter();
+        modes.filter(|mode| mode.family == family).collect()
+    };
+    let (fore_aft, side_side) = (of(Family::ForeAft), of(Family::SideSide));
+    let turned = are_turned(&fore_aft, &side_side);
+    let note = turned.then_some("side-side: as fore-aft");
+    let side_side = if turned { Vec::new() } else { side_side };
+    let mut panels = vec![
+        panel("fore-aft", DEFLECTION, &fore_aft, note),
+        panel("side-side", DEFLECTION, &side_side, None),
+        panel("torsion", ROTATION, &of(Family::Torsion), None),
+        panel("axial", DEFLECTION, &of(Family::Axial), None),
+    ];
+    panels.extend(coupled(&of(Family::Coupled)));
+    panels.push(rigid(solution));
+    panels.retain(|panel| !panel.curves.is_empty());
+    panels
+}
+
+/// Whether every side-side mode is the fore-aft one of its order turned.
+fn are_turned(fore_aft: &[&Mode], side_side: &[&Mode]) -> bool {
+    let twin = |mode: &&Mode| {
+        let same_order = fore_aft.iter().find(|other| other.order == mode.order);
+        same_order.is_some_and(|other| is_turned(other, mode))
+    };
+    !side_side.is_empty() && side_side.iter().all(twin)
+}
+
+fn panel(
+    heading: &'static str,
+    axis: [&'static str; 2],
+    modes: &[&Mode],
+    note: Option<&'static str>,
+) -> Panel {
+    let curve = |mode: &&Mode| curve(mode, Part::main(mode.family), &order(mode));
+    let curves: Vec<Curve> = modes.iter().take(MOST_CURVES).map(curve).collect();
+    Panel {
+        heading,
+        note,
+        axis,
+        range: share_range(&curves),
+        ticks: SHARES,
+        curves,
+        more: modes.len().saturating_sub(MOST_CURVES),
+    }
+}
+
+/// A panel for each component of modes that have no one.
+fn coupled(modes: &[&Mode]) -> [Panel; 3] {
+    let of = |part: Part, heading, axis: [&'static str; 2]| {
+        let shown = modes.iter().take(MOST_CURVES);
+        let curves: Vec<Curve> = shown.map(|mode| curve(mode, part, &order(mode))).collect();
+        let range = if part == Part::RotationZ {
+            own_range(&curves)
+        } else {
+            [-1.0, 1.0]
+        };
+        Panel {
+            heading,
+            note: None,
+            axis,
+            range,
+            ticks: if part == Part::RotationZ {
+                [2, 2]
+            } else {
+                SHARES
+            },
+            curves,
+            more: modes.len().saturating_sub(MOST_CURVES),
+        }
+    };
+    [
+        of(Part::X, COUPLED_X, DEFLECTION),
+        of(Part::Y, "coupled: y", DEFLECTION),
+        of(
+            Part::RotationZ,
+            "coupled: rotation z",
+            ["rotation / largest deflection (rad/m)", "rotation (rad/m)"],
+        ),
+    ]
+}
+
+/// The motions of a floating tower as one body; those in two planes that are the same are one curve.
+fn rigid(solution: &Solution) -> Panel {
+    let modes: Vec<&Mode> = solution
+        .modes
+        .iter()
+        .filter(|m| m.family.is_rigid())
+        .collect();
+    let pairs = [(Family::Surge, Family::Sway), (Family::Pitch, Family::Roll)];
+    let twin = |mode: &Mode, of_first: bool| {
+        let pair = pairs.iter().find(|(first, second)| {
+            let own = if of_first { first } else { second };
+            *own == mode.family
+        })?;
+        let other = if of_first { pair.1 } else { pair.0 };
+        let other = *modes.iter().find(|mode| mode.family == other)?;
+        let (first, second) = if of_first {
+            (mode, other)
+        } else {
+            (other, mode)
+        };
+        is_turned(first, second).then_some(other)
+    };
+    let alone = modes.iter().filter(|mode| twin(mode, false).is_none());
+    let curves = alone.map(|mode| {
+        let name = match twin(mode, true) {
+            Some(other) => format!("{}, {}", order(mode), order(other)),
+            None => order(mode),
+        };
+        curve(mode, Part::main(mode.family), &name)
+    });
+    let curves: Vec<Curve> = curves.collect();
+    Panel {
+        heading: "as one body",
+        note: None,
+        axis: ["motion / largest (\u{2212})"; 2],
+        range: share_range(&curves),
+        ticks: SHARES,
+        curves,
+        more: 0,
+    }
+}
+
+fn curve(mode: &Mode, part: Part, name: &str) -> Curve {
+    let points = mode.shape.iter();
+    let point = |point: &ShapePoint| (point.height_m, part.of(point));
+    Curve {
+        label: format!("{name} {} Hz", frequency(mode.frequency_hz)),
+        points: points.map(point).collect(),
+    }
+}
+
+/// From 0 or −1 to 1.
+fn share_range(curves: &[Curve]) -> [f64; 2] {
+    let lowest = values(curves).fold(0.0, f64::min);
+    [if lowest < -BELOW_ZERO { -1.0 } else { 0.0 }, 1.0]
+}
+
+/// As far to the left as to the right, to a round number that no curve passes.
+fn own_range(curves: &[Curve]) -> [f64; 2] {
+    let most = values(curves).map(f64::abs).fold(0.0, f64::max);
+    let most = round_factor(most, true);
+    [-most, most]
+}
+
+fn values(curves: &[Curve]) -> impl Iterator<Item = f64> {
+    curves
+        .iter()
+        .flat_map(|curve| curve.points.iter().map(|point| point.1))
+}

@@ -1,0 +1,143 @@
+//! The tube itself, with its walls, its masses and its axis.
+
+use towermodes::{Tower, TowerDescription};
+
+use super::view::View;
+use crate::figures::outline::{Shell, is_nominal, shells};
+use crate::svg::{Colour, Dash, Drawing, Stroke};
+
+/// More shells than this are drawn as so many: they would be thinner than a pixel.
+const MOST_SHELLS: usize = 1000;
+/// More lines across the tower than this would be a grey surface.
+const MOST_BORDERS: usize = 80;
+
+/// Draws the tower's wall from the base to the top.
+pub(super) fn draw_body(
+    drawing: &mut Drawing,
+    view: &View,
+    tower: &Tower,
+    flooded_to_m: Option<f64>,
+) {
+    let shells = few(&shells(tower));
+    let outside: Vec<(f64, f64, f64)> = shells
+        .iter()
+        .flat_map(|shell| ends(view, shell).map(|end| (end.y, end.outer, end.inner)))
+        .collect();
+    let surface = |pick: fn(&(f64, f64, f64)) -> f64| -> Vec<(f64, f64)> {
+        let right = outside.iter().map(|end| (view.axis_x + pick(end), end.0));
+        let left = outside
+            .iter()
+            .rev()
+            .map(|end| (view.axis_x - pick(end), end.0));
+        right.chain(left).collect()
+    };
+    let edge = Stroke::new(Colour::Ink, 1.0);
+    drawing.polygon(&surface(|end| end.1), Colour::Steel, Some(&edge));
+    if is_nominal(tower) {
+        draw_axis(drawing, view, tower);
+        return;
+    }
+    let inner = surface(|end| end.2);
+    drawing.polygon(&inner, Colour::Paper, None);
+    if let Some(level_m) = flooded_to_m {
+        let level = view.y(level_m);
+        let (left, right) = (view.frame.left, view.frame.right);
+        let size = (right - left, (view.frame.bottom - level).max(0.0));
+        drawing.clipped("flooded", (left, level), size, |drawing| {
+            drawing.polygon(&inner, Colour::Water, None);
+        });
+    }
+    let fine = Stroke::new(Colour::Ink, 0.6);
+    let (right, left) = inner.split_at(inner.len() / 2);
+    drawing.polyline(right, &fine);
+    drawing.polyline(left, &fine);
+    draw_borders(drawing, view, &shells);
+    draw_axis(drawing, view, tower);
+}
+
+fn draw_axis(drawing: &mut Drawing, view: &View, tower: &Tower) {
+    let axis = Stroke::new(Colour::Muted, 0.7).dashed(Dash::DashDot);
+    let (base, top) = (view.y(tower.base_m()), view.y(tower.top_m()));
+    drawing.line((view.axis_x, base), (view.axis_x, top), &axis);
+}
+
+/// Lines across the tower where shells meet.
+fn draw_borders(drawing: &mut Drawing, view: &View, shells: &[Shell]) {
+    if shells.len() > MOST_BORDERS {
+        return;
+    }
+    let fine = Stroke::new(Colour::Ink, 0.6);
+    for pair in shells.windows(2) {
+        let radius = view.radius(pair[0].outer_m[1].max(pair[1].outer_m[0]));
+        let y = view.y(pair[0].top_m);
+        drawing.line((view.axis_x - radius, y), (view.axis_x + radius, y), &fine);
+    }
+}
+
+/// Draws the point masses on the tower's axis, larger ones larger.
+pub(super) fn draw_masses(drawing: &mut Drawing, view: &View, description: &TowerDescription) {
+    let masses = &description.point_masses;
+    let heaviest = masses.iter().map(|mass| mass.mass_kg).fold(0.0, f64::max);
+    let edge = Stroke::new(Colour::Paper, 0.8);
+    let are_apart = masses.len() <= MOST_BORDERS;
+    for mass in masses {
+        let share = if heaviest > 0.0 {
+            (mass.mass_kg / heaviest).clamp(0.0, 1.0)
+        } else {
+            1.0
+        };
+        let center = (view.axis_x, view.y(mass.height_m));
+        if are_apart {
+            let radius = 3.0 + 3.5 * share.cbrt();
+            drawing.disc(center, radius, Colour::Machine, Some(&edge));
+        } else {
+            drawing.disc(center, 1.0 + 3.0 * share.cbrt(), Colour::Machine, None);
+        }
+    }
+}
+
+/// An end of a shell on the sheet.
+struct End {
+    y: f64,
+    outer: f64,
+    inner: f64,
+}
+
+fn ends(view: &View, shell: &Shell) -> [End; 2] {
+    let end = |index: usize, height_m: f64| {
+        let outer_m = shell.outer_m[index];
+        let outer = view.radius(outer_m);
+        let wall = shell.wall_m.map_or(outer, |wall_m| {
+            let is_solid = 2.0 * wall_m[index] >= outer_m;
+            if is_solid {
+                outer
+            } else {
+                view.wall(wall_m[index], outer_m)
+            }
+        });
+        End {
+            y: view.y(height_m),
+            outer,
+            inner: outer - wall,
+        }
+    };
+    [end(0, shell.base_m), end(1, shell.top_m)]
+}
+
+/// At most [`MOST_SHELLS`] shells that reach as far; each stands for its neighbours above it.
+fn few(shells: &[Shell]) -> Vec<Shell> {
+    let step = shells.len().div_ceil(MOST_SHELLS).max(1);
+    let of_group = |group: &[Shell]| {
+        let (first, last) = (group[0], group[group.len() - 1]);
+        Shell {
+            base_m: first.base_m,
+            top_m: last.top_m,
+            outer_m: [first.outer_m[0], last.outer_m[1]],
+            wall_m: first
+                .wall_m
+                .zip(last.wall_m)
+                .map(|(base, top)| [base[0], top[1]]),
+        }
+    };
+    shells.chunks(step).map(of_group).collect()
+}

@@ -1,0 +1,239 @@
+//! What the tower stands on: hatching, springs, a footing.
+
+use towermodes::{Foundation, FoundationSprings, HalfSpace, StiffnessFoundation, Tower};
+
+use super::callouts::{Callout, Subject};
+use super::view::View;
+use crate::figures::outline::outer_diameter_m;
+use crate::figures::quantity::{mass, metres, stiffness};
+use crate::figures::symbols::{held_below, held_left, rigid_link, spiral, spring, turn};
+use crate::svg::{Colour, Drawing, Stroke};
+
+/// Room that a foundation needs below the base.
+pub(super) fn below(foundation: &Foundation) -> f64 {
+    match foundation {
+        Foundation::Clamped => 26.0,
+        Foundation::Floating(_) => 16.0,
+        _ => 58.0,
+    }
+}
+
+/// Draws what holds the base, unless it floats.
+pub(super) fn draw_foundation(
+    drawing: &mut Drawing,
+    view: &View,
+    tower: &Tower,
+    foundation: &Foundation,
+) {
+    match foundation {
+        Foundation::Clamped => draw_clamp(drawing, view, tower),
+        Foundation::Stiffness(matrices) => {
+            draw_springs(drawing, view, tower, &on_diagonal(matrices));
+        }
+        Foundation::Springs(springs) => draw_springs(drawing, view, tower, springs),
+        Foundation::HalfSpace(footing) => draw_footing(drawing, view, tower, footing),
+        Foundation::Floating(_) => {}
+    }
+}
+
+/// The springs that are drawn for a matrix: those on its diagonal, of two planes the stiffer one.
+fn on_diagonal(foundation: &StiffnessFoundation) -> FoundationSprings {
+    let k = &foundation.stiffness;
+    FoundationSprings {
+        lateral_n_per_m: k[0][0].max(k[1][1]),
+        rocking_n_m: k[3][3].max(k[4][4]),
+        coupling_n: 0.0,
+        vertical_n_per_m: k[2][2],
+        torsion_n_m: k[5][5],
+    }
+}
+
+fn base_radius(view: &View, tower: &Tower) -> f64 {
+    view.radius(outer_diameter_m(tower, tower.base_m()))
+}
+
+fn draw_clamp(drawing: &mut Drawing, view: &View, tower: &Tower) {
+    let half = base_radius(view, tower) + 18.0;
+    let y = view.y(tower.base_m());
+    held_below(drawing, view.axis_x - half, view.axis_x + half, y);
+}
+
+fn draw_springs(drawing: &mut Drawing, view: &View, tower: &Tower, springs: &FoundationSprings) {
+    if is_rigid(springs) {
+        draw_clamp(drawing, view, tower);
+        return;
+    }
+    let (x, y) = (view.axis_x, view.y(tower.base_m()));
+    let half = base_radius(view, tower) + 5.0;
+    if springs.lateral_n_per_m > 0.0 {
+        let ends = ((x - half, y), (x - half - 38.0, y));
+        link(drawing, springs.lateral_n_per_m, ends);
+        held_left(drawing, x - half - 38.0, y - 10.0, y + 10.0);
+    }
+    if springs.vertical_n_per_m > 0.0 {
+        let ends = ((x, y), (x, y + 38.0));
+        link(drawing, springs.vertical_n_per_m, ends);
+        held_below(drawing, x - 14.0, x + 14.0, y + 38.0);
+    }
+    if springs.rocking_n_m.is_infinite() {
+        rigid_link(drawing, (x + half, y), (x + half + 20.0, y));
+        held_below(drawing, x + half + 8.0, x + half + 32.0, y + 3.0);
+    } else if springs.rocking_n_m > 0.0 {
+        spiral(drawing, (x + half + 10.0, y), 9.0);
+        held_below(drawing, x + half, x + half + 20.0, y + 12.0);
+        drawing.line(
+            (x + half, y),
+            (x + half + 10.0, y),
+            &Stroke::new(Colour::Ink, 1.1),
+        );
+    }
+    if springs.torsion_n_m > 0.0 && springs.torsion_n_m.is_finite() {
+        turn(drawing, (x, y + 18.0), half.clamp(16.0, 40.0));
+    }
+    let plate = Stroke::new(Colour::Ink, 3.0);
+    drawing.line((x - half, y), (x + half, y), &plate);
+}
+
+/// A spring, or a rigid link where its stiffness is infinite.
+fn link(drawing: &mut Drawing, stiffness: f64, (from, to): ((f64, f64), (f64, f64))) {
+    if stiffness.is_infinite() {
+        rigid_link(drawing, from, to);
+    } else {
+        spring(drawing, from, to, 5.0);
+    }
+}
+
+fn is_rigid(springs: &FoundationSprings) -> bool {
+    let values = [
+        springs.lateral_n_per_m,
+        springs.rocking_n_m,
+        springs.vertical_n_per_m,
+        springs.torsion_n_m,
+    ];
+    values.iter().all(|value| value.is_infinite())
+}
+
+/// A footing as it is drawn.
+struct Footing {
+    half_width: f64,
+    depth: f64,
+    /// Where the ground's surface is.
+    ground: f64,
+    is_to_scale: bool,
+}
+
+impl Footing {
+    fn new(view: &View, tower: &Tower, footing: &HalfSpace) -> Self {
+        let y = view.y(tower.base_m());
+        let wished = view.radius(2.0 * footing.radius_m);
+        let most = 0.5 * (view.frame.right - view.frame.left) - 16.0;
+        let half_width = wished.min(most);
+        let embedded = footing.embedment_m * view.per_m;
+        let depth = embedded.clamp(9.0, 48.0);
+        Self {
+            half_width,
+            depth,
+            ground: if footing.embedment_m > 0.0 {
+                y
+            } else {
+                y + depth
+            },
+            is_to_scale: half_width == wished && embedded <= 48.0,
+        }
+    }
+}
+
+fn draw_footing(drawing: &mut Drawing, view: &View, tower: &Tower, half_space: &HalfSpace) {
+    let footing = Footing::new(view, tower, half_space);
+    let frame = view.frame;
+    let size = (frame.right - frame.left, frame.bottom - footing.ground);
+    drawing.rectangle((frame.left, footing.ground), size, Colour::Soil, None);
+    held_below(drawing, frame.left + 6.0, frame.right, footing.ground);
+    let y = view.y(tower.base_m());
+    let left_top = (view.axis_x - footing.half_width, y);
+    let edge = Stroke::new(Colour::Ink, 1.2);
+    let size = (2.0 * footing.half_width, footing.depth);
+    drawing.rectangle(left_top, size, Colour::Band, Some(&edge));
+}
+
+/// What is to be said of the foundation.
+pub(super) fn callout(view: &View, tower: &Tower, foundation: &Foundation) -> Option<Callout> {
+    let (x, y) = (view.axis_x, view.y(tower.base_m()));
+    let half = base_radius(view, tower);
+    let (at, lines) = match foundation {
+        Foundation::Clamped => ((x + half + 14.0, y + 5.0), vec!["clamped".to_owned()]),
+        Foundation::Springs(springs) if is_rigid(springs) => (
+            (x + half + 14.0, y + 5.0),
+            vec!["springs, all rigid: clamped".to_owned()],
+        ),
+        Foundation::Springs(springs) => ((x + half + 27.0, y + 6.0), spring_lines(springs)),
+        Foundation::Stiffness(matrices) => ((x + half + 27.0, y + 6.0), matrix_lines(matrices)),
+        Foundation::HalfSpace(half_space) => {
+            let footing = Footing::new(view, tower, half_space);
+            let at = (x + footing.half_width, y + 0.6 * footing.depth);
+            (at, footing_lines(half_space, footing.is_to_scale))
+        }
+        Foundation::Floating(_) => return None,
+    };
+    Some(Callout {
+        at,
+        lines,
+        subject: Subject::Whole,
+    })
+}
+
+fn spring_lines(springs: &FoundationSprings) -> Vec<String> {
+    let values = [
+        ("lateral", springs.lateral_n_per_m, "N/m"),
+        ("vertical", springs.vertical_n_per_m, "N/m"),
+        ("rocking", springs.rocking_n_m, "N m"),
+        ("torsion", springs.torsion_n_m, "N m"),
+        ("coupling", springs.coupling_n, "N"),
+    ];
+    let present = values.into_iter().filter(|(_, value, _)| *value != 0.0);
+    let texts: Vec<String> = present
+        .map(|(name, value, unit)| format!("{name} {}", stiffness(value, unit)))
+        .collect();
+    texts
+        .chunks(2)
+        .enumerate()
+        .map(|(row, pair)| {
+            let start = if row == 0 { "springs: " } else { "" };
+            format!("{start}{}", pair.join(", "))
+        })
+        .collect()
+}
+
+fn matrix_lines(foundation: &StiffnessFoundation) -> Vec<String> {
+    let k = &foundation.stiffness;
+    let of = |first: usize, unit: &str| {
+        let value = |i: usize| stiffness(k[first + i][first + i], "").trim_end().to_owned();
+        format!("{}, {}, {} {unit}", value(0), value(1), value(2))
+    };
+    let mut lines = vec![
+        "6×6 matrix, on its diagonal".to_owned(),
+        format!("x, y, z: {}", of(0, "N/m")),
+        format!("about x, y, z: {}", of(3, "N m")),
+    ];
+    let moving = foundation.inertia[0][0].max(foundation.inertia[1][1]);
+    if moving > 0.0 {
+        lines.push(format!("moving with it: {}", mass(moving)));
+    }
+    lines
+}
+
+fn footing_lines(footing: &HalfSpace, is_to_scale: bool) -> Vec<String> {
+    let beyond = if is_to_scale { "" } else { ", not to scale" };
+    vec![
+        format!(
+            "footing: radius {} m, embedded {} m{beyond}",
+            metres(footing.radius_m),
+            metres(footing.embedment_m)
+        ),
+        format!(
+            "half-space: G {}, ν {}",
+            stiffness(footing.shear_modulus_pa, "Pa"),
+            metres(footing.poissons_ratio)
+        ),
+    ]
+}

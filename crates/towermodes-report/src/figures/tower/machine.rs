@@ -1,0 +1,136 @@
+//! The rotor-nacelle assembly: a silhouette without measures, its centre of mass to scale.
+
+use towermodes::{Rna, Tower};
+
+use super::callouts::{Callout, Subject};
+use super::view::View;
+use crate::figures::outline::outer_diameter_m;
+use crate::figures::quantity::{mass, metres};
+use crate::figures::symbols::center_of_mass;
+use crate::svg::{Colour, Dash, Drawing, Stroke};
+
+/// Room that the silhouette needs above the tower.
+pub(super) const ABOVE: f64 = 62.0;
+
+/// Whether there is a machine at all.
+pub(super) fn is_there(rna: &Rna) -> bool {
+    *rna != Rna::default()
+}
+
+/// Draws the machine, if there is one; `scale` is the size of the silhouette, 1 in the picture of the tower.
+pub(super) fn draw_machine(drawing: &mut Drawing, view: &View, tower: &Tower, scale: f64) {
+    let rna = tower.rna();
+    if !is_there(rna) {
+        return;
+    }
+    let silhouette = Silhouette::new(view, tower, scale);
+    silhouette.draw(drawing);
+    let center = center(view, tower);
+    if rna.mass_kg > 0.0 && is_in_field(view, center) {
+        if !silhouette.contains(center) {
+            let arm = Stroke::new(Colour::Ink, 1.0).dashed(Dash::Dashed);
+            drawing.line((view.axis_x, view.y(tower.top_m())), center, &arm);
+        }
+        center_of_mass(drawing, center, 3.0 + 3.0 * scale);
+    }
+}
+
+/// What is to be said of the machine, if there is one.
+pub(super) fn callout(view: &View, tower: &Tower) -> Option<Callout> {
+    let rna = tower.rna();
+    if !is_there(rna) {
+        return None;
+    }
+    let [x, y, z] = rna.center_m.map(metres);
+    let mut lines = vec![format!("RNA {}", mass(rna.mass_kg))];
+    if rna.mass_kg > 0.0 {
+        let is_drawn = is_in_field(view, center(view, tower));
+        let beyond = if is_drawn { "" } else { " (not drawn)" };
+        lines.push(format!(
+            "centre of mass ({x}, {y}, {z}) m from the top{beyond}"
+        ));
+    }
+    let silhouette = Silhouette::new(view, tower, 1.0);
+    Some(Callout {
+        at: (silhouette.right, silhouette.top + 0.5 * silhouette.height),
+        lines,
+        subject: Subject::Whole,
+    })
+}
+
+/// Where the centre of mass is.
+fn center(view: &View, tower: &Tower) -> (f64, f64) {
+    let center_m = tower.rna().center_m;
+    (view.x(center_m[0]), view.y(tower.top_m() + center_m[2]))
+}
+
+fn is_in_field(view: &View, (x, y): (f64, f64)) -> bool {
+    let frame = view.frame;
+    (frame.left + 8.0..=frame.right - 8.0).contains(&x)
+        && (frame.top + 7.0..=frame.bottom - 7.0).contains(&y)
+}
+
+/// Nacelle and hub as they are drawn.
+struct Silhouette {
+    left: f64,
+    right: f64,
+    top: f64,
+    height: f64,
+    unit: f64,
+}
+
+impl Silhouette {
+    fn new(view: &View, tower: &Tower, scale: f64) -> Self {
+        let radius = view.radius(outer_diameter_m(tower, tower.top_m()));
+        let unit = (1.4 * radius).clamp(12.0, 22.0) * scale;
+        let above = tower.rna().center_m[2] * view.per_m;
+        let height = (2.0 * above).clamp(1.3 * unit, 42.0 * scale);
+        Self {
+            left: view.axis_x - 1.7 * unit,
+            right: view.axis_x + 2.1 * unit,
+            top: view.y(tower.top_m()) - height,
+            height,
+            unit,
+        }
+    }
+
+    fn contains(&self, (x, y): (f64, f64)) -> bool {
+        (self.left - 0.8 * self.unit..=self.right).contains(&x)
+            && (self.top..=self.top + self.height).contains(&y)
+    }
+
+    fn draw(&self, drawing: &mut Drawing) {
+        let edge = Stroke::new(Colour::Ink, 1.0);
+        let middle = self.top + 0.5 * self.height;
+        self.draw_blades(drawing, middle, &edge);
+        let size = (self.right - self.left, self.height);
+        drawing.rectangle((self.left, self.top), size, Colour::Machine, Some(&edge));
+        let half = 0.42 * self.height;
+        let nose: Vec<(f64, f64)> = (0..=12)
+            .map(|k| {
+                let angle = std::f64::consts::PI * (0.5 + f64::from(k) / 12.0);
+                (
+                    self.left - 3.0 + 0.9 * self.unit * angle.cos(),
+                    middle - half * angle.sin(),
+                )
+            })
+            .collect();
+        drawing.polygon(&nose, Colour::Machine, Some(&edge));
+    }
+
+    /// The roots of two blades.
+    fn draw_blades(&self, drawing: &mut Drawing, middle: f64, edge: &Stroke) {
+        let x = self.left - 3.0 - 0.35 * self.unit;
+        let (root, end) = (0.22 * self.unit, 0.14 * self.unit);
+        for side in [-1.0, 1.0] {
+            let reach = middle + side * 1.6 * self.unit;
+            let blade = [
+                (x - root, middle),
+                (x - end, reach),
+                (x + end, reach),
+                (x + root, middle),
+            ];
+            drawing.polygon(&blade, Colour::Paper, Some(edge));
+        }
+    }
+}

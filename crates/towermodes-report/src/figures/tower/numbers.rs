@@ -1,0 +1,164 @@
+//! The picture of a tower in words and as a table.
+
+use towermodes::{Foundation, Tower, TowerDescription};
+
+use super::machine;
+use crate::figures::quantity::{mass, metres, significant, stiffness};
+use crate::svg::DataTable;
+
+/// What is to be seen.
+pub(super) fn description(description: &TowerDescription, tower: &Tower) -> String {
+    let mut sentences = vec![format!(
+        "A tower of {} m, from z = {} m to z = {} m",
+        metres(tower.height_m()),
+        metres(tower.base_m()),
+        metres(tower.top_m())
+    )];
+    if let (Some(base), Some(top)) = (tower.stations().first(), tower.stations().last()) {
+        sentences.push(format!(
+            "outer diameter {} m at the base and {} m at the top",
+            metres(base.outer_diameter_m),
+            metres(top.outer_diameter_m)
+        ));
+    } else {
+        sentences.push(format!(
+            "given by {} rows of section properties",
+            tower.properties().len()
+        ));
+    }
+    let masses = tower.point_masses();
+    if !masses.is_empty() {
+        let sum_kg = masses.iter().map(|mass| mass.mass_kg).sum();
+        let masses = match masses.len() {
+            1 => "1 point mass".to_owned(),
+            count => format!("{count} point masses"),
+        };
+        sentences.push(format!("{masses} of {}", mass(sum_kg)));
+    }
+    if machine::is_there(tower.rna()) {
+        sentences.push(format!("a machine of {} on top", mass(tower.rna().mass_kg)));
+    }
+    for wires in &description.wires {
+        let (count, height_m) = (wires.count, wires.height_m);
+        sentences.push(format!("{count} wires at z = {} m", metres(height_m)));
+    }
+    if let Some(water) = &description.water {
+        sentences.push(format!("in water up to z = {} m", metres(water.level_m)));
+    }
+    if !description.added_mass.is_empty() {
+        sentences.push("with added mass along its length".to_owned());
+    }
+    if !description.soil.is_empty() {
+        sentences.push("held by soil springs along its length".to_owned());
+    }
+    sentences.push(foundation(&description.foundation, tower).to_owned());
+    format!("{}.", sentences.join("; "))
+}
+
+fn foundation(foundation: &Foundation, tower: &Tower) -> &'static str {
+    match foundation {
+        _ if tower.base().is_clamped() => "clamped at the base",
+        Foundation::Clamped => "clamped at the base",
+        Foundation::Stiffness(_) => "on a foundation with a stiffness matrix",
+        Foundation::Springs(_) => "on springs at the base",
+        Foundation::HalfSpace(_) => "on a round footing in an elastic half-space",
+        Foundation::Floating(_) => "on a floating platform",
+    }
+}
+
+/// The stations or rows, the point masses, the machine, and what is around the tower.
+pub(super) fn table(description: &TowerDescription, tower: &Tower) -> DataTable {
+    let header = [
+        "what",
+        "z (m)",
+        "outer diameter (m)",
+        "wall (mm)",
+        "EI (N m²)",
+        "mass (t)",
+    ];
+    let rows = [
+        stations(tower),
+        sections(tower),
+        masses(tower),
+        around(description, tower),
+    ];
+    DataTable {
+        header: header.map(str::to_owned).to_vec(),
+        rows: rows.into_iter().flatten().collect(),
+    }
+}
+
+/// A row of the table: what, at which height (m), and in some of the other four columns a value.
+fn row(what: String, height_m: f64, values: [Option<String>; 4]) -> Vec<String> {
+    let values = values.into_iter().map(Option::unwrap_or_default);
+    [what, metres(height_m)].into_iter().chain(values).collect()
+}
+
+fn stations(tower: &Tower) -> Vec<Vec<String>> {
+    let stations = tower.stations().iter();
+    let tube = stations.map(|station| {
+        let diameter = metres(station.outer_diameter_m);
+        let wall = significant(1e3 * station.wall_thickness_m, 4);
+        let values = [Some(diameter), Some(wall), None, None];
+        row("tube".to_owned(), station.height_m, values)
+    });
+    tube.collect()
+}
+
+fn sections(tower: &Tower) -> Vec<Vec<String>> {
+    let stations = tower.properties().iter();
+    let section = stations.map(|station| {
+        let bending = station.properties.bending_n_m2;
+        let of = |stiffness| significant(stiffness, 4);
+        let text = if bending.are_equal() {
+            of(bending.fore_aft)
+        } else {
+            let (x, y) = (of(bending.fore_aft), of(bending.side_side));
+            format!("{x} in x, {y} in y")
+        };
+        let values = [None, None, Some(text), None];
+        row("section".to_owned(), station.height_m, values)
+    });
+    section.collect()
+}
+
+fn masses(tower: &Tower) -> Vec<Vec<String>> {
+    let tonnes = |mass_kg: f64| [None, None, None, Some(significant(1e-3 * mass_kg, 4))];
+    let masses = tower.point_masses().iter();
+    let masses = masses.map(|mass| {
+        let what = "point mass".to_owned();
+        row(what, mass.height_m, tonnes(mass.mass_kg))
+    });
+    let rna = Some(tower.rna()).filter(|rna| machine::is_there(rna));
+    let rna = rna.map(|rna| {
+        let height_m = tower.top_m() + rna.center_m[2];
+        let what = "machine (centre of mass)".to_owned();
+        row(what, height_m, tonnes(rna.mass_kg))
+    });
+    masses.chain(rna).collect()
+}
+
+/// Wires, water, soil.
+fn around(description: &TowerDescription, tower: &Tower) -> Vec<Vec<String>> {
+    let none = || [None, None, None, None];
+    let wires = description.wires.iter().map(|wires| {
+        let (angle, each) = (
+            significant(wires.angle_deg, 3),
+            stiffness(wires.stiffness_n_per_m, "N/m"),
+        );
+        let what = format!("{} wires, {angle}°, {each} each", wires.count);
+        row(what, wires.height_m, none())
+    });
+    let water = description.water.iter().flat_map(|water| {
+        let bed_m = water.bed_m.unwrap_or(tower.base_m());
+        [("water level", water.level_m), ("bed", bed_m)]
+            .map(|(what, height_m)| row(what.to_owned(), height_m, none()))
+    });
+    let soil = description.soil.iter().flatten().map(|soil| {
+        let (x, y) = (soil.stiffness.x_n_per_m2, soil.stiffness.y_n_per_m2);
+        let (x, y) = (significant(x, 3), significant(y, 3));
+        let what = format!("soil springs {x} N/m² in x, {y} N/m² in y");
+        row(what, soil.height_m, none())
+    });
+    wires.chain(water).chain(soil).collect()
+}

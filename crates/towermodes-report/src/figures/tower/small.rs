@@ -1,0 +1,102 @@
+//! The tower small, in a column beside curves on the same axis of heights: its form without words.
+
+use towermodes::{Tower, TowerDescription};
+
+use super::view::View;
+use super::{body, floating, foundation, machine, surroundings, wires};
+use crate::svg::{Axes, Colour, Drawing, Frame};
+
+/// Size of the machine's silhouette.
+const MACHINE: f64 = 0.6;
+/// Room above the tower without a machine.
+const ABOVE: f64 = 14.0;
+/// Room below the water that a tower floats in.
+const BELOW_FLOATING: f64 = 36.0;
+/// Water deeper below the base than this share of the tower's height is not shown.
+const NEAR: f64 = 0.5;
+
+/// A height that is worth a line across everything.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(in crate::figures) struct Level {
+    /// The height, m.
+    pub height_m: f64,
+    /// What is there.
+    pub name: &'static str,
+    /// Its colour.
+    pub colour: Colour,
+}
+
+/// A view of the small tower in a column: from what is below its base to its machine; tubes at most so many pixels wide.
+pub(in crate::figures) fn small_view(
+    frame: Frame,
+    (description, tower): (&TowerDescription, &Tower),
+    widest: f64,
+) -> View {
+    let above = if machine::is_there(tower.rna()) {
+        machine::ABOVE * MACHINE
+    } else {
+        ABOVE
+    };
+    let platform = floating::platform(description);
+    let below = match platform {
+        Some(_) => BELOW_FLOATING,
+        None => foundation::below(&description.foundation),
+    };
+    let sea_m = platform.and_then(floating::surface_m);
+    let depth_m = sea_m.map_or(0.0, |sea_m| tower.base_m() - sea_m);
+    let is_near = (0.0..=NEAR * tower.height_m()).contains(&depth_m);
+    let extent_m = tower.height_m() + if is_near { depth_m } else { 0.0 };
+    let per_m = (frame.bottom - frame.top - above - below) / extent_m;
+    let per_m = if per_m.is_finite() && per_m > 0.0 {
+        per_m
+    } else {
+        1.0
+    };
+    let axis_x = 0.5 * (frame.left + frame.right);
+    let scale = (tower.top_m() + above / per_m, per_m);
+    View::new(tower, frame, axis_x, scale, widest)
+}
+
+/// The surface of the water and the ground, as far as there are any.
+pub(in crate::figures) fn levels(description: &TowerDescription, tower: &Tower) -> Vec<Level> {
+    let water_m = description.water.map(|water| water.level_m);
+    let sea_m = floating::platform(description).and_then(floating::surface_m);
+    let water = water_m.or(sea_m).map(|height_m| Level {
+        height_m,
+        name: "water",
+        colour: Colour::Series(0),
+    });
+    let ground = surroundings::ground_m(description, tower).map(|height_m| Level {
+        height_m,
+        name: "ground",
+        colour: Colour::Muted,
+    });
+    water.into_iter().chain(ground).collect()
+}
+
+/// Draws the tower in the column of a view, with its axis of heights; `name` is no other clip's of the sheet.
+pub(in crate::figures) fn draw_small(
+    drawing: &mut Drawing,
+    view: &View,
+    (description, tower): (&TowerDescription, &Tower),
+    (name, ticks): (&str, usize),
+) {
+    let frame = view.frame;
+    let size = (frame.right - frame.left, frame.bottom - frame.top);
+    surroundings::draw_water_and_ground(drawing, view, description, tower);
+    floating::draw_sea(drawing, view, description);
+    let heights_m = [view.low_m(), view.high_m];
+    let axes = Axes::new(frame, [0.0, 1.0], heights_m, [false, false]);
+    axes.draw_y(drawing, "height z (m)", ticks);
+    drawing.clipped(name, (frame.left, frame.top), size, |drawing| {
+        wires::draw_wires(drawing, view, description, tower);
+        if let Some(platform) = floating::platform(description) {
+            floating::draw_hull(drawing, view, tower, platform);
+        }
+        foundation::draw_foundation(drawing, view, tower, &description.foundation);
+    });
+    let water = description.water.filter(|water| water.flooded);
+    body::draw_body(drawing, view, tower, water.map(|water| water.level_m));
+    body::draw_masses(drawing, view, description);
+    machine::draw_machine(drawing, view, tower, MACHINE);
+}

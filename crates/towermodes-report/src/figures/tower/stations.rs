@@ -1,0 +1,86 @@
+//! What is said of each station and each point mass.
+
+use towermodes::{PropertyStation, Station, Tower};
+
+use super::callouts::{Callout, Subject};
+use super::view::View;
+use crate::figures::outline::outer_diameter_m;
+use crate::figures::quantity::{mass, metres, significant, wall};
+
+/// The tube, or the stiffness, at each station's height; of a step both sides.
+pub(super) fn station_callouts(view: &View, tower: &Tower) -> Vec<Callout> {
+    let tubes = tower.stations().chunk_by(|a, b| a.height_m == b.height_m);
+    let tubes = tubes.map(|there| (there[0].height_m, tube_text(there)));
+    let rows = tower.properties().chunk_by(|a, b| a.height_m == b.height_m);
+    let rows = rows.map(|there| (there[0].height_m, row_text(there)));
+    let callout = |(height_m, text): (f64, String)| {
+        let radius = view.radius(outer_diameter_m(tower, height_m));
+        Callout {
+            at: (view.axis_x + radius, view.y(height_m)),
+            lines: vec![format!("z = {} m: {text}", metres(height_m))],
+            subject: Subject::Station,
+        }
+    };
+    tubes.chain(rows).map(callout).collect()
+}
+
+fn tube_text(there: &[Station]) -> String {
+    let diameters = there.iter().map(|station| metres(station.outer_diameter_m));
+    let walls = there.iter().map(|station| wall(station.wall_thickness_m));
+    format!(
+        "Ø {} m, wall {}",
+        steps(&diameters.collect::<Vec<_>>()),
+        steps(&walls.collect::<Vec<_>>())
+    )
+}
+
+fn row_text(there: &[PropertyStation]) -> String {
+    let bending = there.iter().map(|row| row.properties.bending_n_m2);
+    let texts = bending.map(|bending| {
+        if bending.are_equal() {
+            return significant(bending.fore_aft, 3);
+        }
+        let of = |stiffness| significant(stiffness, 3);
+        format!(
+            "{} (x), {} (y)",
+            of(bending.fore_aft),
+            of(bending.side_side)
+        )
+    });
+    format!("EI {} N m²", steps(&texts.collect::<Vec<_>>()))
+}
+
+/// The values below and above a step, or the one value where there is none.
+fn steps(values: &[String]) -> String {
+    match values {
+        [first, .., last] if first != last => format!("{first} → {last}"),
+        [first, ..] => first.clone(),
+        [] => String::new(),
+    }
+}
+
+/// The point masses with their heights; those of one height as one.
+pub(super) fn mass_callouts(view: &View, tower: &Tower) -> Vec<Callout> {
+    let mut masses = tower.point_masses().to_vec();
+    masses.sort_by(|a, b| a.height_m.total_cmp(&b.height_m));
+    let there = masses.chunk_by(|a, b| a.height_m == b.height_m);
+    there
+        .map(|there| {
+            let height_m = there[0].height_m;
+            let sum_kg: f64 = there.iter().map(|mass| mass.mass_kg).sum();
+            let count = match there.len() {
+                1 => "mass".to_owned(),
+                count => format!("{count} masses,"),
+            };
+            Callout {
+                at: (view.axis_x + 6.0, view.y(height_m)),
+                lines: vec![format!(
+                    "z = {} m: {count} {}",
+                    metres(height_m),
+                    mass(sum_kg)
+                )],
+                subject: Subject::Mass,
+            }
+        })
+        .collect()
+}

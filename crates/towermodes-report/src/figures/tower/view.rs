@@ -1,0 +1,166 @@
+//! Where things are on the sheet: one scale for heights and lengths, another for diameters and a third for walls.
+
+use towermodes::Tower;
+
+use crate::figures::outline::{Shell, shells};
+use crate::figures::quantity::round_factor;
+use crate::svg::Frame;
+
+/// A widest tube from the first to the last of these is drawn as it is.
+const READABLE: [f64; 2] = [22.0, 120.0];
+/// A narrower one is drawn at least so wide.
+const WIDENED: f64 = 30.0;
+/// The thickest wall is drawn at least so thick, if that leaves the tube hollow.
+const WALL: f64 = 3.0;
+/// The largest part of the radius that a wall takes that is drawn thicker.
+const HOLLOW: f64 = 0.45;
+/// Places beyond the sheet are not farther from it than this.
+const FAR: f64 = 5e3;
+
+/// How heights, lengths, diameters and walls become pixels.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(in crate::figures) struct View {
+    /// The field.
+    pub frame: Frame,
+    /// Where the tower's axis is.
+    pub axis_x: f64,
+    /// The height at the upper edge of the field, m.
+    pub high_m: f64,
+    /// Pixels a metre, of heights and lengths.
+    pub per_m: f64,
+    /// How many times wider diameters are drawn.
+    pub diameter_factor: f64,
+    /// How many times thicker walls are drawn.
+    pub wall_factor: f64,
+}
+
+impl View {
+    /// A view of a tower in a field whose upper edge is at a height (m), with its axis at a place and tubes of readable width, at most
+    /// `widest` pixels.
+    pub fn new(
+        tower: &Tower,
+        frame: Frame,
+        axis_x: f64,
+        (high_m, per_m): (f64, f64),
+        widest: f64,
+    ) -> Self {
+        let shells = shells(tower);
+        let diameters = shells.iter().flat_map(|shell| shell.outer_m);
+        let largest_m = diameters.fold(0.0, f64::max);
+        let diameter_factor = diameter_factor(largest_m * per_m, widest);
+        Self {
+            frame,
+            axis_x,
+            high_m,
+            per_m,
+            diameter_factor,
+            wall_factor: wall_factor(&shells, per_m, diameter_factor),
+        }
+    }
+
+    /// The place of a height, m.
+    pub fn y(&self, height_m: f64) -> f64 {
+        let y = self.frame.top + (self.high_m - height_m) * self.per_m;
+        if y.is_finite() {
+            y.clamp(-FAR, FAR)
+        } else {
+            self.frame.bottom
+        }
+    }
+
+    /// The place of a distance from the axis, m, at the scale of heights.
+    pub fn x(&self, distance_m: f64) -> f64 {
+        self.axis_x + (distance_m * self.per_m).clamp(-FAR, FAR)
+    }
+
+    /// Half of a diameter (m) as it is drawn.
+    pub fn radius(&self, diameter_m: f64) -> f64 {
+        (0.5 * diameter_m * self.per_m * self.diameter_factor).clamp(0.4, FAR)
+    }
+
+    /// A wall (m) as it is drawn in a tube of a diameter, m.
+    pub fn wall(&self, wall_m: f64, diameter_m: f64) -> f64 {
+        (wall_m * self.per_m * self.wall_factor).clamp(0.2, self.radius(diameter_m))
+    }
+
+    /// The height at the lower edge of the field, m.
+    pub fn low_m(&self) -> f64 {
+        self.high_m - (self.frame.bottom - self.frame.top) / self.per_m
+    }
+
+    /// Whether a height (m) is in the field.
+    pub fn shows(&self, height_m: f64) -> bool {
+        let y = self.y(height_m);
+        (self.frame.top..=self.frame.bottom).contains(&y)
+    }
+}
+
+/// How many times wider tubes are drawn whose widest would be so many pixels.
+fn diameter_factor(width: f64, widest: f64) -> f64 {
+    let [low, high] = READABLE;
+    if width < low {
+        // Never beyond the room there is.
+        let factor = round_factor(WIDENED / width, true);
+        return if factor * width <= widest {
+            factor
+        } else {
+            round_factor(widest / width, false)
+        };
+    }
+    if width > high.min(widest) {
+        return round_factor(high.min(widest) / width, false);
+    }
+    1.0
+}
+
+/// How many times thicker walls are drawn: round, visible, and no tube fuller than it is.
+fn wall_factor(shells: &[Shell], per_m: f64, diameter_factor: f64) -> f64 {
+    let mut thickest_m = 0.0_f64;
+    let mut most = f64::INFINITY;
+    for shell in shells {
+        let Some(walls) = shell.wall_m else { continue };
+        for (wall_m, outer_m) in walls.into_iter().zip(shell.outer_m) {
+            thickest_m = thickest_m.max(wall_m);
+            most = most.min(HOLLOW * 0.5 * outer_m * diameter_factor / wall_m);
+        }
+    }
+    let wished = round_factor(WALL / (thickest_m * per_m), true);
+    let factor = if wished <= most {
+        wished
+    } else {
+        round_factor(most, false)
+    };
+    factor.max(diameter_factor)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{diameter_factor, wall_factor};
+    use crate::figures::outline::Shell;
+
+    #[test]
+    fn tubes_are_widened_only_where_they_would_not_be_seen() {
+        assert_eq!(diameter_factor(34.0, 150.0), 1.0);
+        assert_eq!(diameter_factor(7.0, 150.0), 5.0);
+        assert_eq!(diameter_factor(0.4, 150.0), 100.0);
+        assert_eq!(diameter_factor(500.0, 150.0), 0.2);
+        assert_eq!(diameter_factor(21.0, 30.0), 1.0);
+    }
+
+    #[test]
+    fn walls_leave_tubes_hollow() {
+        let shell = |outer_m: f64, wall_m: f64| Shell {
+            base_m: 0.0,
+            top_m: 10.0,
+            outer_m: [outer_m; 2],
+            wall_m: Some([wall_m; 2]),
+        };
+        // 0.03 m at 5 pixels a metre are 0.15 pixels; 20 times are 3.
+        assert_eq!(wall_factor(&[shell(6.0, 0.03)], 5.0, 1.0), 20.0);
+        // A solid rod stays what it is.
+        assert_eq!(wall_factor(&[shell(1.0, 0.5)], 5.0, 5.0), 5.0);
+        // The thin end of a mast allows no more than 0.45 · 0.05/0.01 = 2.25.
+        let shells = [shell(6.0, 0.03), shell(0.1, 0.01)];
+        assert_eq!(wall_factor(&shells, 5.0, 1.0), 2.0);
+    }
+}

@@ -1,0 +1,129 @@
+//! Taut wires beside the tower.
+
+use towermodes::{Tower, TowerDescription, Wires};
+
+use super::callouts::{Callout, Subject};
+use super::surroundings::ground_m;
+use super::view::View;
+use crate::figures::outline::outer_diameter_m;
+use crate::figures::quantity::{metres, significant, stiffness};
+use crate::svg::{Colour, Drawing, Stroke};
+
+/// More sets of wires than this have no callout each.
+const MOST_WIRES: usize = 6;
+
+/// The height that wires are drawn to, m: the ground, or the base where that is above one of them or there is none.
+pub(super) fn wires_ground_m(description: &TowerDescription, tower: &Tower) -> f64 {
+    let lowest_m = description.wires.iter().map(|wires| wires.height_m);
+    let lowest_m = lowest_m.fold(f64::INFINITY, f64::min);
+    let ground_m = ground_m(description, tower).filter(|ground_m| *ground_m < lowest_m);
+    ground_m.map_or(tower.base_m(), |ground_m| ground_m.max(tower.base_m()))
+}
+
+/// A wire as it is drawn to the right of the tower.
+struct Drawn {
+    /// Where it begins at the shell.
+    start: (f64, f64),
+    /// How far its anchor is from there to the side, and how far down.
+    anchor: (f64, f64),
+}
+
+impl Drawn {
+    fn new(view: &View, tower: &Tower, wires: &Wires, ground_m: f64) -> Self {
+        // From the shell as it is drawn, so that the angle is right and the end in sight.
+        let radius = view.radius(outer_diameter_m(tower, wires.height_m));
+        let from = view.y(wires.height_m);
+        let down = view.y(ground_m) - from;
+        Self {
+            start: (view.axis_x + radius, from),
+            anchor: (down / wires.angle_deg.to_radians().tan(), down),
+        }
+    }
+
+    /// How much of it is in the picture, as a share of its length.
+    fn share(&self, view: &View) -> f64 {
+        let room = view.frame.right - self.start.0;
+        if self.anchor.0 <= room {
+            1.0
+        } else {
+            room / self.anchor.0
+        }
+    }
+}
+
+/// Draws taut wires to both sides, to the ground; those that go beyond the edge of the field are cut there.
+pub(super) fn draw_wires(
+    drawing: &mut Drawing,
+    view: &View,
+    description: &TowerDescription,
+    tower: &Tower,
+) {
+    let line = Stroke::new(Colour::Ink, 1.2);
+    let ground_m = wires_ground_m(description, tower);
+    for wires in &description.wires {
+        let wire = Drawn::new(view, tower, wires, ground_m);
+        let share = wire.share(view);
+        for side in [-1.0, 1.0] {
+            let (start_x, from) = wire.start;
+            let start = (view.axis_x + side * (start_x - view.axis_x), from);
+            let (reach, down) = wire.anchor;
+            let end = (start.0 + side * share * reach, from + share * down);
+            drawing.line(start, end, &line);
+            if share == 1.0 {
+                let (x, y) = end;
+                let anchor = [(x - 5.0, y + 7.0), (x + 5.0, y + 7.0), (x, y - 2.0)];
+                drawing.polygon(&anchor, Colour::Ink, None);
+            } else {
+                draw_cut(drawing, end, side, &line);
+            }
+        }
+    }
+}
+
+/// Two strokes across the end of a wire: it goes on.
+fn draw_cut(drawing: &mut Drawing, (x, y): (f64, f64), side: f64, line: &Stroke) {
+    for back in [3.0, 7.0] {
+        let middle = x - side * back;
+        drawing.line(
+            (middle - 2.0 * side, y + 6.0),
+            (middle + 2.0 * side, y - 6.0),
+            line,
+        );
+    }
+}
+
+/// What is to be said of wires.
+pub(super) fn callouts(view: &View, description: &TowerDescription, tower: &Tower) -> Vec<Callout> {
+    let mut callouts = Vec::new();
+    let more = description.wires.len().saturating_sub(MOST_WIRES);
+    for (index, wires) in description.wires.iter().take(MOST_WIRES).enumerate() {
+        let mut lines = wire_lines(wires);
+        let wire = Drawn::new(view, tower, wires, wires_ground_m(description, tower));
+        if wire.share(view) < 1.0 {
+            let away_m = wire.anchor.0 / view.per_m;
+            lines.push(format!(
+                "cut in the picture: anchors {} m away",
+                significant(away_m, 3)
+            ));
+        }
+        if index + 1 == MOST_WIRES && more > 0 {
+            lines.push(format!("{more} more sets of wires"));
+        }
+        callouts.push(Callout {
+            at: wire.start,
+            lines,
+            subject: Subject::Whole,
+        });
+    }
+    callouts
+}
+
+fn wire_lines(wires: &Wires) -> Vec<String> {
+    vec![format!(
+        "z = {} m: {} wires, {}°, {} each",
+        metres(wires.height_m),
+        wires.count,
+        significant(wires.angle_deg, 3),
+        stiffness(wires.stiffness_n_per_m, "N/m")
+    )]
+}

@@ -1,0 +1,137 @@
+//! What a report says, before it is a page or a text.
+
+use serde::Serialize;
+use towermodes::Verdict;
+
+use super::table::Table;
+use crate::figures::AnimationData;
+use crate::svg::Figure;
+
+/// A report.
+pub(super) struct Document {
+    /// What it is of.
+    pub title: String,
+    /// Its sections in their order.
+    pub sections: Vec<Section>,
+}
+
+/// A part with a heading.
+pub(super) struct Section {
+    /// What links to it call it: a word in small letters.
+    pub id: &'static str,
+    /// The heading.
+    pub title: &'static str,
+    /// What it says.
+    pub blocks: Vec<Block>,
+}
+
+/// A piece of a section.
+pub(super) enum Block {
+    /// A heading within it.
+    Heading(String),
+    /// Running text.
+    Paragraph(String),
+    /// What matters most, each with a word before it.
+    Statements(Vec<Statement>),
+    /// Points.
+    List(Vec<String>),
+    /// Text that is typed.
+    Code(String),
+    /// Numbers.
+    Table(Table),
+    /// A picture.
+    Picture(Box<Picture>),
+    /// The modes as they move.
+    Animation(AnimationData),
+}
+
+/// A sentence that matters, with a word before it.
+#[derive(Serialize)]
+pub(super) struct Statement {
+    /// The word.
+    pub lead: &'static str,
+    /// The sentence.
+    pub text: String,
+    /// What it is worth, if it is a verdict.
+    pub verdict: Option<Mark>,
+}
+
+/// A picture and how to make it again.
+pub(super) struct Picture {
+    /// The picture.
+    pub figure: Figure,
+    /// Its number, from 1.
+    pub number: usize,
+    /// What `towermodes plot --what` calls it.
+    pub what: &'static str,
+    /// Whether tables of the section have its numbers, so that it needs none of its own.
+    pub is_tabulated: bool,
+}
+
+/// A verdict in a word that is looked up in a style sheet, and the word that is read.
+#[derive(Serialize, Clone, Copy, PartialEq, Eq)]
+pub(super) struct Mark {
+    /// `pass`, `warn`, `fail`.
+    pub name: &'static str,
+    /// `PASS`, `WARN`, `FAIL`.
+    pub word: &'static str,
+}
+
+impl Mark {
+    /// That of a verdict.
+    pub(super) fn of(verdict: Verdict) -> Self {
+        let word = match verdict {
+            Verdict::Pass => "PASS",
+            Verdict::Warn => "WARN",
+            Verdict::Fail => "FAIL",
+        };
+        Self {
+            name: verdict.name(),
+            word,
+        }
+    }
+}
+
+impl Document {
+    /// The document with its pictures and tables numbered.
+    pub(super) fn numbered(mut self) -> Self {
+        let (mut pictures, mut tables) = (0, 0);
+        for block in self.sections.iter_mut().flat_map(|s| &mut s.blocks) {
+            match block {
+                Block::Table(table) => {
+                    tables += 1;
+                    table.number = tables;
+                }
+                Block::Picture(picture) => {
+                    pictures += 1;
+                    picture.number = pictures;
+                }
+                _ => {}
+            }
+        }
+        self
+    }
+}
+
+/// Text without characters that no document has and without marks that turn the direction of writing.
+pub(super) fn printable(text: &str) -> String {
+    let disturbs = |c: char| {
+        (c.is_control() && !matches!(c, '\n' | '\t'))
+            || ('\u{202a}'..='\u{202e}').contains(&c)
+            || ('\u{2066}'..='\u{2069}').contains(&c)
+            || ('\u{fffe}'..='\u{ffff}').contains(&c)
+    };
+    text.chars()
+        .map(|c| if disturbs(c) { ' ' } else { c })
+        .collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::printable;
+
+    #[test]
+    fn text_has_no_marks_that_turn_it() {
+        assert_eq!(printable("a\u{202e}b\u{0}c\n"), "a b c\n");
+    }
+}

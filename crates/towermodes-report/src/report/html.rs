@@ -1,0 +1,64 @@
+//! The report as one page that needs nothing beside it.
+
+use minijinja::syntax::SyntaxConfig;
+use minijinja::value::Serde;
+use minijinja::{Environment, Value};
+
+use super::content::ReportContent;
+use super::document::printable;
+use super::error::ReportError;
+use super::sections::document;
+use super::view::{PageView, sections};
+use crate::svg::{Colour, Theme, stylesheet};
+
+/// The page with places for what it says; its name says that everything is escaped.
+const TEMPLATE: &str = include_str!("template.html");
+/// How it looks.
+const STYLE: &str = include_str!("style.css");
+/// What the page does for its reader, then how the tower moves.
+const SCRIPT: &str = concat!(include_str!("page.js"), include_str!("script.js"));
+
+/// The report as one page of HTML: no other file, nothing from a network; the same content gives the same bytes.
+///
+/// Texts of the user are escaped wherever they stand.
+///
+/// # Errors
+/// [`ReportError`].
+pub fn html(content: &ReportContent) -> Result<String, ReportError> {
+    let document = document(content);
+    let page = PageView {
+        title: printable(&document.title),
+        style: style(),
+        script: SCRIPT,
+        sections: sections(document)?,
+    };
+    rendered(page).map_err(|error| ReportError::Page {
+        message: format!("{error:#}"),
+    })
+}
+
+/// The template filled in, without the lines that only steer it.
+fn rendered(page: PageView) -> Result<String, minijinja::Error> {
+    let mut environment = Environment::new();
+    let mut syntax = SyntaxConfig::builder();
+    syntax.trim_blocks(true).lstrip_blocks(true);
+    environment.set_syntax(syntax.keep_trailing_newline(true).build()?);
+    environment.render_named_str("report.html", TEMPLATE, Value::from(Serde(page)))
+}
+
+/// The rules of the page: colours of both themes, then everything else, then what pictures look like.
+fn style() -> String {
+    let (light, dark) = (variables(Theme::Light), variables(Theme::Dark));
+    format!(
+        ":root{{color-scheme:light;{light}}}\n\
+         @media screen and (prefers-color-scheme:dark){{html[data-theme=auto]{{color-scheme:dark;{dark}}}}}\n\
+         @media screen{{html[data-theme=dark]{{color-scheme:dark;{dark}}}}}\n\
+         {STYLE}{}",
+        stylesheet("svg ", |colour| format!("var(--tm-{})", colour.name()))
+    )
+}
+
+fn variables(theme: Theme) -> String {
+    let variable = |colour: Colour| format!("--tm-{}:{};", colour.name(), colour.hex(theme));
+    Colour::ALL.into_iter().map(variable).collect()
+}

@@ -1,0 +1,154 @@
+//! The report as Markdown, with the tables of GitHub.
+
+use super::content::ReportContent;
+use super::document::{Block, Mark, Picture, Statement, printable};
+use super::plot_command::plot_command;
+use super::sections::document;
+use super::table::{Cell, Table};
+
+/// Tables of more rows than this are shortened as the page shortens them: here nothing folds away.
+const MOST_WHOLE_ROWS: usize = 100;
+
+/// The report as Markdown in the dialect of GitHub: the same as [`html()`](super::html()) without pictures, but with the commands that draw
+/// them.
+pub fn markdown(content: &ReportContent) -> String {
+    let document = document(content);
+    let mut text = format!("# {}\n", line(&document.title));
+    for (number, section) in (1..).zip(&document.sections) {
+        text.push_str(&format!("\n## {number}. {}\n", section.title));
+        for block in &section.blocks {
+            let block = match block {
+                Block::Heading(heading) => format!("### {}", line(heading)),
+                Block::Paragraph(paragraph) => line(paragraph),
+                Block::Statements(statements) => list(statements.iter().map(statement)),
+                Block::List(points) => list(points.iter().map(|point| line(point))),
+                Block::Code(code) => fenced(code),
+                Block::Table(table) => of_table(table),
+                Block::Picture(picture) => of_picture(picture, content),
+                Block::Animation(_) => continue,
+            };
+            text.push('\n');
+            text.push_str(&block);
+            text.push('\n');
+        }
+    }
+    text
+}
+
+fn list(points: impl Iterator<Item = String>) -> String {
+    let points: Vec<String> = points.map(|point| format!("- {point}")).collect();
+    points.join("\n")
+}
+
+fn statement(statement: &Statement) -> String {
+    let verdict = statement.verdict.map(|mark| marked(mark) + " ");
+    format!(
+        "**{}**: {}{}",
+        statement.lead,
+        verdict.unwrap_or_default(),
+        line(&statement.text)
+    )
+}
+
+/// The word of a verdict.
+fn marked(mark: Mark) -> String {
+    format!("**{}**", mark.word)
+}
+
+fn of_picture(picture: &Picture, content: &ReportContent) -> String {
+    let figure = &picture.figure;
+    let heading = format!(
+        "**Figure {}. {}.** {}",
+        picture.number,
+        line(&figure.title),
+        line(&figure.description)
+    );
+    let command = plot_command(content, picture.what);
+    format!("{heading}\n\n{}", fenced(&command))
+}
+
+fn of_table(table: &Table) -> String {
+    let caption = format!("Table {}. {}.", table.number, table.caption);
+    let mut lines = vec![format!("**{}**", line(&caption)), String::new()];
+    let names: Vec<String> = table.columns.iter().map(|c| line(&c.name)).collect();
+    lines.push(row(&names));
+    let rules = table.columns.iter();
+    let rules: Vec<String> = rules
+        .map(|column| if column.is_number { "--:" } else { "---" }.to_owned())
+        .collect();
+    lines.push(row(&rules));
+    let brief = table
+        .brief
+        .as_ref()
+        .filter(|_| table.rows.len() > MOST_WHOLE_ROWS);
+    let gap = vec!["\u{2026}".to_owned(); table.columns.len()];
+    match brief {
+        None => lines.extend(table.rows.iter().map(|cells| of_cells(cells))),
+        Some(brief) => {
+            for (place, index) in brief.shown.iter().enumerate() {
+                if brief.gap_after == Some(place) {
+                    lines.push(row(&gap));
+                }
+                lines.push(of_cells(&table.rows[*index]));
+            }
+            lines.push(format!("\nShown: {}.", line(&brief.which)));
+        }
+    }
+    lines.join("\n")
+}
+
+fn of_cells(cells: &[Cell]) -> String {
+    let text = |cell: &Cell| match cell.verdict {
+        Some(mark) => marked(mark),
+        None => line(&cell.text),
+    };
+    row(&cells.iter().map(text).collect::<Vec<String>>())
+}
+
+fn row(cells: &[String]) -> String {
+    format!("| {} |", cells.join(" | "))
+}
+
+/// Text in one line that means nothing to Markdown.
+fn line(text: &str) -> String {
+    let mut escaped = String::with_capacity(text.len());
+    for c in printable(text).chars() {
+        match c {
+            '\n' | '\t' => escaped.push(' '),
+            '&' => escaped.push_str("&amp;"),
+            '<' => escaped.push_str("&lt;"),
+            '\\' | '`' | '*' | '_' | '[' | ']' | '>' | '|' | '~' | '#' | '!' => {
+                escaped.push('\\');
+                escaped.push(c);
+            }
+            c => escaped.push(c),
+        }
+    }
+    escaped
+}
+
+/// Text that is typed, within a fence longer than any in it.
+fn fenced(text: &str) -> String {
+    let text = printable(text);
+    let longest = text.split(|c| c != '`').map(str::len).max().unwrap_or(0);
+    let fence = "`".repeat(3.max(longest + 1));
+    format!("{fence}text\n{text}\n{fence}")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{fenced, line};
+
+    #[test]
+    fn text_means_nothing_to_markdown() {
+        assert_eq!(
+            line("a|b *c* <img> [x](y)\n# d"),
+            r"a\|b \*c\* &lt;img\> \[x\](y) \# d"
+        );
+    }
+
+    #[test]
+    fn fences_are_longer_than_what_they_hold() {
+        assert_eq!(fenced("a ``` b"), "````text\na ``` b\n````");
+    }
+}

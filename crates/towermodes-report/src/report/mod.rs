@@ -1,0 +1,21 @@
+//! The report that a designer hands over: the input, what was assumed, the results with their errors, and what is needed to check them.
+//!
+//! What is said is made once, as a document of sections; [`html()`] and [`markdown()`] write it down.
+
+mod content;
+mod document;
+mod error;
+mod html;
+mod markdown;
+mod number;
+mod plot_command;
+mod sections;
+mod shell;
+mod table;
+mod view;
+
+pub use content::{ElastoDynShapes, InputFile, ReportContent};
+pub use error::ReportError;
+pub use html::html;
+pub use markdown::markdown;
+pub use shell::quoted;

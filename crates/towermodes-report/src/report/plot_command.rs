@@ -1,0 +1,80 @@
+//! The commands that make again what is in a report.
+
+use towermodes::Options;
+use towermodes::elements::GAUSS_HINGE_POSITION;
+use towermodes::rotor::{Campbell, DEFAULT_MARGIN};
+
+use super::content::ReportContent;
+use super::shell::quoted;
+
+/// The command that draws what `towermodes plot --what WHAT` calls so.
+pub(super) fn plot_command(content: &ReportContent, what: &str) -> String {
+    let mut words = vec![format!("--what {what}")];
+    match what {
+        "shapes" => words.push(solved(&content.options)),
+        "campbell" => {
+            words.push(solved(&content.options));
+            if let Some(Ok(campbell)) = &content.campbell {
+                words.push(rotor(campbell));
+            }
+        }
+        "error" => words.push(asked(&content.options)),
+        _ => {}
+    }
+    words.push(format!("--output {what}.svg"));
+    command(content, "plot", &words)
+}
+
+/// A command on the report's file, read as the report read it. A file that looks like an option stands after all of these, behind `--`.
+pub(super) fn command(content: &ReportContent, name: &str, options: &[String]) -> String {
+    let file = content.main_file();
+    let is_dashed = file.starts_with('-') && file != "-";
+    let file = quoted(file);
+    let (first, last) = match is_dashed {
+        true => (String::new(), format!("-- {file}")),
+        false => (file, String::new()),
+    };
+    let start = [format!("towermodes {name}"), first, content.reading.clone()];
+    let words = start.iter().chain(options).chain([&last]);
+    let words: Vec<&str> = words.map(String::as_str).collect();
+    let words: Vec<&str> = words.into_iter().filter(|word| !word.is_empty()).collect();
+    words.join(" ")
+}
+
+/// How a solution was made. The method is always said: without it a file may prescribe another.
+fn solved(options: &Options) -> String {
+    format!("--method {} {}", options.method.name(), asked(options))
+}
+
+/// What holds for every method.
+fn asked(options: &Options) -> String {
+    let mut text = format!("--modes {}", options.modes);
+    if let Some(segments) = options.segments {
+        text.push_str(&format!(" --segments {segments}"));
+    }
+    if !options.rotary_inertia {
+        text.push_str(" --no-rotary-inertia");
+    }
+    if options.hinge_position != GAUSS_HINGE_POSITION {
+        text.push_str(&format!(" --hinges {}", options.hinge_position));
+    }
+    text
+}
+
+fn rotor(campbell: &Campbell) -> String {
+    let rotor = &campbell.rotor;
+    let multiples: Vec<String> = campbell.multiples.iter().map(ToString::to_string).collect();
+    let mut text = format!(
+        "--rpm {},{} --blades {} --multiples {}",
+        rotor.lowest_rpm,
+        rotor.highest_rpm,
+        rotor.blades,
+        multiples.join(",")
+    );
+    if campbell.margin != DEFAULT_MARGIN {
+        // 5, not 5.000000000000001.
+        let percent = (campbell.margin * 1e11).round() / 1e9;
+        text.push_str(&format!(" --margin {percent}"));
+    }
+    text
+}

@@ -1,0 +1,123 @@
+//! What the tower stands on, in tables.
+
+use towermodes::{
+    FloatingPlatform, Foundation, FoundationSprings, HalfSpace, ReferredMatrix,
+    StiffnessFoundation, TowerDescription,
+};
+
+use super::super::document::Block;
+use super::super::number::{digits, given};
+use super::super::table::Table;
+use super::input::inertia;
+use super::{paragraph, table};
+
+/// The six motions of a matrix's rows and columns.
+const MOTIONS: [&str; 6] = ["x", "y", "z", "about x", "about y", "about z"];
+
+pub(super) fn foundation(description: &TowerDescription) -> Vec<Block> {
+    match &description.foundation {
+        Foundation::Clamped => vec![paragraph("The base is clamped.")],
+        Foundation::Stiffness(foundation) => of_stiffness(foundation),
+        Foundation::Springs(springs) => {
+            vec![table(of_springs("Springs under the base", springs, given))]
+        }
+        Foundation::HalfSpace(footing) => of_half_space(footing),
+        Foundation::Floating(platform) => floating(platform, description.gravity_m_per_s2),
+    }
+}
+
+fn of_stiffness(foundation: &StiffnessFoundation) -> Vec<Block> {
+    let stiffness = "Stiffness about the base (N/m, N, N m)";
+    let mut blocks = vec![table(matrix(stiffness, &foundation.stiffness))];
+    if foundation.inertia != [[0.0; 6]; 6] {
+        let inertia = "Inertia about the base (kg, kg m, kg m²)";
+        blocks.push(table(matrix(inertia, &foundation.inertia)));
+    }
+    blocks
+}
+
+fn of_springs(caption: &str, springs: &FoundationSprings, number: impl Fn(f64) -> String) -> Table {
+    Table::of_facts(
+        caption,
+        [
+            ("lateral, x and y (N/m)", number(springs.lateral_n_per_m)),
+            ("rocking, about x and y (N m)", number(springs.rocking_n_m)),
+            (
+                "coupling of x with rotation about y (N)",
+                number(springs.coupling_n),
+            ),
+            ("vertical (N/m)", number(springs.vertical_n_per_m)),
+            ("torsion (N m)", number(springs.torsion_n_m)),
+        ],
+    )
+}
+
+fn of_half_space(footing: &HalfSpace) -> Vec<Block> {
+    let given_values = Table::of_facts(
+        "A rigid circular footing on elastic soil",
+        [
+            ("radius (m)", given(footing.radius_m)),
+            ("depth of embedment (m)", given(footing.embedment_m)),
+            (
+                "shear modulus of the soil (Pa)",
+                given(footing.shear_modulus_pa),
+            ),
+            (
+                "Poisson's ratio of the soil (−)",
+                given(footing.poissons_ratio),
+            ),
+        ],
+    );
+    let springs = of_springs("Its springs", &footing.springs(), |value| digits(value, 5));
+    vec![table(given_values), table(springs)]
+}
+
+fn floating(platform: &FloatingPlatform, gravity_m_per_s2: f64) -> Vec<Block> {
+    let [x, y, z] = platform.center_m;
+    let mut facts = vec![
+        ("mass with ballast (kg)", given(platform.mass_kg)),
+        ("centre of mass from the axis, x (m)", given(x)),
+        ("centre of mass from the axis, y (m)", given(y)),
+        ("centre of mass, height z (m)", given(z)),
+    ];
+    facts.extend(inertia(&platform.inertia_kg_m2));
+    let body = "The floating platform, inertia about its centre of mass";
+    let mut blocks = vec![table(Table::of_facts(body, facts))];
+    let hydrostatic = if gravity_m_per_s2 == 0.0 {
+        "Hydrostatic stiffness as given, no weights added to it (N/m, N, N m)"
+    } else {
+        "Hydrostatic stiffness, to which the part of the weights is added (N/m, N, N m)"
+    };
+    let matrices = [
+        ("Added mass (kg, kg m, kg m²)", &platform.added_mass),
+        (hydrostatic, &platform.hydrostatic),
+        ("Stiffness of the moorings (N/m, N, N m)", &platform.mooring),
+    ];
+    for (name, referred) in matrices {
+        blocks.extend(referred_matrix(name, referred));
+    }
+    blocks
+}
+
+fn referred_matrix(name: &str, referred: &ReferredMatrix) -> Option<Block> {
+    if referred.matrix == [[0.0; 6]; 6] {
+        return None;
+    }
+    let caption = format!(
+        "{name} about the axis at z = {} m",
+        given(referred.height_m)
+    );
+    Some(table(matrix(&caption, &referred.matrix)))
+}
+
+fn matrix(caption: &str, matrix: &[[f64; 6]; 6]) -> Table {
+    let names = MOTIONS.map(|motion| format!("#{motion}"));
+    let header = ["motion"].into_iter();
+    let mut table = Table::new(caption, header.chain(names.iter().map(String::as_str)));
+    for (motion, row) in MOTIONS.into_iter().zip(matrix) {
+        let mut cells = vec![motion.to_owned()];
+        cells.extend(row.iter().map(|value| given(*value)));
+        table.push(cells);
+    }
+    table
+}

@@ -1,0 +1,229 @@
+//! The input, drawn and in tables.
+
+use towermodes::{Inertia, Rna, Rotor, TowerDescription};
+
+use super::super::content::ReportContent;
+use super::super::document::Block;
+use super::super::number::{NOTHING, digits, given, mass};
+use super::super::table::Table;
+use super::foundation::foundation;
+use super::surroundings::surroundings;
+use super::{table, tabulated_picture};
+use crate::figures;
+
+pub(super) fn blocks(content: &ReportContent) -> Vec<Block> {
+    let description = &content.description;
+    let mut blocks = vec![
+        tabulated_picture(figures::tower(description, &content.tower), "tower"),
+        table(overview(content)),
+        Block::Heading("Tower".to_owned()),
+    ];
+    if description.stations.is_empty() {
+        blocks.push(table(properties(description)));
+    } else {
+        blocks.push(table(materials(description)));
+        blocks.push(table(stations(description)));
+    }
+    if !description.point_masses.is_empty() {
+        blocks.push(table(point_masses(description)));
+    }
+    if description.rna != Rna::default() {
+        blocks.push(Block::Heading("Rotor-nacelle assembly".to_owned()));
+        blocks.push(table(machine(&description.rna)));
+    }
+    blocks.push(Block::Heading("Foundation".to_owned()));
+    blocks.extend(foundation(description));
+    blocks.extend(surroundings(description));
+    blocks
+}
+
+fn overview(content: &ReportContent) -> Table {
+    let (tower, description) = (&content.tower, &content.description);
+    let mut facts = vec![
+        ("name", described(tower.name())),
+        (
+            "base and top (m)",
+            format!("{} to {}", given(tower.base_m()), given(tower.top_m())),
+        ),
+        ("height (m)", given(tower.height_m())),
+        (
+            "mass of the tower, with outfitting and point masses",
+            mass(tower.mass_kg()),
+        ),
+        (
+            "mass of the rotor-nacelle assembly",
+            mass(description.rna.mass_kg),
+        ),
+        (
+            "factor of outfitting (−)",
+            given(description.outfitting_factor),
+        ),
+        ("gravity (m/s²)", given(description.gravity_m_per_s2)),
+    ];
+    if let Some(rotor) = &description.rotor {
+        facts.push(("blades of the rotor in the file", rotor.blades.to_string()));
+        facts.push(("rotor speed in the file (rpm)", speeds(rotor)));
+    }
+    Table::of_facts("Overview", facts)
+}
+
+/// "6.9 to 12.1", or the only one.
+pub(super) fn speeds(rotor: &Rotor) -> String {
+    let (lowest, highest) = (given(rotor.lowest_rpm), given(rotor.highest_rpm));
+    if lowest == highest {
+        lowest
+    } else {
+        format!("{lowest} to {highest}")
+    }
+}
+
+fn described(name: &str) -> String {
+    if name.trim().is_empty() {
+        NOTHING.to_owned()
+    } else {
+        name.to_owned()
+    }
+}
+
+fn materials(description: &TowerDescription) -> Table {
+    let mut table = Table::new(
+        "Materials",
+        [
+            "#material",
+            "#density ρ (kg/m³)",
+            "#Young's modulus E (Pa)",
+            "#shear modulus G (Pa)",
+            "#Poisson's ratio ν (−)",
+        ],
+    );
+    for (number, material) in (1..).zip(&description.materials) {
+        table.push([
+            format!("{number}"),
+            given(material.density_kg_per_m3),
+            given(material.youngs_modulus_pa),
+            given(material.shear_modulus_pa),
+            digits(material.poissons_ratio(), 4),
+        ]);
+    }
+    let names = &description.part_names.materials;
+    table.named(names).shortened()
+}
+
+fn stations(description: &TowerDescription) -> Table {
+    let mut table = Table::new(
+        "Stations from the base to the top; linear between them, two at one height are a step",
+        [
+            "#height z (m)",
+            "#outer diameter (m)",
+            "#wall (mm)",
+            "#diameter/wall (−)",
+            "#material above",
+        ],
+    );
+    for station in &description.stations {
+        table.push([
+            given(station.height_m),
+            given(station.outer_diameter_m),
+            given(1000.0 * station.wall_thickness_m),
+            digits(station.outer_diameter_m / station.wall_thickness_m, 4),
+            material(description, station.material),
+        ]);
+    }
+    table.shortened()
+}
+
+/// The number of a material, with its name if it has one.
+fn material(description: &TowerDescription, index: usize) -> String {
+    let name = description.part_names.materials.get(index);
+    match name.map(|name| name.trim()) {
+        None | Some("") => (index + 1).to_string(),
+        Some(name) => format!("{}, {name}", index + 1),
+    }
+}
+
+fn properties(description: &TowerDescription) -> Table {
+    let mut table = Table::new(
+        "Properties of the sections from the base to the top (FA: fore-aft, SS: side-side)",
+        [
+            "#height z (m)",
+            "#mass (kg/m)",
+            "#rotary inertia FA (kg m)",
+            "#rotary inertia SS (kg m)",
+            "#polar inertia (kg m)",
+            "#EI FA (N m²)",
+            "#EI SS (N m²)",
+            "#GJ (N m²)",
+            "#EA (N)",
+            "#κGA FA (N)",
+            "#κGA SS (N)",
+        ],
+    );
+    for row in &description.properties {
+        let p = &row.properties;
+        let shear = |value: Option<f64>| value.map_or("rigid".to_owned(), given);
+        table.push([
+            given(row.height_m),
+            given(p.mass_kg_per_m),
+            given(p.rotary_inertia_kg_m.fore_aft),
+            given(p.rotary_inertia_kg_m.side_side),
+            given(p.polar_inertia_kg_m),
+            given(p.bending_n_m2.fore_aft),
+            given(p.bending_n_m2.side_side),
+            given(p.torsion_n_m2),
+            given(p.axial_n),
+            shear(p.shear_n.map(|shear| shear.fore_aft)),
+            shear(p.shear_n.map(|shear| shear.side_side)),
+        ]);
+    }
+    table.shortened()
+}
+
+fn point_masses(description: &TowerDescription) -> Table {
+    let mut table = Table::new(
+        "Masses on the tower's axis, inertia about their own centres",
+        [
+            "#height z (m)",
+            "#mass (kg)",
+            "#Ixx (kg m²)",
+            "#Iyy (kg m²)",
+            "#Izz (kg m²)",
+            "#Ixy (kg m²)",
+            "#Ixz (kg m²)",
+            "#Iyz (kg m²)",
+        ],
+    );
+    for mass in &description.point_masses {
+        let mut row = vec![given(mass.height_m), given(mass.mass_kg)];
+        row.extend(inertia(&mass.inertia_kg_m2).map(|(_, value)| value));
+        table.push(row);
+    }
+    let names = &description.part_names.point_masses;
+    table.named(names).shortened()
+}
+
+/// The entries of a tensor with their names.
+pub(super) fn inertia(inertia: &Inertia) -> [(&'static str, String); 6] {
+    [
+        ("Ixx (kg m²)", given(inertia.xx)),
+        ("Iyy (kg m²)", given(inertia.yy)),
+        ("Izz (kg m²)", given(inertia.zz)),
+        ("Ixy (kg m²)", given(inertia.xy)),
+        ("Ixz (kg m²)", given(inertia.xz)),
+        ("Iyz (kg m²)", given(inertia.yz)),
+    ]
+}
+
+fn machine(rna: &Rna) -> Table {
+    let [x, y, z] = rna.center_m;
+    let mut facts = vec![
+        ("mass (kg)", given(rna.mass_kg)),
+        ("centre of mass from the tower's top, x (m)", given(x)),
+        ("centre of mass from the tower's top, y (m)", given(y)),
+        ("centre of mass from the tower's top, z (m)", given(z)),
+    ];
+    facts.extend(inertia(&rna.inertia_kg_m2));
+    Table::of_facts(
+        "The rotor-nacelle assembly, inertia about its centre of mass",
+        facts,
+    )
+}

@@ -1,0 +1,147 @@
+//! What other methods make of the tower.
+
+use towermodes::Method;
+use towermodes::study::{Column, Comparison};
+
+use super::super::content::ReportContent;
+use super::super::document::Block;
+use super::super::number::{NOTHING, digits, signed_percent};
+use super::super::table::Table;
+use super::frequencies::hinges;
+use super::{paragraph, table, tabulated_picture};
+use crate::figures;
+
+pub(super) fn blocks(content: &ReportContent) -> Vec<Block> {
+    let comparison = match &content.comparison {
+        Ok(comparison) => comparison,
+        Err(error) => {
+            return vec![paragraph(format!(
+                "The methods were not compared: {error}."
+            ))];
+        }
+    };
+    let mut blocks = vec![
+        paragraph(measure(content, comparison)),
+        // Tables break across pages of paper, pictures do not.
+        tabulated_picture(figures::error(comparison), "error"),
+        table(of_methods(content, comparison)),
+        table(differences(comparison)),
+    ];
+    if !comparison.warnings.is_empty() {
+        let warnings = comparison.warnings.iter();
+        blocks.push(paragraph("What the spectral beam warns of:"));
+        blocks.push(Block::List(warnings.map(ToString::to_string).collect()));
+    }
+    blocks
+}
+
+/// What the differences are of, and which of them do not vanish.
+fn measure(content: &ReportContent, comparison: &Comparison) -> String {
+    let text = "The same tower by every method the program has. The spectral beam converges exponentially and is the measure of the others; \
+                their differences are those of so many segments, not of the methods as such, and fall as segments get more.";
+    let tower = &content.tower;
+    let rotates = content.options.rotary_inertia && tower.has_rotary_inertia();
+    let lacks = match (rotates, tower.shears()) {
+        (true, true) => "rotary inertia and shear deformation",
+        (true, false) => "rotary inertia",
+        (false, true) => "shear deformation",
+        (false, false) => return text.to_owned(),
+    };
+    let has_bmodes = |column: &Column| column.method == Method::Bmodes;
+    if !comparison.columns.iter().any(has_bmodes) {
+        return text.to_owned();
+    }
+    format!(
+        "{text} Those of bmodes in bending are the exception: its element lacks {lacks}, which the measure has, and so they do not vanish \
+         however many elements it has."
+    )
+}
+
+/// What a method cuts a tower into.
+pub(super) fn unit(method: Method) -> &'static str {
+    match method {
+        Method::Bmodes | Method::Spectral => "element",
+        _ => "segment",
+    }
+}
+
+/// What a method is.
+fn description(method: Method) -> &'static str {
+    match method {
+        Method::RmjeExact => {
+            "rigid segments with one joint at the elastic centre, exact section integrals"
+        }
+        Method::Rmje => {
+            "rigid multibody method as published (Nikolić & Šalinić), prismatic segments"
+        }
+        Method::CardanicExact => {
+            "rigid segments with two hinges at the Gauss points, exact section integrals"
+        }
+        Method::Cardanic => {
+            "cardanic joint element as published (Zhao, Maißer & Wu), prismatic segments"
+        }
+        Method::Lumped => "rigid half-segments joined by massless beam springs",
+        Method::Bmodes => {
+            "finite element of BModes (NREL): Euler-Bernoulli, no shear, no rotary inertia"
+        }
+        Method::Spectral => {
+            "the beam itself: elements with polynomials of a degree that is raised until the modes stand still"
+        }
+    }
+}
+
+fn of_methods(content: &ReportContent, comparison: &Comparison) -> Table {
+    let mut table = Table::new(
+        "The methods compared",
+        [
+            "method",
+            "what it is",
+            "#segments or elements",
+            "#degree",
+            "#degrees of freedom",
+        ],
+    );
+    for column in &comparison.columns {
+        table.push([
+            column.method.name().to_owned(),
+            format!(
+                "{}{}",
+                description(column.method),
+                hinges(column.method, &content.options)
+            ),
+            column.segments.to_string(),
+            column
+                .degree
+                .map_or(NOTHING.to_owned(), |degree| degree.to_string()),
+            column.degrees_of_freedom.to_string(),
+        ]);
+    }
+    table
+}
+
+/// Every method but the measure itself.
+fn differences(comparison: &Comparison) -> Table {
+    let others = || {
+        let columns = comparison.columns.iter();
+        columns.filter(|column| column.method != Method::Spectral)
+    };
+    let names: Vec<String> = others()
+        .map(|column| format!("#{} (%)", column.method.name()))
+        .collect();
+    let header = ["mode", "#spectral (Hz)"].into_iter();
+    let mut table = Table::new(
+        "Relative differences of frequencies to the spectral beam",
+        header.chain(names.iter().map(String::as_str)),
+    );
+    for (index, mode) in comparison.modes.iter().enumerate() {
+        let mut row = vec![mode.label(), digits(mode.frequency_hz, 8)];
+        row.extend(others().map(|column| difference(comparison, column, index)));
+        table.push(row);
+    }
+    table.shortened()
+}
+
+fn difference(comparison: &Comparison, column: &Column, mode: usize) -> String {
+    let difference = comparison.relative_difference(column, mode);
+    difference.map_or(NOTHING.to_owned(), signed_percent)
+}

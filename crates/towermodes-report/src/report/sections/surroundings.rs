@@ -1,0 +1,121 @@
+//! Soil, water and wires, in tables.
+
+use towermodes::{AddedMassRow, SoilRow, TowerDescription, Water, Wires};
+
+use super::super::document::Block;
+use super::super::number::given;
+use super::super::table::Table;
+use super::table;
+
+/// More layers of soil or tables of added mass than this are counted only.
+const MOST_TABLES: usize = 20;
+
+pub(super) fn surroundings(description: &TowerDescription) -> Vec<Block> {
+    let mut tables = Vec::new();
+    let names = &description.part_names;
+    let soil = description.soil.iter().enumerate().take(MOST_TABLES);
+    let which_layer = |index| which(index, description.soil.len(), &names.soil);
+    tables.extend(soil.map(|(index, rows)| soil_layer(&which_layer(index), rows)));
+    tables.extend(description.water.as_ref().map(water));
+    let added = description.added_mass.iter().enumerate().take(MOST_TABLES);
+    let which_table = |index| which(index, description.added_mass.len(), &names.added_mass);
+    tables.extend(added.map(|(index, rows)| added_mass(&which_table(index), rows)));
+    if !description.wires.is_empty() {
+        tables.push(wires(&description.wires, &names.wires));
+    }
+    if tables.is_empty() {
+        return Vec::new();
+    }
+    let heading = Block::Heading("Surroundings".to_owned());
+    std::iter::once(heading)
+        .chain(tables.into_iter().map(table))
+        .collect()
+}
+
+/// ", 2 of 3 (clay)"; no number where there is one, no name where there is none.
+fn which(index: usize, count: usize, names: &[String]) -> String {
+    let place = match count {
+        1 => String::new(),
+        count => format!(", {} of {count}", index + 1),
+    };
+    match names.get(index).map(|name| name.trim()) {
+        None | Some("") => place,
+        Some(name) => format!("{place} ({name})"),
+    }
+}
+
+fn soil_layer(which: &str, rows: &[SoilRow]) -> Table {
+    let mut table = Table::new(
+        format!("Soil springs per length of tower{which}; linear between rows"),
+        [
+            "#height z (m)",
+            "#x (N/m²)",
+            "#y (N/m²)",
+            "#z (N/m²)",
+            "#torsion (N)",
+        ],
+    );
+    for row in rows {
+        let soil = &row.stiffness;
+        table.push([
+            given(row.height_m),
+            given(soil.x_n_per_m2),
+            given(soil.y_n_per_m2),
+            given(soil.z_n_per_m2),
+            given(soil.torsion_n),
+        ]);
+    }
+    table.shortened()
+}
+
+fn water(water: &Water) -> Table {
+    let bed = water.bed_m.map_or("the lowest station".to_owned(), given);
+    Table::of_facts(
+        "Water around the tower",
+        [
+            ("level z (m)", given(water.level_m)),
+            ("bed z (m)", bed),
+            ("density (kg/m³)", given(water.density_kg_per_m3)),
+            (
+                "added mass coefficient (−)",
+                given(water.added_mass_coefficient),
+            ),
+            (
+                "water inside",
+                if water.flooded { "yes" } else { "no" }.to_owned(),
+            ),
+        ],
+    )
+}
+
+fn added_mass(which: &str, rows: &[AddedMassRow]) -> Table {
+    let mut table = Table::new(
+        format!("Added mass{which}; linear between rows"),
+        ["#height z (m)", "#mass (kg/m)"],
+    );
+    for row in rows {
+        table.push([given(row.height_m), given(row.mass_kg_per_m)]);
+    }
+    table.shortened()
+}
+
+fn wires(wires: &[Wires], names: &[String]) -> Table {
+    let mut table = Table::new(
+        "Wires",
+        [
+            "#height z (m)",
+            "#number",
+            "#stiffness of each (N/m)",
+            "#angle from the horizontal (°)",
+        ],
+    );
+    for set in wires {
+        table.push([
+            given(set.height_m),
+            set.count.to_string(),
+            given(set.stiffness_n_per_m),
+            given(set.angle_deg),
+        ]);
+    }
+    table.named(names).shortened()
+}

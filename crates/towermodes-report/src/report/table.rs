@@ -1,0 +1,233 @@
+//! Tables of a report, with what is shown of long ones.
+
+use serde::Serialize;
+use towermodes::Verdict;
+
+use super::document::Mark;
+use super::number::NOTHING;
+
+/// Longer tables are shortened in their middle.
+const LONG: usize = 30;
+/// What is left of these at each end.
+const ENDS: usize = 8;
+/// More rows than this are in no report, whatever the input.
+pub(super) const MOST_ROWS: usize = 4000;
+
+/// A column of a table.
+#[derive(Serialize, Clone)]
+pub(super) struct Column {
+    /// What it is, unit included.
+    pub name: String,
+    /// Whether it is flush right.
+    pub is_number: bool,
+}
+
+/// A cell of a table.
+#[derive(Serialize, Clone)]
+pub(super) struct Cell {
+    /// What it says.
+    pub text: String,
+    /// Whether it is a verdict, and which.
+    pub verdict: Option<Mark>,
+}
+
+impl From<String> for Cell {
+    fn from(text: String) -> Self {
+        Self {
+            text,
+            verdict: None,
+        }
+    }
+}
+
+impl From<&str> for Cell {
+    fn from(text: &str) -> Self {
+        text.to_owned().into()
+    }
+}
+
+impl From<Verdict> for Cell {
+    fn from(verdict: Verdict) -> Self {
+        let mark = Mark::of(verdict);
+        Self {
+            text: mark.word.to_owned(),
+            verdict: Some(mark),
+        }
+    }
+}
+
+/// Numbers in rows; the first cell of each says what the row is of.
+pub(super) struct Table {
+    /// Its number, from 1.
+    pub number: usize,
+    /// What it is.
+    pub caption: String,
+    /// Its columns.
+    pub columns: Vec<Column>,
+    /// Its rows, all that a report may have.
+    pub rows: Vec<Vec<Cell>>,
+    /// How many rows are not among these, from their middle.
+    pub left_out: usize,
+    /// What is shown at first, if not all.
+    pub brief: Option<Brief>,
+}
+
+/// The rows of a long table that are shown at first.
+pub(super) struct Brief {
+    /// Their places.
+    pub shown: Vec<usize>,
+    /// After how many of them others are left out that belong between; none if those are here and there.
+    pub gap_after: Option<usize>,
+    /// Which they are: "pairs nearer than a factor 2".
+    pub which: String,
+}
+
+impl Table {
+    /// A table without rows; names that begin with `#` are of columns flush right.
+    pub(super) fn new<'a>(
+        caption: impl Into<String>,
+        columns: impl IntoIterator<Item = &'a str>,
+    ) -> Self {
+        let column = |name: &str| Column {
+            name: name.trim_start_matches('#').to_owned(),
+            is_number: name.starts_with('#'),
+        };
+        Self {
+            number: 0,
+            caption: caption.into(),
+            columns: columns.into_iter().map(column).collect(),
+            rows: Vec::new(),
+            left_out: 0,
+            brief: None,
+        }
+    }
+
+    /// Quantities with their values.
+    pub(super) fn of_facts<'a>(
+        caption: impl Into<String>,
+        facts: impl IntoIterator<Item = (&'a str, String)>,
+    ) -> Self {
+        let mut table = Self::new(caption, ["quantity", "#value"]);
+        for (name, value) in facts {
+            table.push([name.to_owned(), value]);
+        }
+        table
+    }
+
+    /// The same with a first column of names, if any row has one.
+    pub(super) fn named(mut self, names: &[String]) -> Self {
+        if names.iter().all(|name| name.trim().is_empty()) {
+            return self;
+        }
+        let column = Column {
+            name: "name".to_owned(),
+            is_number: false,
+        };
+        self.columns.insert(0, column);
+        for (index, row) in self.rows.iter_mut().enumerate() {
+            let name = names.get(index).filter(|name| !name.trim().is_empty());
+            row.insert(0, name.map_or(NOTHING.into(), |name| name.clone().into()));
+        }
+        self
+    }
+
+    /// Adds a row.
+    pub(super) fn push<C: Into<Cell>>(&mut self, row: impl IntoIterator<Item = C>) {
+        self.rows.push(row.into_iter().map(Into::into).collect());
+    }
+
+    /// The same, shortened in its middle if it is long.
+    pub(super) fn shortened(mut self) -> Self {
+        let count = self.rows.len();
+        if count > MOST_ROWS {
+            self.rows.drain(MOST_ROWS / 2..count - MOST_ROWS / 2);
+            self.left_out = count - MOST_ROWS;
+        }
+        let kept = self.rows.len();
+        if count > LONG {
+            self.brief = Some(Brief {
+                shown: (0..ENDS).chain(kept - ENDS..kept).collect(),
+                gap_after: Some(ENDS),
+                which: format!("the first and the last {ENDS} of {count} rows"),
+            });
+        }
+        self
+    }
+
+    /// The same with only those rows shown at first that `is_shown` picks, if that leaves some out; `which` says what they are. Of a huge
+    /// table these alone are there, or the first of them.
+    pub(super) fn with_only(mut self, which: &str, is_shown: impl Fn(usize) -> bool) -> Self {
+        let count = self.rows.len();
+        let shown: Vec<usize> = (0..count).filter(|row| is_shown(*row)).collect();
+        if count > MOST_ROWS {
+            let kept = shown.iter().take(MOST_ROWS);
+            let rows = kept.map(|row| std::mem::take(&mut self.rows[*row]));
+            self.rows = rows.collect();
+            self.caption.push_str(&format!(
+                " ({count} rows; here are {which}: {} of {})",
+                self.rows.len(),
+                shown.len()
+            ));
+        } else if shown.len() < count {
+            let which = format!("{which}: {} of {count} rows", shown.len());
+            self.brief = Some(Brief {
+                shown,
+                gap_after: None,
+                which,
+            });
+        }
+        self
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Table;
+
+    #[test]
+    fn long_tables_are_shortened_in_their_middle() {
+        let table = |rows: usize| {
+            let mut table = Table::new("stations", ["height"]);
+            for row in 0..rows {
+                table.push([row.to_string()]);
+            }
+            table.shortened()
+        };
+        assert!(table(30).brief.is_none());
+        let brief = table(31).brief.expect("shortened");
+        assert_eq!(brief.shown.len(), 16);
+        assert_eq!((brief.shown[7], brief.shown[8]), (7, 23));
+        let huge = table(100_000);
+        assert_eq!((huge.rows.len(), huge.left_out), (4000, 96_000));
+        assert_eq!(huge.rows[3999][0].text, "99999");
+        let brief = huge.brief.expect("shortened");
+        assert_eq!(brief.which, "the first and the last 8 of 100000 rows");
+        assert_eq!(table(4000).left_out, 0);
+    }
+
+    #[test]
+    fn chosen_rows_of_a_huge_table_are_alone_in_it() {
+        let table = |rows: usize, step: usize| {
+            let mut table = Table::new("margins", ["pair"]);
+            for row in 0..rows {
+                table.push([row.to_string()]);
+            }
+            table.with_only("near pairs", |row| row % step == 0)
+        };
+        let brief = table(1000, 10).brief.expect("shortened");
+        assert_eq!((brief.shown.len(), brief.shown[1]), (100, 10));
+        let huge = table(200_000, 400);
+        assert!(huge.brief.is_none());
+        assert_eq!((huge.rows.len(), &*huge.rows[1][0].text), (500, "400"));
+        assert!(
+            huge.caption
+                .ends_with("(200000 rows; here are near pairs: 500 of 500)")
+        );
+        let huge = table(200_000, 2);
+        assert_eq!((huge.rows.len(), &*huge.rows[3999][0].text), (4000, "7998"));
+        assert!(
+            huge.caption
+                .ends_with("(200000 rows; here are near pairs: 4000 of 100000)")
+        );
+    }
+}

@@ -1,0 +1,264 @@
+//! A document as the template of the page sees it.
+
+use serde::Serialize;
+
+use super::document::{Block, Document, Picture, Section, Statement, printable};
+use super::error::ReportError;
+use super::table::{Cell, Column, MOST_ROWS, Table};
+use crate::figures::AnimationData;
+use crate::svg::{DataTable, Look};
+
+/// A report's page.
+#[derive(Serialize)]
+pub(super) struct PageView {
+    pub title: String,
+    /// Rules of the page, colours included.
+    pub style: String,
+    pub script: &'static str,
+    pub sections: Vec<SectionView>,
+}
+
+/// A section of the page.
+#[derive(Serialize)]
+pub(super) struct SectionView {
+    pub id: &'static str,
+    pub number: usize,
+    pub title: &'static str,
+    pub blocks: Vec<BlockView>,
+}
+
+/// A piece of a section of the page.
+#[derive(Serialize)]
+#[serde(tag = "kind", rename_all = "snake_case")]
+pub(super) enum BlockView {
+    Heading { text: String },
+    Paragraph { text: String },
+    Statements { statements: Vec<Statement> },
+    List { points: Vec<String> },
+    Code { text: String },
+    Table { table: TableView },
+    Picture { picture: PictureView },
+    Animation { animation: AnimationView },
+}
+
+/// A table of the page.
+#[derive(Serialize)]
+pub(super) struct TableView {
+    /// "Table 3. Stations".
+    pub caption: String,
+    pub columns: Vec<Column>,
+    /// What is shown at first.
+    pub rows: Vec<RowView>,
+    /// Which these are, if there are others.
+    pub which: Option<String>,
+    /// All rows, if these are not they.
+    pub all: Vec<RowView>,
+    /// What all of them are called: "all 41 rows".
+    pub all_name: String,
+}
+
+/// A row of a table of the page.
+#[derive(Serialize)]
+pub(super) struct RowView {
+    /// Whether rows between the ones before and after are left out here.
+    pub is_gap: bool,
+    pub cells: Vec<Cell>,
+}
+
+/// A picture of the page.
+#[derive(Serialize)]
+pub(super) struct PictureView {
+    pub number: usize,
+    pub title: String,
+    pub description: String,
+    /// The picture itself, escaped already.
+    pub svg: String,
+    /// Its numbers, if no table of the section has them.
+    pub table: Option<TableView>,
+}
+
+/// The moving tower of the page.
+#[derive(Serialize)]
+pub(super) struct AnimationView {
+    pub modes: Vec<AnimatedModeView>,
+    /// Whether the tower's width is nominal.
+    pub is_nominal: bool,
+    /// What the script reads, as JSON that ends no script.
+    pub data: String,
+}
+
+/// A mode to choose from.
+#[derive(Serialize)]
+pub(super) struct AnimatedModeView {
+    pub number: usize,
+    pub label: String,
+}
+
+impl SectionView {
+    /// A section of the page, with its number.
+    pub(super) fn of(number: usize, section: Section) -> Result<Self, ReportError> {
+        let blocks = section.blocks.into_iter().map(BlockView::of);
+        Ok(Self {
+            id: section.id,
+            number,
+            title: section.title,
+            blocks: blocks.collect::<Result<_, _>>()?,
+        })
+    }
+}
+
+/// The sections of a document.
+pub(super) fn sections(document: Document) -> Result<Vec<SectionView>, ReportError> {
+    let numbered = (1..).zip(document.sections);
+    numbered
+        .map(|(number, section)| SectionView::of(number, section))
+        .collect()
+}
+
+impl BlockView {
+    fn of(block: Block) -> Result<Self, ReportError> {
+        Ok(match block {
+            Block::Heading(text) => Self::Heading { text },
+            Block::Paragraph(text) => Self::Paragraph {
+                text: printable(&text),
+            },
+            Block::Statements(statements) => Self::Statements { statements },
+            Block::List(points) => Self::List {
+                points: points.iter().map(|point| printable(point)).collect(),
+            },
+            Block::Code(text) => Self::Code {
+                text: printable(&text),
+            },
+            Block::Table(table) => Self::Table {
+                table: TableView::of(&table),
+            },
+            Block::Picture(picture) => Self::Picture {
+                picture: PictureView::of(&picture),
+            },
+            Block::Animation(data) => Self::Animation {
+                animation: AnimationView::of(&data)?,
+            },
+        })
+    }
+}
+
+impl TableView {
+    fn of(table: &Table) -> Self {
+        let caption = format!("Table {}. {}.", table.number, table.caption);
+        let row = |index: usize| RowView::of(&table.rows[index]);
+        let all = (0..table.rows.len()).map(row);
+        let (rows, which, all) = match &table.brief {
+            None => (all.collect(), None, Vec::new()),
+            Some(brief) => {
+                let mut rows: Vec<RowView> = brief.shown.iter().map(|index| row(*index)).collect();
+                if let Some(after) = brief.gap_after {
+                    rows.insert(after, RowView::gap(table.columns.len()));
+                }
+                (rows, Some(brief.which.clone()), all.collect())
+            }
+        };
+        Self {
+            caption: printable(&caption),
+            columns: table.columns.clone(),
+            rows,
+            which,
+            all,
+            all_name: all_name(table),
+        }
+    }
+
+    /// The numbers of a picture.
+    fn of_data(number: usize, title: &str, data: &DataTable) -> Self {
+        let column = |(index, name): (usize, &String)| Column {
+            name: printable(name),
+            is_number: data.rows.iter().all(|row| is_number(row.get(index))),
+        };
+        let cells = |row: &Vec<String>| RowView {
+            is_gap: false,
+            cells: row.iter().map(|text| printable(text).into()).collect(),
+        };
+        let left_out = data.rows.len().saturating_sub(MOST_ROWS);
+        let note = match left_out {
+            0 => String::new(),
+            count => format!(" ({count} more rows are not here)"),
+        };
+        Self {
+            caption: printable(&format!("Numbers of figure {number}. {title}{note}.")),
+            columns: data.header.iter().enumerate().map(column).collect(),
+            rows: data.rows.iter().take(MOST_ROWS).map(cells).collect(),
+            which: None,
+            all: Vec::new(),
+            all_name: String::new(),
+        }
+    }
+}
+
+/// "all 41 rows", or how many at each end where there are more than a report has.
+fn all_name(table: &Table) -> String {
+    match table.left_out {
+        0 => format!("all {} rows", table.rows.len()),
+        left_out => format!(
+            "the first and the last {} of {} rows",
+            table.rows.len() / 2,
+            table.rows.len() + left_out
+        ),
+    }
+}
+
+/// Whether a cell is a number, or empty.
+fn is_number(cell: Option<&String>) -> bool {
+    let text = cell.map_or("", |text| text.trim());
+    text.is_empty() || text.replace('\u{2212}', "-").parse::<f64>().is_ok()
+}
+
+impl RowView {
+    fn of(cells: &[Cell]) -> Self {
+        let cell = |cell: &Cell| Cell {
+            text: printable(&cell.text),
+            verdict: cell.verdict,
+        };
+        Self {
+            is_gap: false,
+            cells: cells.iter().map(cell).collect(),
+        }
+    }
+
+    fn gap(columns: usize) -> Self {
+        Self {
+            is_gap: true,
+            cells: vec!["\u{2026}".into(); columns],
+        }
+    }
+}
+
+impl PictureView {
+    fn of(picture: &Picture) -> Self {
+        let figure = &picture.figure;
+        Self {
+            number: picture.number,
+            title: printable(&figure.title),
+            description: printable(&figure.description),
+            svg: figure.to_svg(Look::Inline),
+            table: (!picture.is_tabulated)
+                .then(|| TableView::of_data(picture.number, &figure.title, &figure.table)),
+        }
+    }
+}
+
+impl AnimationView {
+    fn of(data: &AnimationData) -> Result<Self, ReportError> {
+        let json = serde_json::to_string(data).map_err(|error| ReportError::Data {
+            message: error.to_string(),
+        })?;
+        let mode = |mode: &crate::figures::AnimatedMode| AnimatedModeView {
+            number: mode.number,
+            label: format!("{}, {} Hz", mode.label, mode.frequency_hz),
+        };
+        Ok(Self {
+            modes: data.modes.iter().map(mode).collect(),
+            is_nominal: data.is_nominal,
+            // Neither `</script` nor `<!--` may be in a script.
+            data: json.replace('<', "\\u003c"),
+        })
+    }
+}

@@ -1,0 +1,74 @@
+//! A sheet of dots, two by four in each character: the braille patterns of Unicode.
+
+/// Dots in a character from left to right.
+pub(super) const ACROSS: usize = 2;
+/// Dots in a character from top to bottom.
+pub(super) const DOWN: usize = 4;
+
+/// The bit of each dot in a pattern, by row (The Unicode Standard, "Braille Patterns").
+const BITS: [[u8; ACROSS]; DOWN] = [[0x01, 0x08], [0x02, 0x10], [0x04, 0x20], [0x40, 0x80]];
+/// The pattern without dots.
+const EMPTY: u32 = 0x2800;
+
+/// A sheet of dots; what lies outside is not drawn.
+#[derive(Debug, Clone)]
+pub(super) struct Canvas {
+    columns: usize,
+    patterns: Vec<u8>,
+}
+
+impl Canvas {
+    /// An empty sheet of so many characters.
+    pub(super) fn new(columns: usize, rows: usize) -> Self {
+        Self {
+            columns,
+            patterns: vec![0; columns * rows],
+        }
+    }
+
+    /// Sets the dot so many from the left and from the top.
+    pub(super) fn dot(&mut self, x: usize, y: usize) {
+        if x >= self.columns * ACROSS {
+            return;
+        }
+        let cell = y / DOWN * self.columns + x / ACROSS;
+        if let Some(pattern) = self.patterns.get_mut(cell) {
+            *pattern |= BITS[y % DOWN][x % ACROSS];
+        }
+    }
+
+    /// Sets the dots of a row between two places, both included.
+    pub(super) fn across(&mut self, from: usize, to: usize, y: usize) {
+        for x in from.min(to)..=from.max(to) {
+            self.dot(x, y);
+        }
+    }
+
+    /// The lines of characters, spaces where nothing is drawn.
+    pub(super) fn lines(&self) -> impl Iterator<Item = String> {
+        let character = |pattern: &u8| match pattern {
+            0 => ' ',
+            bits => char::from_u32(EMPTY + u32::from(*bits)).unwrap_or(' '),
+        };
+        let rows = self.patterns.chunks(self.columns.max(1));
+        rows.map(move |row| row.iter().map(character).collect())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Canvas;
+
+    #[test]
+    fn dots_are_where_unicode_has_them() {
+        let mut canvas = Canvas::new(2, 1);
+        // Dots 1 and 8 of the first character: U+2881.
+        canvas.dot(0, 0);
+        canvas.dot(1, 3);
+        // Dots 3 and 6 of the second: U+2824; what is outside is left out.
+        canvas.across(2, 9, 2);
+        canvas.dot(0, 4);
+        let lines: Vec<String> = canvas.lines().collect();
+        assert_eq!(lines, ["\u{2881}\u{2824}"]);
+    }
+}

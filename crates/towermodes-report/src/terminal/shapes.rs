@@ -1,0 +1,144 @@
+//! Mode shapes side by side, in braille dots.
+
+use towermodes::{
+    Blade, BladeFamily, BladeMode, BladeSolution, Family, Mode, ShapePoint, Solution, Tower,
+};
+
+use super::panel::{Curve, Line, Panel, side_by_side};
+use crate::svg::number;
+
+/// The components of a shape that can be drawn: x, y, z, and the rotation about z.
+#[derive(Debug, Clone, Copy)]
+enum Component {
+    Along(usize),
+    AboutZ,
+}
+
+impl Component {
+    fn of(self, point: &ShapePoint) -> f64 {
+        match self {
+            Self::Along(axis) => point.translation[axis],
+            Self::AboutZ => point.rotation[2],
+        }
+    }
+}
+
+/// The shapes of a solution, as wide as a terminal of `width` columns has room for: heights upwards, and to the right fore-aft or side-side
+/// motion, of torsion the rotation, of axial modes the motion upwards, each as a share of its largest. Of coupled modes x is a line and y is dots.
+/// What is there twice, in two equal planes, is drawn once. Nothing where not even one fits.
+pub fn shapes(tower: &Tower, solution: &Solution, width: usize) -> String {
+    let panels: Vec<Panel> = drawn_once(tower, solution)
+        .into_iter()
+        .map(|(mode, twin)| tower_panel(mode, twin))
+        .collect();
+    side_by_side(&panels, [tower.base_m(), tower.top_m()], width)
+}
+
+/// The shapes of a rotating blade, as [`shapes`]: radii upwards, to the right flap or lag, of torsion the rotation.
+pub fn blade_shapes(blade: &Blade, solution: &BladeSolution, width: usize) -> String {
+    let description = blade.description();
+    let radii_m = [description.hub_radius_m, description.tip_radius_m];
+    let panels: Vec<Panel> = solution.modes.iter().map(blade_panel).collect();
+    side_by_side(&panels, radii_m, width)
+}
+
+/// The modes, each with the one that is the same in the other of two equal planes.
+fn drawn_once<'a>(tower: &Tower, solution: &'a Solution) -> Vec<(&'a Mode, Option<&'a Mode>)> {
+    let mut drawn: Vec<(&Mode, Option<&Mode>)> = Vec::new();
+    for mode in &solution.modes {
+        match drawn.last_mut() {
+            Some((first, twin)) if twin.is_none() && are_a_pair(tower, first, mode) => {
+                *twin = Some(mode);
+            }
+            _ => drawn.push((mode, None)),
+        }
+    }
+    drawn
+}
+
+fn are_a_pair(tower: &Tower, first: &Mode, second: &Mode) -> bool {
+    let families = matches!(
+        (first.family, second.family),
+        (Family::ForeAft, Family::SideSide)
+            | (Family::Surge, Family::Sway)
+            | (Family::Pitch, Family::Roll)
+    );
+    let is_the_same = first.order == second.order && first.frequency_hz == second.frequency_hz;
+    tower.planes_are_equal() && families && is_the_same
+}
+
+fn tower_panel(mode: &Mode, twin: Option<&Mode>) -> Panel {
+    let curve = |component: Component, line: Line| {
+        let shapes = mode.shape.iter().chain(&mode.station_shape);
+        curve(shapes, component, line)
+    };
+    let whole = |component: Component| vec![curve(component, Line::Whole)];
+    let curves = match mode.family {
+        Family::SideSide | Family::Sway | Family::Roll => whole(Component::Along(1)),
+        Family::Torsion | Family::Yaw => whole(Component::AboutZ),
+        Family::Axial | Family::Heave => whole(Component::Along(2)),
+        Family::Coupled => vec![
+            curve(Component::Along(0), Line::Whole),
+            curve(Component::Along(1), Line::Dots),
+        ],
+        _ => whole(Component::Along(0)),
+    };
+    let mut captions = vec![label(mode, twin), frequency(mode.frequency_hz)];
+    captions.extend(to_the_right(mode.family).map(str::to_owned));
+    Panel { curves, captions }
+}
+
+/// What is drawn to the right, where the name of a mode does not say it.
+fn to_the_right(family: Family) -> Option<&'static str> {
+    match family {
+        Family::Torsion | Family::Yaw => Some("rotation about z"),
+        Family::Axial | Family::Heave => Some("motion along z"),
+        Family::Coupled => Some("x line, y dots"),
+        _ => None,
+    }
+}
+
+/// "1st fore-aft and side-side bending" of two that are one.
+fn label(mode: &Mode, twin: Option<&Mode>) -> String {
+    match (twin, mode.family) {
+        (None, _) => mode.label(),
+        (Some(_), Family::ForeAft) => mode.label().replace("fore-aft", "fore-aft and side-side"),
+        (Some(twin), _) => format!("{} and {}", mode.label(), twin.label()),
+    }
+}
+
+fn blade_panel(mode: &BladeMode) -> Panel {
+    let (component, quantity) = match mode.family {
+        BladeFamily::Lag => (Component::Along(0), None),
+        BladeFamily::Flap => (Component::Along(1), None),
+        BladeFamily::Torsion => (Component::AboutZ, Some("rotation")),
+        BladeFamily::Axial => (Component::Along(2), Some("motion along it")),
+    };
+    let of_torsion = Family::Torsion.label(mode.order);
+    let name = of_torsion.replace(Family::Torsion.name(), mode.family.name());
+    let mut captions = vec![name, frequency(mode.frequency_hz)];
+    captions.extend(quantity.map(str::to_owned));
+    Panel {
+        curves: vec![curve(mode.shape.iter(), component, Line::Whole)],
+        captions,
+    }
+}
+
+/// A component over the heights of points, in any order; a height that is there twice counts once.
+fn curve<'a>(
+    points: impl Iterator<Item = &'a ShapePoint>,
+    component: Component,
+    line: Line,
+) -> Curve {
+    let mut points: Vec<(f64, f64)> = points
+        .map(|point| (point.height_m, component.of(point)))
+        .collect();
+    points.sort_by(|a, b| a.0.total_cmp(&b.0));
+    points.dedup_by(|b, a| b.0 == a.0);
+    Curve { points, line }
+}
+
+/// Four digits of a frequency.
+fn frequency(frequency_hz: f64) -> String {
+    number(frequency_hz, 1e-3 * frequency_hz) + " Hz"
+}

@@ -1,0 +1,165 @@
+//! Pictures of what holds and surrounds a tower, beyond what the examples have.
+
+mod pictures;
+
+use pictures::{look, plain, steel};
+use towermodes::{
+    AddedMassRow, FloatingPlatform, Foundation, FoundationSprings, HalfSpace, Inertia,
+    ReferredMatrix, Rna, SoilRow, SoilStiffness, Station, StiffnessFoundation, Tower,
+    TowerDescription, Water, Wires,
+};
+use towermodes_report::figures;
+use towermodes_report::svg::Look;
+
+#[test]
+fn every_foundation() {
+    let springs = |lateral, rocking, vertical, torsion| {
+        Foundation::Springs(FoundationSprings {
+            lateral_n_per_m: lateral,
+            rocking_n_m: rocking,
+            coupling_n: 0.0,
+            vertical_n_per_m: vertical,
+            torsion_n_m: torsion,
+        })
+    };
+    let inf = f64::INFINITY;
+    let mut matrices = StiffnessFoundation::default();
+    for i in 0..6 {
+        matrices.stiffness[i][i] = if i == 2 { inf } else { 1.234_567e9 };
+        matrices.inertia[i][i] = 1e5;
+    }
+    let half_space = |radius_m, embedment_m| {
+        Foundation::HalfSpace(HalfSpace {
+            radius_m,
+            embedment_m,
+            shear_modulus_pa: 4e7,
+            poissons_ratio: 0.35,
+        })
+    };
+    for (what, foundation) in [
+        (
+            "rigid springs",
+            Foundation::Springs(FoundationSprings::RIGID),
+        ),
+        ("soft springs", springs(1e7, 1e9, 1e8, 1e9)),
+        ("some rigid springs", springs(inf, 1e9, inf, 1e9)),
+        ("rocking rigid", springs(1e7, inf, 1e8, inf)),
+        ("matrix", Foundation::Stiffness(Box::new(matrices))),
+        ("footing", half_space(9.0, 3.0)),
+        ("wide deep footing", half_space(300.0, 500.0)),
+        ("footing on the surface", half_space(9.0, 0.0)),
+    ] {
+        let description = TowerDescription {
+            foundation,
+            ..plain()
+        };
+        look(what, &description, 8);
+    }
+}
+
+#[test]
+fn a_barge_whose_centre_is_above_the_base() {
+    let mut hydrostatic = ReferredMatrix::default();
+    for (i, value) in [1e5, 1e5, 4e6, 5e9, 5e9, 1e8].into_iter().enumerate() {
+        hydrostatic.matrix[i][i] = value;
+    }
+    for (what, z_m, surface_m) in [
+        ("barge", 1.0, -2.0),
+        ("deep platform", -900.0, -3.0),
+        ("base under water", -20.0, 12.0),
+    ] {
+        let platform = FloatingPlatform {
+            mass_kg: 5e6,
+            center_m: [30.0, 0.0, z_m],
+            inertia_kg_m2: Inertia {
+                xx: 1e10,
+                yy: 1e10,
+                zz: 1e10,
+                ..Inertia::default()
+            },
+            hydrostatic: ReferredMatrix {
+                height_m: surface_m,
+                ..hydrostatic
+            },
+            mooring: ReferredMatrix {
+                height_m: -100.0,
+                ..hydrostatic
+            },
+            ..FloatingPlatform::default()
+        };
+        let description = TowerDescription {
+            foundation: Foundation::Floating(Box::new(platform)),
+            ..plain()
+        };
+        look(what, &description, 12);
+    }
+}
+
+#[test]
+fn much_around_a_tower() {
+    let layer = |from: f64, to: f64, stiffness: f64| {
+        let springs = SoilStiffness {
+            x_n_per_m2: stiffness,
+            y_n_per_m2: 0.8 * stiffness,
+            z_n_per_m2: 1e6,
+            torsion_n: 1e7,
+        };
+        [from, to]
+            .map(|height_m| SoilRow {
+                height_m,
+                stiffness: springs,
+            })
+            .to_vec()
+    };
+    let soil = (0..30).map(|k| {
+        layer(
+            -30.0 + f64::from(k),
+            -29.0 + f64::from(k),
+            1e7 + 2e6 * f64::from(k),
+        )
+    });
+    let wires = |height_m: f64| Wires {
+        height_m,
+        count: 4,
+        stiffness_n_per_m: 1.234_567e6,
+        angle_deg: 60.0,
+    };
+    let description = TowerDescription {
+        name: "North <sea> & \"more\"".to_owned(),
+        soil: soil.collect(),
+        water: Some(Water {
+            level_m: 12.0,
+            bed_m: Some(0.0),
+            density_kg_per_m3: 1025.0,
+            added_mass_coefficient: 1.0,
+            flooded: false,
+        }),
+        added_mass: vec![vec![
+            AddedMassRow {
+                height_m: 0.0,
+                mass_kg_per_m: 900.0,
+            },
+            AddedMassRow {
+                height_m: 12.0,
+                mass_kg_per_m: 900.0,
+            },
+        ]],
+        wires: (1..10).map(|k| wires(20.0 + 5.0 * f64::from(k))).collect(),
+        foundation: Foundation::Springs(FoundationSprings {
+            lateral_n_per_m: 1e8,
+            rocking_n_m: 1e10,
+            coupling_n: -1e8,
+            vertical_n_per_m: 1e9,
+            torsion_n_m: 1e9,
+        }),
+        rna: Rna::point(100e3),
+        ..steel(vec![
+            Station::new(-30.0, 6.0, 0.05),
+            Station::new(87.6, 3.87, 0.019),
+        ])
+    };
+    look("much around", &description, 15);
+    let tower = Tower::new(description.clone()).expect("a tower");
+    let svg = figures::tower(&description, &tower).to_svg(Look::Standalone);
+    assert!(svg.contains("North &lt;sea&gt; &amp; &quot;more&quot;"));
+}

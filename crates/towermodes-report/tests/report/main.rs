@@ -1,0 +1,746 @@
+//! Reports: everything is said, with the numbers of a textbook; the page is sound, safe and always the same.
+
+mod assumptions;
+mod page;
+
+use std::collections::HashSet;
+
+use towermodes::elastodyn::tower_shapes;
+use towermodes::rotor::{CampbellError, CampbellOptions, Rotor, campbell};
+use towermodes::study::{ColumnSpec, compare};
+use towermodes::{
+    AddedMassRow, Foundation, FoundationSprings, Inertia, Material, Method, Options, PartNames,
+    Planes, PointMass, Rna, SoilRow, SolveError, Station, Tower, TowerDescription, Water, Wires,
+    solve,
+};
+use towermodes_report::report::{ElastoDynShapes, InputFile, ReportContent, html, markdown};
+
+use page::{Piece, attribute, pieces, read};
+
+/// What might end a script, a text or a table, or run.
+const HOSTILE: &str = r#"</script><img src=x onerror="alert(1)">'&|`{{ 7*7 }}--><!--"#;
+
+/// A uniform cantilever, so slender that it is the beam of the textbooks: with β₁ = 1.8751 its first bending mode has
+/// f₁ = β₁²/2π √(EI/mL⁴) = 0.63637 Hz, and its mass is 157.04 t.
+fn pole() -> TowerDescription {
+    TowerDescription {
+        name: "pole".to_owned(),
+        materials: vec![Material::from_shear_modulus(7850.0, 2.1e11, 8.08e10)],
+        stations: vec![Station::new(0.0, 4.0, 0.02), Station::new(80.0, 4.0, 0.02)],
+        ..TowerDescription::default()
+    }
+}
+
+/// 3P meets the first mode at 12.73 rpm, 4.9 % above the highest speed.
+const ROTOR: Rotor = Rotor {
+    blades: 3,
+    lowest_rpm: 6.9,
+    highest_rpm: 12.1,
+};
+
+fn content(description: TowerDescription, rotor: Option<Rotor>) -> ReportContent {
+    let options = Options {
+        rotary_inertia: false,
+        ..Options::default()
+    };
+    content_by(description, rotor, options)
+}
+
+/// The shapes with frequencies that no one else has.
+fn elastodyn(tower: &Tower) -> Result<ElastoDynShapes, String> {
+    let options = Options {
+        method: Method::Spectral,
+        ..Options::default()
+    };
+    let shapes = tower_shapes(tower, &options, tower.base_m());
+    Ok(ElastoDynShapes {
+        shapes: shapes.map_err(|error| error.to_string())?,
+        frequency_alone_hz: Planes {
+            fore_aft: [11.25, 12.25],
+            side_side: [13.25, 14.25],
+        },
+    })
+}
+
+/// What is said of a tower that was solved so.
+fn content_by(
+    description: TowerDescription,
+    rotor: Option<Rotor>,
+    options: Options,
+) -> ReportContent {
+    let tower = Tower::new(description.clone()).expect("a valid tower");
+    let solution = solve(&tower, &options).expect("solved");
+    let columns = [Method::Rmje, Method::Bmodes, Method::Spectral].map(|method| ColumnSpec {
+        method,
+        segments: (method != Method::Spectral).then_some(20),
+    });
+    let diagram = |rotor: Rotor| {
+        let options = CampbellOptions::default();
+        campbell(&tower, &solution, None, &rotor, &options)
+    };
+    ReportContent {
+        title: String::new(),
+        comparison: compare(&tower, &options, &columns, |_, _| {}),
+        elastodyn: elastodyn(&tower),
+        shapes_from_m: tower.base_m(),
+        campbell: rotor.map(diagram),
+        description,
+        tower,
+        options,
+        solution,
+        notes: vec!["a note on line 7".to_owned()],
+        model_notes: Vec::new(),
+        version: "1.2.3".to_owned(),
+        command_line: "towermodes report pole.toml".to_owned(),
+        reading: String::new(),
+        is_own_format: true,
+        files: vec![InputFile {
+            name: "pole.toml".to_owned(),
+            bytes: 123,
+            sha256: "ba7816bf".repeat(8),
+            is_of_text: false,
+        }],
+    }
+}
+
+fn page_of(content: &ReportContent) -> String {
+    html(content).expect("a page")
+}
+
+/// The text of a section of the page.
+fn section(page: &str, id: &str) -> String {
+    let start = page.find(&format!("<section id=\"{id}\"")).expect(id);
+    let end = page[start + 1..]
+        .find("aria-labelledby=\"")
+        .and_then(|first| {
+            let after = start + 1 + first + 1;
+            page[after..].find("<section id=\"").map(|at| after + at)
+        })
+        .or_else(|| page.find("</main>"))
+        .expect("an end");
+    read(&format!("<!DOCTYPE html>{}", &page[start..end]))
+}
+
+const SECTIONS: [(&str, &str); 10] = [
+    ("summary", "Summary"),
+    ("input", "Input"),
+    ("assumptions", "Assumptions"),
+    ("frequencies", "Natural frequencies"),
+    ("modes", "Mode shapes"),
+    ("methods", "Methods compared"),
+    ("resonance", "Resonance"),
+    ("elastodyn", "Shapes for ElastoDyn (OpenFAST)"),
+    ("notes", "Notes and warnings"),
+    ("reproduction", "Reproduction"),
+];
+
+#[test]
+fn every_section_is_there_in_its_order() {
+    let content = content(pole(), Some(ROTOR));
+    let page = page_of(&content);
+    let text = markdown(&content);
+    let (mut in_page, mut in_text) = (0, 0);
+    for (number, (id, title)) in (1..).zip(SECTIONS) {
+        let at = page.find(&format!("<section id=\"{id}\"")).expect(id);
+        assert!(at > in_page, "{id}");
+        in_page = at;
+        assert!(page.contains(&format!("<a href=\"#{id}\">")), "{id}");
+        let at = text.find(&format!("\n## {number}. {title}\n")).expect(id);
+        assert!(at > in_text, "{id}");
+        in_text = at;
+    }
+}
+
+#[test]
+fn the_summary_has_the_numbers_of_the_textbook() {
+    let summary = section(&page_of(&content(pole(), Some(ROTOR))), "summary");
+    // 1/0.63637 Hz = 1.5714 s; torsion √(G/ρ)/4L = 10.026 Hz.
+    for said in [
+        "1st fore-aft bending 0.6364 Hz (period 1.571 s)",
+        "1st side-side bending 0.6364 Hz (period 1.571 s)",
+        "1st torsion 10.0",
+        "FAIL",
+        "Of the tower without a rotor-nacelle assembly",
+        "The tower carries no rotor-nacelle assembly, so no class of stiffness is said of it.",
+        "30 PASS, 0 WARN and 2 FAIL at a margin of 5 %",
+        // 3P at 12.1 rpm is 0.605 Hz, 0.605/0.63637 − 1 = −4.93 %.
+        "FAIL: 3P at 12.10 rpm comes to \u{2212}4.93 % of 1st fore-aft bending (0.6364 Hz); 3P at 12.10 rpm comes to",
+        "8 modes below",
+    ] {
+        assert!(summary.contains(said), "{said}: {summary}");
+    }
+    assert!(!summary.contains("stiff-stiff"), "{summary}");
+}
+
+#[test]
+fn the_summary_names_what_the_model_lacks() {
+    let with_machine = |notes: &[&str]| {
+        let mut description = pole();
+        description.rna = Rna::point(1.0);
+        let mut content = content(description, Some(ROTOR));
+        content.model_notes = notes.iter().map(|&note| note.to_owned()).collect();
+        section(&page_of(&content), "summary")
+    };
+    let whole = with_machine(&[]);
+    assert!(
+        whole.contains("First bending: fore-aft is stiff-stiff, side-side is stiff-stiff."),
+        "{whole}"
+    );
+    assert!(!whole.contains("Not in the model"), "{whole}");
+    let lacking = with_machine(&["the floating platform is left out"]);
+    for said in [
+        "Not in the model",
+        "the floating platform is left out",
+        "First bending of the model without what is missing: fore-aft is",
+    ] {
+        assert!(lacking.contains(said), "{said}: {lacking}");
+    }
+}
+
+/// Modes come in pairs: of three the third is the first of the second pair.
+#[test]
+fn a_pair_that_the_list_cuts_is_said() {
+    let options = Options {
+        modes: 3,
+        ..Options::default()
+    };
+    let content = content_by(pole(), None, options);
+    assert_eq!(
+        (
+            content.solution.modes.len(),
+            content.solution.certificate.count
+        ),
+        (3, 4)
+    );
+    let summary = section(&page_of(&content), "summary");
+    assert!(
+        summary.contains("3 of the 4 modes below")
+            && summary.contains("(the one not listed is the other of a pair with the last)"),
+        "{summary}"
+    );
+}
+
+/// Side-side is softer here, so that its mode comes first.
+#[test]
+fn the_summary_goes_by_frequency() {
+    let mut description = pole();
+    description.rna = Rna {
+        mass_kg: 200e3,
+        inertia_kg_m2: Inertia {
+            xx: 1e8,
+            ..Inertia::default()
+        },
+        ..Rna::default()
+    };
+    let summary = section(&page_of(&content(description, None)), "summary");
+    let of = |name: &str| summary.find(name).expect("a mode");
+    assert!(of("1st side-side") < of("1st fore-aft"), "{summary}");
+}
+
+#[test]
+fn shapes_for_elastodyn_have_its_frequency_and_what_it_lacks() {
+    let clamped = content(pole(), None);
+    let page = section(&page_of(&clamped), "elastodyn");
+    for said in ["11.25000", "12.25000", "13.25000", "14.25000"] {
+        assert!(page.contains(said), "{said}: {page}");
+    }
+    assert!(!page.contains("does not have"), "{page}");
+    assert!(!page.contains("is taken out of it"), "{page}");
+    assert!(page.contains("towermodes elastodyn tower pole.toml --output Tower.dat"));
+    let mut description = pole();
+    description.wires = vec![Wires {
+        height_m: 50.0,
+        count: 3,
+        stiffness_n_per_m: 1e6,
+        angle_deg: 45.0,
+    }];
+    description.foundation = Foundation::Springs(FoundationSprings {
+        lateral_n_per_m: 1e9,
+        rocking_n_m: 1e11,
+        coupling_n: 0.0,
+        vertical_n_per_m: f64::INFINITY,
+        torsion_n_m: f64::INFINITY,
+    });
+    let page = section(&page_of(&content(description, None)), "elastodyn");
+    assert!(
+        page.contains("does not have the motion of the base in the modes, the wires:"),
+        "{page}"
+    );
+    assert!(page.contains("is taken out of it first"), "{page}");
+}
+
+#[test]
+fn margins_are_those_of_hand() {
+    // 3P at 12.1 rpm is 0.605 Hz, 0.605/0.63637 − 1 = −4.93 %; 6P at 6.9 rpm 0.69 Hz, +8.43 %; 1P at 12.1 rpm −68.3 %.
+    let text = markdown(&content(pole(), Some(ROTOR)));
+    for row in [
+        "| 1st fore-aft bending | 0.6364 | 3P | 0.6050 | 12.10 | \u{2212}4.93 | **FAIL** |",
+        "| 1st fore-aft bending | 0.6364 | 6P | 0.6900 | 6.900 | +8.43 | **PASS** |",
+        "| 1st fore-aft bending | 0.6364 | 1P | 0.2017 | 12.10 | \u{2212}68.3 | **PASS** |",
+    ] {
+        assert!(text.contains(row), "{row}\n{text}");
+    }
+    assert!(text.contains("after f is moved by its error towards the excitation"));
+}
+
+#[test]
+fn the_input_is_tabulated() {
+    let mut description = pole();
+    description.rna = Rna::point(1000.0);
+    description.gravity_m_per_s2 = 9.81;
+    description.point_masses = vec![PointMass {
+        height_m: 40.0,
+        mass_kg: 1234.5,
+        ..PointMass::default()
+    }];
+    description.water = Some(Water {
+        level_m: 15.0,
+        bed_m: None,
+        density_kg_per_m3: 1025.0,
+        added_mass_coefficient: 1.0,
+        flooded: true,
+    });
+    description.wires = vec![Wires {
+        height_m: 60.0,
+        count: 3,
+        stiffness_n_per_m: 7.5e4,
+        angle_deg: 45.0,
+    }];
+    let row = |height_m: f64| SoilRow {
+        height_m,
+        stiffness: towermodes::SoilStiffness {
+            x_n_per_m2: 2.5e6,
+            y_n_per_m2: 2.5e6,
+            ..Default::default()
+        },
+    };
+    description.soil = vec![vec![row(0.0), row(10.0)]];
+    let input = section(&page_of(&content(description.clone(), None)), "input");
+    for said in [
+        "1234.5",
+        "2.5\u{b7}10\u{2076}",
+        "75000",
+        "200.0",
+        "7850",
+        "1025",
+        "9.81",
+        "158.3 t",
+    ] {
+        assert!(input.contains(said), "{said}: {input}");
+    }
+    let page = page_of(&content(description, None));
+    let assumptions = section(&page, "assumptions");
+    for said in [
+        "g = 9.81 m/s\u{b2}",
+        "Winkler",
+        "Water is still",
+        "Wires are",
+    ] {
+        assert!(assumptions.contains(said), "{said}: {assumptions}");
+    }
+}
+
+#[test]
+fn what_is_missing_is_said_with_the_reason() {
+    let mut content = content(pole(), None);
+    content.comparison = Err(SolveError::NoModes);
+    content.elastodyn = Err("the tower reaches from 0 m to 80 m".to_owned());
+    let page = page_of(&content);
+    let resonance = section(&page, "resonance");
+    assert!(resonance.contains("rpm = [6.9, 12.1]"), "{resonance}");
+    let methods = section(&page, "methods");
+    assert!(
+        methods.contains("The methods were not compared"),
+        "{methods}"
+    );
+    let elastodyn = section(&page, "elastodyn");
+    assert!(
+        elastodyn.contains("the tower reaches from 0 m to 80 m"),
+        "{elastodyn}"
+    );
+    assert!(section(&page, "summary").contains("nothing is said of resonance"));
+}
+
+#[test]
+fn a_blade_without_modes_leaves_its_reason() {
+    let mut content = content(pole(), Some(ROTOR));
+    content.campbell = Some(Err(CampbellError::Blade {
+        rotor_speed_rpm: 12.1,
+        error: SolveError::NoModes,
+    }));
+    let said = "The rotor's excitations were not compared with the natural frequencies: the blade at 12.1 rpm: no modes were asked for";
+    let page = page_of(&content);
+    let resonance = section(&page, "resonance");
+    assert!(resonance.contains(said), "{resonance}");
+    assert!(section(&page, "summary").contains("The rotor's blade could not be solved"));
+    let text = markdown(&content);
+    assert!(text.contains(said), "{text}");
+    assert!(!text.contains("--what campbell"), "{text}");
+}
+
+#[test]
+fn a_report_can_be_reproduced() {
+    let content = content(pole(), Some(ROTOR));
+    assert_eq!(page_of(&content), page_of(&content.clone()));
+    assert_eq!(markdown(&content), markdown(&content.clone()));
+    let reproduction = section(&page_of(&content), "reproduction");
+    for said in [
+        "towermodes 1.2.3",
+        "towermodes report pole.toml",
+        "123",
+        &"ba7816bf".repeat(8),
+    ] {
+        assert!(reproduction.contains(said), "{said}");
+    }
+}
+
+#[test]
+fn hostile_names_stay_text() {
+    let mut content = content(pole(), Some(ROTOR));
+    content.title = format!("title {HOSTILE}");
+    content.description.name = format!("name {HOSTILE}");
+    content.tower = Tower::new(content.description.clone()).expect("a tower");
+    content.notes = vec![format!("note {HOSTILE}")];
+    content.command_line = format!("command {HOSTILE}");
+    content.files[0].name = format!("file {HOSTILE}");
+    let page = page_of(&content);
+    let pieces = pieces(&page);
+    let of = |name: &str| {
+        let is_one = |piece: &&Piece| matches!(piece, Piece::Start(n, _) if *n == name);
+        pieces.iter().filter(is_one).count()
+    };
+    assert_eq!((of("img"), of("script"), of("h1")), (0, 2, 1));
+    let is_sound = |attributes: &str| !attributes.contains("onerror=\"");
+    assert!(
+        pieces
+            .iter()
+            .all(|piece| !matches!(piece, Piece::Start(_, a) if !is_sound(a)))
+    );
+    let text = read(&page);
+    for what in ["title", "name", "note", "command", "file"] {
+        assert!(text.contains(&format!("{what} {HOSTILE}")), "{what}");
+    }
+    nested(&pieces);
+    let text = markdown(&content);
+    let outside_fences = text.split("```").step_by(2);
+    for part in outside_fences {
+        assert!(!part.contains("<img") && !part.contains("<!--"), "{part}");
+    }
+}
+
+/// Fails unless every element ends within the one that it begins in.
+fn nested(pieces: &[Piece]) {
+    let mut open = Vec::new();
+    for piece in pieces {
+        match piece {
+            Piece::Start(name, _) => open.push(*name),
+            Piece::End(name) => assert_eq!(open.pop(), Some(*name)),
+            Piece::Text(_) => {}
+        }
+    }
+    assert_eq!(open, Vec::<&str>::new());
+}
+
+#[test]
+fn the_page_is_sound() {
+    for rotor in [None, Some(ROTOR)] {
+        let page = page_of(&content(pole(), rotor));
+        let pieces = pieces(&page);
+        nested(&pieces);
+        let mut ids = HashSet::new();
+        let mut levels = Vec::new();
+        for (index, piece) in pieces.iter().enumerate() {
+            let Piece::Start(name, attributes) = piece else {
+                continue;
+            };
+            if let Some(id) = attribute(attributes, "id") {
+                assert!(ids.insert(id), "{id} twice");
+            }
+            match *name {
+                "h1" | "h2" | "h3" | "h4" => {
+                    levels.push(name[1..].parse::<usize>().expect("a level"));
+                }
+                "table" => assert!(
+                    pieces[index + 1..index + 3].contains(&Piece::Start("caption", "")),
+                    "a table without caption"
+                ),
+                "th" => assert!(attribute(attributes, "scope").is_some(), "{attributes}"),
+                _ => {}
+            }
+        }
+        assert_eq!(levels.iter().filter(|level| **level == 1).count(), 1);
+        assert_eq!(levels[0], 1);
+        assert!(
+            levels.windows(2).all(|pair| pair[1] <= pair[0] + 1),
+            "{levels:?}"
+        );
+        for piece in &pieces {
+            let Piece::Start(_, attributes) = piece else {
+                continue;
+            };
+            for reference in ["href", "aria-labelledby", "aria-describedby", "for"] {
+                let targets = attribute(attributes, reference).unwrap_or_default();
+                for target in targets.split(' ').filter(|target| !target.is_empty()) {
+                    let target = target.trim_start_matches('#');
+                    assert!(ids.contains(target), "nothing is called {target}");
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn the_page_asks_for_nothing() {
+    let page = page_of(&content(pole(), Some(ROTOR)));
+    let policy =
+        "default-src 'none'; style-src 'unsafe-inline'; script-src 'unsafe-inline'; img-src data:";
+    assert!(page.contains(&format!(
+        "http-equiv=\"Content-Security-Policy\" content=\"{policy}\""
+    )));
+    // A namespace is no address, and a picture may refer to its own parts.
+    let outside = page
+        .replace("xmlns=\"http://www.w3.org/2000/svg\"", "")
+        .replace("url(#", "");
+    for asking in [
+        "http:", "https:", " src=", "url(", "@import", "fetch(", "XMLHttp", "//cdn",
+    ] {
+        assert!(!outside.contains(asking), "{asking}");
+    }
+    for piece in pieces(&page) {
+        if let Piece::Start(_, attributes) = piece {
+            let target = attribute(attributes, "href").unwrap_or("#");
+            assert!(target.starts_with('#'), "{target}");
+        }
+    }
+}
+
+#[test]
+fn the_moving_tower_has_its_data() {
+    let content = content(pole(), None);
+    let page = page_of(&content);
+    let start = "<script type=\"application/json\" id=\"animation-data\">";
+    let data = &page[page.find(start).expect("data") + start.len()..];
+    let data = &data[..data.find("</script>").expect("an end")];
+    assert!(!data.contains('<'));
+    let data: serde_json::Value = serde_json::from_str(data).expect("JSON");
+    let modes = data["modes"].as_array().expect("modes");
+    assert_eq!(modes.len(), 8);
+    let numbers = |value: &serde_json::Value| value.as_array().map_or(0, Vec::len);
+    let heights = numbers(&data["height_m"]);
+    assert!((20..=60).contains(&heights));
+    assert_eq!(numbers(&data["radius_m"]), heights);
+    assert_eq!(data["radius_m"][0], 2.0);
+    for mode in modes {
+        for motion in ["x", "y", "z", "rotation_z"] {
+            assert_eq!(numbers(&mode[motion]), heights, "{motion}");
+        }
+    }
+    let frequency = modes[0]["frequency_hz"].as_f64().expect("a frequency");
+    assert!((frequency - 0.636_37).abs() < 1e-5, "{frequency}");
+}
+
+#[test]
+fn long_tables_are_short_and_whole() {
+    let mut description = pole();
+    let heights = (0..=40).map(|k| 2.0 * f64::from(k));
+    description.stations = heights.map(|z| Station::new(z, 4.0, 0.02)).collect();
+    let content = content(description, None);
+    let page = page_of(&content);
+    assert!(page.contains("Show all 41 rows"));
+    let input = section(&page, "input");
+    assert!(input.contains("the first and the last 8 of 41 rows"));
+    // Eight of each end, then all: the row of 14 m twice, that of 16 m once.
+    let rows = |height: &str| {
+        page.matches(&format!("<th scope=\"row\" class=\"number\">{height}</th>"))
+            .count()
+    };
+    assert_eq!(
+        (rows("14"), rows("16"), rows("64"), rows("66")),
+        (2, 1, 1, 2)
+    );
+    assert!(page.len() < 2_000_000);
+}
+
+#[test]
+fn parts_are_called_by_their_names() {
+    let mut description = pole();
+    let mass = PointMass {
+        height_m: 40.0,
+        mass_kg: 10e3,
+        ..PointMass::default()
+    };
+    description.point_masses = vec![mass; 2];
+    let row = |height_m: f64| SoilRow {
+        height_m,
+        ..SoilRow::default()
+    };
+    description.soil = vec![vec![row(0.0), row(5.0)]];
+    description.wires = vec![Wires {
+        height_m: 50.0,
+        count: 3,
+        stiffness_n_per_m: 1e6,
+        angle_deg: 45.0,
+    }];
+    let without = markdown(&content(description.clone(), None));
+    assert!(!without.contains("| name | height"), "{without}");
+    let list = |names: &[&str]| names.iter().map(|&name| name.to_owned()).collect();
+    description.part_names = PartNames {
+        materials: list(&["steel S355"]),
+        point_masses: list(&["", "platform"]),
+        soil: list(&["dense sand"]),
+        wires: list(&["strand of 20 mm"]),
+        ..PartNames::default()
+    };
+    let text = markdown(&content(description, None));
+    for said in [
+        "| steel S355 | 1 | 7850 |",
+        "| 0 | 4 | 20 | 200.0 | 1, steel S355 |",
+        "| \u{2013} | 40 | 10000 |",
+        "| platform | 40 | 10000 |",
+        "Soil springs per length of tower (dense sand); linear between rows.",
+        "| strand of 20 mm | 50 | 3 |",
+    ] {
+        assert!(text.contains(said), "{said}\n{text}");
+    }
+}
+
+#[test]
+fn hinges_that_were_put_elsewhere_are_said() {
+    let by = |method, hinge_position| {
+        let options = Options {
+            method,
+            hinge_position,
+            segments: Some(20),
+            ..Options::default()
+        };
+        section(&page_of(&content_by(pole(), None, options)), "frequencies")
+    };
+    let said = "hinges at 0.25 of a segment's length from its ends";
+    let page = by(Method::Cardanic, 0.25);
+    assert!(page.contains(said), "{page}");
+    assert!(!by(Method::Cardanic, Options::default().hinge_position).contains("hinges at"));
+    assert!(!by(Method::RmjeExact, 0.25).contains("hinges at"));
+}
+
+#[test]
+fn one_mass_is_one_and_rods_are_no_tubes() {
+    let mut description = pole();
+    description.name = String::new();
+    let plain = markdown(&content(description.clone(), None));
+    assert!(plain.contains("| name | \u{2013} |"), "{plain}");
+    assert!(plain.contains("Sections are circular tubes of"), "{plain}");
+    assert!(plain.contains("The whole is the tower's own."), "{plain}");
+    description.stations = [0.0, 80.0].map(|z| Station::new(z, 4.0, 2.0)).to_vec();
+    description.point_masses = vec![PointMass {
+        height_m: 40.0,
+        mass_kg: 10e3,
+        ..PointMass::default()
+    }];
+    let row = |height_m| AddedMassRow {
+        height_m,
+        mass_kg_per_m: 100.0,
+    };
+    description.added_mass = vec![vec![row(0.0), row(10.0)]];
+    description.foundation = Foundation::Springs(FoundationSprings {
+        lateral_n_per_m: f64::INFINITY,
+        rocking_n_m: f64::INFINITY,
+        coupling_n: 0.0,
+        vertical_n_per_m: f64::INFINITY,
+        torsion_n_m: f64::INFINITY,
+    });
+    let text = markdown(&content(description, None));
+    for said in [
+        "Sections are solid circular rods of",
+        "; 1 point mass of 10 t; with added mass along its length; clamped at the base.",
+        "The whole is the tower with its point masses, the water that moves with the tower in x and y.",
+    ] {
+        assert!(text.contains(said), "{said}\n{text}");
+    }
+}
+
+/// Up to 4000 rows are in the page, folded; numbers agree wherever they are said.
+#[test]
+fn thousands_of_stations_are_in_the_page_and_counted_in_markdown() {
+    let stations = |count: u32| {
+        let mut description = pole();
+        let heights = (0..count).map(|k| 0.02 * f64::from(k));
+        description.stations = heights.map(|z| Station::new(z, 4.0, 0.02)).collect();
+        content(description, None)
+    };
+    let content = stations(2000);
+    let page = page_of(&content);
+    let rows = page.matches("<td class=\"number\">4</td><td class=\"number\">20</td>");
+    assert_eq!(rows.count(), 2016);
+    let shown = "the first and the last 8 of 2000 rows";
+    for said in [shown, "Show all 2000 rows"] {
+        assert!(page.contains(said), "{said}");
+    }
+    assert!(markdown(&content).contains(shown));
+    let content = stations(5000);
+    let page = page_of(&content);
+    let rows = page.matches("<td class=\"number\">4</td><td class=\"number\">20</td>");
+    assert_eq!(rows.count(), 4016);
+    let shown = "the first and the last 8 of 5000 rows";
+    for said in [shown, "Show the first and the last 2000 of 5000 rows"] {
+        assert!(page.contains(said), "{said}");
+    }
+    assert!(markdown(&content).contains(shown));
+}
+
+/// A hundred stations are whole in Markdown; of a hundred and one there are eight of each end with a gap between.
+#[test]
+fn markdown_shortens_tables_of_more_than_a_hundred_rows() {
+    let stations = |count: u32| {
+        let heights = (0..count).map(f64::from);
+        let mut description = pole();
+        description.stations = heights.map(|z| Station::new(z, 4.0, 0.02)).collect();
+        let text = markdown(&content(description, None));
+        let start = text.find(". Stations from").expect("a table");
+        let lines = text[start..].lines().skip(4);
+        let rows = lines.take_while(|line| line.starts_with('|'));
+        let of_row = |line: &str| line.split('|').nth(1).map(|cell| cell.trim().to_owned());
+        let heights: Vec<String> = rows.filter_map(of_row).collect();
+        (heights, text)
+    };
+    let (heights, text) = stations(100);
+    assert_eq!(heights.len(), 100);
+    assert!(!text.contains("of 100 rows"));
+    let (heights, text) = stations(101);
+    assert_eq!(heights.len(), 17, "{heights:?}");
+    assert_eq!(heights[7..10], ["7", "\u{2026}", "93"]);
+    assert!(text.contains("Shown: the first and the last 8 of 101 rows."));
+}
+
+#[test]
+fn markdown_has_sound_tables_and_commands() {
+    let mut content = content(pole(), Some(ROTOR));
+    content.reading = "--part tower".to_owned();
+    content.options.modes = 8;
+    let text = markdown(&content);
+    let mut columns = None;
+    for line in text.lines() {
+        let count = line
+            .starts_with('|')
+            .then(|| line.replace("\\|", "").matches('|').count());
+        if let (Some(before), Some(count)) = (columns, count) {
+            assert_eq!(before, count, "{line}");
+        }
+        columns = count;
+    }
+    for command in [
+        "towermodes plot pole.toml --part tower --what tower --output tower.svg",
+        "towermodes plot pole.toml --part tower --what shapes --method rmje-exact --modes 8 --no-rotary-inertia --output shapes.svg",
+        "towermodes plot pole.toml --part tower --what campbell --method rmje-exact --modes 8 --no-rotary-inertia --rpm 6.9,12.1 --blades 3 --multiples 1,3,6,9 --output campbell.svg",
+        "towermodes plot pole.toml --part tower --what error --modes 8 --no-rotary-inertia --output error.svg",
+    ] {
+        assert!(text.contains(command), "{command}\n{text}");
+    }
+    content.files[0].name = "-dash.toml".to_owned();
+    let text = markdown(&content);
+    for command in [
+        "towermodes plot --part tower --what tower --output tower.svg -- -dash.toml",
+        "towermodes elastodyn tower --part tower --output Tower.dat -- -dash.toml",
+    ] {
+        assert!(text.contains(command), "{command}\n{text}");
+    }
+}
