@@ -9,7 +9,9 @@ use towermodes_files::{write_comparison_csv, write_comparison_json};
 use crate::args::{CompareArguments, Format};
 use crate::failure::{Failure, note, warn};
 use crate::input::tower;
-use crate::output::{Progress, check_not_input, deliver};
+use crate::output::{check_not_input, deliver};
+use crate::progress::Progress;
+use crate::side_by_side::columns_in_words;
 use crate::table;
 
 /// A column is timed until this much time has gone by …
@@ -22,18 +24,15 @@ pub(crate) fn run(arguments: &CompareArguments) -> Result<(), Failure> {
     let output = arguments.destination.output();
     check_not_input(&arguments.input.file, output)?;
     let (tower, notes) = tower(&arguments.input)?;
-    let progress = Progress::start();
+    let columns = arguments.columns();
+    let progress = Progress::of(columns_in_words(&columns));
     let mut times = Vec::new();
-    let comparison = compare(
-        &tower,
-        &arguments.options(),
-        &arguments.columns(),
-        |column, options| {
-            times.push(time_of(&tower, options));
-            progress.say(&format!("{} {}", column.method.name(), column.segments));
-        },
-    )
+    let comparison = compare(&tower, &arguments.options(), &columns, |_, options| {
+        times.push(time_of(&tower, options));
+        progress.done();
+    })
     .map_err(Failure::Unsolved)?;
+    drop(progress);
     let mut result = Vec::new();
     match arguments.destination.format {
         Format::Table => result.extend(table::comparison(&tower, &comparison, &times).into_bytes()),

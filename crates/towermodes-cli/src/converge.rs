@@ -1,12 +1,13 @@
 //! `towermodes converge`.
 
-use towermodes::study::converge;
+use towermodes::study::{Fineness, converge};
 use towermodes_files::{write_convergence_csv, write_convergence_json};
 
 use crate::args::{ConvergeArguments, Format};
 use crate::failure::{Failure, note, warn};
 use crate::input::tower;
-use crate::output::{Progress, check_not_input, deliver};
+use crate::output::{check_not_input, deliver};
+use crate::progress::Progress;
 use crate::table;
 
 /// Reads the tower, solves it more and more finely, prints the errors.
@@ -15,11 +16,10 @@ pub(crate) fn run(arguments: &ConvergeArguments) -> Result<(), Failure> {
     let output = arguments.destination.output();
     check_not_input(&arguments.input.file, output)?;
     let (tower, notes) = tower(&arguments.input)?;
-    let progress = Progress::start();
-    let convergence = converge(&tower, &arguments.options(), &fineness, |level| {
-        progress.say(&level.asked.number().to_string());
-    })
-    .map_err(Failure::Unsolved)?;
+    let progress = Progress::of(fineness.iter().copied().map(said));
+    let convergence = converge(&tower, &arguments.options(), &fineness, |_| progress.done())
+        .map_err(Failure::Unsolved)?;
+    drop(progress);
     let mut result = Vec::new();
     match arguments.destination.format {
         Format::Table => result.extend(table::convergence(&tower, &convergence).into_bytes()),
@@ -29,4 +29,12 @@ pub(crate) fn run(arguments: &ConvergeArguments) -> Result<(), Failure> {
     note(&notes);
     warn(&convergence.warnings);
     deliver(&result, output)
+}
+
+/// "80 segments".
+fn said(fineness: Fineness) -> String {
+    match fineness {
+        Fineness::Segments(segments) => format!("{segments} segments"),
+        Fineness::Degree(degree) => format!("degree {degree}"),
+    }
 }

@@ -33,6 +33,7 @@ pub(crate) fn run(arguments: &ConvertArguments) -> Result<(), Failure> {
         Target::WindIo => to_windio(&input)?,
     };
     note(&input.notes);
+    note(&rotor_notes(&input, arguments.to));
     note(&converted.notes);
     if let (Some((name, text)), Some(output)) = (&converted.companion, output) {
         let companion = output.with_file_name(name);
@@ -53,6 +54,15 @@ pub(crate) fn run(arguments: &ConvertArguments) -> Result<(), Failure> {
         return Ok(());
     }
     deliver(converted.text.as_bytes(), output)
+}
+
+/// How the reader found the rotor, where the format has one: there it stands as if somebody had said so.
+fn rotor_notes(input: &TowerInput, to: Target) -> Vec<Note> {
+    let is_written = matches!(to, Target::Toml | Target::WindIo);
+    match input.description.rotor {
+        Some(_) if is_written => input.rotor_notes.of_rotor().cloned().collect(),
+        _ => Vec::new(),
+    }
 }
 
 fn to_toml(input: &TowerInput) -> Result<Converted, Failure> {

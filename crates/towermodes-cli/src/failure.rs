@@ -5,9 +5,11 @@ use std::process::ExitCode;
 
 use annotate_snippets::{AnnotationKind, Group, Level, Renderer, Snippet};
 use towermodes::elastodyn::ShapesError;
+use towermodes::rotor::CampbellError;
 use towermodes::{BladeError, EigenError, Family, SolveError, TowerError, Warning};
 use towermodes_files::elastodyn::{MakeError, TowerFileError};
-use towermodes_files::{Diagnostic, InputError, Note, ResultError, Source};
+use towermodes_files::{Diagnostic, FileFormat, InputError, Note, ResultError, Source};
+use towermodes_report::raster::RasterError;
 
 /// Why the program ends without a result.
 #[derive(Debug)]
@@ -29,6 +31,22 @@ pub(crate) enum Failure {
         /// How many.
         failures: usize,
     },
+    /// Nobody says how fast the rotor runs.
+    NoRotor {
+        /// What kind of file it is that does not.
+        format: FileFormat,
+    },
+    /// There is no diagram of excitations.
+    Campbell(CampbellError),
+    /// The rotor excites modes in operation.
+    Resonant {
+        /// How many pairs of a mode and an excitation.
+        failures: usize,
+        /// The margin asked for, as a share.
+        margin: f64,
+    },
+    /// The picture cannot have the size asked for.
+    Picture(RasterError),
     /// Two descriptions do not agree.
     Disagree,
     /// The arguments do not go together.
@@ -50,10 +68,6 @@ impl Failure {
     /// Says what went wrong on standard error and gives the exit code.
     pub(crate) fn report(&self) -> ExitCode {
         match self {
-            // The reader of a pipe has seen enough: nothing is wrong.
-            Self::Unwritable(_, error) if error.kind() == io::ErrorKind::BrokenPipe => {
-                return ExitCode::SUCCESS;
-            }
             Self::Input(InputError::Mistakes {
                 source_file,
                 mistakes,
@@ -77,6 +91,27 @@ impl Failure {
                 let hint = "towermodes elastodyn patch puts the tower's own in their place";
                 say(&message(Level::ERROR, &text, Some(hint)));
             }
+            Self::NoRotor { format } => {
+                let text = "nobody says how fast the rotor runs";
+                let hint = match format {
+                    FileFormat::Toml => NO_ROTOR,
+                    _ => "give --rpm LOWEST,HIGHEST",
+                };
+                say(&message(Level::ERROR, text, Some(hint)));
+            }
+            Self::Campbell(error) => {
+                let hint = match error {
+                    CampbellError::Blade { error, .. } => hint(error),
+                    _ => None,
+                };
+                say(&message(Level::ERROR, &error.to_string(), hint));
+            }
+            Self::Resonant { failures, margin } => {
+                let text = resonant_text(*failures, *margin);
+                let hint = "look for FAIL above; other speeds ([rotor] rpm, or --rpm), a stiffer or softer tower, or less mass on top move them apart";
+                say(&message(Level::ERROR, &text, Some(hint)));
+            }
+            Self::Picture(error) => say(&message(Level::ERROR, &error.to_string(), None)),
             Self::Disagree => {
                 let text = "the two descriptions do not agree";
                 say(&message(Level::ERROR, text, Some("look for fail above")));
@@ -87,7 +122,7 @@ impl Failure {
                 say(&message(Level::ERROR, &text, Some("look for FAIL above")));
             }
             Self::OverwritesInput(path) => {
-                let text = format!("{path} is the tower itself; the result would overwrite it");
+                let text = format!("{path} is read as input; the result would overwrite it");
                 say(&message(
                     Level::ERROR,
                     &text,
@@ -117,9 +152,26 @@ impl Failure {
                 }
             }
             Self::TowerFile(_) | Self::Refused(_) | Self::Unfit { .. } | Self::Disagree => 1,
+            Self::Campbell(CampbellError::Blade { .. }) | Self::Resonant { .. } => 1,
+            Self::Picture(RasterError::Drawing(_) | RasterError::Encoding(_)) => 1,
             Self::Unwritable(..) | Self::Unverified { .. } => 1,
             _ => 2,
         }
+    }
+}
+
+/// What a file of this program needs for a diagram of excitations.
+const NO_ROTOR: &str = "give --rpm LOWEST,HIGHEST, or add to the tower's file:
+  [rotor]
+  blades = 3
+  rpm = [6.9, 12.1]  # lowest and highest speed of operation";
+
+fn resonant_text(failures: usize, margin: f64) -> String {
+    // Percent as given: 5, not 5.000000000000001.
+    let percent = (margin * 1e11).round() / 1e9;
+    match failures {
+        1 => format!("1 excitation is within {percent} % of a natural frequency in operation"),
+        n => format!("{n} excitations are within {percent} % of natural frequencies in operation"),
     }
 }
 

@@ -4,6 +4,7 @@
 //! wrong input.
 
 mod args;
+mod campbell;
 mod check;
 mod compare;
 mod converge;
@@ -12,9 +13,15 @@ mod elastodyn;
 mod failure;
 mod input;
 mod output;
+mod plot;
+mod progress;
+mod reference;
+mod report;
 mod shell;
+mod side_by_side;
 mod solve;
 mod table;
+mod terminal;
 mod verify;
 
 use std::process::ExitCode;
@@ -33,11 +40,15 @@ fn main() -> ExitCode {
         Command::Completions { shell } => shell::completions(shell),
         Command::Compare(arguments) => compare::run(&arguments),
         Command::Converge(arguments) => converge::run(&arguments),
+        Command::Plot(arguments) => plot::run(&arguments),
+        Command::Report(arguments) => report::run(&arguments),
+        Command::Campbell(arguments) => campbell::run(&arguments),
         Command::Convert(arguments) => convert::run(&arguments),
         Command::Check(arguments) => check::run(&arguments),
         Command::Elastodyn(arguments) => elastodyn::run(&arguments),
         Command::Verify(arguments) => verify::run(&arguments),
         Command::Schema { of } => shell::schema(&of),
+        Command::Reference => reference::run(),
         Command::Man { of } => shell::man(of.as_deref()),
     };
     match done {

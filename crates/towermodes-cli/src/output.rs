@@ -1,9 +1,8 @@
 //! Where results go.
 
 use std::fs;
-use std::io::{IsTerminal, Write};
+use std::io::{ErrorKind, Write};
 use std::path::{Path, PathBuf};
-use std::time::{Duration, Instant};
 
 use same_file::Handle;
 
@@ -11,11 +10,27 @@ use crate::failure::Failure;
 
 /// Writes a finished result to a file, or to standard output.
 pub(crate) fn deliver(result: &[u8], output: Option<&Path>) -> Result<(), Failure> {
+    write(result, output, anstream::stdout().lock())
+}
+
+/// The same for what is no text: it goes to standard output byte by byte.
+pub(crate) fn deliver_bytes(result: &[u8], output: Option<&Path>) -> Result<(), Failure> {
+    write(result, output, std::io::stdout().lock())
+}
+
+fn write(result: &[u8], output: Option<&Path>, mut stdout: impl Write) -> Result<(), Failure> {
     let (name, done) = match output {
         Some(path) => (path.display().to_string(), fs::write(path, result)),
-        None => ("standard output".into(), to_standard_output(result)),
+        None => {
+            let done = stdout.write_all(result).and_then(|()| stdout.flush());
+            ("standard output".into(), done)
+        }
     };
-    done.map_err(|error| Failure::Unwritable(name, error))
+    match done {
+        // The reader of a pipe has seen enough: nothing is wrong, and what was judged still counts.
+        Err(error) if error.kind() == ErrorKind::BrokenPipe => Ok(()),
+        done => done.map_err(|error| Failure::Unwritable(name, error)),
+    }
 }
 
 /// Writes a file anew: a new one beside it takes its place when it is complete, so that no interruption leaves half of one. Links stay.
@@ -51,12 +66,6 @@ pub(crate) fn back_up(path: &Path, text: &[u8]) -> Result<PathBuf, Failure> {
     Ok(free)
 }
 
-fn to_standard_output(result: &[u8]) -> std::io::Result<()> {
-    let mut stdout = anstream::stdout().lock();
-    stdout.write_all(result)?;
-    stdout.flush()
-}
-
 /// Refuses an output that is the input, by whatever name or link.
 pub(crate) fn check_not_input(input: &Path, output: Option<&Path>) -> Result<(), Failure> {
     let Some(output) = output else {
@@ -81,33 +90,4 @@ pub(crate) fn check_not_inputs<'a>(
     output: Option<&Path>,
 ) -> Result<(), Failure> {
     files.try_for_each(|file| check_not_input(Path::new(file), output))
-}
-
-/// Work that takes no longer than this is done without a word.
-const QUIET: Duration = Duration::from_secs(1);
-
-/// Says what is done, to people who wait.
-pub(crate) struct Progress {
-    started: Instant,
-    is_watched: bool,
-}
-
-impl Progress {
-    /// From now on.
-    pub(crate) fn start() -> Self {
-        Self {
-            started: Instant::now(),
-            is_watched: std::io::stderr().is_terminal(),
-        }
-    }
-
-    /// Says that something is done, if somebody has waited for long.
-    pub(crate) fn say(&self, what: &str) {
-        if self.is_watched && self.started.elapsed() > QUIET {
-            anstream::eprintln!(
-                "done: {what} ({:.1} s)",
-                self.started.elapsed().as_secs_f64()
-            );
-        }
-    }
 }

@@ -21,6 +21,7 @@ pub(crate) fn schema(of: &str) -> Result<(), Failure> {
         "blade" => ResultKind::Blade,
         "compare" => ResultKind::Comparison,
         "converge" => ResultKind::Convergence,
+        "campbell" => ResultKind::Campbell,
         "check" => ResultKind::Agreement,
         "check-one" => ResultKind::Examination,
         "validate" => ResultKind::Judgement,

@@ -2,20 +2,24 @@
 
 mod bmodes_out;
 
-use towermodes::{Blade, BladeMode, BladeSolution, solve, solve_blade};
+use towermodes::{Blade, BladeMode, BladeSolution, Solution, Tower, solve_blade};
 use towermodes_files::{
     BladeInput, FileFormat, Input, Note, TowerInput, write_blade_csv, write_blade_json, write_csv,
     write_json,
 };
+use towermodes_report::terminal::{blade_shapes, shapes};
 
 use crate::args::{Prescribed, SolveArguments, SolveFormat};
 use crate::failure::{Failure, note, warn};
 use crate::input::input;
 use crate::output::{check_not_input, check_not_inputs, deliver};
+use crate::progress::solve;
 use crate::table;
+use crate::terminal;
 
 /// Reads the tower, or the blade, solves it, prints the result; warnings go to standard error.
 pub(crate) fn run(arguments: &SolveArguments) -> Result<(), Failure> {
+    arguments.check().map_err(Failure::Usage)?;
     let file = &arguments.input.file;
     check_not_input(file, arguments.output())?;
     let result = match input(file, &arguments.input.reading)? {
@@ -44,7 +48,7 @@ fn of_tower(mut input: TowerInput, arguments: &SolveArguments) -> Result<Vec<u8>
     let solution = solve(&tower, &options).map_err(Failure::Unsolved)?;
     let mut result = Vec::new();
     match arguments.format {
-        SolveFormat::Table => result.extend(table::solution(&tower, &solution).into_bytes()),
+        SolveFormat::Table => result.extend(tower_text(&tower, &solution, arguments).into_bytes()),
         SolveFormat::Json => write_json(&tower, &solution, &input.notes, &mut result)?,
         SolveFormat::Csv => write_csv(&solution, &mut result)?,
         SolveFormat::Bmodes => result = nodes.of_solution(&tower, &solution).into_bytes(),
@@ -63,13 +67,14 @@ fn of_blade(input: &BladeInput, arguments: &SolveArguments) -> Result<Vec<u8>, F
     let nodes = bmodes_out::Nodes::of_blade(&blade, input.layout);
     let radii_m = match arguments.format {
         SolveFormat::Bmodes => nodes.heights_m(),
+        SolveFormat::Table if arguments.plot => nodes.heights_m(),
         _ => nodes.borders_m().to_vec(),
     };
     let modes = arguments.modes().unwrap_or(input.modes);
     let solution = solve_blade(&blade, modes, &radii_m).map_err(Failure::Unsolved)?;
     let mut result = Vec::new();
     match arguments.format {
-        SolveFormat::Table => result.extend(table::blade(&blade, &solution).into_bytes()),
+        SolveFormat::Table => result.extend(blade_text(&blade, &solution, arguments).into_bytes()),
         SolveFormat::Json => write_blade_json(&blade, &solution, &input.notes, &mut result)?,
         SolveFormat::Csv => write_blade_csv(&solution, &mut result)?,
         SolveFormat::Bmodes => result = nodes.of_blade_solution(&blade, &solution).into_bytes(),
@@ -77,6 +82,35 @@ fn of_blade(input: &BladeInput, arguments: &SolveArguments) -> Result<Vec<u8>, F
     note(&input.notes);
     note(&coarse(&solution));
     Ok(result)
+}
+
+fn tower_text(tower: &Tower, solution: &Solution, arguments: &SolveArguments) -> String {
+    let table = table::solution(tower, solution);
+    let draw = |width| shapes(tower, solution, width);
+    with_picture(table, draw, arguments)
+}
+
+fn blade_text(blade: &Blade, solution: &BladeSolution, arguments: &SolveArguments) -> String {
+    let table = table::blade(blade, solution);
+    let draw = |width| blade_shapes(blade, solution, width);
+    with_picture(table, draw, arguments)
+}
+
+/// A table, and the mode shapes below it if they are wanted and there is room.
+fn with_picture(
+    table: String,
+    draw: impl Fn(usize) -> String,
+    arguments: &SolveArguments,
+) -> String {
+    let picture = match (arguments.plot, arguments.output()) {
+        (false, _) => return table,
+        (true, None) => draw(terminal::width()),
+        (true, Some(_)) => draw(terminal::WIDTH_OF_FILES),
+    };
+    match picture.as_str() {
+        "" => table,
+        picture => format!("{table}\n{picture}"),
+    }
 }
 
 /// Errors of the elements above this share of a frequency are worth a word.

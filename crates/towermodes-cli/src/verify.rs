@@ -5,18 +5,21 @@ use towermodes_verify::{Row, manual, markdown};
 
 use crate::args::{VerifyArguments, VerifyFormat};
 use crate::failure::Failure;
-use crate::output::{Progress, deliver};
+use crate::output::deliver;
+use crate::progress::Progress;
 use crate::table;
 
 /// Runs the manual, prints it, and fails if a value does not come out.
 pub(crate) fn run(arguments: &VerifyArguments) -> Result<(), Failure> {
-    let cases = manual().into_iter();
-    let progress = Progress::start();
+    let mut cases = manual();
+    cases.retain(|case| arguments.has(case.chapter.name));
+    let progress = Progress::of(cases.iter().map(|case| case.name.to_string()));
     let mut rows: Vec<Row> = Vec::new();
-    for case in cases.filter(|case| arguments.has(case.chapter.name)) {
+    for case in cases {
         rows.extend(case.run());
-        progress.say(&format!("{}: {}", case.chapter.name, case.name));
+        progress.done();
     }
+    drop(progress);
     let mut result = Vec::new();
     match arguments.format {
         VerifyFormat::Table => result.extend(table::verification(&rows).into_bytes()),

@@ -16,6 +16,11 @@ const EXAMPLES: &str = "Examples:
 
 Errors are relative ones, against the spectral beam: as it is, or without rotary inertia for BModes, which has none.";
 
+/// Numbers of segments unless others are given.
+pub(crate) const DEFAULT_SEGMENTS: [usize; 6] = [10, 20, 40, 80, 160, 320];
+/// Degrees of the spectral beam unless others are given.
+pub(crate) const DEFAULT_DEGREES: [usize; 6] = [4, 6, 8, 10, 12, 14];
+
 /// The arguments of `converge`.
 #[derive(Debug, Args)]
 #[command(allow_negative_numbers = true, after_help = EXAMPLES)]
@@ -69,14 +74,10 @@ impl ConvergeArguments {
             (false, _, false) => {
                 Err("--degrees is for --method spectral; the others have --segments")
             }
-            (true, ..) => Ok(listed(
-                &self.degrees,
-                &[4, 6, 8, 10, 12, 14],
-                Fineness::Degree,
-            )),
+            (true, ..) => Ok(listed(&self.degrees, &DEFAULT_DEGREES, Fineness::Degree)),
             (false, ..) => Ok(listed(
                 &self.segments,
-                &[10, 20, 40, 80, 160, 320],
+                &DEFAULT_SEGMENTS,
                 Fineness::Segments,
             )),
         }

@@ -101,6 +101,22 @@ impl ReadingArguments {
         ignored.map_or(Ok(()), |(.., message)| Err(message))
     }
 
+    /// These options as they are typed.
+    pub(crate) fn typed(&self) -> String {
+        let part = self.part.to_possible_value();
+        let part = part.filter(|_| self.part != Part::All);
+        let words = [
+            self.no_rna.then(|| "--no-rna".to_owned()),
+            self.bmodes_quirks.then(|| "--bmodes-quirks".to_owned()),
+            part.map(|part| format!("--part {}", part.get_name())),
+            self.tower_height.map(|m| format!("--tower-height {m}")),
+            self.tower_base.map(|m| format!("--tower-base {m}")),
+            self.subset
+                .map(|(set, subset)| format!("--subset {set},{subset}")),
+        ];
+        words.into_iter().flatten().collect::<Vec<_>>().join(" ")
+    }
+
     /// What the readers are told.
     pub(crate) fn options(&self) -> ReadOptions {
         ReadOptions {

@@ -1,5 +1,6 @@
 //! The command line.
 
+mod campbell;
 mod check;
 mod compare;
 mod converge;
@@ -8,18 +9,25 @@ mod elastodyn;
 mod input;
 mod model;
 mod parsers;
+mod plot;
+mod report;
+mod rotor;
 mod solve;
 mod verify;
 
+pub(crate) use campbell::CampbellArguments;
 pub(crate) use check::CheckArguments;
 pub(crate) use compare::CompareArguments;
-pub(crate) use converge::ConvergeArguments;
+pub(crate) use converge::{ConvergeArguments, DEFAULT_DEGREES, DEFAULT_SEGMENTS};
 pub(crate) use convert::{ConvertArguments, Target};
 pub(crate) use elastodyn::{
     DeckArguments, ElastoDynArguments, ElastoDynCommand, PatchArguments, ReportFormat,
     TowerArguments, ValidateArguments,
 };
 pub(crate) use input::{InputArguments, ReadingArguments};
+pub(crate) use plot::{PictureFormat, PlotArguments, What};
+pub(crate) use report::{PageFormat, ReportArguments};
+pub(crate) use rotor::{ChosenRotor, RotorArguments};
 pub(crate) use solve::{Prescribed, SolveArguments, SolveFormat};
 pub(crate) use verify::{VerifyArguments, VerifyFormat};
 
@@ -50,6 +58,12 @@ pub(crate) enum Command {
     Compare(CompareArguments),
     /// Show how the error of a method falls as its segments get more.
     Converge(ConvergeArguments),
+    /// Say how far the rotor's excitations stay from the natural frequencies: the Campbell diagram as a table.
+    Campbell(CampbellArguments),
+    /// Draw the tower, its mode shapes, its resonance diagram, or the errors of methods, as SVG or PNG.
+    Plot(PlotArguments),
+    /// Write the report that is handed over: input, assumptions, frequencies with errors, shapes that move, margins, as one HTML page or Markdown.
+    Report(ReportArguments),
     /// Write a tower in another format: TOML, BModes, ElastoDyn, windIO.
     Convert(ConvertArguments),
     /// Compare two descriptions of one tower by height, or say what one describes.
@@ -70,16 +84,22 @@ pub(crate) enum Command {
     #[command(after_help = "Example:\n  towermodes schema solve > solve.schema.json")]
     Schema {
         /// The command.
-        #[arg(default_value = "solve", value_parser = ["solve", "blade", "compare", "converge", "check", "check-one", "validate", "verify"])]
+        #[arg(default_value = "solve", value_parser = ["solve", "blade", "compare", "converge", "campbell", "check", "check-one", "validate", "verify"])]
         of: String,
     },
     /// Print the manual page, of the program or of one of its commands.
     #[command(after_help = "Example:\n  towermodes man solve | man -l -")]
     Man {
         /// The command.
-        #[arg(value_parser = ["solve", "compare", "converge", "convert", "check", "elastodyn", "verify", "completions", "schema", "man"])]
+        #[arg(value_parser = ["solve", "compare", "converge", "campbell", "plot", "report", "convert", "check", "elastodyn", "verify", "completions", "schema", "man"])]
         of: Option<String>,
     },
+    /// Print every command with its arguments and options as a chapter of the book.
+    #[command(
+        hide = true,
+        after_help = "Example:\n  towermodes reference > book/src/reference/command-line.md"
+    )]
+    Reference,
 }
 
 /// How a result is printed.
@@ -89,7 +109,7 @@ pub(crate) enum Format {
     Table,
     /// Everything there is, of solve the shapes too.
     Json,
-    /// One line a mode.
+    /// One line a mode, of campbell one a pair.
     Csv,
 }
 

@@ -1,4 +1,4 @@
-//! What `solve`, `compare` and `converge` ask of every method.
+//! What is asked of every method, by each command that solves.
 
 use clap::Args;
 use towermodes::elements::GAUSS_HINGE_POSITION;
@@ -23,6 +23,16 @@ pub(super) struct ModelArguments {
 }
 
 impl ModelArguments {
+    /// Whether anything is not as it is by default.
+    pub(super) fn is_given(&self) -> bool {
+        self.modes.is_some() || self.no_rotary_inertia || self.hinges.is_some()
+    }
+
+    /// Whether the number of modes is given.
+    pub(super) fn has_modes(&self) -> bool {
+        self.modes.is_some()
+    }
+
     /// Refuses what would mean nothing to the only method there is.
     ///
     /// # Errors

@@ -2,6 +2,7 @@
 
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use towermodes::Method;
+use towermodes::rotor::FASTEST_RPM;
 
 /// A method by its name.
 pub(super) fn method_parser() -> impl TypedValueParser<Value = Method> {
@@ -66,4 +67,44 @@ pub(super) fn openfast_parser(text: &str) -> Result<(u32, u32), String> {
         Some(version) if (1..=6).contains(&version.0) => Ok(version),
         _ => Err("must be a version of OpenFAST, as 4.2, or 8 for FAST 8".into()),
     }
+}
+
+/// Pixels a unit of a drawing.
+pub(super) fn scale_parser(text: &str) -> Result<f64, String> {
+    let scale = text.parse().ok();
+    let scale = scale.filter(|scale: &f64| scale.is_finite() && *scale > 0.0);
+    scale.ok_or_else(|| "must be a number above 0, as 2".into())
+}
+
+/// A margin in percent.
+pub(super) fn margin_parser(text: &str) -> Result<f64, String> {
+    let percent = text.parse().ok().filter(|p: &f64| *p > 0.0 && *p < 100.0);
+    percent.ok_or_else(|| "must be a number above 0 and below 100, in percent, as 5".into())
+}
+
+/// The lowest and the highest speed of a rotor, or its only one, rpm.
+pub(super) fn speeds_parser(text: &str) -> Result<(f64, f64), String> {
+    let speed = |text: &str| {
+        let rpm = text.trim().parse().ok();
+        rpm.filter(|rpm| (0.0..=FASTEST_RPM).contains(rpm))
+            .ok_or_else(|| {
+                format!(
+                    "`{}` must be a speed from 0 to {FASTEST_RPM} rpm",
+                    text.trim()
+                )
+            })
+    };
+    let (lowest, highest) = match text.split_once(',') {
+        Some((lowest, highest)) => (speed(lowest)?, speed(highest)?),
+        None => (speed(text)?, speed(text)?),
+    };
+    if lowest > highest {
+        return Err(format!("the lowest speed comes first: {highest},{lowest}"));
+    }
+    if highest == 0.0 {
+        return Err(
+            "a rotor that stands still excites nothing; the highest speed must be above 0".into(),
+        );
+    }
+    Ok((lowest, highest))
 }

@@ -14,6 +14,7 @@ macro_rules! examples {
     () => {
         "Examples:
   towermodes solve tower.toml
+  towermodes solve tower.toml --plot
   towermodes solve tower.toml --modes 20 --format json --output modes.json
   towermodes solve tower.toml --method rmje --segments 60
   towermodes solve tower.toml --method spectral --no-rotary-inertia
@@ -55,6 +56,10 @@ pub(crate) struct SolveArguments {
     #[arg(long, value_name = "COUNT", default_value_t = DEFAULT_POINTS, value_parser = number_parser(2, MAX_POINTS))]
     points: usize,
 
+    /// Draw the mode shapes in dots below the table, as wide as the terminal; 100 columns where there is none
+    #[arg(long)]
+    pub(crate) plot: bool,
+
     /// How the result is printed
     #[arg(long, short, value_enum, default_value_t = SolveFormat::Table)]
     pub(crate) format: SolveFormat,
@@ -92,6 +97,17 @@ impl SolveArguments {
     /// The file the result goes to, if not to standard output.
     pub(crate) fn output(&self) -> Option<&Path> {
         file_of(self.output.as_deref())
+    }
+
+    /// Refuses pictures where there is no table.
+    ///
+    /// # Errors
+    /// What is wrong.
+    pub(crate) fn check(&self) -> Result<(), &'static str> {
+        if self.plot && self.format != SolveFormat::Table {
+            return Err("--plot is for the table; towermodes plot draws files");
+        }
+        Ok(())
     }
 
     /// How many modes are wanted, if it was said here.
@@ -141,11 +157,11 @@ impl SolveArguments {
                 .modes
                 .or(prescribed.modes)
                 .unwrap_or(options.modes),
-            // Only the JSON has shapes.
-            points: if self.format == SolveFormat::Json {
-                self.points
-            } else {
-                2
+            // Only the JSON and the pictures have shapes.
+            points: match (self.format, self.plot) {
+                (SolveFormat::Json, _) => self.points,
+                (_, true) => DEFAULT_POINTS,
+                _ => 2,
             },
             ..options
         })

@@ -21,7 +21,7 @@ pub(crate) fn convergence(tower: &Tower, convergence: &Convergence) -> String {
     }
     table.set_header(header);
     for level in &convergence.levels {
-        let mut row = vec![level.asked.number().to_string()];
+        let mut row = vec![named(level)];
         for (error, order) in level.errors.iter().zip(&level.orders) {
             row.push(error.map_or("-".into(), |error| format!("{error:+.1e}")));
             row.push(order.map_or(String::new(), |order| format!("{order:.2}")));
@@ -37,6 +37,24 @@ pub(crate) fn convergence(tower: &Tower, convergence: &Convergence) -> String {
         table.trim_fmt(),
         plot(&series(convergence), &x_axis)
     )
+}
+
+/// The number of a row, with what was asked for where that is another.
+fn named(level: &Level) -> String {
+    let (asked, used) = (level.asked.number(), fineness(level));
+    if asked == used {
+        used.to_string()
+    } else {
+        format!("{used} (asked: {asked})")
+    }
+}
+
+/// The degree, or the segments that were used: towers of many pieces take more than were asked for.
+fn fineness(level: &Level) -> usize {
+    match level.asked {
+        Fineness::Degree(degree) => degree,
+        Fineness::Segments(_) => level.segments,
+    }
 }
 
 fn is_spectral(convergence: &Convergence) -> bool {
@@ -89,7 +107,7 @@ fn series(convergence: &Convergence) -> Vec<Series> {
     let of_mode = |index: usize| {
         let point = |level: &Level| {
             let error = level.errors[index]?.abs();
-            Some((level.asked.number() as f64, error)).filter(|_| error > 0.0)
+            Some((fineness(level) as f64, error)).filter(|_| error > 0.0)
         };
         Series {
             mark: mark(index),
@@ -97,4 +115,26 @@ fn series(convergence: &Convergence) -> Vec<Series> {
         }
     };
     (0..convergence.modes.len()).map(of_mode).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{fineness, named};
+    use towermodes::study::{Fineness, Level};
+
+    #[test]
+    fn segments_are_those_used() {
+        let level = |asked| Level {
+            asked,
+            segments: 60,
+            degrees_of_freedom: 360,
+            frequencies_hz: Vec::new(),
+            errors: Vec::new(),
+            orders: Vec::new(),
+        };
+        assert_eq!(fineness(&level(Fineness::Segments(10))), 60);
+        assert_eq!(fineness(&level(Fineness::Degree(8))), 8);
+        let names = [10, 60].map(|asked| named(&level(Fineness::Segments(asked))));
+        assert_eq!(names, ["60 (asked: 10)", "60"]);
+    }
 }

@@ -2,6 +2,7 @@
 
 mod agreement;
 mod blade;
+mod campbell;
 mod comparison;
 mod convergence;
 mod elastodyn;
@@ -12,8 +13,10 @@ mod verification;
 
 pub(crate) use agreement::{agreement, examination};
 pub(crate) use blade::blade;
+pub(crate) use campbell::campbell;
 pub(crate) use comparison::comparison;
 pub(crate) use convergence::convergence;
 pub(crate) use elastodyn::{changes, fits, judgements};
 pub(crate) use solution::solution;
+pub(crate) use text::four_digits;
 pub(crate) use verification::verification;

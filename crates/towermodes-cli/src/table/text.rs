@@ -53,7 +53,8 @@ pub(super) fn with_error(value_hz: f64, frequency_hz: f64, error_hz: f64) -> Str
     if frequency_hz > 0.0 && !(1e-4..1e6).contains(&frequency_hz) {
         return format!("{value_hz:.6e}");
     }
-    let decimals = 1 - error_hz.log10().floor() as i32;
+    // An error of 0 has as many as there can be.
+    let decimals = 1_i32.saturating_sub(error_hz.log10().floor() as i32);
     let decimals = usize::try_from(decimals.clamp(*DECIMALS.start(), *DECIMALS.end()));
     let decimals = decimals.unwrap_or_default();
     let least = 0.1_f64.powi(i32::try_from(decimals).unwrap_or_default());
@@ -64,7 +65,7 @@ pub(super) fn with_error(value_hz: f64, frequency_hz: f64, error_hz: f64) -> Str
 }
 
 /// Four significant digits.
-pub(super) fn four_digits(value: f64) -> String {
+pub(crate) fn four_digits(value: f64) -> String {
     if !(1e-4..1e9).contains(&value) {
         return format!("{value:.3e}");
     }
@@ -100,7 +101,7 @@ pub(super) fn tonnes(kg: f64) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::{aligned, four_digits};
+    use super::{aligned, four_digits, with_error};
 
     #[test]
     fn decimal_points_stand_in_one_column() {
@@ -109,6 +110,13 @@ mod tests {
             aligned(numbers.into_iter()),
             ["0.25  ", "12.1234", "7     "]
         );
+    }
+
+    #[test]
+    fn frequencies_have_the_digits_that_their_error_leaves() {
+        assert_eq!(with_error(0.321_456_789, 0.321_456_789, 3e-6), "0.3214568");
+        assert_eq!(with_error(0.321_456_789, 0.321_456_789, 0.1), "0.3215");
+        assert_eq!(with_error(0.25, 0.25, 0.0), "0.25000000000");
     }
 
     #[test]

@@ -1,0 +1,117 @@
+//! The arguments of `report`.
+
+use std::path::{Path, PathBuf};
+
+use clap::{Args, ValueEnum};
+use towermodes::{DEFAULT_POINTS, MAX_SEGMENTS, Method, Options};
+
+use super::file_of;
+use super::input::InputArguments;
+use super::model::ModelArguments;
+use super::parsers::{method_parser, number_parser};
+use super::rotor::RotorArguments;
+use super::solve::Prescribed;
+
+const EXAMPLES: &str = "Examples:
+  towermodes report examples/nrel-5mw.toml --output report.html
+  towermodes report tower.toml --title \"Tower 7, revision C\" --rpm 6.9,12.1 --output report.html
+  towermodes report tower.toml --output report.md
+
+One file that needs nothing beside it and asks nothing of any network. The same files and command give the same bytes.
+A margin that fails is in the report; that it fails is the exit code of campbell.
+Exit codes: 0 done, 1 the computation or the output failed, 2 wrong usage or wrong input.";
+
+/// The arguments of `report`.
+#[derive(Debug, Args)]
+#[command(allow_negative_numbers = true, after_help = EXAMPLES)]
+pub(crate) struct ReportArguments {
+    #[command(flatten)]
+    pub(crate) input: InputArguments,
+
+    /// What the report is of [default: the tower's name]
+    #[arg(
+        long,
+        value_name = "TEXT",
+        default_value = "",
+        hide_default_value = true
+    )]
+    pub(crate) title: String,
+
+    /// The method of the frequencies [default: rmje-exact; bmodes for BModes decks]; all are compared
+    #[arg(long, value_parser = method_parser())]
+    method: Option<Method>,
+
+    /// Segments, or elements, of that method and of those compared with it [default: as of solve, and 60 of those compared]
+    #[arg(long, value_name = "N", value_parser = number_parser(1, MAX_SEGMENTS))]
+    pub(crate) segments: Option<usize>,
+
+    #[command(flatten)]
+    model: ModelArguments,
+
+    #[command(flatten)]
+    pub(crate) rotor: RotorArguments,
+
+    /// How the report is written [default: md for an --output that ends in .md or .markdown, else html]
+    #[arg(long, short, value_enum)]
+    format: Option<PageFormat>,
+
+    /// Write the report to a file instead of standard output (-)
+    #[arg(long, short, value_name = "PATH")]
+    output: Option<PathBuf>,
+}
+
+/// How a report is written.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub(crate) enum PageFormat {
+    /// A page with pictures and moving shapes.
+    Html,
+    /// Markdown with the tables of GitHub, and the commands that draw the pictures.
+    Md,
+}
+
+impl ReportArguments {
+    /// The file the report goes to, if not to standard output.
+    pub(crate) fn output(&self) -> Option<&Path> {
+        file_of(self.output.as_deref())
+    }
+
+    /// How the report is written: as told, or as the ending of the file says.
+    pub(crate) fn format(&self) -> PageFormat {
+        let ending = self.output().and_then(Path::extension);
+        let is_markdown = ending.is_some_and(|ending| {
+            ending.eq_ignore_ascii_case("md") || ending.eq_ignore_ascii_case("markdown")
+        });
+        self.format.unwrap_or(match is_markdown {
+            true => PageFormat::Md,
+            false => PageFormat::Html,
+        })
+    }
+
+    /// How the modes are found.
+    ///
+    /// # Errors
+    /// What is wrong if an option means nothing to the method.
+    pub(crate) fn options(&self, prescribed: Prescribed) -> Result<Options, &'static str> {
+        let method = self.method.or(prescribed.method).unwrap_or_default();
+        self.model.check(method)?;
+        let own_elements = method == Method::Bmodes && self.segments.is_none();
+        let options = self.model.options();
+        Ok(Options {
+            method,
+            segments: self.segments,
+            borders_m: prescribed.borders_m.filter(|_| own_elements),
+            modes: self
+                .model
+                .modes
+                .or(prescribed.modes)
+                .unwrap_or(options.modes),
+            points: DEFAULT_POINTS,
+            ..options
+        })
+    }
+
+    /// Whether the number of modes is given.
+    pub(crate) fn has_modes(&self) -> bool {
+        self.model.has_modes()
+    }
+}

@@ -1,0 +1,128 @@
+//! `towermodes plot`.
+
+mod study;
+
+use std::io::IsTerminal;
+
+use towermodes::{Options, Tower, Warning};
+use towermodes_files::{Note, TowerInput};
+use towermodes_report::svg::Figure;
+use towermodes_report::{figures, raster};
+
+use crate::args::{PictureFormat, PlotArguments, Prescribed, What};
+use crate::campbell::{campbell_of, rotor_of, solve_to_reach};
+use crate::failure::{Failure, note, warn};
+use crate::input::tower_input;
+use crate::output::{check_not_input, check_not_inputs, deliver_bytes};
+use crate::progress::solve;
+
+/// Reads the tower, solves it if the picture needs that, draws, writes SVG or PNG.
+pub(crate) fn run(arguments: &PlotArguments) -> Result<(), Failure> {
+    arguments.check().map_err(Failure::Usage)?;
+    let format = arguments.format().map_err(Failure::Usage)?;
+    let output = arguments.output();
+    let is_png = matches!(format, PictureFormat::Png(..));
+    if is_png && output.is_none() && std::io::stdout().is_terminal() {
+        return Err(Failure::Usage(
+            "a PNG is nothing for a terminal; give --output picture.png",
+        ));
+    }
+    check_not_input(&arguments.input.file, output)?;
+    let mut input = tower_input(&arguments.input)?;
+    check_not_inputs(input.files(), output)?;
+    let tower = input.tower().map_err(Failure::Input)?;
+    let Drawn {
+        mut figure,
+        notes,
+        warnings,
+    } = drawn(&mut input, &tower, arguments)?;
+    name_tower(&mut figure, &tower);
+    let picture = match format {
+        PictureFormat::Svg(look) => figure.to_svg(look).into_bytes(),
+        PictureFormat::Png(theme, scale) => {
+            raster::png(&figure, theme, scale).map_err(Failure::Picture)?
+        }
+    };
+    note(&input.notes);
+    note(&notes);
+    warn(&warnings);
+    deliver_bytes(&picture, output)
+}
+
+/// Begins the title with the tower's name, where it does not have it.
+fn name_tower(figure: &mut Figure, tower: &Tower) {
+    let name = tower.name();
+    let has_name = figure.title.ends_with(&format!(": {name}"));
+    if !name.is_empty() && !has_name {
+        figure.title = format!("{name}: {}", figure.title);
+    }
+}
+
+/// A picture, and what the user should know of how it came about.
+struct Drawn {
+    figure: Figure,
+    notes: Vec<Note>,
+    warnings: Vec<Warning>,
+}
+
+impl Drawn {
+    fn new(figure: Figure, warnings: &[Warning]) -> Self {
+        Self {
+            figure,
+            notes: Vec::new(),
+            warnings: warnings.to_vec(),
+        }
+    }
+}
+
+fn drawn(
+    input: &mut TowerInput,
+    tower: &Tower,
+    arguments: &PlotArguments,
+) -> Result<Drawn, Failure> {
+    match arguments.what {
+        What::Tower => {
+            let figure = figures::tower(&input.description, tower);
+            Ok(Drawn::new(figure, tower.warnings()))
+        }
+        What::Shapes => shapes(input, tower, arguments),
+        What::Campbell => campbell(input, tower, arguments),
+        What::Convergence => study::convergence(tower, arguments),
+        What::Error => study::error(tower, arguments),
+    }
+}
+
+fn options(input: &mut TowerInput, arguments: &PlotArguments) -> Result<Options, Failure> {
+    let prescribed = Prescribed {
+        method: input.method,
+        modes: input.modes,
+        borders_m: input.borders_m.take(),
+    };
+    arguments.options(prescribed).map_err(Failure::Usage)
+}
+
+fn shapes(
+    input: &mut TowerInput,
+    tower: &Tower,
+    arguments: &PlotArguments,
+) -> Result<Drawn, Failure> {
+    let options = options(input, arguments)?;
+    let solution = solve(tower, &options).map_err(Failure::Unsolved)?;
+    let figure = figures::shapes(&input.description, tower, &solution);
+    Ok(Drawn::new(figure, &solution.warnings))
+}
+
+fn campbell(
+    input: &mut TowerInput,
+    tower: &Tower,
+    arguments: &PlotArguments,
+) -> Result<Drawn, Failure> {
+    // Said before a long solve.
+    rotor_of(input, &arguments.rotor)?;
+    let mut options = options(input, arguments)?;
+    let is_given = arguments.has_modes();
+    let solution = solve_to_reach(input, tower, &arguments.rotor, &mut options, is_given)?;
+    let (campbell, notes) = campbell_of(input, tower, &solution, &arguments.rotor)?;
+    let drawn = Drawn::new(figures::campbell(&campbell), &solution.warnings);
+    Ok(Drawn { notes, ..drawn })
+}

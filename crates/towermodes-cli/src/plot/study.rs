@@ -1,0 +1,79 @@
+//! The pictures of methods: as their segments get more, and side by side.
+
+use towermodes::study::{Convergence, Fineness, converge};
+use towermodes::{MAX_SEGMENTS, Method, Options, Tower};
+use towermodes_report::figures;
+
+use super::Drawn;
+use crate::args::{DEFAULT_DEGREES, DEFAULT_SEGMENTS, PlotArguments};
+use crate::failure::Failure;
+use crate::progress::Progress;
+use crate::side_by_side::all_methods;
+
+/// A line through fewer numbers of segments shows no order.
+const FEWEST_LEVELS: usize = 4;
+
+/// How the error of a method falls.
+pub(super) fn convergence(tower: &Tower, arguments: &PlotArguments) -> Result<Drawn, Failure> {
+    let options = arguments.study_options();
+    // A line has one direction, and each place once.
+    let mut given = arguments.segments().to_vec();
+    given.sort_unstable();
+    given.dedup();
+    let mut convergence = match (options.method, &given[..]) {
+        (Method::Spectral, _) => solved(tower, &options, &DEFAULT_DEGREES.map(Fineness::Degree))?,
+        (_, []) => by_default(tower, &options)?,
+        _ => solved(tower, &options, &listed(&given))?,
+    };
+    if options.method != Method::Spectral {
+        each_once(&mut convergence);
+    }
+    let figure = figures::convergence(&convergence);
+    Ok(Drawn::new(figure, &convergence.warnings))
+}
+
+fn listed(segments: &[usize]) -> Vec<Fineness> {
+    segments.iter().copied().map(Fineness::Segments).collect()
+}
+
+/// With the segments that `converge` has, or with the fewest that the tower can have and twice as many again and again.
+fn by_default(tower: &Tower, options: &Options) -> Result<Convergence, Failure> {
+    let mut convergence = solved(tower, options, &listed(&DEFAULT_SEGMENTS))?;
+    each_once(&mut convergence);
+    let fewest = convergence.levels.first().map_or(1, |level| level.segments);
+    if convergence.levels.len() >= FEWEST_LEVELS {
+        return Ok(convergence);
+    }
+    let doubled = std::iter::successors(Some(fewest), |segments| Some(2 * segments));
+    let doubled: Vec<usize> = doubled
+        .take(FEWEST_LEVELS)
+        .take_while(|segments| *segments <= MAX_SEGMENTS)
+        .collect();
+    solved(tower, options, &listed(&doubled))
+}
+
+/// A tower of many pieces has a fewest number of segments: whatever is below it is the same, and is shown as what it is.
+fn each_once(convergence: &mut Convergence) {
+    for level in &mut convergence.levels {
+        level.asked = Fineness::Segments(level.segments);
+    }
+    convergence.levels.dedup_by_key(|level| level.segments);
+}
+
+fn solved(tower: &Tower, options: &Options, fineness: &[Fineness]) -> Result<Convergence, Failure> {
+    let names = fineness
+        .iter()
+        .map(|fineness| fineness.number().to_string());
+    let progress = Progress::of(names);
+    let convergence = converge(tower, options, fineness, |_| progress.done());
+    convergence.map_err(Failure::Unsolved)
+}
+
+/// How far each method is from the exact beam.
+pub(super) fn error(tower: &Tower, arguments: &PlotArguments) -> Result<Drawn, Failure> {
+    let segments = arguments.segments().first().copied();
+    let comparison = all_methods(tower, &arguments.study_options(), segments);
+    let comparison = comparison.map_err(Failure::Unsolved)?;
+    let figure = figures::error(&comparison);
+    Ok(Drawn::new(figure, &comparison.warnings))
+}

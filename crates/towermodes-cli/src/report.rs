@@ -1,0 +1,172 @@
+//! `towermodes report`.
+
+use std::fs;
+use std::path::Path;
+
+use sha2::{Digest, Sha256};
+use towermodes::Planes;
+use towermodes::rotor::{Campbell, CampbellError};
+use towermodes::{Solution, Tower};
+use towermodes_files::elastodyn::{MakeOptions, make_tower_file};
+use towermodes_files::{FileFormat, Note, Source, TowerInput, encoded_as};
+use towermodes_report::report::{
+    ElastoDynShapes, InputFile, ReportContent, html, markdown, quoted,
+};
+
+use crate::args::{PageFormat, Prescribed, ReportArguments};
+use crate::campbell::{campbell_of, solve_to_reach};
+use crate::failure::{Failure, note, warn};
+use crate::input::tower_input;
+use crate::output::{check_not_input, check_not_inputs, deliver};
+use crate::side_by_side::all_methods;
+
+/// Reads the tower, computes all that there is to say, writes it down.
+pub(crate) fn run(arguments: &ReportArguments) -> Result<(), Failure> {
+    let output = arguments.output();
+    check_not_input(&arguments.input.file, output)?;
+    let mut input = tower_input(&arguments.input)?;
+    check_not_inputs(input.files(), output)?;
+    let tower = input.tower().map_err(Failure::Input)?;
+    let content = content(&mut input, tower, arguments)?;
+    let text = match arguments.format() {
+        PageFormat::Html => html(&content).map_err(|error| Failure::Refused(error.to_string()))?,
+        PageFormat::Md => markdown(&content),
+    };
+    note(&input.notes);
+    warn(&content.solution.warnings);
+    deliver(text.as_bytes(), output)
+}
+
+/// Everything that the report says; the input's notes with those on the rotor.
+fn content(
+    input: &mut TowerInput,
+    tower: Tower,
+    arguments: &ReportArguments,
+) -> Result<ReportContent, Failure> {
+    let prescribed = Prescribed {
+        method: input.method,
+        modes: input.modes,
+        borders_m: input.borders_m.take(),
+    };
+    let mut options = arguments.options(prescribed).map_err(Failure::Usage)?;
+    let is_given = arguments.has_modes();
+    let solution = solve_to_reach(input, &tower, &arguments.rotor, &mut options, is_given)?;
+    let campbell = resonance(input, &tower, &solution, arguments)?;
+    // On a monopile ElastoDyn's tower is what stands above it.
+    let shapes_from_m = input.joint_m.unwrap_or(tower.base_m());
+    let of_model = input.notes.iter().filter(|note| note.is_on_missing_part);
+    Ok(ReportContent {
+        title: arguments.title.clone(),
+        description: input.description.clone(),
+        comparison: all_methods(&tower, &options, arguments.segments),
+        elastodyn: elastodyn(&tower, shapes_from_m),
+        shapes_from_m,
+        campbell,
+        tower,
+        options,
+        solution,
+        notes: input.notes.iter().map(Note::to_string).collect(),
+        model_notes: of_model.map(|note| note.message.clone()).collect(),
+        version: env!("CARGO_PKG_VERSION").to_owned(),
+        command_line: command_line(),
+        reading: arguments.input.reading.typed(),
+        is_own_format: input.format == FileFormat::Toml,
+        files: input.sources().iter().map(input_file).collect(),
+    })
+}
+
+/// What `towermodes elastodyn tower` writes of the tower.
+fn elastodyn(tower: &Tower, from_m: f64) -> Result<ElastoDynShapes, String> {
+    let options = MakeOptions {
+        from_m: Some(from_m),
+        ..MakeOptions::default()
+    };
+    let made = make_tower_file(tower, &options).map_err(|error| error.to_string())?;
+    let quantities = made.quantities;
+    Ok(ElastoDynShapes {
+        shapes: made.shapes,
+        frequency_alone_hz: Planes {
+            fore_aft: quantities.fore_aft.frequency_alone_hz,
+            side_side: quantities.side_side.frequency_alone_hz,
+        },
+    })
+}
+
+/// The margins, why a blade leaves none, or nothing where nobody says how fast a rotor runs.
+fn resonance(
+    input: &mut TowerInput,
+    tower: &Tower,
+    solution: &Solution,
+    arguments: &ReportArguments,
+) -> Result<Option<Result<Campbell, CampbellError>>, Failure> {
+    match campbell_of(input, tower, solution, &arguments.rotor) {
+        Ok((campbell, notes)) => {
+            input.notes.extend(notes);
+            Ok(Some(Ok(campbell)))
+        }
+        Err(Failure::NoRotor { .. }) if !arguments.rotor.is_given() => Ok(None),
+        Err(Failure::Campbell(
+            error @ (CampbellError::Blade { .. } | CampbellError::NoBlade(_)),
+        )) => Ok(Some(Err(error))),
+        Err(failure) => Err(failure),
+    }
+}
+
+/// The command as it was typed.
+fn command_line() -> String {
+    let arguments = std::env::args_os().skip(1);
+    let quoted = arguments.map(|argument| quoted(&argument.to_string_lossy()));
+    let words: Vec<String> = std::iter::once("towermodes".to_owned())
+        .chain(quoted)
+        .collect();
+    words.join(" ")
+}
+
+fn input_file(source: &Source) -> InputFile {
+    let on_disk = bytes_on_disk(source);
+    let is_of_text = on_disk.is_none();
+    let bytes = on_disk.unwrap_or_else(|| source.text.clone().into_bytes());
+    InputFile {
+        name: source.name.clone(),
+        is_of_text,
+        bytes: bytes.len() as u64,
+        sha256: hexadecimal(&Sha256::digest(&bytes)),
+    }
+}
+
+/// The bytes that the text was read from; none if they are no file, or another one by now.
+fn bytes_on_disk(source: &Source) -> Option<Vec<u8>> {
+    let path = Path::new(&source.name);
+    if !fs::metadata(path).is_ok_and(|of| of.is_file()) {
+        return None;
+    }
+    let bytes = fs::read(path).ok()?;
+    (encoded_as(&source.text, &bytes) == bytes).then_some(bytes)
+}
+
+fn hexadecimal(bytes: &[u8]) -> String {
+    bytes.iter().map(|byte| format!("{byte:02x}")).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use towermodes_files::Source;
+
+    use super::input_file;
+
+    #[test]
+    fn a_text_that_is_no_file_has_the_sum_of_its_bytes() {
+        // FIPS 180-4's example "abc".
+        let source = Source {
+            name: "<standard input>".into(),
+            text: "abc".into(),
+        };
+        let file = input_file(&source);
+        assert!(file.is_of_text);
+        assert_eq!(file.bytes, 3);
+        assert_eq!(
+            file.sha256,
+            "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad"
+        );
+    }
+}

@@ -1,0 +1,64 @@
+//! Every method on one tower, as the report and the picture of errors have them.
+
+use towermodes::study::{ColumnSpec, Comparison, compare};
+use towermodes::{Method, Options, SolveError, Tower};
+
+use crate::progress::Progress;
+
+/// Segments, or elements, of each method unless told.
+pub(crate) const COMPARED_SEGMENTS: usize = 60;
+
+/// Every method with so many segments, or elements; the spectral beam has its own.
+pub(crate) fn all_methods(
+    tower: &Tower,
+    options: &Options,
+    segments: Option<usize>,
+) -> Result<Comparison, SolveError> {
+    let segments = segments.unwrap_or(COMPARED_SEGMENTS);
+    let column = |method: Method| ColumnSpec {
+        method,
+        segments: (method != Method::Spectral).then_some(segments),
+    };
+    let columns = Method::ALL.map(column);
+    let options = Options {
+        borders_m: None,
+        ..options.clone()
+    };
+    let progress = Progress::of(columns_in_words(&columns));
+    compare(tower, &options, &columns, |_, _| progress.done())
+}
+
+/// What is at work while columns are solved one after the other: before the first the spectral beam, the measure of all.
+pub(crate) fn columns_in_words(columns: &[ColumnSpec]) -> Vec<String> {
+    let name = |spec: &ColumnSpec| match spec.segments {
+        Some(segments) => format!("{} {segments}", spec.method.name()),
+        None => spec.method.name().to_owned(),
+    };
+    let mut names: Vec<String> = columns.iter().map(name).collect();
+    if let Some(first) = names.first_mut() {
+        *first = format!("{}, {first}", Method::Spectral.name());
+    }
+    names
+}
+
+#[cfg(test)]
+mod tests {
+    use towermodes::Method;
+    use towermodes::study::ColumnSpec;
+
+    use super::columns_in_words;
+
+    #[test]
+    fn what_is_at_work_is_named() {
+        let column = |method, segments| ColumnSpec { method, segments };
+        let columns = [
+            column(Method::RmjeExact, Some(60)),
+            column(Method::Spectral, None),
+        ];
+        assert_eq!(
+            columns_in_words(&columns),
+            ["spectral, rmje-exact 60", "spectral"]
+        );
+        assert!(columns_in_words(&[]).is_empty());
+    }
+}

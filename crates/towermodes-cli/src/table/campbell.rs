@@ -1,0 +1,371 @@
+//! A Campbell diagram for people: which excitation comes how near to which mode, and where the tower stands among them.
+
+use towermodes::rotor::{Campbell, Excited, FrequencyLine, Margin, Rotor, Rpm, StiffnessClass};
+use towermodes::{Family, Tower, Verdict};
+
+use super::text::{align_right, counted, plain_table, title, with_error};
+
+/// The pairs that come near each other, or all; then the class in words and the rotor. `has_blade` is whether the files have a blade.
+pub(crate) fn campbell(tower: &Tower, campbell: &Campbell, has_blade: bool, all: bool) -> String {
+    let first = first_bending(campbell);
+    let is_strong = |multiple| multiple == 1 || multiple == campbell.rotor.blades;
+    let is_shown = |margin: &&Margin| {
+        let is_first = first.contains(&margin.line) && is_strong(margin.multiple);
+        all || is_first || margin.is_near()
+    };
+    let shown: Vec<&Margin> = campbell.margins.iter().filter(is_shown).collect();
+    let mut text = title(tower);
+    if !shown.is_empty() {
+        text += &format!("{}\n\n", pairs(campbell, &shown));
+    }
+    for line in [
+        hidden(campbell.margins.len() - shown.len(), shown.is_empty()),
+        unresisted(campbell),
+        Some(classes(campbell)),
+        Some(summary(campbell, has_blade)),
+    ] {
+        text.extend(line.map(|line| line + "\n"));
+    }
+    text
+}
+
+/// The lines of the first modes that bend the tower fore-aft and side-side; a coupled mode may be either.
+fn first_bending(campbell: &Campbell) -> Vec<usize> {
+    let planes = [Family::ForeAft, Family::SideSide].into_iter();
+    let first = planes.filter_map(|plane| {
+        let bends = |line: &FrequencyLine| match line.of {
+            Excited::Tower { family, .. } => family == plane || family == Family::Coupled,
+            Excited::Blade { .. } => false,
+        };
+        campbell.lines.iter().position(bends)
+    });
+    first.collect()
+}
+
+fn pairs(campbell: &Campbell, shown: &[&Margin]) -> String {
+    let mut table = plain_table();
+    table.set_header([
+        "mode",
+        "frequency Hz",
+        "excitation",
+        "nearest at rpm",
+        "excitation Hz",
+        "distance",
+        "verdict",
+    ]);
+    let mut before = None;
+    for margin in shown {
+        let line = &campbell.lines[margin.line];
+        // A mode is named once.
+        let is_named = before == Some(margin.line);
+        before = Some(margin.line);
+        table.add_row([
+            if is_named {
+                String::new()
+            } else {
+                line.label.clone()
+            },
+            with_error(margin.natural_hz, margin.natural_hz, line.error_hz),
+            format!("{}P", margin.multiple),
+            Rpm(margin.nearest_rpm).to_string(),
+            format!("{:.4}", margin.excitation_hz),
+            distance(campbell, margin),
+            margin.verdict.name().to_uppercase(),
+        ]);
+    }
+    align_right(&mut table, 1..=5);
+    table.trim_fmt()
+}
+
+/// "+12.3 %", or "met".
+fn distance(campbell: &Campbell, margin: &Margin) -> String {
+    match margin.distance {
+        0.0 => "met".to_owned(),
+        share if share.abs() < 9.995 => campbell.distance_percent(margin) + " %",
+        share => format!("{:+.0} %", 100.0 * share),
+    }
+}
+
+fn hidden(count: usize, is_all: bool) -> Option<String> {
+    let others = if is_all { "" } else { "other " };
+    let verb = if count == 1 { "is" } else { "are" };
+    (count > 0).then(|| {
+        format!(
+            "{} {verb} further apart than a factor 2 (--all shows them)",
+            counted(count, &format!("{others}pair"))
+        )
+    })
+}
+
+/// That motions without a frequency are in no pair.
+fn unresisted(campbell: &Campbell) -> Option<String> {
+    let is_free = |line: &&FrequencyLine| line.points.iter().all(|[_, hz]| *hz == 0.0);
+    let free: Vec<&str> = campbell
+        .lines
+        .iter()
+        .filter(is_free)
+        .map(|line| line.label.as_str())
+        .collect();
+    (!free.is_empty()).then(|| format!("nothing resists, and nothing excites: {}", free.join(", ")))
+}
+
+/// Where the first bending modes stand, in a line if they stand alike.
+fn classes(campbell: &Campbell) -> String {
+    let in_words = |class: StiffnessClass, modes: &str, are: &str| {
+        format!(
+            "{}: {modes} {}",
+            class_name(class),
+            place(class, &campbell.rotor, are)
+        )
+    };
+    match campbell.classes[..] {
+        [] => "no class: no first bending mode is in the list".to_owned(),
+        [(_, a), (_, b)] if a == b => in_words(a, "the first bending modes", "are"),
+        _ => {
+            let lines = campbell.classes.iter().map(|(family, class)| {
+                in_words(
+                    *class,
+                    &format!("the first {} mode", bending(*family)),
+                    "is",
+                )
+            });
+            lines.collect::<Vec<String>>().join("\n")
+        }
+    }
+}
+
+fn bending(family: Family) -> String {
+    format!("{} bending", family.name())
+}
+
+fn class_name(class: StiffnessClass) -> &'static str {
+    match class {
+        StiffnessClass::Met { .. } => "no class",
+        class => class.name(),
+    }
+}
+
+/// Where a class has its modes, with the frequencies that bound it.
+fn place(class: StiffnessClass, rotor: &Rotor, are: &str) -> String {
+    let passing = rotor.blades;
+    let hz = |multiple: usize, rpm: f64| multiple as f64 * rpm / 60.0;
+    let (lowest, highest) = (rotor.lowest_rpm, rotor.highest_rpm);
+    match class {
+        StiffnessClass::SoftSoft => {
+            format!(
+                "{are} below 1P ({:.4} Hz at the lowest speed)",
+                hz(1, lowest)
+            )
+        }
+        StiffnessClass::SoftStiff => format!(
+            "{are} between 1P and {passing}P ({:.4} and {:.4} Hz)",
+            hz(1, highest),
+            hz(passing, lowest)
+        ),
+        StiffnessClass::StiffStiff => format!(
+            "{are} above {passing}P ({:.4} Hz at the highest speed)",
+            hz(passing, highest)
+        ),
+        StiffnessClass::Met { multiple } => format!(
+            "{are} met by {multiple}P in operation ({:.4} to {:.4} Hz)",
+            hz(multiple, lowest),
+            hz(multiple, highest)
+        ),
+    }
+}
+
+/// The rotor, the margin and how many verdicts of each kind.
+fn summary(campbell: &Campbell, has_blade: bool) -> String {
+    let Rotor {
+        blades,
+        lowest_rpm,
+        highest_rpm,
+    } = campbell.rotor;
+    let speeds = if lowest_rpm == highest_rpm {
+        format!("{} rpm only", Rpm(lowest_rpm))
+    } else {
+        format!("{} to {} rpm", Rpm(lowest_rpm), Rpm(highest_rpm))
+    };
+    let count = |verdict: Verdict| {
+        let margins = campbell.margins.iter();
+        margins.filter(|margin| margin.verdict == verdict).count()
+    };
+    format!(
+        "{} at {speeds} | margin {} % | {} pass, {} warn, {} fail{}",
+        counted(blades, "blade"),
+        percent(campbell.margin),
+        count(Verdict::Pass),
+        count(Verdict::Warn),
+        count(Verdict::Fail),
+        match (has_blade, has_blade_lines(campbell)) {
+            (_, true) => "",
+            (true, false) => " | without the blade",
+            (false, false) => " | no blade modes",
+        },
+    )
+}
+
+fn has_blade_lines(campbell: &Campbell) -> bool {
+    let mut lines = campbell.lines.iter();
+    lines.any(|line| matches!(line.of, Excited::Blade { .. }))
+}
+
+/// A share in percent as it was given, without what dividing by 100 left.
+fn percent(share: f64) -> f64 {
+    (share * 1e11).round() / 1e9
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{classes, distance, first_bending, hidden, summary, unresisted};
+    use towermodes::rotor::{Campbell, Excited, FrequencyLine, Margin, Rotor, StiffnessClass};
+    use towermodes::{Family, Material, Station, Tower, TowerDescription, Verdict};
+
+    fn campbell(classes: Vec<(Family, StiffnessClass)>) -> Campbell {
+        let (family, order) = (Family::Surge, 1);
+        let line = FrequencyLine {
+            of: Excited::Tower {
+                number: 1,
+                family,
+                order,
+            },
+            label: family.label(order),
+            points: vec![[0.0, 0.0], [14.52, 0.0]],
+            error_hz: 0.0,
+            lost: None,
+        };
+        Campbell {
+            rotor: Rotor {
+                blades: 3,
+                lowest_rpm: 6.0,
+                highest_rpm: 12.0,
+            },
+            margin: 0.05,
+            multiples: vec![1],
+            lines: vec![line],
+            margins: Vec::new(),
+            known_to_hz: None,
+            classes,
+        }
+    }
+
+    fn margin(line: usize, multiple: usize, distance: f64) -> Margin {
+        Margin {
+            line,
+            multiple,
+            nearest_rpm: 12.0,
+            excitation_hz: 0.2,
+            natural_hz: 0.2 / (1.0 + distance),
+            distance,
+            verdict: Verdict::Pass,
+        }
+    }
+
+    #[test]
+    fn numbers_are_as_short_as_they_can_be() {
+        let said = |share| distance(&campbell(vec![]), &margin(0, 1, share));
+        assert_eq!(said(0.0), "met");
+        assert_eq!(said(-0.0376), "-3.8 %");
+        assert_eq!(said(0.0498), "+4.98 %");
+        assert_eq!(said(12.34), "+1234 %");
+    }
+
+    /// Of the first bending modes 1P and the passing of the blades are shown however far they are; a coupled mode is the first of both planes.
+    #[test]
+    fn the_first_bending_modes_are_always_shown() {
+        let line = |family: Family, order| FrequencyLine {
+            of: Excited::Tower {
+                number: 1,
+                family,
+                order,
+            },
+            label: family.label(order),
+            points: vec![[0.0, 1.0], [14.52, 1.0]],
+            error_hz: 0.0,
+            lost: None,
+        };
+        let (fore_aft, side_side) = (Family::ForeAft, Family::SideSide);
+        let lines = [
+            line(Family::Torsion, 1),
+            line(fore_aft, 1),
+            line(side_side, 1),
+            line(fore_aft, 2),
+        ];
+        let all: Vec<Margin> = (0..4)
+            .flat_map(|line| [1, 3, 6].map(|multiple| margin(line, multiple, 3.0)))
+            .collect();
+        let mut campbell = Campbell {
+            lines: lines.to_vec(),
+            margins: all,
+            ..campbell(vec![])
+        };
+        assert_eq!(first_bending(&campbell), [1, 2]);
+        let tower = Tower::new(TowerDescription {
+            materials: vec![Material::from_shear_modulus(8500.0, 2.1e11, 8.08e10)],
+            stations: vec![Station::new(0.0, 6.0, 0.03), Station::new(80.0, 4.0, 0.02)],
+            ..TowerDescription::default()
+        });
+        let text = super::campbell(&tower.expect("a tower"), &campbell, false, false);
+        // Two modes with two excitations each; the other 8 of 12 are counted.
+        assert_eq!(text.matches("PASS").count(), 4, "{text}");
+        assert!(text.contains("8 other pairs are further apart"), "{text}");
+        campbell.lines[0] = line(Family::Coupled, 1);
+        assert_eq!(first_bending(&campbell), [0, 0]);
+    }
+
+    #[test]
+    fn one_speed_is_the_only_one() {
+        let mut campbell = campbell(vec![]);
+        assert!(summary(&campbell, true).starts_with("3 blades at 6 to 12 rpm | "));
+        campbell.rotor.lowest_rpm = 12.0;
+        assert!(summary(&campbell, true).starts_with("3 blades at 12 rpm only | "));
+    }
+
+    #[test]
+    fn what_is_hidden_is_counted() {
+        assert_eq!(hidden(0, false), None);
+        let one = "1 other pair is further apart than a factor 2 (--all shows them)";
+        assert_eq!(hidden(1, false).as_deref(), Some(one));
+        let all = "8 pairs are further apart than a factor 2 (--all shows them)";
+        assert_eq!(hidden(8, true).as_deref(), Some(all));
+    }
+
+    /// A blade that could not be solved is in the file all the same; files may have blades that are not read.
+    #[test]
+    fn that_there_is_no_blade_is_said_as_it_is() {
+        let said = |has_blade| summary(&campbell(vec![]), has_blade);
+        assert!(said(false).ends_with("0 fail | no blade modes"));
+        assert!(said(true).ends_with("0 fail | without the blade"));
+    }
+
+    #[test]
+    fn classes_are_said_together_or_each() {
+        use StiffnessClass::{SoftSoft, SoftStiff, StiffStiff};
+        let said = |classes| super::classes(&campbell(classes));
+        assert_eq!(
+            classes(&campbell(vec![])),
+            "no class: no first bending mode is in the list"
+        );
+        assert_eq!(
+            said(vec![
+                (Family::ForeAft, SoftStiff),
+                (Family::SideSide, SoftStiff)
+            ]),
+            "soft-stiff: the first bending modes are between 1P and 3P (0.2000 and 0.3000 Hz)"
+        );
+        assert_eq!(
+            said(vec![
+                (Family::ForeAft, SoftSoft),
+                (Family::SideSide, StiffStiff)
+            ]),
+            "soft-soft: the first fore-aft bending mode is below 1P (0.1000 Hz at the lowest speed)\n\
+             stiff-stiff: the first side-side bending mode is above 3P (0.6000 Hz at the highest speed)"
+        );
+    }
+
+    #[test]
+    fn motions_without_a_frequency_are_named() {
+        let text = unresisted(&campbell(vec![])).expect("one");
+        assert_eq!(text, "nothing resists, and nothing excites: surge");
+    }
+}
