@@ -281,12 +281,18 @@ fn a_rotating_blade_is_solved_in_every_format() {
         done(&["solve", &path, "--format", "csv"]).lines().count(),
         21
     );
+    let drawn = done(&["solve", &path, "--plot"]);
+    for name in ["1st flap", "1st lag", "87.6 m ┤"] {
+        assert!(drawn.contains(name), "{name}: {drawn}");
+    }
     let out = done(&["solve", &path, "--format", "bmodes"]);
     assert!(out.contains("rotating blade frequencies & mode shapes"));
     for arguments in [
         vec!["solve", &path, "--method", "spectral"],
         vec!["solve", &path, "--segments", "10"],
         vec!["compare", &path],
+        vec!["plot", &path],
+        vec!["solve", &path, "--plot", "--format", "bmodes"],
         vec!["convert", &path, "--to", "toml"],
     ] {
         assert_eq!(run(&arguments).status.code(), Some(2), "{arguments:?}");

@@ -140,7 +140,16 @@ const RESULTS: [&[&str]; 4] = [
 ];
 
 /// The other results with a schema, by its name, and commands that give them.
-const OTHERS: [(&str, &[&str]); 3] = [
+const OTHERS: [(&str, &[&str]); 4] = [
+    (
+        "campbell",
+        &[
+            "campbell",
+            "examples/small-turbine/ElastoDyn.dat",
+            "--rpm",
+            "9,17",
+        ],
+    ),
     ("check-one", &["check", "examples/nrel-5mw.toml"]),
     (
         "check",

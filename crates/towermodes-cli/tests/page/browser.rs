@@ -33,6 +33,9 @@ pub struct View {
     pub is_dark: bool,
 }
 
+/// How high a window is.
+const WINDOW_HEIGHT: u32 = 900;
+
 /// A wide window by day.
 pub const WIDE: View = View {
     width: 1200,
@@ -79,11 +82,11 @@ impl OpenPage {
         let listener = move |event: &Event| match event {
             Event::LogEntryAdded(entry) => keep(&said, format!("{:?}", entry.params.entry)),
             Event::RuntimeExceptionThrown(thrown) => {
-                keep(&said, format!("{:?}", thrown.params.exception_details))
+                keep(&said, format!("{:?}", thrown.params.exception_details));
             }
             Event::RuntimeConsoleAPICalled(call) => keep(&said, format!("{:?}", call.params)),
             Event::NetworkRequestWillBeSent(request) => {
-                keep(&asked, request.params.request.url.clone())
+                keep(&asked, request.params.request.url.clone());
             }
             _ => {}
         };
@@ -104,9 +107,23 @@ impl OpenPage {
 
     /// Another width of the window, light or dark.
     pub fn look(&self, view: View) {
+        self.resize(view.width, WINDOW_HEIGHT);
+        let feature = |name: &str, value: &str| Emulation::MediaFeature {
+            name: name.to_owned(),
+            value: value.to_owned(),
+        };
+        let scheme = if view.is_dark { "dark" } else { "light" };
+        let media = Emulation::SetEmulatedMedia {
+            media: None,
+            features: Some(vec![feature("prefers-color-scheme", scheme)]),
+        };
+        self.tab.call_method(media).expect("the scheme");
+    }
+
+    fn resize(&self, width: u32, height: u32) {
         let size = Emulation::SetDeviceMetricsOverride {
-            width: view.width,
-            height: 900,
+            width,
+            height,
             device_scale_factor: 1.0,
             mobile: false,
             scale: None,
@@ -121,16 +138,15 @@ impl OpenPage {
             device_posture: None,
         };
         self.tab.call_method(size).expect("the size");
-        let feature = |name: &str, value: &str| Emulation::MediaFeature {
-            name: name.to_owned(),
-            value: value.to_owned(),
-        };
-        let scheme = if view.is_dark { "dark" } else { "light" };
+    }
+
+    /// The page as paper would have it, in the window.
+    pub fn on_paper(&self) {
         let media = Emulation::SetEmulatedMedia {
-            media: None,
-            features: Some(vec![feature("prefers-color-scheme", scheme)]),
+            media: Some("print".to_owned()),
+            features: None,
         };
-        self.tab.call_method(media).expect("the scheme");
+        self.tab.call_method(media).expect("the medium");
     }
 
     /// What an expression of JavaScript is.
@@ -189,26 +205,19 @@ impl OpenPage {
         let Some(folder) = std::env::var_os("TOWERMODES_SCREENSHOTS") else {
             return;
         };
-        let height = self
-            .value("document.documentElement.scrollHeight")
-            .as_f64()
-            .expect("a height");
-        let width = self
-            .value("document.documentElement.clientWidth")
-            .as_f64()
-            .expect("a width");
-        let whole = Page::Viewport {
-            x: 0.0,
-            y: 0.0,
-            width,
-            height: height.min(16000.0),
-            scale: 1.0,
+        let size = |name: &str| {
+            let size = self.value(&format!("document.documentElement.{name}"));
+            size.as_f64().expect("a size") as u32
         };
+        // Only what is in the window is painted: it becomes as high as the page.
+        let (width, height) = (size("clientWidth"), size("scrollHeight").min(16000));
+        self.resize(width, height);
         let png = Page::CaptureScreenshotFormatOption::Png;
         let picture = self
             .tab
-            .capture_screenshot(png, None, Some(whole), true)
+            .capture_screenshot(png, None, None, true)
             .expect("a picture");
+        self.resize(width, WINDOW_HEIGHT);
         std::fs::write(Path::new(&folder).join(format!("{name}.png")), picture).expect("a file");
     }
 

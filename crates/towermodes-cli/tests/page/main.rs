@@ -16,6 +16,9 @@ const LABELS: &str = include_str!("labels.js");
 /// The outlines of the moving tower in the three views.
 const OUTLINES: &str = "[...document.querySelectorAll('#animation path.deformed')].map(path => path.getAttribute('d')).join('|')";
 
+/// The same at rest.
+const AT_REST: &str = "[...document.querySelectorAll('#animation path.undeformed')].map(path => path.getAttribute('d')).join('|')";
+
 fn page(view: View) -> Option<OpenPage> {
     OpenPage::open(|| report_of("nrel-5mw.toml"), view)
 }
@@ -36,6 +39,15 @@ fn play_moves_the_shape_and_pause_stops_it() {
         "true"
     );
     page.wait_for(&format!("{OUTLINES} !== {}", Value::from(before)));
+    // What is pressed keeps its name: the state says the rest (WAI-ARIA, pattern "button").
+    assert_eq!(
+        page.text("document.querySelector('#animation-play').textContent"),
+        "Play"
+    );
+    assert_eq!(
+        page.value("document.querySelector('#animation-phase').disabled"),
+        Value::Bool(true)
+    );
     page.click("#animation-play");
     assert_eq!(
         page.text("document.querySelector('#animation-play').getAttribute('aria-pressed')"),
@@ -60,6 +72,21 @@ fn keys_play_and_choose_modes() {
         "document.querySelector('#animation-play').getAttribute('aria-pressed') === 'false'",
     );
     page.value("document.querySelector('input[name=animation-mode]:checked').focus()");
+    for ignored in [
+        "{ key: ' ', repeat: true }",
+        "{ key: ' ', shiftKey: true }",
+        "{ key: ' ', ctrlKey: true }",
+        "{ key: 'x' }",
+    ] {
+        page.value(&format!(
+            "document.activeElement.dispatchEvent(new KeyboardEvent('keydown', Object.assign({{ bubbles: true, cancelable: true }}, {ignored})))"
+        ));
+        assert_eq!(
+            page.text("document.querySelector('#animation-play').getAttribute('aria-pressed')"),
+            "false",
+            "{ignored}"
+        );
+    }
     let before = page.text(OUTLINES);
     page.press("ArrowDown");
     page.wait_for("document.querySelectorAll('input[name=animation-mode]')[1].checked");
@@ -169,6 +196,49 @@ fn everything_can_be_read_in_both_themes_and_on_narrow_windows() {
     }
 }
 
+/// What is wider than a narrow window is as large as it can be read, scrolls, and says so.
+#[test]
+fn narrow_windows_scroll_pictures_and_say_so() {
+    let hint = "getComputedStyle(document.querySelector('.picture'), '::before').content";
+    let Some(page) = page(View {
+        width: 390,
+        is_dark: false,
+    }) else {
+        return;
+    };
+    assert!(
+        page.text(hint)
+            .contains("Scroll sideways for the whole picture")
+    );
+    let widths = "[...document.querySelectorAll('.picture svg')].filter(svg => svg.getBoundingClientRect().width < 640).length";
+    assert_eq!(page.value(widths), Value::from(0));
+    let shadows = "[...document.querySelectorAll('.scroll:not(.picture)')].filter(box => box.scrollWidth > box.clientWidth && !getComputedStyle(box).backgroundImage.includes('gradient')).length";
+    assert_eq!(page.value(shadows), Value::from(0));
+    page.look(WIDE);
+    assert_eq!(page.text(hint), "none");
+}
+
+/// The page says how it is coloured until its reader chooses.
+#[test]
+fn a_theme_in_the_page_stays() {
+    let dark = || {
+        let path = report_of("nrel-5mw.toml");
+        let text = std::fs::read_to_string(&path).expect("a page");
+        let path = path.with_file_name("page-dark.html");
+        let text = text.replacen("data-theme=\"auto\"", "data-theme=\"dark\"", 1);
+        std::fs::write(&path, text).expect("a page");
+        path
+    };
+    let Some(page) = OpenPage::open(dark, WIDE) else {
+        return;
+    };
+    assert_eq!(page.text("document.documentElement.dataset.theme"), "dark");
+    assert_eq!(
+        page.text("document.querySelector('#theme').textContent"),
+        "Colours: dark"
+    );
+}
+
 #[test]
 fn every_example_is_quiet_and_its_labels_are_inside_their_pictures() {
     for example in EXAMPLES {
@@ -176,6 +246,7 @@ fn every_example_is_quiet_and_its_labels_are_inside_their_pictures() {
             return;
         };
         assert_eq!(page.value(LABELS), Value::Array(vec![]), "{example}");
+        assert_ne!(page.text(OUTLINES), page.text(AT_REST), "{example}");
         page.click("#animation-play");
         page.wait_for(
             "document.querySelector('#animation-play').getAttribute('aria-pressed') === 'true'",
@@ -201,13 +272,9 @@ fn every_picture_has_words_and_numbers() {
         "pictures without title or description"
     );
     let without_numbers = page.value(
-        "[...document.querySelectorAll('figure')].filter(figure => figure.querySelector('svg[role=img]') && !figure.querySelector('details table tbody tr')).map(figure => figure.id)",
+        "[...document.querySelectorAll('figure')].filter(figure => figure.querySelector('svg[role=img]') && !figure.querySelector('details table tbody tr') && !(figure.textContent.includes('Its numbers are in the tables of this section.') && figure.parentElement.querySelector('table tbody tr'))).length",
     );
-    assert_eq!(
-        without_numbers,
-        Value::Array(vec![]),
-        "pictures without a table"
-    );
+    assert_eq!(without_numbers, Value::from(0), "pictures without a table");
     let nameless = page.value(
         "[...document.querySelectorAll('table')].filter(table => !table.caption || !table.querySelector('th[scope]')).length",
     );
@@ -248,6 +315,96 @@ fn every_control_is_reached_by_the_keyboard_and_shows_it() {
             "{control} is not among {reached:?}"
         );
     }
+}
+
+/// The largest deflection seen from above doubles with the amplitude, because the axes stay.
+#[test]
+fn the_amplitude_is_seen_from_above() {
+    let Some(page) = page(WIDE) else { return };
+    let width = || {
+        let width = page.value("document.querySelector('#view-top path.deformed').getBBox().width");
+        width.as_f64().expect("a width")
+    };
+    let at_rest = "document.querySelector('#view-top path.undeformed').getBBox().width";
+    let at_rest = page.value(at_rest).as_f64().expect("a width");
+    let wide = |percent: usize| {
+        page.value(&format!(
+            "(() => {{ const e = document.querySelector('#animation-amplitude'); e.value = {percent}; e.dispatchEvent(new Event('input')); return 0; }})()"
+        ));
+        width() - at_rest
+    };
+    // The base stands still, so the sections reach from there to the top. The first mode may be side-side.
+    page.click("input[name=animation-mode][value='1']");
+    let (ten, twenty) = (wide(10), wide(20));
+    assert!(
+        ten > 5.0 && (twenty - 2.0 * ten).abs() < 0.2 * ten,
+        "{ten} {twenty}"
+    );
+}
+
+/// Firefox keeps what was disabled as a page is loaded anew, and its scripts run again.
+#[test]
+fn the_phase_can_be_set_from_the_start() {
+    let Some(page) = page(WIDE) else { return };
+    page.value("document.querySelector('#animation-phase').disabled = true");
+    page.value(
+        "(() => { const again = document.createElement('script'); again.textContent = [...document.scripts].at(-1).textContent; document.body.append(again); return 0; })()",
+    );
+    assert_eq!(
+        page.value("document.querySelector('#animation-phase').disabled"),
+        Value::Bool(false)
+    );
+}
+
+/// Cells of tables that paper would lack: of a table that is there twice one is enough.
+const NOT_PRINTED: &str = "(() => {
+    const isThere = (element) => element.checkVisibility() && element.getClientRects().length > 0;
+    const rows = [...document.querySelectorAll('tbody tr')].filter((row) => !row.closest('.scroll:has(+ .remark + .all)'));
+    return rows.filter((row) => !isThere(row)).map((row) => row.textContent).slice(0, 5);
+})()";
+
+/// Tables that would be there twice.
+const PRINTED_TWICE: &str = "[...document.querySelectorAll('.scroll:has(+ .remark + .all)')].filter((table) => table.checkVisibility()).length";
+
+#[test]
+fn all_tables_are_on_paper() {
+    let Some(page) = OpenPage::open(|| report_of("monopile.toml"), WIDE) else {
+        return;
+    };
+    assert_ne!(
+        page.value(NOT_PRINTED),
+        Value::Array(vec![]),
+        "nothing is folded away"
+    );
+    page.on_paper();
+    // As without a script: what the style alone shows.
+    page.value("document.documentElement.classList.remove('has-script')");
+    assert_eq!(page.value(NOT_PRINTED), Value::Array(vec![]));
+    assert_eq!(page.value(PRINTED_TWICE), Value::from(0));
+    // As with one, in a browser that opens nothing by style.
+    page.value("document.documentElement.classList.add('has-script')");
+    page.value("window.dispatchEvent(new Event('beforeprint'))");
+    assert_eq!(
+        page.value("document.querySelectorAll('details:not([open])').length"),
+        Value::from(0)
+    );
+    assert_eq!(page.value(NOT_PRINTED), Value::Array(vec![]));
+    assert_eq!(page.value(PRINTED_TWICE), Value::from(0));
+    page.value("window.dispatchEvent(new Event('afterprint'))");
+    assert_eq!(
+        page.value("document.querySelectorAll('details[open]').length"),
+        Value::from(0)
+    );
+    // As without a script in a browser that opens nothing by style: the short tables stay.
+    page.value(
+        "[...document.styleSheets].forEach((sheet) => [...sheet.cssRules].forEach((rule, index) => { if (rule instanceof CSSSupportsRule) sheet.deleteRule(index); }))",
+    );
+    page.value("document.documentElement.classList.remove('has-script')");
+    assert_ne!(
+        page.value(PRINTED_TWICE),
+        Value::from(0),
+        "short tables are lost"
+    );
 }
 
 #[test]

@@ -1,0 +1,301 @@
+//! Whether what the book says is so: its links, its commands, its files.
+
+mod pages;
+mod sandbox;
+
+use std::collections::BTreeSet;
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output};
+
+use pages::links::{anchors, links, parts_of, prose, without_dots};
+use pages::{Block, Page, pages, root};
+use sandbox::{PROGRAM, Sandbox};
+
+/// The page that the program prints itself.
+const REFERENCE: &str = "book/src/reference/command-line.md";
+
+/// Languages whose blocks are commands: of sessions the output is compared, the others are run by a shell.
+const SESSIONS: [&str; 2] = ["console", "trycmd"];
+const SCRIPTS: [&str; 2] = ["sh", "bash"];
+
+/// The word behind the language of a script that no test runs.
+const NOT_RUN: &str = "norun";
+
+/// Signs that stand behind a word and are not of it.
+const AFTER_WORDS: [char; 5] = ['.', ',', ':', ';', ')'];
+
+fn program(arguments: &[&str]) -> Output {
+    let mut command = Command::new(PROGRAM);
+    command.current_dir(root()).args(arguments);
+    command.output().expect("the program runs")
+}
+
+fn blocks() -> Vec<Block> {
+    pages().iter().flat_map(Page::blocks).collect()
+}
+
+#[test]
+fn every_page_is_in_the_summary_once() {
+    let book = root().join("book/src");
+    let summary = fs::read_to_string(book.join("SUMMARY.md")).expect("the summary");
+    let listed = links(&summary);
+    let unique: BTreeSet<_> = listed.iter().cloned().collect();
+    assert_eq!(listed.len(), unique.len(), "a page is listed twice");
+    let names = pages().into_iter().map(|page| page.name);
+    let there = names.filter_map(|name| name.strip_prefix("book/src/").map(str::to_owned));
+    let there: BTreeSet<_> = there.filter(|name| name != "SUMMARY.md").collect();
+    assert_eq!(unique, there);
+}
+
+#[test]
+fn every_link_leads_somewhere() {
+    let root = root();
+    for page in pages() {
+        let folder = Path::new(&page.name).parent().expect("a folder");
+        for link in links(&page.text) {
+            let (target, anchor) = parts_of(&link);
+            let path = match target {
+                "" => PathBuf::from(&page.name),
+                _ => without_dots(&folder.join(target)),
+            };
+            let place = format!("{}: {link}", page.name);
+            assert!(root.join(&path).exists(), "{place}: no such file");
+            // What lies outside of the book's folder is not in the book that is built.
+            let is_inside = path.starts_with("book/src") || page.name == "README.md";
+            assert!(is_inside, "{place}: not in the book");
+            if let Some(anchor) = anchor {
+                let text = fs::read_to_string(root.join(&path)).expect("a page");
+                let is_there = anchors(&text).iter().any(|name| name == anchor);
+                assert!(is_there, "{place}: no such heading");
+            }
+        }
+    }
+}
+
+#[test]
+fn every_schema_is_on_a_page() {
+    let pages = pages();
+    let linked: BTreeSet<String> = pages.iter().flat_map(|page| links(&page.text)).collect();
+    let files = fs::read_dir(root().join("book/src")).expect("the book");
+    for file in files {
+        let name = file.expect("an entry").file_name();
+        let name = name.to_string_lossy();
+        let is_schema = name.ends_with(".schema.json");
+        let is_linked = linked.iter().any(|link| link.ends_with(name.as_ref()));
+        assert!(!is_schema || is_linked, "{name} is on no page");
+    }
+}
+
+/// Every word between backticks, and every line of a block.
+fn code(page: &Page) -> Vec<String> {
+    let text = prose(&page.text).replace('\n', " ");
+    let spans = text.split('`').skip(1).step_by(2).map(str::to_owned);
+    let blocks = page.blocks().into_iter();
+    let lines = blocks.flat_map(|block| {
+        let lines: Vec<_> = block.text.lines().map(str::to_owned).collect();
+        lines
+    });
+    spans.chain(lines).collect()
+}
+
+/// The words in which the reference names something: the commands of two words, or what begins with two dashes.
+fn words_of_the_reference() -> (BTreeSet<String>, BTreeSet<String>) {
+    let reference = String::from_utf8(program(&["reference"]).stdout).expect("text");
+    let headings = reference
+        .lines()
+        .filter_map(|line| line.strip_prefix("## `towermodes "));
+    let commands = headings.map(|line| line.trim_end_matches('`').to_owned());
+    let options = reference
+        .split(['`', ' '])
+        .filter(|word| word.starts_with("--"));
+    let options = options.map(|word| word.trim_end_matches(AFTER_WORDS).to_owned());
+    (commands.collect(), options.collect())
+}
+
+#[test]
+fn commands_and_options_that_are_named_are_there() {
+    let (mut commands, mut options) = words_of_the_reference();
+    commands.extend(["help", "reference"].map(str::to_owned));
+    options.extend(["--help", "--version"].map(str::to_owned));
+    // Of cargo, and of BModes decks in examples of other programs.
+    let others = [
+        "--workspace",
+        "--path",
+        "--release",
+        "--root",
+        "--locked",
+        "--bench",
+        "--test",
+    ];
+    options.extend(others.map(str::to_owned));
+    let is_name = |word: &str| {
+        word.starts_with(|sign: char| sign.is_ascii_lowercase()) && !word.contains(['.', '/'])
+    };
+    for page in pages() {
+        for code in code(&page) {
+            let mut words = code
+                .split_whitespace()
+                .skip_while(|word| *word != "towermodes")
+                .skip(1);
+            if let Some(command) = words.next().filter(|word| is_name(word)) {
+                assert!(
+                    commands.contains(command),
+                    "{}: no command {command} in `{code}`",
+                    page.name
+                );
+                let second = words
+                    .next()
+                    .filter(|word| command == "elastodyn" && is_name(word));
+                let both = second.map(|second| format!("{command} {second}"));
+                assert!(
+                    both.iter().all(|both| commands.contains(both)),
+                    "{}: `{code}`",
+                    page.name
+                );
+            }
+            for word in code.split([' ', '=']).filter(|word| word.starts_with("--")) {
+                let word = word.trim_end_matches(AFTER_WORDS);
+                let is_name =
+                    word.len() > 2 && word[2..].starts_with(|sign: char| sign.is_ascii_lowercase());
+                assert!(
+                    !is_name || options.contains(word),
+                    "{}: no option {word} in `{code}`",
+                    page.name
+                );
+            }
+        }
+    }
+}
+
+/// A command that no test runs may be wrong tomorrow. What cannot be run says so: `sh norun`, for what builds the program or for pipes to
+/// programs that may not be there.
+#[test]
+fn every_command_is_run() {
+    for block in blocks() {
+        let (place, language) = (&block.place, block.language());
+        let is_session = SESSIONS.contains(&language);
+        if is_session {
+            assert_eq!(
+                block.info, language,
+                "{place}: sessions are compared, all of them"
+            );
+        } else if SCRIPTS.contains(&language) {
+            let word = block.info[language.len()..].trim();
+            assert!(
+                word.is_empty() || word == NOT_RUN,
+                "{place}: what is {word}?"
+            );
+            let own = block
+                .text
+                .lines()
+                .filter(|line| line.starts_with("towermodes"));
+            let is_needed = own.clone().all(|line| line.contains('|'));
+            assert!(word.is_empty() || is_needed, "{place}: this can be run");
+        } else {
+            let typed = block
+                .text
+                .lines()
+                .find(|line| line.starts_with("$ ") || line.starts_with("towermodes "));
+            // The usage of each command stands in the reference.
+            let is_usage = block.place.starts_with(REFERENCE);
+            assert!(
+                typed.is_none() || is_usage,
+                "{place}: a command in a block of {language:?}: {typed:?}"
+            );
+        }
+    }
+    for page in pages() {
+        let indented = prose(&page.text);
+        let typed = indented
+            .lines()
+            .find(|line| line.starts_with("    towermodes ") || line.starts_with("    $ "));
+        assert!(
+            typed.is_none(),
+            "{}: a command that is only indented: {typed:?}",
+            page.name
+        );
+    }
+}
+
+/// The scripts of a page are run one after the other in a folder with the examples and a reader's files; each must end with exit code 0.
+/// Those of the reference know nothing of each other.
+#[cfg(unix)]
+#[test]
+fn the_scripts_do_what_they_should() {
+    let fresh = Sandbox::new("scripts");
+    for page in pages() {
+        let blocks = page.blocks();
+        let is_run =
+            |block: &&Block| SCRIPTS.contains(&block.language()) && !block.info.contains(NOT_RUN);
+        let scripts: Vec<&Block> = blocks.iter().filter(is_run).collect();
+        let together = if page.name == REFERENCE {
+            1
+        } else {
+            scripts.len().max(1)
+        };
+        for scripts in scripts.chunks(together) {
+            let sandbox = fresh.another(&page.name.replace(['/', '.'], "-"));
+            sandbox.write_files_of(&page);
+            run_in(&sandbox, scripts);
+        }
+    }
+}
+
+#[cfg(unix)]
+fn run_in(sandbox: &Sandbox, scripts: &[&Block]) {
+    let path = sandbox.commands();
+    for script in scripts {
+        let mut shell = Command::new("sh");
+        shell
+            .args(["-e", "-c", &script.text])
+            .current_dir(sandbox.path())
+            .stdin(std::process::Stdio::null())
+            .env("PATH", &path)
+            .env("HOME", sandbox.path());
+        let output = shell.output().expect("a shell");
+        let said = String::from_utf8_lossy(&output.stderr);
+        let is_done = output.status.success();
+        assert!(is_done, "{}: {}\n{said}", script.place, script.text);
+    }
+}
+
+/// What is shown of a tower file is one: whole, or put below the last whole one of its page, or else below the first tower.
+#[test]
+fn the_towers_are_towers() {
+    let sandbox = Sandbox::new("towers");
+    let first = root().join("examples/reference-tower.toml");
+    let first = fs::read_to_string(first).expect("the example");
+    for page in pages() {
+        let mut whole = first.clone();
+        let blocks = page.blocks();
+        for block in blocks.iter().filter(|block| block.language() == "toml") {
+            let mut text = block.text.clone();
+            if text.contains("[tower") {
+                whole.clone_from(&text);
+            } else {
+                text = format!("{whole}\n{text}");
+            }
+            let file = sandbox.path().join("shown.toml");
+            fs::write(&file, text).expect("written");
+            let output = program(&["check", &file.display().to_string()]);
+            let said = String::from_utf8_lossy(&output.stderr);
+            assert!(output.status.success(), "{}: {said}", block.place);
+        }
+    }
+}
+
+#[test]
+fn the_command_line_is_that_of_the_program() {
+    let page = root().join(REFERENCE);
+    let output = program(&["reference"]);
+    assert!(output.status.success());
+    if std::env::var_os("TRYCMD").is_some_and(|what| what == "overwrite") {
+        fs::write(&page, &output.stdout).expect("written");
+    }
+    let in_book = fs::read(&page).expect("the page");
+    assert!(
+        output.stdout == in_book,
+        "run: towermodes reference > {REFERENCE}"
+    );
+}

@@ -1,0 +1,152 @@
+//! What files say of a rotor: where it is used, where it is handed on, and what is said of it.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output};
+
+fn run(arguments: &[&str]) -> Output {
+    let mut command = Command::new(env!("CARGO_BIN_EXE_towermodes"));
+    command.current_dir(root()).args(arguments);
+    command.output().expect("the program runs")
+}
+
+fn root() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("../..")
+}
+
+/// Standard output and standard error.
+#[track_caller]
+fn said(arguments: &[&str]) -> [String; 2] {
+    let output = run(arguments);
+    let [out, err] =
+        [output.stdout, output.stderr].map(|text| String::from_utf8(text).expect("text"));
+    assert!(output.status.success(), "{arguments:?}: {err}");
+    [out, err]
+}
+
+/// A folder that is gone when the test is.
+struct Folder(PathBuf);
+
+impl Folder {
+    fn new(name: &str) -> Self {
+        let path = std::env::temp_dir().join(format!("towermodes-{name}-{}", std::process::id()));
+        fs::create_dir_all(&path).expect("a folder");
+        Self(path)
+    }
+
+    /// The example deck with parts of lines of its main file replaced.
+    fn with_deck(name: &str, changes: &[(&str, &str)]) -> Self {
+        let folder = Self::new(name);
+        let example = root().join("examples/small-turbine");
+        for file in ["Blade.dat", "Tower.dat"] {
+            fs::copy(example.join(file), folder.0.join(file)).expect("copied");
+        }
+        let mut text = fs::read_to_string(example.join("ElastoDyn.dat")).expect("the example");
+        for (from, to) in changes {
+            assert!(text.contains(from), "{from}");
+            text = text.replace(from, to);
+        }
+        fs::write(folder.0.join("ElastoDyn.dat"), text).expect("written");
+        folder
+    }
+
+    /// The 5 MW machine in windIO without the number of its blades, and with a speed that is a limit.
+    fn with_windio(name: &str) -> Self {
+        let folder = Self::new(name);
+        let text = fs::read_to_string(root().join("examples/nrel-5mw.yaml")).expect("the example");
+        let blades = "assembly:\n  number_of_blades: 3\n";
+        assert!(text.contains(blades));
+        let rated = "  rated_rotor_speed: 12.1\n";
+        let text = text
+            .replace(blades, "")
+            .replace(rated, &format!("{rated}  max_rotor_speed: 14\n"));
+        fs::write(folder.0.join("turbine.yaml"), text).expect("written");
+        folder
+    }
+
+    fn path(&self, file: &str) -> String {
+        self.0.join(file).display().to_string()
+    }
+}
+
+impl Drop for Folder {
+    fn drop(&mut self) {
+        let _ = fs::remove_dir_all(&self.0);
+    }
+}
+
+/// A deck whose simulation begins at standstill still knows its blades.
+#[test]
+fn blades_are_known_without_a_speed() {
+    let changes = [
+        ("17.0   RotSpeed", "0.0   RotSpeed"),
+        ("3   NumBl", "2   NumBl"),
+    ];
+    let folder = Folder::with_deck("two-blades", &changes);
+    let deck = folder.path("ElastoDyn.dat");
+    let [out, err] = said(&["campbell", &deck, "--rpm", "7,9", "--modes", "2"]);
+    assert!(out.contains("2 blades at 7 to 9 rpm"), "{out}");
+    assert!(!err.contains("nobody says how many"), "{err}");
+    let [out, _] = said(&[
+        "campbell", &deck, "--rpm", "7,9", "--modes", "2", "--blades", "4",
+    ]);
+    assert!(out.contains("4 blades at 7 to 9 rpm"), "{out}");
+}
+
+#[test]
+fn a_number_of_blades_that_is_given_is_not_guessed() {
+    let folder = Folder::with_windio("no-blades");
+    let file = folder.path("turbine.yaml");
+    let guess = "no number_of_blades: taken as 3";
+    let campbell = ["campbell", &file, "--modes", "2", "--multiples", "1"];
+    assert!(said(&campbell)[1].contains(guess));
+    let given = [&campbell[..], &["--blades", "2"]].concat();
+    assert!(!said(&given)[1].contains(guess));
+}
+
+/// What was guessed of a rotor is said where it becomes a fact, and only there.
+#[test]
+fn conversions_say_how_the_rotor_was_found() {
+    let folder = Folder::with_deck("converted", &[]);
+    let deck = folder.path("ElastoDyn.dat");
+    let start = "RotSpeed = 17 rpm is taken as the only speed of operation";
+    for to in ["toml", "windio"] {
+        let [out, err] = said(&["convert", &deck, "--to", to]);
+        assert!(out.contains("17") && err.contains(start), "{to}: {err}");
+        // Blades are not handed on.
+        assert!(!err.contains("PreCone"), "{err}");
+    }
+    assert!(!said(&["convert", &deck, "--to", "elastodyn"])[1].contains(start));
+    let folder = Folder::with_windio("guessed");
+    let [_, err] = said(&["convert", &folder.path("turbine.yaml"), "--to", "toml"]);
+    for guess in [
+        "max_rotor_speed = 14 rpm is a limit",
+        "no number_of_blades: taken as 3",
+    ] {
+        assert!(err.contains(guess), "{guess}: {err}");
+    }
+}
+
+/// A simulation may begin at any speed: that matters for what the rotor excites, and for nothing else.
+#[test]
+fn a_slow_start_is_warned_of_with_the_excitations_alone() {
+    let folder = Folder::with_deck("slow", &[("17.0   RotSpeed", "1.5   RotSpeed")]);
+    let deck = folder.path("ElastoDyn.dat");
+    let slip = "the highest speed of the rotor is 1.5 rpm";
+    for command in [
+        &["solve", &deck, "--modes", "2"][..],
+        &["check", &deck],
+        &["convert", &deck, "--to", "toml"],
+        &["campbell", &deck, "--modes", "2", "--rpm", "9,17"],
+    ] {
+        let [_, err] = said(command);
+        assert!(!err.contains(slip), "{command:?}: {err}");
+    }
+    for command in [
+        &["campbell", &deck, "--modes", "2"][..],
+        &["plot", &deck, "--what", "campbell", "--modes", "2"],
+    ] {
+        let [_, err] = said(command);
+        assert!(err.contains(slip), "{command:?}: {err}");
+    }
+}

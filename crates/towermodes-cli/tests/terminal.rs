@@ -1,0 +1,175 @@
+//! What is seen on a terminal: what long work is at while it lasts, nothing of it afterwards; pictures as wide as the terminal.
+//!
+//! `script` (util-linux) gives the program a terminal; where there is none the tests say so and pass.
+
+use std::process::{Command, Output};
+
+const PROGRAM: &str = env!("CARGO_BIN_EXE_towermodes");
+const TOWER: &str = concat!(
+    env!("CARGO_MANIFEST_DIR"),
+    "/../../examples/reference-tower.toml"
+);
+
+/// All that a terminal was sent, or nothing where no terminal can be had.
+fn on_a_terminal(before: &str, arguments: &str) -> Option<String> {
+    let command = format!("{before}'{PROGRAM}' {arguments}");
+    // In the form of util-linux, which others do not understand.
+    let done = Command::new("script")
+        .args(["-qec", &command, "/dev/null"])
+        .env("TERM", "xterm")
+        .env_remove("NO_COLOR")
+        .output();
+    match done {
+        Ok(Output { status, stdout, .. }) if status.success() => String::from_utf8(stdout).ok(),
+        _ => {
+            eprintln!("skipped: no terminal by `script`");
+            None
+        }
+    }
+}
+
+fn piped(arguments: &str) -> Output {
+    let words = arguments.split(' ').map(|word| word.replace('\'', ""));
+    let done = Command::new(PROGRAM).args(words).output();
+    done.expect("the program runs")
+}
+
+/// The lines that stand on the screen when all is done.
+fn screen(sent: &str) -> Vec<String> {
+    let mut lines = vec![String::new()];
+    let mut column = 0;
+    let mut rest = sent.chars();
+    while let Some(c) = rest.next() {
+        let last = lines.last_mut().expect("there is always a line");
+        match c {
+            '\r' => column = 0,
+            '\n' => {
+                lines.push(String::new());
+                column = 0;
+            }
+            '\u{1b}' => {
+                let sequence = rest.by_ref().take_while_inclusive();
+                match sequence.as_str() {
+                    "[2K" => last.clear(),
+                    other => assert!(other.ends_with('m'), "not understood: {other:?}"),
+                }
+            }
+            c => {
+                let mut cells: Vec<char> = last.chars().collect();
+                cells.resize(cells.len().max(column + 1), ' ');
+                cells[column] = c;
+                *last = cells.into_iter().collect();
+                column += 1;
+            }
+        }
+    }
+    lines
+        .iter()
+        .map(|line| line.trim_end().to_owned())
+        .collect()
+}
+
+trait Sequence {
+    fn take_while_inclusive(&mut self) -> String;
+}
+
+impl<I: Iterator<Item = char>> Sequence for I {
+    /// A control sequence: all up to its letter.
+    fn take_while_inclusive(&mut self) -> String {
+        let mut sequence = String::new();
+        for c in self {
+            sequence.push(c);
+            if c.is_ascii_alphabetic() {
+                break;
+            }
+        }
+        sequence
+    }
+}
+
+fn lines(text: &[u8]) -> Vec<String> {
+    let text = String::from_utf8(text.to_vec()).expect("text");
+    let lines = text.split('\n').map(|line| line.trim_end().to_owned());
+    lines.collect()
+}
+
+#[test]
+fn a_long_solve_says_what_it_is_at_and_leaves_nothing() {
+    // As many as take long on this machine.
+    for segments in [50_000, 200_000, 800_000] {
+        let arguments = format!("solve '{TOWER}' --modes 4 --segments {segments}");
+        let Some(sent) = on_a_terminal("", &arguments) else {
+            return;
+        };
+        let done = piped(&arguments);
+        assert_eq!(screen(&sent), lines(&done.stdout));
+        assert_eq!(done.stderr, b"", "nothing on a pipe, however long it takes");
+        if sent.contains(&format!("looking for modes on {segments} segments")) {
+            assert!(sent.contains(" s\u{1b}") || sent.contains(" s "), "seconds");
+            return;
+        }
+    }
+    panic!("800 000 segments in half a second");
+}
+
+#[test]
+fn a_short_solve_says_nothing_but_its_result() {
+    let Some(sent) = on_a_terminal("", &format!("solve '{TOWER}' --segments 2 --modes 1")) else {
+        return;
+    };
+    assert!(!sent.contains("looking for"), "{sent}");
+}
+
+#[test]
+fn studies_have_a_bar() {
+    for segments in [
+        "1000,2000,4000,8000",
+        "10000,20000,40000,80000,160000",
+        "100000,200000,400000,800000,1000000",
+    ] {
+        let arguments = format!("converge '{TOWER}' --modes 4 --segments {segments}");
+        let Some(sent) = on_a_terminal("", &arguments) else {
+            return;
+        };
+        assert_eq!(screen(&sent), lines(&piped(&arguments).stdout));
+        let levels = segments.split(',').count();
+        if sent.contains(&format!("of {levels}, ")) {
+            return;
+        }
+    }
+    panic!("a study of 2 500 000 segments in half a second");
+}
+
+#[test]
+fn pictures_are_as_wide_as_the_terminal() {
+    for columns in [20, 30, 47, 80, 133] {
+        let arguments = format!("solve '{TOWER}' --modes 8 --plot");
+        let before = format!("stty rows 24 cols {columns}; ");
+        let Some(sent) = on_a_terminal(&before, &arguments) else {
+            return;
+        };
+        let screen = screen(&sent);
+        let drawn = screen.iter().filter(|line| line.contains(['│', '┤']));
+        let widths: Vec<usize> = drawn.map(|line| line.chars().count()).collect();
+        let widest = widths.iter().max().copied();
+        // An axis of 8 characters and one more, diagrams of 16 with two between them; five diagrams, for equal planes share one.
+        let diagrams = ((columns - 7) / 18).min(5);
+        let room = 7 + 18 * diagrams;
+        let is_there = columns >= 30;
+        assert_eq!(widest.is_some(), is_there, "{columns}");
+        assert!(
+            widest.is_none_or(|w| (room - 17..=room).contains(&w)),
+            "{columns}: {widest:?}"
+        );
+    }
+}
+
+#[test]
+fn no_png_is_sent_to_a_terminal() {
+    let arguments = format!("plot '{TOWER}' --what tower --png || true");
+    let Some(sent) = on_a_terminal("", &arguments) else {
+        return;
+    };
+    assert!(sent.contains("give --output picture.png"), "{sent}");
+    assert!(sent.len() < 1000);
+}
