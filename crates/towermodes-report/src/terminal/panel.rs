@@ -57,7 +57,7 @@ pub(super) fn side_by_side(panels: &[Panel], [low_m, high_m]: [f64; 2], width: u
 
 /// The lines of the axis on the left, all of one width: numbers at the top, in the middle and at the bottom.
 fn axis([low_m, high_m]: [f64; 2]) -> Vec<String> {
-    let step = 0.01 * (high_m - low_m);
+    let step = (0.01 * (high_m - low_m)).min(0.1);
     let label = |height_m: f64| number(height_m, step);
     let labels = [
         (0, label(high_m) + " m"),

@@ -97,7 +97,7 @@ fn beams() -> Vec<Row> {
                 "a Rayleigh beam",
                 "It also twists and stretches.",
                 "The base is clamped",
-                "of a slender tower a little, of one near buckling much.",
+                "by 5 % where it bears ten times its weights.",
                 "There is no rotor-nacelle assembly.",
                 "no soil along the tower, no water along the tower, no wires on the tower, no masses on the tower's axis",
             ],

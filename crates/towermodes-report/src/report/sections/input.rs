@@ -1,5 +1,6 @@
 //! The input, drawn and in tables.
 
+use towermodes::rotor::Rpm;
 use towermodes::{Inertia, Rna, Rotor, TowerDescription};
 
 use super::super::content::ReportContent;
@@ -69,9 +70,9 @@ fn overview(content: &ReportContent) -> Table {
 
 /// "6.9 to 12.1", or the only one.
 pub(super) fn speeds(rotor: &Rotor) -> String {
-    let (lowest, highest) = (given(rotor.lowest_rpm), given(rotor.highest_rpm));
-    if lowest == highest {
-        lowest
+    let (lowest, highest) = (Rpm(rotor.lowest_rpm), Rpm(rotor.highest_rpm));
+    if rotor.lowest_rpm == rotor.highest_rpm {
+        lowest.to_string()
     } else {
         format!("{lowest} to {highest}")
     }

@@ -27,10 +27,14 @@ pub(super) fn blocks(content: &ReportContent) -> Vec<Block> {
         table(of_methods(content, comparison)),
         table(differences(comparison)),
     ];
-    if !comparison.warnings.is_empty() {
-        let warnings = comparison.warnings.iter();
+    // What is said of the input is said with the input.
+    let of_input = content.tower.warnings();
+    let warnings = comparison.warnings.iter();
+    let warnings = warnings.filter(|warning| !of_input.contains(warning));
+    let warnings: Vec<String> = warnings.map(ToString::to_string).collect();
+    if !warnings.is_empty() {
         blocks.push(paragraph("What the spectral beam warns of:"));
-        blocks.push(Block::List(warnings.map(ToString::to_string).collect()));
+        blocks.push(Block::List(warnings));
     }
     blocks
 }

@@ -14,7 +14,7 @@ pub(super) fn blocks(content: &ReportContent) -> Vec<Block> {
         blocks.push(Block::List(content.notes.clone()));
     }
     if !warnings.is_empty() {
-        blocks.push(paragraph("What is possible but looks like a slip:"));
+        blocks.push(paragraph("What looks like a slip, or limits the results:"));
         let warnings = warnings.iter();
         blocks.push(Block::List(warnings.map(ToString::to_string).collect()));
     }

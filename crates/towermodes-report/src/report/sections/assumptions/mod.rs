@@ -82,7 +82,9 @@ fn gravity(content: &ReportContent) -> String {
                 .to_owned()
         }
         (true, false) if base.is_clamped() => {
-            "Weights are left out of the stiffness: g is 0. They would lower the first bending frequencies: of a slender tower a little, of one near buckling much.".to_owned()
+            "Weights are left out of the stiffness: g is 0. They would lower the first bending frequencies, roughly by half the ratio of the \
+             weights to those under which the tower buckles: by 5 % where it bears ten times its weights."
+                .to_owned()
         }
         (true, false) => {
             "Weights are left out of the stiffness: g is 0. They would lower the first bending frequencies, the more the softer the base."
