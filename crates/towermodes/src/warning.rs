@@ -180,6 +180,25 @@ pub enum Warning {
         /// Linear pieces of the tower.
         pieces: usize,
     },
+    /// Elements that are cut elsewhere than at a steep ramp.
+    #[error(
+        "the tower changes by {:.0} % within {} m at z = {} m, where BModes' elements are {} m long and no border is: the errors given may be \
+         far too small; give the deck a border there, or use another method",
+        100.0 * .change,
+        significant(*.ramp_m),
+        significant(*.height_m),
+        significant(*.element_m)
+    )]
+    RampUnseen {
+        /// The middle of the ramp, m.
+        height_m: f64,
+        /// The length of the ramp, m.
+        ramp_m: f64,
+        /// The length of the element over it, m.
+        element_m: f64,
+        /// How much mass or stiffness differ over it, as a share of the larger.
+        change: f64,
+    },
     /// Modes that the segments do not resolve.
     #[error(
         "{} not resolved (error up to {:.0} %); use more segments, or a higher degree",

@@ -281,6 +281,48 @@ fn bmodes_sees_every_piece_or_says_so() {
     assert_close(seen.modes[0].extrapolated_hz, truth, 1e-5, "extrapolated");
 }
 
+/// A wall that falls from 36 to 24 mm, and the mass and stiffness with it by a third, within a millimetre at 50 m.
+#[test]
+fn bmodes_says_where_its_elements_are_cut_beside_a_ramp() {
+    let with_ramp = |ramp_m: f64| {
+        let mut description = reference();
+        let station = |height_m, wall| towermodes::Station::new(height_m, 5.0, wall);
+        description.stations = vec![
+            station(0.0, 0.036),
+            station(50.0, 0.036),
+            station(50.0 + ramp_m, 0.024),
+            station(87.6, 0.024),
+        ];
+        description
+    };
+    let ramp = |ramp_m: f64, method, segments| {
+        let options = Options {
+            method,
+            segments: Some(segments),
+            modes: 2,
+            ..Options::default()
+        };
+        let warnings = solved(&with_ramp(ramp_m), &options).warnings;
+        warnings.into_iter().find_map(|warning| match warning {
+            Warning::RampUnseen {
+                ramp_m,
+                element_m,
+                change,
+                ..
+            } => Some([ramp_m, element_m, change]),
+            _ => None,
+        })
+    };
+    let [found_m, element_m, change] = ramp(1e-3, Method::Bmodes, 60).expect("a ramp");
+    assert!((found_m - 1e-3).abs() < 1e-12 && (element_m - 1.46).abs() < 1e-12);
+    // Of thin tubes of one diameter mass and stiffness are nearly in proportion to the wall: 1 - 24/36.
+    assert!((change - 1.0 / 3.0).abs() < 5e-3, "{change}");
+    // A real step is a border, a long ramp is followed, and the others have borders at every station.
+    assert_eq!(ramp(0.0, Method::Bmodes, 60), None);
+    assert_eq!(ramp(1.0, Method::Bmodes, 60), None);
+    assert_eq!(ramp(1e-3, Method::RmjeExact, 60), None);
+}
+
 #[test]
 fn a_table_whose_shear_stiffness_grows_a_millionfold() {
     // What is linear is the stiffness, not the flexibility: cut by the wrong one, elements would never be gradual.

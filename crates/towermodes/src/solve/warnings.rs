@@ -4,11 +4,17 @@ use super::Described;
 use super::options::Options;
 use super::solution::{Certificate, Mode};
 use crate::elements::Mesh;
-use crate::tower::Tower;
+use crate::tower::{Piece, Tower};
 use crate::{Method, Warning};
 
 /// An estimate above this share of the frequency says that the mode is not resolved.
 const RESOLVED: f64 = 0.02;
+
+/// A piece below this share of the element over it is a ramp that the element cannot follow.
+const STEEP: f64 = 0.25;
+
+/// A change below this share over a ramp matters little.
+const SLIGHT: f64 = 0.05;
 
 /// The warnings of the input and of its modes.
 pub(super) fn warnings(
@@ -30,6 +36,9 @@ pub(super) fn warnings(
     let (elements, pieces) = (mesh.segments(), tower.pieces().len());
     if elements < options.fewest_seeing(tower) {
         warnings.push(Warning::PiecesUnseen { elements, pieces });
+    }
+    if options.method == Method::Bmodes {
+        warnings.extend(ramp_unseen(tower, mesh));
     }
     // The spectral beam takes more elements when it needs them.
     let asked = options
@@ -95,6 +104,46 @@ fn soil_unresolved(tower: &Tower, mesh: &Mesh, degree: Option<usize>) -> Option<
         penetration_m,
         segment_m,
     })
+}
+
+/// Says that an element of BModes, which has the section at its middle, reaches over a ramp much shorter than itself. Where the ramp lies in
+/// the element then decides the error, and meshes that cut it alike agree by chance. The steepest is told.
+fn ramp_unseen(tower: &Tower, mesh: &Mesh) -> Option<Warning> {
+    let borders_m = mesh.borders_m();
+    let ramps = tower.pieces().iter().filter_map(|piece| {
+        let middle_m = piece.base_m + 0.5 * piece.length_m();
+        let above = borders_m.partition_point(|border| *border <= middle_m);
+        let (lower_m, upper_m) = (
+            *borders_m.get(above.checked_sub(1)?)?,
+            *borders_m.get(above)?,
+        );
+        let element_m = upper_m - lower_m;
+        let is_short = piece.length_m() < STEEP * element_m;
+        let is_cut_there = lower_m >= piece.base_m || upper_m <= piece.base_m + piece.length_m();
+        let change = change_over(piece);
+        let is_unseen = is_short && !is_cut_there && change > SLIGHT;
+        is_unseen.then_some((middle_m, piece.length_m(), element_m, change))
+    });
+    let (height_m, ramp_m, element_m, change) = ramps.max_by(|a, b| a.3.total_cmp(&b.3))?;
+    Some(Warning::RampUnseen {
+        height_m,
+        ramp_m,
+        element_m,
+        change,
+    })
+}
+
+/// By how much mass and stiffness at the ends of a piece differ, as a share of the larger.
+fn change_over(piece: &Piece) -> f64 {
+    let ends = [piece.base_m, piece.base_m + piece.length_m()];
+    let [low, high] = ends.map(|height_m| piece.section_at(height_m));
+    let pairs = [
+        [low.masses.mass_kg_per_m, high.masses.mass_kg_per_m],
+        [low.bending_n_m2.fore_aft, high.bending_n_m2.fore_aft],
+        [low.bending_n_m2.side_side, high.bending_n_m2.side_side],
+    ];
+    let changes = pairs.map(|[a, b]| (a - b).abs() / a.abs().max(b.abs()));
+    changes.into_iter().fold(0.0, f64::max)
 }
 
 fn unresolved(modes: &[Mode]) -> Option<Warning> {
