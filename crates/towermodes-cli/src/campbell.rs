@@ -24,11 +24,7 @@ pub(crate) fn run(arguments: &CampbellArguments) -> Result<(), Failure> {
     let tower = input.tower().map_err(Failure::Input)?;
     // Said before a long solve.
     rotor_of(&input, &arguments.rotor)?;
-    let prescribed = Prescribed {
-        method: input.method,
-        modes: input.modes,
-        borders_m: input.borders_m.take(),
-    };
+    let prescribed = Prescribed::of(&mut input);
     let mut options = arguments.options(prescribed).map_err(Failure::Usage)?;
     let is_given = arguments.has_modes();
     let solution = solve_to_reach(&input, &tower, &arguments.rotor, &mut options, is_given)?;
@@ -240,11 +236,7 @@ mod tests {
         };
         let mut input = tower_input(&arguments.input).expect("a tower");
         let tower = input.tower().expect("a tower");
-        let prescribed = Prescribed {
-            method: input.method,
-            modes: input.modes,
-            borders_m: None,
-        };
+        let prescribed = Prescribed::of(&mut input);
         let options = arguments.options(prescribed).expect("options");
         let solution = solve(&tower, &options).expect("modes");
         let mut of_blade = |blade: Option<BladeDescription>| {

@@ -93,11 +93,7 @@ fn drawn(
 }
 
 fn options(input: &mut TowerInput, arguments: &PlotArguments) -> Result<Options, Failure> {
-    let prescribed = Prescribed {
-        method: input.method,
-        modes: input.modes,
-        borders_m: input.borders_m.take(),
-    };
+    let prescribed = Prescribed::of(input);
     arguments.options(prescribed).map_err(Failure::Usage)
 }
 

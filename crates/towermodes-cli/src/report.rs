@@ -5,7 +5,7 @@ use std::path::Path;
 
 use sha2::{Digest, Sha256};
 use towermodes::Planes;
-use towermodes::rotor::{Campbell, CampbellError};
+use towermodes::rotor::Campbell;
 use towermodes::{Solution, Tower};
 use towermodes_files::elastodyn::{MakeOptions, make_tower_file};
 use towermodes_files::{FileFormat, Note, Source, TowerInput, encoded_as};
@@ -43,11 +43,7 @@ fn content(
     tower: Tower,
     arguments: &ReportArguments,
 ) -> Result<ReportContent, Failure> {
-    let prescribed = Prescribed {
-        method: input.method,
-        modes: input.modes,
-        borders_m: input.borders_m.take(),
-    };
+    let prescribed = Prescribed::of(input);
     let mut options = arguments.options(prescribed).map_err(Failure::Usage)?;
     let is_given = arguments.has_modes();
     let solution = solve_to_reach(input, &tower, &arguments.rotor, &mut options, is_given)?;
@@ -61,7 +57,7 @@ fn content(
         comparison: all_methods(&tower, &options, arguments.segments),
         elastodyn: elastodyn(&tower, shapes_from_m),
         shapes_from_m,
-        campbell,
+        campbell: campbell.map(Ok),
         tower,
         options,
         solution,
@@ -92,22 +88,19 @@ fn elastodyn(tower: &Tower, from_m: f64) -> Result<ElastoDynShapes, String> {
     })
 }
 
-/// The margins, why a blade leaves none, or nothing where nobody says how fast a rotor runs.
+/// The margins, or nothing where nobody says how fast a rotor runs.
 fn resonance(
     input: &mut TowerInput,
     tower: &Tower,
     solution: &Solution,
     arguments: &ReportArguments,
-) -> Result<Option<Result<Campbell, CampbellError>>, Failure> {
+) -> Result<Option<Campbell>, Failure> {
     match campbell_of(input, tower, solution, &arguments.rotor) {
         Ok((campbell, notes)) => {
             input.notes.extend(notes);
-            Ok(Some(Ok(campbell)))
+            Ok(Some(campbell))
         }
         Err(Failure::NoRotor { .. }) if !arguments.rotor.is_given() => Ok(None),
-        Err(Failure::Campbell(
-            error @ (CampbellError::Blade { .. } | CampbellError::NoBlade(_)),
-        )) => Ok(Some(Err(error))),
         Err(failure) => Err(failure),
     }
 }

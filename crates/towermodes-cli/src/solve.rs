@@ -33,11 +33,7 @@ fn of_tower(mut input: TowerInput, arguments: &SolveArguments) -> Result<Vec<u8>
     check_not_inputs(input.files(), arguments.output())?;
     let checked = arguments.input.reading.check(&[input.format]);
     checked.map_err(Failure::Usage)?;
-    let prescribed = Prescribed {
-        method: input.method,
-        modes: input.modes,
-        borders_m: input.borders_m.take(),
-    };
+    let prescribed = Prescribed::of(&mut input);
     let borders_m = prescribed.borders_m.clone();
     let mut options = arguments.options(prescribed).map_err(Failure::Usage)?;
     let tower = input.tower().map_err(Failure::Input)?;

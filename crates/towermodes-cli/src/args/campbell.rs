@@ -6,8 +6,8 @@ use towermodes::{MAX_SEGMENTS, Method, Options};
 use super::input::InputArguments;
 use super::model::ModelArguments;
 use super::parsers::{method_parser, number_parser};
+use super::prescribed::Prescribed;
 use super::rotor::RotorArguments;
-use super::solve::Prescribed;
 use super::{Destination, Format};
 
 const EXAMPLES: &str = "Examples:
@@ -55,16 +55,9 @@ impl CampbellArguments {
     /// # Errors
     /// What is wrong if an option means nothing to the method.
     pub(crate) fn options(&self, prescribed: Prescribed) -> Result<Options, &'static str> {
-        let method = self.method.or(prescribed.method).unwrap_or_default();
-        self.model.check(method)?;
-        let own_elements = method == Method::Bmodes && self.segments.is_none();
-        let options = self.model.options();
-        let modes = self.model.modes.or(prescribed.modes);
+        let options = prescribed.options(self.method, self.segments, &self.model)?;
+        // Nobody sees a shape.
         Ok(Options {
-            method,
-            segments: self.segments,
-            borders_m: prescribed.borders_m.filter(|_| own_elements),
-            modes: modes.unwrap_or(options.modes),
             points: 2,
             ..options
         })

@@ -10,6 +10,7 @@ mod input;
 mod model;
 mod parsers;
 mod plot;
+mod prescribed;
 mod report;
 mod rotor;
 mod solve;
@@ -26,9 +27,10 @@ pub(crate) use elastodyn::{
 };
 pub(crate) use input::{InputArguments, ReadingArguments};
 pub(crate) use plot::{PictureFormat, PlotArguments, What};
+pub(crate) use prescribed::Prescribed;
 pub(crate) use report::{PageFormat, ReportArguments};
 pub(crate) use rotor::{ChosenRotor, RotorArguments};
-pub(crate) use solve::{Prescribed, SolveArguments, SolveFormat};
+pub(crate) use solve::{SolveArguments, SolveFormat};
 pub(crate) use verify::{VerifyArguments, VerifyFormat};
 
 use std::path::{Path, PathBuf};

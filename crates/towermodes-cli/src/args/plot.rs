@@ -3,15 +3,15 @@
 use std::path::{Path, PathBuf};
 
 use clap::{Args, ValueEnum};
-use towermodes::{DEFAULT_POINTS, MAX_SEGMENTS, Method, Options};
+use towermodes::{MAX_SEGMENTS, Method, Options};
 use towermodes_report::svg::{Look, Theme};
 
 use super::file_of;
 use super::input::InputArguments;
 use super::model::ModelArguments;
 use super::parsers::{method_parser, number_parser, scale_parser};
+use super::prescribed::Prescribed;
 use super::rotor::RotorArguments;
-use super::solve::Prescribed;
 
 const EXAMPLES: &str = "Examples:
   towermodes plot tower.toml --output shapes.svg
@@ -176,22 +176,7 @@ impl PlotArguments {
     /// # Errors
     /// What is wrong if an option means nothing to the method.
     pub(crate) fn options(&self, prescribed: Prescribed) -> Result<Options, &'static str> {
-        let method = self.method.or(prescribed.method).unwrap_or_default();
-        self.model.check(method)?;
-        let own_elements = method == Method::Bmodes && self.segments.is_empty();
-        let options = self.model.options();
-        Ok(Options {
-            method,
-            segments: self.segments.first().copied(),
-            borders_m: prescribed.borders_m.filter(|_| own_elements),
-            modes: self
-                .model
-                .modes
-                .or(prescribed.modes)
-                .unwrap_or(options.modes),
-            points: DEFAULT_POINTS,
-            ..options
-        })
+        prescribed.options(self.method, self.segments.first().copied(), &self.model)
     }
 
     /// What convergence, or the comparison of methods, is asked for.

@@ -3,14 +3,14 @@
 use std::path::{Path, PathBuf};
 
 use clap::{Args, ValueEnum};
-use towermodes::{DEFAULT_POINTS, MAX_SEGMENTS, Method, Options};
+use towermodes::{MAX_SEGMENTS, Method, Options};
 
 use super::file_of;
 use super::input::InputArguments;
 use super::model::ModelArguments;
 use super::parsers::{method_parser, number_parser};
+use super::prescribed::Prescribed;
 use super::rotor::RotorArguments;
-use super::solve::Prescribed;
 
 const EXAMPLES: &str = "Examples:
   towermodes report examples/nrel-5mw.toml --output report.html
@@ -92,22 +92,7 @@ impl ReportArguments {
     /// # Errors
     /// What is wrong if an option means nothing to the method.
     pub(crate) fn options(&self, prescribed: Prescribed) -> Result<Options, &'static str> {
-        let method = self.method.or(prescribed.method).unwrap_or_default();
-        self.model.check(method)?;
-        let own_elements = method == Method::Bmodes && self.segments.is_none();
-        let options = self.model.options();
-        Ok(Options {
-            method,
-            segments: self.segments,
-            borders_m: prescribed.borders_m.filter(|_| own_elements),
-            modes: self
-                .model
-                .modes
-                .or(prescribed.modes)
-                .unwrap_or(options.modes),
-            points: DEFAULT_POINTS,
-            ..options
-        })
+        prescribed.options(self.method, self.segments, &self.model)
     }
 
     /// Whether the number of modes is given.

@@ -9,6 +9,7 @@ use super::file_of;
 use super::input::InputArguments;
 use super::model::ModelArguments;
 use super::parsers::{method_parser, number_parser};
+use super::prescribed::Prescribed;
 
 macro_rules! examples {
     () => {
@@ -82,17 +83,6 @@ pub(crate) enum SolveFormat {
     Bmodes,
 }
 
-/// What a file prescribes for its solution.
-#[derive(Debug, Clone, Default)]
-pub(crate) struct Prescribed {
-    /// The method it is made for.
-    pub(crate) method: Option<Method>,
-    /// How many modes it asks for.
-    pub(crate) modes: Option<usize>,
-    /// The borders of its finite elements, m.
-    pub(crate) borders_m: Option<Vec<f64>>,
-}
-
 impl SolveArguments {
     /// The file the result goes to, if not to standard output.
     pub(crate) fn output(&self) -> Option<&Path> {
@@ -140,23 +130,12 @@ impl SolveArguments {
     /// # Errors
     /// What is wrong if an option means nothing to the method.
     pub(crate) fn options(&self, prescribed: Prescribed) -> Result<Options, &'static str> {
-        let method = self.method.or(prescribed.method).unwrap_or_default();
-        self.model.check(method)?;
-        if self.degree.is_some() && method != Method::Spectral {
+        let options = prescribed.options(self.method, self.segments, &self.model)?;
+        if self.degree.is_some() && options.method != Method::Spectral {
             return Err("--degree is for --method spectral; the others have --segments");
         }
-        let own_elements = method == Method::Bmodes && self.segments.is_none();
-        let options = self.model.options();
         Ok(Options {
-            method,
-            segments: self.segments,
-            borders_m: prescribed.borders_m.filter(|_| own_elements),
             degree: self.degree,
-            modes: self
-                .model
-                .modes
-                .or(prescribed.modes)
-                .unwrap_or(options.modes),
             // Only the JSON and the pictures have shapes.
             points: match (self.format, self.plot) {
                 (SolveFormat::Json, _) => self.points,

@@ -1,6 +1,6 @@
 //! Numbers with their units, as labels say them.
 
-use crate::svg::number;
+use crate::svg::{number, superscript};
 
 const MINUS: &str = "\u{2212}";
 
@@ -16,22 +16,7 @@ pub(super) fn significant(value: f64, digits: usize) -> String {
     }
     let text = format!("{value:.precision$e}", precision = digits - 1);
     let (mantissa, exponent) = text.split_once('e').unwrap_or((&text, "0"));
-    let exponent: f64 = exponent.parse().unwrap_or(0.0);
-    let power = power(exponent);
-    format!("{}\u{b7}{power}", trimmed(mantissa))
-}
-
-fn power(exponent: f64) -> String {
-    let digit = |c: char| match c {
-        '-' => '\u{207b}',
-        '1' => '\u{b9}',
-        '2' => '\u{b2}',
-        '3' => '\u{b3}',
-        '0' | '4'..='9' => char::from_u32(0x2070 + (c as u32 - '0' as u32)).unwrap_or(c),
-        c => c,
-    };
-    let raised: String = format!("{exponent:.0}").chars().map(digit).collect();
-    format!("10{raised}")
+    format!("{}\u{b7}10{}", trimmed(mantissa), superscript(exponent))
 }
 
 /// A number with at most so many decimals; without zeros at its end.

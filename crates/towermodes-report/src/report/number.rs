@@ -1,5 +1,7 @@
 //! Numbers as a report writes them.
 
+use crate::svg::superscript;
+
 /// Frequencies are shown with at least this many decimals, and at most with those a number holds.
 const DECIMALS: std::ops::RangeInclusive<i32> = 4..=11;
 
@@ -49,19 +51,7 @@ fn with_power(text: &str) -> String {
     let Some((mantissa, exponent)) = text.split_once('e') else {
         return text.to_owned();
     };
-    let raised: String = exponent.chars().map(superscript).collect();
-    format!("{mantissa}\u{b7}10{raised}")
-}
-
-fn superscript(c: char) -> char {
-    match c {
-        '-' => '\u{207b}',
-        '1' => '\u{b9}',
-        '2' => '\u{b2}',
-        '3' => '\u{b3}',
-        '0' | '4'..='9' => char::from_u32(0x2070 + (c as u32 - '0' as u32)).unwrap_or(c),
-        c => c,
-    }
+    format!("{mantissa}\u{b7}10{}", superscript(exponent))
 }
 
 /// A frequency with as many decimals as show two digits of its error, Hz.

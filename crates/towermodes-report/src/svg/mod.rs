@@ -11,5 +11,5 @@ pub use axes::{Axes, Frame, spread};
 pub use colour::{Colour, Theme, contrast, stylesheet};
 pub use drawing::{Anchor, Dash, Drawing, LabelBox, Marker, Stroke, TextStyle};
 pub use figure::{DataTable, Figure, Look};
-pub use scale::{Scale, number, power_of_ten};
+pub use scale::{Scale, number, power_of_ten, superscript};
 pub use text::{LINE_HEIGHT, text_width};

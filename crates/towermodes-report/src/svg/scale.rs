@@ -111,7 +111,7 @@ pub(super) fn plain(value: f64, step: f64) -> String {
 pub fn power_of_ten(value: f64) -> String {
     let exponent = (value.abs().log10() + 1e-9).floor();
     let mantissa = value / 10.0_f64.powf(exponent);
-    let digits: String = format!("{exponent:.0}").chars().map(superscript).collect();
+    let digits = superscript(&format!("{exponent:.0}"));
     if (mantissa - 1.0).abs() < 1e-6 {
         return format!("10{digits}");
     }
@@ -123,15 +123,17 @@ pub fn power_of_ten(value: f64) -> String {
     format!("{text}\u{b7}10{digits}")
 }
 
-fn superscript(c: char) -> char {
-    match c {
+/// An exponent raised: "-12" as "⁻¹²".
+pub fn superscript(exponent: &str) -> String {
+    let raised = exponent.chars().map(|c| match c {
         '-' => '\u{207b}',
         '1' => '\u{b9}',
         '2' => '\u{b2}',
         '3' => '\u{b3}',
         '0' | '4'..='9' => char::from_u32(0x2070 + (c as u32 - '0' as u32)).unwrap_or(c),
         c => c,
-    }
+    });
+    raised.collect()
 }
 
 #[cfg(test)]
