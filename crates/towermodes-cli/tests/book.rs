@@ -1,7 +1,7 @@
 //! Whether what the book says is so: its links, its commands, its files.
 
-mod pages;
-mod sandbox;
+use crate::pages;
+use crate::sandbox;
 
 use std::collections::BTreeSet;
 use std::fs;

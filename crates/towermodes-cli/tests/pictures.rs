@@ -1,6 +1,6 @@
 //! The pictures of the book are those that the program draws; `TRYCMD=overwrite` draws them anew.
 
-mod pages;
+use crate::pages;
 
 use std::collections::BTreeSet;
 use std::fs;

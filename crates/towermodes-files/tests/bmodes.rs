@@ -1,6 +1,6 @@
 //! What decks of BModes become: small ones of our own, and those of other people where they are at hand.
 
-mod decks;
+use crate::decks;
 
 use std::path::{Path, PathBuf};
 

@@ -1,6 +1,6 @@
 //! Bad decks of BModes: each is refused at its line. BModes 3.00 takes half of them, and hangs on some.
 
-mod decks;
+use crate::decks;
 
 use decks::{
     ALONE, BLADE_SECTIONS, OFFSHORE, SECTIONS, TOWER, WIRES, blade_file, mistakes, read, refused,

@@ -1,6 +1,6 @@
 //! Decks of BModes with random damage: refused or read, but never a panic, and what is refused is refused within its file.
 
-mod decks;
+use crate::decks;
 
 use decks::{ALONE, BLADE_SECTIONS, OFFSHORE, SECTIONS, WIRES, blade_file, read, tower_file, with};
 use proptest::prelude::*;

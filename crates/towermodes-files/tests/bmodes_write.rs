@@ -1,6 +1,6 @@
 //! Decks of BModes: every record in its place, and the tower in them.
 
-mod written_decks;
+use crate::written_decks;
 
 use std::f64::consts::PI;
 

@@ -1,6 +1,6 @@
 //! What holds and surrounds a tower, in decks of BModes.
 
-mod written_decks;
+use crate::written_decks;
 
 use std::f64::consts::PI;
 

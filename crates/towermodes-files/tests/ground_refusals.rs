@@ -1,6 +1,6 @@
 //! Mistakes in what holds and surrounds a tower: their line and column, what is wrong and what would be right.
 
-mod refused;
+use crate::refused;
 
 use refused::refused_text;
 use towermodes_files::tower_from_toml;

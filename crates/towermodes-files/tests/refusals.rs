@@ -1,6 +1,6 @@
 //! Every mistake is answered with its line and column, what is wrong and what would be right.
 
-mod refused;
+use crate::refused;
 
 use refused::refused_text;
 use towermodes_files::tower_from_toml;

@@ -1,6 +1,6 @@
 //! Towers of windIO files: both versions, walls and tables, monopiles, assemblies, and what is said of mistakes.
 
-mod windio_files;
+use crate::windio_files;
 
 use towermodes::{
     Inertia, Material, Options, PointMass, Properties, PropertyStation, Rna, Rotor, Station, Tower,

@@ -1,6 +1,6 @@
 //! Whatever the tower, no text leaves the sheet or meets another.
 
-mod pictures;
+use crate::pictures;
 
 use pictures::{check, steel};
 use proptest::prelude::*;

@@ -1,6 +1,6 @@
 //! Diagrams of resonance, convergence and methods: every label inside and beside the others, what is drawn where, and nothing that breaks them.
 
-mod pictures;
+use crate::pictures;
 
 use pictures::{check, check_labels, input};
 use towermodes::rotor::{

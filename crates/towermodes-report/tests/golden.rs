@@ -1,8 +1,8 @@
 //! The pictures of the examples, number by number.
 //!
-//! `TOWERMODES_BLESS=1 cargo test -p towermodes-report --test golden` writes them anew; then look at each.
+//! `TOWERMODES_BLESS=1 cargo test -p towermodes-report --test all golden` writes them anew; then look at each.
 
-mod pictures;
+use crate::pictures;
 
 use std::fs;
 use std::path::Path;

@@ -1,6 +1,6 @@
 //! Pictures of what holds and surrounds a tower, beyond what the examples have.
 
-mod pictures;
+use crate::pictures;
 
 use pictures::{look, plain, steel};
 use towermodes::{

@@ -1,6 +1,6 @@
 //! Pictures of towers that are unlike any example: large, small, with many stations, masses and modes.
 
-mod pictures;
+use crate::pictures;
 
 use pictures::{EXAMPLES, check, example, keep, look, plain, steel};
 use towermodes::{

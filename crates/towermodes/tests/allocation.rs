@@ -1,6 +1,6 @@
 //! A second solve in the same memory allocates nothing in the iteration.
 
-mod towers;
+use crate::towers;
 
 use towermodes::Tower;
 use towermodes::beam::{BeamRecipe, BeamWorkspace, Beams, assemble_beams};

@@ -2,7 +2,7 @@
 //!
 //! And chains under a weight on top alone, which no tower is.
 
-mod towers;
+use crate::towers;
 
 use towermodes::chain::{Chain, ChainWork};
 use towermodes::eigen::{EigenWorkspace, lowest};

@@ -1,7 +1,7 @@
 //! Chains of flexible elements: the O(n) algorithms against dense matrices, the degree, fine meshes, planes that differ.
 
-mod pencils;
-mod towers;
+use crate::pencils;
+use crate::towers;
 
 use pencils::{check_counts, check_solve, dense_eigenvalues};
 use towermodes::beam::{BeamRecipe, BeamWorkspace, Beams, assemble_beams};

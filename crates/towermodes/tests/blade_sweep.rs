@@ -1,6 +1,6 @@
 //! A blade followed over the speeds of its rotor: published frequencies, names where lines cross and veer, what is refused.
 
-mod towers;
+use crate::towers;
 
 use std::f64::consts::{PI, TAU};
 

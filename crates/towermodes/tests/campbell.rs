@@ -1,6 +1,6 @@
 //! Margins, verdicts and classes of a tower against calculations by hand.
 
-mod towers;
+use crate::towers;
 
 use towermodes::rotor::{
     Campbell, CampbellError, CampbellOptions, DEFAULT_MARGIN, Excited, Margin, StiffnessClass,

@@ -1,6 +1,6 @@
 //! Observed orders of convergence and honesty of the error estimates.
 
-mod towers;
+use crate::towers;
 
 use towermodes::{Family, Method, Options, Shear, Station, TowerDescription};
 use towers::{assert_close, frequencies, reference, reference_350t, rich, solved};

@@ -1,7 +1,7 @@
 //! The O(n) algorithms against dense matrices.
 
-mod pencils;
-mod towers;
+use crate::pencils;
+use crate::towers;
 
 use nalgebra::{DMatrix, DVector, SymmetricEigen, Vector3};
 use pencils::{check_counts, check_solve, dense_eigenvalues};

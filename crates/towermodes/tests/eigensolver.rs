@@ -1,6 +1,6 @@
 //! The eigensolver on pencils made to be hard: repeated and nearly repeated eigenvalues, start vectors that miss modes, indefinite K.
 
-mod towers;
+use crate::towers;
 
 use towermodes::EigenError;
 use towermodes::eigen::{EigenWorkspace, Pencil, lowest};

@@ -1,6 +1,6 @@
 //! The rows of ElastoDyn's tower files: a tower's mass and stiffness, linear between them.
 
-mod elastodyn_towers;
+use crate::elastodyn_towers;
 
 use std::f64::consts::PI;
 

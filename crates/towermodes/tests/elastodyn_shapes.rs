@@ -1,6 +1,6 @@
 //! The rows and shapes of ElastoDyn's tower files, and how shapes are judged.
 
-mod elastodyn_towers;
+use crate::elastodyn_towers;
 
 use std::f64::consts::TAU;
 

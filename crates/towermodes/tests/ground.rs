@@ -1,6 +1,6 @@
 //! What a tower stands on and in: limits, sums, formulas, and what more of anything does.
 
-mod towers;
+use crate::towers;
 
 use towermodes::{
     Foundation, FoundationSprings, HalfSpace, Material, Method, Options, PointMass, Rna, Shear,

@@ -1,6 +1,6 @@
 //! Results depend on the tower and the segments alone: not on how many modes are asked for, nor on what was solved before.
 
-mod towers;
+use crate::towers;
 
 use towermodes::{
     Family, Inertia, Material, Method, Options, PointMass, Rna, Shear, Solution, SolveError,

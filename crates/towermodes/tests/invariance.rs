@@ -1,6 +1,6 @@
 //! Laws that hold for every tower.
 
-mod towers;
+use crate::towers;
 
 use proptest::prelude::*;
 use towermodes::{

@@ -1,6 +1,6 @@
 //! Every method beside the others: observed orders, honest estimates, complete pairs, one limit. Their digits are in the manual.
 
-mod towers;
+use crate::towers;
 
 use towermodes::{Family, Method, Options, TowerDescription};
 use towers::{Uniform, assert_close, frequencies, reference, reference_350t, solved};

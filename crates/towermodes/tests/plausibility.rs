@@ -1,6 +1,6 @@
 //! What is possible but looks like a slip is said, and what is usual is not.
 
-mod towers;
+use crate::towers;
 
 use towermodes::{
     Inertia, Material, Method, Options, PointMass, Rna, Rotor, Station, Tower, TowerDescription,

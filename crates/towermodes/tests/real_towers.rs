@@ -1,6 +1,6 @@
 //! Towers whose motions are coupled: what turning, mirroring and asking differently must leave as it is.
 
-mod towers;
+use crate::towers;
 
 use towermodes::space::{SpatialMatrix, times};
 use towermodes::{

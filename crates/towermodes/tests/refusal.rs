@@ -1,6 +1,6 @@
 //! Every description that no tower can have is refused with its place and numbers.
 
-mod towers;
+use crate::towers;
 
 use towermodes::{
     Inertia, Place, PointMass, Problem, Rna, Shear, Station, Tower, TowerDescription, TowerError,

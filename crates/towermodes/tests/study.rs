@@ -1,6 +1,6 @@
 //! Methods side by side, and as they converge.
 
-mod towers;
+use crate::towers;
 
 use towermodes::study::{ColumnSpec, Fineness, compare, converge};
 use towermodes::{Family, Method, Options, Shear, SolveError, Tower, TowerDescription};

@@ -1,7 +1,7 @@
 //! Towers as other programs describe them: added mass in tables, elements where they say, no twist or stretch, foundations rigid in some
 //! directions.
 
-mod towers;
+use crate::towers;
 
 use towermodes::{
     AddedMassRow, Family, FloatingPlatform, Foundation, FoundationSprings, Method, Options, Planes,

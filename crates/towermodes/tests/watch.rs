@@ -1,6 +1,6 @@
 //! Who watches a solve is told every stage and every product, and changes nothing.
 
-mod towers;
+use crate::towers;
 
 use std::sync::{Arc, Mutex};
 

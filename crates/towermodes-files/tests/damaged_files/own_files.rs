@@ -3,11 +3,11 @@
 use proptest::prelude::*;
 use towermodes_files::{InMemory, ReadOptions, Source, TowerPart};
 
-use crate::damage::any_damages;
+use crate::damaged_files::damage::any_damages;
 use crate::decks::{BLADE_SECTIONS, OFFSHORE, SECTIONS, WIRES, blade_file, tower_file};
-use crate::texts::{BLADE, MASSES, TOWER, main_text};
+use crate::elastodyn::texts::{BLADE, MASSES, TOWER, main_text};
 use crate::windio_files::{LAYERED, TABLE, VERSION_1, VERSION_2};
-use crate::{Where, survives};
+use crate::damaged_files::{Where, survives};
 
 const TOML_TABLE: &str = include_str!("../../../../examples/nrel-5mw-table.toml");
 
@@ -82,7 +82,7 @@ fn any_options() -> impl Strategy<Value = ReadOptions> {
 fn check(
     model: Model,
     place: Where,
-    damages: &[crate::damage::Damage],
+    damages: &[crate::damaged_files::damage::Damage],
     options: &ReadOptions,
 ) -> Result<(), TestCaseError> {
     let (name, text, files) = model;

@@ -6,8 +6,8 @@ use proptest::prelude::*;
 use proptest::test_runner::TestRunner;
 use towermodes_files::{Beside, FileFormat, ReadOptions, Source, recognize};
 
-use crate::damage::any_damages;
-use crate::{Where, survives};
+use crate::damaged_files::damage::any_damages;
+use crate::damaged_files::{Where, survives};
 
 /// Files above this take long to read, and are damaged less often.
 const LARGE_BYTES: usize = 50_000;

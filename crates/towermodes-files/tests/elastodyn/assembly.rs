@@ -4,7 +4,7 @@ use towermodes_files::elastodyn::{
     BladeMasses, lump_rna, read_blade_file, read_main_file, read_tower_file,
 };
 
-use crate::texts::{BLADE, TOWER, close, deck, main_file, main_text, source};
+use crate::elastodyn::texts::{BLADE, TOWER, close, deck, main_file, main_text, source};
 
 #[test]
 fn the_assembly_is_that_of_the_hand_calculation() {

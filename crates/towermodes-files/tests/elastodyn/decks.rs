@@ -4,7 +4,7 @@ use towermodes::{Foundation, Rna};
 use towermodes_files::elastodyn::read_elastodyn;
 use towermodes_files::{InMemory, InputError, ReadOptions};
 
-use crate::texts::{BLADE, TOWER, deck, files, main_text, source};
+use crate::elastodyn::texts::{BLADE, TOWER, deck, files, main_text, source};
 
 #[test]
 fn a_deck_is_a_clamped_tower() {

@@ -5,7 +5,7 @@ use towermodes_files::elastodyn::{
 };
 use towermodes_files::{InMemory, ReadOptions};
 
-use crate::texts::{BLADE, MASSES, TOWER, main_text, source};
+use crate::elastodyn::texts::{BLADE, MASSES, TOWER, main_text, source};
 
 #[test]
 fn a_file_that_ends_early_says_where() {

@@ -3,7 +3,7 @@
 use towermodes_files::ReadOptions;
 use towermodes_files::elastodyn::{read_elastodyn, read_main_file};
 
-use crate::texts::{TOWER, files, main_file, main_text, source};
+use crate::elastodyn::texts::{TOWER, files, main_file, main_text, source};
 
 #[test]
 fn main_files_of_all_versions_say_the_same() {

@@ -10,7 +10,7 @@ use towermodes_files::elastodyn::{
 };
 use towermodes_files::{Beside, InputError, ReadOptions, Source};
 
-use crate::texts::close;
+use crate::elastodyn::texts::close;
 
 /// The folder of public decks, if there is one.
 fn peer_data() -> Option<PathBuf> {

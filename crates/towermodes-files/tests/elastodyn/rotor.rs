@@ -6,7 +6,7 @@ use towermodes::{Blade, BladeDescription, BladeFamily, RigidBody, Rotor, solve_b
 use towermodes_files::elastodyn::{ElastoDynDeck, read_elastodyn, read_main_file};
 use towermodes_files::{InMemory, InputError, ReadOptions};
 
-use crate::texts::{BLADE, TOWER, close, deck, files, main_text, source};
+use crate::elastodyn::texts::{BLADE, TOWER, close, deck, files, main_text, source};
 
 fn notes(deck: &ElastoDynDeck) -> Vec<String> {
     let notes = deck.input.rotor_notes.iter();

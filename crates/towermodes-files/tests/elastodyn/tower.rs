@@ -3,7 +3,7 @@
 use towermodes_files::elastodyn::{read_elastodyn_tower, read_tower_file};
 use towermodes_files::{Diagnostic, ReadOptions};
 
-use crate::texts::{MASSES, TOWER, source};
+use crate::elastodyn::texts::{MASSES, TOWER, source};
 
 /// The mistake in a tower file in which a text was replaced, with its line.
 fn tower_mistake(from: &str, to: &str) -> (usize, Diagnostic) {

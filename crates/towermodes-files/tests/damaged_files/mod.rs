@@ -1,15 +1,8 @@
 //! Files of every format with lines, numbers and bytes damaged: read or refused at a place inside one of their files, never a panic.
 
 mod damage;
-#[path = "../decks/mod.rs"]
-mod decks;
 mod own_files;
 mod peer_files;
-#[allow(dead_code, reason = "other tests use the rest")]
-#[path = "../elastodyn/texts.rs"]
-mod texts;
-#[path = "../windio_files/mod.rs"]
-mod windio_files;
 
 use proptest::test_runner::TestCaseError;
 use proptest::{prop_assert, prop_assert_eq};

@@ -1,0 +1,15 @@
+//! All tests of the program.
+
+mod book;
+mod files;
+mod formats;
+mod page;
+mod pages;
+mod peers;
+mod pictures;
+mod plot;
+mod reports;
+mod rotors;
+mod sandbox;
+mod sessions;
+mod terminal;

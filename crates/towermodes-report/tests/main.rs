@@ -1,0 +1,10 @@
+//! All tests of the pictures and reports.
+
+mod any_tower;
+mod figures_campbell;
+mod golden;
+mod grounds;
+mod pictures;
+mod report;
+mod terminal;
+mod towers;
