@@ -6,5 +6,5 @@ mod hostile;
 mod main_file;
 mod public;
 mod rotor;
-mod texts;
+pub mod texts;
 mod tower;
