@@ -11,5 +11,4 @@ mod plot;
 mod reports;
 mod rotors;
 mod sandbox;
-mod sessions;
 mod terminal;
