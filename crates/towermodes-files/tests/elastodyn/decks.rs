@@ -122,8 +122,8 @@ fn gravity_may_be_left_out_of_any_file() {
     };
     let deck = by_fst("9.7 Gravity\n", 5, &options).expect("a deck");
     assert_eq!(gravity(&deck), (0.0, vec![]));
-    let toml = "[gravity]\n[[stations]]\nheight = 0\ndiameter = 6\nwall = 0.03\n\
-                [[stations]]\nheight = 80\ndiameter = 4\nwall = 0.02\n";
+    let toml = "[gravity]\n[material]\ndensity = 7850\nyoungs_modulus = 2.1e11\nshear_modulus = 8.1e10\n\
+                [tower]\nstations = [[0, 6, 0.03], [80, 4, 0.02]]\n";
     let read = |options: &ReadOptions| {
         let input = read_source(source("t.toml", toml), &InMemory::default(), options);
         match input.expect("a tower") {
