@@ -110,7 +110,7 @@ fn to_elastodyn(input: &TowerInput, arguments: &ConvertArguments) -> Result<Conv
         write_tower_file(&made.content, has_masses).map_err(|error| Failure::tower_file(&error))?;
     let mut notes = made.notes;
     notes.extend(input.note_on_shapes());
-    notes.extend(left_out(&input.description));
+    notes.extend(left_out(&input.description_for_shapes()));
     if has_masses {
         notes.push(Note::new(
             "concentrated masses are read by OpenFAST 4.2 and newer",

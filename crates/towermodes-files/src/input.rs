@@ -209,21 +209,29 @@ impl TowerInput {
         })
     }
 
-    /// The tower whose modes the shapes of ElastoDyn are fitted to.
-    ///
-    /// That of an ElastoDyn model is without gravity, as the modes of BModes are, which these shapes are usually made of: ElastoDyn takes
-    /// its shapes for functions that the tower bends by and adds the weights to their stiffness itself. Any other tower is as its file
-    /// describes it.
+    /// The tower whose modes the shapes of ElastoDyn are fitted to, of [`Self::description_for_shapes`].
     ///
     /// # Errors
     /// As [`TowerInput::tower`].
     pub fn tower_for_shapes(&self) -> Result<Tower, InputError> {
-        if self.format != FileFormat::ElastoDyn {
-            return self.tower();
+        let input = Self {
+            description: self.description_for_shapes(),
+            ..self.clone()
+        };
+        input.tower()
+    }
+
+    /// What is described, for the shapes of ElastoDyn.
+    ///
+    /// An ElastoDyn model is without gravity then, as the modes of BModes are, which these shapes are usually made of: ElastoDyn takes
+    /// its shapes for functions that the tower bends by and adds the weights to their stiffness itself. Any other tower is as its file
+    /// describes it.
+    pub fn description_for_shapes(&self) -> TowerDescription {
+        let mut description = self.description.clone();
+        if self.format == FileFormat::ElastoDyn {
+            description.gravity_m_per_s2 = 0.0;
         }
-        let mut weightless = self.clone();
-        weightless.description.gravity_m_per_s2 = 0.0;
-        weightless.tower()
+        description
     }
 
     /// That these modes are without gravity, if the description is not.

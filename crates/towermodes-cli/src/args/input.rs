@@ -33,7 +33,7 @@ pub(crate) struct ReadingArguments {
     no_gravity: bool,
 
     /// How the rotor of an ElastoDyn model is held on its shaft
-    #[arg(help_heading = OTHERS, long, value_enum, default_value_t = Rotor::Locked)]
+    #[arg(help_heading = OTHERS, long, value_enum, default_value_t = Rotor::Locked, conflicts_with = "no_rna")]
     rotor: Rotor,
 
     /// Understand a BModes deck as BModes 3.00 does, its faults included

@@ -165,14 +165,16 @@ pub(super) fn notes(
 
 /// How the rotor is held, with what the nacelle feels of it.
 fn rotor_message(shaft: &Shaft, lock: RotorLock) -> String {
-    let felt = shaft.felt_by_nacelle(lock);
+    let [locked, felt] = [RotorLock::Locked, lock].map(|lock| match shaft.felt_by_nacelle(lock) {
+        0.0 => "0 kg m2".to_owned(),
+        inertia => format!("{inertia:.4e} kg m2"),
+    });
     match lock {
         RotorLock::Locked => format!(
-            "the rotor is taken as locked to the nacelle: GenIner counts once, and the inertia about the shaft is {felt:.4e} kg m2 (--rotor free lets the rotor turn)"
+            "the rotor is taken as locked to the nacelle: GenIner counts once, and the inertia about the shaft is {locked} (--rotor free lets the rotor turn)"
         ),
         RotorLock::Free => format!(
-            "the rotor turns freely: the nacelle feels {felt:.4e} kg m2 about the shaft instead of the {:.4e} kg m2 of a locked rotor, so the inertia on top is not that of one rigid body",
-            shaft.felt_by_nacelle(RotorLock::Locked)
+            "the rotor turns freely: the nacelle feels {felt} about the shaft instead of the {locked} of a locked rotor, so the inertia on top is not that of one rigid body"
         ),
     }
 }

@@ -143,6 +143,16 @@ fn shapes_are_those_of_a_deck_without_gravity() {
     assert_eq!(input.tower().map(gravity).expect("a tower"), 9.80665);
     assert_eq!(input.tower_for_shapes().map(gravity).expect("a tower"), 0.0);
     assert!(input.note_on_shapes().is_some());
+    let mut weightless = deck(&[]).input;
+    weightless.description.gravity_m_per_s2 = 0.0;
+    assert_eq!(weightless.note_on_shapes(), None);
+    // Of a tower in TOML that has it gravity stays.
+    let mut own = input;
+    own.format = towermodes_files::FileFormat::Toml;
+    assert_eq!(
+        own.tower_for_shapes().map(gravity).expect("a tower"),
+        9.80665
+    );
 }
 
 #[test]
