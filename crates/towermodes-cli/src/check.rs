@@ -4,7 +4,9 @@ use std::path::Path;
 
 use towermodes::study::{AgreementLimits, agree, examine};
 use towermodes::{Rna, Verdict};
-use towermodes_files::{Note, TowerInput, write_agreement_json, write_examination_json};
+use towermodes_files::{
+    FileFormat, Note, TowerInput, write_agreement_json, write_examination_json,
+};
 
 use crate::args::{CheckArguments, ReportFormat};
 use crate::failure::{Failure, note, warn};
@@ -43,6 +45,7 @@ fn of_two(arguments: &CheckArguments, other: &Path) -> Result<(), Failure> {
     let checked = reading.check(&[first.format, second.format]);
     checked.map_err(Failure::Usage)?;
     leave_lone_machine_out(&mut first, &mut second);
+    leave_lone_gravity_out(&mut first, &mut second);
     let mut notes = first.notes.clone();
     let more = second
         .notes
@@ -86,4 +89,22 @@ fn leave_lone_machine_out(first: &mut TowerInput, second: &mut TowerInput) {
     first.notes.push(Note::new(message));
     first.description.rna = Rna::default();
     second.description.rna = Rna::default();
+}
+
+/// The gravity that every ElastoDyn model has says nothing about its tower where the other file has none, as most formats do.
+fn leave_lone_gravity_out(first: &mut TowerInput, second: &mut TowerInput) {
+    let has_gravity = |input: &TowerInput| input.description.gravity_m_per_s2 != 0.0;
+    let (which, lone) = match (has_gravity(first), has_gravity(second)) {
+        (true, false) => ("first", &mut *first),
+        (false, true) => ("second", &mut *second),
+        _ => return,
+    };
+    if lone.format != FileFormat::ElastoDyn {
+        return;
+    }
+    lone.description.gravity_m_per_s2 = 0.0;
+    let message = format!(
+        "only the {which} file has gravity: it is left out, and the frequencies are those of towers without weights"
+    );
+    first.notes.push(Note::new(message));
 }

@@ -98,7 +98,7 @@ fn to_bmodes(input: &TowerInput, output: Option<&Path>) -> Result<Converted, Fai
 }
 
 fn to_elastodyn(input: &TowerInput, arguments: &ConvertArguments) -> Result<Converted, Failure> {
-    let tower = input.tower().map_err(Failure::Input)?;
+    let tower = input.tower_for_shapes().map_err(Failure::Input)?;
     let options = MakeOptions {
         from_m: arguments.from_height.or(input.joint_m),
         has_concentrated_masses: true,
@@ -109,7 +109,8 @@ fn to_elastodyn(input: &TowerInput, arguments: &ConvertArguments) -> Result<Conv
     let text =
         write_tower_file(&made.content, has_masses).map_err(|error| Failure::tower_file(&error))?;
     let mut notes = made.notes;
-    notes.extend(left_out(&input.description));
+    notes.extend(input.note_on_shapes());
+    notes.extend(left_out(&input.description_for_shapes()));
     if has_masses {
         notes.push(Note::new(
             "concentrated masses are read by OpenFAST 4.2 and newer",

@@ -211,7 +211,7 @@ fn hint(error: &SolveError) -> Option<&'static str> {
             Some("raise --segments (of --method spectral --degree) or lower --modes")
         }
         SolveError::Buckles { .. } => Some(
-            "carry less, widen the tower or thicken its wall; without [gravity] the frequencies are those of weights that press on nothing",
+            "carry less, widen the tower or thicken its wall; --no-gravity solves the tower without its weights",
         ),
         SolveError::Eigen(EigenError::TooStiff) => {
             Some("no soil or wire is a million times as stiff as a tower: look at the units")

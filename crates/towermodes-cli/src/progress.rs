@@ -8,7 +8,7 @@ use std::thread::{self, JoinHandle};
 use std::time::Duration;
 
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressState, ProgressStyle};
-use towermodes::{Options, Solution, SolveError, Stage, Tower, Workspace, solve_with};
+use towermodes::{Options, Solution, SolveError, Stage, Tower, Workspace, solve_certain};
 
 /// Work that takes no longer than this is done without a word.
 const QUIET: Duration = Duration::from_millis(500);
@@ -80,10 +80,10 @@ impl Progress {
 /// Solves a tower, and says what that is at if it takes long.
 ///
 /// # Errors
-/// As [`solve_with`].
+/// As [`solve_certain`].
 pub(crate) fn solve(tower: &Tower, options: &Options) -> Result<Solution, SolveError> {
     let progress = Progress::of_one();
-    solve_with(tower, options, &mut progress.workspace())
+    solve_certain(tower, options, &mut progress.workspace())
 }
 
 /// What is at hand.

@@ -50,12 +50,16 @@ fn content(
     let campbell = resonance(input, &tower, &solution, arguments)?;
     // On a monopile ElastoDyn's tower is what stands above it.
     let shapes_from_m = input.joint_m.unwrap_or(tower.base_m());
+    input.notes.extend(input.note_on_shapes());
     let of_model = input.notes.iter().filter(|note| note.is_on_missing_part);
     Ok(ReportContent {
         title: arguments.title.clone(),
         description: input.description.clone(),
         comparison: all_methods(&tower, &options, arguments.segments),
-        elastodyn: elastodyn(&tower, shapes_from_m),
+        elastodyn: elastodyn(
+            &input.tower_for_shapes().map_err(Failure::Input)?,
+            shapes_from_m,
+        ),
         shapes_from_m,
         campbell: campbell.map(Ok),
         tower,

@@ -209,6 +209,39 @@ impl TowerInput {
         })
     }
 
+    /// The tower whose modes the shapes of ElastoDyn are fitted to, of [`Self::description_for_shapes`].
+    ///
+    /// # Errors
+    /// As [`TowerInput::tower`].
+    pub fn tower_for_shapes(&self) -> Result<Tower, InputError> {
+        let input = Self {
+            description: self.description_for_shapes(),
+            ..self.clone()
+        };
+        input.tower()
+    }
+
+    /// What is described, for the shapes of ElastoDyn.
+    ///
+    /// An ElastoDyn model is without gravity then, as the modes of BModes are, which these shapes are usually made of: ElastoDyn takes
+    /// its shapes for functions that the tower bends by and adds the weights to their stiffness itself. Any other tower is as its file
+    /// describes it.
+    pub fn description_for_shapes(&self) -> TowerDescription {
+        let mut description = self.description.clone();
+        if self.format == FileFormat::ElastoDyn {
+            description.gravity_m_per_s2 = 0.0;
+        }
+        description
+    }
+
+    /// That these modes are without gravity, if the description is not.
+    pub fn note_on_shapes(&self) -> Option<Note> {
+        let has_gravity = self.description.gravity_m_per_s2 != 0.0;
+        (self.format == FileFormat::ElastoDyn && has_gravity).then(|| {
+            Note::new("the shapes are those of modes without gravity, as BModes gives them: ElastoDyn adds the weights to their stiffness itself")
+        })
+    }
+
     /// The files it was read from, the main one first.
     pub fn files(&self) -> impl Iterator<Item = &str> {
         self.sources.iter().map(|source| source.name.as_str())
@@ -246,6 +279,20 @@ pub struct ReadOptions {
     pub part: TowerPart,
     /// Which set and which subset in it of a structural file of HAWC2, by their numbers; the first of the file unless told.
     pub hawc2_subset: Option<(usize, usize)>,
+    /// How the rotor of an ElastoDyn model is held on its shaft.
+    pub rotor: RotorLock,
+    /// Whether gravity is left out, whatever the file says.
+    pub without_gravity: bool,
+}
+
+/// How a rotor is held on its shaft, which decides what its nacelle feels of rotor and generator about the shaft.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum RotorLock {
+    /// It moves with the nacelle, as with a brake on the shaft.
+    #[default]
+    Locked,
+    /// No torque acts on the shaft, and it turns as it likes.
+    Free,
 }
 
 impl Default for ReadOptions {
@@ -257,6 +304,8 @@ impl Default for ReadOptions {
             without_rna: false,
             part: TowerPart::All,
             hawc2_subset: None,
+            rotor: RotorLock::Locked,
+            without_gravity: false,
         }
     }
 }

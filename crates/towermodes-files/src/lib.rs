@@ -44,8 +44,8 @@ pub use companions::{Beside, Companions, InMemory};
 pub use diagnostic::Diagnostic;
 pub use hawc2::read_hawc2;
 pub use input::{
-    BladeInput, FileFormat, InputError, Note, OutLayout, ReadOptions, RotorNotes, TowerInput,
-    TowerPart,
+    BladeInput, FileFormat, InputError, Note, OutLayout, ReadOptions, RotorLock, RotorNotes,
+    TowerInput, TowerPart,
 };
 pub use read::{Input, read, read_source, recognize};
 pub use result::{

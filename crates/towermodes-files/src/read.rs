@@ -55,6 +55,9 @@ pub fn read_source(
     if options.without_rna {
         tower.description.rna = Rna::default();
     }
+    if options.without_gravity {
+        tower.description.gravity_m_per_s2 = 0.0;
+    }
     Ok(Input::Tower(Box::new(tower)))
 }
 

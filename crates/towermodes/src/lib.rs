@@ -52,7 +52,7 @@ pub use solve::{
     BladeFamily, BladeMode, BladeSolution, Certificate, DEFAULT_MODES, DEFAULT_POINTS,
     DEFAULT_SEGMENTS, MAX_DEGREE, MAX_POINTS, MAX_SEGMENTS, MAX_SPECTRAL_ELEMENTS,
     MAX_VECTOR_BYTES, Mode, Options, Progress, Solution, SolveError, Stage, Workspace, solve,
-    solve_blade, solve_with,
+    solve_blade, solve_certain, solve_with,
 };
 pub use tower::{
     AddedMassRow, FloatingPlatform, Foundation, FoundationSprings, HalfSpace, Inertia, Material,

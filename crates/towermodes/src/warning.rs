@@ -213,4 +213,15 @@ pub enum Warning {
         /// The largest of their errors over their frequencies.
         worst: f64,
     },
+    /// Fewer modes than were asked for can be told from rounding.
+    #[error(
+        "only the lowest {listed} of the {wanted} modes asked for are listed: the next ones are so stiff beside them that rounding hides \
+         them; a tower with hardly any mass is like that"
+    )]
+    OnlyCertain {
+        /// How many modes are listed.
+        listed: usize,
+        /// How many were asked for.
+        wanted: usize,
+    },
 }

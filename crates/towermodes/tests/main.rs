@@ -6,6 +6,7 @@ mod beams;
 mod blade;
 mod blade_sweep;
 mod campbell;
+mod certain;
 mod convergence;
 mod dense;
 mod eigensolver;

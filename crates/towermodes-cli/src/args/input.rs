@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 
 use clap::{Args, ValueEnum};
-use towermodes_files::{FileFormat, ReadOptions, TowerPart};
+use towermodes_files::{FileFormat, ReadOptions, RotorLock, TowerPart};
 
 use super::parsers::{height_parser, subset_parser};
 
@@ -27,6 +27,14 @@ pub(crate) struct ReadingArguments {
     /// Leave the rotor-nacelle assembly out: the tower alone
     #[arg(help_heading = OTHERS, long)]
     pub(crate) no_rna: bool,
+
+    /// Leave gravity out: the frequencies of a tower without weights
+    #[arg(help_heading = OTHERS, long)]
+    no_gravity: bool,
+
+    /// How the rotor of an ElastoDyn model is held on its shaft
+    #[arg(help_heading = OTHERS, long, value_enum, default_value_t = Rotor::Locked, conflicts_with = "no_rna")]
+    rotor: Rotor,
 
     /// Understand a BModes deck as BModes 3.00 does, its faults included
     #[arg(help_heading = OTHERS, long)]
@@ -60,6 +68,15 @@ enum Part {
     Monopile,
 }
 
+/// How a rotor is held.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+enum Rotor {
+    /// By a brake: rotor and generator roll with the nacelle.
+    Locked,
+    /// Not at all: no torque acts on the shaft.
+    Free,
+}
+
 impl ReadingArguments {
     /// Refuses what means nothing to any of the files.
     ///
@@ -73,6 +90,11 @@ impl ReadingArguments {
                 self.bmodes_quirks,
                 &[FileFormat::Bmodes][..],
                 "--bmodes-quirks is for decks of BModes",
+            ),
+            (
+                self.rotor != Rotor::Locked,
+                &[FileFormat::ElastoDyn],
+                "--rotor is for models of ElastoDyn, whose files say what rotor and generator are",
             ),
             (
                 self.part != Part::All,
@@ -105,8 +127,11 @@ impl ReadingArguments {
     pub(crate) fn typed(&self) -> String {
         let part = self.part.to_possible_value();
         let part = part.filter(|_| self.part != Part::All);
+        let is_free = self.rotor == Rotor::Free;
         let words = [
             self.no_rna.then(|| "--no-rna".to_owned()),
+            self.no_gravity.then(|| "--no-gravity".to_owned()),
+            is_free.then(|| "--rotor free".to_owned()),
             self.bmodes_quirks.then(|| "--bmodes-quirks".to_owned()),
             part.map(|part| format!("--part {}", part.get_name())),
             self.tower_height.map(|m| format!("--tower-height {m}")),
@@ -130,6 +155,11 @@ impl ReadingArguments {
                 Part::Monopile => TowerPart::Monopile,
             },
             hawc2_subset: self.subset,
+            rotor: match self.rotor {
+                Rotor::Locked => RotorLock::Locked,
+                Rotor::Free => RotorLock::Free,
+            },
+            without_gravity: self.no_gravity,
         }
     }
 }

@@ -7,7 +7,7 @@ use towermodes::elastodyn::{
 };
 use towermodes::{Method, Options, Planes, Tower};
 use towermodes_files::elastodyn::{ElastoDynDeck, MakeError, read_elastodyn, torsion_notes};
-use towermodes_files::{Beside, FileFormat, InputError, Note, ReadOptions, Source};
+use towermodes_files::{Beside, FileFormat, InputError, Note, ReadOptions, Source, TowerInput};
 
 use crate::args::{DeckArguments, ReadingArguments};
 use crate::failure::{Failure, note};
@@ -35,8 +35,8 @@ pub(super) fn judged(arguments: &DeckArguments) -> Result<Judged, Failure> {
         None => {
             let checked = arguments.reading.check(&[FileFormat::ElastoDyn]);
             checked.map_err(Failure::Usage)?;
-            let tower = deck.input.tower().map_err(Failure::Input)?;
-            (tower, deck.input.notes.clone())
+            let tower = deck.input.tower_for_shapes().map_err(Failure::Input)?;
+            (tower, notes_for_shapes(&deck.input))
         }
     };
     note(&notes);
@@ -63,8 +63,15 @@ fn of_description(from: &Path, reading: &ReadingArguments) -> Result<(Tower, Vec
     let input = input_of(from, reading)?;
     let checked = reading.check(&[FileFormat::ElastoDyn, input.format]);
     checked.map_err(Failure::Usage)?;
-    let tower = input.tower().map_err(Failure::Input)?;
-    Ok((tower, input.notes))
+    let tower = input.tower_for_shapes().map_err(Failure::Input)?;
+    Ok((tower, notes_for_shapes(&input)))
+}
+
+/// What the user should know of a description whose modes become shapes.
+pub(super) fn notes_for_shapes(input: &TowerInput) -> Vec<Note> {
+    let mut notes = input.notes.clone();
+    notes.extend(input.note_on_shapes());
+    notes
 }
 
 /// The deck; where the modes come from another description, files of its machine need not be there.

@@ -3,6 +3,7 @@
 use towermodes_files::elastodyn::{make_tower_file, write_tower_file};
 use towermodes_files::{Note, TowerInput};
 
+use super::deck::notes_for_shapes;
 use crate::args::TowerArguments;
 use crate::failure::{Failure, note, report};
 use crate::input::tower_input;
@@ -14,14 +15,14 @@ pub(crate) fn run(arguments: &TowerArguments) -> Result<(), Failure> {
     check_not_input(&arguments.input.file, arguments.output())?;
     let input = tower_input(&arguments.input)?;
     check_not_inputs(input.files(), arguments.output())?;
-    let tower = input.tower().map_err(Failure::Input)?;
+    let tower = input.tower_for_shapes().map_err(Failure::Input)?;
     let mut options = arguments.options();
     // On a monopile ElastoDyn's tower is what stands above it.
     options.from_m = options.from_m.or(input.joint_m);
     let made = make_tower_file(&tower, &options).map_err(Failure::TowerFile)?;
     let text = write_tower_file(&made.content, options.has_concentrated_masses)
         .map_err(|error| Failure::tower_file(&error))?;
-    note(&input.notes);
+    note(&notes_for_shapes(&input));
     note(&made.notes);
     note(&surrounded_base(&input, options.from_m));
     report(&table::fits(&tower, &made));

@@ -23,6 +23,9 @@ pub(crate) fn solution(tower: &Tower, solution: &Solution) -> String {
         };
         text.push_str(&format!(" | buckles at {factor} times its weight"));
     }
+    if tower.gravity_m_per_s2() == 0.0 {
+        text.push_str(" | without gravity");
+    }
     text.push('\n');
     text
 }

@@ -33,7 +33,8 @@ pub struct BladeFile {
     pub flap_factor: f64,
     /// Factor of the column of edgewise stiffnesses (`AdjEdSt`).
     pub edge_factor: f64,
-    /// The table as it stands there, without the factors; linear between rows.
+    /// The table as it stands there, without the factors; linear between rows. A uniform blade has the only row of its file at both
+    /// ends.
     pub rows: Vec<BladeRow>,
 }
 
@@ -94,11 +95,10 @@ impl BladeFile {
 /// The first mistake in it.
 pub fn read_blade_file(source: &Source) -> Result<BladeFile, Diagnostic> {
     let mut lines = Positional::new(&source.text, KEYS);
-    lines.free("the first header line")?;
-    lines.free("the second header line")?;
+    lines.header("NBlInpSt")?;
     lines.heading("the heading BLADE PARAMETERS")?;
     let count = lines.parameter("NBlInpSt", "number of rows")?;
-    let wanted = count.count(2)?;
+    let wanted = count.count(1)?;
     if lines
         .peek_filled()
         .and_then(|line| name_on(&line))
@@ -157,8 +157,17 @@ fn rows(
             edge_n_m2,
         });
     }
-    if let Some(row) = rows.last_mut() {
-        row.length_fraction = last_fraction(row.length_fraction, last, "BlFract")?;
+    match rows.as_mut_slice() {
+        // A single row is that of a uniform blade.
+        [only] => {
+            let tip = BladeRow {
+                length_fraction: 1.0,
+                ..*only
+            };
+            rows.push(tip);
+        }
+        [.., row] => row.length_fraction = last_fraction(row.length_fraction, last, "BlFract")?,
+        [] => {}
     }
     Ok(rows)
 }

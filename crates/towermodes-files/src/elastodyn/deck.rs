@@ -8,6 +8,8 @@ use towermodes::{Foundation, Place, RigidBody};
 use super::blade_file::{BladeFile, BladeMasses, read_blade_file};
 use super::description::{Ends, ONLY_BENDS, description, remember, tuner_note};
 use super::fst::{Main, main_source};
+use super::gravity::{Gravity, gravity};
+use super::hanging;
 use super::lump;
 use super::main_file::MainFile;
 use super::main_reader::read_main_file;
@@ -17,7 +19,9 @@ use super::tower_file::{CoefficientSpans, TowerFile};
 use super::tower_reader::{TowerReading, read_with_places};
 use crate::companions::Companions;
 use crate::diagnostic::Diagnostic;
-use crate::input::{FileFormat, InputError, Note, OutLayout, ReadOptions, RotorNotes, TowerInput};
+use crate::input::{
+    FileFormat, InputError, Note, OutLayout, ReadOptions, RotorLock, RotorNotes, TowerInput,
+};
 use crate::places::{Places, TABLE};
 use crate::source::Source;
 
@@ -56,6 +60,7 @@ pub fn read_elastodyn(
         source: main_source,
         fst,
         folder,
+        gravity_m_per_s2,
         notes,
     } = main_source(source, companions)?;
     let main = read_main_file(&main_source).map_err(|m| InputError::mistake(&main_source, m))?;
@@ -71,17 +76,22 @@ pub fn read_elastodyn(
         true => Blades::default(),
         false => blades(&main, &named)?,
     };
-    let rna = match options.without_rna {
-        true => RigidBody::default(),
-        false => lump::lump_rna(&main, &blades.masses),
-    };
+    let rna = rna(&main, &main_source, &blades.masses, options)?;
     let mut sources: Vec<Source> = fst.into_iter().collect();
     sources.extend([main_source.clone(), tower_source.clone()]);
     let tower_index = sources.len() - 1;
     sources.extend(blades.sources);
+    let fst_name = sources[0].name.clone();
     let mut input = input(&main, &reading, rna, sources, tower_index);
     if !options.without_rna {
-        input.notes.extend(lump::notes(&main));
+        let notes = lump::notes(&main, &main_source, &blades.masses, options.rotor);
+        input.notes.extend(notes);
+    }
+    if !options.without_gravity {
+        let of_fst = gravity_m_per_s2.map(|value| (value, fst_name.as_str()));
+        let Gravity { m_per_s2, note } = gravity(&main, &main_source.name, of_fst);
+        input.description.gravity_m_per_s2 = m_per_s2;
+        input.notes.extend(note);
     }
     input.notes.splice(0..0, notes);
     input.blade = blades.first.map(|file| rotor::blade(&main, &file));
@@ -95,6 +105,27 @@ pub fn read_elastodyn(
         blades: blades.masses,
         rna,
         input,
+    })
+}
+
+/// Everything above the tower top as one body, if it is wanted.
+fn rna(
+    main: &MainFile,
+    source: &Source,
+    blades: &[BladeMasses],
+    options: &ReadOptions,
+) -> Result<RigidBody, InputError> {
+    if options.without_rna {
+        return Ok(RigidBody::default());
+    }
+    if options.rotor == RotorLock::Free {
+        let checked = lump::check_free_rotor(main, blades);
+        checked.map_err(|mistake| InputError::mistake(source, mistake))?;
+    }
+    let rna = lump::lump_rna(main, blades, options.rotor);
+    Ok(match main.tower_hangs() {
+        true => hanging::upside_down(&rna),
+        false => rna,
     })
 }
 
@@ -185,10 +216,7 @@ fn input(
     sources: Vec<Source>,
     tower_index: usize,
 ) -> TowerInput {
-    let ends = Ends {
-        base_m: main.tower_base_m,
-        top_m: main.tower_top_m,
-    };
+    let ends = Ends::of(main.tower_base_m, main.tower_top_m);
     let mut description = description(&reading.file, ends, &main.header[1]);
     description.rna = rna.into();
     description.foundation = Foundation::Clamped;
@@ -203,6 +231,7 @@ fn input(
     ] {
         places.remember(Place::Rna { key }, tower_index - 1, main.place(name));
     }
+    places.remember(Place::Gravity, tower_index - 1, main.place("Gravity"));
     for (key, name) in [("blades", "NumBl"), ("rpm", "RotSpeed")] {
         places.remember(Place::Rotor { key }, tower_index - 1, main.place(name));
     }
@@ -210,6 +239,9 @@ fn input(
     notes.extend(tuner_note(&reading.file));
     notes.push(Note::new(ONLY_BENDS));
     notes.extend(foundation_note(main));
+    if main.tower_hangs() {
+        notes.push(hanging::note(ends));
+    }
     TowerInput {
         format: FileFormat::ElastoDyn,
         description,

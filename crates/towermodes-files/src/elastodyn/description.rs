@@ -19,7 +19,23 @@ pub(super) struct Ends {
     pub(super) top_m: f64,
 }
 
+/// Whether a tower hangs: only one below the sea does.
+pub(super) fn hangs(base_m: f64, top_m: f64) -> bool {
+    top_m < 0.0 && top_m < base_m
+}
+
 impl Ends {
+    /// The ends of a tower between these heights; of one that hangs their depths.
+    pub(super) fn of(base_m: f64, top_m: f64) -> Self {
+        if hangs(base_m, top_m) {
+            return Self {
+                base_m: 0.0 - base_m,
+                top_m: 0.0 - top_m,
+            };
+        }
+        Self { base_m, top_m }
+    }
+
     fn height_m(&self, fraction: f64) -> f64 {
         if fraction == 1.0 {
             return self.top_m;
@@ -38,9 +54,8 @@ pub(super) fn description(file: &TowerFile, ends: Ends, title: &str) -> TowerDes
     TowerDescription {
         name: title.trim().chars().take(200).collect(),
         properties: file
-            .rows
-            .iter()
-            .map(|row| station(file, row, ends))
+            .rows_to_the_top()
+            .map(|row| station(file, &row, ends))
             .collect(),
         point_masses: file.concentrated_masses.iter().map(mass).collect(),
         ..TowerDescription::default()
@@ -78,7 +93,10 @@ fn station(file: &TowerFile, row: &TowerRow, ends: Ends) -> PropertyStation {
 pub(super) fn remember(places: &mut Places, file: usize, spans: &TowerSpans) {
     places.remember(Place::Stations, file, spans.count.clone());
     let mut at = |place, span: &Range<usize>| places.remember(place, file, span.clone());
-    for (index, row) in spans.rows.iter().enumerate() {
+    // The second end of a uniform tower has the only row's place.
+    let is_uniform = spans.rows.len() == 1;
+    let end = spans.rows.iter().filter(|_| is_uniform);
+    for (index, row) in spans.rows.iter().chain(end).enumerate() {
         let keys = [
             "height",
             "mass_kg_per_m",

@@ -16,6 +16,8 @@ pub(super) struct Main {
     pub(super) fst: Option<Source>,
     /// The main file's folder as seen from the file that was given; empty if it is the same.
     pub(super) folder: String,
+    /// Acceleration of gravity that the `.fst` file gives, m/s².
+    pub(super) gravity_m_per_s2: Option<f64>,
     pub(super) notes: Vec<Note>,
 }
 
@@ -27,13 +29,13 @@ pub(super) fn main_source(source: Source, companions: &dyn Companions) -> Result
             source,
             fst,
             folder,
+            gravity_m_per_s2: None,
             notes,
         });
     }
-    let parameter = match ed_file(&source) {
-        Ok(parameter) => parameter,
-        Err(mistake) => return Err(InputError::mistake(&source, mistake)),
-    };
+    let mistake = |mistake| InputError::mistake(&source, mistake);
+    let parameter = ed_file(&source).map_err(mistake)?;
+    let gravity_m_per_s2 = gravity(&source).map_err(mistake)?;
     let path = parameter.token.text.trim().to_owned();
     let main = companions.read(&path).map_err(|error| {
         let message = format!("EDFile cannot be read: {error}");
@@ -52,8 +54,18 @@ pub(super) fn main_source(source: Source, companions: &dyn Companions) -> Result
         source: main,
         fst: Some(source),
         folder,
+        gravity_m_per_s2,
         notes,
     })
+}
+
+/// The acceleration of gravity, which `.fst` files have since OpenFAST 3.0.
+fn gravity(source: &Source) -> Result<Option<f64>, Diagnostic> {
+    let Some(line) = line_of(&source.text, &plain("Gravity")) else {
+        return Ok(None);
+    };
+    let parameter = Parameter::of(&line, "Gravity", "acceleration of gravity, m/s2")?;
+    parameter.not_negative().map(Some)
 }
 
 /// The line that names the main file of ElastoDyn.
@@ -67,15 +79,81 @@ fn ed_file(source: &Source) -> Result<Parameter<'_>, Diagnostic> {
 
 /// What the `.fst` file says that changes what ElastoDyn's files mean.
 fn notes(source: &Source) -> Vec<Note> {
-    let value = |name| {
-        let token = line_of(&source.text, name)?.first()?;
-        Some((token.number(name).ok()?, token.span.start))
-    };
-    match value("compelast") {
-        Some((2.0, at)) => {
-            let message = "CompElast is 2: the blades are those of BeamDyn, but the masses are taken from ElastoDyn's blade files";
-            vec![Note::at(source, at, message)]
-        }
-        _ => Vec::new(),
+    let mut notes: Vec<Note> = beamdyn(source).into_iter().collect();
+    notes.extend(MODULES.iter().filter_map(|module| left_out(source, module)));
+    notes
+}
+
+/// That the blades are not those of ElastoDyn.
+fn beamdyn(source: &Source) -> Option<Note> {
+    let (value, at) = switch(source, "CompElast")?;
+    (value == 2).then(|| {
+        let message = "CompElast is 2: the blades are those of BeamDyn, but the masses are taken from ElastoDyn's blade files";
+        Note::at(source, at, message)
+    })
+}
+
+/// A part of OpenFAST that holds, surrounds or loads the foot of a tower.
+struct Module {
+    /// The switch that turns it on.
+    switch: &'static str,
+    /// The names of its files: of the value 1 of the switch and so on.
+    files: &'static [&'static str],
+    /// What is left out with it, with its verb.
+    what: &'static str,
+}
+
+/// Those whose files are not read.
+const MODULES: [Module; 5] = [
+    Module {
+        switch: "CompHydro",
+        files: &["HydroFile", "HDFile"],
+        what: "the water's mass and stiffness are",
+    },
+    Module {
+        switch: "CompSub",
+        files: &["SubFile", "SDFile"],
+        what: "the substructure is",
+    },
+    Module {
+        switch: "CompMooring",
+        files: &["MooringFile"],
+        what: "the mooring lines are",
+    },
+    Module {
+        switch: "CompMAP",
+        files: &["MAPFile"],
+        what: "the mooring lines are",
+    },
+    Module {
+        switch: "CompSoil",
+        files: &["SoilFile"],
+        what: "the soil is",
+    },
+];
+
+/// That a module is left out, if it is on.
+fn left_out(source: &Source, module: &Module) -> Option<Note> {
+    let (value, at) = switch(source, module.switch)?;
+    if value == 0 {
+        return None;
     }
+    let mut files = module.files.iter();
+    let file = files.find_map(|name| line_of(&source.text, &plain(name))?.first());
+    let file = file.map_or_else(String::new, |token| format!(" ({})", token.text));
+    let message = format!(
+        "{} is on, and its file{file} is not read: {} left out",
+        module.switch, module.what
+    );
+    Some(Note::at(source, at, message).of_missing_part())
+}
+
+/// The value of a switch, a number or, in the first versions, true or false; and where it stands.
+fn switch(source: &Source, name: &str) -> Option<(i64, usize)> {
+    let token = line_of(&source.text, &plain(name))?.first()?;
+    let value = match token.integer(name) {
+        Ok(value) => value,
+        Err(_) => i64::from(token.logical(name).ok()?),
+    };
+    Some((value, token.span.start))
 }

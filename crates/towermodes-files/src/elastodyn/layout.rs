@@ -12,42 +12,72 @@ use crate::records::{Line, Lines};
 
 /// Lines that stand together in every layout that has them.
 struct Block {
-    /// Whether there are layouts without it.
-    optional: bool,
+    /// Which layouts have it.
+    presence: Presence,
     /// The title of the section that it opens.
     heading: Option<&'static str>,
     keys: &'static [&'static str],
 }
 
+/// Which layouts have a block.
+enum Presence {
+    /// All.
+    Always,
+    /// Those that have one of its own names.
+    IfSaid,
+    /// Those that do not have these names, which stood in its place before.
+    Unless(&'static [&'static str]),
+}
+
 const fn block(heading: Option<&'static str>, keys: &'static [&'static str]) -> Block {
-    let optional = false;
+    let presence = Presence::Always;
     Block {
-        optional,
+        presence,
         heading,
         keys,
     }
 }
 
-const fn optional(heading: Option<&'static str>, keys: &'static [&'static str]) -> Block {
-    let optional = true;
+const fn optional(keys: &'static [&'static str]) -> Block {
+    let (presence, heading) = (Presence::IfSaid, None);
     Block {
-        optional,
+        presence,
         heading,
         keys,
     }
 }
 
-/// All blocks in order. Those that came or went: gravity, in the `.fst` file since 3.0; products of inertia of the platform and yaw
+const fn optional_section(heading: &'static str, keys: &'static [&'static str]) -> Block {
+    let (presence, heading) = (Presence::IfSaid, Some(heading));
+    Block {
+        presence,
+        heading,
+        keys,
+    }
+}
+
+/// Lines in the place of older ones.
+const fn instead_of(old: &'static [&'static str], keys: &'static [&'static str]) -> Block {
+    let (presence, heading) = (Presence::Unless(old), None);
+    Block {
+        presence,
+        heading,
+        keys,
+    }
+}
+
+/// All blocks in order. Those that came or went: the heights of the tower's base and of the platform's reference point, of other names
+/// in ElastoDyn 1.00; the number of blade nodes, since ElastoDyn 1.02; gravity, in the `.fst` file since OpenFAST 3.0; products of inertia of the platform and yaw
 /// friction, since 4.0; the hub's inertia about the teeter axis, since 4.2; inertias of pitch bearings and blades, the platform's
 /// reference point in x and y, and pitch actuators, since 5.0.
 const BLOCKS: &[Block] = &[
     block(Some("SIMULATION CONTROL"), &["Echo", "Method", "DT"]),
-    optional(Some("ENVIRONMENTAL CONDITION"), &["Gravity"]),
+    optional_section("ENVIRONMENTAL CONDITION", &["Gravity"]),
     block(
         Some("DEGREES OF FREEDOM"),
         &["FlapDOF1", "FlapDOF2", "EdgeDOF"],
     ),
-    optional(None, &["PitchDOF"]),
+    optional(&["PitchDOF"]),
     block(
         None,
         &[
@@ -113,31 +143,28 @@ const BLOCKS: &[Block] = &[
             "NcIMUzn",
             "Twr2Shft",
             "TowerHt",
-            "TowerBsHt",
-            "PtfmCMxt",
-            "PtfmCMyt",
-            "PtfmCMzt",
         ],
     ),
-    optional(None, &["PtfmRefxt", "PtfmRefyt"]),
-    block(None, &["PtfmRefzt"]),
+    optional(&["TwrRBHt", "TwrDraft"]),
+    instead_of(&["TwrRBHt", "TwrDraft"], &["TowerBsHt"]),
+    block(None, &["PtfmCMxt", "PtfmCMyt", "PtfmCMzt"]),
+    optional(&["PtfmRefxt", "PtfmRefyt"]),
+    optional(&["PtfmRef"]),
+    instead_of(&["PtfmRef"], &["PtfmRefzt"]),
     block(
         Some("MASS AND INERTIA"),
         &["TipMass(1)", "TipMass(2)", "TipMass(3)"],
     ),
-    optional(
-        None,
-        &[
-            "PBrIner(1)",
-            "PBrIner(2)",
-            "PBrIner(3)",
-            "BlPIner(1)",
-            "BlPIner(2)",
-            "BlPIner(3)",
-        ],
-    ),
+    optional(&[
+        "PBrIner(1)",
+        "PBrIner(2)",
+        "PBrIner(3)",
+        "BlPIner(1)",
+        "BlPIner(2)",
+        "BlPIner(3)",
+    ]),
     block(None, &["HubMass", "HubIner"]),
-    optional(None, &["HubIner_Teeter"]),
+    optional(&["HubIner_Teeter"]),
     block(
         None,
         &[
@@ -151,11 +178,10 @@ const BLOCKS: &[Block] = &[
             "PtfmYIner",
         ],
     ),
-    optional(None, &["PtfmXYIner", "PtfmYZIner", "PtfmXZIner"]),
-    block(
-        Some("BLADE"),
-        &["BldNodes", "BldFile(1)", "BldFile(2)", "BldFile(3)"],
-    ),
+    optional(&["PtfmXYIner", "PtfmYZIner", "PtfmXZIner"]),
+    block(Some("BLADE"), &[]),
+    optional(&["BldNodes"]),
+    block(None, &["BldFile(1)", "BldFile(2)", "BldFile(3)"]),
     block(
         Some("ROTOR-TEETER"),
         &[
@@ -163,8 +189,8 @@ const BLOCKS: &[Block] = &[
             "TeetHSSp",
         ],
     ),
-    optional(
-        Some("YAW-FRICTION"),
+    optional_section(
+        "YAW-FRICTION",
         &[
             "YawFrctMod",
             "M_CSmax",
@@ -201,12 +227,15 @@ impl Entry {
     }
 }
 
-/// The entries of the layout whose optional blocks are those that any of some names belongs to.
+/// The entries of the layout that has some names.
 fn layout(names: &[Option<&'static str>]) -> Vec<Entry> {
     let is_said = |key: &&'static str| names.contains(&Some(*key));
-    let blocks = BLOCKS
-        .iter()
-        .filter(|block| !block.optional || block.keys.iter().any(is_said));
+    let is_there = |block: &&Block| match block.presence {
+        Presence::Always => true,
+        Presence::IfSaid => block.keys.iter().any(is_said),
+        Presence::Unless(old) => !old.iter().any(is_said),
+    };
+    let blocks = BLOCKS.iter().filter(is_there);
     let entries = blocks.flat_map(|block| {
         let heading = block.heading.map(Entry::Heading);
         heading
@@ -229,6 +258,7 @@ pub(super) fn lines_by_key(text: &str) -> Result<BTreeMap<&'static str, Line<'_>
         .filter(|line| !line.is_blank())
         .take(LONGEST)
         .collect();
+    refuse_fast_7(&lines)?;
     let names: Vec<Option<&'static str>> = known_names(&lines);
     let layout = layout(&names);
     let is_said = |entry: &&Entry| matches!(entry, Entry::Key(key) if names.contains(&Some(*key)));
@@ -290,13 +320,18 @@ fn not_understood(
     let message = format!(
         "this is not understood as a main file of ElastoDyn: {said} of its {keys} parameters have a line with their name, and {key} is not on this one"
     );
-    let is_fast_7 = lines
-        .iter()
-        .any(|line| name_on(line).as_deref() == Some("adamsprep"));
-    let hint = if is_fast_7 {
-        "main files of FAST 7 are not read: convert it to OpenFAST, or give the tower file alone"
-    } else {
-        "main files of FAST 8 to OpenFAST 5 are read; each line is a value, its name and a description"
+    Diagnostic::new(span, message).with_hint(
+        "main files of FAST 8 to OpenFAST 5 are read; each line is a value, its name and a description",
+    )
+}
+
+/// Refuses a main file of FAST 7, which has most of the names in another order.
+fn refuse_fast_7(lines: &[Line<'_>]) -> Result<(), Diagnostic> {
+    let is_adams_prep = |line: &&Line<'_>| name_on(line).as_deref() == Some("adamsprep");
+    let Some(line) = lines.iter().find(is_adams_prep) else {
+        return Ok(());
     };
-    Diagnostic::new(span, message).with_hint(hint)
+    let message = "this is a main file of FAST 7, which is not read: only FAST 7 has ADAMSPrep";
+    let hint = "convert it to OpenFAST, or give its tower file alone with --tower-height";
+    Err(Diagnostic::new(line.span(), message).with_hint(hint))
 }

@@ -6,33 +6,48 @@ use towermodes::{Inertia, RigidBody};
 
 use super::blade_file::BladeMasses;
 use super::main_file::MainFile;
-use crate::input::Note;
+use super::shaft::{Shaft, is_balanced};
+use crate::diagnostic::Diagnostic;
+use crate::input::{Note, RotorLock};
+use crate::source::Source;
 
 /// Hub, blades, tip masses, generator, nacelle and yaw bearing as one body about the tower top: x downwind, y lateral, z up.
 ///
 /// The rotor's apex is at (OverHang cos τ, 0, Twr2Shft + OverHang sin τ) with τ = ShftTilt; the first blade points up, each next one stands
 /// a share of a turn further, clockwise as seen from upwind. Blades are rods: only their mass along their axis counts. `NacYIner` is about
-/// the yaw axis, and the nacelle has no other inertia than what that leaves about its centre. The generator turns with the shaft, with
-/// `GenIner` × `GBRatio`².
+/// the yaw axis, and the nacelle has no other inertia than what that leaves about its centre. With a locked rotor the generator adds
+/// `GenIner` once about the shaft; with a free one rotor and generator together add J_r J_g (1 − q)²/(J_r + q² J_g) about it, where
+/// J_r is the rotor's inertia, J_g = `GenIner` and q = `GBRatio`.
 ///
 /// Source: the kinematics of ElastoDyn (OpenFAST 5.0, `SetCoordSy`, `CalculatePositions`, `Coeff` in `ElastoDyn.f90`).
-pub fn lump_rna(main: &MainFile, blades: &[BladeMasses]) -> RigidBody {
-    let mut rotor = vec![hub(main), generator(main)];
+pub fn lump_rna(main: &MainFile, blades: &[BladeMasses], lock: RotorLock) -> RigidBody {
+    let mut rotor = rotor(main, blades);
+    let shaft = Shaft::of(main, &rotor);
+    rotor.inertia_kg_m2.xx += match lock {
+        RotorLock::Locked => shaft.generator,
+        RotorLock::Free => shaft.felt_by_nacelle(lock) - shaft.rotor,
+    };
+    // The shaft's downwind end rises with a positive tilt, and turning about y lowers it.
+    let tilted = rotor.turned_about_y(-main.shaft_tilt_deg.to_radians());
+    RigidBody::combined(&[
+        tilted.moved([0.0, 0.0, main.tower_to_shaft_m]),
+        nacelle(main),
+        RigidBody::point(main.yaw_bearing_mass_kg, [0.0; 3]),
+    ])
+}
+
+/// Hub, blades and tip masses on the shaft, which is x.
+fn rotor(main: &MainFile, blades: &[BladeMasses]) -> RigidBody {
+    let mut bodies = vec![hub(main)];
     let apex_m = apex_on_shaft_m(main);
     for (index, masses) in blades.iter().enumerate().take(3) {
         let azimuth_rad = TAU * index as f64 / blades.len().min(3) as f64;
         let tip = RigidBody::point(main.tip_masses_kg[index], [0.0, 0.0, main.tip_radius_m]);
         let blade = RigidBody::combined(&[blade(main, masses), tip]);
         let coned = blade.turned_about_y(main.precone_deg[index].to_radians());
-        rotor.push(coned.turned_about_x(azimuth_rad).moved([apex_m, 0.0, 0.0]));
+        bodies.push(coned.turned_about_x(azimuth_rad).moved([apex_m, 0.0, 0.0]));
     }
-    // The shaft's downwind end rises with a positive tilt, and turning about y lowers it.
-    let shaft = RigidBody::combined(&rotor).turned_about_y(-main.shaft_tilt_deg.to_radians());
-    RigidBody::combined(&[
-        shaft.moved([0.0, 0.0, main.tower_to_shaft_m]),
-        nacelle(main),
-        RigidBody::point(main.yaw_bearing_mass_kg, [0.0; 3]),
-    ])
+    RigidBody::combined(&bodies)
 }
 
 /// Where the blades' axes meet, m along the shaft from the yaw axis.
@@ -94,19 +109,6 @@ pub(super) fn hub_inertia_kg_m2(main: &MainFile) -> (f64, f64) {
     }
 }
 
-/// The inertia of the generator about the slow shaft, kg m².
-fn generator_on_shaft_kg_m2(main: &MainFile) -> f64 {
-    main.generator_inertia_kg_m2 * main.gearbox_ratio * main.gearbox_ratio
-}
-
-fn generator(main: &MainFile) -> RigidBody {
-    let xx = generator_on_shaft_kg_m2(main);
-    RigidBody::massless(Inertia {
-        xx,
-        ..Inertia::default()
-    })
-}
-
 fn nacelle(main: &MainFile) -> RigidBody {
     let [x, y, _] = main.nacelle_center_m;
     let zz = main.nacelle_yaw_inertia_kg_m2 - main.nacelle_mass_kg * (x * x + y * y);
@@ -120,8 +122,30 @@ fn nacelle(main: &MainFile) -> RigidBody {
     }
 }
 
+/// Refuses a free rotor that moves more than itself when it turns.
+pub(super) fn check_free_rotor(main: &MainFile, blades: &[BladeMasses]) -> Result<(), Diagnostic> {
+    let rotor = rotor(main, blades);
+    if is_balanced(&rotor, main.tip_radius_m) {
+        return Ok(());
+    }
+    let [_, y, z] = rotor.center_m;
+    let message = format!(
+        "the rotor is not balanced: its centre of mass is {:.4} m beside the shaft, or its axis is not the shaft",
+        y.hypot(z)
+    );
+    let mistake = Diagnostic::new(main.place("NumBl"), message);
+    Err(mistake.with_hint(
+        "a rotor that turns freely needs two or three blades that are alike; --rotor locked holds it",
+    ))
+}
+
 /// What was decided to make one rigid body of it.
-pub(super) fn notes(main: &MainFile) -> Vec<Note> {
+pub(super) fn notes(
+    main: &MainFile,
+    source: &Source,
+    blades: &[BladeMasses],
+    lock: RotorLock,
+) -> Vec<Note> {
     let mut notes = Vec::new();
     if main.blade_count != 3 {
         let message = format!(
@@ -130,14 +154,27 @@ pub(super) fn notes(main: &MainFile) -> Vec<Note> {
         );
         notes.push(Note::new(message));
     }
-    let generator = generator_on_shaft_kg_m2(main);
-    if generator > 0.0 {
-        notes.push(Note::new(format!(
-            "the rotor is taken as locked to the nacelle, and the generator's inertia about the shaft as GenIner GBRatio^2 = {generator:.6e} kg m2"
-        )));
-    }
+    let at = main.place("GenIner").start;
+    let message = rotor_message(&Shaft::of(main, &rotor(main, blades)), lock);
+    notes.push(Note::at(source, at, message));
     if main.furling {
         notes.push(Note::new("the furling model (FurlFile) is left out"));
     }
     notes
+}
+
+/// How the rotor is held, with what the nacelle feels of it.
+fn rotor_message(shaft: &Shaft, lock: RotorLock) -> String {
+    let [locked, felt] = [RotorLock::Locked, lock].map(|lock| match shaft.felt_by_nacelle(lock) {
+        0.0 => "0 kg m2".to_owned(),
+        inertia => format!("{inertia:.4e} kg m2"),
+    });
+    match lock {
+        RotorLock::Locked => format!(
+            "the rotor is taken as locked to the nacelle: GenIner counts once, and the inertia about the shaft is {locked} (--rotor free lets the rotor turn)"
+        ),
+        RotorLock::Free => format!(
+            "the rotor turns freely: the nacelle feels {felt} about the shaft instead of the {locked} of a locked rotor, so the inertia on top is not that of one rigid body"
+        ),
+    }
 }

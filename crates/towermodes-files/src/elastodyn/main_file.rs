@@ -3,6 +3,8 @@
 use std::collections::BTreeMap;
 use std::ops::Range;
 
+use super::description::hangs;
+
 /// What stands in a main (primary) file of ElastoDyn.
 ///
 /// x is downwind, y lateral, z up; heights are above ground or mean sea level.
@@ -44,7 +46,7 @@ pub struct MainFile {
     pub tower_to_shaft_m: f64,
     /// Height of the tower top, m (`TowerHt`).
     pub tower_top_m: f64,
-    /// Height of the base of the flexible tower, m (`TowerBsHt`).
+    /// Height of the base of the flexible tower, m (`TowerBsHt`; in ElastoDyn 1.00 `TwrRBHt` − `TwrDraft`).
     pub tower_base_m: f64,
     /// Mass at the tip of each blade, kg (`TipMass`); unused ones are zero.
     pub tip_masses_kg: [f64; 3],
@@ -66,8 +68,8 @@ pub struct MainFile {
     pub yaw_bearing_mass_kg: f64,
     /// The platform.
     pub platform: Platform,
-    /// How many elements ElastoDyn cuts a blade into (`BldNodes`).
-    pub blade_nodes: usize,
+    /// How many elements ElastoDyn cuts a blade into (`BldNodes`); not in the files of ElastoDyn 1.00 and 1.01.
+    pub blade_nodes: Option<usize>,
     /// The file of each blade as the line names it, relative to the main file (`BldFile`); as many as there are blades.
     pub blade_files: Vec<String>,
     /// Whether there is a model of furling in another file (`Furling`).
@@ -91,7 +93,8 @@ pub struct Platform {
     pub products_kg_m2: [f64; 3],
     /// Its centre of mass, m (`PtfmCMxt`, `PtfmCMyt`, `PtfmCMzt`).
     pub center_m: [f64; 3],
-    /// The point that its motion is of, m (`PtfmRefxt`, `PtfmRefyt`, `PtfmRefzt`); x and y are zero where the file has none.
+    /// The point that its motion is of, m (`PtfmRefxt`, `PtfmRefyt`, `PtfmRefzt`; in ElastoDyn 1.00 z is −`PtfmRef`); x and y are zero
+    /// where the file has none.
     pub reference_m: [f64; 3],
 }
 
@@ -111,8 +114,13 @@ impl MainFile {
         self.tip_radius_m - self.hub_radius_m
     }
 
-    /// Length of the flexible tower, m: `TowerHt` − `TowerBsHt`.
+    /// Length of the flexible tower, m: `TowerHt` − `TowerBsHt`, or the other way round of one that hangs.
     pub fn tower_length_m(&self) -> f64 {
-        self.tower_top_m - self.tower_base_m
+        (self.tower_top_m - self.tower_base_m).abs()
+    }
+
+    /// Whether the tower hangs, as those of floating turbines in a current do: its top is below its base and below the sea.
+    pub fn tower_hangs(&self) -> bool {
+        hangs(self.tower_base_m, self.tower_top_m)
     }
 }

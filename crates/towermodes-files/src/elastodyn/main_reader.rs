@@ -59,7 +59,7 @@ pub fn read_main_file(source: &Source) -> Result<MainFile, Diagnostic> {
         nacelle_center_m: values.numbers(["NacCMxn", "NacCMyn", "NacCMzn"])?,
         tower_to_shaft_m: values.number("Twr2Shft")?,
         tower_top_m: values.number("TowerHt")?,
-        tower_base_m: values.number("TowerBsHt")?,
+        tower_base_m: values.tower_base_m()?,
         tip_masses_kg: values.of_blades(TIP_MASS, blade_count, |key| values.not_negative(key))?,
         hub_mass_kg: values.not_negative("HubMass")?,
         hub_inertia_kg_m2: values.not_negative("HubIner")?,
@@ -70,7 +70,7 @@ pub fn read_main_file(source: &Source) -> Result<MainFile, Diagnostic> {
         nacelle_yaw_inertia_kg_m2: values.not_negative("NacYIner")?,
         yaw_bearing_mass_kg: values.not_negative("YawBrMass")?,
         platform: values.platform()?,
-        blade_nodes: values.parameter("BldNodes")?.count(1)?,
+        blade_nodes: values.blade_nodes()?,
         blade_files: values.blade_files(blade_count)?,
         furling: values.parameter("Furling")?.logical()?,
         tower_nodes: values.parameter("TwrNodes")?.count(1)?,
@@ -96,9 +96,10 @@ fn check(file: &MainFile) -> Result<(), Diagnostic> {
         );
     }
     let (top, base) = (file.tower_top_m, file.tower_base_m);
-    if top <= base {
+    if top <= base && !file.tower_hangs() {
         let message = format!("TowerHt is {top} m and TowerBsHt {base} m");
-        return wrong("TowerHt", message, "the top must be above the base");
+        let hint = "the top must be above the base; only the tower of a floating turbine in a current hangs, with TowerHt below 0";
+        return wrong("TowerHt", message, hint);
     }
     if !(file.tower_length_m() * file.blade_length_m()).is_finite() {
         let message = format!("the tower is {} m long", file.tower_length_m());
@@ -224,6 +225,21 @@ impl<'a> Values<'a> {
         }
     }
 
+    /// Height of the flexible tower's base, m: of the name it has since ElastoDyn 1.01, or of the two it had before.
+    fn tower_base_m(&self) -> Result<f64, Diagnostic> {
+        if self.lines.contains_key("TwrRBHt") {
+            return Ok(self.number("TwrRBHt")? - self.number("TwrDraft")?);
+        }
+        self.number("TowerBsHt")
+    }
+
+    fn blade_nodes(&self) -> Result<Option<usize>, Diagnostic> {
+        match self.lines.contains_key("BldNodes") {
+            true => self.parameter("BldNodes")?.count(1).map(Some),
+            false => Ok(None),
+        }
+    }
+
     fn blade_files(&self, count: usize) -> Result<Vec<String>, Diagnostic> {
         let keys = BLADES.into_iter().take(count);
         keys.map(|key| self.parameter(key)?.file()).collect()
@@ -243,8 +259,16 @@ impl<'a> Values<'a> {
             inertia_kg_m2: [roll?, pitch?, yaw?],
             products_kg_m2: [xy?, yz?, xz?],
             center_m: self.numbers(["PtfmCMxt", "PtfmCMyt", "PtfmCMzt"])?,
-            reference_m: [x?, y?, self.number("PtfmRefzt")?],
+            reference_m: [x?, y?, self.reference_z_m()?],
         })
+    }
+
+    /// Height of the platform's reference point, m: downwards in ElastoDyn 1.00.
+    fn reference_z_m(&self) -> Result<f64, Diagnostic> {
+        if self.lines.contains_key("PtfmRef") {
+            return Ok(0.0 - self.number("PtfmRef")?);
+        }
+        self.number("PtfmRefzt")
     }
 
     /// Where each value stands.

@@ -293,7 +293,7 @@ impl TowerFile {
         nodes: usize,
         tower_top_mass_kg: f64,
     ) -> TowerModel {
-        let station = |row: &TowerRow| TowerStation {
+        let station = |row: TowerRow| TowerStation {
             height_fraction: row.height_fraction,
             mass_kg_per_m: row.mass_kg_per_m,
             bending_n_m2: Planes {
@@ -308,7 +308,7 @@ impl TowerFile {
         TowerModel {
             flexible_length_m,
             nodes,
-            stations: self.rows.iter().map(station).collect(),
+            stations: self.rows_to_the_top().map(station).collect(),
             mass_factor: self.mass_factor,
             stiffness_factors: Planes {
                 fore_aft: self.fore_aft_factor,

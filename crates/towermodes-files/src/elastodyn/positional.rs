@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use super::names::{is_ruler, said};
+use super::names::{is_ruler, name_on, plain, said};
 use crate::diagnostic::Diagnostic;
 use crate::records::{Line, Lines, Token};
 
@@ -23,9 +23,16 @@ impl<'a> Positional<'a> {
         Self { lines, known }
     }
 
-    /// A line of free text.
-    pub(super) fn free(&mut self, what: &str) -> Result<&'a str, Diagnostic> {
-        self.lines.expect(what).map(|line| line.text)
+    /// The two free lines that a file begins with. Files of FAST 7 begin with one more, a ruler: there the heading and the first
+    /// parameter, by whose name that is seen, come a line later.
+    pub(super) fn header(&mut self, first_key: &str) -> Result<[String; 2], Diagnostic> {
+        let is_first_key = |line: Line<'a>| name_on(&line) == Some(plain(first_key));
+        if self.lines.clone().nth(4).is_some_and(is_first_key) {
+            self.lines.next();
+        }
+        let first = self.lines.expect("the first header line")?;
+        let second = self.lines.expect("the second header line")?;
+        Ok([first, second].map(|line| line.text.to_owned()))
     }
 
     /// The next line without reading past it.

@@ -1,6 +1,7 @@
 //! A tower from a tower file of ElastoDyn alone, which says everything but the heights of its ends.
 
-use super::description::{Ends, ONLY_BENDS, description, remember, tuner_note};
+use super::description::{Ends, ONLY_BENDS, description, hangs, remember, tuner_note};
+use super::hanging;
 use super::tower_reader::read_with_places;
 use crate::diagnostic::Diagnostic;
 use crate::input::{FileFormat, InputError, Note, ReadOptions, TowerInput};
@@ -23,8 +24,8 @@ pub fn read_elastodyn_tower(
         Ok(reading) => reading,
         Err(mistake) => return Err(InputError::mistake(&source, mistake)),
     };
-    let ends = match ends(&reading.file.header, options) {
-        Ok(ends) => ends,
+    let (ends, hangs) = match ends(&reading.file.header, options) {
+        Ok(found) => found,
         Err(mistake) => return Err(InputError::mistake(&source, mistake)),
     };
     let title = without_heights(&reading.file.header[1]);
@@ -34,28 +35,27 @@ pub fn read_elastodyn_tower(
     input.notes = reading.notes;
     input.notes.extend(tuner_note(&reading.file));
     input.notes.push(Note::new(ONLY_BENDS));
+    input.notes.extend(hangs.then(|| hanging::note(ends)));
     input.notes.push(Note::on_missing_part(format!(
-        "the tower stands from {} m to {} m, clamped, with nothing on top: a tower file does not say what it carries",
+        "the tower stands from {} m to {} m, clamped, with nothing on top and without gravity: a tower file does not say what it carries",
         ends.base_m, ends.top_m
     )));
     Ok(input)
 }
 
-/// The heights of the ends, of the options if they say them.
-fn ends(header: &[String; 2], options: &ReadOptions) -> Result<Ends, Diagnostic> {
+/// The heights of the ends, of the options if they say them, and whether the tower hangs.
+fn ends(header: &[String; 2], options: &ReadOptions) -> Result<(Ends, bool), Diagnostic> {
     let said = |name| header.iter().rev().find_map(|line| value_after(line, name));
     let Some(top_m) = options.tower_height_m.or_else(|| said("TowerHt")) else {
         let message = "a tower file alone does not say how high the tower is";
         return Err(Diagnostic::new(0..0, message).with_hint(HINT));
     };
     let base_m = options.tower_base_m.or_else(|| said("TowerBsHt"));
-    let ends = Ends {
-        base_m: base_m.unwrap_or(0.0),
-        top_m,
-    };
+    let base_m = base_m.unwrap_or(0.0);
+    let ends = Ends::of(base_m, top_m);
     let length_m = ends.top_m - ends.base_m;
     if length_m > 0.0 && length_m.is_finite() {
-        return Ok(ends);
+        return Ok((ends, hangs(base_m, top_m)));
     }
     let message = format!(
         "the tower's top is at {} m and its base at {} m",

@@ -29,6 +29,20 @@ pub struct TowerFile {
     pub concentrated_masses: Vec<ConcentratedMass>,
 }
 
+impl TowerFile {
+    /// The rows from the base to the top: of a uniform tower, which has one row (`NTwInpSt` = 1), that row at both ends.
+    pub fn rows_to_the_top(&self) -> impl Iterator<Item = TowerRow> + '_ {
+        let top = match self.rows.as_slice() {
+            [only] => Some(TowerRow {
+                height_fraction: 1.0,
+                ..*only
+            }),
+            _ => None,
+        };
+        self.rows.iter().copied().chain(top)
+    }
+}
+
 /// A row of the distributed properties.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct TowerRow {

@@ -104,10 +104,7 @@ pub fn read_tower_file(
 /// The same with the places of all values.
 pub(super) fn read_with_places(source: &Source) -> Result<TowerReading, Diagnostic> {
     let mut lines = Positional::new(&source.text, KEYS);
-    let header = [
-        lines.free("the first header line")?.to_owned(),
-        lines.free("the second header line")?.to_owned(),
-    ];
+    let header = lines.header("NTwInpSt")?;
     lines.heading("the heading TOWER PARAMETERS")?;
     let count = lines.parameter("NTwInpSt", "number of rows")?;
     if lines
@@ -171,7 +168,7 @@ fn rows(
     count: &Parameter<'_>,
     spans: &mut TowerSpans,
 ) -> Result<Vec<TowerRow>, Diagnostic> {
-    let wanted = count.count(2)?;
+    let wanted = count.count(1)?;
     lines.heading("the heading DISTRIBUTED TOWER PROPERTIES")?;
     lines.heading("the names of the columns")?;
     lines.heading("the units of the columns")?;
@@ -202,7 +199,8 @@ fn rows(
         });
         spans.rows.push(values.map(|(_, token)| token.span));
     }
-    if let (Some(row), Some([span, ..])) = (rows.last_mut(), spans.rows.last()) {
+    // A single row, at 0, is that of a uniform tower.
+    if let ([_, .., row], Some([span, ..])) = (rows.as_mut_slice(), spans.rows.last()) {
         row.height_fraction = last_fraction(row.height_fraction, span.clone(), "HtFract")?;
     }
     Ok(rows)

@@ -1,10 +1,12 @@
 //! Blades and the rotor-nacelle assembly against calculations by hand.
 
+use towermodes_files::RotorLock::{Free, Locked};
 use towermodes_files::elastodyn::{
-    BladeMasses, lump_rna, read_blade_file, read_main_file, read_tower_file,
+    BladeMasses, lump_rna, read_blade_file, read_elastodyn, read_main_file, read_tower_file,
 };
+use towermodes_files::{ReadOptions, RotorLock};
 
-use crate::elastodyn::texts::{BLADE, TOWER, close, deck, main_file, main_text, source};
+use crate::elastodyn::texts::{BLADE, TOWER, close, deck, files, main_file, main_text, source};
 
 #[test]
 fn the_assembly_is_that_of_the_hand_calculation() {
@@ -19,7 +21,7 @@ fn the_assembly_is_that_of_the_hand_calculation() {
     let tensor = rna.tensor_about([0.0; 3]);
     close(
         tensor[0][0],
-        133000.0 + 70.0 + 18.0 + 3500.0 * 4.0 + 2000.0 * 1.25,
+        133000.0 + 70.0 + 2.0 + 3500.0 * 4.0 + 2000.0 * 1.25,
         1e-8,
     );
     close(
@@ -35,6 +37,56 @@ fn the_assembly_is_that_of_the_hand_calculation() {
     close(tensor[0][2], 3000.0 * 8.0 + 500.0 * 6.0 - 2000.0, 1e-8);
     close(tensor[0][1], -1000.0, 1e-8);
     close(tensor[1][2], -1000.0, 1e-8);
+}
+
+/// The assembly of the small turbine with its rotor held in a way.
+fn assembly(changes: &[(&str, &str)], rotor: RotorLock) -> Result<towermodes::RigidBody, String> {
+    let options = ReadOptions {
+        rotor,
+        ..ReadOptions::default()
+    };
+    let main = source("main.dat", main_text(5, changes));
+    let deck = read_elastodyn(main, &files(TOWER), &options);
+    deck.map(|deck| deck.rna).map_err(|error| error.to_string())
+}
+
+/// J_r = 133000 + 70, J_g = 2 and q = 3: locked J_r + J_g; free J_r J_g (1 − q)²/(J_r + J_g q²) = 133070 · 2 · 4/133088.
+#[test]
+fn a_free_rotor_takes_its_inertia_off_the_shaft_alone() {
+    let others = 3500.0 * 4.0 + 2000.0 * 1.25;
+    let of = |rotor| assembly(&[], rotor).expect("an assembly");
+    let [locked, free] = [of(Locked), of(Free)].map(|rna| rna.tensor_about([0.0; 3]));
+    close(locked[0][0], 133_072.0 + others, 1e-8);
+    close(free[0][0], 133_070.0 * 8.0 / 133_088.0 + others, 1e-8);
+    for i in 0..3 {
+        for j in 0..3 {
+            if (i, j) != (0, 0) {
+                close(free[i][j], locked[i][j], 1e-8);
+            }
+        }
+    }
+    // A gearbox that reverses: 133070 · 2 · 16/133088.
+    let reversed = assembly(&[("GBRatio", "-3")], Free).expect("an assembly");
+    let xx = reversed.tensor_about([0.0; 3])[0][0];
+    close(xx, 133_070.0 * 32.0 / 133_088.0 + others, 1e-8);
+    // The ratio is nothing to a locked rotor.
+    let locked_at = |ratio| assembly(&[("GBRatio", ratio)], Locked).expect("an assembly");
+    assert_eq!(locked_at("1"), locked_at("97"));
+}
+
+#[test]
+fn a_free_rotor_is_balanced() {
+    for changes in [
+        &[("NumBl", "1")][..],
+        &[("TipMass(2)", "10")],
+        &[("PreCone(3)", "5")],
+    ] {
+        assembly(changes, Locked).expect("it may be held");
+        let refused = assembly(changes, Free).expect_err("it would swing");
+        assert!(refused.contains("the rotor is not balanced"), "{refused}");
+    }
+    let pair = [("NumBl", "2"), ("HubIner_Teeter", "600")];
+    assembly(&pair, Free).expect("two blades alike");
 }
 
 #[test]
@@ -53,7 +105,7 @@ fn tilt_cone_and_azimuth_have_elastodyns_signs() {
         ("ShftTilt", "-5"),
         ("Twr2Shft", "1.96256"),
     ]);
-    let hub = lump_rna(&main, &[]);
+    let hub = lump_rna(&main, &[], Locked);
     close(hub.center_m[0], -5.0191 * 5f64.to_radians().cos(), 1e-12);
     close(hub.center_m[2], 2.400_003_388, 1e-8);
     // Upwind cone: 6 m sin 30° upwind of the apex.
@@ -69,14 +121,14 @@ fn tilt_cone_and_azimuth_have_elastodyns_signs() {
         second_moment_kg_m2: 1e5 / 3.0,
     };
     close(
-        lump_rna(&with(&cone), &[uniform; 3]).center_m[0],
+        lump_rna(&with(&cone), &[uniform; 3], Locked).center_m[0],
         -4.0 - 3.0,
         1e-12,
     );
     // The second blade stands 120° of a turn about x, which carries y to z, from the first: its tip is at y = −11 sin 120°,
     // z = 11 cos 120° from the apex.
     let tip = with(&[("TipMass(2)", "100"), ("HubMass", "0")]);
-    let center = lump_rna(&tip, &[BladeMasses::default(); 3]).center_m;
+    let center = lump_rna(&tip, &[BladeMasses::default(); 3], Locked).center_m;
     close(center[1], -11.0 * 120f64.to_radians().sin(), 1e-12);
     close(center[2], 2.0 - 5.5, 1e-12);
 }
@@ -103,7 +155,7 @@ fn two_blades_have_a_teeter_pin() {
     let own = 400.0 - 500.0 * 0.5625;
     let blades = 2.0 * (1000.0 * 100.0 / 12.0 + 36000.0);
     let main = main_file(1, &changes);
-    let tensor = lump_rna(&main, &[blade; 2]).tensor_about([0.0; 3]);
+    let tensor = lump_rna(&main, &[blade; 2], Locked).tensor_about([0.0; 3]);
     close(tensor[0][0], blades + own, 1e-8);
     close(
         tensor[1][1],
@@ -112,7 +164,7 @@ fn two_blades_have_a_teeter_pin() {
     );
     close(tensor[2][2], 2000.0 * 3.5 * 3.5 + 500.0 * 3.25 * 3.25, 1e-8);
     let main = main_file(5, &[&changes[..], &[("HubIner_Teeter", "400")]].concat());
-    let tensor = lump_rna(&main, &[blade; 2]).tensor_about([0.0; 3]);
+    let tensor = lump_rna(&main, &[blade; 2], Locked).tensor_about([0.0; 3]);
     close(tensor[0][0], blades + 400.0, 1e-8);
     close(
         tensor[1][1],
@@ -158,19 +210,39 @@ fn blades_have_five_six_or_seventeen_columns() {
     }
 }
 
+/// Files of FAST 7 begin with a ruler and their title between rulers; then come the user's line and the first heading.
 #[test]
-fn fast_7_has_one_more_line() {
-    let text = TOWER
-        .replace("rows\n", "rows\nFalse CalcTMode - (flag)\n")
-        .replace('\n', "\r\n");
-    let (tower, ..) = read_tower_file(&source("t", text)).expect("a tower file of FAST 7");
+fn files_of_fast_7_begin_with_one_more_ruler() {
+    let fast_7 = |text: &str, title: &str, flag: &str| {
+        let ruler = "-".repeat(80);
+        let lines = text.lines().skip(2).map(|line| match line {
+            count if count.contains("InpSt") => format!("{count}\r\nFalse  {flag}  - (flag)"),
+            line => line.to_owned(),
+        });
+        let body = lines.collect::<Vec<_>>().join("\r\n");
+        format!("{ruler}\r\n-------- {title} --------\r\na small turbine\r\n{body}\r\n")
+    };
+    let text = fast_7(TOWER, "FAST TOWER FILE", "CalcTMode");
+    let (tower, spans, _) = read_tower_file(&source("t", text.as_str())).expect("a tower file");
     assert_eq!(tower.rows.len(), 3);
-    let blade = BLADE.replace("NBlInpSt\n", "NBlInpSt\nFalse CalcBMode - (flag)\n");
-    assert_eq!(
-        read_blade_file(&source("b", blade))
-            .expect("a blade")
-            .rows
-            .len(),
-        2
-    );
+    assert_eq!(tower.header[1], "a small turbine");
+    assert_eq!(&text[spans[1][0].clone()], "-40.5");
+    let text = fast_7(BLADE, "FAST INDIVIDUAL BLADE FILE", "CalcBMode");
+    let blade = read_blade_file(&source("b", text)).expect("a blade file");
+    assert_eq!(blade.masses(10.0).mass_kg, 1000.0);
+}
+
+/// One row is the whole blade: 100 kg/m over 10 m, ∫ μ r² dr = 100 · 10³/3.
+#[test]
+fn a_blade_of_one_row_is_uniform() {
+    let text = BLADE
+        .replace("2 NBlInpSt", "1 NBlInpSt")
+        .replace(" 1 0.25 0 50 1e9 1e9\n", "");
+    let masses = read_blade_file(&source("b", text.as_str())).map(|blade| blade.masses(10.0));
+    let masses = masses.expect("a uniform blade");
+    close(masses.mass_kg, 1000.0, 1e-12);
+    close(masses.second_moment_kg_m2, 1e5 / 3.0, 1e-9);
+    let off = text.replace(" 0 0.25 13", " 1 0.25 13");
+    let mistake = read_blade_file(&source("b", off)).expect_err("it begins at 0");
+    assert!(mistake.message.contains("BlFract of the first row is 1"));
 }

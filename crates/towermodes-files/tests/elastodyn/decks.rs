@@ -1,8 +1,8 @@
 //! Whole decks: the tower they describe, and files that are not there.
 
-use towermodes::{Foundation, Rna};
-use towermodes_files::elastodyn::read_elastodyn;
-use towermodes_files::{InMemory, InputError, ReadOptions};
+use towermodes::{Foundation, Rna, Tower};
+use towermodes_files::elastodyn::{ElastoDynDeck, read_elastodyn};
+use towermodes_files::{InMemory, InputError, ReadOptions, RotorLock, read_source};
 
 use crate::elastodyn::texts::{BLADE, TOWER, deck, files, main_text, source};
 
@@ -37,7 +37,9 @@ fn a_deck_is_a_clamped_tower() {
             .any(|note| note.contains("neither twist nor stretch"))
     );
     assert!(
-        notes.iter().any(|note| note.contains("GBRatio^2 = 1.8")),
+        notes
+            .iter()
+            .any(|note| note.starts_with("main.dat:") && note.contains("GenIner counts once")),
         "{notes:?}"
     );
     let files: Vec<&str> = deck.input.files().collect();
@@ -67,6 +69,220 @@ fn an_fst_file_leads_to_the_deck() {
         error.to_string().contains("ed/mien.dat: no such file"),
         "{error}"
     );
+}
+
+/// A deck with an `.fst` file of these lines beside its own.
+fn by_fst(lines: &str, version: usize, options: &ReadOptions) -> Result<ElastoDynDeck, InputError> {
+    let fst = format!("OpenFAST INPUT FILE\nx\n\"main.dat\" EDFile - file\n{lines}");
+    let mut companions = files(TOWER);
+    let main = main_text(version, &[]);
+    companions.files.insert("main.dat".into(), main);
+    read_elastodyn(source("a.fst", fst), &companions, options)
+}
+
+fn messages(deck: &ElastoDynDeck) -> Vec<String> {
+    deck.input.notes.iter().map(ToString::to_string).collect()
+}
+
+/// The gravity of a deck, and what is said of it.
+fn gravity(deck: &ElastoDynDeck) -> (f64, Vec<String>) {
+    let said = messages(deck).into_iter();
+    let said = said.filter(|note| note.contains("Gravity")).collect();
+    (deck.input.description.gravity_m_per_s2, said)
+}
+
+#[test]
+fn gravity_is_that_of_the_fst_file_then_of_the_main_file_then_the_standard() {
+    let options = ReadOptions::default();
+    let of = |lines, version| gravity(&by_fst(lines, version, &options).expect("a deck"));
+    assert_eq!(of("9.7 Gravity - (m/s^2)\n", 5), (9.7, vec![]));
+    assert_eq!(of("", 1), (9.81, vec![]));
+    assert_eq!(of("0 Gravity\n", 5), (0.0, vec![]));
+    let (both, said) = of("9.7 Gravity\n", 1);
+    assert_eq!(both, 9.7);
+    assert_eq!(
+        said,
+        ["Gravity is 9.7 m/s2 in a.fst and 9.81 m/s2 in main.dat; the first is taken"]
+    );
+    let (standard, said) = of("", 5);
+    assert_eq!(standard, 9.80665);
+    assert!(
+        said[0].contains("9.80665 m/s2 is taken (--no-gravity"),
+        "{said:?}"
+    );
+    let wrong = by_fst("-9.81 Gravity\n", 5, &options).expect_err("negative");
+    assert!(wrong.to_string().contains("a.fst: Gravity"), "{wrong}");
+}
+
+#[test]
+fn gravity_may_be_left_out_of_any_file() {
+    let options = ReadOptions {
+        without_gravity: true,
+        ..ReadOptions::default()
+    };
+    let deck = by_fst("9.7 Gravity\n", 5, &options).expect("a deck");
+    assert_eq!(gravity(&deck), (0.0, vec![]));
+    let toml = "[gravity]\n[material]\ndensity = 7850\nyoungs_modulus = 2.1e11\nshear_modulus = 8.1e10\n\
+                [tower]\nstations = [[0, 6, 0.03], [80, 4, 0.02]]\n";
+    let read = |options: &ReadOptions| {
+        let input = read_source(source("t.toml", toml), &InMemory::default(), options);
+        match input.expect("a tower") {
+            towermodes_files::Input::Tower(tower) => tower.description.gravity_m_per_s2,
+            towermodes_files::Input::Blade(_) => panic!("a blade"),
+        }
+    };
+    assert_eq!(read(&ReadOptions::default()), 9.80665);
+    assert_eq!(read(&options), 0.0);
+}
+
+/// ElastoDyn adds the weights to its shapes' stiffness itself; any other tower is as its file describes it.
+#[test]
+fn shapes_are_those_of_a_deck_without_gravity() {
+    let input = deck(&[]).input;
+    let gravity = |tower: Tower| tower.gravity_m_per_s2();
+    assert_eq!(input.tower().map(gravity).expect("a tower"), 9.80665);
+    assert_eq!(input.tower_for_shapes().map(gravity).expect("a tower"), 0.0);
+    assert!(input.note_on_shapes().is_some());
+    let mut weightless = deck(&[]).input;
+    weightless.description.gravity_m_per_s2 = 0.0;
+    assert_eq!(weightless.note_on_shapes(), None);
+    // Of a tower in TOML that has it gravity stays.
+    let mut own = input;
+    own.format = towermodes_files::FileFormat::Toml;
+    assert_eq!(
+        own.tower_for_shapes().map(gravity).expect("a tower"),
+        9.80665
+    );
+}
+
+#[test]
+fn modules_under_the_tower_are_left_out_with_a_note() {
+    let options = ReadOptions::default();
+    let lines = "1 CompHydro\n0 CompSub\n3 CompMooring\n\"hd.dat\" HydroFile\n\
+                 \"sub.dat\" SubFile\n\"moor.dat\" MooringFile\n";
+    let deck = by_fst(lines, 5, &options).expect("a deck");
+    let left_out: Vec<String> = messages(&deck)
+        .into_iter()
+        .filter(|note| note.contains("left out"))
+        .collect();
+    assert_eq!(
+        left_out,
+        [
+            "a.fst:4: CompHydro is on, and its file (hd.dat) is not read: the water's mass and stiffness are left out",
+            "a.fst:6: CompMooring is on, and its file (moor.dat) is not read: the mooring lines are left out",
+        ]
+    );
+    assert!(deck.input.notes.iter().any(|note| note.is_on_missing_part));
+    // The first versions of FAST 8 have flags.
+    let flags = "True CompSub\nFalse CompHydro\n\"sub.dat\" SDFile\n";
+    let said = messages(&by_fst(flags, 1, &options).expect("a deck"));
+    assert!(
+        said[0].contains("CompSub is on, and its file (sub.dat)"),
+        "{said:?}"
+    );
+}
+
+/// The tower of a floating turbine in a current: TowerHt −24 m, TowerBsHt −9 m, the nacelle below the top.
+#[test]
+fn a_tower_that_hangs_is_solved_upside_down() {
+    let hanging = [
+        ("TowerHt", "-24"),
+        ("TowerBsHt", "-9"),
+        ("Twr2Shft", "-2"),
+        ("NacCMzn", "-1"),
+        ("ShftTilt", "5"),
+    ];
+    let standing = [("TowerHt", "24"), ("TowerBsHt", "9"), ("ShftTilt", "-5")];
+    let (down, up) = (deck(&hanging), deck(&standing));
+    assert!(down.main.tower_hangs() && !up.main.tower_hangs());
+    assert_eq!(down.main.tower_length_m(), 15.0);
+    let (tower, mirror) = (&down.input.description, &up.input.description);
+    assert_eq!(tower.properties, mirror.properties);
+    assert_eq!(tower.point_masses, mirror.point_masses);
+    for (found, expected) in tower.rna.center_m.iter().zip(mirror.rna.center_m) {
+        assert!((found - expected).abs() < 1e-12);
+    }
+    let (found, expected) = (tower.rna.inertia_kg_m2, mirror.rna.inertia_kg_m2);
+    assert!((found.xz - expected.xz).abs() < 1e-6 && expected.xz.abs() > 1.0);
+    assert!((found.yz - expected.yz).abs() < 1e-6 && expected.yz.abs() > 1.0);
+    assert_eq!(tower.gravity_m_per_s2, 0.0);
+    let said = messages(&down);
+    let hangs = "the tower hangs from z = -9 m down to -24 m: it is solved upside down";
+    assert!(said.iter().any(|note| note.starts_with(hangs)), "{said:?}");
+    // Above the sea the top is above the base.
+    let main = source(
+        "main.dat",
+        main_text(5, &[("TowerHt", "5"), ("TowerBsHt", "9")]),
+    );
+    let refused = read_elastodyn(main, &files(TOWER), &ReadOptions::default());
+    assert!(refused.is_err());
+}
+
+/// One row is the whole tower.
+#[test]
+fn a_tower_of_one_row_is_uniform() {
+    let one_row = TOWER
+        .replace("3 NTwInpSt", "1 NTwInpSt")
+        .replace(" 0.25 900 9e9 1.8e10\n 1.0 800 8e9 1.6e10\n", "");
+    let read = |text: &str| {
+        let main = source("main.dat", main_text(5, &[]));
+        read_elastodyn(main, &files(text), &ReadOptions::default())
+    };
+    let deck = read(&one_row).expect("a uniform tower");
+    let rows = &deck.input.description.properties;
+    assert_eq!(
+        (rows.len(), rows[0].height_m, rows[1].height_m),
+        (2, 0.0, 40.0)
+    );
+    assert_eq!(rows[0].properties, rows[1].properties);
+    assert_eq!(rows[0].properties.mass_kg_per_m, 2000.0);
+    // ElastoDyn's own tower of it: 2000 kg/m over 40 m.
+    let model = deck.tower.model(40.0, 20, 0.0);
+    let modes = deck.tower.modes().fore_aft;
+    let quantities = model.generalized(towermodes::Plane::ForeAft, &modes);
+    let mass_kg = quantities.expect("a model").tower_mass_kg;
+    assert!((mass_kg - 80e3).abs() < 1e-6, "{mass_kg}");
+    // A mistake at the top is one in the only row.
+    let mut input = deck.input;
+    input.description.properties[1].properties.mass_kg_per_m = -1.0;
+    let Err(InputError::Mistakes {
+        source_file,
+        mistakes,
+    }) = input.tower()
+    else {
+        panic!("a negative mass");
+    };
+    assert_eq!(&source_file.text[mistakes[0].span.clone()], "1.0D3");
+    let error = read(&one_row.replace(" 0.0 1.0D3", " 1.0 1.0D3")).expect_err("it begins at 0");
+    assert!(
+        error
+            .to_string()
+            .contains("HtFract of the first row is 1.0")
+    );
+}
+
+#[test]
+fn the_rotor_is_held_or_free_with_a_note() {
+    let read = |rotor| {
+        let options = ReadOptions {
+            rotor,
+            ..ReadOptions::default()
+        };
+        let main = source("main.dat", main_text(5, &[]));
+        messages(&read_elastodyn(main, &files(TOWER), &options).expect("a deck"))
+    };
+    let locked = read(RotorLock::Locked);
+    let says = |said: &[String], what: &str| said.iter().any(|note| note.contains(what));
+    // 133070 + 2 kg m² locked; 133070 · 8/133088 = 7.9989 free.
+    assert!(says(
+        &locked,
+        "the inertia about the shaft is 1.3307e5 kg m2 (--rotor free"
+    ));
+    let free = read(RotorLock::Free);
+    assert!(says(
+        &free,
+        "the nacelle feels 7.9989e0 kg m2 about the shaft instead of the 1.3307e5"
+    ));
 }
 
 #[test]

@@ -1,9 +1,9 @@
 //! Main files of all versions, and their mistakes.
 
-use towermodes_files::ReadOptions;
-use towermodes_files::elastodyn::{read_elastodyn, read_main_file};
+use towermodes_files::elastodyn::read_main_file;
+use towermodes_files::{InMemory, ReadOptions, read_source};
 
-use crate::elastodyn::texts::{TOWER, files, main_file, main_text, source};
+use crate::elastodyn::texts::{main_file, main_text, source};
 
 #[test]
 fn main_files_of_all_versions_say_the_same() {
@@ -16,7 +16,7 @@ fn main_files_of_all_versions_say_the_same() {
     for main in [&old, &new] {
         assert_eq!(
             (main.blade_count, main.tower_nodes, main.blade_nodes),
-            (3, 20, 17)
+            (3, 20, Some(17))
         );
         assert_eq!((main.tower_top_m, main.tower_base_m), (40.0, 0.0));
         assert_eq!(main.nacelle_center_m, [1.0, 0.5, 1.0]);
@@ -69,6 +69,7 @@ fn the_rules_of_the_main_file_have_their_places() {
         ("NumBl", "4", "NumBl (number of blades) is 4"),
         ("TipRad", "0.5", "TipRad is 0.5 m and HubRad 1 m"),
         ("TowerBsHt", "50", "TowerHt is 40 m and TowerBsHt 50 m"),
+        ("TowerHt", "0", "TowerHt is 0 m and TowerBsHt 0 m"),
         ("ShftTilt", "95", "is 95"),
         ("HubMass", "-1", "is -1"),
         ("NacYIner", "2499", "NacYIner is 2499 kg m2"),
@@ -81,12 +82,71 @@ fn the_rules_of_the_main_file_have_their_places() {
         let mistake = read_main_file(&source("m", text)).expect_err(key);
         assert!(mistake.message.contains(says), "{mistake}");
     }
-    let fast_7 = "a\nb\n---\n1 ADAMSPrep - mode\n3 NumBl - n\n9 TipRad - m\n\"t\" TwrFile - f\n";
-    let error = read_elastodyn(source("m", fast_7), &files(TOWER), &ReadOptions::default());
+}
+
+/// ElastoDyn 1.00 has the base's height as two lengths and the platform's reference point as a depth; up to 1.01 there is no BldNodes.
+#[test]
+fn the_first_layouts_are_read() {
+    let modern = main_text(1, &[("TowerBsHt", "3"), ("PtfmRefzt", "-2")]);
+    let without_nodes: String = modern
+        .lines()
+        .filter(|line| !line.contains("BldNodes"))
+        .map(|line| format!("{line}\n"))
+        .collect();
+    let read = |text: &str| read_main_file(&source("m", text));
+    let v1_01 = read(&without_nodes).expect("ElastoDyn 1.01");
+    assert_eq!(v1_01.blade_nodes, None);
+    let v1_00 = without_nodes
+        .replace(
+            "  3   TowerBsHt - some words\n",
+            "  5   TwrRBHt - some words\n  2   TwrDraft - some words\n",
+        )
+        .replace("  -2   PtfmRefzt", "  2   PtfmRef");
+    assert!(v1_00.contains("TwrDraft") && v1_00.contains("PtfmRef "));
+    let v1_00 = read(&v1_00).expect("ElastoDyn 1.00");
+    for main in [&v1_00, &v1_01] {
+        assert_eq!((main.tower_top_m, main.tower_base_m), (40.0, 3.0));
+        assert_eq!(main.platform.reference_m, [0.0, 0.0, -2.0]);
+        assert_eq!(main.tower_file, "tower.dat");
+    }
+    // The two lengths come together.
+    let half = without_nodes.replace("  3   TowerBsHt", "  3   TwrRBHt");
+    let mistake = read(&half).expect_err("no TwrDraft");
     assert!(
-        error
-            .expect_err("FAST 7")
-            .to_string()
-            .contains("not understood as a main file")
+        mistake.message.contains("expected TwrDraft here"),
+        "{mistake}"
     );
+}
+
+/// FAST 7 has most of the names in an order of its own; the hint says what to do.
+#[test]
+fn a_main_file_of_fast_7_is_refused_as_one() {
+    let names = "FlapDOF1 FlapDOF2 EdgeDOF TeetDOF DrTrDOF GenDOF YawDOF TwFADOF1 TwFADOF2 TwSSDOF1 TwSSDOF2 CompAero CompNoise \
+                 OoPDefl IPDefl TeetDefl Azimuth RotSpeed NacYaw TTDspFA TTDspSS TipRad HubRad PSpnElN UndSling HubCM OverHang NacCMxn \
+                 NacCMyn NacCMzn TowerHt Twr2Shft TwrRBHt ShftTilt Delta3 PreCone(1) PreCone(2) PreCone(3) AzimB1Up YawBrMass NacMass \
+                 HubMass TipMass(1) TipMass(2) TipMass(3) NacYIner GenIner HubIner GBoxEff GenEff GBRatio GBRevers HSSBrTqF HSSBrDT \
+                 DTTorSpr DTTorDmp PtfmModel PtfmFile TwrNodes TwrFile YawSpr YawDamp Furling FurlFile TeetMod";
+    let mut text = "-----\n------- FAST INPUT FILE -------\na turbine\nwords\n\
+                    ------- SIMULATION CONTROL -------\nFalse Echo - e\n1 ADAMSPrep - mode\n3 NumBl - n\n"
+        .to_owned();
+    for name in names.split_whitespace() {
+        text += &format!("   1   {name}   - words\n");
+    }
+    let error = read_source(
+        source("turbine.fst", text),
+        &InMemory::default(),
+        &ReadOptions::default(),
+    );
+    let error = error.expect_err("FAST 7");
+    let towermodes_files::InputError::Mistakes { mistakes, .. } = &error else {
+        panic!("{error}");
+    };
+    assert!(
+        mistakes[0]
+            .message
+            .contains("this is a main file of FAST 7"),
+        "{error}"
+    );
+    let hint = mistakes[0].hint.as_deref().unwrap_or_default();
+    assert!(hint.contains("give its tower file alone"), "{hint}");
 }

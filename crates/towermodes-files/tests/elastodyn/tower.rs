@@ -75,6 +75,13 @@ fn the_rules_of_openfast_have_their_lines() {
             21,
             "HtFract of the last row is 0.25",
         ),
+        (
+            "3 NTwInpSt",
+            "1 NTwInpSt",
+            21,
+            "after the rows, is expected",
+        ),
+        ("3 NTwInpSt", "0 NTwInpSt", 4, "is 0"),
         ("1 TwrFADmp(1)", "-1 TwrFADmp(1)", 5, "is -1"),
         ("4 TwrSSDmp(2)", "101 TwrSSDmp(2)", 8, "is 101"),
         ("1.5 FAStTunr(2)", "0 FAStTunr(2)", 11, "is 0"),
@@ -154,7 +161,15 @@ fn a_tower_file_alone_needs_its_height() {
     };
     let input = read(&silent, &told).expect("told");
     assert_eq!(input.description.properties[1].height_m, 15.0);
-    for height in [f64::NAN, f64::INFINITY, -20.0] {
+    // Below the sea a tower may hang from its base.
+    let hanging = ReadOptions {
+        tower_height_m: Some(-20.0),
+        ..told
+    };
+    let input = read(&silent, &hanging).expect("a hanging tower");
+    assert_eq!(input.description.properties[0].height_m, 10.0);
+    assert_eq!(input.description.properties[2].height_m, 20.0);
+    for height in [f64::NAN, f64::INFINITY, -10.0] {
         let told = ReadOptions {
             tower_height_m: Some(height),
             ..told

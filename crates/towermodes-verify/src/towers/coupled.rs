@@ -49,6 +49,8 @@ pub fn reference_in_soil() -> TowerDescription {
     }
 }
 
+/// The machine of the OC3 deck of BModes. Its xx counts the generator as J_g q², though a locked rotor has J_g; the reference values of
+/// this manual are of these numbers.
 fn eccentric_machine() -> Rna {
     Rna {
         mass_kg: 350e3,

@@ -2,6 +2,7 @@
 
 mod alignment;
 mod blade;
+mod certain;
 mod degree;
 mod estimate;
 mod model;
@@ -15,6 +16,7 @@ mod watch;
 
 pub use blade::{BladeFamily, BladeMode, BladeSolution, solve_blade};
 pub(crate) use blade::{blade_degrees_of_freedom, blade_modes};
+pub use certain::solve_certain;
 pub use options::{
     DEFAULT_MODES, DEFAULT_POINTS, DEFAULT_SEGMENTS, MAX_DEGREE, MAX_POINTS, MAX_SEGMENTS,
     MAX_SPECTRAL_ELEMENTS, MAX_VECTOR_BYTES, Options, SolveError,
