@@ -45,6 +45,7 @@ fn by_hand(lines: Vec<FrequencyLine>, multiples: Vec<usize>) -> Campbell {
         margins: Vec::new(),
         known_to_hz: None,
         classes: vec![(Family::ForeAft, StiffnessClass::SoftStiff)],
+        first_bending: vec![0],
     }
 }
 
