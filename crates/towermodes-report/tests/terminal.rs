@@ -4,7 +4,7 @@ use std::f64::consts::{PI, TAU};
 use std::sync::OnceLock;
 
 use towermodes::{
-    FloatingPlatform, Foundation, Inertia, Material, Options, ReferredMatrix, Rna, Solution,
+    Family, FloatingPlatform, Foundation, Inertia, Material, Options, ReferredMatrix, Rna, Solution,
     Station, Tower, TowerDescription, solve,
 };
 use towermodes_report::terminal::shapes;
@@ -166,6 +166,25 @@ fn torsion_is_a_rotation_and_says_so() {
         middle.contains(&(26, 25)) || middle.contains(&(25, 25)),
         "{text}"
     );
+}
+
+/// A mass beside the pole in y: fore-aft bending and torsion move together, side-side bending does not.
+#[test]
+fn a_coupled_mode_shows_the_motions_it_has() {
+    let beside = TowerDescription {
+        rna: Rna {
+            center_m: [0.0, 8.0, 0.0],
+            ..Rna::point(3000.0)
+        },
+        ..pole()
+    };
+    let (tower, solution) = solved(beside, 6);
+    let has_coupled = solution.modes.iter().any(|mode| mode.family == Family::Coupled);
+    assert!(has_coupled, "nothing is coupled");
+    let text = shapes(&tower, &solution, 100);
+    let words = text.split_whitespace().collect::<Vec<&str>>().join(" ");
+    assert!(words.contains("x line,") && words.contains("rotation z dots"), "{text}");
+    assert!(!words.contains("y dots"), "{text}");
 }
 
 #[test]

@@ -75,10 +75,23 @@ pub(crate) fn four_digits(value: f64) -> String {
     format!("{value:.*}", usize::try_from(decimals).unwrap_or_default())
 }
 
-/// A text in lines of at most [`WIDTH_OF_FILES`] characters, broken between words; lines after the first are indented.
+/// Units, which stay with their number.
+const UNITS: [&str; 3] = ["Hz", "rpm", "%"];
+
+/// A text in lines of at most [`WIDTH_OF_FILES`] characters, broken between words and not before a unit; lines after the first are indented.
 pub(super) fn wrapped(text: &str) -> String {
-    let mut lines = vec![String::new()];
+    let mut words: Vec<String> = Vec::new();
     for word in text.split(' ') {
+        match words.last_mut() {
+            Some(last) if UNITS.iter().any(|unit| word.starts_with(unit)) => {
+                last.push(' ');
+                last.push_str(word);
+            }
+            _ => words.push(word.to_owned()),
+        }
+    }
+    let mut lines = vec![String::new()];
+    for word in &words {
         let Some(line) = lines.last_mut() else { break };
         if line.chars().count() + 1 + word.chars().count() > WIDTH_OF_FILES {
             lines.push(format!("  {word}"));
@@ -125,6 +138,8 @@ mod tests {
     #[test]
     fn long_sentences_are_broken_between_words() {
         assert_eq!(wrapped("No warnings."), "No warnings.");
+        let number = wrapped(&format!("{} 0.2017 Hz", "b".repeat(91)));
+        assert_eq!(number, format!("{}\n  0.2017 Hz", "b".repeat(91)));
         let text = "seven b ".repeat(20);
         let broken = wrapped(text.trim_end());
         // 12 times eight characters and a word of five are 101 with the space between.

@@ -21,7 +21,7 @@ const MOST_LINES: [usize; 2] = [2, 5];
 pub struct Heading {
     /// The title, in bold: the tower's name. Nothing is written of an empty one.
     pub title: String,
-    /// Below it, each a paragraph: what the picture shows, how it was computed, what follows from it.
+    /// Below it, each a paragraph: first, in muted letters, what the picture shows and how it was computed, then what follows from it.
     pub lines: Vec<String>,
 }
 
@@ -29,8 +29,11 @@ impl Heading {
     /// The title's lines and the others, as they are broken on a sheet of a width, with their style.
     fn broken(&self, width: f64) -> Vec<(String, TextStyle)> {
         let title = TextStyle::new(TITLE).bold();
-        let line = TextStyle::new(LINES).colour(Colour::Muted);
-        let lines = self.lines.iter().map(|text| (text, line, MOST_LINES[1]));
+        let line = TextStyle::new(LINES);
+        let first = [line.colour(Colour::Muted)].into_iter();
+        let styles = first.chain(std::iter::repeat(line));
+        let lines = self.lines.iter().zip(styles);
+        let lines = lines.map(|(text, style)| (text, style, MOST_LINES[1]));
         let all = std::iter::once((&self.title, title, MOST_LINES[0])).chain(lines);
         let room = width - 2.0 * MARGIN;
         all.flat_map(|(text, style, most)| {

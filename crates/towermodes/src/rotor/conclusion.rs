@@ -16,7 +16,7 @@ impl Campbell {
     /// The first says where the first bending frequencies lie among 1P and the passing of the blades and how far away these stay:
     /// "The first bending frequencies, 0.3187 Hz (side-side) and 0.3215 Hz (fore-aft), lie between 1P (up to 0.2017 Hz) and 3P (from
     /// 0.3450 Hz) with margins of at least 7.3 %: soft-stiff." Two planes of different classes have a sentence each. Then come the pairs that fail, the warnings of 1P and
-    /// of the passing of the blades, the warnings of less weight (other multiples, modes of a blade), and modes that are
+    /// of the passing of the blades, the minor warnings (other multiples, modes of a blade), and modes that are
     /// [not judged](Self::unjudged_hz).
     #[must_use]
     pub fn conclusion(&self) -> Vec<String> {
@@ -24,7 +24,7 @@ impl Campbell {
         let kinds = [
             (Verdict::Fail, true, "FAIL"),
             (Verdict::Warn, true, "warning"),
-            (Verdict::Warn, false, "warning of less weight"),
+            (Verdict::Warn, false, "minor warning"),
         ];
         let remarks = kinds
             .iter()
