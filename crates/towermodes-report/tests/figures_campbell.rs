@@ -76,6 +76,12 @@ fn lines_are_where_their_frequencies_are() {
     assert!(!says(&figure, UPPER));
 }
 
+/// A length as SVG has it: to hundredths, without zeros at its end.
+fn written(length: f64) -> String {
+    let text = format!("{length:.2}");
+    text.trim_end_matches('0').trim_end_matches('.').to_owned()
+}
+
 const UPPER: &str = "upper field: higher modes at another scale";
 
 /// With 9P the second mode, 2.2 Hz, is worth showing, and has a field of its own: 130 high, of three labels. 9P is 2.178 Hz at the right end; the
@@ -89,7 +95,7 @@ fn high_modes_do_not_squeeze_the_first() {
     let second = 182.0 - (2.2 - split) / (1.06 * 2.2 - split) * 130.0;
     let svg = figure.to_svg(Look::Inline);
     for y in [first, second] {
-        assert!(svg.contains(&format!(" {y:.2}L")), "{y} in {svg}");
+        assert!(svg.contains(&format!(" {}L", written(y))), "{y} in {svg}");
     }
     assert!(says(&figure, UPPER) && says(&figure, "1 more mode above"));
     check_labels("two fields", &figure);
@@ -105,7 +111,7 @@ fn ribbons_are_as_wide_as_the_margin() {
         .filter(|line| line.contains("f-too-near") && line.contains(" d="));
     let ribbons: Vec<&str> = ribbons.collect();
     assert_eq!(ribbons.len(), 2, "{svg}");
-    let y = |hz: f64| format!(" {:.1}", 452.0 - hz / (1.03 * 0.726) * 400.0);
+    let y = |hz: f64| format!(" {}", written(452.0 - hz / (1.03 * 0.726) * 400.0));
     for hz in [0.345 / 0.95, 0.605 / 0.95, 0.605 / 1.05, 0.345 / 1.05] {
         assert!(
             ribbons[1].contains(&y(hz)),

@@ -168,7 +168,7 @@ fn together_hz(hz: &[f64]) -> String {
     let (low, high) = hz.iter().fold((f64::INFINITY, 0.0_f64), |(low, high), hz| {
         (low.min(*hz), high.max(*hz))
     });
-    let is_one = high - low <= ONE_NUMBER * high;
+    let is_one = high - low <= ONE_NUMBER * high || frequency(low) == frequency(high);
     match hz {
         // Both sides of a rounding limit are no two numbers.
         _ if is_one => format!("{} Hz", frequency(0.5 * (low + high))),
@@ -212,7 +212,7 @@ mod tests {
     #[test]
     fn frequencies_of_one_line_are_told_apart_or_said_once() {
         assert_eq!(together_hz(&[0.242_48, 0.242_51]), "0.2425 Hz");
-        assert_eq!(together_hz(&[0.242_549, 0.242_551]), "0.2425 Hz");
+        assert_eq!(together_hz(&[0.242_545, 0.242_552]), "0.2425 Hz");
         assert_eq!(together_hz(&[0.242_34, 0.242_51]), "0.2423, 0.2425 Hz");
         assert_eq!(together_hz(&[0.3, 0.3, 0.3]), "0.3000 Hz");
         assert_eq!(together_hz(&[1.0, 1.0004, 1.0009]), "1.000 to 1.001 Hz");

@@ -135,7 +135,8 @@ pub(super) fn name_window(drawing: &mut Drawing, campbell: &Campbell, shown: &Sh
 
 /// The middle of the widest gap between lines of modes in the window; none if no gap has room for a name.
 fn free_height(window_hz: [f64; 2], shown: &Shown, axes: &Axes) -> Option<f64> {
-    let [bottom, top] = window_hz.map(|hz| axes.y.at(hz));
+    let frame = axes.frame;
+    let [bottom, top] = window_hz.map(|hz| axes.y.at(hz).clamp(frame.top, frame.bottom));
     let points = shown.groups.iter().flat_map(|group| group.points.iter());
     let lines = points.map(|[_, hz]| axes.y.at(*hz));
     let mut edges: Vec<f64> = lines.filter(|y| (top..=bottom).contains(y)).collect();

@@ -112,7 +112,7 @@ fn coupled(modes: &[&Mode]) -> Vec<Panel> {
             axis,
             range: match is_rotation {
                 true => own_range(&curves),
-                false => [-1.0, 1.0],
+                false => share_range(&curves),
             },
             ticks: if is_rotation { [2, 2] } else { SHARES },
             curves,
