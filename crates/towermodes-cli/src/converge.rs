@@ -8,7 +8,7 @@ use crate::failure::{Failure, note, warn};
 use crate::input::tower;
 use crate::output::{check_not_input, deliver};
 use crate::progress::Progress;
-use crate::table;
+use crate::{table, terminal};
 
 /// Reads the tower, solves it more and more finely, prints the errors.
 pub(crate) fn run(arguments: &ConvergeArguments) -> Result<(), Failure> {
@@ -20,9 +20,15 @@ pub(crate) fn run(arguments: &ConvergeArguments) -> Result<(), Failure> {
     let convergence = converge(&tower, &arguments.options(), &fineness, |_| progress.done())
         .map_err(Failure::Unsolved)?;
     drop(progress);
+    let width = match output {
+        None => terminal::width(),
+        Some(_) => terminal::WIDTH_OF_FILES,
+    };
     let mut result = Vec::new();
     match arguments.destination.format {
-        Format::Table => result.extend(table::convergence(&tower, &convergence).into_bytes()),
+        Format::Table => {
+            result.extend(table::convergence(&tower, &convergence, width).into_bytes());
+        }
         Format::Json => write_convergence_json(&convergence, &mut result)?,
         Format::Csv => write_convergence_csv(&convergence, &mut result)?,
     }

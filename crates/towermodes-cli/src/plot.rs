@@ -1,5 +1,6 @@
 //! `towermodes plot`.
 
+mod heading;
 mod study;
 
 use std::io::IsTerminal;
@@ -16,6 +17,8 @@ use crate::input::tower_input;
 use crate::output::{check_not_input, check_not_inputs, deliver_bytes};
 use crate::progress::solve;
 
+use heading::{Words, computed_by, titled};
+
 /// Reads the tower, solves it if the picture needs that, draws, writes SVG or PNG.
 pub(crate) fn run(arguments: &PlotArguments) -> Result<(), Failure> {
     arguments.check().map_err(Failure::Usage)?;
@@ -31,12 +34,14 @@ pub(crate) fn run(arguments: &PlotArguments) -> Result<(), Failure> {
     let mut input = tower_input(&arguments.input)?;
     check_not_inputs(input.files(), output)?;
     let tower = input.tower().map_err(Failure::Input)?;
-    let Drawn {
-        mut figure,
-        notes,
-        warnings,
-    } = drawn(&mut input, &tower, arguments)?;
-    name_tower(&mut figure, &tower);
+    let drawn = drawn(&mut input, &tower, arguments)?;
+    let (notes, warnings) = (drawn.notes, drawn.warnings);
+    let words = Words {
+        title: arguments.title.as_deref(),
+        computed: drawn.computed.as_deref(),
+        conclusion: &drawn.conclusion,
+    };
+    let figure = titled(drawn.figure, &tower, &words);
     let picture = match format {
         PictureFormat::Svg(look) => figure.to_svg(look).into_bytes(),
         PictureFormat::Png(theme, scale) => {
@@ -49,18 +54,13 @@ pub(crate) fn run(arguments: &PlotArguments) -> Result<(), Failure> {
     deliver_bytes(&picture, output)
 }
 
-/// Begins the title with the tower's name, where it does not have it.
-fn name_tower(figure: &mut Figure, tower: &Tower) {
-    let name = tower.name();
-    let has_name = figure.title.ends_with(&format!(": {name}"));
-    if !name.is_empty() && !has_name {
-        figure.title = format!("{name}: {}", figure.title);
-    }
-}
-
 /// A picture, and what the user should know of how it came about.
 struct Drawn {
     figure: Figure,
+    /// How what it shows was computed: "rmje-exact, 100 segments".
+    computed: Option<String>,
+    /// What follows from it, in sentences.
+    conclusion: Vec<String>,
     notes: Vec<Note>,
     warnings: Vec<Warning>,
 }
@@ -69,9 +69,16 @@ impl Drawn {
     fn new(figure: Figure, warnings: &[Warning]) -> Self {
         Self {
             figure,
+            computed: None,
+            conclusion: Vec::new(),
             notes: Vec::new(),
             warnings: warnings.to_vec(),
         }
+    }
+
+    fn computed(self, how: String) -> Self {
+        let computed = Some(how);
+        Self { computed, ..self }
     }
 }
 
@@ -105,7 +112,7 @@ fn shapes(
     let options = options(input, arguments)?;
     let solution = solve(tower, &options).map_err(Failure::Unsolved)?;
     let figure = figures::shapes(&input.description, tower, &solution);
-    Ok(Drawn::new(figure, &solution.warnings))
+    Ok(Drawn::new(figure, &solution.warnings).computed(computed_by(&solution)))
 }
 
 fn campbell(
@@ -120,5 +127,9 @@ fn campbell(
     let solution = solve_to_reach(input, tower, &arguments.rotor, &mut options, is_given)?;
     let (campbell, notes) = campbell_of(input, tower, &solution, &arguments.rotor)?;
     let drawn = Drawn::new(figures::campbell(&campbell), &solution.warnings);
-    Ok(Drawn { notes, ..drawn })
+    Ok(Drawn {
+        notes,
+        conclusion: campbell.conclusion(),
+        ..drawn.computed(computed_by(&solution))
+    })
 }

@@ -10,9 +10,13 @@ use pages::links::links;
 use pages::{pages, root};
 
 /// Each picture and what it is drawn by.
-const PICTURES: [(&str, &str); 4] = [
+const PICTURES: [(&str, &str); 5] = [
     ("nrel-5mw-tower", "examples/nrel-5mw.toml --what tower"),
     ("nrel-5mw-shapes", "examples/nrel-5mw.toml --what shapes"),
+    (
+        "nrel-5mw-campbell",
+        "examples/nrel-5mw.toml --what campbell",
+    ),
     ("monopile-tower", "examples/monopile.toml --what tower"),
     (
         "monopile-campbell",

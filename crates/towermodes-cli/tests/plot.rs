@@ -219,6 +219,54 @@ fn every_title_has_the_name_of_the_tower() {
     }
 }
 
+/// The texts of a picture, in the order in which they are drawn.
+fn texts(svg: &str) -> Vec<&str> {
+    let parts = svg.split("<text ").skip(1);
+    let text = |part| str::split_once(part, '>').and_then(|(_, rest)| rest.split_once('<'));
+    parts.filter_map(text).map(|(text, _)| text).collect()
+}
+
+/// A picture that is mailed says whose tower it shows, and how it was computed.
+#[test]
+fn every_picture_says_what_it_is_of() {
+    let computed = [
+        (0, "The tower"),
+        (1, "Shapes of the lowest 8 modes \u{b7} rmje-exact, 100 segments"),
+        (2, "against the spectral beam"),
+        (3, "rmje-exact, 100 segments"),
+        (4, "60 segments"),
+    ];
+    for (index, words) in computed {
+        let text = svg(&[&[TOWER], PICTURES[index]].concat());
+        let texts = texts(&text);
+        assert!(texts.contains(&"Reference tower"), "{words}: {texts:?}");
+        assert!(texts.iter().any(|text| text.ends_with(words)), "{words}: {texts:?}");
+    }
+    // The verdict stands above the diagram.
+    let text = svg(&[&[TOWER], PICTURES[3]].concat());
+    let conclusion = texts(&text).join(" ");
+    assert!(conclusion.contains("The first bending frequencies, both 0.8913 Hz, lie above 3P"));
+}
+
+#[test]
+fn a_title_of_ones_own_replaces_it_and_an_empty_one_removes_it() {
+    let drawn = |title: &str| svg(&[TOWER, "--title", title]);
+    let own = drawn("Figure 3: the shapes");
+    assert!(texts(&own).contains(&"Figure 3: the shapes"));
+    assert!(!texts(&own).contains(&"Reference tower"));
+    assert!(own.contains(">Figure 3: the shapes</title>"));
+    let none = drawn("");
+    assert!(!texts(&none).contains(&"Reference tower"));
+    // Who does not see the picture still has its title.
+    assert!(none.contains(">Reference tower: Shapes of the lowest 8 modes</title>"));
+    let height = |svg: &str| {
+        let rest = svg.split_once(" height=\"").expect("a height").1;
+        let number = rest.split_once('"').expect("a quote").0;
+        number.parse::<f64>().expect("a number")
+    };
+    assert!(height(&none) < height(&own));
+}
+
 /// A file of this program may say how fast the rotor runs, others have their own ways; and blades are input as well.
 #[test]
 fn hints_fit_the_file() {

@@ -45,6 +45,7 @@ fn by_hand(lines: Vec<FrequencyLine>, multiples: Vec<usize>) -> Campbell {
         margins: Vec::new(),
         known_to_hz: None,
         classes: vec![(Family::ForeAft, StiffnessClass::SoftStiff)],
+        first_bending: vec![0],
     }
 }
 
@@ -60,18 +61,96 @@ fn margin(line: usize, verdict: Verdict) -> Margin {
     }
 }
 
-/// The field is 52 to 490.84 high: 560 less a legend of 1.2·1.3·11 = 17.16, an axis of 46 and 6. 3P is 0.605 Hz at 12.1 rpm; the second mode
-/// is more than twice as high and left out, so the field ends at 1.06 times 0.605 Hz.
+/// One field, 52 to 452. 3P is 0.726 Hz at the right end, 14.52 rpm, and the field ends 3 % above; the second mode is higher than what 3P in
+/// operation makes worth showing.
 #[test]
 fn lines_are_where_their_frequencies_are() {
     let lines = vec![tower_line(1, 0.3), tower_line(2, 2.2), tower_line(3, 30.0)];
     let figure = figures::campbell(&by_hand(lines, vec![1, 3]));
-    let y = 490.84 - 0.3 / (1.06 * 0.605) * (490.84 - 52.0);
+    let y = 452.0 - 0.3 / (1.03 * 0.726) * 400.0;
     let svg = figure.to_svg(Look::Inline);
     assert!(svg.contains(&format!(" {y:.2}L")), "{y} in {svg}");
     let description = &figure.description;
     assert!(description.contains(" 2 more modes above"), "{description}");
     assert!(says(&figure, "2 more modes above"));
+    assert!(!says(&figure, UPPER));
+}
+
+/// A length as SVG has it: to hundredths, without zeros at its end.
+fn written(length: f64) -> String {
+    let text = format!("{length:.2}");
+    text.trim_end_matches('0').trim_end_matches('.').to_owned()
+}
+
+const UPPER: &str = "upper field: higher modes at another scale";
+
+/// With 9P the second mode, 2.2 Hz, is worth showing, and has a field of its own: 130 high, of three labels. 9P is 2.178 Hz at the right end; the
+/// list of that field ends at 1.06 times 2.2 Hz. The lower field, 196 to 536, is the one of the test above.
+#[test]
+fn high_modes_do_not_squeeze_the_first() {
+    let lines = vec![tower_line(1, 0.3), tower_line(2, 2.2), tower_line(3, 30.0)];
+    let figure = figures::campbell(&by_hand(lines, vec![1, 3, 6, 9]));
+    let split = 1.03 * 0.726;
+    let first = 536.0 - 0.3 / split * 340.0;
+    let second = 182.0 - (2.2 - split) / (1.06 * 2.2 - split) * 130.0;
+    let svg = figure.to_svg(Look::Inline);
+    for y in [first, second] {
+        assert!(svg.contains(&format!(" {}L", written(y))), "{y} in {svg}");
+    }
+    assert!(says(&figure, UPPER) && says(&figure, "1 more mode above"));
+    check_labels("two fields", &figure);
+}
+
+/// Around 3P, 0.345 to 0.605 Hz in operation, frequencies f with |3P/f − 1| < 5 % are from 3P/1.05 to 3P/0.95.
+#[test]
+fn ribbons_are_as_wide_as_the_margin() {
+    let figure = figures::campbell(&by_hand(vec![tower_line(1, 0.3)], vec![1, 3]));
+    let svg = figure.to_svg(Look::Inline);
+    let ribbons = svg
+        .lines()
+        .filter(|line| line.contains("f-too-near") && line.contains(" d="));
+    let ribbons: Vec<&str> = ribbons.collect();
+    assert_eq!(ribbons.len(), 2, "{svg}");
+    let y = |hz: f64| format!(" {}", written(452.0 - hz / (1.03 * 0.726) * 400.0));
+    for hz in [0.345 / 0.95, 0.605 / 0.95, 0.605 / 1.05, 0.345 / 1.05] {
+        assert!(
+            ribbons[1].contains(&y(hz)),
+            "{hz}: {} in {}",
+            y(hz),
+            ribbons[1]
+        );
+    }
+    assert!(says(&figure, "within 5 % of 1P or 3P in operation"));
+    assert!(says(&figure, "within 10 %"));
+}
+
+/// Between 1P at 12.1 rpm and 3P at 6.9 rpm; a rotor whose highest speed is three times its lowest has no such window.
+#[test]
+fn the_window_of_soft_stiff_towers_is_named() {
+    let mut campbell = by_hand(vec![tower_line(1, 0.3)], vec![1, 3]);
+    let figure = figures::campbell(&campbell);
+    assert!(says(&figure, "soft-stiff") && says(&figure, "soft-stiff: 0.2017 to 0.3450 Hz"));
+    campbell.rotor.lowest_rpm = 4.0;
+    let figure = figures::campbell(&campbell);
+    assert!(
+        !figure
+            .labels()
+            .iter()
+            .any(|label| label.text.contains("soft-stiff"))
+    );
+}
+
+/// 1P and the passing of the blades are thick and dark, all others thin.
+#[test]
+fn the_strong_excitations_are_stressed() {
+    let figure = figures::campbell(&by_hand(vec![tower_line(1, 0.3)], vec![1, 3, 6, 9]));
+    let svg = figure.to_svg(Look::Inline);
+    let rays = |width: &str| {
+        let stroke = format!("stroke-width=\"{width}\"");
+        // One of them is in the legend.
+        svg.lines().filter(|line| line.contains(&stroke)).count() - 1
+    };
+    assert_eq!((rays("2.4"), rays("0.9") >= 2), (2, true), "{svg}");
 }
 
 fn says(figure: &Figure, text: &str) -> bool {
@@ -85,14 +164,14 @@ fn whatever_is_judged_is_in_the_picture() {
     let lines = lines.map(|(hz, number)| tower_line(number, hz)).collect();
     let mut campbell = by_hand(lines, vec![1, 3]);
     let figure = figures::campbell(&campbell);
-    assert!(says(&figure, "2nd fore-aft: 0.700 Hz") && says(&figure, "3 more modes above"));
+    assert!(says(&figure, "2nd fore-aft: 0.7000 Hz") && says(&figure, "3 more modes above"));
     let at = |line: usize, natural_hz, verdict| Margin {
         natural_hz,
         ..margin(line, verdict)
     };
     campbell.margins = vec![at(2, 1.5, Verdict::Warn), at(3, 2.2, Verdict::Fail)];
     let figure = figures::campbell(&campbell);
-    assert!(says(&figure, "4th fore-aft: 2.20 Hz") && says(&figure, "1 more mode above"));
+    assert!(says(&figure, "4th fore-aft: 2.200 Hz") && says(&figure, "1 more mode above"));
     // 9 Hz are more than 6 times 0.726 Hz: the rest would be a strip at the foot.
     campbell.margins.push(at(4, 9.0, Verdict::Fail));
     let figure = figures::campbell(&campbell);
@@ -149,7 +228,7 @@ fn many_excitations_are_drawn_and_more_are_counted() {
     let many = rays(140);
     assert!(many.description.contains("the excitations 1P to 100P."));
     assert!(many.description.contains("Not drawn: 40 more excitations."));
-    let text = "excitation: nP is n times the rotor's speed; 40 more are not drawn";
+    let text = "nP: other multiples of the rotor's speed; 40 more are not drawn";
     assert!(says(&many, text));
     assert_eq!(triangles(&many), 1);
 }
@@ -179,17 +258,27 @@ fn pairs_that_fail_are_marked_and_said() {
     campbell.margins = vec![margin(0, Verdict::Fail), margin(1, Verdict::Warn)];
     assert!(says(&campbell, "too near: FAIL") && says(&campbell, "near: WARN"));
     let description = figures::campbell(&campbell).description;
-    assert!(description.contains("Too near each other in operation: 3P and 1st fore-aft bending"));
-    assert!(description.contains("Warned of: 3P and 2nd fore-aft bending at 6.9 rpm"));
+    assert!(description.contains("FAIL: 3P with 1st fore-aft bending (+15.0 % at 6.9 rpm)."));
+    assert!(description.contains("1 warning: 3P with 2nd fore-aft bending (+15.0 % at 6.9 rpm)."));
 }
 
 #[test]
-fn modes_of_one_frequency_have_one_label() {
-    let mut second = tower_line(2, 0.300_04);
-    second.label = "1st side-side bending".to_owned();
-    let figure = figures::campbell(&by_hand(vec![tower_line(1, 0.3), second], vec![3]));
-    let label = "1st fore-aft, 1st side-side: 0.300 Hz";
-    assert!(figure.labels().iter().any(|l| l.text == label));
+fn modes_of_one_frequency_have_one_label_and_others_are_told_apart() {
+    for (hz, said) in [
+        ([0.242_48, 0.242_51], "0.2425 Hz"),
+        ([0.242_34, 0.242_51], "0.2423, 0.2425 Hz"),
+    ] {
+        let mut second = tower_line(2, hz[1]);
+        second.label = "1st side-side bending".to_owned();
+        let figure = figures::campbell(&by_hand(vec![tower_line(1, hz[0]), second], vec![3]));
+        assert!(
+            says(&figure, &format!("1st fore-aft, 1st side-side: {said}")),
+            "{said}"
+        );
+    }
+    let lines = vec![tower_line(1, 0.2421), tower_line(2, 0.2424)];
+    let figure = figures::campbell(&by_hand(lines, vec![3]));
+    assert!(says(&figure, "1st fore-aft: 0.2421 Hz") && says(&figure, "2nd fore-aft: 0.2424 Hz"));
 }
 
 #[test]

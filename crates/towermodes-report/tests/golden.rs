@@ -7,12 +7,12 @@ use crate::pictures;
 use std::fs;
 use std::path::Path;
 
-use pictures::{EXAMPLES, check, example, input};
+use pictures::{EXAMPLES, check, check_labels, example, input};
 use towermodes::rotor::{CampbellOptions, Rotor, campbell};
 use towermodes::study::{self, ColumnSpec, Fineness, converge};
 use towermodes::{Method, Options, solve};
 use towermodes_report::figures;
-use towermodes_report::svg::{Figure, Look};
+use towermodes_report::svg::{Figure, Heading, Look};
 
 /// Largest difference of two numbers of a picture, in pixels.
 const TOLERANCE: f64 = 0.05;
@@ -98,6 +98,27 @@ fn shapes_of_the_examples() {
         let figure = figures::shapes(&description, &tower, &solution);
         check(name, &figure);
         compare(&format!("shapes-{}", name.replace('.', "-")), &figure);
+    }
+}
+
+/// A heading above a picture, long enough to be broken, meets nothing of it.
+#[test]
+fn headings_stand_above_the_pictures() {
+    let heading = Heading {
+        title: "A tower with a very long name ".repeat(4),
+        lines: vec!["What is shown".to_owned(), "It follows. ".repeat(40)],
+    };
+    for name in EXAMPLES {
+        let (description, tower, solution) = example(name, MODES);
+        for figure in [
+            figures::tower(&description, &tower),
+            figures::shapes(&description, &tower, &solution),
+        ] {
+            let words = figure.labels().len();
+            let headed = figure.headed(&heading);
+            assert!(headed.labels().len() >= words + 5, "{name}: no heading");
+            check_labels(name, &headed);
+        }
     }
 }
 

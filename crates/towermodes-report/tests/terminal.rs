@@ -4,8 +4,8 @@ use std::f64::consts::{PI, TAU};
 use std::sync::OnceLock;
 
 use towermodes::{
-    FloatingPlatform, Foundation, Inertia, Material, Options, ReferredMatrix, Rna, Solution,
-    Station, Tower, TowerDescription, solve,
+    Family, FloatingPlatform, Foundation, Inertia, Material, Mode, Options, ReferredMatrix, Rna,
+    Solution, Station, Tower, TowerDescription, solve,
 };
 use towermodes_report::terminal::shapes;
 
@@ -164,6 +164,37 @@ fn torsion_is_a_rotation_and_says_so() {
     let middle = dots(&text, panel);
     assert!(
         middle.contains(&(26, 25)) || middle.contains(&(25, 25)),
+        "{text}"
+    );
+}
+
+/// A machine beside the tower in y, so slow in yaw that fore-aft bending and torsion move together; side-side bending does not.
+#[test]
+fn a_coupled_mode_shows_the_motions_it_has() {
+    let beside = TowerDescription {
+        stations: vec![
+            Station::new(0.0, 6.0, 0.027),
+            Station::new(87.6, 3.87, 0.019),
+        ],
+        rna: Rna {
+            center_m: [0.0, 6.0, 0.0],
+            inertia_kg_m2: Inertia {
+                xx: 3.5e8,
+                yy: 3.5e8,
+                zz: 6.9e8,
+                ..Inertia::default()
+            },
+            ..Rna::point(350e3)
+        },
+        ..pole()
+    };
+    let (tower, solution) = solved(beside, 6);
+    let coupled = |mode: &Mode| mode.family == Family::Coupled;
+    assert!(solution.modes.iter().any(coupled), "nothing is coupled");
+    let text = shapes(&tower, &solution, 100);
+    assert!(text.contains("x line, rotation"), "{text}");
+    assert!(
+        text.contains("z dots") && !text.contains("y dots"),
         "{text}"
     );
 }

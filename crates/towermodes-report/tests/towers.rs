@@ -2,9 +2,9 @@
 
 use crate::pictures;
 
-use pictures::{EXAMPLES, check, example, keep, look, plain, steel};
+use pictures::{EXAMPLES, check, example, keep, look, plain, solved, steel};
 use towermodes::{
-    Family, Inertia, Options, PointMass, Rna, Station, Tower, TowerDescription, Wires, solve,
+    Family, Inertia, Mode, Options, PointMass, Rna, Station, Tower, TowerDescription, Wires, solve,
 };
 use towermodes_report::figures;
 use towermodes_report::svg::Look;
@@ -125,6 +125,46 @@ fn what_moves_in_all_directions_at_once() {
         ..plain()
     };
     look("coupled", &description, 30);
+}
+
+/// A machine beside the tower in y couples fore-aft bending with torsion alone, one in front of it side-side bending with torsion: the panel of the
+/// direction that does not move would be empty.
+#[test]
+fn coupled_modes_have_the_panels_in_which_they_move() {
+    for (center_m, moving, still) in [
+        ([0.0, 6.0, 0.0], "coupled: x", "coupled: y"),
+        ([6.0, 0.0, 0.0], "coupled: y", "coupled: x"),
+    ] {
+        let description = TowerDescription {
+            rna: Rna {
+                mass_kg: 350e3,
+                center_m,
+                // So much about z that torsion is as slow as bending.
+                inertia_kg_m2: Inertia {
+                    xx: 3.5e8,
+                    yy: 3.5e8,
+                    zz: 6.9e8,
+                    ..Inertia::default()
+                },
+            },
+            ..plain()
+        };
+        let tower = Tower::new(description.clone()).expect("a tower");
+        let solution = solved(&tower, 10);
+        let coupled = |mode: &Mode| mode.family == Family::Coupled;
+        assert!(
+            solution.modes.iter().any(coupled),
+            "{center_m:?} couples nothing"
+        );
+        let figure = figures::shapes(&description, &tower, &solution);
+        check(moving, &figure);
+        let says = |text: &str| figure.labels().iter().any(|label| label.text == text);
+        assert!(says(moving) && says("coupled: rotation z"), "{center_m:?}");
+        assert!(!says(still), "{still} is empty");
+        let rows = figure.table.rows.iter();
+        let parts: Vec<&str> = rows.map(|row| row[2].as_str()).collect();
+        assert!(parts.contains(&"rotation z"), "{parts:?}");
+    }
 }
 
 #[test]

@@ -24,9 +24,32 @@ pub(crate) fn significant(value: f64) -> f64 {
     format!("{value:.5e}").parse().unwrap_or(value)
 }
 
+/// Four digits, zeros at the end too, as frequencies are read: "0.3450"; with an exponent far from 1.
+pub(crate) fn four_digits(value: f64) -> String {
+    if value == 0.0 {
+        return "0".to_owned();
+    }
+    if !(1e-3..1e5).contains(&value.abs()) {
+        return format!("{value:.3e}");
+    }
+    let decimals = (3.0 - value.abs().log10().floor()).max(0.0) as usize;
+    format!("{value:.decimals$}")
+}
+
 #[cfg(test)]
 mod tests {
-    use super::Plain;
+    use super::{Plain, four_digits};
+
+    #[test]
+    fn four_digits_whatever_the_size() {
+        let shown = [0.345, 12.1, 0.001_234, 0.0, 4321.7, 12_345.6, 3.2e-7].map(four_digits);
+        assert_eq!(
+            shown,
+            [
+                "0.3450", "12.10", "0.001234", "0", "4322", "12346", "3.200e-7"
+            ]
+        );
+    }
 
     #[test]
     fn short_numbers_stay_plain() {

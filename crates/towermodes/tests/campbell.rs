@@ -500,3 +500,98 @@ fn modes_in_both_planes_have_the_class_of_both() {
     assert_eq!(class_of(slow), both(StiffnessClass::SoftStiff));
     assert_eq!(class_of(fast), both(StiffnessClass::SoftSoft));
 }
+
+/// The first two sentences on a tower whose first fore-aft and side-side modes have these frequencies.
+fn said(frequencies_hz: [f64; 2], rotor: Rotor) -> Vec<String> {
+    diagram(frequencies_hz, 0.0, rotor).conclusion()
+}
+
+/// Of 0.26 and 0.27 Hz 1P, up to 0.2017 Hz, is 22.4 and 25.3 % below, 3P, from 0.345 Hz, 32.7 and 27.8 % above; 6P and 9P are far.
+#[test]
+fn a_healthy_tower_is_said_to_be_so_first() {
+    let conclusion = said([0.27, 0.26], NREL);
+    assert_eq!(
+        conclusion[0],
+        "The first bending frequencies, 0.2600 Hz (side-side) and 0.2700 Hz (fore-aft), lie between 1P (up to 0.2017 Hz) and 3P (from \
+         0.3450 Hz) with margins of at least 22.4 %: soft-stiff."
+    );
+    assert_eq!(conclusion[1], "No warnings.");
+    // The list of this tower ends after two modes, and 9P may meet others up to 9 · 12.1/60/0.95 Hz.
+    assert!(
+        conclusion[2].starts_with("Modes between 0.2"),
+        "{conclusion:?}"
+    );
+    assert!(conclusion[2].ends_with(" and 1.911 Hz are not in the list and not judged."));
+    assert_eq!(conclusion.len(), 3);
+}
+
+/// 9P meets 1.5 Hz at 10 rpm: a minor warning, which stands after the class.
+#[test]
+fn a_weak_excitation_is_a_minor_warning() {
+    let conclusion = said([0.27, 1.5], NREL);
+    assert!(
+        conclusion[0]
+            .starts_with("The first fore-aft bending frequency, 0.2700 Hz, lies between 1P")
+    );
+    assert!(conclusion[0].ends_with(" with margins of at least 25.3 %: soft-stiff."));
+    assert_eq!(
+        conclusion[1],
+        "The first side-side bending frequency, 1.500 Hz, lies above 3P (up to 0.6050 Hz) with margins of at least 59.7 %: stiff-stiff."
+    );
+    let minor = "1 minor warning: 9P with 1st side-side bending (met at 10 rpm).";
+    assert_eq!(conclusion[2], minor);
+}
+
+/// 0.345/0.33 − 1 is 4.5 %, less than the 5 % asked for; 0.345/0.32 − 1 is 7.8 %, less than twice that.
+#[test]
+fn what_fails_is_said_before_what_is_near() {
+    let conclusion = said([0.33, 0.32], NREL);
+    assert!(
+        conclusion[0]
+            .ends_with(" with margins of only 4.5 %, less than the 5 % asked for: soft-stiff."),
+        "{conclusion:?}"
+    );
+    assert_eq!(
+        conclusion[1],
+        "FAIL: 3P with 1st fore-aft bending (+4.5 % at 6.9 rpm)."
+    );
+    assert_eq!(
+        conclusion[2],
+        "1 warning: 3P with 1st side-side bending (+7.8 % at 6.9 rpm)."
+    );
+}
+
+/// 0.15 Hz is 1P at 9 rpm; 0.1 Hz is below 1P at the lowest speed, 0.115 Hz, by 15 %.
+#[test]
+fn other_classes_are_said_with_what_bounds_them() {
+    let conclusion = said([0.15, 0.15], NREL);
+    assert_eq!(
+        conclusion[0],
+        "The first bending frequencies, both 0.1500 Hz, lie in the range of 1P in operation (0.1150 to 0.2017 Hz): resonance."
+    );
+    assert_eq!(
+        conclusion[1],
+        "FAIL: 1P with 1st fore-aft bending (met at 9 rpm) and 1st side-side bending (met at 9 rpm)."
+    );
+    let below = &said([0.1, 0.1], NREL)[0];
+    assert!(
+        below
+            .ends_with("lie below 1P (from 0.1150 Hz) with margins of at least 15.0 %: soft-soft."),
+        "{below}"
+    );
+}
+
+/// Of margins that were not asked for nothing is said.
+#[test]
+fn without_1p_the_class_has_no_margin() {
+    let (tower, solution) = solved();
+    let options = CampbellOptions {
+        multiples: vec![6],
+        ..CampbellOptions::default()
+    };
+    let mut diagram = campbell(&tower, &solution, None, &NREL, &options).expect("a diagram");
+    assert!(!diagram.conclusion()[0].contains("margin"));
+    diagram.classes.clear();
+    let none = "No first bending mode is in the list, so the tower has no class.";
+    assert_eq!(diagram.conclusion()[0], none);
+}

@@ -47,6 +47,10 @@ pub(crate) struct PlotArguments {
     #[command(flatten)]
     pub(crate) rotor: RotorArguments,
 
+    /// The title above the picture, '' for none [default: the tower's name, what is shown, and how it was computed]
+    #[arg(long, value_name = "TEXT")]
+    pub(crate) title: Option<String>,
+
     /// Write the picture to a file, as SVG or PNG by its ending, instead of standard output (-)
     #[arg(long, short, value_name = "PATH")]
     output: Option<PathBuf>,

@@ -1,6 +1,6 @@
 //! The pictures of methods: as their segments get more, and side by side.
 
-use towermodes::study::{Convergence, Fineness, converge};
+use towermodes::study::{Comparison, Convergence, Fineness, Level, converge};
 use towermodes::{MAX_SEGMENTS, Method, Options, Tower};
 use towermodes_report::figures;
 
@@ -29,7 +29,8 @@ pub(super) fn convergence(tower: &Tower, arguments: &PlotArguments) -> Result<Dr
         each_once(&mut convergence);
     }
     let figure = figures::convergence(&convergence);
-    Ok(Drawn::new(figure, &convergence.warnings))
+    let drawn = Drawn::new(figure, &convergence.warnings);
+    Ok(drawn.computed(levels_in_words(&convergence)))
 }
 
 fn listed(segments: &[usize]) -> Vec<Fineness> {
@@ -75,5 +76,36 @@ pub(super) fn error(tower: &Tower, arguments: &PlotArguments) -> Result<Drawn, F
     let comparison = all_methods(tower, &arguments.study_options(), segments);
     let comparison = comparison.map_err(Failure::Unsolved)?;
     let figure = figures::error(&comparison);
-    Ok(Drawn::new(figure, &comparison.warnings))
+    let drawn = Drawn::new(figure, &comparison.warnings);
+    Ok(drawn.computed(segments_in_words(&comparison)))
+}
+
+/// "10 to 320 segments, against the spectral beam".
+fn levels_in_words(convergence: &Convergence) -> String {
+    let numbers = convergence.levels.iter().map(|level| level.asked.number());
+    let is_degree = |level: &Level| matches!(level.asked, Fineness::Degree(_));
+    let levels = match convergence.levels.first().is_some_and(is_degree) {
+        true => format!("degrees {}", range(numbers)),
+        false => format!("{} segments", range(numbers)),
+    };
+    let rotary = match convergence.rotary_inertia {
+        true => "",
+        false => " without rotary inertia",
+    };
+    format!("{levels}, against the spectral beam{rotary}")
+}
+
+/// "60 segments", of all methods but the spectral beam.
+fn segments_in_words(comparison: &Comparison) -> String {
+    let columns = comparison.columns.iter();
+    let others = columns.filter(|column| column.method != Method::Spectral);
+    format!("{} segments", range(others.map(|column| column.segments)))
+}
+
+/// "60", "10 to 320".
+fn range(numbers: impl Iterator<Item = usize> + Clone) -> String {
+    match (numbers.clone().min(), numbers.max()) {
+        (Some(least), Some(most)) if least < most => format!("{least} to {most}"),
+        (least, _) => least.unwrap_or(0).to_string(),
+    }
 }

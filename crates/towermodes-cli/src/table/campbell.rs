@@ -1,45 +1,34 @@
 //! A Campbell diagram for people: which excitation comes how near to which mode, and where the tower stands among them.
 
-use towermodes::rotor::{Campbell, Excited, FrequencyLine, Margin, Rotor, Rpm, StiffnessClass};
-use towermodes::{Family, Tower, Verdict};
+use towermodes::rotor::{Campbell, Excited, FrequencyLine, Margin, Rotor, Rpm};
+use towermodes::{Tower, Verdict};
 
-use super::text::{align_right, counted, plain_table, title, with_error};
+use super::text::{align_right, counted, plain_table, title, with_error, wrapped};
 
-/// The pairs that come near each other, or all; then the class in words and the rotor. `has_blade` is whether the files have a blade.
+/// The conclusion in words first; then the pairs that come near each other, or all, and the rotor. `has_blade` is whether the files have a blade.
 pub(crate) fn campbell(tower: &Tower, campbell: &Campbell, has_blade: bool, all: bool) -> String {
-    let first = first_bending(campbell);
     let is_strong = |multiple| multiple == 1 || multiple == campbell.rotor.blades;
     let is_shown = |margin: &&Margin| {
-        let is_first = first.contains(&margin.line) && is_strong(margin.multiple);
+        let is_first = campbell.first_bending.contains(&margin.line) && is_strong(margin.multiple);
         all || is_first || margin.is_near()
     };
     let shown: Vec<&Margin> = campbell.margins.iter().filter(is_shown).collect();
     let mut text = title(tower);
+    for sentence in campbell.conclusion() {
+        text += &(wrapped(&sentence) + "\n");
+    }
+    text.push('\n');
     if !shown.is_empty() {
         text += &format!("{}\n\n", pairs(campbell, &shown));
     }
     for line in [
         hidden(campbell.margins.len() - shown.len(), shown.is_empty()),
         unresisted(campbell),
-        Some(classes(campbell)),
         Some(summary(campbell, has_blade)),
     ] {
         text.extend(line.map(|line| line + "\n"));
     }
     text
-}
-
-/// The lines of the first modes that bend the tower fore-aft and side-side; a coupled mode may be either.
-fn first_bending(campbell: &Campbell) -> Vec<usize> {
-    let planes = [Family::ForeAft, Family::SideSide].into_iter();
-    let first = planes.filter_map(|plane| {
-        let bends = |line: &FrequencyLine| match line.of {
-            Excited::Tower { family, .. } => family == plane || family == Family::Coupled,
-            Excited::Blade { .. } => false,
-        };
-        campbell.lines.iter().position(bends)
-    });
-    first.collect()
 }
 
 fn pairs(campbell: &Campbell, shown: &[&Margin]) -> String {
@@ -109,71 +98,6 @@ fn unresisted(campbell: &Campbell) -> Option<String> {
     (!free.is_empty()).then(|| format!("nothing resists, and nothing excites: {}", free.join(", ")))
 }
 
-/// Where the first bending modes stand, in a line if they stand alike.
-fn classes(campbell: &Campbell) -> String {
-    let in_words = |class: StiffnessClass, modes: &str, are: &str| {
-        format!(
-            "{}: {modes} {}",
-            class_name(class),
-            place(class, &campbell.rotor, are)
-        )
-    };
-    match campbell.classes[..] {
-        [] => "no class: no first bending mode is in the list".to_owned(),
-        [(_, a), (_, b)] if a == b => in_words(a, "the first bending modes", "are"),
-        _ => {
-            let lines = campbell.classes.iter().map(|(family, class)| {
-                in_words(
-                    *class,
-                    &format!("the first {} mode", bending(*family)),
-                    "is",
-                )
-            });
-            lines.collect::<Vec<String>>().join("\n")
-        }
-    }
-}
-
-fn bending(family: Family) -> String {
-    format!("{} bending", family.name())
-}
-
-fn class_name(class: StiffnessClass) -> &'static str {
-    match class {
-        StiffnessClass::Met { .. } => "no class",
-        class => class.name(),
-    }
-}
-
-/// Where a class has its modes, with the frequencies that bound it.
-fn place(class: StiffnessClass, rotor: &Rotor, are: &str) -> String {
-    let passing = rotor.blades;
-    let hz = |multiple: usize, rpm: f64| multiple as f64 * rpm / 60.0;
-    let (lowest, highest) = (rotor.lowest_rpm, rotor.highest_rpm);
-    match class {
-        StiffnessClass::SoftSoft => {
-            format!(
-                "{are} below 1P ({:.4} Hz at the lowest speed)",
-                hz(1, lowest)
-            )
-        }
-        StiffnessClass::SoftStiff => format!(
-            "{are} between 1P and {passing}P ({:.4} and {:.4} Hz)",
-            hz(1, highest),
-            hz(passing, lowest)
-        ),
-        StiffnessClass::StiffStiff => format!(
-            "{are} above {passing}P ({:.4} Hz at the highest speed)",
-            hz(passing, highest)
-        ),
-        StiffnessClass::Met { multiple } => format!(
-            "{are} met by {multiple}P in operation ({:.4} to {:.4} Hz)",
-            hz(multiple, lowest),
-            hz(multiple, highest)
-        ),
-    }
-}
-
 /// The rotor, the margin and how many verdicts of each kind.
 fn summary(campbell: &Campbell, has_blade: bool) -> String {
     let Rotor {
@@ -217,11 +141,11 @@ fn percent(share: f64) -> f64 {
 
 #[cfg(test)]
 mod tests {
-    use super::{classes, distance, first_bending, hidden, summary, unresisted};
-    use towermodes::rotor::{Campbell, Excited, FrequencyLine, Margin, Rotor, StiffnessClass};
+    use super::{distance, hidden, summary, unresisted};
+    use towermodes::rotor::{Campbell, Excited, FrequencyLine, Margin, Rotor};
     use towermodes::{Family, Material, Station, Tower, TowerDescription, Verdict};
 
-    fn campbell(classes: Vec<(Family, StiffnessClass)>) -> Campbell {
+    fn campbell() -> Campbell {
         let (family, order) = (Family::Surge, 1);
         let line = FrequencyLine {
             of: Excited::Tower {
@@ -245,7 +169,8 @@ mod tests {
             lines: vec![line],
             margins: Vec::new(),
             known_to_hz: None,
-            classes,
+            classes: Vec::new(),
+            first_bending: Vec::new(),
         }
     }
 
@@ -263,14 +188,14 @@ mod tests {
 
     #[test]
     fn numbers_are_as_short_as_they_can_be() {
-        let said = |share| distance(&campbell(vec![]), &margin(0, 1, share));
+        let said = |share| distance(&campbell(), &margin(0, 1, share));
         assert_eq!(said(0.0), "met");
         assert_eq!(said(-0.0376), "-3.8 %");
         assert_eq!(said(0.0498), "+4.98 %");
         assert_eq!(said(12.34), "+1234 %");
     }
 
-    /// Of the first bending modes 1P and the passing of the blades are shown however far they are; a coupled mode is the first of both planes.
+    /// Of the first bending modes 1P and the passing of the blades are shown however far they are.
     #[test]
     fn the_first_bending_modes_are_always_shown() {
         let line = |family: Family, order| FrequencyLine {
@@ -294,12 +219,12 @@ mod tests {
         let all: Vec<Margin> = (0..4)
             .flat_map(|line| [1, 3, 6].map(|multiple| margin(line, multiple, 3.0)))
             .collect();
-        let mut campbell = Campbell {
+        let campbell = Campbell {
             lines: lines.to_vec(),
             margins: all,
-            ..campbell(vec![])
+            first_bending: vec![1, 2],
+            ..campbell()
         };
-        assert_eq!(first_bending(&campbell), [1, 2]);
         let tower = Tower::new(TowerDescription {
             materials: vec![Material::from_shear_modulus(8500.0, 2.1e11, 8.08e10)],
             stations: vec![Station::new(0.0, 6.0, 0.03), Station::new(80.0, 4.0, 0.02)],
@@ -309,13 +234,11 @@ mod tests {
         // Two modes with two excitations each; the other 8 of 12 are counted.
         assert_eq!(text.matches("PASS").count(), 4, "{text}");
         assert!(text.contains("8 other pairs are further apart"), "{text}");
-        campbell.lines[0] = line(Family::Coupled, 1);
-        assert_eq!(first_bending(&campbell), [0, 0]);
     }
 
     #[test]
     fn one_speed_is_the_only_one() {
-        let mut campbell = campbell(vec![]);
+        let mut campbell = campbell();
         assert!(summary(&campbell, true).starts_with("3 blades at 6 to 12 rpm | "));
         campbell.rotor.lowest_rpm = 12.0;
         assert!(summary(&campbell, true).starts_with("3 blades at 12 rpm only | "));
@@ -333,39 +256,14 @@ mod tests {
     /// A blade that could not be solved is in the file all the same; files may have blades that are not read.
     #[test]
     fn that_there_is_no_blade_is_said_as_it_is() {
-        let said = |has_blade| summary(&campbell(vec![]), has_blade);
+        let said = |has_blade| summary(&campbell(), has_blade);
         assert!(said(false).ends_with("0 fail | no blade modes"));
         assert!(said(true).ends_with("0 fail | without the blade"));
     }
 
     #[test]
-    fn classes_are_said_together_or_each() {
-        use StiffnessClass::{SoftSoft, SoftStiff, StiffStiff};
-        let said = |classes| super::classes(&campbell(classes));
-        assert_eq!(
-            classes(&campbell(vec![])),
-            "no class: no first bending mode is in the list"
-        );
-        assert_eq!(
-            said(vec![
-                (Family::ForeAft, SoftStiff),
-                (Family::SideSide, SoftStiff)
-            ]),
-            "soft-stiff: the first bending modes are between 1P and 3P (0.2000 and 0.3000 Hz)"
-        );
-        assert_eq!(
-            said(vec![
-                (Family::ForeAft, SoftSoft),
-                (Family::SideSide, StiffStiff)
-            ]),
-            "soft-soft: the first fore-aft bending mode is below 1P (0.1000 Hz at the lowest speed)\n\
-             stiff-stiff: the first side-side bending mode is above 3P (0.6000 Hz at the highest speed)"
-        );
-    }
-
-    #[test]
     fn motions_without_a_frequency_are_named() {
-        let text = unresisted(&campbell(vec![])).expect("one");
+        let text = unresisted(&campbell()).expect("one");
         assert_eq!(text, "nothing resists, and nothing excites: surge");
     }
 }

@@ -2,20 +2,17 @@
 
 use towermodes::Tower;
 use towermodes::study::{Convergence, Fineness, Level};
+use towermodes_report::terminal;
 
-use super::plot::{Series, XAxis, plot};
 use super::text::{align_right, plain_table, title};
 
-/// The errors and orders of each mode, and their picture.
-pub(crate) fn convergence(tower: &Tower, convergence: &Convergence) -> String {
+/// The errors and orders of each mode, and their picture in so many columns.
+pub(crate) fn convergence(tower: &Tower, convergence: &Convergence, width: usize) -> String {
     let mut table = plain_table();
     let is_spectral = is_spectral(convergence);
-    let x_axis = XAxis {
-        name: if is_spectral { "degree" } else { "n" },
-        is_logarithmic: !is_spectral,
-    };
+    let name = if is_spectral { "degree" } else { "n" };
     let order = if is_spectral { "digits" } else { "order" };
-    let mut header = vec![x_axis.name.to_owned()];
+    let mut header = vec![name.to_owned()];
     for index in 0..convergence.modes.len() {
         header.extend([mark(index).to_string(), order.into()]);
     }
@@ -29,14 +26,17 @@ pub(crate) fn convergence(tower: &Tower, convergence: &Convergence) -> String {
         table.add_row(row);
     }
     align_right(&mut table, 0..=2 * convergence.modes.len());
-    format!(
-        "{}{}\n\n{}\n{}\n\n{}",
+    let text = format!(
+        "{}{}\n\n{}\n{}\n",
         title(tower),
         heading(convergence),
         legend(convergence),
         table.trim_fmt(),
-        plot(&series(convergence), &x_axis)
-    )
+    );
+    match terminal::convergence(convergence, (0..).map(mark), width).as_str() {
+        "" => text,
+        picture => format!("{text}\n{picture}"),
+    }
 }
 
 /// The number of a row, with what was asked for where that is another.
@@ -94,27 +94,13 @@ fn legend(convergence: &Convergence) -> String {
         .collect()
 }
 
-/// The character a mode has in the picture: 1 to 9, then letters.
+/// The character a mode has in the table and in the picture: 1 to 9, then letters.
 fn mark(index: usize) -> char {
     let marks = ('1'..='9').chain('a'..='z');
     marks
         .chain(std::iter::repeat('*'))
         .nth(index)
         .unwrap_or('*')
-}
-
-fn series(convergence: &Convergence) -> Vec<Series> {
-    let of_mode = |index: usize| {
-        let point = |level: &Level| {
-            let error = level.errors[index]?.abs();
-            Some((fineness(level) as f64, error)).filter(|_| error > 0.0)
-        };
-        Series {
-            mark: mark(index),
-            points: convergence.levels.iter().filter_map(point).collect(),
-        }
-    };
-    (0..convergence.modes.len()).map(of_mode).collect()
 }
 
 #[cfg(test)]

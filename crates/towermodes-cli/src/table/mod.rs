@@ -6,7 +6,6 @@ mod campbell;
 mod comparison;
 mod convergence;
 mod elastodyn;
-mod plot;
 mod solution;
 mod text;
 mod verification;

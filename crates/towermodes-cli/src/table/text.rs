@@ -3,6 +3,8 @@
 use comfy_table::{CellAlignment, Table, presets};
 use towermodes::Tower;
 
+use crate::terminal::WIDTH_OF_FILES;
+
 /// A table without lines.
 pub(super) fn plain_table() -> Table {
     let mut table = Table::new();
@@ -73,6 +75,36 @@ pub(crate) fn four_digits(value: f64) -> String {
     format!("{value:.*}", usize::try_from(decimals).unwrap_or_default())
 }
 
+/// Units, which stay with their number.
+const UNITS: [&str; 3] = ["Hz", "rpm", "%"];
+
+/// A text in lines of at most [`WIDTH_OF_FILES`] characters, broken between words and not before a unit; lines after the first are indented.
+pub(super) fn wrapped(text: &str) -> String {
+    let mut words: Vec<String> = Vec::new();
+    for word in text.split(' ') {
+        match words.last_mut() {
+            Some(last) if UNITS.iter().any(|unit| word.starts_with(unit)) => {
+                last.push(' ');
+                last.push_str(word);
+            }
+            _ => words.push(word.to_owned()),
+        }
+    }
+    let mut lines = vec![String::new()];
+    for word in &words {
+        let Some(line) = lines.last_mut() else { break };
+        if line.chars().count() + 1 + word.chars().count() > WIDTH_OF_FILES {
+            lines.push(format!("  {word}"));
+        } else {
+            if !line.is_empty() {
+                line.push(' ');
+            }
+            line.push_str(word);
+        }
+    }
+    lines.join("\n")
+}
+
 /// A name without what would disturb a terminal: control characters and marks that turn the direction of writing.
 fn printable(name: &str) -> String {
     let disturbs = |c: char| {
@@ -101,7 +133,25 @@ pub(super) fn tonnes(kg: f64) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::{aligned, four_digits, with_error};
+    use super::{aligned, four_digits, with_error, wrapped};
+
+    #[test]
+    fn long_sentences_are_broken_between_words() {
+        assert_eq!(wrapped("No warnings."), "No warnings.");
+        let number = wrapped(&format!("{} 0.2017 Hz", "b".repeat(91)));
+        assert_eq!(number, format!("{}\n  0.2017 Hz", "b".repeat(91)));
+        let text = "seven b ".repeat(20);
+        let broken = wrapped(text.trim_end());
+        // 12 times eight characters and a word of five are 101 with the space between.
+        let lengths: Vec<usize> = broken.lines().map(|line| line.chars().count()).collect();
+        assert_eq!(lengths, [97, 63], "{broken}");
+        assert!(
+            broken
+                .lines()
+                .nth(1)
+                .is_some_and(|line| line.starts_with("  "))
+        );
+    }
 
     #[test]
     fn decimal_points_stand_in_one_column() {

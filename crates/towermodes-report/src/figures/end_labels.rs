@@ -5,7 +5,7 @@ use crate::svg::{Colour, Drawing, Marker, Stroke, TextStyle, spread, text_width}
 /// Size of the letters.
 const SIZE: f64 = 11.0;
 /// Distance from label to label.
-const GAP: f64 = 14.0;
+pub(super) const GAP: f64 = 14.0;
 /// From the field to a label, the leader between them.
 const LEADER: f64 = 22.0;
 /// What a marker before a label needs.

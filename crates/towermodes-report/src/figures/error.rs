@@ -156,8 +156,8 @@ fn marker(index: usize) -> (Marker, Colour) {
 
 fn entry((index, column): (usize, &&Column)) -> Entry {
     let sample = Sample {
-        line: None,
         marker: Some(marker(index)),
+        ..Sample::default()
     };
     (sample, name(column))
 }

@@ -3,7 +3,7 @@
 use crate::svg::{Scale, power_of_ten};
 
 /// Errors below this are rounding: they stand at the foot of the axis.
-pub(super) const ROUNDING: f64 = 1e-12;
+pub(crate) const ROUNDING: f64 = 1e-12;
 
 /// About so many numbers along the axis.
 const TICKS: usize = 9;

@@ -13,21 +13,39 @@ const SPACE: f64 = 6.0;
 /// From an entry to the next.
 const BETWEEN: f64 = 22.0;
 
-/// How something is drawn; what is words alone has neither line nor marker.
-#[derive(Debug, Clone, Copy, PartialEq)]
+/// How something is drawn; what is words alone has no line, no marker and no surface.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub(super) struct Sample {
     /// As a line.
     pub(super) line: Option<Stroke>,
     /// With a marker.
     pub(super) marker: Option<(Marker, Colour)>,
+    /// As a surface, with the stroke of its edges.
+    pub(super) surface: Option<(Colour, Stroke)>,
 }
 
 impl Sample {
     fn width(&self) -> f64 {
-        match (self.line, self.marker) {
-            (Some(_), _) => LINE,
-            (None, Some(_)) => MARKER,
-            (None, None) => 0.0,
+        match (self.line, self.marker, self.surface) {
+            (Some(_), ..) | (.., Some(_)) => LINE,
+            (None, Some(_), None) => MARKER,
+            (None, None, None) => 0.0,
+        }
+    }
+
+    fn draw(&self, drawing: &mut Drawing, (x, middle): (f64, f64)) {
+        if let Some((colour, edge)) = &self.surface {
+            let (top, bottom) = (middle - 0.4 * SIZE, middle + 0.4 * SIZE);
+            drawing.rectangle((x, top), (LINE, bottom - top), *colour, None);
+            for y in [top, bottom] {
+                drawing.line((x, y), (x + LINE, y), edge);
+            }
+        }
+        if let Some(stroke) = &self.line {
+            drawing.line((x, middle), (x + LINE, middle), stroke);
+        }
+        if let Some((marker, colour)) = self.marker {
+            drawing.marker(marker, (x + 0.5 * self.width(), middle), 4.5, colour);
         }
     }
 
@@ -45,8 +63,7 @@ pub(super) type Entry = (Sample, String);
 
 /// An entry of words alone.
 pub(super) fn words(text: String) -> Entry {
-    let (line, marker) = (None, None);
-    (Sample { line, marker }, text)
+    (Sample::default(), text)
 }
 
 fn width(entry: &Entry) -> f64 {
@@ -88,12 +105,7 @@ pub(super) fn draw(drawing: &mut Drawing, (left, top): (f64, f64), room: f64, en
         let middle = top + (index as f64 + 0.5) * ROW;
         for entry in row {
             let (sample, text) = entry;
-            if let Some(stroke) = &sample.line {
-                drawing.line((x, middle), (x + LINE, middle), stroke);
-            }
-            if let Some((marker, colour)) = sample.marker {
-                drawing.marker(marker, (x + 0.5 * sample.width(), middle), 4.5, colour);
-            }
+            sample.draw(drawing, (x, middle));
             let at = (x + sample.indent(), middle + 0.35 * SIZE);
             drawing.text(at, text, &TextStyle::new(SIZE));
             x += width(entry) + BETWEEN;

@@ -5,7 +5,7 @@ mod campbell;
 mod convergence;
 mod end_labels;
 mod error;
-mod error_axis;
+pub(crate) mod error_axis;
 mod legend;
 mod outline;
 mod quantity;

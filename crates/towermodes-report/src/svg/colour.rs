@@ -21,6 +21,12 @@ pub enum Colour {
     Water,
     /// A range that is shaded, as of speeds.
     Band,
+    /// A range that is wanted, as of frequencies.
+    Window,
+    /// What is near something that must be kept away from.
+    Near,
+    /// What is too near to it.
+    TooNear,
     /// Members of a family that is drawn together, from 0; beyond the last they begin again.
     Series(usize),
     /// What is well.
@@ -54,7 +60,7 @@ const SERIES: [[&str; 2]; 7] = [
 
 impl Colour {
     /// Every colour there is.
-    pub const ALL: [Self; 19] = [
+    pub const ALL: [Self; 22] = [
         Self::Ink,
         Self::Muted,
         Self::Grid,
@@ -64,6 +70,9 @@ impl Colour {
         Self::Soil,
         Self::Water,
         Self::Band,
+        Self::Window,
+        Self::Near,
+        Self::TooNear,
         Self::Series(0),
         Self::Series(1),
         Self::Series(2),
@@ -88,6 +97,9 @@ impl Colour {
             Self::Soil => ["#d9c7a8", "#5a4a31"],
             Self::Water => ["#cfe6f5", "#17384d"],
             Self::Band => ["#e9edf2", "#262c34"],
+            Self::Window => ["#d9f0df", "#173326"],
+            Self::Near => ["#fdeebf", "#40350f"],
+            Self::TooNear => ["#fbd9d5", "#4e1f1f"],
             Self::Series(index) => SERIES[index % SERIES.len()],
             Self::Pass => ["#1a7f37", "#4ac26b"],
             Self::Warn => ["#8f5f00", "#e3b341"],
@@ -111,6 +123,9 @@ impl Colour {
             Self::Soil => "soil".to_owned(),
             Self::Water => "water".to_owned(),
             Self::Band => "band".to_owned(),
+            Self::Window => "window".to_owned(),
+            Self::Near => "near".to_owned(),
+            Self::TooNear => "too-near".to_owned(),
             Self::Series(index) => format!("series{}", index % SERIES.len()),
             Self::Pass => "pass".to_owned(),
             Self::Warn => "warn".to_owned(),
@@ -166,7 +181,11 @@ mod tests {
         for theme in [Theme::Light, Theme::Dark] {
             let on =
                 |colour: Colour, ground: Colour| contrast(colour.hex(theme), ground.hex(theme));
-            for ground in [Colour::Paper, Colour::Band, Colour::Water] {
+            let shades = [Colour::Window, Colour::Near, Colour::TooNear];
+            for ground in [Colour::Paper, Colour::Band, Colour::Water]
+                .into_iter()
+                .chain(shades)
+            {
                 for text in [Colour::Ink, Colour::Muted] {
                     assert!(
                         on(text, ground) >= 4.5,

@@ -363,6 +363,25 @@ impl Drawing {
         self.put("</g>");
     }
 
+    /// The same on a sheet that is higher by so much, with the room above it.
+    pub(super) fn lowered(self, by: f64) -> Self {
+        let mut labels = self.labels;
+        for label in &mut labels {
+            label.top += by;
+            label.bottom += by;
+        }
+        Self {
+            width: self.width,
+            height: self.height + by,
+            body: format!(
+                "<g transform=\"translate(0 {})\">\n{}</g>\n",
+                short(by),
+                self.body
+            ),
+            labels,
+        }
+    }
+
     fn put(&mut self, element: &str) {
         self.body.push_str(element);
         self.body.push('\n');
@@ -457,6 +476,8 @@ pub(super) fn escaped(text: &str) -> String {
             '>' => escaped.push_str("&gt;"),
             '"' => escaped.push_str("&quot;"),
             c if c.is_control() || ('\u{fffe}'..='\u{ffff}').contains(&c) => escaped.push(' '),
+            // Marks that turn the direction of writing would show numbers backwards.
+            '\u{202a}'..='\u{202e}' | '\u{2066}'..='\u{2069}' => escaped.push(' '),
             c => escaped.push(c),
         }
     }
@@ -479,6 +500,7 @@ mod tests {
     #[test]
     fn text_cannot_break_out_of_its_element() {
         assert_eq!(escaped("a<b & \"c\"\u{1}"), "a&lt;b &amp; &quot;c&quot; ");
+        assert_eq!(escaped("\u{202e}0.32 Hz\u{2069}"), " 0.32 Hz ");
     }
 
     #[test]

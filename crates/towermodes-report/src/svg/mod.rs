@@ -4,6 +4,7 @@ mod axes;
 mod colour;
 mod drawing;
 mod figure;
+mod heading;
 mod scale;
 mod text;
 
@@ -11,5 +12,6 @@ pub use axes::{Axes, Frame, spread};
 pub use colour::{Colour, Theme, contrast, stylesheet};
 pub use drawing::{Anchor, Dash, Drawing, LabelBox, Marker, Stroke, TextStyle};
 pub use figure::{DataTable, Figure, Look};
+pub use heading::Heading;
 pub use scale::{Scale, number, power_of_ten, superscript};
 pub use text::{LINE_HEIGHT, text_width};

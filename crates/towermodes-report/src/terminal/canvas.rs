@@ -44,6 +44,25 @@ impl Canvas {
         }
     }
 
+    /// Sets the dots of a straight line between two places (right, down), those whose number along the line is wanted; gives the number after
+    /// the last.
+    pub(super) fn line(
+        &mut self,
+        [from, to]: [(usize, usize); 2],
+        first: usize,
+        is_wanted: impl Fn(usize) -> bool,
+    ) -> usize {
+        let steps = from.0.abs_diff(to.0).max(from.1.abs_diff(to.1));
+        let between = |a: usize, b: usize, step: usize| {
+            let share = step as f64 / steps.max(1) as f64;
+            (a as f64 + share * (b as f64 - a as f64)).round() as usize
+        };
+        for step in (0..=steps).filter(|step| is_wanted(first + step)) {
+            self.dot(between(from.0, to.0, step), between(from.1, to.1, step));
+        }
+        first + steps
+    }
+
     /// The lines of characters, spaces where nothing is drawn.
     pub(super) fn lines(&self) -> impl Iterator<Item = String> {
         let character = |pattern: &u8| match pattern {
@@ -70,5 +89,16 @@ mod tests {
         canvas.dot(0, 4);
         let lines: Vec<String> = canvas.lines().collect();
         assert_eq!(lines, ["\u{2881}\u{2824}"]);
+    }
+
+    /// From the upper left dot to the lower right one of a character, every second dot: dots 1 and, two rows down, 6 of U+2800.
+    #[test]
+    fn lines_have_the_dots_that_are_wanted() {
+        let mut canvas = Canvas::new(1, 1);
+        let next = canvas.line([(0, 0), (1, 3)], 0, |step| step % 2 == 0);
+        assert_eq!(next, 3);
+        let lines: Vec<String> = canvas.lines().collect();
+        // Step 2 of 3 is two thirds of the way: column 1, row 2, which is dot 6 (0x20); step 0 is dot 1 (0x01).
+        assert_eq!(lines, ["\u{2821}"]);
     }
 }

@@ -7,6 +7,20 @@ use towermodes::{
 use super::panel::{Curve, Line, Panel, side_by_side};
 use crate::svg::number;
 
+impl Curve {
+    /// A rotation as a share of its largest: beside a deflection of 1 it has no scale. Deflections stay.
+    fn as_share(mut self, component: Component) -> Self {
+        let sizes = self.points.iter().map(|(_, value)| value.abs());
+        let largest = sizes.fold(0.0, f64::max);
+        if matches!(component, Component::AboutZ) && largest > 0.0 {
+            for (_, value) in &mut self.points {
+                *value /= largest;
+            }
+        }
+        self
+    }
+}
+
 /// The components of a shape that can be drawn: x, y, z, and the rotation about z.
 #[derive(Debug, Clone, Copy)]
 enum Component {
@@ -24,7 +38,8 @@ impl Component {
 }
 
 /// The shapes of a solution, as wide as a terminal of `width` columns has room for: heights upwards, and to the right fore-aft or side-side
-/// motion, of torsion the rotation, of axial modes the motion upwards, each as a share of its largest. Of coupled modes x is a line and y is dots.
+/// motion, of torsion the rotation, of axial modes the motion upwards, each as a share of its largest. Of coupled modes the two motions with most
+/// energy are drawn, one as a line and one as dots, a rotation as a share of its own largest.
 /// What is there twice, in two equal planes, is drawn once. Nothing where not even one fits.
 pub fn shapes(tower: &Tower, solution: &Solution, width: usize) -> String {
     let panels: Vec<Panel> = drawn_once(tower, solution)
@@ -73,19 +88,42 @@ fn tower_panel(mode: &Mode, twin: Option<&Mode>) -> Panel {
         curve(shapes, component, line)
     };
     let whole = |component: Component| vec![curve(component, Line::Whole)];
+    let [first, second] = coupled_components(mode);
     let curves = match mode.family {
         Family::SideSide | Family::Sway | Family::Roll => whole(Component::Along(1)),
         Family::Torsion | Family::Yaw => whole(Component::AboutZ),
         Family::Axial | Family::Heave => whole(Component::Along(2)),
         Family::Coupled => vec![
-            curve(Component::Along(0), Line::Whole),
-            curve(Component::Along(1), Line::Dots),
+            curve(first.0, Line::Whole).as_share(first.0),
+            curve(second.0, Line::Dots).as_share(second.0),
         ],
         _ => whole(Component::Along(0)),
     };
     let mut captions = vec![label(mode, twin), frequency(mode.frequency_hz)];
-    captions.extend(to_the_right(mode.family).map(str::to_owned));
+    captions.extend(match mode.family {
+        Family::Coupled => Some(format!("{} line, {} dots", first.1, second.1)),
+        family => to_the_right(family).map(str::to_owned),
+    });
     Panel { curves, captions }
+}
+
+/// The two components of a coupled mode with most of its energy, with their names.
+fn coupled_components(mode: &Mode) -> [(Component, &'static str); 2] {
+    let mean = mode.energy.mean();
+    let mut all = [
+        (mean.fore_aft, (Component::Along(0), "x")),
+        (mean.side_side, (Component::Along(1), "y")),
+        (mean.torsion, (Component::AboutZ, "rotation z")),
+        (mean.axial, (Component::Along(2), "z")),
+    ];
+    // Of equal ones the order stays.
+    all.sort_by(|a, b| b.0.total_cmp(&a.0));
+    let [(_, first), (_, second), ..] = all;
+    // The translation is the line.
+    match (first.0, second.0) {
+        (Component::AboutZ, _) | (Component::Along(1), Component::Along(0)) => [second, first],
+        _ => [first, second],
+    }
 }
 
 /// What is drawn to the right, where the name of a mode does not say it.
@@ -93,7 +131,6 @@ fn to_the_right(family: Family) -> Option<&'static str> {
     match family {
         Family::Torsion | Family::Yaw => Some("rotation about z"),
         Family::Axial | Family::Heave => Some("motion along z"),
-        Family::Coupled => Some("x line, y dots"),
         _ => None,
     }
 }

@@ -137,6 +137,8 @@ pub struct Campbell {
     pub margins: Vec<Margin>,
     /// Where the lowest mode that bends the tower fore-aft lies, and that side-side, if they are in the list; a coupled mode may be both.
     pub classes: Vec<(Family, StiffnessClass)>,
+    /// Which lines these modes are, from 0, in the order of `classes`.
+    pub first_bending: Vec<usize>,
 }
 
 /// Why there is no diagram.

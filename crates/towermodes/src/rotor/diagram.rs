@@ -2,7 +2,6 @@
 
 use super::campbell::{
     Campbell, CampbellError, CampbellOptions, DEFAULT_MARGIN, Excited, FrequencyLine,
-    StiffnessClass,
 };
 use super::class::class;
 use super::description::{BEYOND_OPERATION, Rotor};
@@ -88,10 +87,15 @@ pub fn campbell(
     let margins = pairs
         .filter_map(|(line, multiple)| margin(line, multiple, rotor, options.margin))
         .collect();
+    let first = first_bending_modes(solution);
     Ok(Campbell {
         rotor: *rotor,
         margin: options.margin,
-        classes: classes(solution, rotor),
+        classes: first
+            .iter()
+            .map(|(plane, index)| (*plane, class(solution.modes[*index].frequency_hz, rotor)))
+            .collect(),
+        first_bending: first.iter().map(|(_, index)| *index).collect(),
         known_to_hz: known_to_hz(solution),
         multiples,
         lines,
@@ -153,20 +157,18 @@ fn tower_line(mode: &Mode, last_rpm: f64) -> FrequencyLine {
     }
 }
 
-/// Where the first mode that bends the tower in each plane lies.
-fn classes(solution: &Solution, rotor: &Rotor) -> Vec<(Family, StiffnessClass)> {
+/// The first mode that bends the tower in each plane, if it is in the list and has a frequency, and where it is in the list.
+fn first_bending_modes(solution: &Solution) -> Vec<(Family, usize)> {
     let planes = [Family::ForeAft, Family::SideSide].into_iter();
     let first = planes.filter_map(|plane| Some((plane, first_bending(solution, plane)?)));
-    let resisted = first.filter(|(_, mode)| mode.frequency_hz > 0.0);
-    resisted
-        .map(|(plane, mode)| (plane, class(mode.frequency_hz, rotor)))
-        .collect()
+    let resisted = first.filter(|(_, index)| solution.modes[*index].frequency_hz > 0.0);
+    resisted.collect()
 }
 
 /// The lowest mode with a good part of its energy in a plane. A machine whose principal axes are not those of the wind bends the tower in both
 /// planes at once: such a mode is coupled, and is the first of both.
-fn first_bending(solution: &Solution, plane: Family) -> Option<&Mode> {
-    let bends = |mode: &&Mode| {
+fn first_bending(solution: &Solution, plane: Family) -> Option<usize> {
+    let bends = |mode: &Mode| {
         let mean = mode.energy.mean();
         let part = if plane == Family::ForeAft {
             mean.fore_aft
@@ -175,5 +177,5 @@ fn first_bending(solution: &Solution, plane: Family) -> Option<&Mode> {
         };
         mode.family == plane || (mode.family == Family::Coupled && part >= GOOD_PART)
     };
-    solution.modes.iter().find(bends)
+    solution.modes.iter().position(bends)
 }

@@ -2,6 +2,7 @@
 
 mod campbell;
 mod class;
+mod conclusion;
 mod description;
 mod diagram;
 mod margin;

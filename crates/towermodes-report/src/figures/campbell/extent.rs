@@ -1,7 +1,7 @@
-//! How far the axes of a Campbell diagram reach.
+//! How far the axes of a Campbell diagram reach: the field of the decision, and a second one for what is higher.
 
 use towermodes::Verdict;
-use towermodes::rotor::{BEYOND_OPERATION, Campbell};
+use towermodes::rotor::{BEYOND_OPERATION, Campbell, StiffnessClass};
 
 use super::lines::is_blade;
 
@@ -13,6 +13,12 @@ const WORTH: f64 = 2.0;
 const FAR: f64 = 6.0;
 /// The diagram reaches so much above its highest line.
 const ABOVE: f64 = 1.06;
+/// The field of the decision reaches so much above the first bending modes …
+const ABOVE_FIRST: f64 = 1.3;
+/// … and so much above the end of the ray of the blades' passing.
+const ABOVE_RAY: f64 = 1.03;
+/// What is higher gets a field of its own if it would take more than this share of the height.
+const SQUEEZED: f64 = 1.35;
 
 /// The speed at the right end, rpm.
 pub(super) fn last_rpm(campbell: &Campbell) -> f64 {
@@ -30,15 +36,56 @@ pub(super) fn last_rpm(campbell: &Campbell) -> f64 {
     }
 }
 
-/// The frequency at the upper end, Hz: above every line that the highest excitation passes before the right end, the lowest of the tower
-/// whatever excites it, and whatever is warned of or fails.
-pub(super) fn highest_hz(campbell: &Campbell, multiples: &[usize], last_rpm: f64) -> f64 {
+/// The frequencies at which fields end, Hz, from 0 upwards: one field, or that of the decision and one above it.
+pub(super) fn ends_hz(campbell: &Campbell, multiples: &[usize], last_rpm: f64) -> Vec<f64> {
+    let decisive_hz = decisive_hz(campbell, last_rpm);
+    let highest_hz = highest_hz(campbell, multiples, last_rpm);
+    let is_drawn = |hz: f64| decisive_hz < hz && hz <= highest_hz;
+    let mut lines = campbell.lines.iter();
+    let is_higher = lines.any(|line| line.points.iter().any(|[_, hz]| is_drawn(*hz)));
+    match decisive_hz {
+        hz if !(hz.is_finite() && hz > 0.0) => vec![highest_hz],
+        hz if !is_higher => vec![hz],
+        hz if highest_hz <= SQUEEZED * hz => vec![highest_hz],
+        hz => vec![hz, highest_hz],
+    }
+}
+
+/// As high as the decision is: the first bending modes, and the ray of the blades' passing to the right end; where all these modes are below
+/// 1P, the ray of 1P.
+fn decisive_hz(campbell: &Campbell, last_rpm: f64) -> f64 {
+    let mut classes = campbell.classes.iter().map(|(_, class)| *class);
+    let is_soft_soft =
+        !campbell.classes.is_empty() && classes.all(|class| class == StiffnessClass::SoftSoft);
+    let multiple = if is_soft_soft {
+        1
+    } else {
+        campbell.rotor.blades
+    };
+    let ray_hz = multiple as f64 * last_rpm / 60.0;
+    (ABOVE_FIRST * first_hz(campbell)).max(ABOVE_RAY * ray_hz)
+}
+
+/// The highest of the first bending modes, Hz; without these the lowest mode of the tower that something resists.
+fn first_hz(campbell: &Campbell) -> f64 {
+    let lines = campbell.first_bending.iter();
+    let lines = lines.filter_map(|line| campbell.lines.get(*line));
+    let first = lines.filter_map(|line| line.points.first().map(|[_, hz]| *hz));
+    match first.fold(0.0, f64::max) {
+        0.0 => tower_hz(campbell).find(|hz| *hz > 0.0).unwrap_or(0.0),
+        hz => hz,
+    }
+}
+
+/// The frequency at the upper end of all, Hz: above every line that the highest excitation passes before the right end, the lowest of the
+/// tower whatever excites it, and whatever is warned of or fails.
+fn highest_hz(campbell: &Campbell, multiples: &[usize], last_rpm: f64) -> f64 {
     let highest = multiples.iter().max().map_or(0.0, |n| *n as f64);
     let excitation_hz = highest * campbell.rotor.highest_rpm / 60.0;
     let end_hz = highest * last_rpm / 60.0;
     let highest_hz = [
         excitation_hz,
-        tower_hz(campbell, excitation_hz),
+        worthy_hz(campbell, excitation_hz),
         passed_hz(campbell, end_hz),
         judged_hz(campbell, multiples, end_hz),
     ];
@@ -50,10 +97,15 @@ pub(super) fn highest_hz(campbell: &Campbell, multiples: &[usize], last_rpm: f64
     }
 }
 
-/// The highest mode of the tower that is worth showing: the first, and the next few that are not far above the excitations.
-fn tower_hz(campbell: &Campbell, excitation_hz: f64) -> f64 {
+/// The frequencies of the tower's modes, Hz.
+fn tower_hz(campbell: &Campbell) -> impl Iterator<Item = f64> {
     let tower = campbell.lines.iter().filter(|line| !is_blade(line));
-    let mut tower_hz = tower.filter_map(|line| line.points.first().map(|[_, hz]| *hz));
+    tower.filter_map(|line| line.points.first().map(|[_, hz]| *hz))
+}
+
+/// The highest mode of the tower that is worth showing: the first, and the next few that are not far above the excitations.
+fn worthy_hz(campbell: &Campbell, excitation_hz: f64) -> f64 {
+    let mut tower_hz = tower_hz(campbell);
     let first_hz = tower_hz.find(|hz| *hz > 0.0).unwrap_or(0.0);
     let worth = |hz: &f64| *hz <= WORTH * excitation_hz;
     let others_hz = tower_hz.take(TOWER_MODES - 1).filter(worth);

@@ -2,18 +2,23 @@
 
 use towermodes::rotor::{Campbell, Excited, FrequencyLine};
 
-use super::extent::{highest_hz, last_rpm};
+use super::extent::{ends_hz, last_rpm};
+use crate::figures::quantity::frequency;
 
 /// Most excitations: more are a grey surface.
 const EXCITATIONS: usize = 100;
+/// Lines of the tower nearer to each other than this share are one line to the eye, and have one label.
+const ONE_LINE: f64 = 1e-3;
+/// Frequencies nearer to each other than this share are one number.
+const ONE_NUMBER: f64 = 1e-4;
 
 /// What of a diagram is drawn.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Shown {
     /// The speed at the right end, rpm.
     pub(super) last_rpm: f64,
-    /// The frequency at the upper end, Hz.
-    pub(super) highest_hz: f64,
+    /// The frequencies at which the fields end, Hz, from the lowest: one or two.
+    pub(super) ends_hz: Vec<f64>,
     /// The multiples, the lowest of very many.
     pub(super) multiples: Vec<usize>,
     /// How many multiples are not drawn.
@@ -27,6 +32,17 @@ pub(super) struct Shown {
 }
 
 impl Shown {
+    /// The frequency at the upper end of all fields, Hz.
+    pub(super) fn highest_hz(&self) -> f64 {
+        self.ends_hz.last().copied().unwrap_or(1.0)
+    }
+
+    /// Which field a frequency is in, from the lowest; what is above all is in the last.
+    pub(super) fn field_of(&self, hz: f64) -> usize {
+        let below = self.ends_hz.iter().filter(|end_hz| **end_hz < hz).count();
+        below.min(self.ends_hz.len().saturating_sub(1))
+    }
+
     /// Whether a line and a multiple are both drawn.
     pub(super) fn has(&self, line: usize, multiple: usize) -> bool {
         let is_member = self
@@ -67,7 +83,8 @@ pub(super) fn shown(campbell: &Campbell) -> Shown {
         .copied()
         .take(EXCITATIONS)
         .collect();
-    let highest_hz = highest_hz(campbell, &multiples, last_rpm);
+    let ends_hz = ends_hz(campbell, &multiples, last_rpm);
+    let highest_hz = ends_hz.last().copied().unwrap_or(1.0);
     let (drawn, others): (Vec<Group>, Vec<Group>) = groups(campbell)
         .into_iter()
         .partition(|group| (f64::MIN_POSITIVE..=highest_hz).contains(&group.lowest_hz()));
@@ -81,7 +98,7 @@ pub(super) fn shown(campbell: &Campbell) -> Shown {
     };
     Shown {
         last_rpm,
-        highest_hz,
+        ends_hz,
         more_multiples: campbell.multiples.len() - multiples.len(),
         multiples,
         groups: drawn,
@@ -94,38 +111,48 @@ pub(super) fn is_blade(line: &FrequencyLine) -> bool {
     matches!(line.of, Excited::Blade { .. })
 }
 
-/// The lines, those of the tower together whose frequencies are one to three digits.
+/// The lines, those of the tower together that lie upon each other.
 fn groups(campbell: &Campbell) -> Vec<Group> {
-    let mut groups: Vec<Group> = Vec::new();
-    let mut names: Vec<Vec<String>> = Vec::new();
+    let first_hz = |line: &FrequencyLine| line.points.first().map_or(f64::NAN, |[_, hz]| *hz);
+    let are_one = |a: &FrequencyLine, b: &FrequencyLine| {
+        let (a_hz, b_hz) = (first_hz(a), first_hz(b));
+        !is_blade(a) && !is_blade(b) && (b_hz - a_hz).abs() <= ONE_LINE * a_hz
+    };
+    let mut groups: Vec<Vec<usize>> = Vec::new();
     for (index, line) in campbell.lines.iter().enumerate() {
-        let is_blade = is_blade(line);
-        let name = line.label.replace(" bending", "");
-        let digits = |points: &[[f64; 2]]| points.first().map(|[_, hz]| three_digits(*hz));
         match groups.last_mut() {
-            Some(last)
-                if !is_blade && !last.is_blade && digits(&last.points) == digits(&line.points) =>
-            {
-                last.members.push(index);
-                if let Some(names) = names.last_mut() {
-                    names.push(name);
-                }
-            }
-            _ => {
-                groups.push(Group {
-                    members: vec![index],
-                    label: String::new(),
-                    is_blade,
-                    points: line.points.clone(),
-                });
-                names.push(vec![name]);
-            }
+            // All of a group lie upon its first.
+            Some(members) if are_one(&campbell.lines[members[0]], line) => members.push(index),
+            _ => groups.push(vec![index]),
         }
     }
-    for (group, names) in groups.iter_mut().zip(&names) {
-        group.label = format!("{}: {}", together(names), range_hz(&group.points));
-    }
-    groups
+    let group = |members: Vec<usize>| {
+        let lines: Vec<&FrequencyLine> =
+            members.iter().map(|line| &campbell.lines[*line]).collect();
+        Group {
+            label: label(&lines),
+            is_blade: is_blade(lines[0]),
+            points: lines[0].points.clone(),
+            members,
+        }
+    };
+    groups.into_iter().map(group).collect()
+}
+
+/// "1st side-side, 1st fore-aft: 0.3187 Hz".
+fn label(lines: &[&FrequencyLine]) -> String {
+    let names: Vec<String> = lines
+        .iter()
+        .map(|line| line.label.replace(" bending", ""))
+        .collect();
+    let hz = match lines {
+        [line] => range_hz(&line.points),
+        lines => {
+            let hz = lines.iter().filter_map(|line| line.points.first());
+            together_hz(&hz.map(|[_, hz]| *hz).collect::<Vec<f64>>())
+        }
+    };
+    format!("{}: {hz}", together(&names))
 }
 
 /// "1st fore-aft, 1st side-side", "1st flap and 3 more".
@@ -136,10 +163,24 @@ fn together(names: &[String]) -> String {
     }
 }
 
+/// One frequency of lines upon each other; the first and the last where four digits tell them apart.
+fn together_hz(hz: &[f64]) -> String {
+    let (low, high) = hz.iter().fold((f64::INFINITY, 0.0_f64), |(low, high), hz| {
+        (low.min(*hz), high.max(*hz))
+    });
+    let is_one = high - low <= ONE_NUMBER * high || frequency(low) == frequency(high);
+    match hz {
+        // Both sides of a rounding limit are no two numbers.
+        _ if is_one => format!("{} Hz", frequency(0.5 * (low + high))),
+        [a, b] => format!("{}, {} Hz", frequency(*a), frequency(*b)),
+        _ => format!("{} to {} Hz", frequency(low), frequency(high)),
+    }
+}
+
 /// The frequency of a line, or its frequencies at the ends.
 fn range_hz(points: &[[f64; 2]]) -> String {
     let [Some(first), Some(last)] =
-        [points.first(), points.last()].map(|point| point.map(|[_, hz]| three_digits(*hz)))
+        [points.first(), points.last()].map(|point| point.map(|[_, hz]| frequency(*hz)))
     else {
         return String::new();
     };
@@ -165,7 +206,17 @@ pub(super) fn three_digits(value: f64) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::{three_digits, together};
+    use super::{three_digits, together, together_hz};
+
+    /// Frequencies on both sides of a rounding limit are one number; those that differ in the fourth digit are two.
+    #[test]
+    fn frequencies_of_one_line_are_told_apart_or_said_once() {
+        assert_eq!(together_hz(&[0.242_48, 0.242_51]), "0.2425 Hz");
+        assert_eq!(together_hz(&[0.242_545, 0.242_552]), "0.2425 Hz");
+        assert_eq!(together_hz(&[0.242_34, 0.242_51]), "0.2423, 0.2425 Hz");
+        assert_eq!(together_hz(&[0.3, 0.3, 0.3]), "0.3000 Hz");
+        assert_eq!(together_hz(&[1.0, 1.0004, 1.0009]), "1.000 to 1.001 Hz");
+    }
 
     #[test]
     fn three_digits_whatever_the_size() {

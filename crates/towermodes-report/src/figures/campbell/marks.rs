@@ -105,11 +105,16 @@ fn number_width(count: usize) -> f64 {
     }
 }
 
-/// The marks of all pairs that are drawn, none upon another.
-pub(super) fn clusters(campbell: &Campbell, shown: &Shown, axes: &Axes) -> Vec<Cluster> {
+/// The marks of all pairs that are drawn in a field, counted from the lowest, none upon another.
+pub(super) fn clusters(
+    campbell: &Campbell,
+    shown: &Shown,
+    (field, axes): (usize, &Axes),
+) -> Vec<Cluster> {
     let is_marked = |margin: &&Margin| {
         margin.verdict != Verdict::Pass
-            && margin.natural_hz <= shown.highest_hz
+            && margin.natural_hz <= shown.highest_hz()
+            && shown.field_of(margin.natural_hz) == field
             && shown.has(margin.line, margin.multiple)
     };
     let of_pair = |margin: &Margin| {

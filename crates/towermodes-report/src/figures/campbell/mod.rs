@@ -3,21 +3,19 @@
 mod above;
 mod extent;
 mod field;
+mod key;
 mod lines;
 mod marks;
 mod rays;
+mod shades;
 
-use towermodes::Verdict;
-use towermodes::rotor::{Campbell, Margin, Rotor, Rpm};
+use towermodes::rotor::{Campbell, Rotor, Rpm};
 
 use crate::svg::{DataTable, Figure};
 
 use above::{above_text, unresisted_text};
 use field::drawing;
 use lines::{Shown, shown, three_digits};
-
-/// At most so many pairs are named in the description.
-const NAMED: usize = 6;
 
 /// The natural frequencies of tower and blade against the rotor's speed, its excitations, and where they come too near in operation.
 pub fn campbell(campbell: &Campbell) -> Figure {
@@ -34,25 +32,13 @@ pub fn campbell(campbell: &Campbell) -> Figure {
 
 fn description(campbell: &Campbell, shown: &Shown) -> String {
     let mut text = format!(
-        "Natural frequencies from 0 to {} Hz against the rotor's speed from 0 to {} rpm, with the excitations {}. {}.",
-        three_digits(shown.highest_hz),
+        "{} Natural frequencies from 0 to {} Hz against the rotor's speed from 0 to {} rpm, with the excitations {}. {}.",
+        campbell.conclusion().join(" "),
+        three_digits(shown.highest_hz()),
         three_digits(shown.last_rpm),
         excitations(&shown.multiples),
         operation(&campbell.rotor)
     );
-    for (verdict, words) in [
-        (Verdict::Fail, "Too near each other in operation"),
-        (Verdict::Warn, "Warned of"),
-    ] {
-        text.extend(pairs(campbell, verdict).map(|pairs| format!(" {words}: {pairs}.")));
-    }
-    if campbell
-        .margins
-        .iter()
-        .all(|margin| margin.verdict == Verdict::Pass)
-    {
-        text.push_str(" All pairs keep their margin.");
-    }
     let above = above_text(campbell, shown);
     let more =
         (shown.more_multiples > 0).then(|| format!("{} more excitations", shown.more_multiples));
@@ -93,25 +79,18 @@ fn speeds(rotor: &Rotor) -> String {
     }
 }
 
-/// The pairs of a verdict in words, the first of many; none if there are none.
-fn pairs(campbell: &Campbell, verdict: Verdict) -> Option<String> {
-    let name = |margin: &Margin| {
-        let label = campbell.lines.get(margin.line).map(|line| &line.label);
-        format!(
-            "{}P and {} at {} rpm",
-            margin.multiple,
-            label.map_or("", |label| label),
-            Rpm(margin.nearest_rpm)
-        )
-    };
-    let of_verdict = |margin: &&Margin| margin.verdict == verdict;
-    let all: Vec<&Margin> = campbell.margins.iter().filter(of_verdict).collect();
-    let named: Vec<String> = all.iter().take(NAMED).map(|margin| name(margin)).collect();
-    let more = match all.len() - named.len() {
-        0 => String::new(),
-        more => format!("; and {more} more"),
-    };
-    (!all.is_empty()).then(|| named.join("; ") + &more)
+/// " in operation", where the rotor has more than one speed.
+fn speeds_of(campbell: &Campbell) -> &'static str {
+    let rotor = &campbell.rotor;
+    match rotor.lowest_rpm < rotor.highest_rpm {
+        true => " in operation",
+        false => "",
+    }
+}
+
+/// A margin in percent without what dividing by 100 left.
+fn margin_percent(share: f64) -> f64 {
+    (share * 1e11).round() / 1e9
 }
 
 /// The lines with their points, then the excitations in operation: that of a tower's mode is the same at every speed.

@@ -20,19 +20,38 @@ pub(super) fn end_hz(multiple: usize, shown: &Shown) -> f64 {
     multiple as f64 * shown.last_rpm / 60.0
 }
 
-pub(super) fn stroke(shown: &Shown) -> Stroke {
-    let width = if shown.multiples.len() > MANY {
-        0.7
-    } else {
-        1.3
-    };
-    Stroke::new(Colour::Muted, width)
+/// The multiples of most weight that are drawn: the rotor's speed and the passing of its blades.
+pub(super) fn strong(campbell: &Campbell, shown: &Shown) -> Vec<usize> {
+    let multiples = shown.multiples.iter().copied();
+    multiples
+        .filter(|multiple| is_strong(campbell, *multiple))
+        .collect()
 }
 
-pub(super) fn draw(drawing: &mut Drawing, shown: &Shown, axes: &Axes) {
-    for multiple in &shown.multiples {
-        let end = axes.at(shown.last_rpm, end_hz(*multiple, shown));
-        drawing.line(axes.at(0.0, 0.0), end, &stroke(shown));
+pub(super) fn is_strong(campbell: &Campbell, multiple: usize) -> bool {
+    [1, campbell.rotor.blades].contains(&multiple)
+}
+
+/// How a ray is drawn: those of most weight are thick and dark.
+pub(super) fn stroke(shown: &Shown, is_strong: bool) -> Stroke {
+    match is_strong {
+        true => Stroke::new(Colour::Ink, 2.4),
+        false if shown.multiples.len() > MANY => Stroke::new(Colour::Muted, 0.6),
+        false => Stroke::new(Colour::Muted, 0.9),
+    }
+}
+
+/// The rays, those of most weight on top.
+pub(super) fn draw(drawing: &mut Drawing, campbell: &Campbell, shown: &Shown, axes: &Axes) {
+    let (strong, weak): (Vec<usize>, Vec<usize>) = shown
+        .multiples
+        .iter()
+        .partition(|multiple| is_strong(campbell, **multiple));
+    for (multiples, is_strong) in [(weak, false), (strong, true)] {
+        for multiple in multiples {
+            let end = axes.at(shown.last_rpm, end_hz(multiple, shown));
+            drawing.line(axes.at(0.0, 0.0), end, &stroke(shown, is_strong));
+        }
     }
 }
 
@@ -48,7 +67,7 @@ pub(super) struct Labelled {
 impl Labelled {
     /// As many as a field so wide has room for.
     pub(super) fn new(campbell: &Campbell, shown: &Shown, width: f64) -> Self {
-        let is_right = |multiple: &usize| end_hz(*multiple, shown) <= shown.highest_hz;
+        let is_right = |multiple: &usize| end_hz(*multiple, shown) <= shown.highest_hz();
         let (right, above): (Vec<usize>, Vec<usize>) =
             shown.multiples.iter().copied().partition(is_right);
         let room = (width / (widest(&above) + BETWEEN)).max(0.0) as usize;
@@ -56,11 +75,6 @@ impl Labelled {
             right: foremost(campbell, right, MOST_AT_RIGHT),
             above: foremost(campbell, above, room),
         }
-    }
-
-    /// How many rays have none.
-    pub(super) fn missing(&self, shown: &Shown) -> usize {
-        shown.multiples.len() - self.right.len() - self.above.len()
     }
 }
 
@@ -89,7 +103,8 @@ fn foremost(campbell: &Campbell, multiples: Vec<usize>, most: usize) -> Vec<usiz
     chosen
 }
 
-fn text(multiple: usize) -> String {
+/// "3P".
+pub(super) fn text(multiple: usize) -> String {
     format!("{multiple}P")
 }
 
@@ -101,12 +116,17 @@ fn widest(multiples: &[usize]) -> f64 {
 }
 
 /// Labels those that leave the field above, there.
-pub(super) fn upper_ends(drawing: &mut Drawing, multiples: &[usize], shown: &Shown, axes: &Axes) {
-    let place = |multiple: &usize| axes.x.at(60.0 * shown.highest_hz / *multiple as f64);
+pub(super) fn upper_ends(
+    drawing: &mut Drawing,
+    multiples: &[usize],
+    (campbell, shown): (&Campbell, &Shown),
+    axes: &Axes,
+) {
+    let place = |multiple: &usize| axes.x.at(60.0 * shown.highest_hz() / *multiple as f64);
     let ends: Vec<f64> = multiples.iter().map(place).collect();
     let widest = widest(multiples);
     let range = [axes.frame.left.max(0.5 * widest), axes.frame.right];
-    let style = TextStyle::new(SIZE).bold().anchor(Anchor::Middle);
+    let style = TextStyle::new(SIZE).anchor(Anchor::Middle);
     let leader = Stroke::new(Colour::Muted, 0.8);
     let top = axes.frame.top;
     for (multiple, (end, x)) in
@@ -115,6 +135,10 @@ pub(super) fn upper_ends(drawing: &mut Drawing, multiples: &[usize], shown: &Sho
             .zip(ends.iter().zip(spread(&ends, widest + BETWEEN, range)))
     {
         drawing.line((*end, top), (x, top - 4.0), &leader);
+        let style = match is_strong(campbell, *multiple) {
+            true => style.bold(),
+            false => style.colour(Colour::Muted),
+        };
         drawing.text((x, top - 7.0), &text(*multiple), &style);
     }
 }
@@ -140,6 +164,7 @@ mod tests {
             lines: Vec::new(),
             margins: Vec::new(),
             classes: Vec::new(),
+            first_bending: Vec::new(),
         };
         let foremost = |last, most| foremost(&campbell, (1..=last).collect(), most);
         assert_eq!(foremost(4, 4), [1, 2, 3, 4]);

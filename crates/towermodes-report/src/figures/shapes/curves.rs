@@ -52,6 +52,26 @@ impl Part {
     }
 }
 
+/// A motion with less of a mode's energy than this would be a straight line at zero.
+const NOTABLE: f64 = 1e-3;
+
+/// The components that take part in a coupled mode, by its energy; all of x, y and the rotation about z if it has none.
+pub(super) fn coupled_parts(mode: &Mode) -> Vec<Part> {
+    let mean = mode.energy.mean();
+    let shares = [
+        (Part::X, mean.fore_aft),
+        (Part::Y, mean.side_side),
+        (Part::Z, mean.axial),
+        (Part::RotationZ, mean.torsion),
+    ];
+    let notable = shares.iter().filter(|(_, share)| *share >= NOTABLE);
+    let parts: Vec<Part> = notable.map(|(part, _)| *part).collect();
+    match parts.is_empty() {
+        true => vec![Part::X, Part::Y, Part::RotationZ],
+        false => parts,
+    }
+}
+
 /// Whether a side-side mode is a fore-aft one turned: their frequencies and curves are the same.
 pub(super) fn is_turned(fore_aft: &Mode, side_side: &Mode) -> bool {
     let (a, b) = (fore_aft.frequency_hz, side_side.frequency_hz);

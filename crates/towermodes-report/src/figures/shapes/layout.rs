@@ -2,7 +2,7 @@
 
 use towermodes::Tower;
 
-use super::panels::{COUPLED_X, Panel};
+use super::panels::{COUPLED, Panel};
 use crate::svg::{Axes, text_width};
 
 /// Width of the sheet.
@@ -92,8 +92,9 @@ pub(super) fn rows(panels: &[Panel], column: [f64; 2]) -> Vec<&[Panel]> {
     if fits(panels) {
         return vec![panels];
     }
-    // The three panels of coupled modes belong together.
-    let coupled = panels.iter().position(|panel| panel.heading == COUPLED_X);
+    // The panels of coupled modes belong together.
+    let mut each = panels.iter();
+    let coupled = each.position(|panel| panel.heading.starts_with(COUPLED));
     let parts = coupled.map(|index| panels.split_at(index));
     let parts = parts.filter(|(above, below)| !above.is_empty() && fits(above) && fits(below));
     if let Some((above, below)) = parts {

@@ -19,7 +19,7 @@ use strip::draw_strip;
 /// rotation.
 ///
 /// Of a family with more than six modes the six lowest are drawn. Where every side-side mode is a fore-aft one turned, there is one panel for
-/// both. Modes of no one family have a panel for each of x, y and the rotation about z.
+/// both. Modes of no one family have a panel for each of x, y, z and the rotation about z that takes part in them.
 pub fn shapes(description: &TowerDescription, tower: &Tower, solution: &Solution) -> Figure {
     let panels = panels(solution);
     let column = column(tower);

@@ -2,7 +2,7 @@
 
 use towermodes::{Family, Mode, Solution, Tower};
 
-use super::curves::Part;
+use super::curves::{Part, coupled_parts};
 use crate::figures::quantity::{frequency, metres, significant};
 use crate::svg::DataTable;
 
@@ -58,9 +58,9 @@ pub(super) fn table(solution: &Solution) -> DataTable {
 }
 
 fn rows(mode: &Mode, chosen: &[usize]) -> Vec<Vec<String>> {
-    let parts: &[Part] = match mode.family {
-        Family::Coupled => &[Part::X, Part::Y, Part::RotationZ],
-        family => &[Part::main(family)],
+    let parts = match mode.family {
+        Family::Coupled => coupled_parts(mode),
+        family => vec![Part::main(family)],
     };
     let row = |part: &Part| {
         let mut cells = vec![

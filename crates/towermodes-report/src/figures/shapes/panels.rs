@@ -2,11 +2,11 @@
 
 use towermodes::{Family, Mode, ShapePoint, Solution};
 
-use super::curves::{Part, is_turned, order};
+use super::curves::{Part, coupled_parts, is_turned, order};
 use crate::figures::quantity::{frequency, round_factor};
 
-/// Heading of the first panel of coupled modes.
-pub(super) const COUPLED_X: &str = "coupled: x";
+/// How the headings of all panels of coupled modes begin.
+pub(super) const COUPLED: &str = "coupled: ";
 /// Most curves of a panel.
 const MOST_CURVES: usize = 6;
 /// A panel reaches below zero if a curve does by more than this.
@@ -98,39 +98,39 @@ fn panel(
     }
 }
 
-/// A panel for each component of modes that have no one.
-fn coupled(modes: &[&Mode]) -> [Panel; 3] {
+/// A panel for each component that takes part in some mode of no one family.
+fn coupled(modes: &[&Mode]) -> Vec<Panel> {
+    let shown: Vec<&Mode> = modes.iter().take(MOST_CURVES).copied().collect();
+    let parts: Vec<Part> = shown.iter().flat_map(|mode| coupled_parts(mode)).collect();
     let of = |part: Part, heading, axis: [&'static str; 2]| {
-        let shown = modes.iter().take(MOST_CURVES);
-        let curves: Vec<Curve> = shown.map(|mode| curve(mode, part, &order(mode))).collect();
-        let range = if part == Part::RotationZ {
-            own_range(&curves)
-        } else {
-            [-1.0, 1.0]
-        };
-        Panel {
+        let curves = shown.iter().map(|mode| curve(mode, part, &order(mode)));
+        let curves: Vec<Curve> = curves.collect();
+        let is_rotation = part == Part::RotationZ;
+        let panel = Panel {
             heading,
             note: None,
             axis,
-            range,
-            ticks: if part == Part::RotationZ {
-                [2, 2]
-            } else {
-                SHARES
+            range: match is_rotation {
+                true => own_range(&curves),
+                false => share_range(&curves),
             },
+            ticks: if is_rotation { [2, 2] } else { SHARES },
             curves,
             more: modes.len().saturating_sub(MOST_CURVES),
-        }
+        };
+        parts.contains(&part).then_some(panel)
     };
-    [
-        of(Part::X, COUPLED_X, DEFLECTION),
+    let panels = [
+        of(Part::X, "coupled: x", DEFLECTION),
         of(Part::Y, "coupled: y", DEFLECTION),
+        of(Part::Z, "coupled: z", DEFLECTION),
         of(
             Part::RotationZ,
             "coupled: rotation z",
             ["rotation / largest deflection (rad/m)", "rotation (rad/m)"],
         ),
-    ]
+    ];
+    panels.into_iter().flatten().collect()
 }
 
 /// The motions of a floating tower as one body; those in two planes that are the same are one curve.

@@ -1,0 +1,138 @@
+//! The title of a picture, in its file and visible above it.
+
+use towermodes::{Solution, Tower};
+use towermodes_report::svg::{Figure, Heading};
+
+/// What is written above a picture.
+pub(super) struct Words<'a> {
+    /// A title of the user's own, empty for none.
+    pub(super) title: Option<&'a str>,
+    /// How what it shows was computed.
+    pub(super) computed: Option<&'a str>,
+    /// What follows from it, in sentences.
+    pub(super) conclusion: &'a [String],
+}
+
+/// The picture with its title: the user's, or the tower's name with what is shown and how it was computed.
+pub(super) fn titled(mut figure: Figure, tower: &Tower, words: &Words<'_>) -> Figure {
+    let name = tower.name();
+    let own = words.title.map(str::trim);
+    let subject = subject(&figure.title, name).to_owned();
+    let heading = match own {
+        Some(title) => Heading {
+            title: title.to_owned(),
+            lines: Vec::new(),
+        },
+        None => default_heading(name, &subject, words),
+    };
+    figure.title = match (own, name) {
+        (Some(title), _) if !title.is_empty() => title.to_owned(),
+        (_, "") => subject,
+        (_, name) => format!("{name}: {subject}"),
+    };
+    figure.headed(&heading)
+}
+
+fn default_heading(name: &str, subject: &str, words: &Words<'_>) -> Heading {
+    let computed = words.computed.map(str::to_owned);
+    let (title, first) = match name {
+        "" => (subject, computed),
+        name => {
+            let subject = Some(subject.to_owned());
+            let parts = [subject, computed].into_iter().flatten();
+            (name, Some(parts.collect::<Vec<String>>().join(" \u{b7} ")))
+        }
+    };
+    let conclusion = (!words.conclusion.is_empty()).then(|| words.conclusion.join(" "));
+    Heading {
+        title: title.to_owned(),
+        lines: [first, conclusion].into_iter().flatten().collect(),
+    }
+}
+
+/// The title of a picture without the tower's name at its end.
+fn subject<'a>(title: &'a str, name: &str) -> &'a str {
+    match name {
+        "" => title,
+        name => title.strip_suffix(&format!(": {name}")).unwrap_or(title),
+    }
+}
+
+/// "rmje-exact, 100 segments", "spectral, degree 17".
+pub(super) fn computed_by(solution: &Solution) -> String {
+    let method = solution.method.name();
+    match solution.degree {
+        Some(degree) => format!("{method}, degree {degree}"),
+        None if solution.segments == 1 => format!("{method}, 1 segment"),
+        None => format!("{method}, {} segments", solution.segments),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use towermodes::{Material, Station, Tower, TowerDescription};
+    use towermodes_report::figures;
+
+    use super::{Words, titled};
+
+    fn tower(name: &str) -> (TowerDescription, Tower) {
+        let description = TowerDescription {
+            name: name.to_owned(),
+            materials: vec![Material::from_shear_modulus(8500.0, 2.1e11, 8.08e10)],
+            stations: vec![Station::new(0.0, 6.0, 0.03), Station::new(80.0, 4.0, 0.02)],
+            ..TowerDescription::default()
+        };
+        let tower = Tower::new(description.clone()).expect("a tower");
+        (description, tower)
+    }
+
+    /// The texts at the top of the picture and its own title.
+    fn said(name: &str, title: Option<&str>) -> (Vec<String>, String) {
+        let (description, tower) = tower(name);
+        let plain = figures::tower(&description, &tower);
+        let words = Words {
+            title,
+            computed: Some("rmje, 10 segments"),
+            conclusion: &["It stands.".to_owned(), "It does.".to_owned()],
+        };
+        let count = plain.labels().len();
+        let figure = titled(plain, &tower, &words);
+        let texts = figure.labels()[count..].iter();
+        (
+            texts.map(|label| label.text.clone()).collect(),
+            figure.title,
+        )
+    }
+
+    #[test]
+    fn a_picture_says_what_it_is_of() {
+        let (texts, title) = said("Tower 7", None);
+        assert_eq!(
+            texts,
+            [
+                "Tower 7",
+                "The tower \u{b7} rmje, 10 segments",
+                "It stands. It does."
+            ]
+        );
+        assert_eq!(title, "Tower 7: The tower");
+        let (texts, title) = said("", None);
+        assert_eq!(
+            texts,
+            ["The tower", "rmje, 10 segments", "It stands. It does."]
+        );
+        assert_eq!(title, "The tower");
+    }
+
+    #[test]
+    fn a_title_of_ones_own_is_the_only_one() {
+        let own = (vec!["Figure 3".to_owned()], "Figure 3".to_owned());
+        assert_eq!(said("Tower 7", Some("Figure 3")), own);
+        // Nothing visible; who does not see the picture still has a title.
+        assert_eq!(
+            said("Tower 7", Some("")),
+            (vec![], "Tower 7: The tower".to_owned())
+        );
+        assert_eq!(said("Tower 7", Some(" ")).0, Vec::<String>::new());
+    }
+}

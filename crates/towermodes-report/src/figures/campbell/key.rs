@@ -1,0 +1,156 @@
+//! What the lines, marks and shades of a Campbell diagram are.
+
+use towermodes::Verdict;
+use towermodes::rotor::Campbell;
+
+use super::lines::{Group, Shown};
+use super::rays::{self, strong};
+use super::shades::{ribbon_edge, window_edge, window_hz};
+use super::{margin_percent, speeds_of};
+use crate::figures::legend::{Entry, Sample, words};
+use crate::figures::quantity::frequency;
+use crate::svg::{Colour, Dash, Marker, Stroke};
+
+/// The colour of the tower's modes.
+const TOWER: Colour = Colour::Series(0);
+/// The colour of the blade's modes.
+pub(super) const BLADE: Colour = Colour::Series(1);
+
+/// How the line of a mode is drawn.
+pub(super) fn stroke(group: &Group) -> Stroke {
+    if group.is_blade {
+        Stroke::new(BLADE, 1.8).dashed(Dash::Dashed)
+    } else {
+        Stroke::new(TOWER, 2.0)
+    }
+}
+
+/// What is in the picture, and how many lines of modes and excitations have no label.
+pub(super) fn entries(
+    campbell: &Campbell,
+    shown: &Shown,
+    without_label: [usize; 2],
+    is_counted: bool,
+) -> Vec<Entry> {
+    let mut entries = modes(shown);
+    entries.extend(excitations(campbell, shown));
+    entries.extend(shades(campbell, shown));
+    entries.extend(marks(campbell));
+    entries.extend(unlabelled(without_label).map(words));
+    let number = "number above a mark: so many pairs".to_owned();
+    entries.extend(is_counted.then(|| words(number)));
+    let upper = "upper field: higher modes at another scale".to_owned();
+    entries.extend((shown.ends_hz.len() > 1).then(|| words(upper)));
+    entries
+}
+
+fn line(line: Stroke, marker: Option<(Marker, Colour)>) -> Sample {
+    Sample {
+        line: Some(line),
+        marker,
+        surface: None,
+    }
+}
+
+fn modes(shown: &Shown) -> Vec<Entry> {
+    let kinds = [(false, "mode of the tower"), (true, "mode of a blade")].into_iter();
+    let entry = |(is_blade, text): (bool, &str)| {
+        let first = shown
+            .groups
+            .iter()
+            .find(|group| group.is_blade == is_blade)?;
+        let marker = is_blade.then_some((Marker::Disc, BLADE));
+        Some((line(stroke(first), marker), text.to_owned()))
+    };
+    kinds.filter_map(entry).collect()
+}
+
+fn excitations(campbell: &Campbell, shown: &Shown) -> Vec<Entry> {
+    let strong = strong(campbell, shown);
+    let mut entries = Vec::new();
+    let text = match strong[..] {
+        [] => None,
+        [1] => Some("1P: the rotor's speed".to_owned()),
+        [passing] => Some(format!("{passing}P: the passing of the blades")),
+        [_, passing, ..] => Some(format!(
+            "1P, {passing}P: the rotor's speed, the passing of its blades"
+        )),
+    };
+    entries.extend(text.map(|text| (line(rays::stroke(shown, true), None), text)));
+    if shown.multiples.len() > strong.len() {
+        let mut text = "nP: other multiples of the rotor's speed".to_owned();
+        if shown.more_multiples > 0 {
+            text += &format!("; {} more are not drawn", shown.more_multiples);
+        }
+        entries.push((line(rays::stroke(shown, false), None), text));
+    }
+    entries
+}
+
+fn shades(campbell: &Campbell, shown: &Shown) -> Vec<Entry> {
+    let surface = |colour: Colour, edge: Stroke| Sample {
+        surface: Some((colour, edge)),
+        ..Sample::default()
+    };
+    let mut entries = Vec::new();
+    if let Some([from_hz, to_hz]) = window_hz(campbell) {
+        let text = format!(
+            "soft-stiff: {} to {} Hz",
+            frequency(from_hz),
+            frequency(to_hz)
+        );
+        entries.push((surface(Colour::Window, window_edge()), text));
+    }
+    let strong: Vec<String> = strong(campbell, shown)
+        .into_iter()
+        .map(rays::text)
+        .collect();
+    if strong.is_empty() {
+        return entries;
+    }
+    let of = strong.join(" or ");
+    let percent = margin_percent(campbell.margin);
+    let text = format!("within {percent} % of {of}{}", speeds_of(campbell));
+    entries.push((surface(Colour::TooNear, ribbon_edge(true)), text));
+    let text = format!("within {} %", margin_percent(2.0 * campbell.margin));
+    entries.push((surface(Colour::Near, ribbon_edge(false)), text));
+    entries
+}
+
+fn marks(campbell: &Campbell) -> Vec<Entry> {
+    let kinds = [
+        (
+            Verdict::Fail,
+            (Marker::Cross, Colour::Fail),
+            "too near: FAIL",
+        ),
+        (
+            Verdict::Warn,
+            (Marker::Triangle, Colour::Warn),
+            "near: WARN",
+        ),
+    ];
+    let entry = |(verdict, marker, text): (Verdict, (Marker, Colour), &str)| {
+        let mut all = campbell.margins.iter();
+        let has = all.any(|margin| margin.verdict == verdict);
+        let sample = Sample {
+            marker: Some(marker),
+            ..Sample::default()
+        };
+        has.then(|| (sample, text.to_owned()))
+    };
+    kinds.into_iter().filter_map(entry).collect()
+}
+
+/// "3 lines of modes without label".
+fn unlabelled([modes, excitations]: [usize; 2]) -> impl Iterator<Item = String> {
+    let without = [
+        (modes, "line", " of modes"),
+        (excitations, "excitation", ""),
+    ];
+    let without = without.into_iter().filter(|(count, ..)| *count > 0);
+    without.map(|(count, noun, of)| {
+        let plural = if count == 1 { "" } else { "s" };
+        format!("{count} {noun}{plural}{of} without label")
+    })
+}

@@ -1,0 +1,149 @@
+//! What is shaded behind the lines of a Campbell diagram: the speeds of operation, the window of soft-stiff towers, and the margins around
+//! 1P and the passing of the blades.
+
+use towermodes::rotor::Campbell;
+
+use super::lines::Shown;
+use super::rays::strong;
+use crate::svg::{Axes, Colour, Dash, Drawing, Stroke, TextStyle, text_width};
+
+/// A rotor of one speed has a band, and ribbons, so wide.
+const NARROWEST: f64 = 8.0;
+/// Size of the name of the window.
+const SIZE: f64 = 11.0;
+/// Around that name.
+const AROUND: f64 = 4.0;
+/// From the band of operation to that name: marks on its border reach so far.
+const FROM_BAND: f64 = 26.0;
+
+/// The frequencies of soft-stiff towers: above 1P at the highest speed, below the passing of the blades at the lowest; none where these ranges
+/// overlap.
+pub(super) fn window_hz(campbell: &Campbell) -> Option<[f64; 2]> {
+    let rotor = &campbell.rotor;
+    let from_hz = rotor.highest_rpm / 60.0;
+    let to_hz = rotor.blades as f64 * rotor.lowest_rpm / 60.0;
+    (from_hz < to_hz).then_some([from_hz, to_hz])
+}
+
+/// The places of the lowest and the highest speed of operation.
+pub(super) fn operation_places(campbell: &Campbell, axes: &Axes) -> [f64; 2] {
+    [campbell.rotor.lowest_rpm, campbell.rotor.highest_rpm].map(|rpm| axes.x.at(rpm))
+}
+
+/// The edges of the band of operation, wide enough to be seen.
+fn band_edges(campbell: &Campbell, axes: &Axes) -> [f64; 2] {
+    let [from, to] = operation_places(campbell, axes);
+    let more = 0.5 * (NARROWEST - (to - from)).max(0.0);
+    [from - more, to + more]
+}
+
+/// How the window's borders are drawn.
+pub(super) fn window_edge() -> Stroke {
+    Stroke::new(Colour::Pass, 0.9).dashed(Dash::Long)
+}
+
+/// How the borders of the margin and of twice the margin are drawn.
+pub(super) fn ribbon_edge(is_margin: bool) -> Stroke {
+    match is_margin {
+        true => Stroke::new(Colour::Fail, 0.9),
+        false => Stroke::new(Colour::Warn, 0.9).dashed(Dash::Dotted),
+    }
+}
+
+/// Draws all shades of a field.
+pub(super) fn draw(drawing: &mut Drawing, campbell: &Campbell, shown: &Shown, axes: &Axes) {
+    let frame = axes.frame;
+    let [from, to] = band_edges(campbell, axes);
+    let size = (to - from, frame.bottom - frame.top);
+    drawing.rectangle((from, frame.top), size, Colour::Band, None);
+    if let Some(window_hz) = window_hz(campbell) {
+        let [bottom, top] = window_hz.map(|hz| axes.y.at(hz));
+        let size = (frame.right - frame.left, bottom - top);
+        drawing.rectangle((frame.left, top), size, Colour::Window, None);
+        for y in [top, bottom] {
+            drawing.line((frame.left, y), (frame.right, y), &window_edge());
+        }
+    }
+    for is_margin in [false, true] {
+        for multiple in strong(campbell, shown) {
+            ribbon(drawing, campbell, multiple, is_margin, axes);
+        }
+    }
+}
+
+/// Around the ray of a multiple, in operation: the frequencies f whose distance |n Ω/f − 1| is below the margin, or below twice the margin.
+fn ribbon(
+    drawing: &mut Drawing,
+    campbell: &Campbell,
+    multiple: usize,
+    is_margin: bool,
+    axes: &Axes,
+) {
+    let margin = campbell.margin * if is_margin { 1.0 } else { 2.0 };
+    let [left, right] = band_edges(campbell, axes);
+    let ends = [
+        (left, campbell.rotor.lowest_rpm),
+        (right, campbell.rotor.highest_rpm),
+    ];
+    let edge = |factor: f64| -> Vec<(f64, f64)> {
+        let place = |(x, rpm): &(f64, f64)| {
+            // Far above the field is as good as infinite.
+            let y = axes.y.at(factor * multiple as f64 * rpm / 60.0);
+            (*x, y.max(axes.frame.top - 1e4))
+        };
+        ends.iter().map(place).collect()
+    };
+    let upper = edge(if margin < 1.0 {
+        1.0 / (1.0 - margin)
+    } else {
+        f64::INFINITY
+    });
+    let lower = edge(1.0 / (1.0 + margin));
+    let (fill, stroke) = match is_margin {
+        true => (Colour::TooNear, ribbon_edge(true)),
+        false => (Colour::Near, ribbon_edge(false)),
+    };
+    let around: Vec<(f64, f64)> = upper.iter().chain(lower.iter().rev()).copied().collect();
+    drawing.polygon(&around, fill, None);
+    drawing.polyline(&upper, &stroke);
+    drawing.polyline(&lower, &stroke);
+}
+
+/// Writes the window's name into it, beside the band of operation and between the lines of modes, where there is room.
+pub(super) fn name_window(drawing: &mut Drawing, campbell: &Campbell, shown: &Shown, axes: &Axes) {
+    let Some(window_hz) = window_hz(campbell) else {
+        return;
+    };
+    let (text, frame) = ("soft-stiff", axes.frame);
+    let style = TextStyle::new(SIZE).bold();
+    let width = text_width(text, SIZE, true) + 2.0 * AROUND;
+    let [from, to] = band_edges(campbell, axes);
+    let places = [
+        [frame.left + AROUND, from - FROM_BAND],
+        [to + FROM_BAND, frame.right - AROUND],
+    ];
+    let place = places.iter().find(|[left, right]| right - left >= width);
+    let (Some([left, right]), Some(middle)) = (place, free_height(window_hz, shown, axes)) else {
+        return;
+    };
+    let left = 0.5 * (left + right - width);
+    let height = 1.2 * SIZE;
+    let corner = (left, middle - 0.5 * height);
+    drawing.rectangle(corner, (width, height), Colour::Window, None);
+    drawing.text((left + AROUND, middle + 0.35 * SIZE), text, &style);
+}
+
+/// The middle of the widest gap between lines of modes in the window; none if no gap has room for a name.
+fn free_height(window_hz: [f64; 2], shown: &Shown, axes: &Axes) -> Option<f64> {
+    let frame = axes.frame;
+    let [bottom, top] = window_hz.map(|hz| axes.y.at(hz).clamp(frame.top, frame.bottom));
+    let points = shown.groups.iter().flat_map(|group| group.points.iter());
+    let lines = points.map(|[_, hz]| axes.y.at(*hz));
+    let mut edges: Vec<f64> = lines.filter(|y| (top..=bottom).contains(y)).collect();
+    edges.extend([top, bottom]);
+    edges.sort_by(f64::total_cmp);
+    let gaps = edges.windows(2).map(|pair| [pair[0], pair[1]]);
+    let widest = gaps.max_by(|a, b| (a[1] - a[0]).total_cmp(&(b[1] - b[0])))?;
+    let [above, below] = widest;
+    (below - above >= 1.5 * SIZE).then_some(0.5 * (above + below))
+}
