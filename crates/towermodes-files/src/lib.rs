@@ -28,6 +28,7 @@ mod diagnostic;
 pub mod elastodyn;
 mod hawc2;
 mod input;
+mod number;
 mod places;
 mod read;
 mod records;

@@ -40,6 +40,7 @@ pub fn read_source(
     companions: &dyn Companions,
     options: &ReadOptions,
 ) -> Result<Input, InputError> {
+    source.check_is_itself()?;
     let mut tower = match recognize(&source) {
         Some(FileFormat::Toml) => read_toml(source)?,
         Some(FileFormat::Bmodes) => match read_bmodes(source, companions, options)? {

@@ -4,6 +4,7 @@ mod bmodes;
 mod bmodes_errors;
 mod bmodes_mutations;
 mod bmodes_out;
+mod bmodes_unread;
 mod bmodes_write;
 mod bmodes_write_support;
 mod damaged_files;

@@ -9,6 +9,7 @@ use super::outline::Version;
 use super::reading::Reading;
 use super::yaml::Node;
 use crate::diagnostic::Diagnostic;
+use crate::number::Rounded;
 
 /// An axis that leaves the vertical by less than this, m, is straight.
 const STRAIGHT_M: f64 = 1e-6;
@@ -223,7 +224,8 @@ fn note_lean(axis: &Node, what: &str, reading: &mut Reading<'_>) {
         let lean_m = numbers.iter().fold(0.0_f64, |most, x| most.max(x.abs()));
         if lean_m > STRAIGHT_M {
             let message = format!(
-                "the axis of the {what} leaves the vertical by {lean_m} m in {key}: it is taken as vertical, with the heights z"
+                "the axis of the {what} leaves the vertical by {} m in {key}: it is taken as vertical, with the heights z",
+                Rounded(lean_m)
             );
             reading.note_at(values.span.start, message);
         }
