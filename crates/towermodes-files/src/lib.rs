@@ -34,6 +34,7 @@ mod read;
 mod records;
 mod result;
 mod source;
+mod station_table;
 mod toml;
 mod windio;
 

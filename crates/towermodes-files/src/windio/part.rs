@@ -80,7 +80,8 @@ impl Part {
         let diameter = diameter.map(|d| Curve::read(d, &name)).transpose()?;
         let structure = node.get(structure);
         let layers = layers(structure, what, materials, reading)?;
-        let elastic = Elastic::read(node, what, version, reading)?;
+        let elastic = Elastic::read(node, what, version, reading);
+        let elastic = unless_unused(elastic, &layers, what, reading)?;
         let mut part = Self {
             what,
             diameter,
@@ -172,6 +173,26 @@ impl Part {
     /// The stretches between neighbouring stops.
     pub(super) fn stretches(&self) -> impl Iterator<Item = (Stop, Stop)> + '_ {
         self.stops.windows(2).map(|pair| (pair[0], pair[1]))
+    }
+}
+
+/// Elastic properties that cannot be read are no mistake of a part whose layers say everything: a note says that they are not used.
+fn unless_unused(
+    elastic: Result<Option<Elastic>, Diagnostic>,
+    layers: &[Layer],
+    what: &str,
+    reading: &mut Reading<'_>,
+) -> Result<Option<Elastic>, Diagnostic> {
+    match elastic {
+        Err(mistake) if !layers.is_empty() => {
+            let message = format!(
+                "the elastic properties of the {what} cannot be read ({}); its layers are used, which is what they would be compared with",
+                mistake.message
+            );
+            reading.note_at(mistake.span.start, message);
+            Ok(None)
+        }
+        elastic => elastic,
     }
 }
 
