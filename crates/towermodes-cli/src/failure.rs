@@ -241,10 +241,13 @@ fn message(level: Level<'_>, text: &str, hint: Option<&str>) -> String {
     title + &hint.unwrap_or_default()
 }
 
-/// Every mistake with its line, as compilers show them.
+/// Every mistake with its line, as compilers show them, with a blank line between two.
 fn mistakes_text(source: &Source, mistakes: &[Diagnostic]) -> String {
     let mut text = String::new();
     for mistake in mistakes {
+        if !text.is_empty() {
+            text.push('\n');
+        }
         let snippet = Snippet::source(&source.text)
             .path(&source.name)
             .annotation(AnnotationKind::Primary.span(visible(&source.text, mistake)));

@@ -14,7 +14,7 @@ pub trait Companions {
     fn read(&self, path: &str) -> Result<Source, ReadError>;
 }
 
-/// Files on disk, relative to the folder of the main file, or else to the current folder.
+/// Regular files on disk, relative to the folder of the main file, or else to the current folder.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Beside {
     folder: PathBuf,
@@ -46,7 +46,7 @@ impl Beside {
 
 impl Companions for Beside {
     fn read(&self, path: &str) -> Result<Source, ReadError> {
-        Source::from_path(&self.path(path))
+        Source::from_regular_file(&self.path(path))
     }
 }
 

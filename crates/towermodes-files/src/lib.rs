@@ -28,11 +28,13 @@ mod diagnostic;
 pub mod elastodyn;
 mod hawc2;
 mod input;
+mod number;
 mod places;
 mod read;
 mod records;
 mod result;
 mod source;
+mod station_table;
 mod toml;
 mod windio;
 

@@ -32,6 +32,11 @@ impl Places {
             .problem
             .hint()
             .filter(|hint| is_toml || !of_toml(hint));
+        // The file beside a tower file is the table of its stations, whose header has the units.
+        let hint = match is_toml && file > 0 {
+            true => Some("the unit is that of the column's header"),
+            false => hint,
+        };
         let diagnostic = match hint {
             Some(hint) => diagnostic.with_hint(hint),
             None => diagnostic,

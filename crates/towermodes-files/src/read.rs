@@ -40,8 +40,9 @@ pub fn read_source(
     companions: &dyn Companions,
     options: &ReadOptions,
 ) -> Result<Input, InputError> {
+    source.check_is_itself()?;
     let mut tower = match recognize(&source) {
-        Some(FileFormat::Toml) => read_toml(source)?,
+        Some(FileFormat::Toml) => read_toml(source, companions)?,
         Some(FileFormat::Bmodes) => match read_bmodes(source, companions, options)? {
             BmodesInput::Tower(tower) => *tower,
             BmodesInput::Blade(blade) => return Ok(Input::Blade(blade)),
@@ -104,7 +105,12 @@ fn looks_like_toml(text: &str) -> bool {
 
 fn unknown(source: &Source) -> InputError {
     let first_line = source.text.lines().next().unwrap_or_default().len();
+    let is_csv = source.name.to_ascii_lowercase().ends_with(".csv");
     let (message, hint) = match part_of(&source.text) {
+        None if is_csv => (
+            "this is a table, which describes no tower by itself".to_owned(),
+            "name it in a tower file: [tower] with stations = \"cans.csv\", and [material]".to_owned(),
+        ),
         Some((part, whole)) => (
             format!("this is {part}, which describes no tower by itself"),
             format!("give {whole}"),

@@ -1,6 +1,6 @@
 //! Getting the text of a file, or a clear reason why not.
 
-use std::fs::File;
+use std::fs::{File, FileType, Metadata};
 use std::io::{self, Read};
 use std::path::Path;
 
@@ -34,9 +34,33 @@ pub enum ReadError {
         /// The path.
         name: String,
     },
+    /// It is a pipe, a socket or a device, whose reading might never end.
+    #[error("{name}: is {kind}, not a file; give a regular file, or pipe the input to `-`")]
+    Special {
+        /// The path.
+        name: String,
+        /// What it is: `a named pipe`, `a socket` or `a device`.
+        kind: &'static str,
+    },
     /// It is too large.
-    #[error("{name}: larger than {} MiB", MAX_FILE_BYTES >> 20)]
+    #[error("{name}: larger than {} MiB, and no tower is", MAX_FILE_BYTES >> 20)]
     TooLarge {
+        /// The path.
+        name: String,
+    },
+    /// It only stands for a file that is kept elsewhere.
+    #[error("{name}: this is a {system} pointer, not the file itself; {remedy}")]
+    Pointer {
+        /// The path.
+        name: String,
+        /// What keeps the file: `Git LFS` or `git-annex`.
+        system: &'static str,
+        /// How to get the file.
+        remedy: &'static str,
+    },
+    /// It is a web page, as it is saved from a viewer of repositories.
+    #[error("{name}: this is a web page (HTML), not the file itself; download the raw file")]
+    WebPage {
         /// The path.
         name: String,
     },
@@ -59,15 +83,31 @@ pub enum ReadError {
 }
 
 impl Source {
-    /// Reads a file.
+    /// Reads the file that a user named: a regular one, or standard input or another descriptor that is already open, as `/dev/stdin`
+    /// and the `/dev/fd/63` of a shell are.
     ///
     /// # Errors
     /// [`ReadError`], with the path in its message.
     pub fn from_path(path: &Path) -> Result<Self, ReadError> {
-        let name = path.display().to_string();
-        if path.is_dir() {
-            return Err(ReadError::Directory { name });
+        match is_open_descriptor(path) {
+            true => Self::open(path),
+            false => Self::from_regular_file(path),
         }
+    }
+
+    /// Reads a file that another file names: a regular one, because waiting for a pipe might never end.
+    ///
+    /// # Errors
+    /// [`ReadError`], with the path in its message.
+    pub fn from_regular_file(path: &Path) -> Result<Self, ReadError> {
+        if let Ok(metadata) = path.metadata() {
+            check_kind(path, &metadata)?;
+        }
+        Self::open(path)
+    }
+
+    fn open(path: &Path) -> Result<Self, ReadError> {
+        let name = path.display().to_string();
         match File::open(path) {
             Ok(file) => Self::from_reader(name, file),
             Err(error) if error.kind() == io::ErrorKind::NotFound => {
@@ -93,17 +133,92 @@ impl Source {
         if bytes.len() as u64 > MAX_FILE_BYTES {
             return Err(ReadError::TooLarge { name });
         }
-        match String::from_utf8(bytes) {
-            Ok(text) => Ok(Self { name, text }),
+        let source = match String::from_utf8(bytes) {
+            Ok(text) => Self { name, text },
             Err(error) => {
                 let byte = error.utf8_error().valid_up_to();
                 match latin1(error.as_bytes()) {
-                    Some(text) => Ok(Self { name, text }),
-                    None => Err(ReadError::NotText { name, byte }),
+                    Some(text) => Self { name, text },
+                    None => return Err(ReadError::NotText { name, byte }),
                 }
             }
-        }
+        };
+        source.check_is_itself()?;
+        Ok(source)
     }
+
+    /// Refuses what only stands for the file: pointers of Git LFS and git-annex, and web pages.
+    ///
+    /// # Errors
+    /// [`ReadError::Pointer`], [`ReadError::WebPage`].
+    pub(crate) fn check_is_itself(&self) -> Result<(), ReadError> {
+        let name = self.name.clone();
+        let start = self.text.trim_start_matches('\u{feff}').trim_start();
+        if start.starts_with("version https://git-lfs.github.com/spec/") {
+            let (system, remedy) = ("Git LFS", "run `git lfs pull` in the repository it is from");
+            return Err(ReadError::Pointer {
+                name,
+                system,
+                remedy,
+            });
+        }
+        if start.starts_with("/annex/objects/") {
+            let (system, remedy) = ("git-annex", "run `git annex get` for it");
+            return Err(ReadError::Pointer {
+                name,
+                system,
+                remedy,
+            });
+        }
+        let is_page = |mark: &str| {
+            let head = start.get(..mark.len());
+            head.is_some_and(|head| head.eq_ignore_ascii_case(mark))
+        };
+        if is_page("<!doctype html") || is_page("<html") {
+            return Err(ReadError::WebPage { name });
+        }
+        Ok(())
+    }
+}
+
+/// Whether a path names a descriptor that the program has open already, so that opening it does not wait.
+fn is_open_descriptor(path: &Path) -> bool {
+    let folders = ["/dev/fd", "/proc/self/fd"];
+    path == Path::new("/dev/stdin") || folders.iter().any(|folder| path.starts_with(folder))
+}
+
+/// Refuses what is no regular file, and one that is too large, before it is opened.
+fn check_kind(path: &Path, metadata: &Metadata) -> Result<(), ReadError> {
+    let name = path.display().to_string();
+    if metadata.is_dir() {
+        return Err(ReadError::Directory { name });
+    }
+    if let Some(kind) = special(metadata.file_type()) {
+        return Err(ReadError::Special { name, kind });
+    }
+    if metadata.len() > MAX_FILE_BYTES {
+        return Err(ReadError::TooLarge { name });
+    }
+    Ok(())
+}
+
+/// What something is that is neither a regular file nor a directory.
+#[cfg(unix)]
+fn special(kind: FileType) -> Option<&'static str> {
+    use std::os::unix::fs::FileTypeExt;
+    let is_device = kind.is_block_device() || kind.is_char_device();
+    match (kind.is_fifo(), kind.is_socket(), is_device) {
+        (true, ..) => Some("a named pipe"),
+        (_, true, _) => Some("a socket"),
+        (.., true) => Some("a device"),
+        _ => None,
+    }
+}
+
+/// What something is that is neither a regular file nor a directory.
+#[cfg(not(unix))]
+fn special(kind: FileType) -> Option<&'static str> {
+    (!kind.is_file()).then_some("a device")
 }
 
 /// The text of bytes in Latin-1, as older programs write degrees and umlauts; none if there are bytes that no text has.
@@ -139,6 +254,29 @@ mod tests {
         );
         for binary in [&b"\xff\xfe1\0"[..], b"\0\xff", b"\x7f\x80"] {
             assert!(Source::from_reader("deck".into(), binary).is_err());
+        }
+    }
+
+    #[test]
+    fn what_stands_for_a_file_has_its_own_sentence() {
+        let said = |text: &str| {
+            let source = Source::from_reader("Tower.dat".into(), text.as_bytes());
+            source
+                .err()
+                .map(|error| error.to_string())
+                .unwrap_or_default()
+        };
+        let pointer = "version https://git-lfs.github.com/spec/v1\noid sha256:4d7a\nsize 12345\n";
+        assert!(said(pointer).contains("Tower.dat: this is a Git LFS pointer"));
+        assert!(said(pointer).contains("`git lfs pull`"));
+        assert!(said("/annex/objects/SHA256E-s100--ab.dat\n").contains("git-annex pointer"));
+        assert!(said("\n<!DOCTYPE HTML>\n<html lang=\"en\">").contains("a web page"));
+        for file in [
+            "version 1\n",
+            "# https://git-lfs.github.com/spec/\n",
+            "<h\n",
+        ] {
+            assert_eq!(said(file), "", "{file}");
         }
     }
 }

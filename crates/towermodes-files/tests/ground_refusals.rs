@@ -420,8 +420,8 @@ fn types_and_their_keys() {
         SPRINGS,
         "\"springs\"",
         "\"clamped\"",
-        "13:1",
-        "`coupling` is not a key of [foundation] of type \"clamped\"",
+        "9:1",
+        "`lateral` is not a key of [foundation] of type \"clamped\"",
         "it belongs to type = \"springs\"; a clamped base does not move",
     );
     refused(
@@ -672,7 +672,7 @@ fn wires_that_cannot_be() {
         "angle",
         "12:1",
         "`angle` is not a key of [[wires]]",
-        "height, count, stiffness, angle_deg",
+        "did you mean `angle_deg`?",
     );
     refused(
         WIRES,

@@ -274,7 +274,7 @@ fn mistakes_in_rows_have_their_place() {
         "0.9 0 0 0",
         &full,
         (7, 71),
-        "30 columns: it gives the section as a full stiffness matrix",
+        "the rows have 30 columns: they give the sections as full 6x6 stiffness matrices",
         "classic 19",
     );
     refused(
@@ -318,6 +318,36 @@ fn mistakes_in_rows_have_their_place() {
         (6, 65),
         "turned by 90 degrees",
         "",
+    );
+}
+
+#[test]
+fn full_matrices_are_refused_once() {
+    // The columns of that layout after y_cg: pitch, x_e, y_e and the 21 entries of the matrix, many of them 0.
+    let row = |r: &str| format!("{r} 5000 0 0 2 2 0 0 0{}\n", " 0 1e10 0".repeat(7));
+    let text = format!("#1 Tower\n$1 3\n{}{}{}", row("0"), row("40"), row("80"));
+    let Err(InputError::Mistakes { mistakes, .. }) =
+        read_hawc2(source(&text), &ReadOptions::default())
+    else {
+        panic!("full matrices are read");
+    };
+    assert_eq!(mistakes.len(), 1, "{mistakes:?}");
+    assert!(
+        mistakes[0].message.contains("30 columns"),
+        "{}",
+        mistakes[0]
+    );
+    assert_eq!(mistakes[0].line_and_column(&text).0, 3);
+}
+
+#[test]
+fn notes_have_no_more_digits_than_a_reader_needs() {
+    let text = GOOD.replacen("80.0 3000", "80.00139662865123 3000", 1);
+    let input = read(&text, &ReadOptions::default());
+    assert!(
+        has_note(&input, "reaches to 80.0014 m"),
+        "{:?}",
+        input.notes
     );
 }
 

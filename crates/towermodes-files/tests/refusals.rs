@@ -216,8 +216,70 @@ fn unknown_keys_with_the_nearest_known_one() {
         "z = 40.0",
         "24:1",
         "`z` is not a key of [[point_mass]]",
-        "it may have height, mass, inertia, name",
+        "did you mean `height`?",
     );
+    refused(
+        "height = 40.0",
+        "jelly = 40.0",
+        "23:1",
+        "[[point_mass]] has no `height`",
+        "height in m",
+    );
+}
+
+#[test]
+fn keys_by_the_names_of_other_programs() {
+    for (key, name, place, hint) in [
+        ("center", "cg", "21:1", "did you mean `center`?"),
+        (
+            "outfitting_factor",
+            "outfitting",
+            "11:1",
+            "did you mean `outfitting_factor`?",
+        ),
+        ("density", "rho", "3:1", "did you mean `density`?"),
+        (
+            "youngs_modulus",
+            "E",
+            "4:1",
+            "did you mean `youngs_modulus`?",
+        ),
+        ("shear_modulus", "G", "5:1", "did you mean `shear_modulus`?"),
+        (
+            "poissons_ratio",
+            "nu",
+            "9:1",
+            "did you mean `poissons_ratio`?",
+        ),
+        ("mass =", "mass_kg =", "20:1", "did you mean `mass`?"),
+        ("xx", "Ixx", "22:13", "did you mean `xx`?"),
+        ("[rna]", "[nacelle]", "19:2", "did you mean `rna`?"),
+        ("stations", "cans", "13:1", "did you mean `stations`?"),
+        (
+            "\"clamped\"",
+            "\"fixed\"",
+            "27:8",
+            "did you mean `clamped`?",
+        ),
+    ] {
+        refused(key, name, place, "", hint);
+    }
+}
+
+#[test]
+fn mistakes_are_in_the_order_of_the_lines() {
+    let text = GOOD
+        .replacen("mass = 5000.0", "z = 1", 1)
+        .replacen("center", "cg", 1)
+        .replacen("87.6, 3.87", "87.6, \"x\"", 1)
+        .replacen("density", "rho", 1)
+        .replacen("name = \"good\"", "title = \"good\"", 1);
+    let mistakes = tower_from_toml(&text).expect_err("no tower");
+    let lines: Vec<usize> = mistakes
+        .iter()
+        .map(|m| m.line_and_column(&text).0)
+        .collect();
+    assert_eq!(lines, [1, 3, 17, 21, 23, 25], "{mistakes:?}");
 }
 
 #[test]

@@ -4,6 +4,7 @@ use crate::input::OutLayout;
 use std::ops::Range;
 
 use super::reader::Value;
+use super::unread::Unread;
 
 /// A main input file with its section file.
 #[derive(Debug, Clone)]
@@ -116,8 +117,8 @@ pub(super) struct Section {
 pub(super) struct Support {
     pub(super) wires: Vec<WireSet>,
     pub(super) offshore: Option<Box<Offshore>>,
-    /// Where wires stand that this dialect does not read.
-    pub(super) unread_wires: Option<usize>,
+    /// Values that are there and not read.
+    pub(super) unread: Vec<Unread>,
 }
 
 /// Wires at one node.

@@ -21,6 +21,7 @@ mod slips;
 mod support;
 mod surroundings;
 mod tower;
+mod unread;
 mod write;
 
 pub use norm::euclidean;

@@ -245,9 +245,8 @@ fn unread_columns(deck: &Deck, notes: &mut Notes) {
 
 /// What of the support has no effect.
 fn support(deck: &Deck, notes: &mut Notes) {
-    if let Some(byte) = deck.support.unread_wires {
-        let message = "wires after the offshore block are not read, as in BModes 3.00; tow_support = 1 reads them, as later versions do";
-        notes.at(byte, message.to_owned());
+    for unread in &deck.support.unread {
+        notes.at(unread.at, unread.message.clone());
     }
     let Some(offshore) = &deck.support.offshore else {
         return;

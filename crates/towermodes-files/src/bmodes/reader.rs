@@ -71,6 +71,16 @@ impl<'a> Reader<'a> {
         Err(Diagnostic::new(first.span, message).with_hint("is a line missing above?"))
     }
 
+    /// Whether the next record has a value of the deck: one with its name, several numbers, or nothing but a number.
+    pub(super) fn value_follows(&self) -> bool {
+        let is_lone_number = |line: Line<'a>| {
+            let mut tokens = line.tokens();
+            tokens.next().is_some_and(|token| is_number(&token)) && tokens.next().is_none()
+        };
+        let next = self.lines.peek();
+        next.is_some_and(is_lone_number) || self.clone().comment("").is_err_and(|_| next.is_some())
+    }
+
     /// A number on a record of its own.
     pub(super) fn number(&mut self, quantity: &Quantity) -> Result<Value<f64>, Diagnostic> {
         self.single(quantity, number)

@@ -5,6 +5,7 @@ use super::list::MAX_COUNT;
 use super::main_file::{comments, named, not_negative};
 use super::quantity::{self as q, Quantity};
 use super::reader::{After, Reader, Value};
+use super::unread::{self, Unread};
 use crate::diagnostic::Diagnostic;
 
 /// BModes allows two places for wires; no tower has more than so many.
@@ -17,33 +18,37 @@ pub(super) fn support(
     nodes: usize,
 ) -> Result<(Dialect, Support), Diagnostic> {
     comments(reader, "the heading of the tower's support")?;
+    let mut support = Support::default();
     if dialect == Dialect::V1 {
-        let wires = wires(reader, nodes)?;
-        return Ok((dialect, of_wires(wires)));
+        let count = attachments(reader)?;
+        support.wires = wires(reader, &count, nodes, &mut support.unread)?;
+        return Ok((dialect, support));
     }
     let kind = reader.integer(&q::TOW_SUPPORT)?;
     match kind.value {
-        0 => Ok((dialect, Support::default())),
+        0 => {
+            support
+                .unread
+                .extend(unread::after_no_support(reader, &kind));
+            Ok((dialect, support))
+        }
         1 if begins_with_number(reader) => {
-            let offshore = Some(Box::new(offshore(reader)?));
-            let wires = wires_if_any(reader, nodes)?;
-            let support = Support {
-                offshore,
-                ..of_wires(wires)
-            };
+            support.offshore = Some(Box::new(offshore(reader, &mut support.unread)?));
+            support.wires = wires_if_any(reader, nodes, &mut support.unread)?;
             Ok((Dialect::Later, support))
         }
         1 => {
             reader.comment("the heading of the wires")?;
-            let wires = wires(reader, nodes)?;
-            Ok((dialect, of_wires(wires)))
+            let count = attachments(reader)?;
+            if count.value == 0 {
+                support.unread.push(unread::no_attachments(reader, &count));
+            }
+            support.wires = wires(reader, &count, nodes, &mut support.unread)?;
+            Ok((dialect, support))
         }
         2 => {
-            let support = Support {
-                offshore: Some(Box::new(offshore(reader)?)),
-                unread_wires: unread_wires(reader),
-                ..Support::default()
-            };
+            support.offshore = Some(Box::new(offshore(reader, &mut support.unread)?));
+            support.unread.extend(unread_wires(reader));
             Ok((dialect, support))
         }
         other => {
@@ -51,13 +56,6 @@ pub(super) fn support(
             let hint = "0 is none, 1 wires (or, in later versions, a platform or monopile), 2 a platform or monopile";
             Err(kind.wrong(message).with_hint(hint))
         }
-    }
-}
-
-fn of_wires(wires: Vec<WireSet>) -> Support {
-    Support {
-        wires,
-        ..Support::default()
     }
 }
 
@@ -69,7 +67,11 @@ fn begins_with_number(reader: &Reader<'_>) -> bool {
 }
 
 /// The wires after an offshore block; decks of other programs end before them.
-fn wires_if_any(reader: &mut Reader<'_>, nodes: usize) -> Result<Vec<WireSet>, Diagnostic> {
+fn wires_if_any(
+    reader: &mut Reader<'_>,
+    nodes: usize,
+    unread: &mut Vec<Unread>,
+) -> Result<Vec<WireSet>, Diagnostic> {
     let goes_on = reader.lines.clone().any(|line| {
         let first = line.first();
         first.is_some_and(|token| token.number("").is_ok())
@@ -78,22 +80,38 @@ fn wires_if_any(reader: &mut Reader<'_>, nodes: usize) -> Result<Vec<WireSet>, D
         return Ok(Vec::new());
     }
     comments(reader, "the heading of the wires")?;
-    wires(reader, nodes)
+    let count = attachments(reader)?;
+    wires(reader, &count, nodes, unread)
 }
 
 /// Where version 3.00's deck goes on with wires after an offshore block, which it does not read.
-fn unread_wires(reader: &Reader<'_>) -> Option<usize> {
+fn unread_wires(reader: &Reader<'_>) -> Option<Unread> {
     let mut lines = reader.lines.clone();
     let wires = lines.find(|line| named(*line) == Some(&q::N_ATTACHMENTS))?;
     let count = wires.first()?.integer("").ok()?;
-    (count > 0).then_some(wires.start)
+    let message = "wires after the offshore block are not read, as in BModes 3.00; tow_support = 1 reads them, as later versions do";
+    (count > 0).then(|| Unread {
+        at: wires.start,
+        message: message.to_owned(),
+    })
 }
 
-fn wires(reader: &mut Reader<'_>, nodes: usize) -> Result<Vec<WireSet>, Diagnostic> {
-    let count = reader.count(&q::N_ATTACHMENTS, 0, MAX_ATTACHMENTS)?.value;
+/// At how many heights wires are attached.
+fn attachments(reader: &mut Reader<'_>) -> Result<Value<usize>, Diagnostic> {
+    reader.count(&q::N_ATTACHMENTS, 0, MAX_ATTACHMENTS)
+}
+
+fn wires(
+    reader: &mut Reader<'_>,
+    attachments: &Value<usize>,
+    nodes: usize,
+    unread: &mut Vec<Unread>,
+) -> Result<Vec<WireSet>, Diagnostic> {
+    let count = attachments.value;
     if count == 0 {
         return Ok(Vec::new());
     }
+    unread.extend(unread::sets_of_wires(reader, attachments));
     let after = After::Anything;
     let counts = reader.integers(&q::N_WIRES, count, after)?;
     let counts = each(
@@ -161,7 +179,7 @@ fn each(
     values.into_iter().map(one).collect()
 }
 
-fn offshore(reader: &mut Reader<'_>) -> Result<Offshore, Diagnostic> {
+fn offshore(reader: &mut Reader<'_>, unread: &mut Vec<Unread>) -> Result<Offshore, Diagnostic> {
     let draft_m = reader.number(&q::DRAFT)?;
     let cm_depth_m = reader.number(&q::CM_PFORM)?;
     let mass_kg = not_negative(reader, &q::MASS_PFORM)?;
@@ -171,9 +189,11 @@ fn offshore(reader: &mut Reader<'_>) -> Result<Offshore, Diagnostic> {
     let hydro_stiffness = matrix(reader, &q::HYDRO_K)?;
     let mooring_stiffness = matrix(reader, &q::MOORING_K)?;
     comments(reader, "the heading of the distributed added mass")?;
-    let added_mass = distribution(reader, [&q::N_SECS_M_DISTR, &q::Z_DISTR_M, &q::DISTR_M])?;
+    let names = [&q::N_SECS_M_DISTR, &q::Z_DISTR_M, &q::DISTR_M];
+    let added_mass = distribution(reader, names, unread)?;
     comments(reader, "the heading of the distributed stiffness")?;
-    let stiffness = distribution(reader, [&q::N_SECS_K_DISTR, &q::Z_DISTR_K, &q::DISTR_K])?;
+    let names = [&q::N_SECS_K_DISTR, &q::Z_DISTR_K, &q::DISTR_K];
+    let stiffness = distribution(reader, names, unread)?;
     Ok(Offshore {
         draft_m,
         cm_depth_m,
@@ -212,10 +232,13 @@ fn matrix<const N: usize>(
 /// A table over the height: how many rows, their heights, their values.
 fn distribution(
     reader: &mut Reader<'_>,
-    [count, heights, values]: [&Quantity; 3],
+    names @ [count, heights, values]: [&Quantity; 3],
+    unread: &mut Vec<Unread>,
 ) -> Result<Distribution, Diagnostic> {
     let count = reader.count(count, 0, MAX_COUNT)?;
     if count.value == 0 {
+        let at = count.span.start;
+        unread.extend(unread::table_of_no_rows(&reader.lines, names, at));
         // Fortran takes a record for a list of nothing.
         reader.skipped(heights)?;
         reader.skipped(values)?;

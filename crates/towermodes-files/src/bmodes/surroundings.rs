@@ -6,6 +6,7 @@ use super::deck::{Deck, Distribution, WireSet};
 use super::notes::Notes;
 use super::tower::{Building, Ends, MAIN};
 use crate::diagnostic::Diagnostic;
+use crate::number::Rounded;
 use crate::places::TABLE;
 
 impl Building {
@@ -109,7 +110,8 @@ impl Building {
         if last.0 <= 0.0 || first.0 >= length_m {
             let message = format!(
                 "this table reaches from {} m to {} m above the flexible base, and no part of the flexible tower is there: it has no effect",
-                first.0, last.0
+                Rounded(first.0),
+                Rounded(last.0)
             );
             notes.on(height, message);
             return Vec::new();
@@ -126,7 +128,7 @@ impl Building {
                         height,
                         format!(
                             "the table reaches {} m beyond the tower's top, where it has no effect",
-                            last.0 - length_m
+                            Rounded(last.0 - length_m)
                         ),
                     );
                     within.push((length_m, at_top));

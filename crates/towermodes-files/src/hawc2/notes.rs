@@ -5,6 +5,7 @@ use super::row::{self, Row};
 use super::rows::Table;
 use super::sections::Found;
 use crate::input::{Note, ReadOptions};
+use crate::number::Rounded;
 use crate::records::Lines;
 use crate::source::Source;
 
@@ -74,9 +75,9 @@ fn described(subset: &Subset<'_>) -> String {
     }
     if let Some(row) = first_row(subset.after.clone()) {
         parts.push(format!(
-            "E {:e} Pa, G {:e} Pa",
-            row.of(row::YOUNG),
-            row.of(row::SHEAR_MODULUS)
+            "E {} Pa, G {} Pa",
+            Rounded(row.of(row::YOUNG)),
+            Rounded(row.of(row::SHEAR_MODULUS))
         ));
     }
     match parts.is_empty() {
@@ -98,7 +99,8 @@ fn rigid(rows: &[Row<'_>]) -> Option<String> {
         (false, true) => "torsion and shear are made rigid on purpose",
         (false, false) => return None,
     };
-    Some(format!("E = {e:e} Pa and G = {g:e} Pa: {what}"))
+    let (e, g) = (Rounded(e), Rounded(g));
+    Some(format!("E = {e} Pa and G = {g} Pa: {what}"))
 }
 
 fn shear(shears: bool) -> String {
@@ -114,7 +116,7 @@ fn left_out(rows: &[Row<'_>], found: &Found) -> Vec<(usize, String)> {
     let mut notes = Vec::new();
     if let Some((index, column, share)) = found.offset {
         let (name, unit) = row::name_and_unit(column);
-        let value = rows[index].of(column);
+        let value = Rounded(rows[index].of(column));
         let percent = 100.0 * share;
         notes.push((
             index,
@@ -139,8 +141,8 @@ fn direction(rows: &[Row<'_>]) -> Option<String> {
         format!(
             "r is taken to run upwards from the base, but EI is {base:.4e} N m2 at r = {} m and {top:.4e} N m2 at r = {} m; \
              a body that runs downwards would stand on its head here",
-            first.of(row::R),
-            last.of(row::R)
+            Rounded(first.of(row::R)),
+            Rounded(last.of(row::R))
         )
     })
 }
@@ -151,13 +153,16 @@ fn ends(rows: &[Row<'_>], options: &ReadOptions) -> String {
     let of = |row: Option<&Row<'_>>| base_m + row.map_or(0.0, |row| row.of(row::R));
     let (base_m, top_m) = (of(rows.first()), of(rows.last()));
     let mut text = format!(
-        "a HAWC2 structural file has no machine, no foundation and no datum: the tower is clamped at {base_m} m, reaches to {top_m} m \
-         and carries nothing"
+        "a HAWC2 structural file has no machine, no foundation and no datum: the tower is clamped at {} m, reaches to {} m \
+         and carries nothing",
+        Rounded(base_m),
+        Rounded(top_m)
     );
     if let Some(height_m) = options.tower_height_m.filter(|h| (h - top_m).abs() > 1e-3) {
         text.push_str(&format!(
-            "; its top was said to be at {height_m} m, which would need a base at {} m",
-            height_m - (top_m - base_m)
+            "; its top was said to be at {} m, which would need a base at {} m",
+            Rounded(height_m),
+            Rounded(height_m - (top_m - base_m))
         ));
     }
     text

@@ -125,6 +125,25 @@ pub(super) fn begins_with_number(line: &Line<'_>) -> bool {
     line.first().is_some_and(|token| is_number(&token))
 }
 
+/// Whether a line has so many numbers that it gives the section as a full stiffness matrix.
+pub(super) fn is_full_matrix(line: &Line<'_>) -> bool {
+    let numbers = line.tokens().take_while(is_number);
+    numbers.take(FULL_MATRIX_COLUMNS).count() == FULL_MATRIX_COLUMNS
+}
+
+/// The mistake of such a line: what is read is the other layout.
+pub(super) fn full_matrix(line: &Line<'_>) -> Diagnostic {
+    let found = line.tokens().take_while(is_number).count();
+    let message = format!(
+        "the rows have {found} columns: they give the sections as full 6x6 stiffness matrices (FPM), which are not read"
+    );
+    let first_more = line.tokens().nth(COLUMNS);
+    let span = first_more.map_or_else(|| line.span(), |token| token.span);
+    Diagnostic::new(span, message).with_hint(format!(
+        "give the classic {COLUMNS} columns, with E, G, I_x, I_y, K and A"
+    ))
+}
+
 fn is_number(token: &Token<'_>) -> bool {
     token.number("").is_ok()
 }
@@ -155,15 +174,6 @@ fn too_few(line: &Line<'_>, found: usize) -> Diagnostic {
 }
 
 fn too_many(first: &Token<'_>, found: usize) -> Diagnostic {
-    let span = first.span.clone();
-    if found >= FULL_MATRIX_COLUMNS {
-        let message = format!(
-            "the row has {found} columns: it gives the section as a full stiffness matrix (FPM), which is not read"
-        );
-        return Diagnostic::new(span, message).with_hint(format!(
-            "give the classic {COLUMNS} columns, with E, G, I_x, I_y, K and A"
-        ));
-    }
     let message = format!("the row has {found} columns instead of {COLUMNS}");
-    Diagnostic::new(span, message).with_hint("is a blank missing or one too many?")
+    Diagnostic::new(first.span.clone(), message).with_hint("is a blank missing or one too many?")
 }

@@ -5,7 +5,7 @@ use std::collections::HashMap;
 use towermodes::{Material, Place};
 
 use super::Reading;
-use super::table::{Keys, Table, all_but_empty};
+use super::table::{Keys, Table, all_but_empty, listed, suggestion};
 use super::values::{Value, number};
 use crate::diagnostic::Diagnostic;
 
@@ -34,6 +34,33 @@ pub(super) struct Materials {
 }
 
 impl Materials {
+    /// Which of them a name is, or the one that rows without a name have; or what is wrong and what would be right.
+    pub(super) fn find(&self, name: Option<&str>) -> Result<usize, [String; 2]> {
+        let names = self.names.iter().map(String::as_str);
+        let names: Vec<&str> = names.filter(|name| !name.is_empty()).collect();
+        let Some(name) = name else {
+            let hint = format!(
+                "add [material], or name a material: \"{}\"",
+                listed(&names).join("\" or \"")
+            );
+            let missing = || {
+                [
+                    "names no material, and there is no [material]".to_owned(),
+                    hint,
+                ]
+            };
+            return self.has_default.then_some(0).ok_or_else(missing);
+        };
+        let found = self.by_name.get(name).copied();
+        found.filter(|_| !name.is_empty()).ok_or_else(|| {
+            let hint = match names.is_empty() {
+                true => format!("add [materials.{name}], or leave the name out to use [material]"),
+                false => suggestion(name, &names, "there are"),
+            };
+            [format!("there is no material `{name}`"), hint]
+        })
+    }
+
     /// What they are called; nothing where their names are but numbers, as they are written of materials without names.
     pub(super) fn own_names(&self) -> Vec<String> {
         let is_number = |name: &String| {

@@ -3,18 +3,19 @@
 use toml::de::DeValue;
 use towermodes::{Place, Shear, Station};
 
-use super::Reading;
 use super::materials::Materials;
-use super::table::{Keys, Table, listed, suggestion};
+use super::table::{Keys, Table};
 use super::values::{Value, every_row, list, number, text, wrong_kind};
+use super::{Reading, STATION_FILE};
 use crate::diagnostic::Diagnostic;
+use crate::station_table;
 
 /// The keys of `[tower]`.
 pub(super) const TOWER: Keys = Keys {
     known: &["stations", "properties", "outfitting_factor", "shear"],
 };
 
-/// `stations`, all rows; where the materials have mistakes of their own, names of materials are not checked.
+/// `stations`, all rows, or the name of a file that has them; where the materials have mistakes of their own, names of materials are not checked.
 pub(super) fn stations(
     tower: &Table<'_>,
     materials: Option<&Materials>,
@@ -23,6 +24,9 @@ pub(super) fn stations(
     let hint = "stations = [[height, outer diameter, wall thickness], ...], all in m";
     let value = tower.require("stations", hint, reading)?;
     reading.remember(Place::Stations, value.span());
+    if value.get_ref().as_str().is_some() {
+        return stations_of_file(value, materials, reading);
+    }
     let rows = list(value, "stations", reading)?;
     every_row(rows, |index, row| station(row, index, materials, reading))
 }
@@ -75,44 +79,76 @@ fn station_material(
     let Some(materials) = materials else {
         return Some(0);
     };
-    let Some(value) = name else {
-        if materials.has_default {
-            return Some(0);
+    let (span, name, subject) = match name {
+        Some(value) => {
+            let name = text(value, "a station's fourth value, its material,", reading)?;
+            (value.span(), Some(name), String::new())
         }
-        let message = format!(
-            "station {} names no material, and there is no [material]",
-            index + 1
-        );
-        if reading.is_full() {
+        None => (row.span(), None, format!("station {} ", index + 1)),
+    };
+    // Listing the names takes time, and of many mistakes the rest is not shown.
+    if reading.is_full() {
+        return None;
+    }
+    match materials.find(name) {
+        Ok(material) => Some(material),
+        Err([message, hint]) => {
+            let message = format!("{subject}{message}");
+            reading.mistake(Diagnostic::new(span, message).with_hint(hint));
+            None
+        }
+    }
+}
+
+/// The stations of the table in CSV that the tower file names.
+fn stations_of_file(
+    value: &Value<'_>,
+    materials: Option<&Materials>,
+    reading: &mut Reading,
+) -> Option<Vec<Station>> {
+    let file = match reading.station_file.take() {
+        Some(Ok(file)) => file,
+        Some(Err(error)) => {
+            let message = format!("the file of the stations cannot be read: {error}");
+            let hint =
+                "it is looked for beside the tower file; small and capital letters may matter";
+            reading.mistake(Diagnostic::new(value.span(), message).with_hint(hint));
             return None;
         }
-        let names: Vec<&str> = materials.names.iter().map(String::as_str).collect();
-        let hint = format!(
-            "add [material], or a fourth value: \"{}\"",
-            listed(&names).join("\" or \"")
-        );
-        reading.mistake(Diagnostic::new(row.span(), message).with_hint(hint));
-        return None;
+        None => {
+            let message = "the stations are in another file, and beside a text alone there is none";
+            let hint =
+                "write them here: stations = [[height, outer diameter, wall thickness], ...]";
+            reading.mistake(Diagnostic::new(value.span(), message).with_hint(hint));
+            return None;
+        }
     };
-    let name = text(value, "a station's fourth value, its material,", reading)?;
-    let known = materials.by_name.get(name).copied();
-    let found = known.filter(|_| !name.is_empty());
-    if found.is_none() && !reading.is_full() {
-        let known: Vec<&str> = materials
-            .names
-            .iter()
-            .map(String::as_str)
-            .filter(|n| !n.is_empty())
-            .collect();
-        let hint = if known.is_empty() {
-            format!("add [materials.{name}], or leave the name out to use [material]")
-        } else {
-            suggestion(name, &known, "there are")
-        };
-        let message = format!("there is no material `{name}`");
-        reading.mistake(Diagnostic::new(value.span(), message).with_hint(hint));
+    let material_of = |name: Option<&str>| match materials {
+        Some(materials) => materials.find(name).map_err(|[message, hint]| match name {
+            Some(_) => [message, hint],
+            None => [format!("the row {message}"), hint],
+        }),
+        None => Ok(0),
+    };
+    let read = station_table::stations(&file.text, &material_of);
+    let stations = match read {
+        Ok(stations) => stations,
+        Err(mistakes) => {
+            reading.in_station_file = Some((file, mistakes));
+            return None;
+        }
+    };
+    for (index, placed) in stations.iter().enumerate() {
+        for (key, span) in ["height", "diameter", "wall"]
+            .into_iter()
+            .zip(&placed.spans)
+        {
+            let place = Place::Station { index, key };
+            reading.places.remember(place, STATION_FILE, span.clone());
+        }
     }
-    found
+    reading.others.push(file);
+    Some(stations.into_iter().map(|placed| placed.station).collect())
 }
 
 pub(super) fn outfitting_factor(tower: &Table<'_>, reading: &mut Reading) -> Option<f64> {

@@ -5,6 +5,7 @@ use std::ops::Range;
 use toml::de::{DeTable, DeValue};
 
 use super::Reading;
+use super::synonyms::meant;
 use super::values::{Value, every_row, wrong_kind};
 use crate::diagnostic::Diagnostic;
 
@@ -206,7 +207,7 @@ fn is_short(name: &&str) -> bool {
     name.len() <= MAX_COMPARED_BYTES
 }
 
-/// The known key that a name was probably meant to be.
+/// The known key that a name was probably meant to be: another word for it, or the one that is spelled most like it.
 fn nearest<'k>(name: &str, known: &[&'k str]) -> Option<&'k str> {
     if !is_short(&name) {
         return None;
@@ -214,5 +215,10 @@ fn nearest<'k>(name: &str, known: &[&'k str]) -> Option<&'k str> {
     let distance = |key: &&str| strsim::damerau_levenshtein(&name.to_lowercase(), key);
     let compared = known.iter().copied().filter(is_short);
     let nearest = compared.min_by_key(distance)?;
-    (distance(&nearest) <= 1 + nearest.len() / 3).then_some(nearest)
+    // One letter of a word is a slip of the fingers; of `xx` it may be another word.
+    if nearest.len() >= 4 && distance(&nearest) <= 1 {
+        return Some(nearest);
+    }
+    let is_near = distance(&nearest) <= 1 + nearest.len() / 3;
+    meant(name, known).or(is_near.then_some(nearest))
 }

@@ -2,8 +2,8 @@
 
 use super::part::{Part, SAME_M};
 use super::reading::Reading;
-use super::water::rounded;
 use crate::diagnostic::Diagnostic;
+use crate::number::Rounded;
 
 /// A gap between monopile and tower up to this, m, is closed.
 const SMALL_GAP_M: f64 = 0.1;
@@ -19,7 +19,7 @@ pub(super) fn meet(parts: &mut [Part], reading: &mut Reading<'_>) -> Result<(), 
     if gap_m < -SAME_M {
         let message = format!(
             "the tower begins at z = {base_m} m, {} m below the top of the monopile at z = {top_m} m",
-            rounded(-gap_m)
+            Rounded(-gap_m)
         );
         return Err(Diagnostic::new(span, message)
             .with_hint("they must meet; or read the tower alone (--part tower) or the monopile alone (--part monopile)"));
@@ -27,15 +27,17 @@ pub(super) fn meet(parts: &mut [Part], reading: &mut Reading<'_>) -> Result<(), 
     if gap_m > SMALL_GAP_M {
         let message = format!(
             "the tower begins at z = {base_m} m, {} m above the top of the monopile at z = {top_m} m",
-            rounded(gap_m)
+            Rounded(gap_m)
         );
         return Err(Diagnostic::new(span, message)
             .with_hint("they must meet; or read the tower alone (--part tower) or the monopile alone (--part monopile)"));
     }
     if gap_m > SAME_M {
         let message = format!(
-            "the gap of {} m between monopile (up to z = {top_m} m) and tower (from z = {base_m} m) is closed: the monopile is that much longer",
-            rounded(gap_m)
+            "the gap of {} m between monopile (up to z = {} m) and tower (from z = {} m) is closed: the monopile is that much longer",
+            Rounded(gap_m),
+            Rounded(top_m),
+            Rounded(base_m)
         );
         reading.note_at(span.start, message);
     }

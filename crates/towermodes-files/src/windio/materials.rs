@@ -4,6 +4,7 @@ use std::ops::Range;
 
 use towermodes::Material;
 
+use super::known_keys::note_material;
 use super::reading::Reading;
 use super::yaml::{Node, Value};
 use crate::diagnostic::Diagnostic;
@@ -82,6 +83,7 @@ fn material(
     reading: &mut Reading<'_>,
 ) -> Result<(Material, [Range<usize>; 3]), Diagnostic> {
     let what = format!("material `{name}`");
+    note_material(node, &what, reading);
     let mut value = |key: &str, of: &str| axial(node, key, &format!("{of} of {what}"), reading);
     let rho = node.require("rho", &what)?;
     let density = rho.number(&format!("density of {what}"))?;

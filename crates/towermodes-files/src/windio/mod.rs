@@ -7,10 +7,13 @@ mod body;
 mod comparison;
 mod curve;
 mod elastic;
+mod fields;
 mod joint;
+mod known_keys;
 mod materials;
 mod outline;
 mod part;
+mod plausible;
 mod reading;
 mod rna;
 mod rotor;
@@ -98,6 +101,7 @@ fn describe(
     }
     let outline: Outline = reading.keep(yaml::parse(&without_airfoils(&reading.source.text)))?;
     let version = outline.version(&reading.source.text);
+    known_keys::note_lookalikes(&outline, options.part, reading);
     let rna = match options.part {
         _ if options.without_rna => Ok(towermodes::Rna::default()),
         TowerPart::Monopile => Ok(towermodes::Rna::default()),

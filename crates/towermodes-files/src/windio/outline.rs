@@ -6,9 +6,8 @@ use serde::de::IgnoredAny;
 use super::yaml::Node;
 
 /// The file.
-#[derive(Debug, Default, Deserialize)]
+#[derive(Debug, Default)]
 pub(super) struct Outline {
-    #[serde(rename = "windIO_version")]
     pub(super) version: Option<Node>,
     pub(super) name: Option<Node>,
     pub(super) assembly: Option<Node>,
@@ -16,10 +15,12 @@ pub(super) struct Outline {
     pub(super) materials: Option<Node>,
     pub(super) environment: Option<Node>,
     pub(super) control: Option<Node>,
+    /// Keys that are not read.
+    pub(super) unknown: Vec<String>,
 }
 
 /// The parts of the turbine.
-#[derive(Debug, Default, Deserialize)]
+#[derive(Debug, Default)]
 pub(super) struct Components {
     pub(super) tower: Option<Node>,
     pub(super) monopile: Option<Node>,
@@ -33,6 +34,8 @@ pub(super) struct Components {
     /// Version 2.
     pub(super) yaw: Option<Node>,
     pub(super) blade: Option<Blade>,
+    /// Keys that are not read.
+    pub(super) unknown: Vec<String>,
 }
 
 /// What of a blade says its mass.

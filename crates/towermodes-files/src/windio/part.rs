@@ -9,6 +9,7 @@ use super::outline::Version;
 use super::reading::Reading;
 use super::yaml::Node;
 use crate::diagnostic::Diagnostic;
+use crate::number::Rounded;
 
 /// An axis that leaves the vertical by less than this, m, is straight.
 const STRAIGHT_M: f64 = 1e-6;
@@ -79,7 +80,8 @@ impl Part {
         let diameter = diameter.map(|d| Curve::read(d, &name)).transpose()?;
         let structure = node.get(structure);
         let layers = layers(structure, what, materials, reading)?;
-        let elastic = Elastic::read(node, what, version, reading)?;
+        let elastic = Elastic::read(node, what, version, reading);
+        let elastic = unless_unused(elastic, &layers, what, reading)?;
         let mut part = Self {
             what,
             diameter,
@@ -174,6 +176,26 @@ impl Part {
     }
 }
 
+/// Elastic properties that cannot be read are no mistake of a part whose layers say everything: a note says that they are not used.
+fn unless_unused(
+    elastic: Result<Option<Elastic>, Diagnostic>,
+    layers: &[Layer],
+    what: &str,
+    reading: &mut Reading<'_>,
+) -> Result<Option<Elastic>, Diagnostic> {
+    match elastic {
+        Err(mistake) if !layers.is_empty() => {
+            let message = format!(
+                "the elastic properties of the {what} cannot be read ({}); its layers are used, which is what they would be compared with",
+                mistake.message
+            );
+            reading.note_at(mistake.span.start, message);
+            Ok(None)
+        }
+        elastic => elastic,
+    }
+}
+
 fn axis<'a>(node: &'a Node, what: &str, version: Version) -> Result<&'a Node, Diagnostic> {
     let paths: &[&[&str]] = match version {
         Version::One => &[
@@ -223,7 +245,8 @@ fn note_lean(axis: &Node, what: &str, reading: &mut Reading<'_>) {
         let lean_m = numbers.iter().fold(0.0_f64, |most, x| most.max(x.abs()));
         if lean_m > STRAIGHT_M {
             let message = format!(
-                "the axis of the {what} leaves the vertical by {lean_m} m in {key}: it is taken as vertical, with the heights z"
+                "the axis of the {what} leaves the vertical by {} m in {key}: it is taken as vertical, with the heights z",
+                Rounded(lean_m)
             );
             reading.note_at(values.span.start, message);
         }

@@ -6,17 +6,22 @@ use towermodes::{Place, RigidBody, Rna};
 
 use super::body::{NEW_KEYS, OLD_KEYS, body};
 use super::outline::{Outline, Version};
+use super::plausible::{angle, length_m};
 use super::reading::Reading;
 use super::rotor::{Hub, rotor};
 use super::speeds::{USUAL_BLADES, blade_count};
 use super::yaml::Node;
 use crate::diagnostic::Diagnostic;
 use crate::input::Note;
+use crate::number::Rounded;
 use crate::places::{Places, TABLE};
 
 /// What a written file says where its drive train is the whole rotor-nacelle assembly.
 pub(super) const WHOLE_ASSEMBLY: &str =
     "# towermodes: the whole rotor-nacelle assembly, hub and blades included";
+
+/// The mass of the nacelle without the yaw system, as WISDEM writes it.
+const ABOVE_YAW: &str = "above_yaw_mass";
 
 /// The bodies found so far.
 struct Assembly {
@@ -101,7 +106,8 @@ impl Assembly {
             self.missing.push("nacelle");
             return Ok(());
         };
-        let nacelle = body(node, OLD_KEYS, "nacelle", reading)?;
+        let keys = nacelle_keys(node, reading)?;
+        let nacelle = body(node, keys, "nacelle", reading)?;
         self.add("nacelle", nacelle, &node.span);
         let yaw_kg = node.number_or("yaw_mass", "mass of the yaw system", 0.0)?;
         if yaw_kg != 0.0 {
@@ -137,7 +143,7 @@ impl Assembly {
         let blade = components.and_then(|c| c.blade.as_ref());
         let blade = match (blade, hub) {
             (Some(blade), Some(hub)) => {
-                let hub = hub_of(hub, outline, version, is_upwind)?;
+                let hub = hub_of(hub, outline, version, is_upwind, reading)?;
                 let span = blade.inertia_matrix().map(|node| node.span.clone());
                 let body = rotor(blade, &hub)?;
                 if body.is_some() && hub.blades < 3.0 {
@@ -200,6 +206,29 @@ impl Assembly {
     }
 }
 
+/// Where the mass of the nacelle stands: `system_mass` as in the schema, or `above_yaw_mass` as WISDEM writes it, which is without the
+/// yaw system. Where a file has both, the latter is taken, because `yaw_mass` is added to it.
+fn nacelle_keys<'k>(node: &Node, reading: &mut Reading<'_>) -> Result<[&'k str; 3], Diagnostic> {
+    let [_, inertia, center] = OLD_KEYS;
+    let Some(above) = node.get(ABOVE_YAW) else {
+        return Ok(OLD_KEYS);
+    };
+    let above_kg = above.number("above_yaw_mass of the nacelle")?;
+    let message = match node.get("system_mass") {
+        None => format!(
+            "the nacelle has above_yaw_mass = {} kg and no system_mass: that is taken as its mass, without the yaw system",
+            Rounded(above_kg)
+        ),
+        Some(system) => format!(
+            "the nacelle has above_yaw_mass = {} kg and system_mass = {} kg: the first is taken, and yaw_mass added to it",
+            Rounded(above_kg),
+            Rounded(system.number("system_mass of the nacelle")?)
+        ),
+    };
+    reading.note_at(above.span.start, message);
+    Ok([ABOVE_YAW, inertia, center])
+}
+
 fn is_upwind(outline: &Outline, reading: &Reading<'_>) -> bool {
     let node = outline.assembly.as_ref();
     let node = node.and_then(|node| node.get("rotor_orientation"));
@@ -212,6 +241,7 @@ fn hub_of(
     outline: &Outline,
     version: Version,
     is_upwind: bool,
+    reading: &mut Reading<'_>,
 ) -> Result<Hub, Diagnostic> {
     let shape = hub.get("outer_shape_bem").unwrap_or(hub);
     let diameter = shape.require("diameter", "hub")?;
@@ -219,11 +249,14 @@ fn hub_of(
     if diameter_m < 0.0 {
         return Err(diameter.wrong("hub diameter cannot be negative"));
     }
-    let cone = shape.number_or("cone_angle", "cone angle", 0.0)?;
+    let cone_rad = match shape.get("cone_angle") {
+        Some(node) => angle(node, "cone_angle", version, reading)?,
+        None => 0.0,
+    };
     let blades = blade_count(outline)?.unwrap_or(USUAL_BLADES);
     Ok(Hub {
         radius_m: 0.5 * diameter_m,
-        cone_rad: version.radians(cone),
+        cone_rad,
         blades: blades as f64,
         is_upwind,
     })
@@ -242,14 +275,18 @@ fn shaft(
         Version::Two => components.and_then(|c| c.drivetrain.as_ref()?.get("outer_shape")),
     };
     let mut absent = Vec::new();
-    let mut value = |key: &'static str| match shape.and_then(|shape| shape.get(key)) {
-        Some(node) => node.number(key),
-        None => {
+    let mut value = |key: &'static str| {
+        let node = shape.and_then(|shape| shape.get(key));
+        let Some(node) = node else {
             absent.push(key);
-            Ok(0.0)
+            return Ok(0.0);
+        };
+        match key {
+            "uptilt" => angle(node, key, version, reading),
+            _ => length_m(node, key, reading),
         }
     };
-    let tilt_rad = version.radians(value("uptilt")?);
+    let tilt_rad = value("uptilt")?;
     let (overhang_m, height_m) = (value("overhang")?, value("distance_tt_hub")?);
     if !absent.is_empty() {
         let message = format!(

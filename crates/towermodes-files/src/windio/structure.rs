@@ -12,6 +12,7 @@ use super::uniform::even_out;
 use super::yaml::Node;
 use crate::diagnostic::Diagnostic;
 use crate::input::TowerPart;
+use crate::number::Rounded;
 use crate::places::{Places, TABLE};
 
 /// What stands, from below: the monopile, the tower.
@@ -126,11 +127,12 @@ impl Structure {
             if mass_kg == 0.0 {
                 continue;
             }
+            let (kg, z) = (Rounded(mass_kg), Rounded(height_m));
             let place = match key {
                 "transition_piece_mass" => {
-                    format!("{mass_kg} kg at z = {height_m} m, where the monopile ends")
+                    format!("{kg} kg at z = {z} m, where the monopile ends")
                 }
-                _ => format!("{mass_kg} kg at the base: it counts only if the base moves"),
+                _ => format!("{kg} kg at the base: it counts only if the base moves"),
             };
             reading.note_at(span.start, format!("{what}: {place}, as a point mass"));
             self.add_mass(height_m, mass_kg, span, places);

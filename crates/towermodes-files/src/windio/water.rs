@@ -7,6 +7,7 @@ use super::structure::Structure;
 use super::yaml::Node;
 use crate::diagnostic::Diagnostic;
 use crate::input::{Note, TowerPart};
+use crate::number::Rounded;
 
 /// Takes away what is in the ground, and says so.
 pub(super) fn stand(
@@ -24,24 +25,27 @@ pub(super) fn stand(
     let depth = environment.and_then(|environment| environment.get("water_depth"));
     let Some(depth) = depth else {
         reading.note_missing_part(format!(
-            "the file does not say the depth of the water, so the mudline is not known: the monopile is clamped at its lowest height, z = {base_m} m, and nothing holds it above"
+            "the file does not say the depth of the water, so the mudline is not known: the monopile is clamped at its lowest height, z = {} m, and nothing holds it above",
+            Rounded(base_m)
         ));
         return Ok(());
     };
     let mudline_m = mudline(structure, depth)?;
     if base_m < mudline_m - SAME_M {
-        let embedded_m = rounded(mudline_m - base_m);
+        let (embedded, mudline) = (Rounded(mudline_m - base_m), Rounded(mudline_m));
         structure.cut_below(mudline_m);
         let message = format!(
-            "the {embedded_m} m of the monopile below the mudline at z = {mudline_m} m are left out and the tower is clamped there: softer ground lowers the frequencies; add [[soil]] after `convert --to toml`{}",
+            "the {embedded} m of the monopile below the mudline at z = {mudline} m are left out and the tower is clamped there: softer ground lowers the frequencies; add [[soil]] after `convert --to toml`{}",
             soil(environment)
         );
         let note = Note::at(reading.source, depth.span.start, message);
         reading.notes.push(note.of_missing_part());
     } else if base_m > mudline_m + SAME_M {
         reading.note_at(depth.span.start, format!(
-            "the monopile ends at z = {base_m} m, {} m above the mudline at z = {mudline_m} m: it is clamped where it ends",
-            rounded(base_m - mudline_m)
+            "the monopile ends at z = {} m, {} m above the mudline at z = {} m: it is clamped where it ends",
+            Rounded(base_m),
+            Rounded(base_m - mudline_m),
+            Rounded(mudline_m)
         ));
     }
     if mudline_m < -SAME_M {
@@ -75,13 +79,11 @@ fn soil(environment: Option<&Node>) -> String {
     let value = |key: &str| environment.and_then(|e| e.get(key)?.number(key).ok());
     match (value("soil_shear_modulus"), value("soil_poisson")) {
         (Some(g), Some(nu)) => {
-            format!(" (the file says of the soil: shear modulus {g:e} Pa, Poisson's ratio {nu})")
+            format!(
+                " (the file says of the soil: shear modulus {} Pa, Poisson's ratio {nu})",
+                Rounded(g)
+            )
         }
         _ => String::new(),
     }
-}
-
-/// To the micrometre, for messages.
-pub(super) fn rounded(length_m: f64) -> f64 {
-    (1e6 * length_m).round() / 1e6
 }

@@ -11,6 +11,9 @@ use crate::windio_files::{LAYERED, TABLE, VERSION_1, VERSION_2};
 
 const TOML_TABLE: &str = include_str!("../../../../examples/nrel-5mw-table.toml");
 
+const OF_CANS: &str = include_str!("../../../../examples/cans.toml");
+const CANS: &str = include_str!("../../../../examples/cans.csv");
+
 const HAWC2: &str = "\
 1 set
 #1 Mast
@@ -45,6 +48,16 @@ fn models() -> Vec<Model> {
     let from_fst = [parts(), vec![("main.dat", main_text(5, &[]))]].concat();
     vec![
         alone("tower.toml", TOML_TABLE),
+        (
+            "cans.toml",
+            OF_CANS.to_owned(),
+            vec![("cans.csv", CANS.to_owned())],
+        ),
+        (
+            "metric.toml",
+            OF_CANS.to_owned(),
+            vec![("cans.csv", CANS.replace(',', ";").replace('.', ","))],
+        ),
         alone("mast_st.dat", HAWC2),
         alone("layered.yaml", LAYERED),
         alone("table.yaml", TABLE),

@@ -1,0 +1,105 @@
+//! Values of a deck that a count or a switch before them leaves out: BModes passes over them without a message.
+
+use super::list::is_number;
+use super::main_file::named;
+use super::quantity::{self as q, Quantity};
+use super::reader::{Reader, Value};
+use crate::records::{Line, Lines};
+
+/// Values that are not read: the byte of the main file that shows it, and what to tell the user.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub(super) struct Unread {
+    pub(super) at: usize,
+    pub(super) message: String,
+}
+
+/// What follows `tow_support = 0` although it is not read: wires, a platform, added mass or soil.
+pub(super) fn after_no_support(reader: &Reader<'_>, tow_support: &Value<i64>) -> Option<Unread> {
+    let shows = [
+        &q::N_ATTACHMENTS,
+        &q::MASS_PFORM,
+        &q::N_SECS_M_DISTR,
+        &q::N_SECS_K_DISTR,
+    ];
+    let given = |line: Line<'_>| {
+        let quantity = named(line).filter(|quantity| shows.contains(quantity))?;
+        let value = line
+            .first()?
+            .number("")
+            .ok()
+            .filter(|value| *value != 0.0)?;
+        Some((quantity.name, value))
+    };
+    let (name, value) = reader.lines.clone().find_map(given)?;
+    let message = format!(
+        "tow_support is 0, so the lines after it are not read, as in BModes, although {name} is {value} there; \
+         write tow_support = 1 for wires or 2 for a platform or monopile"
+    );
+    let at = tow_support.span.start;
+    Some(Unread { at, message })
+}
+
+/// What `n_attachments = 0` drops in a deck whose `tow_support` announces wires.
+pub(super) fn no_attachments(reader: &Reader<'_>, n_attachments: &Value<usize>) -> Unread {
+    let stiffness = |line: Line<'_>| {
+        let is_stiffness = named_anywhere(line) == Some(&q::WIRE_STFNESS);
+        let stiffness = line.first().filter(|_| is_stiffness)?.number("").ok()?;
+        (stiffness != 0.0).then_some(stiffness)
+    };
+    let given = reader.lines.clone().find_map(stiffness);
+    let message = match given {
+        Some(stiffness) => format!(
+            "n_attachments is 0, so the tower has no wires, as in BModes, although tow_support is 1 and wire_stfness is {stiffness:e} N/m below; \
+             write the number of heights at which wires are attached"
+        ),
+        None => "n_attachments is 0, so the tower has no wires although tow_support is 1; write tow_support = 0, or the number of heights at which wires are attached".to_owned(),
+    };
+    let at = n_attachments.span.start;
+    Unread { at, message }
+}
+
+/// The sets of wires beyond `n_attachments`, if each of the four lines to come has values for them.
+pub(super) fn sets_of_wires(reader: &Reader<'_>, n_attachments: &Value<usize>) -> Option<Unread> {
+    let lines = reader.lines.clone().filter(|line| !line.is_blank());
+    let given = lines.take(4).map(numbers).min()?;
+    let read = n_attachments.value;
+    let message = format!(
+        "n_attachments is {read}, but the lines below give {given} sets of wires: as in BModes, only the first {read} are read"
+    );
+    let at = n_attachments.span.start;
+    (given > read).then_some(Unread { at, message })
+}
+
+/// The values of a table whose number of rows is 0; none if they are all zero, as in templates.
+pub(super) fn table_of_no_rows(
+    lines: &Lines<'_>,
+    [count, _, values]: [&Quantity; 3],
+    at: usize,
+) -> Option<Unread> {
+    let line = lines.clone().nth(1)?;
+    let is_zero = |token: &crate::records::Token<'_>| token.number("") == Ok(0.0);
+    let mut given = line.tokens().take_while(is_number);
+    if given.all(|token| is_zero(&token)) {
+        return None;
+    }
+    let message = format!(
+        "{} is 0, so the {} values of {} below are not read, as in BModes; write {} = {} to use them",
+        count.name,
+        numbers(line),
+        values.name,
+        count.name,
+        numbers(line)
+    );
+    Some(Unread { at, message })
+}
+
+/// How many numbers a line begins with.
+fn numbers(line: Line<'_>) -> usize {
+    line.tokens().take_while(is_number).count()
+}
+
+/// The quantity whose name follows the numbers of a line.
+fn named_anywhere(line: Line<'_>) -> Option<&'static Quantity> {
+    let label = line.tokens().find(|token| !is_number(token))?;
+    Quantity::called(label.text)
+}

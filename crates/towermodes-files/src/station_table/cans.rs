@@ -1,0 +1,116 @@
+//! Cans put on one another: the stations at their ends.
+
+use std::ops::Range;
+
+use towermodes::Station;
+
+use super::Placed;
+use crate::diagnostic::Diagnostic;
+use crate::number::Rounded;
+
+/// Ends of neighbouring cans that are nearer than this, m, are at one height: lengths are converted.
+const SAME_M: f64 = 1e-6;
+
+/// A piece of tower with straight sides and one wall thickness.
+#[derive(Debug, Clone)]
+pub(super) struct Can {
+    /// Bottom and top.
+    pub(super) ends_m: [f64; 2],
+    /// Outer diameters there.
+    pub(super) diameters_m: [f64; 2],
+    pub(super) wall_m: f64,
+    pub(super) material: usize,
+    /// Where bottom, top, both diameters and the wall stand.
+    pub(super) spans: [Range<usize>; 5],
+}
+
+impl Can {
+    /// Refuses a can without height.
+    pub(super) fn check(&self) -> Result<(), Diagnostic> {
+        let [bottom_m, top_m] = self.ends_m;
+        if top_m > bottom_m {
+            return Ok(());
+        }
+        let message = format!(
+            "the top of the can, {} m, is not above its bottom, {} m",
+            Rounded(top_m),
+            Rounded(bottom_m)
+        );
+        Err(Diagnostic::new(self.spans[1].clone(), message))
+    }
+
+    /// The station at its bottom (0) or top (1).
+    fn station(&self, end: usize) -> Placed {
+        Placed {
+            station: Station {
+                height_m: self.ends_m[end],
+                outer_diameter_m: self.diameters_m[end],
+                wall_thickness_m: self.wall_m,
+                material: self.material,
+            },
+            spans: [&self.spans[end], &self.spans[2 + end], &self.spans[4]].map(Clone::clone),
+        }
+    }
+}
+
+/// The stations at the ends of all cans from the base to the top; two at one height where diameter, wall or material step. Cans that are
+/// listed from the top down are turned; a gap or an overlap is a mistake.
+pub(super) fn stations(
+    mut cans: Vec<Can>,
+    text: &str,
+    mistakes: &mut Vec<Diagnostic>,
+) -> Vec<Placed> {
+    // A row that is missing for a mistake of its own would be said a second time, as a gap.
+    let is_complete = mistakes.is_empty();
+    if let [first, .., last] = &cans[..]
+        && first.ends_m[0] > last.ends_m[0]
+    {
+        cans.reverse();
+    }
+    for above in 1..cans.len() {
+        let (below, rest) = cans.split_at_mut(above);
+        let (below, can) = (&below[above - 1], &mut rest[0]);
+        match joint(below, can, text) {
+            Ok(()) => can.ends_m[0] = below.ends_m[1],
+            Err(mistake) if is_complete && mistakes.len() < super::MAX_MISTAKES => {
+                mistakes.push(mistake);
+            }
+            Err(_) => {}
+        }
+    }
+    let mut stations: Vec<Placed> = Vec::with_capacity(2 * cans.len());
+    for can in &cans {
+        let bottom = can.station(0);
+        if stations
+            .last()
+            .is_none_or(|last| last.station != bottom.station)
+        {
+            stations.push(bottom);
+        }
+        stations.push(can.station(1));
+    }
+    stations
+}
+
+/// Whether a can begins where the one below it ends.
+fn joint(below: &Can, can: &Can, text: &str) -> Result<(), Diagnostic> {
+    let (top_m, bottom_m) = (below.ends_m[1], can.ends_m[0]);
+    let gap_m = bottom_m - top_m;
+    if gap_m.abs() <= SAME_M {
+        return Ok(());
+    }
+    let at = below.spans[1].clone();
+    let (line, _) = Diagnostic::new(at, "").line_and_column(text);
+    let side = if gap_m > 0.0 { "above" } else { "below" };
+    let message = format!(
+        "this can begins at {} m, which is {} m {side} the top of the can under it, {} m in line {line}",
+        Rounded(bottom_m),
+        Rounded(gap_m.abs()),
+        Rounded(top_m)
+    );
+    let hint = match gap_m > 0.0 {
+        true => "cans must join: is a row missing?",
+        false => "cans must join without overlap, from the base up or from the top down",
+    };
+    Err(Diagnostic::new(can.spans[0].clone(), message).with_hint(hint))
+}

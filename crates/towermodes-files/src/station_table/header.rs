@@ -1,0 +1,221 @@
+//! The header of a table: which column is which quantity, in which unit.
+
+use super::cells::{Cell, Record};
+use super::unit::Unit;
+use super::words::{Quantity, Said, quantity, unknown, words_and_unit};
+use crate::diagnostic::Diagnostic;
+
+/// What a header may look like.
+pub(super) const EXAMPLE: &str = "write a header as `bottom_m, top_m, bottom diameter [mm], top diameter [mm], wall [mm], material` for cans, or as `height [m], diameter [m], wall [mm]` for stations";
+
+/// A column of lengths.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) struct Length {
+    /// What messages call it.
+    pub(super) what: &'static str,
+    /// Which column it is.
+    pub(super) index: usize,
+    pub(super) unit: Unit,
+}
+
+/// The columns of a table of cans; without their own diameters both ends have the same column.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub(super) struct Cans {
+    pub(super) bottom: Length,
+    pub(super) top: Length,
+    pub(super) bottom_diameter: Length,
+    pub(super) top_diameter: Length,
+    pub(super) wall: Length,
+    pub(super) material: Option<usize>,
+}
+
+/// The columns of a table of stations.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub(super) struct Stations {
+    /// Height, diameter, wall.
+    pub(super) lengths: [Length; 3],
+    pub(super) material: Option<usize>,
+}
+
+/// What the rows of a table are.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub(super) enum Layout {
+    Cans(Cans),
+    Stations(Stations),
+}
+
+/// The header of a table.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub(super) struct Header {
+    pub(super) layout: Layout,
+    /// How many columns it names.
+    columns: usize,
+    /// How many of them must have a cell in each row.
+    needed: usize,
+}
+
+/// A column as the header names it.
+struct Column {
+    index: usize,
+    quantity: Quantity,
+    unit: Option<Unit>,
+}
+
+impl Header {
+    /// The header that a row is.
+    pub(super) fn of(record: &Record<'_>) -> Result<Self, Vec<Diagnostic>> {
+        let is_number = |cell: &Cell<'_>| cell.text.replace(',', ".").parse::<f64>().is_ok();
+        if record.cells.iter().all(is_number) {
+            let message = "the first row has numbers, and no row above says what they are";
+            let mistake = Diagnostic::new(record.span.clone(), message);
+            return Err(vec![mistake.with_hint(EXAMPLE)]);
+        }
+        let (mut columns, mut mistakes) = (Vec::<Column>::new(), Vec::new());
+        for (index, cell) in record.cells.iter().enumerate() {
+            match column(index, cell, &columns) {
+                Ok(column) => columns.extend(column),
+                Err(mistake) => mistakes.push(mistake),
+            }
+        }
+        if !mistakes.is_empty() {
+            return Err(mistakes);
+        }
+        let layout = layout(&columns, record).map_err(|mistake| vec![mistake])?;
+        let lengths = columns.iter().filter(|column| column.quantity.is_length());
+        let last = lengths.map(|column| column.index).max();
+        Ok(Self {
+            layout,
+            columns: record.cells.len(),
+            needed: last.map_or(0, |last| last + 1),
+        })
+    }
+
+    /// Refuses a row with too few or too many cells; empty ones at its end do not count.
+    pub(super) fn check(&self, record: &Record<'_>) -> Result<(), Diagnostic> {
+        let filled = record.cells.iter().rposition(|cell| !cell.text.is_empty());
+        let filled = filled.map_or(0, |last| last + 1);
+        let found = record.cells.len();
+        if filled > self.columns {
+            let message = format!(
+                "the row has {filled} cells, but the header names {} columns",
+                self.columns
+            );
+            let hint = "is a decimal comma meant? then separate the columns by semicolons";
+            let span = record.cells[self.columns].span.clone();
+            return Err(Diagnostic::new(span, message).with_hint(hint));
+        }
+        if found < self.needed {
+            let message = format!(
+                "the row has {found} cells, but the header names {} columns",
+                self.columns
+            );
+            return Err(Diagnostic::new(record.span.clone(), message));
+        }
+        Ok(())
+    }
+}
+
+/// The column that a cell of the header names; none if it is empty.
+fn column(index: usize, cell: &Cell<'_>, before: &[Column]) -> Result<Option<Column>, Diagnostic> {
+    if cell.text.is_empty() {
+        return Ok(None);
+    }
+    let wrong = |message: String| Diagnostic::new(cell.span.clone(), message);
+    let (words, unit) = words_and_unit(&cell.text);
+    // A remark has no unit: an `ID [mm]` is an inner diameter.
+    let is_read =
+        |quantity: &Quantity| *quantity != Quantity::Remark || matches!(unit, Said::Nothing);
+    let Some(quantity) = quantity(&words).filter(is_read) else {
+        let message = format!("`{}` is no column of cans or stations", short(&cell.text));
+        return Err(wrong(message).with_hint(unknown(&words)));
+    };
+    if quantity != Quantity::Remark && before.iter().any(|column| column.quantity == quantity) {
+        return Err(wrong(format!("a second column is the {}", quantity.name())));
+    }
+    if !quantity.is_length() {
+        return Ok(Some(Column {
+            index,
+            quantity,
+            unit: None,
+        }));
+    }
+    let unit = match unit {
+        Said::Unit(unit) => unit,
+        Said::Other(other) => {
+            let message = format!("`{other}` is no unit of length that is known here");
+            return Err(wrong(message).with_hint("units are m, cm, mm, ft and in"));
+        }
+        Said::Nothing => {
+            let name = quantity.name();
+            let hint = format!(
+                "write `{name} [mm]` or `{}_m`; units are m, cm, mm, ft and in",
+                name.replace(' ', "_")
+            );
+            return Err(wrong(format!("the {name} has no unit")).with_hint(hint));
+        }
+    };
+    Ok(Some(Column {
+        index,
+        quantity,
+        unit: Some(unit),
+    }))
+}
+
+/// The table that the columns make.
+fn layout(columns: &[Column], record: &Record<'_>) -> Result<Layout, Diagnostic> {
+    let of = |quantity: Quantity| columns.iter().find(|column| column.quantity == quantity);
+    let wrong = |message: String| Diagnostic::new(record.span.clone(), message).with_hint(EXAMPLE);
+    let length = |quantity: Quantity| {
+        let column = of(quantity)?;
+        let what = quantity.name();
+        Some(Length {
+            what,
+            index: column.index,
+            unit: column.unit?,
+        })
+    };
+    let required = |quantity: Quantity| {
+        let missing = || wrong(format!("no column is the {}", quantity.name()));
+        length(quantity).ok_or_else(missing)
+    };
+    let material = of(Quantity::Material).map(|column| column.index);
+    let is_of_cans = of(Quantity::Bottom).or(of(Quantity::Top)).is_some();
+    if is_of_cans && of(Quantity::Height).is_some() {
+        let message = "the header has a height beside the bottom or top of a can";
+        return Err(wrong(message.to_owned()));
+    }
+    if !is_of_cans {
+        let lengths = [
+            required(Quantity::Height)?,
+            required(Quantity::Diameter)?,
+            required(Quantity::Wall)?,
+        ];
+        return Ok(Layout::Stations(Stations { lengths, material }));
+    }
+    let (bottom, top) = (required(Quantity::Bottom)?, required(Quantity::Top)?);
+    let one = length(Quantity::Diameter);
+    let both = [Quantity::BottomDiameter, Quantity::TopDiameter].map(length);
+    let [bottom_diameter, top_diameter] = match (one, both) {
+        (Some(one), [None, None]) => [one; 2],
+        (None, _) => [
+            required(Quantity::BottomDiameter)?,
+            required(Quantity::TopDiameter)?,
+        ],
+        (Some(_), _) => {
+            let message = "the header has a diameter beside that of the bottom or top";
+            return Err(wrong(message.to_owned()));
+        }
+    };
+    Ok(Layout::Cans(Cans {
+        bottom,
+        top,
+        bottom_diameter,
+        top_diameter,
+        wall: required(Quantity::Wall)?,
+        material,
+    }))
+}
+
+fn short(text: &str) -> String {
+    text.chars().take(40).collect()
+}

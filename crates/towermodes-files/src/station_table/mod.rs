@@ -1,0 +1,189 @@
+//! Tables of cans or stations in CSV, as drawings and spreadsheets give them: what `stations = "cans.csv"` of a tower file names.
+//!
+//! A can is a row with bottom, top, diameters and wall, a station a row with height, diameter and wall. The header says the quantity and
+//! the unit of each column. Columns are separated by commas, semicolons or tabs; with the latter two a comma may be the decimal sign.
+
+mod cans;
+mod cells;
+mod header;
+mod number;
+mod unit;
+mod words;
+
+use std::ops::Range;
+
+use towermodes::Station;
+
+use crate::diagnostic::Diagnostic;
+use cells::{Record, Records};
+use header::{Header, Layout};
+use number::Numbers;
+
+/// More rows than these are refused: no tower has them, and each takes memory in the solution.
+const MAX_ROWS: usize = 100_000;
+/// More mistakes than these are not collected: the first ones say what is wrong with all.
+const MAX_MISTAKES: usize = 20;
+
+/// A station with the places of its values.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct Placed {
+    pub(crate) station: Station,
+    /// Where height, diameter and wall stand.
+    pub(crate) spans: [Range<usize>; 3],
+}
+
+/// Which material a name is, or the one of rows that name none; or what is wrong and what would be right.
+pub(crate) type MaterialOf<'m> = &'m dyn Fn(Option<&str>) -> Result<usize, [String; 2]>;
+
+/// The stations of a table, from the base to the top, in metres.
+///
+/// # Errors
+/// The mistakes at their places in the text; never an empty list.
+pub(crate) fn stations(
+    text: &str,
+    material_of: MaterialOf<'_>,
+) -> Result<Vec<Placed>, Vec<Diagnostic>> {
+    let mut records = Records::new(text);
+    let Some(first) = records.next() else {
+        let mistake = Diagnostic::new(0..0, "the file has no rows").with_hint(header::EXAMPLE);
+        return Err(vec![mistake]);
+    };
+    let header = Header::of(&first.map_err(|mistake| vec![mistake])?)?;
+    let mut reading = Reading {
+        header: &header,
+        numbers: Numbers::new(text, records.delimiter()),
+        material_of,
+        mistakes: Vec::new(),
+    };
+    let stations = match &header.layout {
+        Layout::Cans(columns) => {
+            let cans = reading.rows(records, |reading, record| reading.can(columns, record));
+            cans::stations(cans, text, &mut reading.mistakes)
+        }
+        Layout::Stations(columns) => {
+            reading.rows(records, |reading, record| reading.station(columns, record))
+        }
+    };
+    match reading.mistakes.is_empty() {
+        true if stations.is_empty() => {
+            let end = text.trim_end().len();
+            let message = "there is no row below the header";
+            Err(vec![Diagnostic::new(end..end, message)])
+        }
+        true => Ok(stations),
+        false => Err(reading.mistakes),
+    }
+}
+
+/// What is collected while rows are read.
+struct Reading<'a> {
+    header: &'a Header,
+    numbers: Numbers<'a>,
+    material_of: MaterialOf<'a>,
+    mistakes: Vec<Diagnostic>,
+}
+
+impl<'a> Reading<'a> {
+    /// All rows; reads on after a mistake, so that all are said together.
+    fn rows<T>(
+        &mut self,
+        records: Records<'a>,
+        read: impl Fn(&mut Self, &Record<'a>) -> Option<T>,
+    ) -> Vec<T> {
+        let mut rows = Vec::new();
+        for (index, record) in records.enumerate() {
+            if self.mistakes.len() >= MAX_MISTAKES {
+                break;
+            }
+            let record = match record {
+                Ok(record) if index < MAX_ROWS => record,
+                Ok(record) => {
+                    let message = format!("the table has more than {MAX_ROWS} rows");
+                    self.mistakes.push(Diagnostic::new(record.span, message));
+                    break;
+                }
+                Err(mistake) => {
+                    self.mistakes.push(mistake);
+                    break;
+                }
+            };
+            match self.header.check(&record) {
+                Ok(()) => rows.extend(read(self, &record)),
+                Err(mistake) => self.mistakes.push(mistake),
+            }
+        }
+        rows
+    }
+
+    /// A row of a table of stations.
+    fn station(&mut self, columns: &header::Stations, record: &Record<'a>) -> Option<Placed> {
+        let [height, diameter, wall] = &columns.lengths;
+        let (height_m, diameter_m) = (self.metres(height, record), self.metres(diameter, record));
+        let wall_m = self.metres(wall, record);
+        let material = self.material(columns.material, record);
+        Some(Placed {
+            station: Station {
+                height_m: height_m?,
+                outer_diameter_m: diameter_m?,
+                wall_thickness_m: wall_m?,
+                material: material?,
+            },
+            spans: [height, diameter, wall].map(|column| record.cells[column.index].span.clone()),
+        })
+    }
+
+    /// A row of a table of cans.
+    fn can(&mut self, columns: &header::Cans, record: &Record<'a>) -> Option<cans::Can> {
+        let all = [
+            &columns.bottom,
+            &columns.top,
+            &columns.bottom_diameter,
+            &columns.top_diameter,
+            &columns.wall,
+        ];
+        let metres = all.map(|column| self.metres(column, record));
+        let material = self.material(columns.material, record);
+        let [bottom_m, top_m, bottom_diameter_m, top_diameter_m, wall_m] = metres;
+        let can = cans::Can {
+            ends_m: [bottom_m?, top_m?],
+            diameters_m: [bottom_diameter_m?, top_diameter_m?],
+            wall_m: wall_m?,
+            material: material?,
+            spans: all.map(|column| record.cells[column.index].span.clone()),
+        };
+        match can.check() {
+            Ok(()) => Some(can),
+            Err(mistake) => {
+                self.mistakes.push(mistake);
+                None
+            }
+        }
+    }
+
+    /// A length of a row.
+    fn metres(&mut self, column: &header::Length, record: &Record<'a>) -> Option<f64> {
+        let cell = &record.cells[column.index];
+        match self.numbers.number(cell, column.what) {
+            Ok(value) => Some(column.unit.metres(value)),
+            Err(mistake) => {
+                self.mistakes.push(mistake);
+                None
+            }
+        }
+    }
+
+    /// Which material a row is made of.
+    fn material(&mut self, column: Option<usize>, record: &Record<'a>) -> Option<usize> {
+        let cell = column.and_then(|index| record.cells.get(index));
+        let cell = cell.filter(|cell| !cell.text.is_empty());
+        match (self.material_of)(cell.map(|cell| &*cell.text)) {
+            Ok(index) => Some(index),
+            Err([message, hint]) => {
+                let span = cell.map_or(record.span.clone(), |cell| cell.span.clone());
+                let mistake = Diagnostic::new(span, message).with_hint(hint);
+                self.mistakes.push(mistake);
+                None
+            }
+        }
+    }
+}

@@ -1,0 +1,75 @@
+//! Angles and lengths of the machine in the wrong unit: version 1 has radians, version 2 degrees, both have metres.
+
+use super::outline::Version;
+use super::reading::Reading;
+use super::yaml::Node;
+use crate::diagnostic::Diagnostic;
+use crate::number::Rounded;
+
+/// No rotor is tilted or coned by more, degrees; real ones have up to 10.
+const LARGEST_DEG: f64 = 20.0;
+/// Beyond this, degrees, it is no tilt or cone in any unit.
+const IMPOSSIBLE_DEG: f64 = 90.0;
+/// A tilt or cone of version 2 that is smaller than this, degrees, is likely one in radians: 0.1047 is 6 degrees. Real ones are 0 or above.
+const SMALLEST_DEG: f64 = 0.2;
+/// No hub is further from the tower's top, m; those of rotors of 280 m are 14 m.
+const FARTHEST_M: f64 = 50.0;
+
+/// An angle of the rotor in radians; one that is likely in the other unit is noted, and one that is none in any unit a mistake.
+pub(super) fn angle(
+    node: &Node,
+    key: &str,
+    version: Version,
+    reading: &mut Reading<'_>,
+) -> Result<f64, Diagnostic> {
+    let written = node.number(key)?;
+    let radians = version.radians(written);
+    let (unit, degrees) = match version {
+        Version::One => ("rad", written.to_degrees()),
+        Version::Two => ("degrees", written),
+    };
+    let size = degrees.abs();
+    // In degrees whatever the version says.
+    if size > IMPOSSIBLE_DEG && written.abs() > IMPOSSIBLE_DEG {
+        let message = format!("{key} is {written} {unit}, but no rotor has more than 90 degrees");
+        let hint = match version {
+            Version::One => "windIO 1 has it in radians: 6 degrees are 0.10472",
+            Version::Two => "windIO 2 has it in degrees, as 6.0",
+        };
+        return Err(Diagnostic::new(node.span.clone(), message).with_hint(hint));
+    }
+    let message = match version {
+        Version::One if size > LARGEST_DEG => format!(
+            "{key} is {written} rad, which is {} degrees: windIO 1 has it in radians; {written} degrees would be {} rad",
+            Rounded(degrees),
+            Rounded(written.to_radians())
+        ),
+        Version::Two if size > LARGEST_DEG => {
+            format!("{key} is {written} degrees: rotors have less than {LARGEST_DEG}")
+        }
+        Version::Two if written != 0.0 && size < SMALLEST_DEG => format!(
+            "{key} is {written} degrees: windIO 2 has it in degrees; {written} rad would be {} degrees",
+            Rounded(written.to_degrees())
+        ),
+        _ => return Ok(radians),
+    };
+    reading.note_at(node.span.start, message);
+    Ok(radians)
+}
+
+/// A distance from the tower's top to the hub, m; one that is likely in millimetres is noted.
+pub(super) fn length_m(
+    node: &Node,
+    key: &str,
+    reading: &mut Reading<'_>,
+) -> Result<f64, Diagnostic> {
+    let length_m = node.number(key)?;
+    if length_m.abs() > FARTHEST_M {
+        let message = format!(
+            "{key} is {} m: hubs are nearer than {FARTHEST_M} m to the tower's top; lengths are in metres",
+            Rounded(length_m)
+        );
+        reading.note_at(node.span.start, message);
+    }
+    Ok(length_m)
+}

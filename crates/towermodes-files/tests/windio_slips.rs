@@ -1,0 +1,279 @@
+//! Slips in windIO files that a reader could pass over: misspelled keys, angles in the other unit, tables that are not used, masses by
+//! another name.
+
+use crate::windio_files;
+
+use towermodes::{Options, solve};
+use towermodes_files::{InputError, ReadOptions, Source, TowerInput, TowerPart, read_windio};
+use windio_files::{LAYERED, VERSION_1, VERSION_2};
+
+fn read_with(text: &str, options: &ReadOptions) -> Result<TowerInput, InputError> {
+    let source = Source {
+        name: "turbine.yaml".to_owned(),
+        text: text.to_owned(),
+    };
+    read_windio(source, options)
+}
+
+fn read(text: &str) -> TowerInput {
+    read_with(text, &ReadOptions::default()).expect("a tower")
+}
+
+/// The notes with these words, each with its line.
+fn notes(text: &str, words: &str) -> Vec<(usize, String)> {
+    let notes = read(text).notes.into_iter();
+    let placed = notes.filter(|note| note.message.contains(words));
+    placed
+        .map(|note| (note.place.map_or(0, |(_, line)| line), note.message))
+        .collect()
+}
+
+/// The text with a change, which is there once, and the line of the change.
+#[track_caller]
+fn with(text: &str, old: &str, new: &str) -> (String, usize) {
+    assert_eq!(text.matches(old).count(), 1, "{old}");
+    let changed = text.replacen(old, new, 1);
+    let at = text.find(old).expect("there");
+    let line = changed[..at].matches('\n').count() + 1;
+    (changed, line)
+}
+
+#[test]
+fn misspelled_keys_are_noted_at_their_line() {
+    for (text, key, misspelled, of) in [
+        (
+            VERSION_2,
+            "outfitting_factor",
+            "outfiting_factor",
+            "tower.structure",
+        ),
+        (
+            VERSION_2,
+            "transition_piece_mass",
+            "transition_peice_mass",
+            "monopile",
+        ),
+        (VERSION_2, "    drivetrain", "    drivetrian", "components"),
+        (VERSION_1, "environment:", "enviroment:", "the file"),
+        (VERSION_1, "water_depth", "waterdepth", "environment"),
+        (VERSION_1, "number_of_blades", "number_of_blade", "assembly"),
+        (
+            VERSION_1,
+            "yaw_mass",
+            "yawmass",
+            "nacelle.elastic_properties_mb",
+        ),
+        (VERSION_1, "uptilt", "up_tilt", "nacelle.drivetrain"),
+        (VERSION_1, "cone_angle", "coneangle", "hub"),
+    ] {
+        let (changed, line) = with(text, key, misspelled);
+        let words = format!(
+            "`{}` of {of} is not read: did you mean `{}`?",
+            misspelled.trim().trim_end_matches(':'),
+            key.trim().trim_end_matches(':')
+        );
+        let found = notes(&changed, &words);
+        assert_eq!(found.len(), 1, "{misspelled}: {:?}", read(&changed).notes);
+        assert_eq!(found[0].0, line, "{misspelled}");
+    }
+    // The slip changes the frequency, which is why it must be said.
+    let first_hz = |text: &str| {
+        let tower = read(text).tower().expect("a tower");
+        solve(&tower, &Options::default()).expect("solved").modes[0].frequency_hz
+    };
+    let (changed, _) = with(VERSION_2, "transition_piece_mass", "transition_peice_mass");
+    assert!(first_hz(&changed) > first_hz(VERSION_2));
+}
+
+#[test]
+fn keys_of_the_format_that_are_not_read_are_not_noted() {
+    let (text, _) = with(
+        VERSION_2,
+        "transition_piece_mass: 5e4",
+        "transition_piece_mass: 5e4\n        transition_piece_cost: 1e5\n        my_own_key: 3",
+    );
+    assert!(notes(&text, "is not read").is_empty());
+    let (text, _) = with(
+        VERSION_1,
+        "yaw_mass: 200",
+        "yaw_mass: 200\n            system_inertia_tt: [1, 1, 1, 0, 0, 0]",
+    );
+    for text in [&text, LAYERED, windio_files::TABLE] {
+        assert!(
+            notes(text, "is not read").is_empty(),
+            "{:?}",
+            read(text).notes
+        );
+    }
+}
+
+#[test]
+fn keys_of_a_part_that_is_not_wanted_are_not_noted() {
+    let (text, _) = with(VERSION_2, "transition_piece_mass", "transition_peice_mass");
+    let options = ReadOptions {
+        part: TowerPart::Tower,
+        ..ReadOptions::default()
+    };
+    let input = read_with(&text, &options).expect("a tower");
+    assert!(
+        !input
+            .notes
+            .iter()
+            .any(|note| note.message.contains("is not read"))
+    );
+}
+
+#[test]
+fn angles_in_the_other_unit_are_noted() {
+    let noted = |text: &str, key: &str, value: &str| {
+        let old = format!("{key}: 0.0");
+        let (text, _) = with(text, &old, &format!("{key}: {value}"));
+        notes(&text, &format!("{key} is {value}"))
+    };
+    for key in ["uptilt", "cone_angle"] {
+        assert!(noted(VERSION_1, key, "0.1047").is_empty());
+        assert!(noted(VERSION_1, key, "0.34").is_empty());
+        assert_eq!(noted(VERSION_1, key, "0.36").len(), 1);
+        let said = noted(VERSION_1, key, "6");
+        assert!(
+            said[0].1.contains("6 degrees would be 0.10472 rad"),
+            "{said:?}"
+        );
+    }
+    let later = |value: &str| {
+        let shaft = format!(
+            "drivetrain:\n        outer_shape: {{uptilt: {value}, overhang: 5, distance_tt_hub: 3}}"
+        );
+        let hub = "hub: {diameter: 4, elastic_properties: {mass: 5e3}}\n    ";
+        let (text, _) = with(VERSION_2, "drivetrain:", &format!("{hub}{shaft}"));
+        notes(&text, "uptilt is")
+    };
+    for good in ["6.0", "0.0", "0.2", "20", "-5"] {
+        assert!(later(good).is_empty(), "{good}");
+    }
+    assert!(later("0.1047")[0].1.contains("would be 5.99887 degrees"));
+    assert_eq!(later("20.1").len(), 1);
+}
+
+#[test]
+fn angles_that_no_unit_makes_possible_are_refused() {
+    let (text, line) = with(VERSION_1, "uptilt: 0.0", "uptilt: 6000");
+    let error = read_with(&text, &ReadOptions::default()).expect_err("no tilt");
+    let InputError::Mistakes { mistakes, .. } = error else {
+        panic!("{error}");
+    };
+    let said = mistakes[0].to_string();
+    assert!(
+        said.contains("uptilt is 6000 rad") && said.contains("0.10472"),
+        "{said}"
+    );
+    assert_eq!(mistakes[0].line_and_column(&text).0, line);
+}
+
+#[test]
+fn lengths_of_the_machine_in_millimetres_are_noted() {
+    let (text, line) = with(VERSION_1, "overhang: 5.0", "overhang: 5000");
+    assert_eq!(notes(&text, "overhang is 5000 m")[0].0, line);
+    let (text, _) = with(VERSION_1, "overhang: 5.0", "overhang: 49");
+    assert!(notes(&text, "overhang is").is_empty());
+}
+
+/// Elastic properties with seven values on a grid of eleven, as in the example of the IEA 22 MW turbine that comes with windIO 2.
+const BROKEN_TABLE: &str = "elastic_properties:
+                inertia_matrix: {grid: [0, 0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9, 1], mass: [1, 2, 3, 4, 5, 6, 7]}
+                stiffness_matrix: {grid: [0, 1], K44: [1, 1], K55: [1, 1]}
+";
+
+#[test]
+fn a_table_that_is_not_used_may_be_broken() {
+    let (text, line) = with(
+        LAYERED,
+        "outfitting_factor: 1.05\n",
+        &format!("outfitting_factor: 1.05\n            {BROKEN_TABLE}"),
+    );
+    let found = notes(&text, "elastic properties of the tower cannot be read");
+    assert_eq!(found.len(), 1, "{:?}", read(&text).notes);
+    assert_eq!(found[0].0, line + 2);
+    assert!(
+        found[0].1.contains("has 7 values, but its grid has 11"),
+        "{found:?}"
+    );
+    assert_eq!(read(&text).description, read(LAYERED).description);
+}
+
+#[test]
+fn a_table_that_is_needed_may_not() {
+    let from = LAYERED.find("            layers:").expect("there");
+    let to = LAYERED.find("        reference_axis").expect("there");
+    let text = format!(
+        "{}            {BROKEN_TABLE}{}",
+        &LAYERED[..from],
+        &LAYERED[to..]
+    );
+    let error = read_with(&text, &ReadOptions::default()).expect_err("no table");
+    assert!(error.to_string().contains("its grid has 11"), "{error}");
+}
+
+#[test]
+fn the_mass_above_the_yaw_system_is_the_nacelles() {
+    let rna = |text: &str| read(text).description.rna;
+    let expected = rna(VERSION_1);
+    let (text, line) = with(VERSION_1, "system_mass: 1000\n", "above_yaw_mass: 1000\n");
+    assert_eq!(rna(&text), expected);
+    let found = notes(&text, "above_yaw_mass = 1000 kg and no system_mass");
+    assert_eq!(found[0].0, line);
+    // The mass of the whole nacelle has the yaw system in it already.
+    let (text, _) = with(
+        VERSION_1,
+        "system_mass: 1000\n",
+        "system_mass: 1200\n            above_yaw_mass: 1000\n",
+    );
+    assert_eq!(rna(&text), expected);
+    assert_eq!(
+        notes(&text, "system_mass = 1200 kg: the first is taken").len(),
+        1
+    );
+}
+
+#[test]
+fn a_shear_modulus_that_contradicts_is_noted_with_the_one_that_is_taken() {
+    // E / (2 (1 + nu)) is 8e10 Pa.
+    let (text, line) = with(VERSION_1, "G: 8.e+010", "G: 7.e+010");
+    let found = notes(
+        &text,
+        "G of material `steel` is 7e10 Pa, but E and nu = 0.25 mean 8.0000e10 Pa: G is taken",
+    );
+    assert_eq!(found[0].0, line);
+    assert_eq!(read(&text).description.materials[0].shear_modulus_pa, 7e10);
+    assert!(notes(VERSION_1, "G is taken").is_empty());
+}
+
+#[test]
+fn public_files_have_no_lookalikes() {
+    let Some(folder) = std::env::var_os("TOWERMODES_PEER_DATA") else {
+        eprintln!("skipped: TOWERMODES_PEER_DATA is not set");
+        return;
+    };
+    let folder = std::path::PathBuf::from(folder);
+    for name in [
+        "windio/v1/IEA-15-240-RWT.yaml",
+        "windio/v2/IEA-15-240-RWT.yaml",
+        "openfast/iea10/IEA-10-198-RWT.yaml",
+        "openfast/iea15_monopile/IEA-15-240-RWT.yaml",
+        "openfast/nrel5mw_land/nrel5mw.yaml",
+        "openfast/nrel5mw_land/nrel5mw_tower.yaml",
+        "openfast/nrel5mw_oc3hywind/nrel5mw-spar_oc3.yaml",
+        "openfast/nrel5mw_oc3monopile/nrel5mw_monopile.yaml",
+    ] {
+        let source = Source::from_path(&folder.join(name)).expect("the file is there");
+        let Ok(input) = read_windio(source, &ReadOptions::default()) else {
+            // Some are decks of other programs.
+            continue;
+        };
+        for note in &input.notes {
+            for words in ["is not read", "degrees", "lengths are in metres"] {
+                assert!(!note.message.contains(words), "{name}: {note}");
+            }
+        }
+    }
+}
