@@ -287,7 +287,7 @@ fn floating(seed: &mut Seed) -> TowerDescription {
     for i in 0..6 {
         platform.mooring.matrix[i][i] *= seed.between(1.0, 3.0);
     }
-    let top_m = 10.0 + seed.between(50.0, 120.0);
+    let top_m = 10.0 + seed.between(50.0, 95.0);
     let diameter_m = seed.between(5.0, 8.0);
     tower.stations = vec![
         Station::new(10.0, diameter_m, diameter_m / 200.0),

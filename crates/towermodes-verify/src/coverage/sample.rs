@@ -165,5 +165,10 @@ fn compared(tower: u64, solution: &Solution, truth: &Solution) -> Vec<Sample> {
 
 fn is_warned(solution: &Solution) -> bool {
     let mut warnings = solution.warnings.iter();
-    warnings.any(|warning| matches!(warning, Warning::Unresolved { .. } | Warning::Irregular { .. }))
+    warnings.any(|warning| {
+        matches!(
+            warning,
+            Warning::Unresolved { .. } | Warning::Irregular { .. }
+        )
+    })
 }

@@ -49,6 +49,8 @@ pub(super) fn estimate_errors(
     let powers = part_powers(tower, options, &workspace.model);
     let (levels, own, elsewhere) =
         solve_meshes(tower, cut, options, (modes, below), &powers, workspace)?;
+    // Where a section changes much over one segment meshes can fall as they should towards something else.
+    let all_are_doubtful = is_steep(tower, &cut.mesh);
     let (mut irregular, mut doubtful) = (Vec::new(), Vec::new());
     for (index, mode) in modes.iter_mut().enumerate() {
         let estimate = extrapolated(mode, index, &levels, own, powers[mode.key.part]);
@@ -56,9 +58,10 @@ pub(super) fn estimate_errors(
         mode.extrapolated_hz = estimate.extrapolated_hz;
         if !estimate.is_regular {
             irregular.push(index);
-            if estimate.error_hz > NEGLIGIBLE * mode.frequency_hz {
-                doubtful.push(index);
-            }
+        }
+        let matters = estimate.error_hz > NEGLIGIBLE * mode.frequency_hz;
+        if all_are_doubtful || (!estimate.is_regular && matters) {
+            doubtful.push(index);
         }
     }
     if !doubtful.is_empty() {
@@ -72,6 +75,19 @@ pub(super) fn estimate_errors(
 
 /// Where meshes disagree by less than this share of a frequency the larger estimate is enough, and the beam is not asked.
 const NEGLIGIBLE: f64 = 1e-5;
+
+/// A segment over which a dimension or a stiffness changes by more than this factor is steep.
+const STEEP: f64 = 2.0;
+
+/// Whether a segment is steep: the first or the last of a span, as what is linear changes most where it is least.
+fn is_steep(tower: &Tower, mesh: &Mesh) -> bool {
+    mesh.spans_with_borders().any(|(span, borders_m)| {
+        let piece = &tower.pieces()[span.piece];
+        let ends = [&borders_m[..2], &borders_m[borders_m.len() - 2..]];
+        ends.iter()
+            .any(|ends_m| piece.steepness(ends_m[0], ends_m[1]) > STEEP)
+    })
+}
 
 /// The error of a mode from as many meshes as its powers need and one more, coarser ones before finer ones.
 fn extrapolated(

@@ -14,6 +14,9 @@ use crate::tower::Tower;
 /// The degree is raised until its change is below this share of the error that it shows.
 const BESIDE_THE_ERROR: f64 = 0.1;
 
+/// The degree is raised no more often: what still changes then is part of the error.
+const MOST_RAISES: usize = 6;
+
 /// The frequencies of modes of the beam itself.
 pub(super) struct Reference {
     /// Hz; none of those that weights make unstable.
@@ -48,19 +51,21 @@ impl Reference {
             level(tower, cut, recipe, keys, model, spectrum)
         };
         let mut cut = first_cut(tower, &beam)?;
-        let mut before = solve(&cut)?;
-        loop {
+        let mut frequencies_hz = solve(&cut)?;
+        let mut changes_hz = Vec::new();
+        for _ in 0..MOST_RAISES {
             cut = finer(cut, &beam);
             let after = solve(&cut)?;
-            let changes_hz = changes(&before, &after);
-            if is_known(found_hz, &after, &changes_hz) || !can_be_finer(&cut, &beam) {
-                return Ok(Self {
-                    frequencies_hz: after,
-                    changes_hz,
-                });
+            changes_hz = changes(&frequencies_hz, &after);
+            frequencies_hz = after;
+            if is_known(found_hz, &frequencies_hz, &changes_hz) || !can_be_finer(&cut, &beam) {
+                break;
             }
-            before = after;
         }
+        Ok(Self {
+            frequencies_hz,
+            changes_hz,
+        })
     }
 }
 
