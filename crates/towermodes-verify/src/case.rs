@@ -86,6 +86,17 @@ impl Run {
         }
     }
 
+    /// BModes with so many equal elements between two heights (m), wherever the rows of the tower are.
+    pub fn bmodes(base_m: f64, top_m: f64, elements: usize) -> Self {
+        let mut run = Self::of(Method::Bmodes, elements);
+        let border = |k: usize| {
+            let s = k as f64 / elements as f64;
+            base_m * (1.0 - s) + top_m * s
+        };
+        run.options.borders_m = Some((0..=elements).map(border).collect());
+        run
+    }
+
     /// The spectral beam, converged to 1e-10.
     pub fn spectral() -> Self {
         Self {

@@ -11,6 +11,7 @@
 //! digit given leaves open, and an allowance for the method or the reference ([`Run::allowance`]).
 
 mod case;
+pub mod coverage;
 mod expected;
 mod manual;
 mod markdown;

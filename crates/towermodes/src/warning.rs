@@ -169,35 +169,37 @@ pub enum Warning {
         "BModes has no shear deformation: it is left out, and the frequencies are too high for it; other methods have it"
     )]
     ShearLeftOut,
-    /// Elements that see less of the tower than there is.
+    /// Given elements of BModes that reach over rows of the tower.
     #[error(
-        "BModes takes the section at the middle of each of {elements} elements, but the tower has {pieces} linear pieces; what lies \
-         between is not seen, and the errors do not show it; use more elements"
+        "the element from z = {} to {} m reaches over rows of the tower, and misses most of the {quantity} there, which differs by {:.0} % from \
+         its value at the element's middle; the errors given say by how much the frequencies are off for it; give the element a border \
+         there, or use another method",
+        significant(*.base_m), significant(*.top_m), 100.0 * .change
     )]
-    PiecesUnseen {
-        /// Elements used.
-        elements: usize,
-        /// Linear pieces of the tower.
-        pieces: usize,
-    },
-    /// Elements that are cut elsewhere than at a steep ramp.
-    #[error(
-        "the tower changes by {:.0} % within {} m at z = {} m, where BModes' elements are {} m long and no border is: the errors given may be \
-         far too small; give the deck a border there, or use another method",
-        100.0 * .change,
-        significant(*.ramp_m),
-        significant(*.height_m),
-        significant(*.element_m)
-    )]
-    RampUnseen {
-        /// The middle of the ramp, m.
-        height_m: f64,
-        /// The length of the ramp, m.
-        ramp_m: f64,
-        /// The length of the element over it, m.
-        element_m: f64,
-        /// How much mass or stiffness differ over it, as a share of the larger.
+    RowsMissed {
+        /// The quantity that differs most within an element.
+        quantity: &'static str,
+        /// Lower end of the element, m.
+        base_m: f64,
+        /// Upper end of the element, m.
+        top_m: f64,
+        /// By how much it differs from its value at the middle of the element, as a share of the larger.
         change: f64,
+    },
+    /// Modes whose frequencies do not fall with the segments as the order of the method says.
+    #[error(
+        "{} not resolved: with more segments the frequency does not yet converge as it should (error up to {:.1} %); use more segments, or the \
+         method spectral",
+        if *.others == 0 { format!("mode {number} is") } else { format!("mode {number} and {others} more are") },
+        100.0 * .worst
+    )]
+    Irregular {
+        /// The number of the first of them in the list.
+        number: usize,
+        /// How many more there are.
+        others: usize,
+        /// The largest of their errors over their frequencies.
+        worst: f64,
     },
     /// Modes that the segments do not resolve.
     #[error(

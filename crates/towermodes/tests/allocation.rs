@@ -51,6 +51,7 @@ fn beams_allocate_nothing_either() {
             BeamRecipe::Spectral {
                 degree: 15,
                 rotary_inertia: true,
+                shear: true,
             },
             1,
         ),

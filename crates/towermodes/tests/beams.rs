@@ -10,7 +10,7 @@ use towermodes::parts::{Parts, Problem};
 use towermodes::tower::{Properties, Section};
 use towermodes::{
     Family, Foundation, FoundationSprings, Method, Options, Planes, SoilRow, SoilStiffness, Tower,
-    TowerDescription, Warning,
+    TowerDescription,
 };
 use towers::{assert_close, elliptic, frequencies, reference, reference_350t, rich, solved};
 
@@ -18,6 +18,7 @@ fn spectral(degree: usize) -> BeamRecipe {
     BeamRecipe::Spectral {
         degree,
         rotary_inertia: true,
+        shear: true,
     }
 }
 
@@ -80,6 +81,7 @@ fn errors_at(degree: usize) -> [f64; 3] {
     let recipe = BeamRecipe::Spectral {
         degree,
         rotary_inertia: false,
+        shear: true,
     };
     let mut parts = beams(&reference(), 1, recipe);
     let lambdas = parts
@@ -238,7 +240,7 @@ fn a_cone_that_ends_in_a_point_carries_its_tip_mass_on_a_soft_tip() {
 }
 
 #[test]
-fn bmodes_sees_every_piece_or_says_so() {
+fn bmodes_sees_every_piece() {
     // A wall that alternates: the elements' middles would see one of the two walls alone.
     let mut description = reference();
     let station = |k: usize| {
@@ -253,21 +255,7 @@ fn bmodes_sees_every_piece_or_says_so() {
         modes: 2,
         ..Options::default()
     };
-    let is_unseen = |w: &Warning| {
-        matches!(
-            w,
-            Warning::PiecesUnseen {
-                elements: 100,
-                pieces: 300
-            }
-        )
-    };
-    assert!(
-        solved(&description, &with(Some(100)))
-            .warnings
-            .iter()
-            .any(is_unseen)
-    );
+    // Every piece has two elements.
     let seen = solved(&description, &with(None));
     assert_eq!((seen.segments, seen.warnings.len()), (600, 0));
     let beam = Options {
@@ -279,48 +267,6 @@ fn bmodes_sees_every_piece_or_says_so() {
     let ratio = seen.modes[0].discretization_error_hz / (seen.modes[0].frequency_hz - truth);
     assert!((0.8..1.25).contains(&ratio), "{ratio}");
     assert_close(seen.modes[0].extrapolated_hz, truth, 1e-5, "extrapolated");
-}
-
-/// A wall that falls from 36 to 24 mm, and the mass and stiffness with it by a third, within a millimetre at 50 m.
-#[test]
-fn bmodes_says_where_its_elements_are_cut_beside_a_ramp() {
-    let with_ramp = |ramp_m: f64| {
-        let mut description = reference();
-        let station = |height_m, wall| towermodes::Station::new(height_m, 5.0, wall);
-        description.stations = vec![
-            station(0.0, 0.036),
-            station(50.0, 0.036),
-            station(50.0 + ramp_m, 0.024),
-            station(87.6, 0.024),
-        ];
-        description
-    };
-    let ramp = |ramp_m: f64, method, segments| {
-        let options = Options {
-            method,
-            segments: Some(segments),
-            modes: 2,
-            ..Options::default()
-        };
-        let warnings = solved(&with_ramp(ramp_m), &options).warnings;
-        warnings.into_iter().find_map(|warning| match warning {
-            Warning::RampUnseen {
-                ramp_m,
-                element_m,
-                change,
-                ..
-            } => Some([ramp_m, element_m, change]),
-            _ => None,
-        })
-    };
-    let [found_m, element_m, change] = ramp(1e-3, Method::Bmodes, 60).expect("a ramp");
-    assert!((found_m - 1e-3).abs() < 1e-12 && (element_m - 1.46).abs() < 1e-12);
-    // Of thin tubes of one diameter mass and stiffness are nearly in proportion to the wall: 1 - 24/36.
-    assert!((change - 1.0 / 3.0).abs() < 5e-3, "{change}");
-    // A real step is a border, a long ramp is followed, and the others have borders at every station.
-    assert_eq!(ramp(0.0, Method::Bmodes, 60), None);
-    assert_eq!(ramp(1.0, Method::Bmodes, 60), None);
-    assert_eq!(ramp(1e-3, Method::RmjeExact, 60), None);
 }
 
 #[test]

@@ -15,6 +15,7 @@ mod elastodyn_modes;
 mod elastodyn_rows;
 mod elastodyn_shapes;
 mod elastodyn_towers;
+mod estimates;
 mod ground;
 mod independence;
 mod invariance;

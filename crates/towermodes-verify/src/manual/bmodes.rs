@@ -1,6 +1,6 @@
 //! BModes itself, on tables of eleven rows, from one element to two hundred.
 
-use towermodes::{Family, Method};
+use towermodes::Family;
 
 use super::Chapter;
 use crate::case::{Case, Run, Unit};
@@ -90,7 +90,7 @@ pub(super) fn cases() -> Vec<Case> {
                 unit: Unit::HZ,
                 digits: Digits::Computed,
                 expected: expected(values),
-                runs: vec![Run::of(Method::Bmodes, elements).allowing(noise(elements))],
+                runs: vec![Run::bmodes(0.0, 87.6, elements).allowing(noise(elements))],
             });
         }
     }

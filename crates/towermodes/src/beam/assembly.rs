@@ -24,6 +24,8 @@ pub enum BeamRecipe {
         degree: usize,
         /// Whether sections have rotary inertia in bending.
         rotary_inertia: bool,
+        /// Whether a tower that shears does so here.
+        shear: bool,
     },
 }
 
@@ -77,6 +79,13 @@ impl BeamRecipe {
         }
     }
 
+    fn shears(self) -> bool {
+        match self {
+            Self::Bmodes => false,
+            Self::Spectral { shear, .. } => shear,
+        }
+    }
+
     fn rotary_inertia(self) -> bool {
         match self {
             Self::Bmodes => false,
@@ -93,7 +102,7 @@ pub fn assemble_beams(
     workspace: &mut BeamWorkspace,
     parts: &mut Parts<Beams>,
 ) {
-    let degrees = recipe.degrees(tower.shears());
+    let degrees = recipe.degrees(tower.shears() && recipe.shears());
     parts.restart(tower);
     parts.deform(|strain| {
         if tower.is_rigid_in(strain.motion()) {

@@ -1,7 +1,8 @@
 //! Where a tower is cut into segments.
 //!
-//! A step or an attached mass or wire is always a segment border, and a kink, of the tower, the soil or the water, too, except for BModes; the spectral beam is cut where it is steep,
-//! too. Between borders the segments are equal, and their number is shared out by length.
+//! Every row of every quantity is a segment border: steps and kinks of the tower, the soil and the water, and whatever is attached. The
+//! spectral beam is also cut where the tower is steep. Between borders the segments are equal, and their number is shared out by
+//! length.
 
 use thiserror::Error;
 
@@ -43,8 +44,6 @@ pub enum Borders {
     /// Those, and as many more that no dimension of a tube and no stiffness of a table changes by more than a factor of 4 over a
     /// span: what polynomials can follow.
     Gradual,
-    /// Steps and point masses alone: sections are taken at the middle of a segment, whatever pieces it reaches over.
-    Steps,
 }
 
 /// A part of a tower that is cut into equal segments.
@@ -95,6 +94,22 @@ impl Mesh {
         let short = spans.iter().filter(|span| span.length_m() < pair_m).count();
         let short = if short == spans.len() { 0 } else { short };
         Self::in_pairs(spans, segments / 2 + short)
+    }
+
+    /// Cuts a tower into so many equal segments, if every border that there must be is one of theirs, but for rounding.
+    pub fn equal(tower: &Tower, borders: Borders, segments: usize) -> Option<Self> {
+        let mut spans = spans_of(tower, borders);
+        let segment_m = tower.height_m() / segments as f64;
+        for span in &mut spans {
+            let ideal = span.length_m() / segment_m;
+            span.segments = ideal.round() as usize;
+            let is_whole = (ideal - ideal.round()).abs() <= ROUNDED * segments as f64;
+            if span.segments == 0 || !is_whole {
+                return None;
+            }
+        }
+        let total: usize = spans.iter().map(|span| span.segments).sum();
+        (total == segments).then(|| Self::from_spans(spans))
     }
 
     /// Cuts a tower nowhere but where it must be.
@@ -211,7 +226,7 @@ impl Mesh {
 
 /// The parts between the borders that there must be, each as one segment.
 fn spans_of(tower: &Tower, borders: Borders) -> Vec<Span> {
-    let spans = smooth_spans(tower, borders);
+    let spans = smooth_spans(tower);
     if borders != Borders::Gradual {
         return spans;
     }
@@ -248,8 +263,8 @@ fn add_gradual(tower: &Tower, span: Span, spans: &mut Vec<Span>) {
     }
 }
 
-/// The parts between the ends of pieces and what is attached, or between steps and what is attached.
-fn smooth_spans(tower: &Tower, borders: Borders) -> Vec<Span> {
+/// The parts between the ends of pieces and what is attached.
+fn smooth_spans(tower: &Tower) -> Vec<Span> {
     let (pieces, attachments) = (tower.pieces(), tower.attachments());
     // They are sorted by height.
     let from = |height_m: f64| attachments.partition_point(|a| a.height_m < height_m);
@@ -262,17 +277,7 @@ fn smooth_spans(tower: &Tower, borders: Borders) -> Vec<Span> {
             segments: 1,
         };
         let within = &attachments[from(piece.base_m)..from(piece.top_m)];
-        let has_one_below = within.first().is_some_and(|a| a.height_m == piece.base_m);
-        match spans.last_mut() {
-            Some(last)
-                if borders == Borders::Steps
-                    && !has_one_below
-                    && pieces[index - 1].meets(piece) =>
-            {
-                last.top_m = piece.top_m;
-            }
-            _ => spans.push(begin(piece.base_m)),
-        }
+        spans.push(begin(piece.base_m));
         for attachment in within {
             if let Some(last) = spans
                 .last_mut()

@@ -10,14 +10,25 @@ pub struct Estimate {
     pub error_hz: f64,
     /// Estimate of f*, Hz.
     pub extrapolated_hz: f64,
+    /// How far the value extrapolated without the finest mesh is from that with it, Hz; 0 without a mesh to spare.
+    pub spread_hz: f64,
+    /// Whether the meshes fall as the powers say, so that the spread is small beside the error.
+    pub is_regular: bool,
 }
+
+/// Values extrapolated with and without the finest mesh that differ by more than this many errors are no regular convergence. A term of the
+/// next even power, a thirtieth of the first, makes them differ by about as much; an error that falls by one power less makes them differ by twice.
+const REGULAR: f64 = 1.5;
+/// Spreads below this share of a frequency are rounding.
+const ROUNDING: f64 = 1e-10;
 
 /// Extrapolates the frequencies (Hz) of one mode on meshes from the finest to the coarsest, each with half the segments of the one
 /// before, for an error with these powers of 1/n: one mesh more than there are powers, or two.
 ///
 /// Each power p in turn: fᵢ ← fᵢ + (fᵢ − fᵢ₊₁)/(2ᵖ − 1).  The error is that of `frequency_hz`, which is one of the meshes', but no less
 /// than the last power changed the extrapolated value, and no less than what another mesh more says: how far the value extrapolated
-/// without the finest mesh is off, over 2ᵖ of the lowest power. Where terms cancel, or two meshes agree by chance, the estimate must not.
+/// without the finest mesh is off, over 2ᵖ of the lowest power. Where that is not small the meshes do not converge with these powers yet,
+/// and the error is no less than all of it: where terms cancel, or two meshes agree by chance, the estimate must not.
 pub fn richardson(frequency_hz: f64, mut meshes_hz: Vec<f64>, powers: &[i32]) -> Estimate {
     let mut last_change = 0.0_f64;
     for (removed, &power) in powers.iter().enumerate() {
@@ -32,21 +43,24 @@ pub fn richardson(frequency_hz: f64, mut meshes_hz: Vec<f64>, powers: &[i32]) ->
         meshes_hz.pop();
     }
     let extrapolated_hz = meshes_hz.first().copied().unwrap_or(frequency_hz);
-    let chance = match (meshes_hz.get(1), powers.first()) {
-        (Some(coarser_hz), Some(&power)) => {
-            (extrapolated_hz - coarser_hz).abs() / 2.0_f64.powi(power)
-        }
-        _ => 0.0,
+    let error_hz = (extrapolated_hz - frequency_hz).abs().max(last_change);
+    let coarser_hz = meshes_hz.get(1).copied().unwrap_or(extrapolated_hz);
+    let spread_hz = (extrapolated_hz - coarser_hz).abs();
+    let is_regular = spread_hz <= (REGULAR * error_hz).max(ROUNDING * frequency_hz);
+    let share = match powers.first() {
+        Some(&power) if is_regular => 2.0_f64.powi(-power),
+        _ => 1.0,
     };
-    let error_hz = (extrapolated_hz - frequency_hz).abs();
     Estimate {
-        error_hz: error_hz.max(last_change).max(chance),
+        error_hz: error_hz.max(share * spread_hz),
         // Meshes too coarse for any power extrapolate to nonsense; where it shows, the mode's own value is the better one.
         extrapolated_hz: if extrapolated_hz > 0.0 {
             extrapolated_hz
         } else {
             frequency_hz
         },
+        spread_hz,
+        is_regular,
     }
 }
 
@@ -58,13 +72,24 @@ mod tests {
     fn meshes_that_agree_by_chance_are_found_out_by_another() {
         // The two finest agree, and the third says that they are nowhere.
         let two = richardson(1.0, vec![1.0, 1.0], &[2]);
-        assert_eq!(two.error_hz, 0.0);
+        assert_eq!((two.error_hz, two.is_regular), (0.0, true));
         let three = richardson(1.0, vec![1.0, 1.0, 1.3], &[2]);
-        assert!((three.error_hz - 0.1 / 4.0).abs() < 1e-15);
+        assert!((three.error_hz - 0.1).abs() < 1e-15 && !three.is_regular);
         // Where the power is right the third changes nothing.
         let f = |n: f64| 3.0 + n.powi(-2);
         let smooth = richardson(f(8.0), vec![f(8.0), f(4.0), f(2.0)], &[2]);
-        assert!((smooth.error_hz - 1.0 / 64.0).abs() < 1e-15);
+        assert!((smooth.error_hz - 1.0 / 64.0).abs() < 1e-15 && smooth.is_regular);
+    }
+
+    #[test]
+    fn meshes_that_fall_more_slowly_than_the_power_are_no_regular_convergence() {
+        // n⁻¹ where n⁻² is expected: a third of the error is missed by two meshes, and the spread of three tells.
+        let f = |n: f64| 3.0 + n.powi(-1);
+        let slow = richardson(f(8.0), vec![f(8.0), f(4.0), f(2.0)], &[2]);
+        assert!(!slow.is_regular && slow.error_hz > (f(8.0) - 3.0) / 3.0);
+        // A term of the next even power, a fortieth of the first on the finest mesh, is still regular.
+        let f = |n: f64| 3.0 + n.powi(-2) + 1.6 * n.powi(-4);
+        assert!(richardson(f(8.0), vec![f(8.0), f(4.0), f(2.0)], &[2]).is_regular);
     }
 
     #[test]

@@ -11,7 +11,7 @@ use crate::elements::Mesh;
 use crate::tower::Tower;
 
 /// Frequencies that change by no more than this, relatively, from one degree to the next have converged.
-const CONVERGED: f64 = 1e-10;
+pub(super) const CONVERGED: f64 = 1e-10;
 /// How much the degree is raised at a time.
 const STEP: usize = 2;
 /// Above this degree elements are halved instead: their matrices are full.
@@ -101,7 +101,7 @@ fn raise(
 }
 
 /// One element a linear piece, more where it is steep, or as many as told, of a degree that may do.
-fn first_cut(tower: &Tower, options: &Options) -> Result<Cut, SolveError> {
+pub(super) fn first_cut(tower: &Tower, options: &Options) -> Result<Cut, SolveError> {
     let borders = options.borders();
     let mut mesh = match options.segments {
         None => Mesh::coarsest(tower, borders),
@@ -134,7 +134,7 @@ fn first_degree(modes: usize, elements: usize) -> usize {
 }
 
 /// The next finer cut: a higher degree, or elements of half the length.
-fn finer(cut: Cut, options: &Options) -> Cut {
+pub(super) fn finer(cut: Cut, options: &Options) -> Cut {
     if cut.degree + STEP <= HIGHEST_DEGREE {
         return Cut {
             degree: cut.degree + STEP,
@@ -148,7 +148,7 @@ fn finer(cut: Cut, options: &Options) -> Cut {
     }
 }
 
-fn can_be_finer(cut: &Cut, options: &Options) -> bool {
+pub(super) fn can_be_finer(cut: &Cut, options: &Options) -> bool {
     let elements = cut.mesh.segments();
     cut.degree + STEP <= HIGHEST_DEGREE
         || 2 * elements <= MAX_SPECTRAL_ELEMENTS.min(64 * options.modes)

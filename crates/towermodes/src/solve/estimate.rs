@@ -2,8 +2,9 @@
 
 use super::model::{Cut, Model};
 use super::options::{Options, SolveError};
+use super::reference::Reference;
 use super::solution::Mode;
-use super::spectrum::{Spectrum, count_below};
+use super::spectrum::{ModeKey, Spectrum, count_below};
 use super::stability::find_origin;
 use super::{Described, Stage, Workspace};
 use crate::eigen::EigenError;
@@ -18,31 +19,159 @@ struct Ladder {
     own: usize,
 }
 
-/// Solves again with the segments halved, or doubled where they cannot be halved, and extrapolates.
-///
-/// Returns how many modes the nearest other mesh has below `below` (λ, rad²/s²), where the list was certified complete: if that is
-/// another number than the certificate's, the list ends within the error of the segments.
+/// What other meshes, or the beam itself, say beside the error of each mode.
+pub(super) struct Estimates {
+    /// How many modes another mesh, or the beam, has below the end of the list: if that is another number than the certificate's, the list
+    /// ends within the error of the segments.
+    pub(super) elsewhere: usize,
+    /// Places in the list, from 0, of modes whose meshes do not fall as the powers of the method say.
+    pub(super) irregular: Vec<usize>,
+}
+
+/// Solves again with the segments halved, or doubled where they cannot be halved, and extrapolates. What the meshes do not agree on is
+/// compared with the beam itself, and so is every mode on elements whose borders are given: no halving of these sees what they miss.
 pub(super) fn estimate_errors(
     tower: &Tower,
     cut: &Cut,
     options: &Options,
     result: &mut Described,
     workspace: &mut Workspace,
-) -> Result<usize, SolveError> {
+) -> Result<Estimates, SolveError> {
     let (modes, below) = (&mut result.modes, result.below);
+    if options.borders_m.is_some() {
+        let all: Vec<usize> = (0..modes.len()).collect();
+        compare(tower, options, modes, &all, workspace);
+        return Ok(Estimates {
+            elsewhere: count_below(&mut workspace.model, below),
+            irregular: Vec::new(),
+        });
+    }
     let powers = part_powers(tower, options, &workspace.model);
-    let straddles = options.borders_m.is_some() && straddles_a_step(tower, &cut.mesh);
-    // Elements that reach over a step have an error of the first order.
-    let powers_of = |mode: &Mode| match straddles {
-        true => &STRADDLING[..],
-        false => powers[mode.key.part],
-    };
-    // Where borders are irregular two meshes can agree by chance, and one more finds it out; a single piece converges smoothly.
-    let more = usize::from(tower.pieces().len() > 1);
-    let steps = modes.iter().map(|mode| powers_of(mode).len() + more).max();
+    let (levels, own, elsewhere) =
+        solve_meshes(tower, cut, options, (modes, below), &powers, workspace)?;
+    // Where a section changes much over one segment meshes can fall as they should towards something else.
+    let all_are_doubtful = is_steep(tower, &cut.mesh);
+    let (mut irregular, mut doubtful) = (Vec::new(), Vec::new());
+    for (index, mode) in modes.iter_mut().enumerate() {
+        let estimate = extrapolated(mode, index, &levels, own, powers[mode.key.part]);
+        mode.discretization_error_hz = estimate.error_hz;
+        mode.extrapolated_hz = estimate.extrapolated_hz;
+        if !estimate.is_regular {
+            irregular.push(index);
+        }
+        let matters = estimate.error_hz > NEGLIGIBLE * mode.frequency_hz;
+        if all_are_doubtful || (!estimate.is_regular && matters) {
+            doubtful.push(index);
+        }
+    }
+    if !doubtful.is_empty() {
+        compare(tower, options, modes, &doubtful, workspace);
+    }
+    Ok(Estimates {
+        elsewhere,
+        irregular,
+    })
+}
+
+/// Where meshes disagree by less than this share of a frequency the larger estimate is enough, and the beam is not asked.
+const NEGLIGIBLE: f64 = 1e-5;
+
+/// A segment over which a dimension or a stiffness changes by more than this factor is steep.
+const STEEP: f64 = 2.0;
+
+/// Whether a segment is steep: the first or the last of a span, as what is linear changes most where it is least.
+fn is_steep(tower: &Tower, mesh: &Mesh) -> bool {
+    mesh.spans_with_borders().any(|(span, borders_m)| {
+        let piece = &tower.pieces()[span.piece];
+        let ends = [&borders_m[..2], &borders_m[borders_m.len() - 2..]];
+        ends.iter()
+            .any(|ends_m| piece.steepness(ends_m[0], ends_m[1]) > STEEP)
+    })
+}
+
+/// The error of a mode from as many meshes as its powers need and one more, coarser ones before finer ones.
+fn extrapolated(
+    mode: &Mode,
+    index: usize,
+    levels: &[Level],
+    own: usize,
+    powers: &[i32],
+) -> Estimate {
+    let needed = powers.len() + MORE;
+    let finest = own.min(levels.len() - 1 - needed);
+    let meshes_hz = levels[finest..=finest + needed]
+        .iter()
+        .map(|level| level[index]);
+    match meshes_hz.collect::<Option<Vec<f64>>>() {
+        Some(meshes_hz) => richardson(mode.frequency_hz, meshes_hz, powers),
+        // A finer chain that buckles leaves nothing certain of the mode.
+        None => uncertain(mode),
+    }
+}
+
+/// An estimate where nothing is known.
+fn uncertain(mode: &Mode) -> Estimate {
+    Estimate {
+        error_hz: mode.frequency_hz,
+        extrapolated_hz: mode.frequency_hz,
+        spread_hz: mode.frequency_hz,
+        is_regular: false,
+    }
+}
+
+/// Takes the errors of some modes from the beam itself. Where that cannot be solved, the estimates stay as they are, or are all of the
+/// frequency where there are none.
+fn compare(
+    tower: &Tower,
+    options: &Options,
+    modes: &mut [Mode],
+    which: &[usize],
+    workspace: &mut Workspace,
+) {
+    let keys: Vec<ModeKey> = which.iter().map(|&index| modes[index].key).collect();
+    let found_hz: Vec<f64> = which.iter().map(|&i| modes[i].frequency_hz).collect();
+    let reference = Reference::solve(tower, options, &keys, &found_hz, workspace);
+    for (place, &index) in which.iter().enumerate() {
+        let mode = &mut modes[index];
+        let beam_hz = reference.as_ref().ok().map(|reference| {
+            let beam_hz = reference.frequencies_hz[place];
+            beam_hz.map(|beam_hz| (beam_hz, reference.changes_hz[place]))
+        });
+        match beam_hz {
+            Some(Some((beam_hz, change_hz))) => {
+                mode.discretization_error_hz = (mode.frequency_hz - beam_hz).abs() + change_hz;
+                mode.extrapolated_hz = beam_hz;
+            }
+            // The beam itself buckles, or nothing is known at all.
+            Some(None) => mode.discretization_error_hz = mode.frequency_hz,
+            None if mode.discretization_error_hz == 0.0 => {
+                mode.discretization_error_hz = mode.frequency_hz;
+            }
+            None => {}
+        }
+    }
+}
+
+/// Two meshes can agree by chance, and one more than the powers need finds it out.
+const MORE: usize = 1;
+
+/// The frequencies of the modes on all meshes of a ladder, which of these is the solution's own, and how many modes the one next to it has
+/// below the end of the list.
+fn solve_meshes(
+    tower: &Tower,
+    cut: &Cut,
+    options: &Options,
+    (modes, below): (&[Mode], f64),
+    powers: &[&[i32]],
+    workspace: &mut Workspace,
+) -> Result<(Vec<Level>, usize, usize), SolveError> {
+    let steps = modes
+        .iter()
+        .map(|mode| powers[mode.key.part].len() + MORE)
+        .max();
     let ladder_from =
         |fewest, model: &Model| Ladder::new(&cut.mesh, modes, fewest, steps.unwrap_or(0), model);
-    let mut ladder = ladder_from(options.fewest_seeing(tower), &workspace.model);
+    let mut ladder = ladder_from(1, &workspace.model);
     let (mut levels, mut elsewhere) =
         solve_ladder(tower, &ladder, options, modes, below, workspace)?;
     if levels[ladder.own..].iter().flatten().any(Option::is_none) {
@@ -50,44 +179,7 @@ pub(super) fn estimate_errors(
         ladder = ladder_from(cut.mesh.segments(), &workspace.model);
         (levels, elsewhere) = solve_ladder(tower, &ladder, options, modes, below, workspace)?;
     }
-    for (index, mode) in modes.iter_mut().enumerate() {
-        let powers = powers_of(mode);
-        // As many meshes as the powers need, coarser ones before finer ones.
-        let needed = powers.len() + more;
-        let finest = ladder.own.min(levels.len() - 1 - needed);
-        let meshes_hz = levels[finest..=finest + needed]
-            .iter()
-            .map(|level| level[index]);
-        // A finer chain that buckles leaves nothing certain of the mode.
-        let uncertain = Estimate {
-            error_hz: mode.frequency_hz,
-            extrapolated_hz: mode.frequency_hz,
-        };
-        let estimate = meshes_hz.collect::<Option<Vec<f64>>>();
-        let estimate = estimate.map_or(uncertain, |meshes_hz| {
-            richardson(mode.frequency_hz, meshes_hz, powers)
-        });
-        mode.discretization_error_hz = estimate.error_hz;
-        mode.extrapolated_hz = estimate.extrapolated_hz;
-    }
-    Ok(elsewhere)
-}
-
-/// The powers of 1/n where elements reach over steps.
-const STRADDLING: [i32; 2] = [1, 2];
-
-/// Whether an element reaches over a step of the tower.
-fn straddles_a_step(tower: &Tower, mesh: &Mesh) -> bool {
-    let borders_m = mesh.borders_m();
-    let steps = tower
-        .pieces()
-        .windows(2)
-        .filter(|pair| !pair[0].meets(&pair[1]));
-    let mut heights_m = steps.map(|pair| pair[1].base_m);
-    heights_m.any(|z_m| {
-        let above = borders_m.partition_point(|border| *border < z_m);
-        borders_m.get(above).is_none_or(|border| *border != z_m)
-    })
+    Ok((levels, ladder.own, elsewhere))
 }
 
 impl Ladder {
@@ -108,7 +200,7 @@ impl Ladder {
 }
 
 /// The frequencies of the modes on a mesh, Hz; none of those of a part that weights make unstable there.
-type Level = Vec<Option<f64>>;
+pub(super) type Level = Vec<Option<f64>>;
 
 /// The frequencies of the same modes on every mesh, and how many modes the mesh next to the solution's own has below `below`: the
 /// coarser neighbour if there is one.
@@ -121,6 +213,7 @@ fn solve_ladder(
     workspace: &mut Workspace,
 ) -> Result<(Vec<Level>, usize), SolveError> {
     let Workspace { model, spectrum } = workspace;
+    let keys: Vec<ModeKey> = modes.iter().map(|mode| mode.key).collect();
     let mut levels = Vec::with_capacity(ladder.meshes.len());
     let mut elsewhere = 0;
     let mut others = 0;
@@ -141,7 +234,7 @@ fn solve_ladder(
         });
         model.assemble(tower, &cut, options);
         find_origin(tower, model)?;
-        levels.push(frequencies(modes, model, spectrum)?);
+        levels.push(frequencies(&keys, model, spectrum)?);
         if index.abs_diff(ladder.own) == 1 {
             elsewhere = count_below(model, below);
         }
@@ -174,16 +267,16 @@ fn has_all(mesh: &Mesh, modes: &[Mode], model: &Model) -> bool {
     })
 }
 
-/// The frequencies of the same modes on the mesh that the model is of.
-fn frequencies(
-    modes: &[Mode],
+/// The frequencies of modes on the mesh that the model is of.
+pub(super) fn frequencies(
+    keys: &[ModeKey],
     model: &mut Model,
     spectrum: &mut Spectrum,
 ) -> Result<Level, SolveError> {
     let mut is_stable = vec![true; model.parts()];
     for (part, is_stable) in is_stable.iter_mut().enumerate() {
-        let own = modes.iter().filter(|mode| mode.key.part == part);
-        let Some(wanted) = own.map(|mode| mode.key.order).max() else {
+        let own = keys.iter().filter(|key| key.part == part);
+        let Some(wanted) = own.map(|key| key.order).max() else {
             continue;
         };
         match spectrum.solve_part(model, part, wanted) {
@@ -191,9 +284,9 @@ fn frequencies(
             result => result?,
         }
     }
-    let frequency = |mode: &Mode| {
-        let eigenvalue = || spectrum.eigenvalue(model, mode.key);
-        is_stable[mode.key.part].then(|| eigenvalue().frequency_hz())
+    let frequency = |key: &ModeKey| {
+        let eigenvalue = || spectrum.eigenvalue(model, *key);
+        is_stable[key.part].then(|| eigenvalue().frequency_hz())
     };
-    Ok(modes.iter().map(frequency).collect())
+    Ok(keys.iter().map(frequency).collect())
 }

@@ -8,6 +8,7 @@ mod estimate;
 mod model;
 mod naming;
 mod options;
+mod reference;
 mod solution;
 mod spectrum;
 mod stability;
@@ -36,7 +37,7 @@ use naming::{Identity, identify};
 pub(crate) use spectrum::ModeKey;
 use spectrum::{Found, Proof, Spectrum};
 use stability::{buckling_load_factor, find_origin};
-use warnings::{uncertain_end, warnings};
+use warnings::{irregular, uncertain_end, warnings};
 use watch::Watch;
 
 /// Memory that is reused from solve to solve.
@@ -110,8 +111,10 @@ fn solve_segments(
     let found = solve_cut(tower, &cut, options, workspace)?;
     let statistics = workspace.spectrum.statistics;
     let mut result = describe(tower, &cut, options, &found, workspace)?;
-    let elsewhere = estimate_errors(tower, &cut, options, &mut result, workspace)?;
+    let estimates = estimate_errors(tower, &cut, options, &mut result, workspace)?;
     let mut warnings = warnings(tower, &cut.mesh, options, &result);
+    warnings.extend(irregular(&result.modes, &estimates.irregular));
+    let elsewhere = estimates.elsewhere;
     warnings.extend(uncertain_end(&result.modes, &result.certificate, elsewhere));
     let segments = cut.mesh.segments();
     Ok(result.into_solution(options.method, segments, warnings, statistics))
@@ -208,11 +211,16 @@ fn mesh_of(tower: &Tower, options: &Options) -> Result<Mesh, SolveError> {
     let fewest = Mesh::fewest_segments(tower, borders);
     let Some(segments) = options.segments else {
         return within_limit(fewest, most)
-            .map(|()| Mesh::at_least(tower, borders, options.default_segments(tower)));
+            .map(|()| Mesh::at_least(tower, borders, DEFAULT_SEGMENTS));
     };
     within_limit(segments, most)?;
     within_limit(fewest, most)?;
-    Ok(Mesh::new(tower, borders, segments))
+    // BModes' own elements are equal wherever they can be.
+    let equal = match options.method {
+        Method::Bmodes => Mesh::equal(tower, borders, segments),
+        _ => None,
+    };
+    Ok(equal.unwrap_or_else(|| Mesh::new(tower, borders, segments)))
 }
 
 fn within_limit(segments: usize, most: usize) -> Result<(), SolveError> {

@@ -2,7 +2,7 @@
 
 use super::options::Options;
 use super::watch::Watch;
-use crate::beam::{BeamWorkspace, Beams, assemble_beams};
+use crate::beam::{BeamRecipe, BeamWorkspace, Beams, assemble_beams};
 use crate::chain::Chains;
 use crate::eigen::Pencil;
 use crate::elements::{Mesh, assemble};
@@ -66,20 +66,24 @@ pub(super) struct Resultants {
 impl Model {
     /// Makes the problems of a tower cut as told.
     pub(super) fn assemble(&mut self, tower: &Tower, cut: &Cut, options: &Options) {
-        self.is_chain = options.method.element().is_some();
-        self.origin = 0.0;
         match options.method.element() {
             Some(element) => {
+                self.is_chain = true;
+                self.origin = 0.0;
                 assemble(tower, &cut.mesh, &options.recipe(element), &mut self.chains);
             }
-            None => {
-                let recipe = options.beam_recipe(cut.degree);
-                let Self {
-                    assembly, beams, ..
-                } = self;
-                assemble_beams(tower, &cut.mesh, recipe, assembly, beams);
-            }
+            None => self.assemble_beams(tower, &cut.mesh, options.beam_recipe(cut.degree)),
         }
+    }
+
+    /// Makes the problems of a tower as beams.
+    pub(super) fn assemble_beams(&mut self, tower: &Tower, mesh: &Mesh, recipe: BeamRecipe) {
+        self.is_chain = false;
+        self.origin = 0.0;
+        let Self {
+            assembly, beams, ..
+        } = self;
+        assemble_beams(tower, mesh, recipe, assembly, beams);
     }
 
     pub(super) fn degrees_of_freedom(&self) -> usize {

@@ -36,7 +36,7 @@ pub struct Options {
     /// Number of segments; `None` is [`DEFAULT_SEGMENTS`] and two more for each short span between steps, kinks and what is attached.
     pub segments: Option<usize>,
     /// Where the elements of the method `bmodes` begin and end, m, from the base to the top, in place of `segments`: whatever is attached must
-    /// be at one of these heights; steps need not be.
+    /// be at one of these heights; rows of the tower need not be, and what the elements miss of them is in the errors.
     pub borders_m: Option<Vec<f64>>,
     /// Polynomial degree of the elements of the spectral beam, 2 to [`MAX_DEGREE`]; `None` raises it until the modes stand still.
     pub degree: Option<usize>,
@@ -163,29 +163,14 @@ impl Options {
             _ => BeamRecipe::Spectral {
                 degree,
                 rotary_inertia: self.rotary_inertia,
+                shear: true,
             },
         }
-    }
-
-    /// The fewest segments that see every piece of the tower: those of BModes, which take its middle and reach over the ends of pieces,
-    /// must be as many as there are.
-    pub(super) fn fewest_seeing(&self, tower: &Tower) -> usize {
-        match self.method {
-            Method::Bmodes => tower.pieces().len(),
-            _ => 1,
-        }
-    }
-
-    /// Segments unless told: two for each piece if every piece must be seen.
-    pub(super) fn default_segments(&self, tower: &Tower) -> usize {
-        let seeing = 2 * self.fewest_seeing(tower);
-        DEFAULT_SEGMENTS.max(seeing).min(MAX_SEGMENTS)
     }
 
     /// Where segments must end.
     pub(super) fn borders(&self) -> Borders {
         match self.method {
-            Method::Bmodes => Borders::Steps,
             Method::Spectral => Borders::Gradual,
             _ => Borders::Pieces,
         }

@@ -99,6 +99,12 @@ impl Mode {
         self.modal_mass.is_finite() && points.all(ShapePoint::is_finite)
     }
 
+    /// Whether it is the same mode as one of another solution of the tower, on another mesh or by another method: of the same part of the
+    /// tower and of the same order in it, whatever its frequency and family are there.
+    pub fn is_same_as(&self, other: &Self) -> bool {
+        self.key == other.key
+    }
+
     /// 1/frequency, s; infinite for a motion that nothing resists.
     pub fn period_s(&self) -> f64 {
         1.0 / self.frequency_hz

@@ -4,17 +4,20 @@ use super::Described;
 use super::options::Options;
 use super::solution::{Certificate, Mode};
 use crate::elements::Mesh;
-use crate::tower::{Piece, Tower};
+use crate::tower::Tower;
 use crate::{Method, Warning};
 
 /// An estimate above this share of the frequency says that the mode is not resolved.
 const RESOLVED: f64 = 0.02;
 
-/// A piece below this share of the element over it is a ramp that the element cannot follow.
-const STEEP: f64 = 0.25;
+/// Errors above this share of the frequency of modes whose meshes do not fall as they should are told.
+const IRREGULAR: f64 = 1e-3;
 
-/// A change below this share over a ramp matters little.
+/// A change of a quantity below this share within an element matters little.
 const SLIGHT: f64 = 0.05;
+
+/// Errors above this share of a frequency say that what given elements miss matters.
+const MISSED: f64 = 5e-3;
 
 /// The warnings of the input and of its modes.
 pub(super) fn warnings(
@@ -33,12 +36,9 @@ pub(super) fn warnings(
     if options.method == Method::Bmodes && tower.shears() {
         warnings.push(Warning::ShearLeftOut);
     }
-    let (elements, pieces) = (mesh.segments(), tower.pieces().len());
-    if elements < options.fewest_seeing(tower) {
-        warnings.push(Warning::PiecesUnseen { elements, pieces });
-    }
-    if options.method == Method::Bmodes {
-        warnings.extend(ramp_unseen(tower, mesh));
+    let misses = |mode: &Mode| mode.error_hz() > MISSED * mode.frequency_hz;
+    if options.borders_m.is_some() && modes.iter().any(misses) {
+        warnings.extend(missed(tower, mesh));
     }
     // The spectral beam takes more elements when it needs them.
     let asked = options
@@ -106,44 +106,69 @@ fn soil_unresolved(tower: &Tower, mesh: &Mesh, degree: Option<usize>) -> Option<
     })
 }
 
-/// Says that an element of BModes, which has the section at its middle, reaches over a ramp much shorter than itself. Where the ramp lies in
-/// the element then decides the error, and meshes that cut it alike agree by chance. The steepest is told.
-fn ramp_unseen(tower: &Tower, mesh: &Mesh) -> Option<Warning> {
-    let borders_m = mesh.borders_m();
-    let ramps = tower.pieces().iter().filter_map(|piece| {
-        let middle_m = piece.base_m + 0.5 * piece.length_m();
-        let above = borders_m.partition_point(|border| *border <= middle_m);
-        let (lower_m, upper_m) = (
-            *borders_m.get(above.checked_sub(1)?)?,
-            *borders_m.get(above)?,
-        );
-        let element_m = upper_m - lower_m;
-        let is_short = piece.length_m() < STEEP * element_m;
-        let is_cut_there = lower_m >= piece.base_m || upper_m <= piece.base_m + piece.length_m();
-        let change = change_over(piece);
-        let is_unseen = is_short && !is_cut_there && change > SLIGHT;
-        is_unseen.then_some((middle_m, piece.length_m(), element_m, change))
+/// Says where an element of BModes, which has the section at its middle, reaches over rows of the tower, and which quantity it misses most
+/// of there: that which differs most within the element from what is taken for it.
+fn missed(tower: &Tower, mesh: &Mesh) -> Option<Warning> {
+    let elements = mesh.borders_m().windows(2);
+    let worst = elements.filter_map(|ends| {
+        let (quantity, change) = most_missed(tower, ends[0], ends[1])?;
+        Some((ends, quantity, change))
     });
-    let (height_m, ramp_m, element_m, change) = ramps.max_by(|a, b| a.3.total_cmp(&b.3))?;
-    Some(Warning::RampUnseen {
-        height_m,
-        ramp_m,
-        element_m,
+    let (ends, quantity, change) = worst.max_by(|a, b| a.2.total_cmp(&b.2))?;
+    Some(Warning::RowsMissed {
+        quantity,
+        base_m: ends[0],
+        top_m: ends[1],
         change,
     })
 }
 
-/// By how much mass and stiffness at the ends of a piece differ, as a share of the larger.
-fn change_over(piece: &Piece) -> f64 {
-    let ends = [piece.base_m, piece.base_m + piece.length_m()];
-    let [low, high] = ends.map(|height_m| piece.section_at(height_m));
-    let pairs = [
-        [low.masses.mass_kg_per_m, high.masses.mass_kg_per_m],
-        [low.bending_n_m2.fore_aft, high.bending_n_m2.fore_aft],
-        [low.bending_n_m2.side_side, high.bending_n_m2.side_side],
-    ];
-    let changes = pairs.map(|[a, b]| (a - b).abs() / a.abs().max(b.abs()));
-    changes.into_iter().fold(0.0, f64::max)
+/// The quantity that differs most from its value at the middle of an element at the ends of pieces within it, and by which share of the
+/// larger; none if no piece ends there, or little changes.
+fn most_missed(tower: &Tower, base_m: f64, top_m: f64) -> Option<(&'static str, f64)> {
+    let middle_m = 0.5 * (base_m + top_m);
+    let taken = tower.piece_at(middle_m).section_at(middle_m).quantities();
+    let pieces = tower.pieces();
+    let first = pieces.partition_point(|piece| piece.top_m <= base_m);
+    let within = pieces[first..]
+        .iter()
+        .take_while(|piece| piece.base_m < top_m);
+    if within.clone().nth(1).is_none() {
+        return None;
+    }
+    let ends = within.flat_map(|piece| {
+        let ends_m = [piece.base_m.max(base_m), piece.top_m.min(top_m)];
+        ends_m.map(|height_m| piece.section_at(height_m))
+    });
+    let changes = ends.flat_map(|section| {
+        let pairs = section.quantities().into_iter().zip(taken);
+        pairs.map(|((name, there), (_, taken))| (name, difference(there, taken)))
+    });
+    let most = changes.max_by(|a, b| a.1.total_cmp(&b.1))?;
+    (most.1 > SLIGHT).then_some(most)
+}
+
+/// The difference of two values as a share of the larger; 0 if both are nothing.
+fn difference(a: f64, b: f64) -> f64 {
+    let larger = a.abs().max(b.abs());
+    if a == b { 0.0 } else { (a - b).abs() / larger }
+}
+
+/// Says that the frequencies of some modes, at `places` in the list, do not fall with the segments as the order of the method says.
+pub(super) fn irregular(modes: &[Mode], places: &[usize]) -> Option<Warning> {
+    let relative = |mode: &Mode| mode.error_hz() / mode.frequency_hz;
+    let listed = places.iter().map(|&place| &modes[place]);
+    let moving = listed.filter(|mode| mode.frequency_hz > 0.0);
+    // What is unresolved by so much is told already.
+    let band = IRREGULAR..=RESOLVED;
+    let told: Vec<&Mode> = moving
+        .filter(|mode| band.contains(&relative(mode)))
+        .collect();
+    Some(Warning::Irregular {
+        number: told.first()?.number,
+        others: told.len() - 1,
+        worst: told.iter().map(|mode| relative(mode)).fold(0.0, f64::max),
+    })
 }
 
 fn unresolved(modes: &[Mode]) -> Option<Warning> {

@@ -28,6 +28,13 @@ pub enum Stage {
         /// Number of segments of this one.
         segments: usize,
     },
+    /// The same modes are looked for of the beam itself, because meshes do not say how large their errors are.
+    Reference {
+        /// Number of elements of the spectral beam.
+        elements: usize,
+        /// Their polynomial degree.
+        degree: usize,
+    },
 }
 
 /// How far a solve has come.

@@ -186,7 +186,7 @@ impl Piece {
     }
 
     /// The largest ratio, thick end to thin end, of what the compliances between two heights (m) depend on.
-    pub(super) fn steepness(&self, base_m: f64, top_m: f64) -> f64 {
+    pub(crate) fn steepness(&self, base_m: f64, top_m: f64) -> f64 {
         ratio(self.steepest(base_m, top_m))
     }
 

@@ -151,6 +151,26 @@ impl Section {
             shear.side_side,
         ]
     }
+
+    /// What an Euler-Bernoulli beam without rotary inertia has of it, with names for messages.
+    pub(crate) fn quantities(&self) -> [(&'static str, f64); 10] {
+        let (masses, bending, soil) = (&self.masses, self.bending_n_m2, &self.soil);
+        [
+            ("mass", masses.mass_kg_per_m),
+            ("added mass", masses.water_kg_per_m),
+            ("polar inertia", masses.polar_inertia_kg_m),
+            ("fore-aft bending stiffness", bending.fore_aft),
+            ("side-side bending stiffness", bending.side_side),
+            ("torsional stiffness", self.torsion_n_m2),
+            ("axial stiffness", self.axial_n),
+            (
+                "transverse soil stiffness",
+                soil.x_n_per_m2.max(soil.y_n_per_m2),
+            ),
+            ("vertical soil stiffness", soil.z_n_per_m2),
+            ("torsional soil stiffness", soil.torsion_n),
+        ]
+    }
 }
 
 #[cfg(test)]

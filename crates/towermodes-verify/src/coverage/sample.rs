@@ -1,0 +1,174 @@
+//! One mode of one tower by one method: what its error is claimed to be, and what it is.
+
+use towermodes::{
+    Method, Mode, Options, Shear, Solution, SolveError, Tower, TowerDescription, Warning,
+    Workspace, solve_with,
+};
+
+use super::class::Class;
+use super::seed::Seed;
+
+/// How finely the towers are cut.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Fineness {
+    /// As many segments as a method takes unless told.
+    Default,
+    /// A random number from 10 to 60.
+    Coarse,
+}
+
+/// The claimed and the true error of a mode.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Sample {
+    /// Number of the tower.
+    pub tower: u64,
+    /// Place of the mode in the list, from 1.
+    pub mode: usize,
+    /// Segments used.
+    pub segments: usize,
+    /// Its frequency, Hz.
+    pub frequency_hz: f64,
+    /// The error that is claimed, Hz.
+    pub claimed_hz: f64,
+    /// Its difference from the reference, less what the reference itself is known to, Hz.
+    pub true_hz: f64,
+    /// Whether a warning says that it is not resolved.
+    pub is_warned: bool,
+}
+
+/// The claimed error may be too small by this factor.
+const ALLOWED: f64 = 3.0;
+
+/// Errors below this share of a frequency are rounding.
+const ROUNDING: f64 = 1e-9;
+
+/// Modes asked for.
+const MODES: usize = 8;
+
+/// More modes of the reference than of the method, for those that the method's errors bring into its list.
+const MORE: usize = 8;
+
+/// How much the degree of the reference is raised.
+const RAISED: usize = 4;
+
+impl Sample {
+    /// Whether the error is at most three times the claimed one.
+    pub fn is_covered(&self) -> bool {
+        self.true_hz <= ALLOWED * self.claimed_hz
+    }
+
+    /// claimed/true, unless rounding is all there is.
+    pub fn ratio(&self) -> Option<f64> {
+        let is_more = self.true_hz > ROUNDING * self.frequency_hz;
+        is_more.then_some(self.claimed_hz / self.true_hz)
+    }
+}
+
+/// The modes of the tower of a number by each of `methods`; an error where a method does not solve it.
+///
+/// # Errors
+/// The outer one if the reference cannot be solved.
+pub fn samples(
+    class: Class,
+    number: u64,
+    fineness: Fineness,
+    methods: &[Method],
+    workspace: &mut Workspace,
+) -> Result<Vec<Result<Vec<Sample>, SolveError>>, SolveError> {
+    let description = class.description(number);
+    let of = |description| Tower::new(description).expect("classes make valid towers");
+    let tower = of(description.clone());
+    let mut segments = Seed::new(!number);
+    let segments = match fineness {
+        Fineness::Default => None,
+        Fineness::Coarse => Some(segments.whole(10, 60)),
+    };
+    let truth = reference(&tower, true, workspace)?;
+    let mut slender = None;
+    let mut all = Vec::new();
+    for &method in methods {
+        let truth = if method == Method::Bmodes {
+            if slender.is_none() {
+                let unsheared = of(without_shear(description.clone()));
+                slender = Some(reference(&unsheared, false, workspace)?);
+            }
+            slender.as_ref().unwrap_or(&truth)
+        } else {
+            &truth
+        };
+        let options = Options {
+            method,
+            segments: segments.filter(|_| method != Method::Spectral),
+            modes: MODES,
+            points: 2,
+            ..Options::default()
+        };
+        let solution = solve_with(&tower, &options, workspace);
+        all.push(solution.map(|solution| compared(number, &solution, truth)));
+    }
+    Ok(all)
+}
+
+/// The tower as a beam that does not shear.
+fn without_shear(mut description: TowerDescription) -> TowerDescription {
+    description.shear = Shear::Rigid;
+    for row in &mut description.properties {
+        row.properties.shear_n = None;
+    }
+    description
+}
+
+/// The spectral beam of a degree that is raised beyond what it needs.
+fn reference(
+    tower: &Tower,
+    rotary_inertia: bool,
+    workspace: &mut Workspace,
+) -> Result<Solution, SolveError> {
+    let converged = Options {
+        method: Method::Spectral,
+        modes: MODES + MORE,
+        points: 2,
+        rotary_inertia,
+        ..Options::default()
+    };
+    let found = solve_with(tower, &converged, workspace)?;
+    let raised = Options {
+        segments: Some(found.segments),
+        degree: found.degree.map(|degree| degree + RAISED),
+        ..converged
+    };
+    solve_with(tower, &raised, workspace)
+}
+
+fn compared(tower: u64, solution: &Solution, truth: &Solution) -> Vec<Sample> {
+    let sample = |mode: &Mode| {
+        let same = truth.modes.iter().find(|other| other.is_same_as(mode));
+        let difference_hz = same.map(|other| {
+            let known_hz = other.error_hz().max(ROUNDING * other.frequency_hz);
+            ((mode.frequency_hz - other.frequency_hz).abs() - known_hz).max(0.0)
+        });
+        // A mode that is not even among so many of the reference is nowhere.
+        let true_hz = difference_hz.unwrap_or(mode.frequency_hz);
+        Sample {
+            tower,
+            mode: mode.number,
+            segments: solution.segments,
+            frequency_hz: mode.frequency_hz,
+            claimed_hz: mode.error_hz(),
+            true_hz,
+            is_warned: is_warned(solution),
+        }
+    };
+    let moving = solution.modes.iter().filter(|mode| mode.frequency_hz > 0.0);
+    moving.map(sample).collect()
+}
+
+fn is_warned(solution: &Solution) -> bool {
+    let mut warnings = solution.warnings.iter();
+    warnings.any(|warning| {
+        matches!(
+            warning,
+            Warning::Unresolved { .. } | Warning::Irregular { .. }
+        )
+    })
+}

@@ -1,0 +1,38 @@
+//! The study as tables in Markdown.
+
+use std::fmt::Write as _;
+
+use towermodes::Method;
+
+use super::class::Class;
+use super::tally::Tally;
+
+/// A table of the share of modes that are covered, in percent, and the median of claimed/true, for each class and method.
+pub fn table(methods: &[Method], rows: &[(Class, Vec<Tally>)]) -> String {
+    let mut text = String::from("| class | modes |");
+    for method in methods {
+        let _ = write!(text, " {} |", method.name());
+    }
+    text.push_str("\n|---|--:|");
+    text.push_str(&"--:|".repeat(methods.len()));
+    text.push('\n');
+    for (class, tallies) in rows {
+        let modes = tallies.iter().map(Tally::modes).max().unwrap_or(0);
+        let _ = write!(text, "| {} | {modes} |", class.name());
+        for tally in tallies {
+            let _ = write!(text, " {} |", cell(tally));
+        }
+        text.push('\n');
+    }
+    text
+}
+
+fn cell(tally: &Tally) -> String {
+    let median = match tally.median_ratio() {
+        Some(ratio) => format!("{ratio:.2}"),
+        None => "–".to_owned(),
+    };
+    // Nothing but all is 100 %.
+    let percent = (1e4 * tally.coverage()).floor() / 100.0;
+    format!("{percent:.2} · {median}")
+}

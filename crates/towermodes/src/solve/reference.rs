@@ -1,0 +1,117 @@
+//! The beam itself as a reference: the spectral beam of a method's own physics, where meshes do not say how large its errors are.
+
+use super::Stage;
+use super::degree::{CONVERGED, can_be_finer, finer, first_cut};
+use super::estimate::{Level, frequencies};
+use super::model::{Cut, Model};
+use super::options::{Options, SolveError};
+use super::spectrum::{ModeKey, Spectrum};
+use super::stability::find_origin;
+use super::{Method, Workspace};
+use crate::beam::BeamRecipe;
+use crate::tower::Tower;
+
+/// The degree is raised until its change is below this share of the error that it shows.
+const BESIDE_THE_ERROR: f64 = 0.1;
+
+/// The degree is raised no more often: what still changes then is part of the error.
+const MOST_RAISES: usize = 6;
+
+/// The frequencies of modes of the beam itself.
+pub(super) struct Reference {
+    /// Hz; none of those that weights make unstable.
+    pub(super) frequencies_hz: Level,
+    /// How far each may be off, Hz: its change from one degree to the next.
+    pub(super) changes_hz: Vec<f64>,
+}
+
+impl Reference {
+    /// Solves for the modes `keys`, whose frequencies by the method are `found_hz`, until the reference is known well enough to say how far
+    /// these are off. The model of the workspace is that of the beam afterwards.
+    ///
+    /// # Errors
+    /// [`SolveError`]: the beam is too large, or its modes cannot be found.
+    pub(super) fn solve(
+        tower: &Tower,
+        options: &Options,
+        keys: &[ModeKey],
+        found_hz: &[f64],
+        workspace: &mut Workspace,
+    ) -> Result<Self, SolveError> {
+        let beam = options_of_the_beam(options);
+        let Workspace { model, spectrum } = workspace;
+        let shear = options.method != Method::Bmodes;
+        let mut solve = |cut: &Cut| {
+            beam.check_memory(tower, cut)?;
+            let recipe = BeamRecipe::Spectral {
+                degree: cut.degree,
+                rotary_inertia: beam.rotary_inertia,
+                shear,
+            };
+            level(tower, cut, recipe, keys, model, spectrum)
+        };
+        let mut cut = first_cut(tower, &beam)?;
+        let mut frequencies_hz = solve(&cut)?;
+        let mut changes_hz = Vec::new();
+        for _ in 0..MOST_RAISES {
+            cut = finer(cut, &beam);
+            let after = solve(&cut)?;
+            changes_hz = changes(&frequencies_hz, &after);
+            frequencies_hz = after;
+            if is_known(found_hz, &frequencies_hz, &changes_hz) || !can_be_finer(&cut, &beam) {
+                break;
+            }
+        }
+        Ok(Self {
+            frequencies_hz,
+            changes_hz,
+        })
+    }
+}
+
+/// The spectral beam with as many modes; without rotary inertia where the method has none.
+fn options_of_the_beam(options: &Options) -> Options {
+    Options {
+        method: Method::Spectral,
+        segments: None,
+        borders_m: None,
+        degree: None,
+        rotary_inertia: options.has_rotary_inertia(),
+        ..options.clone()
+    }
+}
+
+fn level(
+    tower: &Tower,
+    cut: &Cut,
+    recipe: BeamRecipe,
+    keys: &[ModeKey],
+    model: &mut Model,
+    spectrum: &mut Spectrum,
+) -> Result<Level, SolveError> {
+    model.watch.enter(Stage::Reference {
+        elements: cut.mesh.segments(),
+        degree: cut.degree,
+    });
+    model.assemble_beams(tower, &cut.mesh, recipe);
+    find_origin(tower, model)?;
+    frequencies(keys, model, spectrum)
+}
+
+fn changes(before: &Level, after: &Level) -> Vec<f64> {
+    let change = |(a, b): (&Option<f64>, &Option<f64>)| match (a, b) {
+        (Some(a), Some(b)) => (a - b).abs(),
+        _ => 0.0,
+    };
+    before.iter().zip(after).map(change).collect()
+}
+
+/// Whether each change is small beside the error that it shows, or beside the frequency.
+fn is_known(found_hz: &[f64], beam_hz: &Level, changes_hz: &[f64]) -> bool {
+    let mut all = found_hz.iter().zip(beam_hz).zip(changes_hz);
+    all.all(|((found_hz, beam_hz), change_hz)| {
+        let Some(beam_hz) = beam_hz else { return true };
+        let error_hz = (found_hz - beam_hz).abs();
+        *change_hz <= (BESIDE_THE_ERROR * error_hz).max(CONVERGED * found_hz)
+    })
+}
