@@ -407,7 +407,9 @@ fn who_made_and_checked_it_stands_below_the_title() {
         ("--checker", "Checked by", "R. Roe"),
         ("--date", "Date", "22 November 2026"),
     ];
-    let options = fields.iter().flat_map(|(option, _, value)| [*option, *value]);
+    let options = fields
+        .iter()
+        .flat_map(|(option, _, value)| [*option, *value]);
     let arguments: Vec<&str> = ["examples/reference-tower.toml", "-f", "md"]
         .into_iter()
         .chain(options)
@@ -416,14 +418,27 @@ fn who_made_and_checked_it_stands_below_the_title() {
     let head = page.split("## 1.").next().expect("a head");
     let lines: Vec<&str> = head.lines().filter(|line| line.starts_with("- ")).collect();
     let expected = fields.map(|(_, name, value)| {
-        format!("- **{name}**: {}", value.replace('<', "&lt;").replace('>', "\\>"))
+        format!(
+            "- **{name}**: {}",
+            value.replace('<', "&lt;").replace('>', "\\>")
+        )
     });
     assert_eq!(lines, expected);
     // The command that makes it again has them too.
-    assert!(page.contains("--document T-17-003 --revision C --author 'J. Doe'"), "{page}");
-    let without = text(report(&["examples/reference-tower.toml", "-f", "md"], Stdio::null()));
+    assert!(
+        page.contains("--document T-17-003 --revision C --author 'J. Doe'"),
+        "{page}"
+    );
+    let without = text(report(
+        &["examples/reference-tower.toml", "-f", "md"],
+        Stdio::null(),
+    ));
     let head = without.split("## 1.").next().expect("a head");
-    assert_eq!(head.lines().filter(|line| !line.is_empty()).count(), 1, "{head}");
+    assert_eq!(
+        head.lines().filter(|line| !line.is_empty()).count(),
+        1,
+        "{head}"
+    );
 }
 
 /// Every file that was read, the companions too, is in the report as it is on the disk.
@@ -442,7 +457,10 @@ fn the_files_of_the_input_are_in_the_report() {
         let appendix = appendix.expect("the appendix");
         for file in files {
             let bytes = fs::read_to_string(root.join(file)).expect("a file");
-            assert!(appendix.contains(&bytes), "{file} is not in the report of {example}");
+            assert!(
+                appendix.contains(&bytes),
+                "{file} is not in the report of {example}"
+            );
         }
         assert_eq!(appendix.matches("```text").count(), files.len());
         assert!(!appendix.contains("Not byte by byte"), "{appendix}");
@@ -453,6 +471,9 @@ fn the_files_of_the_input_are_in_the_report() {
     let page = text(report(&[&name, "-f", "md"], Stdio::null()));
     let appendix = page.split("## Appendix B. Input files").nth(1);
     let appendix = appendix.expect("the appendix");
-    assert!(appendix.contains("name = \"Tour d'\u{e9}t\u{e9}\""), "{appendix}");
+    assert!(
+        appendix.contains("name = \"Tour d'\u{e9}t\u{e9}\""),
+        "{appendix}"
+    );
     assert!(appendix.contains("not encoded in UTF-8"), "{appendix}");
 }

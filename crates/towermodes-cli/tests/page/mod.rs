@@ -182,7 +182,15 @@ fn machine_and_masses_move_and_soil_and_water_stay() {
             "[...document.querySelectorAll('#animation path.{substance}')].map((path) => path.getAttribute('d'))"
         ))
     };
-    let names = ["machine", "rotor", "mass", "foundation", "link", "soil", "water"];
+    let names = [
+        "machine",
+        "rotor",
+        "mass",
+        "foundation",
+        "link",
+        "soil",
+        "water",
+    ];
     let before = names.map(&of);
     page.value("(() => { const e = document.querySelector('#animation-phase'); e.value = 90; e.dispatchEvent(new Event('input')); return 0; })()");
     let after = names.map(&of);
@@ -387,7 +395,10 @@ fn every_example_is_quiet_and_its_labels_are_inside_their_pictures() {
         assert_eq!(page.value(LABELS), Value::Array(vec![]), "{example}");
         assert_ne!(page.text(DEFORMED), page.text(AT_REST), "{example}");
         let numbers = page.text(OUTLINES);
-        assert!(!numbers.contains("NaN") && !numbers.contains("null"), "{example}");
+        assert!(
+            !numbers.contains("NaN") && !numbers.contains("null"),
+            "{example}"
+        );
         page.click("#animation-play");
         page.wait_for(
             "document.querySelector('#animation-play').getAttribute('aria-pressed') === 'true'",
@@ -438,7 +449,10 @@ fn every_control_is_reached_by_the_keyboard_and_shows_it() {
             here[0]
         );
         reached.push(here[0].as_str().unwrap_or_default().to_owned());
-        if reached.last().is_some_and(|name| name == "animation-azimuth") {
+        if reached
+            .last()
+            .is_some_and(|name| name == "animation-azimuth")
+        {
             break;
         }
     }

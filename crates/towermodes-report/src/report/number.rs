@@ -75,7 +75,7 @@ pub(super) fn digits(value: f64, digits: usize) -> String {
         return rounded;
     };
     let exponent: i32 = exponent.parse().unwrap_or(0);
-    if !(-4..9).contains(&exponent) {
+    if !(-4..6).contains(&exponent) {
         return with_power(&rounded).replace('-', "\u{2212}");
     }
     let decimals = i32::try_from(after_point).unwrap_or(0) - exponent;
@@ -204,6 +204,8 @@ mod tests {
         assert_eq!(digits(347_460.22, 4), "347460");
         assert_eq!(digits(0.046_871, 4), "0.04687");
         assert_eq!(digits(9.999_96, 4), "10.00");
+        assert_eq!(digits(999_999.4, 4), "1.000\u{b7}10\u{2076}");
+        assert_eq!(digits(26_054_943.0, 4), "2.605\u{b7}10\u{2077}");
         assert_eq!(digits(3.3e-9, 2), "3.3\u{b7}10\u{207b}\u{2079}");
         assert_eq!(mass(349_389.9), "349.4 t");
     }

@@ -153,8 +153,9 @@ impl Table {
     fn drop_columns_of(&mut self, text: &str) -> Vec<String> {
         let rows = &self.rows;
         let is_empty = |column: usize| {
+            let is_number = self.columns[column].is_number;
             let mut cells = rows.iter().filter_map(|row| row.get(column));
-            column > 0 && !rows.is_empty() && cells.all(|cell| cell.text == text)
+            column > 0 && is_number && !rows.is_empty() && cells.all(|cell| cell.text == text)
         };
         let empty: Vec<bool> = (0..self.columns.len()).map(is_empty).collect();
         let name = |column: &Column| {

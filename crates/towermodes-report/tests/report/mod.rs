@@ -165,9 +165,10 @@ fn every_section_is_there_in_its_order() {
 fn the_title_block_has_the_fields_that_were_given() {
     let mut content = content(pole(), None);
     assert!(!page_of(&content).contains("<dl class=\"title-block\">"));
-    assert!(markdown(&content).starts_with(
-        "# Natural frequencies and mode shapes: pole\n\n## 1. Summary"
-    ));
+    assert!(
+        markdown(&content)
+            .starts_with("# Natural frequencies and mode shapes: pole\n\n## 1. Summary")
+    );
     content.title_block = TitleBlock {
         document: "T-17-003".to_owned(),
         revision: " C ".to_owned(),
@@ -176,7 +177,9 @@ fn the_title_block_has_the_fields_that_were_given() {
         ..TitleBlock::default()
     };
     let page = page_of(&content);
-    let start = page.find("<dl class=\"title-block\">").expect("a title block");
+    let start = page
+        .find("<dl class=\"title-block\">")
+        .expect("a title block");
     let end = start + page[start..].find("</dl>").expect("its end");
     let block = read(&format!("<!DOCTYPE html>{}</dl>", &page[start..end]));
     let words: Vec<&str> = block.lines().filter(|line| !line.is_empty()).collect();
@@ -196,7 +199,9 @@ fn the_summary_begins_with_the_bar() {
     let page = page_of(&content);
     let summary = section(&page, "summary");
     let bar = summary.find("First natural frequencies between the rotor's excitations");
-    let statements = summary.find("1st fore-aft bending 0.6364 Hz (period").expect("statements");
+    let statements = summary
+        .find("1st fore-aft bending 0.6364 Hz (period")
+        .expect("statements");
     assert!(bar.is_some_and(|bar| bar < statements), "{summary}");
     for said in [
         "In operation 1P excites from 0.1150 to 0.2017 Hz and 3P excites from 0.3450 to 0.6050 Hz",
@@ -207,7 +212,9 @@ fn the_summary_begins_with_the_bar() {
     // As Markdown there is no command that draws it, but its numbers are there.
     let row = "| 1st fore-aft bending | 0.6364 |";
     let text = markdown(&content);
-    let numbers = text.lines().find(|line| line.starts_with(row) && line.contains("3P"));
+    let numbers = text
+        .lines()
+        .find(|line| line.starts_with(row) && line.contains("3P"));
     let numbers = numbers.expect("a row of numbers");
     assert!(
         numbers.ends_with("| 3P | 0.3450 to 0.6050 | 0.3286 to 0.6368 | \u{2212}4.9 | FAIL |"),
@@ -232,7 +239,11 @@ fn the_input_file_is_in_the_report() {
     content.files[0].bytes = POLE.len() as u64;
     assert!(!section(&page_of(&content), "files").contains(said));
     let fenced = format!("**pole.toml**\n\n```text\n{POLE}```\n");
-    assert!(markdown(&content).ends_with(&fenced), "{}", markdown(&content));
+    assert!(
+        markdown(&content).ends_with(&fenced),
+        "{}",
+        markdown(&content)
+    );
     content.files[0].text = format!("{HOSTILE}\n</pre>");
     content.files[0].name = "a/b \"c\".toml".to_owned();
     let page = page_of(&content);
@@ -661,16 +672,31 @@ fn what_is_around_the_tower_moves_with_it() {
     let data = moving(&page);
     let bodies = data["bodies"].as_array().expect("bodies");
     let of = |substance: &str| -> Vec<&serde_json::Value> {
-        bodies.iter().filter(|body| body["of"] == substance).collect()
+        bodies
+            .iter()
+            .filter(|body| body["of"] == substance)
+            .collect()
     };
     // A nacelle; a hub and two blades; two masses and the machine's centre; four springs to the side, one below, three wires.
-    let counts = ["machine", "rotor", "mass", "foundation", "soil", "water", "link"];
+    let counts = [
+        "machine",
+        "rotor",
+        "mass",
+        "foundation",
+        "soil",
+        "water",
+        "link",
+    ];
     let counts = counts.map(|substance| of(substance).len());
     assert_eq!(counts, [1, 3, 3, 1, 1, 1, 8]);
     let heights = |body: &serde_json::Value| {
         let points = body["points"].as_array().expect("points");
-        let z = points.iter().map(|point| point[2].as_f64().expect("a height"));
-        z.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], z| [low.min(z), high.max(z)])
+        let z = points
+            .iter()
+            .map(|point| point[2].as_f64().expect("a height"));
+        z.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], z| {
+            [low.min(z), high.max(z)]
+        })
     };
     assert_eq!(heights(of("soil")[0]), [0.0, 10.0]);
     assert_eq!(heights(of("water")[0]), [10.0, 25.0]);
@@ -679,23 +705,36 @@ fn what_is_around_the_tower_moves_with_it() {
     assert!(of("rotor").iter().all(|body| body["follows_m"] == 80.0));
     // The upper blade is as long as the lower one: 0.6 of the 55 m above the water, about the middle of the nacelle.
     let [upper, lower] = [heights(of("rotor")[1]), heights(of("rotor")[2])];
-    assert!((upper[1] - lower[0] - 2.0 * 0.6 * 55.0).abs() < 0.05, "{upper:?} {lower:?}");
+    assert!(
+        (upper[1] - lower[0] - 2.0 * 0.6 * 55.0).abs() < 0.05,
+        "{upper:?} {lower:?}"
+    );
     // Wires at 45° from 60 m meet the ground at 10 m, 50 m away.
-    let anchor = |body: &&serde_json::Value| body["form"] == "line" && body["points"][1] == serde_json::json!([50.0, 0.0, 10.0]);
+    let anchor = |body: &&serde_json::Value| {
+        body["form"] == "line" && body["points"][1] == serde_json::json!([50.0, 0.0, 10.0])
+    };
     assert!(of("link").iter().any(anchor), "{:?}", of("link"));
-    let masses = of("mass").into_iter().filter(|body| body["follows_m"] == 40.0);
+    let masses = of("mass")
+        .into_iter()
+        .filter(|body| body["follows_m"] == 40.0);
     assert_eq!(masses.count(), 2);
-    assert!(section(&page, "animation").contains("soil, water, the foundation or platform, springs"));
+    assert!(
+        section(&page, "animation").contains("soil, water, the foundation or platform, springs")
+    );
 }
 
 #[test]
 fn sections_turn_as_the_axis_bends() {
     let data = moving(&page_of(&content(pole(), None)));
     let modes = data["modes"].as_array().expect("modes");
-    let mode = modes.iter().find(|mode| mode["family"] == "fore-aft").expect("a mode");
+    let mode = modes
+        .iter()
+        .find(|mode| mode["family"] == "fore-aft")
+        .expect("a mode");
     let numbers = |value: &serde_json::Value| -> Vec<f64> {
         let list = value.as_array().expect("numbers").iter();
-        list.map(|number| number.as_f64().expect("a number")).collect()
+        list.map(|number| number.as_f64().expect("a number"))
+            .collect()
     };
     let (z, x) = (numbers(&data["height_m"]), numbers(&mode["x"]));
     let turn = numbers(&mode["rotation_y"]);
@@ -718,10 +757,22 @@ fn masses_are_said_with_their_sum() {
 #[test]
 fn columns_without_numbers_are_left_out() {
     let text = markdown(&content(surrounded(), None));
-    assert!(text.contains("| height z (m) | mass of each (kg) |\n"), "{text}");
-    assert!(text.contains("zero: Ixx, Iyy, Izz, Ixy, Ixz, Iyz."), "{text}");
-    assert!(text.contains("| height z (m) | x (N/m²) | y (N/m²) |\n"), "{text}");
-    assert!(text.contains("linear between rows; zero: z, torsion."), "{text}");
+    assert!(
+        text.contains("| height z (m) | mass of each (kg) |\n"),
+        "{text}"
+    );
+    assert!(
+        text.contains("zero: Ixx, Iyy, Izz, Ixy, Ixz, Iyz."),
+        "{text}"
+    );
+    assert!(
+        text.contains("| height z (m) | x (N/m²) | y (N/m²) |\n"),
+        "{text}"
+    );
+    assert!(
+        text.contains("linear between rows; zero: z, torsion."),
+        "{text}"
+    );
 }
 
 #[test]

@@ -175,7 +175,7 @@ fn write_frequency(drawing: &mut Drawing, axes: &Axes, lane: &Lane, (x, y): (f64
     let texts = [format!("{} Hz", frequency(lane.frequency_hz))];
     let style = TextStyle::new(SIZE).anchor(Anchor::Middle);
     for x in beside(&texts, &[x], axes.frame, (SIZE, false)) {
-        drawing.text((x, y - 12.0), &texts[0], &style);
+        write_on_paper(drawing, (x, y - 13.0), &texts[0], &style);
     }
 }
 
@@ -190,8 +190,16 @@ fn write_distances(drawing: &mut Drawing, axes: &Axes, margins: &[Margin], (x, y
         .iter()
         .zip(beside(&texts, &middles, axes.frame, (SIZE, false)))
     {
-        drawing.text((x, y + 21.0), text, &style);
+        write_on_paper(drawing, (x, y + 21.0), text, &style);
     }
+}
+
+/// Writes a text, anchored in its middle, on a strip of paper that hides the lines behind it.
+fn write_on_paper(drawing: &mut Drawing, (x, y): (f64, f64), text: &str, style: &TextStyle) {
+    let width = text_width(text, style.size, style.is_bold) + 4.0;
+    let left_top = (x - 0.5 * width, y - 0.9 * style.size);
+    drawing.rectangle(left_top, (width, 1.2 * style.size), Colour::Paper, None);
+    drawing.text((x, y), text, style);
 }
 
 fn draw_note(drawing: &mut Drawing, height: f64) {

@@ -14,10 +14,13 @@ const MINUS: &str = "\u{2212}";
 pub(super) fn description(bar: &Bar) -> String {
     let ranges: Vec<String> = bar.ranges.iter().map(range_text).collect();
     let lanes: Vec<String> = bar.lanes.iter().map(lane_text).collect();
+    let kept_free = bar.ranges.iter().map(|range| between(range.kept_free_hz));
+    let kept_free: Vec<String> = kept_free.collect();
     format!(
-        "In operation {}; with the margin of {} % they keep natural frequencies out of a little more on both sides. {}.",
+        "In operation {}; with a margin of {} % that keeps {} Hz free of natural frequencies. {}.",
         ranges.join(" and "),
         significant(100.0 * bar.margin, 3),
+        kept_free.join(" and "),
         lanes.join("; ")
     )
 }
@@ -29,6 +32,11 @@ fn range_text(range: &Range) -> String {
         true => format!("{}P excites at {low} Hz", range.multiple),
         false => format!("{}P excites from {low} to {high} Hz", range.multiple),
     }
+}
+
+/// "0.115 to 0.2017".
+fn between([low, high]: [f64; 2]) -> String {
+    format!("{} to {}", frequency(low), frequency(high))
 }
 
 fn lane_text(lane: &Lane) -> String {
@@ -107,7 +115,6 @@ pub(super) fn table(bar: &Bar) -> DataTable {
 fn row(bar: &Bar, lane: &Lane, margin: &Margin) -> Option<Vec<String>> {
     let mut ranges = bar.ranges.iter();
     let range = ranges.find(|range| range.multiple == margin.multiple)?;
-    let between = |[low, high]: [f64; 2]| format!("{} to {}", frequency(low), frequency(high));
     Some(vec![
         lane.label.clone(),
         frequency(lane.frequency_hz),

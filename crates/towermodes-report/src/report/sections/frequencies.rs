@@ -252,7 +252,7 @@ fn energy(solution: &Solution) -> Table {
         row.extend(parts(&mode.energy.strain));
         table.push(row);
     }
-    table.shortened()
+    table.without_empty_columns().shortened()
 }
 
 fn effective_masses(solution: &Solution) -> Table {
