@@ -10,6 +10,8 @@ use crate::figures::tower::{ground_m, keel_m, platform, surface_m, water_m};
 const SLAB: f64 = 0.02;
 /// Depth of water below a platform's keel, as a share of the tower's height.
 const BELOW_KEEL: f64 = 0.08;
+/// Half the side of the water around a platform, as a share of the tower's height.
+const SEA: f64 = 0.5;
 
 /// What is under the tower: soil that holds it, the bed of the water, or the ground that it is clamped to.
 pub(super) fn ground(description: &TowerDescription, tower: &Tower) -> Vec<Body> {
@@ -38,7 +40,6 @@ pub(super) fn ground(description: &TowerDescription, tower: &Tower) -> Vec<Body>
 
 /// Water from the bed, or from below the keel of a platform, to its surface.
 pub(super) fn water(description: &TowerDescription, tower: &Tower) -> Option<Body> {
-    let half_m = 0.96 * HALF_SIDE * tower.height_m();
     let level_m = water_m(description)?;
     let floats = platform(description).filter(|platform| surface_m(platform).is_some());
     let low_m = match floats {
@@ -46,5 +47,12 @@ pub(super) fn water(description: &TowerDescription, tower: &Tower) -> Option<Bod
         None => ground_m(description, tower).unwrap_or(tower.base_m()),
     };
     let is_near = (level_m - tower.top_m()).abs() < 2.0 * tower.height_m();
+    // Moorings end in the water, and the ground reaches beyond it.
+    let half = if floats.is_some() {
+        SEA
+    } else {
+        0.96 * HALF_SIDE
+    };
+    let half_m = half * tower.height_m();
     (low_m < level_m && is_near).then(|| block(Substance::Water, half_m, [low_m, level_m]))
 }
