@@ -54,6 +54,7 @@ fn content(
     let of_model = input.notes.iter().filter(|note| note.is_on_missing_part);
     Ok(ReportContent {
         title: arguments.title.clone(),
+        title_block: arguments.title_block(),
         description: input.description.clone(),
         comparison: all_methods(&tower, &options, arguments.segments),
         elastodyn: elastodyn(
@@ -128,6 +129,7 @@ fn input_file(source: &Source) -> InputFile {
         is_of_text,
         bytes: bytes.len() as u64,
         sha256: hexadecimal(&Sha256::digest(&bytes)),
+        text: source.text.clone(),
     }
 }
 

@@ -396,3 +396,84 @@ fn a_file_that_looks_like_an_option_is_drawn_by_the_commands() {
     in_folder(&[&["plot"], &shapes.split(' ').collect::<Vec<_>>()[..]].concat());
     in_folder(&["elastodyn", "tower", "--output", "-", "--", "-dash.toml"]);
 }
+
+#[test]
+fn who_made_and_checked_it_stands_below_the_title() {
+    let fields = [
+        ("--project", "Project", "Dogger \u{fc}ber <all>"),
+        ("--document", "Document", "T-17-003"),
+        ("--revision", "Revision", "C"),
+        ("--author", "Author", "J. Doe"),
+        ("--checker", "Checked by", "R. Roe"),
+        ("--date", "Date", "22 November 2026"),
+    ];
+    let options = fields
+        .iter()
+        .flat_map(|(option, _, value)| [*option, *value]);
+    let arguments: Vec<&str> = ["examples/reference-tower.toml", "-f", "md"]
+        .into_iter()
+        .chain(options)
+        .collect();
+    let page = text(report(&arguments, Stdio::null()));
+    let head = page.split("## 1.").next().expect("a head");
+    let lines: Vec<&str> = head.lines().filter(|line| line.starts_with("- ")).collect();
+    let expected = fields.map(|(_, name, value)| {
+        format!(
+            "- **{name}**: {}",
+            value.replace('<', "&lt;").replace('>', "\\>")
+        )
+    });
+    assert_eq!(lines, expected);
+    // The command that makes it again has them too.
+    assert!(
+        page.contains("--document T-17-003 --revision C --author 'J. Doe'"),
+        "{page}"
+    );
+    let without = text(report(
+        &["examples/reference-tower.toml", "-f", "md"],
+        Stdio::null(),
+    ));
+    let head = without.split("## 1.").next().expect("a head");
+    assert_eq!(
+        head.lines().filter(|line| !line.is_empty()).count(),
+        1,
+        "{head}"
+    );
+}
+
+/// Every file that was read, the companions too, is in the report as it is on the disk.
+#[test]
+fn the_files_of_the_input_are_in_the_report() {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
+    for (example, files) in [
+        ("examples/monopile.toml", &["examples/monopile.toml"][..]),
+        (
+            "examples/nrel-5mw.bmi",
+            &["examples/nrel-5mw.bmi", "examples/nrel-5mw_sections.dat"],
+        ),
+    ] {
+        let page = text(report(&[example, "-f", "md"], Stdio::null()));
+        let appendix = page.split("## Appendix B. Input files").nth(1);
+        let appendix = appendix.expect("the appendix");
+        for file in files {
+            let bytes = fs::read_to_string(root.join(file)).expect("a file");
+            assert!(
+                appendix.contains(&bytes),
+                "{file} is not in the report of {example}"
+            );
+        }
+        assert_eq!(appendix.matches("```text").count(), files.len());
+        assert!(!appendix.contains("Not byte by byte"), "{appendix}");
+    }
+    // A byte of Latin-1 is said, and the text is right.
+    let path = file("latin1-embedded.toml", TOWER);
+    let name = path.display().to_string();
+    let page = text(report(&[&name, "-f", "md"], Stdio::null()));
+    let appendix = page.split("## Appendix B. Input files").nth(1);
+    let appendix = appendix.expect("the appendix");
+    assert!(
+        appendix.contains("name = \"Tour d'\u{e9}t\u{e9}\""),
+        "{appendix}"
+    );
+    assert!(appendix.contains("not encoded in UTF-8"), "{appendix}");
+}

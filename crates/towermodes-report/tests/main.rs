@@ -2,6 +2,7 @@
 
 mod any_tower;
 mod figures_campbell;
+mod figures_first_frequencies;
 mod golden;
 mod grounds;
 mod pictures;

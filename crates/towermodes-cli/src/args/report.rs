@@ -4,6 +4,7 @@ use std::path::{Path, PathBuf};
 
 use clap::{Args, ValueEnum};
 use towermodes::{MAX_SEGMENTS, Method, Options};
+use towermodes_report::report::TitleBlock;
 
 use super::file_of;
 use super::input::InputArguments;
@@ -15,6 +16,7 @@ use super::rotor::RotorArguments;
 const EXAMPLES: &str = "Examples:
   towermodes report examples/nrel-5mw.toml --output report.html
   towermodes report tower.toml --title \"Tower 7, revision C\" --rpm 6.9,12.1 --output report.html
+  towermodes report tower.toml --document T-17-003 --revision C --author \"J. Doe\" --checker \"R. Roe\" --output report.html
   towermodes report tower.toml --output report.md
 
 One file that needs nothing beside it and asks nothing of any network. The same files and command give the same bytes.
@@ -37,6 +39,9 @@ pub(crate) struct ReportArguments {
     )]
     pub(crate) title: String,
 
+    #[command(flatten)]
+    title_block: TitleBlockArguments,
+
     /// The method of the frequencies [default: rmje-exact; bmodes for BModes decks]; all are compared
     #[arg(long, value_parser = method_parser())]
     method: Option<Method>,
@@ -58,6 +63,37 @@ pub(crate) struct ReportArguments {
     /// Write the report to a file instead of standard output (-)
     #[arg(long, short, value_name = "PATH")]
     output: Option<PathBuf>,
+}
+
+/// The heading of what is about the document.
+const DOCUMENT: &str = "Document";
+
+/// What stands below the title; what is not given is left out.
+#[derive(Debug, Args)]
+struct TitleBlockArguments {
+    /// Project or site
+    #[arg(help_heading = DOCUMENT, long, value_name = "TEXT")]
+    project: Option<String>,
+
+    /// Document number
+    #[arg(help_heading = DOCUMENT, long, value_name = "TEXT")]
+    document: Option<String>,
+
+    /// Revision of the document
+    #[arg(help_heading = DOCUMENT, long, value_name = "TEXT")]
+    revision: Option<String>,
+
+    /// Who made the report
+    #[arg(help_heading = DOCUMENT, long, value_name = "TEXT")]
+    author: Option<String>,
+
+    /// Who checked it
+    #[arg(help_heading = DOCUMENT, long, value_name = "TEXT")]
+    checker: Option<String>,
+
+    /// Date of the report, as it is to be read; the report has no clock and shows none by itself
+    #[arg(help_heading = DOCUMENT, long, value_name = "TEXT")]
+    date: Option<String>,
 }
 
 /// How a report is written.
@@ -93,6 +129,20 @@ impl ReportArguments {
     /// What is wrong if an option means nothing to the method.
     pub(crate) fn options(&self, prescribed: Prescribed) -> Result<Options, &'static str> {
         prescribed.options(self.method, self.segments, &self.model)
+    }
+
+    /// What stands below the title.
+    pub(crate) fn title_block(&self) -> TitleBlock {
+        let given = &self.title_block;
+        let text = |field: &Option<String>| field.clone().unwrap_or_default();
+        TitleBlock {
+            project: text(&given.project),
+            document: text(&given.document),
+            revision: text(&given.revision),
+            author: text(&given.author),
+            checker: text(&given.checker),
+            date: text(&given.date),
+        }
     }
 
     /// Whether the number of modes is given.

@@ -6,6 +6,7 @@ mod browser;
 mod report;
 
 use serde_json::Value;
+use sha2::Digest;
 
 use browser::{OpenPage, View, WIDE};
 use report::{EXAMPLES, report_of};
@@ -13,8 +14,10 @@ use report::{EXAMPLES, report_of};
 const READABLE: &str = include_str!("readable.js");
 const LABELS: &str = include_str!("labels.js");
 
-/// The outlines of the moving tower in the three views.
-const OUTLINES: &str = "[...document.querySelectorAll('#animation path.deformed')].map(path => path.getAttribute('d')).join('|')";
+/// Everything that moves.
+const OUTLINES: &str = "[...document.querySelectorAll('#animation path')].map(path => path.getAttribute('d')).join('|')";
+/// The outlines of the moving tower alone.
+const DEFORMED: &str = "[...document.querySelectorAll('#animation path.deformed')].map(path => path.getAttribute('d')).join('|')";
 
 /// The same at rest.
 const AT_REST: &str = "[...document.querySelectorAll('#animation path.undeformed')].map(path => path.getAttribute('d')).join('|')";
@@ -71,7 +74,7 @@ fn keys_play_and_choose_modes() {
     page.wait_for(
         "document.querySelector('#animation-play').getAttribute('aria-pressed') === 'false'",
     );
-    page.value("document.querySelector('input[name=animation-mode]:checked').focus()");
+    page.value("document.querySelector('#animation-stage').focus()");
     for ignored in [
         "{ key: ' ', repeat: true }",
         "{ key: ' ', shiftKey: true }",
@@ -87,10 +90,153 @@ fn keys_play_and_choose_modes() {
             "{ignored}"
         );
     }
+    // The space bar has its own meaning on a box: it takes the third mode in and out, and nothing plays.
+    page.value("document.querySelectorAll('input[name=animation-mode]')[2].focus()");
+    for shown in [3, 2] {
+        page.press(" ");
+        page.wait_for(&format!("{MODES} === {shown}"));
+    }
+    assert_eq!(
+        page.text("document.querySelector('#animation-play').getAttribute('aria-pressed')"),
+        "false"
+    );
+    page.was_quiet();
+}
+
+/// How many modes are beside each other.
+const MODES: &str = "document.querySelectorAll('#animation-pictures .mode').length";
+
+/// Chooses these views and modes and no others.
+fn choose(page: &OpenPage, views: &[&str], modes: &[usize]) {
+    let chosen = serde_json::json!({ "animation-view": views, "animation-mode": modes.iter().map(usize::to_string).collect::<Vec<_>>() });
+    page.value(&format!(
+        "(() => {{ const chosen = {chosen}; for (const name of Object.keys(chosen)) document.querySelectorAll(`input[name=${{name}}]`).forEach((box) => {{ box.checked = chosen[name].includes(box.value); }}); document.querySelector('#animation-modes').dispatchEvent(new Event('change')); return 0; }})()"
+    ));
+}
+
+#[test]
+fn several_modes_move_side_by_side() {
+    let Some(page) = page(WIDE) else { return };
+    choose(&page, &["space"], &[0, 1, 2]);
+    assert_eq!(page.value(MODES), Value::from(3));
+    // Beside each other: all begin at one height of the page.
+    let tops = page.value(
+        "new Set([...document.querySelectorAll('#animation-pictures .mode')].map((mode) => Math.round(mode.getBoundingClientRect().top))).size",
+    );
+    assert_eq!(tops, Value::from(1));
+    let each = "[...document.querySelectorAll('#animation path.deformed')].map((path) => path.getAttribute('d'))";
+    let before = page.value(each);
+    page.click("#animation-play");
+    page.wait_for(&format!("{each}.every((d, i) => d !== {before}[i])"));
+    page.click("#animation-play");
+    // Six at most: the others cannot be chosen then, and it is said.
+    choose(&page, &["space"], &[0, 1, 2, 3, 4, 5]);
+    assert_eq!(page.value(MODES), Value::from(6));
+    let open = "[...document.querySelectorAll('input[name=animation-mode]')].filter((box) => !box.checked && !box.disabled).length";
+    assert_eq!(page.value(open), Value::from(0));
+    let caption = "document.querySelector('#animation-caption').textContent";
+    assert!(page.text(caption).contains("No more than 6"));
+    choose(&page, &["space"], &[]);
+    assert_eq!(page.text(caption), "Choose a mode and a view.");
+    assert_ne!(page.value(open), Value::from(0));
+    page.was_quiet();
+}
+
+#[test]
+fn the_view_in_space_can_be_turned() {
+    let Some(page) = page(WIDE) else { return };
+    choose(&page, &["space"], &[0]);
     let before = page.text(OUTLINES);
-    page.press("ArrowDown");
-    page.wait_for("document.querySelectorAll('input[name=animation-mode]')[1].checked");
+    page.value("document.querySelector('#animation-azimuth').focus()");
+    page.press("ArrowRight");
     page.wait_for(&format!("{OUTLINES} !== {}", Value::from(before)));
+    assert_eq!(
+        page.text("document.querySelector('#animation-azimuth-text').textContent"),
+        "\u{2212}140\u{b0}"
+    );
+    // From along x a mode in the plane of x does not lean, from along y it does.
+    let number = "Number([...document.querySelectorAll('#animation-modes label')].find((label) => label.textContent.includes('1st fore-aft')).querySelector('input').value)";
+    let fore_aft = page.value(number).as_u64().expect("a mode") as usize;
+    choose(&page, &["space"], &[fore_aft]);
+    let width = |azimuth: i32| {
+        page.value(&format!(
+            "(() => {{ const slider = document.querySelector('#animation-azimuth'); slider.value = {azimuth}; slider.dispatchEvent(new Event('input')); const wide = (of) => document.querySelector(`#animation path.${{of}}`).getBBox().width; return wide('deformed') - wide('undeformed'); }})()"
+        ));
+        let text = "(() => { const wide = (of) => document.querySelector(`#animation path.${of}`).getBBox().width; return wide('deformed') - wide('undeformed'); })()";
+        page.value(text).as_f64().expect("a width")
+    };
+    let (along, across) = (width(0), width(90));
+    assert!(along.abs() < 0.5 && across > 5.0, "{along} {across}");
+    page.was_quiet();
+}
+
+/// What stands on the tower moves with it; what stands around it does not.
+#[test]
+fn machine_and_masses_move_and_soil_and_water_stay() {
+    let Some(page) = OpenPage::open(|| report_of("monopile.toml"), WIDE) else {
+        return;
+    };
+    choose(&page, &["space", "side", "front"], &[0, 1]);
+    let of = |substance: &str| {
+        page.value(&format!(
+            "[...document.querySelectorAll('#animation path.{substance}')].map((path) => path.getAttribute('d'))"
+        ))
+    };
+    let names = [
+        "machine",
+        "rotor",
+        "mass",
+        "foundation",
+        "link",
+        "soil",
+        "water",
+    ];
+    let before = names.map(&of);
+    page.value("(() => { const e = document.querySelector('#animation-phase'); e.value = 90; e.dispatchEvent(new Event('input')); return 0; })()");
+    let after = names.map(&of);
+    for ((name, before), after) in names.into_iter().zip(before).zip(after) {
+        let count = before.as_array().map_or(0, Vec::len);
+        assert!(count >= 6, "{name}: {count} in two modes and three views");
+        let stays = ["soil", "water"].contains(&name);
+        assert_eq!(before == after, stays, "{name}");
+    }
+    page.keep_picture("monopile-quarter");
+    page.was_quiet();
+}
+
+/// The text of a file on the page, put together as it is saved, has the sum of the file.
+#[test]
+fn the_embedded_input_has_the_sum_of_the_file() {
+    for example in ["monopile.toml", "small-turbine/ElastoDyn.dat"] {
+        let Some(page) = OpenPage::open(|| report_of(example), WIDE) else {
+            return;
+        };
+        let texts = page.value("[...document.querySelectorAll('.file pre')].map((pre) => pre.dataset.lineEnd === 'crlf' ? pre.textContent.replace(/\\n/g, '\\r\\n') : pre.textContent)");
+        let texts = texts.as_array().expect("texts");
+        assert!(!texts.is_empty());
+        let sums = page.value("[...document.querySelectorAll('#reproduction tbody tr td:last-child')].map((cell) => cell.textContent)");
+        for (text, sum) in texts.iter().zip(sums.as_array().expect("sums")) {
+            let text = text.as_str().expect("a text");
+            let digest = sha2::Sha256::digest(text.as_bytes());
+            let own: String = digest.iter().map(|byte| format!("{byte:02x}")).collect();
+            assert_eq!(Some(own.as_str()), sum.as_str(), "{example}");
+        }
+        assert_eq!(sums.as_array().map(Vec::len), Some(texts.len()));
+    }
+}
+
+#[test]
+fn the_input_is_copied_or_marked() {
+    let Some(page) = page(WIDE) else { return };
+    page.click(".copy-file");
+    page.wait_for("document.querySelector('.file [role=status]').textContent !== ''");
+    let said = page.text("document.querySelector('.file [role=status]').textContent");
+    if said.starts_with("Marked") {
+        let marked = "getSelection().toString().trim() === document.querySelector('.file pre').textContent.trim()";
+        assert_eq!(page.value(marked), Value::Bool(true));
+    } else {
+        assert_eq!(said, "Copied.");
+    }
     page.was_quiet();
 }
 
@@ -117,13 +263,14 @@ fn speed_amplitude_and_phase_do_what_they_say() {
 #[test]
 fn the_first_mode_bends_the_side_view_alone() {
     let Some(page) = page(WIDE) else { return };
+    choose(&page, &["side", "front"], &[0]);
     // The label says which view shows it.
     let label = page.text(
         "document.querySelector('input[name=animation-mode]:checked').closest('label').textContent",
     );
     let moves = |view: &str| {
         page.value(&format!(
-            "document.querySelector('#view-{view} path.deformed').getAttribute('d') !== document.querySelector('#view-{view} path.undeformed').getAttribute('d')"
+            "document.querySelector('.view-{view} path.deformed').getAttribute('d') !== document.querySelector('.view-{view} path.undeformed').getAttribute('d')"
         ))
     };
     let (seen, unseen) = if label.contains("side-side") {
@@ -246,7 +393,12 @@ fn every_example_is_quiet_and_its_labels_are_inside_their_pictures() {
             return;
         };
         assert_eq!(page.value(LABELS), Value::Array(vec![]), "{example}");
-        assert_ne!(page.text(OUTLINES), page.text(AT_REST), "{example}");
+        assert_ne!(page.text(DEFORMED), page.text(AT_REST), "{example}");
+        let numbers = page.text(OUTLINES);
+        assert!(
+            !numbers.contains("NaN") && !numbers.contains("null"),
+            "{example}"
+        );
         page.click("#animation-play");
         page.wait_for(
             "document.querySelector('#animation-play').getAttribute('aria-pressed') === 'true'",
@@ -297,7 +449,10 @@ fn every_control_is_reached_by_the_keyboard_and_shows_it() {
             here[0]
         );
         reached.push(here[0].as_str().unwrap_or_default().to_owned());
-        if reached.last().is_some_and(|name| name == "animation-phase") {
+        if reached
+            .last()
+            .is_some_and(|name| name == "animation-azimuth")
+        {
             break;
         }
     }
@@ -307,8 +462,10 @@ fn every_control_is_reached_by_the_keyboard_and_shows_it() {
         "animation-slower",
         "animation-faster",
         "animation-mode",
+        "animation-view",
         "animation-amplitude",
         "animation-phase",
+        "animation-azimuth",
     ] {
         assert!(
             reached.iter().any(|name| name == control),
@@ -321,11 +478,13 @@ fn every_control_is_reached_by_the_keyboard_and_shows_it() {
 #[test]
 fn the_amplitude_is_seen_from_above() {
     let Some(page) = page(WIDE) else { return };
+    // The first mode may be side-side.
+    choose(&page, &["top"], &[1]);
     let width = || {
-        let width = page.value("document.querySelector('#view-top path.deformed').getBBox().width");
+        let width = page.value("document.querySelector('.view-top path.deformed').getBBox().width");
         width.as_f64().expect("a width")
     };
-    let at_rest = "document.querySelector('#view-top path.undeformed').getBBox().width";
+    let at_rest = "document.querySelector('.view-top path.undeformed').getBBox().width";
     let at_rest = page.value(at_rest).as_f64().expect("a width");
     let wide = |percent: usize| {
         page.value(&format!(
@@ -333,8 +492,7 @@ fn the_amplitude_is_seen_from_above() {
         ));
         width() - at_rest
     };
-    // The base stands still, so the sections reach from there to the top. The first mode may be side-side.
-    page.click("input[name=animation-mode][value='1']");
+    // The base stands still, so the sections reach from there to the top.
     let (ten, twenty) = (wide(10), wide(20));
     assert!(
         ten > 5.0 && (twenty - 2.0 * ten).abs() < 0.2 * ten,

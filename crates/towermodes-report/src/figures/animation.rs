@@ -1,9 +1,10 @@
 //! What a script needs to move a tower in its modes.
 
 use serde::Serialize;
-use towermodes::{Mode, ShapePoint, Solution, Tower};
+use towermodes::{Mode, ShapePoint, Solution, Tower, TowerDescription};
 
 use super::outline::{is_nominal, outer_diameter_m};
+use super::scene::{Body, scene};
 
 /// Most heights of a moving tower.
 const MOST_HEIGHTS: usize = 60;
@@ -18,6 +19,8 @@ pub struct AnimationData {
     pub radius_m: Vec<f64>,
     /// Whether the radius is such a nominal one.
     pub is_nominal: bool,
+    /// What is on the tower, under it and around it.
+    pub bodies: Vec<Body>,
     /// The modes by frequency.
     pub modes: Vec<AnimatedMode>,
 }
@@ -41,12 +44,20 @@ pub struct AnimatedMode {
     pub y: Vec<f64>,
     /// Translation upwards.
     pub z: Vec<f64>,
+    /// Rotation about x.
+    pub rotation_x: Vec<f64>,
+    /// Rotation about y.
+    pub rotation_y: Vec<f64>,
     /// Rotation about the tower's axis.
     pub rotation_z: Vec<f64>,
 }
 
 /// What a script needs to move the tower in these modes, from their shapes at equal heights.
-pub fn animation_data(tower: &Tower, solution: &Solution) -> AnimationData {
+pub fn animation_data(
+    description: &TowerDescription,
+    tower: &Tower,
+    solution: &Solution,
+) -> AnimationData {
     let points = solution.modes.first().map_or(&[][..], |mode| &mode.shape);
     let heights_m: Vec<f64> = few(points).map(|point| point.height_m).collect();
     let radius_m = heights_m
@@ -55,6 +66,7 @@ pub fn animation_data(tower: &Tower, solution: &Solution) -> AnimationData {
     AnimationData {
         radius_m: radius_m.collect(),
         is_nominal: is_nominal(tower),
+        bodies: scene(description, tower),
         modes: solution.modes.iter().map(animated).collect(),
         height_m: heights_m.into_iter().map(rounded).collect(),
     }
@@ -67,6 +79,10 @@ fn animated(mode: &Mode) -> AnimatedMode {
             .map(|point| rounded(point.translation[axis]))
             .collect()
     };
+    let rotation = |axis: usize| {
+        let points = few(&mode.shape);
+        points.map(|point| rounded(point.rotation[axis])).collect()
+    };
     AnimatedMode {
         number: mode.number,
         label: mode.label(),
@@ -75,9 +91,9 @@ fn animated(mode: &Mode) -> AnimatedMode {
         x: translation(0),
         y: translation(1),
         z: translation(2),
-        rotation_z: few(&mode.shape)
-            .map(|point| rounded(point.rotation[2]))
-            .collect(),
+        rotation_x: rotation(0),
+        rotation_y: rotation(1),
+        rotation_z: rotation(2),
     }
 }
 
@@ -90,7 +106,7 @@ fn few(points: &[ShapePoint]) -> impl Iterator<Item = &ShapePoint> {
 }
 
 /// A number with five significant digits.
-fn rounded(value: f64) -> f64 {
+pub(super) fn rounded(value: f64) -> f64 {
     format!("{value:.4e}").parse().unwrap_or(value)
 }
 

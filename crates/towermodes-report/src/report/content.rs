@@ -10,6 +10,8 @@ use towermodes::{Options, Planes, Solution, SolveError, Tower, TowerDescription}
 pub struct ReportContent {
     /// What it is of; empty for a title made of the tower's name.
     pub title: String,
+    /// Who made it, who checked it, and under which number it is filed.
+    pub title_block: TitleBlock,
     /// The input.
     pub description: TowerDescription,
     /// The tower made of it.
@@ -42,6 +44,23 @@ pub struct ReportContent {
     pub files: Vec<InputFile>,
 }
 
+/// What a document control system wants to know of a report. Empty fields are left out; there is no clock, so the date is what was given.
+#[derive(Debug, Clone, PartialEq, Eq, Default)]
+pub struct TitleBlock {
+    /// The project or the site.
+    pub project: String,
+    /// The number of the document.
+    pub document: String,
+    /// Its revision.
+    pub revision: String,
+    /// Who made it.
+    pub author: String,
+    /// Who checked it.
+    pub checker: String,
+    /// Its date.
+    pub date: String,
+}
+
 /// The shapes in a tower file of ElastoDyn, and what it makes of them.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ElastoDynShapes {
@@ -62,6 +81,25 @@ pub struct InputFile {
     pub bytes: u64,
     /// SHA-256 (FIPS 180-4) of its bytes, in hexadecimal.
     pub sha256: String,
+    /// Its text, which the report repeats.
+    pub text: String,
+}
+
+impl TitleBlock {
+    /// The fields that were given, each with its name.
+    pub(super) fn given(&self) -> Vec<(&'static str, &str)> {
+        let fields = [
+            ("Project", &self.project),
+            ("Document", &self.document),
+            ("Revision", &self.revision),
+            ("Author", &self.author),
+            ("Checked by", &self.checker),
+            ("Date", &self.date),
+        ];
+        let fields = fields.map(|(name, value)| (name, value.trim()));
+        let given = fields.into_iter().filter(|(_, value)| !value.is_empty());
+        given.collect()
+    }
 }
 
 impl ReportContent {

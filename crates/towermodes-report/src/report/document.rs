@@ -3,6 +3,7 @@
 use serde::Serialize;
 use towermodes::Verdict;
 
+use super::embedded::EmbeddedFile;
 use super::table::Table;
 use crate::figures::AnimationData;
 use crate::svg::Figure;
@@ -11,6 +12,8 @@ use crate::svg::Figure;
 pub(super) struct Document {
     /// What it is of.
     pub title: String,
+    /// The fields below the title, each with its name.
+    pub title_block: Vec<(&'static str, String)>,
     /// Its sections in their order.
     pub sections: Vec<Section>,
 }
@@ -21,6 +24,8 @@ pub(super) struct Section {
     pub id: &'static str,
     /// The heading.
     pub title: &'static str,
+    /// Whether it is an appendix: these have letters in place of numbers.
+    pub is_appendix: bool,
     /// What it says.
     pub blocks: Vec<Block>,
 }
@@ -37,6 +42,8 @@ pub(super) enum Block {
     List(Vec<String>),
     /// Text that is typed.
     Code(String),
+    /// A file of the input.
+    File(EmbeddedFile),
     /// Numbers.
     Table(Table),
     /// A picture.
@@ -62,8 +69,8 @@ pub(super) struct Picture {
     pub figure: Figure,
     /// Its number, from 1.
     pub number: usize,
-    /// What `towermodes plot --what` calls it.
-    pub what: &'static str,
+    /// What `towermodes plot --what` calls it; none of a picture that only reports have.
+    pub what: Option<&'static str>,
     /// Whether tables of the section have its numbers, so that it needs none of its own.
     pub is_tabulated: bool,
 }
@@ -93,6 +100,20 @@ impl Mark {
 }
 
 impl Document {
+    /// The sections, each with its number, or its letter if it is an appendix.
+    pub(super) fn marked_sections(self) -> Vec<(String, Section)> {
+        let (mut numbers, mut letters) = (1_u32.., 'A'..='Z');
+        let mark = |section: &Section| match section.is_appendix {
+            true => letters.next().map(String::from).unwrap_or_default(),
+            false => numbers
+                .next()
+                .map(|number| number.to_string())
+                .unwrap_or_default(),
+        };
+        let marks: Vec<String> = self.sections.iter().map(mark).collect();
+        marks.into_iter().zip(self.sections).collect()
+    }
+
     /// The document with its pictures and tables numbered.
     pub(super) fn numbered(mut self) -> Self {
         let (mut pictures, mut tables) = (0, 0);

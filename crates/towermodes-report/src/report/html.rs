@@ -5,7 +5,7 @@ use minijinja::value::Serde;
 use minijinja::{Environment, Value};
 
 use super::content::ReportContent;
-use super::document::printable;
+use super::document::{Document, printable};
 use super::error::ReportError;
 use super::sections::document;
 use super::view::{PageView, sections};
@@ -15,8 +15,17 @@ use crate::svg::{Colour, Theme, stylesheet};
 const TEMPLATE: &str = include_str!("template.html");
 /// How it looks.
 const STYLE: &str = include_str!("style.css");
-/// What the page does for its reader, then how the tower moves.
-const SCRIPT: &str = concat!(include_str!("page.js"), include_str!("script.js"));
+/// What the page does for its reader, then how the tower moves: files that know each other.
+const SCRIPT: &str = concat!(
+    include_str!("script/page.js"),
+    include_str!("script/files.js"),
+    "(() => {\n\"use strict\";\nif (!document.getElementById(\"animation-data\")) return;\n",
+    include_str!("script/motion.js"),
+    include_str!("script/view.js"),
+    include_str!("script/paint.js"),
+    include_str!("script/controls.js"),
+    "})();\n"
+);
 
 /// The report as one page of HTML: no other file, nothing from a network; the same content gives the same bytes.
 ///
@@ -28,6 +37,7 @@ pub fn html(content: &ReportContent) -> Result<String, ReportError> {
     let document = document(content);
     let page = PageView {
         title: printable(&document.title),
+        title_block: title_block(&document),
         style: style(),
         script: SCRIPT,
         sections: sections(document)?,
@@ -35,6 +45,14 @@ pub fn html(content: &ReportContent) -> Result<String, ReportError> {
     rendered(page).map_err(|error| ReportError::Page {
         message: format!("{error:#}"),
     })
+}
+
+/// The fields below the title.
+fn title_block(document: &Document) -> Vec<(&'static str, String)> {
+    let fields = document.title_block.iter();
+    fields
+        .map(|(name, value)| (*name, printable(value)))
+        .collect()
 }
 
 /// The template filled in, without the lines that only steer it.

@@ -2,9 +2,11 @@
 
 use super::content::ReportContent;
 use super::document::{Block, Mark, Picture, Statement, printable};
+use super::embedded::EmbeddedFile;
 use super::plot_command::plot_command;
 use super::sections::document;
 use super::table::{Cell, Table};
+use crate::svg::DataTable;
 
 /// Tables of more rows than this are shortened as the page shortens them: here nothing folds away.
 const MOST_WHOLE_ROWS: usize = 100;
@@ -14,25 +16,47 @@ const MOST_WHOLE_ROWS: usize = 100;
 pub fn markdown(content: &ReportContent) -> String {
     let document = document(content);
     let mut text = format!("# {}\n", line(&document.title));
-    for (number, section) in (1..).zip(&document.sections) {
-        text.push_str(&format!("\n## {number}. {}\n", section.title));
-        for block in &section.blocks {
-            let block = match block {
-                Block::Heading(heading) => format!("### {}", line(heading)),
-                Block::Paragraph(paragraph) => line(paragraph),
-                Block::Statements(statements) => list(statements.iter().map(statement)),
-                Block::List(points) => list(points.iter().map(|point| line(point))),
-                Block::Code(code) => fenced(code),
-                Block::Table(table) => of_table(table),
-                Block::Picture(picture) => of_picture(picture, content),
-                Block::Animation(_) => continue,
-            };
-            text.push('\n');
-            text.push_str(&block);
-            text.push('\n');
+    if !document.title_block.is_empty() {
+        let fields = document.title_block.iter();
+        let fields = fields.map(|(name, value)| format!("**{name}**: {}", line(value)));
+        text.push_str(&format!("\n{}\n", list(fields)));
+    }
+    for (mark, section) in document.marked_sections() {
+        let kind = if section.is_appendix { "Appendix " } else { "" };
+        text.push_str(&format!("\n## {kind}{mark}. {}\n", section.title));
+        for block in section
+            .blocks
+            .iter()
+            .filter_map(|block| of_block(block, content))
+        {
+            text.push_str(&format!("\n{block}\n"));
         }
     }
     text
+}
+
+/// A piece of a section; nothing of what moves.
+fn of_block(block: &Block, content: &ReportContent) -> Option<String> {
+    Some(match block {
+        Block::Heading(heading) => format!("### {}", line(heading)),
+        Block::Paragraph(paragraph) => line(paragraph),
+        Block::Statements(statements) => list(statements.iter().map(statement)),
+        Block::List(points) => list(points.iter().map(|point| line(point))),
+        Block::Code(code) => fenced(code),
+        Block::File(file) => of_file(file),
+        Block::Table(table) => of_table(table),
+        Block::Picture(picture) => of_picture(picture, content),
+        Block::Animation(_) => return None,
+    })
+}
+
+fn of_file(file: &EmbeddedFile) -> String {
+    let differs = file.differs.as_ref();
+    let differs = differs.map_or(String::new(), |differs| {
+        format!(" Not byte by byte: {}.", line(differs))
+    });
+    let text = fenced(file.text.strip_suffix('\n').unwrap_or(&file.text));
+    format!("**{}**{differs}\n\n{text}", line(&file.name))
 }
 
 fn list(points: impl Iterator<Item = String>) -> String {
@@ -55,6 +79,7 @@ fn marked(mark: Mark) -> String {
     format!("**{}**", mark.word)
 }
 
+/// What a picture shows, and the command that draws it, or its numbers where no command does.
 fn of_picture(picture: &Picture, content: &ReportContent) -> String {
     let figure = &picture.figure;
     let heading = format!(
@@ -63,8 +88,19 @@ fn of_picture(picture: &Picture, content: &ReportContent) -> String {
         line(&figure.title),
         line(&figure.description)
     );
-    let command = plot_command(content, picture.what);
-    format!("{heading}\n\n{}", fenced(&command))
+    let below = match picture.what {
+        Some(what) => fenced(&plot_command(content, what)),
+        None => of_data(&figure.table),
+    };
+    format!("{heading}\n\n{below}")
+}
+
+fn of_data(data: &DataTable) -> String {
+    let cells = |cells: &[String]| row(&cells.iter().map(|cell| line(cell)).collect::<Vec<_>>());
+    let rules = vec!["---".to_owned(); data.header.len()];
+    let head = [cells(&data.header), row(&rules)];
+    let rows = data.rows.iter().map(|row| cells(row));
+    head.into_iter().chain(rows).collect::<Vec<_>>().join("\n")
 }
 
 fn of_table(table: &Table) -> String {

@@ -4,6 +4,7 @@
 
 mod content;
 mod document;
+mod embedded;
 mod error;
 mod html;
 mod markdown;
@@ -14,7 +15,7 @@ mod shell;
 mod table;
 mod view;
 
-pub use content::{ElastoDynShapes, InputFile, ReportContent};
+pub use content::{ElastoDynShapes, InputFile, ReportContent, TitleBlock};
 pub use error::ReportError;
 pub use html::html;
 pub use markdown::markdown;

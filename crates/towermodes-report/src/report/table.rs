@@ -136,6 +136,45 @@ impl Table {
         self.rows.push(row.into_iter().map(Into::into).collect());
     }
 
+    /// The same without the columns whose every cell is 0 or rigid, which the caption then names. The first column stays: it says what a row
+    /// is of.
+    pub(super) fn without_empty_columns(mut self) -> Self {
+        for (cell, said) in [("0", "zero"), ("rigid", "rigid")] {
+            let names = self.drop_columns_of(cell);
+            if !names.is_empty() {
+                self.caption
+                    .push_str(&format!("; {said}: {}", names.join(", ")));
+            }
+        }
+        self
+    }
+
+    /// Drops the columns that have one text in every row; gives their names without units.
+    fn drop_columns_of(&mut self, text: &str) -> Vec<String> {
+        let rows = &self.rows;
+        let is_empty = |column: usize| {
+            let is_number = self.columns[column].is_number;
+            let mut cells = rows.iter().filter_map(|row| row.get(column));
+            column > 0 && is_number && !rows.is_empty() && cells.all(|cell| cell.text == text)
+        };
+        let empty: Vec<bool> = (0..self.columns.len()).map(is_empty).collect();
+        let name = |column: &Column| {
+            let name = column.name.split(" (").next();
+            name.unwrap_or_default().to_owned()
+        };
+        let named = self
+            .columns
+            .iter()
+            .zip(&empty)
+            .filter(|(_, is_empty)| **is_empty);
+        let names = named.map(|(column, _)| name(column)).collect();
+        for row in &mut self.rows {
+            keep(row, &empty);
+        }
+        keep(&mut self.columns, &empty);
+        names
+    }
+
     /// The same, shortened in its middle if it is long.
     pub(super) fn shortened(mut self) -> Self {
         let count = self.rows.len();
@@ -180,9 +219,39 @@ impl Table {
     }
 }
 
+/// Leaves out what is empty.
+fn keep<T>(list: &mut Vec<T>, is_empty: &[bool]) {
+    let mut is_empty = is_empty.iter();
+    list.retain(|_| !is_empty.next().copied().unwrap_or(false));
+}
+
 #[cfg(test)]
 mod tests {
     use super::Table;
+
+    #[test]
+    fn columns_of_nothing_are_named_in_the_caption() {
+        let names = ["#height z (m)", "#mass (kg)", "#Ixx (kg m²)", "#κGA (N)"];
+        let table = |rows: &[[&str; 4]]| {
+            let mut table = Table::new("Parts", names);
+            rows.iter().for_each(|row| table.push(*row));
+            table.without_empty_columns()
+        };
+        let columns = |table: &Table| -> Vec<String> {
+            table
+                .columns
+                .iter()
+                .map(|column| column.name.clone())
+                .collect()
+        };
+        let dropped = table(&[["0", "7", "0", "rigid"], ["0", "0", "0", "rigid"]]);
+        assert_eq!(columns(&dropped), ["height z (m)", "mass (kg)"]);
+        assert_eq!(dropped.caption, "Parts; zero: Ixx; rigid: κGA");
+        assert!(dropped.rows.iter().all(|row| row.len() == 2));
+        let kept = table(&[["0", "7", "0", "rigid"], ["0", "0", "1", "2"]]);
+        assert_eq!((columns(&kept).len(), &*kept.caption), (4, "Parts"));
+        assert_eq!(columns(&table(&[])).len(), 4);
+    }
 
     #[test]
     fn long_tables_are_shortened_in_their_middle() {

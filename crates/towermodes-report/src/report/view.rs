@@ -3,15 +3,22 @@
 use serde::Serialize;
 
 use super::document::{Block, Document, Picture, Section, Statement, printable};
+use super::embedded::EmbeddedFile;
 use super::error::ReportError;
+use super::number::counted;
 use super::table::{Cell, Column, MOST_ROWS, Table};
-use crate::figures::AnimationData;
+use crate::figures::{AnimationData, Body, Substance};
 use crate::svg::{DataTable, Look};
+
+/// Tables with at most so many rows are not broken across pages of paper.
+const SHORT: usize = 24;
 
 /// A report's page.
 #[derive(Serialize)]
 pub(super) struct PageView {
     pub title: String,
+    /// The fields below the title, each with its name.
+    pub title_block: Vec<(&'static str, String)>,
     /// Rules of the page, colours included.
     pub style: String,
     pub script: &'static str,
@@ -22,7 +29,9 @@ pub(super) struct PageView {
 #[derive(Serialize)]
 pub(super) struct SectionView {
     pub id: &'static str,
-    pub number: usize,
+    /// Its number, or the letter of an appendix.
+    pub mark: String,
+    pub is_appendix: bool,
     pub title: &'static str,
     pub blocks: Vec<BlockView>,
 }
@@ -36,9 +45,27 @@ pub(super) enum BlockView {
     Statements { statements: Vec<Statement> },
     List { points: Vec<String> },
     Code { text: String },
+    File { file: FileView },
     Table { table: TableView },
     Picture { picture: PictureView },
     Animation { animation: AnimationView },
+}
+
+/// A file of the input on the page.
+#[derive(Serialize)]
+pub(super) struct FileView {
+    /// Its number among the files, from 1.
+    pub number: usize,
+    pub name: String,
+    /// What a copy of it is called: the last part of its path.
+    pub file_name: String,
+    pub text: String,
+    /// How its lines end in the file: `lf` or `crlf`.
+    pub line_end: &'static str,
+    /// How many lines are here.
+    pub lines: String,
+    /// How the text differs from the file, if it does.
+    pub differs: Option<String>,
 }
 
 /// A table of the page.
@@ -55,6 +82,8 @@ pub(super) struct TableView {
     pub all: Vec<RowView>,
     /// What all of them are called: "all 41 rows".
     pub all_name: String,
+    /// Whether it fits on a page of paper with what is around it, and should not be broken there.
+    pub is_short: bool,
 }
 
 /// A row of a table of the page.
@@ -83,6 +112,8 @@ pub(super) struct AnimationView {
     pub modes: Vec<AnimatedModeView>,
     /// Whether the tower's width is nominal.
     pub is_nominal: bool,
+    /// What is drawn with the tower, in words; empty if nothing is.
+    pub parts: String,
     /// What the script reads, as JSON that ends no script.
     pub data: String,
 }
@@ -94,29 +125,36 @@ pub(super) struct AnimatedModeView {
     pub label: String,
 }
 
+/// The sections of a document.
+pub(super) fn sections(document: Document) -> Result<Vec<SectionView>, ReportError> {
+    let marked = document.marked_sections().into_iter();
+    marked
+        .map(|(mark, section)| SectionView::of(mark, section))
+        .collect()
+}
+
 impl SectionView {
-    /// A section of the page, with its number.
-    pub(super) fn of(number: usize, section: Section) -> Result<Self, ReportError> {
-        let blocks = section.blocks.into_iter().map(BlockView::of);
+    /// A section of the page, with its number or letter.
+    fn of(mark: String, section: Section) -> Result<Self, ReportError> {
+        let mut files = 0;
+        let block = |block: Block| {
+            files += usize::from(matches!(block, Block::File(_)));
+            BlockView::of(block, files)
+        };
+        let blocks = section.blocks.into_iter().map(block);
         Ok(Self {
             id: section.id,
-            number,
+            mark,
+            is_appendix: section.is_appendix,
             title: section.title,
             blocks: blocks.collect::<Result<_, _>>()?,
         })
     }
 }
 
-/// The sections of a document.
-pub(super) fn sections(document: Document) -> Result<Vec<SectionView>, ReportError> {
-    let numbered = (1..).zip(document.sections);
-    numbered
-        .map(|(number, section)| SectionView::of(number, section))
-        .collect()
-}
-
 impl BlockView {
-    fn of(block: Block) -> Result<Self, ReportError> {
+    /// A piece of the page; `number` is that of a file.
+    fn of(block: Block, number: usize) -> Result<Self, ReportError> {
         Ok(match block {
             Block::Heading(text) => Self::Heading { text },
             Block::Paragraph(text) => Self::Paragraph {
@@ -129,6 +167,9 @@ impl BlockView {
             Block::Code(text) => Self::Code {
                 text: printable(&text),
             },
+            Block::File(file) => Self::File {
+                file: FileView::of(number, file),
+            },
             Block::Table(table) => Self::Table {
                 table: TableView::of(&table),
             },
@@ -139,6 +180,24 @@ impl BlockView {
                 animation: AnimationView::of(&data)?,
             },
         })
+    }
+}
+
+impl FileView {
+    fn of(number: usize, file: EmbeddedFile) -> Self {
+        let name = printable(&file.name);
+        let last = name.rsplit(['/', '\\']).next().unwrap_or_default();
+        let is_file = !last.is_empty() && !last.starts_with('<');
+        let file_name = if is_file { last } else { "input.txt" };
+        Self {
+            number,
+            file_name: file_name.to_owned(),
+            lines: counted(file.text.lines().count(), "line"),
+            name,
+            text: file.text,
+            line_end: if file.has_crlf { "crlf" } else { "lf" },
+            differs: file.differs,
+        }
     }
 }
 
@@ -160,6 +219,7 @@ impl TableView {
         Self {
             caption: printable(&caption),
             columns: table.columns.clone(),
+            is_short: rows.len() <= SHORT,
             rows,
             which,
             all,
@@ -186,6 +246,7 @@ impl TableView {
             caption: printable(&format!("Numbers of figure {number}. {title}{note}.")),
             columns: data.header.iter().enumerate().map(column).collect(),
             rows: data.rows.iter().take(MOST_ROWS).map(cells).collect(),
+            is_short: data.rows.len() <= SHORT,
             which: None,
             all: Vec::new(),
             all_name: String::new(),
@@ -257,8 +318,28 @@ impl AnimationView {
         Ok(Self {
             modes: data.modes.iter().map(mode).collect(),
             is_nominal: data.is_nominal,
+            parts: parts(&data.bodies),
             // Neither `</script` nor `<!--` may be in a script.
             data: json.replace('<', "\\u003c"),
         })
     }
+}
+
+/// What the bodies around a moving tower are: "ground, masses, the machine (nominal form)".
+fn parts(bodies: &[Body]) -> String {
+    let names = [
+        (Substance::Ground, "ground"),
+        (Substance::Soil, "soil"),
+        (Substance::Water, "water"),
+        (Substance::Foundation, "the foundation or platform"),
+        (Substance::Link, "springs, wires or moorings"),
+        (Substance::Mass, "centres of mass as balls"),
+        (
+            Substance::Machine,
+            "nacelle, hub and blades in a nominal form, as their measures are not in the input",
+        ),
+    ];
+    let is_there = |of: Substance| bodies.iter().any(|body| body.of == of);
+    let there = names.into_iter().filter(|(of, _)| is_there(*of));
+    there.map(|(_, name)| name).collect::<Vec<_>>().join(", ")
 }

@@ -13,12 +13,17 @@ use towermodes::{
     Planes, PointMass, Rna, SoilRow, SolveError, Station, Tower, TowerDescription, Water, Wires,
     solve,
 };
-use towermodes_report::report::{ElastoDynShapes, InputFile, ReportContent, html, markdown};
+use towermodes_report::report::{
+    ElastoDynShapes, InputFile, ReportContent, TitleBlock, html, markdown,
+};
 
 use page::{Piece, attribute, pieces, read};
 
 /// What might end a script, a text or a table, or run.
 const HOSTILE: &str = r#"</script><img src=x onerror="alert(1)">'&|`{{ 7*7 }}--><!--"#;
+
+/// What the input file of the tests says.
+const POLE: &str = "name = \"pole\"  # a < b & c\n\n[tower]\n";
 
 /// A uniform cantilever, so slender that it is the beam of the textbooks: with β₁ = 1.8751 its first bending mode has
 /// f₁ = β₁²/2π √(EI/mL⁴) = 0.63637 Hz, and its mass is 157.04 t.
@@ -80,6 +85,7 @@ fn content_by(
     };
     ReportContent {
         title: String::new(),
+        title_block: TitleBlock::default(),
         comparison: compare(&tower, &options, &columns, |_, _| {}),
         elastodyn: elastodyn(&tower),
         shapes_from_m: tower.base_m(),
@@ -99,6 +105,7 @@ fn content_by(
             bytes: 123,
             sha256: "ba7816bf".repeat(8),
             is_of_text: false,
+            text: POLE.to_owned(),
         }],
     }
 }
@@ -121,17 +128,19 @@ fn section(page: &str, id: &str) -> String {
     read(&format!("<!DOCTYPE html>{}", &page[start..end]))
 }
 
-const SECTIONS: [(&str, &str); 10] = [
-    ("summary", "Summary"),
-    ("input", "Input"),
-    ("assumptions", "Assumptions"),
-    ("frequencies", "Natural frequencies"),
-    ("modes", "Mode shapes"),
-    ("methods", "Methods compared"),
-    ("resonance", "Resonance"),
-    ("elastodyn", "Shapes for ElastoDyn (OpenFAST)"),
-    ("notes", "Notes and warnings"),
-    ("reproduction", "Reproduction"),
+/// The sections in their order: the mark, the name in links, the title.
+const SECTIONS: [(&str, &str, &str); 11] = [
+    ("1", "summary", "Summary"),
+    ("2", "input", "Input"),
+    ("3", "assumptions", "Assumptions"),
+    ("4", "frequencies", "Natural frequencies"),
+    ("5", "resonance", "Resonance"),
+    ("6", "modes", "Mode shapes"),
+    ("7", "elastodyn", "Shapes for ElastoDyn (OpenFAST)"),
+    ("8", "notes", "Notes and warnings"),
+    ("9", "reproduction", "Reproduction"),
+    ("Appendix A", "methods", "Methods compared"),
+    ("Appendix B", "files", "Input files"),
 ];
 
 #[test]
@@ -140,15 +149,106 @@ fn every_section_is_there_in_its_order() {
     let page = page_of(&content);
     let text = markdown(&content);
     let (mut in_page, mut in_text) = (0, 0);
-    for (number, (id, title)) in (1..).zip(SECTIONS) {
+    for (mark, id, title) in SECTIONS {
         let at = page.find(&format!("<section id=\"{id}\"")).expect(id);
         assert!(at > in_page, "{id}");
         in_page = at;
-        assert!(page.contains(&format!("<a href=\"#{id}\">")), "{id}");
-        let at = text.find(&format!("\n## {number}. {title}\n")).expect(id);
+        let link = format!("<a href=\"#{id}\">{mark}. {title}</a>");
+        assert!(page.contains(&link), "{link}");
+        let at = text.find(&format!("\n## {mark}. {title}\n")).expect(id);
         assert!(at > in_text, "{id}");
         in_text = at;
     }
+}
+
+#[test]
+fn the_title_block_has_the_fields_that_were_given() {
+    let mut content = content(pole(), None);
+    assert!(!page_of(&content).contains("<dl class=\"title-block\">"));
+    assert!(
+        markdown(&content)
+            .starts_with("# Natural frequencies and mode shapes: pole\n\n## 1. Summary")
+    );
+    content.title_block = TitleBlock {
+        document: "T-17-003".to_owned(),
+        revision: " C ".to_owned(),
+        author: "A <b> & Co".to_owned(),
+        date: "  ".to_owned(),
+        ..TitleBlock::default()
+    };
+    let page = page_of(&content);
+    let start = page
+        .find("<dl class=\"title-block\">")
+        .expect("a title block");
+    let end = start + page[start..].find("</dl>").expect("its end");
+    let block = read(&format!("<!DOCTYPE html>{}</dl>", &page[start..end]));
+    let words: Vec<&str> = block.lines().filter(|line| !line.is_empty()).collect();
+    assert_eq!(words, ["DocumentT-17-003", "RevisionC", "AuthorA <b> & Co"]);
+    assert!(page.find("<nav").is_some_and(|nav| start < nav));
+    let text = markdown(&content);
+    assert!(
+        text.contains("\n\n- **Document**: T-17-003\n- **Revision**: C\n- **Author**: A &lt;b\\> &amp; Co\n\n## 1."),
+        "{text}"
+    );
+}
+
+/// The first mode is at 0.63637 Hz; 3P reaches from 0.345 to 0.605 Hz, which 5 % keep free of modes from 0.3286 to 0.6368 Hz.
+#[test]
+fn the_summary_begins_with_the_bar() {
+    let content = content(pole(), Some(ROTOR));
+    let page = page_of(&content);
+    let summary = section(&page, "summary");
+    let bar = summary.find("First natural frequencies between the rotor's excitations");
+    let statements = summary
+        .find("1st fore-aft bending 0.6364 Hz (period")
+        .expect("statements");
+    assert!(bar.is_some_and(|bar| bar < statements), "{summary}");
+    for said in [
+        "In operation 1P excites from 0.1150 to 0.2017 Hz and 3P excites from 0.3450 to 0.6050 Hz",
+        "1st fore-aft bending is at 0.6364 Hz, where 1P stays 68.3 % below it and 3P stays 4.9 % below it",
+    ] {
+        assert!(summary.contains(said), "{said}: {summary}");
+    }
+    // As Markdown there is no command that draws it, but its numbers are there.
+    let row = "| 1st fore-aft bending | 0.6364 |";
+    let text = markdown(&content);
+    let numbers = text
+        .lines()
+        .find(|line| line.starts_with(row) && line.contains("3P"));
+    let numbers = numbers.expect("a row of numbers");
+    assert!(
+        numbers.ends_with("| 3P | 0.3450 to 0.6050 | 0.3286 to 0.6368 | \u{2212}4.9 | FAIL |"),
+        "{numbers}"
+    );
+    let without = content_by(pole(), None, Options::default());
+    assert!(!page_of(&without).contains("id=\"first-frequencies-title\""));
+}
+
+#[test]
+fn the_input_file_is_in_the_report() {
+    let mut content = content(pole(), None);
+    let page = page_of(&content);
+    // The parser of pages drops the line feed that follows the tag.
+    let start = page.find("data-name=\"pole.toml\">\n").expect("the file");
+    let text = &page[start + "data-name=\"pole.toml\">\n".len()..];
+    let text = &text[..text.find("</pre>").expect("its end")];
+    assert_eq!(read(&format!("<!DOCTYPE html>{text}")), POLE);
+    let said = "This is not the file byte by byte";
+    // Its size is said to be 123 bytes, so it is another one.
+    assert!(section(&page, "files").contains(said));
+    content.files[0].bytes = POLE.len() as u64;
+    assert!(!section(&page_of(&content), "files").contains(said));
+    let fenced = format!("**pole.toml**\n\n```text\n{POLE}```\n");
+    assert!(
+        markdown(&content).ends_with(&fenced),
+        "{}",
+        markdown(&content)
+    );
+    content.files[0].text = format!("{HOSTILE}\n</pre>");
+    content.files[0].name = "a/b \"c\".toml".to_owned();
+    let page = page_of(&content);
+    nested(&pieces(&page));
+    assert!(section(&page, "files").contains(HOSTILE));
 }
 
 #[test]
@@ -514,15 +614,172 @@ fn the_page_asks_for_nothing() {
     }
 }
 
-#[test]
-fn the_moving_tower_has_its_data() {
-    let content = content(pole(), None);
-    let page = page_of(&content);
+/// A tower with something of each kind on it, under it and around it.
+fn surrounded() -> TowerDescription {
+    let mut description = pole();
+    let mass = |mass_kg| PointMass {
+        height_m: 40.0,
+        mass_kg,
+        ..PointMass::default()
+    };
+    description.point_masses = vec![mass(2e3), mass(5e3)];
+    description.rna = Rna::point(100e3);
+    description.rotor = Some(Rotor { blades: 2, ..ROTOR });
+    let row = |height_m| SoilRow {
+        height_m,
+        stiffness: towermodes::SoilStiffness {
+            x_n_per_m2: 1e7,
+            y_n_per_m2: 1e7,
+            ..Default::default()
+        },
+    };
+    description.soil = vec![vec![row(0.0), row(10.0)]];
+    description.water = Some(Water {
+        level_m: 25.0,
+        bed_m: Some(10.0),
+        density_kg_per_m3: 1025.0,
+        added_mass_coefficient: 1.0,
+        flooded: false,
+    });
+    description.wires = vec![Wires {
+        height_m: 60.0,
+        count: 3,
+        stiffness_n_per_m: 1e6,
+        angle_deg: 45.0,
+    }];
+    description.foundation = Foundation::Springs(FoundationSprings {
+        lateral_n_per_m: 1e9,
+        rocking_n_m: 1e11,
+        coupling_n: 0.0,
+        vertical_n_per_m: 1e9,
+        torsion_n_m: f64::INFINITY,
+    });
+    description
+}
+
+/// The data of the moving tower of a page.
+fn moving(page: &str) -> serde_json::Value {
     let start = "<script type=\"application/json\" id=\"animation-data\">";
     let data = &page[page.find(start).expect("data") + start.len()..];
     let data = &data[..data.find("</script>").expect("an end")];
     assert!(!data.contains('<'));
-    let data: serde_json::Value = serde_json::from_str(data).expect("JSON");
+    serde_json::from_str(data).expect("JSON")
+}
+
+#[test]
+fn what_is_around_the_tower_moves_with_it() {
+    let page = page_of(&content(surrounded(), None));
+    let data = moving(&page);
+    let bodies = data["bodies"].as_array().expect("bodies");
+    let of = |substance: &str| -> Vec<&serde_json::Value> {
+        bodies
+            .iter()
+            .filter(|body| body["of"] == substance)
+            .collect()
+    };
+    // A nacelle; a hub and two blades; two masses and the machine's centre; four springs to the side, one below, three wires.
+    let counts = [
+        "machine",
+        "rotor",
+        "mass",
+        "foundation",
+        "soil",
+        "water",
+        "link",
+    ];
+    let counts = counts.map(|substance| of(substance).len());
+    assert_eq!(counts, [1, 3, 3, 1, 1, 1, 8]);
+    let heights = |body: &serde_json::Value| {
+        let points = body["points"].as_array().expect("points");
+        let z = points
+            .iter()
+            .map(|point| point[2].as_f64().expect("a height"));
+        z.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], z| {
+            [low.min(z), high.max(z)]
+        })
+    };
+    assert_eq!(heights(of("soil")[0]), [0.0, 10.0]);
+    assert_eq!(heights(of("water")[0]), [10.0, 25.0]);
+    assert_eq!(of("water")[0].get("follows_m"), None);
+    assert_eq!(heights(of("machine")[0])[0], 80.0);
+    assert!(of("rotor").iter().all(|body| body["follows_m"] == 80.0));
+    // The upper blade is as long as the lower one: 0.6 of the 55 m above the water, about the middle of the nacelle.
+    let [upper, lower] = [heights(of("rotor")[1]), heights(of("rotor")[2])];
+    assert!(
+        (upper[1] - lower[0] - 2.0 * 0.6 * 55.0).abs() < 0.05,
+        "{upper:?} {lower:?}"
+    );
+    // Wires at 45° from 60 m meet the ground at 10 m, 50 m away.
+    let anchor = |body: &&serde_json::Value| {
+        body["form"] == "line" && body["points"][1] == serde_json::json!([50.0, 0.0, 10.0])
+    };
+    assert!(of("link").iter().any(anchor), "{:?}", of("link"));
+    let masses = of("mass")
+        .into_iter()
+        .filter(|body| body["follows_m"] == 40.0);
+    assert_eq!(masses.count(), 2);
+    assert!(
+        section(&page, "animation").contains("soil, water, the foundation or platform, springs")
+    );
+}
+
+#[test]
+fn sections_turn_as_the_axis_bends() {
+    let data = moving(&page_of(&content(pole(), None)));
+    let modes = data["modes"].as_array().expect("modes");
+    let mode = modes
+        .iter()
+        .find(|mode| mode["family"] == "fore-aft")
+        .expect("a mode");
+    let numbers = |value: &serde_json::Value| -> Vec<f64> {
+        let list = value.as_array().expect("numbers").iter();
+        list.map(|number| number.as_f64().expect("a number"))
+            .collect()
+    };
+    let (z, x) = (numbers(&data["height_m"]), numbers(&mode["x"]));
+    let turn = numbers(&mode["rotation_y"]);
+    // A beam without shear: the rotation about y is the slope dx/dz; of the mean of two neighbours to 1 % over such short steps.
+    for k in 10..z.len() - 1 {
+        let slope = (x[k + 1] - x[k]) / (z[k + 1] - z[k]);
+        let mean = 0.5 * (turn[k] + turn[k + 1]);
+        assert!((slope - mean).abs() < 0.01 * slope.abs(), "{slope} {mean}");
+    }
+    assert!(numbers(&mode["rotation_x"]).iter().all(|turn| *turn == 0.0));
+}
+
+#[test]
+fn masses_are_said_with_their_sum() {
+    let input = section(&page_of(&content(surrounded(), None)), "input");
+    assert!(input.contains("2 point masses, 7 t in total;"), "{input}");
+    assert!(input.contains("mass of each (kg)"), "{input}");
+}
+
+#[test]
+fn columns_without_numbers_are_left_out() {
+    let text = markdown(&content(surrounded(), None));
+    assert!(
+        text.contains("| height z (m) | mass of each (kg) |\n"),
+        "{text}"
+    );
+    assert!(
+        text.contains("zero: Ixx, Iyy, Izz, Ixy, Ixz, Iyz."),
+        "{text}"
+    );
+    assert!(
+        text.contains("| height z (m) | x (N/m²) | y (N/m²) |\n"),
+        "{text}"
+    );
+    assert!(
+        text.contains("linear between rows; zero: z, torsion."),
+        "{text}"
+    );
+}
+
+#[test]
+fn the_moving_tower_has_its_data() {
+    let content = content(pole(), None);
+    let page = page_of(&content);
+    let data = moving(&page);
     let modes = data["modes"].as_array().expect("modes");
     assert_eq!(modes.len(), 8);
     let numbers = |value: &serde_json::Value| value.as_array().map_or(0, Vec::len);
@@ -531,7 +788,7 @@ fn the_moving_tower_has_its_data() {
     assert_eq!(numbers(&data["radius_m"]), heights);
     assert_eq!(data["radius_m"][0], 2.0);
     for mode in modes {
-        for motion in ["x", "y", "z", "rotation_z"] {
+        for motion in ["x", "y", "z", "rotation_x", "rotation_y", "rotation_z"] {
             assert_eq!(numbers(&mode[motion]), heights, "{motion}");
         }
     }

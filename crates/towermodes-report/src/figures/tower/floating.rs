@@ -14,7 +14,7 @@ use crate::svg::{Colour, Dash, Drawing, Stroke};
 const DEEPEST: f64 = 4.0;
 
 /// The platform, if the tower floats.
-pub(super) fn platform(description: &TowerDescription) -> Option<&FloatingPlatform> {
+pub(in crate::figures) fn platform(description: &TowerDescription) -> Option<&FloatingPlatform> {
     match &description.foundation {
         Foundation::Floating(platform) => Some(platform),
         _ => None,
@@ -22,7 +22,7 @@ pub(super) fn platform(description: &TowerDescription) -> Option<&FloatingPlatfo
 }
 
 /// The lowest height of the platform as it is drawn, m.
-pub(super) fn keel_m(platform: &FloatingPlatform, tower: &Tower) -> f64 {
+pub(in crate::figures) fn keel_m(platform: &FloatingPlatform, tower: &Tower) -> f64 {
     let (base_m, height_m) = (tower.base_m(), tower.height_m());
     let below = |depth_m: f64| depth_m.clamp(0.1 * height_m, DEEPEST * height_m);
     let of_center = below(base_m - platform.center_m[2]);
@@ -34,7 +34,7 @@ pub(super) fn keel_m(platform: &FloatingPlatform, tower: &Tower) -> f64 {
 }
 
 /// Where the water's surface is drawn, m: at the height that the hydrostatic stiffness is about.
-pub(super) fn surface_m(platform: &FloatingPlatform) -> Option<f64> {
+pub(in crate::figures) fn surface_m(platform: &FloatingPlatform) -> Option<f64> {
     let has_buoyancy = platform.hydrostatic.matrix != SpatialMatrix::default();
     has_buoyancy.then_some(platform.hydrostatic.height_m)
 }

@@ -37,7 +37,7 @@ pub(super) fn draw_foundation(
 }
 
 /// The springs that are drawn for a matrix: those on its diagonal, of two planes the stiffer one.
-fn on_diagonal(foundation: &StiffnessFoundation) -> FoundationSprings {
+pub(in crate::figures) fn on_diagonal(foundation: &StiffnessFoundation) -> FoundationSprings {
     let k = &foundation.stiffness;
     FoundationSprings {
         lateral_n_per_m: k[0][0].max(k[1][1]),

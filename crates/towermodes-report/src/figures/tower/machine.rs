@@ -13,7 +13,7 @@ use crate::svg::{Colour, Dash, Drawing, Stroke};
 pub(super) const ABOVE: f64 = 62.0;
 
 /// Whether there is a machine at all.
-pub(super) fn is_there(rna: &Rna) -> bool {
+pub(in crate::figures) fn is_there(rna: &Rna) -> bool {
     *rna != Rna::default()
 }
 
@@ -70,6 +70,43 @@ fn is_in_field(view: &View, (x, y): (f64, f64)) -> bool {
         && (frame.top + 7.0..=frame.bottom - 7.0).contains(&y)
 }
 
+/// Nacelle, hub and the roots of blades from the side, in any unit of length: x from the tower's axis, heights from its top.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(in crate::figures) struct MachineForm {
+    /// Where the nacelle begins, upwind.
+    pub front: f64,
+    /// Where it ends.
+    pub back: f64,
+    /// Its height.
+    pub height: f64,
+    /// How far the hub reaches before it.
+    pub nose_length: f64,
+    /// Half the height of the hub.
+    pub nose_radius: f64,
+    /// Where the blades are.
+    pub blades_at: f64,
+}
+
+impl MachineForm {
+    /// How many times the radius of the tower's top the unit is that lengths go by.
+    pub const UNITS: f64 = 1.4;
+
+    /// The form by its unit; a centre of mass that lies so far above the top is at half the nacelle's height, if that is neither flat nor
+    /// higher than `most`.
+    pub fn new(unit: f64, center_above: f64, most: f64) -> Self {
+        let front = -1.7 * unit;
+        let height = (2.0 * center_above).clamp(1.3 * unit, most.max(1.3 * unit));
+        Self {
+            front,
+            back: 2.1 * unit,
+            height,
+            nose_length: 0.9 * unit,
+            nose_radius: 0.42 * height,
+            blades_at: front - 0.35 * unit,
+        }
+    }
+}
+
 /// Nacelle and hub as they are drawn.
 struct Silhouette {
     left: f64,
@@ -77,20 +114,25 @@ struct Silhouette {
     top: f64,
     height: f64,
     unit: f64,
+    form: MachineForm,
 }
+
+/// Between nacelle and hub.
+const GAP: f64 = 3.0;
 
 impl Silhouette {
     fn new(view: &View, tower: &Tower, scale: f64) -> Self {
         let radius = view.radius(outer_diameter_m(tower, tower.top_m()));
-        let unit = (1.4 * radius).clamp(12.0, 22.0) * scale;
+        let unit = (MachineForm::UNITS * radius).clamp(12.0, 22.0) * scale;
         let above = tower.rna().center_m[2] * view.per_m;
-        let height = (2.0 * above).clamp(1.3 * unit, 42.0 * scale);
+        let form = MachineForm::new(unit, above, 42.0 * scale);
         Self {
-            left: view.axis_x - 1.7 * unit,
-            right: view.axis_x + 2.1 * unit,
-            top: view.y(tower.top_m()) - height,
-            height,
+            left: view.axis_x + form.front,
+            right: view.axis_x + form.back,
+            top: view.y(tower.top_m()) - form.height,
+            height: form.height,
             unit,
+            form,
         }
     }
 
@@ -105,13 +147,12 @@ impl Silhouette {
         self.draw_blades(drawing, middle, &edge);
         let size = (self.right - self.left, self.height);
         drawing.rectangle((self.left, self.top), size, Colour::Machine, Some(&edge));
-        let half = 0.42 * self.height;
         let nose: Vec<(f64, f64)> = (0..=12)
             .map(|k| {
                 let angle = std::f64::consts::PI * (0.5 + f64::from(k) / 12.0);
                 (
-                    self.left - 3.0 + 0.9 * self.unit * angle.cos(),
-                    middle - half * angle.sin(),
+                    self.left - GAP + self.form.nose_length * angle.cos(),
+                    middle - self.form.nose_radius * angle.sin(),
                 )
             })
             .collect();
@@ -120,7 +161,7 @@ impl Silhouette {
 
     /// The roots of two blades.
     fn draw_blades(&self, drawing: &mut Drawing, middle: f64, edge: &Stroke) {
-        let x = self.left - 3.0 - 0.35 * self.unit;
+        let x = self.left - self.form.front + self.form.blades_at - GAP;
         let (root, end) = (0.22 * self.unit, 0.14 * self.unit);
         for side in [-1.0, 1.0] {
             let reach = middle + side * 1.6 * self.unit;

@@ -13,8 +13,13 @@ mod surroundings;
 mod view;
 mod wires;
 
+pub(super) use floating::{keel_m, platform, surface_m};
+pub(super) use foundation::on_diagonal;
+pub(super) use machine::{MachineForm, is_there as has_machine};
 pub(super) use small::{draw_small, levels, small_view};
+pub(super) use surroundings::{ground_m, water_m};
 pub(super) use view::View;
+pub(super) use wires::wires_ground_m;
 
 use towermodes::{Tower, TowerDescription};
 

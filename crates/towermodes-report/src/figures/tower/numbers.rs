@@ -30,10 +30,10 @@ pub(super) fn description(description: &TowerDescription, tower: &Tower) -> Stri
     if !masses.is_empty() {
         let sum_kg = masses.iter().map(|mass| mass.mass_kg).sum();
         let masses = match masses.len() {
-            1 => "1 point mass".to_owned(),
-            count => format!("{count} point masses"),
+            1 => format!("1 point mass of {}", mass(sum_kg)),
+            count => format!("{count} point masses, {} in total", mass(sum_kg)),
         };
-        sentences.push(format!("{masses} of {}", mass(sum_kg)));
+        sentences.push(masses);
     }
     if machine::is_there(tower.rna()) {
         sentences.push(format!("a machine of {} on top", mass(tower.rna().mass_kg)));

@@ -59,9 +59,7 @@ pub(in crate::figures) fn small_view(
 
 /// The surface of the water and the ground, as far as there are any.
 pub(in crate::figures) fn levels(description: &TowerDescription, tower: &Tower) -> Vec<Level> {
-    let water_m = description.water.map(|water| water.level_m);
-    let sea_m = floating::platform(description).and_then(floating::surface_m);
-    let water = water_m.or(sea_m).map(|height_m| Level {
+    let water = surroundings::water_m(description).map(|height_m| Level {
         height_m,
         name: "water",
         colour: Colour::Series(0),

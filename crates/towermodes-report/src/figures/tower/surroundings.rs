@@ -4,6 +4,7 @@ use towermodes::tower::Piece;
 use towermodes::{Tower, TowerDescription};
 
 use super::callouts::{Callout, Subject};
+use super::floating::{platform, surface_m};
 use super::view::View;
 use crate::figures::outline::outer_diameter_m;
 use crate::figures::quantity::{metres, significant, stiffness};
@@ -22,7 +23,7 @@ const SPRING_GAP: f64 = 22.0;
 const MOST_LAYERS: usize = 12;
 
 /// The height of the ground around the tower, m, if there is any: the bed, or the surface of the soil.
-pub(super) fn ground_m(description: &TowerDescription, tower: &Tower) -> Option<f64> {
+pub(in crate::figures) fn ground_m(description: &TowerDescription, tower: &Tower) -> Option<f64> {
     let water = description.water;
     let bed_m = water.map(|water| water.bed_m.unwrap_or(tower.base_m()));
     let surfaces = description.soil.iter().filter_map(|rows| rows.last());
@@ -31,6 +32,12 @@ pub(super) fn ground_m(description: &TowerDescription, tower: &Tower) -> Option<
         (Some(bed_m), Some(surface_m)) => Some(bed_m.max(surface_m)),
         (bed_m, surface_m) => bed_m.or(surface_m),
     }
+}
+
+/// The height of the water's surface, m: around the tower, or that which its platform floats in.
+pub(in crate::figures) fn water_m(description: &TowerDescription) -> Option<f64> {
+    let around_m = description.water.map(|water| water.level_m);
+    around_m.or_else(|| platform(description).and_then(surface_m))
 }
 
 /// Draws water and ground, behind everything else.

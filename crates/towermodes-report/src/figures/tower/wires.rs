@@ -13,7 +13,7 @@ use crate::svg::{Colour, Drawing, Stroke};
 const MOST_WIRES: usize = 6;
 
 /// The height that wires are drawn to, m: the ground, or the base where that is above one of them or there is none.
-pub(super) fn wires_ground_m(description: &TowerDescription, tower: &Tower) -> f64 {
+pub(in crate::figures) fn wires_ground_m(description: &TowerDescription, tower: &Tower) -> f64 {
     let lowest_m = description.wires.iter().map(|wires| wires.height_m);
     let lowest_m = lowest_m.fold(f64::INFINITY, f64::min);
     let ground_m = ground_m(description, tower).filter(|ground_m| *ground_m < lowest_m);

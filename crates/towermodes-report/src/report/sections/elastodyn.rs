@@ -5,7 +5,7 @@ use towermodes::elastodyn::{PassedOver, TowerShape};
 
 use super::super::content::{ElastoDynShapes, ReportContent};
 use super::super::document::Block;
-use super::super::number::{digits, given, percent, short_frequency};
+use super::super::number::{digits, length, percent, short_frequency};
 use super::super::plot_command::command;
 use super::super::table::Table;
 use super::{paragraph, table};
@@ -25,8 +25,8 @@ pub(super) fn blocks(content: &ReportContent) -> Vec<Block> {
              6 that neither move nor turn at the base and are 1 at the top. {}These are fitted by least squares to the modes of the spectral \
              beam, the tower with all that it carries and stands on; residuals are shares of a shape's largest deflection. ElastoDyn's \
              frequency of a shape alone is that of its own formulas, without what is on the top and without gravity.",
-            given(content.shapes_from_m),
-            given(content.tower.top_m()),
+            length(content.shapes_from_m),
+            length(content.tower.top_m()),
             base(content)
         )),
         table(coefficients(made)),

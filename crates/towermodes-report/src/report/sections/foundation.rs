@@ -6,7 +6,7 @@ use towermodes::{
 };
 
 use super::super::document::Block;
-use super::super::number::{digits, given};
+use super::super::number::{digits, given, length};
 use super::super::table::Table;
 use super::input::inertia;
 use super::{paragraph, table};
@@ -56,8 +56,8 @@ fn of_half_space(footing: &HalfSpace) -> Vec<Block> {
     let given_values = Table::of_facts(
         "A rigid circular footing on elastic soil",
         [
-            ("radius (m)", given(footing.radius_m)),
-            ("depth of embedment (m)", given(footing.embedment_m)),
+            ("radius (m)", length(footing.radius_m)),
+            ("depth of embedment (m)", length(footing.embedment_m)),
             (
                 "shear modulus of the soil (Pa)",
                 given(footing.shear_modulus_pa),
@@ -76,9 +76,9 @@ fn floating(platform: &FloatingPlatform, gravity_m_per_s2: f64) -> Vec<Block> {
     let [x, y, z] = platform.center_m;
     let mut facts = vec![
         ("mass with ballast (kg)", given(platform.mass_kg)),
-        ("centre of mass from the axis, x (m)", given(x)),
-        ("centre of mass from the axis, y (m)", given(y)),
-        ("centre of mass, height z (m)", given(z)),
+        ("centre of mass from the axis, x (m)", length(x)),
+        ("centre of mass from the axis, y (m)", length(y)),
+        ("centre of mass, height z (m)", length(z)),
     ];
     facts.extend(inertia(&platform.inertia_kg_m2));
     let body = "The floating platform, inertia about its centre of mass";
@@ -105,7 +105,7 @@ fn referred_matrix(name: &str, referred: &ReferredMatrix) -> Option<Block> {
     }
     let caption = format!(
         "{name} about the axis at z = {} m",
-        given(referred.height_m)
+        length(referred.height_m)
     );
     Some(table(matrix(&caption, &referred.matrix)))
 }

@@ -14,7 +14,12 @@ pub(super) fn blocks(content: &ReportContent) -> Vec<Block> {
     let mut blocks = vec![
         paragraph(how(content)),
         table(of_modes(solution)),
+        paragraph(
+            "A frequency ends with the first digit that its error reaches; the error is the sum of a discretization error and an algebraic one.",
+        ),
+        Block::Heading("Errors".to_owned()),
         paragraph(errors(solution)),
+        table(of_errors(solution)),
         Block::Heading("Completeness".to_owned()),
         paragraph(certificate(solution)),
         Block::Heading("Energy".to_owned()),
@@ -139,17 +144,13 @@ fn names(content: &ReportContent) -> String {
 
 fn of_modes(solution: &Solution) -> Table {
     let mut table = Table::new(
-        "Natural frequencies with their errors",
+        "Natural frequencies",
         [
             "#mode",
             "what it is",
             "#frequency (Hz)",
             "#error (Hz)",
-            "#discretization (Hz)",
-            "#algebraic (Hz)",
-            "#extrapolated (Hz)",
             "#period (s)",
-            "#modal mass (kg) or inertia (kg m²)",
         ],
     );
     for mode in &solution.modes {
@@ -158,11 +159,31 @@ fn of_modes(solution: &Solution) -> Table {
             what_it_is(mode),
             frequency(mode.frequency_hz, mode.error_hz()),
             error(mode.error_hz()),
+            period(mode),
+        ]);
+    }
+    table.shortened()
+}
+
+/// The parts of the errors, and what belongs to a mode without being a frequency.
+fn of_errors(solution: &Solution) -> Table {
+    let mut table = Table::new(
+        "What the errors are made of; modal masses",
+        [
+            "#mode",
+            "#discretization (Hz)",
+            "#algebraic (Hz)",
+            "#extrapolated (Hz)",
+            "#modal mass (kg) or inertia (kg m²)",
+        ],
+    );
+    for mode in &solution.modes {
+        table.push([
+            mode.number.to_string(),
             error(mode.discretization_error_hz),
             error(mode.algebraic_error_hz),
             frequency(mode.extrapolated_hz, mode.error_hz()),
-            period(mode),
-            digits(mode.modal_mass, 5),
+            digits(mode.modal_mass, 4),
         ]);
     }
     table.shortened()
@@ -170,7 +191,7 @@ fn of_modes(solution: &Solution) -> Table {
 
 fn period(mode: &Mode) -> String {
     if mode.frequency_hz > 0.0 {
-        digits(mode.period_s(), 5)
+        digits(mode.period_s(), 4)
     } else {
         NOTHING.to_owned()
     }
@@ -231,7 +252,7 @@ fn energy(solution: &Solution) -> Table {
         row.extend(parts(&mode.energy.strain));
         table.push(row);
     }
-    table.shortened()
+    table.without_empty_columns().shortened()
 }
 
 fn effective_masses(solution: &Solution) -> Table {

@@ -5,16 +5,20 @@ use towermodes::{Inertia, Rna, Rotor, TowerDescription};
 
 use super::super::content::ReportContent;
 use super::super::document::Block;
-use super::super::number::{NOTHING, digits, given, mass};
+use super::super::number::{NOTHING, digits, given, length, mass};
 use super::super::table::Table;
 use super::foundation::foundation;
 use super::surroundings::surroundings;
-use super::{table, tabulated_picture};
+use super::{paragraph, table, tabulated_picture};
 use crate::figures;
 
 pub(super) fn blocks(content: &ReportContent) -> Vec<Block> {
     let description = &content.description;
     let mut blocks = vec![
+        paragraph(
+            "Numbers with more than six digits are rounded to four here, lengths to the millimetre; the input files, with every digit, are at \
+             the end of the report.",
+        ),
         tabulated_picture(figures::tower(description, &content.tower), "tower"),
         table(overview(content)),
         Block::Heading("Tower".to_owned()),
@@ -44,9 +48,9 @@ fn overview(content: &ReportContent) -> Table {
         ("name", described(tower.name())),
         (
             "base and top (m)",
-            format!("{} to {}", given(tower.base_m()), given(tower.top_m())),
+            format!("{} to {}", length(tower.base_m()), length(tower.top_m())),
         ),
-        ("height (m)", given(tower.height_m())),
+        ("height (m)", length(tower.height_m())),
         (
             "mass of the tower, with outfitting and point masses",
             mass(tower.mass_kg()),
@@ -123,8 +127,8 @@ fn stations(description: &TowerDescription) -> Table {
     );
     for station in &description.stations {
         table.push([
-            given(station.height_m),
-            given(station.outer_diameter_m),
+            length(station.height_m),
+            length(station.outer_diameter_m),
             given(1000.0 * station.wall_thickness_m),
             digits(station.outer_diameter_m / station.wall_thickness_m, 4),
             material(description, station.material),
@@ -163,7 +167,7 @@ fn properties(description: &TowerDescription) -> Table {
         let p = &row.properties;
         let shear = |value: Option<f64>| value.map_or("rigid".to_owned(), given);
         table.push([
-            given(row.height_m),
+            length(row.height_m),
             given(p.mass_kg_per_m),
             given(p.rotary_inertia_kg_m.fore_aft),
             given(p.rotary_inertia_kg_m.side_side),
@@ -176,7 +180,7 @@ fn properties(description: &TowerDescription) -> Table {
             shear(p.shear_n.map(|shear| shear.side_side)),
         ]);
     }
-    table.shortened()
+    table.without_empty_columns().shortened()
 }
 
 fn point_masses(description: &TowerDescription) -> Table {
@@ -184,7 +188,7 @@ fn point_masses(description: &TowerDescription) -> Table {
         "Masses on the tower's axis, inertia about their own centres",
         [
             "#height z (m)",
-            "#mass (kg)",
+            "#mass of each (kg)",
             "#Ixx (kg m²)",
             "#Iyy (kg m²)",
             "#Izz (kg m²)",
@@ -194,12 +198,12 @@ fn point_masses(description: &TowerDescription) -> Table {
         ],
     );
     for mass in &description.point_masses {
-        let mut row = vec![given(mass.height_m), given(mass.mass_kg)];
+        let mut row = vec![length(mass.height_m), given(mass.mass_kg)];
         row.extend(inertia(&mass.inertia_kg_m2).map(|(_, value)| value));
         table.push(row);
     }
     let names = &description.part_names.point_masses;
-    table.named(names).shortened()
+    table.without_empty_columns().named(names).shortened()
 }
 
 /// The entries of a tensor with their names.
@@ -218,9 +222,9 @@ fn machine(rna: &Rna) -> Table {
     let [x, y, z] = rna.center_m;
     let mut facts = vec![
         ("mass (kg)", given(rna.mass_kg)),
-        ("centre of mass from the tower's top, x (m)", given(x)),
-        ("centre of mass from the tower's top, y (m)", given(y)),
-        ("centre of mass from the tower's top, z (m)", given(z)),
+        ("centre of mass from the tower's top, x (m)", length(x)),
+        ("centre of mass from the tower's top, y (m)", length(y)),
+        ("centre of mass from the tower's top, z (m)", length(z)),
     ];
     facts.extend(inertia(&rna.inertia_kg_m2));
     Table::of_facts(

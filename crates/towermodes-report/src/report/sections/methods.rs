@@ -138,7 +138,7 @@ fn differences(comparison: &Comparison) -> Table {
         header.chain(names.iter().map(String::as_str)),
     );
     for (index, mode) in comparison.modes.iter().enumerate() {
-        let mut row = vec![mode.label(), digits(mode.frequency_hz, 8)];
+        let mut row = vec![mode.label(), digits(mode.frequency_hz, 6)];
         row.extend(others().map(|column| difference(comparison, column, index)));
         table.push(row);
     }

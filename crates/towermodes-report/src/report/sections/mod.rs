@@ -2,6 +2,7 @@
 
 mod assumptions;
 mod elastodyn;
+mod files;
 mod foundation;
 mod frequencies;
 mod input;
@@ -18,37 +19,65 @@ use super::document::{Block, Document, Picture, Section};
 use super::table::Table;
 use crate::svg::Figure;
 
-/// Everything that a report says.
+/// Everything that a report says: what decides first, then what it rests on, and at the end what only a checker needs.
 pub(super) fn document(content: &ReportContent) -> Document {
-    let section = |id, title, blocks| Section { id, title, blocks };
+    let title_block = content.title_block.given().into_iter();
     let document = Document {
         title: content.heading(),
-        sections: vec![
-            section("summary", "Summary", summary::blocks(content)),
-            section("input", "Input", input::blocks(content)),
-            section("assumptions", "Assumptions", assumptions::blocks(content)),
-            section(
-                "frequencies",
-                "Natural frequencies",
-                frequencies::blocks(content),
-            ),
-            section("modes", "Mode shapes", modes::blocks(content)),
-            section("methods", "Methods compared", methods::blocks(content)),
-            section("resonance", "Resonance", resonance::blocks(content)),
-            section(
-                "elastodyn",
-                "Shapes for ElastoDyn (OpenFAST)",
-                elastodyn::blocks(content),
-            ),
-            section("notes", "Notes and warnings", notes::blocks(content)),
-            section(
-                "reproduction",
-                "Reproduction",
-                reproduction::blocks(content),
-            ),
-        ],
+        title_block: title_block
+            .map(|(name, value)| (name, value.to_owned()))
+            .collect(),
+        sections: body(content)
+            .into_iter()
+            .chain(appendices(content))
+            .collect(),
     };
     document.numbered()
+}
+
+fn body(content: &ReportContent) -> Vec<Section> {
+    let section = |id, title, blocks| Section {
+        id,
+        title,
+        is_appendix: false,
+        blocks,
+    };
+    vec![
+        section("summary", "Summary", summary::blocks(content)),
+        section("input", "Input", input::blocks(content)),
+        section("assumptions", "Assumptions", assumptions::blocks(content)),
+        section(
+            "frequencies",
+            "Natural frequencies",
+            frequencies::blocks(content),
+        ),
+        section("resonance", "Resonance", resonance::blocks(content)),
+        section("modes", "Mode shapes", modes::blocks(content)),
+        section(
+            "elastodyn",
+            "Shapes for ElastoDyn (OpenFAST)",
+            elastodyn::blocks(content),
+        ),
+        section("notes", "Notes and warnings", notes::blocks(content)),
+        section(
+            "reproduction",
+            "Reproduction",
+            reproduction::blocks(content),
+        ),
+    ]
+}
+
+fn appendices(content: &ReportContent) -> Vec<Section> {
+    let appendix = |id, title, blocks| Section {
+        id,
+        title,
+        is_appendix: true,
+        blocks,
+    };
+    vec![
+        appendix("methods", "Methods compared", methods::blocks(content)),
+        appendix("files", "Input files", files::blocks(content)),
+    ]
 }
 
 fn paragraph(text: impl Into<String>) -> Block {
@@ -64,7 +93,7 @@ fn picture(figure: Figure, what: &'static str) -> Block {
     Block::Picture(Box::new(Picture {
         figure,
         number: 0,
-        what,
+        what: Some(what),
         is_tabulated: false,
     }))
 }
@@ -74,7 +103,17 @@ fn tabulated_picture(figure: Figure, what: &'static str) -> Block {
     Block::Picture(Box::new(Picture {
         figure,
         number: 0,
-        what,
+        what: Some(what),
         is_tabulated: true,
+    }))
+}
+
+/// A picture that only reports have.
+fn own_picture(figure: Figure) -> Block {
+    Block::Picture(Box::new(Picture {
+        figure,
+        number: 0,
+        what: None,
+        is_tabulated: false,
     }))
 }

@@ -10,7 +10,7 @@ const MOST_MOVING: usize = 100;
 
 pub(super) fn blocks(content: &ReportContent) -> Vec<Block> {
     let (tower, solution) = (&content.tower, &content.solution);
-    let mut moving = figures::animation_data(tower, solution);
+    let mut moving = figures::animation_data(&content.description, tower, solution);
     let count = moving.modes.len();
     moving.modes.truncate(MOST_MOVING);
     let mut blocks = vec![

@@ -23,8 +23,8 @@ pub(super) fn blocks(content: &ReportContent) -> Vec<Block> {
     }
     vec![
         paragraph(format!(
-            "Made by towermodes {}. The same version, command and files give the same report, byte by byte: it has neither date nor anything \
-             random in it.",
+            "Made by towermodes {}. The same version, command and files give the same report, byte by byte: there is nothing random in it, and \
+             no date but that of --date.",
             content.version
         )),
         Block::Code(content.command_line.clone()),

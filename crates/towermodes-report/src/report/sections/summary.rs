@@ -6,18 +6,29 @@ use towermodes::{Family, Mode, Solution, Verdict};
 use super::super::content::ReportContent;
 use super::super::document::{Block, Mark, Statement};
 use super::super::number::{counted, digits, margin_percent, short_frequency, signed_percent};
+use super::own_picture;
+
+use crate::figures;
 
 /// More failures than these are counted only.
 const MOST_FAILURES: usize = 10;
 
 pub(super) fn blocks(content: &ReportContent) -> Vec<Block> {
-    let mut statements: Vec<Statement> = content
+    let missing: Vec<Statement> = content
         .model_notes
         .iter()
         .map(|note| missing_part(note))
         .collect();
-    statements.extend([frequencies(content), resonance(content), certainty(content)]);
-    vec![Block::Statements(statements)]
+    let diagram = content.campbell.as_ref().and_then(|of| of.as_ref().ok());
+    let bar = diagram.and_then(figures::first_frequencies);
+    let mut blocks = Vec::new();
+    if !missing.is_empty() {
+        blocks.push(Block::Statements(missing));
+    }
+    blocks.extend(bar.map(own_picture));
+    let statements = vec![resonance(content), frequencies(content), certainty(content)];
+    blocks.push(Block::Statements(statements));
+    blocks
 }
 
 /// What the model lacks, before anything that follows from it.

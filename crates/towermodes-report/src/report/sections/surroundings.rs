@@ -3,7 +3,7 @@
 use towermodes::{AddedMassRow, SoilRow, TowerDescription, Water, Wires};
 
 use super::super::document::Block;
-use super::super::number::given;
+use super::super::number::{given, length};
 use super::super::table::Table;
 use super::table;
 
@@ -58,22 +58,22 @@ fn soil_layer(which: &str, rows: &[SoilRow]) -> Table {
     for row in rows {
         let soil = &row.stiffness;
         table.push([
-            given(row.height_m),
+            length(row.height_m),
             given(soil.x_n_per_m2),
             given(soil.y_n_per_m2),
             given(soil.z_n_per_m2),
             given(soil.torsion_n),
         ]);
     }
-    table.shortened()
+    table.without_empty_columns().shortened()
 }
 
 fn water(water: &Water) -> Table {
-    let bed = water.bed_m.map_or("the lowest station".to_owned(), given);
+    let bed = water.bed_m.map_or("the lowest station".to_owned(), length);
     Table::of_facts(
         "Water around the tower",
         [
-            ("level z (m)", given(water.level_m)),
+            ("level z (m)", length(water.level_m)),
             ("bed z (m)", bed),
             ("density (kg/m³)", given(water.density_kg_per_m3)),
             (
@@ -94,7 +94,7 @@ fn added_mass(which: &str, rows: &[AddedMassRow]) -> Table {
         ["#height z (m)", "#mass (kg/m)"],
     );
     for row in rows {
-        table.push([given(row.height_m), given(row.mass_kg_per_m)]);
+        table.push([length(row.height_m), given(row.mass_kg_per_m)]);
     }
     table.shortened()
 }
@@ -111,7 +111,7 @@ fn wires(wires: &[Wires], names: &[String]) -> Table {
     );
     for set in wires {
         table.push([
-            given(set.height_m),
+            length(set.height_m),
             set.count.to_string(),
             given(set.stiffness_n_per_m),
             given(set.angle_deg),

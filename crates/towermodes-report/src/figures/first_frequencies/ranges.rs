@@ -1,0 +1,95 @@
+//! Which excitations and which modes are on the bar, and how far they are from each other.
+
+use towermodes::rotor::{Campbell, Excited, FrequencyLine, Margin};
+use towermodes::{Family, Verdict};
+
+/// Modes on the bar.
+const MOST_LANES: usize = 2;
+
+/// What a multiple of the rotor's speed excites in operation.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Range {
+    /// The multiple.
+    pub multiple: usize,
+    /// From the lowest to the highest speed of operation, Hz.
+    pub operation_hz: [f64; 2],
+    /// What the margin keeps free of natural frequencies, Hz.
+    pub kept_free_hz: [f64; 2],
+}
+
+/// A mode on the bar.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Lane {
+    /// What it is called: "1st fore-aft bending".
+    pub label: String,
+    /// Its frequency, Hz.
+    pub frequency_hz: f64,
+    /// The error of the frequency, Hz.
+    pub error_hz: f64,
+    /// How far the excitations of the bar stay away, by their multiples.
+    pub margins: Vec<Margin>,
+}
+
+impl Lane {
+    /// The worst verdict on the excitations of the bar; none if there is none.
+    pub fn verdict(&self) -> Option<Verdict> {
+        self.margins.iter().map(|margin| margin.verdict).max()
+    }
+}
+
+/// The rotor's speed and the passing of its blades, as far as these were looked at.
+pub(super) fn ranges(campbell: &Campbell) -> Vec<Range> {
+    let rotor = &campbell.rotor;
+    let mut multiples = vec![1, rotor.blades];
+    multiples.dedup();
+    multiples.retain(|multiple| campbell.multiples.contains(multiple));
+    let range = |multiple: usize| {
+        let operation_hz =
+            [rotor.lowest_rpm, rotor.highest_rpm].map(|rpm| multiple as f64 * rpm / 60.0);
+        let [low, high] = operation_hz;
+        Range {
+            multiple,
+            operation_hz,
+            kept_free_hz: [
+                low / (1.0 + campbell.margin),
+                high / (1.0 - campbell.margin),
+            ],
+        }
+    };
+    multiples.into_iter().map(range).collect()
+}
+
+/// The first fore-aft and side-side mode, and in place of those that are not there the lowest coupled ones.
+pub(super) fn lanes(campbell: &Campbell) -> Vec<Lane> {
+    let lines = || campbell.lines.iter().enumerate();
+    let is_first_of = |line: &FrequencyLine, wanted: Family| match line.of {
+        Excited::Tower { family, order, .. } => family == wanted && order == 1,
+        Excited::Blade { .. } => false,
+    };
+    let is_coupled = |line: &FrequencyLine| match line.of {
+        Excited::Tower { family, .. } => family == Family::Coupled,
+        Excited::Blade { .. } => false,
+    };
+    let bending = [Family::ForeAft, Family::SideSide];
+    let first = bending
+        .into_iter()
+        .filter_map(|family| lines().find(|(_, line)| is_first_of(line, family)));
+    let coupled = lines().filter(|(_, line)| is_coupled(line));
+    let chosen = first.chain(coupled).take(MOST_LANES);
+    chosen
+        .filter_map(|(index, line)| lane(campbell, index, line))
+        .collect()
+}
+
+fn lane(campbell: &Campbell, index: usize, line: &FrequencyLine) -> Option<Lane> {
+    let [_, frequency_hz] = *line.points.first()?;
+    let on_bar = |margin: &&Margin| {
+        margin.line == index && [1, campbell.rotor.blades].contains(&margin.multiple)
+    };
+    (frequency_hz > 0.0).then(|| Lane {
+        label: line.label.clone(),
+        frequency_hz,
+        error_hz: line.error_hz,
+        margins: campbell.margins.iter().filter(on_bar).copied().collect(),
+    })
+}

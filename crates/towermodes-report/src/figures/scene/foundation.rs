@@ -1,0 +1,120 @@
+//! What holds the base, in space: springs, a footing, a platform with its moorings.
+
+use towermodes::space::SpatialMatrix;
+use towermodes::{
+    FloatingPlatform, Foundation, FoundationSprings, HalfSpace, Tower, TowerDescription,
+};
+
+use super::solids::{ball, block, link, ring, solid};
+use super::{Body, FAR, Form, HALF_SIDE, MASS, Substance, directions};
+use crate::figures::outline::outer_diameter_m;
+use crate::figures::tower::{keel_m, on_diagonal};
+
+/// Length of a spring and least thickness of a footing, as shares of the tower's height.
+const SPRING: f64 = 0.08;
+const FOOTING: f64 = 0.025;
+/// Depth of the soil below a footing, as a share of the tower's height.
+const HALF_SPACE: f64 = 0.12;
+/// Where moorings end, as a share of the tower's height to the side.
+const ANCHORS: f64 = 0.45;
+
+/// The bodies of a foundation; a clamped base stands on the ground alone.
+pub(super) fn foundation(description: &TowerDescription, tower: &Tower) -> Vec<Body> {
+    match &description.foundation {
+        Foundation::Clamped => Vec::new(),
+        Foundation::Springs(given) => springs(tower, given),
+        Foundation::Stiffness(matrices) => springs(tower, &on_diagonal(matrices)),
+        Foundation::HalfSpace(half_space) => footing(tower, half_space),
+        Foundation::Floating(platform) => floating(tower, platform),
+    }
+}
+
+fn base_radius_m(tower: &Tower) -> f64 {
+    0.5 * outer_diameter_m(tower, tower.base_m())
+}
+
+/// A plate at the base, and from it a spring in each direction that gives way.
+fn springs(tower: &Tower, springs: &FoundationSprings) -> Vec<Body> {
+    if tower.base().is_clamped() {
+        return Vec::new();
+    }
+    let (base_m, length_m) = (tower.base_m(), SPRING * tower.height_m());
+    let radius_m = 1.2 * base_radius_m(tower);
+    let half_m = 0.1 * length_m;
+    let rims = ring(radius_m, base_m - half_m).chain(ring(radius_m, base_m + half_m));
+    let mut bodies = vec![solid(Some(base_m), Substance::Foundation, rims.collect())];
+    let gives_way = |stiffness: f64| stiffness.is_finite() && stiffness > 0.0;
+    if gives_way(springs.lateral_n_per_m) {
+        for (x, y) in directions(4) {
+            let at = |r: f64| [x * r, y * r, base_m];
+            let ends = [at(radius_m), at(radius_m + length_m)];
+            bodies.push(link(base_m, Form::Spring, ends));
+            bodies.push(post(ends[1], 0.3 * length_m));
+        }
+    }
+    if gives_way(springs.vertical_n_per_m) {
+        let ends = [[0.0, 0.0, base_m], [0.0, 0.0, base_m - length_m]];
+        bodies.push(link(base_m, Form::Spring, ends));
+        bodies.push(post(ends[1], 0.3 * length_m));
+    }
+    bodies
+}
+
+/// What a spring is fixed to.
+fn post([x, y, z]: [f64; 3], half_m: f64) -> Body {
+    let sides = [-half_m, half_m];
+    let corners = sides.into_iter().flat_map(|a| {
+        // Upright beside the tower, flat below it.
+        sides.map(|b| match (x == 0.0, y == 0.0) {
+            (true, true) => [a, b, z],
+            _ if x.abs() > y.abs() => [x, a, z + b],
+            _ => [a, y, z + b],
+        })
+    });
+    solid(None, Substance::Ground, corners.collect())
+}
+
+/// A round footing that moves with the base, and the soil under it.
+fn footing(tower: &Tower, half_space: &HalfSpace) -> Vec<Body> {
+    let (base_m, height_m) = (tower.base_m(), tower.height_m());
+    let depth_m = half_space
+        .embedment_m
+        .clamp(FOOTING * height_m, HALF_SPACE * height_m);
+    let radius_m = half_space.radius_m.min(HALF_SIDE * height_m);
+    let surface_m = match half_space.embedment_m > 0.0 {
+        true => base_m,
+        false => base_m - depth_m,
+    };
+    let soil_m = [surface_m - HALF_SPACE * height_m - depth_m, surface_m];
+    let rims = ring(radius_m, base_m - depth_m).chain(ring(radius_m, base_m));
+    vec![
+        block(Substance::Soil, HALF_SIDE * height_m, soil_m),
+        solid(Some(base_m), Substance::Foundation, rims.collect()),
+    ]
+}
+
+/// The hull of the drawing, as nobody knows the platform's shape, with its centre of mass and three moorings.
+fn floating(tower: &Tower, platform: &FloatingPlatform) -> Vec<Body> {
+    let (base_m, height_m) = (tower.base_m(), tower.height_m());
+    let keel_m = keel_m(platform, tower);
+    let radius_m = base_radius_m(tower);
+    let half_m = (1.5 * radius_m).clamp(0.03 * height_m, 0.1 * height_m);
+    let shoulder_m = base_m - (0.15 * (base_m - keel_m)).min(0.1 * height_m);
+    let rims = ring(radius_m, base_m)
+        .chain(ring(half_m, shoulder_m))
+        .chain(ring(half_m, keel_m));
+    let mut bodies = vec![solid(Some(base_m), Substance::Foundation, rims.collect())];
+    if platform.center_m.iter().all(|c| c.abs() < FAR * height_m) {
+        bodies.push(ball(base_m, platform.center_m, 1.5 * MASS[0] * height_m));
+    }
+    if platform.mooring.matrix != SpatialMatrix::default() {
+        let fairlead_m = platform.mooring.height_m.clamp(keel_m, shoulder_m);
+        for (x, y) in directions(3) {
+            let start = [x * half_m, y * half_m, fairlead_m];
+            let reach_m = ANCHORS * height_m;
+            let end = [x * reach_m, y * reach_m, keel_m - 0.1 * height_m];
+            bodies.push(link(base_m, Form::Line, [start, end]));
+        }
+    }
+    bodies
+}

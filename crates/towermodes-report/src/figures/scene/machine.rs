@@ -1,0 +1,103 @@
+//! The rotor-nacelle assembly in space: the silhouette of the drawing given depth, with blades of a nominal length.
+
+use std::f64::consts::{FRAC_PI_2, TAU};
+
+use towermodes::{Tower, TowerDescription};
+
+use super::solids::{ball, circle, solid};
+use super::{Body, FAR, MASS, Substance};
+use crate::figures::outline::outer_diameter_m;
+use crate::figures::tower::{MachineForm, ground_m, has_machine, water_m};
+
+/// Length of a blade as a share of the tower's height above water or ground: that of most turbines is 0.6 to 0.8.
+const BLADE: f64 = 0.6;
+/// Blades of a rotor that the input says nothing of.
+const USUAL_BLADES: usize = 3;
+/// Half the width of the nacelle's unit as shares of the tower's height.
+const UNIT: [f64; 2] = [0.012, 0.035];
+/// The highest nacelle as a share of the tower's height.
+const HIGHEST: f64 = 0.075;
+/// Places along a blade as shares of its length, and its edges there as shares of it.
+const OUTLINE: [(f64, [f64; 2]); 4] = [
+    (0.0, [-0.017, 0.017]),
+    (0.2, [-0.02, 0.045]),
+    (0.6, [-0.014, 0.028]),
+    (1.0, [-0.004, 0.006]),
+];
+
+/// Nacelle, hub, blades and the centre of mass; nothing if there is no machine.
+pub(super) fn machine(description: &TowerDescription, tower: &Tower) -> Vec<Body> {
+    let rna = tower.rna();
+    if !has_machine(rna) {
+        return Vec::new();
+    }
+    let (top_m, height_m) = (tower.top_m(), tower.height_m());
+    let radius_m = 0.5 * outer_diameter_m(tower, top_m);
+    let unit_m = MachineForm::UNITS * radius_m;
+    let unit_m = unit_m.clamp(UNIT[0] * height_m, UNIT[1] * height_m);
+    let form = MachineForm::new(unit_m, rna.center_m[2], HIGHEST * height_m);
+    let mut bodies = vec![nacelle(&form, top_m), hub(&form, top_m)];
+    let rotor = description.rotor;
+    let blades = rotor.map_or(USUAL_BLADES, |rotor| rotor.blades);
+    let length_m = BLADE * (top_m - foot_m(description, tower));
+    let turns = (0..blades).map(|k| TAU * k as f64 / blades as f64);
+    bodies.extend(turns.map(|turn| blade(&form, top_m, (length_m, turn))));
+    let [x, y, z] = rna.center_m;
+    if rna.mass_kg > 0.0 && rna.center_m.iter().all(|c| c.abs() < FAR * height_m) {
+        bodies.push(ball(top_m, [x, y, top_m + z], MASS[0] * height_m));
+    }
+    bodies
+}
+
+/// Where the tower comes out of water or ground, m.
+fn foot_m(description: &TowerDescription, tower: &Tower) -> f64 {
+    let (base_m, top_m) = (tower.base_m(), tower.top_m());
+    let surfaces = [water_m(description), ground_m(description, tower)];
+    let foot_m = surfaces.into_iter().flatten().fold(base_m, f64::max);
+    if foot_m < top_m { foot_m } else { base_m }
+}
+
+fn nacelle(form: &MachineForm, top_m: f64) -> Body {
+    let half_m = 0.5 * form.height;
+    let ends = [form.front, form.back];
+    let corners = ends.into_iter().flat_map(|x| {
+        let edge = |y: f64| [[x, y, top_m], [x, y, top_m + form.height]];
+        [edge(-half_m), edge(half_m)].into_iter().flatten()
+    });
+    solid(Some(top_m), Substance::Machine, corners.collect())
+}
+
+/// Half an ellipsoid before the nacelle.
+fn hub(form: &MachineForm, top_m: f64) -> Body {
+    let middle_m = top_m + 0.5 * form.height;
+    let slices = (0..4).map(|k| FRAC_PI_2 * f64::from(k) / 3.0);
+    let slice = |angle: f64| {
+        let (x, radius) = (
+            form.front - form.nose_length * angle.sin(),
+            form.nose_radius * angle.cos(),
+        );
+        circle(12).map(move |(a, b)| [x, radius * a, middle_m + radius * b])
+    };
+    solid(
+        Some(top_m),
+        Substance::Rotor,
+        slices.flat_map(slice).collect(),
+    )
+}
+
+/// A blade that is turned about the shaft by an angle; the first stands upright.
+fn blade(form: &MachineForm, top_m: f64, (length_m, turn): (f64, f64)) -> Body {
+    let middle_m = top_m + 0.5 * form.height;
+    let (sin, cos) = turn.sin_cos();
+    let place = |along: f64, across: f64| {
+        [
+            form.blades_at,
+            along * sin + across * cos,
+            middle_m + along * cos - across * sin,
+        ]
+    };
+    let edges = OUTLINE
+        .into_iter()
+        .flat_map(|(share, edges)| edges.map(|edge| place(share * length_m, edge * length_m)));
+    solid(Some(top_m), Substance::Rotor, edges.collect())
+}

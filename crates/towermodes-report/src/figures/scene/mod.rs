@@ -1,0 +1,140 @@
+//! What stands on, under and around a tower, as bodies in space that a script can move with it.
+
+mod foundation;
+mod machine;
+mod solids;
+mod surroundings;
+
+use serde::Serialize;
+use towermodes::{Tower, TowerDescription};
+
+use solids::{ball, link};
+
+/// Half the side of soil, water and ground as shares of the tower's height: these end somewhere.
+const HALF_SIDE: f64 = 0.22;
+/// More masses than this are not drawn: the heaviest stay.
+const MOST_MASSES: usize = 40;
+/// More sets of wires than this are not drawn.
+const MOST_WIRES: usize = 12;
+/// Radius of the lightest mass and what the heaviest has in addition, as shares of the tower's height.
+const MASS: [f64; 2] = [0.008, 0.012];
+/// From here on a height or a distance is not drawn, in heights of the tower.
+const FAR: f64 = 4.0;
+
+/// A body of the scene at rest: x fore-aft (downwind), y side-side, z up in the datum of the stations, m.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Body {
+    /// The height at which it is fixed to the tower's axis, m: it moves and turns with the section there. Nothing of what stands still.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub follows_m: Option<f64>,
+    /// What it is made of.
+    pub of: Substance,
+    /// Its form.
+    pub form: Form,
+    /// Its points.
+    pub points: Vec<[f64; 3]>,
+    /// Radius of a ball, m.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub radius_m: Option<f64>,
+}
+
+/// What a body is made of: how it is coloured.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Substance {
+    /// The nacelle.
+    Machine,
+    /// Hub and blades.
+    Rotor,
+    /// A mass of its own.
+    Mass,
+    /// A footing, a plate, a platform.
+    Foundation,
+    /// Ground without stiffness of its own, and what does not move.
+    Ground,
+    /// Soil that holds the tower.
+    Soil,
+    /// Water.
+    Water,
+    /// Springs, wires, moorings.
+    Link,
+}
+
+/// How the points of a body make it.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Form {
+    /// The smallest convex body around its points.
+    Solid,
+    /// A ball around its only point.
+    Ball,
+    /// A straight line from its first point, which follows the tower, to its second, which does not.
+    Line,
+    /// The same as a spring.
+    Spring,
+}
+
+/// The bodies of a description, those behind first: ground, soil, foundation, wires, masses, machine, water.
+///
+/// The forms are those of the drawing: machine, platform and blades have no measures in a description and are nominal.
+pub(super) fn scene(description: &TowerDescription, tower: &Tower) -> Vec<Body> {
+    let mut bodies = surroundings::ground(description, tower);
+    bodies.extend(foundation::foundation(description, tower));
+    bodies.extend(wires(description, tower));
+    bodies.extend(masses(tower));
+    bodies.extend(machine::machine(description, tower));
+    bodies.extend(surroundings::water(description, tower));
+    let is_drawn = |body: &Body| body.points.iter().flatten().all(|value| value.is_finite());
+    bodies.retain(is_drawn);
+    bodies.iter_mut().for_each(round);
+    bodies
+}
+
+/// Balls on the axis, larger for larger masses.
+fn masses(tower: &Tower) -> Vec<Body> {
+    let mut masses: Vec<_> = tower.point_masses().iter().collect();
+    masses.sort_by(|a, b| b.mass_kg.total_cmp(&a.mass_kg));
+    masses.truncate(MOST_MASSES);
+    let heaviest_kg = masses.first().map_or(0.0, |mass| mass.mass_kg);
+    let share = |kg: f64| match heaviest_kg > 0.0 {
+        true => (kg / heaviest_kg).clamp(0.0, 1.0),
+        false => 1.0,
+    };
+    let ball_of = |mass: &&towermodes::PointMass| {
+        let radius_m = (MASS[0] + MASS[1] * share(mass.mass_kg).cbrt()) * tower.height_m();
+        ball(mass.height_m, [0.0, 0.0, mass.height_m], radius_m)
+    };
+    masses.iter().map(ball_of).collect()
+}
+
+/// Each set of wires to anchors at equal angles around the tower.
+fn wires(description: &TowerDescription, tower: &Tower) -> Vec<Body> {
+    let ground_m = super::tower::wires_ground_m(description, tower);
+    let mut bodies = Vec::new();
+    for wires in description.wires.iter().take(MOST_WIRES) {
+        let down_m = wires.height_m - ground_m;
+        let reach_m = down_m / wires.angle_deg.to_radians().tan();
+        let drawn = (FAR * tower.height_m() / reach_m).min(1.0);
+        for (x, y) in directions(wires.count.min(MOST_WIRES)) {
+            let start = [0.0, 0.0, wires.height_m];
+            let (reach_m, down_m) = (drawn * reach_m, drawn * down_m);
+            let end = [x * reach_m, y * reach_m, wires.height_m - down_m];
+            bodies.push(link(wires.height_m, Form::Line, [start, end]));
+        }
+    }
+    bodies
+}
+
+/// So many directions at equal angles, the first of them x.
+fn directions(count: usize) -> impl Iterator<Item = (f64, f64)> {
+    let angle = move |k: usize| std::f64::consts::TAU * k as f64 / count as f64;
+    (0..count).map(move |k| (angle(k).cos(), angle(k).sin()))
+}
+
+/// Five significant digits are enough for a picture.
+fn round(body: &mut Body) {
+    let numbers = body.points.iter_mut().flatten();
+    for value in numbers.chain(&mut body.radius_m).chain(&mut body.follows_m) {
+        *value = super::animation::rounded(*value);
+    }
+}

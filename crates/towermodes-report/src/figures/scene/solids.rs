@@ -1,0 +1,60 @@
+//! Blocks, rings and balls.
+
+use std::f64::consts::TAU;
+
+use super::{Body, Form, Substance};
+
+/// Corners of what is round.
+const CORNERS: usize = 24;
+
+/// A block around the tower's axis that stands still, `half_m` to each side, from one height to another.
+pub(super) fn block(of: Substance, half_m: f64, [low_m, high_m]: [f64; 2]) -> Body {
+    let sides = [-half_m, half_m];
+    let corners = sides.into_iter().flat_map(|x| sides.map(|y| (x, y)));
+    let corner = |(x, y): (f64, f64)| [[x, y, low_m], [x, y, high_m]];
+    solid(None, of, corners.flat_map(corner).collect())
+}
+
+/// The smallest convex body around points.
+pub(super) fn solid(follows_m: Option<f64>, of: Substance, points: Vec<[f64; 3]>) -> Body {
+    Body {
+        follows_m,
+        of,
+        form: Form::Solid,
+        points,
+        radius_m: None,
+    }
+}
+
+/// A ring of points around the tower's axis at a height.
+pub(super) fn ring(radius_m: f64, height_m: f64) -> impl Iterator<Item = [f64; 3]> {
+    circle(CORNERS).map(move |(a, b)| [radius_m * a, radius_m * b, height_m])
+}
+
+/// Points of the unit circle.
+pub(super) fn circle(corners: usize) -> impl Iterator<Item = (f64, f64)> {
+    let angle = move |k: usize| TAU * k as f64 / corners as f64;
+    (0..corners).map(move |k| (angle(k).cos(), angle(k).sin()))
+}
+
+/// A mass that follows the tower's axis at a height.
+pub(super) fn ball(follows_m: f64, center: [f64; 3], radius_m: f64) -> Body {
+    Body {
+        follows_m: Some(follows_m),
+        of: Substance::Mass,
+        form: Form::Ball,
+        points: vec![center],
+        radius_m: Some(radius_m),
+    }
+}
+
+/// From a point that follows the tower's axis at a height to one that stands still.
+pub(super) fn link(follows_m: f64, form: Form, ends: [[f64; 3]; 2]) -> Body {
+    Body {
+        follows_m: Some(follows_m),
+        of: Substance::Link,
+        form,
+        points: ends.to_vec(),
+        radius_m: None,
+    }
+}
