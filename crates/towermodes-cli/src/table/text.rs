@@ -1,7 +1,7 @@
 //! Numbers and names as people read them.
 
 use comfy_table::{CellAlignment, Table, presets};
-use towermodes::Tower;
+use towermodes::{Tower, printable};
 
 /// A table without lines.
 pub(super) fn plain_table() -> Table {
@@ -71,18 +71,6 @@ pub(crate) fn four_digits(value: f64) -> String {
     }
     let decimals = (3 - value.log10().floor() as i32).max(0);
     format!("{value:.*}", usize::try_from(decimals).unwrap_or_default())
-}
-
-/// A name without what would disturb a terminal: control characters and marks that turn the direction of writing.
-fn printable(name: &str) -> String {
-    let disturbs = |c: char| {
-        c.is_control()
-            || ('\u{202a}'..='\u{202e}').contains(&c)
-            || ('\u{2066}'..='\u{2069}').contains(&c)
-    };
-    name.chars()
-        .map(|c| if disturbs(c) { ' ' } else { c })
-        .collect()
 }
 
 /// "1 mode", "2 modes".

@@ -25,7 +25,7 @@ use ::toml::de::DeTable;
 use towermodes::{Place, Tower, TowerDescription};
 
 use crate::diagnostic::Diagnostic;
-use crate::input::{FileFormat, InputError, TowerInput};
+use crate::input::{FileFormat, InputError, Note, TowerInput};
 use crate::places::{Places, TABLE};
 use crate::source::Source;
 use table::Table;
@@ -40,6 +40,8 @@ const MAX_MISTAKES: usize = 100;
 struct Reading {
     mistakes: Vec<Diagnostic>,
     places: Places,
+    /// What the user should know, and at which byte of the file.
+    notes: Vec<(usize, &'static str)>,
 }
 
 impl Reading {
@@ -52,6 +54,10 @@ impl Reading {
     /// Whether there are so many mistakes that no more are worth describing.
     fn is_full(&self) -> bool {
         self.mistakes.len() >= MAX_MISTAKES
+    }
+
+    fn note(&mut self, at: usize, message: &'static str) {
+        self.notes.push((at, message));
     }
 
     /// Remembers where a value stands, for mistakes that only the whole tower shows.
@@ -67,8 +73,8 @@ impl Reading {
 /// # Errors
 /// The mistakes found, at most a hundred, in the order of the file where they are of one kind; never an empty list.
 pub fn tower_from_toml(text: &str) -> Result<Tower, Vec<Diagnostic>> {
-    let (description, places) = describe(text)?;
-    Tower::new(description).map_err(|error| vec![places.mistake(&error, true).1])
+    let (description, reading) = describe(text)?;
+    Tower::new(description).map_err(|error| vec![reading.places.mistake(&error, true).1])
 }
 
 /// Reads what the text of a TOML file says of a tower, which [`Tower::new`] has yet to check.
@@ -85,16 +91,23 @@ pub fn description_from_toml(text: &str) -> Result<TowerDescription, Vec<Diagnos
 /// [`InputError::Mistakes`] with all that were found.
 pub(crate) fn read_toml(source: Source) -> Result<TowerInput, InputError> {
     match describe(&source.text) {
-        Ok((description, places)) => {
+        Ok((description, reading)) => {
+            let Reading { places, notes, .. } = reading;
+            let notes = notes.iter().map(|(at, message)| Note::at(&source, *at, *message));
+            let notes = notes.collect();
             let input = TowerInput::new(FileFormat::Toml, description, source);
-            Ok(TowerInput { places, ..input })
+            Ok(TowerInput {
+                places,
+                notes,
+                ..input
+            })
         }
         Err(mistakes) => Err(InputError::mistakes(&source, mistakes)),
     }
 }
 
-/// What a file says, and where.
-fn describe(text: &str) -> Result<(TowerDescription, Places), Vec<Diagnostic>> {
+/// What a file says, and what was collected while it was read.
+fn describe(text: &str) -> Result<(TowerDescription, Reading), Vec<Diagnostic>> {
     if text.trim().is_empty() {
         let hint = "a tower needs at least [material] and [tower] with its stations";
         return Err(vec![
@@ -106,7 +119,7 @@ fn describe(text: &str) -> Result<(TowerDescription, Places), Vec<Diagnostic>> {
     let root = Table::root(document.get_ref(), text.len(), &file::FILE, &mut reading);
     let description = file::description(&root, &mut reading);
     match description {
-        Some(description) if reading.mistakes.is_empty() => Ok((description, reading.places)),
+        Some(description) if reading.mistakes.is_empty() => Ok((description, reading)),
         _ => Err(reading.mistakes),
     }
 }
