@@ -44,7 +44,7 @@ pub(crate) fn run(arguments: &CampbellArguments) -> Result<(), Failure> {
         Format::Csv => write_campbell_csv(&campbell, &mut result)?,
     }
     note(&notes);
-    warn(&solution.warnings);
+    warn(&solution.warnings, &input);
     deliver(&result, output)?;
     judged(&campbell)
 }

@@ -34,7 +34,7 @@ fn of_one(arguments: &CheckArguments) -> Result<(), Failure> {
         ReportFormat::Json => write_examination_json(&examination, &mut result)?,
     }
     note(&input.notes);
-    warn(tower.warnings());
+    warn(tower.warnings(), &input);
     deliver(&result, None)
 }
 

@@ -23,7 +23,7 @@ const FEWEST_TIMINGS: usize = 3;
 pub(crate) fn run(arguments: &CompareArguments) -> Result<(), Failure> {
     let output = arguments.destination.output();
     check_not_input(&arguments.input.file, output)?;
-    let (tower, notes) = tower(&arguments.input)?;
+    let (tower, input) = tower(&arguments.input)?;
     let columns = arguments.columns();
     let progress = Progress::of(columns_in_words(&columns));
     let mut times = Vec::new();
@@ -39,8 +39,8 @@ pub(crate) fn run(arguments: &CompareArguments) -> Result<(), Failure> {
         Format::Json => write_comparison_json(&comparison, &times, &mut result)?,
         Format::Csv => write_comparison_csv(&comparison, &times, &mut result)?,
     }
-    note(&notes);
-    warn(&comparison.warnings);
+    note(&input.notes);
+    warn(&comparison.warnings, &input);
     deliver(&result, output)
 }
 

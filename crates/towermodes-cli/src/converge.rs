@@ -15,7 +15,7 @@ pub(crate) fn run(arguments: &ConvergeArguments) -> Result<(), Failure> {
     let fineness = arguments.fineness().map_err(Failure::Usage)?;
     let output = arguments.destination.output();
     check_not_input(&arguments.input.file, output)?;
-    let (tower, notes) = tower(&arguments.input)?;
+    let (tower, input) = tower(&arguments.input)?;
     let progress = Progress::of(fineness.iter().copied().map(said));
     let convergence = converge(&tower, &arguments.options(), &fineness, |_| progress.done())
         .map_err(Failure::Unsolved)?;
@@ -32,8 +32,8 @@ pub(crate) fn run(arguments: &ConvergeArguments) -> Result<(), Failure> {
         Format::Json => write_convergence_json(&convergence, &mut result)?,
         Format::Csv => write_convergence_csv(&convergence, &mut result)?,
     }
-    note(&notes);
-    warn(&convergence.warnings);
+    note(&input.notes);
+    warn(&convergence.warnings, &input);
     deliver(&result, output)
 }
 

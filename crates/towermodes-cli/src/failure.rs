@@ -8,7 +8,9 @@ use towermodes::elastodyn::ShapesError;
 use towermodes::rotor::CampbellError;
 use towermodes::{BladeError, EigenError, Family, SolveError, TowerError, Warning};
 use towermodes_files::elastodyn::{MakeError, TowerFileError};
-use towermodes_files::{Diagnostic, FileFormat, InputError, Note, ResultError, Source};
+use towermodes_files::{
+    Diagnostic, FileFormat, InputError, Note, ResultError, Source, TowerInput,
+};
 use towermodes_report::raster::RasterError;
 
 /// Why the program ends without a result.
@@ -193,10 +195,15 @@ pub(crate) fn note(notes: &[Note]) {
     }
 }
 
-/// Says what looks like a slip.
-pub(crate) fn warn(warnings: &[Warning]) {
+/// Says what looks like a slip, with the line of the input where it stands.
+pub(crate) fn warn(warnings: &[Warning], input: &TowerInput) {
     for warning in warnings {
-        say(&message(Level::WARNING, &warning.to_string(), None));
+        let line = warning.place().and_then(|place| input.line_of(place));
+        let text = match line {
+            Some((file, line)) => format!("{file}:{line}: {warning}"),
+            None => warning.to_string(),
+        };
+        say(&message(Level::WARNING, &text, None));
     }
 }
 

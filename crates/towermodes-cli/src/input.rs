@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use towermodes::Tower;
-use towermodes_files::{Beside, Input, InputError, Note, Source, TowerInput, read, read_source};
+use towermodes_files::{Beside, Input, InputError, Source, TowerInput, read, read_source};
 
 use crate::args::{InputArguments, ReadingArguments};
 use crate::failure::Failure;
@@ -39,9 +39,9 @@ pub(crate) fn input_of(file: &Path, reading: &ReadingArguments) -> Result<TowerI
     }
 }
 
-/// The tower of a file, and what its reader noted.
-pub(crate) fn tower(arguments: &InputArguments) -> Result<(Tower, Vec<Note>), Failure> {
+/// The tower of a file, and what its reader made of it.
+pub(crate) fn tower(arguments: &InputArguments) -> Result<(Tower, TowerInput), Failure> {
     let input = tower_input(arguments)?;
     let tower = input.tower().map_err(Failure::Input)?;
-    Ok((tower, input.notes))
+    Ok((tower, input))
 }

@@ -50,7 +50,7 @@ pub(crate) fn run(arguments: &PlotArguments) -> Result<(), Failure> {
     };
     note(&input.notes);
     note(&notes);
-    warn(&warnings);
+    warn(&warnings, &input);
     deliver_bytes(&picture, output)
 }
 

@@ -33,7 +33,7 @@ pub(crate) fn run(arguments: &ReportArguments) -> Result<(), Failure> {
         PageFormat::Md => markdown(&content),
     };
     note(&input.notes);
-    warn(&content.solution.warnings);
+    warn(&content.solution.warnings, &input);
     deliver(text.as_bytes(), output)
 }
 

@@ -50,7 +50,7 @@ fn of_tower(mut input: TowerInput, arguments: &SolveArguments) -> Result<Vec<u8>
         SolveFormat::Bmodes => result = nodes.of_solution(&tower, &solution).into_bytes(),
     }
     note(&input.notes);
-    warn(&solution.warnings);
+    warn(&solution.warnings, &input);
     Ok(result)
 }
 

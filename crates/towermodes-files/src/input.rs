@@ -1,7 +1,7 @@
 //! What a reader makes of a file.
 
 use thiserror::Error;
-use towermodes::{Method, Tower, TowerDescription};
+use towermodes::{Method, Place, Tower, TowerDescription};
 
 use crate::diagnostic::Diagnostic;
 use crate::places::Places;
@@ -240,6 +240,14 @@ impl TowerInput {
         (self.format == FileFormat::ElastoDyn && has_gravity).then(|| {
             Note::new("the shapes are those of modes without gravity, as BModes gives them: ElastoDyn adds the weights to their stiffness itself")
         })
+    }
+
+    /// The file and the line in it, from 1, where a value stands that is named by its place; none if no file says it.
+    pub fn line_of(&self, place: Place) -> Option<(&str, usize)> {
+        let (file, span) = self.places.own(place)?;
+        let source = self.sources.get(*file)?;
+        let (line, _) = Diagnostic::new(span.clone(), "").line_and_column(&source.text);
+        Some((&source.name, line))
     }
 
     /// The files it was read from, the main one first.

@@ -46,9 +46,14 @@ impl Places {
 
     /// Where a value stands; one that is left out at its table, or at the stations.
     fn find(&self, place: Place) -> (usize, Range<usize>) {
-        let places = [place, table_of(place), Place::Stations];
-        let found = places.iter().find_map(|place| self.spans.get(place));
+        let found = self.own(place).or_else(|| self.spans.get(&Place::Stations));
         found.cloned().unwrap_or((0, 0..0))
+    }
+
+    /// Where a value stands, or the table that leaves it out.
+    pub(crate) fn own(&self, place: Place) -> Option<&(usize, Range<usize>)> {
+        let places = [place, table_of(place)];
+        places.iter().find_map(|place| self.spans.get(place))
     }
 }
 
@@ -59,6 +64,8 @@ fn table_of(place: Place) -> Place {
         Place::Foundation { .. } => Place::Foundation { key },
         Place::Rna { .. } => Place::Rna { key },
         Place::Station { index, .. } => Place::Station { index, key },
+        Place::Material { index, .. } => Place::Material { index, key },
+        Place::PointMass { index, .. } => Place::PointMass { index, key },
         Place::Soil { layer, .. } => Place::Soil { layer, row: 0, key },
         Place::AddedMass { table, .. } => Place::AddedMass { table, row: 0, key },
         Place::Rotor { .. } => Place::Rotor { key },

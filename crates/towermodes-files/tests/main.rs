@@ -17,6 +17,7 @@ mod ground_refusals;
 mod hawc2;
 mod large_files;
 mod mutations;
+mod plausible_files;
 mod refusals;
 mod refused;
 mod round_trips;

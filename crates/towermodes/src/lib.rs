@@ -47,6 +47,7 @@ pub use blade::{Blade, BladeDescription, BladeError, BladeSection};
 pub use eigen::{EigenError, Statistics};
 pub use method::Method;
 pub use modes::{ByMotion, Energy, Family, ShapePoint};
+pub use number::Plain;
 pub use rotor::Rotor;
 pub use solve::{
     BladeFamily, BladeMode, BladeSolution, Certificate, DEFAULT_MODES, DEFAULT_POINTS,
@@ -58,7 +59,7 @@ pub use tower::{
     AddedMassRow, FloatingPlatform, Foundation, FoundationSprings, HalfSpace, Inertia, Material,
     PartNames, Place, Plane, Planes, PointMass, Problem, Properties, PropertyStation,
     ReferredMatrix, RigidBody, Rna, Shear, SoilRow, SoilStiffness, Station, StiffnessFoundation,
-    Tower, TowerDescription, TowerError, Water, Wires,
+    Tower, TowerDescription, TowerError, Water, Wires, is_printable, printable,
 };
 pub use verdict::Verdict;
-pub use warning::Warning;
+pub use warning::{Ineffective, Quantity, Site, Warning};

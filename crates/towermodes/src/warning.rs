@@ -1,10 +1,24 @@
 //! Inputs and results that are possible but look like a slip.
 
+mod ineffective;
+mod quantity;
+mod site;
+
+pub use ineffective::Ineffective;
+pub use quantity::Quantity;
+pub use site::Site;
+
+use std::fmt;
+
 use thiserror::Error;
 
 use crate::number::{Plain, significant};
+use crate::tower::Place;
 
 /// Something a user should look at; the computation goes on.
+///
+/// The variant says of what kind it is, and its fields have the numbers, so that a program need not read the words.
+/// [`site`](Self::site) says where in the description it is.
 #[derive(Debug, Clone, PartialEq, Error)]
 #[non_exhaustive]
 pub enum Warning {
@@ -25,30 +39,78 @@ pub enum Warning {
         /// Base to top, m.
         height_m: f64,
     },
-    /// A wall outside 1/500 to 1/10 of the diameter.
+    /// A wall that is too thin or too thick for the diameter.
     #[error(
-        "wall {} m at z = {} m is 1/{:.1} of the diameter {} m; tubular towers have 1/500 to 1/10",
-        Plain(*.wall_thickness_m), Plain(*.height_m), .outer_diameter_m / .wall_thickness_m, Plain(*.outer_diameter_m)
+        "{}wall {} m at z = {} m is 1/{:.1} of the diameter {} m; expected 1/{:.0} to 1/{:.0}: look at the unit and the decimal point of both",
+        .site.before(),
+        Plain(*.wall_thickness_m),
+        Plain(.site.height_m.unwrap_or_default()),
+        .outer_diameter_m / .wall_thickness_m,
+        Plain(*.outer_diameter_m),
+        .most,
+        .least
     )]
     UnusualWall {
+        /// Which station.
+        site: Site,
         /// Wall thickness, m.
         wall_thickness_m: f64,
         /// Outer diameter, m.
         outer_diameter_m: f64,
-        /// Where, m.
-        height_m: f64,
+        /// The least ratio of diameter to wall that towers of this size and material have.
+        least: f64,
+        /// The largest.
+        most: f64,
     },
-    /// A value far from what towers have.
-    #[error("{quantity} is {}{unit}; {usual}", Plain(*.value))]
+    /// A value outside the range in which towers have the quantity.
+    #[error(
+        "{}{}{} is {}{}; expected {}: {}",
+        .site.before(),
+        .quantity.name(),
+        .site.after(),
+        Plain(*.value),
+        .quantity.unit(),
+        Range(*.least, *.most, .quantity.unit()),
+        .quantity.likely_slip()
+    )]
     Unusual {
-        /// Name of the quantity.
-        quantity: &'static str,
-        /// The value given.
+        /// The quantity.
+        quantity: Quantity,
+        /// What it is of; where rows have it, the row that is furthest off.
+        site: Site,
+        /// The value.
         value: f64,
-        /// Its unit, after a space, or nothing.
-        unit: &'static str,
-        /// What is usual.
-        usual: &'static str,
+        /// The least that towers have; minus infinity if there is none.
+        least: f64,
+        /// The most that towers have; infinity if there is none.
+        most: f64,
+    },
+    /// A value of one row that does not go with those of the rows beside it.
+    #[error(
+        "{}{column}{} is {}, {} times what the rows beside it make expect ({}): look at its exponent",
+        .site.before(),
+        .site.after(),
+        Plain(significant(*.value)),
+        Plain(rounded(.value / .expected)),
+        Plain(significant(*.expected))
+    )]
+    RowOutOfLine {
+        /// The row.
+        site: Site,
+        /// The column, in words.
+        column: &'static str,
+        /// The value, in the unit of the column.
+        value: f64,
+        /// The value between those of the rows beside it.
+        expected: f64,
+    },
+    /// Something that was given and changes nothing.
+    #[error("{}{what}", .site.before())]
+    NoEffect {
+        /// Where it is given.
+        site: Site,
+        /// What it is.
+        what: Ineffective,
     },
     /// A row below a step at the base, or above a step at the top, has no length.
     #[error("the end row at z = {} m has no length beyond the step there and changes nothing", Plain(*.height_m))]
@@ -73,6 +135,24 @@ pub enum Warning {
         /// Mass of the tower, kg.
         tower_kg: f64,
     },
+    /// A heavy rotor-nacelle assembly without inertia.
+    #[error(
+        "{}its mass is {} kg, but it has no inertia: second bending modes come out too high by 10 to 30 %, and torsion far too high; \
+         give its inertia about its centre of mass in kg m2, or say with zeros that a point mass is meant",
+        .site.before(), Plain(*.mass_kg)
+    )]
+    RnaWithoutInertia {
+        /// The assembly.
+        site: Site,
+        /// Its mass, kg.
+        mass_kg: f64,
+    },
+    /// A point mass with inertia and no mass.
+    #[error("{}it has an inertia but no mass; give the mass in kg", .site.before())]
+    InertiaWithoutMass {
+        /// The point mass.
+        site: Site,
+    },
     /// Couplings of translation and rotation that have one sign where they should have opposite ones.
     #[error(
         "the {what} couples x with rotation about y and y with rotation about x with the same sign ({} and {}); what is the same in both \
@@ -82,10 +162,57 @@ pub enum Warning {
     CouplingSigns {
         /// Which matrix.
         what: &'static str,
+        /// Where it is.
+        site: Site,
         /// Entry x, rotation about y.
         fore_aft: f64,
         /// Entry y, rotation about x.
         side_side: f64,
+    },
+    /// A coupling of a translation with the rotation about the same axis.
+    #[error(
+        "the {what} couples translation and rotation about one axis (row {row}, column {column} is {}); bending couples x with rotation \
+         about y and y with rotation about x: row 1, column 5 and row 2, column 4",
+        Plain(*.value)
+    )]
+    CouplingAlongAxis {
+        /// Which matrix.
+        what: &'static str,
+        /// Where it is.
+        site: Site,
+        /// Row of the entry, from 1.
+        row: usize,
+        /// Column of the entry, from 1.
+        column: usize,
+        /// The entry.
+        value: f64,
+    },
+    /// A foundation or a platform that acts above the tower's base.
+    #[error(
+        "the coupling of the {what} puts it {} m above the tower's base{}; what is below has a negative entry in row 1, column 5 and a \
+         positive one in row 2, column 4: look at the sign",
+        Plain(significant(*.above_m)), .site.after()
+    )]
+    ActsAbove {
+        /// Which matrix.
+        what: &'static str,
+        /// Where it is.
+        site: Site,
+        /// How far above the base its centre is, by its entries, m.
+        above_m: f64,
+    },
+    /// A tower that is under water.
+    #[error(
+        "{}the level {} m is above the tower's top at {} m; heights are in the datum of the stations, in m",
+        .site.before(), Plain(*.level_m), Plain(*.top_m)
+    )]
+    UnderWater {
+        /// The water.
+        site: Site,
+        /// Height of the surface, m.
+        level_m: f64,
+        /// Height of the tower's top, m.
+        top_m: f64,
     },
     /// Soil too stiff for the segments.
     #[error(
@@ -116,11 +243,12 @@ pub enum Warning {
     },
     /// Principal moments of inertia that no mass distribution has.
     #[error(
-        "a principal moment of inertia of the rotor-nacelle assembly ({} kg m2) exceeds the sum of the other two \
-         ({} kg m2), which no mass distribution has",
-        Plain(*.largest_kg_m2), Plain(*.others_kg_m2)
+        "{}a principal moment of inertia ({} kg m2) exceeds the sum of the other two ({} kg m2), which no mass distribution has",
+        .site.before(), Plain(significant(*.largest_kg_m2)), Plain(significant(*.others_kg_m2))
     )]
     TriangleInequality {
+        /// The body.
+        site: Site,
         /// The largest moment, kg m².
         largest_kg_m2: f64,
         /// The sum of the other two, kg m².
@@ -226,4 +354,49 @@ pub enum Warning {
         /// How many were asked for.
         wanted: usize,
     },
+}
+
+impl Warning {
+    /// Where in the description the value stands that it is about; none for what only the result shows.
+    pub fn site(&self) -> Option<&Site> {
+        match self {
+            Self::UnusualWall { site, .. }
+            | Self::Unusual { site, .. }
+            | Self::RowOutOfLine { site, .. }
+            | Self::NoEffect { site, .. }
+            | Self::RnaWithoutInertia { site, .. }
+            | Self::InertiaWithoutMass { site }
+            | Self::CouplingSigns { site, .. }
+            | Self::CouplingAlongAxis { site, .. }
+            | Self::ActsAbove { site, .. }
+            | Self::UnderWater { site, .. }
+            | Self::TriangleInequality { site, .. } => Some(site),
+            _ => None,
+        }
+    }
+
+    /// The place of that value, for those who know where in a file it is.
+    pub fn place(&self) -> Option<Place> {
+        self.site().and_then(|site| site.place)
+    }
+}
+
+/// "at least 1 m", "at most 20 m", "1 to 20 m".
+struct Range(f64, f64, &'static str);
+
+impl fmt::Display for Range {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let &Self(least, most, unit) = self;
+        let [low, high] = [least, most].map(|limit| Plain(rounded(limit)));
+        match (least.is_finite(), most.is_finite()) {
+            (true, true) => write!(f, "{low} to {high}{unit}"),
+            (true, false) => write!(f, "at least {low}{unit}"),
+            _ => write!(f, "at most {high}{unit}"),
+        }
+    }
+}
+
+/// To three digits: a limit is no measurement.
+fn rounded(value: f64) -> f64 {
+    format!("{value:.2e}").parse().unwrap_or(value)
 }

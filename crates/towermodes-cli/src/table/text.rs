@@ -1,7 +1,7 @@
 //! Numbers and names as people read them.
 
 use comfy_table::{CellAlignment, Table, presets};
-use towermodes::Tower;
+use towermodes::{Tower, printable};
 
 use crate::terminal::WIDTH_OF_FILES;
 
@@ -103,18 +103,6 @@ pub(super) fn wrapped(text: &str) -> String {
         }
     }
     lines.join("\n")
-}
-
-/// A name without what would disturb a terminal: control characters and marks that turn the direction of writing.
-fn printable(name: &str) -> String {
-    let disturbs = |c: char| {
-        c.is_control()
-            || ('\u{202a}'..='\u{202e}').contains(&c)
-            || ('\u{2066}'..='\u{2069}').contains(&c)
-    };
-    name.chars()
-        .map(|c| if disturbs(c) { ' ' } else { c })
-        .collect()
 }
 
 /// "1 mode", "2 modes".

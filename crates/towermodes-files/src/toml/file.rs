@@ -6,7 +6,7 @@ use super::Reading;
 use super::added_mass::added_mass;
 use super::foundation::foundation;
 use super::gravity::gravity;
-use super::masses::{point_masses, rna};
+use super::masses::{point_masses, rna, says_point};
 use super::materials::{Materials, materials};
 use super::properties::properties;
 use super::rotor::rotor;
@@ -55,6 +55,7 @@ pub(super) fn description(root: &Table<'_>, reading: &mut Reading) -> Option<Tow
     let gravity = gravity(root, reading);
     let rotor = rotor(root, reading);
     let rna = root.get("rna").and_then(|value| rna(value, reading));
+    let rna_is_point = says_point(root, rna.as_ref());
     let point_masses = point_masses(root, reading);
     let hint = "add [tower] with stations = [[height, diameter, wall], ...]";
     let value = root.require("tower", hint, reading)?;
@@ -71,6 +72,7 @@ pub(super) fn description(root: &Table<'_>, reading: &mut Reading) -> Option<Tow
     Some(TowerDescription {
         name: name.to_owned(),
         rna: rna.unwrap_or_default(),
+        rna_is_point,
         point_masses,
         foundation: foundation?,
         soil,

@@ -20,5 +20,10 @@ pub(super) fn gravity(root: &Table<'_>, reading: &mut Reading) -> Option<f64> {
         return Some(0.0);
     };
     let table = Table::of(value, "[gravity]", &GRAVITY, reading)?;
-    table.number_or(STANDARD_M_PER_S2, "acceleration", Place::Gravity, reading)
+    let acceleration = table.number_or(STANDARD_M_PER_S2, "acceleration", Place::Gravity, reading);
+    if acceleration == Some(0.0) {
+        let message = "[gravity] with acceleration = 0 has no effect: weights are left out; leave [gravity] out if that is meant, or give 9.81 m/s2";
+        reading.note(value.span().start, message);
+    }
+    acceleration
 }

@@ -1,8 +1,8 @@
 //! `[rna]` and `[[point_mass]]`.
 
-use towermodes::{Place, PointMass, Rna};
+use towermodes::{Inertia, Place, PointMass, Rna};
 
-use super::Reading;
+use super::{Reading, TABLE};
 use super::body::{center, inertia_if_any};
 use super::table::{Keys, Table, every_table, with_names};
 use super::values::Value;
@@ -18,6 +18,7 @@ const POINT_MASS: Keys = Keys {
 pub(super) fn rna(value: &Value<'_>, reading: &mut Reading) -> Option<Rna> {
     let at = |key| Place::Rna { key };
     let table = Table::of(value, "[rna]", &RNA, reading)?;
+    reading.remember(at(TABLE), value.span());
     let hint = "mass in kg; leave [rna] out if there is none";
     let mass = table.required_number("mass", hint, at("mass"), reading);
     let hint = "[x fore-aft, y side-side, z up] from the tower top, m";
@@ -31,6 +32,13 @@ pub(super) fn rna(value: &Value<'_>, reading: &mut Reading) -> Option<Rna> {
         center_m: center?,
         inertia_kg_m2: inertia?,
     })
+}
+
+/// Whether the file says with zeros that the rotor-nacelle assembly has no inertia; one that is left out may have been forgotten.
+pub(super) fn says_point(root: &Table<'_>, rna: Option<&Rna>) -> bool {
+    let table = root.get("rna").and_then(|rna| rna.get_ref().as_table());
+    let says_inertia = table.is_some_and(|table| table.contains_key("inertia"));
+    says_inertia && rna.is_some_and(|rna| rna.inertia_kg_m2 == Inertia::default())
 }
 
 /// All `[[point_mass]]` with their names.
@@ -48,6 +56,7 @@ fn point_mass(
 ) -> Option<(PointMass, String)> {
     let at = |key| Place::PointMass { index, key };
     let table = Table::of(value, "[[point_mass]]", &POINT_MASS, reading)?;
+    reading.remember(at(TABLE), value.span());
     let name = table.name_of("a point mass's name", reading);
     let hint = "height in m, in the datum of the stations";
     let height = table.required_number("height", hint, at("height"), reading);

@@ -27,7 +27,7 @@ use towermodes::{Place, Tower, TowerDescription};
 
 use crate::companions::Companions;
 use crate::diagnostic::Diagnostic;
-use crate::input::{FileFormat, InputError, TowerInput};
+use crate::input::{FileFormat, InputError, Note, TowerInput};
 use crate::places::{Places, TABLE};
 use crate::source::{ReadError, Source};
 use table::Table;
@@ -48,6 +48,8 @@ struct Reading {
     in_station_file: Option<(Source, Vec<Diagnostic>)>,
     /// The files beside the tower file that were read.
     others: Vec<Source>,
+    /// What the user should know, and at which byte of the file.
+    notes: Vec<(usize, &'static str)>,
 }
 
 /// The place of the file with the stations among a tower's files.
@@ -63,6 +65,10 @@ impl Reading {
     /// Whether there are so many mistakes that no more are worth describing.
     fn is_full(&self) -> bool {
         self.mistakes.len() >= MAX_MISTAKES
+    }
+
+    fn note(&mut self, at: usize, message: &'static str) {
+        self.notes.push((at, message));
     }
 
     /// Remembers where a value stands, for mistakes that only the whole tower shows.
@@ -103,6 +109,9 @@ pub(crate) fn read_toml(
     match describe(&source.text, Some(companions)) {
         Ok(described) => {
             let mut input = TowerInput::new(FileFormat::Toml, described.description, source);
+            let notes = described.notes.iter();
+            let notes = notes.map(|(at, message)| Note::at(&input.sources[0], *at, *message));
+            input.notes = notes.collect();
             input.places = described.places;
             input.sources.extend(described.others);
             Ok(input)
@@ -116,6 +125,7 @@ pub(crate) fn read_toml(
 struct Described {
     description: TowerDescription,
     places: Places,
+    notes: Vec<(usize, &'static str)>,
     others: Vec<Source>,
 }
 
@@ -171,6 +181,7 @@ fn describe(text: &str, companions: Option<&dyn Companions>) -> Result<Described
         (Some(description), None) if reading.mistakes.is_empty() => Ok(Described {
             description,
             places: reading.places,
+            notes: reading.notes,
             others: reading.others,
         }),
         (_, Some((file, mistakes))) if reading.mistakes.is_empty() => {

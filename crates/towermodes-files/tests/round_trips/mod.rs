@@ -8,4 +8,4 @@ mod formats;
 mod losses;
 mod openfast_rules;
 mod toml_and_windio;
-mod towers;
+pub mod towers;

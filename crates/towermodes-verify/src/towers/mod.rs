@@ -38,6 +38,7 @@ fn reference_steel() -> Material {
 pub fn reference_350t() -> TowerDescription {
     TowerDescription {
         rna: Rna::point(350e3),
+        rna_is_point: true,
         ..reference()
     }
 }
@@ -85,6 +86,7 @@ pub fn reference_table(wall: f64, top_kg: f64) -> TowerDescription {
         name: "reference, eleven rows".into(),
         properties: (0..11).map(row).collect(),
         rna: Rna::point(top_kg),
+        rna_is_point: true,
         ..TowerDescription::default()
     }
 }

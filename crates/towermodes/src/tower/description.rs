@@ -169,6 +169,8 @@ pub struct TowerDescription {
     pub shear: Shear,
     /// The rotor-nacelle assembly; none unless told.
     pub rna: Rna,
+    /// Whether the assembly has no inertia on purpose, as in models that the literature has: nobody is warned of it then.
+    pub rna_is_point: bool,
     /// Masses along the tower, in any order.
     pub point_masses: Vec<PointMass>,
     /// What holds the base; clamped unless told.
@@ -199,6 +201,7 @@ impl Default for TowerDescription {
             outfitting_factor: 1.0,
             shear: Shear::Rigid,
             rna: Rna::default(),
+            rna_is_point: false,
             point_masses: Vec::new(),
             foundation: Foundation::Clamped,
             soil: Vec::new(),

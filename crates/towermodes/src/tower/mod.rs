@@ -10,6 +10,7 @@ mod held;
 mod independent;
 mod integrals;
 mod material;
+mod name;
 mod on_axis;
 mod part_names;
 mod piece;
@@ -39,6 +40,7 @@ pub use integrals::{
     soil_integrals,
 };
 pub use material::Material;
+pub use name::{is_printable, printable};
 pub use on_axis::{Line, OnAxis};
 pub use part_names::PartNames;
 pub use piece::{Piece, Profile};
@@ -103,7 +105,7 @@ impl Tower {
         let mut tower = Self {
             planes_are_equal: planes_are_equal && is_uncoupled,
             independent: possible(independent, &pieces, &base),
-            name: description.name,
+            name: printable(&description.name),
             stations: description.stations,
             properties: description.properties,
             rna: description.rna,
@@ -120,12 +122,20 @@ impl Tower {
         };
         held::check(&tower)?;
         tower.base.units = tower.base_units();
-        tower.warnings =
-            plausibility::plausibility(&tower, &description.foundation, description.water.as_ref());
+        let given = plausibility::Given {
+            materials: &description.materials,
+            foundation: &description.foundation,
+            soil: &description.soil,
+            added_mass: &description.added_mass,
+            water: description.water.as_ref(),
+            wires: &description.wires,
+            rna_is_point: description.rna_is_point,
+        };
+        tower.warnings = plausibility::plausibility(&tower, &given);
         Ok(tower)
     }
 
-    /// What the user calls it; may be empty.
+    /// What the user calls it; may be empty. What cannot be [shown](printable) is a space.
     pub fn name(&self) -> &str {
         &self.name
     }

@@ -5,7 +5,8 @@ use towermodes::{Inertia, PointMass, Rna, Rotor};
 use super::Writing;
 use super::text::number;
 
-pub(super) fn rna(rna: &Rna, writing: &mut Writing) {
+/// With the zeros of one that is meant to have no inertia.
+pub(super) fn rna(rna: &Rna, is_point: bool, writing: &mut Writing) {
     if *rna == Rna::default() {
         return;
     }
@@ -15,7 +16,11 @@ pub(super) fn rna(rna: &Rna, writing: &mut Writing) {
         let comment = "of mass from the tower top, m: fore-aft (downwind), side-side, up";
         writing.value("center", &triple(rna.center_m), comment);
     }
-    inertia(&rna.inertia_kg_m2, writing);
+    if is_point && rna.inertia_kg_m2 == Inertia::default() {
+        inertia_with(&rna.inertia_kg_m2, &["xx", "yy", "zz"], writing);
+    } else {
+        inertia(&rna.inertia_kg_m2, writing);
+    }
 }
 
 pub(super) fn rotor(rotor: Option<&Rotor>, writing: &mut Writing) {

@@ -7,6 +7,7 @@ impl Problem {
     pub fn hint(&self) -> Option<&'static str> {
         Some(match self {
             Self::NotFinite { .. } => "write an ordinary number, as 6.0 or 2.1e11",
+            Self::OutOfScale { .. } => "look at the exponent and the unit",
             Self::ImpossibleModuli { .. } => {
                 "both moduli are in Pa; for steel E is about 2.1e11 and G about 8.08e10"
             }

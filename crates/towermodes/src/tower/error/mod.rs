@@ -9,7 +9,7 @@ use std::fmt;
 
 use thiserror::Error;
 
-use crate::number::{Plain, significant};
+use crate::number::{Apart, Plain, significant};
 
 /// A description that no tower can have: where, and what is wrong.
 #[derive(Debug, Clone, PartialEq, Error)]
@@ -34,6 +34,23 @@ pub enum Problem {
         /// The value given.
         value: f64,
     },
+    /// A size that no quantity of a tower has, and that would not leave the numbers computed from it finite.
+    #[error(
+        "{quantity} is {}{unit}, but only sizes from {} to {}{unit} can be computed with",
+        Plain(*.value), Plain(*.least), Plain(*.most)
+    )]
+    OutOfScale {
+        /// Name of the quantity.
+        quantity: &'static str,
+        /// The value given.
+        value: f64,
+        /// Its unit, after a space, or nothing.
+        unit: &'static str,
+        /// The smallest size that is not zero.
+        least: f64,
+        /// The largest size.
+        most: f64,
+    },
     /// Zero or negative where only a positive number makes sense.
     #[error("{quantity} is {}{unit}, but must be positive", Plain(*.value))]
     NotPositive {
@@ -56,8 +73,8 @@ pub enum Problem {
     },
     /// E and G that no isotropic material has.
     #[error(
-        "shear modulus {shear_modulus_pa:e} Pa with Young's modulus {youngs_modulus_pa:e} Pa means \
-         Poisson's ratio {}, outside (-1, 0.5)", Plain(rounded(*.poissons_ratio))
+        "shear modulus {} Pa with Young's modulus {} Pa means Poisson's ratio {}, outside (-1, 0.5)",
+        Plain(*.shear_modulus_pa), Plain(*.youngs_modulus_pa), Plain(rounded(*.poissons_ratio))
     )]
     ImpossibleModuli {
         /// E, Pa.
@@ -74,7 +91,10 @@ pub enum Problem {
         count: usize,
     },
     /// Heights that go down.
-    #[error("height {} m is below the station before it ({} m)", Plain(*.height_m), Plain(*.previous_m))]
+    #[error(
+        "height {} m is below the station before it ({} m)",
+        Apart(*.height_m, *.previous_m), Apart(*.previous_m, *.height_m)
+    )]
     HeightDecreases {
         /// This station's height, m.
         height_m: f64,
@@ -82,20 +102,26 @@ pub enum Problem {
         previous_m: f64,
     },
     /// A third station at one height.
-    #[error("a third station at height {height_m} m: two make a step, a third means nothing")]
+    #[error(
+        "a third station at height {} m: two make a step, a third means nothing",
+        Plain(*.height_m)
+    )]
     HeightThrice {
         /// The repeated height, m.
         height_m: f64,
     },
     /// All stations at one height.
-    #[error("the tower has no height: every station is at {height_m} m")]
+    #[error("the tower has no height: every station is at {} m", Plain(*.height_m))]
     NoHeight {
         /// The height all have, m.
         height_m: f64,
     },
     /// A wall that does not fit into the tube.
     #[error(
-        "outer diameter {outer_diameter_m} m is less than twice the wall {wall_thickness_m} m at z = {height_m} m"
+        "outer diameter {} m is less than twice the wall {} m at z = {} m",
+        Apart(*.outer_diameter_m, 2.0 * .wall_thickness_m),
+        Apart(*.wall_thickness_m, 0.5 * .outer_diameter_m),
+        Plain(*.height_m)
     )]
     WallTooThick {
         /// Outer diameter, m.
@@ -116,7 +142,9 @@ pub enum Problem {
     /// A point mass beside the tower.
     #[error(
         "height {} m is not on the tower, which reaches from {} m to {} m",
-        Plain(*.height_m), Plain(*.base_m), Plain(*.top_m)
+        Apart(*.height_m, nearer(*.height_m, *.base_m, *.top_m)),
+        Apart(*.base_m, *.height_m),
+        Apart(*.top_m, *.height_m)
     )]
     OutsideTower {
         /// Height of the mass, m.
@@ -198,7 +226,10 @@ pub enum Problem {
         count: usize,
     },
     /// Rows around the tower that go down.
-    #[error("height {} m is below the row before it ({} m)", Plain(*.height_m), Plain(*.previous_m))]
+    #[error(
+        "height {} m is below the row before it ({} m)",
+        Apart(*.height_m, *.previous_m), Apart(*.previous_m, *.height_m)
+    )]
     RowsDecrease {
         /// This row's height, m.
         height_m: f64,
@@ -208,7 +239,10 @@ pub enum Problem {
     /// Rows where no tower is.
     #[error(
         "{what} reaches from {} m to {} m, but the tower from {} m to {} m",
-        Plain(*.bottom_m), Plain(*.surface_m), Plain(*.base_m), Plain(*.top_m)
+        Plain(*.bottom_m),
+        Apart(*.surface_m, nearer(*.surface_m, *.base_m, *.top_m)),
+        Apart(*.base_m, *.surface_m),
+        Apart(*.top_m, *.surface_m)
     )]
     RowsOutsideTower {
         /// Of what.
@@ -283,7 +317,7 @@ pub enum Problem {
         column: &'static str,
     },
     /// A shear coefficient no section has.
-    #[error("shear coefficient {value} is outside (0, 1]")]
+    #[error("shear coefficient {} is outside (0, 1]", Plain(*.value))]
     ShearCoefficient {
         /// The value given.
         value: f64,
@@ -344,6 +378,11 @@ impl fmt::Display for FreeMotions {
             _ => write!(f, "{}", names.concat()),
         }
     }
+}
+
+/// That of two ends that a height is nearer to, m.
+fn nearer(height_m: f64, base_m: f64, top_m: f64) -> f64 {
+    if height_m < base_m { base_m } else { top_m }
 }
 
 /// To four digits after the point.

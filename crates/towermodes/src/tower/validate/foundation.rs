@@ -1,6 +1,7 @@
 //! The checks of what the base stands on.
 
-use super::{check_inertia, error, finite, not_negative, positive};
+use super::check_inertia;
+use super::scale::{coordinate, error, finite, length, not_negative, positive};
 use crate::space::SpatialMatrix;
 use crate::symmetric::eigenpairs;
 use crate::tower::base::Base;
@@ -73,7 +74,7 @@ fn check_springs(springs: &FoundationSprings) -> Result<(), TowerError> {
         }
     }
     let coupling = springs.coupling_n;
-    finite(at("coupling"), "the coupling spring", coupling)?;
+    finite(at("coupling"), "the coupling spring", coupling, " N")?;
     let (lateral, rocking) = (springs.lateral_n_per_m, springs.rocking_n_m);
     if coupling == 0.0 {
         return Ok(());
@@ -94,7 +95,7 @@ fn check_springs(springs: &FoundationSprings) -> Result<(), TowerError> {
 
 fn check_half_space(footing: &HalfSpace) -> Result<(), TowerError> {
     let (g, nu) = (footing.shear_modulus_pa, footing.poissons_ratio);
-    positive(at("radius"), "the footing's radius", footing.radius_m, " m")?;
+    length(at("radius"), "the footing's radius", footing.radius_m)?;
     let embedment = footing.embedment_m;
     not_negative(at("embedment"), "the embedment", embedment, " m")?;
     positive(
@@ -103,7 +104,12 @@ fn check_half_space(footing: &HalfSpace) -> Result<(), TowerError> {
         g,
         " Pa",
     )?;
-    finite(at("soil_poissons_ratio"), "the soil's Poisson's ratio", nu)?;
+    finite(
+        at("soil_poissons_ratio"),
+        "the soil's Poisson's ratio",
+        nu,
+        "",
+    )?;
     if (0.0..=0.5).contains(&nu) {
         return Ok(());
     }
@@ -115,7 +121,7 @@ fn check_platform(platform: &FloatingPlatform) -> Result<(), TowerError> {
     positive(at("mass"), "the platform's mass", platform.mass_kg, " kg")?;
     let quantities = ["the centre's x", "the centre's y", "the centre's z"];
     for (quantity, value) in quantities.into_iter().zip(platform.center_m) {
-        finite(at("center"), quantity, value)?;
+        coordinate(at("center"), quantity, value)?;
     }
     check_inertia(at("inertia"), &platform.inertia_kg_m2)?;
     let matrices = [
@@ -129,7 +135,7 @@ fn check_platform(platform: &FloatingPlatform) -> Result<(), TowerError> {
     ];
     for (key, what, referred) in matrices {
         let quantity = "the height that the matrix is about";
-        finite(at(key), quantity, referred.height_m)?;
+        coordinate(at(key), quantity, referred.height_m)?;
         if referred.matrix.iter().flatten().any(|x| x.is_infinite()) {
             return error(at(key), Problem::InfiniteAndFloating { what });
         }
@@ -162,16 +168,7 @@ fn check_finite(
     matrix: &SpatialMatrix,
 ) -> Result<(), TowerError> {
     let mut entries = matrix.iter().flatten();
-    match entries.find(|entry| !entry.is_finite()) {
-        None => Ok(()),
-        Some(&value) => {
-            let problem = Problem::NotFinite {
-                quantity: what,
-                value,
-            };
-            error(at(key), problem)
-        }
-    }
+    entries.try_for_each(|&entry| finite(at(key), what, entry, ""))
 }
 
 /// The first pair of entries that should be equal and are not, by more than a share of the larger and of their diagonal entries.

@@ -2,12 +2,14 @@
 
 mod foundation;
 mod rotor;
+mod scale;
 mod surroundings;
 
 pub(super) use foundation::largest_asymmetry;
 pub(crate) use rotor::check_rotor;
 
 use foundation::{check_buoyancy, check_foundation};
+use scale::{coordinate, error, finite, length, not_negative, positive};
 use surroundings::check_surroundings;
 
 use super::description::{
@@ -45,57 +47,6 @@ pub(super) fn validate(description: &TowerDescription) -> Result<(), TowerError>
     check_buoyancy(description)?;
     check_surroundings(description, base_m, top_m)?;
     description.rotor.as_ref().map_or(Ok(()), check_rotor)
-}
-
-fn error<T>(place: Place, problem: Problem) -> Result<T, TowerError> {
-    Err(TowerError { place, problem })
-}
-
-fn finite(place: Place, quantity: &'static str, value: f64) -> Result<(), TowerError> {
-    if value.is_finite() {
-        return Ok(());
-    }
-    error(place, Problem::NotFinite { quantity, value })
-}
-
-fn positive(
-    place: Place,
-    quantity: &'static str,
-    value: f64,
-    unit: &'static str,
-) -> Result<(), TowerError> {
-    finite(place, quantity, value)?;
-    if value > 0.0 {
-        return Ok(());
-    }
-    error(
-        place,
-        Problem::NotPositive {
-            quantity,
-            value,
-            unit,
-        },
-    )
-}
-
-fn not_negative(
-    place: Place,
-    quantity: &'static str,
-    value: f64,
-    unit: &'static str,
-) -> Result<(), TowerError> {
-    finite(place, quantity, value)?;
-    if value >= 0.0 {
-        return Ok(());
-    }
-    error(
-        place,
-        Problem::Negative {
-            quantity,
-            value,
-            unit,
-        },
-    )
 }
 
 fn check_material(index: usize, material: &Material) -> Result<(), TowerError> {
@@ -187,7 +138,7 @@ fn check_row(index: usize, row: &PropertyStation) -> Result<(), TowerError> {
         axial_n,
         shear_n,
     } = row.properties;
-    finite(at("height"), "height", row.height_m)?;
+    coordinate(at("height"), "height", row.height_m)?;
     let mut positives = vec![
         ("mass_kg_per_m", "mass per length", mass_kg_per_m, " kg/m"),
         ("ei_fore_aft_n_m2", "EI fore-aft", bending.fore_aft, " N m2"),
@@ -233,9 +184,9 @@ fn check_row(index: usize, row: &PropertyStation) -> Result<(), TowerError> {
 fn check_tube(index: usize, station: &Station) -> Result<(), TowerError> {
     let at = |key| Place::Station { index, key };
     let (d, t) = (station.outer_diameter_m, station.wall_thickness_m);
-    finite(at("height"), "height", station.height_m)?;
-    positive(at("diameter"), "outer diameter", d, " m")?;
-    positive(at("wall"), "wall thickness", t, " m")?;
+    coordinate(at("height"), "height", station.height_m)?;
+    length(at("diameter"), "outer diameter", d)?;
+    length(at("wall"), "wall thickness", t)?;
     if 2.0 * t <= d {
         return Ok(());
     }
@@ -277,7 +228,7 @@ fn check_heights(heights_m: &[f64]) -> Result<(), TowerError> {
             return error(place, Problem::HeightThrice { height_m });
         }
     }
-    finite(Place::Stations, "the tower's height", top_m - base_m)
+    length(Place::Stations, "the tower's height", top_m - base_m)
 }
 
 fn ends(heights_m: &[f64]) -> (f64, f64) {
@@ -301,7 +252,7 @@ fn check_rna(rna: &Rna) -> Result<(), TowerError> {
         .into_iter()
         .zip(rna.center_m)
     {
-        finite(at("center"), quantity, value)?;
+        coordinate(at("center"), quantity, value)?;
     }
     check_inertia(at("inertia"), inertia)?;
     if rna.mass_kg == 0.0 && *inertia != Inertia::default() {
@@ -315,7 +266,7 @@ const ROUNDED: f64 = 1e-9;
 
 fn check_inertia(place: Place, inertia: &Inertia) -> Result<(), TowerError> {
     for value in inertia.tensor().into_iter().flatten() {
-        finite(place, "an entry of the inertia", value)?;
+        finite(place, "an entry of the inertia", value, " kg m2")?;
     }
     let principal_kg_m2 = inertia.principal_kg_m2();
     let largest = principal_kg_m2[2].max(-principal_kg_m2[0]);
@@ -332,7 +283,7 @@ fn check_point_mass(
     top_m: f64,
 ) -> Result<(), TowerError> {
     let at = |key| Place::PointMass { index, key };
-    finite(at("height"), "height", mass.height_m)?;
+    coordinate(at("height"), "height", mass.height_m)?;
     not_negative(at("mass"), "mass", mass.mass_kg, " kg")?;
     check_inertia(at("inertia"), &mass.inertia_kg_m2)?;
     if mass.height_m >= base_m && mass.height_m <= top_m {

@@ -1,6 +1,6 @@
 //! The checks of a rotor.
 
-use super::{error, not_negative, positive};
+use super::scale::{error, not_negative, positive};
 use crate::rotor::{FASTEST_RPM, MOST_BLADES, Rotor};
 use crate::tower::error::{Place, Problem, TowerError};
 

@@ -1,6 +1,6 @@
 //! The checks of soil, added mass, water, wires and gravity.
 
-use super::{error, finite, not_negative, positive};
+use super::scale::{coordinate, error, finite, not_negative, positive};
 use crate::tower::ambient;
 use crate::tower::description::TowerDescription;
 use crate::tower::error::{Place, Problem, TowerError};
@@ -38,7 +38,7 @@ pub(super) fn check_surroundings(
 fn check_soil(layer: usize, rows: &[SoilRow], base_m: f64, top_m: f64) -> Result<(), TowerError> {
     let at = |row, key| Place::Soil { layer, row, key };
     for (row, soil) in rows.iter().enumerate() {
-        finite(at(row, "height"), "height", soil.height_m)?;
+        coordinate(at(row, "height"), "height", soil.height_m)?;
         let springs = soil.stiffness;
         let values = [
             ("x", "the soil spring in x", springs.x_n_per_m2, " N/m2"),
@@ -67,7 +67,7 @@ fn check_added_mass(
 ) -> Result<(), TowerError> {
     let at = |row, key| Place::AddedMass { table, row, key };
     for (row, added) in rows.iter().enumerate() {
-        finite(at(row, "height"), "height", added.height_m)?;
+        coordinate(at(row, "height"), "height", added.height_m)?;
         let value = added.mass_kg_per_m;
         not_negative(at(row, "mass"), "the added mass", value, " kg/m")?;
     }
@@ -117,7 +117,7 @@ fn check_rows(
 
 fn check_water(water: &Water, base_m: f64, top_m: f64) -> Result<(), TowerError> {
     let at = |key| Place::Water { key };
-    finite(at("level"), "the water level", water.level_m)?;
+    coordinate(at("level"), "the water level", water.level_m)?;
     positive(
         at("density"),
         "the water's density",
@@ -132,7 +132,7 @@ fn check_water(water: &Water, base_m: f64, top_m: f64) -> Result<(), TowerError>
         "",
     )?;
     let bed_m = water.bed_m.unwrap_or(base_m);
-    finite(at("bed"), "the bed's height", bed_m)?;
+    coordinate(at("bed"), "the bed's height", bed_m)?;
     let level_m = water.level_m;
     if water.bed_m.is_some() && bed_m >= level_m {
         return error(at("bed"), Problem::BedAboveWater { bed_m, level_m });
@@ -151,7 +151,7 @@ fn check_water(water: &Water, base_m: f64, top_m: f64) -> Result<(), TowerError>
 
 fn check_wires(index: usize, wires: &Wires, base_m: f64, top_m: f64) -> Result<(), TowerError> {
     let at = |key| Place::Wires { index, key };
-    finite(at("height"), "height", wires.height_m)?;
+    coordinate(at("height"), "height", wires.height_m)?;
     positive(
         at("stiffness"),
         "the stiffness of a wire",
@@ -162,6 +162,7 @@ fn check_wires(index: usize, wires: &Wires, base_m: f64, top_m: f64) -> Result<(
         at("angle"),
         "the angle from the horizontal",
         wires.angle_deg,
+        " degrees",
     )?;
     let count = wires.count;
     if count < 3 {

@@ -1,0 +1,112 @@
+//! Floating platforms: where they are, what they weigh, how stiff water and moorings are.
+
+use super::couplings::{self, Named};
+use super::usual::Usual;
+use super::{bodies, frequency_hz};
+use crate::Warning;
+use crate::space::SpatialMatrix;
+use crate::tower::foundation::{FloatingPlatform, ReferredMatrix};
+use crate::tower::validate::largest_asymmetry;
+use crate::tower::{Place, Tower};
+use crate::warning::{Quantity, Site};
+
+/// A platform weighs at least this share of the turbine on it: tension-leg platforms have about one.
+const SHARE: Usual = Usual::at_least(Quantity::PlatformShare, 0.05);
+/// Slow spars have 0.03 Hz, tension-leg platforms 1 Hz.
+const HEAVE_HZ: Usual = Usual::new(Quantity::HeaveFrequency, 0.008, 5.0);
+/// Slack moorings give 0.004 Hz.
+const SURGE_HZ: Usual = Usual::new(Quantity::SurgeFrequency, 0.001, 2.0);
+/// Platforms and their moorings reach no further from the tower's base than so many times the tower's height.
+const DEPTH: f64 = 4.0;
+/// The centre of what is in the water may be above the tower's base by this share of its height: entries are rounded.
+const ABOVE: f64 = 0.05;
+
+pub(super) fn check(tower: &Tower, platform: &FloatingPlatform, warnings: &mut Vec<Warning>) {
+    let matrices = [
+        ("added_mass", "platform's added mass", &platform.added_mass),
+        (
+            "hydrostatic",
+            "platform's hydrostatic stiffness",
+            &platform.hydrostatic,
+        ),
+        ("mooring", "platform's mooring stiffness", &platform.mooring),
+    ];
+    let is_far = depths(tower, platform, warnings);
+    for (key, what, referred) in matrices {
+        let matrix = &referred.matrix;
+        let highest_m = (!is_far).then_some(ABOVE * tower.height_m());
+        couplings::check(
+            &Named {
+                what,
+                site: at(key),
+                matrix,
+                above_base_m: referred.height_m - tower.base_m(),
+                highest_m,
+            },
+            warnings,
+        );
+        let difference = largest_asymmetry(matrix);
+        if difference > 0.0 {
+            warnings.push(Warning::Symmetrized { what, difference });
+        }
+    }
+    body(tower, platform, warnings);
+    frequencies(tower, platform, warnings);
+}
+
+fn at(key: &'static str) -> Site {
+    Site::at(Place::Foundation { key })
+}
+
+/// Centre of mass and reference heights that are far from the tower; says whether any is.
+fn depths(tower: &Tower, platform: &FloatingPlatform, warnings: &mut Vec<Warning>) -> bool {
+    let usual = Usual::at_most(Quantity::PlatformDepth, DEPTH * tower.height_m());
+    let [x_m, y_m, z_m] = platform.center_m;
+    let centre_m = x_m.abs().max(y_m.abs()).max((z_m - tower.base_m()).abs());
+    let mut is_far = usual.check(centre_m, at("center"), warnings);
+    let referred = [
+        ("added_mass_height", &platform.added_mass),
+        ("hydrostatic_height", &platform.hydrostatic),
+        ("mooring_height", &platform.mooring),
+    ];
+    let is_given =
+        |(_, referred): &(&str, &ReferredMatrix)| referred.matrix != SpatialMatrix::default();
+    for (key, referred) in referred.into_iter().filter(is_given) {
+        let distance_m = (referred.height_m - tower.base_m()).abs();
+        is_far |= usual.check(distance_m, at(key), warnings);
+    }
+    is_far
+}
+
+fn body(tower: &Tower, platform: &FloatingPlatform, warnings: &mut Vec<Warning>) {
+    let carried_kg = tower.mass_kg() + tower.rna().mass_kg;
+    SHARE.check(platform.mass_kg / carried_kg, at("mass"), warnings);
+    let reach_m = tower.height_m() + (tower.base_m() - platform.center_m[2]).abs();
+    let (mass_kg, inertia) = (platform.mass_kg, &platform.inertia_kg_m2);
+    bodies::inertia(mass_kg, inertia, reach_m, at("inertia"), warnings);
+}
+
+/// The floater as a mass on its springs: heave on water plane and moorings, surge and sway on the moorings.
+fn frequencies(tower: &Tower, platform: &FloatingPlatform, warnings: &mut Vec<Warning>) {
+    let mass_kg = tower.mass_kg() + tower.rna().mass_kg + platform.mass_kg;
+    let added = &platform.added_mass.matrix;
+    let (water, mooring) = (&platform.hydrostatic.matrix, &platform.mooring.matrix);
+    let heave = water[2][2] + mooring[2][2];
+    if heave > 0.0 {
+        let key = if water[2][2] > mooring[2][2] {
+            "hydrostatic"
+        } else {
+            "mooring"
+        };
+        let hz = frequency_hz(heave, mass_kg + added[2][2]);
+        HEAVE_HZ.check(hz, at(key), warnings);
+    }
+    let along = [0, 1].map(|i| (mooring[i][i], mass_kg + added[i][i]));
+    let moored = along.into_iter().filter(|(stiffness, _)| *stiffness > 0.0);
+    let slowest = moored
+        .map(|(k, m)| frequency_hz(k, m))
+        .min_by(f64::total_cmp);
+    if let Some(hz) = slowest {
+        SURGE_HZ.check(hz, at("mooring"), warnings);
+    }
+}

@@ -1,0 +1,154 @@
+//! What the tower stands on: springs against the tower's own stiffness and mass, footings, couplings.
+
+use super::couplings::{self, Named};
+use super::usual::Usual;
+use super::{Given, floating, frequency_hz};
+use crate::Warning;
+use crate::tower::foundation::{Foundation, HalfSpace};
+use crate::tower::{Place, Tower};
+use crate::warning::{Quantity, Site};
+
+const SOIL_MODULUS: Usual = Usual::new(Quantity::SoilShearModulus, 1e6, 5e10);
+const EMBEDMENT: Usual = Usual::new(Quantity::Embedment, 0.0, 2.0);
+const FOOTING: Usual = Usual::new(Quantity::FootingRadius, 1.0, 20.0);
+
+/// Softer than this a foundation turns more than the tower bends by an order of magnitude.
+const ROCKING: Usual = Usual::at_least(Quantity::RockingStiffness, 0.2);
+const LATERAL: Usual = Usual::at_least(Quantity::LateralStiffness, 30.0);
+const TORSION: Usual = Usual::at_least(Quantity::TorsionStiffness, 0.2);
+const LATERAL_HZ: Usual = Usual::at_least(Quantity::LateralFrequency, 0.8);
+const VERTICAL_HZ: Usual = Usual::at_least(Quantity::VerticalFrequency, 1.5);
+/// The lever of springs is at least this share of the section's radius of gyration: a footing is wider than the tower, a pile as wide.
+const LEVER: f64 = 0.5;
+/// Speed of sound in steel, m/s.
+const SOUND_M_PER_S: f64 = 5000.0;
+/// A foundation's centre may be above the base by this share of the tower's height: entries are rounded.
+const ABOVE: f64 = 0.005;
+
+pub(super) fn check(tower: &Tower, given: &Given<'_>, warnings: &mut Vec<Warning>) {
+    match given.foundation {
+        Foundation::Clamped => {}
+        Foundation::HalfSpace(footing) => half_space(tower, footing, warnings),
+        Foundation::Floating(platform) => floating::check(tower, platform, warnings),
+        Foundation::Springs(_) => {
+            let keys = ["lateral", "rocking", "vertical", "torsion"];
+            springs(tower, given, keys, warnings);
+            coupling(tower, "springs", "coupling", warnings);
+        }
+        Foundation::Stiffness(foundation) => {
+            springs(tower, given, ["matrix"; 4], warnings);
+            coupling(tower, "foundation's stiffness", "matrix", warnings);
+            couplings::check(
+                &Named {
+                    what: "foundation's mass matrix",
+                    site: at("mass"),
+                    matrix: &foundation.inertia,
+                    above_base_m: 0.0,
+                    highest_m: None,
+                },
+                warnings,
+            );
+        }
+    }
+}
+
+fn at(key: &'static str) -> Site {
+    Site::at(Place::Foundation { key })
+}
+
+fn half_space(tower: &Tower, footing: &HalfSpace, warnings: &mut Vec<Warning>) {
+    let modulus = footing.shear_modulus_pa;
+    SOIL_MODULUS.check(modulus, at("soil_shear_modulus"), warnings);
+    let depth = footing.embedment_m / footing.radius_m;
+    EMBEDMENT.check(depth, at("embedment"), warnings);
+    if let Some(station) = tower.stations().first() {
+        let radius_m = 0.5 * station.outer_diameter_m;
+        FOOTING.check(footing.radius_m / radius_m, at("radius"), warnings);
+    }
+}
+
+fn coupling(tower: &Tower, what: &'static str, key: &'static str, warnings: &mut Vec<Warning>) {
+    couplings::check(
+        &Named {
+            what,
+            site: at(key),
+            matrix: &tower.base().stiffness,
+            above_base_m: 0.0,
+            highest_m: Some(ABOVE * tower.height_m()),
+        },
+        warnings,
+    );
+}
+
+/// Springs that alone hold the tower, against its own stiffness and mass; soil and wires may do their work.
+fn springs(
+    tower: &Tower,
+    given: &Given<'_>,
+    [lateral, rocking, vertical, torsion]: [&'static str; 4],
+    warnings: &mut Vec<Warning>,
+) {
+    let k = &tower.base().stiffness;
+    let is_alone = given.soil.is_empty() && given.wires.is_empty();
+    let before = warnings.len();
+    if is_alone {
+        against_rotation(tower, [rocking, torsion], warnings);
+        against_translation(tower, [lateral, vertical], warnings);
+    }
+    // One slip needs one warning.
+    if warnings.len() > before {
+        return;
+    }
+    let section = tower.pieces()[0].section_at(tower.base_m());
+    let radius = section.bending_n_m2.fore_aft / section.masses.mass_kg_per_m;
+    let least_m = LEVER * radius.sqrt() / SOUND_M_PER_S;
+    let lever = Usual::at_least(Quantity::SpringLever, least_m);
+    if k[0][0] > 0.0 && k[4][4] > 0.0 {
+        lever.check((k[4][4] / k[0][0]).sqrt(), at(rocking), warnings);
+    }
+}
+
+/// The softer plane's rocking spring against EI/H, the torsion spring against GJ/H; those that are zero or infinite are not meant to hold,
+/// or to give.
+fn against_rotation(
+    tower: &Tower,
+    [rocking, torsion]: [&'static str; 2],
+    warnings: &mut Vec<Warning>,
+) {
+    let (k, height_m) = (&tower.base().stiffness, tower.height_m());
+    let section = tower.pieces()[0].section_at(tower.base_m());
+    let bending = section.bending_n_m2;
+    let planes = [(k[4][4], bending.fore_aft), (k[3][3], bending.side_side)];
+    let ratios = planes.map(|(stiffness, bending)| stiffness * height_m / bending);
+    let springs = ratios.into_iter().filter(|ratio| *ratio > 0.0);
+    if let Some(softest) = springs.min_by(f64::total_cmp) {
+        ROCKING.check(softest, at(rocking), warnings);
+    }
+    let twist = k[5][5] * height_m / section.torsion_n_m2;
+    if twist > 0.0 {
+        TORSION.check(twist, at(torsion), warnings);
+    }
+}
+
+/// The softer plane's lateral spring against EI/H³ and against the mass that it carries, the vertical one against that mass.
+fn against_translation(
+    tower: &Tower,
+    [lateral, vertical]: [&'static str; 2],
+    warnings: &mut Vec<Warning>,
+) {
+    let (k, height_m) = (&tower.base().stiffness, tower.height_m());
+    let mass_kg = tower.mass_kg() + tower.rna().mass_kg;
+    let bending = tower.pieces()[0].section_at(tower.base_m()).bending_n_m2;
+    let planes = [(k[0][0], bending.fore_aft), (k[1][1], bending.side_side)];
+    let springs = planes.into_iter().filter(|(stiffness, _)| *stiffness > 0.0);
+    let softest = springs.min_by(|(a, _), (b, _)| a.total_cmp(b));
+    if let Some((stiffness, bending)) = softest {
+        let ratio = stiffness * height_m.powi(3) / bending;
+        let is_soft = LATERAL.check(ratio, at(lateral), warnings);
+        if !is_soft {
+            LATERAL_HZ.check(frequency_hz(stiffness, mass_kg), at(lateral), warnings);
+        }
+    }
+    if k[2][2] > 0.0 {
+        VERTICAL_HZ.check(frequency_hz(k[2][2], mass_kg), at(vertical), warnings);
+    }
+}

@@ -1,0 +1,124 @@
+//! Heights, diameters and walls.
+
+use super::Given;
+use super::out_of_line::{Spike, worst};
+use crate::Warning;
+use crate::tower::{Material, Place, Station, Tower};
+use crate::warning::Site;
+
+/// Diameters reach to this, m.
+const WIDEST_M: f64 = 30.0;
+/// Towers reach to this, m.
+const TALLEST_M: f64 = 1000.0;
+/// No tube has a thinner wall: diameter over wall.
+const THINNEST: f64 = 500.0;
+/// No tube of concrete, and no mast of a small turbine, has a thicker one.
+const THICKEST: f64 = 10.0;
+/// No steel tube wider than [`WIDE_M`] has a thicker one, but for flanges, which are short: built towers and piles have 50 to 300.
+const THICKEST_STEEL: f64 = 30.0;
+/// A tube is wide from this diameter on, m.
+const WIDE_M: f64 = 1.5;
+/// Metals have a Young's modulus above this, concrete and wood below, Pa.
+const METAL_PA: f64 = 6e10;
+/// A flange is shorter than this share of its diameter.
+const FLANGE: f64 = 0.5;
+
+pub(super) fn check(tower: &Tower, given: &Given<'_>, warnings: &mut Vec<Warning>) {
+    widest(tower.stations(), warnings);
+    walls(tower.stations(), given.materials, warnings);
+    lines(tower.stations(), warnings);
+    useless_rows(tower, warnings);
+    if tower.height_m() > TALLEST_M {
+        warnings.push(Warning::TallTower {
+            height_m: tower.height_m(),
+        });
+    }
+}
+
+fn widest(stations: &[Station], warnings: &mut Vec<Warning>) {
+    let widest = stations
+        .iter()
+        .max_by(|a, b| a.outer_diameter_m.total_cmp(&b.outer_diameter_m));
+    if let Some(s) = widest.filter(|s| s.outer_diameter_m > WIDEST_M) {
+        warnings.push(Warning::LargeDiameter {
+            outer_diameter_m: s.outer_diameter_m,
+            height_m: s.height_m,
+        });
+    }
+}
+
+/// The wall that is furthest from those of built towers.
+fn walls(stations: &[Station], materials: &[Material], warnings: &mut Vec<Warning>) {
+    let mut furthest: Option<(f64, Warning)> = None;
+    for (index, station) in stations.iter().enumerate() {
+        let (d, t) = (station.outer_diameter_m, station.wall_thickness_m);
+        let least = thickest(stations, materials, index);
+        let excess = (least * t / d).max(d / t / THINNEST);
+        if excess <= 1.0 || furthest.as_ref().is_some_and(|(most, _)| excess <= *most) {
+            continue;
+        }
+        let site = Site::at(Place::Station { index, key: "wall" }).high(station.height_m);
+        let warning = Warning::UnusualWall {
+            site,
+            wall_thickness_m: t,
+            outer_diameter_m: d,
+            least,
+            most: THINNEST,
+        };
+        furthest = Some((excess, warning));
+    }
+    warnings.extend(furthest.map(|(_, warning)| warning));
+}
+
+/// The least ratio of diameter to wall that a tube as at a station has.
+fn thickest(stations: &[Station], materials: &[Material], index: usize) -> f64 {
+    let station = &stations[index];
+    let below = stations[index.saturating_sub(1)].height_m;
+    let above = stations[(index + 1).min(stations.len() - 1)].height_m;
+    // Between rows the wall is linear: a row has half of the way to each of its neighbours.
+    let length_m = 0.5 * (above - below);
+    let is_flange = length_m < FLANGE * station.outer_diameter_m;
+    // The material of the last row is that of the row below it.
+    let material = stations[index.min(stations.len() - 2)].material;
+    let is_metal = materials[material].youngs_modulus_pa > METAL_PA;
+    let is_wide = station.outer_diameter_m > WIDE_M;
+    if is_metal && is_wide && !is_flange {
+        THICKEST_STEEL
+    } else {
+        THICKEST
+    }
+}
+
+/// A diameter or a wall of one row that is a power of ten off.
+fn lines(stations: &[Station], warnings: &mut Vec<Warning>) {
+    type Column = fn(&Station) -> f64;
+    let columns: [(&'static str, &'static str, Column); 2] = [
+        ("diameter", "the outer diameter", |s| s.outer_diameter_m),
+        ("wall", "the wall thickness", |s| s.wall_thickness_m),
+    ];
+    let heights_m: Vec<f64> = stations.iter().map(|s| s.height_m).collect();
+    for (key, column, value) in columns {
+        let values: Vec<f64> = stations.iter().map(value).collect();
+        let Some((index, expected)) = worst(&heights_m, &values, Spike::PowerOfTen) else {
+            continue;
+        };
+        let site = Site::at(Place::Station { index, key }).high(heights_m[index]);
+        warnings.push(Warning::RowOutOfLine {
+            site,
+            column,
+            value: values[index],
+            expected,
+        });
+    }
+}
+
+/// Rows at the ends that have no length.
+fn useless_rows(tower: &Tower, warnings: &mut Vec<Warning>) {
+    let heights_m = tower.station_heights_m();
+    let (first, last) = (&heights_m[..2], &heights_m[heights_m.len() - 2..]);
+    for end in [first, last] {
+        if end[0] == end[1] {
+            warnings.push(Warning::UselessStation { height_m: end[0] });
+        }
+    }
+}

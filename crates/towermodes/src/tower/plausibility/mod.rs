@@ -1,0 +1,78 @@
+//! Inputs that are possible but look like a slip: a wrong unit, a lost digit, a wrong sign, radians.
+//!
+//! Each quantity is compared with what physics allows or with what every built tower has, never with a list of words. Limits are generous:
+//! a warning that is mostly wrong is not read. Where rows have a quantity, the row that is furthest off is named.
+
+mod bodies;
+mod couplings;
+mod floating;
+mod foundation;
+mod geometry;
+mod materials;
+mod out_of_line;
+mod soil;
+mod table;
+mod usual;
+mod water;
+mod wires;
+
+use super::foundation::Foundation;
+use super::{AddedMassRow, SoilRow, Tower, Water, Wires};
+use super::{Place, material::Material};
+use crate::Warning;
+use crate::rotor::Rotor;
+use crate::warning::{Quantity, Site};
+use usual::Usual;
+
+/// What a description says and a tower does not keep as it was said.
+pub(super) struct Given<'a> {
+    pub(super) materials: &'a [Material],
+    pub(super) foundation: &'a Foundation,
+    pub(super) soil: &'a [Vec<SoilRow>],
+    pub(super) added_mass: &'a [Vec<AddedMassRow>],
+    pub(super) water: Option<&'a Water>,
+    pub(super) wires: &'a [Wires],
+    /// Whether the user said that the rotor-nacelle assembly is meant to have no inertia.
+    pub(super) rna_is_point: bool,
+}
+
+/// The warnings that the input alone gives rise to.
+pub(super) fn plausibility(tower: &Tower, given: &Given<'_>) -> Vec<Warning> {
+    let mut warnings = Vec::new();
+    geometry::check(tower, given, &mut warnings);
+    materials::check(tower, given, &mut warnings);
+    table::check(tower, &mut warnings);
+    bodies::check(tower, given, &mut warnings);
+    foundation::check(tower, given, &mut warnings);
+    soil::check(tower, given, &mut warnings);
+    wires::check(tower, given.wires, &mut warnings);
+    water::check(tower, given, &mut warnings);
+    if tower.gravity_m_per_s2() != 0.0 {
+        let site = Site::at(Place::Gravity);
+        GRAVITY.check(tower.gravity_m_per_s2(), site, &mut warnings);
+    }
+    warnings
+}
+
+const GRAVITY: Usual = Usual::new(Quantity::Gravity, 9.7, 9.9);
+/// Of a rotor on a tower of more than 20 m, but for small machines, which turn at hundreds of rpm.
+const ROTOR_SPEED: Usual = Usual::new(Quantity::RotorSpeed, 3.0, 100.0);
+/// A machine is small up to this mass, kg.
+const SMALL_KG: f64 = 5e3;
+
+/// What is odd about the rotor on a tower.
+pub(super) fn rotor_plausibility(tower: &Tower, rotor: &Rotor) -> Vec<Warning> {
+    let mut warnings = Vec::new();
+    let mass_kg = tower.rna().mass_kg;
+    let is_small = mass_kg > 0.0 && mass_kg <= SMALL_KG;
+    if tower.height_m() > 20.0 && !is_small {
+        let site = Site::at(Place::Rotor { key: "rpm" });
+        ROTOR_SPEED.check(rotor.highest_rpm, site, &mut warnings);
+    }
+    warnings
+}
+
+/// Frequency of a mass (kg) on a spring (N/m), Hz.
+fn frequency_hz(stiffness_n_per_m: f64, mass_kg: f64) -> f64 {
+    (stiffness_n_per_m / mass_kg).sqrt() / std::f64::consts::TAU
+}

@@ -1,0 +1,71 @@
+//! Rows whose value does not go with those of the rows beside them: a digit, or one of an exponent, is wrong.
+
+/// No built tower has a row that is so many times as stiff, or as wide, as both rows beside it, or so many times less.
+const SPIKE: f64 = 4.0;
+/// How far from a power of ten a ratio may be, in powers of ten, that a wrong exponent makes: what is real beside it varies as well.
+const NEAR_A_POWER: f64 = 0.12;
+/// Rows that go together differ by no more than this factor from one to the next, where the value of the next one is foretold.
+const SMOOTH: f64 = 2.0;
+
+/// What a value has to be to be out of line.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) enum Spike {
+    /// Any value far from its neighbours': nothing real makes it.
+    Any,
+    /// A power of ten away from them: something real, as a mass that is spread over a short length, can make any other value.
+    PowerOfTen,
+}
+
+impl Spike {
+    /// Whether a ratio to what is expected is out of line.
+    fn is(self, ratio: f64) -> bool {
+        let powers = ratio.log10();
+        let is_near_a_power = (powers - powers.round()).abs() < NEAR_A_POWER;
+        !between(ratio, SPIKE) && (self == Self::Any || is_near_a_power)
+    }
+}
+
+/// The value that is furthest out of line of positive values at heights (m): its index, and what the values beside it make expect.
+pub(super) fn worst(heights_m: &[f64], values: &[f64], spike: Spike) -> Option<(usize, f64)> {
+    let out_of_line = (0..values.len()).filter_map(|index| {
+        let expected = expected(heights_m, values, index, spike)?;
+        Some((index, expected))
+    });
+    let powers = |(index, expected): &(usize, f64)| (values[*index] / expected).log10().abs();
+    out_of_line.max_by(|a, b| powers(a).total_cmp(&powers(b)))
+}
+
+/// What the values beside one make expect, if that one is out of line.
+fn expected(heights_m: &[f64], values: &[f64], index: usize, spike: Spike) -> Option<f64> {
+    let value = values[index];
+    let last = values.len() - 1;
+    if index == 0 || index == last {
+        // An end has one neighbour: it is foretold from that one and the next.
+        let [near, far] = if index == 0 {
+            [1, 2]
+        } else {
+            [last.checked_sub(1)?, last.checked_sub(2)?]
+        };
+        let (near, far) = (*values.get(near)?, *values.get(far)?);
+        let expected = near * near / far;
+        let is_foretold = between(near / far, SMOOTH);
+        let is_off = Spike::PowerOfTen.is(value / expected) && !between(value / near, SPIKE);
+        return (is_foretold && is_off).then_some(expected);
+    }
+    let (below, above) = (values[index - 1], values[index + 1]);
+    let [low_m, here_m, high_m] = [index - 1, index, index + 1].map(|i| heights_m[i]);
+    // Rows at one height are a step, on whose sides values differ as they like.
+    if low_m == here_m || here_m == high_m {
+        return None;
+    }
+    let share = (here_m - low_m) / (high_m - low_m);
+    let expected = below.powf(1.0 - share) * above.powf(share);
+    let is_beyond_both = (value > below) == (value > above);
+    let is_far = !between(value / below, SPIKE) && !between(value / above, SPIKE);
+    (is_beyond_both && is_far && spike.is(value / expected)).then_some(expected)
+}
+
+/// Whether a ratio is no more than a factor from one.
+fn between(ratio: f64, factor: f64) -> bool {
+    (1.0 / factor..=factor).contains(&ratio)
+}

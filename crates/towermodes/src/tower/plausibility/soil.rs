@@ -1,0 +1,100 @@
+//! Soil around the tower: how stiff it is, in itself and against the tower.
+
+use super::Given;
+use super::usual::{Usual, check_worst};
+use crate::Warning;
+use crate::tower::{Piece, Place, Plane, SoilRow, Tower};
+use crate::warning::{Ineffective, Quantity, Site};
+
+/// The stiffest row of a layer is at least as stiff as very soft clay; no rock is stiffer than the other.
+const STIFFEST_ROW: Usual = Usual::new(Quantity::SoilSpring, 5e4, 1e12);
+const PLANES: Usual = Usual::new(Quantity::SoilPlaneRatio, 0.1, 10.0);
+/// A tower that soil holds reaches into it over at least this share of the length over which it bends there.
+const WINKLER: Usual = Usual::at_least(Quantity::WinklerLengths, 0.5);
+/// A base whose rocking spring is at least so many times EI/H holds the tower without the soil.
+const HOLDS: f64 = 5.0;
+
+pub(super) fn check(tower: &Tower, given: &Given<'_>, warnings: &mut Vec<Warning>) {
+    let before = warnings.len();
+    for (layer, rows) in given.soil.iter().enumerate() {
+        of_layer(layer, rows, warnings);
+    }
+    let is_odd = warnings.len() > before;
+    if given.soil.is_empty() {
+        return;
+    }
+    let surrounds = |piece: &Piece| piece.ambient.soil.is_some();
+    if tower.base().is_clamped() && tower.pieces().iter().any(surrounds) {
+        warnings.push(Warning::SoilAndClamp);
+    }
+    if !is_odd {
+        holds(tower, warnings);
+    }
+}
+
+fn of_layer(layer: usize, rows: &[SoilRow], warnings: &mut Vec<Warning>) {
+    let at = |row, key| Site::at(Place::Soil { layer, row, key });
+    if rows.iter().all(|row| row.stiffness.values() == [0.0; 4]) {
+        let (site, what) = (at(0, "rows"), Ineffective::SoilOfZeros);
+        warnings.push(Warning::NoEffect { site, what });
+        return;
+    }
+    let transverse = rows.iter().enumerate().map(|(index, row)| {
+        let springs = row.stiffness.transverse();
+        (index, row, springs.fore_aft, springs.side_side)
+    });
+    let larger = transverse
+        .clone()
+        .map(|(index, row, x, y)| (index, row, x.max(y)));
+    let stiffest = larger.max_by(|(.., a), (.., b)| a.total_cmp(b));
+    // A layer may hold along or about the axis alone.
+    if let Some((index, row, spring)) = stiffest.filter(|(.., spring)| *spring > 0.0) {
+        STIFFEST_ROW.check(spring, at(index, "x").high(row.height_m), warnings);
+    }
+    let both = transverse.filter(|(_, _, x, y)| *x > 0.0 && *y > 0.0);
+    let ratios = both.map(|(index, row, x, y)| (PLANES, y / x, at(index, "y").high(row.height_m)));
+    check_worst(ratios, warnings);
+}
+
+/// Whether soil that alone holds the tower can do so.
+fn holds(tower: &Tower, warnings: &mut Vec<Warning>) {
+    let base = tower.base();
+    let section = tower.pieces()[0].section_at(tower.base_m());
+    let planes = [(Plane::ForeAft, 0, 4), (Plane::SideSide, 1, 3)];
+    let lengths = planes
+        .into_iter()
+        .filter_map(|(plane, translation, rotation)| {
+            let bending = section.bending_n_m2.of(plane);
+            let rocking = base.stiffness[rotation][rotation] * tower.height_m() / bending;
+            let is_held = !base.moves[translation] || !base.moves[rotation] || rocking > HOLDS;
+            if is_held || base.floats {
+                return None;
+            }
+            winkler_lengths(tower, plane)
+        });
+    if let Some(least) = lengths.min_by(f64::total_cmp) {
+        let (layer, row, key) = (0, 0, "x");
+        let site = Site::at(Place::Soil { layer, row, key });
+        WINKLER.check(least, site, warnings);
+    }
+}
+
+/// The length in soil over (4EI/k)^¼ with the mean spring; none without soil in this plane.
+fn winkler_lengths(tower: &Tower, plane: Plane) -> Option<f64> {
+    let in_soil = tower.pieces().iter().filter_map(|piece| {
+        let [low, high] = piece.ambient.soil?.map(|soil| soil.transverse().of(plane));
+        let length_m = piece.length_m();
+        let middle_m = piece.base_m + 0.5 * length_m;
+        let bending = piece.section_at(middle_m).bending_n_m2.of(plane);
+        Some((length_m, 0.5 * (low + high) * length_m, bending))
+    });
+    let zero = (0.0, 0.0, 0.0);
+    let (length_m, spring, bending) = in_soil.fold(zero, |(l, k, e): (f64, f64, f64), part| {
+        (l + part.0, k + part.1, e.max(part.2))
+    });
+    if spring == 0.0 {
+        return None;
+    }
+    let mean = spring / length_m;
+    Some(length_m / (4.0 * bending / mean).powf(0.25))
+}

@@ -1,0 +1,75 @@
+//! A quantity with the range in which towers have it.
+
+use crate::Warning;
+use crate::warning::{Quantity, Site};
+
+/// A quantity with the range in which towers have it; an infinite end is none.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Usual {
+    quantity: Quantity,
+    least: f64,
+    most: f64,
+}
+
+impl Usual {
+    pub(super) const fn new(quantity: Quantity, least: f64, most: f64) -> Self {
+        Self {
+            quantity,
+            least,
+            most,
+        }
+    }
+
+    /// A quantity that has only a smallest value.
+    pub(super) const fn at_least(quantity: Quantity, least: f64) -> Self {
+        Self::new(quantity, least, f64::INFINITY)
+    }
+
+    /// A quantity that has only a largest value.
+    pub(super) const fn at_most(quantity: Quantity, most: f64) -> Self {
+        Self::new(quantity, f64::NEG_INFINITY, most)
+    }
+
+    pub(super) fn has(&self, value: f64) -> bool {
+        (self.least..=self.most).contains(&value)
+    }
+
+    /// Warns if a value is outside the range; says whether it did.
+    pub(super) fn check(&self, value: f64, site: Site, warnings: &mut Vec<Warning>) -> bool {
+        let is_outside = !self.has(value);
+        if is_outside {
+            warnings.push(self.warning(value, site));
+        }
+        is_outside
+    }
+
+    /// How many times a positive value is outside the range; up to 1 inside.
+    fn excess(&self, value: f64) -> f64 {
+        (self.least / value).max(value / self.most)
+    }
+
+    fn warning(&self, value: f64, site: Site) -> Warning {
+        let &Self {
+            quantity,
+            least,
+            most,
+        } = self;
+        Warning::Unusual {
+            quantity,
+            site,
+            value,
+            least,
+            most,
+        }
+    }
+}
+
+/// Warns of the positive value that is furthest outside its range, if any is.
+pub(super) fn check_worst(
+    values: impl Iterator<Item = (Usual, f64, Site)>,
+    warnings: &mut Vec<Warning>,
+) {
+    let outside = values.filter(|(usual, value, _)| !usual.has(*value));
+    let worst = outside.max_by(|(a, x, _), (b, y, _)| a.excess(*x).total_cmp(&b.excess(*y)));
+    warnings.extend(worst.map(|(usual, value, site)| usual.warning(value, site)));
+}

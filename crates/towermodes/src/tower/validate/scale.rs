@@ -1,0 +1,108 @@
+//! Whether a number can be a quantity at all: finite, of a possible sign, and of a size that can be computed with.
+
+use crate::tower::error::{Place, Problem, TowerError};
+
+/// Sizes that are not zero lie between these, in SI units. Products of a few of them stay far from the limits of a double.
+const SIZES: [f64; 2] = [1e-30, 1e30];
+/// Lengths lie between these, m: their fourth powers are in every stiffness.
+const LENGTHS_M: [f64; 2] = [1e-15, 1e9];
+
+pub(super) fn error<T>(place: Place, problem: Problem) -> Result<T, TowerError> {
+    Err(TowerError { place, problem })
+}
+
+/// Finite, of either sign or zero.
+pub(super) fn finite(
+    place: Place,
+    quantity: &'static str,
+    value: f64,
+    unit: &'static str,
+) -> Result<(), TowerError> {
+    in_scale(place, quantity, value, unit, [0.0, SIZES[1]])
+}
+
+/// A height or another coordinate, m: finite, of either sign or zero.
+pub(super) fn coordinate(
+    place: Place,
+    quantity: &'static str,
+    value_m: f64,
+) -> Result<(), TowerError> {
+    in_scale(place, quantity, value_m, " m", [0.0, LENGTHS_M[1]])
+}
+
+/// A length, m: positive.
+pub(super) fn length(place: Place, quantity: &'static str, value_m: f64) -> Result<(), TowerError> {
+    above_zero(place, quantity, value_m, " m")?;
+    in_scale(place, quantity, value_m, " m", LENGTHS_M)
+}
+
+pub(super) fn positive(
+    place: Place,
+    quantity: &'static str,
+    value: f64,
+    unit: &'static str,
+) -> Result<(), TowerError> {
+    above_zero(place, quantity, value, unit)?;
+    in_scale(place, quantity, value, unit, SIZES)
+}
+
+pub(super) fn not_negative(
+    place: Place,
+    quantity: &'static str,
+    value: f64,
+    unit: &'static str,
+) -> Result<(), TowerError> {
+    if value == 0.0 {
+        return Ok(());
+    }
+    in_scale(place, quantity, value, unit, [0.0, SIZES[1]])?;
+    if value > 0.0 {
+        return in_scale(place, quantity, value, unit, SIZES);
+    }
+    let problem = Problem::Negative {
+        quantity,
+        value,
+        unit,
+    };
+    error(place, problem)
+}
+
+fn above_zero(
+    place: Place,
+    quantity: &'static str,
+    value: f64,
+    unit: &'static str,
+) -> Result<(), TowerError> {
+    if value > 0.0 || !value.is_finite() {
+        return Ok(());
+    }
+    let problem = Problem::NotPositive {
+        quantity,
+        value,
+        unit,
+    };
+    error(place, problem)
+}
+
+fn in_scale(
+    place: Place,
+    quantity: &'static str,
+    value: f64,
+    unit: &'static str,
+    [least, most]: [f64; 2],
+) -> Result<(), TowerError> {
+    if !value.is_finite() {
+        return error(place, Problem::NotFinite { quantity, value });
+    }
+    if (least..=most).contains(&value.abs()) {
+        return Ok(());
+    }
+    let problem = Problem::OutOfScale {
+        quantity,
+        value,
+        unit,
+        least: least.max(SIZES[0]),
+        most,
+    };
+    error(place, problem)
+}

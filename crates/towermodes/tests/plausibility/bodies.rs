@@ -1,0 +1,178 @@
+//! Machines and point masses: centres, inertias, masses.
+
+use super::towers::{reference, reference_with_machine};
+use super::{odd, of, one, quiet};
+use towermodes::{Inertia, Place, PointMass, Quantity, TowerDescription, Warning};
+
+const INERTIA: Place = Place::Rna { key: "inertia" };
+
+fn scaled(factor: f64) -> impl FnOnce(&mut TowerDescription) {
+    move |t| {
+        let inertia = &mut t.rna.inertia_kg_m2;
+        for moment in [&mut inertia.xx, &mut inertia.yy, &mut inertia.zz] {
+            *moment *= factor;
+        }
+    }
+}
+
+#[test]
+fn inertias_in_another_unit() {
+    // 349.6 t: a ball of lead has a radius of gyration of 1.21 m, the machine 9.25 m in the mean and 11.04 m at most; the tower is 87.6 m
+    // high, so the most is 52.56 m.
+    let ball_m = 0.4_f64.sqrt() * (3.0 * 349_606.5 / (4.0 * std::f64::consts::PI * 12e3)).cbrt();
+    let mean_m = ((42_620_975.3 + 24_376_664.3 + 22_652_099.0) / 3.0 / 349_606.5_f64).sqrt();
+    let lightest = (ball_m / mean_m).powi(2);
+    quiet(reference_with_machine(), scaled(1.01 * lightest));
+    let got = odd(
+        Quantity::RadiusOfBody,
+        INERTIA,
+        reference_with_machine(),
+        scaled(0.99 * lightest),
+    );
+    assert!((got / ball_m - 0.99_f64.sqrt()).abs() < 1e-6);
+    // In t m2.
+    let said = one(reference_with_machine(), scaled(1e-3)).1;
+    assert!(
+        said.starts_with(
+            "rotor-nacelle assembly: the radius of gyration sqrt(inertia/mass) is 0.2923"
+        ) && said.contains("expected 1.21 to 52.6 m: look at the unit and the exponent"),
+        "{said}"
+    );
+    let heaviest = 52.56_f64.powi(2) * 349_606.5 / 42_620_975.3;
+    quiet(reference_with_machine(), scaled(0.99 * heaviest));
+    odd(
+        Quantity::RadiusOfBody,
+        INERTIA,
+        reference_with_machine(),
+        scaled(1.01 * heaviest),
+    );
+    // 4e10 for 4e7.
+    odd(
+        Quantity::RadiusOfBody,
+        INERTIA,
+        reference_with_machine(),
+        scaled(1e3),
+    );
+}
+
+#[test]
+fn machines_without_inertia() {
+    let without = |mass_kg: f64| {
+        move |t: &mut TowerDescription| {
+            t.rna.mass_kg = mass_kg;
+            t.rna.inertia_kg_m2 = Inertia::default();
+        }
+    };
+    quiet(reference_with_machine(), without(49.9e3));
+    let (warning, said) = one(reference_with_machine(), without(50.1e3));
+    assert!(matches!(warning, Warning::RnaWithoutInertia { mass_kg, .. } if mass_kg == 50.1e3));
+    assert!(
+        said.contains("its mass is 50100 kg, but it has no inertia"),
+        "{said}"
+    );
+    quiet(reference_with_machine(), |t| {
+        without(350e3)(t);
+        t.rna_is_point = true;
+    });
+}
+
+#[test]
+fn centres_far_from_the_tower() {
+    for axis in 0..3 {
+        let centre = |m: f64| move |t: &mut TowerDescription| t.rna.center_m[axis] = m;
+        quiet(reference_with_machine(), centre(-25.0));
+        let place = Place::Rna { key: "center" };
+        for far_m in [25.1, -25.1, 410.0, 100.0] {
+            let got = odd(
+                Quantity::CentreDistance,
+                place,
+                reference_with_machine(),
+                centre(far_m),
+            );
+            assert_eq!(got, far_m.abs());
+        }
+    }
+}
+
+#[test]
+fn machines_in_tonnes() {
+    // The tower has 267 586 kg.
+    let mass = |kg: f64| move |t: &mut TowerDescription| t.rna = towermodes::Rna::point(kg);
+    let place = Place::Rna { key: "mass" };
+    quiet(reference(), mass(2676.0));
+    odd(Quantity::RnaShare, place, reference(), mass(2675.0));
+    odd(Quantity::RnaShare, place, reference(), mass(350.0));
+}
+
+fn with_mass(mass: PointMass) -> TowerDescription {
+    TowerDescription {
+        point_masses: vec![PointMass::default(), mass]
+            .into_iter()
+            .filter(|m| *m != PointMass::default())
+            .collect(),
+        ..reference()
+    }
+}
+
+fn platform(xx: f64, yy: f64, zz: f64) -> TowerDescription {
+    with_mass(PointMass {
+        height_m: 10.0,
+        mass_kg: 100e3,
+        inertia_kg_m2: Inertia {
+            xx,
+            yy,
+            zz,
+            ..Inertia::default()
+        },
+    })
+}
+
+#[test]
+fn triangle_inequality_of_point_masses() {
+    // 1 % is for moments that are given to two or three digits.
+    quiet(platform(1.009e6, 0.5e6, 0.5e6), |_| {});
+    let (warning, said) = one(platform(1.011e6, 0.5e6, 0.5e6), |_| {});
+    assert!(matches!(warning, Warning::TriangleInequality { .. }));
+    assert!(
+        said.starts_with("point mass 1: a principal moment of inertia (1011000 kg m2) exceeds"),
+        "{said}"
+    );
+}
+
+#[test]
+fn inertias_of_point_masses_in_another_unit() {
+    let place = Place::PointMass {
+        index: 0,
+        key: "inertia",
+    };
+    quiet(platform(1.5e6, 1.5e6, 1.2e6), |_| {});
+    odd(
+        Quantity::RadiusOfBody,
+        place,
+        platform(1.5e3, 1.5e3, 1.2e3),
+        |_| {},
+    );
+    odd(
+        Quantity::RadiusOfBody,
+        place,
+        platform(1.5e9, 1.5e9, 1.2e9),
+        |_| {},
+    );
+}
+
+#[test]
+fn point_masses_with_inertia_and_no_mass() {
+    let mass = |mass_kg: f64| {
+        let mut tower = platform(1e3, 1e3, 1e3);
+        tower.point_masses[0].mass_kg = mass_kg;
+        tower
+    };
+    quiet(mass(100.0), |_| {});
+    let (warning, said) = one(mass(0.0), |_| {});
+    assert!(
+        matches!(warning, Warning::InertiaWithoutMass { .. }),
+        "{said}"
+    );
+    // A mass without inertia is an ordinary point mass.
+    assert_eq!(of(platform(0.0, 0.0, 0.0), |_| {}), []);
+}
