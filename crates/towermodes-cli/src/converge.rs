@@ -13,6 +13,7 @@ use crate::table;
 /// Reads the tower, solves it more and more finely, prints the errors.
 pub(crate) fn run(arguments: &ConvergeArguments) -> Result<(), Failure> {
     let fineness = arguments.fineness().map_err(Failure::Usage)?;
+    let format = arguments.destination.format().map_err(Failure::Ending)?;
     let output = arguments.destination.output();
     check_not_input(&arguments.input.file, output)?;
     let (tower, notes) = tower(&arguments.input)?;
@@ -21,7 +22,7 @@ pub(crate) fn run(arguments: &ConvergeArguments) -> Result<(), Failure> {
         .map_err(Failure::Unsolved)?;
     drop(progress);
     let mut result = Vec::new();
-    match arguments.destination.format {
+    match format {
         Format::Table => result.extend(table::convergence(&tower, &convergence).into_bytes()),
         Format::Json => write_convergence_json(&convergence, &mut result)?,
         Format::Csv => write_convergence_csv(&convergence, &mut result)?,

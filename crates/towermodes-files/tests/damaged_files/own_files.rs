@@ -4,10 +4,10 @@ use proptest::prelude::*;
 use towermodes_files::{InMemory, ReadOptions, Source, TowerPart};
 
 use crate::damaged_files::damage::any_damages;
+use crate::damaged_files::{Where, survives};
 use crate::decks::{BLADE_SECTIONS, OFFSHORE, SECTIONS, WIRES, blade_file, tower_file};
 use crate::elastodyn::texts::{BLADE, MASSES, TOWER, main_text};
 use crate::windio_files::{LAYERED, TABLE, VERSION_1, VERSION_2};
-use crate::damaged_files::{Where, survives};
 
 const TOML_TABLE: &str = include_str!("../../../../examples/nrel-5mw-table.toml");
 
