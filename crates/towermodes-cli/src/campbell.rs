@@ -16,7 +16,8 @@ const MOST_MODES: usize = 40;
 
 /// Reads the tower, solves it, sets its frequencies against the rotor's excitations; a pair that fails is exit code 1.
 pub(crate) fn run(arguments: &CampbellArguments) -> Result<(), Failure> {
-    arguments.check().map_err(Failure::Usage)?;
+    let format = arguments.destination.format().map_err(Failure::Ending)?;
+    arguments.check(format).map_err(Failure::Usage)?;
     let output = arguments.destination.output();
     check_not_input(&arguments.input.file, output)?;
     let mut input = tower_input(&arguments.input)?;
@@ -31,7 +32,7 @@ pub(crate) fn run(arguments: &CampbellArguments) -> Result<(), Failure> {
     let (campbell, rotor_notes) = campbell_of(&input, &tower, &solution, &arguments.rotor)?;
     let notes = [std::mem::take(&mut input.notes), rotor_notes].concat();
     let mut result = Vec::new();
-    match arguments.destination.format {
+    match format {
         Format::Table => {
             result.extend(
                 table::campbell(&tower, &campbell, input.blade.is_some(), arguments.all)

@@ -21,6 +21,8 @@ const FEWEST_TIMINGS: usize = 3;
 
 /// Reads the tower, solves it by every method, prints what each makes of it.
 pub(crate) fn run(arguments: &CompareArguments) -> Result<(), Failure> {
+    let format = arguments.destination.format().map_err(Failure::Ending)?;
+    arguments.check().map_err(Failure::Usage)?;
     let output = arguments.destination.output();
     check_not_input(&arguments.input.file, output)?;
     let (tower, input) = tower(&arguments.input)?;
@@ -34,7 +36,7 @@ pub(crate) fn run(arguments: &CompareArguments) -> Result<(), Failure> {
     .map_err(Failure::Unsolved)?;
     drop(progress);
     let mut result = Vec::new();
-    match arguments.destination.format {
+    match format {
         Format::Table => result.extend(table::comparison(&tower, &comparison, &times).into_bytes()),
         Format::Json => write_comparison_json(&comparison, &times, &mut result)?,
         Format::Csv => write_comparison_csv(&comparison, &times, &mut result)?,

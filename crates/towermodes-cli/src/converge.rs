@@ -13,6 +13,7 @@ use crate::{table, terminal};
 /// Reads the tower, solves it more and more finely, prints the errors.
 pub(crate) fn run(arguments: &ConvergeArguments) -> Result<(), Failure> {
     let fineness = arguments.fineness().map_err(Failure::Usage)?;
+    let format = arguments.destination.format().map_err(Failure::Ending)?;
     let output = arguments.destination.output();
     check_not_input(&arguments.input.file, output)?;
     let (tower, input) = tower(&arguments.input)?;
@@ -25,7 +26,7 @@ pub(crate) fn run(arguments: &ConvergeArguments) -> Result<(), Failure> {
         Some(_) => terminal::WIDTH_OF_FILES,
     };
     let mut result = Vec::new();
-    match arguments.destination.format {
+    match format {
         Format::Table => {
             result.extend(table::convergence(&tower, &convergence, width).into_bytes());
         }

@@ -1,5 +1,6 @@
 //! `towermodes convert`.
 
+use std::fs;
 use std::path::Path;
 
 use towermodes_files::elastodyn::{MakeOptions, left_out, make_tower_file, write_tower_file};
@@ -10,7 +11,7 @@ use towermodes_files::{
 use crate::args::{ConvertArguments, Target};
 use crate::failure::{Failure, note, report};
 use crate::input::tower_input;
-use crate::output::{check_not_input, check_not_inputs, deliver};
+use crate::output::{check_not_input, check_not_inputs, deliver, deliver_both};
 
 /// The files of a tower in another format.
 struct Converted {
@@ -23,29 +24,29 @@ struct Converted {
 /// Reads any tower, writes it in another format; what that cannot hold goes to standard error.
 pub(crate) fn run(arguments: &ConvertArguments) -> Result<(), Failure> {
     let output = arguments.output();
+    let to = arguments.to().map_err(Failure::Ending)?;
+    let to = to.ok_or(Failure::Usage(NO_FORMAT))?;
+    arguments.check(to).map_err(Failure::Usage)?;
     check_not_input(&arguments.input.file, output)?;
     let input = tower_input(&arguments.input)?;
     check_not_inputs(input.files(), output)?;
-    let converted = match arguments.to {
+    let converted = match to {
         Target::Toml => to_toml(&input)?,
         Target::Bmodes => to_bmodes(&input, output)?,
         Target::Elastodyn => to_elastodyn(&input, arguments)?,
         Target::WindIo => to_windio(&input)?,
     };
     note(&input.notes);
-    note(&rotor_notes(&input, arguments.to));
+    note(&rotor_notes(&input, to));
     note(&converted.notes);
     if let (Some((name, text)), Some(output)) = (&converted.companion, output) {
         let companion = output.with_file_name(name);
         check_not_inputs(input.files(), Some(&companion))?;
-        // Without the deck that it belongs to it is another's.
-        if companion.exists() && !output.exists() {
-            let name = companion.display();
-            let text = format!("{name}, where the sections would go, is there already");
-            return Err(Failure::Refused(text));
-        }
-        deliver(text.as_bytes(), Some(&companion))?;
-        deliver(converted.text.as_bytes(), Some(output))?;
+        check_is_own(&companion, output)?;
+        deliver_both(
+            (&companion, text.as_bytes()),
+            (output, converted.text.as_bytes()),
+        )?;
         report(&format!(
             "written: {}, {}\n",
             output.display(),
@@ -54,6 +55,34 @@ pub(crate) fn run(arguments: &ConvertArguments) -> Result<(), Failure> {
         return Ok(());
     }
     deliver(converted.text.as_bytes(), output)
+}
+
+/// Neither the option nor the ending says what to write.
+const NO_FORMAT: &str =
+    "the output has no ending that says its format: give --to toml, bmodes, elastodyn or windio";
+
+/// Refuses to overwrite a file of sections whose deck is not there, unless this program wrote it: then its deck is lost, as when a conversion
+/// was broken off, and nothing else is.
+fn check_is_own(companion: &Path, deck: &Path) -> Result<(), Failure> {
+    if !companion.exists() || deck.exists() {
+        return Ok(());
+    }
+    let old = fs::read_to_string(companion).unwrap_or_default();
+    if is_own_sections(&old) {
+        return Ok(());
+    }
+    Err(Failure::Refused(format!(
+        "{}, where the sections would go, is there already and is not of this program; give --output another name or move that file",
+        companion.display()
+    )))
+}
+
+/// Whether a file of sections has the beginning that [`write_bmodes`] gives it.
+fn is_own_sections(text: &str) -> bool {
+    let mut lines = text.lines();
+    let title = lines.next().unwrap_or_default();
+    let count = lines.next().unwrap_or_default();
+    title.starts_with("Sections of ") && count.ends_with("n_secs: number of sections (-)")
 }
 
 /// How the reader found the rotor, where the format has one: there it stands as if somebody had said so.

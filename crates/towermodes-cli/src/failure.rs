@@ -13,6 +13,9 @@ use towermodes_files::{
 };
 use towermodes_report::raster::RasterError;
 
+use crate::args::EndingError;
+use crate::printable::printable;
+
 /// Why the program ends without a result.
 #[derive(Debug)]
 pub(crate) enum Failure {
@@ -53,6 +56,15 @@ pub(crate) enum Failure {
     Disagree,
     /// The arguments do not go together.
     Usage(&'static str),
+    /// It is not known how the output is to be written.
+    Ending(EndingError),
+    /// The result would be poured on a terminal, where nobody reads it.
+    ForNoTerminal {
+        /// What it is.
+        what: &'static str,
+        /// The name of a file for it.
+        example: &'static str,
+    },
     /// Values of the manual did not come out.
     Unverified {
         /// How many.
@@ -119,6 +131,15 @@ impl Failure {
                 say(&message(Level::ERROR, text, Some("look for fail above")));
             }
             Self::Usage(text) => say(&message(Level::ERROR, text, None)),
+            Self::Ending(error) => say(&message(Level::ERROR, &error.to_string(), None)),
+            Self::ForNoTerminal { what, example } => {
+                let text =
+                    format!("standard output is a terminal, and {what} is not to be read there");
+                let hint = format!(
+                    "give --output {example}, a pipe or a redirection; --output - prints it all the same"
+                );
+                say(&message(Level::ERROR, &text, Some(&hint)));
+            }
             Self::Unverified { failures, values } => {
                 let text = format!("{failures} of {values} values did not come out");
                 say(&message(Level::ERROR, &text, Some("look for FAIL above")));
@@ -185,7 +206,7 @@ impl From<ResultError> for Failure {
 
 /// Says what belongs to a result but not into it.
 pub(crate) fn report(text: &str) {
-    say(text);
+    say(&printable(text));
 }
 
 /// Says what the reader of a file decided or left out.
@@ -243,7 +264,8 @@ fn hint(error: &SolveError) -> Option<&'static str> {
 }
 
 fn message(level: Level<'_>, text: &str, hint: Option<&str>) -> String {
-    let title = rendered(&[Group::with_title(level.primary_title(text))]);
+    let text = printable(text);
+    let title = rendered(&[Group::with_title(level.primary_title(&*text))]);
     let hint = hint.map(|hint| rendered(&[Group::with_title(Level::HELP.primary_title(hint))]));
     title + &hint.unwrap_or_default()
 }
@@ -251,17 +273,19 @@ fn message(level: Level<'_>, text: &str, hint: Option<&str>) -> String {
 /// Every mistake with its line, as compilers show them, with a blank line between two.
 fn mistakes_text(source: &Source, mistakes: &[Diagnostic]) -> String {
     let mut text = String::new();
+    let name = printable(&source.name);
     for mistake in mistakes {
         if !text.is_empty() {
             text.push('\n');
         }
+        let said = printable(&mistake.message);
+        let hint = mistake.hint.as_deref().map(printable);
         let snippet = Snippet::source(&source.text)
-            .path(&source.name)
+            .path(&*name)
             .annotation(AnnotationKind::Primary.span(visible(&source.text, mistake)));
-        let group =
-            Group::with_title(Level::ERROR.primary_title(&mistake.message)).element(snippet);
-        let group = match &mistake.hint {
-            Some(hint) => group.element(Level::HELP.message(hint.as_str())),
+        let group = Group::with_title(Level::ERROR.primary_title(&*said)).element(snippet);
+        let group = match &hint {
+            Some(hint) => group.element(Level::HELP.message(&**hint)),
             None => group,
         };
         text.push_str(&rendered(&[group]));

@@ -14,6 +14,7 @@ mod failure;
 mod input;
 mod output;
 mod plot;
+mod printable;
 mod progress;
 mod reference;
 mod report;

@@ -3,8 +3,6 @@
 mod heading;
 mod study;
 
-use std::io::IsTerminal;
-
 use towermodes::{Options, Tower, Warning};
 use towermodes_files::{Note, TowerInput};
 use towermodes_report::svg::Figure;
@@ -14,7 +12,7 @@ use crate::args::{PictureFormat, PlotArguments, Prescribed, What};
 use crate::campbell::{campbell_of, rotor_of, solve_to_reach};
 use crate::failure::{Failure, note, warn};
 use crate::input::tower_input;
-use crate::output::{check_not_input, check_not_inputs, deliver_bytes};
+use crate::output::{check_not_input, check_not_inputs, check_terminal, deliver_bytes};
 use crate::progress::solve;
 
 use heading::{Words, computed_by, titled};
@@ -24,12 +22,11 @@ pub(crate) fn run(arguments: &PlotArguments) -> Result<(), Failure> {
     arguments.check().map_err(Failure::Usage)?;
     let format = arguments.format().map_err(Failure::Usage)?;
     let output = arguments.output();
-    let is_png = matches!(format, PictureFormat::Png(..));
-    if is_png && output.is_none() && std::io::stdout().is_terminal() {
-        return Err(Failure::Usage(
-            "a PNG is nothing for a terminal; give --output picture.png",
-        ));
-    }
+    let (what, example) = match format {
+        PictureFormat::Svg(..) => ("an SVG", "picture.svg"),
+        PictureFormat::Png(..) => ("a PNG", "picture.png"),
+    };
+    check_terminal(arguments.asked_output(), what, example)?;
     check_not_input(&arguments.input.file, output)?;
     let mut input = tower_input(&arguments.input)?;
     check_not_inputs(input.files(), output)?;

@@ -160,7 +160,8 @@ fn values(argument: &Arg) -> String {
 
 fn default(argument: &Arg) -> String {
     let values = argument.get_default_values();
-    if values.is_empty() || !argument.get_action().takes_values() {
+    let is_shown = !argument.is_hide_default_value_set() && argument.get_action().takes_values();
+    if values.is_empty() || !is_shown {
         return String::new();
     }
     let values: Vec<_> = values.iter().map(|value| value.to_string_lossy()).collect();
@@ -207,7 +208,9 @@ fn escaped(text: &str) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::{after_help, escaped};
+    use clap::Arg;
+
+    use super::{after_help, default, escaped};
 
     #[test]
     fn signs_mean_themselves_outside_of_code() {
@@ -215,6 +218,18 @@ mod tests {
             escaped("a HAWC2 _st.dat < 2 `a_b`"),
             "a HAWC2 \\_st.dat &lt; 2 `a_b`"
         );
+    }
+
+    /// A default that the help says in words is not said again.
+    #[test]
+    fn a_default_is_said_once() {
+        let hidden = Arg::new("title")
+            .long("title")
+            .default_value("")
+            .hide_default_value(true);
+        assert_eq!(default(&hidden), "");
+        let shown = Arg::new("nodes").long("nodes").default_value("20");
+        assert_eq!(default(&shown), " [default: `20`]");
     }
 
     #[test]

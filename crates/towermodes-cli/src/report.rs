@@ -17,18 +17,24 @@ use crate::args::{PageFormat, Prescribed, ReportArguments};
 use crate::campbell::{campbell_of, solve_to_reach};
 use crate::failure::{Failure, note, warn};
 use crate::input::tower_input;
-use crate::output::{check_not_input, check_not_inputs, deliver};
+use crate::output::{check_not_input, check_not_inputs, check_terminal, deliver};
 use crate::side_by_side::all_methods;
 
 /// Reads the tower, computes all that there is to say, writes it down.
 pub(crate) fn run(arguments: &ReportArguments) -> Result<(), Failure> {
     let output = arguments.output();
+    let format = arguments.format().map_err(Failure::Ending)?;
+    let what = match format {
+        PageFormat::Html => "a page of HTML",
+        PageFormat::Md => "a report",
+    };
+    check_terminal(arguments.asked_output(), what, "report.html")?;
     check_not_input(&arguments.input.file, output)?;
     let mut input = tower_input(&arguments.input)?;
     check_not_inputs(input.files(), output)?;
     let tower = input.tower().map_err(Failure::Input)?;
     let content = content(&mut input, tower, arguments)?;
-    let text = match arguments.format() {
+    let text = match format {
         PageFormat::Html => html(&content).map_err(|error| Failure::Refused(error.to_string()))?,
         PageFormat::Md => markdown(&content),
     };
@@ -53,7 +59,7 @@ fn content(
     input.notes.extend(input.note_on_shapes());
     let of_model = input.notes.iter().filter(|note| note.is_on_missing_part);
     Ok(ReportContent {
-        title: arguments.title.clone(),
+        title: arguments.title.clone().unwrap_or_default(),
         title_block: arguments.title_block(),
         description: input.description.clone(),
         comparison: all_methods(&tower, &options, arguments.segments),

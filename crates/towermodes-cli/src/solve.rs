@@ -19,31 +19,40 @@ use crate::terminal;
 
 /// Reads the tower, or the blade, solves it, prints the result; warnings go to standard error.
 pub(crate) fn run(arguments: &SolveArguments) -> Result<(), Failure> {
-    arguments.check().map_err(Failure::Usage)?;
+    let format = arguments.format().map_err(Failure::Ending)?;
+    arguments.check(format).map_err(Failure::Usage)?;
     let file = &arguments.input.file;
     check_not_input(file, arguments.output())?;
     let result = match input(file, &arguments.input.reading)? {
-        Input::Tower(tower) => of_tower(*tower, arguments)?,
-        Input::Blade(blade) => of_blade(&blade, arguments)?,
+        Input::Tower(tower) => of_tower(*tower, arguments, format)?,
+        Input::Blade(blade) => of_blade(&blade, arguments, format)?,
     };
     deliver(&result, arguments.output())
 }
 
-fn of_tower(mut input: TowerInput, arguments: &SolveArguments) -> Result<Vec<u8>, Failure> {
+fn of_tower(
+    mut input: TowerInput,
+    arguments: &SolveArguments,
+    format: SolveFormat,
+) -> Result<Vec<u8>, Failure> {
     check_not_inputs(input.files(), arguments.output())?;
     let checked = arguments.input.reading.check(&[input.format]);
     checked.map_err(Failure::Usage)?;
     let prescribed = Prescribed::of(&mut input);
     let borders_m = prescribed.borders_m.clone();
-    let mut options = arguments.options(prescribed).map_err(Failure::Usage)?;
+    let has_own_heights = borders_m.is_some();
+    let checked = arguments.check_heights(format, has_own_heights);
+    checked.map_err(Failure::Usage)?;
+    let options = arguments.options(prescribed, format);
+    let mut options = options.map_err(Failure::Usage)?;
     let tower = input.tower().map_err(Failure::Input)?;
     let nodes = bmodes_out::Nodes::of_tower(&tower, borders_m, arguments.points(), input.layout);
-    if arguments.format == SolveFormat::Bmodes {
+    if format == SolveFormat::Bmodes {
         options.heights_m = nodes.heights_m();
     }
     let solution = solve(&tower, &options).map_err(Failure::Unsolved)?;
     let mut result = Vec::new();
-    match arguments.format {
+    match format {
         SolveFormat::Table => result.extend(tower_text(&tower, &solution, arguments).into_bytes()),
         SolveFormat::Json => write_json(&tower, &solution, &input.notes, &mut result)?,
         SolveFormat::Csv => write_csv(&solution, &mut result)?,
@@ -54,14 +63,18 @@ fn of_tower(mut input: TowerInput, arguments: &SolveArguments) -> Result<Vec<u8>
     Ok(result)
 }
 
-fn of_blade(input: &BladeInput, arguments: &SolveArguments) -> Result<Vec<u8>, Failure> {
+fn of_blade(
+    input: &BladeInput,
+    arguments: &SolveArguments,
+    format: SolveFormat,
+) -> Result<Vec<u8>, Failure> {
     check_not_inputs(input.files(), arguments.output())?;
     arguments.check_for_blade().map_err(Failure::Usage)?;
     let checked = arguments.input.reading.check(&[FileFormat::Bmodes]);
     checked.map_err(Failure::Usage)?;
     let blade = Blade::new(input.description.clone()).map_err(Failure::Blade)?;
     let nodes = bmodes_out::Nodes::of_blade(&blade, input.layout);
-    let radii_m = match arguments.format {
+    let radii_m = match format {
         SolveFormat::Bmodes => nodes.heights_m(),
         SolveFormat::Table if arguments.plot => nodes.heights_m(),
         _ => nodes.borders_m().to_vec(),
@@ -69,7 +82,7 @@ fn of_blade(input: &BladeInput, arguments: &SolveArguments) -> Result<Vec<u8>, F
     let modes = arguments.modes().unwrap_or(input.modes);
     let solution = solve_blade(&blade, modes, &radii_m).map_err(Failure::Unsolved)?;
     let mut result = Vec::new();
-    match arguments.format {
+    match format {
         SolveFormat::Table => result.extend(blade_text(&blade, &solution, arguments).into_bytes()),
         SolveFormat::Json => write_blade_json(&blade, &solution, &input.notes, &mut result)?,
         SolveFormat::Csv => write_blade_csv(&solution, &mut result)?,

@@ -11,6 +11,7 @@ use crate::table;
 
 /// Runs the manual, prints it, and fails if a value does not come out.
 pub(crate) fn run(arguments: &VerifyArguments) -> Result<(), Failure> {
+    let format = arguments.format().map_err(Failure::Ending)?;
     let mut cases = manual();
     cases.retain(|case| arguments.has(case.chapter.name));
     let progress = Progress::of(cases.iter().map(|case| case.name.to_string()));
@@ -21,7 +22,7 @@ pub(crate) fn run(arguments: &VerifyArguments) -> Result<(), Failure> {
     }
     drop(progress);
     let mut result = Vec::new();
-    match arguments.format {
+    match format {
         VerifyFormat::Table => result.extend(table::verification(&rows).into_bytes()),
         VerifyFormat::Json => write_verification_json(&rows, &mut result)?,
         VerifyFormat::Csv => write_verification_csv(&rows, &mut result)?,

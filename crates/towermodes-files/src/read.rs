@@ -9,7 +9,7 @@ use crate::companions::{Beside, Companions};
 use crate::diagnostic::Diagnostic;
 use crate::elastodyn::{self, read_elastodyn, read_elastodyn_tower};
 use crate::hawc2::{self, read_hawc2};
-use crate::input::{BladeInput, FileFormat, InputError, ReadOptions, TowerInput};
+use crate::input::{BladeInput, FileFormat, InputError, Note, ReadOptions, TowerInput};
 use crate::source::Source;
 use crate::toml::read_toml;
 use crate::windio::{self, read_windio};
@@ -54,7 +54,17 @@ pub fn read_source(
         None => return Err(unknown(&source)),
     };
     if options.without_rna {
-        tower.description.rna = Rna::default();
+        let rna = std::mem::take(&mut tower.description.rna);
+        // Readers of turbines leave the machine out themselves.
+        let is_tower_file = matches!(
+            tower.format,
+            FileFormat::Toml | FileFormat::Bmodes | FileFormat::ElastoDynTower | FileFormat::Hawc2
+        );
+        if is_tower_file && rna == Rna::default() {
+            tower.notes.push(Note::new(
+                "the file has no rotor-nacelle assembly: --no-rna leaves nothing out",
+            ));
+        }
     }
     if options.without_gravity {
         tower.description.gravity_m_per_s2 = 0.0;

@@ -72,8 +72,8 @@ impl CampbellArguments {
     ///
     /// # Errors
     /// What is wrong.
-    pub(crate) fn check(&self) -> Result<(), &'static str> {
-        if self.all && self.destination.format != Format::Table {
+    pub(crate) fn check(&self, format: Format) -> Result<(), &'static str> {
+        if self.all && format != Format::Table {
             return Err("--all is for the table; JSON and CSV have every pair");
         }
         Ok(())

@@ -17,6 +17,9 @@ const EXAMPLES: &str = "Examples:
 The differences are to the spectral beam, which is exact to ten digits. BModes has no rotary inertia and no shear: with
 --no-rotary-inertia the others have none either.";
 
+/// Segments, or elements, unless told.
+const DEFAULT_SEGMENTS: [usize; 1] = [60];
+
 /// The arguments of `compare`.
 #[derive(Debug, Args)]
 #[command(allow_negative_numbers = true, after_help = EXAMPLES)]
@@ -28,8 +31,8 @@ pub(crate) struct CompareArguments {
     #[arg(long, value_name = "LIST", value_delimiter = ',', value_parser = method_parser())]
     methods: Vec<Method>,
 
-    /// Numbers of segments or elements, with commas between them; the spectral beam has its own
-    #[arg(long, value_name = "LIST", value_delimiter = ',', default_value = "60", value_parser = number_parser(1, MAX_SEGMENTS))]
+    /// Numbers of segments or elements, with commas between them; the spectral beam has its own [default: 60]
+    #[arg(long, value_name = "LIST", value_delimiter = ',', value_parser = number_parser(1, MAX_SEGMENTS))]
     segments: Vec<usize>,
 
     #[command(flatten)]
@@ -45,6 +48,28 @@ impl CompareArguments {
         self.model.options()
     }
 
+    /// Refuses what would mean nothing to any of the methods.
+    ///
+    /// # Errors
+    /// What is wrong.
+    pub(crate) fn check(&self) -> Result<(), &'static str> {
+        let has = |method: Method| self.methods.is_empty() || self.methods.contains(&method);
+        if !has(Method::Cardanic) {
+            self.model.check(self.methods[0])?;
+        }
+        let is_spectral_alone = !self.methods.is_empty()
+            && self
+                .methods
+                .iter()
+                .all(|method| *method == Method::Spectral);
+        if is_spectral_alone && !self.segments.is_empty() {
+            return Err(
+                "--segments is for the other methods; the spectral beam has its own elements",
+            );
+        }
+        Ok(())
+    }
+
     /// The columns: each method with each number of segments, the spectral beam once.
     pub(crate) fn columns(&self) -> Vec<ColumnSpec> {
         let methods = if self.methods.is_empty() {
@@ -52,13 +77,13 @@ impl CompareArguments {
         } else {
             &self.methods
         };
+        let segments = match &self.segments[..] {
+            [] => &DEFAULT_SEGMENTS[..],
+            given => given,
+        };
         let columns_of = |&method: &Method| {
             let own = method == Method::Spectral;
-            let segments = if own {
-                &self.segments[..1]
-            } else {
-                &self.segments
-            };
+            let segments = if own { &segments[..1] } else { segments };
             segments.iter().map(move |&segments| ColumnSpec {
                 method,
                 segments: (!own).then_some(segments),

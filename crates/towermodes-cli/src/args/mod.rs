@@ -6,6 +6,7 @@ mod compare;
 mod converge;
 mod convert;
 mod elastodyn;
+mod ending;
 mod input;
 mod model;
 mod parsers;
@@ -25,6 +26,7 @@ pub(crate) use elastodyn::{
     DeckArguments, ElastoDynArguments, ElastoDynCommand, PatchArguments, ReportFormat,
     TowerArguments, ValidateArguments,
 };
+pub(crate) use ending::{Ending, EndingError};
 pub(crate) use input::{InputArguments, ReadingArguments};
 pub(crate) use plot::{PictureFormat, PlotArguments, What};
 pub(crate) use prescribed::Prescribed;
@@ -118,16 +120,33 @@ pub(crate) enum Format {
 /// How and where a result goes.
 #[derive(Debug, Args)]
 pub(crate) struct Destination {
-    /// How the result is printed
-    #[arg(long, short, value_enum, default_value_t = Format::Table)]
-    pub(crate) format: Format,
+    /// How the result is written [default: as the ending of --output says: .json, .csv or .txt for the table; else the table]
+    #[arg(long, short, value_enum)]
+    format: Option<Format>,
 
     /// Write the result to a file instead of standard output (-)
     #[arg(long, short, value_name = "PATH")]
     output: Option<PathBuf>,
 }
 
+impl Ending for Format {
+    const ENDINGS: &'static [(&'static str, Self)] = &[
+        ("json", Self::Json),
+        ("csv", Self::Csv),
+        ("txt", Self::Table),
+    ];
+}
+
 impl Destination {
+    /// How the result is written: as told, or as the ending of the file says.
+    ///
+    /// # Errors
+    /// The two do not go together, or the ending says nothing.
+    pub(crate) fn format(&self) -> Result<Format, EndingError> {
+        let asked = Format::asked(self.format, self.output())?;
+        Ok(asked.unwrap_or(Format::Table))
+    }
+
     /// The file the result goes to, if not to standard output.
     pub(crate) fn output(&self) -> Option<&Path> {
         file_of(self.output.as_deref())

@@ -51,7 +51,7 @@ pub(crate) struct PlotArguments {
     #[arg(long, value_name = "TEXT")]
     pub(crate) title: Option<String>,
 
-    /// Write the picture to a file, as SVG or PNG by its ending, instead of standard output (-)
+    /// Write the picture to a file, as SVG or PNG by its ending, instead of standard output, which must be no terminal unless - is given here
     #[arg(long, short, value_name = "PATH")]
     output: Option<PathBuf>,
 
@@ -93,6 +93,11 @@ pub(crate) enum PictureFormat {
 }
 
 impl PlotArguments {
+    /// What was given as output, `-` too.
+    pub(crate) fn asked_output(&self) -> Option<&Path> {
+        self.output.as_deref()
+    }
+
     /// The file the picture goes to, if not to standard output.
     pub(crate) fn output(&self) -> Option<&Path> {
         file_of(self.output.as_deref())

@@ -6,6 +6,7 @@ use clap::{Args, ValueEnum};
 use towermodes::{MAX_SEGMENTS, Method, Options};
 use towermodes_report::report::TitleBlock;
 
+use super::ending::{Ending, EndingError};
 use super::file_of;
 use super::input::InputArguments;
 use super::model::ModelArguments;
@@ -31,13 +32,8 @@ pub(crate) struct ReportArguments {
     pub(crate) input: InputArguments,
 
     /// What the report is of [default: the tower's name]
-    #[arg(
-        long,
-        value_name = "TEXT",
-        default_value = "",
-        hide_default_value = true
-    )]
-    pub(crate) title: String,
+    #[arg(long, value_name = "TEXT")]
+    pub(crate) title: Option<String>,
 
     #[command(flatten)]
     title_block: TitleBlockArguments,
@@ -56,11 +52,11 @@ pub(crate) struct ReportArguments {
     #[command(flatten)]
     pub(crate) rotor: RotorArguments,
 
-    /// How the report is written [default: md for an --output that ends in .md or .markdown, else html]
+    /// How the report is written [default: as the ending of --output says: .html or .md; else html]
     #[arg(long, short, value_enum)]
     format: Option<PageFormat>,
 
-    /// Write the report to a file instead of standard output (-)
+    /// Write the report to a file instead of standard output, which must be no terminal unless - is given here
     #[arg(long, short, value_name = "PATH")]
     output: Option<PathBuf>,
 }
@@ -105,22 +101,33 @@ pub(crate) enum PageFormat {
     Md,
 }
 
+impl Ending for PageFormat {
+    const ENDINGS: &'static [(&'static str, Self)] = &[
+        ("html", Self::Html),
+        ("htm", Self::Html),
+        ("md", Self::Md),
+        ("markdown", Self::Md),
+    ];
+}
+
 impl ReportArguments {
+    /// What was given as output, `-` too.
+    pub(crate) fn asked_output(&self) -> Option<&Path> {
+        self.output.as_deref()
+    }
+
     /// The file the report goes to, if not to standard output.
     pub(crate) fn output(&self) -> Option<&Path> {
         file_of(self.output.as_deref())
     }
 
     /// How the report is written: as told, or as the ending of the file says.
-    pub(crate) fn format(&self) -> PageFormat {
-        let ending = self.output().and_then(Path::extension);
-        let is_markdown = ending.is_some_and(|ending| {
-            ending.eq_ignore_ascii_case("md") || ending.eq_ignore_ascii_case("markdown")
-        });
-        self.format.unwrap_or(match is_markdown {
-            true => PageFormat::Md,
-            false => PageFormat::Html,
-        })
+    ///
+    /// # Errors
+    /// The two do not go together, or the ending says nothing.
+    pub(crate) fn format(&self) -> Result<PageFormat, EndingError> {
+        let asked = PageFormat::asked(self.format, self.output())?;
+        Ok(asked.unwrap_or(PageFormat::Html))
     }
 
     /// How the modes are found.

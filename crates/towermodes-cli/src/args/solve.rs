@@ -5,6 +5,7 @@ use std::path::{Path, PathBuf};
 use clap::{Args, ValueEnum};
 use towermodes::{DEFAULT_POINTS, MAX_DEGREE, MAX_POINTS, MAX_SEGMENTS, Method, Options};
 
+use super::ending::{Ending, EndingError};
 use super::file_of;
 use super::input::InputArguments;
 use super::model::ModelArguments;
@@ -16,7 +17,7 @@ macro_rules! examples {
         "Examples:
   towermodes solve tower.toml
   towermodes solve tower.toml --plot
-  towermodes solve tower.toml --modes 20 --format json --output modes.json
+  towermodes solve tower.toml --modes 20 --output modes.json
   towermodes solve tower.toml --method rmje --segments 60
   towermodes solve tower.toml --method spectral --no-rotary-inertia
   generate-tower | towermodes solve - --format csv
@@ -53,17 +54,17 @@ pub(crate) struct SolveArguments {
     #[command(flatten)]
     model: ModelArguments,
 
-    /// At how many equal heights the JSON gives shapes
-    #[arg(long, value_name = "COUNT", default_value_t = DEFAULT_POINTS, value_parser = number_parser(2, MAX_POINTS))]
-    points: usize,
+    /// At how many equal heights the JSON and the layout of BModes give shapes [default: 101; BModes decks: the borders of their elements]
+    #[arg(long, value_name = "COUNT", value_parser = number_parser(2, MAX_POINTS))]
+    points: Option<usize>,
 
     /// Draw the mode shapes in dots below the table, as wide as the terminal; 100 columns where there is none
     #[arg(long)]
     pub(crate) plot: bool,
 
-    /// How the result is printed
-    #[arg(long, short, value_enum, default_value_t = SolveFormat::Table)]
-    pub(crate) format: SolveFormat,
+    /// How the result is written [default: as the ending of --output says: .json, .csv or .txt for the table; else the table]
+    #[arg(long, short, value_enum)]
+    format: Option<SolveFormat>,
 
     /// Write the result to a file instead of standard output (-)
     #[arg(long, short, value_name = "PATH")]
@@ -83,19 +84,59 @@ pub(crate) enum SolveFormat {
     Bmodes,
 }
 
+impl Ending for SolveFormat {
+    const ENDINGS: &'static [(&'static str, Self)] = &[
+        ("json", Self::Json),
+        ("csv", Self::Csv),
+        ("txt", Self::Table),
+    ];
+}
+
 impl SolveArguments {
+    /// How the result is written: as told, or as the ending of the file says.
+    ///
+    /// # Errors
+    /// The two do not go together, or the ending says nothing.
+    pub(crate) fn format(&self) -> Result<SolveFormat, EndingError> {
+        let asked = SolveFormat::asked(self.format, self.output())?;
+        Ok(asked.unwrap_or(SolveFormat::Table))
+    }
+
     /// The file the result goes to, if not to standard output.
     pub(crate) fn output(&self) -> Option<&Path> {
         file_of(self.output.as_deref())
     }
 
-    /// Refuses pictures where there is no table.
+    /// Refuses pictures where there is no table, and numbers of heights where there are no shapes.
     ///
     /// # Errors
     /// What is wrong.
-    pub(crate) fn check(&self) -> Result<(), &'static str> {
-        if self.plot && self.format != SolveFormat::Table {
+    pub(crate) fn check(&self, format: SolveFormat) -> Result<(), &'static str> {
+        let has_shapes = matches!(format, SolveFormat::Json | SolveFormat::Bmodes);
+        if self.plot && format != SolveFormat::Table {
             return Err("--plot is for the table; towermodes plot draws files");
+        }
+        if self.points.is_some() && !has_shapes {
+            return Err(
+                "--points is for --format json and bmodes; the table and CSV have no shapes",
+            );
+        }
+        Ok(())
+    }
+
+    /// Refuses a number of heights where the elements of the file are the heights.
+    ///
+    /// # Errors
+    /// What is wrong.
+    pub(crate) fn check_heights(
+        &self,
+        format: SolveFormat,
+        has_own: bool,
+    ) -> Result<(), &'static str> {
+        if self.points.is_some() && has_own && format == SolveFormat::Bmodes {
+            return Err(
+                "--points does not go with --format bmodes here: the deck's own elements are the heights; --format json gives shapes at others",
+            );
         }
         Ok(())
     }
@@ -116,6 +157,11 @@ impl SolveArguments {
         if self.segments.is_some() || self.degree.is_some() {
             return Err("a rotating blade has the elements of its deck");
         }
+        if self.points.is_some() {
+            return Err(
+                "--points is for towers; a rotating blade is given at the borders of its elements",
+            );
+        }
         if self.input.reading.no_rna {
             return Err(
                 "a rotating blade has no rotor-nacelle assembly; the body at its tip is in its deck",
@@ -129,7 +175,11 @@ impl SolveArguments {
     ///
     /// # Errors
     /// What is wrong if an option means nothing to the method.
-    pub(crate) fn options(&self, prescribed: Prescribed) -> Result<Options, &'static str> {
+    pub(crate) fn options(
+        &self,
+        prescribed: Prescribed,
+        format: SolveFormat,
+    ) -> Result<Options, &'static str> {
         let options = prescribed.options(self.method, self.segments, &self.model)?;
         if self.degree.is_some() && options.method != Method::Spectral {
             return Err("--degree is for --method spectral; the others have --segments");
@@ -137,8 +187,8 @@ impl SolveArguments {
         Ok(Options {
             degree: self.degree,
             // Only the JSON and the pictures have shapes.
-            points: match (self.format, self.plot) {
-                (SolveFormat::Json, _) => self.points,
+            points: match (format, self.plot) {
+                (SolveFormat::Json, _) => self.points(),
                 (_, true) => DEFAULT_POINTS,
                 _ => 2,
             },
@@ -148,6 +198,6 @@ impl SolveArguments {
 
     /// At how many equal heights shapes are wanted.
     pub(crate) fn points(&self) -> usize {
-        self.points
+        self.points.unwrap_or(DEFAULT_POINTS)
     }
 }

@@ -6,12 +6,13 @@ use clap::builder::PossibleValuesParser;
 use clap::{Args, ValueEnum};
 use towermodes_verify::CHAPTERS;
 
+use super::ending::{Ending, EndingError};
 use super::file_of;
 
 const EXAMPLES: &str = "Examples:
   towermodes verify
   towermodes verify paper bmodes
-  towermodes verify --format json --output verification.json
+  towermodes verify --output verification.json
 
 Exit codes: 0 every value comes out, 1 one does not, 2 wrong usage.";
 
@@ -23,9 +24,9 @@ pub(crate) struct VerifyArguments {
     #[arg(value_parser = chapter_parser())]
     chapters: Vec<String>,
 
-    /// How the manual is printed
-    #[arg(long, short, value_enum, default_value_t = VerifyFormat::Table)]
-    pub(crate) format: VerifyFormat,
+    /// How the manual is written [default: as the ending of --output says: .json, .csv, .md or .txt for the table; else the table]
+    #[arg(long, short, value_enum)]
+    format: Option<VerifyFormat>,
 
     /// Write the manual to a file instead of standard output (-)
     #[arg(long, short, value_name = "PATH")]
@@ -45,7 +46,25 @@ pub(crate) enum VerifyFormat {
     Markdown,
 }
 
+impl Ending for VerifyFormat {
+    const ENDINGS: &'static [(&'static str, Self)] = &[
+        ("json", Self::Json),
+        ("csv", Self::Csv),
+        ("md", Self::Markdown),
+        ("txt", Self::Table),
+    ];
+}
+
 impl VerifyArguments {
+    /// How the manual is written: as told, or as the ending of the file says.
+    ///
+    /// # Errors
+    /// The two do not go together, or the ending says nothing.
+    pub(crate) fn format(&self) -> Result<VerifyFormat, EndingError> {
+        let asked = VerifyFormat::asked(self.format, self.output())?;
+        Ok(asked.unwrap_or(VerifyFormat::Table))
+    }
+
     /// Whether a chapter was asked for.
     pub(crate) fn has(&self, chapter: &str) -> bool {
         self.chapters.is_empty() || self.chapters.iter().any(|name| name == chapter)

@@ -1,7 +1,7 @@
 //! What a report says, before it is a page or a text.
 
 use serde::Serialize;
-use towermodes::Verdict;
+use towermodes::{Verdict, is_printable};
 
 use super::embedded::EmbeddedFile;
 use super::table::Table;
@@ -136,11 +136,9 @@ impl Document {
 
 /// Text without characters that no document has and without marks that turn the direction of writing.
 pub(super) fn printable(text: &str) -> String {
+    // The last two are no characters of XML.
     let disturbs = |c: char| {
-        (c.is_control() && !matches!(c, '\n' | '\t'))
-            || ('\u{202a}'..='\u{202e}').contains(&c)
-            || ('\u{2066}'..='\u{2069}').contains(&c)
-            || ('\u{fffe}'..='\u{ffff}').contains(&c)
+        (!is_printable(c) && !matches!(c, '\n' | '\t')) || matches!(c, '\u{fffe}' | '\u{ffff}')
     };
     text.chars()
         .map(|c| if disturbs(c) { ' ' } else { c })

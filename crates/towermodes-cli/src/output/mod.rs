@@ -1,16 +1,24 @@
 //! Where results go.
 
-use std::fs;
-use std::io::{ErrorKind, Write};
+mod place;
+mod whole;
+
+use std::io::{ErrorKind, IsTerminal, Write};
 use std::path::{Path, PathBuf};
 
 use same_file::Handle;
 
 use crate::failure::Failure;
+use crate::printable::printable;
 
-/// Writes a finished result to a file, or to standard output.
+/// Writes a finished result to a file, or to standard output. A terminal gets no sign that would disturb it.
 pub(crate) fn deliver(result: &[u8], output: Option<&Path>) -> Result<(), Failure> {
-    write(result, output, anstream::stdout().lock())
+    match std::str::from_utf8(result) {
+        Ok(text) if output.is_none() && std::io::stdout().is_terminal() => {
+            write(printable(text).as_bytes(), None, anstream::stdout().lock())
+        }
+        _ => write(result, output, anstream::stdout().lock()),
+    }
 }
 
 /// The same for what is no text: it goes to standard output byte by byte.
@@ -18,9 +26,15 @@ pub(crate) fn deliver_bytes(result: &[u8], output: Option<&Path>) -> Result<(), 
     write(result, output, std::io::stdout().lock())
 }
 
+/// Writes a result of two files that belong together: both, or neither.
+pub(crate) fn deliver_both(first: (&Path, &[u8]), second: (&Path, &[u8])) -> Result<(), Failure> {
+    let names = format!("{} and {}", first.0.display(), second.0.display());
+    whole::write_both(first, second).map_err(|error| Failure::Unwritable(names, error))
+}
+
 fn write(result: &[u8], output: Option<&Path>, mut stdout: impl Write) -> Result<(), Failure> {
     let (name, done) = match output {
-        Some(path) => (path.display().to_string(), fs::write(path, result)),
+        Some(path) => (path.display().to_string(), whole::write(path, result)),
         None => {
             let done = stdout.write_all(result).and_then(|()| stdout.flush());
             ("standard output".into(), done)
@@ -33,38 +47,39 @@ fn write(result: &[u8], output: Option<&Path>, mut stdout: impl Write) -> Result
     }
 }
 
-/// Writes a file anew: a new one beside it takes its place when it is complete, so that no interruption leaves half of one. Links stay.
-pub(crate) fn replace(path: &Path, text: &[u8]) -> Result<(), Failure> {
-    let path = fs::canonicalize(path).unwrap_or_else(|_| path.to_path_buf());
-    let mut name = path.file_name().unwrap_or_default().to_owned();
-    name.push(format!(".{}.tmp", std::process::id()));
-    let new = path.with_file_name(name);
-    let done = fs::write(&new, text)
-        .and_then(|()| match fs::metadata(&path) {
-            Ok(old) => fs::set_permissions(&new, old.permissions()),
-            Err(_) => Ok(()),
-        })
-        .and_then(|()| fs::rename(&new, &path));
-    done.map_err(|error| {
-        let _ = fs::remove_file(&new);
-        Failure::Unwritable(path.display().to_string(), error)
-    })
+/// Refuses to pour on a terminal what nobody reads there, unless `--output -` asks for it.
+pub(crate) fn check_terminal(
+    output: Option<&Path>,
+    what: &'static str,
+    example: &'static str,
+) -> Result<(), Failure> {
+    match output {
+        None if std::io::stdout().is_terminal() => Err(Failure::ForNoTerminal { what, example }),
+        _ => Ok(()),
+    }
+}
+
+/// Writes a file anew, whole or not at all.
+pub(crate) fn replace(path: &Path, content: &[u8]) -> Result<(), Failure> {
+    let done = whole::write(path, content);
+    done.map_err(|error| Failure::Unwritable(path.display().to_string(), error))
 }
 
 /// Keeps a file as it is under a name with `.bak` at its end, or `.bak2` and so on where that is taken; gives the name.
-pub(crate) fn back_up(path: &Path, text: &[u8]) -> Result<PathBuf, Failure> {
+pub(crate) fn back_up(path: &Path, content: &[u8]) -> Result<PathBuf, Failure> {
     let named = |ending: String| {
         let mut name = path.as_os_str().to_owned();
         name.push(ending);
         PathBuf::from(name)
     };
-    let numbered = (2..).map(|number| named(format!(".bak{number}")));
-    let mut names = std::iter::once(named(".bak".to_owned())).chain(numbered);
-    let free = names.find(|name| !name.exists());
-    let free = free.unwrap_or_else(|| named(".bak".to_owned()));
-    replace(&free, text)?;
-    Ok(free)
+    let numbered = (2..MOST_BACKUPS).map(|number| named(format!(".bak{number}")));
+    let names = std::iter::once(named(".bak".to_owned())).chain(numbered);
+    whole::write_anew(names, content)
+        .map_err(|error| Failure::Unwritable(named(".bak".to_owned()).display().to_string(), error))
 }
+
+/// Backups of one file.
+const MOST_BACKUPS: usize = 10_000;
 
 /// Refuses an output that is the input, by whatever name or link.
 pub(crate) fn check_not_input(input: &Path, output: Option<&Path>) -> Result<(), Failure> {
