@@ -331,7 +331,7 @@ fn every_backup_is_kept() {
     done(&["elastodyn", "patch", &deck, "--backup"]);
     let second = folder
         .text("Tower.dat")
-        .replace("1.0   AdjTwMa", "1.1   AdjTwMa");
+        .replace("1.0   AdjTwMa", "0.9   AdjTwMa");
     fs::write(folder.0.join("Tower.dat"), &second).expect("written");
     done(&["elastodyn", "patch", &deck, "--backup"]);
     assert_eq!(folder.text("Tower.dat.bak"), first);

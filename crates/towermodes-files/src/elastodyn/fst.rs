@@ -97,7 +97,7 @@ fn beamdyn(source: &Source) -> Option<Note> {
 struct Module {
     /// The switch that turns it on.
     switch: &'static str,
-    /// The names of its files: of the value 1 of the switch and so on.
+    /// The name of the line with its file, in OpenFAST and in FAST 8.
     files: &'static [&'static str],
     /// What is left out with it, with its verb.
     what: &'static str,

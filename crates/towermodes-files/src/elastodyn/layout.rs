@@ -66,10 +66,10 @@ const fn instead_of(old: &'static [&'static str], keys: &'static [&'static str])
     }
 }
 
-/// All blocks in order. Those that came or went: the heights of the tower's base and of the platform's reference point, of other names
-/// in ElastoDyn 1.00; the number of blade nodes, since ElastoDyn 1.02; gravity, in the `.fst` file since OpenFAST 3.0; products of inertia of the platform and yaw
-/// friction, since 4.0; the hub's inertia about the teeter axis, since 4.2; inertias of pitch bearings and blades, the platform's
-/// reference point in x and y, and pitch actuators, since 5.0.
+/// All blocks in order. Those that came or went: the heights of the tower's base and of the platform's reference point, which
+/// ElastoDyn 1.00 has under other names; the number of blade nodes, not in ElastoDyn 1.00 and 1.01; gravity, in the `.fst` file since
+/// OpenFAST 3.0; products of inertia of the platform and yaw friction, since 4.0; the hub's inertia about the teeter axis, since 4.2;
+/// inertias of pitch bearings and blades, the platform's reference point in x and y, and pitch actuators, since 5.0.
 const BLOCKS: &[Block] = &[
     block(Some("SIMULATION CONTROL"), &["Echo", "Method", "DT"]),
     optional_section("ENVIRONMENTAL CONDITION", &["Gravity"]),
