@@ -1,4 +1,5 @@
-//! Decks of BModes whose lines are not quite those of the samples: a blank line left out, and counts that drop what follows.
+//! Decks of BModes whose lines are not quite those of the samples: a blank line left out, and
+//! counts that drop what follows.
 
 use crate::decks;
 

@@ -1,4 +1,5 @@
-//! Stations from tables in CSV: the same towers as in TOML, in any unit and any dialect of spreadsheets, and every mistake at its place.
+//! Stations from tables in CSV: the same towers as in TOML, in any unit and any dialect of
+//! spreadsheets, and every mistake at its place.
 
 use towermodes::{Station, TowerDescription};
 use towermodes_files::{

@@ -1,4 +1,5 @@
-//! Values of a deck that a count or a switch before them leaves out: BModes passes over them without a message.
+//! Values of a deck that a count or a switch before them leaves out: BModes passes over them
+//! without a message.
 
 use super::list::is_number;
 use super::main_file::named;
