@@ -35,7 +35,7 @@ pub enum ReadError {
         name: String,
     },
     /// It is a pipe, a socket or a device, whose reading might never end.
-    #[error("{name}: is {kind}, not a file; give a regular file, or pipe the input to `-`")]
+    #[error("{name}: is {kind}, not a regular file")]
     Special {
         /// The path.
         name: String,
