@@ -157,11 +157,11 @@ fn tables_that_a_count_of_zero_drops_are_noted() {
     );
     has_note(
         &soil,
-        87,
+        88,
         &["n_secs_k_distr is 0", "the 2 values of distr_k"],
     );
     let floating = with(&soil, &[("1         hub_conn", "2         hub_conn")]);
-    assert!(!notes(&floating).iter().any(|(line, _)| *line == 87));
+    assert!(!notes(&floating).iter().any(|(line, _)| *line == 88));
     let zeros = with(&main, &[("7000. 6000. 0. :", "0. 0. 0. :")]);
     assert!(!notes(&zeros).iter().any(|(line, _)| *line == 83));
 }
