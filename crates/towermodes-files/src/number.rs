@@ -2,8 +2,8 @@
 
 use std::fmt;
 
-/// A number with six significant digits, which is a millimetre of a tower and a kilogram of its machine: plain where that is short, with
-/// an exponent where it is not.
+/// A number with six significant digits, which is a millimetre of a tower and a kilogram of its
+/// machine: plain where that is short, with an exponent where it is not.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Rounded(pub(crate) f64);
 

@@ -35,7 +35,7 @@ pub enum ReadError {
         name: String,
     },
     /// It is a pipe, a socket or a device, whose reading might never end.
-    #[error("{name}: is {kind}, not a file; give a regular file, or pipe the input to `-`")]
+    #[error("{name}: is {kind}, not a regular file")]
     Special {
         /// The path.
         name: String,
@@ -83,8 +83,8 @@ pub enum ReadError {
 }
 
 impl Source {
-    /// Reads the file that a user named: a regular one, or standard input or another descriptor that is already open, as `/dev/stdin`
-    /// and the `/dev/fd/63` of a shell are.
+    /// Reads the file that a user named: a regular one, or standard input or another descriptor
+    /// that is already open, as `/dev/stdin` and the `/dev/fd/63` of a shell are.
     ///
     /// # Errors
     /// [`ReadError`], with the path in its message.
@@ -95,7 +95,8 @@ impl Source {
         }
     }
 
-    /// Reads a file that another file names: a regular one, because waiting for a pipe might never end.
+    /// Reads a file that another file names: a regular one, because waiting for a pipe might never
+    /// end.
     ///
     /// # Errors
     /// [`ReadError`], with the path in its message.
@@ -181,7 +182,8 @@ impl Source {
     }
 }
 
-/// Whether a path names a descriptor that the program has open already, so that opening it does not wait.
+/// Whether a path names a descriptor that the program has open already, so that opening it does not
+/// wait.
 fn is_open_descriptor(path: &Path) -> bool {
     let folders = ["/dev/fd", "/proc/self/fd"];
     path == Path::new("/dev/stdin") || folders.iter().any(|folder| path.starts_with(folder))

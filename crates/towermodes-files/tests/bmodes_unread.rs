@@ -1,4 +1,5 @@
-//! Decks of BModes whose lines are not quite those of the samples: a blank line left out, and counts that drop what follows.
+//! Decks of BModes whose lines are not quite those of the samples: a blank line left out, and
+//! counts that drop what follows.
 
 use crate::decks;
 
@@ -149,6 +150,18 @@ fn tables_that_a_count_of_zero_drops_are_noted() {
             "n_secs_m_distr = 3",
         ],
     );
+    // A floating tower stands in no soil, and decks keep the table of another tower.
+    let soil = with(
+        &tower_file(OFFSHORE),
+        &[("2         n_secs_k", "0         n_secs_k")],
+    );
+    has_note(
+        &soil,
+        88,
+        &["n_secs_k_distr is 0", "the 2 values of distr_k"],
+    );
+    let floating = with(&soil, &[("1         hub_conn", "2         hub_conn")]);
+    assert!(!notes(&floating).iter().any(|(line, _)| *line == 88));
     let zeros = with(&main, &[("7000. 6000. 0. :", "0. 0. 0. :")]);
     assert!(!notes(&zeros).iter().any(|(line, _)| *line == 83));
 }

@@ -323,7 +323,8 @@ fn mistakes_in_rows_have_their_place() {
 
 #[test]
 fn full_matrices_are_refused_once() {
-    // The columns of that layout after y_cg: pitch, x_e, y_e and the 21 entries of the matrix, many of them 0.
+    // The columns of that layout after y_cg: pitch, x_e, y_e and the 21 entries of the matrix, many
+    // of them 0.
     let row = |r: &str| format!("{r} 5000 0 0 2 2 0 0 0{}\n", " 0 1e10 0".repeat(7));
     let text = format!("#1 Tower\n$1 3\n{}{}{}", row("0"), row("40"), row("80"));
     let Err(InputError::Mistakes { mistakes, .. }) =

@@ -384,7 +384,7 @@ fn tables_beside_layers_are_compared() {
     let agreeing = beam(8224.7).replace("2750.4", "2200.6");
     assert!(!has_note(&read(&agreeing), "disagree"));
     let input = read(&beam(8224.7));
-    assert!(has_note(&input, "at z = 90 m 2750.4 and 2200.6 kg/m"));
+    assert!(has_note(&input, "at z = 90 m 2750.4 and 2200.62 kg/m"));
 }
 
 /// A tower of one layer in version 2.

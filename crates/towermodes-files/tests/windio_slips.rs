@@ -1,5 +1,5 @@
-//! Slips in windIO files that a reader could pass over: misspelled keys, angles in the other unit, tables that are not used, masses by
-//! another name.
+//! Slips in windIO files that a reader could pass over: misspelled keys, angles in the other unit,
+//! tables that are not used, masses by another name.
 
 use crate::windio_files;
 
@@ -178,7 +178,8 @@ fn lengths_of_the_machine_in_millimetres_are_noted() {
     assert!(notes(&text, "overhang is").is_empty());
 }
 
-/// Elastic properties with seven values on a grid of eleven, as in the example of the IEA 22 MW turbine that comes with windIO 2.
+/// Elastic properties with seven values on a grid of eleven, as in the example of the IEA 22 MW
+/// turbine that comes with windIO 2.
 const BROKEN_TABLE: &str = "elastic_properties:
                 inertia_matrix: {grid: [0, 0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9, 1], mass: [1, 2, 3, 4, 5, 6, 7]}
                 stiffness_matrix: {grid: [0, 1], K44: [1, 1], K55: [1, 1]}

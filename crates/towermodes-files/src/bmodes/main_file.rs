@@ -55,7 +55,8 @@ pub(super) fn main_file<'a>(reader: &mut Reader<'a>) -> Result<MainFile<'a>, Dia
     })
 }
 
-/// The blank line and the heading between two blocks. The blank line may be left out: then the values follow the first of two lines.
+/// The blank line and the heading between two blocks. The blank line may be left out: then the
+/// values follow the first of two lines.
 pub(super) fn comments(reader: &mut Reader<'_>, heading: &str) -> Result<(), Diagnostic> {
     let first = reader.comment(&format!("the line (blank as a rule) before {heading}"))?;
     if first.is_blank() || !reader.value_follows() {

@@ -245,7 +245,9 @@ fn unread_columns(deck: &Deck, notes: &mut Notes) {
 
 /// What of the support has no effect.
 fn support(deck: &Deck, notes: &mut Notes) {
-    for unread in &deck.support.unread {
+    let floats = deck.general.hub.value == HubConnection::Free;
+    let unread = deck.support.unread.iter();
+    for unread in unread.filter(|unread| !(unread.is_soil && floats)) {
         notes.at(unread.at, unread.message.clone());
     }
     let Some(offshore) = &deck.support.offshore else {

@@ -71,7 +71,8 @@ impl<'a> Reader<'a> {
         Err(Diagnostic::new(first.span, message).with_hint("is a line missing above?"))
     }
 
-    /// Whether the next record has a value of the deck: one with its name, several numbers, or nothing but a number.
+    /// Whether the next record has a value of the deck: one with its name, several numbers, or
+    /// nothing but a number.
     pub(super) fn value_follows(&self) -> bool {
         let is_lone_number = |line: Line<'a>| {
             let mut tokens = line.tokens();

@@ -90,10 +90,7 @@ fn unread_wires(reader: &Reader<'_>) -> Option<Unread> {
     let wires = lines.find(|line| named(*line) == Some(&q::N_ATTACHMENTS))?;
     let count = wires.first()?.integer("").ok()?;
     let message = "wires after the offshore block are not read, as in BModes 3.00; tow_support = 1 reads them, as later versions do";
-    (count > 0).then(|| Unread {
-        at: wires.start,
-        message: message.to_owned(),
-    })
+    (count > 0).then(|| Unread::new(wires.start, message))
 }
 
 /// At how many heights wires are attached.

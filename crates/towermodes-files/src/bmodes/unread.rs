@@ -1,6 +1,7 @@
-//! Values of a deck that a count or a switch before them leaves out: BModes passes over them without a message.
+//! Values of a deck that a count or a switch before them leaves out: BModes passes over them
+//! without a message.
 
-use super::list::is_number;
+use super::list::{Items, MAX_COUNT, is_number};
 use super::main_file::named;
 use super::quantity::{self as q, Quantity};
 use super::reader::{Reader, Value};
@@ -11,6 +12,18 @@ use crate::records::{Line, Lines};
 pub(super) struct Unread {
     pub(super) at: usize,
     pub(super) message: String,
+    /// Whether they are those of soil, which what floats does not touch.
+    pub(super) is_soil: bool,
+}
+
+impl Unread {
+    pub(super) fn new(at: usize, message: impl Into<String>) -> Self {
+        Self {
+            at,
+            message: message.into(),
+            is_soil: false,
+        }
+    }
 }
 
 /// What follows `tow_support = 0` although it is not read: wires, a platform, added mass or soil.
@@ -35,8 +48,7 @@ pub(super) fn after_no_support(reader: &Reader<'_>, tow_support: &Value<i64>) ->
         "tow_support is 0, so the lines after it are not read, as in BModes, although {name} is {value} there; \
          write tow_support = 1 for wires or 2 for a platform or monopile"
     );
-    let at = tow_support.span.start;
-    Some(Unread { at, message })
+    Some(Unread::new(tow_support.span.start, message))
 }
 
 /// What `n_attachments = 0` drops in a deck whose `tow_support` announces wires.
@@ -54,8 +66,7 @@ pub(super) fn no_attachments(reader: &Reader<'_>, n_attachments: &Value<usize>) 
         ),
         None => "n_attachments is 0, so the tower has no wires although tow_support is 1; write tow_support = 0, or the number of heights at which wires are attached".to_owned(),
     };
-    let at = n_attachments.span.start;
-    Unread { at, message }
+    Unread::new(n_attachments.span.start, message)
 }
 
 /// The sets of wires beyond `n_attachments`, if each of the four lines to come has values for them.
@@ -66,8 +77,7 @@ pub(super) fn sets_of_wires(reader: &Reader<'_>, n_attachments: &Value<usize>) -
     let message = format!(
         "n_attachments is {read}, but the lines below give {given} sets of wires: as in BModes, only the first {read} are read"
     );
-    let at = n_attachments.span.start;
-    (given > read).then_some(Unread { at, message })
+    (given > read).then(|| Unread::new(n_attachments.span.start, message))
 }
 
 /// The values of a table whose number of rows is 0; none if they are all zero, as in templates.
@@ -77,25 +87,39 @@ pub(super) fn table_of_no_rows(
     at: usize,
 ) -> Option<Unread> {
     let line = lines.clone().nth(1)?;
-    let is_zero = |token: &crate::records::Token<'_>| token.number("") == Ok(0.0);
-    let mut given = line.tokens().take_while(is_number);
-    if given.all(|token| is_zero(&token)) {
+    let given = values_of(line);
+    if given.iter().all(|value| *value == 0.0) {
         return None;
     }
     let message = format!(
-        "{} is 0, so the {} values of {} below are not read, as in BModes; write {} = {} to use them",
-        count.name,
-        numbers(line),
+        "{name} is 0, so the {given} values of {} below are not read, as in BModes; write {name} = {given} to use them",
         values.name,
-        count.name,
-        numbers(line)
+        name = count.name,
+        given = given.len()
     );
-    Some(Unread { at, message })
+    Some(Unread {
+        is_soil: count == &q::N_SECS_K_DISTR,
+        ..Unread::new(at, message)
+    })
 }
 
 /// How many numbers a line begins with.
 fn numbers(line: Line<'_>) -> usize {
-    line.tokens().take_while(is_number).count()
+    values_of(line).len()
+}
+
+/// The numbers that a line begins with, repeated ones as often as they are meant.
+fn values_of(line: Line<'_>) -> Vec<f64> {
+    let mut items = Items::new(line);
+    let mut values = Vec::new();
+    while let Ok(Some(item)) = items.next_item() {
+        let Ok(value) = item.token.number("") else {
+            break;
+        };
+        let room = MAX_COUNT.saturating_sub(values.len());
+        values.extend(std::iter::repeat_n(value, item.repeats.min(room)));
+    }
+    values
 }
 
 /// The quantity whose name follows the numbers of a line.

@@ -33,7 +33,8 @@ pub(super) fn read_rows<'a>(subset: &Subset<'a>) -> Result<Table<'a>, Vec<Diagno
             break;
         }
         if row::is_full_matrix(&line) {
-            // What one row is all are, and what its columns would be in the other layout says nothing.
+            // What one row is all are, and what its columns would be in the other layout says
+            // nothing.
             return Err(vec![row::full_matrix(&line)]);
         }
         match Row::parse(line) {

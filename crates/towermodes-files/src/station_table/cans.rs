@@ -8,7 +8,8 @@ use super::Placed;
 use crate::diagnostic::Diagnostic;
 use crate::number::Rounded;
 
-/// Ends of neighbouring cans that are nearer than this, m, are at one height: lengths are converted.
+/// Ends of neighbouring cans that are nearer than this, m, are at one height: lengths are
+/// converted.
 const SAME_M: f64 = 1e-6;
 
 /// A piece of tower with straight sides and one wall thickness.
@@ -53,8 +54,9 @@ impl Can {
     }
 }
 
-/// The stations at the ends of all cans from the base to the top; two at one height where diameter, wall or material step. Cans that are
-/// listed from the top down are turned; a gap or an overlap is a mistake.
+/// The stations at the ends of all cans from the base to the top; two at one height where diameter,
+/// wall or material step. Cans that are listed from the top down are turned; a gap or an overlap is
+/// a mistake.
 pub(super) fn stations(
     mut cans: Vec<Can>,
     text: &str,

@@ -1,13 +1,15 @@
 //! The rows of a text and their cells, each with its place, which no library of CSV gives.
 //!
-//! Source of the syntax: RFC 4180 (Shafranovich, 2005), with the separators and the byte order mark of spreadsheets.
+//! Source of the syntax: RFC 4180 (Shafranovich, 2005), with the separators and the byte order mark
+//! of spreadsheets.
 
 use std::borrow::Cow;
 use std::ops::Range;
 
 use crate::diagnostic::Diagnostic;
 
-/// A cell: its text without quotation marks and blanks around it, and the bytes of the file it takes.
+/// A cell: its text without quotation marks and blanks around it, and the bytes of the file it
+/// takes.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(super) struct Cell<'a> {
     pub(super) text: Cow<'a, str>,
@@ -30,7 +32,8 @@ pub(super) struct Records<'a> {
 }
 
 impl<'a> Records<'a> {
-    /// Finds what separates columns: what `sep=` in the first line says, or else the semicolon, the tab or the comma of the header.
+    /// Finds what separates columns: what `sep=` in the first line says, or else the semicolon, the
+    /// tab or the comma of the header.
     pub(super) fn new(text: &'a str) -> Self {
         let next = if text.starts_with('\u{feff}') { 3 } else { 0 };
         let mut records = Self {
@@ -113,7 +116,8 @@ impl<'a> Records<'a> {
         Ok((cell, next != Some(self.delimiter)))
     }
 
-    /// The text of a cell whose opening quotation mark is at a byte, and where its closing one ends.
+    /// The text of a cell whose opening quotation mark is at a byte, and where its closing one
+    /// ends.
     fn quoted(&self, start: usize) -> Result<(Cow<'a, str>, usize), Diagnostic> {
         let inner = &self.text[start + 1..];
         let mut from = 0;

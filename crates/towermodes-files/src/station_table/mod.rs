@@ -1,7 +1,9 @@
-//! Tables of cans or stations in CSV, as drawings and spreadsheets give them: what `stations = "cans.csv"` of a tower file names.
+//! Tables of cans or stations in CSV, as drawings and spreadsheets give them: what `stations =
+//! "cans.csv"` of a tower file names.
 //!
-//! A can is a row with bottom, top, diameters and wall, a station a row with height, diameter and wall. The header says the quantity and
-//! the unit of each column. Columns are separated by commas, semicolons or tabs; with the latter two a comma may be the decimal sign.
+//! A can is a row with bottom, top, diameters and wall, a station a row with height, diameter and
+//! wall. The header says the quantity and the unit of each column. Columns are separated by commas,
+//! semicolons or tabs; with the latter two a comma may be the decimal sign.
 
 mod cans;
 mod cells;
@@ -32,7 +34,8 @@ pub(crate) struct Placed {
     pub(crate) spans: [Range<usize>; 3],
 }
 
-/// Which material a name is, or the one of rows that name none; or what is wrong and what would be right.
+/// Which material a name is, or the one of rows that name none; or what is wrong and what would be
+/// right.
 pub(crate) type MaterialOf<'m> = &'m dyn Fn(Option<&str>) -> Result<usize, [String; 2]>;
 
 /// The stations of a table, from the base to the top, in metres.

@@ -51,7 +51,8 @@ impl<'a> Numbers<'a> {
         Ok(number)
     }
 
-    /// Refuses a decimal sign that is not that of the other numbers: one of them separates thousands.
+    /// Refuses a decimal sign that is not that of the other numbers: one of them separates
+    /// thousands.
     fn check_sign(&mut self, cell: &Cell<'_>, sign: Option<char>) -> Result<(), Diagnostic> {
         let Some(sign) = sign else { return Ok(()) };
         let (first, expected) = *self.first.get_or_insert((cell.span.start, sign));

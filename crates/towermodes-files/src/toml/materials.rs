@@ -34,7 +34,8 @@ pub(super) struct Materials {
 }
 
 impl Materials {
-    /// Which of them a name is, or the one that rows without a name have; or what is wrong and what would be right.
+    /// Which of them a name is, or the one that rows without a name have; or what is wrong and what
+    /// would be right.
     pub(super) fn find(&self, name: Option<&str>) -> Result<usize, [String; 2]> {
         let names = self.names.iter().map(String::as_str);
         let names: Vec<&str> = names.filter(|name| !name.is_empty()).collect();

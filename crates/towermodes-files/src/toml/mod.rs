@@ -82,8 +82,8 @@ impl Reading {
 /// The format is described in the book's reference; every example in the repository is commented.
 ///
 /// # Errors
-/// The mistakes found, at most a hundred, in the order of the lines; never an empty list. Stations in a file of their own are one: such a
-/// tower is read by [`read()`](crate::read()).
+/// The mistakes found, at most a hundred, in the order of the lines; never an empty list. Stations
+/// in a file of their own are one: such a tower is read by [`read()`](crate::read()).
 pub fn tower_from_toml(text: &str) -> Result<Tower, Vec<Diagnostic>> {
     let reading = describe(text, None).map_err(Refused::in_text)?;
     Tower::new(reading.description).map_err(|error| vec![reading.places.mistake(&error, true).1])

@@ -15,7 +15,8 @@ pub(super) const TOWER: Keys = Keys {
     known: &["stations", "properties", "outfitting_factor", "shear"],
 };
 
-/// `stations`, all rows, or the name of a file that has them; where the materials have mistakes of their own, names of materials are not checked.
+/// `stations`, all rows, or the name of a file that has them; where the materials have mistakes of
+/// their own, names of materials are not checked.
 pub(super) fn stations(
     tower: &Table<'_>,
     materials: Option<&Materials>,

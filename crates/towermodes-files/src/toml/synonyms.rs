@@ -1,7 +1,7 @@
 //! What people call the keys of a tower file in other programs and on drawings.
 
-/// Names and the keys that they may mean, the likeliest first, each separated by blanks. Names are in small letters and without a unit at
-/// their end. The types of a foundation are here too.
+/// Names and the keys that they may mean, the likeliest first, each separated by blanks. Names are
+/// in small letters and without a unit at their end. The types of a foundation are here too.
 const SYNONYMS: [(&str, &str); 54] = [
     (
         "cg cog com cm centre centroid center_of_mass centre_of_mass center_of_gravity centre_of_gravity cg_offset position location offset",

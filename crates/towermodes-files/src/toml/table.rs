@@ -207,7 +207,8 @@ fn is_short(name: &&str) -> bool {
     name.len() <= MAX_COMPARED_BYTES
 }
 
-/// The known key that a name was probably meant to be: another word for it, or the one that is spelled most like it.
+/// The known key that a name was probably meant to be: another word for it, or the one that is
+/// spelled most like it.
 fn nearest<'k>(name: &str, known: &[&'k str]) -> Option<&'k str> {
     if !is_short(&name) {
         return None;

@@ -45,8 +45,8 @@ fn compare_part(part: &Part, materials: &[Material], reading: &mut Reading<'_>) 
     if worst.0 > TOLERANCE || total_error > TOLERANCE {
         let (_, z, [table, walls]) = worst;
         reading.note_at(elastic.mass.0[0].spans()[0].start, format!(
-            "elastic properties and layers of the {} disagree: at z = {} m {table:.1} and {walls:.1} kg/m, in total {:.0} and {:.0} kg; the layers are used",
-            part.what, Rounded(z), totals[0], totals[1]
+            "elastic properties and layers of the {} disagree: at z = {} m {} and {} kg/m, in total {} and {} kg; the layers are used",
+            part.what, Rounded(z), Rounded(table), Rounded(walls), Rounded(totals[0]), Rounded(totals[1])
         ));
     }
 }

@@ -1,6 +1,8 @@
-//! Keys that look like one that is read, but are not it: a misspelled key would be passed over without a word.
+//! Keys that look like one that is read, but are not it: a misspelled key would be passed over
+//! without a word.
 //!
-//! Known are the keys of the schemas of windIO 1.0 and 2.x, read or not, and those that WISDEM writes beside them. Of these nothing is said.
+//! Known are the keys of the schemas of windIO 1.0 and 2.x, read or not, and those that WISDEM
+//! writes beside them. Of these nothing is said.
 
 use super::outline::{Components, Outline};
 use super::reading::Reading;
@@ -266,7 +268,8 @@ fn note_key(key: &str, value_at: usize, keys: &Keys, what: &str, reading: &mut R
     reading.note_at(at, message);
 }
 
-/// The key that is read and that another looks like, unless it looks as much like one that is not read.
+/// The key that is read and that another looks like, unless it looks as much like one that is not
+/// read.
 fn lookalike(key: &str, keys: &Keys) -> Option<&'static str> {
     /// No key of the format is half as long.
     const LONGEST: usize = 80;
@@ -290,7 +293,8 @@ fn lookalike(key: &str, keys: &Keys) -> Option<&'static str> {
     (found <= allowed && other.is_none_or(|other| found < other)).then_some(nearest)
 }
 
-/// Where a key stands that has its value at a byte: the nearest place before it, or the first in the file.
+/// Where a key stands that has its value at a byte: the nearest place before it, or the first in
+/// the file.
 fn place_of(key: &str, value_at: usize, text: &str) -> usize {
     let before = text.get(..value_at).unwrap_or(text);
     let is_key = |at: usize| {

@@ -176,7 +176,8 @@ impl Part {
     }
 }
 
-/// Elastic properties that cannot be read are no mistake of a part whose layers say everything: a note says that they are not used.
+/// Elastic properties that cannot be read are no mistake of a part whose layers say everything: a
+/// note says that they are not used.
 fn unless_unused(
     elastic: Result<Option<Elastic>, Diagnostic>,
     layers: &[Layer],

@@ -1,4 +1,5 @@
-//! Angles and lengths of the machine in the wrong unit: version 1 has radians, version 2 degrees, both have metres.
+//! Angles and lengths of the machine in the wrong unit: version 1 has radians, version 2 degrees,
+//! both have metres.
 
 use super::outline::Version;
 use super::reading::Reading;
@@ -10,12 +11,14 @@ use crate::number::Rounded;
 const LARGEST_DEG: f64 = 20.0;
 /// Beyond this, degrees, it is no tilt or cone in any unit.
 const IMPOSSIBLE_DEG: f64 = 90.0;
-/// A tilt or cone of version 2 that is smaller than this, degrees, is likely one in radians: 0.1047 is 6 degrees. Real ones are 0 or above.
+/// A tilt or cone of version 2 that is smaller than this, degrees, is likely one in radians: 0.1047
+/// is 6 degrees. Real ones are 0 or above.
 const SMALLEST_DEG: f64 = 0.2;
 /// No hub is further from the tower's top, m; those of rotors of 280 m are 14 m.
 const FARTHEST_M: f64 = 50.0;
 
-/// An angle of the rotor in radians; one that is likely in the other unit is noted, and one that is none in any unit a mistake.
+/// An angle of the rotor in radians; one that is likely in the other unit is noted, and one that is
+/// none in any unit a mistake.
 pub(super) fn angle(
     node: &Node,
     key: &str,

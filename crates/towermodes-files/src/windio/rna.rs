@@ -206,8 +206,9 @@ impl Assembly {
     }
 }
 
-/// Where the mass of the nacelle stands: `system_mass` as in the schema, or `above_yaw_mass` as WISDEM writes it, which is without the
-/// yaw system. Where a file has both, the latter is taken, because `yaw_mass` is added to it.
+/// Where the mass of the nacelle stands: `system_mass` as in the schema, or `above_yaw_mass` as
+/// WISDEM writes it, which is without the yaw system. Where a file has both, the latter is taken,
+/// because `yaw_mass` is added to it.
 fn nacelle_keys<'k>(node: &Node, reading: &mut Reading<'_>) -> Result<[&'k str; 3], Diagnostic> {
     let [_, inertia, center] = OLD_KEYS;
     let Some(above) = node.get(ABOVE_YAW) else {
