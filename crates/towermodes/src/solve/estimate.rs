@@ -97,7 +97,7 @@ fn extrapolated(
     own: usize,
     powers: &[i32],
 ) -> Estimate {
-    let needed = powers.len() + MORE;
+    let needed = (powers.len() + MORE).min(levels.len() - 1);
     let finest = own.min(levels.len() - 1 - needed);
     let meshes_hz = levels[finest..=finest + needed]
         .iter()
@@ -152,7 +152,7 @@ fn compare(
     }
 }
 
-/// Two meshes can agree by chance, and one more than the powers need finds it out.
+/// Meshes can agree by chance, and one more than the powers need finds it out.
 const MORE: usize = 1;
 
 /// The frequencies of the modes on all meshes of a ladder, which of these is the solution's own, and how many modes the one next to it has
@@ -165,10 +165,13 @@ fn solve_meshes(
     powers: &[&[i32]],
     workspace: &mut Workspace,
 ) -> Result<(Vec<Level>, usize, usize), SolveError> {
-    let steps = modes
-        .iter()
-        .map(|mode| powers[mode.key.part].len() + MORE)
-        .max();
+    // Three meshes at least; on a single piece, which converges smoothly, three do for two powers too.
+    let is_single = tower.pieces().len() == 1;
+    let steps = modes.iter().map(|mode| match powers[mode.key.part].len() {
+        count if is_single && count > 1 => count,
+        count => count + MORE,
+    });
+    let steps = steps.max();
     let ladder_from =
         |fewest, model: &Model| Ladder::new(&cut.mesh, modes, fewest, steps.unwrap_or(0), model);
     let mut ladder = ladder_from(1, &workspace.model);
