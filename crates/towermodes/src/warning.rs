@@ -297,6 +297,16 @@ pub enum Warning {
         "BModes has no shear deformation: it is left out, and the frequencies are too high for it; other methods have it"
     )]
     ShearLeftOut,
+    /// Weights that are nearly as much as the tower bears.
+    #[error(
+        "the tower is on the verge of buckling: weights larger by {} % buckle it (buckling load factor 1 + {:.1e}); its lowest frequencies fall \
+         to zero there, and small changes of the input change them much",
+        significant(100.0 * (.load_factor - 1.0)), .load_factor - 1.0
+    )]
+    VergeOfBuckling {
+        /// The factor by which all weights must be multiplied for the tower to buckle, little above 1.
+        load_factor: f64,
+    },
     /// Given elements of BModes that reach over rows of the tower.
     #[error(
         "the element from z = {} to {} m reaches over rows of the tower, and misses most of the {quantity} there, which differs by {:.0} % from \

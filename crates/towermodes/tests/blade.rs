@@ -304,6 +304,40 @@ fn errors_of_the_elements_are_honest() {
     assert!(solution.certificate.complete);
 }
 
+/// What lies between the borders of the elements is in their errors, however narrow it is.
+#[test]
+fn errors_of_elements_that_miss_a_section_are_honest() {
+    let heavy_at = |borders: &[f64]| {
+        let mut description = uniform(SECTION, 1);
+        let (root, tip) = (description.sections[0], description.sections[1]);
+        let at = |span: f64, mass: f64| BladeSection {
+            span,
+            mass_kg_per_m: mass * SECTION.mass_kg_per_m,
+            ..root
+        };
+        description.sections = vec![root, at(0.83, 1.0), at(0.831, 500.0), at(0.832, 1.0), tip];
+        description.borders = borders.to_vec();
+        description
+    };
+    let equal: Vec<f64> = (0..=10).map(|k| f64::from(k) / 10.0).collect();
+    let mut fine: Vec<f64> = (0..=400).map(|k| f64::from(k) / 400.0).collect();
+    fine.extend((1..40).map(|k| 0.83 + 0.002 * f64::from(k) / 40.0));
+    fine.sort_by(f64::total_cmp);
+    fine.dedup_by(|a, b| (*a - *b).abs() < 1e-9);
+    let exact = frequencies(heavy_at(&fine), 3);
+    let blade = Blade::new(heavy_at(&equal)).expect("a blade");
+    let solution = solve_blade(&blade, 3, &[]).expect("solved");
+    for (mode, exact) in solution.modes.iter().zip(exact) {
+        let error = (mode.frequency_hz - exact).abs();
+        let claimed = mode.discretization_error_hz;
+        assert!(error <= 1.1 * claimed, "{} {error} {claimed}", mode.number);
+        assert!(claimed <= 1.5 * error + 1e-4 * exact, "{error} {claimed}");
+    }
+    // Half of the blade's mass is in the narrow section: what misses it is far off.
+    let first = &solution.modes[0];
+    assert!(first.discretization_error_hz > 0.1 * first.frequency_hz);
+}
+
 #[test]
 fn what_no_blade_can_have_is_refused() {
     type Change = fn(&mut BladeDescription);

@@ -5,6 +5,7 @@ mod analytic;
 mod beams;
 mod blade;
 mod blade_sweep;
+mod buckling;
 mod campbell;
 mod certain;
 mod convergence;

@@ -39,7 +39,8 @@ pub(crate) struct SolveArguments {
     pub(crate) input: InputArguments,
 
     /// Chains of rigid bodies: rmje and cardanic, as published or with exact tapered sections, and lumped as Adams models beams;
-    /// bmodes, the finite element of BModes; spectral, the beam itself [default: rmje-exact; bmodes for BModes decks]
+    /// bmodes, the finite element of BModes; spectral, the beam itself, exact to ten digits, for reference values, steep cones and towers
+    /// that nearly buckle [default: rmje-exact, a chain with errors from other meshes; bmodes for BModes decks]
     #[arg(long, value_parser = method_parser())]
     method: Option<Method>,
 

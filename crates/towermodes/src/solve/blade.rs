@@ -247,22 +247,22 @@ fn number_families(modes: &mut [BladeMode]) {
     }
 }
 
-/// Solves again with every element cut in two, as often as the errors have powers, and extrapolates.
+/// Solves again with every element cut in two, as often as the errors have powers, and extrapolates. Elements that reach over sections of the
+/// blade are cut at these first: no halving alone would see what they miss.
 fn estimate(blade: &Blade, borders: &[f64], modes: &mut [BladeMode]) -> Result<(), SolveError> {
     let powers = Method::Bmodes.bending_powers(false);
-    let mut borders = borders.to_vec();
-    let mut meshes_hz = vec![
-        modes
-            .iter()
-            .map(|mode| mode.frequency_hz)
-            .collect::<Vec<f64>>(),
-    ];
-    // One mesh more finds out what agrees by chance.
+    let mut finer = with_sections(blade, borders);
+    let mut meshes_hz: Vec<Vec<f64>> = Vec::new();
+    if finer.len() == borders.len() {
+        meshes_hz.push(modes.iter().map(|mode| mode.frequency_hz).collect());
+        finer = halved(&finer);
+    }
+    // As many meshes as the powers need; where the elements' own are one more, these find out what agrees by chance.
     for _ in 0..=powers.len() {
-        borders = halved(&borders);
-        let solved = Solved::new(blade, &borders, modes.len())?;
+        let solved = Solved::new(blade, &finer, modes.len())?;
         let found = solved.eigen.eigenvalues().iter();
         meshes_hz.insert(0, found.map(|e| e.frequency_hz()).collect());
+        finer = halved(&finer);
     }
     for (index, mode) in modes.iter_mut().enumerate() {
         let meshes_hz = meshes_hz.iter().map(|mesh| mesh[index]).collect();
@@ -271,6 +271,23 @@ fn estimate(blade: &Blade, borders: &[f64], modes: &mut [BladeMode]) -> Result<(
         mode.extrapolated_hz = estimate.extrapolated_hz;
     }
     Ok(())
+}
+
+/// Shares of the span that differ by less are the same.
+const ROUNDED: f64 = 1e-9;
+
+/// The borders of the elements, and the sections that lie between them.
+fn with_sections(blade: &Blade, borders: &[f64]) -> Vec<f64> {
+    let sections = blade.description().sections.iter();
+    let mut all = borders.to_vec();
+    for span in sections.map(|section| section.span) {
+        let place = all.partition_point(|border| *border < span - ROUNDED);
+        let is_inside = place > 0 && place < all.len();
+        if is_inside && all[place] > span + ROUNDED {
+            all.insert(place, span);
+        }
+    }
+    all
 }
 
 fn halved(borders: &[f64]) -> Vec<f64> {

@@ -5,7 +5,7 @@ use super::options::{Options, SolveError};
 use super::reference::Reference;
 use super::solution::Mode;
 use super::spectrum::{ModeKey, Spectrum, count_below};
-use super::stability::find_origin;
+use super::stability::find_origin_again;
 use super::{Described, Stage, Workspace};
 use crate::eigen::EigenError;
 use crate::elements::Mesh;
@@ -97,7 +97,7 @@ fn extrapolated(
     own: usize,
     powers: &[i32],
 ) -> Estimate {
-    let needed = powers.len() + MORE;
+    let needed = (powers.len() + MORE).min(levels.len() - 1);
     let finest = own.min(levels.len() - 1 - needed);
     let meshes_hz = levels[finest..=finest + needed]
         .iter()
@@ -152,7 +152,7 @@ fn compare(
     }
 }
 
-/// Two meshes can agree by chance, and one more than the powers need finds it out.
+/// Meshes can agree by chance, and one more than the powers need finds it out.
 const MORE: usize = 1;
 
 /// The frequencies of the modes on all meshes of a ladder, which of these is the solution's own, and how many modes the one next to it has
@@ -165,10 +165,13 @@ fn solve_meshes(
     powers: &[&[i32]],
     workspace: &mut Workspace,
 ) -> Result<(Vec<Level>, usize, usize), SolveError> {
-    let steps = modes
-        .iter()
-        .map(|mode| powers[mode.key.part].len() + MORE)
-        .max();
+    // Three meshes at least; on a single piece, which converges smoothly, three do for two powers too.
+    let is_single = tower.pieces().len() == 1;
+    let steps = modes.iter().map(|mode| match powers[mode.key.part].len() {
+        count if is_single && count > 1 => count,
+        count => count + MORE,
+    });
+    let steps = steps.max();
     let ladder_from =
         |fewest, model: &Model| Ladder::new(&cut.mesh, modes, fewest, steps.unwrap_or(0), model);
     let mut ladder = ladder_from(1, &workspace.model);
@@ -213,6 +216,7 @@ fn solve_ladder(
     workspace: &mut Workspace,
 ) -> Result<(Vec<Level>, usize), SolveError> {
     let Workspace { model, spectrum } = workspace;
+    let origin = model.origin;
     let keys: Vec<ModeKey> = modes.iter().map(|mode| mode.key).collect();
     let mut levels = Vec::with_capacity(ladder.meshes.len());
     let mut elsewhere = 0;
@@ -233,7 +237,7 @@ fn solve_ladder(
             segments: mesh.segments(),
         });
         model.assemble(tower, &cut, options);
-        find_origin(tower, model)?;
+        find_origin_again(tower, model, origin)?;
         levels.push(frequencies(&keys, model, spectrum)?);
         if index.abs_diff(ladder.own) == 1 {
             elsewhere = count_below(model, below);
@@ -281,6 +285,8 @@ pub(super) fn frequencies(
         };
         match spectrum.solve_part(model, part, wanted) {
             Err(EigenError::Unstable { .. }) => *is_stable = false,
+            // Near buckling another mesh can be beyond the origin, or its lowest modes below the rounding of the others.
+            Err(_) if model.origin < 0.0 => *is_stable = false,
             result => result?,
         }
     }

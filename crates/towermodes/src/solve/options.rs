@@ -177,6 +177,22 @@ impl Options {
     }
 }
 
+/// Buckling load factors above this and below 1 are so near to 1 that small changes decide.
+const ON_THE_VERGE: f64 = 0.99;
+
+/// What such a factor means.
+const VERGE_OF_BUCKLING: &str = ", so it is on the verge of buckling: weights that are smaller by the difference from 1 let it stand";
+
+/// A buckling load factor with six digits, or as many as tell it from 1.
+fn factor(load_factor: f64) -> String {
+    let difference = (load_factor - 1.0).abs();
+    let decimals = match difference {
+        d if d > 1e-5 || d == 0.0 => 6,
+        d => (1.0 - d.log10().floor()).min(16.0) as usize,
+    };
+    format!("{:.decimals$}", Plain(load_factor))
+}
+
 /// Why a tower was not solved.
 #[derive(Debug, Clone, PartialEq, Error)]
 #[non_exhaustive]
@@ -266,12 +282,26 @@ pub enum SolveError {
     },
     /// The weights are more than the tower bears.
     #[error(
-        "the tower buckles under its own weight: it would bear {:.6} times the weights it carries",
-        Plain(*.load_factor)
+        "the tower buckles under its own weight: it would bear {} times the weights it carries{}",
+        factor(*.load_factor), if *.load_factor > ON_THE_VERGE { VERGE_OF_BUCKLING } else { "" }
     )]
     Buckles {
         /// The factor by which the weights must be multiplied for the tower to be just stable, below 1.
         load_factor: f64,
+    },
+    /// The weights are more than the tower bears on its segments, though not more than the beam bears.
+    #[error(
+        "on {segments} segments the tower buckles under its own weight: it would bear {} times the weights it carries; the beam itself bears {} \
+         times these, so the tower stands, but is on the verge of buckling; use more segments, or the method spectral",
+        factor(*.load_factor), factor(*.of_the_beam)
+    )]
+    BucklesOnSegments {
+        /// Segments, or elements, used.
+        segments: usize,
+        /// The factor by which the weights must be multiplied for the tower on its segments to be just stable, below 1.
+        load_factor: f64,
+        /// The same of the beam itself, above 1.
+        of_the_beam: f64,
     },
     /// A floating tower that does not stay as it is, as one body or by buckling.
     #[error("the floating tower is unstable in {}: its stiffness there is negative", .motion.noun())]
@@ -291,6 +321,7 @@ impl SolveError {
             self,
             Self::Eigen(_)
                 | Self::Buckles { .. }
+                | Self::BucklesOnSegments { .. }
                 | Self::Unstable { .. }
                 | Self::UnstableBlade { .. }
         )

@@ -5,8 +5,8 @@ use super::degree::{CONVERGED, can_be_finer, finer, first_cut};
 use super::estimate::{Level, frequencies};
 use super::model::{Cut, Model};
 use super::options::{Options, SolveError};
-use super::spectrum::{ModeKey, Spectrum};
-use super::stability::find_origin;
+use super::spectrum::ModeKey;
+use super::stability::{buckling_load_factor, find_origin_again};
 use super::{Method, Workspace};
 use crate::beam::BeamRecipe;
 use crate::tower::Tower;
@@ -39,16 +39,12 @@ impl Reference {
         workspace: &mut Workspace,
     ) -> Result<Self, SolveError> {
         let beam = options_of_the_beam(options);
-        let Workspace { model, spectrum } = workspace;
-        let shear = options.method != Method::Bmodes;
+        let origin = workspace.model.origin;
         let mut solve = |cut: &Cut| {
-            beam.check_memory(tower, cut)?;
-            let recipe = BeamRecipe::Spectral {
-                degree: cut.degree,
-                rotary_inertia: beam.rotary_inertia,
-                shear,
-            };
-            level(tower, cut, recipe, keys, model, spectrum)
+            let Workspace { model, spectrum } = &mut *workspace;
+            assemble(tower, cut, options, model)?;
+            find_origin_again(tower, model, origin)?;
+            frequencies(keys, model, spectrum)
         };
         let mut cut = first_cut(tower, &beam)?;
         let mut frequencies_hz = solve(&cut)?;
@@ -81,21 +77,42 @@ fn options_of_the_beam(options: &Options) -> Options {
     }
 }
 
-fn level(
+/// Makes the beam of a method's physics: BModes has no shear deformation.
+fn assemble(
     tower: &Tower,
     cut: &Cut,
-    recipe: BeamRecipe,
-    keys: &[ModeKey],
+    options: &Options,
     model: &mut Model,
-    spectrum: &mut Spectrum,
-) -> Result<Level, SolveError> {
+) -> Result<(), SolveError> {
+    options_of_the_beam(options).check_memory(tower, cut)?;
     model.watch.enter(Stage::Reference {
         elements: cut.mesh.segments(),
         degree: cut.degree,
     });
+    let recipe = BeamRecipe::Spectral {
+        degree: cut.degree,
+        rotary_inertia: options.has_rotary_inertia(),
+        shear: options.method != Method::Bmodes,
+    };
     model.assemble_beams(tower, &cut.mesh, recipe);
-    find_origin(tower, model)?;
-    frequencies(keys, model, spectrum)
+    Ok(())
+}
+
+/// The factor by which all weights must be multiplied for the beam itself to buckle; none if it cannot be found. The model of the workspace is
+/// that of the beam afterwards.
+pub(super) fn load_factor_of_the_beam(
+    tower: &Tower,
+    options: &Options,
+    workspace: &mut Workspace,
+) -> Option<f64> {
+    let beam = options_of_the_beam(options);
+    let cut = finer(first_cut(tower, &beam).ok()?, &beam);
+    assemble(tower, &cut, options, &mut workspace.model).ok()?;
+    match buckling_load_factor(tower, &mut workspace.model, None) {
+        Ok(load_factor) => load_factor,
+        Err(SolveError::Buckles { load_factor }) => Some(load_factor),
+        Err(_) => None,
+    }
 }
 
 fn changes(before: &Level, after: &Level) -> Vec<f64> {

@@ -1,7 +1,9 @@
 //! Whether a tower stands: buckling of one that is held, stability of one that floats.
 
-use super::model::Model;
-use super::options::SolveError;
+use super::Workspace;
+use super::model::{Cut, Model};
+use super::options::{Options, SolveError};
+use super::reference::load_factor_of_the_beam;
 use super::spectrum::Spectrum;
 use crate::eigen::{EigenError, EigenWorkspace, Pencil, least, lowest};
 use crate::modes::{ByMotion, Energy, Family, RigidBody};
@@ -83,6 +85,60 @@ fn unstable(tower: &Tower, model: &mut Model, scale: f64) -> Result<SolveError, 
     Ok(SolveError::Unstable { motion })
 }
 
+/// A tower that bears less than this times its weights is on the verge of buckling: its lowest frequencies are below a tenth of those
+/// without weights.
+pub(super) const VERGE: f64 = 1.01;
+
+/// Whether weights press a tower that is held.
+pub(super) fn is_pressed(tower: &Tower) -> bool {
+    tower.gravity_m_per_s2() != 0.0 && !tower.base().floats
+}
+
+/// Both planes buckle at much the same weights: so many modes may be near zero.
+const NEAR_ZERO: usize = 4;
+
+/// Sets where the spectrum of a tower on the verge of buckling begins: so far below zero that the modes near zero keep their digits beside
+/// the others.
+pub(super) fn begin_below_zero(model: &mut Model) {
+    model.origin = 0.0;
+    model.origin = -0.1 * softest_resisted(model, NEAR_ZERO);
+}
+
+/// Sets where the spectrum of another mesh of the same tower begins: for a tower that is held at `origin`, as on the first.
+pub(super) fn find_origin_again(
+    tower: &Tower,
+    model: &mut Model,
+    origin: f64,
+) -> Result<(), SolveError> {
+    find_origin(tower, model)?;
+    if !tower.base().floats {
+        model.origin = origin;
+    }
+    Ok(())
+}
+
+/// What is wrong with a tower that buckles when it is cut into segments: the tower, or that these are too few.
+pub(super) fn buckles(
+    tower: &Tower,
+    cut: &Cut,
+    options: &Options,
+    load_factor: f64,
+    workspace: &mut Workspace,
+) -> SolveError {
+    let segments = cut.mesh.segments();
+    match load_factor_of_the_beam(tower, options, workspace) {
+        Some(of_the_beam) if of_the_beam > 1.0 => SolveError::BucklesOnSegments {
+            segments,
+            load_factor,
+            of_the_beam,
+        },
+        Some(of_the_beam) => SolveError::Buckles {
+            load_factor: of_the_beam,
+        },
+        None => SolveError::Buckles { load_factor },
+    }
+}
+
 /// The factor by which weights must be multiplied for the tower to buckle; none without gravity, or where it floats. The modes, if they
 /// are known, are near the shapes in which it buckles.
 ///
@@ -93,7 +149,7 @@ pub(super) fn buckling_load_factor(
     model: &mut Model,
     modes: Option<&Spectrum>,
 ) -> Result<Option<f64>, SolveError> {
-    if tower.gravity_m_per_s2() == 0.0 || tower.base().floats {
+    if !is_pressed(tower) {
         return Ok(None);
     }
     let mut lowest_factor = None;

@@ -3,6 +3,7 @@
 use super::Described;
 use super::options::Options;
 use super::solution::{Certificate, Mode};
+use super::stability::VERGE;
 use crate::elements::Mesh;
 use crate::tower::Tower;
 use crate::{Method, Warning};
@@ -33,6 +34,8 @@ pub(super) fn warnings(
     if let Some(frequency_hz) = lowest_hz.filter(|hz| !(0.01..=100.0).contains(hz)) {
         warnings.push(Warning::UnusualFrequency { frequency_hz });
     }
+    let near = result.buckling_load_factor.filter(|factor| *factor < VERGE);
+    warnings.extend(near.map(|load_factor| Warning::VergeOfBuckling { load_factor }));
     if options.method == Method::Bmodes && tower.shears() {
         warnings.push(Warning::ShearLeftOut);
     }

@@ -1,0 +1,80 @@
+//! A short version of the random study: a few towers of each class.
+
+use towermodes::{Method, Workspace};
+use towermodes_verify::coverage::{Class, Fineness, Sample, Tally, samples, table};
+
+/// Towers of each class.
+const SEEDS: u64 = 3;
+
+/// The modes of all towers by each method.
+fn study(fineness: Fineness) -> Vec<(Method, Vec<Sample>)> {
+    let mut by_method: Vec<(Method, Vec<Sample>)> =
+        Method::ALL.map(|method| (method, Vec::new())).to_vec();
+    let mut workspace = Workspace::default();
+    for class in Class::ALL {
+        for number in 0..SEEDS {
+            let solved = samples(class, number, fineness, &Method::ALL, &mut workspace);
+            let solved = solved.expect("the beam itself is solved");
+            for ((_, all), solved) in by_method.iter_mut().zip(solved) {
+                // Near buckling few segments can buckle where the beam stands; that is an error, and no claim.
+                all.extend(solved.unwrap_or_default());
+            }
+        }
+    }
+    by_method
+}
+
+#[test]
+fn claimed_errors_hold_and_are_not_too_large() {
+    for fineness in [Fineness::Default, Fineness::Coarse] {
+        for (method, samples) in study(fineness) {
+            let mut tally = Tally::default();
+            samples.iter().for_each(|sample| tally.add(sample));
+            let missed = samples.iter().find(|sample| !sample.is_covered());
+            let name = method.name();
+            assert!(tally.modes() > 250, "{name}: {}", tally.modes());
+            // One in a hundred may be missed; of so few modes none or one is.
+            assert!(tally.coverage() > 0.99, "{name} {fineness:?}: {missed:?}");
+            // What has no error but rounding has no ratio.
+            if method != Method::Spectral {
+                let ratio = tally.median_ratio().expect("errors");
+                assert!((0.95..3.0).contains(&ratio), "{name} {fineness:?}: {ratio}");
+            }
+        }
+    }
+}
+
+fn sample(claimed_hz: f64, true_hz: f64) -> Sample {
+    Sample {
+        tower: 0,
+        mode: 1,
+        segments: 100,
+        frequency_hz: 1.0,
+        claimed_hz,
+        true_hz,
+        is_warned: false,
+    }
+}
+
+#[test]
+fn a_claim_that_is_too_small_by_more_than_three_is_not_covered() {
+    assert!(sample(1e-3, 2.9e-3).is_covered());
+    assert!(!sample(1e-3, 3.1e-3).is_covered());
+    let mut tally = Tally::default();
+    for sample in [sample(1e-3, 1e-3), sample(1e-3, 4e-3), sample(2e-3, 1e-3)] {
+        tally.add(&sample);
+    }
+    assert!((tally.coverage() - 2.0 / 3.0).abs() < 1e-15);
+    assert_eq!(tally.median_ratio(), Some(1.0));
+    // Two thirds are not rounded up.
+    let text = table(&[Method::Lumped], &[(Class::Plain, vec![tally])]);
+    assert!(text.ends_with("| plain | 3 | 66.66 · 1.00 |\n"), "{text}");
+}
+
+#[test]
+fn the_same_number_is_the_same_tower_and_another_one_another() {
+    for class in Class::ALL {
+        assert_eq!(class.description(7), class.description(7));
+        assert_ne!(class.description(7), class.description(8));
+    }
+}
