@@ -52,7 +52,7 @@ fn content(
     let shapes_from_m = input.joint_m.unwrap_or(tower.base_m());
     let of_model = input.notes.iter().filter(|note| note.is_on_missing_part);
     Ok(ReportContent {
-        title: arguments.title.clone(),
+        title: arguments.title.clone().unwrap_or_default(),
         title_block: arguments.title_block(),
         description: input.description.clone(),
         comparison: all_methods(&tower, &options, arguments.segments),

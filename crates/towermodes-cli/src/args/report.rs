@@ -31,13 +31,8 @@ pub(crate) struct ReportArguments {
     pub(crate) input: InputArguments,
 
     /// What the report is of [default: the tower's name]
-    #[arg(
-        long,
-        value_name = "TEXT",
-        default_value = "",
-        hide_default_value = true
-    )]
-    pub(crate) title: String,
+    #[arg(long, value_name = "TEXT")]
+    pub(crate) title: Option<String>,
 
     #[command(flatten)]
     title_block: TitleBlockArguments,
