@@ -319,7 +319,7 @@ fn everything_can_be_read_in_both_themes_and_on_narrow_windows() {
         (
             "narrow",
             View {
-                width: 390,
+                width: 360,
                 is_dark: false,
             },
         ),
@@ -511,6 +511,42 @@ fn the_phase_can_be_set_from_the_start() {
     assert_eq!(
         page.value("document.querySelector('#animation-phase').disabled"),
         Value::Bool(false)
+    );
+}
+
+/// The width of A4 between its margins, in pixels of 1/96 inch.
+const PAPER: View = View {
+    width: 680,
+    is_dark: false,
+};
+
+/// Modes of an eccentric machine on a coupled foundation have long names: "1st side-side bending (5 % fore-aft, 1 % torsion)".
+#[test]
+fn tables_of_coupled_modes_fit_the_window_and_the_paper() {
+    let coupled = "../crates/towermodes-cli/tests/inputs/coupled.toml";
+    let Some(page) = OpenPage::open(|| report_of(coupled), WIDE) else {
+        return;
+    };
+    let names = "document.querySelector('#frequencies table').textContent";
+    assert!(page.text(names).contains("% torsion)"));
+    let beyond = "[...document.querySelectorAll('#frequencies .scroll')].filter((box) => box.scrollWidth > box.clientWidth).length";
+    assert_eq!(page.value(beyond), Value::from(0));
+    page.look(PAPER);
+    page.on_paper();
+    let edge = "[...document.querySelectorAll('#summary table, #input table, #frequencies table, #resonance table')].filter((table) => table.checkVisibility() && table.getBoundingClientRect().right > document.body.getBoundingClientRect().right + 1).map((table) => table.caption.textContent)";
+    assert_eq!(page.value(edge), Value::Array(vec![]));
+    // Where tables scroll, the shade at their edge is near the paper in both themes.
+    let shade = "(() => { const box = document.querySelector('.scroll:not(.picture)'); return getComputedStyle(box).backgroundImage; })()";
+    page.look(View {
+        is_dark: true,
+        ..WIDE
+    });
+    let grid = "getComputedStyle(document.documentElement).getPropertyValue('--tm-grid').trim()";
+    assert_eq!(page.text(grid), "#3a4048");
+    assert!(
+        page.text(shade).contains("rgb(58, 64, 72)"),
+        "{}",
+        page.text(shade)
     );
 }
 

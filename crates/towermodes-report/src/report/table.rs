@@ -162,6 +162,10 @@ impl Table {
             let name = column.name.split(" (").next();
             name.unwrap_or_default().to_owned()
         };
+        // Something must be left to be said of each row.
+        if empty.iter().skip(1).all(|is_empty| *is_empty) {
+            return Vec::new();
+        }
         let named = self
             .columns
             .iter()
@@ -251,6 +255,8 @@ mod tests {
         let kept = table(&[["0", "7", "0", "rigid"], ["0", "0", "1", "2"]]);
         assert_eq!((columns(&kept).len(), &*kept.caption), (4, "Parts"));
         assert_eq!(columns(&table(&[])).len(), 4);
+        let nothing = table(&[["0", "0", "0", "0"]]);
+        assert_eq!((columns(&nothing).len(), &*nothing.caption), (4, "Parts"));
     }
 
     #[test]

@@ -78,6 +78,9 @@ pub(super) fn distance(margin: &Margin) -> String {
 }
 
 fn signed_percent(margin: &Margin) -> String {
+    if margin.distance == 0.0 {
+        return "0".to_owned();
+    }
     format!("{:+.1}", 100.0 * margin.distance).replace('-', MINUS)
 }
 
