@@ -231,7 +231,10 @@ fn texts(svg: &str) -> Vec<&str> {
 fn every_picture_says_what_it_is_of() {
     let computed = [
         (0, "The tower"),
-        (1, "Shapes of the lowest 8 modes \u{b7} rmje-exact, 100 segments"),
+        (
+            1,
+            "Shapes of the lowest 8 modes \u{b7} rmje-exact, 100 segments",
+        ),
         (2, "against the spectral beam"),
         (3, "rmje-exact, 100 segments"),
         (4, "60 segments"),
@@ -240,7 +243,10 @@ fn every_picture_says_what_it_is_of() {
         let text = svg(&[&[TOWER], PICTURES[index]].concat());
         let texts = texts(&text);
         assert!(texts.contains(&"Reference tower"), "{words}: {texts:?}");
-        assert!(texts.iter().any(|text| text.ends_with(words)), "{words}: {texts:?}");
+        assert!(
+            texts.iter().any(|text| text.ends_with(words)),
+            "{words}: {texts:?}"
+        );
     }
     // The verdict stands above the diagram.
     let text = svg(&[&[TOWER], PICTURES[3]].concat());

@@ -14,7 +14,9 @@ const TOWER: &str = concat!(
 fn on_a_terminal(before: &str, arguments: &str) -> Option<String> {
     let command = format!("{before}'{PROGRAM}' {arguments}");
     // In the form of util-linux, which others do not understand.
+    // The tests of the sessions move the whole program to a folder that is gone when they end.
     let done = Command::new("script")
+        .current_dir(env!("CARGO_MANIFEST_DIR"))
         .args(["-qec", &command, "/dev/null"])
         .env("TERM", "xterm")
         .env_remove("NO_COLOR")

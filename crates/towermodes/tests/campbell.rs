@@ -518,7 +518,7 @@ fn a_healthy_tower_is_said_to_be_so_first() {
     assert_eq!(conclusion[1], "No warnings.");
     // The list of this tower ends after two modes, and 9P may meet others up to 9 · 12.1/60/0.95 Hz.
     assert!(
-        conclusion[2].starts_with("Modes between 0.2"),
+        conclusion[2].starts_with("Modes between 0.3"),
         "{conclusion:?}"
     );
     assert!(conclusion[2].ends_with(" and 1.911 Hz are not in the list and not judged."));

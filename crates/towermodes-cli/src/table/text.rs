@@ -132,7 +132,7 @@ mod tests {
         let broken = wrapped(text.trim_end());
         // 12 times eight characters and a word of five are 101 with the space between.
         let lengths: Vec<usize> = broken.lines().map(|line| line.chars().count()).collect();
-        assert_eq!(lengths, [97, 63], "{broken}");
+        assert_eq!(lengths, [95, 65], "{broken}");
         assert!(
             broken
                 .lines()

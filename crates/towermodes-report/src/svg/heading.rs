@@ -53,7 +53,8 @@ impl Figure {
             return self;
         }
         let heights = lines.iter().map(|(_, style)| LINE_HEIGHT * style.size);
-        let height = MARGIN + heights.sum::<f64>() + BELOW;
+        // Whole, so that the sheet's size is as short a number as before.
+        let height = (MARGIN + heights.sum::<f64>() + BELOW - 1e-9).ceil();
         let mut drawing = self.drawing.lowered(height);
         let mut top = MARGIN;
         for (text, style) in &lines {

@@ -4,6 +4,7 @@ mod above;
 mod extent;
 mod field;
 mod key;
+mod layout;
 mod lines;
 mod marks;
 mod rays;

@@ -1,0 +1,209 @@
+//! Where the fields of a Campbell diagram are, and which labels stand beside them.
+
+use towermodes::rotor::Campbell;
+
+use crate::figures::end_labels::{self, EndLabel, GAP};
+use crate::svg::{Axes, Frame, Marker, text_width};
+
+use super::above::{above_text, unresisted_text};
+use super::key::stroke;
+use super::lines::{Group, Shown};
+use super::rays::{self, Labelled, end_hz};
+
+/// Width of the sheet.
+pub(super) const WIDTH: f64 = 900.0;
+/// Height of the field, of the lower one of two, and the least and most of the upper one.
+const ALONE: f64 = 400.0;
+const LOWER: f64 = 340.0;
+const UPPER: [f64; 2] = [130.0, 240.0];
+/// Between two fields.
+const BETWEEN: f64 = 14.0;
+/// Above the fields: the speeds of operation, and excitations that end there.
+const TOP: f64 = 52.0;
+/// About so many numbers along an axis.
+pub(super) const TICKS: usize = 8;
+/// Size of what is said beside the fields.
+pub(super) const SIZE: f64 = 11.0;
+
+/// The labels beside a field.
+pub(super) struct Labels<'a> {
+    groups: Vec<&'a Group>,
+    multiples: Vec<usize>,
+}
+
+/// Where everything is.
+pub(super) struct Layout<'a> {
+    /// The axes of the fields, from the lowest.
+    pub(super) fields: Vec<Axes>,
+    /// What is written beside each.
+    pub(super) labels: Vec<Labels<'a>>,
+    /// The multiples whose rays leave above and have a label there.
+    pub(super) above: Vec<usize>,
+    /// What is said of modes above and below the fields.
+    pub(super) aside: [Option<String>; 2],
+}
+
+impl<'a> Layout<'a> {
+    pub(super) fn new(campbell: &Campbell, shown: &'a Shown) -> Self {
+        let margins = shown
+            .ends_hz
+            .iter()
+            .map(|end_hz| Axes::left_margin([0.0, *end_hz], false, TICKS));
+        let left = margins.fold(0.0, f64::max);
+        let aside = [above_text(campbell, shown), unresisted_text(shown)];
+        let labels = labels(campbell, shown, WIDTH - left);
+        let somewhere = axes(
+            Frame {
+                left,
+                top: 0.0,
+                right: WIDTH,
+                bottom: 1.0,
+            },
+            0,
+            shown,
+        );
+        // What the labels say does not depend on where they are.
+        let widths = labels.iter().map(|labels| {
+            end_labels::column_width(&end_labels(campbell, labels, shown, &somewhere))
+        });
+        let right = WIDTH - widths.fold(aside_width(&aside), f64::max);
+        Self {
+            fields: fields(&labels, [left, right], shown),
+            labels,
+            above: Labelled::new(campbell, shown, right - left).above,
+            aside,
+        }
+    }
+
+    /// How many lines of modes, and how many excitations, have no label.
+    pub(super) fn without_label(&self, shown: &Shown) -> [usize; 2] {
+        let groups: usize = self.labels.iter().map(|labels| labels.groups.len()).sum();
+        let right: usize = self
+            .labels
+            .iter()
+            .map(|labels| labels.multiples.len())
+            .sum();
+        [
+            shown.groups.len() - groups,
+            shown.multiples.len() - right - self.above.len(),
+        ]
+    }
+}
+
+/// The fields from the lowest.
+fn fields(labels: &[Labels<'_>], [left, right]: [f64; 2], shown: &Shown) -> Vec<Axes> {
+    let field = |index: usize, top: f64, height: f64| {
+        let bottom = top + height;
+        axes(
+            Frame {
+                left,
+                top,
+                right,
+                bottom,
+            },
+            index,
+            shown,
+        )
+    };
+    match labels {
+        [_, upper] => {
+            let height = (count(upper) as f64 * GAP).clamp(UPPER[0], UPPER[1]);
+            let lower = field(0, TOP + height + BETWEEN, LOWER);
+            vec![lower, field(1, TOP, height)]
+        }
+        _ => vec![field(0, TOP, ALONE)],
+    }
+}
+
+fn count(labels: &Labels<'_>) -> usize {
+    labels.groups.len() + labels.multiples.len()
+}
+
+/// The axes of a field, counted from the lowest: where it ends the next begins.
+fn axes(frame: Frame, index: usize, shown: &Shown) -> Axes {
+    let end = |index: Option<usize>| index.and_then(|index| shown.ends_hz.get(index).copied());
+    let from_hz = end(index.checked_sub(1)).unwrap_or(0.0);
+    let to_hz = end(Some(index)).unwrap_or(1.0);
+    Axes::new(
+        frame,
+        [0.0, shown.last_rpm],
+        [from_hz, to_hz],
+        [false, false],
+    )
+}
+
+/// From the field to what is said of modes that are not in it.
+pub(super) const ASIDE: f64 = 20.0;
+
+fn aside_width(aside: &[Option<String>; 2]) -> f64 {
+    let texts = aside.iter().flatten();
+    let widths = texts.map(|text| ASIDE + text_width(text, SIZE, false) + 6.0);
+    widths.fold(0.0, f64::max)
+}
+
+/// The labels beside each field, as many as it has room for.
+fn labels<'a>(campbell: &Campbell, shown: &'a Shown, width: f64) -> Vec<Labels<'a>> {
+    let right = Labelled::new(campbell, shown, width).right;
+    let of_field = |field: usize| {
+        let room = match (shown.ends_hz.len(), field) {
+            (1, _) => ALONE,
+            (_, 0) => LOWER,
+            _ => UPPER[1],
+        };
+        let room = (room / GAP) as usize;
+        let end = |multiple: &usize| shown.field_of(end_hz(*multiple, shown)) == field;
+        let multiples: Vec<usize> = right.iter().copied().filter(end).take(room).collect();
+        let last_hz = |group: &Group| group.points.last().map_or(0.0, |[_, hz]| *hz);
+        let groups = shown.groups.iter();
+        let groups = groups.filter(|group| shown.field_of(last_hz(group)) == field);
+        Labels {
+            groups: foremost(campbell, groups.collect(), room - multiples.len()),
+            multiples,
+        }
+    };
+    (0..shown.ends_hz.len()).map(of_field).collect()
+}
+
+/// So many groups: all, or those that are not passed over in silence, and of the others the lowest.
+fn foremost<'a>(campbell: &Campbell, mut groups: Vec<&'a Group>, most: usize) -> Vec<&'a Group> {
+    let rank = |group: &&Group| {
+        let own = campbell.margins.iter();
+        let own = own.filter(|margin| group.members.contains(&margin.line));
+        std::cmp::Reverse(own.map(|margin| margin.verdict).max())
+    };
+    if groups.len() > most {
+        groups.sort_by_cached_key(rank);
+        groups.truncate(most);
+    }
+    groups
+}
+
+/// The labels beside the right end of a field: modes, and excitations that end there.
+pub(super) fn end_labels(
+    campbell: &Campbell,
+    labels: &Labels<'_>,
+    shown: &Shown,
+    axes: &Axes,
+) -> Vec<EndLabel> {
+    let of_group = |group: &&Group| EndLabel {
+        y: axes.y.at(group.points.last().map_or(0.0, |[_, hz]| *hz)),
+        text: group.label.clone(),
+        colour: stroke(group).colour,
+        marker: group.is_blade.then_some(Marker::Disc),
+        is_bold: false,
+    };
+    let of_multiple = |multiple: &usize| {
+        let is_strong = rays::is_strong(campbell, *multiple);
+        EndLabel {
+            y: axes.y.at(end_hz(*multiple, shown)),
+            text: rays::text(*multiple),
+            colour: rays::stroke(shown, is_strong).colour,
+            marker: None,
+            is_bold: is_strong,
+        }
+    };
+    let groups = labels.groups.iter().map(of_group);
+    groups
+        .chain(labels.multiples.iter().map(of_multiple))
+        .collect()
+}
