@@ -93,7 +93,9 @@ pub(crate) fn read_toml(source: Source) -> Result<TowerInput, InputError> {
     match describe(&source.text) {
         Ok((description, reading)) => {
             let Reading { places, notes, .. } = reading;
-            let notes = notes.iter().map(|(at, message)| Note::at(&source, *at, *message));
+            let notes = notes
+                .iter()
+                .map(|(at, message)| Note::at(&source, *at, *message));
             let notes = notes.collect();
             let input = TowerInput::new(FileFormat::Toml, description, source);
             Ok(TowerInput {
