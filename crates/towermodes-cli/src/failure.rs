@@ -8,9 +8,7 @@ use towermodes::elastodyn::ShapesError;
 use towermodes::rotor::CampbellError;
 use towermodes::{BladeError, EigenError, Family, SolveError, TowerError, Warning};
 use towermodes_files::elastodyn::{MakeError, TowerFileError};
-use towermodes_files::{
-    Diagnostic, FileFormat, InputError, Note, ResultError, Source, TowerInput,
-};
+use towermodes_files::{Diagnostic, FileFormat, InputError, Note, ResultError, Source, TowerInput};
 use towermodes_report::raster::RasterError;
 
 use crate::args::EndingError;

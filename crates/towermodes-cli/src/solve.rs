@@ -2,7 +2,7 @@
 
 mod bmodes_out;
 
-use towermodes::{Blade, BladeMode, BladeSolution, Solution, Tower, solve_blade};
+use towermodes::{Blade, BladeMode, BladeSolution, Solution, Tower, Warning, solve_blade};
 use towermodes_files::{
     BladeInput, FileFormat, Input, Note, TowerInput, write_blade_csv, write_blade_json, write_csv,
     write_json,
@@ -81,14 +81,17 @@ fn of_blade(
     };
     let modes = arguments.modes().unwrap_or(input.modes);
     let solution = solve_blade(&blade, modes, &radii_m).map_err(Failure::Unsolved)?;
+    let of_tip = |warning: &Warning| Note::new(format!("the body at the tip: {warning}"));
+    let mut notes = input.notes.clone();
+    notes.extend(blade.warnings().iter().map(of_tip));
     let mut result = Vec::new();
     match format {
         SolveFormat::Table => result.extend(blade_text(&blade, &solution, arguments).into_bytes()),
-        SolveFormat::Json => write_blade_json(&blade, &solution, &input.notes, &mut result)?,
+        SolveFormat::Json => write_blade_json(&blade, &solution, &notes, &mut result)?,
         SolveFormat::Csv => write_blade_csv(&solution, &mut result)?,
         SolveFormat::Bmodes => result = nodes.of_blade_solution(&blade, &solution).into_bytes(),
     }
-    note(&input.notes);
+    note(&notes);
     note(&coarse(&solution));
     Ok(result)
 }

@@ -137,7 +137,7 @@ pub enum Warning {
     },
     /// A heavy rotor-nacelle assembly without inertia.
     #[error(
-        "{}its mass is {} kg, but it has no inertia: second bending modes come out too high by 10 to 30 %, and torsion far too high; \
+        "{}its mass is {} kg, but it has no inertia: second bending comes out tens of percent too high, and torsion several times; \
          give its inertia about its centre of mass in kg m2, or say with zeros that a point mass is meant",
         .site.before(), Plain(*.mass_kg)
     )]

@@ -2,10 +2,10 @@
 
 use towermodes::{Inertia, Place, PointMass, Rna};
 
-use super::{Reading, TABLE};
 use super::body::{center, inertia_if_any};
 use super::table::{Keys, Table, every_table, with_names};
 use super::values::Value;
+use super::{Reading, TABLE};
 
 const RNA: Keys = Keys {
     known: &["mass", "center", "inertia"],

@@ -2,6 +2,12 @@
 
 use super::description::{BladeDescription, BladeSection};
 use super::error::BladeError;
+use crate::Warning;
+use crate::tower::{Inertia, inertia_plausibility};
+use crate::warning::Site;
+
+/// The radius of gyration of the body at the tip reaches to this share of the blade's length.
+const TIP_REACH: f64 = 0.6;
 
 /// A blade that can exist: every property is finite, and positive where it must be; constant afterwards.
 #[derive(Debug, Clone, PartialEq)]
@@ -43,6 +49,24 @@ impl Blade {
     /// What it was made of.
     pub fn description(&self) -> &BladeDescription {
         &self.description
+    }
+
+    /// What looks like a slip in the body at the tip, though it is possible.
+    pub fn warnings(&self) -> Vec<Warning> {
+        let (tip, site) = (&self.description.tip, Site::default());
+        let mut warnings = Vec::new();
+        if tip.mass_kg == 0.0 && tip.inertia_kg_m2 != Inertia::default() {
+            warnings.push(Warning::InertiaWithoutMass { site });
+        }
+        let reach_m = TIP_REACH * self.length_m();
+        inertia_plausibility(
+            tip.mass_kg,
+            &tip.inertia_kg_m2,
+            reach_m,
+            site,
+            &mut warnings,
+        );
+        warnings
     }
 
     /// Length from the root to the tip, m.

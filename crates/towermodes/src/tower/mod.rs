@@ -50,6 +50,7 @@ pub use rigid_body::RigidBody;
 pub use section::{Section, SectionMasses, Tube};
 pub use surroundings::{AddedMassRow, SoilRow, SoilStiffness, Water, Wires};
 
+pub(crate) use plausibility::inertia_plausibility;
 pub(crate) use validate::check_rotor;
 use weight::Above;
 

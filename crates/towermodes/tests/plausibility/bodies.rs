@@ -2,7 +2,10 @@
 
 use super::towers::{reference, reference_with_machine};
 use super::{odd, of, one, quiet};
-use towermodes::{Inertia, Place, PointMass, Quantity, TowerDescription, Warning};
+use towermodes::{
+    Blade, BladeDescription, BladeSection, Inertia, Place, PointMass, Quantity, RigidBody,
+    TowerDescription, Warning,
+};
 
 const INERTIA: Place = Place::Rna { key: "inertia" };
 
@@ -175,4 +178,51 @@ fn point_masses_with_inertia_and_no_mass() {
     );
     // A mass without inertia is an ordinary point mass.
     assert_eq!(of(platform(0.0, 0.0, 0.0), |_| {}), []);
+}
+
+/// A blade of 28.5 m with a body of 40 kg at its tip.
+fn blade_with_tip(mass_kg: f64, xx: f64, yy: f64, zz: f64) -> Blade {
+    let section = |span: f64| BladeSection {
+        span,
+        mass_kg_per_m: 200.0,
+        flap_n_m2: 1e8,
+        edge_n_m2: 4e8,
+        torsion_n_m2: f64::INFINITY,
+        axial_n: f64::INFINITY,
+        ..BladeSection::default()
+    };
+    Blade::new(BladeDescription {
+        hub_radius_m: 1.5,
+        tip_radius_m: 30.0,
+        sections: vec![section(0.0), section(1.0)],
+        borders: vec![0.0, 0.5, 1.0],
+        tip: RigidBody {
+            mass_kg,
+            center_m: [0.0; 3],
+            inertia_kg_m2: Inertia {
+                xx,
+                yy,
+                zz,
+                ..Inertia::default()
+            },
+        },
+        ..BladeDescription::default()
+    })
+    .expect("a blade")
+}
+
+#[test]
+fn bodies_at_the_tip_of_a_blade() {
+    let said = |mass_kg, xx, yy, zz| -> Vec<String> {
+        let warnings = blade_with_tip(mass_kg, xx, yy, zz).warnings();
+        warnings.iter().map(ToString::to_string).collect()
+    };
+    assert!(said(40.0, 4.2, 1.75, 2.5).is_empty());
+    assert!(said(0.0, 0.0, 0.0, 0.0).is_empty());
+    // That of a certification case of BModes: 10 > 1.75 + 2.5.
+    assert!(said(40.0, 10.0, 1.75, 2.5)[0].starts_with("a principal moment of inertia (10 kg m2)"));
+    // 0.6 of 28.5 m are 17.1 m, and 17.1^2 of 40 kg 11 696 kg m2.
+    assert!(said(40.0, 11_600.0, 11_600.0, 11_600.0).is_empty());
+    assert_eq!(said(40.0, 11_800.0, 11_800.0, 11_800.0).len(), 1);
+    assert!(said(0.0, 1.0, 1.0, 1.0)[0].contains("an inertia but no mass"));
 }

@@ -92,7 +92,7 @@ fn point_mass(tower: &Tower, index: usize, mass: &PointMass, warnings: &mut Vec<
 }
 
 /// Whether an inertia can be that of a body of a mass (kg) that reaches so far (m).
-pub(super) fn inertia(
+pub(crate) fn inertia(
     mass_kg: f64,
     inertia: &Inertia,
     reach_m: f64,

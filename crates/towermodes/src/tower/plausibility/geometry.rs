@@ -78,15 +78,23 @@ fn thickest(stations: &[Station], materials: &[Material], index: usize) -> f64 {
     // Between rows the wall is linear: a row has half of the way to each of its neighbours.
     let length_m = 0.5 * (above - below);
     let is_flange = length_m < FLANGE * station.outer_diameter_m;
-    // The material of the last row is that of the row below it.
-    let material = stations[index.min(stations.len() - 2)].material;
-    let is_metal = materials[material].youngs_modulus_pa > METAL_PA;
+    let is_metal = !is_end_of(stations, index, |material| {
+        materials[material].youngs_modulus_pa <= METAL_PA
+    });
     let is_wide = station.outer_diameter_m > WIDE_M;
     if is_metal && is_wide && !is_flange {
         THICKEST_STEEL
     } else {
         THICKEST
     }
+}
+
+/// Whether a station is an end of a part of the tower whose material is of a kind: a row's material reaches up to the next row.
+fn is_end_of(stations: &[Station], index: usize, is_of_kind: impl Fn(usize) -> bool) -> bool {
+    let below = index.saturating_sub(1);
+    let above = (index + 2).min(stations.len());
+    let mut parts = stations[below..above].windows(2);
+    parts.any(|pair| pair[0].height_m != pair[1].height_m && is_of_kind(pair[0].material))
 }
 
 /// A diameter or a wall of one row that is a power of ten off.

@@ -16,6 +16,8 @@ mod usual;
 mod water;
 mod wires;
 
+pub(crate) use bodies::inertia as inertia_plausibility;
+
 use super::foundation::Foundation;
 use super::{AddedMassRow, SoilRow, Tower, Water, Wires};
 use super::{Place, material::Material};

@@ -58,11 +58,14 @@ fn expected(heights_m: &[f64], values: &[f64], index: usize, spike: Spike) -> Op
     if low_m == here_m || here_m == high_m {
         return None;
     }
-    let share = (here_m - low_m) / (high_m - low_m);
-    let expected = below.powf(1.0 - share) * above.powf(share);
     let is_beyond_both = (value > below) == (value > above);
     let is_far = !between(value / below, SPIKE) && !between(value / above, SPIKE);
-    (is_beyond_both && is_far && spike.is(value / expected)).then_some(expected)
+    if !(is_beyond_both && is_far) {
+        return None;
+    }
+    let share = (here_m - low_m) / (high_m - low_m);
+    let expected = below.powf(1.0 - share) * above.powf(share);
+    spike.is(value / expected).then_some(expected)
 }
 
 /// Whether a ratio is no more than a factor from one.

@@ -1,7 +1,7 @@
 //! The checks of what the base stands on.
 
 use super::check_inertia;
-use super::scale::{coordinate, error, finite, length, not_negative, positive};
+use super::scale::{coordinate, error, finite, length, not_negative, positive, stiffness};
 use crate::space::SpatialMatrix;
 use crate::symmetric::eigenpairs;
 use crate::tower::base::Base;
@@ -70,7 +70,7 @@ fn check_springs(springs: &FoundationSprings) -> Result<(), TowerError> {
     for (key, quantity, value, unit) in values {
         // Infinity is a rigid spring.
         if value != f64::INFINITY {
-            not_negative(at(key), quantity, value, unit)?;
+            stiffness(at(key), quantity, value, unit)?;
         }
     }
     let coupling = springs.coupling_n;
@@ -168,7 +168,16 @@ fn check_finite(
     matrix: &SpatialMatrix,
 ) -> Result<(), TowerError> {
     let mut entries = matrix.iter().flatten();
-    entries.try_for_each(|&entry| finite(at(key), what, entry, ""))
+    match entries.find(|entry| !entry.is_finite()) {
+        None => Ok(()),
+        Some(&value) => {
+            let problem = Problem::NotFinite {
+                quantity: what,
+                value,
+            };
+            error(at(key), problem)
+        }
+    }
 }
 
 /// The first pair of entries that should be equal and are not, by more than a share of the larger and of their diagonal entries.

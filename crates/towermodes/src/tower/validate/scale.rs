@@ -67,6 +67,27 @@ pub(super) fn not_negative(
     error(place, problem)
 }
 
+/// A stiffness to the ground: not negative, and of any finite size, because springs are scaled to themselves and a huge one is a rigid hold.
+pub(super) fn stiffness(
+    place: Place,
+    quantity: &'static str,
+    value: f64,
+    unit: &'static str,
+) -> Result<(), TowerError> {
+    if !value.is_finite() {
+        return error(place, Problem::NotFinite { quantity, value });
+    }
+    if value >= 0.0 {
+        return Ok(());
+    }
+    let problem = Problem::Negative {
+        quantity,
+        value,
+        unit,
+    };
+    error(place, problem)
+}
+
 fn above_zero(
     place: Place,
     quantity: &'static str,

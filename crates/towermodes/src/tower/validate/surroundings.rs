@@ -1,6 +1,6 @@
 //! The checks of soil, added mass, water, wires and gravity.
 
-use super::scale::{coordinate, error, finite, not_negative, positive};
+use super::scale::{coordinate, error, finite, not_negative, positive, stiffness};
 use crate::tower::ambient;
 use crate::tower::description::TowerDescription;
 use crate::tower::error::{Place, Problem, TowerError};
@@ -52,7 +52,7 @@ fn check_soil(layer: usize, rows: &[SoilRow], base_m: f64, top_m: f64) -> Result
             ),
         ];
         for (key, quantity, value, unit) in values {
-            not_negative(at(row, key), quantity, value, unit)?;
+            stiffness(at(row, key), quantity, value, unit)?;
         }
     }
     let heights_m: Vec<f64> = rows.iter().map(|row| row.height_m).collect();
@@ -152,12 +152,17 @@ fn check_water(water: &Water, base_m: f64, top_m: f64) -> Result<(), TowerError>
 fn check_wires(index: usize, wires: &Wires, base_m: f64, top_m: f64) -> Result<(), TowerError> {
     let at = |key| Place::Wires { index, key };
     coordinate(at("height"), "height", wires.height_m)?;
-    positive(
-        at("stiffness"),
-        "the stiffness of a wire",
-        wires.stiffness_n_per_m,
-        " N/m",
-    )?;
+    let (value, unit) = (wires.stiffness_n_per_m, " N/m");
+    let quantity = "the stiffness of a wire";
+    if value.is_finite() && value <= 0.0 {
+        let problem = Problem::NotPositive {
+            quantity,
+            value,
+            unit,
+        };
+        return error(at("stiffness"), problem);
+    }
+    stiffness(at("stiffness"), quantity, value, unit)?;
     finite(
         at("angle"),
         "the angle from the horizontal",
