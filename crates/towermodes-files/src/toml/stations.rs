@@ -6,7 +6,7 @@ use towermodes::{Place, Shear, Station};
 use super::Reading;
 use super::materials::Materials;
 use super::table::{Keys, Table, listed, suggestion};
-use super::values::{Value, every_row, list, number, text, wrong_kind};
+use super::values::{Value, check_pieces, every_row, list, number, text, wrong_kind};
 use crate::diagnostic::Diagnostic;
 
 /// The keys of `[tower]`.
@@ -24,7 +24,9 @@ pub(super) fn stations(
     let value = tower.require("stations", hint, reading)?;
     reading.remember(Place::Stations, value.span());
     let rows = list(value, "stations", reading)?;
-    every_row(rows, |index, row| station(row, index, materials, reading))
+    let rows = every_row(rows, |index, row| station(row, index, materials, reading))?;
+    let heights_m = rows.iter().map(|row| row.height_m);
+    check_pieces(value, heights_m, reading).map(|()| rows)
 }
 
 fn station(
