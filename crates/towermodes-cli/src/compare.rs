@@ -2,7 +2,7 @@
 
 use std::time::{Duration, Instant};
 
-use towermodes::study::compare;
+use towermodes::study::compare_with;
 use towermodes::{Options, Tower, Workspace, solve_with};
 use towermodes_files::{write_comparison_csv, write_comparison_json};
 
@@ -16,8 +16,10 @@ use crate::table;
 
 /// A column is timed until this much time has gone by …
 const TIMING: Duration = Duration::from_millis(20);
-/// … and at least so often.
+/// … and so often …
 const FEWEST_TIMINGS: usize = 3;
+/// … unless it takes this long.
+const LONG: Duration = Duration::from_secs(1);
 
 /// Reads the tower, solves it by every method, prints what each makes of it.
 pub(crate) fn run(arguments: &CompareArguments) -> Result<(), Failure> {
@@ -29,12 +31,13 @@ pub(crate) fn run(arguments: &CompareArguments) -> Result<(), Failure> {
     let columns = arguments.columns();
     let progress = Progress::of(columns_in_words(&columns));
     let mut times = Vec::new();
-    let comparison = compare(&tower, &arguments.options(), &columns, |_, options| {
+    let (options, mut workspace) = (arguments.options(), progress.workspace());
+    let comparison = compare_with(&tower, &options, &columns, &mut workspace, |_, options| {
         times.push(time_of(&tower, options));
         progress.done();
     })
     .map_err(Failure::Unsolved)?;
-    drop(progress);
+    drop((workspace, progress));
     let mut result = Vec::new();
     match format {
         Format::Table => result.extend(table::comparison(&tower, &comparison, &times).into_bytes()),
@@ -52,7 +55,7 @@ fn time_of(tower: &Tower, options: &Options) -> Duration {
     let mut fastest = Duration::MAX;
     let started = Instant::now();
     let mut timings = 0;
-    while timings < FEWEST_TIMINGS || started.elapsed() < TIMING {
+    while (timings < FEWEST_TIMINGS && started.elapsed() < LONG) || started.elapsed() < TIMING {
         let start = Instant::now();
         // It was solved before, so it is solved again.
         let _ = solve_with(tower, options, &mut workspace);

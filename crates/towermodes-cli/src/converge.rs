@@ -1,6 +1,6 @@
 //! `towermodes converge`.
 
-use towermodes::study::{Fineness, converge};
+use towermodes::study::{Fineness, converge_with};
 use towermodes_files::{write_convergence_csv, write_convergence_json};
 
 use crate::args::{ConvergeArguments, Format};
@@ -17,10 +17,13 @@ pub(crate) fn run(arguments: &ConvergeArguments) -> Result<(), Failure> {
     let output = arguments.destination.output();
     check_not_input(&arguments.input.file, output)?;
     let (tower, input) = tower(&arguments.input)?;
-    let progress = Progress::of(fineness.iter().copied().map(said));
-    let convergence = converge(&tower, &arguments.options(), &fineness, |_| progress.done())
-        .map_err(Failure::Unsolved)?;
-    drop(progress);
+    let progress = Progress::of_weighted(fineness.iter().copied().map(said));
+    let (options, mut workspace) = (arguments.options(), progress.workspace());
+    let done = converge_with(&tower, &options, &fineness, &mut workspace, |_| {
+        progress.done()
+    });
+    drop((workspace, progress));
+    let convergence = done.map_err(Failure::Unsolved)?;
     let width = match output {
         None => terminal::width(),
         Some(_) => terminal::WIDTH_OF_FILES,
@@ -38,10 +41,11 @@ pub(crate) fn run(arguments: &ConvergeArguments) -> Result<(), Failure> {
     deliver(&result, output)
 }
 
-/// "80 segments".
-fn said(fineness: Fineness) -> String {
-    match fineness {
+/// "80 segments", and how long these take beside others.
+fn said(fineness: Fineness) -> (String, f64) {
+    let text = match fineness {
         Fineness::Segments(segments) => format!("{segments} segments"),
         Fineness::Degree(degree) => format!("degree {degree}"),
-    }
+    };
+    (text, fineness.number() as f64)
 }

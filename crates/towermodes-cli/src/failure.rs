@@ -236,6 +236,9 @@ fn hint(error: &SolveError) -> Option<&'static str> {
         SolveError::TooManyModes { .. } => {
             Some("raise --segments (of --method spectral --degree) or lower --modes")
         }
+        SolveError::TooLarge { .. } | SolveError::TooSlow { .. } => Some(
+            "ask for fewer modes (--modes) or fewer segments (--segments), an even number of which needs no finer ones for the errors; --no-limits tries all the same",
+        ),
         SolveError::Buckles { .. } => Some(
             "carry less, widen the tower or thicken its wall; --no-gravity solves the tower without its weights",
         ),

@@ -1,4 +1,4 @@
-//! What long work is at, on the last line of a terminal: standard error only, after half a second, and gone when the work is done.
+//! How far long work is, on the last line of a terminal: standard error only, after half a second, and gone when the work is done.
 
 use std::fmt::Write;
 use std::io::IsTerminal;
@@ -10,74 +10,60 @@ use std::time::Duration;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressState, ProgressStyle};
 use towermodes::{Options, Solution, SolveError, Stage, Tower, Workspace, solve_certain};
 
+use crate::printable::printable;
+
 /// Work that takes no longer than this is done without a word.
 const QUIET: Duration = Duration::from_millis(500);
 /// From one look at the work to the next.
 const TICK: Duration = Duration::from_millis(100);
+/// Steps of the bar.
+const STEPS: u64 = 1000;
+/// Below this share of the work nobody knows how long the rest takes.
+const KNOWN: f64 = 0.03;
 
-/// A line with what is done; nothing where nobody sees it.
+/// A line that says how much is done; nothing where nobody sees it.
 pub(crate) struct Progress {
     line: Option<Line>,
-    /// What the pieces of work are called.
-    names: Vec<String>,
 }
 
 impl Progress {
-    /// Of one piece of work that tells what it is at.
+    /// Of one piece of work that tells how far it is.
     pub(crate) fn of_one() -> Self {
-        Self::with(|| ProgressBar::with_draw_target(None, ProgressDrawTarget::hidden()))
+        Self::of([String::new()])
     }
 
-    /// Of pieces of work that are done one after the other, by their names.
+    /// Of equal pieces of work that are done one after the other, by their names.
     pub(crate) fn of(names: impl IntoIterator<Item = String>) -> Self {
-        let names: Vec<String> = names.into_iter().collect();
-        let count = Some(names.len() as u64);
-        let bar = || ProgressBar::with_draw_target(count, ProgressDrawTarget::hidden());
-        let progress = Self {
-            names,
-            ..Self::with(bar)
-        };
-        progress.say_next();
-        progress
+        Self::of_weighted(names.into_iter().map(|name| (name, 1.0)))
     }
 
-    fn with(bar: impl FnOnce() -> ProgressBar) -> Self {
+    /// Of pieces of work that are done one after the other, by their names and how long they take beside each other.
+    pub(crate) fn of_weighted(pieces: impl IntoIterator<Item = (String, f64)>) -> Self {
+        let now = Now::new(pieces.into_iter().collect());
         let is_seen = std::io::stderr().is_terminal();
         Self {
-            line: is_seen.then(|| Line::new(bar())),
-            names: Vec::new(),
+            line: is_seen.then(|| Line::new(now)),
         }
     }
 
     /// One more piece is done, and the next one begins.
     pub(crate) fn done(&self) {
         if let Some(line) = &self.line {
-            line.bar.inc(1);
-        }
-        self.say_next();
-    }
-
-    fn say_next(&self) {
-        if let Some(line) = &self.line {
-            let next = self.names.get(line.bar.position() as usize);
-            say(
-                &line.now,
-                next.map_or(Now::Unknown, |name| Now::At(name.clone())),
-            );
+            locked(&line.now).next();
         }
     }
 
-    /// Memory for a solve that tells what it is at.
+    /// Memory for solves of the piece at hand, which tell how far they are.
     pub(crate) fn workspace(&self) -> Workspace {
         let Some(line) = &self.line else {
             return Workspace::default();
         };
         let now = Arc::clone(&line.now);
-        Workspace::watched(move |progress| say(&now, Now::Solving(progress)))
+        Workspace::watched(move |progress| locked(&now).hear(progress))
     }
 }
 
-/// Solves a tower, and says what that is at if it takes long.
+/// Solves a tower, and says how far that is if it takes long.
 ///
 /// # Errors
 /// As [`solve_certain`].
@@ -86,20 +72,67 @@ pub(crate) fn solve(tower: &Tower, options: &Options) -> Result<Solution, SolveE
     solve_certain(tower, options, &mut progress.workspace())
 }
 
-/// What is at hand.
-#[derive(Debug, Clone, Default)]
-enum Now {
-    /// Nothing was heard yet.
-    #[default]
-    Unknown,
-    /// A solve told this.
-    Solving(towermodes::Progress),
-    /// This piece of several.
-    At(String),
+/// What is at hand, and how much is done.
+#[derive(Debug, Clone)]
+struct Now {
+    /// Names and weights; the name of a single piece is empty.
+    pieces: Vec<(String, f64)>,
+    /// Which of them is at hand.
+    at: usize,
+    /// Share of it that is done.
+    share: f64,
+    stage: Option<Stage>,
 }
 
-fn say(now: &Mutex<Now>, what: Now) {
-    *now.lock().unwrap_or_else(PoisonError::into_inner) = what;
+impl Now {
+    fn new(pieces: Vec<(String, f64)>) -> Self {
+        Self {
+            pieces,
+            at: 0,
+            share: 0.0,
+            stage: None,
+        }
+    }
+
+    fn next(&mut self) {
+        self.at += 1;
+        self.share = 0.0;
+        self.stage = None;
+    }
+
+    /// A piece may solve more than once: what was done stays done.
+    fn hear(&mut self, progress: towermodes::Progress) {
+        self.share = self.share.max(progress.fraction);
+        self.stage = Some(progress.stage);
+    }
+
+    /// Share of all that is done, 0 to 1.
+    fn fraction(&self) -> f64 {
+        let weight =
+            |pieces: &[(String, f64)]| pieces.iter().map(|(_, weight)| weight).sum::<f64>();
+        let before = weight(&self.pieces[..self.at.min(self.pieces.len())]);
+        let here = self.pieces.get(self.at).map_or(0.0, |(_, weight)| *weight);
+        let fraction = (before + here * self.share) / weight(&self.pieces);
+        if fraction.is_finite() { fraction } else { 0.0 }
+    }
+
+    /// "2 of 7, rmje 60", or what a single solve is at.
+    fn what(&self) -> String {
+        match (self.pieces.get(self.at), self.stage) {
+            (Some((name, _)), stage) if name.is_empty() => {
+                stage.map_or_else(|| "solving".to_owned(), said)
+            }
+            (Some((name, _)), _) => {
+                let (number, of) = (self.at + 1, self.pieces.len());
+                format!("{number} of {of}, {}", shortened(&printable(name)))
+            }
+            (None, _) => "all done".to_owned(),
+        }
+    }
+}
+
+fn locked(now: &Mutex<Now>) -> std::sync::MutexGuard<'_, Now> {
+    now.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
 /// A line of the terminal, drawn by a thread of its own from [`QUIET`] on; dropped it is gone.
@@ -111,19 +144,26 @@ struct Line {
 }
 
 impl Line {
-    fn new(bar: ProgressBar) -> Self {
-        let now = Arc::new(Mutex::new(Now::default()));
-        bar.set_style(style(&bar, Arc::clone(&now)));
+    fn new(now: Now) -> Self {
+        let bar = ProgressBar::with_draw_target(Some(STEPS), ProgressDrawTarget::hidden());
+        let now = Arc::new(Mutex::new(now));
+        bar.set_style(style(Arc::clone(&now)));
         let (stop, stopped) = channel::<()>();
-        let drawn = bar.clone();
+        let (drawn, seen) = (bar.clone(), Arc::clone(&now));
+        let draw = move || {
+            let fraction = locked(&seen).fraction();
+            drawn.set_position((fraction * STEPS as f64) as u64);
+            drawn.tick();
+        };
+        let target = bar.clone();
         let drawer = thread::Builder::new().spawn(move || {
             if stopped.recv_timeout(QUIET) != Err(RecvTimeoutError::Timeout) {
                 return;
             }
-            drawn.set_draw_target(ProgressDrawTarget::stderr());
-            drawn.tick();
+            target.set_draw_target(ProgressDrawTarget::stderr());
+            draw();
             while stopped.recv_timeout(TICK) == Err(RecvTimeoutError::Timeout) {
-                drawn.tick();
+                draw();
             }
         });
         Self {
@@ -147,36 +187,37 @@ impl Drop for Line {
     }
 }
 
-/// A spinner or a bar, what is at hand, and the seconds so far.
-fn style(bar: &ProgressBar, now: Arc<Mutex<Now>>) -> ProgressStyle {
-    let template = match bar.length() {
-        None => "{spinner} {now}, {seconds}",
-        Some(_) => "[{bar:16}] {pos} of {len}, {seconds}{now}",
+/// A bar, and the words behind it.
+fn style(now: Arc<Mutex<Now>>) -> ProgressStyle {
+    let words = move |state: &ProgressState, out: &mut dyn Write| {
+        let now = locked(&now).clone();
+        let _ = out.write_str(&line(&now, state.elapsed().as_secs_f64()));
     };
-    let is_spinner = bar.length().is_none();
-    let now = move |_: &ProgressState, out: &mut dyn Write| {
-        let now = now.lock().unwrap_or_else(PoisonError::into_inner).clone();
-        let _ = out.write_str(&text(&now, is_spinner));
-    };
-    let seconds = |state: &ProgressState, out: &mut dyn Write| {
-        let _ = write!(out, "{:.1} s", state.elapsed().as_secs_f64());
-    };
-    // The templates above are right: another style would be a fault of this file.
-    let style = ProgressStyle::with_template(template);
-    let style = style.unwrap_or_else(|_| ProgressStyle::default_spinner());
-    style
-        .with_key("now", now)
-        .with_key("seconds", seconds)
-        .progress_chars("=> ")
+    // The template is right: another style would be a fault of this file.
+    let style = ProgressStyle::with_template("[{bar:10}] {words}");
+    let style = style.unwrap_or_else(|_| ProgressStyle::default_bar());
+    style.with_key("words", words).progress_chars("=> ")
 }
 
-fn text(now: &Now, is_spinner: bool) -> String {
-    match now {
-        Now::Unknown if is_spinner => "solving".to_owned(),
-        Now::Unknown => String::new(),
-        Now::Solving(progress) if is_spinner => solving(*progress),
-        Now::Solving(progress) => format!("; {}", solving(*progress)),
-        Now::At(what) => format!("; now: {}", shortened(what)),
+/// "43 %, 12 s, 16 s left: modes on 1000000 segments".
+fn line(now: &Now, seconds: f64) -> String {
+    let fraction = now.fraction();
+    let left = match fraction {
+        known if known >= KNOWN => {
+            let left = seconds * (1.0 - fraction) / fraction;
+            format!(", {} left", duration(left))
+        }
+        _ => String::new(),
+    };
+    let percent = (100.0 * fraction).floor();
+    format!("{percent} %, {}{left}: {}", duration(seconds), now.what())
+}
+
+/// "12 s", "3 min".
+fn duration(seconds: f64) -> String {
+    match seconds {
+        short if short < 99.5 => format!("{short:.0} s"),
+        long => format!("{:.0} min", long / 60.0),
     }
 }
 
@@ -190,61 +231,88 @@ fn shortened(name: &str) -> String {
     }
 }
 
-/// "looking for modes on 1000000 segments: 84 products".
-fn solving(progress: towermodes::Progress) -> String {
-    let stage = match progress.stage {
+/// "modes on 1000000 segments".
+fn said(stage: Stage) -> String {
+    match stage {
         Stage::Modes {
             segments,
             degree: None,
-        } => format!("looking for modes on {segments} segments"),
+        } => format!("modes on {segments} segments"),
         Stage::Modes {
             segments,
             degree: Some(degree),
-        } => format!("looking for modes on {segments} elements of degree {degree}"),
-        Stage::Certificate => "proving that none is missing".to_owned(),
-        Stage::Buckling => "looking for the load that buckles it".to_owned(),
-        Stage::Shapes => "naming the modes".to_owned(),
+        } => format!("modes on {segments} elements of degree {degree}"),
+        Stage::Certificate => "proof that none is missing".to_owned(),
+        Stage::Buckling => "load that buckles it".to_owned(),
+        Stage::Shapes => "names of the modes".to_owned(),
         Stage::Errors {
             mesh,
             meshes,
             segments,
-        } => format!("errors: mesh {mesh} of {meshes}, {segments} segments"),
+        } => format!("errors, mesh {mesh} of {meshes}, {segments} segments"),
         _ => "solving".to_owned(),
-    };
-    match progress.products {
-        0 => stage,
-        1 => format!("{stage}: 1 product"),
-        products => format!("{stage}: {products} products"),
     }
 }
 
 #[cfg(test)]
 mod tests {
-    use super::{Now, solving, text};
+    use super::{Now, line};
     use towermodes::Stage;
 
-    fn at(stage: Stage, products: usize) -> towermodes::Progress {
-        towermodes::Progress { stage, products }
+    fn pieces(names: &[&str]) -> Now {
+        Now::new(names.iter().map(|name| ((*name).to_owned(), 1.0)).collect())
+    }
+
+    fn at(stage: Stage, fraction: f64) -> Now {
+        let mut now = pieces(&[""]);
+        now.hear(towermodes::Progress {
+            stage,
+            products: 84,
+            fraction,
+        });
+        now
     }
 
     #[test]
-    fn a_stage_is_said_with_its_numbers() {
+    fn a_solve_says_how_much_is_done_and_how_long_the_rest_takes() {
         let segments = 1_000_000;
-        let modes = |degree| Stage::Modes { segments, degree };
-        assert_eq!(
-            solving(at(modes(None), 84)),
-            "looking for modes on 1000000 segments: 84 products"
-        );
-        let errors = Stage::Errors {
-            mesh: 1,
-            meshes: 2,
-            segments: 50,
+        let modes = Stage::Modes {
+            segments,
+            degree: None,
         };
         assert_eq!(
-            text(&Now::Solving(at(errors, 0)), false),
-            "; errors: mesh 1 of 2, 50 segments"
+            line(&at(modes, 0.25), 12.0),
+            "25 %, 12 s, 36 s left: modes on 1000000 segments"
         );
-        assert_eq!(text(&Now::At("rmje 60".into()), false), "; now: rmje 60");
+        // Nothing is known at the beginning.
+        assert_eq!(
+            line(&at(modes, 0.0), 1.0),
+            "0 %, 1 s: modes on 1000000 segments"
+        );
+        assert_eq!(line(&pieces(&[""]), 1.0), "0 %, 1 s: solving");
+        assert_eq!(
+            line(&at(Stage::Shapes, 0.5), 240.0),
+            "50 %, 4 min, 4 min left: names of the modes"
+        );
+    }
+
+    #[test]
+    fn pieces_are_counted_with_what_is_done_of_the_one_at_hand() {
+        let mut now = pieces(&["spectral, rmje 60", "lumped 60", "bmodes 60", "cardanic 60"]);
+        assert_eq!(line(&now, 1.0), "0 %, 1 s: 1 of 4, spectral, rmje 60");
+        now.next();
+        let progress = |fraction: f64| towermodes::Progress {
+            stage: Stage::Shapes,
+            products: 0,
+            fraction,
+        };
+        now.hear(progress(0.8));
+        // A second solve of the same piece takes nothing back.
+        now.hear(progress(0.1));
+        assert_eq!(line(&now, 9.0), "45 %, 9 s, 11 s left: 2 of 4, lumped 60");
+        (0..3).for_each(|_| now.next());
+        assert_eq!(line(&now, 20.0), "100 %, 20 s, 0 s left: all done");
+        assert_eq!(Now::new(Vec::new()).fraction(), 0.0);
     }
 
     #[test]
@@ -253,34 +321,30 @@ mod tests {
         let longest = [
             at(
                 Stage::Modes {
-                    segments,
-                    degree: Some(199),
+                    segments: 100_000,
+                    degree: Some(60),
                 },
-                99_999,
+                0.5,
             ),
-            at(Stage::Buckling, 99_999),
             at(
                 Stage::Errors {
-                    mesh: 2,
-                    meshes: 2,
+                    mesh: 3,
+                    meshes: 3,
                     segments,
                 },
-                99_999,
+                0.5,
             ),
+            pieces(&["\u{e9}".repeat(40).as_str(); 1000]),
         ];
-        // A spinner, a comma and the seconds.
-        for progress in longest {
-            assert!(solving(progress).len() + "  , 1000.0 s".len() <= 80);
+        for now in longest {
+            let wide = "[==========] ".to_owned() + &line(&now, 6000.0);
+            assert!(wide.chars().count() <= 80, "{wide}");
         }
     }
 
     #[test]
     fn long_names_are_cut() {
-        let now = Now::At("\u{e9}".repeat(40));
-        let cut = format!("; now: {}\u{2026}", "\u{e9}".repeat(28));
-        assert_eq!(text(&now, false), cut);
-        // The bar, its numbers and the seconds before it.
-        let bar = "[================] 1000 of 1000, 1000.0 s";
-        assert!((bar.to_owned() + &cut).chars().count() <= 80);
+        let now = pieces(&["\u{e9}".repeat(40).as_str()]);
+        assert!(line(&now, 1.0).ends_with(&format!("{}\u{2026}", "\u{e9}".repeat(28))));
     }
 }

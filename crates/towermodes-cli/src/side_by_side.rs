@@ -1,6 +1,6 @@
 //! Every method on one tower, as the report and the picture of errors have them.
 
-use towermodes::study::{ColumnSpec, Comparison, compare};
+use towermodes::study::{ColumnSpec, Comparison, compare_with};
 use towermodes::{Method, Options, SolveError, Tower};
 
 use crate::progress::Progress;
@@ -25,7 +25,10 @@ pub(crate) fn all_methods(
         ..options.clone()
     };
     let progress = Progress::of(columns_in_words(&columns));
-    compare(tower, &options, &columns, |_, _| progress.done())
+    let mut workspace = progress.workspace();
+    compare_with(tower, &options, &columns, &mut workspace, |_, _| {
+        progress.done()
+    })
 }
 
 /// What is at work while columns are solved one after the other: before the first the spectral beam, the measure of all.

@@ -106,8 +106,11 @@ fn a_long_solve_says_what_it_is_at_and_leaves_nothing() {
         let done = piped(&arguments);
         assert_eq!(screen(&sent), lines(&done.stdout));
         assert_eq!(done.stderr, b"", "nothing on a pipe, however long it takes");
-        if sent.contains(&format!("looking for modes on {segments} segments")) {
-            assert!(sent.contains(" s\u{1b}") || sent.contains(" s "), "seconds");
+        if sent.contains(&format!(" modes on {segments} segments")) {
+            assert!(
+                sent.contains(" %, ") && sent.contains(" s left: "),
+                "{sent}"
+            );
             return;
         }
     }
@@ -119,7 +122,7 @@ fn a_short_solve_says_nothing_but_its_result() {
     let Some(sent) = on_a_terminal("", &format!("solve '{TOWER}' --segments 2 --modes 1")) else {
         return;
     };
-    assert!(!sent.contains("looking for"), "{sent}");
+    assert!(!sent.contains(" %, "), "{sent}");
 }
 
 #[test]
@@ -136,6 +139,7 @@ fn studies_have_a_bar() {
         assert_eq!(screen(&sent), lines(&piped(&arguments).stdout));
         let levels = segments.split(',').count();
         if sent.contains(&format!("of {levels}, ")) {
+            assert!(sent.contains(" s left: "), "{sent}");
             return;
         }
     }
@@ -166,12 +170,37 @@ fn pictures_are_as_wide_as_the_terminal() {
     }
 }
 
+/// What nobody reads on a terminal is not poured on it unasked; a pipe gets it as ever.
 #[test]
-fn no_png_is_sent_to_a_terminal() {
-    let arguments = format!("plot '{TOWER}' --what tower --png || true");
-    let Some(sent) = on_a_terminal("", &arguments) else {
-        return;
-    };
-    assert!(sent.contains("give --output picture.png"), "{sent}");
-    assert!(sent.len() < 1000);
+fn pictures_and_pages_are_not_sent_to_a_terminal_unasked() {
+    for (arguments, name) in [
+        (format!("plot '{TOWER}' --what tower"), "picture.svg"),
+        (format!("plot '{TOWER}' --what tower --png"), "picture.png"),
+        (format!("report '{TOWER}'"), "report.html"),
+    ] {
+        let Some(sent) = on_a_terminal("", &format!("{arguments}; echo code $?")) else {
+            return;
+        };
+        let hint = format!("give --output {name}");
+        assert!(sent.contains(&hint) && sent.contains("code 2"), "{sent}");
+        assert!(sent.len() < 1000);
+    }
+    let tower = format!("plot '{TOWER}' --what tower");
+    let forced = on_a_terminal("", &format!("{tower} --output -"));
+    assert!(forced.is_none_or(|sent| sent.contains("</svg>")));
+    assert!(piped(&tower).stdout.starts_with(b"<svg"));
+}
+
+/// Not even in JSON, which holds names as they are.
+#[test]
+fn a_terminal_gets_no_marks_of_names() {
+    let folder = std::env::temp_dir().join(format!("towermodes-mark-{}", std::process::id()));
+    std::fs::create_dir_all(&folder).expect("a folder");
+    let tower = folder.join("t.toml");
+    let text = std::fs::read_to_string(TOWER).expect("the example");
+    let text = text.replacen("name = \"", "name = \"\\u202Egpj.", 1);
+    std::fs::write(&tower, text).expect("written");
+    let sent = on_a_terminal("", &format!("solve '{}' -f json", tower.display()));
+    std::fs::remove_dir_all(&folder).expect("ours");
+    assert!(sent.is_none_or(|sent| sent.contains("gpj.") && !sent.contains('\u{202e}')));
 }

@@ -51,8 +51,8 @@ pub use number::Plain;
 pub use rotor::Rotor;
 pub use solve::{
     BladeFamily, BladeMode, BladeSolution, Certificate, DEFAULT_MODES, DEFAULT_POINTS,
-    DEFAULT_SEGMENTS, MAX_DEGREE, MAX_POINTS, MAX_SEGMENTS, MAX_SPECTRAL_ELEMENTS,
-    MAX_VECTOR_BYTES, Mode, Options, Progress, Solution, SolveError, Stage, Workspace, solve,
+    DEFAULT_SEGMENTS, MAX_BYTES, MAX_DEGREE, MAX_POINTS, MAX_SECONDS, MAX_SEGMENTS,
+    MAX_SPECTRAL_ELEMENTS, Mode, Options, Progress, Solution, SolveError, Stage, Workspace, solve,
     solve_blade, solve_certain, solve_with,
 };
 pub use tower::{

@@ -12,6 +12,7 @@ use std::fmt;
 
 use thiserror::Error;
 
+use crate::method::Method;
 use crate::number::{Plain, significant};
 use crate::tower::Place;
 
@@ -290,6 +291,21 @@ pub enum Warning {
     )]
     UncertainEnd {
         /// Where the list was certified to end, Hz.
+        below_hz: f64,
+    },
+    /// Modes of the measure that a method does not have near it.
+    #[error(
+        "{} with {segments} segments has no mode like {missing} of those compared below {} Hz, and none is looked for above; more segments may have it, or the method leaves out what makes it",
+        .method.name(), Plain(significant(*.below_hz))
+    )]
+    NotFound {
+        /// The method.
+        method: Method,
+        /// Number of segments or elements.
+        segments: usize,
+        /// How many of the modes.
+        missing: usize,
+        /// How high was looked, Hz.
         below_hz: f64,
     },
     /// A tower that shears, solved as one that does not.

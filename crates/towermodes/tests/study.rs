@@ -3,7 +3,10 @@
 use crate::towers;
 
 use towermodes::study::{ColumnSpec, Fineness, compare, converge};
-use towermodes::{Family, Method, Options, Shear, SolveError, Tower, TowerDescription};
+use towermodes::{
+    Family, Method, Options, Planes, Properties, PropertyStation, Shear, SolveError, Tower,
+    TowerDescription, Warning,
+};
 use towers::{assert_close, elliptic, reference, reference_350t, reference_with_machine};
 
 fn tower(description: TowerDescription) -> Tower {
@@ -212,4 +215,51 @@ fn a_degree_asked_for_is_used_and_its_error_is_honest() {
         let refused = towermodes::solve(&tower, &options);
         assert_eq!(refused, Err(SolveError::Degree { degree }));
     }
+}
+
+/// One row whose rotary inertia has nine digits too many: a mode of the beam that methods without it never have, however many are looked for.
+#[test]
+fn a_mode_that_a_method_does_not_have_is_not_looked_for_without_end() {
+    let row = |height_m: f64, side_side_kg_m: f64| PropertyStation {
+        height_m,
+        properties: Properties {
+            mass_kg_per_m: 5000.0,
+            rotary_inertia_kg_m: Planes {
+                fore_aft: 2e4,
+                side_side: side_side_kg_m,
+            },
+            polar_inertia_kg_m: 4e4,
+            bending_n_m2: Planes::both(4e11),
+            torsion_n_m2: 3e11,
+            axial_n: 1.3e11,
+            shear_n: None,
+        },
+    };
+    let tower = tower(TowerDescription {
+        properties: vec![
+            row(-30.0, 2e4),
+            row(-5.0, 2e4),
+            row(-4.0, 2e13),
+            row(6.0, 2e4),
+            row(40.0, 2e4),
+        ],
+        ..TowerDescription::default()
+    });
+    let options = Options::default();
+    let mut most = 0;
+    let done = |_: &_, options: &Options| most = most.max(options.modes);
+    let comparison = compare(&tower, &options, &all(60), done).expect("solvable");
+    // Sixteen for each that is followed, at the most doubled once more.
+    assert!(most <= 2 * 16 * comparison.modes.len(), "{most}");
+    let missing = comparison.columns.iter().filter(|column| {
+        let mut frequencies = column.frequencies_hz.iter();
+        frequencies.any(Option::is_none)
+    });
+    let missing: Vec<Method> = missing.map(|column| column.method).collect();
+    let warned = comparison.warnings.iter().filter_map(|w| match w {
+        Warning::NotFound { method, .. } => Some(*method),
+        _ => None,
+    });
+    assert_eq!(warned.collect::<Vec<_>>(), missing);
+    assert!(missing.contains(&Method::Bmodes), "{missing:?}");
 }

@@ -102,3 +102,41 @@ fn the_spectral_beam_tells_its_degrees() {
     assert!(degrees.windows(2).all(|pair| pair[1] == pair[0] + 2));
     assert_eq!(degrees.last().copied(), solution.degree);
 }
+
+#[test]
+fn the_share_that_is_done_rises_to_the_end() {
+    let tower = Tower::new(reference_350t()).expect("a valid tower");
+    for method in Method::ALL {
+        for modes in [4, 8, 40] {
+            let options = Options {
+                method,
+                modes,
+                ..Options::default()
+            };
+            let (_, told) = watched(&tower, &options);
+            let shares: Vec<f64> = told.iter().map(|progress| progress.fraction).collect();
+            let name = method.name();
+            assert_eq!(shares[0], 0.0, "{name}");
+            assert!(shares.windows(2).all(|pair| pair[0] <= pair[1]), "{name}");
+            let last = shares.last().copied().unwrap_or_default();
+            assert!((0.4..1.0).contains(&last), "{name}, {modes} modes: {last}");
+        }
+    }
+}
+
+/// A second solve in the same memory begins anew.
+#[test]
+fn every_solve_begins_with_nothing_done() {
+    let tower = Tower::new(reference()).expect("a valid tower");
+    let told = Arc::new(Mutex::new(Vec::new()));
+    let teller = Arc::clone(&told);
+    let mut workspace = Workspace::watched(move |progress: Progress| {
+        teller.lock().expect("a list").push(progress.fraction);
+    });
+    for _ in 0..2 {
+        solve_with(&tower, &Options::default(), &mut workspace).expect("solved");
+    }
+    let told = told.lock().expect("a list").clone();
+    let falls = told.windows(2).filter(|pair| pair[1] < pair[0]);
+    assert_eq!(falls.count(), 1);
+}

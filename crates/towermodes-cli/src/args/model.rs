@@ -20,12 +20,16 @@ pub(super) struct ModelArguments {
     /// Where the hinges of the method cardanic sit, as a share of the segment from each end [default: 0.2113249, the Gauss points]
     #[arg(long, value_name = "SHARE", value_parser = hinge_parser)]
     hinges: Option<f64>,
+
+    /// Solve what would take more than 4 GiB of memory or ten minutes too, as estimated before it begins; memory may run out then
+    #[arg(long)]
+    no_limits: bool,
 }
 
 impl ModelArguments {
     /// Whether anything is not as it is by default.
     pub(super) fn is_given(&self) -> bool {
-        self.modes.is_some() || self.no_rotary_inertia || self.hinges.is_some()
+        self.modes.is_some() || self.no_rotary_inertia || self.hinges.is_some() || self.no_limits
     }
 
     /// Whether the number of modes is given.
@@ -46,12 +50,29 @@ impl ModelArguments {
         Ok(())
     }
 
+    /// Refuses what would mean nothing to a rotating blade.
+    ///
+    /// # Errors
+    /// What is wrong.
+    pub(super) fn check_for_blade(&self) -> Result<(), &'static str> {
+        if self.no_rotary_inertia {
+            return Err(
+                "--no-rotary-inertia is for towers; the sections of a rotating blade keep theirs",
+            );
+        }
+        if self.no_limits {
+            return Err("--no-limits is for towers; a rotating blade is solved within its limits");
+        }
+        self.check(Method::Bmodes)
+    }
+
     /// The default options with these changed.
     pub(super) fn options(&self) -> Options {
         Options {
             modes: self.modes.unwrap_or(DEFAULT_MODES),
             rotary_inertia: !self.no_rotary_inertia,
             hinge_position: self.hinges.unwrap_or(GAUSS_HINGE_POSITION),
+            limits: !self.no_limits,
             ..Options::default()
         }
     }

@@ -168,8 +168,7 @@ impl SolveArguments {
                 "a rotating blade has no rotor-nacelle assembly; the body at its tip is in its deck",
             );
         }
-        self.model.check(Method::Bmodes)?;
-        Ok(())
+        self.model.check_for_blade()
     }
 
     /// What the library is asked for.

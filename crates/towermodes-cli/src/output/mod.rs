@@ -1,5 +1,6 @@
 //! Where results go.
 
+mod closed;
 mod place;
 mod whole;
 
@@ -35,6 +36,10 @@ pub(crate) fn deliver_both(first: (&Path, &[u8]), second: (&Path, &[u8])) -> Res
 fn write(result: &[u8], output: Option<&Path>, mut stdout: impl Write) -> Result<(), Failure> {
     let (name, done) = match output {
         Some(path) => (path.display().to_string(), whole::write(path, result)),
+        None if closed::is_closed() => {
+            let error = std::io::Error::other("it is closed; give --output PATH or leave it open");
+            ("standard output".into(), Err(error))
+        }
         None => {
             let done = stdout.write_all(result).and_then(|()| stdout.flush());
             ("standard output".into(), done)

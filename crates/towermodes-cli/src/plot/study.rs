@@ -1,6 +1,6 @@
 //! The pictures of methods: as their segments get more, and side by side.
 
-use towermodes::study::{Comparison, Convergence, Fineness, Level, converge};
+use towermodes::study::{Comparison, Convergence, Fineness, Level, converge_with};
 use towermodes::{MAX_SEGMENTS, Method, Options, Tower};
 use towermodes_report::figures;
 
@@ -62,11 +62,12 @@ fn each_once(convergence: &mut Convergence) {
 }
 
 fn solved(tower: &Tower, options: &Options, fineness: &[Fineness]) -> Result<Convergence, Failure> {
-    let names = fineness
-        .iter()
-        .map(|fineness| fineness.number().to_string());
-    let progress = Progress::of(names);
-    let convergence = converge(tower, options, fineness, |_| progress.done());
+    let piece = |fineness: &Fineness| (fineness.number().to_string(), fineness.number() as f64);
+    let progress = Progress::of_weighted(fineness.iter().map(piece));
+    let mut workspace = progress.workspace();
+    let convergence = converge_with(tower, options, fineness, &mut workspace, |_| {
+        progress.done()
+    });
     convergence.map_err(Failure::Unsolved)
 }
 

@@ -4,7 +4,7 @@ use towermodes::{Place, Planes, Properties, PropertyStation};
 
 use super::Reading;
 use super::table::{Keys, Table};
-use super::values::{Value, every_row, list, number, number_or_infinity};
+use super::values::{Value, check_pieces, every_row, list, number, number_or_infinity};
 use crate::diagnostic::Diagnostic;
 
 const PROPERTIES: Keys = Keys {
@@ -33,6 +33,7 @@ pub(super) fn properties(value: &Value<'_>, reading: &mut Reading) -> Option<Vec
     let hint = "z_m = [heights of the rows, m], and a list as long for each other column";
     let heights = table.require("z_m", hint, reading)?;
     let heights_m = column(heights, "z_m", "height", None, reading)?;
+    check_pieces(heights, heights_m.iter().copied(), reading)?;
     Columns { table, heights_m }.rows(reading)
 }
 

@@ -5,7 +5,7 @@ use towermodes::{Place, Shear, Station};
 
 use super::materials::Materials;
 use super::table::{Keys, Table};
-use super::values::{Value, every_row, list, number, text, wrong_kind};
+use super::values::{Value, check_pieces, every_row, list, number, text, wrong_kind};
 use super::{Reading, STATION_FILE};
 use crate::diagnostic::Diagnostic;
 use crate::station_table;
@@ -29,7 +29,9 @@ pub(super) fn stations(
         return stations_of_file(value, materials, reading);
     }
     let rows = list(value, "stations", reading)?;
-    every_row(rows, |index, row| station(row, index, materials, reading))
+    let rows = every_row(rows, |index, row| station(row, index, materials, reading))?;
+    let heights_m = rows.iter().map(|row| row.height_m);
+    check_pieces(value, heights_m, reading).map(|()| rows)
 }
 
 fn station(

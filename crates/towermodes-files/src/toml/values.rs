@@ -2,6 +2,7 @@
 
 use serde_spanned::Spanned;
 use toml::de::{DeArray, DeValue};
+use towermodes::MAX_SEGMENTS;
 
 use super::Reading;
 use crate::diagnostic::Diagnostic;
@@ -96,6 +97,27 @@ pub(super) fn list<'a>(
         reading.mistake(wrong_kind(value, what, "a list in brackets"));
     }
     list
+}
+
+/// Refuses heights with more pieces between them than a tower can have segments, before more is made of them.
+pub(super) fn check_pieces(
+    value: &Value<'_>,
+    heights_m: impl Iterator<Item = f64>,
+    reading: &mut Reading,
+) -> Option<()> {
+    let mut below_m = f64::INFINITY;
+    let is_piece = |height_m: f64| std::mem::replace(&mut below_m, height_m) < height_m;
+    let pieces = heights_m.map(is_piece).filter(|is_piece| *is_piece).count();
+    if pieces <= MAX_SEGMENTS {
+        return Some(());
+    }
+    let message = format!(
+        "{pieces} pieces between the heights are more than a tower can have, {MAX_SEGMENTS}"
+    );
+    let start = value.span().start;
+    let mistake = Diagnostic::new(start..start + 1, message);
+    reading.mistake(mistake.with_hint("keep every second row, or fewer"));
+    None
 }
 
 /// Every row of a list as `read` makes it of its index and value; reads on after a mistake, so that all are said together.

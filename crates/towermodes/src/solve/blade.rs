@@ -2,7 +2,7 @@
 
 use std::f64::consts::TAU;
 
-use super::options::{MAX_VECTOR_BYTES, SolveError};
+use super::options::{MAX_BYTES, SolveError};
 use super::solution::Certificate;
 use crate::Method;
 use crate::beam::{Beam, BeamWork, assemble_blade, blade_coordinates};
@@ -154,19 +154,23 @@ impl Solved {
             return Err(EigenError::NotFinite.into());
         }
         let available = solved.beam.degrees_of_freedom();
-        if modes.saturating_mul(2 * available) > MAX_VECTOR_BYTES / size_of::<f64>() {
-            let degrees_of_freedom = available;
-            return Err(SolveError::TooLarge {
-                modes,
-                degrees_of_freedom,
-            });
-        }
         if modes > available {
             let segments = borders.len() - 1;
             return Err(SolveError::TooManyModes {
                 modes,
                 segments,
                 available,
+            });
+        }
+        // Vectors for a mode as of a tower's elements of BModes, and the mode itself.
+        let bytes =
+            (6 * modes + 20).min(2 * available) as f64 * (available * size_of::<f64>()) as f64;
+        if bytes > MAX_BYTES as f64 {
+            let degrees_of_freedom = available;
+            return Err(SolveError::TooLarge {
+                modes,
+                degrees_of_freedom,
+                bytes,
             });
         }
         let Self {

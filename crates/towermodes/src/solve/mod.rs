@@ -3,6 +3,7 @@
 mod alignment;
 mod blade;
 mod certain;
+mod cost;
 mod degree;
 mod estimate;
 mod model;
@@ -19,8 +20,8 @@ pub use blade::{BladeFamily, BladeMode, BladeSolution, solve_blade};
 pub(crate) use blade::{blade_degrees_of_freedom, blade_modes};
 pub use certain::solve_certain;
 pub use options::{
-    DEFAULT_MODES, DEFAULT_POINTS, DEFAULT_SEGMENTS, MAX_DEGREE, MAX_POINTS, MAX_SEGMENTS,
-    MAX_SPECTRAL_ELEMENTS, MAX_VECTOR_BYTES, Options, SolveError,
+    DEFAULT_MODES, DEFAULT_POINTS, DEFAULT_SEGMENTS, MAX_BYTES, MAX_DEGREE, MAX_POINTS,
+    MAX_SECONDS, MAX_SEGMENTS, MAX_SPECTRAL_ELEMENTS, Options, SolveError,
 };
 pub use solution::{Certificate, Mode, Solution};
 pub use watch::{Progress, Stage};
@@ -31,6 +32,7 @@ use crate::modes::ModeCurve;
 use crate::space::SpatialMatrix;
 use crate::tower::Tower;
 use crate::{Method, Warning};
+use cost::Cost;
 use estimate::estimate_errors;
 use model::{Cut, Model};
 use naming::{Identity, identify};
@@ -92,6 +94,7 @@ pub fn solve_with(
     workspace: &mut Workspace,
 ) -> Result<Solution, SolveError> {
     options.check()?;
+    workspace.model.watch.restart();
     match options.method {
         Method::Spectral => degree::solve(tower, options, workspace),
         _ => solve_segments(tower, options, workspace),
@@ -238,8 +241,13 @@ fn solve_cut(
     options: &Options,
     workspace: &mut Workspace,
 ) -> Result<Vec<Found>, SolveError> {
-    options.check_memory(tower, cut)?;
+    let cost = Cost::of(tower, cut, options);
+    // More modes than there are is another mistake, which is said below.
+    if options.limits && options.modes as f64 <= cost.unknowns {
+        cost.check(options.modes)?;
+    }
     let Workspace { model, spectrum } = workspace;
+    model.watch.expect(cost.segments, cost.products);
     model.watch.enter(Stage::Modes {
         segments: cut.mesh.segments(),
         degree: (options.method == Method::Spectral).then_some(cut.degree),

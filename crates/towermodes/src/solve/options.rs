@@ -2,14 +2,13 @@
 
 use thiserror::Error;
 
-use super::model::Cut;
 use crate::Method;
 use crate::beam::BeamRecipe;
 use crate::eigen::EigenError;
 use crate::elements::{BorderError, Borders, Element, GAUSS_HINGE_POSITION, Recipe};
 use crate::modes::{Family, ShapePoint};
 use crate::number::Plain;
-use crate::tower::{Motion, Tower};
+use crate::tower::Tower;
 
 /// Segments used unless told; where steps and point masses make short spans, each of these has two on top.
 pub const DEFAULT_SEGMENTS: usize = 100;
@@ -25,8 +24,11 @@ pub const MAX_SPECTRAL_ELEMENTS: usize = 100_000;
 pub const MAX_DEGREE: usize = 60;
 /// More heights than this are refused.
 pub const MAX_POINTS: usize = 1_000_000;
-/// Eigenvectors, with the vectors they are made from, or shapes that would take more memory than this, in bytes, are refused.
-pub const MAX_VECTOR_BYTES: usize = 4 << 30;
+/// A solve that would take more memory than this, in bytes, is refused unless [`Options::limits`] is off: assembly, factors, vectors, shapes
+/// and the finest mesh of the error estimate together, as estimated before the first of them.
+pub const MAX_BYTES: usize = 4 << 30;
+/// A solve that would take longer than this, s, on a processor of 2020 is refused unless [`Options::limits`] is off.
+pub const MAX_SECONDS: f64 = 600.0;
 
 /// How to solve a tower.
 #[derive(Debug, Clone, PartialEq)]
@@ -50,6 +52,8 @@ pub struct Options {
     pub rotary_inertia: bool,
     /// Where the hinges of the cardanic element sit, as a share k of the segment from each end; (1 − 1/√3)/2 unless told.
     pub hinge_position: f64,
+    /// Whether what would take more than [`MAX_BYTES`] or [`MAX_SECONDS`] is refused before it begins.
+    pub limits: bool,
 }
 
 impl Default for Options {
@@ -64,6 +68,7 @@ impl Default for Options {
             heights_m: Vec::new(),
             rotary_inertia: true,
             hinge_position: GAUSS_HINGE_POSITION,
+            limits: true,
         }
     }
 }
@@ -93,12 +98,12 @@ impl Options {
                 position: self.hinge_position,
             });
         }
-        Ok(())
+        self.check_shapes()
     }
 
-    /// Refuses more modes than a model of so many degrees of freedom has, or than memory holds.
+    /// Refuses more modes than a model of so many degrees of freedom has.
     pub(super) fn check_size(&self, segments: usize, available: usize) -> Result<(), SolveError> {
-        let (modes, points) = (self.modes, self.points);
+        let modes = self.modes;
         if modes > available {
             return Err(SolveError::TooManyModes {
                 modes,
@@ -106,38 +111,14 @@ impl Options {
                 available,
             });
         }
-        let points = points + self.heights_m.len();
-        if modes > MAX_VECTOR_BYTES / (points * size_of::<ShapePoint>()) {
-            return Err(SolveError::ShapesTooLarge { modes, points });
-        }
-        if modes.saturating_mul(2 * available) > MAX_VECTOR_BYTES / size_of::<f64>() {
-            return Err(SolveError::TooLarge {
-                modes,
-                degrees_of_freedom: available,
-            });
-        }
         Ok(())
     }
 
-    /// Refuses more spectral elements of a degree than memory holds: each has full matrices for every part of the tower, of stiffness
-    /// and inertia, and where it is tied to the ground or pressed by weights of these too, and their factors.
-    pub(super) fn check_memory(&self, tower: &Tower, cut: &Cut) -> Result<(), SolveError> {
-        let coordinates = |motion: Motion| {
-            let of_shear = usize::from(tower.shears() && motion.bends());
-            (1 + of_shear) * cut.degree
-        };
-        let parts = tower.independent_motions().iter();
-        let rows = parts.map(|part| 6 + part.iter().map(coordinates).sum::<usize>());
-        let squares: usize = rows.clone().map(|rows| rows * rows).sum();
-        let is_untied = tower.base().is_clamped() && tower.gravity_m_per_s2() == 0.0;
-        let matrices = if is_untied { 2 } else { 5 };
-        let segments = cut.mesh.segments();
-        let bytes = segments.saturating_mul(matrices * squares * size_of::<f64>());
-        if self.method == Method::Spectral && bytes > 2 * MAX_VECTOR_BYTES {
-            return Err(SolveError::TooLarge {
-                modes: self.modes,
-                degrees_of_freedom: segments * rows.sum::<usize>(),
-            });
+    /// Refuses shapes that no memory holds, whatever the tower.
+    fn check_shapes(&self) -> Result<(), SolveError> {
+        let (modes, points) = (self.modes, self.points + self.heights_m.len());
+        if self.limits && modes > MAX_BYTES / (points * size_of::<ShapePoint>()) {
+            return Err(SolveError::ShapesTooLarge { modes, points });
         }
         Ok(())
     }
@@ -248,7 +229,7 @@ pub enum SolveError {
         available: usize,
     },
     /// Shapes that would need more memory than a workstation has to spare.
-    #[error("shapes of {modes} modes at {points} heights would need more than {} GiB; ask for fewer of either", MAX_VECTOR_BYTES >> 30)]
+    #[error("shapes of {modes} modes at {points} heights would need more than {} GiB; ask for fewer of either", MAX_BYTES >> 30)]
     ShapesTooLarge {
         /// Modes asked for.
         modes: usize,
@@ -271,14 +252,31 @@ pub enum SolveError {
     },
     /// More memory than a workstation has to spare.
     #[error(
-        "{modes} modes of {degrees_of_freedom} degrees of freedom would need more than {} GiB; ask for fewer of either",
-        MAX_VECTOR_BYTES >> 30
+        "{modes} modes of {degrees_of_freedom} degrees of freedom would need about {:.0} GiB of memory; the limit is {} GiB",
+        .bytes / f64::from(1 << 30),
+        MAX_BYTES >> 30
     )]
     TooLarge {
         /// Modes asked for.
         modes: usize,
         /// Degrees of freedom.
         degrees_of_freedom: usize,
+        /// What it would need, bytes.
+        bytes: f64,
+    },
+    /// More time than anybody waits without having asked for it.
+    #[error(
+        "{modes} modes of {degrees_of_freedom} degrees of freedom would take about {:.0} minutes; the limit is {:.0}",
+        .seconds / 60.0,
+        MAX_SECONDS / 60.0
+    )]
+    TooSlow {
+        /// Modes asked for.
+        modes: usize,
+        /// Degrees of freedom.
+        degrees_of_freedom: usize,
+        /// What it would take, s.
+        seconds: f64,
     },
     /// The weights are more than the tower bears.
     #[error(

@@ -1,6 +1,7 @@
 //! The beam itself as a reference: the spectral beam of a method's own physics, where meshes do not say how large its errors are.
 
 use super::Stage;
+use super::cost::Cost;
 use super::degree::{CONVERGED, can_be_finer, finer, first_cut};
 use super::estimate::{Level, frequencies};
 use super::model::{Cut, Model};
@@ -16,6 +17,9 @@ const BESIDE_THE_ERROR: f64 = 0.1;
 
 /// The degree is raised no more often: what still changes then is part of the error.
 const MOST_RAISES: usize = 6;
+
+/// A reference that is estimated to take longer, s, is not made: the estimate of the meshes stays, with its warning.
+const MOST_SECONDS: f64 = 10.0;
 
 /// The frequencies of modes of the beam itself.
 pub(super) struct Reference {
@@ -77,6 +81,20 @@ fn options_of_the_beam(options: &Options) -> Options {
     }
 }
 
+/// Refuses a reference that takes longer than anybody waits for an error.
+fn check_cost(tower: &Tower, cut: &Cut, options: &Options) -> Result<(), SolveError> {
+    let cost = Cost::of(tower, cut, &options_of_the_beam(options));
+    cost.check(options.modes)?;
+    if cost.seconds > MOST_SECONDS {
+        return Err(SolveError::TooSlow {
+            modes: options.modes,
+            degrees_of_freedom: cost.unknowns as usize,
+            seconds: cost.seconds,
+        });
+    }
+    Ok(())
+}
+
 /// Makes the beam of a method's physics: BModes has no shear deformation.
 fn assemble(
     tower: &Tower,
@@ -84,7 +102,7 @@ fn assemble(
     options: &Options,
     model: &mut Model,
 ) -> Result<(), SolveError> {
-    options_of_the_beam(options).check_memory(tower, cut)?;
+    check_cost(tower, cut, options)?;
     model.watch.enter(Stage::Reference {
         elements: cut.mesh.segments(),
         degree: cut.degree,

@@ -38,12 +38,14 @@ pub enum Stage {
 }
 
 /// How far a solve has come.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Progress {
     /// What it is at.
     pub stage: Stage,
     /// Products with the mass matrix since that began: how many are needed is not known before, a dozen for each mode is usual.
     pub products: usize,
+    /// Share of the whole solve that is done, 0 to 1, as estimated: it never falls, and ends near 1.
+    pub fraction: f64,
 }
 
 /// Who is told.
@@ -54,32 +56,77 @@ type Observer = Box<dyn FnMut(Progress) + Send + Sync>;
 pub(super) struct Watch {
     observer: Option<Observer>,
     progress: Option<Progress>,
+    /// Segments of all cuts of this solve, and products that each takes, as estimated.
+    expected: [f64; 2],
+    /// Segments of the cuts that are done, and of the one that is at hand.
+    done: [f64; 2],
 }
+
+/// All is done when the solve ends, not before.
+const NEARLY_ALL: f64 = 0.99;
 
 impl Watch {
     pub(super) fn new(observer: Observer) -> Self {
         Self {
             observer: Some(observer),
-            progress: None,
+            ..Self::default()
         }
+    }
+
+    /// A new solve begins.
+    pub(super) fn restart(&mut self) {
+        self.progress = None;
+        self.done = [0.0; 2];
+    }
+
+    /// So many segments will be solved, all cuts together, with so many products each.
+    pub(super) fn expect(&mut self, segments: f64, products: f64) {
+        self.expected = [segments, products];
     }
 
     /// Another stage begins.
     pub(super) fn enter(&mut self, stage: Stage) {
-        self.tell(Progress { stage, products: 0 });
+        let segments = match stage {
+            Stage::Modes { segments, .. } | Stage::Errors { segments, .. } => segments as f64,
+            _ => 0.0,
+        };
+        self.done = [self.done[0] + self.done[1], segments];
+        self.tell(stage, 0);
     }
 
     fn count_product(&mut self) {
-        if let Some(Progress { stage, products }) = self.progress {
-            let products = products + 1;
-            self.tell(Progress { stage, products });
+        if let Some(Progress {
+            stage, products, ..
+        }) = self.progress
+        {
+            self.tell(stage, products + 1);
         }
     }
 
-    fn tell(&mut self, progress: Progress) {
+    fn tell(&mut self, stage: Stage, products: usize) {
+        let fraction = self.fraction(products);
         if let Some(observer) = &mut self.observer {
+            let progress = Progress {
+                stage,
+                products,
+                fraction,
+            };
             self.progress = Some(progress);
             observer(progress);
+        }
+    }
+
+    /// The share that is done after so many products of the cut at hand; never less than before.
+    fn fraction(&self, products: usize) -> f64 {
+        let ([all, of_a_cut], [before, now]) = (self.expected, self.done);
+        let least = self.progress.map_or(0.0, |progress| progress.fraction);
+        let share = (products as f64 / of_a_cut).min(1.0);
+        let fraction = (before + now * share) / all;
+        // Nothing expected is nothing known.
+        if fraction.is_finite() {
+            fraction.clamp(least, NEARLY_ALL)
+        } else {
+            least
         }
     }
 

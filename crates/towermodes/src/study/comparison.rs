@@ -1,9 +1,9 @@
 //! Several methods side by side.
 
-use super::follow::{FollowedMode, followed, solve_for};
+use super::follow::{FollowedMode, followed, not_found, solve_for};
 use crate::Warning;
 use crate::method::Method;
-use crate::solve::{Options, SolveError, Workspace, solve_with};
+use crate::solve::{Options, Solution, SolveError, Workspace, solve_with};
 use crate::tower::Tower;
 
 /// A method with its segments: what a column of a comparison is of.
@@ -37,7 +37,7 @@ pub struct Comparison {
     pub modes: Vec<FollowedMode>,
     /// The methods.
     pub columns: Vec<Column>,
-    /// What the spectral beam warns of: a mode that it does not resolve is no measure for the others.
+    /// What the spectral beam warns of: a mode that it does not resolve is no measure for the others; and methods that lack modes.
     pub warnings: Vec<Warning>,
 }
 
@@ -59,9 +59,22 @@ pub fn compare(
     tower: &Tower,
     options: &Options,
     columns: &[ColumnSpec],
+    done: impl FnMut(&Column, &Options),
+) -> Result<Comparison, SolveError> {
+    compare_with(tower, options, columns, &mut Workspace::default(), done)
+}
+
+/// [`compare`] in memory that may be watched.
+///
+/// # Errors
+/// As [`compare`].
+pub fn compare_with(
+    tower: &Tower,
+    options: &Options,
+    columns: &[ColumnSpec],
+    workspace: &mut Workspace,
     mut done: impl FnMut(&Column, &Options),
 ) -> Result<Comparison, SolveError> {
-    let mut workspace = Workspace::default();
     let with = |spec: &ColumnSpec| Options {
         method: spec.method,
         segments: spec.segments,
@@ -73,7 +86,7 @@ pub fn compare(
         method: Method::Spectral,
         segments: None,
     });
-    let truth = solve_with(tower, &spectral, &mut workspace)?;
+    let truth = solve_with(tower, &spectral, workspace)?;
     let mut comparison = Comparison {
         modes: followed(tower, &truth),
         columns: Vec::with_capacity(columns.len()),
@@ -81,28 +94,26 @@ pub fn compare(
     };
     for spec in columns {
         let options = with(spec);
-        let (column, modes) = column(tower, &options, &comparison.modes, &mut workspace)?;
+        let solution = solve_for(tower, &options, &comparison.modes, workspace)?;
+        let column = column(&solution, &comparison.modes);
+        comparison
+            .warnings
+            .extend(not_found(&comparison.modes, &solution));
+        let modes = solution.modes.len();
         done(&column, &Options { modes, ..options });
         comparison.columns.push(column);
     }
     Ok(comparison)
 }
 
-/// A column, and how many modes had to be found for it.
-fn column(
-    tower: &Tower,
-    options: &Options,
-    modes: &[FollowedMode],
-    workspace: &mut Workspace,
-) -> Result<(Column, usize), SolveError> {
-    let solution = solve_for(tower, options, modes, workspace)?;
-    let frequency = |mode: &FollowedMode| mode.frequency_in(&solution);
-    let column = Column {
-        method: options.method,
+/// What a solution has of the modes that are compared.
+fn column(solution: &Solution, modes: &[FollowedMode]) -> Column {
+    let frequency = |mode: &FollowedMode| mode.frequency_in(solution);
+    Column {
+        method: solution.method,
         segments: solution.segments,
         degree: solution.degree,
         degrees_of_freedom: solution.degrees_of_freedom,
         frequencies_hz: modes.iter().map(frequency).collect(),
-    };
-    Ok((column, solution.modes.len()))
+    }
 }

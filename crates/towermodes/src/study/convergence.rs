@@ -1,6 +1,6 @@
 //! One method as its segments get more.
 
-use super::follow::{FollowedMode, followed, solve_for};
+use super::follow::{FollowedMode, followed, not_found, solve_for};
 use crate::Warning;
 use crate::method::Method;
 use crate::solve::{Options, SolveError, Workspace, solve_with};
@@ -86,11 +86,25 @@ pub fn converge(
     tower: &Tower,
     options: &Options,
     fineness: &[Fineness],
+    done: impl FnMut(&Level),
+) -> Result<Convergence, SolveError> {
+    converge_with(tower, options, fineness, &mut Workspace::default(), done)
+}
+
+/// [`converge`] in memory that may be watched.
+///
+/// # Errors
+/// As [`converge`].
+pub fn converge_with(
+    tower: &Tower,
+    options: &Options,
+    fineness: &[Fineness],
+    workspace: &mut Workspace,
     mut done: impl FnMut(&Level),
 ) -> Result<Convergence, SolveError> {
-    let mut workspace = Workspace::default();
     let limit = limit_options(tower, options)?;
-    let beam = solve_with(tower, &limit, &mut workspace)?;
+    let beam = solve_with(tower, &limit, workspace)?;
+    let mut warnings = beam.warnings.clone();
     let modes = followed(tower, &beam);
     let mut levels: Vec<Level> = Vec::with_capacity(fineness.len());
     for &asked in fineness {
@@ -104,7 +118,8 @@ pub fn converge(
                 ..options.clone()
             },
         };
-        let solution = solve_for(tower, &options, &modes, &mut workspace)?;
+        let solution = solve_for(tower, &options, &modes, workspace)?;
+        warnings.extend(not_found(&modes, &solution));
         let frequency = |mode: &FollowedMode| mode.frequency_in(&solution);
         let frequencies_hz: Vec<_> = modes.iter().map(frequency).collect();
         let error = |(f, mode): (&Option<f64>, &FollowedMode)| mode.relative_difference(*f);
@@ -126,7 +141,7 @@ pub fn converge(
         modes,
         rotary_inertia: limit.rotary_inertia,
         levels,
-        warnings: beam.warnings,
+        warnings,
     })
 }
 

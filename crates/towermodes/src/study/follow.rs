@@ -1,5 +1,6 @@
 //! The same modes by different methods: what is followed is family and order, not the place in the list, which meshes change.
 
+use crate::Warning;
 use crate::modes::Family;
 use crate::solve::{ModeKey, Options, Solution, SolveError, Workspace, solve_with};
 use crate::tower::Tower;
@@ -66,21 +67,51 @@ pub(super) fn followed(tower: &Tower, solution: &Solution) -> Vec<FollowedMode> 
         .collect()
 }
 
-/// Solves until all that are followed are there, or there are no more.
+/// Modes that are not there below so many times the highest frequency that is followed are not looked for above.
+pub(super) const REACH: f64 = 4.0;
+/// … and no more modes than this for each one that is followed are looked for.
+const MOST_FOR_EACH: usize = 16;
+
+/// Solves until all that are followed are there, there are no more, or what is missing is too far off to be one of them.
 pub(super) fn solve_for(
     tower: &Tower,
     options: &Options,
     modes: &[FollowedMode],
     workspace: &mut Workspace,
 ) -> Result<Solution, SolveError> {
+    let followed = modes.iter().map(|mode| 1 + usize::from(mode.is_pair)).sum();
     let options = Options {
-        modes: modes.iter().map(|mode| 1 + usize::from(mode.is_pair)).sum(),
+        modes: followed,
         ..options.clone()
     };
+    let reach_hz = REACH * highest_hz(modes);
     solve_until(tower, &options, workspace, |solution| {
-        modes
+        let has_all = modes
             .iter()
-            .all(|mode| mode.frequency_in(solution).is_some())
+            .all(|mode| mode.frequency_in(solution).is_some());
+        let is_beyond = solution.certificate.below_hz > reach_hz;
+        has_all || is_beyond || solution.modes.len() >= MOST_FOR_EACH * followed
+    })
+}
+
+/// The highest frequency that is followed, Hz.
+fn highest_hz(modes: &[FollowedMode]) -> f64 {
+    let frequencies_hz = modes.iter().map(|mode| mode.frequency_hz);
+    frequencies_hz.fold(0.0, f64::max)
+}
+
+/// Says that modes were not found, though a solution has more than were looked at.
+pub(super) fn not_found(modes: &[FollowedMode], solution: &Solution) -> Option<Warning> {
+    let missing = modes
+        .iter()
+        .filter(|mode| mode.frequency_in(solution).is_none());
+    let missing = missing.count();
+    let has_more = solution.modes.len() < solution.degrees_of_freedom;
+    (missing > 0 && has_more).then_some(Warning::NotFound {
+        method: solution.method,
+        segments: solution.segments,
+        missing,
+        below_hz: solution.certificate.below_hz,
     })
 }
 

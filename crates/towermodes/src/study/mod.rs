@@ -10,6 +10,6 @@ pub use agreement::{
     Examination, ExaminationRow, HeightRange, LargestDifference, Verdict, WhichTower, agree,
     examine,
 };
-pub use comparison::{Column, ColumnSpec, Comparison, compare};
-pub use convergence::{Convergence, Fineness, Level, converge};
+pub use comparison::{Column, ColumnSpec, Comparison, compare, compare_with};
+pub use convergence::{Convergence, Fineness, Level, converge, converge_with};
 pub use follow::{FollowedMode, solve_until};

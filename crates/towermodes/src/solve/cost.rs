@@ -1,0 +1,349 @@
+//! What a solve takes of a machine, estimated before any of it is taken.
+//!
+//! The Lanczos process keeps all its vectors and orthogonalizes each against all before it: for w modes of a part with n unknowns about
+//! p = 2.5 w + 12 vectors, 8 n p bytes and n p² operations, and p³ for the projected matrix. The numbers below are measured on a processor
+//! of 2020 (one core, 3 GHz) and on the safe side by up to a factor of two.
+
+use super::model::Cut;
+use super::options::{MAX_BYTES, MAX_SECONDS, Options, SolveError};
+use crate::Method;
+use crate::modes::ShapePoint;
+use crate::tower::{Motion, Motions, Plane, Tower};
+
+/// Bytes of a number.
+const NUMBER: f64 = size_of::<f64>() as f64;
+/// Seconds for a term of a sum of products.
+const SECONDS_A_TERM: f64 = 1e-9;
+/// Looks at the projected matrix, and terms of its diagonalization in units of p³.
+const DIAGONALIZATION: f64 = 1.5;
+/// Degrees that the spectral beam tries until the modes stand still, as a rule.
+const DEGREES: f64 = 3.0;
+
+/// What a solve takes.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Cost {
+    /// Memory at its height, bytes.
+    pub(super) bytes: f64,
+    /// Time, s.
+    pub(super) seconds: f64,
+    /// Unknowns of the whole tower.
+    pub(super) unknowns: f64,
+    /// Segments of all cuts together that are solved.
+    pub(super) segments: f64,
+    /// Products with the inertia that each cut takes.
+    pub(super) products: f64,
+}
+
+impl Cost {
+    /// Of a tower that is cut so, with the cuts that the errors need.
+    pub(super) fn of(tower: &Tower, cut: &Cut, options: &Options) -> Self {
+        let own = cut.mesh.segments() as f64;
+        let (finest, all) = match options.method {
+            Method::Spectral => (own, DEGREES * own),
+            method => {
+                // One cut for each power of the error, and one that finds out what agrees by chance.
+                let others = method.bending_powers(tower.shears()).len() + 1;
+                ladder(cut, others)
+            }
+        };
+        let parts = Parts::of(tower, cut, options);
+        let (finest, share) = (parts.work(finest), all / own);
+        let heights = options.points + tower.station_heights_m().len() + options.heights_m.len();
+        let shapes = (options.modes * size_of::<ShapePoint>()) as f64 * heights as f64;
+        Self {
+            bytes: finest.bytes + shapes,
+            seconds: share * parts.work(own).seconds,
+            unknowns: parts.unknowns_a_segment() * own,
+            segments: all,
+            products: parts.products(),
+        }
+    }
+
+    /// Refuses what takes more than a workstation has to spare.
+    pub(super) fn check(&self, modes: usize) -> Result<(), SolveError> {
+        let degrees_of_freedom = self.unknowns as usize;
+        if self.bytes > MAX_BYTES as f64 {
+            return Err(SolveError::TooLarge {
+                modes,
+                degrees_of_freedom,
+                bytes: self.bytes,
+            });
+        }
+        if self.seconds > MAX_SECONDS {
+            return Err(SolveError::TooSlow {
+                modes,
+                degrees_of_freedom,
+                seconds: self.seconds,
+            });
+        }
+        Ok(())
+    }
+}
+
+/// Segments of the finest of the cuts that a solve needs, and of all together: coarser ones while every span can be halved, then finer ones.
+fn ladder(cut: &Cut, others: usize) -> (f64, f64) {
+    let own = cut.mesh.segments();
+    let spans = cut.mesh.spans_with_borders().map(|(span, _)| span.segments);
+    let even = spans.map(usize::trailing_zeros).min().unwrap_or(0) as usize;
+    let coarser = even.min(others);
+    let finer = others - coarser;
+    let others = (1..=coarser).map(|halvings| own as f64 / f64::from(1 << halvings));
+    let others: f64 = others
+        .chain((1..=finer).map(|d| own as f64 * f64::from(1 << d)))
+        .sum();
+    (own as f64 * f64::from(1 << finer), own as f64 + others)
+}
+
+/// What work on so many segments takes.
+struct Work {
+    bytes: f64,
+    seconds: f64,
+}
+
+/// A part of the tower's model that is solved for itself.
+struct PartCost {
+    /// Unknowns a segment.
+    unknowns: f64,
+    /// Bytes a segment, without vectors.
+    bytes: f64,
+    /// Terms of a product, for each unknown.
+    terms: f64,
+    /// Modes that are looked for in it.
+    modes: f64,
+    /// How many times it is there.
+    multiplicity: f64,
+}
+
+struct Parts {
+    parts: Vec<PartCost>,
+    /// Vectors for w modes: coefficients of 1, w, w².
+    vectors: [f64; 3],
+}
+
+impl Parts {
+    fn of(tower: &Tower, cut: &Cut, options: &Options) -> Self {
+        let sets = tower.independent_motions();
+        let bends = |set: &Motions| set.iter().any(Motion::bends);
+        let equal = tower.planes_are_equal();
+        let side_side = Motions::only(Motion::Bending(Plane::SideSide));
+        // Half of the modes bend in each plane; what else there is has fewer.
+        let planes = sets.iter().filter(|set| bends(set)).count().max(1);
+        let mut parts = Vec::with_capacity(sets.len());
+        for (index, set) in sets.iter().enumerate() {
+            if equal && *set == side_side {
+                continue;
+            }
+            let share = if bends(set) {
+                1.0 / planes as f64
+            } else {
+                0.25
+            };
+            parts.push(PartCost {
+                modes: (share * options.modes as f64).ceil(),
+                multiplicity: if equal && index == 0 { 2.0 } else { 1.0 },
+                ..PartCost::of(tower, set, cut, options)
+            });
+        }
+        Self {
+            parts,
+            // The elements of BModes have clusters of high modes, which take more.
+            vectors: match options.method {
+                Method::Bmodes => [12.0, 2.5, 0.05],
+                _ => [12.0, 2.5, 0.0],
+            },
+        }
+    }
+
+    fn unknowns_a_segment(&self) -> f64 {
+        let parts = self.parts.iter();
+        parts.map(|part| part.multiplicity * part.unknowns).sum()
+    }
+
+    /// Vectors of the process that finds so many modes.
+    fn vectors(&self, modes: f64) -> f64 {
+        let [a, b, c] = self.vectors;
+        a + modes * (b + modes * c)
+    }
+
+    /// One for each vector, and one for each mode that is found.
+    fn products(&self) -> f64 {
+        let parts = self.parts.iter();
+        parts
+            .map(|part| self.vectors(part.modes) + part.modes)
+            .sum()
+    }
+
+    fn work(&self, segments: f64) -> Work {
+        let mut work = Work {
+            bytes: 0.0,
+            seconds: 0.0,
+        };
+        for part in &self.parts {
+            let size = part.unknowns * segments;
+            let modes = part.modes.min(size);
+            let vectors = self.vectors(modes).min(size);
+            let kept = vectors + modes + 4.0;
+            work.bytes += NUMBER * (size * kept + vectors * vectors) + part.bytes * segments;
+            let terms = size * vectors * (vectors + part.terms) + DIAGONALIZATION * vectors.powi(3);
+            work.seconds += SECONDS_A_TERM * terms;
+        }
+        work
+    }
+}
+
+impl PartCost {
+    /// A part for these motions; the number of its modes is not known yet.
+    fn of(tower: &Tower, set: &Motions, cut: &Cut, options: &Options) -> Self {
+        let shears = usize::from(tower.shears());
+        let unknowns = |motion: Motion| match (options.method, motion.bends()) {
+            (Method::Spectral, true) => (1 + shears) * cut.degree,
+            (Method::Spectral, false) => cut.degree,
+            (Method::Bmodes, false) if motion == Motion::Axial => 3,
+            (Method::Bmodes, false) => 2,
+            (_, true) => 2,
+            (_, false) => 1,
+        };
+        let unknowns: usize = set.iter().map(unknowns).sum();
+        // Components of the part's motion: a part of several motions has three or all six.
+        let components = match (set.iter().count(), set.iter().any(Motion::bends)) {
+            (1, false) => 1,
+            (1, true) => 2,
+            (2, true) if set.iter().filter(|motion| motion.bends()).count() == 1 => 3,
+            _ => 6,
+        };
+        // Inertia and one more; where the tower is tied to the ground or pressed by weights, their matrices and factors too.
+        let is_untied = tower.base().is_clamped() && tower.gravity_m_per_s2() == 0.0;
+        let matrices = if is_untied { 2 } else { 5 };
+        let rows = match options.method.element() {
+            Some(_) => components,
+            None => components + unknowns,
+        };
+        let numbers = 6 + 2 * components + matrices * rows * rows + components * unknowns;
+        Self {
+            unknowns: unknowns as f64,
+            bytes: NUMBER * numbers as f64,
+            terms: match options.method.element() {
+                Some(_) => 20.0,
+                None => (components + unknowns) as f64 * 4.0,
+            },
+            modes: 0.0,
+            multiplicity: 1.0,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Cost, ladder};
+    use crate::elements::Mesh;
+    use crate::solve::model::Cut;
+    use crate::solve::options::{Options, SolveError};
+    use crate::{Material, Method, Station, Tower, TowerDescription};
+
+    fn tower() -> Tower {
+        Tower::new(TowerDescription {
+            materials: vec![Material::from_shear_modulus(8500.0, 2.1e11, 8.08e10)],
+            stations: vec![
+                Station::new(0.0, 6.0, 0.027),
+                Station::new(87.6, 3.87, 0.019),
+            ],
+            ..TowerDescription::default()
+        })
+        .expect("a valid tower")
+    }
+
+    fn options(method: Method, modes: usize) -> Options {
+        Options {
+            method,
+            modes,
+            ..Options::default()
+        }
+    }
+
+    fn cost(options: &Options, segments: usize, degree: usize) -> Cost {
+        let tower = tower();
+        let mesh = Mesh::new(&tower, options.borders(), segments);
+        Cost::of(&tower, &Cut { mesh, degree }, options)
+    }
+
+    /// Peak memory less 8 MB of the program itself, MB, and processor time, s, of a release build.
+    #[test]
+    fn estimates_are_near_what_was_measured() {
+        for (method, segments, modes, megabytes, seconds) in [
+            (Method::RmjeExact, 100_000, 4, 48.0, 0.15),
+            (Method::RmjeExact, 100_000, 8, 77.0, 0.29),
+            (Method::RmjeExact, 100_000, 20, 137.0, 0.88),
+            (Method::RmjeExact, 1000, 300, 17.0, 0.68),
+            (Method::RmjeExact, 1000, 600, 38.0, 3.76),
+            (Method::Bmodes, 100_000, 8, 151.0, 0.81),
+        ] {
+            let Cost {
+                bytes,
+                seconds: estimated,
+                ..
+            } = cost(&options(method, modes), segments, 0);
+            let ratio = bytes / 1e6 / megabytes;
+            assert!(
+                (1.0..3.0).contains(&ratio),
+                "{modes} of {segments}: {ratio}"
+            );
+            let ratio = estimated / seconds;
+            assert!(
+                (0.5..3.0).contains(&ratio),
+                "{modes} of {segments}: {ratio}"
+            );
+        }
+        let spectral = cost(&options(Method::Spectral, 600), 32, 26).seconds / 5.88;
+        assert!((0.5..3.0).contains(&spectral), "{spectral}");
+    }
+
+    #[test]
+    fn a_million_segments_are_within_the_limits() {
+        for method in [Method::RmjeExact, Method::Lumped, Method::Bmodes] {
+            let asked = options(method, 8);
+            assert_eq!(cost(&asked, 1_000_000, 0).check(8), Ok(()));
+        }
+    }
+
+    #[test]
+    fn what_takes_more_than_ten_minutes_or_the_memory_is_refused() {
+        let check = |method, segments, degree, modes| {
+            cost(&options(method, modes), segments, degree).check(modes)
+        };
+        assert!(check(Method::RmjeExact, 5000, 0, 2000).is_ok());
+        for (method, segments, degree) in [
+            (Method::RmjeExact, 5000, 0),
+            (Method::Lumped, 5000, 0),
+            (Method::Spectral, 256, 27),
+        ] {
+            let refused = check(method, segments, degree, 5000);
+            assert!(
+                matches!(refused, Err(SolveError::TooSlow { .. })),
+                "{refused:?}"
+            );
+        }
+        let refused = check(Method::Bmodes, 2_000_000, 0, 20);
+        assert!(
+            matches!(refused, Err(SolveError::TooLarge { .. })),
+            "{refused:?}"
+        );
+        // Full matrices of many elements.
+        let refused = check(Method::Spectral, 100_000, 60, 8);
+        assert!(
+            matches!(refused, Err(SolveError::TooLarge { .. })),
+            "{refused:?}"
+        );
+    }
+
+    /// What cannot be halved is doubled, which takes the more memory.
+    #[test]
+    fn cuts_that_cannot_be_halved_need_finer_ones() {
+        let cut = |segments| Cut {
+            mesh: Mesh::new(&tower(), Options::default().borders(), segments),
+            degree: 0,
+        };
+        assert_eq!(ladder(&cut(100), 2), (100.0, 175.0));
+        assert_eq!(ladder(&cut(101), 2), (404.0, 707.0));
+        assert_eq!(ladder(&cut(102), 2), (204.0, 357.0));
+    }
+}
