@@ -8,7 +8,6 @@ use crate::eigen::EigenError;
 use crate::elements::{BorderError, Borders, Element, GAUSS_HINGE_POSITION, Recipe};
 use crate::modes::{Family, ShapePoint};
 use crate::number::Plain;
-use crate::tower::Tower;
 
 /// Segments used unless told; where steps and point masses make short spans, each of these has two on top.
 pub const DEFAULT_SEGMENTS: usize = 100;
