@@ -14,8 +14,11 @@ const AXIS: usize = 8;
 /// Characters of a sample of a line with the spaces around it.
 const SAMPLE: usize = 6;
 
+/// Whether a line has the dot of this number along it.
+type Style = fn(usize) -> bool;
+
 /// How lines are broken, by turns, with a sample of each.
-const STYLES: [(&str, fn(usize) -> bool); 3] = [
+const STYLES: [(&str, Style); 3] = [
     ("───", |_| true),
     ("╌╌╌", |step| step % 6 < 4),
     ("┈┈┈", |step| step.is_multiple_of(3)),
@@ -159,7 +162,7 @@ pub(super) fn chart(series: &[Series], x_axis: &XAxis, width: usize) -> String {
 }
 
 /// A line between neighbouring points, and each point as a cross.
-fn draw(canvas: &mut Canvas, places: &Places<'_>, series: &Series, style: fn(usize) -> bool) {
+fn draw(canvas: &mut Canvas, places: &Places<'_>, series: &Series, style: Style) {
     let points: Vec<(usize, usize)> = series.points.iter().map(|p| places.at(*p)).collect();
     let mut step = 0;
     for pair in points.windows(2) {

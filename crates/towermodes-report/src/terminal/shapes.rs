@@ -9,7 +9,7 @@ use crate::svg::number;
 
 impl Curve {
     /// A rotation as a share of its largest: beside a deflection of 1 it has no scale. Deflections stay.
-    fn as_share(mut self, component: Component) -> Self {
+    fn with_scale_of(mut self, component: Component) -> Self {
         let sizes = self.points.iter().map(|(_, value)| value.abs());
         let largest = sizes.fold(0.0, f64::max);
         if matches!(component, Component::AboutZ) && largest > 0.0 {
@@ -94,8 +94,8 @@ fn tower_panel(mode: &Mode, twin: Option<&Mode>) -> Panel {
         Family::Torsion | Family::Yaw => whole(Component::AboutZ),
         Family::Axial | Family::Heave => whole(Component::Along(2)),
         Family::Coupled => vec![
-            curve(first.0, Line::Whole).as_share(first.0),
-            curve(second.0, Line::Dots).as_share(second.0),
+            curve(first.0, Line::Whole).with_scale_of(first.0),
+            curve(second.0, Line::Dots).with_scale_of(second.0),
         ],
         _ => whole(Component::Along(0)),
     };
