@@ -42,11 +42,11 @@ pub enum Warning {
     },
     /// A wall that is too thin or too thick for the diameter.
     #[error(
-        "{}wall {} m at z = {} m is 1/{:.1} of the diameter {} m; expected 1/{:.0} to 1/{:.0}: look at the unit and the decimal point of both",
+        "{}wall {} m at z = {} m is 1/{} of the diameter {} m; expected 1/{:.0} to 1/{:.0}: look at the unit and the decimal point of both",
         .site.before(),
         Plain(*.wall_thickness_m),
         Plain(.site.height_m.unwrap_or_default()),
-        .outer_diameter_m / .wall_thickness_m,
+        Plain(rounded(.outer_diameter_m / .wall_thickness_m)),
         Plain(*.outer_diameter_m),
         .most,
         .least
@@ -88,7 +88,7 @@ pub enum Warning {
     },
     /// A value of one row that does not go with those of the rows beside it.
     #[error(
-        "{}{column}{} is {}, {} times what the rows beside it make expect ({}): look at its exponent",
+        "{}{column}{} is {}{unit}, {} times what the rows beside it make expect ({}{unit}): look at its decimal point and its exponent",
         .site.before(),
         .site.after(),
         Plain(significant(*.value)),
@@ -100,6 +100,8 @@ pub enum Warning {
         site: Site,
         /// The column, in words.
         column: &'static str,
+        /// Its unit after a space.
+        unit: &'static str,
         /// The value, in the unit of the column.
         value: f64,
         /// The value between those of the rows beside it.

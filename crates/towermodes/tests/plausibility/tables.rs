@@ -228,7 +228,7 @@ fn the_worst_row_is_named() {
     let said = warnings
         .iter()
         .map(ToString::to_string)
-        .find(|said| said.contains("look at its exponent"))
+        .find(|said| said.contains("look at its decimal point"))
         .expect("a row");
     assert!(
         said.starts_with("station 8: EI fore-aft at z = 61.32 m is "),

@@ -25,8 +25,8 @@ const FLANGE: f64 = 0.5;
 
 pub(super) fn check(tower: &Tower, given: &Given<'_>, warnings: &mut Vec<Warning>) {
     widest(tower.stations(), warnings);
-    walls(tower.stations(), given.materials, warnings);
     lines(tower.stations(), warnings);
+    walls(tower.stations(), given.materials, warnings);
     useless_rows(tower, warnings);
     if tower.height_m() > TALLEST_M {
         warnings.push(Warning::TallTower {
@@ -50,11 +50,17 @@ fn widest(stations: &[Station], warnings: &mut Vec<Warning>) {
 /// The wall that is furthest from those of built towers.
 fn walls(stations: &[Station], materials: &[Material], warnings: &mut Vec<Warning>) {
     let mut furthest: Option<(f64, Warning)> = None;
+    // A row that is out of line needs no second warning.
+    let has_one = |index| {
+        let place = Some(Place::Station { index, key: "wall" });
+        warnings.iter().any(|warning| warning.place() == place)
+    };
     for (index, station) in stations.iter().enumerate() {
         let (d, t) = (station.outer_diameter_m, station.wall_thickness_m);
         let least = thickest(stations, materials, index);
         let excess = (least * t / d).max(d / t / THINNEST);
-        if excess <= 1.0 || furthest.as_ref().is_some_and(|(most, _)| excess <= *most) {
+        let is_further = furthest.as_ref().is_none_or(|(most, _)| excess > *most);
+        if excess <= 1.0 || !is_further || has_one(index) {
             continue;
         }
         let site = Site::at(Place::Station { index, key: "wall" }).high(station.height_m);
@@ -114,6 +120,7 @@ fn lines(stations: &[Station], warnings: &mut Vec<Warning>) {
         warnings.push(Warning::RowOutOfLine {
             site,
             column,
+            unit: " m",
             value: values[index],
             expected,
         });

@@ -203,9 +203,15 @@ fn warning(
     column: &'static str,
 ) -> Option<Warning> {
     let (index, expected) = worst(heights_m, values, spike)?;
+    let unit = match key {
+        "mass_kg_per_m" => " kg/m",
+        "ea_n" => " N",
+        _ => " N m2",
+    };
     Some(Warning::RowOutOfLine {
         site: Site::at(Place::Station { index, key }).high(heights_m[index]),
         column,
+        unit,
         value: values[index],
         expected,
     })
