@@ -4,7 +4,9 @@ use std::path::Path;
 
 use towermodes::study::{AgreementLimits, agree, examine};
 use towermodes::{Rna, Verdict};
-use towermodes_files::{Note, TowerInput, write_agreement_json, write_examination_json};
+use towermodes_files::{
+    NOTHING_LEFT_OUT, Note, TowerInput, write_agreement_json, write_examination_json,
+};
 
 use crate::args::{CheckArguments, ReportFormat};
 use crate::failure::{Failure, note, warn};
@@ -43,6 +45,15 @@ fn of_two(arguments: &CheckArguments, other: &Path) -> Result<(), Failure> {
     let checked = reading.check(&[first.format, second.format]);
     checked.map_err(Failure::Usage)?;
     leave_lone_machine_out(&mut first, &mut second);
+    let has_none = |input: &TowerInput| {
+        let mut notes = input.notes.iter();
+        notes.any(|note| note.message == NOTHING_LEFT_OUT)
+    };
+    if !(has_none(&first) && has_none(&second)) {
+        // What is left out of one of two is left out.
+        let is_other = |note: &Note| note.message != NOTHING_LEFT_OUT;
+        [&mut first, &mut second].map(|input| input.notes.retain(is_other));
+    }
     let mut notes = first.notes.clone();
     let more = second
         .notes

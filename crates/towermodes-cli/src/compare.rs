@@ -23,10 +23,10 @@ const LONG: Duration = Duration::from_secs(1);
 
 /// Reads the tower, solves it by every method, prints what each makes of it.
 pub(crate) fn run(arguments: &CompareArguments) -> Result<(), Failure> {
-    let format = arguments.destination.format().map_err(Failure::Ending)?;
-    arguments.check().map_err(Failure::Usage)?;
     let output = arguments.destination.output();
     check_not_input(&arguments.input.file, output)?;
+    let format = arguments.destination.format().map_err(Failure::Ending)?;
+    arguments.check().map_err(Failure::Usage)?;
     let (tower, notes) = tower(&arguments.input)?;
     let columns = arguments.columns();
     let progress = Progress::of(columns_in_words(&columns));

@@ -13,9 +13,9 @@ use crate::table;
 /// Reads the tower, solves it more and more finely, prints the errors.
 pub(crate) fn run(arguments: &ConvergeArguments) -> Result<(), Failure> {
     let fineness = arguments.fineness().map_err(Failure::Usage)?;
-    let format = arguments.destination.format().map_err(Failure::Ending)?;
     let output = arguments.destination.output();
     check_not_input(&arguments.input.file, output)?;
+    let format = arguments.destination.format().map_err(Failure::Ending)?;
     let (tower, notes) = tower(&arguments.input)?;
     let progress = Progress::of_weighted(fineness.iter().copied().map(said));
     let (options, mut workspace) = (arguments.options(), progress.workspace());
