@@ -52,7 +52,9 @@ fn of_two(arguments: &CheckArguments, other: &Path) -> Result<(), Failure> {
     if !(has_none(&first) && has_none(&second)) {
         // What is left out of one of two is left out.
         let is_other = |note: &Note| note.message != NOTHING_LEFT_OUT;
-        [&mut first, &mut second].map(|input| input.notes.retain(is_other));
+        for input in [&mut first, &mut second] {
+            input.notes.retain(is_other);
+        }
     }
     let mut notes = first.notes.clone();
     let more = second
