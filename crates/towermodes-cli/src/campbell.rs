@@ -16,10 +16,10 @@ const MOST_MODES: usize = 40;
 
 /// Reads the tower, solves it, sets its frequencies against the rotor's excitations; a pair that fails is exit code 1.
 pub(crate) fn run(arguments: &CampbellArguments) -> Result<(), Failure> {
-    let format = arguments.destination.format().map_err(Failure::Ending)?;
-    arguments.check(format).map_err(Failure::Usage)?;
     let output = arguments.destination.output();
     check_not_input(&arguments.input.file, output)?;
+    let format = arguments.destination.format().map_err(Failure::Ending)?;
+    arguments.check(format).map_err(Failure::Usage)?;
     let mut input = tower_input(&arguments.input)?;
     check_not_inputs(input.files(), output)?;
     let tower = input.tower().map_err(Failure::Input)?;

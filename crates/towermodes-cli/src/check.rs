@@ -5,7 +5,7 @@ use std::path::Path;
 use towermodes::study::{AgreementLimits, agree, examine};
 use towermodes::{Rna, Verdict};
 use towermodes_files::{
-    FileFormat, Note, TowerInput, write_agreement_json, write_examination_json,
+    FileFormat, NOTHING_LEFT_OUT, Note, TowerInput, write_agreement_json, write_examination_json,
 };
 
 use crate::args::{CheckArguments, ReportFormat};
@@ -38,6 +38,11 @@ fn of_one(arguments: &CheckArguments) -> Result<(), Failure> {
     deliver(&result, None)
 }
 
+/// Whether a note says that there was nothing to leave out.
+fn is_on_nothing(note: &Note) -> bool {
+    note.message == NOTHING_LEFT_OUT
+}
+
 fn of_two(arguments: &CheckArguments, other: &Path) -> Result<(), Failure> {
     let reading = &arguments.input.reading;
     let mut first = input_of(&arguments.input.file, reading)?;
@@ -46,6 +51,13 @@ fn of_two(arguments: &CheckArguments, other: &Path) -> Result<(), Failure> {
     checked.map_err(Failure::Usage)?;
     leave_lone_machine_out(&mut first, &mut second);
     leave_lone_gravity_out(&mut first, &mut second);
+    let useless = [&first, &second].map(|input| input.notes.iter().any(is_on_nothing));
+    if useless.contains(&false) {
+        // What is left out of one of two is left out.
+        for input in [&mut first, &mut second] {
+            input.notes.retain(|note| !is_on_nothing(note));
+        }
+    }
     let mut notes = first.notes.clone();
     let more = second
         .notes

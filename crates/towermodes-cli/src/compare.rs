@@ -9,7 +9,7 @@ use towermodes_files::{write_comparison_csv, write_comparison_json};
 use crate::args::{CompareArguments, Format};
 use crate::failure::{Failure, note, warn};
 use crate::input::tower;
-use crate::output::{check_not_input, deliver};
+use crate::output::{check_not_input, check_not_inputs, deliver};
 use crate::progress::Progress;
 use crate::side_by_side::columns_in_words;
 use crate::table;
@@ -23,11 +23,12 @@ const LONG: Duration = Duration::from_secs(1);
 
 /// Reads the tower, solves it by every method, prints what each makes of it.
 pub(crate) fn run(arguments: &CompareArguments) -> Result<(), Failure> {
-    let format = arguments.destination.format().map_err(Failure::Ending)?;
-    arguments.check().map_err(Failure::Usage)?;
     let output = arguments.destination.output();
     check_not_input(&arguments.input.file, output)?;
+    let format = arguments.destination.format().map_err(Failure::Ending)?;
+    arguments.check().map_err(Failure::Usage)?;
     let (tower, input) = tower(&arguments.input)?;
+    check_not_inputs(input.files(), output)?;
     let columns = arguments.columns();
     let progress = Progress::of(columns_in_words(&columns));
     let mut times = Vec::new();

@@ -6,17 +6,18 @@ use towermodes_files::{write_convergence_csv, write_convergence_json};
 use crate::args::{ConvergeArguments, Format};
 use crate::failure::{Failure, note, warn};
 use crate::input::tower;
-use crate::output::{check_not_input, deliver};
+use crate::output::{check_not_input, check_not_inputs, deliver};
 use crate::progress::Progress;
 use crate::{table, terminal};
 
 /// Reads the tower, solves it more and more finely, prints the errors.
 pub(crate) fn run(arguments: &ConvergeArguments) -> Result<(), Failure> {
     let fineness = arguments.fineness().map_err(Failure::Usage)?;
-    let format = arguments.destination.format().map_err(Failure::Ending)?;
     let output = arguments.destination.output();
     check_not_input(&arguments.input.file, output)?;
+    let format = arguments.destination.format().map_err(Failure::Ending)?;
     let (tower, input) = tower(&arguments.input)?;
+    check_not_inputs(input.files(), output)?;
     let progress = Progress::of_weighted(fineness.iter().copied().map(said));
     let (options, mut workspace) = (arguments.options(), progress.workspace());
     let done = converge_with(&tower, &options, &fineness, &mut workspace, |_| {

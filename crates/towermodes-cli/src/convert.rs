@@ -24,10 +24,10 @@ struct Converted {
 /// Reads any tower, writes it in another format; what that cannot hold goes to standard error.
 pub(crate) fn run(arguments: &ConvertArguments) -> Result<(), Failure> {
     let output = arguments.output();
+    check_not_input(&arguments.input.file, output)?;
     let to = arguments.to().map_err(Failure::Ending)?;
     let to = to.ok_or(Failure::Usage(NO_FORMAT))?;
     arguments.check(to).map_err(Failure::Usage)?;
-    check_not_input(&arguments.input.file, output)?;
     let input = tower_input(&arguments.input)?;
     check_not_inputs(input.files(), output)?;
     let converted = match to {

@@ -23,13 +23,13 @@ use crate::side_by_side::all_methods;
 /// Reads the tower, computes all that there is to say, writes it down.
 pub(crate) fn run(arguments: &ReportArguments) -> Result<(), Failure> {
     let output = arguments.output();
+    check_not_input(&arguments.input.file, output)?;
     let format = arguments.format().map_err(Failure::Ending)?;
     let what = match format {
         PageFormat::Html => "a page of HTML",
         PageFormat::Md => "a report",
     };
     check_terminal(arguments.asked_output(), what, "report.html")?;
-    check_not_input(&arguments.input.file, output)?;
     let mut input = tower_input(&arguments.input)?;
     check_not_inputs(input.files(), output)?;
     let tower = input.tower().map_err(Failure::Input)?;

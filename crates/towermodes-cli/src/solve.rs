@@ -19,10 +19,10 @@ use crate::terminal;
 
 /// Reads the tower, or the blade, solves it, prints the result; warnings go to standard error.
 pub(crate) fn run(arguments: &SolveArguments) -> Result<(), Failure> {
-    let format = arguments.format().map_err(Failure::Ending)?;
-    arguments.check(format).map_err(Failure::Usage)?;
     let file = &arguments.input.file;
     check_not_input(file, arguments.output())?;
+    let format = arguments.format().map_err(Failure::Ending)?;
+    arguments.check(format).map_err(Failure::Usage)?;
     let result = match input(file, &arguments.input.reading)? {
         Input::Tower(tower) => of_tower(*tower, arguments, format)?,
         Input::Blade(blade) => of_blade(&blade, arguments, format)?,

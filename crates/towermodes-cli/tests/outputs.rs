@@ -70,7 +70,7 @@ const WRITERS: [(&[&str], &str); 9] = [
     (&["solve", TOWER], "out.json"),
     (
         &["solve", TOWER, "--points", "11", "--format", "bmodes"],
-        "out.txt",
+        "out.out",
     ),
     (
         &[
@@ -308,7 +308,7 @@ fn the_ending_of_an_output_is_its_format() {
         (&solve[..], "m.pdf", "use .json, .csv, .txt, or --format"),
         (
             &["solve", TOWER, "--format", "csv"],
-            "m.json",
+            "x.json",
             "--format csv does not go with",
         ),
         (

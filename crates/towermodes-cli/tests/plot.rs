@@ -290,6 +290,6 @@ fn hints_fit_the_file() {
     );
     let deck = "examples/small-turbine/";
     let (main, blade) = (format!("{deck}ElastoDyn.dat"), format!("{deck}Blade.dat"));
-    let refused = said(&["campbell", &main, "-o", &blade]);
+    let refused = said(&["campbell", &main, "-f", "csv", "-o", &blade]);
     assert!(refused.contains("Blade.dat is read as input"), "{refused}");
 }

@@ -364,8 +364,8 @@ fn the_ending_of_the_file_says_how_it_is_written() {
     for name in ["ending.html", "ending.htm", "ending", "md"] {
         assert_eq!(written(name, &[]), "<!DOCTYPE", "{name}");
     }
-    assert_eq!(written("told.md", &["-f", "html"]), "<!DOCTYPE");
-    assert_eq!(written("told.html", &["-f", "md"]), "# Natural");
+    assert_eq!(written("told.page", &["-f", "html"]), "<!DOCTYPE");
+    assert_eq!(written("told", &["-f", "md"]), "# Natural");
 }
 
 #[test]

@@ -49,7 +49,7 @@ pub use input::{
     BladeInput, FileFormat, InputError, Note, OutLayout, ReadOptions, RotorLock, RotorNotes,
     TowerInput, TowerPart,
 };
-pub use read::{Input, read, read_source, recognize};
+pub use read::{Input, NOTHING_LEFT_OUT, read, read_source, recognize};
 pub use result::{
     ResultError, ResultKind, write_agreement_json, write_blade_csv, write_blade_json,
     write_campbell_csv, write_campbell_json, write_comparison_csv, write_comparison_json,

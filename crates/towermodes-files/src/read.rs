@@ -14,6 +14,10 @@ use crate::source::Source;
 use crate::toml::read_toml;
 use crate::windio::{self, read_windio};
 
+/// What is noted where a machine is to be left out and there is none.
+pub const NOTHING_LEFT_OUT: &str =
+    "the file has no rotor-nacelle assembly: --no-rna leaves nothing out";
+
 /// What a file describes.
 #[derive(Debug, Clone)]
 pub enum Input {
@@ -61,9 +65,7 @@ pub fn read_source(
             FileFormat::Toml | FileFormat::Bmodes | FileFormat::ElastoDynTower | FileFormat::Hawc2
         );
         if is_tower_file && rna == Rna::default() {
-            tower.notes.push(Note::new(
-                "the file has no rotor-nacelle assembly: --no-rna leaves nothing out",
-            ));
+            tower.notes.push(Note::new(NOTHING_LEFT_OUT));
         }
     }
     if options.without_gravity {

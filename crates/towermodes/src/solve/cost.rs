@@ -17,7 +17,7 @@ const SECONDS_A_TERM: f64 = 1e-9;
 /// Looks at the projected matrix, and terms of its diagonalization in units of p³.
 const DIAGONALIZATION: f64 = 1.5;
 /// Degrees that the spectral beam tries until the modes stand still, as a rule.
-const DEGREES: f64 = 3.0;
+pub(super) const DEGREES: f64 = 3.0;
 
 /// What a solve takes.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -1,5 +1,6 @@
 //! The spectral beam: the degree is raised until the modes stand still.
 
+use super::cost::{Cost, DEGREES};
 use super::model::Cut;
 use super::options::{MAX_SPECTRAL_ELEMENTS, Options, SolveError};
 use super::solution::Solution;
@@ -16,6 +17,10 @@ pub(super) const CONVERGED: f64 = 1e-10;
 const STEP: usize = 2;
 /// Above this degree elements are halved instead: their matrices are full.
 const HIGHEST_DEGREE: usize = 30;
+/// What is tried beside the first two cuts: so many times what these take, and so many seconds. Modes that do not stand still by then, as where
+/// a few numbers of a file are nine digits off, are given with the change that they still make.
+const PATIENCE: f64 = 3.0;
+const PATIENCE_S: f64 = 1.0;
 /// More modes an element than this are a matter of more elements, not of a higher degree.
 const MODES_AN_ELEMENT: usize = 20;
 
@@ -46,7 +51,10 @@ pub(super) fn solve(
         found,
         changes_hz,
     } = match options.degree {
-        None => raise(first, options, solve)?,
+        None => {
+            let seconds = |cut: &Cut| Cost::of(tower, cut, options).seconds / DEGREES;
+            raise(first, options, seconds, solve)?
+        }
         Some(degree) => fix(Cut { degree, ..first }, options, solve)?,
     };
     let mut result = describe(tower, &cut, options, &found, workspace)?;
@@ -81,16 +89,20 @@ fn fix(
 fn raise(
     first: Cut,
     options: &Options,
+    seconds: impl Fn(&Cut) -> f64,
     mut solve: impl FnMut(&Cut) -> Result<Vec<Found>, SolveError>,
 ) -> Result<Solved, SolveError> {
     let mut cut = first;
     let mut found = solve(&cut)?;
+    let first_two_s = seconds(&cut) + seconds(&finer(cut.clone(), options));
+    let mut left_s = PATIENCE_S + PATIENCE * first_two_s;
     loop {
         cut = finer(cut, options);
-        let finer = solve(&cut)?;
-        let changes_hz = changes(&finer[..options.modes], &found);
-        found = finer;
-        if have_converged(&changes_hz, &found) || !can_be_finer(&cut, options) {
+        let solved = solve(&cut)?;
+        let changes_hz = changes(&solved[..options.modes], &found);
+        found = solved;
+        left_s -= seconds(&finer(cut.clone(), options));
+        if have_converged(&changes_hz, &found) || !can_be_finer(&cut, options) || left_s < 0.0 {
             return Ok(Solved {
                 cut,
                 found,
