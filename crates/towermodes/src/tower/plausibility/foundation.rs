@@ -99,8 +99,13 @@ fn springs(
         return;
     }
     let section = tower.pieces()[0].section_at(tower.base_m());
-    let radius = section.bending_n_m2.fore_aft / section.masses.mass_kg_per_m;
-    let least_m = LEVER * radius.sqrt() / SOUND_M_PER_S;
+    let bending = section.bending_n_m2.fore_aft;
+    let radius_m = if section.axial_n.is_finite() {
+        (bending / section.axial_n).sqrt()
+    } else {
+        (bending / section.masses.mass_kg_per_m).sqrt() / SOUND_M_PER_S
+    };
+    let least_m = LEVER * radius_m;
     let lever = Usual::at_least(Quantity::SpringLever, least_m);
     if k[0][0] > 0.0 && k[4][4] > 0.0 {
         lever.check((k[4][4] / k[0][0]).sqrt(), at(rocking), warnings);
