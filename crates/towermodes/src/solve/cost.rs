@@ -267,7 +267,7 @@ mod tests {
         Cost::of(&tower, &Cut { mesh, degree }, options)
     }
 
-    /// Peak memory less 8 MB of the program itself, MB, and processor time, s, of a release build.
+    /// Peak memory less 8 MB of the program itself, MB, and processor time, s, of a release build; an estimate is on the safe side or a little off.
     #[test]
     fn estimates_are_near_what_was_measured() {
         for (method, segments, modes, megabytes, seconds) in [
