@@ -49,7 +49,7 @@ impl Cost {
         let parts = Parts::of(tower, cut, options);
         let (finest, share) = (parts.work(finest), all / own);
         let heights = options.points + tower.station_heights_m().len() + options.heights_m.len();
-        let shapes = (options.modes * size_of::<ShapePoint>()) as f64 * heights as f64;
+        let shapes = options.modes as f64 * size_of::<ShapePoint>() as f64 * heights as f64;
         Self {
             bytes: finest.bytes + shapes,
             seconds: share * parts.work(own).seconds,
