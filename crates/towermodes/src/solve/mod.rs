@@ -244,6 +244,7 @@ fn solve_cut(
     let cost = Cost::of(tower, cut, options);
     // More modes than there are is another mistake, which is said below.
     if options.limits && options.modes as f64 <= cost.unknowns {
+        options.check_shapes()?;
         cost.check(options.modes)?;
     }
     let Workspace { model, spectrum } = workspace;

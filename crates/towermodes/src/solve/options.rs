@@ -97,7 +97,7 @@ impl Options {
                 position: self.hinge_position,
             });
         }
-        self.check_shapes()
+        Ok(())
     }
 
     /// Refuses more modes than a model of so many degrees of freedom has.
@@ -114,9 +114,9 @@ impl Options {
     }
 
     /// Refuses shapes that no memory holds, whatever the tower.
-    fn check_shapes(&self) -> Result<(), SolveError> {
+    pub(super) fn check_shapes(&self) -> Result<(), SolveError> {
         let (modes, points) = (self.modes, self.points + self.heights_m.len());
-        if self.limits && modes > MAX_BYTES / (points * size_of::<ShapePoint>()) {
+        if modes > MAX_BYTES / (points * size_of::<ShapePoint>()) {
             return Err(SolveError::ShapesTooLarge { modes, points });
         }
         Ok(())
