@@ -256,7 +256,7 @@ fn wall_to_nothing() -> TowerDescription {
         stations: stations.map(|(z_m, d, t)| Station::new(z_m, d, t)).to_vec(),
         shear: Shear::Coefficient(0.1),
         rna: Rna {
-            mass_kg: 3_466_759.840_660_326_2,
+            mass_kg: 3_466_759.840_660_326,
             center_m: [1.742_736_5, 1.102_714_3, 2.140_994_3],
             inertia_kg_m2: Inertia {
                 xx: 3_081_489_427.9,

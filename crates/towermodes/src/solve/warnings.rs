@@ -136,9 +136,8 @@ fn most_missed(tower: &Tower, base_m: f64, top_m: f64) -> Option<(&'static str, 
     let within = pieces[first..]
         .iter()
         .take_while(|piece| piece.base_m < top_m);
-    if within.clone().nth(1).is_none() {
-        return None;
-    }
+    // More than one piece.
+    within.clone().nth(1)?;
     let ends = within.flat_map(|piece| {
         let ends_m = [piece.base_m.max(base_m), piece.top_m.min(top_m)];
         ends_m.map(|height_m| piece.section_at(height_m))
