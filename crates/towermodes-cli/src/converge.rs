@@ -21,7 +21,7 @@ pub(crate) fn run(arguments: &ConvergeArguments) -> Result<(), Failure> {
     let progress = Progress::of_weighted(fineness.iter().copied().map(said));
     let (options, mut workspace) = (arguments.options(), progress.workspace());
     let done = converge_with(&tower, &options, &fineness, &mut workspace, |_| {
-        progress.done()
+        progress.done();
     });
     drop((workspace, progress));
     let convergence = done.map_err(Failure::Unsolved)?;

@@ -27,7 +27,7 @@ pub(crate) fn all_methods(
     let progress = Progress::of(columns_in_words(&columns));
     let mut workspace = progress.workspace();
     compare_with(tower, &options, &columns, &mut workspace, |_, _| {
-        progress.done()
+        progress.done();
     })
 }
 

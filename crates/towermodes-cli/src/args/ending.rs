@@ -24,9 +24,9 @@ pub(crate) trait Ending: ValueEnum + Copy + PartialEq + 'static {
         let by_ending = known.map(|(_, format)| *format);
         match (option, by_ending) {
             (Some(option), Some(by_ending)) if option != by_ending => Err(EndingError::Differ {
-                said: format!("{} {}", Self::OPTION, name_of(option)),
+                said: format!("{} {}", Self::OPTION, name_of(&option)),
                 ending,
-                of: name_of(by_ending),
+                of: name_of(&by_ending),
             }),
             (Some(option), _) => Ok(Some(option)),
             (None, Some(by_ending)) => Ok(Some(by_ending)),
@@ -88,7 +88,7 @@ fn ending_of(output: Option<&Path>) -> Option<String> {
     Some(ending.to_ascii_lowercase())
 }
 
-fn name_of(format: impl ValueEnum) -> String {
+fn name_of(format: &impl ValueEnum) -> String {
     let value = format.to_possible_value();
     value.map_or_else(String::new, |value| value.get_name().to_owned())
 }

@@ -66,7 +66,7 @@ fn solved(tower: &Tower, options: &Options, fineness: &[Fineness]) -> Result<Con
     let progress = Progress::of_weighted(fineness.iter().map(piece));
     let mut workspace = progress.workspace();
     let convergence = converge_with(tower, options, fineness, &mut workspace, |_| {
-        progress.done()
+        progress.done();
     });
     convergence.map_err(Failure::Unsolved)
 }

@@ -9,7 +9,7 @@ fn soil(factor: f64) -> impl FnOnce(&mut TowerDescription) {
         each_row(t, |row| {
             row.stiffness.x_n_per_m2 *= factor;
             row.stiffness.y_n_per_m2 *= factor;
-        })
+        });
     }
 }
 

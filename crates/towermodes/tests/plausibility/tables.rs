@@ -112,7 +112,7 @@ fn waves_of_torsion_and_shear() {
     // In kN, in one plane.
     let kilo = all(|p| {
         if let Some(shear) = &mut p.shear_n {
-            shear.side_side /= 1e3
+            shear.side_side /= 1e3;
         }
     });
     has(Quantity::ShearWaveSpeed, elliptic(), kilo);
@@ -191,7 +191,7 @@ fn out_of_line(warnings: &[Warning]) -> Vec<(Place, f64)> {
 fn one_row_ten_times_off() {
     let bending = |index: usize, factor: f64| {
         of(bending_alone(), move |t| {
-            t.properties[index].properties.bending_n_m2.side_side *= factor
+            t.properties[index].properties.bending_n_m2.side_side *= factor;
         })
     };
     // The row below it is 1/0.856 times as stiff: four times that one are 4.67 times itself.
@@ -209,7 +209,7 @@ fn one_row_ten_times_off() {
     }
     let mass = |factor: f64| {
         of(bending_alone(), move |t| {
-            t.properties[5].properties.mass_kg_per_m *= factor
+            t.properties[5].properties.mass_kg_per_m *= factor;
         })
     };
     assert_eq!(out_of_line(&mass(0.1)).len(), 1);

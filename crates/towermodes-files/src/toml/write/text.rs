@@ -26,7 +26,7 @@ pub(super) fn quoted(text: &str) -> String {
             '\n' => quoted.push_str("\\n"),
             '\t' => quoted.push_str("\\t"),
             c if !towermodes::is_printable(c) => {
-                quoted.push_str(&format!("\\u{:04X}", u32::from(c)))
+                quoted.push_str(&format!("\\u{:04X}", u32::from(c)));
             }
             c => quoted.push(c),
         }
