@@ -107,7 +107,8 @@ fn effective_masses(solution: &Solution) -> String {
     format!("effective mass of these modes: {x} in x, {y} in y, {z} in z")
 }
 
-/// "100 segments", or "1 element of degree 19".
+/// "100 segments", "1 element of degree 19", or "50 elements without rotary inertia": the beam of BModes is that of Euler and
+/// Bernoulli, and its error does not say how far that is from a beam whose sections resist rotation.
 fn fineness(solution: &Solution) -> String {
     let noun = if is_beam(solution.method) {
         "element"
@@ -115,7 +116,11 @@ fn fineness(solution: &Solution) -> String {
         "segment"
     };
     let degree = solution.degree.map(|degree| format!(" of degree {degree}"));
-    counted(solution.segments, noun) + &degree.unwrap_or_default()
+    let physics = match solution.method {
+        Method::Bmodes => " without rotary inertia",
+        _ => "",
+    };
+    counted(solution.segments, noun) + &degree.unwrap_or_default() + physics
 }
 
 fn is_beam(method: Method) -> bool {
