@@ -1,8 +1,8 @@
 //! What a solve takes of a machine, estimated before any of it is taken.
 //!
 //! The Lanczos process keeps all its vectors and orthogonalizes each against all before it: for w modes of a part with n unknowns about
-//! p = 2.5 w + 12 vectors, 8 n p bytes and n p² operations, and p³ for the projected matrix. The numbers below are measured on a processor
-//! of 2020 (one core, 3 GHz) and on the safe side by up to a factor of two.
+//! p = 2.5 w + 12 vectors, 8 n p bytes and n p² operations, and p³ for the projected matrix. The constants are fitted to runs on a
+//! processor of 2020 (one core, 3 GHz). Estimates are 0.8 to 3 times the memory and 0.5 to 3 times the time that was measured there.
 
 use super::model::Cut;
 use super::options::{MAX_BYTES, MAX_SECONDS, Options, SolveError};
