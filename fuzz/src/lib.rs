@@ -6,7 +6,8 @@ use towermodes_files::{InMemory, Input, InputError, Note, Source, TowerInput};
 /// A line that ends one file and begins the next.
 pub const MARKER: &str = "%%%% next file %%%%\n";
 
-/// The texts of an input, as many as asked for; those that are not there are empty, and the last takes what is left.
+/// The texts of an input, as many as asked for; those that are not there are empty, and the last
+/// takes what is left.
 pub fn texts<const N: usize>(bytes: &[u8]) -> Option<[String; N]> {
     let text = std::str::from_utf8(bytes).ok()?;
     let mut parts = text.splitn(N, MARKER).map(str::to_owned);

@@ -1,4 +1,5 @@
-//! Files of any format: a line with the name, the text, then companions, again a line with the name and the text.
+//! Files of any format: a line with the name, the text, then companions, again a line with the name
+//! and the text.
 #![no_main]
 
 use libfuzzer_sys::fuzz_target;

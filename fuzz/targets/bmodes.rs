@@ -7,7 +7,8 @@ use towermodes_fuzz::{companions, look_at_input, source, texts};
 
 fuzz_target!(|bytes: &[u8]| {
     if let Some([main, sections]) = texts(bytes) {
-        // Which of the two ways to understand a deck is left to its length, so that each run reads once.
+        // Which of the two ways to understand a deck is left to its length, so that each run reads
+        // once.
         let options = ReadOptions {
             bmodes_quirks: bytes.len() % 2 == 1,
             ..ReadOptions::default()

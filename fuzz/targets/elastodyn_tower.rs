@@ -8,7 +8,8 @@ use towermodes_fuzz::{look_at_tower, source, texts};
 
 fuzz_target!(|bytes: &[u8]| {
     if let Some([text]) = texts(bytes) {
-        // Whether the height is given or must stand in the file is left to its length, so that each run reads once.
+        // Whether the height is given or must stand in the file is left to its length, so that each
+        // run reads once.
         let options = ReadOptions {
             tower_height_m: (bytes.len() % 2 == 1).then_some(90.0),
             ..ReadOptions::default()

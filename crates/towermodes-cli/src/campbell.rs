@@ -14,7 +14,8 @@ use crate::table;
 /// How many modes are looked for, if nobody says, to come as high as the rotor's excitations.
 const MOST_MODES: usize = 40;
 
-/// Reads the tower, solves it, sets its frequencies against the rotor's excitations; a pair that fails is exit code 1.
+/// Reads the tower, solves it, sets its frequencies against the rotor's excitations; a pair that
+/// fails is exit code 1.
 pub(crate) fn run(arguments: &CampbellArguments) -> Result<(), Failure> {
     let output = arguments.destination.output();
     check_not_input(&arguments.input.file, output)?;
@@ -50,7 +51,8 @@ pub(crate) fn run(arguments: &CampbellArguments) -> Result<(), Failure> {
     judged(&campbell)
 }
 
-/// Solves for the modes that the options ask for and, if nobody gave a number, for as many more as the rotor's excitations reach.
+/// Solves for the modes that the options ask for and, if nobody gave a number, for as many more as
+/// the rotor's excitations reach.
 ///
 /// # Errors
 /// [`Failure::Unsolved`].
@@ -88,11 +90,13 @@ pub(crate) fn rotor_of(
     })
 }
 
-/// The natural frequencies of a solved tower, and of its blade if the files have one, against the rotor's excitations; with what the user
-/// should know of the rotor. A blade that has no modes at one of the speeds is left out with a note: the tower's margins are as good.
+/// The natural frequencies of a solved tower, and of its blade if the files have one, against the
+/// rotor's excitations; with what the user should know of the rotor. A blade that has no modes at
+/// one of the speeds is left out with a note: the tower's margins are as good.
 ///
 /// # Errors
-/// [`Failure::NoRotor`] if neither the file nor the command line says how fast the rotor runs; [`Failure::Campbell`].
+/// [`Failure::NoRotor`] if neither the file nor the command line says how fast the rotor runs;
+/// [`Failure::Campbell`].
 pub(crate) fn campbell_of(
     input: &TowerInput,
     tower: &Tower,
@@ -197,7 +201,8 @@ mod tests {
     use crate::input::tower_input;
     use crate::progress::solve;
 
-    /// i_f > i_e, and soft in torsion: the propeller moment turns it over where it turns fast enough.
+    /// i_f > i_e, and soft in torsion: the propeller moment turns it over where it turns fast
+    /// enough.
     fn unstable_blade() -> BladeDescription {
         let root = BladeSection {
             mass_kg_per_m: 1.0,

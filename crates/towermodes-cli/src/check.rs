@@ -103,7 +103,8 @@ fn leave_lone_machine_out(first: &mut TowerInput, second: &mut TowerInput) {
     second.description.rna = Rna::default();
 }
 
-/// The gravity that every ElastoDyn model has says nothing about its tower where the other file has none, as most formats do.
+/// The gravity that every ElastoDyn model has says nothing about its tower where the other file has
+/// none, as most formats do.
 fn leave_lone_gravity_out(first: &mut TowerInput, second: &mut TowerInput) {
     let has_gravity = |input: &TowerInput| input.description.gravity_m_per_s2 != 0.0;
     let (which, lone) = match (has_gravity(first), has_gravity(second)) {

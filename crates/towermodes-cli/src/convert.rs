@@ -61,8 +61,8 @@ pub(crate) fn run(arguments: &ConvertArguments) -> Result<(), Failure> {
 const NO_FORMAT: &str =
     "the output has no ending that says its format: give --to toml, bmodes, elastodyn or windio";
 
-/// Refuses to overwrite a file of sections whose deck is not there, unless this program wrote it: then its deck is lost, as when a conversion
-/// was broken off, and nothing else is.
+/// Refuses to overwrite a file of sections whose deck is not there, unless this program wrote it:
+/// then its deck is lost, as when a conversion was broken off, and nothing else is.
 fn check_is_own(companion: &Path, deck: &Path) -> Result<(), Failure> {
     if !companion.exists() || deck.exists() {
         return Ok(());
@@ -85,7 +85,8 @@ fn is_own_sections(text: &str) -> bool {
     title.starts_with("Sections of ") && count.ends_with("n_secs: number of sections (-)")
 }
 
-/// How the reader found the rotor, where the format has one: there it stands as if somebody had said so.
+/// How the reader found the rotor, where the format has one: there it stands as if somebody had
+/// said so.
 fn rotor_notes(input: &TowerInput, to: Target) -> Vec<Note> {
     let is_written = matches!(to, Target::Toml | Target::WindIo);
     match input.description.rotor {

@@ -294,7 +294,8 @@ fn mistakes_text(source: &Source, mistakes: &[Diagnostic]) -> String {
     text
 }
 
-/// The part of a mistake's span that is on its first line, so that a long table is not printed whole.
+/// The part of a mistake's span that is on its first line, so that a long table is not printed
+/// whole.
 fn visible(text: &str, mistake: &Diagnostic) -> std::ops::Range<usize> {
     let start = mistake.span.start.min(text.len());
     let end = mistake.span.end.clamp(start, text.len());

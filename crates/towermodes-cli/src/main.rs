@@ -1,7 +1,8 @@
-//! The program `towermodes`: a wind turbine tower's natural frequencies and mode shapes from its drawing.
+//! The program `towermodes`: a wind turbine tower's natural frequencies and mode shapes from its
+//! drawing.
 //!
-//! Results go to standard output, everything else to standard error. Exit codes: 0 done; 1 the computation failed; 2 wrong usage or
-//! wrong input.
+//! Results go to standard output, everything else to standard error. Exit codes: 0 done; 1 the
+//! computation failed; 2 wrong usage or wrong input.
 
 mod args;
 mod campbell;

@@ -7,8 +7,8 @@ use towermodes::is_printable;
 /// Stands where something was that is not shown.
 const NOT_SHOWN: char = '\u{fffd}';
 
-/// A text without control characters and without marks that turn the direction of writing: names come from files, and what a terminal is
-/// told by them could hide or forge what is said.
+/// A text without control characters and without marks that turn the direction of writing: names
+/// come from files, and what a terminal is told by them could hide or forge what is said.
 pub(crate) fn printable(text: &str) -> Cow<'_, str> {
     if !text.contains(disturbs) {
         return Cow::Borrowed(text);

@@ -1,4 +1,5 @@
-//! How far long work is, on the last line of a terminal: standard error only, after half a second, and gone when the work is done.
+//! How far long work is, on the last line of a terminal: standard error only, after half a second,
+//! and gone when the work is done.
 
 use std::fmt::Write;
 use std::io::IsTerminal;
@@ -37,7 +38,8 @@ impl Progress {
         Self::of_weighted(names.into_iter().map(|name| (name, 1.0)))
     }
 
-    /// Of pieces of work that are done one after the other, by their names and how long they take beside each other.
+    /// Of pieces of work that are done one after the other, by their names and how long they take
+    /// beside each other.
     pub(crate) fn of_weighted(pieces: impl IntoIterator<Item = (String, f64)>) -> Self {
         let now = Now::new(pieces.into_iter().collect());
         let is_seen = std::io::stderr().is_terminal();

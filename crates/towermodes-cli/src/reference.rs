@@ -1,4 +1,5 @@
-//! The whole command line as a chapter of the book, from clap's own definitions, so that the book cannot say anything else.
+//! The whole command line as a chapter of the book, from clap's own definitions, so that the book
+//! cannot say anything else.
 
 use clap::builder::StyledStr;
 use clap::{Arg, Command, CommandFactory};

@@ -1,4 +1,5 @@
-//! Completion scripts, the manual pages and the JSON schema, made from the command line's own description.
+//! Completion scripts, the manual pages and the JSON schema, made from the command line's own
+//! description.
 
 use clap::CommandFactory;
 use clap_complete::Shell;

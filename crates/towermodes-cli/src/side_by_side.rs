@@ -31,7 +31,8 @@ pub(crate) fn all_methods(
     })
 }
 
-/// What is at work while columns are solved one after the other: before the first the spectral beam, the measure of all.
+/// What is at work while columns are solved one after the other: before the first the spectral
+/// beam, the measure of all.
 pub(crate) fn columns_in_words(columns: &[ColumnSpec]) -> Vec<String> {
     let name = |spec: &ColumnSpec| match spec.segments {
         Some(segments) => format!("{} {segments}", spec.method.name()),

@@ -15,7 +15,8 @@ use sandbox::{PROGRAM, Sandbox};
 /// The page that the program prints itself.
 const REFERENCE: &str = "book/src/reference/command-line.md";
 
-/// Languages whose blocks are commands: of sessions the output is compared, the others are run by a shell.
+/// Languages whose blocks are commands: of sessions the output is compared, the others are run by a
+/// shell.
 const SESSIONS: [&str; 2] = ["console", "trycmd"];
 const SCRIPTS: [&str; 2] = ["sh", "bash"];
 
@@ -99,7 +100,8 @@ fn code(page: &Page) -> Vec<String> {
     spans.chain(lines).collect()
 }
 
-/// The words in which the reference names something: the commands of two words, or what begins with two dashes.
+/// The words in which the reference names something: the commands of two words, or what begins with
+/// two dashes.
 fn words_of_the_reference() -> (BTreeSet<String>, BTreeSet<String>) {
     let reference = String::from_utf8(program(&["reference"]).stdout).expect("text");
     let headings = reference
@@ -172,8 +174,8 @@ fn commands_and_options_that_are_named_are_there() {
     }
 }
 
-/// A command that no test runs may be wrong tomorrow. What cannot be run says so: `sh norun`, for what builds the program or for pipes to
-/// programs that may not be there.
+/// A command that no test runs may be wrong tomorrow. What cannot be run says so: `sh norun`, for
+/// what builds the program or for pipes to programs that may not be there.
 #[test]
 fn every_command_is_run() {
     for block in blocks() {
@@ -222,8 +224,8 @@ fn every_command_is_run() {
     }
 }
 
-/// The scripts of a page are run one after the other in a folder with the examples and a reader's files; each must end with exit code 0.
-/// Those of the reference know nothing of each other.
+/// The scripts of a page are run one after the other in a folder with the examples and a reader's
+/// files; each must end with exit code 0. Those of the reference know nothing of each other.
 #[cfg(unix)]
 #[test]
 fn the_scripts_do_what_they_should() {
@@ -264,7 +266,8 @@ fn run_in(sandbox: &Sandbox, scripts: &[&Block]) {
     }
 }
 
-/// What is shown of a tower file is one: whole, or put below the last whole one of its page, or else below the first tower.
+/// What is shown of a tower file is one: whole, or put below the last whole one of its page, or
+/// else below the first tower.
 #[test]
 fn the_towers_are_towers() {
     let sandbox = Sandbox::new("towers");

@@ -114,7 +114,8 @@ fn what_only_looks_changes_nothing() {
     assert!(!folder.0.join("Tower.dat.bak").exists());
 }
 
-/// OpenFAST refuses coefficients whose sum is farther than 0.0015 from 1; a deck that has them can be judged and mended.
+/// OpenFAST refuses coefficients whose sum is farther than 0.0015 from 1; a deck that has them can
+/// be judged and mended.
 #[test]
 fn a_sum_that_openfast_refuses_fails_and_is_mended() {
     let folder = Folder::with_deck("sum", |text| {
@@ -165,7 +166,8 @@ fn converted_towers_swing_as_they_did() {
     assert_same(&frequencies(&deck, &["--modes", "8"]), &original, 1e-5);
 }
 
-/// ElastoDyn's towers have no torsion, stretch, rotary inertia or machine: what is left comes back to a millionth.
+/// ElastoDyn's towers have no torsion, stretch, rotary inertia or machine: what is left comes back
+/// to a millionth.
 #[test]
 fn a_tower_file_has_the_frequencies_of_its_tower() {
     let folder = Folder::new("tower-file");
@@ -424,7 +426,8 @@ fn a_stub_does_not_agree_with_its_tower() {
     done(&["check", &whole, &whole]);
 }
 
-/// R is the radius with the draft: the flexible tower may be all of it, whatever the height of its base.
+/// R is the radius with the draft: the flexible tower may be all of it, whatever the height of its
+/// base.
 #[test]
 fn deflections_are_divided_by_the_length_of_the_deck() {
     let folder = Folder::new("draft");

@@ -65,7 +65,8 @@ impl Drop for Folder {
 
 const TOWER: &str = "examples/reference-tower.toml";
 
-/// Every command that writes a file, with the file's name; each result is larger than a disk of [`DISK`].
+/// Every command that writes a file, with the file's name; each result is larger than a disk of
+/// [`DISK`].
 const WRITERS: [(&[&str], &str); 9] = [
     (&["solve", TOWER], "out.json"),
     (
@@ -97,7 +98,8 @@ const WRITERS: [(&[&str], &str); 9] = [
 /// Bytes of the disk that is full: two blocks of 512 bytes.
 const DISK: usize = 1024;
 
-/// Runs a writer where no file may be longer than [`DISK`]: either the write fails as on a full disk, or the process is killed in it.
+/// Runs a writer where no file may be longer than [`DISK`]: either the write fails as on a full
+/// disk, or the process is killed in it.
 #[cfg(unix)]
 fn on_a_small_disk(arguments: &[&str], is_killed: bool) -> Output {
     let trap = if is_killed { "" } else { "trap '' XFSZ; " };
@@ -146,7 +148,8 @@ fn a_full_disk_or_a_killed_process_leaves_the_old_file() {
     }
 }
 
-/// Both files of a BModes deck, or neither; nothing that is left of a broken conversion blocks the next.
+/// Both files of a BModes deck, or neither; nothing that is left of a broken conversion blocks the
+/// next.
 #[cfg(unix)]
 #[test]
 fn a_deck_of_two_files_is_written_together() {

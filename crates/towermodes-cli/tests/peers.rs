@@ -1,5 +1,6 @@
-//! Files of other programs, and what these programs say of them. They are not in this repository: the tests run where
-//! `TOWERMODES_PEER_DATA` names a folder with them, and say so where it does not.
+//! Files of other programs, and what these programs say of them. They are not in this repository:
+//! the tests run where `TOWERMODES_PEER_DATA` names a folder with them, and say so where it does
+//! not.
 
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
@@ -101,7 +102,8 @@ fn half_a_digit(value: f64) -> f64 {
     0.5 * 10_f64.powf(value.log10().floor() + 1.0 - 5.0)
 }
 
-/// The four cases that are distributed with BModes: every printed frequency, and every shape up to sign and scale.
+/// The four cases that are distributed with BModes: every printed frequency, and every shape up to
+/// sign and scale.
 #[test]
 fn the_cases_of_bmodes_come_out() {
     let Some(data) = data() else { return };
@@ -148,8 +150,8 @@ fn assert_printed(ours: &[f64], theirs: &[f64], tolerance: f64) {
     assert!(ours.len() >= theirs.len());
 }
 
-/// Offshore decks as the later BModes_JJ, which has no fault in the tower-top offsets, is quoted; surge and sway to one unit of the last
-/// digit, where that program's own rounding is.
+/// Offshore decks as the later BModes_JJ, which has no fault in the tower-top offsets, is quoted;
+/// surge and sway to one unit of the last digit, where that program's own rounding is.
 #[test]
 fn offshore_decks_come_out() {
     let Some(data) = data() else { return };
@@ -162,7 +164,8 @@ fn offshore_decks_come_out() {
     assert_printed(&spar, &quoted, 2e-5);
 }
 
-/// The same decks by the published BModes 3.00 with its faults; its dense solver is good to 1e-5 here.
+/// The same decks by the published BModes 3.00 with its faults; its dense solver is good to 1e-5
+/// here.
 #[test]
 fn offshore_decks_come_out_with_quirks() {
     let Some(data) = data() else { return };
@@ -178,7 +181,8 @@ fn offshore_decks_come_out_with_quirks() {
     assert_printed(&quirks("bmodes/OC3Hywind.bmi"), &stock, 2e-5);
 }
 
-/// The NREL 5 MW turbine on land: published first frequencies are 0.312 to 0.324 Hz (Jonkman et al. 2009).
+/// The NREL 5 MW turbine on land: published first frequencies are 0.312 to 0.324 Hz (Jonkman et al.
+/// 2009).
 #[test]
 fn the_nrel_5mw_deck_comes_out() {
     let Some(data) = data() else { return };
@@ -196,7 +200,8 @@ fn the_nrel_5mw_deck_comes_out() {
         table.contains("± error") && table.contains(" times its weight"),
         "{table}"
     );
-    // By an independent Ritz solution of the eleven rows with a locked rotor; weights take 1.8 % off.
+    // By an independent Ritz solution of the eleven rows with a locked rotor; weights take 1.8 %
+    // off.
     let weightless = frequencies(&[&deck, "--no-gravity"]);
     assert!((weightless[0] - 0.3198).abs() < 5e-5, "{weightless:?}");
     assert!((found[0] / weightless[0] - 0.982).abs() < 1e-3, "{found:?}");
@@ -250,7 +255,8 @@ fn a_deck_is_patched_and_nothing_else_changes() {
     let Some(data) = data() else { return };
     let copied = Copied::of(&data, "patch");
     let (deck, before) = (copied.main(), copied.tower());
-    // Second modes of a tower whose top hardly moves: the coefficients shipped are not those of this machine.
+    // Second modes of a tower whose top hardly moves: the coefficients shipped are not those of
+    // this machine.
     let judged = run(&["elastodyn", "validate", &deck]);
     assert_eq!(judged.status.code(), Some(1));
     for dry in ["--dry-run", "--diff"] {
@@ -282,8 +288,9 @@ fn a_deck_is_patched_and_nothing_else_changes() {
     assert_eq!(copied.tower(), after);
 }
 
-/// The tower of the IEA 15 MW turbine from two versions of windIO, from OpenFAST and from HAWC2. Its first frequencies, clamped without a
-/// machine, by an independent transfer-matrix program from the rows of the OpenFAST file: 0.77459 and 3.25575 Hz (Euler-Bernoulli).
+/// The tower of the IEA 15 MW turbine from two versions of windIO, from OpenFAST and from HAWC2.
+/// Its first frequencies, clamped without a machine, by an independent transfer-matrix program from
+/// the rows of the OpenFAST file: 0.77459 and 3.25575 Hz (Euler-Bernoulli).
 #[test]
 fn the_iea_15mw_tower_is_one_in_every_file() {
     let Some(data) = data() else { return };
@@ -327,7 +334,8 @@ fn the_iea_15mw_tower_is_one_in_every_file() {
     let st = path(&data, &format!("{folder}/IEA_15MW_RWT_Tower_st.dat"));
     printed(&["check", &main, &st, "--no-rna", "--tower-base", "15"]);
     let v1 = path(&data, "windio/v1/IEA-15-240-RWT.yaml");
-    // Smooth walls in one file and steps in the other: by height they differ, as a whole they do not.
+    // Smooth walls in one file and steps in the other: by height they differ, as a whole they do
+    // not.
     let said = run(&[
         "check", &v1, &main, "--no-rna", "--part", "tower", "--format", "json",
     ]);

@@ -24,7 +24,8 @@ const PICTURES: [(&str, &str); 5] = [
     ),
 ];
 
-/// How far numbers of two pictures may be apart: a twentieth of a pixel, because other machines round otherwise.
+/// How far numbers of two pictures may be apart: a twentieth of a pixel, because other machines
+/// round otherwise.
 const TOLERANCE: f64 = 0.05;
 
 fn drawn(arguments: &str) -> String {
@@ -73,7 +74,8 @@ fn every_picture_is_shown_and_none_is_forgotten() {
     }
 }
 
-/// The first tags or texts that differ: numbers in a tag by more than the tolerance, all else at all.
+/// The first tags or texts that differ: numbers in a tag by more than the tolerance, all else at
+/// all.
 fn difference<'a>(old: &'a str, new: &'a str) -> Option<(&'a str, &'a str)> {
     let (mut olds, mut news) = (old.split('<'), new.split('<'));
     loop {

@@ -1,4 +1,5 @@
-//! Pictures of the examples: each there is, in each format, the same every time, and never over an input.
+//! Pictures of the examples: each there is, in each format, the same every time, and never over an
+//! input.
 
 use std::fs;
 use std::io::Write;
@@ -95,7 +96,8 @@ fn every_picture_of_every_example_is_drawn() {
     for tower in towers {
         let tower = tower.display().to_string();
         for picture in PICTURES {
-            // BModes' convergence and comparison of a tower that shears is another matter: rmje-exact and all are asked for here.
+            // BModes' convergence and comparison of a tower that shears is another matter:
+            // rmje-exact and all are asked for here.
             svg(&[&[tower.as_str()], picture].concat());
             count += 1;
         }
@@ -189,7 +191,8 @@ fn lists_of_segments_are_drawn_in_order_and_once() {
     assert_eq!(of("40,10,20,10"), of("10,20,40"));
 }
 
-/// A tower of so many pieces has no fewer segments: it is drawn with those it has, each number once.
+/// A tower of so many pieces has no fewer segments: it is drawn with those it has, each number
+/// once.
 #[test]
 fn towers_of_many_pieces_begin_with_the_segments_they_need() {
     let folder = Folder::new("plot-many");
@@ -273,7 +276,8 @@ fn a_title_of_ones_own_replaces_it_and_an_empty_one_removes_it() {
     assert!(height(&none) < height(&own));
 }
 
-/// A file of this program may say how fast the rotor runs, others have their own ways; and blades are input as well.
+/// A file of this program may say how fast the rotor runs, others have their own ways; and blades
+/// are input as well.
 #[test]
 fn hints_fit_the_file() {
     let said = |arguments: &[&str]| {

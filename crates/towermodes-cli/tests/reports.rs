@@ -1,4 +1,5 @@
-//! Reports of the program: every example's is whole, small and always the same, and the sums of its files are right.
+//! Reports of the program: every example's is whole, small and always the same, and the sums of its
+//! files are right.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -189,7 +190,8 @@ fn a_file_of_the_report_is_what_standard_output_is() {
     assert_eq!(without(&written), without(&page));
 }
 
-/// The pictures of a report in Markdown: what is said of each, and the command below it without its output.
+/// The pictures of a report in Markdown: what is said of each, and the command below it without its
+/// output.
 fn pictures(page: &str) -> Vec<(String, Vec<String>)> {
     let mut pictures = Vec::new();
     let mut said = String::new();
@@ -297,7 +299,8 @@ fn margins_are_said_as_they_were_given() {
     }
 }
 
-/// Every coefficient of the tower file, and the frequencies that the command prints beside it, are in the report, digit by digit.
+/// Every coefficient of the tower file, and the frequencies that the command prints beside it, are
+/// in the report, digit by digit.
 #[test]
 fn shapes_for_elastodyn_are_those_of_the_tower_file() {
     for options in [&[][..], &["--no-rotary-inertia", "--method", "lumped"]] {

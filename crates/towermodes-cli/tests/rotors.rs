@@ -50,7 +50,8 @@ impl Folder {
         folder
     }
 
-    /// The 5 MW machine in windIO without the number of its blades, and with a speed that is a limit.
+    /// The 5 MW machine in windIO without the number of its blades, and with a speed that is a
+    /// limit.
     fn with_windio(name: &str) -> Self {
         let folder = Self::new(name);
         let text = fs::read_to_string(root().join("examples/nrel-5mw.yaml")).expect("the example");
@@ -127,7 +128,8 @@ fn conversions_say_how_the_rotor_was_found() {
     }
 }
 
-/// A simulation may begin at any speed: that matters for what the rotor excites, and for nothing else.
+/// A simulation may begin at any speed: that matters for what the rotor excites, and for nothing
+/// else.
 #[test]
 fn a_slow_start_is_warned_of_with_the_excitations_alone() {
     let folder = Folder::with_deck("slow", &[("17.0   RotSpeed", "1.5   RotSpeed")]);

@@ -1,7 +1,8 @@
 //! The program's output, session by session.
 //!
-//! `TRYCMD=overwrite cargo test -p towermodes-cli --test sessions` writes what the program says now; look at the difference before you
-//! commit it. Sessions are typed in a folder of their own that has the examples and the files that the pages tell their readers to write.
+//! `TRYCMD=overwrite cargo test -p towermodes-cli --test sessions` writes what the program says
+//! now; look at the difference before you commit it. Sessions are typed in a folder of their own
+//! that has the examples and the files that the pages tell their readers to write.
 
 mod pages;
 mod sandbox;

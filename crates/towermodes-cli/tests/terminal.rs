@@ -1,6 +1,8 @@
-//! What is seen on a terminal: what long work is at while it lasts, nothing of it afterwards; pictures as wide as the terminal.
+//! What is seen on a terminal: what long work is at while it lasts, nothing of it afterwards;
+//! pictures as wide as the terminal.
 //!
-//! `script` (util-linux) gives the program a terminal; where there is none the tests say so and pass.
+//! `script` (util-linux) gives the program a terminal; where there is none the tests say so and
+//! pass.
 
 use std::process::{Command, Output};
 
@@ -158,7 +160,8 @@ fn pictures_are_as_wide_as_the_terminal() {
         let drawn = screen.iter().filter(|line| line.contains(['│', '┤']));
         let widths: Vec<usize> = drawn.map(|line| line.chars().count()).collect();
         let widest = widths.iter().max().copied();
-        // An axis of 8 characters and one more, diagrams of 16 with two between them; five diagrams, for equal planes share one.
+        // An axis of 8 characters and one more, diagrams of 16 with two between them; five
+        // diagrams, for equal planes share one.
         let diagrams = ((columns - 7) / 18).min(5);
         let room = 7 + 18 * diagrams;
         let is_there = columns >= 30;

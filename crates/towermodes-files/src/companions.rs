@@ -5,7 +5,8 @@ use std::path::{Path, PathBuf};
 
 use crate::source::{ReadError, Source};
 
-/// Gives the text of the files that a main file names: section tables of BModes decks, tower and blade files of ElastoDyn.
+/// Gives the text of the files that a main file names: section tables of BModes decks, tower and
+/// blade files of ElastoDyn.
 pub trait Companions {
     /// The file that the main file calls `path`; either kind of slash separates folders.
     ///
@@ -27,8 +28,9 @@ impl Beside {
         Self { folder }
     }
 
-    /// Where a companion is: where its path leads from the folder of the main file; or else right beside that, whatever folder the path
-    /// names, because decks are often copied flat; or else where it leads from the current folder.
+    /// Where a companion is: where its path leads from the folder of the main file; or else right
+    /// beside that, whatever folder the path names, because decks are often copied flat; or else
+    /// where it leads from the current folder.
     pub fn path(&self, path: &str) -> PathBuf {
         let relative: PathBuf = path.split(['/', '\\']).collect();
         let relative = if path.starts_with('/') {

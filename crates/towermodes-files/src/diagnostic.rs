@@ -31,7 +31,8 @@ impl Diagnostic {
         self
     }
 
-    /// Line and column, both from 1 and the column in characters, of the mistake in its file's text.
+    /// Line and column, both from 1 and the column in characters, of the mistake in its file's
+    /// text.
     pub fn line_and_column(&self, text: &str) -> (usize, usize) {
         let mut start = self.span.start.min(text.len());
         while !text.is_char_boundary(start) {

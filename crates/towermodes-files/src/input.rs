@@ -45,7 +45,8 @@ pub struct Note {
     pub message: String,
     /// The file and the line (from 1) it is about, if it is about one.
     pub place: Option<(String, usize)>,
-    /// Whether it is on a part of the turbine that the model lacks, so that it may be of another tower than the user thinks.
+    /// Whether it is on a part of the turbine that the model lacks, so that it may be of another
+    /// tower than the user thinks.
     pub is_on_missing_part: bool,
 }
 
@@ -153,13 +154,15 @@ pub struct TowerInput {
     pub format: FileFormat,
     /// What the files say; may be changed before it is checked.
     pub description: TowerDescription,
-    /// The element borders that the file prescribes for the finite elements of BModes, m in the datum of the stations; none if none.
+    /// The element borders that the file prescribes for the finite elements of BModes, m in the
+    /// datum of the stations; none if none.
     pub borders_m: Option<Vec<f64>>,
     /// The method that the file is made for, if any.
     pub method: Option<Method>,
     /// How many modes the file asks for, if it does.
     pub modes: Option<usize>,
-    /// How many blades the rotor has, if the files say so, which they may without saying how fast it runs.
+    /// How many blades the rotor has, if the files say so, which they may without saying how fast
+    /// it runs.
     pub blades: Option<usize>,
     /// One of the rotor's blades at standstill, if the files have it.
     pub blade: Option<towermodes::BladeDescription>,
@@ -169,7 +172,8 @@ pub struct TowerInput {
     pub layout: OutLayout,
     /// What the user should know.
     pub notes: Vec<Note>,
-    /// What the user should know of the rotor and of the blade, which matters for what they excite alone.
+    /// What the user should know of the rotor and of the blade, which matters for what they excite
+    /// alone.
     pub rotor_notes: RotorNotes,
     /// The files, the main one first.
     pub(crate) sources: Vec<Source>,
@@ -209,7 +213,8 @@ impl TowerInput {
         })
     }
 
-    /// The tower whose modes the shapes of ElastoDyn are fitted to, of [`Self::description_for_shapes`].
+    /// The tower whose modes the shapes of ElastoDyn are fitted to, of
+    /// [`Self::description_for_shapes`].
     ///
     /// # Errors
     /// As [`TowerInput::tower`].
@@ -223,9 +228,9 @@ impl TowerInput {
 
     /// What is described, for the shapes of ElastoDyn.
     ///
-    /// An ElastoDyn model is without gravity then, as the modes of BModes are, which these shapes are usually made of: ElastoDyn takes
-    /// its shapes for functions that the tower bends by and adds the weights to their stiffness itself. Any other tower is as its file
-    /// describes it.
+    /// An ElastoDyn model is without gravity then, as the modes of BModes are, which these shapes
+    /// are usually made of: ElastoDyn takes its shapes for functions that the tower bends by and
+    /// adds the weights to their stiffness itself. Any other tower is as its file describes it.
     pub fn description_for_shapes(&self) -> TowerDescription {
         let mut description = self.description.clone();
         if self.format == FileFormat::ElastoDyn {
@@ -242,7 +247,8 @@ impl TowerInput {
         })
     }
 
-    /// The file and the line in it, from 1, where a value stands that is named by its place; none if no file says it.
+    /// The file and the line in it, from 1, where a value stands that is named by its place; none
+    /// if no file says it.
     pub fn line_of(&self, place: Place) -> Option<(&str, usize)> {
         let (file, span) = self.places.own(place)?;
         let source = self.sources.get(*file)?;
@@ -264,7 +270,8 @@ impl TowerInput {
 /// What a BModes deck says of the layout of its results.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct OutLayout {
-    /// What deflections are divided by, m: the radius with the draft; none if nothing is prescribed.
+    /// What deflections are divided by, m: the radius with the draft; none if nothing is
+    /// prescribed.
     pub radius_m: Option<f64>,
     /// Whether tabs separate the columns (`TabDelim`).
     pub tab_delimited: bool,
@@ -279,13 +286,16 @@ pub struct ReadOptions {
     pub bmodes_quirks: bool,
     /// Height of the tower's top above ground or sea level, m: for files that do not say it.
     pub tower_height_m: Option<f64>,
-    /// Height of the tower's base above ground or sea level, m: for files that do not say it; 0 unless told.
+    /// Height of the tower's base above ground or sea level, m: for files that do not say it; 0
+    /// unless told.
     pub tower_base_m: Option<f64>,
-    /// Whether the rotor-nacelle assembly is left out; files that only say what it is need not be there then.
+    /// Whether the rotor-nacelle assembly is left out; files that only say what it is need not be
+    /// there then.
     pub without_rna: bool,
     /// Which part of a turbine.
     pub part: TowerPart,
-    /// Which set and which subset in it of a structural file of HAWC2, by their numbers; the first of the file unless told.
+    /// Which set and which subset in it of a structural file of HAWC2, by their numbers; the first
+    /// of the file unless told.
     pub hawc2_subset: Option<(usize, usize)>,
     /// How the rotor of an ElastoDyn model is held on its shaft.
     pub rotor: RotorLock,
@@ -293,7 +303,8 @@ pub struct ReadOptions {
     pub without_gravity: bool,
 }
 
-/// How a rotor is held on its shaft, which decides what its nacelle feels of rotor and generator about the shaft.
+/// How a rotor is held on its shaft, which decides what its nacelle feels of rotor and generator
+/// about the shaft.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum RotorLock {
     /// It moves with the nacelle, as with a brake on the shaft.

@@ -1,8 +1,10 @@
 //! Towers in, results and towers out: the files of towermodes and of other programs.
 //!
-//! [`read()`] takes any file that describes a tower or a rotating blade: its own TOML, decks of BModes, ElastoDyn's main and tower files,
-//! turbines in windIO, structural files of HAWC2. Readers answer a mistake with its place in the file, what is wrong and what would be right
-//! ([`Diagnostic`]), and say what they decided or left out ([`Note`]). Writers produce what scripts and other programs read.
+//! [`read()`] takes any file that describes a tower or a rotating blade: its own TOML, decks of
+//! BModes, ElastoDyn's main and tower files, turbines in windIO, structural files of HAWC2. Readers
+//! answer a mistake with its place in the file, what is wrong and what would be right
+//! ([`Diagnostic`]), and say what they decided or left out ([`Note`]). Writers produce what scripts
+//! and other programs read.
 //!
 //! ```
 //! let text = r#"

@@ -17,13 +17,14 @@ pub(crate) struct Places {
 }
 
 impl Places {
-    /// Remembers where a value stands: in a file, by its place among the tower's files from 0, at these bytes.
+    /// Remembers where a value stands: in a file, by its place among the tower's files from 0, at
+    /// these bytes.
     pub(crate) fn remember(&mut self, place: Place, file: usize, span: Range<usize>) {
         self.spans.insert(place, (file, span));
     }
 
-    /// A mistake that the tower's own checks found: the file it is in, and where there. Hints that speak of the keys of TOML, or of heights in
-    /// its datum, are for TOML alone.
+    /// A mistake that the tower's own checks found: the file it is in, and where there. Hints that
+    /// speak of the keys of TOML, or of heights in its datum, are for TOML alone.
     pub(crate) fn mistake(&self, error: &TowerError, is_toml: bool) -> (usize, Diagnostic) {
         let (file, span) = self.find(error.place);
         let diagnostic = Diagnostic::new(span, error.problem.to_string());

@@ -6,7 +6,8 @@ use std::path::Path;
 
 use thiserror::Error;
 
-/// Larger files are refused: a tower takes kilobytes, and an endless stream must not fill the memory.
+/// Larger files are refused: a tower takes kilobytes, and an endless stream must not fill the
+/// memory.
 pub const MAX_FILE_BYTES: u64 = 64 << 20;
 
 /// The text of a file and what to call it.
@@ -223,7 +224,8 @@ fn special(kind: FileType) -> Option<&'static str> {
     (!kind.is_file()).then_some("a device")
 }
 
-/// The text of bytes in Latin-1, as older programs write degrees and umlauts; none if there are bytes that no text has.
+/// The text of bytes in Latin-1, as older programs write degrees and umlauts; none if there are
+/// bytes that no text has.
 fn latin1(bytes: &[u8]) -> Option<String> {
     let is_text = |byte: &u8| matches!(byte, b'\t' | b'\n' | b'\r' | 0x20..=0x7e | 0xa0..=0xfe);
     let text = || bytes.iter().map(|&byte| char::from(byte)).collect();

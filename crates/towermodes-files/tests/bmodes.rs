@@ -1,4 +1,5 @@
-//! What decks of BModes become: small ones of our own, and those of other people where they are at hand.
+//! What decks of BModes become: small ones of our own, and those of other people where they are at
+//! hand.
 
 use crate::decks;
 
@@ -221,7 +222,8 @@ fn a_monopile_on_springs() {
     let Foundation::Stiffness(springs) = &input.description.foundation else {
         panic!("{:?}", input.description.foundation)
     };
-    // The matrices' point at −5 m is 5 m above the base: K14 + 5 K00, K44 + 10 K04 + 25 K00 of hydro_K and mooring_K together.
+    // The matrices' point at −5 m is 5 m above the base: K14 + 5 K00, K44 + 10 K04 + 25 K00 of
+    // hydro_K and mooring_K together.
     let k = &springs.stiffness;
     assert_eq!((k[0][0], k[1][1]), (4e4, 4e4));
     assert!(close(k[0][4], -2.6e6) && close(k[4][0], -2.6e6));
@@ -586,7 +588,8 @@ fn the_sample_spar() {
             .iter()
             .any(|note| note.message.contains("mooring_K is not symmetric"))
     );
-    // The deck has 50 equal elements. What its authors' later BModes prints, and what 3.00 prints with tow_support = 2.
+    // The deck has 50 equal elements. What its authors' later BModes prints, and what 3.00 prints
+    // with tow_support = 2.
     let later = [
         0.0324282, 0.0393116, 0.0393271, 0.120510, 0.481579, 0.490754,
     ];

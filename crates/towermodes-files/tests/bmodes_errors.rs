@@ -1,4 +1,5 @@
-//! Bad decks of BModes: each is refused at its line. BModes 3.00 takes half of them, and hangs on some.
+//! Bad decks of BModes: each is refused at its line. BModes 3.00 takes half of them, and hangs on
+//! some.
 
 use crate::decks;
 

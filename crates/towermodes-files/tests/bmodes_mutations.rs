@@ -1,4 +1,5 @@
-//! Decks of BModes with random damage: refused or read, but never a panic, and what is refused is refused within its file.
+//! Decks of BModes with random damage: refused or read, but never a panic, and what is refused is
+//! refused within its file.
 
 use crate::decks;
 

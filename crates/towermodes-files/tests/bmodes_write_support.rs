@@ -257,7 +257,8 @@ fn a_platform_beside_the_axis_keeps_its_inertia() {
     description.foundation = Foundation::Floating(Box::new(beside));
     let added = written(&description).matrix("(hydro_M", 6);
     let m = 7.5e6;
-    // What the offset changes of the inertia about the reference point: moments m x, m y, and m (y², x², x² + y²), -m x y, -m x z, -m y z.
+    // What the offset changes of the inertia about the reference point: moments m x, m y, and m
+    // (y², x², x² + y²), -m x y, -m x z, -m y z.
     assert_eq!((added[0][5], added[1][5]), (m * 3.0, m * 2.0));
     assert_eq!((added[2][3], added[2][4]), (m * -3.0, m * -2.0));
     assert_eq!((added[0][4], added[1][3], added[0][0]), (0.0, 0.0, 0.0));

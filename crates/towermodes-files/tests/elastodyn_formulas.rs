@@ -10,8 +10,9 @@ fn numbers(line: &str, count: usize) -> Vec<f64> {
     words.map(|word| word.parse().expect("a number")).collect()
 }
 
-/// The mass is the published one of the tower, 347 460 kg (Jonkman et al. 2009); the other expected values are the formulas
-/// worked out apart from this library, with the 349 606.5 kg of its rotor and nacelle on top.
+/// The mass is the published one of the tower, 347 460 kg (Jonkman et al. 2009); the other expected
+/// values are the formulas worked out apart from this library, with the 349 606.5 kg of its rotor
+/// and nacelle on top.
 #[test]
 fn the_nrel_5_mw_tower_has_its_published_mass_and_elastodyn_s_frequencies() {
     let Ok(folder) = std::env::var("TOWERMODES_PEER_DATA") else {

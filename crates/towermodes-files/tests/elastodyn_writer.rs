@@ -362,7 +362,8 @@ fn texts_of_different_lengths_differ_in_one_block() {
     );
 }
 
-/// Tower files of other programs: of each, only the bytes of the coefficients and blanks beside them change.
+/// Tower files of other programs: of each, only the bytes of the coefficients and blanks beside
+/// them change.
 #[test]
 fn real_files_keep_every_other_byte() {
     let Ok(folder) = std::env::var("TOWERMODES_PEER_DATA") else {

@@ -1,4 +1,5 @@
-//! Mistakes in what holds and surrounds a tower: their line and column, what is wrong and what would be right.
+//! Mistakes in what holds and surrounds a tower: their line and column, what is wrong and what
+//! would be right.
 
 use crate::refused;
 
@@ -77,7 +78,8 @@ angle_deg = 45.0
 azimuth_deg = 30.0
 "#;
 
-/// Replaces `from` by `to` in what follows the tower and expects the first mistake there, as [`refused_text`].
+/// Replaces `from` by `to` in what follows the tower and expects the first mistake there, as
+/// [`refused_text`].
 #[track_caller]
 fn refused(good: &str, from: &str, to: &str, place: &str, message: &str, hint: &str) {
     assert!(good.contains(from), "the test is wrong: {from}");

@@ -5,7 +5,8 @@ use std::path::{Path, PathBuf};
 use towermodes::{Family, Method, Options, TowerDescription, solve};
 use towermodes_files::{InputError, ReadOptions, Source, TowerInput, read_hawc2};
 
-/// Two subsets of a tower that is not round, with a step, so that no two columns can be mistaken for each other.
+/// Two subsets of a tower that is not round, with a step, so that no two columns can be mistaken
+/// for each other.
 const GOOD: &str = "\
 1 number of sets
 -----
@@ -34,7 +35,8 @@ fn read(text: &str, options: &ReadOptions) -> TowerInput {
     read_hawc2(source(text), options).expect("a tower")
 }
 
-/// Replaces `from` by `to` and expects the first mistake at line:column with these words in its message and hint.
+/// Replaces `from` by `to` and expects the first mistake at line:column with these words in its
+/// message and hint.
 #[track_caller]
 fn refused(from: &str, to: &str, place: (usize, usize), words: &str, hint: &str) {
     assert!(GOOD.contains(from), "the test is wrong: {from}");
@@ -395,8 +397,9 @@ fn real(path: &str) -> Option<PathBuf> {
     Some(Path::new(&folder).join(path))
 }
 
-/// What is known of a real file, computed from its columns apart from this program: trapezoids for the mass; frequencies by shooting with
-/// Runge-Kutta of an Euler-Bernoulli beam whose m and EI are linear between the rows.
+/// What is known of a real file, computed from its columns apart from this program: trapezoids for
+/// the mass; frequencies by shooting with Runge-Kutta of an Euler-Bernoulli beam whose m and EI are
+/// linear between the rows.
 struct Known {
     path: &'static str,
     rows: usize,

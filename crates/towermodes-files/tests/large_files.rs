@@ -1,4 +1,5 @@
-//! Large files take time and memory that grow with their size and no faster; what is wrong with them is said a hundred times at most.
+//! Large files take time and memory that grow with their size and no faster; what is wrong with
+//! them is said a hundred times at most.
 
 use towermodes_files::{Diagnostic, tower_from_toml};
 
@@ -14,7 +15,8 @@ fn mistakes(text: &str) -> Vec<Diagnostic> {
     mistakes
 }
 
-/// A tower with so many materials, `m0` and so on, whose stations have what comes after their three numbers.
+/// A tower with so many materials, `m0` and so on, whose stations have what comes after their three
+/// numbers.
 fn tower_of_materials(materials: usize, fourth: impl Fn(usize) -> String) -> String {
     let table = |i| format!("[materials.m{i}]\n{MATERIAL}");
     let row = |i| format!("[{i}.0, 6.0, 0.02{}],\n", fourth(i));
@@ -22,7 +24,8 @@ fn tower_of_materials(materials: usize, fourth: impl Fn(usize) -> String) -> Str
     format!("{tables}[tower]\nstations = [{rows}]\n")
 }
 
-/// To compare a key with those of the format takes as long as both are; this one would take minutes.
+/// To compare a key with those of the format takes as long as both are; this one would take
+/// minutes.
 #[test]
 fn a_key_as_long_as_a_book_is_not_compared() {
     let key = "a".repeat(20_000_000);

@@ -1,4 +1,5 @@
-//! No input makes the reader or the solver panic, and what is refused is refused with a place inside the file.
+//! No input makes the reader or the solver panic, and what is refused is refused with a place
+//! inside the file.
 
 use proptest::prelude::*;
 use proptest::sample::Index;

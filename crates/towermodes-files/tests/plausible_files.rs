@@ -18,7 +18,8 @@ fn files_in(folder: &Path) -> Vec<PathBuf> {
     paths.flat_map(below).collect()
 }
 
-/// What a file describes, if it is a tower; a file that does not say the tower's height is given 90 m.
+/// What a file describes, if it is a tower; a file that does not say the tower's height is given 90
+/// m.
 fn tower_of(path: &Path) -> Option<TowerInput> {
     [None, Some(90.0)].into_iter().find_map(|tower_height_m| {
         let options = ReadOptions {
@@ -42,7 +43,8 @@ fn warned(folder: &Path) -> (usize, Vec<String>) {
             continue;
         };
         count += 1;
-        // That entries of a platform's matrix are rounded differently is said of every such file, and is no slip.
+        // That entries of a platform's matrix are rounded differently is said of every such file,
+        // and is no slip.
         let slips = tower
             .warnings()
             .iter()
@@ -95,7 +97,8 @@ fn read_text(text: &str) -> TowerInput {
 
 const MONOPILE: &str = include_str!("../../../examples/monopile.toml");
 
-/// Asserts that the example with a text replaced is warned of once, at the line where the replaced text stands.
+/// Asserts that the example with a text replaced is warned of once, at the line where the replaced
+/// text stands.
 #[track_caller]
 fn slip(from: &str, to: &str, is_expected: impl Fn(&Warning) -> bool) {
     assert!(MONOPILE.contains(from), "{from}");

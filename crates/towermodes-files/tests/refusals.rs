@@ -35,7 +35,8 @@ mass = 5000.0
 type = "clamped"
 "#;
 
-/// Replaces `from` by `to` and expects the first mistake at line:column with these words in its message and hint.
+/// Replaces `from` by `to` and expects the first mistake at line:column with these words in its
+/// message and hint.
 #[track_caller]
 fn refused(from: &str, to: &str, place: &str, message: &str, hint: &str) {
     assert!(GOOD.contains(from), "the test is wrong: {from}");
@@ -614,7 +615,8 @@ fn the_good_table_is_good() {
     assert!(tower.shears() && !tower.planes_are_equal());
     let row = tower.properties()[0].properties;
     assert_eq!(row.bending_n_m2.side_side, 7.0e11);
-    // One shear column is both planes'; the polar inertia is shared out as EI, and the masses have the outfitting in them.
+    // One shear column is both planes'; the polar inertia is shared out as EI, and the masses have
+    // the outfitting in them.
     assert_eq!(row.shear_n.map(|shear| shear.side_side), Some(2.6e10));
     assert!((row.rotary_inertia_kg_m.fore_aft - 5.0e4 * 6.0 / 13.0).abs() < 1e-8);
     let section = tower.piece_at(0.0).section_at(0.0);

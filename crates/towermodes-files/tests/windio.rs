@@ -1,4 +1,5 @@
-//! Towers of windIO files: both versions, walls and tables, monopiles, assemblies, and what is said of mistakes.
+//! Towers of windIO files: both versions, walls and tables, monopiles, assemblies, and what is said
+//! of mistakes.
 
 use crate::windio_files;
 
@@ -156,7 +157,8 @@ fn version_1_is_cut_at_the_mudline() {
 
 #[test]
 fn a_rotor_of_straight_blades_has_its_moments() {
-    // Three uniform blades of 10 kg/m from 1 m to 11 m: 300 kg; polar inertia 3 * 10 (11^3 - 1)/3 = 13300, half of it diametral.
+    // Three uniform blades of 10 kg/m from 1 m to 11 m: 300 kg; polar inertia 3 * 10 (11^3 - 1)/3 =
+    // 13300, half of it diametral.
     let input = read(VERSION_1);
     let rna = &input.description.rna;
     // Hub of 500 kg at the apex, nacelle of 1000 kg and yaw of 200 kg on the axis.
@@ -984,7 +986,8 @@ fn the_15_mw_tower_has_the_mass_and_frequencies_of_openfast() {
             let mut modes = solution.modes.iter().filter(fore_aft);
             modes.nth(n).map_or(f64::NAN, |mode| mode.frequency_hz)
         };
-        // 400 cubic beam elements with rotary inertia on the rows of that file, clamped and without assembly.
+        // 400 cubic beam elements with rotary inertia on the rows of that file, clamped and without
+        // assembly.
         near(bending(0), 0.77357, 5e-3);
         near(bending(1), 3.23338, 5e-3);
     }
@@ -1001,7 +1004,8 @@ fn the_15_mw_assembly_is_that_of_its_parts() {
     let Some(input) = real_part(path, TowerPart::Tower) else {
         return;
     };
-    // Drive train, yaw, hub and three blades put together by another program, the blades in 20000 points.
+    // Drive train, yaw, hub and three blades put together by another program, the blades in 20000
+    // points.
     let rna = &input.description.rna;
     near(rna.mass_kg, 947_543.209, 1e-8);
     near(rna.center_m[0], -7.395_873_897, 1e-8);

@@ -1,4 +1,5 @@
-//! A picture as pixels: PNG drawn with fonts that are in the program, so that it is the same everywhere.
+//! A picture as pixels: PNG drawn with fonts that are in the program, so that it is the same
+//! everywhere.
 
 use std::sync::{Arc, OnceLock};
 
@@ -152,7 +153,8 @@ mod tests {
     #[test]
     fn the_header_has_the_size_and_the_colours() {
         let png = png(&figure(300.0, 100.0), Theme::Light, 1.5).expect("a PNG");
-        // PNG, third edition, 5.2 and 11.2.1: signature, IHDR, width, height, 8 bits, colour with alpha.
+        // PNG, third edition, 5.2 and 11.2.1: signature, IHDR, width, height, 8 bits, colour with
+        // alpha.
         assert_eq!(png[..8], [0x89, b'P', b'N', b'G', 13, 10, 26, 10]);
         assert_eq!(png[12..16], *b"IHDR");
         assert_eq!(png[16..20], 450_u32.to_be_bytes());
@@ -166,7 +168,8 @@ mod tests {
         for (index, label) in figure.labels().iter().enumerate() {
             let dark = dark_pixels(&figure, label, Theme::Light, 2.0);
             let all = 4.0 * (label.right - label.left) * (label.bottom - label.top);
-            // Letters cover about a fifth of their box; none at all, or a box of missing glyphs, is another matter.
+            // Letters cover about a fifth of their box; none at all, or a box of missing glyphs, is
+            // another matter.
             let share = dark as f64 / all;
             assert!((0.08..0.45).contains(&share), "label {index}: {share}");
         }

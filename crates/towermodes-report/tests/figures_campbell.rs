@@ -1,4 +1,5 @@
-//! Diagrams of resonance, convergence and methods: every label inside and beside the others, what is drawn where, and nothing that breaks them.
+//! Diagrams of resonance, convergence and methods: every label inside and beside the others, what
+//! is drawn where, and nothing that breaks them.
 
 use crate::pictures;
 
@@ -61,8 +62,8 @@ fn margin(line: usize, verdict: Verdict) -> Margin {
     }
 }
 
-/// One field, 52 to 452. 3P is 0.726 Hz at the right end, 14.52 rpm, and the field ends 3 % above; the second mode is higher than what 3P in
-/// operation makes worth showing.
+/// One field, 52 to 452. 3P is 0.726 Hz at the right end, 14.52 rpm, and the field ends 3 % above;
+/// the second mode is higher than what 3P in operation makes worth showing.
 #[test]
 fn lines_are_where_their_frequencies_are() {
     let lines = vec![tower_line(1, 0.3), tower_line(2, 2.2), tower_line(3, 30.0)];
@@ -84,8 +85,9 @@ fn written(length: f64) -> String {
 
 const UPPER: &str = "upper field: higher modes at another scale";
 
-/// With 9P the second mode, 2.2 Hz, is worth showing, and has a field of its own: 130 high, of three labels. 9P is 2.178 Hz at the right end; the
-/// list of that field ends at 1.06 times 2.2 Hz. The lower field, 196 to 536, is the one of the test above.
+/// With 9P the second mode, 2.2 Hz, is worth showing, and has a field of its own: 130 high, of
+/// three labels. 9P is 2.178 Hz at the right end; the list of that field ends at 1.06 times 2.2 Hz.
+/// The lower field, 196 to 536, is the one of the test above.
 #[test]
 fn high_modes_do_not_squeeze_the_first() {
     let lines = vec![tower_line(1, 0.3), tower_line(2, 2.2), tower_line(3, 30.0)];
@@ -101,7 +103,8 @@ fn high_modes_do_not_squeeze_the_first() {
     check_labels("two fields", &figure);
 }
 
-/// Around 3P, 0.345 to 0.605 Hz in operation, frequencies f with |3P/f − 1| < 5 % are from 3P/1.05 to 3P/0.95.
+/// Around 3P, 0.345 to 0.605 Hz in operation, frequencies f with |3P/f − 1| < 5 % are from 3P/1.05
+/// to 3P/0.95.
 #[test]
 fn ribbons_are_as_wide_as_the_margin() {
     let figure = figures::campbell(&by_hand(vec![tower_line(1, 0.3)], vec![1, 3]));
@@ -124,7 +127,8 @@ fn ribbons_are_as_wide_as_the_margin() {
     assert!(says(&figure, "within 10 %"));
 }
 
-/// Between 1P at 12.1 rpm and 3P at 6.9 rpm; a rotor whose highest speed is three times its lowest has no such window.
+/// Between 1P at 12.1 rpm and 3P at 6.9 rpm; a rotor whose highest speed is three times its lowest
+/// has no such window.
 #[test]
 fn the_window_of_soft_stiff_towers_is_named() {
     let mut campbell = by_hand(vec![tower_line(1, 0.3)], vec![1, 3]);
@@ -157,7 +161,8 @@ fn says(figure: &Figure, text: &str) -> bool {
     figure.labels().iter().any(|label| label.text == text)
 }
 
-/// 3P is 0.726 Hz at the right end, 14.52 rpm: what it passes there is in the picture, and what is warned of or fails above it too.
+/// 3P is 0.726 Hz at the right end, 14.52 rpm: what it passes there is in the picture, and what is
+/// warned of or fails above it too.
 #[test]
 fn whatever_is_judged_is_in_the_picture() {
     let lines = [0.3, 0.7, 1.5, 2.2, 9.0].into_iter().zip(1..);
@@ -409,7 +414,8 @@ fn convergence_is_readable() {
     }
 }
 
-/// Two levels, one mode: errors 4e-2 and 1e-2 at 10 and 20 segments. The axis is 10⁻² to 10⁻¹ over 18 to 474.
+/// Two levels, one mode: errors 4e-2 and 1e-2 at 10 and 20 segments. The axis is 10⁻² to 10⁻¹ over
+/// 18 to 474.
 #[test]
 fn errors_are_where_they_belong() {
     let segments = [10, 20].map(Fineness::Segments);

@@ -75,7 +75,8 @@ fn only_what_was_looked_at_is_on_the_bar() {
     assert_eq!(excitations(with(&[1, 3])), ["1P", "3P", "1P", "3P"]);
 }
 
-/// By hand: 1P at 12 rpm is 0.2 Hz, 3P 0.6 Hz. A margin of 20 % keeps 0.2/1.2 = 0.1667 to 0.2/0.8 = 0.25 Hz and 0.5 to 0.75 Hz free.
+/// By hand: 1P at 12 rpm is 0.2 Hz, 3P 0.6 Hz. A margin of 20 % keeps 0.2/1.2 = 0.1667 to 0.2/0.8 =
+/// 0.25 Hz and 0.5 to 0.75 Hz free.
 #[test]
 fn ranges_are_those_of_hand() {
     let options = CampbellOptions {
@@ -97,7 +98,8 @@ fn ranges_are_those_of_hand() {
     );
 }
 
-/// A bend in both planes and a twist at once has no fore-aft or side-side mode: the lowest coupled ones stand in their place.
+/// A bend in both planes and a twist at once has no fore-aft or side-side mode: the lowest coupled
+/// ones stand in their place.
 #[test]
 fn coupled_modes_stand_in_for_missing_ones() {
     let mut diagram = diagram(

@@ -1,6 +1,7 @@
 //! The pictures of the examples, number by number.
 //!
-//! `TOWERMODES_BLESS=1 cargo test -p towermodes-report --test all golden` writes them anew; then look at each.
+//! `TOWERMODES_BLESS=1 cargo test -p towermodes-report --test all golden` writes them anew; then
+//! look at each.
 
 use crate::pictures;
 

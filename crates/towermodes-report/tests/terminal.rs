@@ -1,4 +1,5 @@
-//! Mode shapes in characters: each dot against the exact shapes of a cantilever, names, pairs, widths.
+//! Mode shapes in characters: each dot against the exact shapes of a cantilever, names, pairs,
+//! widths.
 
 use std::f64::consts::{PI, TAU};
 use std::sync::OnceLock;
@@ -69,8 +70,8 @@ fn dots(text: &str, panel: usize) -> Vec<(usize, usize)> {
     dots
 }
 
-/// The shape of a cantilever, cosh βz − cos βz − σ (sinh βz − sin βz), 1 at its end (Blevins, *Formulas for Natural Frequency and Mode Shape*,
-/// 1979, table 8-1).
+/// The shape of a cantilever, cosh βz − cos βz − σ (sinh βz − sin βz), 1 at its end (Blevins,
+/// *Formulas for Natural Frequency and Mode Shape*, 1979, table 8-1).
 fn cantilever(mode: usize, share: f64) -> f64 {
     let (beta, sigma) = [
         (1.875_104_07, 0.734_095_514),
@@ -94,7 +95,8 @@ fn dots_lie_on_the_shapes_of_a_cantilever() {
             let in_row = dots.iter().filter(|(_, row)| *row == y);
             let nearest = in_row.clone().map(|(x, _)| (*x as f64 - here).abs());
             let nearest = nearest.fold(f64::INFINITY, f64::min);
-            // A dot is at the nearest place: half a dot away, and a hundredth for curves between samples.
+            // A dot is at the nearest place: half a dot away, and a hundredth for curves between
+            // samples.
             assert!(nearest <= 0.51, "mode {mode}, row {y}: {nearest}\n{text}");
             // Steep lines have more dots in a row, but none beyond the middle to the next row.
             let above = exact(y.saturating_sub(1) as f64);
@@ -168,7 +170,8 @@ fn torsion_is_a_rotation_and_says_so() {
     );
 }
 
-/// A machine beside the tower in y, so slow in yaw that fore-aft bending and torsion move together; side-side bending does not.
+/// A machine beside the tower in y, so slow in yaw that fore-aft bending and torsion move together;
+/// side-side bending does not.
 #[test]
 fn a_coupled_mode_shows_the_motions_it_has() {
     let beside = TowerDescription {

@@ -1,4 +1,5 @@
-//! Pictures of towers that are unlike any example: large, small, with many stations, masses and modes.
+//! Pictures of towers that are unlike any example: large, small, with many stations, masses and
+//! modes.
 
 use crate::pictures;
 
@@ -127,8 +128,8 @@ fn what_moves_in_all_directions_at_once() {
     look("coupled", &description, 30);
 }
 
-/// A machine beside the tower in y couples fore-aft bending with torsion alone, one in front of it side-side bending with torsion: the panel of the
-/// direction that does not move would be empty.
+/// A machine beside the tower in y couples fore-aft bending with torsion alone, one in front of it
+/// side-side bending with torsion: the panel of the direction that does not move would be empty.
 #[test]
 fn coupled_modes_have_the_panels_in_which_they_move() {
     for (center_m, moving, still) in [
@@ -191,8 +192,8 @@ fn the_table_has_the_shapes_of_a_uniform_cantilever() {
         let row = figure.table.rows.iter().find(|row| row[0] == mode);
         row.map(|row| row[half].as_str())
     };
-    // cosh λs − cos λs − σ (sinh λs − sin λs) at s = 1/2 over its value at 1, λ = 1.8751 and 4.6941: 0.33952 and −0.71366;
-    // sin π/4 = 0.70711 twists and stretches.
+    // cosh λs − cos λs − σ (sinh λs − sin λs) at s = 1/2 over its value at 1, λ = 1.8751 and
+    // 4.6941: 0.33952 and −0.71366; sin π/4 = 0.70711 twists and stretches.
     assert_eq!(at_half("1st fore-aft bending"), Some("0.34"));
     assert_eq!(at_half("2nd fore-aft bending"), Some("\u{2212}0.714"));
     assert_eq!(at_half("2nd side-side bending"), Some("\u{2212}0.714"));
@@ -231,7 +232,8 @@ fn tower_of(description: &TowerDescription) -> Tower {
     Tower::new(description.clone()).expect("a tower")
 }
 
-/// Wires at 80 m that go down at 20 degrees meet the ground 80/tan 20 = 220 m away, far beyond the picture.
+/// Wires at 80 m that go down at 20 degrees meet the ground 80/tan 20 = 220 m away, far beyond the
+/// picture.
 #[test]
 fn wires_beyond_the_picture_are_cut_and_what_is_left_out_is_named() {
     let mut description = plain();

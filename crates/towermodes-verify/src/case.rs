@@ -68,7 +68,8 @@ pub struct Run {
     pub options: Options,
     /// Which frequency is compared.
     pub value: Value,
-    /// What the method promises, relatively: the error that is left to it beside the digits of the source.
+    /// What the method promises, relatively: the error that is left to it beside the digits of the
+    /// source.
     pub allowance: f64,
 }
 
@@ -86,7 +87,8 @@ impl Run {
         }
     }
 
-    /// BModes with so many equal elements between two heights (m), wherever the rows of the tower are.
+    /// BModes with so many equal elements between two heights (m), wherever the rows of the tower
+    /// are.
     pub fn bmodes(base_m: f64, top_m: f64, elements: usize) -> Self {
         let mut run = Self::of(Method::Bmodes, elements);
         let border = |k: usize| {

@@ -14,9 +14,11 @@ pub enum Digits {
 /// What a value is a value of.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Quantity {
-    /// The frequency of a mode by family and order in it, from 1; fore-aft stands for both members of a pair where the planes are equal.
+    /// The frequency of a mode by family and order in it, from 1; fore-aft stands for both members
+    /// of a pair where the planes are equal.
     Mode(Family, usize),
-    /// The frequency of the mode at a place, from 1, in the list of all modes: where motions are coupled a family is only a name.
+    /// The frequency of the mode at a place, from 1, in the list of all modes: where motions are
+    /// coupled a family is only a name.
     Lowest(usize),
     /// The factor that all weights, multiplied by it, buckle the tower with; it has no unit.
     BucklingLoadFactor,
@@ -103,7 +105,8 @@ impl Expected {
     }
 }
 
-/// The families that have a mode that is expected of one: both bending planes if they are equal, the family itself else.
+/// The families that have a mode that is expected of one: both bending planes if they are equal,
+/// the family itself else.
 pub(crate) fn families(family: Family, planes_are_equal: bool) -> [Family; 2] {
     match family {
         Family::ForeAft if planes_are_equal => [Family::ForeAft, Family::SideSide],

@@ -7,8 +7,9 @@
 //! assert_eq!(rows[0].expected.value, 0.8905);
 //! ```
 //!
-//! A [`Case`] is a tower, where its answers are from, and what each method should give. A tolerance is what the last
-//! digit given leaves open, and an allowance for the method or the reference ([`Run::allowance`]).
+//! A [`Case`] is a tower, where its answers are from, and what each method should give. A tolerance
+//! is what the last digit given leaves open, and an allowance for the method or the reference
+//! ([`Run::allowance`]).
 
 mod case;
 pub mod coverage;

@@ -47,7 +47,8 @@ impl Row {
         }
     }
 
-    /// The relative difference with one digit; below 1e-12 only that, because the last bits depend on the machine.
+    /// The relative difference with one digit; below 1e-12 only that, because the last bits depend
+    /// on the machine.
     pub fn shown_difference(&self) -> String {
         match self.relative_difference() {
             None => String::new(),

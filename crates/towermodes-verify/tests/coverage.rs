@@ -16,7 +16,8 @@ fn study(fineness: Fineness) -> Vec<(Method, Vec<Sample>)> {
             let solved = samples(class, number, fineness, &Method::ALL, &mut workspace);
             let solved = solved.expect("the beam itself is solved");
             for ((_, all), solved) in by_method.iter_mut().zip(solved) {
-                // Near buckling few segments can buckle where the beam stands; that is an error, and no claim.
+                // Near buckling few segments can buckle where the beam stands; that is an error,
+                // and no claim.
                 all.extend(solved.unwrap_or_default());
             }
         }

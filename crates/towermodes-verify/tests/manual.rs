@@ -1,4 +1,5 @@
-//! The manual comes out, and would notice if it did not. That the book has it as it comes out is a test of the program.
+//! The manual comes out, and would notice if it did not. That the book has it as it comes out is a
+//! test of the program.
 
 use towermodes_verify::{CHAPTERS, Row, manual};
 

@@ -1,6 +1,7 @@
 //! How long a tower takes: `cargo bench -p towermodes`.
 //!
-//! The tower is loaded; what is timed is all that `solve` does: assembly, eigenvalues, certificate, shapes, error estimates.
+//! The tower is loaded; what is timed is all that `solve` does: assembly, eigenvalues, certificate,
+//! shapes, error estimates.
 
 use std::hint::black_box;
 use std::time::Duration;

@@ -1,4 +1,5 @@
-//! Natural frequencies and mode shapes of wind turbine towers by the rigid multibody method, certified.
+//! Natural frequencies and mode shapes of wind turbine towers by the rigid multibody method,
+//! certified.
 //!
 //! ```
 //! use towermodes::{Material, Options, Rna, Station, Tower, TowerDescription, solve};
@@ -17,12 +18,15 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
-//! A tower is made of stations, a material and masses, on a foundation, in soil and water ([`TowerDescription`]), checked once
-//! ([`Tower::new`]), and solved as chains of rigid bodies and elastic joints, or of flexible elements ([`solve()`]). Each frequency comes with a bound on its algebraic error, an estimate of its
-//! discretization error and an extrapolated value; the list comes with a [`Certificate`] that no mode is missing.
+//! A tower is made of stations, a material and masses, on a foundation, in soil and water
+//! ([`TowerDescription`]), checked once ([`Tower::new`]), and solved as chains of rigid bodies and
+//! elastic joints, or of flexible elements ([`solve()`]). Each frequency comes with a bound on its
+//! algebraic error, an estimate of its discretization error and an extrapolated value; the list
+//! comes with a [`Certificate`] that no mode is missing.
 //!
-//! Data flows one way: [`tower`] → [`chain`] and [`elements`], or [`beam`] → [`parts`] → [`eigen`] → [`modes`] → [`solve()`]. SI units throughout; heights are in
-//! the user's own datum; x is fore-aft (downwind), y side-side, z up.
+//! Data flows one way: [`tower`] → [`chain`] and [`elements`], or [`beam`] → [`parts`] → [`eigen`]
+//! → [`modes`] → [`solve()`]. SI units throughout; heights are in the user's own datum; x is
+//! fore-aft (downwind), y side-side, z up.
 
 pub mod beam;
 pub mod blade;

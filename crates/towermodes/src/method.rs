@@ -8,18 +8,21 @@ pub enum Method {
     /// One joint at the elastic centre of each segment, exact section integrals.
     #[default]
     RmjeExact,
-    /// The element of Nikolić & Šalinić as published, with its misprints corrected: prismatic segments, joints at L/4 and L/2.
+    /// The element of Nikolić & Šalinić as published, with its misprints corrected: prismatic
+    /// segments, joints at L/4 and L/2.
     Rmje,
     /// Two hinges in each segment at the Gauss points of dz/EI, exact section integrals.
     CardanicExact,
-    /// The cardanic joint element after Zhao, Maißer & Wu: prismatic segments, two hinges at kL and (1−k)L.
+    /// The cardanic joint element after Zhao, Maißer & Wu: prismatic segments, two hinges at kL and
+    /// (1−k)L.
     Cardanic,
-    /// Rigid half-segments joined by massless beam springs, as Adams models a beam: prismatic segments, all joints at L/2.
+    /// Rigid half-segments joined by massless beam springs, as Adams models a beam: prismatic
+    /// segments, all joints at L/2.
     Lumped,
     /// The 15-dof finite element of BModes: Euler-Bernoulli, sections constant over an element.
     Bmodes,
-    /// The beam itself: one element a linear piece, or more where it is steep, polynomials of a degree that is raised until the modes stand
-    /// still.
+    /// The beam itself: one element a linear piece, or more where it is steep, polynomials of a
+    /// degree that is raised until the modes stand still.
     Spectral,
 }
 
@@ -65,12 +68,14 @@ impl Method {
         }
     }
 
-    /// The leading powers p of its error n⁻ᵖ in bending; none for the spectral beam, whose error falls exponentially with its degree.
+    /// The leading powers p of its error n⁻ᵖ in bending; none for the spectral beam, whose error
+    /// falls exponentially with its degree.
     ///
-    /// 2 where there is one joint in a segment. 1 and 2 for the published element of a tower that shears: its sliding joint sits at L/4;
-    /// without shear the sliding of a segment is O(n⁻³) and where it happens does not matter, but shear makes it O(n⁻¹), and its place
-    /// an error of first order. 2 and 4 for two hinges and for BModes: 4 from the hinges or the cubics, 2 from prismatic sections or
-    /// from rotary inertia, small enough that neither can be left out.
+    /// 2 where there is one joint in a segment. 1 and 2 for the published element of a tower that
+    /// shears: its sliding joint sits at L/4; without shear the sliding of a segment is O(n⁻³) and
+    /// where it happens does not matter, but shear makes it O(n⁻¹), and its place an error of first
+    /// order. 2 and 4 for two hinges and for BModes: 4 from the hinges or the cubics, 2 from
+    /// prismatic sections or from rotary inertia, small enough that neither can be left out.
     pub fn bending_powers(self, shears: bool) -> &'static [i32] {
         match self {
             Self::Rmje if shears => &[1, 2],
@@ -80,8 +85,9 @@ impl Method {
         }
     }
 
-    /// The leading powers p of its error n⁻ᵖ in torsion and axially: 2, with BModes 2 and 4, but 1 and 2 for the published element, whose
-    /// joint for both sits at L/4. The two can cancel on usual meshes, so both are needed to know the error.
+    /// The leading powers p of its error n⁻ᵖ in torsion and axially: 2, with BModes 2 and 4, but 1
+    /// and 2 for the published element, whose joint for both sits at L/4. The two can cancel on
+    /// usual meshes, so both are needed to know the error.
     pub fn axial_powers(self) -> &'static [i32] {
         match self {
             Self::Rmje => &[1, 2],

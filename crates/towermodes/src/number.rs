@@ -1,8 +1,9 @@
 //! Numbers as people write them.
 //!
-//! The rule for every text that a person reads: at most seven significant digits, plainly from 1e-4 to 1e7 and with an exponent beyond.
-//! More digits appear only where two numbers that differ would otherwise look the same ([`Apart`]), or where a text asks for so many
-//! decimals. Files that a program reads back have all digits; they do not use this.
+//! The rule for every text that a person reads: at most seven significant digits, plainly from 1e-4
+//! to 1e7 and with an exponent beyond. More digits appear only where two numbers that differ would
+//! otherwise look the same ([`Apart`]), or where a text asks for so many decimals. Files that a
+//! program reads back have all digits; they do not use this.
 
 use std::fmt;
 
@@ -11,8 +12,9 @@ const DIGITS: usize = 7;
 /// Digits that show every double exactly.
 const ALL_DIGITS: usize = 17;
 
-/// Shows a number in a text: plainly where that is short, with an exponent where it is not, and never with more than seven significant
-/// digits. With a precision it shows so many digits after the point.
+/// Shows a number in a text: plainly where that is short, with an exponent where it is not, and
+/// never with more than seven significant digits. With a precision it shows so many digits after
+/// the point.
 ///
 /// # Example
 /// ```
@@ -38,7 +40,8 @@ impl fmt::Display for Plain {
     }
 }
 
-/// Shows the first of two numbers with as many digits as tell it from the second, and no fewer than [`Plain`] would.
+/// Shows the first of two numbers with as many digits as tell it from the second, and no fewer than
+/// [`Plain`] would.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Apart(pub(crate) f64, pub(crate) f64);
 
@@ -77,7 +80,8 @@ pub(crate) fn significant(value: f64) -> f64 {
     rounded(value, 6)
 }
 
-/// Four digits, zeros at the end too, as frequencies are read: "0.3450"; with an exponent far from 1.
+/// Four digits, zeros at the end too, as frequencies are read: "0.3450"; with an exponent far from
+/// 1.
 pub(crate) fn four_digits(value: f64) -> String {
     if value == 0.0 {
         return "0".to_owned();

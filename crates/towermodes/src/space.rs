@@ -1,9 +1,10 @@
 //! Rigid motions about points on one vertical axis, in 1, 2, 3 or 6 components.
 //!
-//! A motion known at one height is known at every height: only the transverse translations change, by rotation times rise.
-//! That is all the spatial algebra a straight tower needs, so it is written once over the number of components D and a small
-//! table says which component moves which (Featherstone, *Rigid Body Dynamics Algorithms*, 2008, ch. 2, restricted to
-//! translations along z).
+//! A motion known at one height is known at every height: only the transverse translations change,
+//! by rotation times rise. That is all the spatial algebra a straight tower needs, so it is written
+//! once over the number of components D and a small table says which component moves which
+//! (Featherstone, *Rigid Body Dynamics Algorithms*, 2008, ch. 2, restricted to translations along
+//! z).
 //!
 //! | D | components |
 //! |---|---|

@@ -5,7 +5,8 @@ const MAX_SWEEPS: usize = 60;
 
 /// The eigenvalues of a symmetric matrix, rising, and the eigenvector of each as a row.
 ///
-/// Jacobi's cyclic rotations (Golub & Van Loan 2013, ch. 8.5), which find small eigenvalues of scaled matrices to full accuracy.
+/// Jacobi's cyclic rotations (Golub & Van Loan 2013, ch. 8.5), which find small eigenvalues of
+/// scaled matrices to full accuracy.
 pub(crate) fn eigenpairs<const N: usize>(mut a: [[f64; N]; N]) -> ([f64; N], [[f64; N]; N]) {
     let mut vectors: [[f64; N]; N] =
         std::array::from_fn(|i| std::array::from_fn(|j| f64::from(u8::from(i == j))));

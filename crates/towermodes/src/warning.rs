@@ -18,8 +18,8 @@ use crate::tower::Place;
 
 /// Something a user should look at; the computation goes on.
 ///
-/// The variant says of what kind it is, and its fields have the numbers, so that a program need not read the words.
-/// [`site`](Self::site) says where in the description it is.
+/// The variant says of what kind it is, and its fields have the numbers, so that a program need not
+/// read the words. [`site`](Self::site) says where in the description it is.
 #[derive(Debug, Clone, PartialEq, Error)]
 #[non_exhaustive]
 pub enum Warning {
@@ -156,7 +156,8 @@ pub enum Warning {
         /// The point mass.
         site: Site,
     },
-    /// Couplings of translation and rotation that have one sign where they should have opposite ones.
+    /// Couplings of translation and rotation that have one sign where they should have opposite
+    /// ones.
     #[error(
         "the {what} couples x with rotation about y and y with rotation about x with the same sign ({} and {}); what is the same in both \
          planes has opposite signs",
@@ -286,7 +287,8 @@ pub enum Warning {
         /// Used.
         used: usize,
     },
-    /// The number of modes below the end of the list is another on another mesh, or the extrapolated frequencies say so.
+    /// The number of modes below the end of the list is another on another mesh, or the
+    /// extrapolated frequencies say so.
     #[error(
         "with more segments another mode may come into the list or leave it: it ends at {:.4} Hz, and errors reach beyond that",
         Plain(*.below_hz)
@@ -322,7 +324,8 @@ pub enum Warning {
         significant(100.0 * (.load_factor - 1.0)), .load_factor - 1.0
     )]
     VergeOfBuckling {
-        /// The factor by which all weights must be multiplied for the tower to buckle, little above 1.
+        /// The factor by which all weights must be multiplied for the tower to buckle, little
+        /// above 1.
         load_factor: f64,
     },
     /// Given elements of BModes that reach over rows of the tower.
@@ -339,7 +342,8 @@ pub enum Warning {
         base_m: f64,
         /// Upper end of the element, m.
         top_m: f64,
-        /// By how much it differs from its value at the middle of the element, as a share of the larger.
+        /// By how much it differs from its value at the middle of the element, as a share of the
+        /// larger.
         change: f64,
     },
     /// Modes whose frequencies do not fall with the segments as the order of the method says.
@@ -385,7 +389,8 @@ pub enum Warning {
 }
 
 impl Warning {
-    /// Where in the description the value stands that it is about; none for what only the result shows.
+    /// Where in the description the value stands that it is about; none for what only the result
+    /// shows.
     pub fn site(&self) -> Option<&Site> {
         match self {
             Self::UnusualWall { site, .. }

@@ -1,4 +1,5 @@
-//! Beams with known frequencies, by every method: the manual asks the spectral beam and the default method, this file asks the others.
+//! Beams with known frequencies, by every method: the manual asks the spectral beam and the default
+//! method, this file asks the others.
 //!
 //! And chains under a weight on top alone, which no tower is.
 
@@ -13,7 +14,8 @@ use towermodes::{EigenError, Family, Method, Options, Shear, Tower, TowerDescrip
 use towermodes_verify::{Case, Run, manual};
 use towers::{Uniform, assert_close, extrapolated, frequencies, reference, solved};
 
-/// The cases of the manual whose answers are those of beams, but for pointed tips, where segments converge slowly.
+/// The cases of the manual whose answers are those of beams, but for pointed tips, where segments
+/// converge slowly.
 fn beams() -> impl Iterator<Item = Case> {
     let of_beams = ["uniform", "tips", "tapers", "tower"];
     manual()
@@ -22,7 +24,8 @@ fn beams() -> impl Iterator<Item = Case> {
         .filter(|case| !case.name.ends_with("c = 1"))
 }
 
-/// Runs the beams by one method, extrapolated, for as many segments as leave it this relative error.
+/// Runs the beams by one method, extrapolated, for as many segments as leave it this relative
+/// error.
 fn check_beams(method: Method, segments: usize, allowance: f64, has: impl Fn(&Case) -> bool) {
     let mut checked = 0;
     for mut case in beams().filter(|case| has(case)) {
@@ -72,7 +75,8 @@ fn bmodes_has_the_frequencies_of_euler_bernoulli_beams() {
 
 #[test]
 fn cowpers_coefficient_of_thin_walls_is_that_of_a_thin_tube() {
-    // Cowper's value of the tower's own walls is within 1e-4 of the thin tube's, and matters less than that.
+    // Cowper's value of the tower's own walls is within 1e-4 of the thin tube's, and matters less
+    // than that.
     let own = TowerDescription {
         shear: Shear::Cowper,
         ..reference()
@@ -88,8 +92,8 @@ fn cowpers_coefficient_of_thin_walls_is_that_of_a_thin_tube() {
     }
 }
 
-/// A bending chain of a uniform Euler-Bernoulli beam whose every rigid piece, of length l, has the ground stiffness that `ground(l)`
-/// says, about its middle.
+/// A bending chain of a uniform Euler-Bernoulli beam whose every rigid piece, of length l, has the
+/// ground stiffness that `ground(l)` says, about its middle.
 fn tied_chain(beam: &Uniform, segments: usize, ground: impl Fn(f64) -> [[f64; 2]; 2]) -> Chain<2> {
     let tower = Tower::new(beam.description.clone()).expect("a valid tower");
     let piece = &tower.pieces()[0];
@@ -158,7 +162,8 @@ fn stiffness_over_length(beam: &Uniform, power: i32) -> f64 {
 
 #[test]
 fn a_weight_on_top_lowers_the_frequencies_and_buckles_the_column_at_its_critical_load() {
-    // μ = 1, γ = P L²/EI; a rigid piece of length l below the weight has −P l θ²/2. Critical: γ = π²/4.
+    // μ = 1, γ = P L²/EI; a rigid piece of length l below the weight has −P l θ²/2. Critical: γ =
+    // π²/4.
     let beam = Uniform::new(0.01, None).with_tip(1.0, 0.0, 0.0);
     let weight = stiffness_over_length(&beam, 2);
     let with_weight = |gamma: f64, modes: usize| {

@@ -1,4 +1,5 @@
-//! Chains of flexible elements: the O(n) algorithms against dense matrices, the degree, fine meshes, planes that differ.
+//! Chains of flexible elements: the O(n) algorithms against dense matrices, the degree, fine
+//! meshes, planes that differ.
 
 use crate::pencils;
 use crate::towers;
@@ -76,7 +77,8 @@ fn counts_and_solves_equal_those_of_dense_matrices() {
     }
 }
 
-/// Relative errors of the first three bending modes of the reference tower at a degree, as an Euler-Bernoulli beam.
+/// Relative errors of the first three bending modes of the reference tower at a degree, as an
+/// Euler-Bernoulli beam.
 fn errors_at(degree: usize) -> [f64; 3] {
     let recipe = BeamRecipe::Spectral {
         degree,
@@ -93,8 +95,8 @@ fn errors_at(degree: usize) -> [f64; 3] {
 
 #[test]
 fn the_spectral_error_falls_exponentially_with_the_degree() {
-    // A Ritz value is never too low, and four degrees more are worth two digits and more until rounding is left: an algebraic order
-    // would have to be 9 from 6 to 10 and 11 from 8 to 12.
+    // A Ritz value is never too low, and four degrees more are worth two digits and more until
+    // rounding is left: an algebraic order would have to be 9 from 6 to 10 and 11 from 8 to 12.
     for degree in [5, 6, 7, 8, 9] {
         let (coarse, fine) = (errors_at(degree), errors_at(degree + 4));
         for (mode, (coarse, fine)) in coarse.into_iter().zip(fine).enumerate() {
@@ -202,7 +204,8 @@ fn a_table_of_a_tubes_rows_has_the_tubes_section_at_them() {
 
 #[test]
 fn a_cone_that_ends_in_a_point_carries_its_tip_mass_on_a_soft_tip() {
-    // Tip of 1 µm: a polynomial over the whole cone cannot follow 1/EI, which grows by 27 powers of ten; elements are cut for it.
+    // Tip of 1 µm: a polynomial over the whole cone cannot follow 1/EI, which grows by 27 powers of
+    // ten; elements are cut for it.
     let description = TowerDescription {
         materials: vec![towermodes::Material::from_shear_modulus(
             7850.0, 2.1e11, 8.08e10,
@@ -222,7 +225,8 @@ fn a_cone_that_ends_in_a_point_carries_its_tip_mass_on_a_soft_tip() {
     };
     let spectral = solved(&description, &with(Method::Spectral, None));
     let got = frequencies(&spectral, Family::ForeAft);
-    // Deflection of a cone's tip by a unit force: 64 L³/(3 π E d₀³ d₁); all the mass that moves is the tip's.
+    // Deflection of a cone's tip by a unit force: 64 L³/(3 π E d₀³ d₁); all the mass that moves is
+    // the tip's.
     let compliance = 64.0 * 80.0_f64.powi(3) / (3.0 * std::f64::consts::PI * 2.1e11 * 216.0 * 1e-6);
     assert_close(
         got[0],
@@ -271,7 +275,8 @@ fn bmodes_sees_every_piece() {
 
 #[test]
 fn a_table_whose_shear_stiffness_grows_a_millionfold() {
-    // What is linear is the stiffness, not the flexibility: cut by the wrong one, elements would never be gradual.
+    // What is linear is the stiffness, not the flexibility: cut by the wrong one, elements would
+    // never be gradual.
     for reversed in [false, true] {
         let mut description = elliptic();
         let shears = if reversed {
@@ -301,7 +306,8 @@ fn a_table_whose_shear_stiffness_grows_a_millionfold() {
 
 #[test]
 fn shapes_and_modal_masses_are_those_of_the_chains() {
-    // Three ways from an eigenvector to a shape: bodies at borders, Hermite's cubics, Legendre's polynomials.
+    // Three ways from an eigenvector to a shape: bodies at borders, Hermite's cubics, Legendre's
+    // polynomials.
     for description in [rich(), elliptic()] {
         let with = |method| Options {
             method,

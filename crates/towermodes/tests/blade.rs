@@ -1,4 +1,5 @@
-//! Rotating blades: published frequencies, symmetries, a body at the tip against the same body as blade, what is refused.
+//! Rotating blades: published frequencies, symmetries, a body at the tip against the same body as
+//! blade, what is refused.
 
 use std::f64::consts::{FRAC_PI_2, TAU};
 
@@ -21,7 +22,8 @@ const SECTION: BladeSection = BladeSection {
     tension_center_m: 0.0,
 };
 
-/// A blade of length 1 from the rotor's axis, m = EI = 1: its frequencies are the dimensionless ones.
+/// A blade of length 1 from the rotor's axis, m = EI = 1: its frequencies are the dimensionless
+/// ones.
 fn uniform(section: BladeSection, elements: usize) -> BladeDescription {
     BladeDescription {
         tip_radius_m: 1.0,
@@ -64,8 +66,8 @@ fn assert_same(a: &[f64], b: &[f64], tolerance: f64) {
     }
 }
 
-/// Wright, Smith, Thresher & Wang, J. Appl. Mech. 49 (1982): uniform cantilever on a hub of no radius, flapping. The element's cubics are
-/// off by n⁻⁴: 1e-7 in the third mode.
+/// Wright, Smith, Thresher & Wang, J. Appl. Mech. 49 (1982): uniform cantilever on a hub of no
+/// radius, flapping. The element's cubics are off by n⁻⁴: 1e-7 in the third mode.
 #[test]
 fn uniform_blades_flap_as_published() {
     let published: [(f64, &[f64]); 5] = [
@@ -83,7 +85,8 @@ fn uniform_blades_flap_as_published() {
     }
 }
 
-/// Hodges & Rutkowski, AIAA J. 19 (1981): m = 1 − x/2, EI = (1 − x/2)³. Sections constant over an element converge as n⁻².
+/// Hodges & Rutkowski, AIAA J. 19 (1981): m = 1 − x/2, EI = (1 − x/2)³. Sections constant over an
+/// element converge as n⁻².
 #[test]
 fn tapered_blades_flap_as_published() {
     let published = [
@@ -122,7 +125,8 @@ fn tapered_blades_flap_as_published() {
     }
 }
 
-/// In the rotor's plane the same beam has ω² lower by Ω²: the force follows the blade but not the rotation.
+/// In the rotor's plane the same beam has ω² lower by Ω²: the force follows the blade but not the
+/// rotation.
 #[test]
 fn lag_is_flap_less_the_speed() {
     let mut description = uniform(SECTION, 20);
@@ -193,8 +197,8 @@ fn mirrored_blades_have_the_same_frequencies() {
     );
 }
 
-/// A stiff short end of the blade is a rigid body at its inner end: length ε, mass μ per length, its centre of mass off the axis by e in
-/// a twisted section.
+/// A stiff short end of the blade is a rigid body at its inner end: length ε, mass μ per length,
+/// its centre of mass off the axis by e in a twisted section.
 #[test]
 fn a_body_at_the_tip_is_the_same_as_a_stiff_heavy_end() {
     let (length, mass, offset, twist) = (0.02, 10.0, 0.01, 0.7);
@@ -230,14 +234,16 @@ fn a_body_at_the_tip_is_the_same_as_a_stiff_heavy_end() {
         rotor_speed_rad_per_s: 6.0,
         ..uniform(own, 1)
     };
-    // The end as a body: a rod along Z with moments ∫X² = edge and ∫Y² = flap per length in the section's own axes.
+    // The end as a body: a rod along Z with moments ∫X² = edge and ∫Y² = flap per length in the
+    // section's own axes.
     let (sin, cos) = f64::sin_cos(twist);
     let total = mass * length;
     let about_axis = |a: f64, b: f64| length * (a * cos * cos + b * sin * sin);
     let (xx, yy) = (about_axis(edge, flap), about_axis(flap, edge));
     let xy = length * (edge - flap) * sin * cos;
     let center = [offset * cos, offset * sin, 0.5 * length];
-    // An Euler-Bernoulli blade has no rotary inertia, so the rod's own thickness resists twist alone.
+    // An Euler-Bernoulli blade has no rotary inertia, so the rod's own thickness resists twist
+    // alone.
     let moment = |i: usize, j: usize, about_tip: f64| about_tip - total * center[i] * center[j];
     let second_z = total * length * length / 3.0;
     let (own_x, own_y) = (moment(0, 0, xx), moment(1, 1, yy));
@@ -258,7 +264,8 @@ fn a_body_at_the_tip_is_the_same_as_a_stiff_heavy_end() {
     short.rotor_speed_rad_per_s = 6.0;
     short.tip = body;
     let (long, short) = (frequencies(long, 6), frequencies(short, 6));
-    // Rotary inertia is in the body and not in the blade: flap and edge are 1/1000 of the blade's EI/ω².
+    // Rotary inertia is in the body and not in the blade: flap and edge are 1/1000 of the blade's
+    // EI/ω².
     for (long, short) in long.iter().zip(&short) {
         assert!((long / short - 1.0).abs() < 2e-3, "{long} and {short}");
     }
@@ -388,7 +395,8 @@ fn coupled(torsion_n_m2: f64, axial_n: f64) -> BladeDescription {
     description
 }
 
-/// What a finite stiffness x adds to the compliance is c/x: a tenth of it moves frequencies ten times as much.
+/// What a finite stiffness x adds to the compliance is c/x: a tenth of it moves frequencies ten
+/// times as much.
 #[test]
 fn infinite_stiffness_is_the_limit_of_large_ones() {
     let rigid = frequencies(coupled(f64::INFINITY, f64::INFINITY), 4);

@@ -1,4 +1,5 @@
-//! A blade followed over the speeds of its rotor: published frequencies, names where lines cross and veer, what is refused.
+//! A blade followed over the speeds of its rotor: published frequencies, names where lines cross
+//! and veer, what is refused.
 
 use crate::towers;
 
@@ -103,7 +104,8 @@ fn near(value: f64, expected: f64, tolerance: f64) {
     );
 }
 
-/// Wright, Smith, Thresher & Wang, J. Appl. Mech. 49 (1982): uniform cantilever on a hub of no radius, flapping.
+/// Wright, Smith, Thresher & Wang, J. Appl. Mech. 49 (1982): uniform cantilever on a hub of no
+/// radius, flapping.
 const PUBLISHED: [(f64, &[f64]); 5] = [
     (1.0, &[3.68164681, 22.18101115, 61.84176259]),
     (3.0, &[4.79727853, 23.32026367]),
@@ -112,8 +114,9 @@ const PUBLISHED: [(f64, &[f64]); 5] = [
     (12.0, &[13.17015049, 37.60311233, 79.61447849]),
 ];
 
-/// As stiff in both directions: at standstill every mode is one of a pair, and names come from the first speed at which they part. In lag
-/// ω² is lower by Ω². The element's cubics are off by n⁻⁴: 1e-6 in the third mode.
+/// As stiff in both directions: at standstill every mode is one of a pair, and names come from the
+/// first speed at which they part. In lag ω² is lower by Ω². The element's cubics are off by n⁻⁴:
+/// 1e-6 in the third mode.
 #[test]
 fn lines_are_the_published_frequencies() {
     let lines = blade_lines(&uniform(1.0, 0.0, 60), 6, 12.0, 13);
@@ -134,8 +137,8 @@ fn lines_are_the_published_frequencies() {
     assert!(flap.points.windows(2).all(|pair| pair[0][0] < pair[1][0]));
 }
 
-/// Half again as stiff in lag: at standstill it is 22 % higher, and flap rises past it near 2.5 rad/s. A beam of EI = 1.5 at Ω has √1.5
-/// times the frequencies of one of EI = 1 at Ω/√1.5.
+/// Half again as stiff in lag: at standstill it is 22 % higher, and flap rises past it near 2.5
+/// rad/s. A beam of EI = 1.5 at Ω has √1.5 times the frequencies of one of EI = 1 at Ω/√1.5.
 #[test]
 fn names_stay_where_lines_cross() {
     let blade = uniform(1.5, 0.0, 60);
@@ -163,7 +166,8 @@ fn a_mode_alone_is_followed_past_others() {
     near(at(&lines[0], 12.0), 13.17015049, 2e-6);
 }
 
-/// With twist both modes veer instead of crossing: names go on to the mode that moves alike, however many speeds there are.
+/// With twist both modes veer instead of crossing: names go on to the mode that moves alike,
+/// however many speeds there are.
 #[test]
 fn names_do_not_jump_where_lines_veer() {
     let blade = uniform(1.5, 0.1, 30);
@@ -196,8 +200,9 @@ fn errors_of_lines_are_those_of_the_elements() {
     }
 }
 
-/// From 5 to 10 rad/s the first flap of m = EI = 1 rises to about 11.2 rad/s, always above 1P, and the second from 26 to 33 rad/s, which 4P
-/// (20 to 40 rad/s) meets. Whatever meets a blade warns at most.
+/// From 5 to 10 rad/s the first flap of m = EI = 1 rises to about 11.2 rad/s, always above 1P, and
+/// the second from 26 to 33 rad/s, which 4P (20 to 40 rad/s) meets. Whatever meets a blade warns at
+/// most.
 #[test]
 fn excitations_of_blades_warn_at_most() {
     let diagram = diagram(&uniform(1.0, 0.0, 20), 4, 12.0, 13).expect("a diagram");
@@ -210,7 +215,8 @@ fn excitations_of_blades_warn_at_most() {
             near(margin.distance, 10.0 / at(line, 10.0) - 1.0, 1e-9);
         }
         if line.label == "blade 2nd flap" && margin.multiple == 4 {
-            // 16 Ω² = ω² between the points on both sides, ω² linear in Ω² there: 22.03² + 6.48 Ω² within 1 %.
+            // 16 Ω² = ω² between the points on both sides, ω² linear in Ω² there: 22.03² + 6.48 Ω²
+            // within 1 %.
             let met_rad_per_s = margin.nearest_rpm * PI / 30.0;
             near(
                 met_rad_per_s,
@@ -236,7 +242,8 @@ fn a_single_speed_is_among_those_solved() {
         lowest_rpm: 17.0,
         highest_rpm: 17.0,
     };
-    // 25 speeds in steps of 0.85 rpm have it already; in 6 steps of 3.4 rpm 17 is the fifth; of 10 it is none.
+    // 25 speeds in steps of 0.85 rpm have it already; in 6 steps of 3.4 rpm 17 is the fifth; of 10
+    // it is none.
     for (speeds, count) in [(25, 25), (7, 7), (10, 11)] {
         let options = CampbellOptions {
             speeds,

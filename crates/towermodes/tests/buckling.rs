@@ -49,7 +49,8 @@ fn a_tower_that_just_stands_has_its_modes_and_its_factor() {
             assert!(third.error_hz() < 1e-2 * third.frequency_hz, "{third:?}");
             solution.modes[0].frequency_hz
         };
-        // To first order the square of the lowest frequency is in proportion to what is left of the weights that the tower bears.
+        // To first order the square of the lowest frequency is in proportion to what is left of the
+        // weights that the tower bears.
         let name = method.name();
         assert_close(lowest(1e-5) / lowest(1e-3), 0.1, 1e-2, name);
         assert_close(lowest(1e-6) / lowest(1e-4), 0.1, 1e-2, name);

@@ -12,7 +12,8 @@ use towermodes::{
 };
 use towers::reference_350t;
 
-/// The NREL 5 MW machine: 1P 0.115 to 0.201667 Hz, 3P 0.345 to 0.605 Hz, 6P 0.69 to 1.21 Hz, 9P 1.035 to 1.815 Hz.
+/// The NREL 5 MW machine: 1P 0.115 to 0.201667 Hz, 3P 0.345 to 0.605 Hz, 6P 0.69 to 1.21 Hz, 9P
+/// 1.035 to 1.815 Hz.
 const NREL: Rotor = rotor(3, 6.9, 12.1);
 
 const fn rotor(blades: usize, lowest_rpm: f64, highest_rpm: f64) -> Rotor {
@@ -33,7 +34,8 @@ fn solved() -> (Tower, Solution) {
     (tower, solution)
 }
 
-/// The diagram of a tower whose first fore-aft and side-side modes have frequencies of our own, Hz, all wrong by no more than an error.
+/// The diagram of a tower whose first fore-aft and side-side modes have frequencies of our own, Hz,
+/// all wrong by no more than an error.
 fn diagram(frequencies_hz: [f64; 2], error_hz: f64, rotor: Rotor) -> Campbell {
     let (tower, mut solution) = solved();
     for (mode, frequency_hz) in solution.modes.iter_mut().zip(frequencies_hz) {
@@ -119,8 +121,10 @@ fn lines_of_a_tower_are_level_to_beyond_the_highest_speed() {
     assert_eq!(fore_aft.error_hz, 1e-3);
 }
 
-/// |d| at the borders of 5 and 10 %: 3P begins at 0.345 Hz (0.345/1.05 = 0.3285714, 0.345/1.1 = 0.3136364) and ends at 0.605 Hz
-/// (0.605/0.95 = 0.6368421, 0.605/0.9 = 0.6722222); 1P at 0.115 Hz (0.1095238, 0.1045455) and 0.2016667 Hz (0.2122807, 0.2240741).
+/// |d| at the borders of 5 and 10 %: 3P begins at 0.345 Hz (0.345/1.05 = 0.3285714, 0.345/1.1 =
+/// 0.3136364) and ends at 0.605 Hz
+/// (0.605/0.95 = 0.6368421, 0.605/0.9 = 0.6722222); 1P at 0.115 Hz (0.1095238, 0.1045455) and
+/// 0.2016667 Hz (0.2122807, 0.2240741).
 #[test]
 fn verdicts_change_at_the_margin_and_at_twice_the_margin() {
     let cases = [
@@ -151,7 +155,8 @@ fn other_multiples_warn_at_most() {
     close(met.nearest_rpm, 7.0);
 }
 
-/// Without error 0.345/0.328 − 1 = 5.2 % and 0.605/0.6369 − 1 = −5.009 %; a thousandth nearer they are 4.9 % and −4.86 %.
+/// Without error 0.345/0.328 − 1 = 5.2 % and 0.605/0.6369 − 1 = −5.009 %; a thousandth nearer they
+/// are 4.9 % and −4.86 %.
 #[test]
 fn errors_count_towards_the_excitation() {
     let verdict = |frequency_hz: f64, error_hz: f64| {
@@ -220,7 +225,8 @@ fn rotors_of_one_and_of_two_blades() {
     let multiples = |rotor: Rotor| diagram([0.5, 0.5], 0.0, rotor).multiples;
     assert_eq!(multiples(one), [1, 2, 3]);
     assert_eq!(multiples(rotor(2, 20.0, 40.0)), [1, 2, 4, 6]);
-    // 2P is the blades' passing of two blades, and a higher multiple of one: 40 to 80 rpm are 0.667 to 1.333 Hz.
+    // 2P is the blades' passing of two blades, and a higher multiple of one: 40 to 80 rpm are 0.667
+    // to 1.333 Hz.
     assert_eq!(margin(1.0, 2, one).verdict, Verdict::Warn);
     let two = margin(1.0, 2, rotor(2, 20.0, 40.0));
     close(two.nearest_rpm, 30.0);
@@ -416,7 +422,8 @@ fn rotors_that_cannot_be_are_refused_with_the_tower() {
     }
 }
 
-/// The list of the 5 MW tower with modes proved below 1 Hz, one more of them than listed if it `cuts` a pair.
+/// The list of the 5 MW tower with modes proved below 1 Hz, one more of them than listed if it
+/// `cuts` a pair.
 fn known_to_1_hz(cuts: bool, margin: f64) -> Campbell {
     let (tower, mut solution) = solved();
     solution.certificate.below_hz = 1.0;
@@ -432,7 +439,8 @@ fn known_to_1_hz(cuts: bool, margin: f64) -> Campbell {
     campbell(&tower, &solution, None, &NREL, &options).expect("a diagram")
 }
 
-/// 3P is 0.605 Hz at 12.1 rpm: within twice a margin of 5 % it counts up to 0.605/0.9 = 0.6722 Hz, of 20 % up to 0.605/0.6 = 1.0083 Hz.
+/// 3P is 0.605 Hz at 12.1 rpm: within twice a margin of 5 % it counts up to 0.605/0.9 = 0.6722 Hz,
+/// of 20 % up to 0.605/0.6 = 1.0083 Hz.
 #[test]
 fn modes_above_the_list_are_not_judged() {
     assert_eq!(known_to_1_hz(false, 0.05).unjudged_hz(), None);
@@ -444,7 +452,8 @@ fn modes_above_the_list_are_not_judged() {
     close(known_hz, 0.75);
 }
 
-/// Nothing warns or fails in the list: 0.25 is 24 % above 1P and 28 % below 3P, but what lies above the list may.
+/// Nothing warns or fails in the list: 0.25 is 24 % above 1P and 28 % below 3P, but what lies above
+/// the list may.
 #[test]
 fn what_is_not_judged_does_not_pass() {
     let quiet = known_to_1_hz(false, 0.05);
@@ -455,7 +464,8 @@ fn what_is_not_judged_does_not_pass() {
     assert!(cut.margins.iter().all(|m| m.verdict == Verdict::Pass));
 }
 
-/// Excitations of a multiple that neither the rotor nor its blades make count within one margin: 6P of 12.1 rpm to 1.21/0.95 Hz.
+/// Excitations of a multiple that neither the rotor nor its blades make count within one margin: 6P
+/// of 12.1 rpm to 1.21/0.95 Hz.
 #[test]
 fn excitations_reach_as_far_as_they_are_warned_of() {
     let options = |margin: f64, multiples: &[usize]| CampbellOptions {
@@ -475,7 +485,8 @@ fn what_is_not_known_does_not_fail() {
     assert_eq!(unknown.verdict, Verdict::Warn);
 }
 
-/// The 5 MW machine with its principal axes at 45 degrees: both first modes bend in both planes, at 0.3187 and 0.3215 Hz as before.
+/// The 5 MW machine with its principal axes at 45 degrees: both first modes bend in both planes, at
+/// 0.3187 and 0.3215 Hz as before.
 #[test]
 fn modes_in_both_planes_have_the_class_of_both() {
     let mut description = reference_350t();
@@ -501,12 +512,14 @@ fn modes_in_both_planes_have_the_class_of_both() {
     assert_eq!(class_of(fast), both(StiffnessClass::SoftSoft));
 }
 
-/// The first two sentences on a tower whose first fore-aft and side-side modes have these frequencies.
+/// The first two sentences on a tower whose first fore-aft and side-side modes have these
+/// frequencies.
 fn said(frequencies_hz: [f64; 2], rotor: Rotor) -> Vec<String> {
     diagram(frequencies_hz, 0.0, rotor).conclusion()
 }
 
-/// Of 0.26 and 0.27 Hz 1P, up to 0.2017 Hz, is 22.4 and 25.3 % below, 3P, from 0.345 Hz, 32.7 and 27.8 % above; 6P and 9P are far.
+/// Of 0.26 and 0.27 Hz 1P, up to 0.2017 Hz, is 22.4 and 25.3 % below, 3P, from 0.345 Hz, 32.7 and
+/// 27.8 % above; 6P and 9P are far.
 #[test]
 fn a_healthy_tower_is_said_to_be_so_first() {
     let conclusion = said([0.27, 0.26], NREL);
@@ -516,7 +529,8 @@ fn a_healthy_tower_is_said_to_be_so_first() {
          0.3450 Hz) with margins of at least 22.4 %: soft-stiff."
     );
     assert_eq!(conclusion[1], "No warnings.");
-    // The list of this tower ends after two modes, and 9P may meet others up to 9 · 12.1/60/0.95 Hz.
+    // The list of this tower ends after two modes, and 9P may meet others up to 9 · 12.1/60/0.95
+    // Hz.
     assert!(
         conclusion[2].starts_with("Modes between 0.3"),
         "{conclusion:?}"
@@ -542,7 +556,8 @@ fn a_weak_excitation_is_a_minor_warning() {
     assert_eq!(conclusion[2], minor);
 }
 
-/// 0.345/0.33 − 1 is 4.5 %, less than the 5 % asked for; 0.345/0.32 − 1 is 7.8 %, less than twice that.
+/// 0.345/0.33 − 1 is 4.5 %, less than the 5 % asked for; 0.345/0.32 − 1 is 7.8 %, less than twice
+/// that.
 #[test]
 fn what_fails_is_said_before_what_is_near() {
     let conclusion = said([0.33, 0.32], NREL);

@@ -44,7 +44,8 @@ fn tower(mass_kg_per_m: f64) -> Tower {
     Tower::new(description).expect("a tower")
 }
 
-/// The two frequencies of a massless cantilever with m and J at its end, Hz: (12 EI/L³ − m λ)(4 EI/L − J λ) = (6 EI/L²)².
+/// The two frequencies of a massless cantilever with m and J at its end, Hz: (12 EI/L³ − m λ)(4
+/// EI/L − J λ) = (6 EI/L²)².
 fn massless_hz(inertia_kg_m2: f64) -> [f64; 2] {
     let (l, ei) = (LENGTH_M, BENDING_N_M2);
     let (k, r, c) = (12.0 * ei / l.powi(3), 4.0 * ei / l, 6.0 * ei / (l * l));

@@ -34,7 +34,8 @@ fn observed_order(
     order: usize,
 ) -> f64 {
     let f = |n| frequency(description, method, n, family, order);
-    // Multiples of 44 cut every tower used here so that the finer mesh halves the coarser one's segments.
+    // Multiples of 44 cut every tower used here so that the finer mesh halves the coarser one's
+    // segments.
     let (coarse, middle, fine) = (f(88), f(176), f(352));
     ((coarse - middle) / (middle - fine)).log2()
 }
@@ -86,7 +87,8 @@ fn steps_kinks_materials_and_masses_do_not_spoil_the_order() {
 
 #[test]
 fn shear_makes_the_published_element_one_of_order_1_in_bending() {
-    // Its sliding joint sits at L/4. Without shear the sliding is O(n⁻³) of a segment and does not matter; with shear it is O(n⁻¹).
+    // Its sliding joint sits at L/4. Without shear the sliding is O(n⁻³) of a segment and does not
+    // matter; with shear it is O(n⁻¹).
     let sheared = TowerDescription {
         shear: Shear::Coefficient(0.5),
         ..reference()
@@ -95,8 +97,8 @@ fn shear_makes_the_published_element_one_of_order_1_in_bending() {
     let (coarse, middle, fine) = (f(2000), f(4000), f(8000));
     let observed = ((coarse - middle) / (middle - fine)).log2();
     assert!((observed - 1.0).abs() < 0.05, "{observed}");
-    // Between the orders, where users are, both powers are needed, and three meshes give both; where the two are alike the estimate errs on
-    // the safe side.
+    // Between the orders, where users are, both powers are needed, and three meshes give both;
+    // where the two are alike the estimate errs on the safe side.
     for segments in [20, 60, 200] {
         let options = Options {
             method: Method::Rmje,
@@ -148,8 +150,9 @@ fn error_estimates_at_100_segments_are_within_a_factor_3_of_the_truth() {
 
 #[test]
 fn errors_of_two_powers_that_cancel_are_still_seen() {
-    // Torsion of the published element under a heavy machine: a/n and b/n² have opposite signs and cancel near 30 segments, where
-    // the difference of two meshes says 2e-5 Hz and the error is 2.6e-4 Hz. The truth is the exact element's extrapolated value.
+    // Torsion of the published element under a heavy machine: a/n and b/n² have opposite signs and
+    // cancel near 30 segments, where the difference of two meshes says 2e-5 Hz and the error is
+    // 2.6e-4 Hz. The truth is the exact element's extrapolated value.
     let mut machine = reference_350t();
     machine.rna.inertia_kg_m2.zz = 2.2652099e7;
     for stations in &mut machine.stations {
@@ -180,7 +183,8 @@ fn errors_of_two_powers_that_cancel_are_still_seen() {
 
 #[test]
 fn short_spans_do_not_starve_long_ones() {
-    // Sixty rings of 5 cm between two pieces of 40 m: the default gives the rings two segments each on top of the hundred.
+    // Sixty rings of 5 cm between two pieces of 40 m: the default gives the rings two segments each
+    // on top of the hundred.
     let mut rings = reference();
     rings.stations.clear();
     for k in 0..=60 {

@@ -22,7 +22,8 @@ struct Joint {
     stiffness: f64,
 }
 
-/// A rigid body of the paper: mass, height of its centre, principal inertias, number of joints below it.
+/// A rigid body of the paper: mass, height of its centre, principal inertias, number of joints
+/// below it.
 struct Body {
     mass: f64,
     centre: f64,
@@ -30,7 +31,8 @@ struct Body {
     joints_below: usize,
 }
 
-/// The paper's system of 3n bodies and 6n joints, written down from its text, independent of the library's chains.
+/// The paper's system of 3n bodies and 6n joints, written down from its text, independent of the
+/// library's chains.
 fn paper_system(segments: usize, tip_kg: f64) -> (Vec<Joint>, Vec<Body>) {
     let (h, e, g, density) = (87.6, 2.1e11, 8.08e10, 8500.0);
     let length = h / segments as f64;
@@ -134,7 +136,8 @@ fn equation_15_as_a_dense_matrix_gives_the_same_eigenvalues() {
         assert_eq!(solution.degrees_of_freedom, dense.len());
         for (mode, lambda) in solution.modes.iter().zip(dense) {
             let omega = std::f64::consts::TAU * mode.frequency_hz;
-            // A dense solver is exact to ε λ_max/λ here: 1e-10 is what it can promise for these modes.
+            // A dense solver is exact to ε λ_max/λ here: 1e-10 is what it can promise for these
+            // modes.
             assert_close(omega * omega, lambda, 1e-10, &mode.label());
         }
     }
@@ -169,7 +172,8 @@ fn inertia_counts_equal_dense_eigenvalue_counts() {
     }
 }
 
-/// Soil, water, wires, weights, springs under the base and a machine beside the axis, in one plane, in both, or in all directions.
+/// Soil, water, wires, weights, springs under the base and a machine beside the axis, in one plane,
+/// in both, or in all directions.
 fn grounded() -> Vec<(&'static str, TowerDescription)> {
     let base = TowerDescription {
         foundation: Foundation::Springs(FoundationSprings {

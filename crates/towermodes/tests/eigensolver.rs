@@ -1,4 +1,5 @@
-//! The eigensolver on pencils made to be hard: repeated and nearly repeated eigenvalues, start vectors that miss modes, indefinite K.
+//! The eigensolver on pencils made to be hard: repeated and nearly repeated eigenvalues, start
+//! vectors that miss modes, indefinite K.
 
 use crate::towers;
 

@@ -135,8 +135,8 @@ fn many_elements_give_the_integrals() {
     };
     let result = tower.generalized(Plane::ForeAft, &modes());
     let result = result.expect("numbers");
-    // ∫ (100 − 60x) x⁴ L dx = (20 − 10) · 10; ∫ (10⁶ − 9·10⁵ x) (2/L²)² L dx = 5.5·10⁵ · 4/10³; the midpoint rule's error is
-    // of the order of 1/n².
+    // ∫ (100 − 60x) x⁴ L dx = (20 − 10) · 10; ∫ (10⁶ − 9·10⁵ x) (2/L²)² L dx = 5.5·10⁵ · 4/10³; the
+    // midpoint rule's error is of the order of 1/n².
     assert!((result.mass_kg[0] - 150.0).abs() < 1e-4);
     assert!((result.stiffness_n_per_m[0][0] - 2200.0).abs() < 1e-3);
     // −g ∫ (50 + 10 ∫ₓ¹ (100 − 60s) ds) (2x/L)² L dx = −4 (50/3 + 10 (70/3 − 100/4 + 30/5)).

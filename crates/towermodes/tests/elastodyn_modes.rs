@@ -47,7 +47,8 @@ fn solved(description: TowerDescription, modes: usize) -> Solution {
     solve(&tower, &options).expect("modes")
 }
 
-/// The shapes are those of a cantilever; the expected coefficients are the least squares of its exact shapes at 201 heights in 60 digits.
+/// The shapes are those of a cantilever; the expected coefficients are the least squares of its
+/// exact shapes at 201 heights in 60 digits.
 #[test]
 fn a_cantilever_s_modes_become_its_polynomials_in_both_planes() {
     let solution = solved(uniform(), 10);
@@ -109,7 +110,8 @@ fn elastodyn_finds_the_frequencies_of_the_tower_alone() {
     };
     let found = tower.generalized(Plane::ForeAft, &modes).expect("numbers");
     let wave = (BENDING_N_M2 / (MASS_KG_PER_M * HEIGHT_M.powi(4))).sqrt() / std::f64::consts::TAU;
-    // Rayleigh's quotient of the fitted polynomials by exact integrals is too large by these shares.
+    // Rayleigh's quotient of the fitted polynomials by exact integrals is too large by these
+    // shares.
     for (hz, (beta, excess)) in found.frequency_alone_hz.iter().zip([
         (1.875_104_068_711_961_f64, 1.0517e-7),
         (4.694_091_132_974_175, 3.70225e-5),
@@ -257,7 +259,8 @@ fn shapes_without_samples_are_refused_and_modes_are_told_apart() {
         shape.iter().map(|point| point.translation[0]).collect()
     };
     let (first, second) = (deflections(0), deflections(1));
-    // Orthogonal in the mass, which is uniform, but for the half weights of the ends: so little is left.
+    // Orthogonal in the mass, which is uniform, but for the half weights of the ends: so little is
+    // left.
     let mut masses = vec![1.0; first.len()];
     masses[first.len() - 1] = 0.5;
     assert!(mac(&first, &second, Some(&masses)).expect("alike") < 1e-5);

@@ -268,8 +268,9 @@ fn rows_that_cannot_be_are_refused() {
     );
 }
 
-/// Masses anywhere: beside the base, a step and each other, at the very spacing of the elements, spread over all of the tower, on a tower
-/// that begins higher. Rows rise and keep the mass whatever rounding makes of the ends of what is spread.
+/// Masses anywhere: beside the base, a step and each other, at the very spacing of the elements,
+/// spread over all of the tower, on a tower that begins higher. Rows rise and keep the mass
+/// whatever rounding makes of the ends of what is spread.
 #[test]
 fn spread_masses_never_cross() {
     let mut description = stepped();

@@ -93,7 +93,8 @@ fn a_flexible_tower_that_begins_higher_has_the_rest_of_the_modes() {
     }
 }
 
-/// Springs let the base turn: that is no bending, but the first fore-aft mode is still the first shape.
+/// Springs let the base turn: that is no bending, but the first fore-aft mode is still the first
+/// shape.
 #[test]
 fn the_motion_of_the_base_is_taken_off() {
     let mut description = uniform();

@@ -1,7 +1,8 @@
-//! Claimed errors hold where meshes alone would not know: what is narrower than an element, cones to 70:1, high modes of few segments, elements
-//! that are given.
+//! Claimed errors hold where meshes alone would not know: what is narrower than an element, cones
+//! to 70:1, high modes of few segments, elements that are given.
 //!
-//! The reference is the spectral beam of each method's own physics. A claim holds if the error is at most three times as large.
+//! The reference is the spectral beam of each method's own physics. A claim holds if the error is
+//! at most three times as large.
 
 use crate::towers;
 
@@ -386,7 +387,8 @@ fn given_elements_are_judged_by_what_they_miss_of_every_quantity() {
     assert!(!meeting.warnings.iter().any(is_told));
 }
 
-/// Equal elements stay equal where they meet every row, and rows that they do not meet become borders.
+/// Equal elements stay equal where they meet every row, and rows that they do not meet become
+/// borders.
 #[test]
 fn elements_of_bmodes_are_equal_where_they_can_be() {
     let run = |segments| {

@@ -28,7 +28,8 @@ fn of_method(method: Method) -> Options {
     }
 }
 
-/// The spectral beam of a degree of its own choice differs by what it promises, 1e-10; of this one by rounding.
+/// The spectral beam of a degree of its own choice differs by what it promises, 1e-10; of this one
+/// by rounding.
 fn spectral() -> Options {
     Options {
         degree: Some(14),
@@ -103,7 +104,8 @@ fn soft_springs_are_not_a_clamp() {
 
 #[test]
 fn the_sign_of_a_coupling_spring_says_on_which_side_of_the_base_it_rests() {
-    // Springs K about a point e below the base, where x = x_base − e θ, are K_T, K_R + K_T e² and the coupling −K_T e at the base.
+    // Springs K about a point e below the base, where x = x_base − e θ, are K_T, K_R + K_T e² and
+    // the coupling −K_T e at the base.
     let (lateral, rocking, e) = (2e9, 1e11, 3.0);
     let about = |e: f64| {
         on(FoundationSprings {
@@ -192,7 +194,8 @@ fn rows_on_the_line_between_rows_change_nothing() {
     // Polynomials of degree 14 leave nothing in either.
     let (a, b) = (all(&whole, &spectral()), all(&split, &spectral()));
     assert_same(&a, &b, 1e-11, "spectral");
-    // Quarters share 400 segments out as they lay before: it is one mesh, and only rounding differs.
+    // Quarters share 400 segments out as they lay before: it is one mesh, and only rounding
+    // differs.
     let fine = Options {
         segments: Some(400),
         ..Options::default()
@@ -235,7 +238,8 @@ fn firmer(tower: &mut TowerDescription, change: fn(&mut SoilStiffness)) {
         .for_each(|row| change(&mut row.stiffness));
 }
 
-/// Changes that leave the mesh as it is, so that the k-th eigenvalue of the chain itself cannot fall (Weyl).
+/// Changes that leave the mesh as it is, so that the k-th eigenvalue of the chain itself cannot
+/// fall (Weyl).
 const STIFFER: [(&str, Change); 9] = [
     ("lateral", |t| of_springs(t, |s| s.lateral_n_per_m *= 2.0)),
     ("rocking", |t| of_springs(t, |s| s.rocking_n_m *= 2.0)),
@@ -290,7 +294,8 @@ fn more_stiffness_raises_and_more_mass_lowers_every_frequency() {
                 let (least, most) = rises.fold((f64::INFINITY, 0.0_f64), |(least, most), rise| {
                     (least.min(rise), most.max(rise))
                 });
-                // Rounding alone may go the other way; what counts for nothing would not go its own way.
+                // Rounding alone may go the other way; what counts for nothing would not go its own
+                // way.
                 assert!(least > -1e-11, "{case}: {least:e}");
                 assert!(most > 1e-7, "{case}: {most:e}");
             }
@@ -309,7 +314,8 @@ fn weights_lower_the_bending_frequencies() {
             all(&reference_350t(), &of_method(method)),
             all(&heavy, &of_method(method)),
         );
-        // 0.30020574 and 0.29380746 Hz, by two independent Ritz solutions; BModes has no rotary inertia, which changes it less.
+        // 0.30020574 and 0.29380746 Hz, by two independent Ritz solutions; BModes has no rotary
+        // inertia, which changes it less.
         assert_close(heavy[0] / light[0], 0.978_687, 1e-4, method.name());
         assert_eq!(heavy[0], heavy[1], "{}", method.name());
     }
@@ -381,7 +387,8 @@ fn a_surface_footing_has_the_springs_of_the_textbook() {
 
 #[test]
 fn a_footing_half_its_radius_deep_is_stiffer_by_the_textbook() {
-    // e/R = 1/2, ν = 1/3: 1 + 0.6 × 2/3 × 1/2, 1 + 0.55 × 5/3 × 1/2, 1 + 1.2 × 2/3 × 1/2 + 0.2 × 5/3 × 1/8.
+    // e/R = 1/2, ν = 1/3: 1 + 0.6 × 2/3 × 1/2, 1 + 0.55 × 5/3 × 1/2, 1 + 1.2 × 2/3 × 1/2 + 0.2 ×
+    // 5/3 × 1/8.
     let (surface, deep) = (footing(0.0).springs(), footing(5.0).springs());
     let factor = |of: fn(&FoundationSprings) -> f64| of(&deep) / of(&surface);
     assert_close(factor(|s| s.vertical_n_per_m), 1.2, 1e-14, "vertical");

@@ -1,4 +1,5 @@
-//! Results depend on the tower and the segments alone: not on how many modes are asked for, nor on what was solved before.
+//! Results depend on the tower and the segments alone: not on how many modes are asked for, nor on
+//! what was solved before.
 
 use crate::towers;
 
@@ -53,7 +54,8 @@ fn a_cut_pair_is_counted_and_said() {
 
 #[test]
 fn planes_that_cross_are_a_pair_at_the_end_of_a_list() {
-    // Under this machine the fourth fore-aft and side-side frequencies agree to twelve digits, though the inertias differ.
+    // Under this machine the fourth fore-aft and side-side frequencies agree to twelve digits,
+    // though the inertias differ.
     let crossing = TowerDescription {
         materials: vec![Material::from_shear_modulus(
             5780.286314534295,
@@ -173,7 +175,8 @@ fn all_degrees_of_freedom_can_be_asked_for() {
 
 #[test]
 fn modes_below_the_rounding_of_the_lowest_are_refused_not_invented() {
-    // A mass 1 cm below the top makes a segment so short that its own modes are beyond sixteen digits of the first.
+    // A mass 1 cm below the top makes a segment so short that its own modes are beyond sixteen
+    // digits of the first.
     let tower = |below_top: f64| {
         let mut description = reference();
         description.point_masses = vec![PointMass {
@@ -333,7 +336,8 @@ fn a_used_workspace_changes_no_bit() {
 
 #[test]
 fn leading_modes_of_beams_do_not_depend_on_how_many_are_asked_for() {
-    // The spectral beam takes another degree for other modes: 1e-10 is what it promises of frequencies, and of shapes the root of it.
+    // The spectral beam takes another degree for other modes: 1e-10 is what it promises of
+    // frequencies, and of shapes the root of it.
     for (method, promise) in [(Method::Bmodes, 1e-12), (Method::Spectral, 1e-5)] {
         for description in [reference(), elliptic()] {
             let with = |modes| {
@@ -366,8 +370,9 @@ fn leading_modes_of_beams_do_not_depend_on_how_many_are_asked_for() {
 
 #[test]
 fn solving_takes_the_products_it_should() {
-    // A start vector that has lost its low modes, or a look at convergence that never comes, shows here: 36 products for the four bending
-    // modes on both meshes and 21 for each of torsion and axial would be 78; the bound leaves room for other rounding.
+    // A start vector that has lost its low modes, or a look at convergence that never comes, shows
+    // here: 36 products for the four bending modes on both meshes and 21 for each of torsion and
+    // axial would be 78; the bound leaves room for other rounding.
     let solution = solved(&reference_350t(), &with_modes(8));
     assert!(
         solution.statistics.products <= 84,
@@ -387,7 +392,8 @@ fn solving_takes_the_products_it_should() {
 
 #[test]
 fn a_list_that_ends_within_the_error_of_its_segments_says_so() {
-    // A uniform tube whose seventh bending pair lies 0.15 % above where 100 segments put the last of 16 modes.
+    // A uniform tube whose seventh bending pair lies 0.15 % above where 100 segments put the last
+    // of 16 modes.
     let tube = TowerDescription {
         materials: vec![Material::from_shear_modulus(7850.0, 2.1e11, 8.08e10)],
         stations: vec![Station::new(0.0, 2.0, 0.02), Station::new(100.0, 2.0, 0.02)],

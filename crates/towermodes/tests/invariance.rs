@@ -164,7 +164,8 @@ proptest! {
         }
     }
 
-    /// More stiffness at the same mass raises every frequency; E and G grow unequally, so this is no scaling.
+    /// More stiffness at the same mass raises every frequency; E and G grow unequally, so this is
+    /// no scaling.
     #[test]
     fn more_stiffness_raises_every_frequency(tower in any_tower(), factor in 1.0..3.0_f64) {
         let mut stiffer = tower.clone();
@@ -191,7 +192,8 @@ proptest! {
         assert_scaled(&frequencies(&tower), &frequencies(&split), 1.0, 1e-10)?;
     }
 
-    /// Modal masses are positive and no larger than what moves; shapes reach 1 and no further, positive at the top.
+    /// Modal masses are positive and no larger than what moves; shapes reach 1 and no further,
+    /// positive at the top.
     #[test]
     fn shapes_are_normalized(tower in any_tower()) {
         for mode in &solution(&tower, 10).modes {
@@ -201,7 +203,8 @@ proptest! {
                 p.translation.iter().sum()
             };
             let largest = mode.shape.iter().map(|p| motion(p).abs()).fold(0.0, f64::max);
-            // Between sampled heights a straight line can peak; a hundredth of the height holds at most this much of a mode.
+            // Between sampled heights a straight line can peak; a hundredth of the height holds at
+            // most this much of a mode.
             prop_assert!(largest <= 1.0 && largest > 0.95, "{}: {largest}", mode.label());
             prop_assert!(motion(&mode.shape[100]) >= 0.0);
             prop_assert!(motion(&mode.shape[0]) == 0.0);
@@ -212,7 +215,8 @@ proptest! {
 
 #[test]
 fn modal_mass_is_the_mass_the_shape_moves() {
-    // ∫ m φ² from the sampled shape (Simpson), plus what the machine and the platforms carry: modal mass of an Euler-Bernoulli beam.
+    // ∫ m φ² from the sampled shape (Simpson), plus what the machine and the platforms carry: modal
+    // mass of an Euler-Bernoulli beam.
     let mut description = rich();
     description.shear = Shear::Rigid;
     description.rna = Rna::point(300e3);

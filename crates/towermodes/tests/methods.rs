@@ -1,4 +1,5 @@
-//! Every method beside the others: observed orders, honest estimates, complete pairs, one limit. Their digits are in the manual.
+//! Every method beside the others: observed orders, honest estimates, complete pairs, one limit.
+//! Their digits are in the manual.
 
 use crate::towers;
 

@@ -1,4 +1,5 @@
-//! Towers whose motions are coupled: what turning, mirroring and asking differently must leave as it is.
+//! Towers whose motions are coupled: what turning, mirroring and asking differently must leave as
+//! it is.
 
 use crate::towers;
 
@@ -32,7 +33,8 @@ fn every_kind() -> [TowerDescription; 5] {
     ]
 }
 
-/// The eccentric tower on a block of concrete that stands on springs beside the axis: nothing is symmetric.
+/// The eccentric tower on a block of concrete that stands on springs beside the axis: nothing is
+/// symmetric.
 fn on_matrices() -> TowerDescription {
     TowerDescription {
         name: "on matrices".into(),
@@ -44,7 +46,8 @@ fn on_matrices() -> TowerDescription {
     }
 }
 
-/// Xᵀ D X: the diagonal D about a point c, referred to the base, whose motion (v, ω) moves the point by v + ω × c.
+/// Xᵀ D X: the diagonal D about a point c, referred to the base, whose motion (v, ω) moves the
+/// point by v + ω × c.
 fn about_the_base(diagonal: [f64; 6], c: [f64; 3]) -> SpatialMatrix {
     let moved = |column: usize| {
         let mut unit = [0.0; 6];
@@ -72,7 +75,8 @@ fn about_the_base(diagonal: [f64; 6], c: [f64; 3]) -> SpatialMatrix {
 fn the_frequencies_do_not_depend_on_where_x_is() {
     for description in [reference_eccentric(), on_matrices(), monopile(), floater()] {
         for method in [Method::RmjeExact, Method::Spectral, Method::Bmodes] {
-            // A degree of its own for every azimuth would differ by the 1e-10 that the spectral beam promises.
+            // A degree of its own for every azimuth would differ by the 1e-10 that the spectral
+            // beam promises.
             let options = Options {
                 degree: (method == Method::Spectral).then_some(10),
                 ..options(method, 10)
@@ -86,7 +90,8 @@ fn the_frequencies_do_not_depend_on_where_x_is() {
                     description.name,
                     method.name()
                 );
-                // Rounding of the turned matrices, and that of the eigenvalues: 1e-13 each, more where weights cancel stiffness.
+                // Rounding of the turned matrices, and that of the eigenvalues: 1e-13 each, more
+                // where weights cancel stiffness.
                 let got = all_frequencies(&solved(&turned, &options));
                 assert_same(&got, &straight, 1e-11, &case);
             }
@@ -126,7 +131,8 @@ fn a_mirrored_machine_mirrors_the_shapes() {
         for (a, b) in a.modes.iter().zip(&b.modes) {
             let top = motion(&a.shape[a.shape.len() - 1]);
             coupled += usize::from(top[0].abs() > 0.01 && top[1].abs() > 0.01);
-            // The sign of a shape is that of its largest translation, which may be the one that is mirrored.
+            // The sign of a shape is that of its largest translation, which may be the one that is
+            // mirrored.
             let is = |sign: f64| {
                 let differences = a.shape.iter().zip(&b.shape).flat_map(|(p, q)| {
                     let (p, q) = (motion(p), mirror(motion(q)));
@@ -134,7 +140,8 @@ fn a_mirrored_machine_mirrors_the_shapes() {
                 });
                 differences.fold(0.0, f64::max)
             };
-            // Residuals of 1e-12 over the gap of the lowest pair, which is one percent, and a margin.
+            // Residuals of 1e-12 over the gap of the lowest pair, which is one percent, and a
+            // margin.
             let difference = is(1.0).min(is(-1.0));
             assert!(difference < 1e-8, "{}: {difference:e}", case(a));
             assert_close(a.modal_mass, b.modal_mass, 1e-8, &case(a));
@@ -155,7 +162,8 @@ fn mirror([x, y, z, rx, ry, rz]: [f64; 6]) -> [f64; 6] {
 
 #[test]
 fn a_millimetre_off_the_axis_loses_no_member_of_a_pair() {
-    // What couples is M d: frequencies change with its square, (1 mm)² M over the tower's polar inertia of 1.6e6 kg m² in torsion.
+    // What couples is M d: frequencies change with its square, (1 mm)² M over the tower's polar
+    // inertia of 1.6e6 kg m² in torsion.
     let beside = |center_m: [f64; 3]| TowerDescription {
         rna: Rna {
             center_m,
@@ -240,14 +248,16 @@ fn lists_are_complete_and_do_not_depend_on_how_many_modes_are_asked_for() {
             for (solution, modes) in [(&few, 8), (&many, 20)] {
                 assert!(solution.certificate.complete, "{case}");
                 assert_eq!(solution.modes.len(), modes, "{case}");
-                // One more where a pair is cut: none of these has one but the spar, whose surge and sway are modes 1 and 2.
+                // One more where a pair is cut: none of these has one but the spar, whose surge and
+                // sway are modes 1 and 2.
                 assert_eq!(solution.certificate.count, modes, "{case}");
                 let last = solution.modes[modes - 1].frequency_hz;
                 assert!(solution.certificate.below_hz > last, "{case}");
                 let frequencies = all_frequencies(solution);
                 assert!(frequencies.is_sorted(), "{case}: {frequencies:?}");
             }
-            // The spectral beam takes another degree for other modes, and 1e-10 is what it promises of each.
+            // The spectral beam takes another degree for other modes, and 1e-10 is what it promises
+            // of each.
             let tolerance = if method == Method::Spectral {
                 2e-10
             } else {
@@ -365,7 +375,8 @@ fn nothing_holds_an_unmoored_spar_in_surge_sway_and_yaw() {
 
 #[test]
 fn a_diagonal_about_a_point_costs_the_energy_of_that_point() {
-    // What on_matrices() is made of: turning about the point moves the base, and only the rotation costs.
+    // What on_matrices() is made of: turning about the point moves the base, and only the rotation
+    // costs.
     let c = [0.5, -0.8, -3.0];
     let matrix = about_the_base([1.0, 2.0, 3.0, 4.0, 5.0, 6.0], c);
     // ω = (0, 0, 1) about the point: the base moves by −ω × c = (c_y, −c_x, 0).

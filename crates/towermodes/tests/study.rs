@@ -23,7 +23,8 @@ fn all(segments: usize) -> Vec<ColumnSpec> {
 
 #[test]
 fn rows_are_the_same_modes_in_every_column() {
-    // With 20 segments the published element has its third bending mode above torsion; a comparison by place would mix them up.
+    // With 20 segments the published element has its third bending mode above torsion; a comparison
+    // by place would mix them up.
     for description in [reference_350t(), reference_with_machine(), elliptic()] {
         let tower = tower(description);
         let mut seen = 0;
@@ -217,7 +218,8 @@ fn a_degree_asked_for_is_used_and_its_error_is_honest() {
     }
 }
 
-/// One row whose rotary inertia has nine digits too many: a mode of the beam that methods without it never have, however many are looked for.
+/// One row whose rotary inertia has nine digits too many: a mode of the beam that methods without
+/// it never have, however many are looked for.
 #[test]
 fn a_mode_that_a_method_does_not_have_is_not_looked_for_without_end() {
     let row = |height_m: f64, side_side_kg_m: f64| PropertyStation {

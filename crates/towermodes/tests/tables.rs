@@ -1,5 +1,5 @@
-//! Towers as other programs describe them: added mass in tables, elements where they say, no twist or stretch, foundations rigid in some
-//! directions.
+//! Towers as other programs describe them: added mass in tables, elements where they say, no twist
+//! or stretch, foundations rigid in some directions.
 
 use crate::towers;
 

@@ -54,7 +54,8 @@ fn stages_come_in_order() {
         segments,
     };
     let before = [modes, Stage::Certificate, Stage::Buckling, Stage::Shapes];
-    // Errors in n^-2 need one other mesh, and one more that finds out what agrees by chance; those in n^-2 and n^-4 two.
+    // Errors in n^-2 need one other mesh, and one more that finds out what agrees by chance; those
+    // in n^-2 and n^-4 two.
     let after = [Method::RmjeExact, Method::Bmodes]
         .map(|method| (method, vec![errors(1, 2, 50), errors(2, 2, 25)]));
     for (method, after) in after {

@@ -31,7 +31,8 @@ pub(crate) struct CompareArguments {
     #[arg(long, value_name = "LIST", value_delimiter = ',', value_parser = method_parser())]
     methods: Vec<Method>,
 
-    /// Numbers of segments or elements, with commas between them; the spectral beam has its own [default: 60]
+    /// Numbers of segments or elements, with commas between them; the spectral beam has its own
+    /// [default: 60]
     #[arg(long, value_name = "LIST", value_delimiter = ',', value_parser = number_parser(1, MAX_SEGMENTS))]
     segments: Vec<usize>,
 

@@ -24,7 +24,9 @@ pub(crate) struct ConvertArguments {
     #[command(flatten)]
     pub(crate) input: InputArguments,
 
-    /// The format to write [default: as the ending of --output says: .toml, .bmi, .dat for a tower file of ElastoDyn, .yaml]
+    /// The format to write
+    /// [default: as the ending of --output says: .toml, .bmi, .dat for a tower file of ElastoDyn,
+    /// .yaml]
     #[arg(long, value_enum, required_unless_present = "output")]
     to: Option<Target>,
 

@@ -57,8 +57,8 @@ pub(crate) struct TowerArguments {
     #[arg(long, value_name = "N", value_parser = number_parser(2, MAX_STATIONS))]
     stations: Option<usize>,
 
-    /// Damping wanted of the tower with what it carries, percent of critical: what is written makes ElastoDyn have it [default: 1 is
-    /// written]
+    /// Damping wanted of the tower with what it carries, percent of critical: what is written makes
+    /// ElastoDyn have it [default: 1 is written]
     #[arg(long, value_name = "PERCENT", value_parser = damping_parser)]
     damping: Option<f64>,
 
@@ -66,7 +66,8 @@ pub(crate) struct TowerArguments {
     #[arg(long, value_name = "VERSION", default_value = "4.0", value_parser = openfast_parser)]
     openfast: (u32, u32),
 
-    /// Elements of ElastoDyn's tower, TwrNodes, for its frequencies and for masses that are spread over one
+    /// Elements of ElastoDyn's tower, TwrNodes, for its frequencies and for masses that are spread
+    /// over one
     #[arg(long, value_name = "N", default_value_t = 20, value_parser = number_parser(1, 100_000))]
     nodes: usize,
 
@@ -100,8 +101,8 @@ pub(crate) struct DeckArguments {
     /// The main file of ElastoDyn, or the .fst that names it
     pub(crate) deck: PathBuf,
 
-    /// Take the modes from this description of the same tower (any format, with its foundation) instead of the deck, whose tower is clamped
-    /// at TowerBsHt
+    /// Take the modes from this description of the same tower (any format, with its foundation)
+    /// instead of the deck, whose tower is clamped at TowerBsHt
     #[arg(long, value_name = "FILE")]
     pub(crate) from: Option<PathBuf>,
 

@@ -12,7 +12,8 @@ pub(crate) trait Ending: ValueEnum + Copy + PartialEq + 'static {
     /// The option that says it.
     const OPTION: &'static str = "--format";
 
-    /// The format asked for: by the option, else by the ending of the file; none if neither says one.
+    /// The format asked for: by the option, else by the ending of the file; none if neither says
+    /// one.
     ///
     /// # Errors
     /// The two say different formats, or the ending is of none.

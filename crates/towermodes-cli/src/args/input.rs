@@ -13,8 +13,9 @@ const OTHERS: &str = "Files of other programs";
 /// The file and how it is read.
 #[derive(Debug, Args)]
 pub(crate) struct InputArguments {
-    /// A tower in TOML, a BModes deck (.bmi), an ElastoDyn main or tower file (.dat, or the .fst that names it), a turbine in windIO (.yaml)
-    /// or a HAWC2 _st.dat, known by content and name; - is standard input
+    /// A tower in TOML, a BModes deck (.bmi), an ElastoDyn main or tower file (.dat, or the .fst
+    /// that names it), a turbine in windIO (.yaml) or a HAWC2 _st.dat, known by content and name; -
+    /// is standard input
     pub(crate) file: PathBuf,
 
     #[command(flatten)]
@@ -48,7 +49,8 @@ pub(crate) struct ReadingArguments {
     #[arg(help_heading = OTHERS, long, value_name = "M", value_parser = height_parser)]
     tower_height: Option<f64>,
 
-    /// Height of the tower's base above ground or sea level, m, for an ElastoDyn tower file or a HAWC2 file [default: 0]
+    /// Height of the tower's base above ground or sea level, m, for an ElastoDyn tower file or a
+    /// HAWC2 file [default: 0]
     #[arg(help_heading = OTHERS, long, value_name = "M", value_parser = height_parser)]
     tower_base: Option<f64>,
 

@@ -62,11 +62,14 @@ pub(crate) enum Command {
     Compare(CompareArguments),
     /// Show how the error of a method falls as its segments get more.
     Converge(ConvergeArguments),
-    /// Say how far the rotor's excitations stay from the natural frequencies: the Campbell diagram as a table.
+    /// Say how far the rotor's excitations stay from the natural frequencies: the Campbell diagram
+    /// as a table.
     Campbell(CampbellArguments),
-    /// Draw the tower, its mode shapes, its resonance diagram, or the errors of methods, as SVG or PNG.
+    /// Draw the tower, its mode shapes, its resonance diagram, or the errors of methods, as SVG or
+    /// PNG.
     Plot(PlotArguments),
-    /// Write the report that is handed over: input, assumptions, frequencies with errors, shapes that move, margins, as one HTML page or Markdown.
+    /// Write the report that is handed over: input, assumptions, frequencies with errors, shapes
+    /// that move, margins, as one HTML page or Markdown.
     Report(ReportArguments),
     /// Write a tower in another format: TOML, BModes, ElastoDyn, windIO.
     Convert(ConvertArguments),
@@ -84,7 +87,8 @@ pub(crate) enum Command {
         /// The shell.
         shell: clap_complete::Shell,
     },
-    /// Print the JSON schema of the result of a command with `--format json` (blade: of solve for a rotating blade; check-one: of check for one file; validate: of elastodyn validate).
+    /// Print the JSON schema of the result of a command with `--format json` (blade: of solve for a
+    /// rotating blade; check-one: of check for one file; validate: of elastodyn validate).
     #[command(after_help = "Example:\n  towermodes schema solve > solve.schema.json")]
     Schema {
         /// The command.
@@ -120,7 +124,8 @@ pub(crate) enum Format {
 /// How and where a result goes.
 #[derive(Debug, Args)]
 pub(crate) struct Destination {
-    /// How the result is written [default: as the ending of --output says: .json, .csv or .txt for the table; else the table]
+    /// How the result is written
+    /// [default: as the ending of --output says: .json, .csv or .txt for the table; else the table]
     #[arg(long, short, value_enum)]
     format: Option<Format>,
 
@@ -158,7 +163,8 @@ fn file_of(path: Option<&Path>) -> Option<&Path> {
     path.filter(|path| *path != Path::new("-"))
 }
 
-/// Prints help, or what is wrong with the command line; a file in place of a command gets the command it needs.
+/// Prints help, or what is wrong with the command line; a file in place of a command gets the
+/// command it needs.
 pub(crate) fn report(error: &clap::Error) -> ExitCode {
     let _ = error.print();
     let file = std::env::args_os()

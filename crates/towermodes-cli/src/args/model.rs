@@ -17,11 +17,13 @@ pub(super) struct ModelArguments {
     #[arg(long)]
     no_rotary_inertia: bool,
 
-    /// Where the hinges of the method cardanic sit, as a share of the segment from each end [default: 0.2113249, the Gauss points]
+    /// Where the hinges of the method cardanic sit, as a share of the segment from each end
+    /// [default: 0.2113249, the Gauss points]
     #[arg(long, value_name = "SHARE", value_parser = hinge_parser)]
     hinges: Option<f64>,
 
-    /// Solve what would take more than 4 GiB of memory or ten minutes too, as estimated before it begins; memory may run out then
+    /// Solve what would take more than 4 GiB of memory or ten minutes too, as estimated before it
+    /// begins; memory may run out then
     #[arg(long)]
     no_limits: bool,
 }

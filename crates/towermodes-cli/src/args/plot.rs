@@ -37,7 +37,8 @@ pub(crate) struct PlotArguments {
     #[arg(long, value_parser = method_parser())]
     method: Option<Method>,
 
-    /// Segments, or elements; of convergence several numbers with commas between them [default: as of solve, of converge, and of compare]
+    /// Segments, or elements; of convergence several numbers with commas between them
+    /// [default: as of solve, of converge, and of compare]
     #[arg(long, value_name = "N", value_delimiter = ',', value_parser = number_parser(1, MAX_SEGMENTS))]
     segments: Vec<usize>,
 
@@ -47,11 +48,13 @@ pub(crate) struct PlotArguments {
     #[command(flatten)]
     pub(crate) rotor: RotorArguments,
 
-    /// The title above the picture, '' for none [default: the tower's name, what is shown, and how it was computed]
+    /// The title above the picture, '' for none
+    /// [default: the tower's name, what is shown, and how it was computed]
     #[arg(long, value_name = "TEXT")]
     pub(crate) title: Option<String>,
 
-    /// Write the picture to a file, as SVG or PNG by its ending, instead of standard output, which must be no terminal unless - is given here
+    /// Write the picture to a file, as SVG or PNG by its ending, instead of standard output, which
+    /// must be no terminal unless - is given here
     #[arg(long, short, value_name = "PATH")]
     output: Option<PathBuf>,
 

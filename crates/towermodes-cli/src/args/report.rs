@@ -38,11 +38,13 @@ pub(crate) struct ReportArguments {
     #[command(flatten)]
     title_block: TitleBlockArguments,
 
-    /// The method of the frequencies [default: rmje-exact; bmodes for BModes decks]; all are compared
+    /// The method of the frequencies [default: rmje-exact; bmodes for BModes decks]; all are
+    /// compared
     #[arg(long, value_parser = method_parser())]
     method: Option<Method>,
 
-    /// Segments, or elements, of that method and of those compared with it [default: as of solve, and 60 of those compared]
+    /// Segments, or elements, of that method and of those compared with it
+    /// [default: as of solve, and 60 of those compared]
     #[arg(long, value_name = "N", value_parser = number_parser(1, MAX_SEGMENTS))]
     pub(crate) segments: Option<usize>,
 
@@ -56,7 +58,8 @@ pub(crate) struct ReportArguments {
     #[arg(long, short, value_enum)]
     format: Option<PageFormat>,
 
-    /// Write the report to a file instead of standard output, which must be no terminal unless - is given here
+    /// Write the report to a file instead of standard output, which must be no terminal unless - is
+    /// given here
     #[arg(long, short, value_name = "PATH")]
     output: Option<PathBuf>,
 }

@@ -17,11 +17,13 @@ const MAX_MULTIPLE: usize = 100;
 /// The rotor, as far as it is not as the file says.
 #[derive(Debug, Args)]
 pub(crate) struct RotorArguments {
-    /// Least distance of an excitation to a natural frequency, percent of the frequency [default: 5]
+    /// Least distance of an excitation to a natural frequency, percent of the frequency
+    /// [default: 5]
     #[arg(help_heading = ROTOR, long, value_name = "PERCENT", value_parser = margin_parser)]
     margin: Option<f64>,
 
-    /// Lowest and highest rotor speed of operation, as 6.9,12.1, or the only one, rpm [default: what the file says]
+    /// Lowest and highest rotor speed of operation, as 6.9,12.1, or the only one, rpm
+    /// [default: what the file says]
     #[arg(help_heading = ROTOR, long, value_name = "LOWEST,HIGHEST", allow_hyphen_values = true, value_parser = speeds_parser)]
     rpm: Option<(f64, f64)>,
 
@@ -29,7 +31,8 @@ pub(crate) struct RotorArguments {
     #[arg(help_heading = ROTOR, long, value_name = "N", value_parser = number_parser(1, MOST_BLADES))]
     blades: Option<usize>,
 
-    /// Multiples of the rotor's speed, with commas between them [default: 1 and one, two and three times the number of blades]
+    /// Multiples of the rotor's speed, with commas between them
+    /// [default: 1 and one, two and three times the number of blades]
     #[arg(help_heading = ROTOR, long, value_name = "LIST", value_delimiter = ',', value_parser = number_parser(1, MAX_MULTIPLE))]
     multiples: Vec<usize>,
 }
@@ -48,8 +51,8 @@ pub(crate) struct ChosenRotor {
 }
 
 impl RotorArguments {
-    /// The file's rotor with what was said here in place of its own; none if nobody said how fast it runs. A file may say how many blades
-    /// it has and not how fast it runs.
+    /// The file's rotor with what was said here in place of its own; none if nobody said how fast
+    /// it runs. A file may say how many blades it has and not how fast it runs.
     pub(crate) fn rotor(
         &self,
         of_file: Option<Rotor>,

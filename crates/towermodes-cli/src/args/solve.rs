@@ -38,32 +38,39 @@ pub(crate) struct SolveArguments {
     #[command(flatten)]
     pub(crate) input: InputArguments,
 
-    /// Chains of rigid bodies: rmje and cardanic, as published or with exact tapered sections, and lumped as Adams models beams;
-    /// bmodes, the finite element of BModes; spectral, the beam itself, exact to ten digits, for reference values, steep cones and towers
-    /// that nearly buckle [default: rmje-exact, a chain with errors from other meshes; bmodes for BModes decks]
+    /// Chains of rigid bodies: rmje and cardanic, as published or with exact tapered sections, and
+    /// lumped as Adams models beams; bmodes, the finite element of BModes; spectral, the beam
+    /// itself, exact to ten digits, for reference values, steep cones and towers that nearly buckle
+    /// [default: rmje-exact, a chain with errors from other meshes; bmodes for BModes decks]
     #[arg(long, value_parser = method_parser())]
     method: Option<Method>,
 
-    /// Segments, or elements [default: 100, and two for each short span between steps, kinks and masses; spectral: one a piece; BModes decks: their own elements]
+    /// Segments, or elements
+    /// [default: 100, and two for each short span between steps, kinks and masses; spectral: one a
+    /// piece; BModes decks: their own elements]
     #[arg(long, value_name = "N", value_parser = number_parser(1, MAX_SEGMENTS))]
     segments: Option<usize>,
 
-    /// Polynomial degree of the elements of --method spectral [default: raised until the modes stand still]
+    /// Polynomial degree of the elements of --method spectral
+    /// [default: raised until the modes stand still]
     #[arg(long, value_name = "P", value_parser = number_parser(2, MAX_DEGREE))]
     degree: Option<usize>,
 
     #[command(flatten)]
     model: ModelArguments,
 
-    /// At how many equal heights the JSON and the layout of BModes give shapes [default: 101; BModes decks: the borders of their elements]
+    /// At how many equal heights the JSON and the layout of BModes give shapes
+    /// [default: 101; BModes decks: the borders of their elements]
     #[arg(long, value_name = "COUNT", value_parser = number_parser(2, MAX_POINTS))]
     points: Option<usize>,
 
-    /// Draw the mode shapes in dots below the table, as wide as the terminal; 100 columns where there is none
+    /// Draw the mode shapes in dots below the table, as wide as the terminal; 100 columns where
+    /// there is none
     #[arg(long)]
     pub(crate) plot: bool,
 
-    /// How the result is written [default: as the ending of --output says: .json, .csv or .txt for the table; else the table]
+    /// How the result is written
+    /// [default: as the ending of --output says: .json, .csv or .txt for the table; else the table]
     #[arg(long, short, value_enum)]
     format: Option<SolveFormat>,
 
@@ -147,7 +154,8 @@ impl SolveArguments {
         self.model.modes
     }
 
-    /// Refuses what means nothing to a rotating blade, which has one method and the elements of its deck.
+    /// Refuses what means nothing to a rotating blade, which has one method and the elements of its
+    /// deck.
     ///
     /// # Errors
     /// What is wrong.

@@ -24,7 +24,9 @@ pub(crate) struct VerifyArguments {
     #[arg(value_parser = chapter_parser())]
     chapters: Vec<String>,
 
-    /// How the manual is written [default: as the ending of --output says: .json, .csv, .md or .txt for the table; else the table]
+    /// How the manual is written
+    /// [default: as the ending of --output says: .json, .csv, .md or .txt for the table; else the
+    /// table]
     #[arg(long, short, value_enum)]
     format: Option<VerifyFormat>,
 

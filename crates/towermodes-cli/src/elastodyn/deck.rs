@@ -88,8 +88,8 @@ fn read_deck(arguments: &DeckArguments) -> Result<ElastoDynDeck, Failure> {
     read_elastodyn(source, &beside, &options).map_err(Failure::Input)
 }
 
-/// Where the deck's flexible tower begins in another description, m, if that is of the same tower: measured from the top, as heights may
-/// have another datum.
+/// Where the deck's flexible tower begins in another description, m, if that is of the same tower:
+/// measured from the top, as heights may have another datum.
 fn flexible_base(deck: &ElastoDynDeck, tower: &Tower, from: &Path) -> Result<f64, Failure> {
     let length_m = deck.main.tower_length_m();
     let from_m = tower.top_m() - length_m;

@@ -2,8 +2,9 @@
 
 /// Whether a shell closed standard output, as by `>&-`: a result would be lost without a word.
 ///
-/// Before the program begins Rust's runtime opens `/dev/null`, for reading and writing, in place of what is closed. Shells open it for writing
-/// alone when they are told to; other programs open it for both, and theirs counts as open, as does what the shell itself has.
+/// Before the program begins Rust's runtime opens `/dev/null`, for reading and writing, in place of
+/// what is closed. Shells open it for writing alone when they are told to; other programs open it
+/// for both, and theirs counts as open, as does what the shell itself has.
 #[cfg(target_os = "linux")]
 pub(super) fn is_closed() -> bool {
     use std::fs::{read_link, read_to_string};
@@ -29,7 +30,8 @@ pub(super) fn is_closed() -> bool {
 #[cfg(target_os = "linux")]
 const SHELLS: [&str; 8] = ["sh", "bash", "dash", "zsh", "ksh", "ash", "fish", "busybox"];
 
-/// Whether the details of an open file, as Linux lists them, have the access mode `O_RDWR`: the last two bits of the octal flags are 2.
+/// Whether the details of an open file, as Linux lists them, have the access mode `O_RDWR`: the
+/// last two bits of the octal flags are 2.
 #[cfg(target_os = "linux")]
 fn reads_and_writes(details: &str) -> bool {
     let flags = details.lines().find_map(|line| line.strip_prefix("flags:"));

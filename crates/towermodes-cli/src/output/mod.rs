@@ -12,7 +12,8 @@ use same_file::Handle;
 use crate::failure::Failure;
 use crate::printable::printable;
 
-/// Writes a finished result to a file, or to standard output. A terminal gets no sign that would disturb it.
+/// Writes a finished result to a file, or to standard output. A terminal gets no sign that would
+/// disturb it.
 pub(crate) fn deliver(result: &[u8], output: Option<&Path>) -> Result<(), Failure> {
     match std::str::from_utf8(result) {
         Ok(text) if output.is_none() && std::io::stdout().is_terminal() => {
@@ -70,7 +71,8 @@ pub(crate) fn replace(path: &Path, content: &[u8]) -> Result<(), Failure> {
     done.map_err(|error| Failure::Unwritable(path.display().to_string(), error))
 }
 
-/// Keeps a file as it is under a name with `.bak` at its end, or `.bak2` and so on where that is taken; gives the name.
+/// Keeps a file as it is under a name with `.bak` at its end, or `.bak2` and so on where that is
+/// taken; gives the name.
 pub(crate) fn back_up(path: &Path, content: &[u8]) -> Result<PathBuf, Failure> {
     let named = |ending: String| {
         let mut name = path.as_os_str().to_owned();

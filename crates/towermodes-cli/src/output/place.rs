@@ -35,7 +35,8 @@ impl Place {
         for _ in 0..MOST_LINKS {
             let name = path.file_name().ok_or_else(is_folder)?;
             let folder = folder_of(&path)?;
-            // What a process has open is at its place in a stream: no other file can stand in for it.
+            // What a process has open is at its place in a stream: no other file can stand in for
+            // it.
             if folder.starts_with("/proc") {
                 return Ok(Self::Stream);
             }

@@ -1,4 +1,5 @@
-//! Files that are written whole or not at all: a new one beside the old one takes its place when all of it is on the disk.
+//! Files that are written whole or not at all: a new one beside the old one takes its place when
+//! all of it is on the disk.
 
 use std::fs::{self, File, OpenOptions};
 use std::io::{self, ErrorKind, Write};
@@ -8,7 +9,8 @@ use std::time::Duration;
 
 use super::place::{Place, folder_of};
 
-/// Names that are tried for a new file: each one that is taken is left of a process that was killed.
+/// Names that are tried for a new file: each one that is taken is left of a process that was
+/// killed.
 const MOST_NAMES: usize = 1000;
 /// Looks at a lock before the work goes on without it, and the time between two of them.
 const LOOKS: usize = 250;
@@ -54,7 +56,8 @@ pub(super) fn write_anew(
             Some(staged) => staged,
             None => staged.insert(Staged::new(name.clone(), content)?),
         };
-        // A second name for the file, unless there is one already: nobody else gets it at the same time.
+        // A second name for the file, unless there is one already: nobody else gets it at the same
+        // time.
         match fs::hard_link(&staged.new, &name) {
             Err(error) if error.kind() == ErrorKind::AlreadyExists => {}
             Ok(()) => return Ok(name),
@@ -175,7 +178,8 @@ impl Drop for Kept {
     }
 }
 
-/// A lock of a folder, where the system has such: one writer of two files at a time. Who waits too long goes on.
+/// A lock of a folder, where the system has such: one writer of two files at a time. Who waits too
+/// long goes on.
 fn locked(folder: &Path) -> Option<File> {
     let folder = File::open(folder).ok()?;
     for _ in 0..LOOKS {

@@ -13,7 +13,8 @@ pub(super) struct Words<'a> {
     pub(super) conclusion: &'a [String],
 }
 
-/// The picture with its title: the user's, or the tower's name with what is shown and how it was computed.
+/// The picture with its title: the user's, or the tower's name with what is shown and how it was
+/// computed.
 pub(super) fn titled(mut figure: Figure, tower: &Tower, words: &Words<'_>) -> Figure {
     let name = tower.name();
     let own = words.title.map(str::trim);

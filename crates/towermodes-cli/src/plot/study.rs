@@ -37,7 +37,8 @@ fn listed(segments: &[usize]) -> Vec<Fineness> {
     segments.iter().copied().map(Fineness::Segments).collect()
 }
 
-/// With the segments that `converge` has, or with the fewest that the tower can have and twice as many again and again.
+/// With the segments that `converge` has, or with the fewest that the tower can have and twice as
+/// many again and again.
 fn by_default(tower: &Tower, options: &Options) -> Result<Convergence, Failure> {
     let mut convergence = solved(tower, options, &listed(&DEFAULT_SEGMENTS))?;
     each_once(&mut convergence);
@@ -53,7 +54,8 @@ fn by_default(tower: &Tower, options: &Options) -> Result<Convergence, Failure> 
     solved(tower, options, &listed(&doubled))
 }
 
-/// A tower of many pieces has a fewest number of segments: whatever is below it is the same, and is shown as what it is.
+/// A tower of many pieces has a fewest number of segments: whatever is below it is the same, and is
+/// shown as what it is.
 fn each_once(convergence: &mut Convergence) {
     for level in &mut convergence.levels {
         level.asked = Fineness::Segments(level.segments);

@@ -1,11 +1,13 @@
-//! A Campbell diagram for people: which excitation comes how near to which mode, and where the tower stands among them.
+//! A Campbell diagram for people: which excitation comes how near to which mode, and where the
+//! tower stands among them.
 
 use towermodes::rotor::{Campbell, Excited, FrequencyLine, Margin, Rotor, Rpm};
 use towermodes::{Tower, Verdict};
 
 use super::text::{align_right, counted, plain_table, title, with_error, wrapped};
 
-/// The conclusion in words first; then the pairs that come near each other, or all, and the rotor. `has_blade` is whether the files have a blade.
+/// The conclusion in words first; then the pairs that come near each other, or all, and the rotor.
+/// `has_blade` is whether the files have a blade.
 pub(crate) fn campbell(tower: &Tower, campbell: &Campbell, has_blade: bool, all: bool) -> String {
     let is_strong = |multiple| multiple == 1 || multiple == campbell.rotor.blades;
     let is_shown = |margin: &&Margin| {
@@ -253,7 +255,8 @@ mod tests {
         assert_eq!(hidden(8, true).as_deref(), Some(all));
     }
 
-    /// A blade that could not be solved is in the file all the same; files may have blades that are not read.
+    /// A blade that could not be solved is in the file all the same; files may have blades that are
+    /// not read.
     #[test]
     fn that_there_is_no_blade_is_said_as_it_is() {
         let said = |has_blade| summary(&campbell(), has_blade);

@@ -1,4 +1,5 @@
-//! A comparison of methods for people, in the layout of the paper's tables: modes down, methods across.
+//! A comparison of methods for people, in the layout of the paper's tables: modes down, methods
+//! across.
 
 use std::time::Duration;
 

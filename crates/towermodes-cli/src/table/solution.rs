@@ -59,7 +59,8 @@ fn period(mode: &Mode) -> String {
     }
 }
 
-/// Its label, with the other parts of its energy from one percent on: "1st fore-aft bending (8 % torsion)".
+/// Its label, with the other parts of its energy from one percent on: "1st fore-aft bending (8 %
+/// torsion)".
 fn what_it_is(mode: &Mode) -> String {
     let parts = mode.other_parts();
     let shown = parts.iter().filter(|(_, share)| *share >= 0.01);
@@ -107,8 +108,9 @@ fn effective_masses(solution: &Solution) -> String {
     format!("effective mass of these modes: {x} in x, {y} in y, {z} in z")
 }
 
-/// "100 segments", "1 element of degree 19", or "50 elements without rotary inertia": the beam of BModes is that of Euler and
-/// Bernoulli, and its error does not say how far that is from a beam whose sections resist rotation.
+/// "100 segments", "1 element of degree 19", or "50 elements without rotary inertia": the beam of
+/// BModes is that of Euler and Bernoulli, and its error does not say how far that is from a beam
+/// whose sections resist rotation.
 fn fineness(solution: &Solution) -> String {
     let noun = if is_beam(solution.method) {
         "element"

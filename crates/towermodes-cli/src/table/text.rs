@@ -78,7 +78,8 @@ pub(crate) fn four_digits(value: f64) -> String {
 /// Units, which stay with their number.
 const UNITS: [&str; 3] = ["Hz", "rpm", "%"];
 
-/// A text in lines of at most [`WIDTH_OF_FILES`] characters, broken between words and not before a unit; lines after the first are indented.
+/// A text in lines of at most [`WIDTH_OF_FILES`] characters, broken between words and not before a
+/// unit; lines after the first are indented.
 pub(super) fn wrapped(text: &str) -> String {
     let mut words: Vec<String> = Vec::new();
     for word in text.split(' ') {

@@ -19,7 +19,8 @@ pub(crate) fn verification(rows: &[Row]) -> String {
     text
 }
 
-/// One table, so that all columns of a chapter stand in line, with each case's name and source above its rows.
+/// One table, so that all columns of a chapter stand in line, with each case's name and source
+/// above its rows.
 fn of_chapter(rows: &[Row]) -> String {
     let mut table = plain_table();
     table.set_header([

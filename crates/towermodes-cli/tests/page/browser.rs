@@ -200,7 +200,8 @@ impl OpenPage {
         self.tab.print_to_pdf(Some(a4)).expect("a PDF")
     }
 
-    /// A picture of the whole page, for people: kept where `TOWERMODES_SCREENSHOTS` says, if it does.
+    /// A picture of the whole page, for people: kept where `TOWERMODES_SCREENSHOTS` says, if it
+    /// does.
     pub fn keep_picture(&self, name: &str) {
         let Some(folder) = std::env::var_os("TOWERMODES_SCREENSHOTS") else {
             return;

@@ -1,6 +1,7 @@
 //! The report in a real browser: what moves, what can be reached, what can be read.
 //!
-//! `TOWERMODES_BROWSER` names a Chromium; without it these tests are skipped. `TOWERMODES_SCREENSHOTS` names a folder for pictures of the pages.
+//! `TOWERMODES_BROWSER` names a Chromium; without it these tests are skipped.
+//! `TOWERMODES_SCREENSHOTS` names a folder for pictures of the pages.
 
 mod browser;
 mod report;
@@ -90,7 +91,8 @@ fn keys_play_and_choose_modes() {
             "{ignored}"
         );
     }
-    // The space bar has its own meaning on a box: it takes the third mode in and out, and nothing plays.
+    // The space bar has its own meaning on a box: it takes the third mode in and out, and nothing
+    // plays.
     page.value("document.querySelectorAll('input[name=animation-mode]')[2].focus()");
     for shown in [3, 2] {
         page.press(" ");
@@ -520,7 +522,8 @@ const PAPER: View = View {
     is_dark: false,
 };
 
-/// Modes of an eccentric machine on a coupled foundation have long names: "1st side-side bending (5 % fore-aft, 1 % torsion)".
+/// Modes of an eccentric machine on a coupled foundation have long names: "1st side-side bending (5
+/// % fore-aft, 1 % torsion)".
 #[test]
 fn tables_of_coupled_modes_fit_the_window_and_the_paper() {
     let coupled = "../crates/towermodes-cli/tests/inputs/coupled.toml";

@@ -32,8 +32,8 @@ pub fn links(text: &str) -> Vec<String> {
     links.filter(|link| !link.contains("://")).collect()
 }
 
-/// The anchors that mdBook makes of headings: small letters, digits, `-` and `_`; spaces become `-`, all else goes; a second one of the same
-/// name gets a number.
+/// The anchors that mdBook makes of headings: small letters, digits, `-` and `_`; spaces become
+/// `-`, all else goes; a second one of the same name gets a number.
 pub fn anchors(text: &str) -> Vec<String> {
     let mut anchors: Vec<String> = Vec::new();
     for line in prose(text).lines().filter(|line| line.starts_with('#')) {

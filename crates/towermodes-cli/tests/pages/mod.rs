@@ -89,7 +89,8 @@ impl Block {
         self.info.split([' ', ',']).next().unwrap_or_default()
     }
 
-    /// The name of a file to which the reader is told to write the block: a comment on its first line, as `# my-tower.toml`.
+    /// The name of a file to which the reader is told to write the block: a comment on its first
+    /// line, as `# my-tower.toml`.
     pub fn file_name(&self) -> Option<&str> {
         let first = self.text.lines().next()?.strip_prefix("# ")?;
         let is_name = !first.contains(char::is_whitespace) && first.ends_with(".toml");

@@ -1,5 +1,5 @@
-//! A folder in which the commands of the book can be typed: the examples, and files under the names that pages and help texts use for
-//! those of a reader.
+//! A folder in which the commands of the book can be typed: the examples, and files under the names
+//! that pages and help texts use for those of a reader.
 
 // Each test uses a part of it.
 #![allow(dead_code)]
@@ -53,8 +53,8 @@ impl Sandbox {
         }
     }
 
-    /// Programs that the scripts call, and nothing is installed for: the folders to look for programs in. `generate-tower` prints a tower,
-    /// `man` what it is given.
+    /// Programs that the scripts call, and nothing is installed for: the folders to look for
+    /// programs in. `generate-tower` prints a tower, `man` what it is given.
     #[cfg(unix)]
     pub fn commands(&self) -> std::ffi::OsString {
         use std::os::unix::fs::{PermissionsExt, symlink};
@@ -181,7 +181,8 @@ fn copy_folder(from: &Path, to: &Path) {
     }
 }
 
-/// The tube of `examples/nrel-5mw.toml` in nineteen columns: r m x_cg y_cg ri_x ri_y x_sh y_sh E G I_x I_y K k_x k_y A θ x_e y_e.
+/// The tube of `examples/nrel-5mw.toml` in nineteen columns: r m x_cg y_cg ri_x ri_y x_sh y_sh E G
+/// I_x I_y K k_x k_y A θ x_e y_e.
 fn hawc2_tower() -> String {
     let mut text = "#1 Tower\n$1 41 Flexible\n".to_owned();
     for row in 0..=40 {

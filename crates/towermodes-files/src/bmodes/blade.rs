@@ -1,6 +1,7 @@
 //! A blade from a deck.
 //!
-//! BModes turns the signs of twist and offsets; the library's blade has them as BModes computes with them.
+//! BModes turns the signs of twist and offsets; the library's blade has them as BModes computes
+//! with them.
 
 use std::f64::consts::PI;
 
@@ -89,7 +90,8 @@ fn tip(deck: &Deck, quirks: bool) -> Result<RigidBody, Diagnostic> {
     })
 }
 
-/// Version 3.00 takes the line of `cm_axial` for `cm_loc`, and turns its sign once for each row of the section file.
+/// Version 3.00 takes the line of `cm_axial` for `cm_loc`, and turns its sign once for each row of
+/// the section file.
 fn tip_center(deck: &Deck, quirks: bool) -> [f64; 3] {
     let (lateral_m, axial) = (deck.tip.cm_loc_m.value, &deck.tip.cm_axial_m);
     if !quirks {
@@ -101,7 +103,8 @@ fn tip_center(deck: &Deck, quirks: bool) -> [f64; 3] {
     [if is_turned { 0.0 - read_m } else { read_m }, 0.0, 0.0]
 }
 
-/// A row in the library's terms: factors applied, signs turned, the inertias referred to the axes of the stiffnesses.
+/// A row in the library's terms: factors applied, signs turned, the inertias referred to the axes
+/// of the stiffnesses.
 fn section(row: &Section, deck: &Deck) -> Result<BladeSection, Diagnostic> {
     let factors = &deck.multipliers;
     let flap = scaled(&row.flap_inertia_kg_m, &factors.flap_inertia)?;

@@ -32,7 +32,8 @@ pub(super) enum Dialect {
     V1,
     /// BModes 3.00.
     V3,
-    /// A later BModes, of which no source is public (`BModes_JJ`): `tow_support` 1 is the offshore block, and wires follow it.
+    /// A later BModes, of which no source is public (`BModes_JJ`): `tow_support` 1 is the offshore
+    /// block, and wires follow it.
     Later,
 }
 

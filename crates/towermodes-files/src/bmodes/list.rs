@@ -1,4 +1,5 @@
-//! Numbers as a list-directed read of Fortran takes them from a record: repeats, values left out, an early end.
+//! Numbers as a list-directed read of Fortran takes them from a record: repeats, values left out,
+//! an early end.
 
 use crate::diagnostic::Diagnostic;
 use crate::records::{Line, Token};

@@ -159,8 +159,9 @@ fn tip(reader: &mut Reader<'_>, beam: Beam) -> Result<(Dialect, Tip), Diagnostic
     Ok((dialect, tip))
 }
 
-/// Whether the line of `cm_axial` is missing because version 1.03 has none, judged by the lines to come: six inertias stand where later
-/// versions have `cm_axial` before them, and a tower's file has no `tow_support`.
+/// Whether the line of `cm_axial` is missing because version 1.03 has none, judged by the lines to
+/// come: six inertias stand where later versions have `cm_axial` before them, and a tower's file
+/// has no `tow_support`.
 fn lacks_cm_axial(reader: &Reader<'_>, beam: Beam) -> bool {
     let mut rest = reader.lines.clone().filter(|line| !line.is_blank());
     if rest.clone().next().and_then(named) == Some(&q::CM_AXIAL) {
@@ -230,7 +231,8 @@ fn borders(reader: &mut Reader<'_>) -> Result<Vec<Value<f64>>, Diagnostic> {
     check_borders(borders)
 }
 
-/// The ends of a share of a length may be this far from 0 and 1, and are these then: decks are printed rounded.
+/// The ends of a share of a length may be this far from 0 and 1, and are these then: decks are
+/// printed rounded.
 pub(super) const END: f64 = 1e-6;
 
 fn check_borders(mut borders: Vec<Value<f64>>) -> Result<Vec<Value<f64>>, Diagnostic> {

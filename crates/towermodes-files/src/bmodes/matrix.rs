@@ -5,7 +5,8 @@ use towermodes::space::{SpatialMatrix, lower_matrix};
 use super::deck::MatrixValue;
 use crate::diagnostic::Diagnostic;
 
-/// Entries that should be equal may differ by this share of the larger: matrices come from panel and mooring programs.
+/// Entries that should be equal may differ by this share of the larger: matrices come from panel
+/// and mooring programs.
 const SLIGHTLY: f64 = 0.05;
 /// … or by this share of their diagonal entries.
 const NOISE: f64 = 1e-3;
@@ -45,7 +46,8 @@ pub(super) fn asymmetry<const N: usize>(matrix: &[[f64; N]; N]) -> Option<Asymme
     unequal.max_by(|a, b| a.share().total_cmp(&b.share()))
 }
 
-/// The mean of a matrix and its transpose; refused where they differ by more than rounding and noise.
+/// The mean of a matrix and its transpose; refused where they differ by more than rounding and
+/// noise.
 pub(super) fn symmetrized<const N: usize>(
     matrix: &MatrixValue<N>,
     name: &str,
@@ -72,7 +74,8 @@ pub(super) fn symmetrized<const N: usize>(
     }))
 }
 
-/// A stiffness or an inertia about a point on the axis at `height_m`, as one about the base at `base_m`.
+/// A stiffness or an inertia about a point on the axis at `height_m`, as one about the base at
+/// `base_m`.
 pub(super) fn about_base(mut matrix: SpatialMatrix, height_m: f64, base_m: f64) -> SpatialMatrix {
     lower_matrix(&mut matrix, height_m - base_m);
     matrix

@@ -1,7 +1,8 @@
-//! Decks of BModes, the finite-element program of NREL for towers and blades: a main file (.bmi) and a section file.
+//! Decks of BModes, the finite-element program of NREL for towers and blades: a main file (.bmi)
+//! and a section file.
 //!
-//! The lines and what they mean: BModes 3.00 (Bir, NREL, 2008), its sample files, and the decks that later versions and other programs
-//! write.
+//! The lines and what they mean: BModes 3.00 (Bir, NREL, 2008), its sample files, and the decks
+//! that later versions and other programs write.
 
 mod blade;
 mod deck;
@@ -61,7 +62,8 @@ impl Sources {
 /// Reads a deck from its main file; the section file that it names comes from `companions`.
 ///
 /// # Errors
-/// [`InputError::Unreadable`] if there is no section file, [`InputError::Mistakes`] for what BModes or physics do not allow.
+/// [`InputError::Unreadable`] if there is no section file, [`InputError::Mistakes`] for what BModes
+/// or physics do not allow.
 pub fn read_bmodes(
     source: Source,
     companions: &dyn Companions,
@@ -114,8 +116,8 @@ fn read_deck(source: Source, companions: &dyn Companions) -> Result<(Deck, Sourc
 /// How many lines are looked at to recognize a deck.
 const LOOKED_AT: usize = 60;
 
-/// Whether a text is the main file of a deck: lines that carry the names of its quantities after a value, or, where names are left out,
-/// the kinds of value in its general parameters.
+/// Whether a text is the main file of a deck: lines that carry the names of its quantities after a
+/// value, or, where names are left out, the kinds of value in its general parameters.
 pub(crate) fn is_deck(text: &str) -> bool {
     let lines: Vec<Line<'_>> = Lines::new(text).take(LOOKED_AT).collect();
     let names = [

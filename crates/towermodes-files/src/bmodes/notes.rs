@@ -1,4 +1,5 @@
-//! What a user should know of a deck: where BModes 3.00 departs from what the deck says, and what was decided here.
+//! What a user should know of a deck: where BModes 3.00 departs from what the deck says, and what
+//! was decided here.
 
 use super::Sources;
 use super::deck::{Beam, Deck, Dialect, HubConnection, Section, WireSet};

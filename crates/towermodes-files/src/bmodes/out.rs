@@ -1,6 +1,7 @@
 //! The layout of a `.out` file of BModes 3.00, for scripts that read such files.
 //!
-//! The formats are Fortran's: e12.5 for frequencies, f8.4 or f7.4 for heights and f9.6 for motions, at fixed columns or between tabs.
+//! The formats are Fortran's: e12.5 for frequencies, f8.4 or f7.4 for heights and f9.6 for motions,
+//! at fixed columns or between tabs.
 
 use super::fortran::{exponential, fixed, integer};
 
@@ -22,7 +23,8 @@ pub struct OutHeader {
     pub tab_delimited: bool,
     /// Whether the rows of mid nodes, which have a twist only, are printed.
     pub mid_node_twist: bool,
-    /// When it was computed, as it shall stand in the first line; none if the file shall not depend on it.
+    /// When it was computed, as it shall stand in the first line; none if the file shall not depend
+    /// on it.
     pub timestamp: Option<String>,
 }
 
@@ -35,7 +37,8 @@ pub struct OutMode {
     pub rows: Vec<OutRow>,
 }
 
-/// What a mode does at a height. Displacements and slopes are side-side and fore-aft; of a blade, flap and lag.
+/// What a mode does at a height. Displacements and slopes are side-side and fore-aft; of a blade,
+/// flap and lag.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct OutRow {
     /// Height as a share of the flexible length, 0 at the base and 1 at the top.
@@ -55,7 +58,8 @@ pub struct OutRow {
 }
 
 impl OutMode {
-    /// A mode of the motions [`euclidean`](super::euclidean) takes; `borders` are the element borders as shares of the flexible length, one for each node.
+    /// A mode of the motions [`euclidean`](super::euclidean) takes; `borders` are the element
+    /// borders as shares of the flexible length, one for each node.
     pub fn new(
         frequency_hz: f64,
         borders: &[f64],

@@ -1,4 +1,5 @@
-//! Reads a deck record by record, each value with its place, and notices early when lines are missing or too many.
+//! Reads a deck record by record, each value with its place, and notices early when lines are
+//! missing or too many.
 
 use std::ops::Range;
 
@@ -212,7 +213,8 @@ impl<'a> Reader<'a> {
     }
 }
 
-/// Takes values from a record until it ends or there are as many as are read; `commas` stand since the last one.
+/// Takes values from a record until it ends or there are as many as are read; `commas` stand since
+/// the last one.
 fn take<T: Copy>(
     items: &mut Items<'_>,
     values: &mut Vec<Value<T>>,

@@ -1,4 +1,5 @@
-//! Slips that show on a line: it is another than is expected, a decimal comma, a unit at its number, a value left out.
+//! Slips that show on a line: it is another than is expected, a decimal comma, a unit at its
+//! number, a value left out.
 
 use std::ops::Range;
 

@@ -94,8 +94,9 @@ impl Building {
         }
     }
 
-    /// A table with heights in the datum of the tower, up to the tower's top: as in BModes what lies beyond has no effect. Empty if none of
-    /// it is beside the flexible tower, or all of it is zero.
+    /// A table with heights in the datum of the tower, up to the tower's top: as in BModes what
+    /// lies beyond has no effect. Empty if none of it is beside the flexible tower, or all of it is
+    /// zero.
     fn heights_of(&self, table: &Distribution, notes: &mut Notes) -> Vec<(f64, f64)> {
         let Ends { base_m, top_m } = self.ends;
         let length_m = top_m - base_m;
@@ -145,7 +146,8 @@ impl Building {
     }
 }
 
-/// Wires in the library's terms; as BModes understands them they hold horizontally with n k cos², and not vertically.
+/// Wires in the library's terms; as BModes understands them they hold horizontally with n k cos²,
+/// and not vertically.
 fn wires(set: &WireSet, height_m: f64, quirks: bool) -> Wires {
     let cosine = set.angle_deg.value.to_radians().cos();
     let as_written = set.stiffness_n_per_m.value;

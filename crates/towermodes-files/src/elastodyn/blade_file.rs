@@ -1,8 +1,9 @@
 //! Blade files of ElastoDyn and FAST 7: mass, stiffness and twist along the blade.
 //!
-//! OpenFAST reads them by position (`ReadBladeFile` in `ElastoDyn_IO.f90`); the columns changed from seventeen (FAST 7) to six (FAST 8) to
-//! five (OpenFAST 5, without `PitchAxis`), so the column of masses is the one that the line of names calls so, with the twist before it and
-//! both stiffnesses behind it.
+//! OpenFAST reads them by position (`ReadBladeFile` in `ElastoDyn_IO.f90`); the columns changed
+//! from seventeen (FAST 7) to six (FAST 8) to five (OpenFAST 5, without `PitchAxis`), so the column
+//! of masses is the one that the line of names calls so, with the twist before it and both
+//! stiffnesses behind it.
 
 use super::names::{name_on, plain};
 use super::positional::{Parameter, Positional, last_fraction, next_fraction};
@@ -33,8 +34,8 @@ pub struct BladeFile {
     pub flap_factor: f64,
     /// Factor of the column of edgewise stiffnesses (`AdjEdSt`).
     pub edge_factor: f64,
-    /// The table as it stands there, without the factors; linear between rows. A uniform blade has the only row of its file at both
-    /// ends.
+    /// The table as it stands there, without the factors; linear between rows. A uniform blade has
+    /// the only row of its file at both ends.
     pub rows: Vec<BladeRow>,
 }
 
@@ -65,9 +66,11 @@ pub struct BladeMasses {
 }
 
 impl BladeFile {
-    /// The integrals along a blade of this length, m, exact for a mass per length that is linear between the rows.
+    /// The integrals along a blade of this length, m, exact for a mass per length that is linear
+    /// between the rows.
     ///
-    /// ElastoDyn itself takes `BldNodes` elements with the mass at their middles, which comes out some parts in a thousand differently.
+    /// ElastoDyn itself takes `BldNodes` elements with the mass at their middles, which comes out
+    /// some parts in a thousand differently.
     pub fn masses(&self, length_m: f64) -> BladeMasses {
         let mut sum = BladeMasses::default();
         for pair in self.rows.windows(2) {
@@ -175,7 +178,8 @@ fn rows(
 /// Columns beyond those of FAST 7 are not looked at.
 const MOST_COLUMNS: usize = 20;
 
-/// Which column the masses are in: the one of that name, or else the third of five and the fourth of more.
+/// Which column the masses are in: the one of that name, or else the third of five and the fourth
+/// of more.
 fn mass_column(names: &Line<'_>, columns: usize) -> usize {
     let mut names = names.tokens().take(MOST_COLUMNS);
     let named = names.position(|token| plain(token.text) == "bmassden");

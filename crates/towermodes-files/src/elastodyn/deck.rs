@@ -46,7 +46,8 @@ pub struct ElastoDynDeck {
     pub input: TowerInput,
 }
 
-/// Reads an ElastoDyn model from its main file, or from the `.fst` file that names it; `companions` are the files beside that one.
+/// Reads an ElastoDyn model from its main file, or from the `.fst` file that names it; `companions`
+/// are the files beside that one.
 ///
 /// # Errors
 /// The first mistake in one of the files, among them that a file it names cannot be read.

@@ -14,8 +14,9 @@ pub(super) struct Gravity {
     pub(super) note: Option<Note>,
 }
 
-/// The gravity of a model: that of the `.fst` file, as OpenFAST takes it since 3.0, else that of the main file, where it was before,
-/// else the standard one with a note. A tower that hangs under water has none here. Files are given by their names.
+/// The gravity of a model: that of the `.fst` file, as OpenFAST takes it since 3.0, else that of
+/// the main file, where it was before, else the standard one with a note. A tower that hangs under
+/// water has none here. Files are given by their names.
 pub(super) fn gravity(main: &MainFile, main_name: &str, fst: Option<(f64, &str)>) -> Gravity {
     if main.tower_hangs() {
         let (m_per_s2, note) = (0.0, None);

@@ -1,7 +1,7 @@
 //! Towers that hang: those of floating turbines in a current (MHK), whose top is the lower end.
 //!
-//! The library's towers stand. A hanging one is solved upside down: heights become depths, and what is below the top becomes what is
-//! above it. Without weights its frequencies are the same.
+//! The library's towers stand. A hanging one is solved upside down: heights become depths, and what
+//! is below the top becomes what is above it. Without weights its frequencies are the same.
 
 use towermodes::{Inertia, RigidBody};
 

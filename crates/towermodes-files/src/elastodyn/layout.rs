@@ -1,7 +1,8 @@
 //! The layouts that the main file of ElastoDyn has had, and which of them a file has.
 //!
-//! OpenFAST reads the file by position, each version in its own layout; the layouts differ in blocks of lines that came or went
-//! (`ReadPrimaryFile` in `ElastoDyn_IO.f90` from FAST 8 to OpenFAST 5.0). A file has the blocks whose names it says.
+//! OpenFAST reads the file by position, each version in its own layout; the layouts differ in
+//! blocks of lines that came or went (`ReadPrimaryFile` in `ElastoDyn_IO.f90` from FAST 8 to
+//! OpenFAST 5.0). A file has the blocks whose names it says.
 
 use std::collections::{BTreeMap, HashMap};
 
@@ -66,10 +67,12 @@ const fn instead_of(old: &'static [&'static str], keys: &'static [&'static str])
     }
 }
 
-/// All blocks in order. Those that came or went: the heights of the tower's base and of the platform's reference point, which
-/// ElastoDyn 1.00 has under other names; the number of blade nodes, not in ElastoDyn 1.00 and 1.01; gravity, in the `.fst` file since
-/// OpenFAST 3.0; products of inertia of the platform and yaw friction, since 4.0; the hub's inertia about the teeter axis, since 4.2;
-/// inertias of pitch bearings and blades, the platform's reference point in x and y, and pitch actuators, since 5.0.
+/// All blocks in order. Those that came or went: the heights of the tower's base and of the
+/// platform's reference point, which ElastoDyn 1.00 has under other names; the number of blade
+/// nodes, not in ElastoDyn 1.00 and 1.01; gravity, in the `.fst` file since OpenFAST 3.0; products
+/// of inertia of the platform and yaw friction, since 4.0; the hub's inertia about the teeter axis,
+/// since 4.2; inertias of pitch bearings and blades, the platform's reference point in x and y, and
+/// pitch actuators, since 5.0.
 const BLOCKS: &[Block] = &[
     block(Some("SIMULATION CONTROL"), &["Echo", "Method", "DT"]),
     optional_section("ENVIRONMENTAL CONDITION", &["Gravity"]),
@@ -248,7 +251,8 @@ fn layout(names: &[Option<&'static str>]) -> Vec<Entry> {
 /// More lines than any layout has need not be looked at.
 const LONGEST: usize = 200;
 
-/// Each parameter's line in a main file, up to the name of the tower file; two free lines come first, blank ones count nowhere.
+/// Each parameter's line in a main file, up to the name of the tower file; two free lines come
+/// first, blank ones count nowhere.
 pub(super) fn lines_by_key(text: &str) -> Result<BTreeMap<&'static str, Line<'_>>, Diagnostic> {
     let mut all = Lines::new(text);
     all.expect("the first header line")?;

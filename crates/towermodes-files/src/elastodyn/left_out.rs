@@ -4,7 +4,8 @@ use towermodes::{Foundation, Inertia, Rna, Shear, TowerDescription};
 
 use crate::input::Note;
 
-/// A note on all that a tower file does not hold of a tower; the shapes in it are those of the tower with all of that.
+/// A note on all that a tower file does not hold of a tower; the shapes in it are those of the
+/// tower with all of that.
 pub fn left_out(description: &TowerDescription) -> Vec<Note> {
     let d = description;
     let mut masses = d.point_masses.iter();

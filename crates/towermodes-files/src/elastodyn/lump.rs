@@ -11,15 +11,19 @@ use crate::diagnostic::Diagnostic;
 use crate::input::{Note, RotorLock};
 use crate::source::Source;
 
-/// Hub, blades, tip masses, generator, nacelle and yaw bearing as one body about the tower top: x downwind, y lateral, z up.
+/// Hub, blades, tip masses, generator, nacelle and yaw bearing as one body about the tower top: x
+/// downwind, y lateral, z up.
 ///
-/// The rotor's apex is at (OverHang cos τ, 0, Twr2Shft + OverHang sin τ) with τ = ShftTilt; the first blade points up, each next one stands
-/// a share of a turn further, clockwise as seen from upwind. Blades are rods: only their mass along their axis counts. `NacYIner` is about
-/// the yaw axis, and the nacelle has no other inertia than what that leaves about its centre. With a locked rotor the generator adds
-/// `GenIner` once about the shaft; with a free one rotor and generator together add J_r J_g (1 − q)²/(J_r + q² J_g) about it, where
-/// J_r is the rotor's inertia, J_g = `GenIner` and q = `GBRatio`.
+/// The rotor's apex is at (OverHang cos τ, 0, Twr2Shft + OverHang sin τ) with τ = ShftTilt; the
+/// first blade points up, each next one stands a share of a turn further, clockwise as seen from
+/// upwind. Blades are rods: only their mass along their axis counts. `NacYIner` is about the yaw
+/// axis, and the nacelle has no other inertia than what that leaves about its centre. With a locked
+/// rotor the generator adds `GenIner` once about the shaft; with a free one rotor and generator
+/// together add J_r J_g (1 − q)²/(J_r + q² J_g) about it, where J_r is the rotor's inertia, J_g =
+/// `GenIner` and q = `GBRatio`.
 ///
-/// Source: the kinematics of ElastoDyn (OpenFAST 5.0, `SetCoordSy`, `CalculatePositions`, `Coeff` in `ElastoDyn.f90`).
+/// Source: the kinematics of ElastoDyn (OpenFAST 5.0, `SetCoordSy`, `CalculatePositions`, `Coeff`
+/// in `ElastoDyn.f90`).
 pub fn lump_rna(main: &MainFile, blades: &[BladeMasses], lock: RotorLock) -> RigidBody {
     let mut rotor = rotor(main, blades);
     let shaft = Shaft::of(main, &rotor);
@@ -91,7 +95,8 @@ fn hub(main: &MainFile) -> RigidBody {
 
 /// The hub's inertia about its centre: about the shaft and about the teeter axis, kg m².
 ///
-/// Of two blades the inertia about the teeter pin is brought to the centre, and before OpenFAST 4.2 it holds for both axes.
+/// Of two blades the inertia about the teeter pin is brought to the centre, and before OpenFAST 4.2
+/// it holds for both axes.
 pub(super) fn hub_inertia_kg_m2(main: &MainFile) -> (f64, f64) {
     if main.blade_count != 2 {
         return (main.hub_inertia_kg_m2, 0.0);

@@ -14,11 +14,14 @@ pub struct MainFile {
     pub header: [String; 2],
     /// Acceleration of gravity, m/s² (`Gravity`); in files since OpenFAST 3.0 it is elsewhere.
     pub gravity_m_per_s2: Option<f64>,
-    /// Whether the tower's modes move: first and second fore-aft (`TwFADOF1`, `2`), first and second side-side (`TwSSDOF1`, `2`).
+    /// Whether the tower's modes move: first and second fore-aft (`TwFADOF1`, `2`), first and
+    /// second side-side (`TwSSDOF1`, `2`).
     pub tower_dofs: [bool; 4],
-    /// Whether the platform moves: surge, sway, heave, roll, pitch, yaw (`PtfmSgDOF` to `PtfmYDOF`).
+    /// Whether the platform moves: surge, sway, heave, roll, pitch, yaw (`PtfmSgDOF` to
+    /// `PtfmYDOF`).
     pub platform_dofs: [bool; 6],
-    /// Pitch of each blade at the start, positive towards feather, degrees (`BlPitch`); unused ones are zero.
+    /// Pitch of each blade at the start, positive towards feather, degrees (`BlPitch`); unused ones
+    /// are zero.
     pub blade_pitch_deg: [f64; 3],
     /// Speed of the rotor at the start, rpm (`RotSpeed`).
     pub rotor_speed_rpm: f64,
@@ -28,7 +31,8 @@ pub struct MainFile {
     pub tip_radius_m: f64,
     /// Distance from the rotor's apex to the blades' roots, m (`HubRad`).
     pub hub_radius_m: f64,
-    /// Angle of each blade from the plane normal to the shaft, positive downwind, degrees (`PreCone`); unused ones are zero.
+    /// Angle of each blade from the plane normal to the shaft, positive downwind, degrees
+    /// (`PreCone`); unused ones are zero.
     pub precone_deg: [f64; 3],
     /// Distance from the rotor's apex to the hub's centre of mass, positive downwind, m (`HubCM`).
     pub hub_center_m: f64,
@@ -36,9 +40,11 @@ pub struct MainFile {
     pub undersling_m: f64,
     /// Angle of the teeter pin of two blades, degrees (`Delta3`).
     pub delta3_deg: f64,
-    /// Distance along the shaft from the yaw axis to the rotor's apex, or to the teeter pin of two blades, positive downwind, m (`OverHang`).
+    /// Distance along the shaft from the yaw axis to the rotor's apex, or to the teeter pin of two
+    /// blades, positive downwind, m (`OverHang`).
     pub overhang_m: f64,
-    /// Angle of the shaft from the horizontal, degrees; negative if the upwind end is the higher one (`ShftTilt`).
+    /// Angle of the shaft from the horizontal, degrees; negative if the upwind end is the higher
+    /// one (`ShftTilt`).
     pub shaft_tilt_deg: f64,
     /// Centre of mass of the nacelle from the tower top, m (`NacCMxn`, `NacCMyn`, `NacCMzn`).
     pub nacelle_center_m: [f64; 3],
@@ -46,13 +52,15 @@ pub struct MainFile {
     pub tower_to_shaft_m: f64,
     /// Height of the tower top, m (`TowerHt`).
     pub tower_top_m: f64,
-    /// Height of the base of the flexible tower, m (`TowerBsHt`; in ElastoDyn 1.00 `TwrRBHt` − `TwrDraft`).
+    /// Height of the base of the flexible tower, m (`TowerBsHt`; in ElastoDyn 1.00 `TwrRBHt` −
+    /// `TwrDraft`).
     pub tower_base_m: f64,
     /// Mass at the tip of each blade, kg (`TipMass`); unused ones are zero.
     pub tip_masses_kg: [f64; 3],
     /// Mass of the hub, kg (`HubMass`).
     pub hub_mass_kg: f64,
-    /// Inertia of the hub, kg m² (`HubIner`): about the shaft, but of two blades in files before OpenFAST 4.2 about the teeter axis.
+    /// Inertia of the hub, kg m² (`HubIner`): about the shaft, but of two blades in files before
+    /// OpenFAST 4.2 about the teeter axis.
     pub hub_inertia_kg_m2: f64,
     /// Inertia of the hub about the teeter axis, kg m² (`HubIner_Teeter`, since OpenFAST 4.2).
     pub hub_teeter_inertia_kg_m2: Option<f64>,
@@ -68,9 +76,11 @@ pub struct MainFile {
     pub yaw_bearing_mass_kg: f64,
     /// The platform.
     pub platform: Platform,
-    /// How many elements ElastoDyn cuts a blade into (`BldNodes`); not in the files of ElastoDyn 1.00 and 1.01.
+    /// How many elements ElastoDyn cuts a blade into (`BldNodes`); not in the files of ElastoDyn
+    /// 1.00 and 1.01.
     pub blade_nodes: Option<usize>,
-    /// The file of each blade as the line names it, relative to the main file (`BldFile`); as many as there are blades.
+    /// The file of each blade as the line names it, relative to the main file (`BldFile`); as many
+    /// as there are blades.
     pub blade_files: Vec<String>,
     /// Whether there is a model of furling in another file (`Furling`).
     pub furling: bool,
@@ -87,19 +97,22 @@ pub struct MainFile {
 pub struct Platform {
     /// Mass, kg (`PtfmMass`).
     pub mass_kg: f64,
-    /// Inertia about its centre of mass for roll, pitch and yaw, kg m² (`PtfmRIner`, `PtfmPIner`, `PtfmYIner`).
+    /// Inertia about its centre of mass for roll, pitch and yaw, kg m² (`PtfmRIner`, `PtfmPIner`,
+    /// `PtfmYIner`).
     pub inertia_kg_m2: [f64; 3],
-    /// Entries xy, yz, xz of its inertia tensor, kg m² (`PtfmXYIner`, `PtfmYZIner`, `PtfmXZIner`); zero where the file has none.
+    /// Entries xy, yz, xz of its inertia tensor, kg m² (`PtfmXYIner`, `PtfmYZIner`, `PtfmXZIner`);
+    /// zero where the file has none.
     pub products_kg_m2: [f64; 3],
     /// Its centre of mass, m (`PtfmCMxt`, `PtfmCMyt`, `PtfmCMzt`).
     pub center_m: [f64; 3],
-    /// The point that its motion is of, m (`PtfmRefxt`, `PtfmRefyt`, `PtfmRefzt`; in ElastoDyn 1.00 z is −`PtfmRef`); x and y are zero
-    /// where the file has none.
+    /// The point that its motion is of, m (`PtfmRefxt`, `PtfmRefyt`, `PtfmRefzt`; in ElastoDyn 1.00
+    /// z is −`PtfmRef`); x and y are zero where the file has none.
     pub reference_m: [f64; 3],
 }
 
 impl MainFile {
-    /// The bytes of the file that a parameter's value takes, by its name such as `TowerHt` or `BldFile(1)`.
+    /// The bytes of the file that a parameter's value takes, by its name such as `TowerHt` or
+    /// `BldFile(1)`.
     pub fn span(&self, key: &str) -> Option<Range<usize>> {
         self.spans.get(key).cloned()
     }
@@ -114,12 +127,14 @@ impl MainFile {
         self.tip_radius_m - self.hub_radius_m
     }
 
-    /// Length of the flexible tower, m: `TowerHt` − `TowerBsHt`, or the other way round of one that hangs.
+    /// Length of the flexible tower, m: `TowerHt` − `TowerBsHt`, or the other way round of one that
+    /// hangs.
     pub fn tower_length_m(&self) -> f64 {
         (self.tower_top_m - self.tower_base_m).abs()
     }
 
-    /// Whether the tower hangs, as those of floating turbines in a current do: its top is below its base and below the sea.
+    /// Whether the tower hangs, as those of floating turbines in a current do: its top is below its
+    /// base and below the sea.
     pub fn tower_hangs(&self) -> bool {
         hangs(self.tower_base_m, self.tower_top_m)
     }

@@ -225,7 +225,8 @@ impl<'a> Values<'a> {
         }
     }
 
-    /// Height of the flexible tower's base, m: of the name it has since ElastoDyn 1.01, or of the two it had before.
+    /// Height of the flexible tower's base, m: of the name it has since ElastoDyn 1.01, or of the
+    /// two it had before.
     fn tower_base_m(&self) -> Result<f64, Diagnostic> {
         if self.lines.contains_key("TwrRBHt") {
             return Ok(self.number("TwrRBHt")? - self.number("TwrDraft")?);

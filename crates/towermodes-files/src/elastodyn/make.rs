@@ -31,7 +31,8 @@ pub struct MakeOptions {
     pub from_m: Option<f64>,
     /// How many rows.
     pub rows: Rows,
-    /// Whether OpenFAST has the section of concentrated masses, as it does since 4.2; without it masses are spread over an element.
+    /// Whether OpenFAST has the section of concentrated masses, as it does since 4.2; without it
+    /// masses are spread over an element.
     pub has_concentrated_masses: bool,
     /// The damping.
     pub damping: Damping,
@@ -223,7 +224,8 @@ fn set_damping(
 /// A mode with more of its energy in torsion is taken with a word.
 const MUCH_TORSION: f64 = 0.1;
 
-/// Which modes were left out for their torsion, and which were taken with some: ElastoDyn's towers have none.
+/// Which modes were left out for their torsion, and which were taken with some: ElastoDyn's towers
+/// have none.
 pub fn torsion_notes(shapes: &TowerShapes) -> Vec<Note> {
     let left_out = shapes.passed_over.iter().map(|mode| {
         format!(
@@ -286,7 +288,8 @@ impl TowerFile {
         }
     }
 
-    /// The tower as ElastoDyn knows it: of a flexible length (m) in so many elements, with a mass (kg) on top, without gravity.
+    /// The tower as ElastoDyn knows it: of a flexible length (m) in so many elements, with a mass
+    /// (kg) on top, without gravity.
     pub fn model(
         &self,
         flexible_length_m: f64,

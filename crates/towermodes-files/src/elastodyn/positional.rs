@@ -6,7 +6,8 @@ use super::names::{is_ruler, name_on, plain, said};
 use crate::diagnostic::Diagnostic;
 use crate::records::{Line, Lines, Token};
 
-/// More rows than this are refused: real tables have tens, and a hostile file must not fill the memory.
+/// More rows than this are refused: real tables have tens, and a hostile file must not fill the
+/// memory.
 pub(super) const MAX_ROWS: usize = 100_000;
 
 /// The lines of a file that is read by position.
@@ -23,8 +24,8 @@ impl<'a> Positional<'a> {
         Self { lines, known }
     }
 
-    /// The two free lines that a file begins with. Files of FAST 7 begin with one more, a ruler: there the heading and the first
-    /// parameter, by whose name that is seen, come a line later.
+    /// The two free lines that a file begins with. Files of FAST 7 begin with one more, a ruler:
+    /// there the heading and the first parameter, by whose name that is seen, come a line later.
     pub(super) fn header(&mut self, first_key: &str) -> Result<[String; 2], Diagnostic> {
         let is_first_key = |line: Line<'a>| name_on(&line) == Some(plain(first_key));
         if self.lines.clone().nth(4).is_some_and(is_first_key) {
@@ -52,7 +53,8 @@ impl<'a> Positional<'a> {
         }
     }
 
-    /// The title of a section, or the names or units of columns: any line that is not a parameter or a row.
+    /// The title of a section, or the names or units of columns: any line that is not a parameter
+    /// or a row.
     pub(super) fn heading(&mut self, what: &str) -> Result<Line<'a>, Diagnostic> {
         let line = self.lines.expect(what)?;
         if let Some(name) = said(&line, self.known) {
@@ -69,7 +71,8 @@ impl<'a> Positional<'a> {
         }
     }
 
-    /// The line of a parameter, which has the value first; its name is compared if it is that of another parameter.
+    /// The line of a parameter, which has the value first; its name is compared if it is that of
+    /// another parameter.
     pub(super) fn parameter(
         &mut self,
         key: &'static str,

@@ -7,7 +7,8 @@ use super::main_file::MainFile;
 use crate::input::{Note, RotorNotes};
 use crate::source::Source;
 
-/// A blade is cut into so many elements, or into as many as its table has intervals, up to [`MOST_ELEMENTS`].
+/// A blade is cut into so many elements, or into as many as its table has intervals, up to
+/// [`MOST_ELEMENTS`].
 const ELEMENTS: usize = 50;
 const MOST_ELEMENTS: usize = 400;
 
@@ -23,9 +24,11 @@ pub(super) fn rotor(main: &MainFile) -> Option<Rotor> {
     })
 }
 
-/// The first blade at standstill, as ElastoDyn has it: it bends, but it neither twists nor stretches, and its sections have no offsets.
+/// The first blade at standstill, as ElastoDyn has it: it bends, but it neither twists nor
+/// stretches, and its sections have no offsets.
 ///
-/// Twist and pitch of ElastoDyn are positive towards feather, as those of BModes, and the library's are positive the other way.
+/// Twist and pitch of ElastoDyn are positive towards feather, as those of BModes, and the library's
+/// are positive the other way.
 pub(super) fn blade(main: &MainFile, file: &BladeFile) -> BladeDescription {
     let elements = (file.rows.len() - 1).clamp(ELEMENTS, MOST_ELEMENTS);
     let sections = file.rows.iter().map(|row| BladeSection {

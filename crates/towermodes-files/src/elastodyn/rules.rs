@@ -8,7 +8,8 @@ use super::tower_file::TowerFile;
 /// The names of the four shapes of a tower file, without the number of the coefficient.
 pub(super) const SHAPES: [&str; 4] = ["TwFAM1Sh", "TwFAM2Sh", "TwSSM1Sh", "TwSSM2Sh"];
 
-/// Why a content cannot be written as a tower file: OpenFAST would refuse it, or it would not say what it should.
+/// Why a content cannot be written as a tower file: OpenFAST would refuse it, or it would not say
+/// what it should.
 #[derive(Debug, Clone, PartialEq, Error)]
 #[non_exhaustive]
 pub enum TowerFileError {
@@ -58,7 +59,8 @@ pub(super) fn coefficient_texts(
     }
 }
 
-/// Refuses what OpenFAST 5.0 refuses, numbers that are none, and factors that leave no tower. The coefficients are checked where they are printed.
+/// Refuses what OpenFAST 5.0 refuses, numbers that are none, and factors that leave no tower. The
+/// coefficients are checked where they are printed.
 pub(super) fn check(content: &TowerFile) -> Result<(), TowerFileError> {
     let of_modes = |name: &str, values: [f64; 2]| {
         let [first, second] = values;

@@ -1,14 +1,16 @@
 //! What a nacelle feels of its rotor and generator about the shaft.
 //!
-//! The nacelle rolls about the shaft at the rate n. The rotor turns at the rate x against it, and the generator q times as fast:
+//! The nacelle rolls about the shaft at the rate n. The rotor turns at the rate x against it, and
+//! the generator q times as fast:
 //!
 //! ```text
 //! 2 T = J_r (n + x)² + J_g (n + q x)²
 //! ```
 //!
-//! A locked rotor has x = 0, so both inertias count once, whatever the ratio: 2 T = (J_r + J_g) n². The factor q² belongs to the
-//! generator's own degree of freedom x and not to the roll of the nacelle; in ElastoDyn the angular velocity of the generator is
-//! that of the nacelle for every other degree of freedom (`PAngVelEG` in `ElastoDyn.f90`, OpenFAST 5.0).
+//! A locked rotor has x = 0, so both inertias count once, whatever the ratio: 2 T = (J_r + J_g) n².
+//! The factor q² belongs to the generator's own degree of freedom x and not to the roll of the
+//! nacelle; in ElastoDyn the angular velocity of the generator is that of the nacelle for every
+//! other degree of freedom (`PAngVelEG` in `ElastoDyn.f90`, OpenFAST 5.0).
 //!
 //! On a free rotor no torque acts, so ∂T/∂x = 0: x = −n (J_r + q J_g)/(J_r + q² J_g). Put in,
 //!
@@ -23,7 +25,8 @@ use towermodes::RigidBody;
 use super::main_file::MainFile;
 use crate::input::RotorLock;
 
-/// A rotor whose centre of mass or principal axis is further off its shaft, as a share of its own size, is not balanced.
+/// A rotor whose centre of mass or principal axis is further off its shaft, as a share of its own
+/// size, is not balanced.
 const BALANCED: f64 = 1e-6;
 
 /// Inertias about the shaft, kg m².
@@ -90,7 +93,8 @@ mod tests {
         }
     }
 
-    /// 3.8e7 + 534 kg m², and with q = 97 by hand: 3.8e7 · 534 · 96²/(3.8e7 + 534 · 9409) = 1.87011e14/4.3024406e7.
+    /// 3.8e7 + 534 kg m², and with q = 97 by hand: 3.8e7 · 534 · 96²/(3.8e7 + 534 · 9409) =
+    /// 1.87011e14/4.3024406e7.
     #[test]
     fn a_locked_generator_counts_once_and_a_free_one_by_the_formula() {
         let machine = shaft(3.8e7, 534.0, 97.0);
@@ -103,7 +107,8 @@ mod tests {
         assert!((reversed / by_hand - 9604.0 / 9216.0).abs() < 1e-15);
     }
 
-    /// The least of the kinetic energy over the rate x of the shaft, found by trying rates, is what the formula says.
+    /// The least of the kinetic energy over the rate x of the shaft, found by trying rates, is what
+    /// the formula says.
     #[test]
     fn a_free_rotor_turns_so_that_the_energy_is_least() {
         for (rotor, generator, ratio) in [(3.8e7, 534.0, 97.0), (50.0, 2.0, 3.0), (9.0, 4.0, -2.0)]

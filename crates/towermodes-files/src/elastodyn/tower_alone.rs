@@ -12,7 +12,8 @@ const HINT: &str =
 
 /// A tower, clamped and without a rotor-nacelle assembly, from a tower file of ElastoDyn alone.
 ///
-/// Its ends are those of the options, or those that a header line of the form `TowerHt = 87.6 m, TowerBsHt = 0 m` says.
+/// Its ends are those of the options, or those that a header line of the form
+/// `TowerHt = 87.6 m, TowerBsHt = 0 m` says.
 ///
 /// # Errors
 /// The first mistake in the file, or that nothing says how high the tower is.
@@ -64,7 +65,8 @@ fn ends(header: &[String; 2], options: &ReadOptions) -> Result<(Ends, bool), Dia
     Err(Diagnostic::new(0..0, message).with_hint("the top must be above the base"))
 }
 
-/// The number after the last `name =` in a line, if it says it: a tower's own name stands before and may be anything.
+/// The number after the last `name =` in a line, if it says it: a tower's own name stands before
+/// and may be anything.
 fn value_after(line: &str, name: &str) -> Option<f64> {
     let (_, rest) = line.rsplit_once(name)?;
     let number = rest.trim_start().strip_prefix('=')?.trim_start();
@@ -74,7 +76,8 @@ fn value_after(line: &str, name: &str) -> Option<f64> {
     number.parse().ok().filter(|value: &f64| value.is_finite())
 }
 
-/// A header line without the heights at its end: another tower made of this one would have them in its name.
+/// A header line without the heights at its end: another tower made of this one would have them in
+/// its name.
 fn without_heights(line: &str) -> &str {
     match line.rsplit_once("TowerHt =") {
         Some((what, heights)) if heights.contains("TowerBsHt =") => {

@@ -23,14 +23,16 @@ pub struct TowerFile {
     pub side_side_factor: f64,
     /// The distributed properties as they stand there, without the factors.
     pub rows: Vec<TowerRow>,
-    /// The coefficients of x² to x⁶: of the first and second fore-aft, first and second side-side mode.
+    /// The coefficients of x² to x⁶: of the first and second fore-aft, first and second side-side
+    /// mode.
     pub coefficients: [[f64; 5]; 4],
     /// Concentrated masses; the section is there since OpenFAST 4.2.
     pub concentrated_masses: Vec<ConcentratedMass>,
 }
 
 impl TowerFile {
-    /// The rows from the base to the top: of a uniform tower, which has one row (`NTwInpSt` = 1), that row at both ends.
+    /// The rows from the base to the top: of a uniform tower, which has one row (`NTwInpSt` = 1),
+    /// that row at both ends.
     pub fn rows_to_the_top(&self) -> impl Iterator<Item = TowerRow> + '_ {
         let top = match self.rows.as_slice() {
             [only] => Some(TowerRow {
@@ -65,5 +67,6 @@ pub struct ConcentratedMass {
     pub mass_kg: f64,
 }
 
-/// Where in its text the coefficients of a tower file stand: the bytes of each number, in the order of [`TowerFile::coefficients`].
+/// Where in its text the coefficients of a tower file stand: the bytes of each number, in the order
+/// of [`TowerFile::coefficients`].
 pub type CoefficientSpans = [[Range<usize>; 5]; 4];

@@ -1,6 +1,7 @@
 //! Reads a tower file of ElastoDyn, or of FAST 7.
 //!
-//! OpenFAST reads it by position (`ReadTowerFile` in `ElastoDyn_IO.f90`) and refuses what is refused here (`ValidateTowerData`).
+//! OpenFAST reads it by position (`ReadTowerFile` in `ElastoDyn_IO.f90`) and refuses what is
+//! refused here (`ValidateTowerData`).
 
 use std::ops::Range;
 
@@ -90,7 +91,8 @@ pub(super) struct TowerReading {
 
 /// Reads a tower file of ElastoDyn, of any version of OpenFAST, or of FAST 7.
 ///
-/// Mode shapes whose coefficients do not sum to 1 are read, with a note, though OpenFAST refuses them: they are there to be replaced.
+/// Mode shapes whose coefficients do not sum to 1 are read, with a note, though OpenFAST refuses
+/// them: they are there to be replaced.
 ///
 /// # Errors
 /// The first mistake in it.

@@ -14,8 +14,9 @@ const VALUE: usize = 14;
 
 /// A whole tower file: what OpenFAST reads without complaint and makes the same tower of.
 ///
-/// Coefficients are printed as decimals that add up to 1 exactly, numbers otherwise with at least nine digits, and heights with as many
-/// as keep them apart. A content with concentrated masses needs the section for them, which OpenFAST has since 4.2.
+/// Coefficients are printed as decimals that add up to 1 exactly, numbers otherwise with at least
+/// nine digits, and heights with as many as keep them apart. A content with concentrated masses
+/// needs the section for them, which OpenFAST has since 4.2.
 ///
 /// # Errors
 /// [`TowerFileError`]: what OpenFAST would refuse.
@@ -42,8 +43,8 @@ pub fn write_tower_file(
     Ok(lines.join("\n") + "\n")
 }
 
-/// The header of a tower file with the heights that no other line of it says: what it is, and where its base and top are (m above ground
-/// or sea level).
+/// The header of a tower file with the heights that no other line of it says: what it is, and where
+/// its base and top are (m above ground or sea level).
 pub fn header_with_heights(what: &str, tower_height_m: f64, tower_base_m: f64) -> [String; 2] {
     let what = one_line(what);
     let gap = if what.is_empty() { "" } else { "; " };

@@ -1,11 +1,12 @@
 //! The structural files of HAWC2, `…_st.dat`: tables of section properties along a body.
 //!
-//! `#1 name` begins a set, `$1 20 name` a subset of 20 rows of 19 columns, which follow at once; lines before a `$` are free. Format and
-//! meaning of the columns: *How 2 HAWC2, the user's manual* (DTU), "Format definition of the structural data file", and the class `StFile`
-//! of wetb.
+//! `#1 name` begins a set, `$1 20 name` a subset of 20 rows of 19 columns, which follow at once;
+//! lines before a `$` are free. Format and meaning of the columns: *How 2 HAWC2, the user's manual*
+//! (DTU), "Format definition of the structural data file", and the class `StFile` of wetb.
 //!
-//! HAWC2's y axis is downwind, x lies sideways and z points down. A tower is modelled in these axes, so I_x, about the sideways axis,
-//! resists fore-aft bending; a fore-aft force acts along y, so k_y is its shear factor; and r_x is the gyration of fore-aft rotation.
+//! HAWC2's y axis is downwind, x lies sideways and z points down. A tower is modelled in these
+//! axes, so I_x, about the sideways axis, resists fore-aft bending; a fore-aft force acts along y,
+//! so k_y is its shear factor; and r_x is the gyration of fore-aft rotation.
 
 mod layout;
 mod notes;
@@ -22,9 +23,11 @@ use crate::source::Source;
 use layout::Layout;
 use row::Row;
 
-/// Reads a tower from a structural file of HAWC2: the first subset of the first set, or that of [`ReadOptions::hawc2_subset`].
+/// Reads a tower from a structural file of HAWC2: the first subset of the first set, or that of
+/// [`ReadOptions::hawc2_subset`].
 ///
-/// r runs from the tower's base, which is at [`ReadOptions::tower_base_m`]; the base is clamped, and nothing is on the top.
+/// r runs from the tower's base, which is at [`ReadOptions::tower_base_m`]; the base is clamped,
+/// and nothing is on the top.
 ///
 /// # Errors
 /// [`InputError::Mistakes`] with the places of what cannot be read.
@@ -78,8 +81,9 @@ fn not_hawc2() -> Diagnostic {
     .with_hint("such a file has lines `#1 name` and `$1 20 name`, and 20 rows of 19 columns after the latter")
 }
 
-/// Whether a text is a structural file of HAWC2: a line `#1 …` and then a line `$1 20 …`; of a file called `…_st.dat` the first is
-/// enough, so that one that is cut off is answered with what is missing.
+/// Whether a text is a structural file of HAWC2: a line `#1 …` and then a line `$1 20 …`; of a file
+/// called `…_st.dat` the first is enough, so that one that is cut off is answered with what is
+/// missing.
 pub(crate) fn is_hawc2(text: &str, name: &str) -> bool {
     let (sets, subsets) = layout::headers(text);
     let lower = name.to_ascii_lowercase();

@@ -5,7 +5,8 @@ use towermodes::{Planes, Properties, PropertyStation};
 use super::row::{self, Row};
 use crate::diagnostic::Diagnostic;
 
-/// An offset of more than this share of the tube's radius is refused: it couples bending with torsion.
+/// An offset of more than this share of the tube's radius is refused: it couples bending with
+/// torsion.
 const LARGEST_OFFSET: f64 = 0.05;
 /// Turned principal axes are refused where they couple the planes by more than this share of EI.
 const LARGEST_COUPLING: f64 = 0.01;

@@ -20,7 +20,8 @@ impl<'a> Line<'a> {
         self.start..self.start + self.text.len()
     }
 
-    /// Its values: separated by blanks, tabs or commas, up to a `/`; what is in quotes is one value.
+    /// Its values: separated by blanks, tabs or commas, up to a `/`; what is in quotes is one
+    /// value.
     pub(crate) fn tokens(&self) -> Tokens<'a> {
         Tokens::new(self.text, self.start)
     }
@@ -30,8 +31,9 @@ impl<'a> Line<'a> {
         self.tokens().next()
     }
 
-    /// What stands behind a comma that is one of a number, as in `87,6`: between two numbers without a blank, where no other numbers stand
-    /// or where others are separated by blanks. To Fortran it ends the number.
+    /// What stands behind a comma that is one of a number, as in `87,6`: between two numbers
+    /// without a blank, where no other numbers stand or where others are separated by blanks. To
+    /// Fortran it ends the number.
     pub(crate) fn decimal_comma(&self) -> Option<Token<'a>> {
         let is_number = |token: &Token<'a>| token.number("").is_ok();
         let numbers: Vec<Token<'a>> = self.tokens().take_while(is_number).collect();

@@ -12,7 +12,8 @@ use towermodes::study::{
 
 use super::{ResultError, write_pretty};
 
-/// The result of `towermodes check FILE OTHER --format json`. Keys are stable: new ones may be added, none is renamed.
+/// The result of `towermodes check FILE OTHER --format json`. Keys are stable: new ones may be
+/// added, none is renamed.
 #[derive(Serialize, JsonSchema)]
 #[schemars(title = "towermodes check")]
 pub(super) struct AgreementJson {
@@ -24,7 +25,8 @@ pub(super) struct AgreementJson {
     second_range: RangeJson,
     /// The heights that are compared.
     overlap: RangeJson,
-    /// How far the second must be lowered for both to be at one height, m, if they are equally long.
+    /// How far the second must be lowered for both to be at one height, m, if they are equally
+    /// long.
     shift_m: Option<f64>,
     /// Length that values by height are means over, m.
     window_m: f64,
@@ -44,7 +46,8 @@ pub(super) struct AgreementJson {
     rows: Vec<RowJson>,
     /// Frequencies of the clamped tower with nothing on it, without rotary inertia and shear.
     frequencies_bare: Vec<FrequencyJson>,
-    /// Frequencies of both towers as they are described; empty if neither has anything beside itself.
+    /// Frequencies of both towers as they are described; empty if neither has anything beside
+    /// itself.
     frequencies_as_given: Vec<FrequencyJson>,
 }
 
@@ -116,7 +119,8 @@ struct FrequencyJson {
     verdict: &'static str,
 }
 
-/// The result of `towermodes check FILE --format json`. Keys are stable: new ones may be added, none is renamed.
+/// The result of `towermodes check FILE --format json`. Keys are stable: new ones may be added,
+/// none is renamed.
 #[derive(Serialize, JsonSchema)]
 #[schemars(title = "towermodes check of one file")]
 pub(super) struct ExaminationJson {
@@ -128,7 +132,8 @@ pub(super) struct ExaminationJson {
     point_masses_kg: f64,
     /// Height of the centre of mass, m.
     center_of_mass_m: f64,
-    /// Inertia of the tower alone against rigid motions (x, y, z, rotation about x, y, z) about its base: kg, kg m, kg m2.
+    /// Inertia of the tower alone against rigid motions (x, y, z, rotation about x, y, z) about its
+    /// base: kg, kg m, kg m2.
     inertia_about_base: [[f64; 6]; 6],
     /// Deflection of the top by a unit force there, from bending, if the base is clamped, m/N.
     tip_flexibility_m_per_n: PlanesJson<f64>,

@@ -10,7 +10,8 @@ use super::solution_json::{CertificateJson, ShapeJson, certificate_json, shape_j
 use super::{ResultError, write_pretty};
 use crate::input::Note;
 
-/// The result of `towermodes solve --format json` for a rotating blade. Keys are stable: new ones may be added, none is renamed.
+/// The result of `towermodes solve --format json` for a rotating blade. Keys are stable: new ones
+/// may be added, none is renamed.
 #[derive(Serialize, JsonSchema)]
 #[schemars(title = "towermodes blade solution")]
 pub(super) struct BladeSolutionJson<'a> {
@@ -66,7 +67,8 @@ struct BladeModeJson {
     extrapolated_hz: f64,
     /// Shares of the kinetic energy.
     kinetic: BladeEnergyJson,
-    /// The shape at the element borders: x is lag, y flap, z along the span; `height_m` is the distance from the rotor's axis.
+    /// The shape at the element borders: x is lag, y flap, z along the span; `height_m` is the
+    /// distance from the rotor's axis.
     shape: ShapeJson,
 }
 
@@ -136,7 +138,8 @@ fn energy_json(kinetic: &ByMotion) -> BladeEnergyJson {
     }
 }
 
-/// Writes the modes of a blade as CSV with a header: the keys of the JSON, a dot going into an object.
+/// Writes the modes of a blade as CSV with a header: the keys of the JSON, a dot going into an
+/// object.
 ///
 /// # Errors
 /// [`ResultError`] if the writer refuses.

@@ -10,7 +10,8 @@ use towermodes::{Family, Tower, Warning};
 use super::{ResultError, write_pretty};
 use crate::input::Note;
 
-/// The result of `towermodes campbell --format json`. Keys are stable: new ones may be added, none is renamed.
+/// The result of `towermodes campbell --format json`. Keys are stable: new ones may be added, none
+/// is renamed.
 #[derive(Serialize, JsonSchema)]
 #[schemars(title = "towermodes campbell")]
 pub(super) struct CampbellJson<'a> {
@@ -22,7 +23,8 @@ pub(super) struct CampbellJson<'a> {
     rotor: RotorJson,
     /// The margin asked for, as a share of the natural frequency.
     margin: f64,
-    /// From and to which frequency, Hz, the tower may have modes that are near an excitation but not in the list; null if they all are.
+    /// From and to which frequency, Hz, the tower may have modes that are near an excitation but
+    /// not in the list; null if they all are.
     unjudged_hz: Option<[f64; 2]>,
     /// The multiples of the rotor's speed.
     multiples: &'a [usize],
@@ -30,7 +32,8 @@ pub(super) struct CampbellJson<'a> {
     lines: Vec<LineJson<'a>>,
     /// Every line against every multiple, but for motions that nothing resists.
     margins: Vec<MarginJson<'a>>,
-    /// Where the lowest mode that bends the tower fore-aft lies, and that side-side; a coupled mode may be both.
+    /// Where the lowest mode that bends the tower fore-aft lies, and that side-side; a coupled mode
+    /// may be both.
     classes: Vec<ClassJson>,
     /// What the reader of the file decided or left out, and what looks like a slip.
     warnings: Vec<String>,
@@ -61,7 +64,8 @@ struct LineJson<'a> {
     of: &'static str,
     /// Its number in the list of the tower's modes, from 1; null for a blade.
     number: Option<usize>,
-    /// Its family, as in the result of `solve`; of a blade that at standstill: `flap`, `lag`, `torsion` or `axial`.
+    /// Its family, as in the result of `solve`; of a blade that at standstill: `flap`, `lag`,
+    /// `torsion` or `axial`.
     family: &'static str,
     /// Order within the family, from 1.
     order: usize,
@@ -73,7 +77,8 @@ struct LineJson<'a> {
     frequency_hz: Vec<f64>,
     /// The largest estimated error of the frequencies, Hz.
     error_hz: f64,
-    /// The speed at which a mode of a blade was lost, rpm: none there is like it, and its line ends before; null if it goes on to the end.
+    /// The speed at which a mode of a blade was lost, rpm: none there is like it, and its line ends
+    /// before; null if it goes on to the end.
     lost_at_rpm: Option<f64>,
 }
 
@@ -103,13 +108,15 @@ struct MarginJson<'a> {
 struct ClassJson {
     /// `fore-aft` or `side-side`.
     family: &'static str,
-    /// `soft-soft`, `soft-stiff`, `stiff-stiff`, or `met` where an excitation meets it in operation.
+    /// `soft-soft`, `soft-stiff`, `stiff-stiff`, or `met` where an excitation meets it in
+    /// operation.
     class: &'static str,
     /// The multiple that meets it; null otherwise.
     met_by_multiple: Option<usize>,
 }
 
-/// Writes a Campbell diagram as indented JSON with a newline at the end; what the reader of the file noted comes before the warnings.
+/// Writes a Campbell diagram as indented JSON with a newline at the end; what the reader of the
+/// file noted comes before the warnings.
 ///
 /// # Errors
 /// [`ResultError`] if the writer refuses.

@@ -9,11 +9,13 @@ use towermodes::study::{Column, Comparison, FollowedMode};
 
 use super::{ResultError, write_pretty};
 
-/// The result of `towermodes compare --format json`. Keys are stable: new ones may be added, none is renamed.
+/// The result of `towermodes compare --format json`. Keys are stable: new ones may be added, none
+/// is renamed.
 #[derive(Serialize, JsonSchema)]
 #[schemars(title = "towermodes comparison")]
 pub(super) struct ComparisonJson {
-    /// The modes, each an entry of every method's lists; of a repeated pair the fore-aft one stands for both.
+    /// The modes, each an entry of every method's lists; of a repeated pair the fore-aft one stands
+    /// for both.
     modes: Vec<FollowedModeJson>,
     /// What each method makes of them.
     methods: Vec<MethodJson>,

@@ -9,7 +9,8 @@ use towermodes::study::{Convergence, Fineness, Level};
 use super::comparison::{FollowedModeJson, followed};
 use super::{ResultError, write_pretty};
 
-/// The result of `towermodes converge --format json`. Keys are stable: new ones may be added, none is renamed.
+/// The result of `towermodes converge --format json`. Keys are stable: new ones may be added, none
+/// is renamed.
 #[derive(Serialize, JsonSchema)]
 #[schemars(title = "towermodes convergence")]
 pub(super) struct ConvergenceJson {
@@ -36,8 +37,8 @@ struct LevelJson {
     frequencies_hz: Vec<Option<f64>>,
     /// f/f_limit − 1 of each mode.
     relative_errors: Vec<Option<f64>>,
-    /// Observed order from the level before, p in n⁻ᵖ; of the spectral beam decimal digits gained a degree; null where only rounding is
-    /// left.
+    /// Observed order from the level before, p in n⁻ᵖ; of the spectral beam decimal digits gained a
+    /// degree; null where only rounding is left.
     observed_orders: Vec<Option<f64>>,
 }
 

@@ -9,7 +9,8 @@ use towermodes::{Plane, Verdict};
 
 use super::{ResultError, write_pretty};
 
-/// The result of `towermodes elastodyn validate --format json`. Keys are stable: new ones may be added, none is renamed.
+/// The result of `towermodes elastodyn validate --format json`. Keys are stable: new ones may be
+/// added, none is renamed.
 #[derive(Serialize, JsonSchema)]
 #[schemars(title = "towermodes elastodyn validate")]
 pub(super) struct JudgementsJson {
@@ -30,8 +31,8 @@ struct JudgementJson {
     mode_hz: f64,
     /// What the coefficients add up to.
     sum: f64,
-    /// Root of the mean square of the difference to the mode, as a share of its largest deflection, the shape multiplied by what
-    /// makes it least.
+    /// Root of the mean square of the difference to the mode, as a share of its largest deflection,
+    /// the shape multiplied by what makes it least.
     rms: f64,
     /// The same of the best polynomial.
     best_rms: f64,

@@ -9,7 +9,8 @@ use towermodes::{ByMotion, Certificate, Mode, ShapePoint, Solution, Tower};
 use super::{ResultError, write_pretty};
 use crate::input::Note;
 
-/// The result of `towermodes solve --format json`. Keys are stable: new ones may be added, none is renamed.
+/// The result of `towermodes solve --format json`. Keys are stable: new ones may be added, none is
+/// renamed.
 #[derive(Serialize, JsonSchema)]
 #[schemars(title = "towermodes solution")]
 pub(super) struct SolutionJson<'a> {
@@ -27,7 +28,8 @@ pub(super) struct SolutionJson<'a> {
     modes: Vec<ModeJson>,
     /// The proof that no mode is missing.
     certificate: CertificateJson,
-    /// The factor by which all weights must be multiplied for the tower to buckle; null without gravity, or where it floats.
+    /// The factor by which all weights must be multiplied for the tower to buckle; null without
+    /// gravity, or where it floats.
     buckling_load_factor: Option<f64>,
     /// Effective masses of the listed modes together, as shares of the whole tower's.
     effective_mass_shares: DirectionsJson,
@@ -50,8 +52,8 @@ struct TowerJson<'a> {
     top_mass_kg: f64,
     /// Acceleration of gravity, m/s2; 0 if weights are left out.
     gravity_m_per_s2: f64,
-    /// Inertia of all that moves against rigid motions (x, y, z, rotation about x, y, z) of the whole tower about its base: kg, kg m,
-    /// kg m2.
+    /// Inertia of all that moves against rigid motions (x, y, z, rotation about x, y, z) of the
+    /// whole tower about its base: kg, kg m, kg m2.
     rigid_inertia: [[f64; 6]; 6],
 }
 
@@ -77,7 +79,8 @@ struct DirectionsJson {
 struct EnergyJson {
     /// Shares of the kinetic energy.
     kinetic: ByMotionJson,
-    /// Shares of the strain energy of tower, foundation, soil, wires and weights; all zero if there is none.
+    /// Shares of the strain energy of tower, foundation, soil, wires and weights; all zero if there
+    /// is none.
     strain: ByMotionJson,
 }
 
@@ -103,8 +106,8 @@ struct ModeJson {
     frequency_hz: f64,
     /// 1/frequency, s; null for a motion that nothing resists.
     period_s: Option<f64>,
-    /// `fore-aft`, `side-side`, `torsion`, `axial` or `coupled`; of a floating tower that moves as one body `surge`, `sway`, `heave`,
-    /// `roll`, `pitch` or `yaw`.
+    /// `fore-aft`, `side-side`, `torsion`, `axial` or `coupled`; of a floating tower that moves as
+    /// one body `surge`, `sway`, `heave`, `roll`, `pitch` or `yaw`.
     family: &'static str,
     /// Order within the family, from 1.
     order: usize,
@@ -122,7 +125,8 @@ struct ModeJson {
     modal_inertia_kg_m2: Option<f64>,
     /// Where its energy is.
     energy: EnergyJson,
-    /// Effective modal masses: over all modes they add up to the diagonal of the tower's rigid inertia.
+    /// Effective modal masses: over all modes they add up to the diagonal of the tower's rigid
+    /// inertia.
     effective_mass: DirectionsJson,
     /// The shape at equal heights from the base to the top.
     shape: ShapeJson,
@@ -130,8 +134,8 @@ struct ModeJson {
     station_shape: ShapeJson,
 }
 
-/// A shape, one list an axis; the largest translation in the mode's direction (in torsion and yaw: rotation) of the tower is 1, positive
-/// at the top.
+/// A shape, one list an axis; the largest translation in the mode's direction (in torsion and yaw:
+/// rotation) of the tower is 1, positive at the top.
 #[derive(Serialize, JsonSchema)]
 pub(super) struct ShapeJson {
     /// Heights in the datum of the stations, m.
@@ -155,7 +159,8 @@ pub(super) struct ShapeJson {
 pub(super) struct CertificateJson {
     /// Whether the list and the count agree; always true in a result.
     complete: bool,
-    /// Number of modes below `below_hz` by inertia count; more than listed only if the list cuts a repeated pair.
+    /// Number of modes below `below_hz` by inertia count; more than listed only if the list cuts a
+    /// repeated pair.
     count: usize,
     /// A frequency in the gap above the last mode, Hz.
     below_hz: f64,
@@ -170,7 +175,8 @@ struct SolverJson {
     restarts: usize,
 }
 
-/// Writes a solution as indented JSON with a newline at the end; what the reader of the file noted comes before the warnings.
+/// Writes a solution as indented JSON with a newline at the end; what the reader of the file noted
+/// comes before the warnings.
 ///
 /// # Errors
 /// [`ResultError`] if the writer refuses.

@@ -8,7 +8,8 @@ use towermodes_verify::Row;
 
 use super::{ResultError, write_pretty};
 
-/// The result of `towermodes verify --format json`. Keys are stable: new ones may be added, none is renamed.
+/// The result of `towermodes verify --format json`. Keys are stable: new ones may be added, none is
+/// renamed.
 #[derive(Serialize, JsonSchema)]
 #[schemars(title = "towermodes verification")]
 pub(super) struct VerificationJson<'a> {

@@ -62,7 +62,8 @@ impl Materials {
         })
     }
 
-    /// What they are called; nothing where their names are but numbers, as they are written of materials without names.
+    /// What they are called; nothing where their names are but numbers, as they are written of
+    /// materials without names.
     pub(super) fn own_names(&self) -> Vec<String> {
         let is_number = |name: &String| {
             let number = name.strip_prefix(NUMBERED);

@@ -34,10 +34,12 @@ use table::Table;
 
 pub use write::write_toml;
 
-/// More mistakes than these are not collected: the first ones say what is wrong with all, and each may list many names.
+/// More mistakes than these are not collected: the first ones say what is wrong with all, and each
+/// may list many names.
 const MAX_MISTAKES: usize = 100;
 
-/// What is collected while a file is read: mistakes, and where in the file each value of the tower came from.
+/// What is collected while a file is read: mistakes, and where in the file each value of the tower
+/// came from.
 #[derive(Debug, Default)]
 struct Reading {
     mistakes: Vec<Diagnostic>,

@@ -1,4 +1,5 @@
-//! `[tower.properties]`: the sections as columns of properties per length, for towers that are not tubes.
+//! `[tower.properties]`: the sections as columns of properties per length, for towers that are not
+//! tubes.
 
 use towermodes::{Place, Planes, Properties, PropertyStation};
 
@@ -106,7 +107,8 @@ impl Columns<'_> {
         Some((0..self.heights_m.len()).map(row).collect())
     }
 
-    /// A quantity of both planes that may be there; where only the fore-aft column is, both planes have it.
+    /// A quantity of both planes that may be there; where only the fore-aft column is, both planes
+    /// have it.
     fn pair(
         &self,
         fore_aft: &'static str,
@@ -136,13 +138,15 @@ impl Columns<'_> {
     }
 }
 
-/// The rotary inertia of both planes that a flat section of one material has: in the ratio of EI, and their sum the polar inertia.
+/// The rotary inertia of both planes that a flat section of one material has: in the ratio of EI,
+/// and their sum the polar inertia.
 pub(super) fn shared_out(polar_kg_m: f64, bending_n_m2: Planes<f64>) -> Planes<f64> {
     let sum = bending_n_m2.fore_aft + bending_n_m2.side_side;
     bending_n_m2.map(|ei| polar_kg_m * (ei / sum))
 }
 
-/// A list of numbers of the length of the others; `place` is what the tower's checks call one of them.
+/// A list of numbers of the length of the others; `place` is what the tower's checks call one of
+/// them.
 fn column(
     value: &Value<'_>,
     key: &str,

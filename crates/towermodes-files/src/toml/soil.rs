@@ -13,7 +13,8 @@ const SOIL: Keys = Keys {
 };
 const ROW: &str = "a row is [height in m, spring in x, spring in y] in N/m2, then, if wanted, in z (N/m2) and in torsion (N)";
 
-/// The values of a row after each other: what the tower's checks call them, and what they are called in messages.
+/// The values of a row after each other: what the tower's checks call them, and what they are
+/// called in messages.
 const COLUMNS: [(&str, &str); 5] = [
     ("height", "height"),
     ("x", "the soil spring in x"),

@@ -184,7 +184,8 @@ pub(super) fn all_but_empty(mut names: Vec<String>) -> Vec<String> {
 
 /// Of more names than these only the first are listed and compared: a file may have any number.
 const MAX_NAMES: usize = 100;
-/// Longer names are not compared, because that takes as long as the product of both lengths; no key of the format is half as long.
+/// Longer names are not compared, because that takes as long as the product of both lengths; no key
+/// of the format is half as long.
 const MAX_COMPARED_BYTES: usize = 80;
 
 /// The nearest of the known names, or all of them after the words `there_are`.

@@ -99,7 +99,8 @@ pub(super) fn list<'a>(
     list
 }
 
-/// Refuses heights with more pieces between them than a tower can have segments, before more is made of them.
+/// Refuses heights with more pieces between them than a tower can have segments, before more is
+/// made of them.
 pub(super) fn check_pieces(
     value: &Value<'_>,
     heights_m: impl Iterator<Item = f64>,
@@ -120,7 +121,8 @@ pub(super) fn check_pieces(
     None
 }
 
-/// Every row of a list as `read` makes it of its index and value; reads on after a mistake, so that all are said together.
+/// Every row of a list as `read` makes it of its index and value; reads on after a mistake, so that
+/// all are said together.
 pub(super) fn every_row<'a, T>(
     rows: &'a DeArray<'a>,
     mut read: impl FnMut(usize, &'a Value<'a>) -> Option<T>,

@@ -46,7 +46,8 @@ fn set_of_wires(index: usize, value: &Value<'_>, reading: &mut Reading) -> Optio
     let stiffness = table.required_number("stiffness", hint, at("stiffness"), reading);
     let hint = "angle from the horizontal in degrees";
     let angle = table.required_number("angle_deg", hint, at("angle"), reading);
-    // Three or more equally spaced wires hold the same in every direction, whichever way the first one goes.
+    // Three or more equally spaced wires hold the same in every direction, whichever way the first
+    // one goes.
     let azimuth = table
         .get("azimuth_deg")
         .map_or(Some(0.0), |value| number(value, "azimuth_deg", reading));

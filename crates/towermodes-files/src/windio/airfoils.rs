@@ -1,10 +1,13 @@
-//! The tables of airfoils passed over before anything is parsed: they are half of a file, and no tower needs them.
+//! The tables of airfoils passed over before anything is parsed: they are half of a file, and no
+//! tower needs them.
 
 use std::borrow::Cow;
 
-/// The text with blanks in the place of the list under `airfoils:`, so that all else stays where it is.
+/// The text with blanks in the place of the list under `airfoils:`, so that all else stays where it
+/// is.
 ///
-/// Nothing is changed if the list is not plainly a list, or if something in it might be meant elsewhere.
+/// Nothing is changed if the list is not plainly a list, or if something in it might be meant
+/// elsewhere.
 pub(super) fn without_airfoils(text: &str) -> Cow<'_, str> {
     let Some(range) = section(text) else {
         return Cow::Borrowed(text);

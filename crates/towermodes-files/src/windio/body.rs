@@ -15,7 +15,8 @@ pub(super) const OLD_KEYS: [&str; 3] = ["system_mass", "system_inertia", "system
 /// The same in version 2.
 pub(super) const NEW_KEYS: [&str; 3] = ["mass", "inertia", "location"];
 
-/// A rigid body: mass, inertia about its centre (xx, yy, zz, xy, xz, yz) and the place of the centre.
+/// A rigid body: mass, inertia about its centre (xx, yy, zz, xy, xz, yz) and the place of the
+/// centre.
 pub(super) fn body(
     node: &Node,
     [mass, inertia, center]: [&str; 3],

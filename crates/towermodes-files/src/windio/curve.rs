@@ -1,11 +1,13 @@
-//! A quantity along an axis: values at positions from 0 at the base to 1 at the top, linear between them.
+//! A quantity along an axis: values at positions from 0 at the base to 1 at the top, linear between
+//! them.
 
 use std::ops::Range;
 
 use super::yaml::Node;
 use crate::diagnostic::Diagnostic;
 
-/// Ends of grids and positions of different grids that are nearer than this are the same: they are rounded.
+/// Ends of grids and positions of different grids that are nearer than this are the same: they are
+/// rounded.
 const ROUNDED: f64 = 1e-12;
 
 /// A grid must begin at 0 and end at 1 within this.
@@ -168,7 +170,8 @@ fn grid(node: &Node, what: &str) -> Result<Vec<f64>, Diagnostic> {
     Ok(grid)
 }
 
-/// A position where some quantity bends or steps: the range of the grids' values that are this position but for rounding.
+/// A position where some quantity bends or steps: the range of the grids' values that are this
+/// position but for rounding.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Position {
     pub(super) from: f64,

@@ -6,7 +6,8 @@ use super::reading::Reading;
 use super::yaml::Node;
 use crate::diagnostic::Diagnostic;
 
-/// Couplings below this share of the bending stiffness, and offsets below this many metres, are noise.
+/// Couplings below this share of the bending stiffness, and offsets below this many metres, are
+/// noise.
 const NOISE: f64 = 1e-6;
 
 /// A quantity that is the product of curves.
@@ -32,7 +33,8 @@ impl Quantity {
     }
 }
 
-/// The properties of the sections along a part. Fore-aft is bending about y (K55), side-side about x (K44).
+/// The properties of the sections along a part. Fore-aft is bending about y (K55), side-side about
+/// x (K44).
 #[derive(Debug, Clone)]
 pub(super) struct Elastic {
     /// Mass per length with its outfitting, kg/m.

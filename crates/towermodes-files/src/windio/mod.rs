@@ -1,4 +1,5 @@
-//! Turbines in windIO, the ontology of IEA Wind, version 1 and 2: their tower and monopile read, and towers written.
+//! Turbines in windIO, the ontology of IEA Wind, version 1 and 2: their tower and monopile read,
+//! and towers written.
 //!
 //! Sources: the schemas of windIO 1.0 and 2.x (`IEAontology_schema.yaml`, `turbine_schema.yaml`).
 
@@ -49,8 +50,9 @@ pub(crate) fn is_windio(text: &str, name: &str) -> bool {
 
 /// Reads the tower of a turbine, on its monopile if there is one, from a file in windIO 1 or 2.
 ///
-/// The base is clamped: at the mudline if the file knows the depth of the water, or else at the lowest height. What the file has of the
-/// rotor-nacelle assembly is put together; notes say what is missing.
+/// The base is clamped: at the mudline if the file knows the depth of the water, or else at the
+/// lowest height. What the file has of the rotor-nacelle assembly is put together; notes say what
+/// is missing.
 ///
 /// # Errors
 /// [`InputError::Mistakes`].

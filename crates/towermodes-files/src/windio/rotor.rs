@@ -26,7 +26,8 @@ struct Span {
     axis: [Option<Curve>; 3],
 }
 
-/// The blades together: mass, centre on the shaft, inertia; x along the shaft downwind, from the apex.
+/// The blades together: mass, centre on the shaft, inertia; x along the shaft downwind, from the
+/// apex.
 ///
 /// None if the file does not say their mass.
 pub(super) fn rotor(blade: &Blade, hub: &Hub) -> Result<Option<RigidBody>, Diagnostic> {
@@ -53,7 +54,8 @@ impl Span {
         [0, 1, 2].map(|i| self.axis[i].as_ref().map_or(0.0, |curve| curve.above(s)))
     }
 
-    /// The sums of all blades. Between grid points mass per length and axis are linear, and Simpson's rule exact.
+    /// The sums of all blades. Between grid points mass per length and axis are linear, and
+    /// Simpson's rule exact.
     fn rotor(&self, hub: &Hub) -> RigidBody {
         let axes = self.axis.iter().flatten();
         let positions = positions(axes.chain([&self.mass]));
@@ -93,7 +95,8 @@ impl Span {
 }
 
 impl Hub {
-    /// How far downwind of the apex a point of a blade is, m, and the square of its distance from the shaft, m².
+    /// How far downwind of the apex a point of a blade is, m, and the square of its distance from
+    /// the shaft, m².
     fn place(&self, [x, y, z]: [f64; 3]) -> (f64, f64) {
         let cone_rad = if self.is_upwind {
             -self.cone_rad

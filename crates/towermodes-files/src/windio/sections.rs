@@ -22,7 +22,8 @@ pub(super) struct Placed<T> {
 }
 
 impl Part {
-    /// Its walls as tubes, if there is one layer everywhere; one that is the only one may be too thin, and the tower's checks say so.
+    /// Its walls as tubes, if there is one layer everywhere; one that is the only one may be too
+    /// thin, and the tower's checks say so.
     pub(super) fn tubes(&self) -> Option<Vec<Placed<Station>>> {
         let mut rows: Vec<Placed<Station>> = Vec::new();
         for (base, top) in self.stretches() {
@@ -186,7 +187,8 @@ impl Elastic {
         Placed { row, spans }
     }
 
-    /// The section; inertias that are not in the table are those of a thin tube of the outer diameter, if that is known.
+    /// The section; inertias that are not in the table are those of a thin tube of the outer
+    /// diameter, if that is known.
     fn properties(&self, at: &dyn Fn(&Quantity) -> f64, diameter_m: Option<f64>) -> Properties {
         let mass_kg_per_m = at(&self.mass);
         let thin = diameter_m.map_or(0.0, |d| mass_kg_per_m * d * d / 8.0);

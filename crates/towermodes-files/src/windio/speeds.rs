@@ -46,7 +46,8 @@ impl Limits<'_> {
         Ok(highest)
     }
 
-    /// How many rpm the unit is: of the controller of torque rad/s, unless the tips would be too fast.
+    /// How many rpm the unit is: of the controller of torque rad/s, unless the tips would be too
+    /// fast.
     fn rpm_of_unit(
         &self,
         outline: &Outline,
@@ -102,10 +103,11 @@ impl Limits<'_> {
 
 /// The rotor, if the file says a speed; what was decided goes to `notes`.
 ///
-/// Version 2 has `control.min_rotor_speed` and `rated_rotor_speed`, rpm; its `max_rotor_speed` is a limit at which the machine is shut down,
-/// and no speed of operation. Version 1, and files that say version 2 but have the older `control`, have `control.torque.VS_minspd` and
-/// `VS_maxspd`, in rad/s by the schema, but in rpm in many files: which of both it is the speed of the tips shows. `VS_maxspd` limits the
-/// rated speed, which they do not say.
+/// Version 2 has `control.min_rotor_speed` and `rated_rotor_speed`, rpm; its `max_rotor_speed` is a
+/// limit at which the machine is shut down, and no speed of operation. Version 1, and files that
+/// say version 2 but have the older `control`, have `control.torque.VS_minspd` and `VS_maxspd`, in
+/// rad/s by the schema, but in rpm in many files: which of both it is the speed of the tips shows.
+/// `VS_maxspd` limits the rated speed, which they do not say.
 pub(super) fn rotor(
     outline: &Outline,
     places: &mut Places,

@@ -84,7 +84,8 @@ impl Structure {
         self.parts.last().map_or(0.0, Part::top_m)
     }
 
-    /// Takes away all below a height (m) that lies between base and top; masses from there stay, on the new base.
+    /// Takes away all below a height (m) that lies between base and top; masses from there stay, on
+    /// the new base.
     pub(super) fn cut_below(&mut self, height_m: f64) {
         self.parts.retain(|part| part.top_m() > height_m + SAME_M);
         if let Some(part) = self

@@ -5,7 +5,8 @@ use towermodes::{Properties, PropertyStation};
 use super::reading::Reading;
 use super::sections::Placed;
 
-/// A motion that a section may have: what it is called, its stiffness, whether the section has it, and how it is taken away.
+/// A motion that a section may have: what it is called, its stiffness, whether the section has it,
+/// and how it is taken away.
 struct Motion {
     name: &'static str,
     stiffness: &'static str,

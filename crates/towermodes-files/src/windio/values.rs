@@ -1,4 +1,5 @@
-//! What stands in a value of the file: maps, lists, numbers, names; and what is said when it is something else.
+//! What stands in a value of the file: maps, lists, numbers, names; and what is said when it is
+//! something else.
 
 use super::yaml::{Node, Value};
 use crate::diagnostic::Diagnostic;

@@ -52,7 +52,8 @@ impl Wall {
         }
     }
 
-    /// Into how many rows the stretch is to be cut, so that what is linear between them is near enough: the error falls as their square.
+    /// Into how many rows the stretch is to be cut, so that what is linear between them is near
+    /// enough: the error falls as their square.
     pub(super) fn rows_between(
         &self,
         materials: &[Material],
@@ -105,7 +106,8 @@ mod tests {
         let concrete = Material::from_poissons_ratio(2500.0, 4e10, 0.2);
         let rows = |top_m| wall(top_m).rows_between(&[steel, concrete], 1.0, 200);
         assert_eq!(rows(6.0), 1);
-        // EI ~ D^3: the largest error is about 3/4 of the square of the relative change, 1/36 from row to row.
+        // EI ~ D^3: the largest error is about 3/4 of the square of the relative change, 1/36 from
+        // row to row.
         assert!((20..=200).contains(&rows(5.0)), "{}", rows(5.0));
         assert!(rows(5.9) < rows(5.0));
     }

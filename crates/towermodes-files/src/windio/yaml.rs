@@ -9,7 +9,8 @@ use serde_saphyr::{Location, Spanned};
 
 use crate::diagnostic::Diagnostic;
 
-/// A value and the bytes of the file it takes; of a list or a map, where it begins. What an alias stands for is where it was defined.
+/// A value and the bytes of the file it takes; of a list or a map, where it begins. What an alias
+/// stands for is where it was defined.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Node {
     pub(super) value: Value,
@@ -113,7 +114,8 @@ fn bytes(location: &Location) -> Range<usize> {
     start..start.saturating_add(offset(location.span().byte_len()))
 }
 
-/// Reads a text as YAML. Aliases are replayed within the limits of the parser, so that no small file becomes a large tree.
+/// Reads a text as YAML. Aliases are replayed within the limits of the parser, so that no small
+/// file becomes a large tree.
 pub(super) fn parse<T: DeserializeOwned>(text: &str) -> Result<T, Diagnostic> {
     let options = serde_saphyr::options! {
         with_snippet: false,

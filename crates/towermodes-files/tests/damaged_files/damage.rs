@@ -1,4 +1,5 @@
-//! What can happen to a file: lost, doubled and swapped lines, other numbers, other characters, an early end.
+//! What can happen to a file: lost, doubled and swapped lines, other numbers, other characters, an
+//! early end.
 
 use proptest::prelude::*;
 use proptest::sample::Index;

@@ -1,4 +1,5 @@
-//! Files of every format with lines, numbers and bytes damaged: read or refused at a place inside one of their files, never a panic.
+//! Files of every format with lines, numbers and bytes damaged: read or refused at a place inside
+//! one of their files, never a panic.
 
 mod damage;
 mod own_files;
@@ -17,7 +18,8 @@ enum Where {
     Companions,
 }
 
-/// Reads a file, or those that it names, damaged: what comes out is a tower or a mistake inside a file.
+/// Reads a file, or those that it names, damaged: what comes out is a tower or a mistake inside a
+/// file.
 fn survives(
     source: &Source,
     companions: &dyn Companions,

@@ -17,7 +17,8 @@ fn the_assembly_is_that_of_the_hand_calculation() {
     close(rna.center_m[0], -11500.0 / total, 1e-12);
     close(rna.center_m[1], 1000.0 / total, 1e-12);
     close(rna.center_m[2], 9000.0 / total, 1e-12);
-    // About the tower top; the rotor's 3 (1000 · 100/12 + 1000 · 36) = 133000, half of it about y and z.
+    // About the tower top; the rotor's 3 (1000 · 100/12 + 1000 · 36) = 133000, half of it about y
+    // and z.
     let tensor = rna.tensor_about([0.0; 3]);
     close(
         tensor[0][0],
@@ -50,7 +51,8 @@ fn assembly(changes: &[(&str, &str)], rotor: RotorLock) -> Result<towermodes::Ri
     deck.map(|deck| deck.rna).map_err(|error| error.to_string())
 }
 
-/// J_r = 133000 + 70, J_g = 2 and q = 3: locked J_r + J_g; free J_r J_g (1 − q)²/(J_r + J_g q²) = 133070 · 2 · 4/133088.
+/// J_r = 133000 + 70, J_g = 2 and q = 3: locked J_r + J_g; free J_r J_g (1 − q)²/(J_r + J_g q²) =
+/// 133070 · 2 · 4/133088.
 #[test]
 fn a_free_rotor_takes_its_inertia_off_the_shaft_alone() {
     let others = 3500.0 * 4.0 + 2000.0 * 1.25;
@@ -125,8 +127,8 @@ fn tilt_cone_and_azimuth_have_elastodyns_signs() {
         -4.0 - 3.0,
         1e-12,
     );
-    // The second blade stands 120° of a turn about x, which carries y to z, from the first: its tip is at y = −11 sin 120°,
-    // z = 11 cos 120° from the apex.
+    // The second blade stands 120° of a turn about x, which carries y to z, from the first: its tip
+    // is at y = −11 sin 120°, z = 11 cos 120° from the apex.
     let tip = with(&[("TipMass(2)", "100"), ("HubMass", "0")]);
     let center = lump_rna(&tip, &[BladeMasses::default(); 3], Locked).center_m;
     close(center[1], -11.0 * 120f64.to_radians().sin(), 1e-12);
@@ -151,7 +153,8 @@ fn two_blades_have_a_teeter_pin() {
         first_moment_kg_m: 5000.0,
         second_moment_kg_m2: 1e5 / 3.0,
     };
-    // The apex is 0.5 m downwind of the pin at −4 m; the hub's inertia about its centre 400 − 500 · 0.75².
+    // The apex is 0.5 m downwind of the pin at −4 m; the hub's inertia about its centre 400 − 500 ·
+    // 0.75².
     let own = 400.0 - 500.0 * 0.5625;
     let blades = 2.0 * (1000.0 * 100.0 / 12.0 + 36000.0);
     let main = main_file(1, &changes);
@@ -210,7 +213,8 @@ fn blades_have_five_six_or_seventeen_columns() {
     }
 }
 
-/// Files of FAST 7 begin with a ruler and their title between rulers; then come the user's line and the first heading.
+/// Files of FAST 7 begin with a ruler and their title between rulers; then come the user's line and
+/// the first heading.
 #[test]
 fn files_of_fast_7_begin_with_one_more_ruler() {
     let fast_7 = |text: &str, title: &str, flag: &str| {

@@ -135,7 +135,8 @@ fn gravity_may_be_left_out_of_any_file() {
     assert_eq!(read(&options), 0.0);
 }
 
-/// ElastoDyn adds the weights to its shapes' stiffness itself; any other tower is as its file describes it.
+/// ElastoDyn adds the weights to its shapes' stiffness itself; any other tower is as its file
+/// describes it.
 #[test]
 fn shapes_are_those_of_a_deck_without_gravity() {
     let input = deck(&[]).input;
@@ -182,7 +183,8 @@ fn modules_under_the_tower_are_left_out_with_a_note() {
     );
 }
 
-/// The tower of a floating turbine in a current: TowerHt −24 m, TowerBsHt −9 m, the nacelle below the top.
+/// The tower of a floating turbine in a current: TowerHt −24 m, TowerBsHt −9 m, the nacelle below
+/// the top.
 #[test]
 fn a_tower_that_hangs_is_solved_upside_down() {
     let hanging = [

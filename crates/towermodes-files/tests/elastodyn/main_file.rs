@@ -84,7 +84,8 @@ fn the_rules_of_the_main_file_have_their_places() {
     }
 }
 
-/// ElastoDyn 1.00 has the base's height as two lengths and the platform's reference point as a depth; up to 1.01 there is no BldNodes.
+/// ElastoDyn 1.00 has the base's height as two lengths and the platform's reference point as a
+/// depth; up to 1.01 there is no BldNodes.
 #[test]
 fn the_first_layouts_are_read() {
     let modern = main_text(1, &[("TowerBsHt", "3"), ("PtfmRefzt", "-2")]);

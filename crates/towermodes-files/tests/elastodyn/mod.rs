@@ -1,4 +1,5 @@
-//! ElastoDyn models: synthetic decks, the rules of OpenFAST with their lines, and public decks if they are at hand.
+//! ElastoDyn models: synthetic decks, the rules of OpenFAST with their lines, and public decks if
+//! they are at hand.
 
 mod assembly;
 mod decks;

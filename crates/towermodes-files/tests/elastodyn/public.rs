@@ -47,8 +47,9 @@ fn onshore_hz(options: &ReadOptions) -> Option<[[f64; 2]; 2]> {
     Some([Family::ForeAft, Family::SideSide].map(|family| [hz(family, 1), hz(family, 2)]))
 }
 
-/// With a locked generator that counts once the first side-side frequency is 0.3198 Hz without gravity, by an independent Ritz solution;
-/// with the square of the gearbox ratio it is 0.31905 Hz, and the second 3.8 % off. Gravity takes 1.8 % off the first ones.
+/// With a locked generator that counts once the first side-side frequency is 0.3198 Hz without
+/// gravity, by an independent Ritz solution; with the square of the gearbox ratio it is 0.31905 Hz,
+/// and the second 3.8 % off. Gravity takes 1.8 % off the first ones.
 #[test]
 fn the_nrel_5_mw_turbine_has_the_frequencies_of_a_locked_rotor() {
     let without_gravity = ReadOptions {
@@ -102,7 +103,8 @@ fn a_free_rotor_raises_the_side_side_frequencies_of_the_nrel_5_mw_turbine() {
     };
     let [[locked_fore_aft, _], [locked_side_side, locked_second]] = locked;
     let [[free_fore_aft, _], [free_side_side, free_second]] = free;
-    // With rigid blades and an own model of the whole turbine: 0.3245 Hz side-side with a free rotor, 0.3174 Hz with a locked one.
+    // With rigid blades and an own model of the whole turbine: 0.3245 Hz side-side with a free
+    // rotor, 0.3174 Hz with a locked one.
     close(free_side_side, 0.3245, 2e-3);
     assert!(free_side_side > locked_side_side && free_second > 1.2 * locked_second);
     close(free_fore_aft, locked_fore_aft, 1e-6);
@@ -115,8 +117,8 @@ fn the_nrel_5_mw_turbine_weighs_what_it_does() {
         return;
     };
     let rna = deck.unwrap_or_else(|error| panic!("{error}")).rna;
-    // Mass as published for this file; centre and inertia from an independent calculation with the integrals of the blade's
-    // piecewise linear mass by Gauss quadrature.
+    // Mass as published for this file; centre and inertia from an independent calculation with the
+    // integrals of the blade's piecewise linear mass by Gauss quadrature.
     close(rna.mass_kg, 349_606.489_917_9, 1e-6);
     for (value, expected) in rna
         .center_m
@@ -125,8 +127,8 @@ fn the_nrel_5_mw_turbine_weighs_what_it_does() {
     {
         close(value, expected, 1e-9);
     }
-    // That calculation has the generator with the square of the gearbox ratio, 97² − 1 times too much about the shaft, which is tilted
-    // by 5 degrees.
+    // That calculation has the generator with the square of the gearbox ratio, 97² − 1 times too
+    // much about the shaft, which is tilted by 5 degrees.
     let too_much = 534.116 * (97.0 * 97.0 - 1.0);
     let (sine, cosine) = (-5f64).to_radians().sin_cos();
     let inertia = rna.inertia_kg_m2;
@@ -295,10 +297,11 @@ fn public_main_files_are_read() {
     }
 }
 
-/// welib (commit 6c8f155) gives this turbine 349606.5 kg at (-0.407744, 0, 1.966427) m, and about there xx = 42620975, yy = 24376664,
-/// zz = 22652099, xz = -924870 kg m². It differs from this program in four ways, which are made here: it takes the blades' moments by
-/// the trapezoidal rule, it enters `NacYIner` at yy, it gives each blade an inertia about its own axis of 1 kg m² per kg, and it counts
-/// the generator with the square of the gearbox ratio though the rotor is locked.
+/// welib (commit 6c8f155) gives this turbine 349606.5 kg at (-0.407744, 0, 1.966427) m, and about
+/// there xx = 42620975, yy = 24376664, zz = 22652099, xz = -924870 kg m². It differs from this
+/// program in four ways, which are made here: it takes the blades' moments by the trapezoidal rule,
+/// it enters `NacYIner` at yy, it gives each blade an inertia about its own axis of 1 kg m² per kg,
+/// and it counts the generator with the square of the gearbox ratio though the rotor is locked.
 #[test]
 fn the_published_assembly_differs_by_known_conventions() {
     let Some(deck) = peer_deck("nrel5mw_land_deck/NRELOffshrBsline5MW_Onshore_ElastoDyn.dat")
@@ -379,7 +382,8 @@ fn onshore_diagram() -> Option<(ElastoDynDeck, Campbell)> {
     Some((deck, diagram))
 }
 
-/// 12.1 rpm: 1P 0.201667 Hz and 3P 0.605 Hz against 0.31980 Hz (side-side) and 0.32205 Hz (fore-aft): 0.201667/0.32205 − 1 = −37.38 %.
+/// 12.1 rpm: 1P 0.201667 Hz and 3P 0.605 Hz against 0.31980 Hz (side-side) and 0.32205 Hz
+/// (fore-aft): 0.201667/0.32205 − 1 = −37.38 %.
 #[test]
 fn the_nrel_5_mw_tower_is_soft_stiff() {
     let Some((deck, diagram)) = onshore_diagram() else {
@@ -426,9 +430,10 @@ fn the_nrel_5_mw_tower_is_soft_stiff() {
     assert!(said[1].contains("PreCone(1) = -2.5 degrees"));
 }
 
-/// Jonkman et al., NREL/TP-500-38060 (2009), table 9-1: the first blade modes of the whole standing turbine, by two programs and three ways
-/// of the blades to move together: flap 0.6296 to 0.7019 Hz, edge 1.0740 to 1.0898 Hz. Those in which the others hold the hub, asymmetric
-/// in pitch and symmetric, are those of a blade on a fixed hub: 0.6664 to 0.7019 Hz and 1.0793 to 1.0898 Hz.
+/// Jonkman et al., NREL/TP-500-38060 (2009), table 9-1: the first blade modes of the whole standing
+/// turbine, by two programs and three ways of the blades to move together: flap 0.6296 to 0.7019
+/// Hz, edge 1.0740 to 1.0898 Hz. Those in which the others hold the hub, asymmetric in pitch and
+/// symmetric, are those of a blade on a fixed hub: 0.6664 to 0.7019 Hz and 1.0793 to 1.0898 Hz.
 #[test]
 fn blades_of_the_nrel_5_mw_turbine_are_those_published() {
     let Some((_, diagram)) = onshore_diagram() else {
@@ -449,7 +454,8 @@ fn blades_of_the_nrel_5_mw_turbine_are_those_published() {
         (1.0793 * 0.95..1.0898 * 1.05).contains(&standing_lag_hz),
         "{standing_lag_hz}"
     );
-    // Turning makes it stiffer: flap by more than the part of its own speed, 0.2017 Hz, that Southwell gives a uniform beam at most.
+    // Turning makes it stiffer: flap by more than the part of its own speed, 0.2017 Hz, that
+    // Southwell gives a uniform beam at most.
     let rated = |line: &towermodes::rotor::FrequencyLine| {
         let mut points = line.points.iter();
         points.find(|point| point[0] == 12.1).expect("rated")[1]

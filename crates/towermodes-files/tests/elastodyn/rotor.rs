@@ -94,7 +94,8 @@ fn the_first_blade_bends_only() {
     }
 }
 
-/// A cantilever of 10 m with 4e9 and 9e9 N m² and 100 kg/m: ω = 1.8751041² √(EI/m)/L², in flap 222.3723 and in lag 333.5585 rad/s.
+/// A cantilever of 10 m with 4e9 and 9e9 N m² and 100 kg/m: ω = 1.8751041² √(EI/m)/L², in flap
+/// 222.3723 and in lag 333.5585 rad/s.
 #[test]
 fn factors_of_stiffness_count() {
     let straight = BLADE.replace("0 0.25 13", "0 0.25 0");

@@ -5,7 +5,8 @@ use std::collections::BTreeMap;
 use towermodes_files::elastodyn::{ElastoDynDeck, MainFile, read_elastodyn, read_main_file};
 use towermodes_files::{InMemory, ReadOptions, Source};
 
-/// The parameters of a main file of OpenFAST 5 by section; `+` before those that older versions do not have.
+/// The parameters of a main file of OpenFAST 5 by section; `+` before those that older versions do
+/// not have.
 pub const MAIN: &[(&str, &str)] = &[
     ("SIMULATION CONTROL", "Echo Method DT"),
     (

@@ -37,7 +37,8 @@ fn as_noted(description: &TowerDescription) -> TowerDescription {
     reduced
 }
 
-/// The horizontal stiffness of wires over a width; the vertical one goes to the base and does nothing to the modes that are compared.
+/// The horizontal stiffness of wires over a width; the vertical one goes to the base and does
+/// nothing to the modes that are compared.
 fn as_soil(wires: &Wires, width_m: f64) -> Vec<SoilRow> {
     let per_metre = wires.horizontal_n_per_m() / width_m;
     let row = |height_m| SoilRow {
@@ -52,7 +53,8 @@ fn as_soil(wires: &Wires, width_m: f64) -> Vec<SoilRow> {
     vec![row(wires.height_m - half_m), row(wires.height_m + half_m)]
 }
 
-/// A mass as many, each in the middle of its part of the width, which keep of its inertia that about the tower's axis.
+/// A mass as many, each in the middle of its part of the width, which keep of its inertia that
+/// about the tower's axis.
 fn spread(mass: &PointMass, width_m: f64) -> impl Iterator<Item = PointMass> + use<> {
     const PARTS: usize = 20;
     let mass = *mass;

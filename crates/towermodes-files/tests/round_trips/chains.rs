@@ -94,7 +94,8 @@ fn a_tower_file_goes_through_all_formats() {
     assert!(off <= 1e-9, "{off:e}");
 }
 
-/// Files that are made of files of their own format soon stand still, and are the same tower all the way.
+/// Files that are made of files of their own format soon stand still, and are the same tower all
+/// the way.
 #[test]
 fn every_format_stands_still() {
     for (name, description) in towers::all() {
@@ -140,8 +141,8 @@ fn by_its_elements_hz(input: &TowerInput) -> Vec<f64> {
         .collect()
 }
 
-/// Masses and wires that a deck has spread are still one element's when the deck comes from another deck: an element takes the section of its
-/// middle, and would miss them or have too much of them.
+/// Masses and wires that a deck has spread are still one element's when the deck comes from another
+/// deck: an element takes the section of its middle, and would miss them or have too much of them.
 #[test]
 fn what_is_spread_keeps_its_elements() {
     for (name, description) in [

@@ -60,7 +60,8 @@ pub fn assert_near(found: f64, expected: f64, share: f64, what: &str) {
     assert!(off <= share, "{what}: {found} instead of {expected}");
 }
 
-/// The same tower, clamped and alone, as ElastoDyn's tower files have it: tubes or table with masses, no shear, nothing around.
+/// The same tower, clamped and alone, as ElastoDyn's tower files have it: tubes or table with
+/// masses, no shear, nothing around.
 pub fn alone(description: &TowerDescription) -> TowerDescription {
     let mut alone = TowerDescription {
         rna: Rna::default(),
@@ -102,8 +103,9 @@ pub fn without_shear_and_weights(description: &TowerDescription) -> TowerDescrip
     reduced
 }
 
-/// What the weights of a platform and all that stands on it do to its rotations, N m: −g Σ m (z − z of the surface, which the buoyancy's
-/// part in the hydrostatic stiffness is about), by Simpson's rule over tubes that are smooth between stations.
+/// What the weights of a platform and all that stands on it do to its rotations, N m: −g Σ m (z − z
+/// of the surface, which the buoyancy's part in the hydrostatic stiffness is about), by Simpson's
+/// rule over tubes that are smooth between stations.
 pub fn weights_n_m(description: &TowerDescription, platform: &FloatingPlatform) -> f64 {
     let tower = tower(description);
     let surface_m = platform.hydrostatic.height_m;

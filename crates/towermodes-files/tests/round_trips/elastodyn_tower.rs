@@ -39,7 +39,8 @@ fn masses_that_are_not_listed_are_spread_over_an_element() {
     assert!(said, "{:?}", written.notes);
     let input = written.read();
     assert!(input.description.point_masses.is_empty());
-    // The same by many small masses: their midpoint rule is off by 1/1200 of what the width itself changes.
+    // The same by many small masses: their midpoint rule is off by 1/1200 of what the width itself
+    // changes.
     let mut original = alone(&description);
     let masses = std::mem::take(&mut original.point_masses);
     let width_m = 90.0 / DEFAULT_NODES as f64;

@@ -1,4 +1,5 @@
-//! What a format cannot hold is said: each thing that a description can have comes back, or a note names it.
+//! What a format cannot hold is said: each thing that a description can have comes back, or a note
+//! names it.
 
 use towermodes::{
     AddedMassRow, FloatingPlatform, Foundation, FoundationSprings, Inertia, Planes, PointMass,
@@ -25,7 +26,8 @@ enum Fate {
 
 use Fate::{AlwaysSaid, Kept, Said};
 
-/// A tower with a thing and the same without it, and what becomes of it in BModes, ElastoDyn and windIO; TOML keeps everything.
+/// A tower with a thing and the same without it, and what becomes of it in BModes, ElastoDyn and
+/// windIO; TOML keeps everything.
 struct Case {
     what: &'static str,
     with: TowerDescription,
@@ -330,7 +332,8 @@ fn surroundings() -> Vec<Case> {
     ]
 }
 
-/// Whether what comes back has the frequencies of what was written, as far as the format has them at all.
+/// Whether what comes back has the frequencies of what was written, as far as the format has them
+/// at all.
 fn difference(target: Target, one: &TowerDescription, other: &TowerDescription) -> f64 {
     match target {
         Target::ElastoDyn => {

@@ -1,4 +1,5 @@
-//! From any format to any format: what is written is read back as the tower that it was, and what is lost is said.
+//! From any format to any format: what is written is read back as the tower that it was, and what
+//! is lost is said.
 
 mod bmodes_deck;
 mod chains;

@@ -1,5 +1,6 @@
-//! Tower files pass what OpenFAST 5.0 demands of them when it reads them (subroutines `ReadTowerFile` and `ValidateTowerData` of
-//! ElastoDyn), said here once more and independently: by the place of each line.
+//! Tower files pass what OpenFAST 5.0 demands of them when it reads them (subroutines
+//! `ReadTowerFile` and `ValidateTowerData` of ElastoDyn), said here once more and independently: by
+//! the place of each line.
 
 use towermodes::elastodyn::TowerShape;
 use towermodes::{PointMass, TowerDescription};
@@ -207,12 +208,13 @@ fn every_tower_file_passes() {
     }
 }
 
-/// Examples whose shapes no polynomial of x² to x⁶ follows to a thousandth: a second mode that nothing on top steadies, a pile with a
-/// step in it, and wires, which make kinks in the curvature.
+/// Examples whose shapes no polynomial of x² to x⁶ follows to a thousandth: a second mode that
+/// nothing on top steadies, a pile with a step in it, and wires, which make kinks in the curvature.
 const BEYOND_POLYNOMIALS: [&str; 4] = ["reference-tower", "nrel-5mw-table", "monopile", "guyed"];
 
-/// Polynomials follow the shapes to a thousandth of the largest deflection in the mean square, where any polynomial does; and always no
-/// polynomial does better, as what is left is orthogonal to all that could be changed.
+/// Polynomials follow the shapes to a thousandth of the largest deflection in the mean square,
+/// where any polynomial does; and always no polynomial does better, as what is left is orthogonal
+/// to all that could be changed.
 #[test]
 fn polynomials_follow_the_shapes_of_every_example() {
     for (name, description) in towers::examples() {

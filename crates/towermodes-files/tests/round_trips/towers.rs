@@ -1,4 +1,5 @@
-//! Towers to be written: the examples, and some by hand that have between them everything that a description can have.
+//! Towers to be written: the examples, and some by hand that have between them everything that a
+//! description can have.
 
 use std::f64::consts::PI;
 

@@ -14,8 +14,8 @@ const MOST_HEIGHTS: usize = 60;
 pub struct AnimationData {
     /// Heights from the base to the top in the datum of the stations, m; at most 60.
     pub height_m: Vec<f64>,
-    /// Outer radius there, m; of a table of properties that of the steel tube of the same bending stiffness with a wall of 1/200 of its
-    /// diameter.
+    /// Outer radius there, m; of a table of properties that of the steel tube of the same bending
+    /// stiffness with a wall of 1/200 of its diameter.
     pub radius_m: Vec<f64>,
     /// Whether the radius is such a nominal one.
     pub is_nominal: bool,
@@ -27,7 +27,8 @@ pub struct AnimationData {
 
 /// One mode of a moving tower.
 ///
-/// The largest translation (for torsion and yaw the largest rotation) is about 1; rotations of other modes are per metre.
+/// The largest translation (for torsion and yaw the largest rotation) is about 1; rotations of
+/// other modes are per metre.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct AnimatedMode {
     /// Place in the list of modes, from 1.

@@ -27,7 +27,8 @@ struct Series {
     points: Vec<[f64; 2]>,
 }
 
-/// The relative errors of the modes against the number of segments, both logarithmic; of the spectral beam against its degree.
+/// The relative errors of the modes against the number of segments, both logarithmic; of the
+/// spectral beam against its degree.
 pub fn convergence(convergence: &Convergence) -> Figure {
     let series = series(convergence);
     let title = format!(

@@ -23,7 +23,8 @@ const METHODS: usize = 12;
 /// Neighbouring dots of a mode are so far apart where there is room.
 const APART: f64 = 9.0;
 
-/// The relative differences of the methods' frequencies from the spectral beam's, a row of dots a mode.
+/// The relative differences of the methods' frequencies from the spectral beam's, a row of dots a
+/// mode.
 pub fn error(comparison: &Comparison) -> Figure {
     let methods = drawn(comparison);
     Figure {
@@ -35,7 +36,8 @@ pub fn error(comparison: &Comparison) -> Figure {
     }
 }
 
-/// The columns that are drawn: the spectral beam is the measure, not one of them, unless it is alone.
+/// The columns that are drawn: the spectral beam is the measure, not one of them, unless it is
+/// alone.
 fn drawn(comparison: &Comparison) -> Vec<&Column> {
     let others = comparison
         .columns

@@ -34,7 +34,8 @@ pub(super) fn shells(tower: &Tower) -> Vec<Shell> {
     tower.pieces().iter().map(shell).collect()
 }
 
-/// The outer diameter of a tower at a height, m, of two shells that meet there that of the lower one; of a property table the nominal one.
+/// The outer diameter of a tower at a height, m, of two shells that meet there that of the lower
+/// one; of a property table the nominal one.
 pub(super) fn outer_diameter_m(tower: &Tower, height_m: f64) -> f64 {
     shell(tower.piece_at(height_m)).outer_at_m(height_m)
 }
@@ -44,8 +45,8 @@ pub(super) fn is_nominal(tower: &Tower) -> bool {
     tower.stations().is_empty()
 }
 
-/// The diameter of the steel tube (E = 2.1·10¹¹ Pa) of the same mean EI whose wall is a 200th of its diameter, m:
-/// EI = E π/8 D³ t of a thin tube.
+/// The diameter of the steel tube (E = 2.1·10¹¹ Pa) of the same mean EI whose wall is a 200th of
+/// its diameter, m: EI = E π/8 D³ t of a thin tube.
 pub(super) fn nominal_diameter_m(properties: &Properties) -> f64 {
     let bending = properties.bending_n_m2;
     let stiffness = bending.fore_aft.sqrt() * bending.side_side.sqrt();

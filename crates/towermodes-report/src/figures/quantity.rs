@@ -4,7 +4,8 @@ use crate::svg::{number, superscript};
 
 const MINUS: &str = "\u{2212}";
 
-/// A number with so many significant digits and no zeros at its end; a power of ten where it is far from one.
+/// A number with so many significant digits and no zeros at its end; a power of ten where it is far
+/// from one.
 pub(super) fn significant(value: f64, digits: usize) -> String {
     if value == 0.0 || !value.is_finite() {
         return number(value, 1.0);
@@ -80,7 +81,8 @@ pub(super) fn factor(value: f64) -> String {
     format!("\u{d7}{}", significant(value, 1))
 }
 
-/// One, two or five times a power of ten: the least that is not below a number, or the greatest that is not above it.
+/// One, two or five times a power of ten: the least that is not below a number, or the greatest
+/// that is not above it.
 pub(super) fn round_factor(value: f64, is_above: bool) -> f64 {
     if !(value.is_finite() && value > 0.0) {
         return 1.0;

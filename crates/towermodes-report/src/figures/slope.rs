@@ -13,8 +13,8 @@ const SHARE: f64 = 0.3;
 /// Size of its letters.
 const SIZE: f64 = 11.0;
 
-/// Draws the slope of the order that most modes have, in the lower left corner where falling lines begin above; nothing if there is none, or
-/// if lines pass there.
+/// Draws the slope of the order that most modes have, in the lower left corner where falling lines
+/// begin above; nothing if there is none, or if lines pass there.
 pub(super) fn draw(drawing: &mut Drawing, axes: &Axes, orders: &[f64], lines: &[Vec<(f64, f64)>]) {
     let Some(order) = most(orders) else { return };
     let text = format!(

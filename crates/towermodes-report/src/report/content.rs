@@ -22,7 +22,8 @@ pub struct ReportContent {
     pub solution: Solution,
     /// What other methods make of it, or why they make nothing.
     pub comparison: Result<Comparison, SolveError>,
-    /// Natural frequencies against the rotor's speed, or why a blade has none; nothing if there is no rotor.
+    /// Natural frequencies against the rotor's speed, or why a blade has none; nothing if there is
+    /// no rotor.
     pub campbell: Option<Result<Campbell, CampbellError>>,
     /// The shapes for ElastoDyn as its tower file has them, or why there are none.
     pub elastodyn: Result<ElastoDynShapes, String>,
@@ -30,13 +31,15 @@ pub struct ReportContent {
     pub shapes_from_m: f64,
     /// What the reader of the input decided, left out or could not take over.
     pub notes: Vec<String>,
-    /// Those of the notes on a part of the turbine that is missing in the model: the summary repeats them.
+    /// Those of the notes on a part of the turbine that is missing in the model: the summary
+    /// repeats them.
     pub model_notes: Vec<String>,
     /// The version of the program.
     pub version: String,
     /// The command as it was typed, arguments quoted for a shell.
     pub command_line: String,
-    /// The options among them that say how the input is read, for commands that draw the same tower; empty if none.
+    /// The options among them that say how the input is read, for commands that draw the same
+    /// tower; empty if none.
     pub reading: String,
     /// Whether the input is a tower file of this program, and not of another one.
     pub is_own_format: bool,
@@ -44,7 +47,8 @@ pub struct ReportContent {
     pub files: Vec<InputFile>,
 }
 
-/// What a document control system wants to know of a report. Empty fields are left out; there is no clock, so the date is what was given.
+/// What a document control system wants to know of a report. Empty fields are left out; there is no
+/// clock, so the date is what was given.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
 pub struct TitleBlock {
     /// The project or the site.
@@ -66,7 +70,8 @@ pub struct TitleBlock {
 pub struct ElastoDynShapes {
     /// The shapes with their fits.
     pub shapes: TowerShapes,
-    /// ElastoDyn's frequencies of the first and second shape of each plane, without what the tower carries and without gravity, Hz.
+    /// ElastoDyn's frequencies of the first and second shape of each plane, without what the tower
+    /// carries and without gravity, Hz.
     pub frequency_alone_hz: Planes<[f64; 2]>,
 }
 
@@ -75,7 +80,8 @@ pub struct ElastoDynShapes {
 pub struct InputFile {
     /// Its path as it was given.
     pub name: String,
-    /// Whether size and sum are those of its text in UTF-8, because its bytes are gone: standard input, pipes.
+    /// Whether size and sum are those of its text in UTF-8, because its bytes are gone: standard
+    /// input, pipes.
     pub is_of_text: bool,
     /// Its size.
     pub bytes: u64,

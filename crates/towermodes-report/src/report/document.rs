@@ -134,7 +134,8 @@ impl Document {
     }
 }
 
-/// Text without characters that no document has and without marks that turn the direction of writing.
+/// Text without characters that no document has and without marks that turn the direction of
+/// writing.
 pub(super) fn printable(text: &str) -> String {
     // The last two are no characters of XML.
     let disturbs = |c: char| {

@@ -2,7 +2,8 @@
 
 use thiserror::Error;
 
-/// Why there is no report; whatever the input, there should be one, so each is a mistake of this crate.
+/// Why there is no report; whatever the input, there should be one, so each is a mistake of this
+/// crate.
 #[derive(Debug, Clone, PartialEq, Eq, Error)]
 #[non_exhaustive]
 pub enum ReportError {

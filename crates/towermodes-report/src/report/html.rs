@@ -27,7 +27,8 @@ const SCRIPT: &str = concat!(
     "})();\n"
 );
 
-/// The report as one page of HTML: no other file, nothing from a network; the same content gives the same bytes.
+/// The report as one page of HTML: no other file, nothing from a network; the same content gives
+/// the same bytes.
 ///
 /// Texts of the user are escaped wherever they stand.
 ///
@@ -64,7 +65,8 @@ fn rendered(page: PageView) -> Result<String, minijinja::Error> {
     environment.render_named_str("report.html", TEMPLATE, Value::from(Serde(page)))
 }
 
-/// The rules of the page: colours of both themes, then everything else, then what pictures look like.
+/// The rules of the page: colours of both themes, then everything else, then what pictures look
+/// like.
 fn style() -> String {
     let (light, dark) = (variables(Theme::Light), variables(Theme::Dark));
     format!(

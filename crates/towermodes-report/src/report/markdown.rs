@@ -11,8 +11,8 @@ use crate::svg::DataTable;
 /// Tables of more rows than this are shortened as the page shortens them: here nothing folds away.
 const MOST_WHOLE_ROWS: usize = 100;
 
-/// The report as Markdown in the dialect of GitHub: the same as [`html()`](super::html()) without pictures, but with the commands that draw
-/// them.
+/// The report as Markdown in the dialect of GitHub: the same as [`html()`](super::html()) without
+/// pictures, but with the commands that draw them.
 pub fn markdown(content: &ReportContent) -> String {
     let document = document(content);
     let mut text = format!("# {}\n", line(&document.title));

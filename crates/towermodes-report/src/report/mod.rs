@@ -1,6 +1,8 @@
-//! The report that a designer hands over: the input, what was assumed, the results with their errors, and what is needed to check them.
+//! The report that a designer hands over: the input, what was assumed, the results with their
+//! errors, and what is needed to check them.
 //!
-//! What is said is made once, as a document of sections; [`html()`] and [`markdown()`] write it down.
+//! What is said is made once, as a document of sections; [`html()`] and [`markdown()`] write it
+//! down.
 
 mod content;
 mod document;

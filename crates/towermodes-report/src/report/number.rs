@@ -13,8 +13,9 @@ const TYPED: usize = 6;
 /// Values with more are those of somebody's arithmetic, and have so many digits here.
 const DERIVED: usize = 4;
 
-/// A value of the input: as it was given if it has at most six significant digits, else rounded to four, or to a whole number where that has
-/// more; plainly where that is short, else as `2.1·10¹¹`; `rigid` of an infinite one.
+/// A value of the input: as it was given if it has at most six significant digits, else rounded to
+/// four, or to a whole number where that has more; plainly where that is short, else as `2.1·10¹¹`;
+/// `rigid` of an infinite one.
 pub(super) fn given(value: f64) -> String {
     as_given(value, |value| {
         let size = value.abs();
@@ -26,7 +27,8 @@ pub(super) fn given(value: f64) -> String {
     })
 }
 
-/// A length of the input, m: as it was given if it has at most six significant digits, else to the millimetre.
+/// A length of the input, m: as it was given if it has at most six significant digits, else to the
+/// millimetre.
 pub(super) fn length(value_m: f64) -> String {
     if value_m.abs() < 1.0 {
         return given(value_m);

@@ -25,7 +25,8 @@ pub(super) fn plot_command(content: &ReportContent, what: &str) -> String {
     command(content, "plot", &words)
 }
 
-/// A command on the report's file, read as the report read it. A file that looks like an option stands after all of these, behind `--`.
+/// A command on the report's file, read as the report read it. A file that looks like an option
+/// stands after all of these, behind `--`.
 pub(super) fn command(content: &ReportContent, name: &str, options: &[String]) -> String {
     let file = content.main_file();
     let is_dashed = file.starts_with('-') && file != "-";

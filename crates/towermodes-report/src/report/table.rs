@@ -76,7 +76,8 @@ pub(super) struct Table {
 pub(super) struct Brief {
     /// Their places.
     pub shown: Vec<usize>,
-    /// After how many of them others are left out that belong between; none if those are here and there.
+    /// After how many of them others are left out that belong between; none if those are here and
+    /// there.
     pub gap_after: Option<usize>,
     /// Which they are: "pairs nearer than a factor 2".
     pub which: String,
@@ -136,8 +137,8 @@ impl Table {
         self.rows.push(row.into_iter().map(Into::into).collect());
     }
 
-    /// The same without the columns whose every cell is 0 or rigid, which the caption then names. The first column stays: it says what a row
-    /// is of.
+    /// The same without the columns whose every cell is 0 or rigid, which the caption then names.
+    /// The first column stays: it says what a row is of.
     pub(super) fn without_empty_columns(mut self) -> Self {
         for (cell, said) in [("0", "zero"), ("rigid", "rigid")] {
             let names = self.drop_columns_of(cell);
@@ -197,8 +198,8 @@ impl Table {
         self
     }
 
-    /// The same with only those rows shown at first that `is_shown` picks, if that leaves some out; `which` says what they are. Of a huge
-    /// table these alone are there, or the first of them.
+    /// The same with only those rows shown at first that `is_shown` picks, if that leaves some out;
+    /// `which` says what they are. Of a huge table these alone are there, or the first of them.
     pub(super) fn with_only(mut self, which: &str, is_shown: impl Fn(usize) -> bool) -> Self {
         let count = self.rows.len();
         let shown: Vec<usize> = (0..count).filter(|row| is_shown(*row)).collect();

@@ -70,7 +70,8 @@ impl Axes {
         widest(ticks) + NUMBERS + 2.2 * NAME
     }
 
-    /// Draws the grid and the axis below, with about so many numbers and its name, unit included: "rotor speed (rpm)".
+    /// Draws the grid and the axis below, with about so many numbers and its name, unit included:
+    /// "rotor speed (rpm)".
     pub fn draw_x(&self, drawing: &mut Drawing, name: &str, ticks: usize) {
         self.draw_x_at(drawing, name, &tick_texts(&self.x, ticks));
     }
@@ -104,7 +105,8 @@ impl Axes {
         );
     }
 
-    /// Draws the grid and the axis on the left, with about so many numbers and its name, unit included.
+    /// Draws the grid and the axis on the left, with about so many numbers and its name, unit
+    /// included.
     pub fn draw_y(&self, drawing: &mut Drawing, name: &str, ticks: usize) {
         self.draw_y_at(drawing, name, &tick_texts(&self.y, ticks));
     }
@@ -155,7 +157,8 @@ fn tick_texts(scale: &Scale, count: usize) -> Vec<(f64, String)> {
         [a, b, ..] => b - a,
         _ => scale.high - scale.low,
     };
-    // One style for all: powers of ten as soon as one number needs them, on a linear axis the largest.
+    // One style for all: powers of ten as soon as one number needs them, on a linear axis the
+    // largest.
     let is_far = |value: &f64| *value != 0.0 && is_far_from_one(*value);
     let largest = ticks
         .iter()
@@ -176,8 +179,9 @@ fn tick_texts(scale: &Scale, count: usize) -> Vec<(f64, String)> {
         .collect()
 }
 
-/// Moves places apart until neighbours are at least `gap` from each other, as little as it can, and all within `range`: for labels beside the
-/// ends of lines. They keep their order; where there is no room for all, they are spread evenly.
+/// Moves places apart until neighbours are at least `gap` from each other, as little as it can, and
+/// all within `range`: for labels beside the ends of lines. They keep their order; where there is
+/// no room for all, they are spread evenly.
 pub fn spread(places: &[f64], gap: f64, range: [f64; 2]) -> Vec<f64> {
     let mut order: Vec<usize> = (0..places.len()).collect();
     order.sort_by(|a, b| places[*a].total_cmp(&places[*b]));

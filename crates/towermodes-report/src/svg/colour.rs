@@ -46,8 +46,8 @@ pub enum Theme {
     Dark,
 }
 
-/// Colours of lines that are told apart by all kinds of eyes (after Okabe & Ito, 2008), darkened or lightened until their contrast to the paper
-/// is at least 3.
+/// Colours of lines that are told apart by all kinds of eyes (after Okabe & Ito, 2008), darkened or
+/// lightened until their contrast to the paper is at least 3.
 const SERIES: [[&str; 2]; 7] = [
     ["#0072b2", "#56b4e9"],
     ["#c04e00", "#f0824a"],
@@ -134,8 +134,9 @@ impl Colour {
     }
 }
 
-/// The rules of a style sheet that give the classes of drawings, `s-NAME` for strokes and `f-NAME` for fills, their colours: `value` says what
-/// stands for each, a colour or a variable. `scope` stands before each class.
+/// The rules of a style sheet that give the classes of drawings, `s-NAME` for strokes and `f-NAME`
+/// for fills, their colours: `value` says what stands for each, a colour or a variable. `scope`
+/// stands before each class.
 pub fn stylesheet(scope: &str, value: impl Fn(Colour) -> String) -> String {
     let rule = |colour: Colour| {
         let (name, value) = (colour.name(), value(colour));
@@ -144,7 +145,8 @@ pub fn stylesheet(scope: &str, value: impl Fn(Colour) -> String) -> String {
     Colour::ALL.into_iter().map(rule).collect()
 }
 
-/// The contrast of two colours `#rrggbb`, 1 to 21 (Web Content Accessibility Guidelines 2.2, "contrast ratio").
+/// The contrast of two colours `#rrggbb`, 1 to 21 (Web Content Accessibility Guidelines 2.2,
+/// "contrast ratio").
 pub fn contrast(a: &str, b: &str) -> f64 {
     let (a, b) = (luminance(a), luminance(b));
     (a.max(b) + 0.05) / (a.min(b) + 0.05)

@@ -344,7 +344,8 @@ impl Drawing {
         self.labels.push(label_box(at, text, style));
     }
 
-    /// Draws inside a rectangle alone: what reaches beyond is cut. `name` must be the only one of the drawing.
+    /// Draws inside a rectangle alone: what reaches beyond is cut. `name` must be the only one of
+    /// the drawing.
     pub fn clipped(
         &mut self,
         name: &str,

@@ -3,7 +3,8 @@
 use super::colour::{Colour, Theme, stylesheet};
 use super::drawing::{Drawing, ID, LabelBox, escaped};
 
-/// The fonts of a picture: whatever the reader has that is as narrow as DejaVu Sans, whose widths are measured, or narrower.
+/// The fonts of a picture: whatever the reader has that is as narrow as DejaVu Sans, whose widths
+/// are measured, or narrower.
 const FONTS: &str =
     "'Helvetica Neue', Helvetica, Arial, 'Liberation Sans', 'DejaVu Sans', sans-serif";
 

@@ -21,12 +21,14 @@ const MOST_LINES: [usize; 2] = [2, 5];
 pub struct Heading {
     /// The title, in bold: the tower's name. Nothing is written of an empty one.
     pub title: String,
-    /// Below it, each a paragraph: first, in muted letters, what the picture shows and how it was computed, then what follows from it.
+    /// Below it, each a paragraph: first, in muted letters, what the picture shows and how it was
+    /// computed, then what follows from it.
     pub lines: Vec<String>,
 }
 
 impl Heading {
-    /// The title's lines and the others, as they are broken on a sheet of a width, with their style.
+    /// The title's lines and the others, as they are broken on a sheet of a width, with their
+    /// style.
     fn broken(&self, width: f64) -> Vec<(String, TextStyle)> {
         let title = TextStyle::new(TITLE).bold();
         let line = TextStyle::new(LINES);
@@ -68,7 +70,8 @@ impl Figure {
     }
 }
 
-/// A text in lines no wider than `room`, broken between words, and within words that are wider; at most so many lines, cut with "…".
+/// A text in lines no wider than `room`, broken between words, and within words that are wider; at
+/// most so many lines, cut with "…".
 fn broken(text: &str, room: f64, style: &TextStyle, most: usize) -> Vec<String> {
     let width = |text: &str| text_width(text, style.size, style.is_bold);
     let mut lines: Vec<String> = Vec::new();

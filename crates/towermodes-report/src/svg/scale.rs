@@ -89,7 +89,8 @@ pub(super) fn is_far_from_one(value: f64) -> bool {
     !(-3.5..6.5).contains(&value.abs().log10())
 }
 
-/// A number with as many decimals as a step between neighbours needs, `10⁻⁴` for powers of ten that are far from one.
+/// A number with as many decimals as a step between neighbours needs, `10⁻⁴` for powers of ten that
+/// are far from one.
 pub fn number(value: f64, step: f64) -> String {
     if value == 0.0 {
         return "0".to_owned();

@@ -44,8 +44,8 @@ impl Canvas {
         }
     }
 
-    /// Sets the dots of a straight line between two places (right, down), those whose number along the line is wanted; gives the number after
-    /// the last.
+    /// Sets the dots of a straight line between two places (right, down), those whose number along
+    /// the line is wanted; gives the number after the last.
     pub(super) fn line(
         &mut self,
         [from, to]: [(usize, usize); 2],
@@ -91,14 +91,16 @@ mod tests {
         assert_eq!(lines, ["\u{2881}\u{2824}"]);
     }
 
-    /// From the upper left dot to the lower right one of a character, every second dot: dots 1 and, two rows down, 6 of U+2800.
+    /// From the upper left dot to the lower right one of a character, every second dot: dots 1 and,
+    /// two rows down, 6 of U+2800.
     #[test]
     fn lines_have_the_dots_that_are_wanted() {
         let mut canvas = Canvas::new(1, 1);
         let next = canvas.line([(0, 0), (1, 3)], 0, |step| step % 2 == 0);
         assert_eq!(next, 3);
         let lines: Vec<String> = canvas.lines().collect();
-        // Step 2 of 3 is two thirds of the way: column 1, row 2, which is dot 6 (0x20); step 0 is dot 1 (0x01).
+        // Step 2 of 3 is two thirds of the way: column 1, row 2, which is dot 6 (0x20); step 0 is
+        // dot 1 (0x01).
         assert_eq!(lines, ["\u{2821}"]);
     }
 }

@@ -1,4 +1,5 @@
-//! A diagram of lines in braille dots: y on a logarithmic axis upwards, x to the right, the name of each line beside its end.
+//! A diagram of lines in braille dots: y on a logarithmic axis upwards, x to the right, the name of
+//! each line beside its end.
 
 use super::canvas::{ACROSS, Canvas, DOWN};
 use crate::svg::spread;
@@ -119,7 +120,8 @@ impl<'a> Places<'a> {
     }
 }
 
-/// The diagram, as wide as there is room; nothing where there are no points or no room. More lines than rows are counted only.
+/// The diagram, as wide as there is room; nothing where there are no points or no room. More lines
+/// than rows are counted only.
 pub(super) fn chart(series: &[Series], x_axis: &XAxis, width: usize) -> String {
     let drawn: Vec<Series> = series
         .iter()
@@ -229,7 +231,8 @@ mod tests {
         }
     }
 
-    /// Two powers of ten have eight rows each; the field is 72 wide, its left edge after 8 characters.
+    /// Two powers of ten have eight rows each; the field is 72 wide, its left edge after 8
+    /// characters.
     #[test]
     fn points_stand_where_they_belong() {
         let text = chart(&[series('1', &[(10.0, 1e-2), (100.0, 1e-4)])], &N, 120);

@@ -5,8 +5,9 @@ use towermodes::study::{Convergence, Fineness, Level};
 use super::chart::{Series, XAxis, chart};
 use crate::figures::error_axis::ROUNDING;
 
-/// The relative errors of the modes over the number of segments, both logarithmic, of the spectral beam over its degree, as wide as a terminal of
-/// `width` columns has room for. `marks` are the characters by which a table beside it calls the modes. Nothing where there is no room, or no
+/// The relative errors of the modes over the number of segments, both logarithmic, of the spectral
+/// beam over its degree, as wide as a terminal of `width` columns has room for. `marks` are the
+/// characters by which a table beside it calls the modes. Nothing where there is no room, or no
 /// error.
 pub fn convergence(
     convergence: &Convergence,

@@ -39,7 +39,8 @@ pub(super) struct Panel {
     pub(super) captions: Vec<String>,
 }
 
-/// The diagrams in rows as wide as there is room, with the heights from `low_m` to `high_m` on the left of each row; nothing where not one fits.
+/// The diagrams in rows as wide as there is room, with the heights from `low_m` to `high_m` on the
+/// left of each row; nothing where not one fits.
 pub(super) fn side_by_side(panels: &[Panel], [low_m, high_m]: [f64; 2], width: usize) -> String {
     let axis = axis([low_m, high_m]);
     let of_axis = axis.iter().map(|label| label.chars().count()).max();
@@ -55,7 +56,8 @@ pub(super) fn side_by_side(panels: &[Panel], [low_m, high_m]: [f64; 2], width: u
     rows.join("\n")
 }
 
-/// The lines of the axis on the left, all of one width: numbers at the top, in the middle and at the bottom.
+/// The lines of the axis on the left, all of one width: numbers at the top, in the middle and at
+/// the bottom.
 fn axis([low_m, high_m]: [f64; 2]) -> Vec<String> {
     let step = (0.01 * (high_m - low_m)).min(0.1);
     let label = |height_m: f64| number(height_m, step);
@@ -194,7 +196,8 @@ mod tests {
         let text = side_by_side(&[panel([0.0, 1.0], "leaning")], [0.0, 10.0], 40);
         let lines: Vec<&str> = text.lines().collect();
         assert_eq!(lines.len(), 14);
-        // The value 1 is 15 dots right of the dot 15: the left dot of the last of 16 characters after seven of the axis.
+        // The value 1 is 15 dots right of the dot 15: the left dot of the last of 16 characters
+        // after seven of the axis.
         assert!(lines[0].starts_with("10.0 m ┤ "), "{text}");
         assert_eq!(lines[0].chars().count(), 9 + 16, "{text}");
         assert!(lines[6].starts_with(" 5.0   ┤"), "{text}");

@@ -8,7 +8,8 @@ use super::panel::{Curve, Line, Panel, side_by_side};
 use crate::svg::number;
 
 impl Curve {
-    /// A rotation as a share of its largest: beside a deflection of 1 it has no scale. Deflections stay.
+    /// A rotation as a share of its largest: beside a deflection of 1 it has no scale. Deflections
+    /// stay.
     fn with_scale_of(mut self, component: Component) -> Self {
         let sizes = self.points.iter().map(|(_, value)| value.abs());
         let largest = sizes.fold(0.0, f64::max);
@@ -37,10 +38,11 @@ impl Component {
     }
 }
 
-/// The shapes of a solution, as wide as a terminal of `width` columns has room for: heights upwards, and to the right fore-aft or side-side
-/// motion, of torsion the rotation, of axial modes the motion upwards, each as a share of its largest. Of coupled modes the two motions with most
-/// energy are drawn, one as a line and one as dots, a rotation as a share of its own largest.
-/// What is there twice, in two equal planes, is drawn once. Nothing where not even one fits.
+/// The shapes of a solution, as wide as a terminal of `width` columns has room for: heights
+/// upwards, and to the right fore-aft or side-side motion, of torsion the rotation, of axial modes
+/// the motion upwards, each as a share of its largest. Of coupled modes the two motions with most
+/// energy are drawn, one as a line and one as dots, a rotation as a share of its own largest. What
+/// is there twice, in two equal planes, is drawn once. Nothing where not even one fits.
 pub fn shapes(tower: &Tower, solution: &Solution, width: usize) -> String {
     let panels: Vec<Panel> = drawn_once(tower, solution)
         .into_iter()
@@ -49,7 +51,8 @@ pub fn shapes(tower: &Tower, solution: &Solution, width: usize) -> String {
     side_by_side(&panels, [tower.base_m(), tower.top_m()], width)
 }
 
-/// The shapes of a rotating blade, as [`shapes`]: radii upwards, to the right flap or lag, of torsion the rotation.
+/// The shapes of a rotating blade, as [`shapes`]: radii upwards, to the right flap or lag, of
+/// torsion the rotation.
 pub fn blade_shapes(blade: &Blade, solution: &BladeSolution, width: usize) -> String {
     let description = blade.description();
     let radii_m = [description.hub_radius_m, description.tip_radius_m];

@@ -1,4 +1,5 @@
-//! Reports: everything is said, with the numbers of a textbook; the page is sound, safe and always the same.
+//! Reports: everything is said, with the numbers of a textbook; the page is sound, safe and always
+//! the same.
 
 mod assumptions;
 mod page;
@@ -25,8 +26,8 @@ const HOSTILE: &str = r#"</script><img src=x onerror="alert(1)">'&|`{{ 7*7 }}-->
 /// What the input file of the tests says.
 const POLE: &str = "name = \"pole\"  # a < b & c\n\n[tower]\n";
 
-/// A uniform cantilever, so slender that it is the beam of the textbooks: with β₁ = 1.8751 its first bending mode has
-/// f₁ = β₁²/2π √(EI/mL⁴) = 0.63637 Hz, and its mass is 157.04 t.
+/// A uniform cantilever, so slender that it is the beam of the textbooks: with β₁ = 1.8751 its
+/// first bending mode has f₁ = β₁²/2π √(EI/mL⁴) = 0.63637 Hz, and its mass is 157.04 t.
 fn pole() -> TowerDescription {
     TowerDescription {
         name: "pole".to_owned(),
@@ -192,7 +193,8 @@ fn the_title_block_has_the_fields_that_were_given() {
     );
 }
 
-/// The first mode is at 0.63637 Hz; 3P reaches from 0.345 to 0.605 Hz, which 5 % keep free of modes from 0.3286 to 0.6368 Hz.
+/// The first mode is at 0.63637 Hz; 3P reaches from 0.345 to 0.605 Hz, which 5 % keep free of modes
+/// from 0.3286 to 0.6368 Hz.
 #[test]
 fn the_summary_begins_with_the_bar() {
     let content = content(pole(), Some(ROTOR));
@@ -371,7 +373,8 @@ fn shapes_for_elastodyn_have_its_frequency_and_what_it_lacks() {
 
 #[test]
 fn margins_are_those_of_hand() {
-    // 3P at 12.1 rpm is 0.605 Hz, 0.605/0.63637 − 1 = −4.93 %; 6P at 6.9 rpm 0.69 Hz, +8.43 %; 1P at 12.1 rpm −68.3 %.
+    // 3P at 12.1 rpm is 0.605 Hz, 0.605/0.63637 − 1 = −4.93 %; 6P at 6.9 rpm 0.69 Hz, +8.43 %; 1P
+    // at 12.1 rpm −68.3 %.
     let text = markdown(&content(pole(), Some(ROTOR)));
     for row in [
         "| 1st fore-aft bending | 0.6364 | 3P | 0.6050 | 12.10 | \u{2212}4.93 | **FAIL** |",
@@ -677,7 +680,8 @@ fn what_is_around_the_tower_moves_with_it() {
             .filter(|body| body["of"] == substance)
             .collect()
     };
-    // A nacelle; a hub and two blades; two masses and the machine's centre; four springs to the side, one below, three wires.
+    // A nacelle; a hub and two blades; two masses and the machine's centre; four springs to the
+    // side, one below, three wires.
     let counts = [
         "machine",
         "rotor",
@@ -703,7 +707,8 @@ fn what_is_around_the_tower_moves_with_it() {
     assert_eq!(of("water")[0].get("follows_m"), None);
     assert_eq!(heights(of("machine")[0])[0], 80.0);
     assert!(of("rotor").iter().all(|body| body["follows_m"] == 80.0));
-    // The upper blade is as long as the lower one: 0.6 of the 55 m above the water, about the middle of the nacelle.
+    // The upper blade is as long as the lower one: 0.6 of the 55 m above the water, about the
+    // middle of the nacelle.
     let [upper, lower] = [heights(of("rotor")[1]), heights(of("rotor")[2])];
     assert!(
         (upper[1] - lower[0] - 2.0 * 0.6 * 55.0).abs() < 0.05,
@@ -738,7 +743,8 @@ fn sections_turn_as_the_axis_bends() {
     };
     let (z, x) = (numbers(&data["height_m"]), numbers(&mode["x"]));
     let turn = numbers(&mode["rotation_y"]);
-    // A beam without shear: the rotation about y is the slope dx/dz; of the mean of two neighbours to 1 % over such short steps.
+    // A beam without shear: the rotation about y is the slope dx/dz; of the mean of two neighbours
+    // to 1 % over such short steps.
     for k in 10..z.len() - 1 {
         let slope = (x[k + 1] - x[k]) / (z[k + 1] - z[k]);
         let mean = 0.5 * (turn[k] + turn[k + 1]);
@@ -944,7 +950,8 @@ fn thousands_of_stations_are_in_the_page_and_counted_in_markdown() {
     assert!(markdown(&content).contains(shown));
 }
 
-/// A hundred stations are whole in Markdown; of a hundred and one there are eight of each end with a gap between.
+/// A hundred stations are whole in Markdown; of a hundred and one there are eight of each end with
+/// a gap between.
 #[test]
 fn markdown_shortens_tables_of_more_than_a_hundred_rows() {
     let stations = |count: u32| {

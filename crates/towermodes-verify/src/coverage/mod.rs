@@ -1,7 +1,9 @@
-//! How often the errors that are claimed hold: random towers of many classes by every method, against the beam itself.
+//! How often the errors that are claimed hold: random towers of many classes by every method,
+//! against the beam itself.
 //!
-//! An error is *covered* if it is at most three times the claimed one. The reference is the spectral beam with its degree raised by
-//! four, of the physics of the method: without shear deformation and rotary inertia for BModes.
+//! An error is *covered* if it is at most three times the claimed one. The reference is the
+//! spectral beam with its degree raised by four, of the physics of the method: without shear
+//! deformation and rotary inertia for BModes.
 //! `cargo run --release -p towermodes-verify --example random_study` prints the tables of the book.
 
 mod class;

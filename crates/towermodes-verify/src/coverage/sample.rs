@@ -45,7 +45,8 @@ const ROUNDING: f64 = 1e-9;
 /// Modes asked for.
 const MODES: usize = 8;
 
-/// More modes of the reference than of the method, for those that the method's errors bring into its list.
+/// More modes of the reference than of the method, for those that the method's errors bring into
+/// its list.
 const MORE: usize = 8;
 
 /// How much the degree of the reference is raised.
@@ -64,7 +65,8 @@ impl Sample {
     }
 }
 
-/// The modes of the tower of a number by each of `methods`; an error where a method does not solve it.
+/// The modes of the tower of a number by each of `methods`; an error where a method does not solve
+/// it.
 ///
 /// # Errors
 /// The outer one if the reference cannot be solved.

@@ -39,7 +39,8 @@ impl Seed {
         self.between(0.0, 1.0) < share
     }
 
-    /// Rising heights inside `base_m` to `top_m`, the ends included: `parts` parts of random lengths, none below a tenth of the mean.
+    /// Rising heights inside `base_m` to `top_m`, the ends included: `parts` parts of random
+    /// lengths, none below a tenth of the mean.
     pub fn heights_m(&mut self, base_m: f64, top_m: f64, parts: usize) -> Vec<f64> {
         let lengths: Vec<f64> = (0..parts).map(|_| self.between(0.1, 1.9)).collect();
         let whole: f64 = lengths.iter().sum();

@@ -28,8 +28,9 @@ const COLUMN: [(f64, &[&str]); 7] = [
 
 const SOURCE: &str = "power series of the column's equation, 40 digits";
 
-/// Near buckling λ² is the small difference of elastic and geometric stiffness, 1/(1 − α/7.84) times as sensitive as either: an error
-/// that extrapolation leaves of them grows with that, and one that is squared in it with its square.
+/// Near buckling λ² is the small difference of elastic and geometric stiffness, 1/(1 − α/7.84)
+/// times as sensitive as either: an error that extrapolation leaves of them grows with that, and
+/// one that is squared in it with its square.
 const NEAR_BUCKLING: f64 = 1e-6;
 
 pub(super) fn cases() -> Vec<Case> {

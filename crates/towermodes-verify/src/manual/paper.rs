@@ -22,7 +22,8 @@ pub(super) const CHAPTER: Chapter = Chapter {
 const TABLE_1: &str = "Nikolić & Šalinić, Table 1";
 const TABLE_2: &str = "Nikolić & Šalinić, Table 2";
 
-/// A column of a table: method, segments, bending, torsion, axial; empty where the table's value is not one that comes out.
+/// A column of a table: method, segments, bending, torsion, axial; empty where the table's value is
+/// not one that comes out.
 type Column = (
     Method,
     usize,

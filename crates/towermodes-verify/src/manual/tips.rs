@@ -61,11 +61,13 @@ const TIP_BODY: [([f64; 3], &[&str]); 7] = [
 
 const BESIDE_SOURCE: &str = "frequency equations of bending with torsion and of bending with stretch, coupled at the tip, 40 digits";
 
-/// r, (μ, j, ε), d. All modes, side-side with torsion (the first of each) and fore-aft with stretch.
+/// r, (μ, j, ε), d. All modes, side-side with torsion (the first of each) and fore-aft with
+/// stretch.
 ///
-/// With L = m = EI = 1 a tube has EA = 1/r², GJ = 0.8 (G = 0.4 E) and the polar inertia 2r² per length. Clamped, bending v is a sum of
-/// cosh βx − cos βx and sinh βx − sin βx with λ = β², twist φ of sin(λ r √2.5 x), stretch u of sin(λ r x). At the tip, with the
-/// velocities of the mass's centre per λ, y = v + ε v′ + d φ, x = w + ε w′ and z = u − d w′:
+/// With L = m = EI = 1 a tube has EA = 1/r², GJ = 0.8 (G = 0.4 E) and the polar inertia 2r² per
+/// length. Clamped, bending v is a sum of cosh βx − cos βx and sinh βx − sin βx with λ = β², twist
+/// φ of sin(λ r √2.5 x), stretch u of sin(λ r x). At the tip, with the velocities of the mass's
+/// centre per λ, y = v + ε v′ + d φ, x = w + ε w′ and z = u − d w′:
 ///
 /// | side-side and torsion | fore-aft and stretch |
 /// |---|---|

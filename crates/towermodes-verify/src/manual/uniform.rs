@@ -14,7 +14,8 @@ pub(super) const CHAPTER: Chapter = Chapter {
         rods they are β in ω = β √(E/ρ)/L, or √(G/ρ) in torsion.",
 };
 
-/// A chain of rigid bodies has an error of n⁻⁴ left after extrapolation, which grows with the fourth power of the order.
+/// A chain of rigid bodies has an error of n⁻⁴ left after extrapolation, which grows with the
+/// fourth power of the order.
 const CHAIN_ALLOWANCE: f64 = 2e-8;
 
 /// The beam itself, and the default method extrapolated.

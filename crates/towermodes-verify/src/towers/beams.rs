@@ -25,7 +25,8 @@ impl Uniform {
     /// Density, kg/m³.
     pub const DENSITY_KG_PER_M3: f64 = 8000.0;
 
-    /// A tube with slenderness r = √(I/A)/L and E/(κG) = s, with κ = 1/2 where it shears; G = 0.4 E where it does not.
+    /// A tube with slenderness r = √(I/A)/L and E/(κG) = s, with κ = 1/2 where it shears; G = 0.4 E
+    /// where it does not.
     pub fn new(r: f64, s: Option<f64>) -> Self {
         let (length, e) = (Self::LENGTH_M, Self::YOUNGS_MODULUS_PA);
         // I/A = (d² + dᵢ²)/16 with dᵢ = 0.9 d.
@@ -53,7 +54,8 @@ impl Uniform {
         lambda * self.unit_hz
     }
 
-    /// With a tip mass μ = M/(mL), its inertia j = J/(mL³) about its centre, and the centre ε = e/L above the tip.
+    /// With a tip mass μ = M/(mL), its inertia j = J/(mL³) about its centre, and the centre ε = e/L
+    /// above the tip.
     pub fn with_tip(mut self, mu: f64, j: f64, eps: f64) -> Self {
         let length = Self::LENGTH_M;
         let inertia = j * self.mass_per_length * length.powi(3);
@@ -76,7 +78,8 @@ impl Uniform {
         self
     }
 
-    /// On springs k_T = K_T L³/(EI), against translation, which may be infinite, and k_R = K_R L/(EI), against rotation, in both planes.
+    /// On springs k_T = K_T L³/(EI), against translation, which may be infinite, and k_R = K_R
+    /// L/(EI), against rotation, in both planes.
     pub fn on_springs(mut self, k_t: f64, k_r: f64) -> Self {
         let (ei, length) = (self.bending_n_m2(), Self::LENGTH_M);
         self.description.foundation = Foundation::Springs(FoundationSprings {
@@ -148,7 +151,8 @@ impl Tapered {
         Self::of_tubes(rod(d), rod(d * (1.0 - c)), 0.25 * d)
     }
 
-    /// A tube so thin that it is a wedge: depth 1 − cx and width 1 − wx give A ∝ depth·width, I ∝ depth³·width.
+    /// A tube so thin that it is a wedge: depth 1 − cx and width 1 − wx give A ∝ depth·width, I ∝
+    /// depth³·width.
     ///
     /// The wall is 1e-9 of the diameter, which is also how far A and I are from these laws.
     pub fn wedge(c: f64, w: f64) -> Self {
@@ -157,8 +161,8 @@ impl Tapered {
         Self::of_tubes([d, t], top, d / 8.0_f64.sqrt())
     }
 
-    /// Width alone tapers: A and I ∝ 1 − cx, as a table of two rows; the side-side plane is four times as stiff, which doubles its
-    /// frequencies.
+    /// Width alone tapers: A and I ∝ 1 − cx, as a table of two rows; the side-side plane is four
+    /// times as stiff, which doubles its frequencies.
     pub fn width(c: f64) -> Self {
         let gyration_m = 0.5;
         let row = |height_m: f64, share: f64| {

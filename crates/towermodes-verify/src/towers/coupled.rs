@@ -49,8 +49,8 @@ pub fn reference_in_soil() -> TowerDescription {
     }
 }
 
-/// The machine of the OC3 deck of BModes. Its xx counts the generator as J_g q², though a locked rotor has J_g; the reference values of
-/// this manual are of these numbers.
+/// The machine of the OC3 deck of BModes. Its xx counts the generator as J_g q², though a locked
+/// rotor has J_g; the reference values of this manual are of these numbers.
 fn eccentric_machine() -> Rna {
     Rna {
         mass_kg: 350e3,
@@ -65,8 +65,9 @@ fn eccentric_machine() -> Rna {
     }
 }
 
-/// A tower on a monopile in two layers of soil and 20 m of water that also stands in it, with a piece of concrete, wires, a transformer
-/// and an eccentric machine under gravity: everything that a tower on the ground can have.
+/// A tower on a monopile in two layers of soil and 20 m of water that also stands in it, with a
+/// piece of concrete, wires, a transformer and an eccentric machine under gravity: everything that
+/// a tower on the ground can have.
 pub fn monopile() -> TowerDescription {
     let steel = Material::from_poissons_ratio(8500.0, 2.1e11, 0.3);
     let concrete = Material::from_poissons_ratio(2500.0, 3.6e10, 0.2);
@@ -169,7 +170,8 @@ pub fn floater() -> TowerDescription {
     }
 }
 
-/// A matrix about the water's surface that is the same in both planes, of its entries 11, 15, 33, 44 and 66: 22, 24 and 55 follow.
+/// A matrix about the water's surface that is the same in both planes, of its entries 11, 15, 33,
+/// 44 and 66: 22, 24 and 55 follow.
 fn axisymmetric([surge, surge_pitch, heave, pitch, yaw]: [f64; 5]) -> ReferredMatrix {
     let mut matrix: SpatialMatrix = [[0.0; 6]; 6];
     for (i, value) in [surge, surge, heave, pitch, pitch, yaw]

@@ -60,7 +60,8 @@ pub fn reference_with_machine() -> TowerDescription {
     }
 }
 
-/// The reference tower with its wall so many times as thick, as a table of eleven equal rows, with a point mass (kg) on top.
+/// The reference tower with its wall so many times as thick, as a table of eleven equal rows, with
+/// a point mass (kg) on top.
 pub fn reference_table(wall: f64, top_kg: f64) -> TowerDescription {
     let steel = reference_steel();
     let row = |k: usize| {

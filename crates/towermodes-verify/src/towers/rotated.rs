@@ -6,10 +6,12 @@ use towermodes::{FloatingPlatform, Foundation, Inertia, ReferredMatrix, TowerDes
 /// A 3×3 matrix.
 type Matrix = [[f64; 3]; 3];
 
-/// The same tower turned by an angle (rad) about its axis: all that a tower of tubes can have beside its axis, and nothing of a table of
-/// properties or of soil, whose planes must be equal for this to be the same tower.
+/// The same tower turned by an angle (rad) about its axis: all that a tower of tubes can have
+/// beside its axis, and nothing of a table of properties or of soil, whose planes must be equal for
+/// this to be the same tower.
 ///
-/// A vector v becomes R v, a tensor R J Rᵀ and a matrix for the six motions diag(R, R) K diag(R, R)ᵀ.
+/// A vector v becomes R v, a tensor R J Rᵀ and a matrix for the six motions diag(R, R) K diag(R,
+/// R)ᵀ.
 pub fn rotated(description: &TowerDescription, azimuth_rad: f64) -> TowerDescription {
     let (sine, cosine) = azimuth_rad.sin_cos();
     let turn = Turn([[cosine, -sine, 0.0], [sine, cosine, 0.0], [0.0, 0.0, 1.0]]);

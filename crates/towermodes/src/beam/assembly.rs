@@ -1,10 +1,12 @@
 //! Recipes that turn a tower into beams.
 //!
-//! **BModes.** The 15-dof element: cubics in bending, cubics axially, quadratics in torsion, Euler-Bernoulli, the section constant over
-//! an element and that of its middle. In strains: two coordinates in bending, three axially, two in torsion.
+//! **BModes.** The 15-dof element: cubics in bending, cubics axially, quadratics in torsion,
+//! Euler-Bernoulli, the section constant over an element and that of its middle. In strains: two
+//! coordinates in bending, three axially, two in torsion.
 //!
-//! **Spectral.** The beam itself, on elements that lie within one linear piece, with exact sections; of degree p: deflections of degree
-//! p in bending, p axially and in torsion. Where the tower shears, rotation and deflection are independent, each of degree p or less.
+//! **Spectral.** The beam itself, on elements that lie within one linear piece, with exact
+//! sections; of degree p: deflections of degree p in bending, p axially and in torsion. Where the
+//! tower shears, rotation and deflection are independent, each of degree p or less.
 
 use super::element::{Slice, Stencil};
 use super::strain::{Strain, deformations};
@@ -68,7 +70,8 @@ impl BeamRecipe {
                 axial: 3,
                 points: 4,
             },
-            // Degree p twice and mass or stiffness of degree 4: p + 3 points are exact, but for shear flexibility, which is rational.
+            // Degree p twice and mass or stiffness of degree 4: p + 3 points are exact, but for
+            // shear flexibility, which is rational.
             Self::Spectral { degree, .. } => Degrees {
                 curvature: degree - 1,
                 shear: if shears { degree } else { 0 },
@@ -158,7 +161,8 @@ impl Parts<Beams> {
     }
 }
 
-/// The sections at the points of an element, or that of the middle at all of them, and the compression if there is gravity.
+/// The sections at the points of an element, or that of the middle at all of them, and the
+/// compression if there is gravity.
 fn take_sections(
     tower: &Tower,
     recipe: BeamRecipe,

@@ -1,8 +1,10 @@
-//! One beam element of any degree: its stiffness, its inertia, what soil and weights do to it, the motion of its top.
+//! One beam element of any degree: its stiffness, its inertia, what soil and weights do to it, the
+//! motion of its top.
 //!
-//! A strain of the element (curvature, shear, stretch, twist) is Σ c_k P_k(ξ), and each motion component is that strain integrated
-//! once or twice over the height. The stiffness ∫ s P_i P_j dz is a weighted Gram matrix of Legendre polynomials, diagonal where the
-//! section is constant and well conditioned at any degree. In y = Lᵀ c it is the identity.
+//! A strain of the element (curvature, shear, stretch, twist) is Σ c_k P_k(ξ), and each motion
+//! component is that strain integrated once or twice over the height. The stiffness ∫ s P_i P_j dz
+//! is a weighted Gram matrix of Legendre polynomials, diagonal where the section is constant and
+//! well conditioned at any degree. In y = Lᵀ c it is the identity.
 
 use super::legendre::{Legendre, Term, gauss_points};
 use super::model::{Beam, WEIGHTS, place, rigid_motion};
@@ -74,7 +76,8 @@ impl Stencil {
         self.end_element(beam);
     }
 
-    /// Begins an element whose stiffness for its strain coefficients, the lower triangle, is written by `add_stiffness`.
+    /// Begins an element whose stiffness for its strain coefficients, the lower triangle, is
+    /// written by `add_stiffness`.
     pub(super) fn begin_element<const D: usize>(
         &mut self,
         beam: &mut Beam<D>,
@@ -182,10 +185,11 @@ impl Stencil {
         forward_substitute(&beam.roots[element * m * m..], &mut self.shear[D..]);
     }
 
-    /// sum += factor·(θ θᵀ + θ γᵀ + γ θᵀ), with the rotation θ = dw/dz − γ of a lever's plane and the shear γ written last.
+    /// sum += factor·(θ θᵀ + θ γᵀ + γ θᵀ), with the rotation θ = dw/dz − γ of a lever's plane and
+    /// the shear γ written last.
     ///
-    /// −N times it is what a compression N does: sections turned by θ carry what is above them down by θ²/2, and slide down along
-    /// themselves by γ θ (Haringx 1948).
+    /// −N times it is what a compression N does: sections turned by θ carry what is above them down
+    /// by θ²/2, and slide down along themselves by γ θ (Haringx 1948).
     fn add_sinking<const D: usize>(
         &self,
         lever: &Lever,
@@ -259,7 +263,8 @@ fn soil(soil: &SoilStiffness) -> [f64; 6] {
     ]
 }
 
-/// The motion components `rise_m` above the element's base, for the motion of the base and the coordinates y: D rows.
+/// The motion components `rise_m` above the element's base, for the motion of the base and the
+/// coordinates y: D rows.
 pub(super) fn write_shape<const D: usize>(
     at: &[Term],
     length_m: f64,
@@ -309,7 +314,8 @@ fn add_squares<const D: usize>(inertia: &[f64; D], shape: &[f64], rows: usize, s
     }
 }
 
-/// Overwrites the lower triangle of a positive definite m×m matrix by its Cholesky factor; NaN if it is not positive definite.
+/// Overwrites the lower triangle of a positive definite m×m matrix by its Cholesky factor; NaN if
+/// it is not positive definite.
 fn cholesky(matrix: &mut [f64], m: usize) {
     for i in 0..m {
         for j in 0..=i {

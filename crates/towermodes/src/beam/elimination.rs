@@ -1,25 +1,28 @@
 //! The factorization of a beam's matrices in O(n), with solve and inertia count.
 //!
-//! As for a chain of rigid bodies: seen from the base of an element, all that is above it is one symmetric D×D matrix P. Going down,
+//! As for a chain of rigid bodies: seen from the base of an element, all that is above it is one
+//! symmetric D×D matrix P. Going down,
 //!
 //! A ← A_e + [X T]ᵀ P [X T],
 //!
-//! the element's coordinates are eliminated from A one by one, the stiffest first, and what is left is the P of its base; last come the
-//! coordinates of a base that moves. The pivots are the D of a factorization L D Lᵀ, so the negative ones are the negative eigenvalues
-//! (Sylvester).
+//! the element's coordinates are eliminated from A one by one, the stiffest first, and what is left
+//! is the P of its base; last come the coordinates of a base that moves. The pivots are the D of a
+//! factorization L D Lᵀ, so the negative ones are the negative eigenvalues (Sylvester).
 
 use super::model::{Beam, add_congruent};
 use super::product::{base_motion, factors};
 use crate::parts::Combination;
 use crate::space::{Dim, Matrix, Space, add_scaled, lower, raise};
 
-/// Pivots closer to zero than this are moved there, to the negative side: an eigenvalue hit exactly counts as below.
+/// Pivots closer to zero than this are moved there, to the negative side: an eigenvalue hit exactly
+/// counts as below.
 const TINY_PIVOT: f64 = 1e-30;
 
 /// A factored combination, and working memory; reused from solve to solve.
 #[derive(Debug, Clone, Default)]
 pub struct Factors {
-    /// Each element's matrix after its coordinates were eliminated: a row holds what it was coupled with before.
+    /// Each element's matrix after its coordinates were eliminated: a row holds what it was coupled
+    /// with before.
     elements: Vec<f64>,
     /// The same of the base.
     base: Vec<f64>,
@@ -30,7 +33,8 @@ pub struct Factors {
     right: Vec<f64>,
 }
 
-/// The number of negative eigenvalues of a combination of the beam's matrices, counted without storing anything.
+/// The number of negative eigenvalues of a combination of the beam's matrices, counted without
+/// storing anything.
 pub fn count_negative<const D: usize>(
     beam: &Beam<D>,
     combination: &Combination,
@@ -65,7 +69,8 @@ where
     negative
 }
 
-/// Eliminates everything from the top down, tells `record` each element's matrix; leaves that of the base in `base`.
+/// Eliminates everything from the top down, tells `record` each element's matrix; leaves that of
+/// the base in `base`.
 fn eliminate_all<const D: usize>(
     beam: &Beam<D>,
     combination: &Combination,
@@ -235,7 +240,8 @@ fn reduce(factors: &[f64], rows: usize, first: usize, right: &mut [f64]) {
     }
 }
 
-/// Finds the coordinates from `first` on of a reduced right side, the unknowns before them being known.
+/// Finds the coordinates from `first` on of a reduced right side, the unknowns before them being
+/// known.
 fn substitute(factors: &[f64], rows: usize, first: usize, right: &mut [f64]) {
     for k in first..rows {
         let row = &factors[k * rows..=k * rows + k];

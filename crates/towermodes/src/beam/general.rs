@@ -1,4 +1,5 @@
-//! Elements of any kind: full matrices for the motion of sections, and strains that resist each other.
+//! Elements of any kind: full matrices for the motion of sections, and strains that resist each
+//! other.
 
 use super::element::{Stencil, write_shape};
 use super::model::{Beam, add_congruent, place};
@@ -7,7 +8,8 @@ use crate::parts::Role;
 use crate::space::{Dim, Matrix, Space};
 
 impl Stencil {
-    /// Adds matrices for the motion of the section at a point, inertia and ground, per length, to the last element.
+    /// Adds matrices for the motion of the section at a point, inertia and ground, per length, to
+    /// the last element.
     pub(super) fn add_matrices<const D: usize>(
         &mut self,
         beam: &mut Beam<D>,
@@ -33,7 +35,8 @@ impl Stencil {
         }
     }
 
-    /// Adds what a section at a point resists strains with, per length: a symmetric matrix over [`Strain::ALL`]; the lower triangle.
+    /// Adds what a section at a point resists strains with, per length: a symmetric matrix over
+    /// [`Strain::ALL`]; the lower triangle.
     pub(super) fn add_strain_stiffness<const D: usize>(
         &self,
         deformations: &[Deformation<D>],

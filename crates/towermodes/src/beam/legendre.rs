@@ -4,11 +4,12 @@ use std::f64::consts::PI;
 
 /// P_k, I_k and J_k at a point ξ of [−1, 1], for k = 0, 1, 2, …
 ///
-/// An element's strain is Σ c_k P_k(ξ); with I_k = ∫₋₁ P_k and J_k = ∫₋₁ I_k its rotation and its deflection are sums of I_k and J_k.
-/// I_k vanishes at both ends from k = 1, J_k from k = 2: those are the bubbles (1 − ξ²) and (1 − ξ²)² times a polynomial.
+/// An element's strain is Σ c_k P_k(ξ); with I_k = ∫₋₁ P_k and J_k = ∫₋₁ I_k its rotation and its
+/// deflection are sums of I_k and J_k. I_k vanishes at both ends from k = 1, J_k from k = 2: those
+/// are the bubbles (1 − ξ²) and (1 − ξ²)² times a polynomial.
 ///
-/// (k+1) P_{k+1} = (2k+1) ξ P_k − k P_{k−1}; (2k+1) I_k = P_{k+1} − P_{k−1}; (2k+1) J_k = I_{k+1} − I_{k−1}; I₀ = ξ + 1,
-/// J₀ = (ξ + 1)²/2.
+/// (k+1) P_{k+1} = (2k+1) ξ P_k − k P_{k−1}; (2k+1) I_k = P_{k+1} − P_{k−1}; (2k+1) J_k = I_{k+1} −
+/// I_{k−1}; I₀ = ξ + 1, J₀ = (ξ + 1)²/2.
 #[derive(Debug, Clone)]
 pub struct Legendre {
     xi: f64,
@@ -69,14 +70,16 @@ impl Iterator for Legendre {
 
 /// The Gauss-Legendre points and weights on [−1, 1], exact to degree 2·`count` − 1, from the left.
 ///
-/// Newton's method on P_n from cos(π (i + 3/4)/(n + 1/2)), which lies next to the i-th root (Davis & Rabinowitz 1984, ch. 2.7).
+/// Newton's method on P_n from cos(π (i + 3/4)/(n + 1/2)), which lies next to the i-th root (Davis
+/// & Rabinowitz 1984, ch. 2.7).
 pub fn gauss_points(count: usize) -> Vec<(f64, f64)> {
     let n = count as f64;
     let mut points = vec![(0.0, 2.0); count];
     for i in 0..count.div_ceil(2) {
         let mut x = (PI * (i as f64 + 0.75) / (n + 0.5)).cos();
         let mut derivative = 1.0;
-        // Quadratic convergence: the fourth step no longer changes anything, a few more cost nothing.
+        // Quadratic convergence: the fourth step no longer changes anything, a few more cost
+        // nothing.
         for _ in 0..6 {
             let (value, below) = legendre_pair(count, x);
             derivative = n * (x * value - below) / (x * x - 1.0);

@@ -1,4 +1,5 @@
-//! Chains of flexible beam elements: the finite element of BModes and the spectral beam, one kind of element in both.
+//! Chains of flexible beam elements: the finite element of BModes and the spectral beam, one kind
+//! of element in both.
 
 mod assembly;
 mod element;

@@ -6,17 +6,20 @@ use crate::space::{Dim, Matrix, Space, add_scaled, lower_matrix, raise};
 
 /// A chain of flexible elements, in D motion components, clamped or on a base that moves.
 ///
-/// Each element moves with its base and deforms by itself in `coordinates` ways: its strains are Legendre polynomials c_k P_k, and its
-/// unknowns are y = Lᵀ c with L Lᵀ the element's stiffness for c. So the stiffness of the elements is the identity, as in a
-/// [`Chain`](crate::chain::Chain), and the pencil is
+/// Each element moves with its base and deforms by itself in `coordinates` ways: its strains are
+/// Legendre polynomials c_k P_k, and its unknowns are y = Lᵀ c with L Lᵀ the element's stiffness
+/// for c. So the stiffness of the elements is the identity, as in a [`Chain`](crate::chain::Chain),
+/// and the pencil is
 ///
 /// (1 + Jᵀ S J) y = λ Jᵀ M J y,
 ///
-/// where J maps y to the motion of each element's base and its own y, and M, the inertia, and S, what ties to the ground less what
-/// weights take, hold one matrix an element for these. The space is that of Hermite cubics and bubbles, but no stiffness of a node is ever formed, whose
-/// entries nearly cancel in fine meshes.
+/// where J maps y to the motion of each element's base and its own y, and M, the inertia, and S,
+/// what ties to the ground less what weights take, hold one matrix an element for these. The space
+/// is that of Hermite cubics and bubbles, but no stiffness of a node is ever formed, whose entries
+/// nearly cancel in fine meshes.
 ///
-/// Vectors hold the coordinates of the base, if it moves, then those of the elements from the base up.
+/// Vectors hold the coordinates of the base, if it moves, then those of the elements from the base
+/// up.
 #[derive(Debug, Clone, Default)]
 pub struct Beam<const D: usize> {
     /// How elements deform.
@@ -27,8 +30,9 @@ pub struct Beam<const D: usize> {
     pub(super) ends: Vec<(f64, f64)>,
     /// Motion of each element's top by its coordinates: D rows an element.
     pub(super) tips: Vec<f64>,
-    /// Inertia, ground and weights of each element for the motion of its base and its coordinates: D + coordinates rows an element. The
-    /// last two may be shorter, or empty, if the elements above have none.
+    /// Inertia, ground and weights of each element for the motion of its base and its coordinates:
+    /// D + coordinates rows an element. The last two may be shorter, or empty, if the elements
+    /// above have none.
     pub(super) matrices: [Vec<f64>; 3],
     /// L of each element, lower triangular: `coordinates` rows an element.
     pub(super) roots: Vec<f64>,
@@ -90,7 +94,8 @@ where
         &self.deformations
     }
 
-    /// Begins with a base that moves freely in the components with a `unit`, the motion that a coordinate of 1 is; zero holds one.
+    /// Begins with a base that moves freely in the components with a `unit`, the motion that a
+    /// coordinate of 1 is; zero holds one.
     pub fn add_base(&mut self, height_m: f64, unit: [f64; D]) {
         let moves = unit.iter().any(|unit| *unit != 0.0);
         self.base = moves.then_some(MovingBase {
@@ -126,15 +131,16 @@ where
         D + self.coordinates
     }
 
-    /// Adds a matrix, given about `reference_m`, to the top of the last element; before the first that is the base.
+    /// Adds a matrix, given about `reference_m`, to the top of the last element; before the first
+    /// that is the base.
     ///
     /// The top moves by X v + T y, so a matrix B is seen as [X T]ᵀ B [X T].
     pub fn add(&mut self, role: Role, reference_m: f64, matrix: Matrix<D>) {
         self.add_at(place(role), reference_m, matrix);
     }
 
-    /// Takes a stiffness (N m) against rotation in the bending planes, by which weights overturn it, from the top of the last element;
-    /// before the first that is the base.
+    /// Takes a stiffness (N m) against rotation in the bending planes, by which weights overturn
+    /// it, from the top of the last element; before the first that is the base.
     pub fn overturn(&mut self, stiffness_n_m: f64) {
         if Dim::<D>::LEVERS.is_empty() {
             return;
@@ -174,7 +180,8 @@ where
         &mut matrices[(count - 1) * size..]
     }
 
-    /// The D×rows matrix [X T] of an element, row by row: the motion of its top for the motion of its base and its coordinates.
+    /// The D×rows matrix [X T] of an element, row by row: the motion of its top for the motion of
+    /// its base and its coordinates.
     #[inline]
     pub(super) fn top_motion(&self, element: usize, matrix: &mut [f64]) {
         let (rows, coordinates) = (self.rows(), self.coordinates);
@@ -198,7 +205,8 @@ where
         all.all(|value| value.is_finite())
     }
 
-    /// Whether a combination of its matrices is the elements' stiffness alone, which is the identity.
+    /// Whether a combination of its matrices is the elements' stiffness alone, which is the
+    /// identity.
     pub fn is_identity(&self, combination: &Combination) -> bool {
         let [_, ground, weights] = &self.matrices;
         let is_tied = combination.ground != 0.0 && !ground.is_empty();

@@ -1,4 +1,5 @@
-//! Products with a beam's matrices in O(n): one sweep up for the motions, one sweep down for the forces.
+//! Products with a beam's matrices in O(n): one sweep up for the motions, one sweep down for the
+//! forces.
 
 use super::model::Beam;
 use crate::parts::{Balance, Combination};
@@ -47,7 +48,8 @@ pub fn product<const D: usize>(
     }
 }
 
-/// out = Jᵀ M r with r the rigid motion that is one in every component at the base: a start vector for iterations.
+/// out = Jᵀ M r with r the rigid motion that is one in every component at the base: a start vector
+/// for iterations.
 pub fn base_excitation<const D: usize>(beam: &Beam<D>, loads: &mut Vec<f64>, out: &mut [f64])
 where
     Dim<D>: Space,
@@ -63,7 +65,8 @@ where
 
 /// The resultant of A x about the base, and what each component contributes to xᵀ A x.
 ///
-/// An element's coordinates contribute to the component that their strain moves last: rotation in bending.
+/// An element's coordinates contribute to the component that their strain moves last: rotation in
+/// bending.
 pub fn balance<const D: usize>(
     beam: &Beam<D>,
     combination: &Combination,
@@ -177,7 +180,8 @@ fn add_forces<const D: usize>(
     loads.extend(matrix.chunks_exact(rows).map(force));
 }
 
-/// From the base up: v ← X v + T y, told to `visit` element by element before it changes; returns the motion of the top.
+/// From the base up: v ← X v + T y, told to `visit` element by element before it changes; returns
+/// the motion of the top.
 #[inline]
 fn sweep_up<const D: usize>(
     beam: &Beam<D>,

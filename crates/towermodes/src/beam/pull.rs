@@ -10,11 +10,13 @@ const IN_PLANE: [usize; 2] = [0, 2];
 
 const NONE: SpatialMatrix = [[0.0; 6]; 6];
 
-/// What rotation adds to the stiffness against motions of a body at the tip, whose pull on the blade is in the tension already.
+/// What rotation adds to the stiffness against motions of a body at the tip, whose pull on the
+/// blade is in the tension already.
 ///
-/// The potential of the centrifugal forces is −½ Ω² ∫ |P r|² dm, with P r the part of r normal to the rotor's axis. A point of the body that
-/// is ρ from the tip moves to r₀ + u + R ρ, where R turns by the slopes first and by the twist about the deformed axis then:
-/// R = 1 + B + T + ½ B² + B T + ½ T² with B the cross product of the bending rotations and T that of the twist.
+/// The potential of the centrifugal forces is −½ Ω² ∫ |P r|² dm, with P r the part of r normal to
+/// the rotor's axis. A point of the body that is ρ from the tip moves to r₀ + u + R ρ, where R
+/// turns by the slopes first and by the twist about the deformed axis then: R = 1 + B + T + ½ B² +
+/// B T + ½ T² with B the cross product of the bending rotations and T that of the twist.
 pub(super) fn pull(tip: &RigidBody, tip_m: f64, speed_squared: f64) -> SpatialMatrix {
     let moment = tip.center_m.map(|c| tip.mass_kg * c);
     let spread = spread(tip);
@@ -71,7 +73,8 @@ fn generator(a: usize) -> Tensor {
     matrix
 }
 
-/// The part of twice the second order of R that goes with rotations a and b: both halves of B² + 2 B T + T².
+/// The part of twice the second order of R that goes with rotations a and b: both halves of B² + 2
+/// B T + T².
 fn second_order(a: usize, b: usize) -> Tensor {
     let product = |first: usize, then: usize| -> Tensor {
         let (left, right) = (generator(first), generator(then));
@@ -134,7 +137,8 @@ mod tests {
         })
     }
 
-    /// −½ Ω² ∫ |P r|² dm of the body moved by (u, θ): slopes first, then the twist about the axis that has turned with them.
+    /// −½ Ω² ∫ |P r|² dm of the body moved by (u, θ): slopes first, then the twist about the axis
+    /// that has turned with them.
     fn potential(motion: [f64; 6]) -> f64 {
         let [x, _, z, rx, ry, rz] = motion;
         let (bent, twisted) = (rotation([rx, ry, 0.0]), rotation([0.0, 0.0, rz]));

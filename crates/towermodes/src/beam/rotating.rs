@@ -1,8 +1,10 @@
-//! The recipe that makes a beam of a rotating blade: the element of BModes with twist, offsets and the forces of rotation.
+//! The recipe that makes a beam of a rotating blade: the element of BModes with twist, offsets and
+//! the forces of rotation.
 //!
-//! v is the motion in lag (X), w in flap (Y), u along the span (Z), φ the twist about the deformed axis; θ the section's twist with the
-//! pitch, e its centre of mass and a its tension centre along its own X. Sections are constant over an element and that of its middle, but
-//! for the twist. Precone, gyroscopic forces, bending's rotary inertia and gravity are left out, as in BModes.
+//! v is the motion in lag (X), w in flap (Y), u along the span (Z), φ the twist about the deformed
+//! axis; θ the section's twist with the pitch, e its centre of mass and a its tension centre along
+//! its own X. Sections are constant over an element and that of its middle, but for the twist.
+//! Precone, gyroscopic forces, bending's rotary inertia and gravity are left out, as in BModes.
 
 use super::element::Stencil;
 use super::model::Beam;
@@ -13,7 +15,8 @@ use crate::parts::{Role, SPACE};
 use crate::space::SpatialMatrix;
 use crate::tower::{Motion, Motions, Plane, spatial_inertia};
 
-/// Six Gauss points, as BModes takes: the sines of a twist that varies over an element have no exact rule.
+/// Six Gauss points, as BModes takes: the sines of a twist that varies over an element have no
+/// exact rule.
 const POINTS: usize = 6;
 
 const NONE: SpatialMatrix = [[0.0; 6]; 6];
@@ -61,7 +64,8 @@ pub(crate) fn assemble_blade(blade: &Blade, borders: &[f64], beam: &mut Beam<6>)
     }
 }
 
-/// How many polynomials each strain of BModes' element has; none where the blade's stiffness is infinite.
+/// How many polynomials each strain of BModes' element has; none where the blade's stiffness is
+/// infinite.
 fn coordinates(blade: &Blade, strain: Strain) -> usize {
     let is_rigid = |stiffness: fn(&BladeSection) -> f64| {
         let first = blade.description().sections.first();
@@ -153,7 +157,8 @@ impl Element<'_> {
 }
 
 impl Local {
-    /// Against curvatures v″ and w″, twist φ′ and stretch u′, per length, in the order of [`Strain::ALL`].
+    /// Against curvatures v″ and w″, twist φ′ and stretch u′, per length, in the order of
+    /// [`Strain::ALL`].
     fn stiffness(&self) -> [[f64; 6]; 6] {
         let (sin, cos) = self.turn;
         let section = &self.section;
@@ -191,7 +196,8 @@ impl Local {
         matrix
     }
 
-    /// What rotation adds to the stiffness, per length: T (v′² + w′²) − m Ω² v² and what offsets do. w′ is minus the rotation about X.
+    /// What rotation adds to the stiffness, per length: T (v′² + w′²) − m Ω² v² and what offsets
+    /// do. w′ is minus the rotation about X.
     fn rotation(&self) -> SpatialMatrix {
         let (sin, cos) = self.turn;
         let section = &self.section;

@@ -47,7 +47,8 @@ impl Strain {
         }
     }
 
-    /// How often it is integrated to move each of its motion's components, translation before rotation.
+    /// How often it is integrated to move each of its motion's components, translation before
+    /// rotation.
     fn integrals(self) -> &'static [usize] {
         match self {
             Self::Curvature(_) => &[2, 1],
@@ -74,11 +75,13 @@ pub struct Deformation<const D: usize> {
     pub strain: Strain,
     /// Number of its coordinates.
     pub count: usize,
-    /// How often it is integrated to give each component, 0 where it does not move it; negative where it moves it backwards.
+    /// How often it is integrated to give each component, 0 where it does not move it; negative
+    /// where it moves it backwards.
     pub(super) integrals: [i32; D],
 }
 
-/// The deformations of an element for a set of motions, each with as many coordinates as `count` says.
+/// The deformations of an element for a set of motions, each with as many coordinates as `count`
+/// says.
 pub(super) fn deformations<const D: usize>(
     motions: Motions,
     components: [Component; D],

@@ -9,7 +9,8 @@ use crate::warning::Site;
 /// The radius of gyration of the body at the tip reaches to this share of the blade's length.
 const TIP_REACH: f64 = 0.6;
 
-/// A blade that can exist: every property is finite, and positive where it must be; constant afterwards.
+/// A blade that can exist: every property is finite, and positive where it must be; constant
+/// afterwards.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Blade {
     description: BladeDescription,
@@ -79,7 +80,8 @@ impl Blade {
         self.description.hub_radius_m + span * self.length_m()
     }
 
-    /// Mass without the body at the tip, kg: exact for sections that are linear between those given.
+    /// Mass without the body at the tip, kg: exact for sections that are linear between those
+    /// given.
     pub fn mass_kg(&self) -> f64 {
         let pairs = self.description.sections.windows(2);
         let masses = pairs.map(|pair| {
@@ -89,8 +91,8 @@ impl Blade {
         masses.sum()
     }
 
-    /// The section at a share of the span: mass, stiffnesses, squared radii of gyration (inertia over mass), offsets and twist are linear
-    /// between the sections given, as BModes interpolates.
+    /// The section at a share of the span: mass, stiffnesses, squared radii of gyration (inertia
+    /// over mass), offsets and twist are linear between the sections given, as BModes interpolates.
     pub fn section_at(&self, span: f64) -> BladeSection {
         let sections = &self.description.sections;
         let above = sections.partition_point(|section| section.span < span);

@@ -2,10 +2,12 @@
 
 use crate::tower::RigidBody;
 
-/// A blade that turns with a rotor at constant speed, clamped to the hub: an Euler-Bernoulli beam with pretwist and offsets.
+/// A blade that turns with a rotor at constant speed, clamped to the hub: an Euler-Bernoulli beam
+/// with pretwist and offsets.
 ///
-/// Axes: Z along the span outwards; at zero twist and pitch X is the lag direction (in the rotor's plane) and Y the flap direction (out of
-/// it). The section's own axes are turned from X and Y by twist + pitch, positive from X towards Y.
+/// Axes: Z along the span outwards; at zero twist and pitch X is the lag direction (in the rotor's
+/// plane) and Y the flap direction (out of it). The section's own axes are turned from X and Y by
+/// twist + pitch, positive from X towards Y.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct BladeDescription {
     /// What the user calls it.
@@ -37,9 +39,11 @@ pub struct BladeSection {
     pub twist_rad: f64,
     /// Mass per length, kg/m.
     pub mass_kg_per_m: f64,
-    /// Inertia per length for turning in flap, about the section's lag axis, kg m; acts in torsion alone.
+    /// Inertia per length for turning in flap, about the section's lag axis, kg m; acts in torsion
+    /// alone.
     pub flap_inertia_kg_m: f64,
-    /// Inertia per length for turning in lag, about the section's flap axis, kg m; acts in torsion alone.
+    /// Inertia per length for turning in lag, about the section's flap axis, kg m; acts in torsion
+    /// alone.
     pub edge_inertia_kg_m: f64,
     /// Bending stiffness in flap, N m².
     pub flap_n_m2: f64,
@@ -47,7 +51,8 @@ pub struct BladeSection {
     pub edge_n_m2: f64,
     /// Torsional stiffness GJ, N m²; infinite, in all sections, for a blade that does not twist.
     pub torsion_n_m2: f64,
-    /// Axial stiffness EA, N; infinite, in all sections and without a tension centre off the axis, for a blade that does not stretch.
+    /// Axial stiffness EA, N; infinite, in all sections and without a tension centre off the axis,
+    /// for a blade that does not stretch.
     pub axial_n: f64,
     /// Offset of the centre of mass from the axis along the section's own X, m.
     pub center_of_mass_m: f64,

@@ -1,4 +1,5 @@
-//! What a rotating blade is: sections with twist and offsets, a rotor's speed, a body at the tip; validated once, constant afterwards.
+//! What a rotating blade is: sections with twist and offsets, a rotor's speed, a body at the tip;
+//! validated once, constant afterwards.
 
 #[allow(clippy::module_inception, reason = "the file is about the type")]
 mod blade;

@@ -1,23 +1,27 @@
-//! The articulated factorization of a combination of a chain's matrices, as K − σM, in O(n), with solve and inertia count.
+//! The articulated factorization of a combination of a chain's matrices, as K − σM, in O(n), with
+//! solve and inertia count.
 //!
-//! In scaled joint coordinates it is k + Gᵀ Jᵀ B J G with k = 1 for springs, 0 for a free base, and B = S + W − σM block diagonal
-//! over the bodies. Seen from a joint, all that is above it is one symmetric D×D matrix P. Going down from the tip,
+//! In scaled joint coordinates it is k + Gᵀ Jᵀ B J G with k = 1 for springs, 0 for a free base, and
+//! B = S + W − σM block diagonal over the bodies. Seen from a joint, all that is above it is one
+//! symmetric D×D matrix P. Going down from the tip,
 //!
 //! P ← B + Xᵀ P X;  for each spring of the joint, with column p = P e and root g = 1/√k:
 //! δ = k + g² eᵀp,  P ← P − p pᵀ g²/δ.
 //!
-//! A slide under a compression N is coupled with the rotation θ above it by −N: its column is p − N e_θ.
+//! A slide under a compression N is coupled with the rotation θ above it by −N: its column is p − N
+//! e_θ.
 //!
-//! This is Featherstone's articulated-body recursion (2008, ch. 7) with forces in place of accelerations; the springs of one
-//! joint are eliminated one by one, which needs no inverse. The pivots δ are the D of a factorization L D Lᵀ, so by Sylvester's
-//! law the number of negative ones is the number of eigenvalues below σ: a Sturm count in O(n).
+//! This is Featherstone's articulated-body recursion (2008, ch. 7) with forces in place of
+//! accelerations; the springs of one joint are eliminated one by one, which needs no inverse. The
+//! pivots δ are the D of a factorization L D Lᵀ, so by Sylvester's law the number of negative ones
+//! is the number of eigenvalues below σ: a Sturm count in O(n).
 
 use super::model::{Chain, Link};
 use crate::parts::Combination;
 use crate::space::{Dim, Matrix, Space, add, add_scaled, lower, lower_matrix, raise};
 
-/// Pivots closer to zero than this are moved there, to the negative side: 1 is the unit of a pivot, so the change is far
-/// below rounding, and an eigenvalue hit exactly counts as below.
+/// Pivots closer to zero than this are moved there, to the negative side: 1 is the unit of a pivot,
+/// so the change is far below rounding, and an eigenvalue hit exactly counts as below.
 const TINY_PIVOT: f64 = 1e-30;
 
 /// One eliminated spring.
@@ -29,7 +33,8 @@ pub struct Elimination<const D: usize> {
     column: [f64; D],
 }
 
-/// The number of negative eigenvalues of a combination of the chain's matrices, counted without storing anything.
+/// The number of negative eigenvalues of a combination of the chain's matrices, counted without
+/// storing anything.
 pub fn count_negative<const D: usize>(chain: &Chain<D>, combination: &Combination) -> usize
 where
     Dim<D>: Space,
@@ -37,7 +42,8 @@ where
     eliminate(chain, combination, |_| {})
 }
 
-/// Factors a combination of the chain's matrices into `factors` and returns the number of its negative eigenvalues.
+/// Factors a combination of the chain's matrices into `factors` and returns the number of its
+/// negative eigenvalues.
 pub fn factorize<const D: usize>(
     chain: &Chain<D>,
     combination: &Combination,
@@ -50,7 +56,8 @@ where
     eliminate(chain, combination, |elimination| factors.push(elimination))
 }
 
-/// Eliminates every spring from the tip down, tells each to `record`, returns how many pivots are negative.
+/// Eliminates every spring from the tip down, tells each to `record`, returns how many pivots are
+/// negative.
 #[inline]
 fn eliminate<const D: usize>(
     chain: &Chain<D>,
@@ -111,7 +118,8 @@ fn update<const D: usize>(
             *entry -= c * d * factor;
         }
     }
-    // In the spring's own row and column p − p p_e g²/δ is p k/δ: no cancellation when the spring is soft.
+    // In the spring's own row and column p − p p_e g²/δ is p k/δ: no cancellation when the spring
+    // is soft.
     let (share, slid) = (spring * inverse, own[component] * factor);
     for k in 0..D {
         let entry = own[k] * share - sinking[k] * slid;
@@ -172,7 +180,8 @@ where
     let mut bias = [0.0; D];
     let mut above_m = 0.0;
     let mut eliminations = factors.iter();
-    // Within a joint the springs were eliminated in order of component, but x is filled from its end: go joint by joint.
+    // Within a joint the springs were eliminated in order of component, but x is filled from its
+    // end: go joint by joint.
     let mut first = x.len();
     for link in chain.links.iter().rev() {
         lower(&mut bias, above_m - link.height_m);

@@ -2,7 +2,8 @@
 
 use crate::tower::{Line, Plane, Planes};
 
-/// The flexibilities of the springs in a joint on the tower's axis: 1/k, zero where the joint is rigid.
+/// The flexibilities of the springs in a joint on the tower's axis: 1/k, zero where the joint is
+/// rigid.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct JointFlexibility {
     /// Transverse sliding in each plane, m/N.
@@ -63,7 +64,8 @@ impl JointFlexibility {
         self.deflection_m_per_n != Planes::default()
     }
 
-    /// The same joint without what moves in the side-side plane, and a joint with that alone: where the planes' joints sit apart.
+    /// The same joint without what moves in the side-side plane, and a joint with that alone: where
+    /// the planes' joints sit apart.
     pub fn split(&self) -> [Self; 2] {
         let (mut others, mut side_side) = (*self, Self::default());
         side_side.deflection_m_per_n.side_side = self.deflection_m_per_n.side_side;

@@ -1,4 +1,5 @@
-//! Rigid bodies and elastic joints: the O(n) product, the articulated factorization, the inertia count.
+//! Rigid bodies and elastic joints: the O(n) product, the articulated factorization, the inertia
+//! count.
 
 mod articulated;
 mod joint;

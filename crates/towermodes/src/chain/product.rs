@@ -1,10 +1,12 @@
-//! Products with the chain's matrices in O(n): one sweep up for the motions, one sweep down for the forces.
+//! Products with the chain's matrices in O(n): one sweep up for the motions, one sweep down for the
+//! forces.
 
 use super::model::{Chain, Link};
 use crate::parts::{Balance, Combination};
 use crate::space::{Dim, Matrix, Space, add, lower, raise, times};
 
-/// The motion of every body (at its joint) for scaled joint coordinates `x`: J G x, one entry for each joint.
+/// The motion of every body (at its joint) for scaled joint coordinates `x`: J G x, one entry for
+/// each joint.
 ///
 /// # Panics
 /// If `x` is shorter than the chain's degrees of freedom.
@@ -16,7 +18,8 @@ where
     sweep_up(chain, x, |_, motion, _| motions.push(*motion));
 }
 
-/// Forces on every body, and on the slides of its joint, while a product is made; reused from product to product.
+/// Forces on every body, and on the slides of its joint, while a product is made; reused from
+/// product to product.
 #[derive(Debug, Clone)]
 pub struct Loads<const D: usize> {
     bodies: Vec<[f64; D]>,
@@ -87,8 +90,8 @@ fn body_load<const D: usize>(
     load
 }
 
-/// What weights do, −½ s θ² of the body and −N δ θ of its sliding joint: the forces on the body (by its rotations θ and the slides δ,
-/// `own`) and on the slides (by θ).
+/// What weights do, −½ s θ² of the body and −N δ θ of its sliding joint: the forces on the body (by
+/// its rotations θ and the slides δ, `own`) and on the slides (by θ).
 #[inline]
 fn sinking<const D: usize>(
     link: &Link<D>,
@@ -153,7 +156,8 @@ where
 
 /// out = Gᵀ Jᵀ M r with r the rigid motion that is one in every component at the lowest joint.
 ///
-/// Every mode that a shaken base excites has a part in it, and low modes most: a start vector for iterations.
+/// Every mode that a shaken base excites has a part in it, and low modes most: a start vector for
+/// iterations.
 pub fn base_excitation<const D: usize>(chain: &Chain<D>, out: &mut [f64])
 where
     Dim<D>: Space,

@@ -1,7 +1,8 @@
 //! The proof that a list of eigenvalues is complete, and the bound on each.
 //!
-//! The list holds k orthonormal vectors with small residuals, so there are k eigenvalues near it (Kahan 1967). An inertia count
-//! just above the last one that gives k says there are no more: the list is complete.
+//! The list holds k orthonormal vectors with small residuals, so there are k eigenvalues near it
+//! (Kahan 1967). An inertia count just above the last one that gives k says there are no more: the
+//! list is complete.
 
 /// What counts above a list of eigenvalues say.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -20,8 +21,8 @@ pub(crate) enum Verdict {
     },
 }
 
-/// Counts the eigenvalues below λ = `last`·(1 + margin), rad²/s², for each of `margins` in turn, widest first, until the count is the
-/// expected one: a wide one proves a gap.
+/// Counts the eigenvalues below λ = `last`·(1 + margin), rad²/s², for each of `margins` in turn,
+/// widest first, until the count is the expected one: a wide one proves a gap.
 pub(crate) fn verify(
     last: f64,
     expected: usize,
@@ -45,8 +46,9 @@ pub(crate) fn verify(
 
 /// The relative error bound of eigenvalue `index` of a complete list, from its relative residual ρ.
 ///
-/// min(ρ, ρ²/gap): the residual bound, or Kato's and Temple's (Kato 1949) with the relative gap to the neighbours, which is proved because
-/// the list is complete up to `margin` above its last member.
+/// min(ρ, ρ²/gap): the residual bound, or Kato's and Temple's (Kato 1949) with the relative gap to
+/// the neighbours, which is proved because the list is complete up to `margin` above its last
+/// member.
 pub(super) fn residual_bound(eigenvalues: &[f64], index: usize, residual: f64, margin: f64) -> f64 {
     // Distances in θ = 1/λ, relative to θ of this eigenvalue, because the residual is one of θ.
     let value = eigenvalues[index];
@@ -61,10 +63,12 @@ pub(super) fn residual_bound(eigenvalues: &[f64], index: usize, residual: f64, m
     residual.min(residual * residual / below.min(above))
 }
 
-/// What rounding adds to the bound, relatively, for so many unknowns and a stiffness whose terms cancel by so much.
+/// What rounding adds to the bound, relatively, for so many unknowns and a stiffness whose terms
+/// cancel by so much.
 ///
-/// A relative error η of the motions J u changes uᵀJᵀMJu by at most 2 η ‖M^½ J u‖ ‖M^½ |J| |u|‖, relative to it by about η √(θ₁/θ), the
-/// ratio of this frequency to the lowest; and uᵀKu by η times the `cancellation` of its terms. η is taken as √n ε (Higham & Mary 2019).
+/// A relative error η of the motions J u changes uᵀJᵀMJu by at most 2 η ‖M^½ J u‖ ‖M^½ |J| |u|‖,
+/// relative to it by about η √(θ₁/θ), the ratio of this frequency to the lowest; and uᵀKu by η
+/// times the `cancellation` of its terms. η is taken as √n ε (Higham & Mary 2019).
 pub(super) fn rounding(eigenvalues: &[f64], index: usize, size: usize, cancellation: f64) -> f64 {
     let eta = (size as f64).sqrt() * f64::EPSILON;
     eta * ((eigenvalues[index] / eigenvalues[0]).sqrt() + cancellation)

@@ -1,10 +1,11 @@
 //! The Lanczos process for the lowest eigenvalues.
 //!
-//! The operator K⁻¹M is symmetric in the inner product xᵀ K y and has eigenvalues θ = 1/λ, so the lowest modes are its largest and
-//! come first. In that inner product the projection coefficients vᵢᵀ K (K⁻¹M v) = vᵢᵀ M v cost nothing extra, M is never factored,
-//! and a joint-coordinate K is the identity. All vectors are kept, and every new one is orthogonalized against the last two and then
-//! against all of them: for the few dozen that towers need this is the cheap and safe way (Parlett, *The Symmetric Eigenvalue
-//! Problem*, 1998, ch. 13).
+//! The operator K⁻¹M is symmetric in the inner product xᵀ K y and has eigenvalues θ = 1/λ, so the
+//! lowest modes are its largest and come first. In that inner product the projection coefficients
+//! vᵢᵀ K (K⁻¹M v) = vᵢᵀ M v cost nothing extra, M is never factored, and a joint-coordinate K is
+//! the identity. All vectors are kept, and every new one is orthogonalized against the last two and
+//! then against all of them: for the few dozen that towers need this is the cheap and safe way
+//! (Parlett, *The Symmetric Eigenvalue Problem*, 1998, ch. 13).
 
 use super::pencil::Pencil;
 use super::tridiagonal::diagonalize;
@@ -16,10 +17,12 @@ const TOLERANCE: f64 = 1e-13;
 const FLOOR: f64 = 2.0 * f64::EPSILON;
 /// A projected matrix up to this size is diagonalized at once with its eigenvectors.
 const SMALL: usize = 64;
-/// The Ritz values are looked at when the forecast of the residual is small enough, and at every so many steps whatever it says.
+/// The Ritz values are looked at when the forecast of the residual is small enough, and at every so
+/// many steps whatever it says.
 const LOOK_ANYWAY: usize = 8;
 
-/// The state and the memory of a Lanczos process; a second process of the same size allocates nothing.
+/// The state and the memory of a Lanczos process; a second process of the same size allocates
+/// nothing.
 #[derive(Debug, Default)]
 pub(super) struct Lanczos {
     /// K-orthonormal vectors; the first `used` are in use, the rest keeps its memory.
@@ -28,12 +31,14 @@ pub(super) struct Lanczos {
     /// The projected operator: diagonal and off-diagonal.
     alpha: Vec<f64>,
     beta: Vec<f64>,
-    /// M v, then the next vector, then K times it before its last change; that only unless K is the identity.
+    /// M v, then the next vector, then K times it before its last change; that only unless K is the
+    /// identity.
     image: Vec<f64>,
     next: Vec<f64>,
     stiff: Vec<f64>,
     coefficients: Vec<f64>,
-    /// Copies of alpha, beta for diagonalization, the eigenvectors of the projected operator, and their falling order.
+    /// Copies of alpha, beta for diagonalization, the eigenvectors of the projected operator, and
+    /// their falling order.
     values: Vec<f64>,
     off_diagonal: Vec<f64>,
     components: Vec<f64>,
@@ -55,7 +60,8 @@ impl Lanczos {
         }
     }
 
-    /// Starts again beside `locked` eigenvectors (K-orthonormal, with their θ), which the new process leaves alone.
+    /// Starts again beside `locked` eigenvectors (K-orthonormal, with their θ), which the new
+    /// process leaves alone.
     pub(super) fn lock(&mut self, locked: &[Vec<f64>], thetas: &[f64]) {
         self.used = 0;
         self.alpha.clear();
@@ -68,7 +74,8 @@ impl Lanczos {
         }
     }
 
-    /// Sets the first vector: the pencil's own, or pseudo-random ones for later attempts. False if there is none.
+    /// Sets the first vector: the pencil's own, or pseudo-random ones for later attempts. False if
+    /// there is none.
     pub(super) fn start(&mut self, pencil: &mut dyn Pencil, attempt: usize) -> bool {
         if attempt == 0 {
             pencil.start(&mut self.next);
@@ -105,14 +112,16 @@ impl Lanczos {
         }
     }
 
-    /// One step: α of the newest vector; leaves the residual vector in `next` and returns its K-norm β.
+    /// One step: α of the newest vector; leaves the residual vector in `next` and returns its
+    /// K-norm β.
     fn step(&mut self, pencil: &mut dyn Pencil) -> f64 {
         let newest = self.used - 1;
         pencil.mass_times(&self.basis[newest], &mut self.image);
         self.products += 1;
         self.next.copy_from_slice(&self.image);
         pencil.solve(&mut self.next);
-        // First the two vectors that the exact process would leave, then all of them for what rounding leaves.
+        // First the two vectors that the exact process would leave, then all of them for what
+        // rounding leaves.
         let alpha = dot(&self.basis[newest], &self.image);
         let last_two = &self.basis[newest.saturating_sub(1)..=newest];
         let factors = [-self.beta.last().copied().unwrap_or(0.0), -alpha];
@@ -122,8 +131,8 @@ impl Lanczos {
         self.norm(pencil)
     }
 
-    /// The K-norm of `next` after [`orthogonalize`](Self::orthogonalize): what that subtracted is K-orthogonal to what is left, so K times
-    /// the vector before serves as well as K times it now.
+    /// The K-norm of `next` after [`orthogonalize`](Self::orthogonalize): what that subtracted is
+    /// K-orthogonal to what is left, so K times the vector before serves as well as K times it now.
     fn norm(&self, pencil: &dyn Pencil) -> f64 {
         let stiff = if pencil.stiffness_is_identity() {
             &self.next
@@ -153,8 +162,8 @@ impl Lanczos {
         add_combination(&self.basis[..self.used], &self.coefficients, &mut self.next);
     }
 
-    /// Makes `next` the newest vector; a vanishing one means an invariant space, and a fresh direction goes on from there. False if
-    /// there is none.
+    /// Makes `next` the newest vector; a vanishing one means an invariant space, and a fresh
+    /// direction goes on from there. False if there is none.
     fn extend(&mut self, pencil: &mut dyn Pencil, beta: f64) -> bool {
         let largest = self.alpha.iter().fold(0.0_f64, |a, x| a.max(x.abs()));
         if beta > FLOOR * largest {
@@ -168,8 +177,8 @@ impl Lanczos {
         }
     }
 
-    /// Orthonormalizes `next` against the basis and appends it; if it lies in the basis's span, random ones are tried. False if none of
-    /// them has a part outside it.
+    /// Orthonormalizes `next` against the basis and appends it; if it lies in the basis's span,
+    /// random ones are tried. False if none of them has a part outside it.
     fn append_orthonormalized(&mut self, pencil: &mut dyn Pencil, seed: usize) -> bool {
         for attempt in 0..4 {
             pencil.stiffness_times(&self.next, &mut self.stiff);
@@ -187,7 +196,8 @@ impl Lanczos {
         false
     }
 
-    /// Copies factor·next to the end of the basis, in memory that is there if a process was there before.
+    /// Copies factor·next to the end of the basis, in memory that is there if a process was there
+    /// before.
     fn append(&mut self, factor: f64) {
         if self.used == self.basis.len() {
             self.basis.push(Vec::new());
@@ -200,8 +210,9 @@ impl Lanczos {
 
     /// Whether a look at the Ritz values is worth its cost.
     ///
-    /// The projected matrix is nearly diagonal where the spectrum falls fast, so the last component of the wanted-th Ritz vector is
-    /// about the product of the couplings after it over its Ritz value.
+    /// The projected matrix is nearly diagonal where the spectrum falls fast, so the last component
+    /// of the wanted-th Ritz vector is about the product of the couplings after it over its Ritz
+    /// value.
     fn is_hopeful(&self, wanted: usize, beta: f64) -> bool {
         let Some(&theta) = self.alpha.get(wanted - 1) else {
             return false;
@@ -217,16 +228,19 @@ impl Lanczos {
         (TOLERANCE * theta).max(FLOOR * largest)
     }
 
-    /// Whether the residual estimates β |last component| of the `wanted` largest Ritz values are small.
+    /// Whether the residual estimates β |last component| of the `wanted` largest Ritz values are
+    /// small.
     fn has_converged(&mut self, wanted: usize, beta: f64) -> bool {
-        // Last components alone cost the square of the size, whole eigenvectors its cube: worth it where looks are in vain for long.
+        // Last components alone cost the square of the size, whole eigenvectors its cube: worth it
+        // where looks are in vain for long.
         if self.used > SMALL && !(self.diagonalize_rows(1) && self.are_small(wanted, beta, 1)) {
             return false;
         }
         self.diagonalize_fully() && self.are_small(wanted, beta, self.used)
     }
 
-    /// Whether the residual estimates are small, from so many of the last rows of the eigenvectors of the projected matrix.
+    /// Whether the residual estimates are small, from so many of the last rows of the eigenvectors
+    /// of the projected matrix.
     fn are_small(&self, wanted: usize, beta: f64, rows: usize) -> bool {
         let largest = self.values[self.order[0]];
         self.order.iter().take(wanted).all(|&i| {
@@ -240,7 +254,8 @@ impl Lanczos {
         self.diagonalize_rows(self.used)
     }
 
-    /// Ritz values and so many of the last rows of the eigenvectors of the projected matrix; false if they are not numbers.
+    /// Ritz values and so many of the last rows of the eigenvectors of the projected matrix; false
+    /// if they are not numbers.
     fn diagonalize_rows(&mut self, rows: usize) -> bool {
         let size = self.used;
         self.components.clear();
@@ -264,8 +279,9 @@ impl Lanczos {
         done
     }
 
-    /// The Ritz pair of the `index`-th largest Ritz value after [`run`](Self::run): writes the K-normalized vector and returns θ, its
-    /// Rayleigh quotient, and the relative residual ‖M u − θ K u‖/θ in the K⁻¹-norm.
+    /// The Ritz pair of the `index`-th largest Ritz value after [`run`](Self::run): writes the
+    /// K-normalized vector and returns θ, its Rayleigh quotient, and the relative residual ‖M u − θ
+    /// K u‖/θ in the K⁻¹-norm.
     pub(super) fn ritz_pair(
         &mut self,
         pencil: &mut dyn Pencil,

@@ -24,7 +24,8 @@ const MARGINS: [f64; 4] = [1e-2, 1e-4, 1e-6, 1e-9];
 /// Relative residuals above this mean nothing: the mode is below the rounding of the lowest one.
 const MAX_RESIDUAL: f64 = 1e-4;
 
-/// Cancellation in the stiffness that leaves a relative error above this is refused: soil or wires 10¹⁴ times as stiff as the tower.
+/// Cancellation in the stiffness that leaves a relative error above this is refused: soil or wires
+/// 10¹⁴ times as stiff as the tower.
 const MAX_ROUNDING: f64 = 1e-7;
 
 /// One eigenvalue with its bound.
@@ -81,7 +82,8 @@ impl std::ops::AddAssign for Statistics {
     }
 }
 
-/// The result of [`lowest`] and the memory it was found in; hand it back and a second solve of the same size allocates nothing.
+/// The result of [`lowest`] and the memory it was found in; hand it back and a second solve of the
+/// same size allocates nothing.
 #[derive(Debug, Default)]
 pub struct EigenWorkspace {
     lanczos: Lanczos,
@@ -107,7 +109,8 @@ impl EigenWorkspace {
         &self.vectors[index]
     }
 
-    /// Replaces the eigenvectors `first..first + count`, which have one eigenvalue, by orthonormal mixtures of them: a row for each.
+    /// Replaces the eigenvectors `first..first + count`, which have one eigenvalue, by orthonormal
+    /// mixtures of them: a row for each.
     pub(crate) fn mix<const N: usize>(&mut self, first: usize, count: usize, rows: &[[f64; N]; N]) {
         let old: Vec<Vec<f64>> = self.vectors[first..first + count].to_vec();
         for (vector, row) in self.vectors[first..].iter_mut().zip(rows).take(count) {
@@ -137,7 +140,8 @@ impl EigenWorkspace {
         self.lambdas.iter().all(usable) && self.residuals.iter().all(|r| r.is_finite())
     }
 
-    /// Rayleigh quotients differ from Ritz values in the last digit, which can swap a near-degenerate pair: insertion sort.
+    /// Rayleigh quotients differ from Ritz values in the last digit, which can swap a
+    /// near-degenerate pair: insertion sort.
     fn sort(&mut self) {
         for end in 1..self.lambdas.len() {
             let mut i = end;
@@ -174,11 +178,12 @@ impl EigenWorkspace {
 
 /// Finds the `wanted` lowest eigenvalues of K u = λ M u and proves that none is missing.
 ///
-/// The list may be longer than `wanted`: no count can be taken between repeated eigenvalues, and whatever a count showed to be there is
-/// found too. The results are in the workspace.
+/// The list may be longer than `wanted`: no count can be taken between repeated eigenvalues, and
+/// whatever a count showed to be there is found too. The results are in the workspace.
 ///
 /// # Errors
-/// [`EigenError`]: more wanted than there are, K not positive definite, numbers out of range, or a count that never agrees.
+/// [`EigenError`]: more wanted than there are, K not positive definite, numbers out of range, or a
+/// count that never agrees.
 pub fn lowest(
     pencil: &mut dyn Pencil,
     wanted: usize,
@@ -202,10 +207,12 @@ pub fn lowest(
     find_until_complete(pencil, wanted, workspace)
 }
 
-/// The relative distance below the least eigenvalue at which a count proves that there is none below.
+/// The relative distance below the least eigenvalue at which a count proves that there is none
+/// below.
 const LEAST: f64 = 1e-9;
 
-/// Finds the least eigenvalue alone and proves that none is below it; whether it is repeated is not asked.
+/// Finds the least eigenvalue alone and proves that none is below it; whether it is repeated is not
+/// asked.
 ///
 /// # Errors
 /// As [`lowest`].

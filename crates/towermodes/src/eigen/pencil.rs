@@ -1,9 +1,10 @@
 //! The only thing the eigensolver knows of a model.
 
-/// A symmetric eigenvalue problem K u = λ M u with K positive definite; M may be indefinite, then the eigenvalues are the positive ones.
+/// A symmetric eigenvalue problem K u = λ M u with K positive definite; M may be indefinite, then
+/// the eigenvalues are the positive ones.
 ///
-/// λ = ω² in rad²/s²; vectors have length [`size`](Self::size). Implementations keep their working memory inside, hence
-/// `&mut self`; results must not depend on what was asked before.
+/// λ = ω² in rad²/s²; vectors have length [`size`](Self::size). Implementations keep their working
+/// memory inside, hence `&mut self`; results must not depend on what was asked before.
 pub trait Pencil {
     /// Number of unknowns.
     fn size(&self) -> usize;
@@ -22,14 +23,16 @@ pub trait Pencil {
     /// The number of eigenvalues below `shift` (rad²/s²), by the inertia of K − shift·M.
     fn count_below(&mut self, shift: f64) -> usize;
 
-    /// Factors K for [`solve`](Self::solve) and returns the number of its negative eigenvalues (0 if K is positive definite).
+    /// Factors K for [`solve`](Self::solve) and returns the number of its negative eigenvalues (0
+    /// if K is positive definite).
     fn factorize(&mut self) -> usize;
 
     /// x ← K⁻¹ x, after [`factorize`](Self::factorize).
     fn solve(&mut self, x: &mut [f64]);
 
-    /// By how much a small relative error of the terms and motions that xᵀ K x = 1 is made of is enlarged in it: more than 0 where terms
-    /// cancel, as weights take from the stiffness, or where motions cancel at something stiff.
+    /// By how much a small relative error of the terms and motions that xᵀ K x = 1 is made of is
+    /// enlarged in it: more than 0 where terms cancel, as weights take from the stiffness, or where
+    /// motions cancel at something stiff.
     fn stiffness_cancellation(&mut self, _: &[f64]) -> f64 {
         0.0
     }

@@ -3,12 +3,14 @@
 /// More QL iterations for one eigenvalue than this never happen in exact or rounded arithmetic.
 const MAX_ITERATIONS: usize = 60;
 
-/// Diagonalizes the symmetric tridiagonal matrix with diagonal `d` and off-diagonal `e` (e[i] couples i and i+1) in place by the
-/// implicit QL iteration (Bowdler, Martin, Reinsch & Wilkinson 1968).
+/// Diagonalizes the symmetric tridiagonal matrix with diagonal `d` and off-diagonal `e` (e[i]
+/// couples i and i+1) in place by the implicit QL iteration (Bowdler, Martin, Reinsch & Wilkinson
+/// 1968).
 ///
-/// `d` becomes the eigenvalues in no order; `z`, stored by columns of `rows` entries, is multiplied by the eigenvectors from the
-/// right: start it with the identity for all of them, with one row of the identity for one component of each.
-/// Returns false if the iteration does not converge, which only non-finite input can cause.
+/// `d` becomes the eigenvalues in no order; `z`, stored by columns of `rows` entries, is multiplied
+/// by the eigenvectors from the right: start it with the identity for all of them, with one row of
+/// the identity for one component of each. Returns false if the iteration does not converge, which
+/// only non-finite input can cause.
 pub(super) fn diagonalize(d: &mut [f64], e: &mut [f64], z: &mut [f64], rows: usize) -> bool {
     let size = d.len();
     let scale = d

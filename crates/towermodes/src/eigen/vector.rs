@@ -1,4 +1,5 @@
-//! Products of long vectors, blocked so that a basis is read from memory once and a sum has few rounding errors.
+//! Products of long vectors, blocked so that a basis is read from memory once and a sum has few
+//! rounding errors.
 
 /// Entries handled together: two such blocks stay in the first-level cache.
 const BLOCK: usize = 1024;
@@ -60,7 +61,8 @@ pub(super) fn scale(x: &mut [f64], factor: f64) {
     }
 }
 
-/// Fills x with numbers in (−1/2, 1/2) that depend on the seed alone (splitmix64: Steele, Lea & Flood 2014).
+/// Fills x with numbers in (−1/2, 1/2) that depend on the seed alone (splitmix64: Steele, Lea &
+/// Flood 2014).
 pub(super) fn fill_pseudo_random(x: &mut [f64], seed: u64) {
     let mut state = seed;
     for x in x {

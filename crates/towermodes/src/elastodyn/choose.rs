@@ -7,10 +7,11 @@ use crate::modes::Family;
 use crate::solve::{Mode, Solution};
 use crate::tower::{Plane, Planes};
 
-/// Modes with a larger share of their energy in torsion than this are not taken for bending modes unless told: ElastoDyn's towers do not
-/// twist.
+/// Modes with a larger share of their energy in torsion than this are not taken for bending modes
+/// unless told: ElastoDyn's towers do not twist.
 pub const DEFAULT_TORSION_LIMIT: f64 = 0.5;
-/// Heights at which shapes are sampled for a fit: far more than a polynomial of degree 6 can follow.
+/// Heights at which shapes are sampled for a fit: far more than a polynomial of degree 6 can
+/// follow.
 const SAMPLES: usize = 201;
 
 /// The modes for ElastoDyn.
@@ -66,9 +67,10 @@ pub enum ChooseError {
     },
 }
 
-/// Picks the first and second bending modes of each plane: those of its own family, and coupled ones that have more of their energy in it
-/// than in any other motion, unless more than `torsion_limit` of their energy is in torsion. Motions of a floating tower as one body are
-/// none of them.
+/// Picks the first and second bending modes of each plane: those of its own family, and coupled
+/// ones that have more of their energy in it than in any other motion, unless more than
+/// `torsion_limit` of their energy is in torsion. Motions of a floating tower as one body are none
+/// of them.
 ///
 /// # Errors
 /// [`ChooseError`].
@@ -113,13 +115,15 @@ fn first_two(
         found: taken.len(),
         passed_over: passed_over.len(),
         solved,
-        // Two modes in each plane, torsion and stretch among them, and six rigid ones if it floats; else twice as many.
+        // Two modes in each plane, torsion and stretch among them, and six rigid ones if it floats;
+        // else twice as many.
         ask_for: (2 * solved).max(12),
     })
 }
 
-/// The heights at which shapes are to be sampled for a fit, for [`Options::heights_m`](crate::Options::heights_m): from the base to the top
-/// of the flexible tower (m), both exactly.
+/// The heights at which shapes are to be sampled for a fit, for
+/// [`Options::heights_m`](crate::Options::heights_m): from the base to the top of the flexible
+/// tower (m), both exactly.
 pub fn sample_heights_m(base_m: f64, top_m: f64) -> Vec<f64> {
     let height = |k: usize| {
         let s = k as f64 / (SAMPLES - 1) as f64;
@@ -129,8 +133,9 @@ pub fn sample_heights_m(base_m: f64, top_m: f64) -> Vec<f64> {
 }
 
 impl BendingModes<'_> {
-    /// The samples of one of the modes (0 or 1) of a plane at the heights of [`Options::heights_m`](crate::Options::heights_m), which must
-    /// go from the base to the top of the flexible tower.
+    /// The samples of one of the modes (0 or 1) of a plane at the heights of
+    /// [`Options::heights_m`](crate::Options::heights_m), which must go from the base to the top of
+    /// the flexible tower.
     pub fn samples(&self, plane: Plane, mode: usize) -> ShapeSamples {
         let modes = self.modes.of(plane);
         ShapeSamples::of(&modes[mode.min(1)].shape_there, plane)

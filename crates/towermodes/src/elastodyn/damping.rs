@@ -1,7 +1,8 @@
 //! The damping to write for the damping that is wanted.
 //!
-//! ElastoDyn makes of a ratio ζ in its file the damping C = 2 ζ K/ω₁, where ω₁ is the frequency of the tower without its rotor-nacelle
-//! assembly. With it the tower swings at a lower ω and is damped at the ratio C ω/(2 K) = ζ ω/ω₁, gravity's part of the stiffness aside.
+//! ElastoDyn makes of a ratio ζ in its file the damping C = 2 ζ K/ω₁, where ω₁ is the frequency of
+//! the tower without its rotor-nacelle assembly. With it the tower swings at a lower ω and is
+//! damped at the ratio C ω/(2 K) = ζ ω/ω₁, gravity's part of the stiffness aside.
 
 use thiserror::Error;
 
@@ -36,11 +37,12 @@ pub enum DampingError {
     },
 }
 
-/// The damping to write into a tower file, percent of critical, for the damping wanted of the tower with its rotor-nacelle assembly:
-/// ζ f(uncoupled)/f(coupled).
+/// The damping to write into a tower file, percent of critical, for the damping wanted of the tower
+/// with its rotor-nacelle assembly: ζ f(uncoupled)/f(coupled).
 ///
-/// The uncoupled frequency is [`Generalized::frequency_alone_hz`](super::Generalized::frequency_alone_hz), the coupled one that of the
-/// tower with what it carries.
+/// The uncoupled frequency is
+/// [`Generalized::frequency_alone_hz`](super::Generalized::frequency_alone_hz), the coupled one
+/// that of the tower with what it carries.
 ///
 /// # Errors
 /// [`DampingError`].
@@ -60,7 +62,8 @@ pub fn damping_to_write_percent(
     })
 }
 
-/// The damping of the tower with its rotor-nacelle assembly, percent of critical, that one in a tower file makes.
+/// The damping of the tower with its rotor-nacelle assembly, percent of critical, that one in a
+/// tower file makes.
 ///
 /// # Errors
 /// [`DampingError`].

@@ -50,8 +50,8 @@ pub enum RoundingError {
 }
 
 impl DecimalPolynomial {
-    /// The nearest to a polynomial. A sum a little off 1 is divided out first, which changes no shape; what rounding leaves goes to the
-    /// largest coefficient, which it changes least.
+    /// The nearest to a polynomial. A sum a little off 1 is divided out first, which changes no
+    /// shape; what rounding leaves goes to the largest coefficient, which it changes least.
     pub(super) fn nearest(
         polynomial: &TowerPolynomial,
         decimals: u32,

@@ -1,7 +1,9 @@
 //! Polynomials fitted to mode shapes.
 //!
-//! ElastoDyn's shapes neither move nor turn at the base and are 1 at the top. So the base's own motion is taken off first and the rest
-//! divided by its value at the top; what is fitted is φ = x² + Σ cₖ (xᵏ − x²), k = 3 to 6, which is 1 at the top whatever the cₖ.
+//! ElastoDyn's shapes neither move nor turn at the base and are 1 at the top. So the base's own
+//! motion is taken off first and the rest divided by its value at the top; what is fitted is φ =
+//! x² +
+//! Σ cₖ (xᵏ − x²), k = 3 to 6, which is 1 at the top whatever the cₖ.
 
 use thiserror::Error;
 
@@ -10,7 +12,8 @@ use super::polynomial::TowerPolynomial;
 use super::shape_samples::ShapeSamples;
 use crate::number::Plain;
 
-/// A shape whose top moves less than this share of its largest motion is refused: to be 1 at the top it would be huge elsewhere.
+/// A shape whose top moves less than this share of its largest motion is refused: to be 1 at the
+/// top it would be huge elsewhere.
 pub const SMALLEST_TIP_SHARE: f64 = 1e-3;
 
 /// A polynomial fitted to a mode shape, and how well.
@@ -18,16 +21,20 @@ pub const SMALLEST_TIP_SHARE: f64 = 1e-3;
 pub struct PolynomialFit {
     /// The polynomial; its coefficients add up to 1.
     pub polynomial: TowerPolynomial,
-    /// Root of the mean square over the height of what the polynomial is off, the top's deflection being 1.
+    /// Root of the mean square over the height of what the polynomial is off, the top's deflection
+    /// being 1.
     pub rms_residual: f64,
     /// The most it is off at any sample, the top's deflection being 1.
     pub largest_residual: f64,
-    /// The largest deflection of any sample, the top's being 1: what the residuals are to be seen beside.
+    /// The largest deflection of any sample, the top's being 1: what the residuals are to be seen
+    /// beside.
     pub largest_deflection: f64,
-    /// What the samples were divided by: the top's deflection without what the base's motion makes of it.
+    /// What the samples were divided by: the top's deflection without what the base's motion makes
+    /// of it.
     pub tip_deflection: f64,
-    /// The condition number of the fit: the ratio of the largest to the smallest singular value of the columns xᵏ − x² at the samples,
-    /// weighted as they are and scaled to length 1, from the R of their QR decomposition.
+    /// The condition number of the fit: the ratio of the largest to the smallest singular value of
+    /// the columns xᵏ − x² at the samples, weighted as they are and scaled to length 1, from the R
+    /// of their QR decomposition.
     pub condition: f64,
 }
 
@@ -89,8 +96,8 @@ pub enum FitError {
 
 /// The polynomial nearest to a mode shape, in the mean square over the height.
 ///
-/// Each sample counts as the part of the height that is nearest to it (the trapezoidal rule), so that no part is favoured where there
-/// are more of them.
+/// Each sample counts as the part of the height that is nearest to it (the trapezoidal rule), so
+/// that no part is favoured where there are more of them.
 ///
 /// # Errors
 /// [`FitError`].
@@ -281,7 +288,8 @@ mod tests {
         let upper = (0..=5000).map(|i| 0.5 + i as f64 / 10000.0);
         let heights: Vec<f64> = lower.chain(upper).collect();
         let uneven = fit(&sampled(&heights, cantilever(4.694_091_132_974_175))).expect("a fit");
-        // The trapezoidal rule is off by the square of the spacing, 2.5e-7, of a residual of 3e-4, times the condition.
+        // The trapezoidal rule is off by the square of the spacing, 2.5e-7, of a residual of 3e-4,
+        // times the condition.
         assert_coefficients(&uneven, even.polynomial.coefficients, 1e-5);
     }
 

@@ -41,8 +41,9 @@ pub struct Judgement {
     pub mode_hz: f64,
     /// What the coefficients add up to; OpenFAST refuses what is farther than 0.0015 from 1.
     pub sum: f64,
-    /// Root of the mean square over the height of the difference to the mode, as a share of the mode's largest deflection, the shape being
-    /// multiplied by what makes it least: a top that hardly moves would make the difference of shapes that are 1 there as large as one likes.
+    /// Root of the mean square over the height of the difference to the mode, as a share of the
+    /// mode's largest deflection, the shape being multiplied by what makes it least: a top that
+    /// hardly moves would make the difference of shapes that are 1 there as large as one likes.
     pub rms: f64,
     /// The same of the best polynomial.
     pub best_rms: f64,
@@ -65,7 +66,8 @@ impl Judgement {
     }
 }
 
-/// Judges the shapes of a tower file by the tower's own. `shipped` has what the file says of each plane.
+/// Judges the shapes of a tower file by the tower's own. `shipped` has what the file says of each
+/// plane.
 ///
 /// # Errors
 /// [`ModelError`] for what ElastoDyn cannot take.

@@ -2,7 +2,8 @@
 
 use crate::symmetric::eigenpairs;
 
-/// A column whose part beyond the columns before it is smaller than this, of itself, says nothing of its own.
+/// A column whose part beyond the columns before it is smaller than this, of itself, says nothing
+/// of its own.
 const DEPENDENT: f64 = 1e-10;
 
 /// The solution of a least-squares problem.
@@ -14,9 +15,11 @@ pub(super) struct LeastSquares<const N: usize> {
     pub(super) condition: f64,
 }
 
-/// The x for which |A x − b| is least, A given by its columns; none if they are not independent of each other.
+/// The x for which |A x − b| is least, A given by its columns; none if they are not independent of
+/// each other.
 ///
-/// Golub & Van Loan 2013, ch. 5.3.2. The singular values are those of R: the roots of the eigenvalues of RᵀR.
+/// Golub & Van Loan 2013, ch. 5.3.2. The singular values are those of R: the roots of the
+/// eigenvalues of RᵀR.
 pub(super) fn least_squares<const N: usize>(
     mut columns: [Vec<f64>; N],
     mut b: Vec<f64>,
@@ -107,8 +110,8 @@ mod tests {
 
     #[test]
     fn a_line_through_three_points_is_that_of_the_normal_equations() {
-        // y = a + b x through (0, 1), (1, 2), (2, 4): a = 5/6, b = 3/2. Of the columns, of lengths √3 and √5, the product is 3/√15, so
-        // the condition is √((1 + 3/√15)/(1 − 3/√15)).
+        // y = a + b x through (0, 1), (1, 2), (2, 4): a = 5/6, b = 3/2. Of the columns, of lengths
+        // √3 and √5, the product is 3/√15, so the condition is √((1 + 3/√15)/(1 − 3/√15)).
         let columns = [vec![1.0, 1.0, 1.0], vec![0.0, 1.0, 2.0]];
         let found = least_squares(columns, vec![1.0, 2.0, 4.0]).expect("a line");
         assert!((found.solution[0] - 5.0 / 6.0).abs() < 1e-15);

@@ -24,7 +24,8 @@ impl Likeness {
 }
 
 impl TowerModel {
-    /// How far it is from another: mass with concentrated masses, and ∫ (1 − x)²/EI dx, by the trapezoidal rule over the rows.
+    /// How far it is from another: mass with concentrated masses, and ∫ (1 − x)²/EI dx, by the
+    /// trapezoidal rule over the rows.
     pub fn likeness(&self, other: &Self) -> Likeness {
         let relative = |a: f64, b: f64| b / a - 1.0;
         let (own, others) = (self.flexibility(), other.flexibility());

@@ -1,9 +1,11 @@
 //! How alike two mode shapes are.
 
-/// The modal assurance criterion (Σ m a b)²/(Σ m a² Σ m b²) of two shapes sampled alike: 1 for shapes that differ by a factor only, 0 for
-/// shapes that are orthogonal (Allemang & Brown 1982), weighted by the masses at the samples if they are given.
+/// The modal assurance criterion (Σ m a b)²/(Σ m a² Σ m b²) of two shapes sampled alike: 1 for
+/// shapes that differ by a factor only, 0 for shapes that are orthogonal (Allemang & Brown 1982),
+/// weighted by the masses at the samples if they are given.
 ///
-/// None if the numbers of samples differ, or where a shape does not move, has weights below 0, or is not finite.
+/// None if the numbers of samples differ, or where a shape does not move, has weights below 0, or
+/// is not finite.
 pub fn mac(a: &[f64], b: &[f64], masses: Option<&[f64]>) -> Option<f64> {
     let n = a.len();
     let weighs = |masses: &[f64]| masses.len() == n && masses.iter().all(|&mass| mass >= 0.0);

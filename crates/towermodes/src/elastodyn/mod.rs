@@ -1,9 +1,11 @@
-//! What ElastoDyn, OpenFAST's tower model, makes of a tower and its modes: polynomial shapes, frequencies by its formulas, damping.
+//! What ElastoDyn, OpenFAST's tower model, makes of a tower and its modes: polynomial shapes,
+//! frequencies by its formulas, damping.
 //!
-//! ElastoDyn solves no eigenvalue problem. It moves the tower by two shapes in each plane, polynomials of x² to x⁶ of the height x as a
-//! share of the flexible tower, which a user takes from elsewhere: [`choose()`] picks the modes of a [`Solution`](crate::Solution),
-//! [`fit()`] makes polynomials of them, [`TowerPolynomial::rounded`] the decimals that are printed, and [`TowerModel`] says what
-//! ElastoDyn computes with them.
+//! ElastoDyn solves no eigenvalue problem. It moves the tower by two shapes in each plane,
+//! polynomials of x² to x⁶ of the height x as a share of the flexible tower, which a user takes
+//! from elsewhere: [`choose()`] picks the modes of a [`Solution`](crate::Solution), [`fit()`] makes
+//! polynomials of them, [`TowerPolynomial::rounded`] the decimals that are printed, and
+//! [`TowerModel`] says what ElastoDyn computes with them.
 
 mod check;
 mod choose;

@@ -1,8 +1,9 @@
-//! What ElastoDyn computes of a tower and its shapes: generalized masses and stiffnesses, frequencies, damping.
+//! What ElastoDyn computes of a tower and its shapes: generalized masses and stiffnesses,
+//! frequencies, damping.
 //!
-//! The formulas are those of the subroutine `Coeff` of ElastoDyn (OpenFAST 5.0): the midpoint rule over equal
-//! elements, properties linear between the rows of the tower file. Rotary inertia and shear are not in them, nor what else the mass on
-//! top is than a point.
+//! The formulas are those of the subroutine `Coeff` of ElastoDyn (OpenFAST 5.0): the midpoint rule
+//! over equal elements, properties linear between the rows of the tower file. Rotary inertia and
+//! shear are not in them, nor what else the mass on top is than a point.
 
 use std::f64::consts::{PI, TAU};
 
@@ -78,9 +79,11 @@ pub struct Generalized {
     pub stiffness_n_per_m: [[f64; 2]; 2],
     /// KG = −Σ g (mass above) h φ′², N/m.
     pub gravity_stiffness_n_per_m: [f64; 2],
-    /// Frequency f(·,1) of the tower without what it carries and without gravity, √(KT/(MT − mass on top))/2π, Hz.
+    /// Frequency f(·,1) of the tower without what it carries and without gravity, √(KT/(MT − mass
+    /// on top))/2π, Hz.
     pub frequency_alone_hz: [f64; 2],
-    /// Frequency f(·,2) with both, √((KT + KG)/MT)/2π, Hz; none where gravity's part is larger than the stiffness.
+    /// Frequency f(·,2) with both, √((KT + KG)/MT)/2π, Hz; none where gravity's part is larger than
+    /// the stiffness.
     pub frequency_loaded_hz: [Option<f64>; 2],
     /// Damping Cᵢⱼ = (ζⱼ/100) KTᵢⱼ/(π fⱼ(·,1)), N s/m.
     pub damping_n_s_per_m: [[f64; 2]; 2],

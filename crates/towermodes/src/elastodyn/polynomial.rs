@@ -2,7 +2,8 @@
 
 use super::decimal::{DecimalPolynomial, RoundingError};
 
-/// A mode shape φ(x) = Σ cₖ xᵏ, k = 2 to 6, of the height x as a share of the flexible tower, 0 at its base and 1 at its top.
+/// A mode shape φ(x) = Σ cₖ xᵏ, k = 2 to 6, of the height x as a share of the flexible tower, 0 at
+/// its base and 1 at its top.
 ///
 /// The base neither moves nor turns; coefficients that add up to 1 make the top's deflection 1.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -57,7 +58,8 @@ mod tests {
         let shape = TowerPolynomial {
             coefficients: [2.0, -3.0, 5.0, -7.0, 4.0],
         };
-        // 2/4 − 3/8 + 5/16 − 7/32 + 4/64; 2 − 9/4 + 20/8 − 35/16 + 24/32; 4 − 9 + 60/4 − 140/8 + 120/16.
+        // 2/4 − 3/8 + 5/16 − 7/32 + 4/64; 2 − 9/4 + 20/8 − 35/16 + 24/32; 4 − 9 + 60/4 − 140/8 +
+        // 120/16.
         assert_eq!(shape.value(0.5), 0.28125);
         assert_eq!(shape.slope(0.5), 0.8125);
         assert_eq!(shape.curvature(0.5), 0.0);

@@ -6,17 +6,19 @@ use crate::tower::Plane;
 /// Samples of a mode shape in one plane, and how the base moves in it.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct ShapeSamples {
-    /// Height x as a share of the flexible tower, rising from 0 at its base to 1 at its top, and the deflection there.
+    /// Height x as a share of the flexible tower, rising from 0 at its base to 1 at its top, and
+    /// the deflection there.
     pub points: Vec<(f64, f64)>,
     /// Deflection of the base.
     pub base_translation: f64,
-    /// How much the base's rotation alone would deflect the top: its slope times the length of the flexible tower.
+    /// How much the base's rotation alone would deflect the top: its slope times the length of the
+    /// flexible tower.
     pub base_slope: f64,
 }
 
 impl ShapeSamples {
-    /// The samples of a shape between its first and last point, in one plane: deflection x and rotation about y fore-aft, deflection y
-    /// and rotation about −x side-side.
+    /// The samples of a shape between its first and last point, in one plane: deflection x and
+    /// rotation about y fore-aft, deflection y and rotation about −x side-side.
     pub fn of(shape: &[ShapePoint], plane: Plane) -> Self {
         let deflection = |point: &ShapePoint| match plane {
             Plane::ForeAft => point.translation[0],

@@ -83,7 +83,8 @@ pub enum ShapesError {
     },
 }
 
-/// Solves a tower and fits the first two bending modes of each plane above a height (m), the motion there taken off.
+/// Solves a tower and fits the first two bending modes of each plane above a height (m), the motion
+/// there taken off.
 ///
 /// The options say how it is solved; number of modes and heights are chosen here.
 ///
@@ -173,7 +174,8 @@ impl TowerShapes {
         [0, 1].map(|i| self.shapes[first + i].decimals.polynomial())
     }
 
-    /// The printed coefficients: of the first and second fore-aft, first and second side-side shape.
+    /// The printed coefficients: of the first and second fore-aft, first and second side-side
+    /// shape.
     pub fn coefficients(&self) -> [[f64; 5]; 4] {
         let polynomial = |shape: &TowerShape| shape.decimals.polynomial().coefficients;
         [0, 1, 2, 3].map(|i| polynomial(&self.shapes[i]))

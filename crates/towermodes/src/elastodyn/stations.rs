@@ -1,4 +1,5 @@
-//! The rows of a tower file: a tower's mass and bending stiffness by height, linear between the rows.
+//! The rows of a tower file: a tower's mass and bending stiffness by height, linear between the
+//! rows.
 
 use thiserror::Error;
 
@@ -18,7 +19,8 @@ pub const MAX_STATIONS: usize = 100_000;
 /// How many rows there shall be.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Rows {
-    /// As many as keep frequencies right to a millionth, mass and stiffness being linear between them.
+    /// As many as keep frequencies right to a millionth, mass and stiffness being linear between
+    /// them.
     #[default]
     Accurate,
     /// About so many, and at least those that steps and kinks need.
@@ -30,7 +32,8 @@ pub enum Rows {
 pub enum PointMasses {
     /// They are listed beside the rows.
     Listed,
-    /// Each is spread over a part of the tower, this many to the whole height: ElastoDyn's elements.
+    /// Each is spread over a part of the tower, this many to the whole height: ElastoDyn's
+    /// elements.
     Spread {
         /// Parts of the height.
         parts: usize,
@@ -79,7 +82,8 @@ struct Part<'a> {
     intervals: usize,
 }
 
-/// The rows of a tower above a height (m): its sections' mass, without water, and bending stiffness.
+/// The rows of a tower above a height (m): its sections' mass, without water, and bending
+/// stiffness.
 ///
 /// # Errors
 /// [`RowsError`].
@@ -125,7 +129,8 @@ struct Spread {
     mass_kg: f64,
 }
 
-/// Each mass over a part of the height with it in the middle, or at an end of the tower as near as can be.
+/// Each mass over a part of the height with it in the middle, or at an end of the tower as near as
+/// can be.
 fn spread_over(masses: &[&PointMass], from_m: f64, top_m: f64, parts: usize) -> Vec<Spread> {
     let whole_m = top_m - from_m;
     let length_m = whole_m / parts.max(1) as f64;
@@ -142,8 +147,9 @@ fn spread_over(masses: &[&PointMass], from_m: f64, top_m: f64, parts: usize) -> 
     spread.collect()
 }
 
-/// Where mass or stiffness bends or jumps, m: the ends of pieces, and of what is spread. What is closer together than rows can be is one,
-/// in the middle, so that each part is longer than a step is wide and a step that was read from two rows stays where it was.
+/// Where mass or stiffness bends or jumps, m: the ends of pieces, and of what is spread. What is
+/// closer together than rows can be is one, in the middle, so that each part is longer than a step
+/// is wide and a step that was read from two rows stays where it was.
 fn cuts(tower: &Tower, from_m: f64, spread: &[Spread]) -> Vec<f64> {
     let top_m = tower.top_m();
     let closest_m = CLOSEST * (top_m - from_m);
@@ -166,7 +172,8 @@ fn cuts(tower: &Tower, from_m: f64, spread: &[Spread]) -> Vec<f64> {
     cuts_m
 }
 
-/// The parts between the cuts, with what is spread over each: all of it, whatever rounding made of its ends.
+/// The parts between the cuts, with what is spread over each: all of it, whatever rounding made of
+/// its ends.
 fn parts_of<'a>(tower: &'a Tower, from_m: f64, spread: &[Spread]) -> Vec<Part<'a>> {
     let cuts_m = cuts(tower, from_m, spread);
     let nearest = |height_m: f64| {
@@ -235,8 +242,9 @@ impl Part<'_> {
         [mass, bending_n_m2.fore_aft, bending_n_m2.side_side]
     }
 
-    /// So many intervals that what is linear over each is right in the mean: a straight line over an interval h is off by h² f″/12 in the
-    /// mean, and a frequency goes with the root of stiffness over mass.
+    /// So many intervals that what is linear over each is right in the mean: a straight line over
+    /// an interval h is off by h² f″/12 in the mean, and a frequency goes with the root of
+    /// stiffness over mass.
     fn accurate_intervals(&self) -> usize {
         let [mass, fore_aft, side_side] = self.bends();
         let frequency = 0.5 * (mass + fore_aft.max(side_side));
@@ -249,7 +257,8 @@ impl Part<'_> {
         }
     }
 
-    /// h² f″ over the whole part as a share of f, where it is most: by quarters, since a curve can turn, and bend most where it is least.
+    /// h² f″ over the whole part as a share of f, where it is most: by quarters, since a curve can
+    /// turn, and bend most where it is least.
     fn bends(&self) -> [f64; 3] {
         let values: [[f64; 3]; 5] = std::array::from_fn(|k| {
             let s = k as f64 / 4.0;

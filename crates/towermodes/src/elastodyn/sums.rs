@@ -54,7 +54,8 @@ impl TowerModel {
         sums
     }
 
-    /// Mass per length (kg/m) and bending stiffness (N m²) at x, between a row and the one below it.
+    /// Mass per length (kg/m) and bending stiffness (N m²) at x, between a row and the one below
+    /// it.
     fn between(&self, row: usize, x: f64, plane: Plane) -> (f64, f64) {
         let (below, above) = (&self.stations[row - 1], &self.stations[row]);
         let rise = above.height_fraction - below.height_fraction;

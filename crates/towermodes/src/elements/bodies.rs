@@ -1,4 +1,5 @@
-//! Pieces of tower as rigid bodies with the soil around them and the weight they carry, prismatic or exact.
+//! Pieces of tower as rigid bodies with the soil around them and the weight they carry, prismatic
+//! or exact.
 
 use super::{Assembly, springs};
 use crate::chain::JointFlexibility;
@@ -34,7 +35,8 @@ impl Assembly<'_> {
         self.add_weight(base_m, top_m);
     }
 
-    /// Adds the tower between two heights (m) as a rigid body with its exact mass, centre and inertia, about its middle.
+    /// Adds the tower between two heights (m) as a rigid body with its exact mass, centre and
+    /// inertia, about its middle.
     #[inline]
     pub(super) fn add_exact_body(&mut self, piece: &Piece, base_m: f64, top_m: f64) {
         let reference_m = 0.5 * (base_m + top_m);
@@ -59,8 +61,9 @@ impl Assembly<'_> {
 
     /// Adds a joint at a height (m).
     ///
-    /// A compression works on the slide times the rotation where it happens. That is between those below and above the joint, so where
-    /// shear slides much the hinge is halved around the slide; either rotation alone would cost an order of convergence.
+    /// A compression works on the slide times the rotation where it happens. That is between those
+    /// below and above the joint, so where shear slides much the hinge is halved around the slide;
+    /// either rotation alone would cost an order of convergence.
     pub(super) fn add_joint(&mut self, height_m: f64, joint: &JointFlexibility) {
         if self.tower.gravity_m_per_s2() == 0.0 {
             self.parts.add_joint(height_m, joint, 0.0);
@@ -81,7 +84,8 @@ impl Assembly<'_> {
         }
     }
 
-    /// Adds exact bodies between two heights (m), joined where `joints` say, with their heights (m).
+    /// Adds exact bodies between two heights (m), joined where `joints` say, with their heights
+    /// (m).
     pub(super) fn add_exact_bodies<const N: usize>(
         &mut self,
         piece: &Piece,
@@ -100,7 +104,8 @@ impl Assembly<'_> {
     }
 }
 
-/// Constant springs along a rod of a length (m), about its middle: k l against moving, k l³/12 against turning.
+/// Constant springs along a rod of a length (m), about its middle: k l against moving, k l³/12
+/// against turning.
 fn prismatic_soil(soil: &SoilStiffness, length: f64) -> OnAxis {
     OnAxis {
         bending: soil

@@ -1,12 +1,14 @@
 //! The cardanic joint beam element, prismatic and with exact sections.
 //!
-//! A reconstruction of the element of Zhao, Maißer & Wu, whose text is not openly available, from what Nikolić & Šalinić say of it: one
-//! rigid body and two rotational joints more than theirs, rotating instead of sliding. A segment of length L becomes four rigid bodies,
-//! with bending hinges of stiffness 2EI/L at kL and (1−k)L, and in the middle a joint for axial motion, torsion and, where the tower
-//! shears, sliding (EA/L, GJ/L, κGA/L).
+//! A reconstruction of the element of Zhao, Maißer & Wu, whose text is not openly available, from
+//! what Nikolić & Šalinić say of it: one rigid body and two rotational joints more than theirs,
+//! rotating instead of sliding. A segment of length L becomes four rigid bodies, with bending
+//! hinges of stiffness 2EI/L at kL and (1−k)L, and in the middle a joint for axial motion, torsion
+//! and, where the tower shears, sliding (EA/L, GJ/L, κGA/L).
 //!
-//! The hinges give a prismatic segment its exact static deflection if (1−k)² + k² = 2/3, so k = (1 − 1/√3)/2: the two-point Gauss rule.
-//! With exact sections they are the Gauss rule of the measure dz/EI.
+//! The hinges give a prismatic segment its exact static deflection if (1−k)² + k² = 2/3, so k = (1
+//! − 1/√3)/2: the two-point Gauss rule. With exact sections they are the Gauss rule of the measure
+//! dz/EI.
 
 use super::{Assembly, springs};
 use crate::chain::JointFlexibility;
@@ -15,7 +17,8 @@ use crate::tower::{Piece, Plane, Planes, compliance, gauss_hinges};
 /// k = (1 − 1/√3)/2, the statically exact place of the hinges.
 pub const GAUSS_HINGE_POSITION: f64 = 0.211_324_865_405_187_1;
 
-/// Adds one prismatic segment between two heights (m), its section that of the middle, hinges at `position` of the length from each end.
+/// Adds one prismatic segment between two heights (m), its section that of the middle, hinges at
+/// `position` of the length from each end.
 pub(super) fn add_prismatic_segment(
     assembly: &mut Assembly<'_>,
     piece: &Piece,
@@ -42,7 +45,8 @@ pub(super) fn add_prismatic_segment(
     assembly.add_prismatic_body(&section, upper_m, top_m);
 }
 
-/// Adds one segment between two heights (m) with exact integrals; the joint between the hinges sits at the elastic centre.
+/// Adds one segment between two heights (m) with exact integrals; the joint between the hinges sits
+/// at the elastic centre.
 pub(super) fn add_exact_segment(
     assembly: &mut Assembly<'_>,
     piece: &Piece,
@@ -59,7 +63,8 @@ pub(super) fn add_exact_segment(
             )
         });
         let middle = JointFlexibility {
-            // Shear belongs into a sliding joint of its own: in the hinges' spacing it would push them off a short segment.
+            // Shear belongs into a sliding joint of its own: in the hinges' spacing it would push
+            // them off a short segment.
             deflection_m_per_n: whole.bending.map(|plane| plane.shear_m_per_n),
             bending_per_n_m: Planes::default(),
             ..springs::exact(&whole)

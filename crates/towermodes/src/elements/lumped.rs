@@ -1,8 +1,9 @@
-//! Rigid half-segments joined by massless beam springs, as general multibody programs model beams (Adams).
+//! Rigid half-segments joined by massless beam springs, as general multibody programs model beams
+//! (Adams).
 //!
-//! A segment of length L is a prismatic beam with the section at its middle. Its two halves are rigid bodies, and between them, in the
-//! middle, are all the springs of the segment's exact static stiffness: EI/L, 12EI/(L³(1+φ)), EA/L, GJ/L. Every frequency converges
-//! as n⁻².
+//! A segment of length L is a prismatic beam with the section at its middle. Its two halves are
+//! rigid bodies, and between them, in the middle, are all the springs of the segment's exact static
+//! stiffness: EI/L, 12EI/(L³(1+φ)), EA/L, GJ/L. Every frequency converges as n⁻².
 
 use super::{Assembly, springs};
 use crate::tower::Piece;

@@ -1,16 +1,17 @@
 //! Where a tower is cut into segments.
 //!
-//! Every row of every quantity is a segment border: steps and kinks of the tower, the soil and the water, and whatever is attached. The
-//! spectral beam is also cut where the tower is steep. Between borders the segments are equal, and their number is shared out by
-//! length.
+//! Every row of every quantity is a segment border: steps and kinks of the tower, the soil and the
+//! water, and whatever is attached. The spectral beam is also cut where the tower is steep. Between
+//! borders the segments are equal, and their number is shared out by length.
 
 use thiserror::Error;
 
 use crate::number::Plain;
 use crate::tower::Tower;
 
-/// The largest ratio of a dimension or property at the ends of a span between [`Borders::Gradual`] ones: the apex of a cone is then two
-/// thirds of the span away from it, and a polynomial of degree p is exact to 3⁻ᵖ in its strains.
+/// The largest ratio of a dimension or property at the ends of a span between [`Borders::Gradual`]
+/// ones: the apex of a cone is then two thirds of the span away from it, and a polynomial of degree
+/// p is exact to 3⁻ᵖ in its strains.
 const STEEPEST_SPAN: f64 = 4.0;
 
 /// Heights that differ by this share of the tower's are the same.
@@ -41,8 +42,8 @@ pub enum BorderError {
 pub enum Borders {
     /// Every end of a linear piece, and every point mass.
     Pieces,
-    /// Those, and as many more that no dimension of a tube and no stiffness of a table changes by more than a factor of 4 over a
-    /// span: what polynomials can follow.
+    /// Those, and as many more that no dimension of a tube and no stiffness of a table changes by
+    /// more than a factor of 4 over a span: what polynomials can follow.
     Gradual,
 }
 
@@ -76,7 +77,8 @@ pub struct Mesh {
 impl Mesh {
     /// Cuts a tower into `segments`, or as many as it has spans if that is more.
     ///
-    /// An even number that gives every span four and more is shared out in pairs, so that [`halved`](Self::halved) exists.
+    /// An even number that gives every span four and more is shared out in pairs, so that
+    /// [`halved`](Self::halved) exists.
     pub fn new(tower: &Tower, borders: Borders, segments: usize) -> Self {
         let spans = spans_of(tower, borders);
         if segments.is_multiple_of(2) && segments / 4 >= spans.len() {
@@ -86,8 +88,8 @@ impl Mesh {
         }
     }
 
-    /// Cuts a tower into about `segments`, an even number in each span: what is shorter than two of them is cut in two, and the rest
-    /// is shared out as if the short spans were not there.
+    /// Cuts a tower into about `segments`, an even number in each span: what is shorter than two of
+    /// them is cut in two, and the rest is shared out as if the short spans were not there.
     pub fn at_least(tower: &Tower, borders: Borders, segments: usize) -> Self {
         let spans = spans_of(tower, borders);
         let pair_m = tower.height_m() / (segments / 2) as f64;
@@ -96,7 +98,8 @@ impl Mesh {
         Self::in_pairs(spans, segments / 2 + short)
     }
 
-    /// Cuts a tower into so many equal segments, if every border that there must be is one of theirs, but for rounding.
+    /// Cuts a tower into so many equal segments, if every border that there must be is one of
+    /// theirs, but for rounding.
     pub fn equal(tower: &Tower, borders: Borders, segments: usize) -> Option<Self> {
         let mut spans = spans_of(tower, borders);
         let segment_m = tower.height_m() / segments as f64;
@@ -117,8 +120,8 @@ impl Mesh {
         Self::from_spans(spans_of(tower, borders))
     }
 
-    /// Cuts a tower at given heights, m, rising strictly from its base to its top: whatever is attached must be at one of them. Heights that
-    /// differ from these by rounding are moved there.
+    /// Cuts a tower at given heights, m, rising strictly from its base to its top: whatever is
+    /// attached must be at one of them. Heights that differ from these by rounding are moved there.
     ///
     /// # Errors
     /// The first thing that is not so.
@@ -291,7 +294,8 @@ fn smooth_spans(tower: &Tower) -> Vec<Span> {
     spans
 }
 
-/// Shares `total` out over the lengths, at least one to each: the whole parts first, then the largest remainders.
+/// Shares `total` out over the lengths, at least one to each: the whole parts first, then the
+/// largest remainders.
 fn shared_by_length(lengths: &[f64], total: usize) -> Vec<usize> {
     let total = total.max(lengths.len());
     let ideal = ideal_shares(lengths, total);
@@ -308,7 +312,8 @@ fn shared_by_length(lengths: &[f64], total: usize) -> Vec<usize> {
     counts
 }
 
-/// Shares proportional to the lengths that add up to `total`; a length whose share would be below one has one.
+/// Shares proportional to the lengths that add up to `total`; a length whose share would be below
+/// one has one.
 fn ideal_shares(lengths: &[f64], total: usize) -> Vec<f64> {
     let mut is_short = vec![false; lengths.len()];
     loop {

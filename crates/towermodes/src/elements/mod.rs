@@ -56,10 +56,11 @@ impl Element {
 pub struct Recipe {
     /// The element.
     pub element: Element,
-    /// Whether sections have rotary inertia in bending (false: an Euler-Bernoulli beam); torsion and the rotor-nacelle assembly keep
-    /// theirs.
+    /// Whether sections have rotary inertia in bending (false: an Euler-Bernoulli beam); torsion
+    /// and the rotor-nacelle assembly keep theirs.
     pub rotary_inertia: bool,
-    /// Where the hinges of [`Element::Cardanic`] sit, as a share k of the segment from each end, 0 < k < 1/2.
+    /// Where the hinges of [`Element::Cardanic`] sit, as a share k of the segment from each end, 0
+    /// < k < 1/2.
     pub hinge_position: f64,
 }
 

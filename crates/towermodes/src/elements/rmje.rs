@@ -1,15 +1,17 @@
 //! The rigid multibody joint element as published, with its misprints corrected.
 //!
-//! Nikolić & Šalinić, *Free vibration analysis of the horizontal axis wind turbine tower*. A segment of length L is a prismatic beam
-//! with the section at its middle, and becomes three rigid bodies, [0, L/4], [L/4, L/2] and [L/2, L], and two joints:
+//! Nikolić & Šalinić, *Free vibration analysis of the horizontal axis wind turbine tower*. A
+//! segment of length L is a prismatic beam with the section at its middle, and becomes three rigid
+//! bodies, [0, L/4], [L/4, L/2] and [L/2, L], and two joints:
 //!
 //! | at | moves | springs |
 //! |---|---|---|
 //! | L/4 | both deflections, axial, torsion | 12EI/(L³(1+φ)), EA/L, GJ/L |
 //! | L/2 | both bending rotations | EI/L |
 //!
-//! The springs are those of the segment's exact static stiffness; φ = 12EI/(κGAL²) with shear, 0 without. Bending converges as
-//! n⁻², torsion and axial, whose joint is off the middle, only as n⁻¹; with shear, bending also ends as n⁻¹.
+//! The springs are those of the segment's exact static stiffness; φ = 12EI/(κGAL²) with shear, 0
+//! without. Bending converges as n⁻², torsion and axial, whose joint is off the middle, only as
+//! n⁻¹; with shear, bending also ends as n⁻¹.
 
 use super::{Assembly, springs};
 use crate::chain::JointFlexibility;

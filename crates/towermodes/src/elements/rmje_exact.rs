@@ -1,11 +1,15 @@
-//! The rigid multibody element of a tapered tower: one joint at the elastic centre, exact integrals.
+//! The rigid multibody element of a tapered tower: one joint at the elastic centre, exact
+//! integrals.
 //!
-//! A segment becomes two rigid bodies, which keep the exact mass, centre and inertia of what they replace, and one joint at the elastic
-//! centre z_c = ∫ z dz/EI ÷ ∫ dz/EI, where a force does not turn it:
+//! A segment becomes two rigid bodies, which keep the exact mass, centre and inertia of what they
+//! replace, and one joint at the elastic centre z_c = ∫ z dz/EI ÷ ∫ dz/EI, where a force does not
+//! turn it:
 //!
-//! 1/k_θ = ∫ dz/EI,  1/k_w = ∫ (z−z_c)² dz/EI + ∫ dz/(κGA),  1/k_axial = ∫ dz/EA,  1/k_torsion = ∫ dz/GJ.
+//! 1/k_θ = ∫ dz/EI, 1/k_w = ∫ (z−z_c)² dz/EI + ∫ dz/(κGA), 1/k_axial = ∫ dz/EA, 1/k_torsion = ∫
+//! dz/GJ.
 //!
-//! Where the bending planes differ, each has its own centre and so its own joint; torsion and axial motion go with fore-aft bending.
+//! Where the bending planes differ, each has its own centre and so its own joint; torsion and axial
+//! motion go with fore-aft bending.
 //!
 //! So the segment's static stiffness is exact for any taper, and every frequency converges as n⁻².
 

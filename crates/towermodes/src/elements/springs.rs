@@ -1,9 +1,11 @@
-//! The springs of a segment: the flexibilities of its exact static stiffness, all in one joint. Elements share them out.
+//! The springs of a segment: the flexibilities of its exact static stiffness, all in one joint.
+//! Elements share them out.
 
 use crate::chain::JointFlexibility;
 use crate::tower::{Compliance, Planes, Section};
 
-/// Of a prismatic segment of a length (m): L/EI, L³(1+φ)/(12EI) with φ = 12EI/(κGAL²) written out, L/EA, L/GJ.
+/// Of a prismatic segment of a length (m): L/EI, L³(1+φ)/(12EI) with φ = 12EI/(κGAL²) written out,
+/// L/EA, L/GJ.
 #[inline]
 pub(super) fn prismatic(section: &Section, length: f64) -> JointFlexibility {
     let bending = section.bending_n_m2.map(|ei| length / ei);

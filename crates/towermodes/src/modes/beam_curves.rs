@@ -6,7 +6,8 @@ use crate::parts::{Part, embedded, on_components, plane_components};
 use crate::space::{Dim, Space, raise};
 use crate::tower::Component;
 
-/// Halvings that locate a turning point: 2⁻²⁶ of an interval, which changes the value there by 2⁻⁵².
+/// Halvings that locate a turning point: 2⁻²⁶ of an interval, which changes the value there by
+/// 2⁻⁵².
 const HALVINGS: usize = 26;
 
 /// The curves of one eigenvector of a beam.
@@ -83,8 +84,8 @@ impl BeamCurves {
         rising
     }
 
-    /// The value of largest magnitude of a polynomial on 0 ≤ s ≤ 1, from its value and slope at s: at an end or where the slope changes
-    /// sign.
+    /// The value of largest magnitude of a polynomial on 0 ≤ s ≤ 1, from its value and slope at s:
+    /// at an end or where the slope changes sign.
     fn extreme_of(&self, value_and_slope: impl Fn(f64) -> [f64; 2]) -> f64 {
         let degree = self.deformations.iter().map(|(_, count)| count).max();
         let intervals = degree.map_or(1, |degree| degree + 3);
@@ -105,7 +106,8 @@ impl BeamCurves {
 }
 
 impl Rising {
-    /// Adds what a strain with these coefficients does up to s, on an element of this half length (m).
+    /// Adds what a strain with these coefficients does up to s, on an element of this half length
+    /// (m).
     fn deform(&mut self, strain: Strain, coefficients: &[f64], s: f64, half: f64) {
         let [mut value, mut first, mut second] = [0.0; 3];
         for (c, term) in coefficients.iter().zip(Legendre::at(2.0 * s - 1.0)) {

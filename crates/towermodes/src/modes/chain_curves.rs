@@ -1,7 +1,8 @@
 //! The curve of a mode of a chain of rigid bodies.
 //!
-//! A segment's springs are those of its exact static stiffness, so the motions of the bodies at the segment borders are those of beam
-//! nodes. Between them the beam's own curve is drawn, not the rigid bodies' steps.
+//! A segment's springs are those of its exact static stiffness, so the motions of the bodies at the
+//! segment borders are those of beam nodes. Between them the beam's own curve is drawn, not the
+//! rigid bodies' steps.
 
 use super::sampling::SegmentCurves;
 use super::shape::Cubic;

@@ -1,7 +1,8 @@
 //! The discretization error of a frequency, by Richardson's extrapolation.
 //!
-//! A method whose error has the powers p, q, … of 1/n gives f(n) = f* + C n⁻ᵖ + D n⁻ᵠ + …. Meshes that halve each other's segments
-//! give C, D, … and with them both the error and a better value (Richardson 1911; Romberg 1955 for several powers).
+//! A method whose error has the powers p, q, … of 1/n gives f(n) = f* + C n⁻ᵖ + D n⁻ᵠ + …. Meshes
+//! that halve each other's segments give C, D, … and with them both the error and a better value
+//! (Richardson 1911; Romberg 1955 for several powers).
 
 /// What coarser or finer meshes say about a frequency.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -10,25 +11,30 @@ pub struct Estimate {
     pub error_hz: f64,
     /// Estimate of f*, Hz.
     pub extrapolated_hz: f64,
-    /// How far the value extrapolated without the finest mesh is from that with it, Hz; 0 without a mesh to spare.
+    /// How far the value extrapolated without the finest mesh is from that with it, Hz; 0 without a
+    /// mesh to spare.
     pub spread_hz: f64,
     /// Whether the meshes fall as the powers say, so that the spread is small beside the error.
     pub is_regular: bool,
 }
 
-/// Values extrapolated with and without the finest mesh that differ by more than this many errors are no regular convergence. A term of the
-/// next even power, a thirtieth of the first, makes them differ by about as much; an error that falls by one power less makes them differ by twice.
+/// Values extrapolated with and without the finest mesh that differ by more than this many errors
+/// are no regular convergence. A term of the next even power, a thirtieth of the first, makes them
+/// differ by about as much; an error that falls by one power less makes them differ by twice.
 const REGULAR: f64 = 1.5;
 /// Spreads below this share of a frequency are rounding.
 const ROUNDING: f64 = 1e-10;
 
-/// Extrapolates the frequencies (Hz) of one mode on meshes from the finest to the coarsest, each with half the segments of the one
-/// before, for an error with these powers of 1/n: one mesh more than there are powers, or two.
+/// Extrapolates the frequencies (Hz) of one mode on meshes from the finest to the coarsest, each
+/// with half the segments of the one before, for an error with these powers of 1/n: one mesh more
+/// than there are powers, or two.
 ///
-/// Each power p in turn: fᵢ ← fᵢ + (fᵢ − fᵢ₊₁)/(2ᵖ − 1).  The error is that of `frequency_hz`, which is one of the meshes', but no less
-/// than the last power changed the extrapolated value, and no less than what another mesh more says: how far the value extrapolated
-/// without the finest mesh is off, over 2ᵖ of the lowest power. Where that is not small the meshes do not converge with these powers yet,
-/// and the error is no less than all of it: where terms cancel, or two meshes agree by chance, the estimate must not.
+/// Each power p in turn: fᵢ ← fᵢ + (fᵢ − fᵢ₊₁)/(2ᵖ − 1). The error is that of `frequency_hz`, which
+/// is one of the meshes', but no less than the last power changed the extrapolated value, and no
+/// less than what another mesh more says: how far the value extrapolated without the finest mesh is
+/// off, over 2ᵖ of the lowest power. Where that is not small the meshes do not converge with these
+/// powers yet, and the error is no less than all of it: where terms cancel, or two meshes agree by
+/// chance, the estimate must not.
 pub fn richardson(frequency_hz: f64, mut meshes_hz: Vec<f64>, powers: &[i32]) -> Estimate {
     let mut last_change = 0.0_f64;
     for (removed, &power) in powers.iter().enumerate() {
@@ -53,7 +59,8 @@ pub fn richardson(frequency_hz: f64, mut meshes_hz: Vec<f64>, powers: &[i32]) ->
     };
     Estimate {
         error_hz: error_hz.max(share * spread_hz),
-        // Meshes too coarse for any power extrapolate to nonsense; where it shows, the mode's own value is the better one.
+        // Meshes too coarse for any power extrapolate to nonsense; where it shows, the mode's own
+        // value is the better one.
         extrapolated_hz: if extrapolated_hz > 0.0 {
             extrapolated_hz
         } else {
@@ -83,11 +90,13 @@ mod tests {
 
     #[test]
     fn meshes_that_fall_more_slowly_than_the_power_are_no_regular_convergence() {
-        // n⁻¹ where n⁻² is expected: a third of the error is missed by two meshes, and the spread of three tells.
+        // n⁻¹ where n⁻² is expected: a third of the error is missed by two meshes, and the spread
+        // of three tells.
         let f = |n: f64| 3.0 + n.powi(-1);
         let slow = richardson(f(8.0), vec![f(8.0), f(4.0), f(2.0)], &[2]);
         assert!(!slow.is_regular && slow.error_hz > (f(8.0) - 3.0) / 3.0);
-        // A term of the next even power, a fortieth of the first on the finest mesh, is still regular.
+        // A term of the next even power, a fortieth of the first on the finest mesh, is still
+        // regular.
         let f = |n: f64| 3.0 + n.powi(-2) + 1.6 * n.powi(-4);
         assert!(richardson(f(8.0), vec![f(8.0), f(4.0), f(2.0)], &[2]).is_regular);
     }

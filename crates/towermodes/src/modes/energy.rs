@@ -56,8 +56,8 @@ impl ByMotion {
     }
 }
 
-/// The parts of a mode's energy, each of the two adding up to 1; the strain energy is that of tower, foundation, soil, wires and
-/// weights, and zero in all parts where there is none.
+/// The parts of a mode's energy, each of the two adding up to 1; the strain energy is that of
+/// tower, foundation, soil, wires and weights, and zero in all parts where there is none.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Energy {
     /// Kinetic energy.

@@ -68,7 +68,8 @@ impl Family {
         }
     }
 
-    /// Its name in results: `fore-aft`, `side-side`, `torsion`, `axial`, `coupled`, `surge`, `sway`, `heave`, `roll`, `pitch`, `yaw`.
+    /// Its name in results: `fore-aft`, `side-side`, `torsion`, `axial`, `coupled`, `surge`,
+    /// `sway`, `heave`, `roll`, `pitch`, `yaw`.
     pub fn name(self) -> &'static str {
         match self {
             Self::ForeAft => "fore-aft",
@@ -100,7 +101,8 @@ impl Family {
         }
     }
 
-    /// The label of its mode of an order (from 1): "2nd fore-aft bending"; of the one that moves the tower as one body its name.
+    /// The label of its mode of an order (from 1): "2nd fore-aft bending"; of the one that moves
+    /// the tower as one body its name.
     pub fn label(self, order: usize) -> String {
         if self.is_rigid() {
             return self.name().to_owned();
@@ -118,7 +120,8 @@ impl Family {
         }
     }
 
-    /// The components in (x, y, z, rotation about x, y, z) of which the largest is 1 in a shape: a translation, or the rotation about z.
+    /// The components in (x, y, z, rotation about x, y, z) of which the largest is 1 in a shape: a
+    /// translation, or the rotation about z.
     pub(crate) fn normalized_by(self) -> &'static [usize] {
         match self {
             Self::ForeAft | Self::Surge | Self::Pitch => &[0],

@@ -20,7 +20,8 @@ pub(crate) struct RigidBody {
 /// What a mode has in common with the rigid motions of the tower, as shares of its kinetic energy.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct RigidShares {
-    /// Of surge, sway, heave, roll, pitch, yaw, about the height in each plane where a push does not turn the tower.
+    /// Of surge, sway, heave, roll, pitch, yaw, about the height in each plane where a push does
+    /// not turn the tower.
     motions: [f64; 6],
     /// Of all together.
     total: f64,
@@ -35,8 +36,8 @@ impl RigidBody {
         }
     }
 
-    /// What a mode of kinetic energy 1 with these products of its inertia forces with rigid motions about the base has in common with
-    /// them: the rigid motion a nearest to it solves R a = f.
+    /// What a mode of kinetic energy 1 with these products of its inertia forces with rigid motions
+    /// about the base has in common with them: the rigid motion a nearest to it solves R a = f.
     pub(crate) fn shares(&self, force: &[f64; 6]) -> RigidShares {
         let a = times(&self.flexibility, force);
         let inertia = &self.inertia;
@@ -60,7 +61,8 @@ impl RigidBody {
 }
 
 impl RigidShares {
-    /// The motion with the largest share among those not taken, if the mode is rigid and the share large enough to call it so.
+    /// The motion with the largest share among those not taken, if the mode is rigid and the share
+    /// large enough to call it so.
     pub(crate) fn name(&self, taken: &[bool; 6]) -> Option<usize> {
         let free = (0..6).filter(|&motion| !taken[motion]);
         let largest = free.max_by(|&a, &b| self.motions[a].total_cmp(&self.motions[b]))?;
@@ -69,8 +71,8 @@ impl RigidShares {
     }
 }
 
-/// The names of those modes, by rising frequency, that are rigid: each name once, lower modes before higher ones, so that a longer list
-/// changes no name.
+/// The names of those modes, by rising frequency, that are rigid: each name once, lower modes
+/// before higher ones, so that a longer list changes no name.
 pub(crate) fn rigid_names(modes: impl Iterator<Item = RigidShares>) -> Vec<Option<Family>> {
     let mut taken = [false; 6];
     modes

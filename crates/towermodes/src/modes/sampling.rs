@@ -2,8 +2,8 @@
 
 use super::shape::ShapePoint;
 
-/// What a model knows of a mode between its segment borders; heights within a segment are shares s from 0 to 1, motions (x, y, z, rotation
-/// about x, y, z).
+/// What a model knows of a mode between its segment borders; heights within a segment are shares s
+/// from 0 to 1, motions (x, y, z, rotation about x, y, z).
 pub trait SegmentCurves {
     /// The motion of the section at s.
     fn motion(&self, segment: usize, s: f64) -> [f64; 6];
@@ -21,7 +21,8 @@ pub struct ModeCurve<'a> {
 }
 
 impl<'a> ModeCurve<'a> {
-    /// The mode with these curves between the segment borders (m), normalized by the largest of these components.
+    /// The mode with these curves between the segment borders (m), normalized by the largest of
+    /// these components.
     pub fn new(borders_m: &'a [f64], curves: &'a dyn SegmentCurves, components: &[usize]) -> Self {
         let segments = borders_m.len() - 1;
         let largest_of = |component: usize| {

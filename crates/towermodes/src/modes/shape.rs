@@ -2,7 +2,8 @@
 
 /// The motion of the tower's axis at a height, as a share of the mode's largest.
 ///
-/// The largest translation of the tower is 1 (for torsion the largest rotation), positive at the top; rotations are per metre of it.
+/// The largest translation of the tower is 1 (for torsion the largest rotation), positive at the
+/// top; rotations are per metre of it.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct ShapePoint {
     /// Height z in the datum of the stations, m.
@@ -43,8 +44,9 @@ pub(super) struct Cubic {
 }
 
 impl Cubic {
-    /// The deflection of a beam whose ends move by (w, θ): Hermite's cubic, plus the share of the sliding that is shear as a straight
-    /// line. These are the exact static deflections of a prismatic Timoshenko beam.
+    /// The deflection of a beam whose ends move by (w, θ): Hermite's cubic, plus the share of the
+    /// sliding that is shear as a straight line. These are the exact static deflections of a
+    /// prismatic Timoshenko beam.
     ///
     /// Sliding is w₂ − w₁ − L(θ₁+θ₂)/2, what the segment's transverse spring takes.
     pub(super) fn beam(below: [f64; 2], above: [f64; 2], length_m: f64, shear_share: f64) -> Self {
@@ -124,7 +126,8 @@ mod tests {
 
     #[test]
     fn shear_adds_a_straight_line_that_does_not_rotate_sections() {
-        // The same with 1/(κGA) = γ: w gains γ z, θ nothing. Sliding: 1/12 from bending, γ from shear.
+        // The same with 1/(κGA) = γ: w gains γ z, θ nothing. Sliding: 1/12 from bending, γ from
+        // shear.
         let gamma = 0.2;
         let share = gamma / (gamma + 1.0 / 12.0);
         let beam = Cubic::beam([0.0, 0.0], [1.0 / 3.0 + gamma, 0.5], 1.0, share);

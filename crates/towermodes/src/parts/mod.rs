@@ -1,4 +1,5 @@
-//! The independent parts of a tower's model, whatever it is made of, and each as an eigenvalue problem.
+//! The independent parts of a tower's model, whatever it is made of, and each as an eigenvalue
+//! problem.
 
 mod model;
 mod part;

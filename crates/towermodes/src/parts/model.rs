@@ -4,7 +4,8 @@ use super::part::{Kind, Part};
 use super::structure::Role;
 use crate::tower::{Attachment, Motion, Motions, OnAxis, Plane, Tower};
 
-/// The parts of a model: one for each smallest set of coupled motions, the second of two equal bending planes left out.
+/// The parts of a model: one for each smallest set of coupled motions, the second of two equal
+/// bending planes left out.
 pub struct Parts<K: Kind> {
     parts: Vec<Part<K>>,
     planes_are_equal: bool,
@@ -64,7 +65,8 @@ impl<K: Kind> Parts<K> {
         }
     }
 
-    /// Adds those of the attachments, sorted by height, that are not above a height (m); returns those above.
+    /// Adds those of the attachments, sorted by height, that are not above a height (m); returns
+    /// those above.
     pub fn attach_up_to<'a>(
         &mut self,
         height_m: f64,

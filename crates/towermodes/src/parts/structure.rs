@@ -4,8 +4,8 @@ use crate::space::{Dim, Matrix, Space};
 
 /// A sum of the matrices of a structure: `springs`·1 + `mass`·M + `ground`·S + `weights`·G.
 ///
-/// 1 is the stiffness of its joints or elements in scaled coordinates, M its inertia, S what ties it to the ground, G what weights add
-/// to the stiffness.
+/// 1 is the stiffness of its joints or elements in scaled coordinates, M its inertia, S what ties
+/// it to the ground, G what weights add to the stiffness.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Combination {
     /// Factor of the joints' or elements' own stiffness.
@@ -65,7 +65,8 @@ impl Combination {
 /// What a motion gives with a combination A of a structure's matrices.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Balance<const D: usize> {
-    /// The resultant of A times the motion about the base: with the inertia, its products with the rigid motions of the whole.
+    /// The resultant of A times the motion about the base: with the inertia, its products with the
+    /// rigid motions of the whole.
     pub force: [f64; D],
     /// What each component contributes to the energy xᵀ A x.
     pub energy: [f64; D],
@@ -91,13 +92,15 @@ where
     /// Forgets everything but the memory.
     fn clear(&mut self);
 
-    /// Begins with a base that moves freely in the components with a unit, the motion that a coordinate of 1 is; zero holds one.
+    /// Begins with a base that moves freely in the components with a unit, the motion that a
+    /// coordinate of 1 is; zero holds one.
     fn add_base(&mut self, height_m: f64, unit: [f64; D]);
 
     /// Adds a matrix, given about a height (m), to what was added last.
     fn add(&mut self, role: Role, reference_m: f64, matrix: Matrix<D>);
 
-    /// Takes a stiffness (N m) against rotation about x and y, by which weights overturn, from what was added last.
+    /// Takes a stiffness (N m) against rotation about x and y, by which weights overturn, from what
+    /// was added last.
     fn overturn(&mut self, stiffness_n_m: f64);
 
     /// Number of unknowns.
@@ -121,7 +124,8 @@ where
     /// x ← A⁻¹ x, with the combination factored last.
     fn solve(&self, work: &mut Self::Work, x: &mut [f64]);
 
-    /// What a motion x gives with a combination A: forces, and where its energy is. `base_m` is the height of the base, m.
+    /// What a motion x gives with a combination A: forces, and where its energy is. `base_m` is the
+    /// height of the base, m.
     fn balance(
         &self,
         combination: &Combination,
@@ -130,6 +134,7 @@ where
         base_m: f64,
     ) -> Balance<D>;
 
-    /// A start vector for iterations: the inertia forces of a rigid motion that is one in every component at the base.
+    /// A start vector for iterations: the inertia forces of a rigid motion that is one in every
+    /// component at the base.
     fn start(&self, work: &mut Self::Work, out: &mut [f64]);
 }

@@ -10,8 +10,9 @@ use crate::solve::{BladeFamily, SolveError};
 use crate::tower::TowerError;
 use crate::verdict::Verdict;
 
-/// The margin that guidelines for certification ask for: an excitation must be 5 % away from a natural frequency (Germanischer Lloyd, *Guideline
-/// for the Certification of Wind Turbines*, 2010; DIBt, *Richtlinie für Windenergieanlagen*, 2012: f_R/f₀ ≤ 0.95 or ≥ 1.05).
+/// The margin that guidelines for certification ask for: an excitation must be 5 % away from a
+/// natural frequency (Germanischer Lloyd, *Guideline for the Certification of Wind Turbines*, 2010;
+/// DIBt, *Richtlinie für Windenergieanlagen*, 2012: f_R/f₀ ≤ 0.95 or ≥ 1.05).
 pub const DEFAULT_MARGIN: f64 = 0.05;
 
 /// What is asked of a diagram.
@@ -19,12 +20,15 @@ pub const DEFAULT_MARGIN: f64 = 0.05;
 pub struct CampbellOptions {
     /// The least relative distance |n Ω/f − 1| of an excitation to a natural frequency that passes.
     pub margin: f64,
-    /// Which multiples of the rotor's speed; empty is the speed itself and one, two and three times the number of blades.
+    /// Which multiples of the rotor's speed; empty is the speed itself and one, two and three times
+    /// the number of blades.
     pub multiples: Vec<usize>,
     /// How many modes of a blade, from the lowest.
     pub blade_modes: usize,
-    /// How many equally spaced speeds from standstill to [`BEYOND_OPERATION`](super::BEYOND_OPERATION) times the highest a blade is solved
-    /// at, 2 to 1000; the lowest and the highest speed of operation come in addition where they are not among them.
+    /// How many equally spaced speeds from standstill to
+    /// [`BEYOND_OPERATION`](super::BEYOND_OPERATION) times the highest a blade is solved at, 2 to
+    /// 1000; the lowest and the highest speed of operation come in addition where they are not
+    /// among them.
     pub speeds: usize,
 }
 
@@ -40,7 +44,8 @@ pub enum Excited {
         /// Its order in the family.
         order: usize,
     },
-    /// A mode of a rotating blade, followed from speed to speed: its family and order at standstill.
+    /// A mode of a rotating blade, followed from speed to speed: its family and order at
+    /// standstill.
     Blade {
         /// Its family.
         family: BladeFamily,
@@ -56,7 +61,8 @@ pub struct FrequencyLine {
     pub of: Excited,
     /// What it is called: "1st fore-aft bending", "blade 1st flap".
     pub label: String,
-    /// Rotor speed (rpm) and frequency (Hz) by rising speed, from standstill; of a tower's mode the two ends.
+    /// Rotor speed (rpm) and frequency (Hz) by rising speed, from standstill; of a tower's mode the
+    /// two ends.
     pub points: Vec<[f64; 2]>,
     /// The largest estimated error of the frequencies, Hz.
     pub error_hz: f64,
@@ -64,12 +70,14 @@ pub struct FrequencyLine {
     pub lost: Option<LineEnd>,
 }
 
-/// Where a mode of a blade was lost: none of the modes at the next speed is like it, and its line ends before.
+/// Where a mode of a blade was lost: none of the modes at the next speed is like it, and its line
+/// ends before.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct LineEnd {
     /// The speed at which it is not found, rpm.
     pub rotor_speed_rpm: f64,
-    /// How alike the mode is that was left for it there: the modal assurance criterion, 0 to 1, where 1 is the same shape.
+    /// How alike the mode is that was left for it there: the modal assurance criterion, 0 to 1,
+    /// where 1 is the same shape.
     pub alike: f64,
 }
 
@@ -80,7 +88,8 @@ pub struct Margin {
     pub line: usize,
     /// Which multiple n of the rotor's speed Ω.
     pub multiple: usize,
-    /// The speed of operation at which they are nearest, rpm; of a line that was lost as far as it goes.
+    /// The speed of operation at which they are nearest, rpm; of a line that was lost as far as it
+    /// goes.
     pub nearest_rpm: f64,
     /// The excitation n Ω there, Hz.
     pub excitation_hz: f64,
@@ -93,7 +102,8 @@ pub struct Margin {
 }
 
 impl Margin {
-    /// Whether it is worth a look: the excitation is less than a factor 2 from the natural frequency, or the pair does not pass.
+    /// Whether it is worth a look: the excitation is less than a factor 2 from the natural
+    /// frequency, or the pair does not pass.
     pub fn is_near(&self) -> bool {
         let ratio = 1.0 + self.distance;
         self.verdict != Verdict::Pass || (0.5 < ratio && ratio < 2.0)
@@ -102,9 +112,10 @@ impl Margin {
 
 /// Where the first bending frequency of a tower lies among the excitations.
 ///
-/// The rotor's speed excites from its lowest to its highest speed, its blades' passing from the number of blades times the one to that times
-/// the other. Where both ranges overlap (a wide range of speeds), what is in both counts as met by the rotor's speed, and nothing is soft-stiff.
-/// A rotor of one blade has one range: below it is soft-soft, above it stiff-stiff.
+/// The rotor's speed excites from its lowest to its highest speed, its blades' passing from the
+/// number of blades times the one to that times the other. Where both ranges overlap (a wide range
+/// of speeds), what is in both counts as met by the rotor's speed, and nothing is soft-stiff. A
+/// rotor of one blade has one range: below it is soft-soft, above it stiff-stiff.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum StiffnessClass {
     /// Below the rotor's lowest speed.
@@ -135,7 +146,8 @@ pub struct Campbell {
     pub lines: Vec<FrequencyLine>,
     /// Every line against every multiple, by line, then by multiple.
     pub margins: Vec<Margin>,
-    /// Where the lowest mode that bends the tower fore-aft lies, and that side-side, if they are in the list; a coupled mode may be both.
+    /// Where the lowest mode that bends the tower fore-aft lies, and that side-side, if they are in
+    /// the list; a coupled mode may be both.
     pub classes: Vec<(Family, StiffnessClass)>,
     /// Which lines these modes are, from 0, in the order of `classes`.
     pub first_bending: Vec<usize>,

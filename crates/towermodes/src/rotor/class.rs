@@ -27,8 +27,8 @@ impl fmt::Display for StiffnessClass {
     }
 }
 
-/// The class of a frequency, Hz. Where the ranges of the rotor's speed and of the blades' passing overlap, what both meet counts as met by
-/// the rotor's speed; a rotor of one blade has one range.
+/// The class of a frequency, Hz. Where the ranges of the rotor's speed and of the blades' passing
+/// overlap, what both meet counts as met by the rotor's speed; a rotor of one blade has one range.
 pub(super) fn class(frequency_hz: f64, rotor: &Rotor) -> StiffnessClass {
     let range_hz = |multiple: usize| {
         let speeds = [rotor.lowest_rpm, rotor.highest_rpm];

@@ -1,4 +1,5 @@
-//! What a Campbell diagram says in words: the verdict on the first bending frequencies first, then the pairs that fail or are warned of.
+//! What a Campbell diagram says in words: the verdict on the first bending frequencies first, then
+//! the pairs that fail or are warned of.
 
 use super::campbell::{Campbell, Excited, Margin, StiffnessClass};
 use super::description::{Rotor, Rpm};
@@ -13,10 +14,12 @@ const NAMED: usize = 6;
 impl Campbell {
     /// The conclusion in sentences, the most important first.
     ///
-    /// The first says where the first bending frequencies lie among 1P and the passing of the blades and how far away these stay:
-    /// "The first bending frequencies, 0.3187 Hz (side-side) and 0.3215 Hz (fore-aft), lie between 1P (up to 0.2017 Hz) and 3P (from
-    /// 0.3450 Hz) with margins of at least 7.3 %: soft-stiff." Two planes of different classes have a sentence each. Then come the pairs that fail, the warnings of 1P and
-    /// of the passing of the blades, the minor warnings (other multiples, modes of a blade), and modes that are
+    /// The first says where the first bending frequencies lie among 1P and the passing of the
+    /// blades and how far away these stay: "The first bending frequencies, 0.3187 Hz (side-side)
+    /// and 0.3215 Hz (fore-aft), lie between 1P (up to 0.2017 Hz) and 3P (from 0.3450 Hz) with
+    /// margins of at least 7.3 %: soft-stiff." Two planes of different classes have a sentence
+    /// each. Then come the pairs that fail, the warnings of 1P and of the passing of the blades,
+    /// the minor warnings (other multiples, modes of a blade), and modes that are
     /// [not judged](Self::unjudged_hz).
     #[must_use]
     pub fn conclusion(&self) -> Vec<String> {
@@ -74,7 +77,8 @@ fn standing(campbell: &Campbell) -> Vec<String> {
     }
 }
 
-/// "The first bending frequencies, 0.3187 Hz (side-side) and 0.3215 Hz (fore-aft), lie between … with margins of at least 7.3 %: soft-stiff."
+/// "The first bending frequencies, 0.3187 Hz (side-side) and 0.3215 Hz (fore-aft), lie between …
+/// with margins of at least 7.3 %: soft-stiff."
 fn sentence(campbell: &Campbell, firsts: &[First]) -> String {
     let hz = |first: &First| {
         let line = campbell.lines.get(first.line);
@@ -135,7 +139,8 @@ fn place(class: StiffnessClass, rotor: &Rotor) -> (String, &'static str) {
     }
 }
 
-/// " with margins of at least 7.3 %": to the excitations that bound the class; none if one of these was not asked for.
+/// " with margins of at least 7.3 %": to the excitations that bound the class; none if one of these
+/// was not asked for.
 fn least_margin(campbell: &Campbell, firsts: &[First]) -> Option<String> {
     let blades = campbell.rotor.blades;
     let mut least: Option<&Margin> = None;

@@ -5,7 +5,8 @@ use std::fmt;
 /// More blades than this no rotor of a wind turbine on a tower has.
 pub const MOST_BLADES: usize = 10;
 
-/// No rotor is faster, rpm: the tips of one of 1 m across would be at the speed of sound fifteen times over.
+/// No rotor is faster, rpm: the tips of one of 1 m across would be at the speed of sound fifteen
+/// times over.
 pub const FASTEST_RPM: f64 = 1e5;
 
 /// Diagrams go to this many times the highest speed of operation.

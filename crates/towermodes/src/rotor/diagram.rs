@@ -30,16 +30,20 @@ impl Default for CampbellOptions {
     }
 }
 
-/// Natural frequencies of a tower, and of a blade if it is given, against the multiples of a rotor's speed.
+/// Natural frequencies of a tower, and of a blade if it is given, against the multiples of a
+/// rotor's speed.
 ///
-/// A multiple n excites with n Ω/60 Hz at Ω rpm. Its distance from a natural frequency f is d = n Ω/f − 1 at the speed of operation,
-/// lowest to highest, at which |d| is least; 0 if they meet. A mode of the tower has one frequency at all speeds. Modes of a blade are those
-/// in the rotating frame, solved at [`CampbellOptions::speeds`] equally spaced speeds from standstill to 1.2 times the highest and at both
-/// borders of operation; they keep the names they have at standstill and are followed by their shapes (the modal assurance criterion with
-/// the blade's masses), the two most alike first, so that names do not jump where lines cross. Between two speeds f² is linear in Ω²
-/// (Southwell), so distances are exact but where modes veer. A mode that is like none of eight times as many modes at the next speed is
-/// lost: its line ends there ([`FrequencyLine::lost`]), and if that is before the highest speed of operation its margins are those of the
-/// speeds before, and warn at least; there are none if it is before the lowest.
+/// A multiple n excites with n Ω/60 Hz at Ω rpm. Its distance from a natural frequency f is d = n
+/// Ω/f − 1 at the speed of operation, lowest to highest, at which |d| is least; 0 if they meet. A
+/// mode of the tower has one frequency at all speeds. Modes of a blade are those in the rotating
+/// frame, solved at [`CampbellOptions::speeds`] equally spaced speeds from standstill to 1.2 times
+/// the highest and at both borders of operation; they keep the names they have at standstill and
+/// are followed by their shapes (the modal assurance criterion with the blade's masses), the two
+/// most alike first, so that names do not jump where lines cross. Between two speeds f² is linear
+/// in Ω² (Southwell), so distances are exact but where modes veer. A mode that is like none of
+/// eight times as many modes at the next speed is lost: its line ends there
+/// ([`FrequencyLine::lost`]), and if that is before the highest speed of operation its margins are
+/// those of the speeds before, and warn at least; there are none if it is before the lowest.
 ///
 /// With the margin m, and f wrong by its whole estimated error towards the excitation:
 ///
@@ -48,19 +52,24 @@ impl Default for CampbellOptions {
 /// | a tower's mode, n = 1 and n = number of blades | \|d\| < m | m ≤ \|d\| < 2 m | 2 m ≤ \|d\| |
 /// | a tower's mode, other n; a blade's mode, any n | never | \|d\| < m | m ≤ \|d\| |
 ///
-/// What only its error brings within m, from 2 m or further away, warns and does not fail: it is not known well enough.
+/// What only its error brings within m, from 2 m or further away, warns and does not fail: it is
+/// not known well enough.
 ///
-/// A stiffness 10 to 20 % off moves a frequency by 5 to 10 %: what warns would then be at the limit. Other multiples are weaker, and
-/// whether they matter depends on loads that are not in this model. A frequency of 0 (a motion that nothing resists) has no margins; those
-/// of a floating tower as one body have margins like all others.
+/// A stiffness 10 to 20 % off moves a frequency by 5 to 10 %: what warns would then be at the
+/// limit. Other multiples are weaker, and whether they matter depends on loads that are not in this
+/// model. A frequency of 0 (a motion that nothing resists) has no margins; those of a floating
+/// tower as one body have margins like all others.
 ///
-/// Errors: those of the frequencies, [`FrequencyLine::error_hz`]; of a blade they are estimated at the first and the last speed.
+/// Errors: those of the frequencies, [`FrequencyLine::error_hz`]; of a blade they are estimated at
+/// the first and the last speed.
 ///
-/// Sources: Germanischer Lloyd, *Guideline for the Certification of Wind Turbines* (2010); Southwell & Gough, ARC R&M 766 (1921);
-/// Allemang & Brown, *A correlation coefficient for modal vector analysis* (1982).
+/// Sources: Germanischer Lloyd, *Guideline for the Certification of Wind Turbines* (2010);
+/// Southwell & Gough, ARC R&M 766 (1921); Allemang & Brown, *A correlation coefficient for modal
+/// vector analysis* (1982).
 ///
 /// # Errors
-/// [`CampbellError`]: options or a rotor that cannot be, a solution of another tower, a blade that cannot be solved.
+/// [`CampbellError`]: options or a rotor that cannot be, a solution of another tower, a blade that
+/// cannot be solved.
 pub fn campbell(
     tower: &Tower,
     solution: &Solution,
@@ -157,7 +166,8 @@ fn tower_line(mode: &Mode, last_rpm: f64) -> FrequencyLine {
     }
 }
 
-/// The first mode that bends the tower in each plane, if it is in the list and has a frequency, and where it is in the list.
+/// The first mode that bends the tower in each plane, if it is in the list and has a frequency, and
+/// where it is in the list.
 fn first_bending_modes(solution: &Solution) -> Vec<(Family, usize)> {
     let planes = [Family::ForeAft, Family::SideSide].into_iter();
     let first = planes.filter_map(|plane| Some((plane, first_bending(solution, plane)?)));
@@ -165,8 +175,9 @@ fn first_bending_modes(solution: &Solution) -> Vec<(Family, usize)> {
     resisted.collect()
 }
 
-/// The lowest mode with a good part of its energy in a plane. A machine whose principal axes are not those of the wind bends the tower in both
-/// planes at once: such a mode is coupled, and is the first of both.
+/// The lowest mode with a good part of its energy in a plane. A machine whose principal axes are
+/// not those of the wind bends the tower in both planes at once: such a mode is coupled, and is the
+/// first of both.
 fn first_bending(solution: &Solution, plane: Family) -> Option<usize> {
     let bends = |mode: &Mode| {
         let mean = mode.energy.mean();

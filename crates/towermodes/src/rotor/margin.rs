@@ -4,12 +4,14 @@ use super::campbell::{Excited, FrequencyLine, Margin};
 use super::description::Rotor;
 use crate::verdict::Verdict;
 
-/// A line against a multiple of the rotor's speed, at the speed of operation where they are nearest; none for a motion that nothing
-/// resists, whose frequency is 0, and for a mode that was lost below the lowest speed. Of one that was lost in operation nobody knows the
-/// rest: it does not pass.
+/// A line against a multiple of the rotor's speed, at the speed of operation where they are
+/// nearest; none for a motion that nothing resists, whose frequency is 0, and for a mode that was
+/// lost below the lowest speed. Of one that was lost in operation nobody knows the rest: it does
+/// not pass.
 ///
-/// Between neighbouring points of a line f² is linear in Ω²: for a tower's mode it is constant, and for a blade's that is Southwell's rule.
-/// So n Ω/f rises or falls all the way between two points, and it is nearest to 1 at one of them or where both meet, which is solved exactly.
+/// Between neighbouring points of a line f² is linear in Ω²: for a tower's mode it is constant, and
+/// for a blade's that is Southwell's rule. So n Ω/f rises or falls all the way between two points,
+/// and it is nearest to 1 at one of them or where both meet, which is solved exactly.
 pub(super) fn margin(
     (number, line): (usize, &FrequencyLine),
     multiple: usize,
@@ -47,10 +49,11 @@ pub(super) fn is_strong(multiple: usize, rotor: &Rotor) -> bool {
     multiple == 1 || multiple == rotor.blades
 }
 
-/// What a distance is worth. The rotor's own speed and the passing of its blades are what shakes a tower most; higher multiples, and what
-/// shakes a blade, are weaker and no reason to fail.
+/// What a distance is worth. The rotor's own speed and the passing of its blades are what shakes a
+/// tower most; higher multiples, and what shakes a blade, are weaker and no reason to fail.
 ///
-/// A frequency whose error alone brings it that near, from beyond what is warned of, is not known well enough to fail.
+/// A frequency whose error alone brings it that near, from beyond what is warned of, is not known
+/// well enough to fail.
 fn verdict(distance: f64, cautious: f64, least: f64, is_strong: bool) -> Verdict {
     match is_strong {
         true if cautious < least && distance < 2.0 * least => Verdict::Fail,
@@ -97,7 +100,8 @@ impl Pair {
         }
     }
 
-    /// Where the excitation meets the line between two points on different sides of it: (n Ω)² − f² is linear in Ω² there.
+    /// Where the excitation meets the line between two points on different sides of it: (n Ω)² − f²
+    /// is linear in Ω² there.
     fn meeting(a: &Self, b: &Self) -> Self {
         let above = |pair: &Self| pair.excitation_hz.powi(2) - pair.natural_hz.powi(2);
         let (above_a, above_b) = (above(a), above(b));
@@ -216,7 +220,8 @@ mod tests {
         assert!((met.rpm - (1.0_f64 / 0.03).sqrt()).abs() < 1e-14);
         assert!((met.natural_hz - met.rpm / 5.0).abs() < 1e-15);
         assert_eq!(met.distance, 0.0);
-        // For n = 6 both rise alike and never meet: Ω/10 over sqrt(1 + Ω²/100) is nearest at the highest speed.
+        // For n = 6 both rise alike and never meet: Ω/10 over sqrt(1 + Ω²/100) is nearest at the
+        // highest speed.
         let apart = nearest(&LINE, 6, [2.0, 20.0]).expect("a pair");
         assert_eq!(apart.rpm, 20.0);
         assert!((apart.distance - (2.0 / 5.0_f64.sqrt() - 1.0)).abs() < 1e-15);

@@ -1,4 +1,5 @@
-//! What a rotor excites: its speeds, the multiples of them, how far natural frequencies are from these, and what its blades do as it turns.
+//! What a rotor excites: its speeds, the multiples of them, how far natural frequencies are from
+//! these, and what its blades do as it turns.
 
 mod campbell;
 mod class;

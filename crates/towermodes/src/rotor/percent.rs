@@ -6,8 +6,9 @@ use super::campbell::{Campbell, Margin};
 const MOST_DIGITS: usize = 6;
 
 impl Campbell {
-    /// A distance in percent, with its sign and a digit after the point: "+12.3"; with more where it would seem to be at the margin, or at twice
-    /// the margin, or on the other side of it: "+4.96" where the margin is 5 %.
+    /// A distance in percent, with its sign and a digit after the point: "+12.3"; with more where
+    /// it would seem to be at the margin, or at twice the margin, or on the other side of it:
+    /// "+4.96" where the margin is 5 %.
     #[must_use]
     pub fn distance_percent(&self, margin: &Margin) -> String {
         signed_percent(margin.distance, self.margin)

@@ -8,8 +8,8 @@ use crate::solve::Solution;
 use crate::verdict::Verdict;
 
 impl Campbell {
-    /// The frequencies, Hz, from the lowest, at which the tower may have modes that are not in the list and that an excitation would come
-    /// near to; none if every such mode is in it.
+    /// The frequencies, Hz, from the lowest, at which the tower may have modes that are not in the
+    /// list and that an excitation would come near to; none if every such mode is in it.
     #[must_use]
     pub fn unjudged_hz(&self) -> Option<[f64; 2]> {
         let known_hz = self.known_to_hz?;
@@ -22,7 +22,8 @@ impl Campbell {
         (known_hz < reach_hz).then_some([known_hz, reach_hz])
     }
 
-    /// The worst of all margins; at best [`Verdict::Warn`] where modes are [not judged](Self::unjudged_hz).
+    /// The worst of all margins; at best [`Verdict::Warn`] where modes are
+    /// [not judged](Self::unjudged_hz).
     #[must_use]
     pub fn verdict(&self) -> Verdict {
         let worst = self.margins.iter().map(|margin| margin.verdict).max();
@@ -34,8 +35,8 @@ impl Campbell {
     }
 }
 
-/// The frequency, Hz, above which no mode of a tower is near an excitation: n Ω/f − 1 is −m, or −2 m where that is warned of, at
-/// f = n Ω/(1 − m) or n Ω/(1 − 2 m) with the highest speed Ω.
+/// The frequency, Hz, above which no mode of a tower is near an excitation: n Ω/f − 1 is −m, or −2
+/// m where that is warned of, at f = n Ω/(1 − m) or n Ω/(1 − 2 m) with the highest speed Ω.
 #[must_use]
 pub fn reach_hz(rotor: &Rotor, options: &CampbellOptions) -> f64 {
     let reach = |multiple: usize| {

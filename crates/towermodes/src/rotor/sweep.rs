@@ -18,10 +18,12 @@ const PLACES: usize = 30;
 /// More modes are solved than asked for, because others may sink below them as the rotor turns.
 const MORE_MODES: usize = 4;
 
-/// How often the number of modes is doubled at a speed at which one that is followed is not among them.
+/// How often the number of modes is doubled at a speed at which one that is followed is not among
+/// them.
 const DOUBLINGS: usize = 3;
 
-/// Speeds in equal steps from standstill to beyond the highest, with those of operation among them, rpm.
+/// Speeds in equal steps from standstill to beyond the highest, with those of operation among them,
+/// rpm.
 pub(super) fn speeds_rpm(rotor: &Rotor, count: usize) -> Vec<f64> {
     let last_rpm = BEYOND_OPERATION * rotor.highest_rpm;
     let of_operation = [rotor.lowest_rpm, rotor.highest_rpm];
@@ -64,7 +66,8 @@ fn lines(tracks: Tracks, modes: usize, speeds_rpm: &[f64]) -> Vec<FrequencyLine>
     let mut families: Vec<BladeFamily> = Vec::new();
     let followed = tracks.modes.into_iter().take(modes);
     let line = followed.map(|mode| {
-        // Only a pair that stays one at all speeds has no family: of a blade as stiff in both directions that does not turn.
+        // Only a pair that stays one at all speeds has no family: of a blade as stiff in both
+        // directions that does not turn.
         let family = mode.family.unwrap_or(BladeFamily::Flap);
         families.push(family);
         let order = families.iter().filter(|f| **f == family).count();
@@ -88,7 +91,8 @@ fn lines(tracks: Tracks, modes: usize, speeds_rpm: &[f64]) -> Vec<FrequencyLine>
 /// A blade to be solved at any speed.
 struct Sweep {
     description: BladeDescription,
-    /// Where shapes are compared: distances from the rotor's axis, m, and the roots of the masses (kg) and polar inertias (kg m²) there.
+    /// Where shapes are compared: distances from the rotor's axis, m, and the roots of the masses
+    /// (kg) and polar inertias (kg m²) there.
     radii_m: Vec<f64>,
     weights: Vec<[f64; 2]>,
     available: usize,
@@ -117,7 +121,8 @@ impl Sweep {
         })
     }
 
-    /// Goes on to a speed; with more modes if one that is followed is not among them. One that is not among those either ends before.
+    /// Goes on to a speed; with more modes if one that is followed is not among them. One that is
+    /// not among those either ends before.
     fn follow(
         &mut self,
         mut tracks: Tracks,
@@ -169,7 +174,8 @@ impl Sweep {
         Ok(solution.modes.iter().map(seen).collect())
     }
 
-    /// Translations and the twist, each times the root of what moves so, which makes modes at one speed nearly orthogonal.
+    /// Translations and the twist, each times the root of what moves so, which makes modes at one
+    /// speed nearly orthogonal.
     fn weighted(&self, shape: &[ShapePoint]) -> Vec<f64> {
         let points = shape.iter().zip(&self.weights);
         let motions = points.flat_map(|(point, [mass, polar])| {
@@ -209,7 +215,8 @@ mod tests {
         }
     }
 
-    /// A mode along the span is in no list of such a blade, however long: it is looked for among all there are, and then its line ends.
+    /// A mode along the span is in no list of such a blade, however long: it is looked for among
+    /// all there are, and then its line ends.
     #[test]
     fn a_mode_that_is_nowhere_ends_its_line() {
         let mut sweep = Sweep::new(&blade(0.0)).expect("a blade");

@@ -6,7 +6,8 @@ use crate::solve::BladeFamily;
 /// Frequencies closer than this are a pair whose shapes any computation may mix.
 const REPEATED: f64 = 1e-6;
 
-/// A mode that is like two others by less than this difference is between both: it is veering, or chance mixed it.
+/// A mode that is like two others by less than this difference is between both: it is veering, or
+/// chance mixed it.
 const AMBIGUOUS: f64 = 0.4;
 
 /// At least so alike is the same mode.
@@ -39,7 +40,8 @@ pub(super) struct Followed {
     pub(super) frequencies_hz: Vec<f64>,
     /// The largest error known, Hz.
     pub(super) error_hz: f64,
-    /// How alike the mode was that was left for it at the first speed at which none is like it: there it ends.
+    /// How alike the mode was that was left for it at the first speed at which none is like it:
+    /// there it ends.
     pub(super) lost: Option<f64>,
     /// What it was when it was last seen clearly.
     shape: Vec<f64>,
@@ -77,7 +79,8 @@ pub(super) struct Assignment {
 }
 
 impl Assignment {
-    /// The mode seen that a mode followed is; or how alike what was left for it is, if it is not among those seen.
+    /// The mode seen that a mode followed is; or how alike what was left for it is, if it is not
+    /// among those seen.
     fn found(&self, mode: usize) -> Result<usize, f64> {
         let Some(other) = self.chosen[mode] else {
             return Err(0.0);
@@ -111,7 +114,8 @@ impl Tracks {
         modes.any(|(index, mode)| mode.lost.is_none() && assignment.found(index).is_err())
     }
 
-    /// Who is who: the two that are most alike, then of the others the two that are most alike, and so on.
+    /// Who is who: the two that are most alike, then of the others the two that are most alike, and
+    /// so on.
     pub(super) fn assign(&self, seen: &[Seen]) -> Assignment {
         let alike = self.alike(seen);
         let followed = (0..self.modes.len()).filter(|mode| self.modes[*mode].lost.is_none());
@@ -162,7 +166,8 @@ impl Tracks {
         }
     }
 
-    /// How alike each mode followed and each seen are; those of a repeated pair are as alike as the plane that both span.
+    /// How alike each mode followed and each seen are; those of a repeated pair are as alike as the
+    /// plane that both span.
     fn alike(&self, seen: &[Seen]) -> Vec<Vec<f64>> {
         let rows = self.modes.iter().map(|mode| {
             let single = seen.iter().map(|s| mac(&mode.shape, &s.shape, None));
@@ -207,7 +212,8 @@ mod tests {
         [[cos, sin, 0.0], [-sin, cos, 0.0]]
     }
 
-    /// Follows two modes over speeds at which their shapes are turned into each other by these angles, 0.1 Hz apart.
+    /// Follows two modes over speeds at which their shapes are turned into each other by these
+    /// angles, 0.1 Hz apart.
     fn followed(angles: &[f64]) -> Vec<Vec<f64>> {
         let at = |angle: f64| {
             let [first, second] = turned(angle);
@@ -223,8 +229,8 @@ mod tests {
         modes.map(|mode| mode.frequencies_hz).collect()
     }
 
-    /// Coarse steps pass through a veering: at 40 degrees (0.59 and 0.41 alike) the shapes are both and are not taken on, so at 80 degrees
-    /// each mode is the other line.
+    /// Coarse steps pass through a veering: at 40 degrees (0.59 and 0.41 alike) the shapes are both
+    /// and are not taken on, so at 80 degrees each mode is the other line.
     #[test]
     fn modes_go_through_a_veering() {
         let angles = [40.0_f64, 80.0].map(f64::to_radians);
@@ -290,7 +296,8 @@ mod tests {
         assert_eq!(tracks.modes[1].lost, None);
     }
 
-    /// Of a shape that is 0.4, 0.3 and 0.3 of three modes nothing is lost; without the last two it is.
+    /// Of a shape that is 0.4, 0.3 and 0.3 of three modes nothing is lost; without the last two it
+    /// is.
     #[test]
     fn a_mode_between_three_is_not_lost() {
         let shape = [0.4_f64, 0.3, 0.3].map(f64::sqrt);

@@ -1,7 +1,7 @@
 //! Modes of one frequency, turned to the axes.
 //!
-//! Any mixture of modes with the same frequency is a mode. Which one an eigensolver gives is chance; the one that bends in one plane, or
-//! surges without yawing, is what a person means.
+//! Any mixture of modes with the same frequency is a mode. Which one an eigensolver gives is
+//! chance; the one that bends in one plane, or surges without yawing, is what a person means.
 
 use super::model::Model;
 use crate::eigen::EigenWorkspace;
@@ -11,8 +11,9 @@ use crate::tower::Tower;
 /// More modes of one frequency than this are left as they are.
 const MOST: usize = 6;
 
-/// Mixes the eigenvectors of a part that have one eigenvalue, within a relative distance, so that each is as much of one motion as can
-/// be: bending fore-aft first, then side-side, torsion, stretch.
+/// Mixes the eigenvectors of a part that have one eigenvalue, within a relative distance, so that
+/// each is as much of one motion as can be: bending fore-aft first, then side-side, torsion,
+/// stretch.
 pub(super) fn align(
     tower: &Tower,
     model: &mut Model,

@@ -14,7 +14,8 @@ use crate::parts::{Combination, SPACE, Structure, StructurePencil};
 /// Relative distances above the last mode at which completeness is certified, widest first.
 const MARGINS: [f64; 6] = [0.1, 0.03, 0.01, 1e-3, 1e-5, 1e-9];
 
-/// More elements of a blade than this are refused: they hold full matrices, and errors are estimated with eight times as many.
+/// More elements of a blade than this are refused: they hold full matrices, and errors are
+/// estimated with eight times as many.
 pub const MAX_BLADE_ELEMENTS: usize = 10_000;
 
 /// The kind of motion of a blade's mode: that with most of the kinetic energy.
@@ -68,8 +69,9 @@ pub struct BladeMode {
     pub discretization_error_hz: f64,
     /// The frequency extrapolated from elements cut in two, Hz.
     pub extrapolated_hz: f64,
-    /// The motion (X lag, Y flap, Z along the span; rotations about these) at the radii asked for, its largest translation, or for torsion
-    /// rotation, 1; `height_m` is the distance from the rotor's axis.
+    /// The motion (X lag, Y flap, Z along the span; rotations about these) at the radii asked for,
+    /// its largest translation, or for torsion rotation, 1; `height_m` is the distance from the
+    /// rotor's axis.
     pub shape: Vec<ShapePoint>,
 }
 
@@ -86,7 +88,8 @@ pub struct BladeSolution {
     pub certificate: Certificate,
 }
 
-/// Finds the lowest modes of a rotating blade by the element of BModes, with its shapes at distances from the rotor's axis, m.
+/// Finds the lowest modes of a rotating blade by the element of BModes, with its shapes at
+/// distances from the rotor's axis, m.
 ///
 /// # Errors
 /// [`SolveError`]: more modes than there are, or a rotation that makes the blade unstable.
@@ -251,8 +254,9 @@ fn number_families(modes: &mut [BladeMode]) {
     }
 }
 
-/// Solves again with every element cut in two, as often as the errors have powers, and extrapolates. Elements that reach over sections of the
-/// blade are cut at these first: no halving alone would see what they miss.
+/// Solves again with every element cut in two, as often as the errors have powers, and
+/// extrapolates. Elements that reach over sections of the blade are cut at these first: no halving
+/// alone would see what they miss.
 fn estimate(blade: &Blade, borders: &[f64], modes: &mut [BladeMode]) -> Result<(), SolveError> {
     let powers = Method::Bmodes.bending_powers(false);
     let mut finer = with_sections(blade, borders);
@@ -261,7 +265,8 @@ fn estimate(blade: &Blade, borders: &[f64], modes: &mut [BladeMode]) -> Result<(
         meshes_hz.push(modes.iter().map(|mode| mode.frequency_hz).collect());
         finer = halved(&finer);
     }
-    // As many meshes as the powers need; where the elements' own are one more, these find out what agrees by chance.
+    // As many meshes as the powers need; where the elements' own are one more, these find out what
+    // agrees by chance.
     for _ in 0..=powers.len() {
         let solved = Solved::new(blade, &finer, modes.len())?;
         let found = solved.eigen.eigenvalues().iter();

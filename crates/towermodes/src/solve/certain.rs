@@ -5,9 +5,9 @@ use crate::Warning;
 use crate::eigen::EigenError;
 use crate::tower::Tower;
 
-/// [`solve_with`], but where rounding hides the stiffest of the modes asked for, the lower ones that it does not hide, as many as there
-/// are, with a [`Warning::OnlyCertain`]. A tower with hardly any mass has four bending modes, those of the machine on it, and
-/// the next ones far above.
+/// [`solve_with`], but where rounding hides the stiffest of the modes asked for, the lower ones
+/// that it does not hide, as many as there are, with a [`Warning::OnlyCertain`]. A tower with
+/// hardly any mass has four bending modes, those of the machine on it, and the next ones far above.
 ///
 /// The certificate is that of the modes listed.
 ///

@@ -1,8 +1,10 @@
 //! What a solve takes of a machine, estimated before any of it is taken.
 //!
-//! The Lanczos process keeps all its vectors and orthogonalizes each against all before it: for w modes of a part with n unknowns about
-//! p = 2.5 w + 12 vectors, 8 n p bytes and n p² operations, and p³ for the projected matrix. The constants are fitted to runs on a
-//! processor of 2020 (one core, 3 GHz). Estimates are 0.8 to 3 times the memory and 0.5 to 3 times the time that was measured there.
+//! The Lanczos process keeps all its vectors and orthogonalizes each against all before it: for w
+//! modes of a part with n unknowns about p = 2.5 w + 12 vectors, 8 n p bytes and n p² operations,
+//! and p³ for the projected matrix. The constants are fitted to runs on a processor of 2020 (one
+//! core, 3 GHz). Estimates are 0.8 to 3 times the memory and 0.5 to 3 times the time that was
+//! measured there.
 
 use super::model::Cut;
 use super::options::{MAX_BYTES, MAX_SECONDS, Options, SolveError};
@@ -41,7 +43,8 @@ impl Cost {
         let (finest, all) = match options.method {
             Method::Spectral => (own, DEGREES * own),
             method => {
-                // One cut for each power of the error, and one that finds out what agrees by chance.
+                // One cut for each power of the error, and one that finds out what agrees by
+                // chance.
                 let others = method.bending_powers(tower.shears()).len() + 1;
                 ladder(cut, others)
             }
@@ -80,7 +83,8 @@ impl Cost {
     }
 }
 
-/// Segments of the finest of the cuts that a solve needs, and of all together: coarser ones while every span can be halved, then finer ones.
+/// Segments of the finest of the cuts that a solve needs, and of all together: coarser ones while
+/// every span can be halved, then finer ones.
 fn ladder(cut: &Cut, others: usize) -> (f64, f64) {
     let own = cut.mesh.segments();
     let spans = cut.mesh.spans_with_borders().map(|(span, _)| span.segments);
@@ -211,7 +215,8 @@ impl PartCost {
             (2, true) if set.iter().filter(|motion| motion.bends()).count() == 1 => 3,
             _ => 6,
         };
-        // Inertia and one more; where the tower is tied to the ground or pressed by weights, their matrices and factors too.
+        // Inertia and one more; where the tower is tied to the ground or pressed by weights, their
+        // matrices and factors too.
         let is_untied = tower.base().is_clamped() && tower.gravity_m_per_s2() == 0.0;
         let matrices = if is_untied { 2 } else { 5 };
         let rows = match options.method.element() {
@@ -266,7 +271,8 @@ mod tests {
         Cost::of(&tower, &Cut { mesh, degree }, options)
     }
 
-    /// Peak memory less 8 MB of the program itself, MB, and processor time, s, of a release build; an estimate is on the safe side or a little off.
+    /// Peak memory less 8 MB of the program itself, MB, and processor time, s, of a release build;
+    /// an estimate is on the safe side or a little off.
     #[test]
     fn estimates_are_near_what_was_measured() {
         for (method, segments, modes, megabytes, seconds) in [

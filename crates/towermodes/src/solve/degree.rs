@@ -11,14 +11,16 @@ use crate::eigen::Statistics;
 use crate::elements::Mesh;
 use crate::tower::Tower;
 
-/// Frequencies that change by no more than this, relatively, from one degree to the next have converged.
+/// Frequencies that change by no more than this, relatively, from one degree to the next have
+/// converged.
 pub(super) const CONVERGED: f64 = 1e-10;
 /// How much the degree is raised at a time.
 const STEP: usize = 2;
 /// Above this degree elements are halved instead: their matrices are full.
 const HIGHEST_DEGREE: usize = 30;
-/// What is tried beside the first two cuts: so many times what these take, and so many seconds. Modes that do not stand still by then, as where
-/// a few numbers of a file are nine digits off, are given with the change that they still make.
+/// What is tried beside the first two cuts: so many times what these take, and so many seconds.
+/// Modes that do not stand still by then, as where a few numbers of a file are nine digits off, are
+/// given with the change that they still make.
 const PATIENCE: f64 = 3.0;
 const PATIENCE_S: f64 = 1.0;
 /// More modes an element than this are a matter of more elements, not of a higher degree.
@@ -31,8 +33,8 @@ struct Solved {
     changes_hz: Vec<f64>,
 }
 
-/// Solves with rising degree until the modes asked for have converged, or with the degree asked for; the change from one degree to the
-/// next is the estimate of the error.
+/// Solves with rising degree until the modes asked for have converged, or with the degree asked
+/// for; the change from one degree to the next is the estimate of the error.
 pub(super) fn solve(
     tower: &Tower,
     options: &Options,
@@ -136,8 +138,8 @@ pub(super) fn first_cut(tower: &Tower, options: &Options) -> Result<Cut, SolveEr
 
 /// A degree at which so many modes of so many elements are nearly there.
 fn first_degree(modes: usize, elements: usize) -> usize {
-    // Half of the modes are in each bending plane, and a half wave takes about a degree and a half; an element that sees a part of a
-    // half wave alone needs few.
+    // Half of the modes are in each bending plane, and a half wave takes about a degree and a half;
+    // an element that sees a part of a half wave alone needs few.
     if modes >= elements {
         7 + modes.div_ceil(elements)
     } else {
@@ -166,7 +168,8 @@ pub(super) fn can_be_finer(cut: &Cut, options: &Options) -> bool {
         || 2 * elements <= MAX_SPECTRAL_ELEMENTS.min(64 * options.modes)
 }
 
-/// How far each mode is from what it is on another cut, Hz; all of its frequency if it is not there.
+/// How far each mode is from what it is on another cut, Hz; all of its frequency if it is not
+/// there.
 fn changes(modes: &[Found], others: &[Found]) -> Vec<f64> {
     let change = |found: &Found| {
         let other = others.iter().find(|other| other.key == found.key);

@@ -21,15 +21,17 @@ struct Ladder {
 
 /// What other meshes, or the beam itself, say beside the error of each mode.
 pub(super) struct Estimates {
-    /// How many modes another mesh, or the beam, has below the end of the list: if that is another number than the certificate's, the list
-    /// ends within the error of the segments.
+    /// How many modes another mesh, or the beam, has below the end of the list: if that is another
+    /// number than the certificate's, the list ends within the error of the segments.
     pub(super) elsewhere: usize,
-    /// Places in the list, from 0, of modes whose meshes do not fall as the powers of the method say.
+    /// Places in the list, from 0, of modes whose meshes do not fall as the powers of the method
+    /// say.
     pub(super) irregular: Vec<usize>,
 }
 
-/// Solves again with the segments halved, or doubled where they cannot be halved, and extrapolates. What the meshes do not agree on is
-/// compared with the beam itself, and so is every mode on elements whose borders are given: no halving of these sees what they miss.
+/// Solves again with the segments halved, or doubled where they cannot be halved, and extrapolates.
+/// What the meshes do not agree on is compared with the beam itself, and so is every mode on
+/// elements whose borders are given: no halving of these sees what they miss.
 pub(super) fn estimate_errors(
     tower: &Tower,
     cut: &Cut,
@@ -49,7 +51,8 @@ pub(super) fn estimate_errors(
     let powers = part_powers(tower, options, &workspace.model);
     let (levels, own, elsewhere) =
         solve_meshes(tower, cut, options, (modes, below), &powers, workspace)?;
-    // Where a section changes much over one segment meshes can fall as they should towards something else.
+    // Where a section changes much over one segment meshes can fall as they should towards
+    // something else.
     let all_are_doubtful = is_steep(tower, &cut.mesh);
     let (mut irregular, mut doubtful) = (Vec::new(), Vec::new());
     for (index, mode) in modes.iter_mut().enumerate() {
@@ -73,13 +76,15 @@ pub(super) fn estimate_errors(
     })
 }
 
-/// Where meshes disagree by less than this share of a frequency the larger estimate is enough, and the beam is not asked.
+/// Where meshes disagree by less than this share of a frequency the larger estimate is enough, and
+/// the beam is not asked.
 const NEGLIGIBLE: f64 = 1e-5;
 
 /// A segment over which a dimension or a stiffness changes by more than this factor is steep.
 const STEEP: f64 = 2.0;
 
-/// Whether a segment is steep: the first or the last of a span, as what is linear changes most where it is least.
+/// Whether a segment is steep: the first or the last of a span, as what is linear changes most
+/// where it is least.
 fn is_steep(tower: &Tower, mesh: &Mesh) -> bool {
     mesh.spans_with_borders().any(|(span, borders_m)| {
         let piece = &tower.pieces()[span.piece];
@@ -89,7 +94,8 @@ fn is_steep(tower: &Tower, mesh: &Mesh) -> bool {
     })
 }
 
-/// The error of a mode from as many meshes as its powers need and one more, coarser ones before finer ones.
+/// The error of a mode from as many meshes as its powers need and one more, coarser ones before
+/// finer ones.
 fn extrapolated(
     mode: &Mode,
     index: usize,
@@ -119,8 +125,8 @@ fn uncertain(mode: &Mode) -> Estimate {
     }
 }
 
-/// Takes the errors of some modes from the beam itself. Where that cannot be solved, the estimates stay as they are, or are all of the
-/// frequency where there are none.
+/// Takes the errors of some modes from the beam itself. Where that cannot be solved, the estimates
+/// stay as they are, or are all of the frequency where there are none.
 fn compare(
     tower: &Tower,
     options: &Options,
@@ -155,8 +161,8 @@ fn compare(
 /// Meshes can agree by chance, and one more than the powers need finds it out.
 const MORE: usize = 1;
 
-/// The frequencies of the modes on all meshes of a ladder, which of these is the solution's own, and how many modes the one next to it has
-/// below the end of the list.
+/// The frequencies of the modes on all meshes of a ladder, which of these is the solution's own,
+/// and how many modes the one next to it has below the end of the list.
 fn solve_meshes(
     tower: &Tower,
     cut: &Cut,
@@ -165,7 +171,8 @@ fn solve_meshes(
     powers: &[&[i32]],
     workspace: &mut Workspace,
 ) -> Result<(Vec<Level>, usize, usize), SolveError> {
-    // Three meshes at least; on a single piece, which converges smoothly, three do for two powers too.
+    // Three meshes at least; on a single piece, which converges smoothly, three do for two powers
+    // too.
     let is_single = tower.pieces().len() == 1;
     let steps = modes.iter().map(|mode| match powers[mode.key.part].len() {
         count if is_single && count > 1 => count,
@@ -186,8 +193,8 @@ fn solve_meshes(
 }
 
 impl Ladder {
-    /// `steps` meshes beside `mesh`: coarser ones while every span can be halved, every family still has its modes and there are no
-    /// fewer segments than `fewest`, then finer ones.
+    /// `steps` meshes beside `mesh`: coarser ones while every span can be halved, every family
+    /// still has its modes and there are no fewer segments than `fewest`, then finer ones.
     fn new(mesh: &Mesh, modes: &[Mode], fewest: usize, steps: usize, model: &Model) -> Self {
         let halves = std::iter::successors(Some(mesh.clone()), |mesh| {
             mesh.halved()
@@ -202,11 +209,12 @@ impl Ladder {
     }
 }
 
-/// The frequencies of the modes on a mesh, Hz; none of those of a part that weights make unstable there.
+/// The frequencies of the modes on a mesh, Hz; none of those of a part that weights make unstable
+/// there.
 pub(super) type Level = Vec<Option<f64>>;
 
-/// The frequencies of the same modes on every mesh, and how many modes the mesh next to the solution's own has below `below`: the
-/// coarser neighbour if there is one.
+/// The frequencies of the same modes on every mesh, and how many modes the mesh next to the
+/// solution's own has below `below`: the coarser neighbour if there is one.
 fn solve_ladder(
     tower: &Tower,
     ladder: &Ladder,
@@ -246,7 +254,8 @@ fn solve_ladder(
     Ok((levels, elsewhere))
 }
 
-/// The powers of 1/n in the errors of each part's modes: those of bending, or of torsion and axial motion, or the more there are.
+/// The powers of 1/n in the errors of each part's modes: those of bending, or of torsion and axial
+/// motion, or the more there are.
 fn part_powers(tower: &Tower, options: &Options, model: &Model) -> Vec<&'static [i32]> {
     let method = options.method;
     let powers_of = |motion: Motion| match motion {
@@ -261,8 +270,8 @@ fn part_powers(tower: &Tower, options: &Options, model: &Model) -> Vec<&'static 
         .collect()
 }
 
-/// Whether a mesh is fine enough to have every mode of the list: every element has at least two joint coordinates a segment in a bending
-/// plane, one in torsion and one axially.
+/// Whether a mesh is fine enough to have every mode of the list: every element has at least two
+/// joint coordinates a segment in a bending plane, one in torsion and one axially.
 fn has_all(mesh: &Mesh, modes: &[Mode], model: &Model) -> bool {
     let coordinates = |motion: Motion| 1 + usize::from(motion.bends());
     modes.iter().all(|mode| {
@@ -285,7 +294,8 @@ pub(super) fn frequencies(
         };
         match spectrum.solve_part(model, part, wanted) {
             Err(EigenError::Unstable { .. }) => *is_stable = false,
-            // Near buckling another mesh can be beyond the origin, or its lowest modes below the rounding of the others.
+            // Near buckling another mesh can be beyond the origin, or its lowest modes below the
+            // rounding of the others.
             Err(_) if model.origin < 0.0 => *is_stable = false,
             result => result?,
         }

@@ -50,8 +50,8 @@ pub struct Workspace {
 }
 
 impl Workspace {
-    /// Memory whose solves tell somebody what they are at, many times a second or never for a long time, as the tower is. What is computed is
-    /// the same.
+    /// Memory whose solves tell somebody what they are at, many times a second or never for a long
+    /// time, as the tower is. What is computed is the same.
     ///
     /// # Example
     /// ```
@@ -101,7 +101,8 @@ pub fn solve_with(
     }
 }
 
-/// On segments of a fixed kind: solved once, the errors estimated from meshes of half or twice as many.
+/// On segments of a fixed kind: solved once, the errors estimated from meshes of half or twice as
+/// many.
 fn solve_segments(
     tower: &Tower,
     options: &Options,

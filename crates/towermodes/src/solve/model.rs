@@ -27,7 +27,8 @@ pub(super) struct Model {
     chains: Parts<Chains>,
     beams: Parts<Beams>,
     assembly: BeamWorkspace,
-    /// Where the spectrum begins, rad²/s²: 0, or below where nothing holds a floating tower in some direction.
+    /// Where the spectrum begins, rad²/s²: 0, or below where nothing holds a floating tower in some
+    /// direction.
     pub(super) origin: f64,
     /// Who is told what is done with it.
     pub(super) watch: Watch,
@@ -55,7 +56,8 @@ macro_rules! on_parts {
 /// The forces and the energy of a motion.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Resultants {
-    /// Products of the inertia forces with rigid motions (x, y, z, rotation about x, y, z) about the base.
+    /// Products of the inertia forces with rigid motions (x, y, z, rotation about x, y, z) about
+    /// the base.
     pub(super) force: [f64; 6],
     /// Kinetic energy, times 2/ω².
     pub(super) kinetic: ByMotion,
@@ -120,7 +122,8 @@ impl Model {
         self.with_problem(part, Problem::Vibration { origin }, None, act)
     }
 
-    /// Lets `act` work on any problem of a part, iterations beginning with a vector if one is known.
+    /// Lets `act` work on any problem of a part, iterations beginning with a vector if one is
+    /// known.
     pub(super) fn with_problem<R>(
         &mut self,
         part: usize,

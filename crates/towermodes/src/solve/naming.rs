@@ -74,7 +74,8 @@ pub(super) fn identify(
     identities
 }
 
-/// The family of a mode of an elastic tower: that of the only motion of its part, or of the one with most of its energy.
+/// The family of a mode of an elastic tower: that of the only motion of its part, or of the one
+/// with most of its energy.
 fn family(model: &Model, found: &Found, energy: &Energy) -> Family {
     let mut motions = model.motions(found.key.part).iter();
     match (motions.next(), motions.next()) {
@@ -83,7 +84,8 @@ fn family(model: &Model, found: &Found, energy: &Energy) -> Family {
     }
 }
 
-/// The names of the modes in which a floating tower moves as one body; those of the second of two equal planes as in the first.
+/// The names of the modes in which a floating tower moves as one body; those of the second of two
+/// equal planes as in the first.
 fn names_afloat(
     found: &[Found],
     resultants: &[Resultants],

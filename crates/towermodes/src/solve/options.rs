@@ -9,24 +9,30 @@ use crate::elements::{BorderError, Borders, Element, GAUSS_HINGE_POSITION, Recip
 use crate::modes::{Family, ShapePoint};
 use crate::number::Plain;
 
-/// Segments used unless told; where steps and point masses make short spans, each of these has two on top.
+/// Segments used unless told; where steps and point masses make short spans, each of these has two
+/// on top.
 pub const DEFAULT_SEGMENTS: usize = 100;
 /// Modes found unless told.
 pub const DEFAULT_MODES: usize = 8;
 /// Heights at which shapes are given unless told.
 pub const DEFAULT_POINTS: usize = 101;
-/// More segments than this are refused: they would take gigabytes, and 10⁶ already leave no error but rounding.
+/// More segments than this are refused: they would take gigabytes, and 10⁶ already leave no error
+/// but rounding.
 pub const MAX_SEGMENTS: usize = 2_000_000;
-/// More elements of the spectral beam than this are refused: each holds a full matrix, and a few have no error but rounding.
+/// More elements of the spectral beam than this are refused: each holds a full matrix, and a few
+/// have no error but rounding.
 pub const MAX_SPECTRAL_ELEMENTS: usize = 100_000;
-/// A higher degree of the elements of the spectral beam than this is refused; more elements do more.
+/// A higher degree of the elements of the spectral beam than this is refused; more elements do
+/// more.
 pub const MAX_DEGREE: usize = 60;
 /// More heights than this are refused.
 pub const MAX_POINTS: usize = 1_000_000;
-/// A solve that would take more memory than this, in bytes, is refused unless [`Options::limits`] is off: assembly, factors, vectors, shapes
-/// and the finest mesh of the error estimate together, as estimated before the first of them.
+/// A solve that would take more memory than this, in bytes, is refused unless [`Options::limits`]
+/// is off: assembly, factors, vectors, shapes and the finest mesh of the error estimate together,
+/// as estimated before the first of them.
 pub const MAX_BYTES: usize = 4 << 30;
-/// A solve that would take longer than this, s, on a processor of 2020 is refused unless [`Options::limits`] is off.
+/// A solve that would take longer than this, s, on a processor of 2020 is refused unless
+/// [`Options::limits`] is off.
 pub const MAX_SECONDS: f64 = 600.0;
 
 /// How to solve a tower.
@@ -34,12 +40,15 @@ pub const MAX_SECONDS: f64 = 600.0;
 pub struct Options {
     /// The element.
     pub method: Method,
-    /// Number of segments; `None` is [`DEFAULT_SEGMENTS`] and two more for each short span between steps, kinks and what is attached.
+    /// Number of segments; `None` is [`DEFAULT_SEGMENTS`] and two more for each short span between
+    /// steps, kinks and what is attached.
     pub segments: Option<usize>,
-    /// Where the elements of the method `bmodes` begin and end, m, from the base to the top, in place of `segments`: whatever is attached must
-    /// be at one of these heights; rows of the tower need not be, and what the elements miss of them is in the errors.
+    /// Where the elements of the method `bmodes` begin and end, m, from the base to the top, in
+    /// place of `segments`: whatever is attached must be at one of these heights; rows of the tower
+    /// need not be, and what the elements miss of them is in the errors.
     pub borders_m: Option<Vec<f64>>,
-    /// Polynomial degree of the elements of the spectral beam, 2 to [`MAX_DEGREE`]; `None` raises it until the modes stand still.
+    /// Polynomial degree of the elements of the spectral beam, 2 to [`MAX_DEGREE`]; `None` raises
+    /// it until the modes stand still.
     pub degree: Option<usize>,
     /// How many modes, from the lowest.
     pub modes: usize,
@@ -49,9 +58,11 @@ pub struct Options {
     pub heights_m: Vec<f64>,
     /// Whether sections have rotary inertia in bending (false: an Euler-Bernoulli beam).
     pub rotary_inertia: bool,
-    /// Where the hinges of the cardanic element sit, as a share k of the segment from each end; (1 − 1/√3)/2 unless told.
+    /// Where the hinges of the cardanic element sit, as a share k of the segment from each end; (1
+    /// − 1/√3)/2 unless told.
     pub hinge_position: f64,
-    /// Whether what would take more than [`MAX_BYTES`] or [`MAX_SECONDS`] is refused before it begins.
+    /// Whether what would take more than [`MAX_BYTES`] or [`MAX_SECONDS`] is refused before it
+    /// begins.
     pub limits: bool,
 }
 
@@ -283,10 +294,12 @@ pub enum SolveError {
         factor(*.load_factor), if *.load_factor > ON_THE_VERGE { VERGE_OF_BUCKLING } else { "" }
     )]
     Buckles {
-        /// The factor by which the weights must be multiplied for the tower to be just stable, below 1.
+        /// The factor by which the weights must be multiplied for the tower to be just stable,
+        /// below 1.
         load_factor: f64,
     },
-    /// The weights are more than the tower bears on its segments, though not more than the beam bears.
+    /// The weights are more than the tower bears on its segments, though not more than the beam
+    /// bears.
     #[error(
         "on {segments} segments the tower buckles under its own weight: it would bear {} times the weights it carries; the beam itself bears {} \
          times these, so the tower stands, but is on the verge of buckling; use more segments, or the method spectral",
@@ -295,7 +308,8 @@ pub enum SolveError {
     BucklesOnSegments {
         /// Segments, or elements, used.
         segments: usize,
-        /// The factor by which the weights must be multiplied for the tower on its segments to be just stable, below 1.
+        /// The factor by which the weights must be multiplied for the tower on its segments to be
+        /// just stable, below 1.
         load_factor: f64,
         /// The same of the beam itself, above 1.
         of_the_beam: f64,

@@ -1,4 +1,5 @@
-//! The beam itself as a reference: the spectral beam of a method's own physics, where meshes do not say how large its errors are.
+//! The beam itself as a reference: the spectral beam of a method's own physics, where meshes do not
+//! say how large its errors are.
 
 use super::Stage;
 use super::cost::Cost;
@@ -18,7 +19,8 @@ const BESIDE_THE_ERROR: f64 = 0.1;
 /// The degree is raised no more often: what still changes then is part of the error.
 const MOST_RAISES: usize = 6;
 
-/// A reference that is estimated to take longer, s, is not made: the estimate of the meshes stays, with its warning.
+/// A reference that is estimated to take longer, s, is not made: the estimate of the meshes stays,
+/// with its warning.
 const MOST_SECONDS: f64 = 10.0;
 
 /// The frequencies of modes of the beam itself.
@@ -30,8 +32,9 @@ pub(super) struct Reference {
 }
 
 impl Reference {
-    /// Solves for the modes `keys`, whose frequencies by the method are `found_hz`, until the reference is known well enough to say how far
-    /// these are off. The model of the workspace is that of the beam afterwards.
+    /// Solves for the modes `keys`, whose frequencies by the method are `found_hz`, until the
+    /// reference is known well enough to say how far these are off. The model of the workspace is
+    /// that of the beam afterwards.
     ///
     /// # Errors
     /// [`SolveError`]: the beam is too large, or its modes cannot be found.
@@ -116,8 +119,8 @@ fn assemble(
     Ok(())
 }
 
-/// The factor by which all weights must be multiplied for the beam itself to buckle; none if it cannot be found. The model of the workspace is
-/// that of the beam afterwards.
+/// The factor by which all weights must be multiplied for the beam itself to buckle; none if it
+/// cannot be found. The model of the workspace is that of the beam afterwards.
 pub(super) fn load_factor_of_the_beam(
     tower: &Tower,
     options: &Options,

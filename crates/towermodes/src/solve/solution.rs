@@ -13,7 +13,8 @@ use crate::space::SpatialMatrix;
 pub struct Mode {
     /// Place in the list, from 1.
     pub number: usize,
-    /// Natural frequency of the chain of rigid bodies or of the beam, Hz; 0 for a motion that nothing resists.
+    /// Natural frequency of the chain of rigid bodies or of the beam, Hz; 0 for a motion that
+    /// nothing resists.
     pub frequency_hz: f64,
     /// The kind of motion: that with most of the energy.
     pub family: Family,
@@ -29,8 +30,9 @@ pub struct Mode {
     pub modal_mass: f64,
     /// Where its energy is.
     pub energy: Energy,
-    /// Effective modal masses in x, y, z, kg, and about the axes x, y, z through the base, kg m²: (uᵀ M r)²/(uᵀ M u) with r the rigid
-    /// motion of 1 in that direction. Over all modes they add up to the diagonal of [`Solution::rigid_inertia`].
+    /// Effective modal masses in x, y, z, kg, and about the axes x, y, z through the base, kg m²:
+    /// (uᵀ M r)²/(uᵀ M u) with r the rigid motion of 1 in that direction. Over all modes they add
+    /// up to the diagonal of [`Solution::rigid_inertia`].
     pub effective_mass: [f64; 6],
     /// The shape at equal heights from the base to the top.
     pub shape: Vec<ShapePoint>,
@@ -43,8 +45,8 @@ pub struct Mode {
 }
 
 impl Mode {
-    /// A mode as found in a spectrum that begins at `origin` (rad²/s²), its discretization error still unknown, with its shape at equal
-    /// heights, at the stations and at others, m.
+    /// A mode as found in a spectrum that begins at `origin` (rad²/s²), its discretization error
+    /// still unknown, with its shape at equal heights, at the stations and at others, m.
     pub(super) fn new(
         number: usize,
         found: &Found,
@@ -99,8 +101,9 @@ impl Mode {
         self.modal_mass.is_finite() && points.all(ShapePoint::is_finite)
     }
 
-    /// Whether it is the same mode as one of another solution of the tower, on another mesh or by another method: of the same part of the
-    /// tower and of the same order in it, whatever its frequency and family are there.
+    /// Whether it is the same mode as one of another solution of the tower, on another mesh or by
+    /// another method: of the same part of the tower and of the same order in it, whatever its
+    /// frequency and family are there.
     pub fn is_same_as(&self, other: &Self) -> bool {
         self.key == other.key
     }
@@ -129,7 +132,8 @@ impl Mode {
         matches!(self.family, Family::Torsion | Family::Yaw)
     }
 
-    /// The parts of its energy that are not of its own family, with the family each is of, largest first.
+    /// The parts of its energy that are not of its own family, with the family each is of, largest
+    /// first.
     pub fn other_parts(&self) -> Vec<(Family, f64)> {
         let mean = self.energy.mean();
         let own = match self.family {
@@ -165,10 +169,11 @@ impl Mode {
 /// The proof that no mode is missing.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Certificate {
-    /// Whether the inertia count and the list agree; a solution that is not complete is never returned.
+    /// Whether the inertia count and the list agree; a solution that is not complete is never
+    /// returned.
     pub complete: bool,
-    /// Number of modes that the inertia count proves below [`below_hz`](Self::below_hz): as many as are listed, or more if
-    /// the number asked for cuts a repeated pair.
+    /// Number of modes that the inertia count proves below [`below_hz`](Self::below_hz): as many as
+    /// are listed, or more if the number asked for cuts a repeated pair.
     pub count: usize,
     /// A frequency in the gap above the last mode, Hz.
     pub below_hz: f64,
@@ -189,10 +194,12 @@ pub struct Solution {
     pub modes: Vec<Mode>,
     /// The proof that none is missing.
     pub certificate: Certificate,
-    /// The inertia of the whole tower against rigid motions (x, y, z, rotation about x, y, z) about its base, with all that moves with
-    /// it: kg, kg m, kg m². Its diagonal is what effective masses are shares of.
+    /// The inertia of the whole tower against rigid motions (x, y, z, rotation about x, y, z) about
+    /// its base, with all that moves with it: kg, kg m, kg m². Its diagonal is what effective
+    /// masses are shares of.
     pub rigid_inertia: SpatialMatrix,
-    /// The factor by which all weights must be multiplied for the tower to buckle; none without gravity, or where it floats.
+    /// The factor by which all weights must be multiplied for the tower to buckle; none without
+    /// gravity, or where it floats.
     pub buckling_load_factor: Option<f64>,
     /// What looks like a slip.
     pub warnings: Vec<Warning>,
@@ -201,7 +208,8 @@ pub struct Solution {
 }
 
 impl Solution {
-    /// The sums of the effective masses of the modes in the list, as shares of the whole: in x, y, z and about x, y, z.
+    /// The sums of the effective masses of the modes in the list, as shares of the whole: in x, y,
+    /// z and about x, y, z.
     pub fn effective_mass_shares(&self) -> [f64; 6] {
         std::array::from_fn(|i| {
             let listed: f64 = self.modes.iter().map(|mode| mode.effective_mass[i]).sum();

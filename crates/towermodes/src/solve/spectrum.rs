@@ -7,7 +7,8 @@ use crate::tower::Tower;
 
 /// Relative distances above the last mode at which completeness is certified, widest first.
 const MARGINS: [f64; 7] = [0.1, 0.03, 0.01, 1e-3, 1e-4, 1e-6, REPEATED];
-/// Eigenvalues closer than this, relatively, count as repeated: two planes of different inertia can cross as near as that.
+/// Eigenvalues closer than this, relatively, count as repeated: two planes of different inertia can
+/// cross as near as that.
 const REPEATED: f64 = 1e-9;
 
 /// Eigenvalues and eigenvectors of all parts.
@@ -17,7 +18,8 @@ pub(super) struct Spectrum {
     pub(super) statistics: Statistics,
 }
 
-/// Which mode it is, on any mesh and by any method: its part, its order in it from 1, and which of two equal planes it is in.
+/// Which mode it is, on any mesh and by any method: its part, its order in it from 1, and which of
+/// two equal planes it is in.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub(crate) struct ModeKey {
     pub(crate) part: usize,
@@ -78,10 +80,11 @@ impl Spectrum {
         Ok(())
     }
 
-    /// Solves for at least the `wanted` lowest modes of all parts together; returns all found, sorted.
+    /// Solves for at least the `wanted` lowest modes of all parts together; returns all found,
+    /// sorted.
     ///
-    /// The first part, which bends fore-aft and so is the softest, is solved first; its highest mode bounds how many the others must
-    /// give.
+    /// The first part, which bends fore-aft and so is the softest, is solved first; its highest
+    /// mode bounds how many the others must give.
     pub(super) fn solve(
         &mut self,
         tower: &Tower,
@@ -109,7 +112,8 @@ impl Spectrum {
                 continue;
             }
             for (part, count) in (1..).zip(others) {
-                // With the first part exhausted there is no ceiling: anything may be among the lowest.
+                // With the first part exhausted there is no ceiling: anything may be among the
+                // lowest.
                 let all = wanted.min(size(model, part));
                 let count = if total < wanted { all } else { count };
                 self.solve_part(model, part, count)?;

@@ -10,13 +10,15 @@ use crate::modes::{ByMotion, Energy, Family, RigidBody};
 use crate::parts::Problem;
 use crate::tower::{Motion, Tower};
 
-/// Frequencies of rigid motions, rad²/s², among which the softest that something resists is looked for.
+/// Frequencies of rigid motions, rad²/s², among which the softest that something resists is looked
+/// for.
 const SOFTEST: f64 = 1e-8;
 const STIFFEST: f64 = 1e12;
 /// A motion slower by this than the softest one that something resists is one that nothing resists.
 const UNRESISTED: f64 = 1e-6;
 
-/// Sets where the spectrum of a floating tower begins: at 0, or below if nothing resists some motion.
+/// Sets where the spectrum of a floating tower begins: at 0, or below if nothing resists some
+/// motion.
 ///
 /// # Errors
 /// [`SolveError::Unstable`] if a motion grows by itself.
@@ -43,7 +45,8 @@ fn count(model: &mut Model, lambda: f64) -> usize {
     super::spectrum::count_below(model, lambda)
 }
 
-/// About the lowest λ, rad²/s², below which there are more modes than those without resistance: within a factor of 2.
+/// About the lowest λ, rad²/s², below which there are more modes than those without resistance:
+/// within a factor of 2.
 fn softest_resisted(model: &mut Model, without: usize) -> f64 {
     let mut lambda = SOFTEST;
     while lambda < STIFFEST && count(model, lambda) <= without {
@@ -85,8 +88,8 @@ fn unstable(tower: &Tower, model: &mut Model, scale: f64) -> Result<SolveError, 
     Ok(SolveError::Unstable { motion })
 }
 
-/// A tower that bears less than this times its weights is on the verge of buckling: its lowest frequencies are below a tenth of those
-/// without weights.
+/// A tower that bears less than this times its weights is on the verge of buckling: its lowest
+/// frequencies are below a tenth of those without weights.
 pub(super) const VERGE: f64 = 1.01;
 
 /// Whether weights press a tower that is held.
@@ -97,14 +100,15 @@ pub(super) fn is_pressed(tower: &Tower) -> bool {
 /// Both planes buckle at much the same weights: so many modes may be near zero.
 const NEAR_ZERO: usize = 4;
 
-/// Sets where the spectrum of a tower on the verge of buckling begins: so far below zero that the modes near zero keep their digits beside
-/// the others.
+/// Sets where the spectrum of a tower on the verge of buckling begins: so far below zero that the
+/// modes near zero keep their digits beside the others.
 pub(super) fn begin_below_zero(model: &mut Model) {
     model.origin = 0.0;
     model.origin = -0.1 * softest_resisted(model, NEAR_ZERO);
 }
 
-/// Sets where the spectrum of another mesh of the same tower begins: for a tower that is held at `origin`, as on the first.
+/// Sets where the spectrum of another mesh of the same tower begins: for a tower that is held at
+/// `origin`, as on the first.
 pub(super) fn find_origin_again(
     tower: &Tower,
     model: &mut Model,
@@ -117,7 +121,8 @@ pub(super) fn find_origin_again(
     Ok(())
 }
 
-/// What is wrong with a tower that buckles when it is cut into segments: the tower, or that these are too few.
+/// What is wrong with a tower that buckles when it is cut into segments: the tower, or that these
+/// are too few.
 pub(super) fn buckles(
     tower: &Tower,
     cut: &Cut,
@@ -139,8 +144,8 @@ pub(super) fn buckles(
     }
 }
 
-/// The factor by which weights must be multiplied for the tower to buckle; none without gravity, or where it floats. The modes, if they
-/// are known, are near the shapes in which it buckles.
+/// The factor by which weights must be multiplied for the tower to buckle; none without gravity, or
+/// where it floats. The modes, if they are known, are near the shapes in which it buckles.
 ///
 /// # Errors
 /// [`SolveError::Buckles`] if it does.

@@ -11,7 +11,8 @@ use crate::{Method, Warning};
 /// An estimate above this share of the frequency says that the mode is not resolved.
 const RESOLVED: f64 = 0.02;
 
-/// Errors above this share of the frequency of modes whose meshes do not fall as they should are told.
+/// Errors above this share of the frequency of modes whose meshes do not fall as they should are
+/// told.
 const IRREGULAR: f64 = 1e-3;
 
 /// A change of a quantity below this share within an element matters little.
@@ -62,8 +63,8 @@ pub(super) fn warnings(
     warnings
 }
 
-/// Says that the list ends within the error of the segments: another mesh has another count of modes below its end than certified, or
-/// a mode is extrapolated beyond it.
+/// Says that the list ends within the error of the segments: another mesh has another count of
+/// modes below its end than certified, or a mode is extrapolated beyond it.
 pub(super) fn uncertain_end(
     modes: &[Mode],
     certificate: &Certificate,
@@ -75,8 +76,9 @@ pub(super) fn uncertain_end(
     is_uncertain.then_some(Warning::UncertainEnd { below_hz })
 }
 
-/// Says that motions die out in the soil within a part of a segment: those that a tower on an elastic bed has, (4EI/k)^¼ in bending, (EA/k)^½
-/// and (GJ/k)^½ along and about the axis. A polynomial of a degree resolves so many parts of its element.
+/// Says that motions die out in the soil within a part of a segment: those that a tower on an
+/// elastic bed has, (4EI/k)^¼ in bending, (EA/k)^½ and (GJ/k)^½ along and about the axis. A
+/// polynomial of a degree resolves so many parts of its element.
 fn soil_unresolved(tower: &Tower, mesh: &Mesh, degree: Option<usize>) -> Option<Warning> {
     let parts = degree.unwrap_or(1) as f64;
     let mut worst: Option<(f64, f64)> = None;
@@ -109,8 +111,9 @@ fn soil_unresolved(tower: &Tower, mesh: &Mesh, degree: Option<usize>) -> Option<
     })
 }
 
-/// Says where an element of BModes, which has the section at its middle, reaches over rows of the tower, and which quantity it misses most
-/// of there: that which differs most within the element from what is taken for it.
+/// Says where an element of BModes, which has the section at its middle, reaches over rows of the
+/// tower, and which quantity it misses most of there: that which differs most within the element
+/// from what is taken for it.
 fn missed(tower: &Tower, mesh: &Mesh) -> Option<Warning> {
     let elements = mesh.borders_m().windows(2);
     let worst = elements.filter_map(|ends| {
@@ -126,8 +129,8 @@ fn missed(tower: &Tower, mesh: &Mesh) -> Option<Warning> {
     })
 }
 
-/// The quantity that differs most from its value at the middle of an element at the ends of pieces within it, and by which share of the
-/// larger; none if no piece ends there, or little changes.
+/// The quantity that differs most from its value at the middle of an element at the ends of pieces
+/// within it, and by which share of the larger; none if no piece ends there, or little changes.
 fn most_missed(tower: &Tower, base_m: f64, top_m: f64) -> Option<(&'static str, f64)> {
     let middle_m = 0.5 * (base_m + top_m);
     let taken = tower.piece_at(middle_m).section_at(middle_m).quantities();
@@ -156,7 +159,8 @@ fn difference(a: f64, b: f64) -> f64 {
     if a == b { 0.0 } else { (a - b).abs() / larger }
 }
 
-/// Says that the frequencies of some modes, at `places` in the list, do not fall with the segments as the order of the method says.
+/// Says that the frequencies of some modes, at `places` in the list, do not fall with the segments
+/// as the order of the method says.
 pub(super) fn irregular(modes: &[Mode], places: &[usize]) -> Option<Warning> {
     let relative = |mode: &Mode| mode.error_hz() / mode.frequency_hz;
     let listed = places.iter().map(|&place| &modes[place]);

@@ -15,7 +15,8 @@ pub enum Stage {
     },
     /// Counts prove that none is missing.
     Certificate,
-    /// The factor by which weights would have to be multiplied for the tower to buckle is looked for.
+    /// The factor by which weights would have to be multiplied for the tower to buckle is looked
+    /// for.
     Buckling,
     /// Modes are named and their shapes sampled.
     Shapes,
@@ -28,7 +29,8 @@ pub enum Stage {
         /// Number of segments of this one.
         segments: usize,
     },
-    /// The same modes are looked for of the beam itself, because meshes do not say how large their errors are.
+    /// The same modes are looked for of the beam itself, because meshes do not say how large their
+    /// errors are.
     Reference {
         /// Number of elements of the spectral beam.
         elements: usize,
@@ -42,9 +44,11 @@ pub enum Stage {
 pub struct Progress {
     /// What it is at.
     pub stage: Stage,
-    /// Products with the mass matrix since that began: how many are needed is not known before, a dozen for each mode is usual.
+    /// Products with the mass matrix since that began: how many are needed is not known before, a
+    /// dozen for each mode is usual.
     pub products: usize,
-    /// Share of the whole solve that is done, 0 to 1, as estimated: it never falls, and ends near 1.
+    /// Share of the whole solve that is done, 0 to 1, as estimated: it never falls, and ends near
+    /// 1.
     pub fraction: f64,
 }
 

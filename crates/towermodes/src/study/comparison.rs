@@ -37,12 +37,14 @@ pub struct Comparison {
     pub modes: Vec<FollowedMode>,
     /// The methods.
     pub columns: Vec<Column>,
-    /// What the spectral beam warns of: a mode that it does not resolve is no measure for the others; and methods that lack modes.
+    /// What the spectral beam warns of: a mode that it does not resolve is no measure for the
+    /// others; and methods that lack modes.
     pub warnings: Vec<Warning>,
 }
 
 impl Comparison {
-    /// Relative difference of a column's frequency to that of the spectral beam, f/f_spectral − 1; 0 where both are.
+    /// Relative difference of a column's frequency to that of the spectral beam, f/f_spectral − 1;
+    /// 0 where both are.
     pub fn relative_difference(&self, column: &Column, mode: usize) -> Option<f64> {
         self.modes[mode].relative_difference(column.frequencies_hz[mode])
     }
@@ -50,8 +52,8 @@ impl Comparison {
 
 /// Solves a tower by several methods for the lowest modes of the spectral beam.
 ///
-/// `options` holds for all: the number of modes, rotary inertia, the place of hinges. Each solved column is told to `done`, with the
-/// options that solved it.
+/// `options` holds for all: the number of modes, rotary inertia, the place of hinges. Each solved
+/// column is told to `done`, with the options that solved it.
 ///
 /// # Errors
 /// [`SolveError`] of the first method that cannot solve it.

@@ -37,8 +37,8 @@ pub struct Level {
     pub frequencies_hz: Vec<Option<f64>>,
     /// f/f_limit − 1 of each.
     pub errors: Vec<Option<f64>>,
-    /// Observed order from the level before, p in n⁻ᵖ; for the spectral beam decimal digits gained a degree. None where rounding is
-    /// all that is left of an error.
+    /// Observed order from the level before, p in n⁻ᵖ; for the spectral beam decimal digits gained
+    /// a degree. None where rounding is all that is left of an error.
     pub orders: Vec<Option<f64>>,
 }
 
@@ -47,23 +47,27 @@ pub struct Level {
 pub struct Convergence {
     /// The method.
     pub method: Method,
-    /// The modes with the frequencies they converge to, those of the spectral beam of the same theory.
+    /// The modes with the frequencies they converge to, those of the spectral beam of the same
+    /// theory.
     pub modes: Vec<FollowedMode>,
     /// Whether that beam has rotary inertia in bending.
     pub rotary_inertia: bool,
     /// From the first asked for to the last.
     pub levels: Vec<Level>,
-    /// What the spectral beam warns of: a mode that it does not resolve is no measure for the method.
+    /// What the spectral beam warns of: a mode that it does not resolve is no measure for the
+    /// method.
     pub warnings: Vec<Warning>,
 }
 
 /// Errors below this are rounding and the error of the limit itself, and have no order.
 const ROUNDING: f64 = 1e-11;
 
-/// The beam that a method converges to: the spectral one, without rotary inertia where the method has none.
+/// The beam that a method converges to: the spectral one, without rotary inertia where the method
+/// has none.
 ///
 /// # Errors
-/// [`SolveError::NoShear`] for BModes and a tower that shears: it converges to no beam of that tower.
+/// [`SolveError::NoShear`] for BModes and a tower that shears: it converges to no beam of that
+/// tower.
 fn limit_options(tower: &Tower, options: &Options) -> Result<Options, SolveError> {
     if options.method == Method::Bmodes && tower.shears() {
         return Err(SolveError::NoShear);
@@ -78,7 +82,8 @@ fn limit_options(tower: &Tower, options: &Options) -> Result<Options, SolveError
     })
 }
 
-/// Solves a tower by one method at each fineness and compares with the beam it converges to; each level is told to `done`.
+/// Solves a tower by one method at each fineness and compares with the beam it converges to; each
+/// level is told to `done`.
 ///
 /// # Errors
 /// [`SolveError`]: of any of the solves, or [`SolveError::NoShear`].

@@ -1,4 +1,5 @@
-//! The same modes by different methods: what is followed is family and order, not the place in the list, which meshes change.
+//! The same modes by different methods: what is followed is family and order, not the place in the
+//! list, which meshes change.
 
 use crate::Warning;
 use crate::modes::Family;
@@ -14,9 +15,11 @@ pub struct FollowedMode {
     pub order: usize,
     /// The frequency that the others are compared with, that of the spectral beam, Hz.
     pub frequency_hz: f64,
-    /// Whether the side-side mode of the same order has this frequency too; it is not followed then.
+    /// Whether the side-side mode of the same order has this frequency too; it is not followed
+    /// then.
     pub is_pair: bool,
-    /// Which mode it is by any method: families may change from one to another where motions are coupled.
+    /// Which mode it is by any method: families may change from one to another where motions are
+    /// coupled.
     key: ModeKey,
 }
 
@@ -35,7 +38,8 @@ impl FollowedMode {
         }
     }
 
-    /// f/f_mode − 1 of a frequency (Hz) that it has elsewhere; 0 if both are, as of motions that nothing resists.
+    /// f/f_mode − 1 of a frequency (Hz) that it has elsewhere; 0 if both are, as of motions that
+    /// nothing resists.
     pub(super) fn relative_difference(&self, frequency_hz: Option<f64>) -> Option<f64> {
         match (frequency_hz?, self.frequency_hz) {
             (f, limit) if f == limit => Some(0.0),
@@ -67,12 +71,14 @@ pub(super) fn followed(tower: &Tower, solution: &Solution) -> Vec<FollowedMode> 
         .collect()
 }
 
-/// Modes that are not there below so many times the highest frequency that is followed are not looked for above.
+/// Modes that are not there below so many times the highest frequency that is followed are not
+/// looked for above.
 pub(super) const REACH: f64 = 4.0;
 /// … and no more modes than this for each one that is followed are looked for.
 const MOST_FOR_EACH: usize = 16;
 
-/// Solves until all that are followed are there, there are no more, or what is missing is too far off to be one of them.
+/// Solves until all that are followed are there, there are no more, or what is missing is too far
+/// off to be one of them.
 pub(super) fn solve_for(
     tower: &Tower,
     options: &Options,
@@ -115,7 +121,8 @@ pub(super) fn not_found(modes: &[FollowedMode], solution: &Solution) -> Option<W
     })
 }
 
-/// Solves for the modes asked for and, while `has_all` is not content, for twice as many, until there are no more; shapes have two points.
+/// Solves for the modes asked for and, while `has_all` is not content, for twice as many, until
+/// there are no more; shapes have two points.
 ///
 /// # Errors
 /// [`SolveError`], but for more modes than there are.

@@ -10,7 +10,8 @@ use super::surroundings::{AddedMassRow, SoilRow, SoilStiffness, Water};
 pub struct Ambient {
     /// Soil springs at the lower and the upper end; none if there is no soil.
     pub soil: Option<[SoilStiffness; 2]>,
-    /// Mass that moves with it transversely at the lower and the upper end, kg/m; none if no table says so.
+    /// Mass that moves with it transversely at the lower and the upper end, kg/m; none if no table
+    /// says so.
     pub added_kg_per_m: Option<[f64; 2]>,
     /// ρ C_a π/4 where there is water outside, kg/m³: times D² the added mass per length.
     pub outside_kg_per_m3: f64,
@@ -110,7 +111,8 @@ fn added_mass_of(rows: &[AddedMassRow], piece: &Piece) -> Option<[f64; 2]> {
     Some(shares.map(|s| below + s * (above - below)))
 }
 
-/// The two rows around a piece, and how far from the lower to the upper one its ends are; two rows at one height are a step.
+/// The two rows around a piece, and how far from the lower to the upper one its ends are; two rows
+/// at one height are a step.
 fn around<'a, R>(
     rows: &'a [R],
     height_m: impl Fn(&R) -> f64,

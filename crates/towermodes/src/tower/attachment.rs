@@ -4,7 +4,8 @@ use super::description::{Inertia, PointMass, Rna};
 use super::surroundings::Wires;
 use crate::space::SpatialMatrix;
 
-/// What sits at a height of the tower, for the motion (x, y, z, rotation about x, y, z) of the tower there.
+/// What sits at a height of the tower, for the motion (x, y, z, rotation about x, y, z) of the
+/// tower there.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Attachment {
     /// Height, m.
@@ -15,8 +16,8 @@ pub struct Attachment {
     pub inertia: SpatialMatrix,
     /// Stiffness to the ground: N/m, N, N m.
     pub stiffness: SpatialMatrix,
-    /// Mass times the height of its centre above the tower there, kg m: times g what its weight takes from the stiffness against
-    /// rotation about x and y.
+    /// Mass times the height of its centre above the tower there, kg m: times g what its weight
+    /// takes from the stiffness against rotation about x and y.
     pub overturning_kg_m: f64,
 }
 
@@ -47,8 +48,8 @@ impl Attachment {
         }
     }
 
-    /// The assembly on the tower's top: its weight at the height c_z of its centre turns the top over with m g c_z per radian; what its
-    /// lateral offset adds is neglected.
+    /// The assembly on the tower's top: its weight at the height c_z of its centre turns the top
+    /// over with m g c_z per radian; what its lateral offset adds is neglected.
     pub(super) fn of_rna(rna: &Rna, top_m: f64) -> Self {
         Self {
             height_m: top_m,
@@ -65,7 +66,8 @@ impl Attachment {
     }
 }
 
-/// `[[m 1, −m [c]×], [m [c]×, J − m [c]×[c]×]]`: the spatial inertia of a body about a point from which its centre of mass is at c.
+/// `[[m 1, −m [c]×], [m [c]×, J − m [c]×[c]×]]`: the spatial inertia of a body about a point from
+/// which its centre of mass is at c.
 ///
 /// Source: Featherstone, *Rigid Body Dynamics Algorithms* (2008), eq. 2.63, translation first.
 pub(crate) fn spatial_inertia(mass_kg: f64, c: [f64; 3], inertia: &Inertia) -> SpatialMatrix {

@@ -15,15 +15,17 @@ pub struct Base {
     pub stiffness: SpatialMatrix,
     /// Inertia that moves with it: kg, kg m, kg m².
     pub inertia: SpatialMatrix,
-    /// Moment of the platform's and the tower's mass about the point that the hydrostatic stiffness is about, kg m: times g what weights
-    /// take from the stiffness against rotation about x and y; zero for what does not float.
+    /// Moment of the platform's and the tower's mass about the point that the hydrostatic stiffness
+    /// is about, kg m: times g what weights take from the stiffness against rotation about x and y;
+    /// zero for what does not float.
     pub overturning_kg_m: f64,
     /// Whether it floats: rigid-body modes are modes of their own.
     pub floats: bool,
 }
 
 impl Base {
-    /// Of a foundation under a tower with its base at `base_m` that carries `mass_kg`, with all that is on it.
+    /// Of a foundation under a tower with its base at `base_m` that carries `mass_kg`, with all
+    /// that is on it.
     pub(super) fn new(foundation: &Foundation, base_m: f64, mass_kg: f64) -> Self {
         match foundation {
             Foundation::Clamped => Self::default(),
@@ -68,8 +70,8 @@ impl Base {
         }
     }
 
-    /// The weights turn over about the point that the hydrostatic stiffness is about: only about that point, where buoyancy and weights
-    /// are in balance, do its entries and theirs add up.
+    /// The weights turn over about the point that the hydrostatic stiffness is about: only about
+    /// that point, where buoyancy and weights are in balance, do its entries and theirs add up.
     fn afloat(platform: &FloatingPlatform, base_m: f64, mass_kg: f64) -> Self {
         let [x, y, z] = platform.center_m;
         let centre = [x, y, z - base_m];

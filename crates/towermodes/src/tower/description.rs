@@ -8,7 +8,8 @@ use super::surroundings::{AddedMassRow, SoilRow, Water, Wires};
 use crate::rotor::Rotor;
 use crate::symmetric::eigenpairs;
 
-/// One row of the tower's geometry: the tube at a height. Between rows diameter and wall are linear.
+/// One row of the tower's geometry: the tube at a height. Between rows diameter and wall are
+/// linear.
 ///
 /// Two rows at the same height are a step.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -19,7 +20,8 @@ pub struct Station {
     pub outer_diameter_m: f64,
     /// Wall thickness, m.
     pub wall_thickness_m: f64,
-    /// Index into [`TowerDescription::materials`] of the tower between this station and the next one up.
+    /// Index into [`TowerDescription::materials`] of the tower between this station and the next
+    /// one up.
     pub material: usize,
 }
 
@@ -165,25 +167,30 @@ pub struct TowerDescription {
     pub properties: Vec<PropertyStation>,
     /// Multiplies the density of the tower (paint, bolts, platforms); 1 unless told.
     pub outfitting_factor: f64,
-    /// Shear deformation of `stations`; none unless told. `properties` have their own shear stiffness.
+    /// Shear deformation of `stations`; none unless told. `properties` have their own shear
+    /// stiffness.
     pub shear: Shear,
     /// The rotor-nacelle assembly; none unless told.
     pub rna: Rna,
-    /// Whether the assembly has no inertia on purpose, as in models that the literature has: nobody is warned of it then.
+    /// Whether the assembly has no inertia on purpose, as in models that the literature has: nobody
+    /// is warned of it then.
     pub rna_is_point: bool,
     /// Masses along the tower, in any order.
     pub point_masses: Vec<PointMass>,
     /// What holds the base; clamped unless told.
     pub foundation: Foundation,
-    /// Layers of soil around the tower, each rows by rising height; where layers overlap their springs add up.
+    /// Layers of soil around the tower, each rows by rising height; where layers overlap their
+    /// springs add up.
     pub soil: Vec<Vec<SoilRow>>,
-    /// Tables of mass that moves with the tower transversely, as water does, each rows by rising height; where they overlap they add up.
+    /// Tables of mass that moves with the tower transversely, as water does, each rows by rising
+    /// height; where they overlap they add up.
     pub added_mass: Vec<Vec<AddedMassRow>>,
     /// Water around the tower; none unless told.
     pub water: Option<Water>,
     /// Wires that hold the tower.
     pub wires: Vec<Wires>,
-    /// Acceleration of gravity g, m/s²; 0, which is so unless told, leaves the weights' part of the stiffness out.
+    /// Acceleration of gravity g, m/s²; 0, which is so unless told, leaves the weights' part of the
+    /// stiffness out.
     pub gravity_m_per_s2: f64,
     /// The rotor, for what it excites; none unless told.
     pub rotor: Option<Rotor>,

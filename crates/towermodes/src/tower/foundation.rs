@@ -19,10 +19,12 @@ pub enum Foundation {
     Floating(Box<FloatingPlatform>),
 }
 
-/// Matrices for the motion (x, y, z, rotation about x, y, z) of the base: N/m, N, N m; kg, kg m, kg m².
+/// Matrices for the motion (x, y, z, rotation about x, y, z) of the base: N/m, N, N m; kg, kg m, kg
+/// m².
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct StiffnessFoundation {
-    /// Stiffness about the base, symmetric; infinite on the diagonal where the base is rigidly held, whatever else that row and column say.
+    /// Stiffness about the base, symmetric; infinite on the diagonal where the base is rigidly
+    /// held, whatever else that row and column say.
     pub stiffness: SpatialMatrix,
     /// Inertia about the base, symmetric; zero for none.
     pub inertia: SpatialMatrix,
@@ -35,7 +37,8 @@ pub struct FoundationSprings {
     pub lateral_n_per_m: f64,
     /// Against rotation about x and y, N m.
     pub rocking_n_m: f64,
-    /// Between x and rotation about y, and with the opposite sign between y and rotation about x, N.
+    /// Between x and rotation about y, and with the opposite sign between y and rotation about x,
+    /// N.
     pub coupling_n: f64,
     /// Against translation z, N/m.
     pub vertical_n_per_m: f64,
@@ -106,8 +109,8 @@ impl HalfSpace {
     /// | rocking | 8GR³/(3(1−ν)) | 1 + 1.2 (1−ν) e/R + 0.2 (2−ν) (e/R)³ |
     /// | torsion | 16GR³/3 | 1 |
     ///
-    /// Source: Arya, O'Neill & Pincus, *Design of Structures and Foundations for Vibrating Machines* (1979), ch. 4, after Richart,
-    /// Hall & Woods (1970) and Whitman (1972).
+    /// Source: Arya, O'Neill & Pincus, *Design of Structures and Foundations for Vibrating
+    /// Machines* (1979), ch. 4, after Richart, Hall & Woods (1970) and Whitman (1972).
     pub fn springs(&self) -> FoundationSprings {
         let (g, r, nu) = (self.shear_modulus_pa, self.radius_m, self.poissons_ratio);
         let e = self.embedment_m / r;
@@ -146,7 +149,8 @@ pub struct FloatingPlatform {
     pub inertia_kg_m2: Inertia,
     /// Hydrodynamic added mass: kg, kg m, kg m².
     pub added_mass: ReferredMatrix,
-    /// Hydrostatic stiffness, of the water plane and the buoyancy: N/m, N, N m. The weights' part is that of gravity.
+    /// Hydrostatic stiffness, of the water plane and the buoyancy: N/m, N, N m. The weights' part
+    /// is that of gravity.
     pub hydrostatic: ReferredMatrix,
     /// Stiffness of the moorings: N/m, N, N m.
     pub mooring: ReferredMatrix,

@@ -26,7 +26,8 @@ impl Motion {
         Self::Axial,
     ];
 
-    /// Its components in (x, y, z, rotation about x, y, z), each with the sign that it has in a chain: translations first.
+    /// Its components in (x, y, z, rotation about x, y, z), each with the sign that it has in a
+    /// chain: translations first.
     pub fn components(self) -> &'static [Component] {
         match self {
             Self::Bending(Plane::ForeAft) => &[(0, 1.0), (4, 1.0)],
@@ -74,7 +75,8 @@ impl Motions {
         Motion::ALL.into_iter().filter(move |m| self.contains(*m))
     }
 
-    /// A vector (x, y, z, rotation about x, y, z) without the components of motions that are not in the set.
+    /// A vector (x, y, z, rotation about x, y, z) without the components of motions that are not in
+    /// the set.
     pub fn masked(self, mut vector: [f64; 6]) -> [f64; 6] {
         for motion in Motion::ALL.into_iter().filter(|m| !self.contains(*m)) {
             for (component, _) in motion.components() {

@@ -1,9 +1,10 @@
 //! Exact section integrals over any part of a linear piece.
 //!
-//! Diameter and wall of a tube are linear, so A is a quadratic and I a quartic in height, and the masses of a table are quadratics at
-//! most: three Gauss points give every mass integral exactly. Compliances ∫ dx/EI are rational; five points on panels over which no
-//! dimension of a tube and no stiffness of a table changes by more than 10 % leave an error below 1e-15 (the nearest pole of the
-//! integrand is 20 half-panels away).
+//! Diameter and wall of a tube are linear, so A is a quadratic and I a quartic in height, and the
+//! masses of a table are quadratics at most: three Gauss points give every mass integral exactly.
+//! Compliances ∫ dx/EI are rational; five points on panels over which no dimension of a tube and no
+//! stiffness of a table changes by more than 10 % leave an error below 1e-15 (the nearest pole of
+//! the integrand is 20 half-panels away).
 
 use super::on_axis::OnAxis;
 use super::piece::Piece;
@@ -63,7 +64,8 @@ pub struct BendingCompliance {
     pub bending_per_n_m: f64,
     /// Elastic centre z_c = ∫ z dz/EI ÷ ∫ dz/EI, m: a force there does not rotate the end.
     pub elastic_centre_m: f64,
-    /// ∫ (z − z_c)² dz/EI, m/N: deflection of the elastic centre by a unit force there, from bending.
+    /// ∫ (z − z_c)² dz/EI, m/N: deflection of the elastic centre by a unit force there, from
+    /// bending.
     pub deflection_m_per_n: f64,
     /// ∫ dz/(κGA), m/N: the same from shear.
     pub shear_m_per_n: f64,
@@ -95,7 +97,8 @@ pub fn mass_integrals(piece: &Piece, base_m: f64, top_m: f64, reference_m: f64) 
 }
 
 impl MassIntegrals {
-    /// As the inertia of a rigid body about the reference, with or without the sections' rotary inertia in bending.
+    /// As the inertia of a rigid body about the reference, with or without the sections' rotary
+    /// inertia in bending.
     #[inline]
     pub fn on_axis(&self, rotary_inertia: bool) -> OnAxis {
         OnAxis {
@@ -110,8 +113,9 @@ impl MassIntegrals {
     }
 }
 
-/// What soil springs do to `piece` between two heights (m) inside it, as a rigid body about `reference_m`: ∫ k dz, ∫ k (z − z₀) dz and
-/// ∫ k (z − z₀)² dz in each plane, ∫ k_t dz, ∫ k_z dz. None if there is no soil.
+/// What soil springs do to `piece` between two heights (m) inside it, as a rigid body about
+/// `reference_m`: ∫ k dz, ∫ k (z − z₀) dz and ∫ k (z − z₀)² dz in each plane, ∫ k_t dz, ∫ k_z dz.
+/// None if there is no soil.
 pub fn soil_integrals(piece: &Piece, base_m: f64, top_m: f64, reference_m: f64) -> Option<OnAxis> {
     piece.ambient.soil?;
     let (middle, half) = (0.5 * (base_m + top_m), 0.5 * (top_m - base_m));
@@ -131,7 +135,8 @@ pub fn soil_integrals(piece: &Piece, base_m: f64, top_m: f64, reference_m: f64) 
     Some(sum)
 }
 
-/// Moments of 1/EI of one plane about the middle of a part: the elastic centre is near it, so nothing cancels.
+/// Moments of 1/EI of one plane about the middle of a part: the elastic centre is near it, so
+/// nothing cancels.
 #[derive(Default)]
 struct Moments {
     zeroth: f64,
@@ -205,12 +210,14 @@ pub struct Hinge {
     pub bending_per_n_m: f64,
 }
 
-/// The two-point Gauss rule of the measure dz/EI of one plane, over a part of `piece` whose [`compliance`] there is `whole`, lower point
-/// first: two hinges that give the same end rotations and deflections under end forces and moments, and under any load that varies no
-/// faster than linearly, as the beam itself.
+/// The two-point Gauss rule of the measure dz/EI of one plane, over a part of `piece` whose
+/// [`compliance`] there is `whole`, lower point first: two hinges that give the same end rotations
+/// and deflections under end forces and moments, and under any load that varies no faster than
+/// linearly, as the beam itself.
 ///
-/// With mₖ = ∫ xᵏ dz/EI about the elastic centre (m₁ = 0) the points are the roots of x² − (m₃/m₂) x − m₂/m₀, the weights
-/// m₀ x₂/(x₂ − x₁) and −m₀ x₁/(x₂ − x₁) (Golub & Welsch 1969). For a prismatic part: (1 ∓ 1/√3)/2 of the length, half each.
+/// With mₖ = ∫ xᵏ dz/EI about the elastic centre (m₁ = 0) the points are the roots of x² − (m₃/m₂)
+/// x − m₂/m₀, the weights m₀ x₂/(x₂ − x₁) and −m₀ x₁/(x₂ − x₁) (Golub & Welsch 1969). For a
+/// prismatic part: (1 ∓ 1/√3)/2 of the length, half each.
 pub fn gauss_hinges(
     piece: &Piece,
     base_m: f64,
@@ -238,8 +245,8 @@ pub fn gauss_hinges(
     [hinge(lower, lower_share), hinge(upper, 1.0 - lower_share)]
 }
 
-/// Tells `add` the points of a quadrature with their weights (m) and sections: five Gauss points on each of as many panels as keep the
-/// change of every dimension over a panel below 10 %.
+/// Tells `add` the points of a quadrature with their weights (m) and sections: five Gauss points on
+/// each of as many panels as keep the change of every dimension over a panel below 10 %.
 #[inline]
 fn integrate(piece: &Piece, base_m: f64, top_m: f64, add: &mut impl FnMut(f64, f64, &Section)) {
     if piece.steepness(base_m, top_m) <= STEEPEST {
@@ -313,7 +320,8 @@ mod tests {
 
     #[test]
     fn solid_cone_has_its_closed_form_integrals() {
-        // d = 2 − z/10, I = π d⁴/64: ∫dz/EI = 640/(3π) (1 − 1/8); mass of a frustum π h (R² + Rr + r²)/3.
+        // d = 2 − z/10, I = π d⁴/64: ∫dz/EI = 640/(3π) (1 − 1/8); mass of a frustum π h (R² + Rr +
+        // r²)/3.
         let pi = std::f64::consts::PI;
         let c = bending(&cone(1.0), 0.0, 10.0);
         let exact = 640.0 / (3.0 * pi) * (1.0 - 1.0 / 8.0);

@@ -31,7 +31,8 @@ impl Material {
         }
     }
 
-    /// A material from density (kg/m³), Young's modulus (Pa) and Poisson's ratio ν: G = E / (2 (1 + ν)).
+    /// A material from density (kg/m³), Young's modulus (Pa) and Poisson's ratio ν: G = E / (2 (1 +
+    /// ν)).
     pub fn from_poissons_ratio(
         density_kg_per_m3: f64,
         youngs_modulus_pa: f64,

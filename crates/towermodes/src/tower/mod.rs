@@ -1,4 +1,5 @@
-//! What a tower is: geometry, materials, masses, what holds and surrounds it; validated once, constant afterwards.
+//! What a tower is: geometry, materials, masses, what holds and surrounds it; validated once,
+//! constant afterwards.
 
 mod ambient;
 mod attachment;
@@ -54,7 +55,8 @@ pub(crate) use plausibility::inertia_plausibility;
 pub(crate) use validate::check_rotor;
 use weight::Above;
 
-/// A tower that can exist: every property is finite and positive, every wall fits its tube, something holds it or it floats.
+/// A tower that can exist: every property is finite and positive, every wall fits its tube,
+/// something holds it or it floats.
 ///
 /// Made by [`Tower::new`] from a [`TowerDescription`]; constant afterwards.
 #[derive(Debug, Clone, PartialEq)]
@@ -193,7 +195,8 @@ impl Tower {
         self.rotor.as_ref()
     }
 
-    /// The smallest sets of motions that are coupled with each other and with no other, by the structure of the tower.
+    /// The smallest sets of motions that are coupled with each other and with no other, by the
+    /// structure of the tower.
     pub fn independent_motions(&self) -> &[Motions] {
         &self.independent
     }
@@ -213,7 +216,8 @@ impl Tower {
         index.min(self.pieces.len() - 1)
     }
 
-    /// Whether the tower does not deform at all in a motion: its table has an infinite stiffness there.
+    /// Whether the tower does not deform at all in a motion: its table has an infinite stiffness
+    /// there.
     pub fn is_rigid_in(&self, motion: Motion) -> bool {
         self.pieces[0].is_rigid_in(motion)
     }
@@ -250,12 +254,14 @@ impl Tower {
         self.top_m() - self.base_m()
     }
 
-    /// Mass of the tower with its outfitting and point masses, without the rotor-nacelle assembly, kg.
+    /// Mass of the tower with its outfitting and point masses, without the rotor-nacelle assembly,
+    /// kg.
     pub fn mass_kg(&self) -> f64 {
         self.mass_kg
     }
 
-    /// Whether both bending planes are equal and nothing couples them, so that each bending frequency is there twice.
+    /// Whether both bending planes are equal and nothing couples them, so that each bending
+    /// frequency is there twice.
     pub fn planes_are_equal(&self) -> bool {
         self.planes_are_equal
     }
@@ -265,14 +271,15 @@ impl Tower {
         &self.warnings
     }
 
-    /// What looks like a slip in a rotor on this tower. It matters where its excitations are asked for, and so it is not among
-    /// [`warnings`](Self::warnings).
+    /// What looks like a slip in a rotor on this tower. It matters where its excitations are asked
+    /// for, and so it is not among [`warnings`](Self::warnings).
     pub fn rotor_warnings(&self, rotor: &crate::Rotor) -> Vec<crate::Warning> {
         plausibility::rotor_plausibility(self, rotor)
     }
 }
 
-/// The sets without the motions that nothing can make: neither the tower deforms so nor its base moves so.
+/// The sets without the motions that nothing can make: neither the tower deforms so nor its base
+/// moves so.
 fn possible(sets: Vec<Motions>, pieces: &[Piece], base: &Base) -> Vec<Motions> {
     let is_held = |motion: &Motion| {
         let components = motion.components();

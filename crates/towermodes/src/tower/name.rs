@@ -1,7 +1,8 @@
 //! Names as they can be shown to people.
 
-/// Whether a character shows in a line of text without disturbing the rest of it: no control character, and no mark that turns the direction
-/// of writing (Unicode Standard Annex 9), with which a name could make a line read as another.
+/// Whether a character shows in a line of text without disturbing the rest of it: no control
+/// character, and no mark that turns the direction of writing (Unicode Standard Annex 9), with
+/// which a name could make a line read as another.
 pub fn is_printable(c: char) -> bool {
     let turns = matches!(
         c,

@@ -4,10 +4,12 @@ use super::independent::{Component, Motion};
 use super::planes::{Plane, Planes};
 use crate::space::{Matrix, SpatialMatrix};
 
-/// A matrix for rigid motions that couples neither the bending planes nor torsion nor stretch: inertia or stiffness.
+/// A matrix for rigid motions that couples neither the bending planes nor torsion nor stretch:
+/// inertia or stiffness.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct OnAxis {
-    /// For deflection w and rotation θ in each plane, θ being minus the rotation about x in the side-side plane: ww, wθ, θθ.
+    /// For deflection w and rotation θ in each plane, θ being minus the rotation about x in the
+    /// side-side plane: ww, wθ, θθ.
     pub bending: Planes<[f64; 3]>,
     /// For rotation about the axis.
     pub torsion: f64,

@@ -2,8 +2,9 @@
 
 /// The names of a tower's parts, for people: nothing is computed from them.
 ///
-/// Each list goes with the list of the same name in the [`TowerDescription`](super::TowerDescription); a part beyond its end has no name, and
-/// neither has one whose name is empty.
+/// Each list goes with the list of the same name in the
+/// [`TowerDescription`](super::TowerDescription); a part beyond its end has no name, and neither
+/// has one whose name is empty.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
 pub struct PartNames {
     /// Of the materials.

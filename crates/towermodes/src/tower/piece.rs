@@ -45,7 +45,8 @@ pub enum Profile {
 }
 
 impl Profile {
-    /// The profile from the lower end of this to the upper end of another, if both are of one kind and material.
+    /// The profile from the lower end of this to the upper end of another, if both are of one kind
+    /// and material.
     fn up_to(&self, upper: &Self) -> Option<Self> {
         match (*self, *upper) {
             (
@@ -185,13 +186,15 @@ impl Piece {
         }
     }
 
-    /// The largest ratio, thick end to thin end, of what the compliances between two heights (m) depend on.
+    /// The largest ratio, thick end to thin end, of what the compliances between two heights (m)
+    /// depend on.
     pub(crate) fn steepness(&self, base_m: f64, top_m: f64) -> f64 {
         ratio(self.steepest(base_m, top_m))
     }
 
-    /// The height (m) between two others that halves what is steepest between them: there it is the geometric mean of what it is at
-    /// both. None if its ratio at the two is no more than `most`, or if there is no number between them.
+    /// The height (m) between two others that halves what is steepest between them: there it is the
+    /// geometric mean of what it is at both. None if its ratio at the two is no more than `most`,
+    /// or if there is no number between them.
     pub fn even_cut_m(&self, base_m: f64, top_m: f64, most: f64) -> Option<f64> {
         let (a, b) = self.steepest(base_m, top_m);
         // It is linear: a + s (b − a) = √(ab).
@@ -199,7 +202,8 @@ impl Piece {
         (ratio((a, b)) > most && base_m < cut_m && cut_m < top_m).then_some(cut_m)
     }
 
-    /// What the compliances between two heights (m) depend on and has the largest ratio at them: its values there.
+    /// What the compliances between two heights (m) depend on and has the largest ratio at them:
+    /// its values there.
     fn steepest(&self, base_m: f64, top_m: f64) -> (f64, f64) {
         let steeper = |x: (f64, f64), y| if ratio(y) > ratio(x) { y } else { x };
         match &self.profile {
@@ -217,13 +221,15 @@ impl Piece {
                     let columns = base.stiffnesses().into_iter().zip(top.stiffnesses());
                     columns.map(move |(a, b)| a + s * (b - a))
                 };
-                // A shear stiffness that is not there is zero at both ends: the ratio NaN, which is no larger.
+                // A shear stiffness that is not there is zero at both ends: the ratio NaN, which is
+                // no larger.
                 at(base_m).zip(at(top_m)).fold((1.0, 1.0), steeper)
             }
         }
     }
 
-    /// Whether `upper`, which begins where this piece ends, begins with the section this one ends with.
+    /// Whether `upper`, which begins where this piece ends, begins with the section this one ends
+    /// with.
     pub fn meets(&self, upper: &Self) -> bool {
         let height_m = self.top_m;
         is_same(&self.section_at(height_m), &upper.section_at(height_m))
@@ -276,7 +282,8 @@ fn ratio((x, y): (f64, f64)) -> f64 {
     if x > y { x / y } else { y / x }
 }
 
-/// Whether two sections differ by no more than rounding: a row can be split in two by hand with full digits, and nothing else.
+/// Whether two sections differ by no more than rounding: a row can be split in two by hand with
+/// full digits, and nothing else.
 fn is_same(a: &Section, b: &Section) -> bool {
     let pairs = a.values().into_iter().zip(b.values());
     pairs
@@ -284,7 +291,8 @@ fn is_same(a: &Section, b: &Section) -> bool {
         .all(|(a, b)| a == b || (a - b).abs() <= 1e-11 * a)
 }
 
-/// The fewest linear pieces that stations make: a station on the line of its neighbours separates nothing.
+/// The fewest linear pieces that stations make: a station on the line of its neighbours separates
+/// nothing.
 pub(super) fn tube_pieces(
     stations: &[Station],
     materials: &[Material],

@@ -6,7 +6,8 @@ use super::surroundings::SoilStiffness;
 
 /// What a row of a property table says of the section at its height.
 ///
-/// Between two rows mass, stiffnesses and squared radii of gyration (inertia over mass) are linear in height, as BModes interpolates.
+/// Between two rows mass, stiffnesses and squared radii of gyration (inertia over mass) are linear
+/// in height, as BModes interpolates.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Properties {
     /// Mass per length, kg/m.
@@ -17,7 +18,8 @@ pub struct Properties {
     pub polar_inertia_kg_m: f64,
     /// Bending stiffness EI in each plane, N m².
     pub bending_n_m2: Planes<f64>,
-    /// Torsional stiffness GJ, N m²; infinite, in all rows of a table, for a tower that does not twist.
+    /// Torsional stiffness GJ, N m²; infinite, in all rows of a table, for a tower that does not
+    /// twist.
     pub torsion_n_m2: f64,
     /// Axial stiffness EA, N; infinite, in all rows of a table, for a tower that does not stretch.
     pub axial_n: f64,

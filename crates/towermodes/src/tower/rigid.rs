@@ -5,8 +5,8 @@ use super::integrals::{mass_integrals, soil_integrals};
 use crate::space::{SpatialMatrix, add_scaled, lower_matrix};
 
 impl Tower {
-    /// What resists rigid motions (x, y, z, rotation about x, y, z) of the whole tower about its base, weights left out: the foundation,
-    /// soil and wires; N/m, N, N m.
+    /// What resists rigid motions (x, y, z, rotation about x, y, z) of the whole tower about its
+    /// base, weights left out: the foundation, soil and wires; N/m, N, N m.
     pub fn rigid_stiffness(&self) -> SpatialMatrix {
         let base_m = self.base_m();
         let mut sum = self.base.stiffness;
@@ -26,8 +26,9 @@ impl Tower {
         sum
     }
 
-    /// The inertia against rigid motions (x, y, z, rotation about x, y, z) of the whole tower about its base, with all that moves with
-    /// it: foundation, water, masses, rotor-nacelle assembly; kg, kg m, kg m².
+    /// The inertia against rigid motions (x, y, z, rotation about x, y, z) of the whole tower about
+    /// its base, with all that moves with it: foundation, water, masses, rotor-nacelle assembly;
+    /// kg, kg m, kg m².
     pub fn rigid_inertia(&self, rotary_inertia: bool) -> SpatialMatrix {
         let base_m = self.base_m();
         let mut sum = self.base.inertia;
@@ -43,7 +44,8 @@ impl Tower {
 
     /// The motion that is 1 for each coordinate of the base, m or rad; 0 where it is rigidly held.
     ///
-    /// Coordinates of which the stiffness, or the inertia where nothing resists, is 1 suit the elimination.
+    /// Coordinates of which the stiffness, or the inertia where nothing resists, is 1 suit the
+    /// elimination.
     pub(super) fn base_units(&self) -> [f64; 6] {
         let (stiffness, inertia) = (self.rigid_stiffness(), self.rigid_inertia(true));
         std::array::from_fn(|i| {

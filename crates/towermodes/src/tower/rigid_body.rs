@@ -10,7 +10,8 @@ const ROUNDING: f64 = 1e-14;
 pub struct RigidBody {
     /// Mass, kg.
     pub mass_kg: f64,
-    /// Centre of mass, m: x fore-aft (downwind), y side-side, z up, from any point that all bodies share.
+    /// Centre of mass, m: x fore-aft (downwind), y side-side, z up, from any point that all bodies
+    /// share.
     pub center_m: [f64; 3],
     /// Inertia about the centre of mass, kg m².
     pub inertia_kg_m2: Inertia,
@@ -34,7 +35,8 @@ impl RigidBody {
         }
     }
 
-    /// All bodies as one: masses add up, the centre is their mean by mass, and each inertia is shifted there (Steiner).
+    /// All bodies as one: masses add up, the centre is their mean by mass, and each inertia is
+    /// shifted there (Steiner).
     pub fn combined(bodies: &[Self]) -> Self {
         let mass_kg: f64 = bodies.iter().map(|body| body.mass_kg).sum();
         let mean = |i: usize| {
@@ -63,8 +65,8 @@ impl RigidBody {
         .without_rounding()
     }
 
-    /// The same with zeros where only rounding is left of terms that cancel, as of the blades of a rotor: what is not quite zero would couple
-    /// motions that are none of each other's.
+    /// The same with zeros where only rounding is left of terms that cancel, as of the blades of a
+    /// rotor: what is not quite zero would couple motions that are none of each other's.
     fn without_rounding(mut self) -> Self {
         let size_m = self.center_m.iter().fold(0.0_f64, |a, x| a.max(x.abs()));
         for center_m in &mut self.center_m {

@@ -29,7 +29,8 @@ impl Tube {
         self.outer_diameter_m - 2.0 * self.wall_thickness_m
     }
 
-    /// Second moment of area about a diameter, m⁴: I = A (d² + dᵢ²)/16, which is π/64 (d⁴ − dᵢ⁴) without its cancellation.
+    /// Second moment of area about a diameter, m⁴: I = A (d² + dᵢ²)/16, which is π/64 (d⁴ − dᵢ⁴)
+    /// without its cancellation.
     ///
     /// The polar moment is J = 2 I.
     #[inline]
@@ -41,7 +42,8 @@ impl Tube {
     /// Timoshenko's shear coefficient κ of a hollow circle, with m = dᵢ/d:
     /// κ = 6 (1+ν)(1+m²)² / ((7+6ν)(1+m²)² + (20+12ν) m²).
     ///
-    /// Source: Cowper, *The shear coefficient in Timoshenko's beam theory*, J. Appl. Mech. 33 (1966).
+    /// Source: Cowper, *The shear coefficient in Timoshenko's beam theory*, J. Appl. Mech. 33
+    /// (1966).
     #[inline]
     pub fn cowper_shear_coefficient(&self, poissons_ratio: f64) -> f64 {
         let nu = poissons_ratio;

@@ -67,7 +67,8 @@ impl SoilStiffness {
     }
 }
 
-/// One row of mass that moves with the tower transversely and is none of it; linear in height between rows, nothing outside them.
+/// One row of mass that moves with the tower transversely and is none of it; linear in height
+/// between rows, nothing outside them.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct AddedMassRow {
     /// Height z in the datum of the stations, m.
@@ -85,16 +86,19 @@ pub struct Water {
     pub bed_m: Option<f64>,
     /// Density ρ, kg/m³.
     pub density_kg_per_m3: f64,
-    /// Added mass coefficient C_a: the water outside moves with the mass ρ C_a π D²/4 per length, between bed and level.
+    /// Added mass coefficient C_a: the water outside moves with the mass ρ C_a π D²/4 per length,
+    /// between bed and level.
     pub added_mass_coefficient: f64,
-    /// Whether water stands inside too: ρ π (D − 2t)²/4 per length, from the lowest station to the level.
+    /// Whether water stands inside too: ρ π (D − 2t)²/4 per length, from the lowest station to the
+    /// level.
     pub flooded: bool,
 }
 
 /// Taut wires from one height of the tower to the ground, equally spaced around it.
 ///
-/// n ≥ 3 wires of stiffness k each at an angle α from the horizontal hold the tower's axis with n/2 k cos²α in every horizontal direction
-/// and with n k sin²α vertically. Their tension, and that they are fixed to the shell and not to the axis, is neglected.
+/// n ≥ 3 wires of stiffness k each at an angle α from the horizontal hold the tower's axis with n/2
+/// k cos²α in every horizontal direction and with n k sin²α vertically. Their tension, and that
+/// they are fixed to the shell and not to the axis, is neglected.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Wires {
     /// Height of their upper ends in the datum of the stations, m.

@@ -45,7 +45,8 @@ fn sums_from_the_top(values: impl DoubleEndedIterator<Item = f64>) -> Vec<f64> {
 }
 
 impl Tower {
-    /// The compression N by all weights above a height (m) of the tower, N: what sits at the height itself is above it.
+    /// The compression N by all weights above a height (m) of the tower, N: what sits at the height
+    /// itself is above it.
     ///
     /// Water does not press on the wall: it is not a weight, and buoyancy is left out.
     pub fn compression_n(&self, height_m: f64) -> f64 {
@@ -60,7 +61,8 @@ impl Tower {
 
     /// ∫ N dz between two heights (m) of one piece with nothing attached between them, N m.
     ///
-    /// A rigid piece that turns by θ lowers all it carries and itself: its potential energy is −½ θ² times this integral.
+    /// A rigid piece that turns by θ lowers all it carries and itself: its potential energy is −½
+    /// θ² times this integral.
     pub fn compression_integral_n_m(&self, base_m: f64, top_m: f64) -> f64 {
         let piece = self.piece_at(0.5 * (base_m + top_m));
         let own = mass_integrals(piece, base_m, top_m, base_m);

@@ -1,6 +1,7 @@
 //! Quantities that towers have within a known range.
 
-/// A quantity of a tower, given or computed from what is given, that is known to lie within a range.
+/// A quantity of a tower, given or computed from what is given, that is known to lie within a
+/// range.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 #[non_exhaustive]
 pub enum Quantity {

@@ -83,7 +83,8 @@ pub fn accurate(tower: &Tower, from_m: f64, masses: PointMasses) -> TowerRows {
     tower_rows(tower, from_m, Rows::Accurate, masses).expect("rows")
 }
 
-/// The uniform tower as ElastoDyn has it, in so many elements that their midpoint rule does not matter.
+/// The uniform tower as ElastoDyn has it, in so many elements that their midpoint rule does not
+/// matter.
 pub fn uniform_model() -> TowerModel {
     let rows = accurate(&tower(uniform()), 0.0, PointMasses::Listed);
     TowerModel {

@@ -36,7 +36,8 @@ pub fn dense_eigenvalues(pencil: &mut dyn Pencil) -> Vec<f64> {
         .expect("regular");
     let symmetric = 0.5 * (&scaled + scaled.transpose());
     let thetas = SymmetricEigen::new(symmetric).eigenvalues;
-    // What is negative beside rounding is an eigenvalue of an indefinite M, which no shift above zero counts.
+    // What is negative beside rounding is an eigenvalue of an indefinite M, which no shift above
+    // zero counts.
     let least = 1e-13 * thetas.amax();
     let positive = thetas.iter().filter(|theta| **theta > least);
     let mut lambdas: Vec<f64> = positive.map(|theta| 1.0 / theta).collect();

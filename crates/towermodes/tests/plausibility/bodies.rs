@@ -20,8 +20,8 @@ fn scaled(factor: f64) -> impl FnOnce(&mut TowerDescription) {
 
 #[test]
 fn inertias_in_another_unit() {
-    // 349.6 t: a ball of lead has a radius of gyration of 1.21 m, the machine 9.25 m in the mean and 11.04 m at most; the tower is 87.6 m
-    // high, so the most is 52.56 m.
+    // 349.6 t: a ball of lead has a radius of gyration of 1.21 m, the machine 9.25 m in the mean
+    // and 11.04 m at most; the tower is 87.6 m high, so the most is 52.56 m.
     let ball_m = 0.4_f64.sqrt() * (3.0 * 349_606.5 / (4.0 * std::f64::consts::PI * 12e3)).cbrt();
     let mean_m = ((42_620_975.3 + 24_376_664.3 + 22_652_099.0) / 3.0 / 349_606.5_f64).sqrt();
     let lightest = (ball_m / mean_m).powi(2);

@@ -109,7 +109,8 @@ fn inertias_of_platforms() {
             );
         })
     };
-    // sqrt(4e9/7.5e6) is 23.1 m; the tower and the way down to the centre are 177.6 m: a factor of 59.1.
+    // sqrt(4e9/7.5e6) is 23.1 m; the tower and the way down to the centre are 177.6 m: a factor of
+    // 59.1.
     quiet(floater(), inertia(59.0));
     odd(
         Quantity::RadiusOfBody,

@@ -7,7 +7,8 @@ use towermodes::{
     TowerDescription, Warning,
 };
 
-/// EI of the reference tower at its base, pi/64 (6.000^4 - 5.946^4) = 2.259 m4 of steel, N m2, and its height, m.
+/// EI of the reference tower at its base, pi/64 (6.000^4 - 5.946^4) = 2.259 m4 of steel, N m2, and
+/// its height, m.
 const BENDING_N_M2: f64 = 2.1e11 * std::f64::consts::PI / 64.0 * (1296.0 - 1_249.970_085);
 const HEIGHT_M: f64 = 87.6;
 
@@ -132,7 +133,8 @@ fn springs_in_kilonewtons() {
 
 #[test]
 fn lateral_and_rocking_exchanged() {
-    // 1e11 N/m and 2e9 N m: the rocking spring is 0.35 EI/H, which is possible; a lever of 0.14 m is not.
+    // 1e11 N/m and 2e9 N m: the rocking spring is 0.35 EI/H, which is possible; a lever of 0.14 m
+    // is not.
     let exchanged = FoundationSprings {
         lateral_n_per_m: 1e11,
         rocking_n_m: 2e9,

@@ -1,4 +1,5 @@
-//! What is possible but looks like a slip is said, and what is usual is not: each warning on both sides of its limit.
+//! What is possible but looks like a slip is said, and what is usual is not: each warning on both
+//! sides of its limit.
 
 mod bodies;
 mod effects;

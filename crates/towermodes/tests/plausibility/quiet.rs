@@ -51,7 +51,8 @@ impl Random {
     }
 }
 
-/// A steel tower of proportions that are built: 20 to 170 m high, 12 to 28 diameters high at the base, cans of different walls.
+/// A steel tower of proportions that are built: 20 to 170 m high, 12 to 28 diameters high at the
+/// base, cans of different walls.
 fn built(random: &mut Random) -> TowerDescription {
     let height_m = random.over(20.0, 170.0);
     let base_m = height_m / random.between(12.0, 28.0);
@@ -97,7 +98,8 @@ fn with_machine(random: &mut Random, mut tower: TowerDescription) -> TowerDescri
     tower
 }
 
-/// On a footing or on the head of a pile: 1.5 to 50 times EI/H, a lever of one to three radii, a coupling of what is below.
+/// On a footing or on the head of a pile: 1.5 to 50 times EI/H, a lever of one to three radii, a
+/// coupling of what is below.
 fn on_ground(random: &mut Random, mut tower: TowerDescription) -> TowerDescription {
     let checked = Tower::new(tower.clone()).expect("a tower");
     let bending = checked.pieces()[0].section_at(0.0).bending_n_m2.fore_aft;

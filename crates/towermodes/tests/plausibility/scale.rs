@@ -1,4 +1,5 @@
-//! Sizes that cannot be computed with are refused at their place, and no text has three hundred digits.
+//! Sizes that cannot be computed with are refused at their place, and no text has three hundred
+//! digits.
 
 use super::towers::reference;
 use towermodes::{Place, Problem, Rna, Station, Tower, TowerDescription};

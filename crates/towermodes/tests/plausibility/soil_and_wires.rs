@@ -21,9 +21,10 @@ fn each_row(t: &mut TowerDescription, change: impl Fn(&mut SoilRow)) {
 
 #[test]
 fn soil_that_is_too_soft_to_hold() {
-    // Base springs of 6e9 N m are 0.66 EI/H: the soil has to hold. Over its 30 m the mean spring is 7.6e7 N/m2 with the firmer layer;
-    // EI of 6.5 m with a wall of 66 mm is 1.45e12 N m2: (4EI/k)^(1/4) = 16.6 m, so the length is 1.8 of these, and half of one with
-    // 1/170 of the springs.
+    // Base springs of 6e9 N m are 0.66 EI/H: the soil has to hold. Over its 30 m the mean spring is
+    // 7.6e7 N/m2 with the firmer layer; EI of 6.5 m with a wall of 66 mm is 1.45e12 N m2:
+    // (4EI/k)^(1/4) = 16.6 m, so the length is 1.8 of these, and half of one with 1/170 of the
+    // springs.
     quiet(monopile(), soil(1.0 / 120.0));
     let place = Place::Soil {
         layer: 0,
@@ -123,7 +124,8 @@ fn at(key: &'static str) -> Place {
 
 #[test]
 fn wires_in_kilonewtons() {
-    // 20 m up at 45 degrees: 28.3 m. EA/L of a wire of 3 mm: 1.6e11 pi/4 0.003^2 / 28.28 = 39 986 N/m.
+    // 20 m up at 45 degrees: 28.3 m. EA/L of a wire of 3 mm: 1.6e11 pi/4 0.003^2 / 28.28 = 39 986
+    // N/m.
     quiet(reference(), wires(4, 40.1e3, 45.0));
     let diameter_m = odd(
         Quantity::WireDiameter,

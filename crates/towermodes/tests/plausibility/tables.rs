@@ -122,7 +122,8 @@ fn waves_of_torsion_and_shear() {
 
 #[test]
 fn radii_of_gyration_in_each_plane() {
-    // No section is narrower than a solid rod that is as heavy: r^2 = A/(4 pi), A = m/(10 000 kg/m3).
+    // No section is narrower than a solid rod that is as heavy: r^2 = A/(4 pi), A = m/(10 000
+    // kg/m3).
     let of_solid = |factor: f64| {
         all(move |p| {
             let solid_m = (p.mass_kg_per_m / 1e4 / (4.0 * std::f64::consts::PI)).sqrt();

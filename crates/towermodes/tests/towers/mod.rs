@@ -31,7 +31,8 @@ pub fn all_frequencies(solution: &Solution) -> Vec<f64> {
     solution.modes.iter().map(|m| m.frequency_hz).collect()
 }
 
-/// Asserts that two lists of frequencies have one length and no relative difference over the tolerance, naming the case.
+/// Asserts that two lists of frequencies have one length and no relative difference over the
+/// tolerance, naming the case.
 #[track_caller]
 pub fn assert_same(got: &[f64], expected: &[f64], tolerance: f64, case: &str) {
     assert_eq!(got.len(), expected.len(), "{case}");

@@ -3,7 +3,8 @@
 use super::layout::{Cut, Layout, Need};
 use crate::input::Note;
 
-/// The borders as shares of the length, from 0 to 1: at least `wanted` elements and no more than `most`, if what must be allows it.
+/// The borders as shares of the length, from 0 to 1: at least `wanted` elements and no more than
+/// `most`, if what must be allows it.
 pub(super) fn borders(
     layout: &Layout,
     most: usize,

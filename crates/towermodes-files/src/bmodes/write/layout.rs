@@ -1,4 +1,5 @@
-//! Where a deck cuts a tower: the heights between which everything is smooth, and those that elements must end at.
+//! Where a deck cuts a tower: the heights between which everything is smooth, and those that
+//! elements must end at.
 
 use towermodes::tower::Piece;
 use towermodes::{Tower, TowerDescription};
@@ -7,7 +8,8 @@ use super::number::significant;
 use super::spread::{Spread, spreads};
 use crate::input::Note;
 
-/// Heights closer than this share of the tower's length are one: a step takes 1e-7 of it, so that the rows around it stay in order.
+/// Heights closer than this share of the tower's length are one: a step takes 1e-7 of it, so that
+/// the rows around it stay in order.
 pub(super) const CLOSEST: f64 = 1e-6;
 
 /// A height at which something begins or ends.
@@ -127,7 +129,8 @@ impl Layout {
             need: Need::Essential,
         }];
         let closest_m = CLOSEST * self.length_m();
-        // Rows so close together are a step, as it stands in decks; what is spread begins and ends so too.
+        // Rows so close together are a step, as it stands in decks; what is spread begins and ends
+        // so too.
         let is_step = |pair: &[Piece]| {
             !pair[0].meets(&pair[1]) || pair.iter().any(|piece| piece.length_m() < closest_m)
         };
@@ -163,7 +166,8 @@ impl Layout {
         }
     }
 
-    /// Adds a cut, or joins it with the last one if that is too close; says whether two heights that differ became one.
+    /// Adds a cut, or joins it with the last one if that is too close; says whether two heights
+    /// that differ became one.
     fn add(&mut self, cut: Cut) -> bool {
         let closest_m = CLOSEST * self.length_m();
         let is_first = self.cuts.len() == 1;

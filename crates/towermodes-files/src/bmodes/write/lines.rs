@@ -26,7 +26,8 @@ impl Lines {
         self.value(&number(value), name, meaning);
     }
 
-    /// As many values as follow from another one, over several lines; the meaning is behind the last one.
+    /// As many values as follow from another one, over several lines; the meaning is behind the
+    /// last one.
     pub(super) fn list(&mut self, values: &[String], name: &str, meaning: &str) {
         let mut lines: Vec<String> = values
             .chunks(VALUES_IN_A_LINE)

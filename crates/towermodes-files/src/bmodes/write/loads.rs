@@ -104,8 +104,8 @@ fn axial_springs(tower: &Tower, layout: &Layout) -> (f64, f64) {
     sum
 }
 
-/// The rows of a quantity from the lowest to the highest cut where it is not zero; `value` gives it at a height of a piece, beside a
-/// cut on the side of a middle.
+/// The rows of a quantity from the lowest to the highest cut where it is not zero; `value` gives it
+/// at a height of a piece, beside a cut on the side of a middle.
 fn table(
     tower: &Tower,
     layout: &Layout,
@@ -147,7 +147,8 @@ fn table(
     rows.into_iter().map(row).collect()
 }
 
-/// Adds the rows between two that the line between them needs, down to a length and a difference that do not matter.
+/// Adds the rows between two that the line between them needs, down to a length and a difference
+/// that do not matter.
 fn divide(
     low: (f64, f64),
     high: (f64, f64),

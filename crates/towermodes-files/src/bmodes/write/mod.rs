@@ -25,7 +25,8 @@ pub use error::BmodesWriteError;
 pub struct BmodesWriteOptions {
     /// What the deck calls the file of its sections.
     pub sections_file: String,
-    /// How many elements there are at least; as many more as steps, masses and wires demand, and no more than BModes takes.
+    /// How many elements there are at least; as many more as steps, masses and wires demand, and no
+    /// more than BModes takes.
     pub elements: usize,
     /// How many modes the deck asks for.
     pub modes: usize,

@@ -1,4 +1,5 @@
-//! The block of what stands in the sea or on springs: the base's matrices, and the tables along the tower.
+//! The block of what stands in the sea or on springs: the base's matrices, and the tables along the
+//! tower.
 
 use towermodes::space::{SpatialMatrix, add_scaled, lower_matrix};
 use towermodes::tower::mass_integrals;
@@ -15,7 +16,8 @@ use crate::input::Note;
 
 const NONE: SpatialMatrix = [[0.0; 6]; 6];
 
-/// What the block holds. Its matrices are for the motion (x, y, z, rotation about x, y, z) of a point on the axis.
+/// What the block holds. Its matrices are for the motion (x, y, z, rotation about x, y, z) of a
+/// point on the axis.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Platform {
     pub(super) draft_m: f64,
@@ -135,7 +137,8 @@ fn floating(
     }
 }
 
-/// The inertia of the platform with its centre at `center_m` from a point: `[[m 1, −m [c]×], [m [c]×, J]]`.
+/// The inertia of the platform with its centre at `center_m` from a point:
+/// `[[m 1, −m [c]×], [m [c]×, J]]`.
 fn inertia_about_axis(platform: &FloatingPlatform, center_m: [f64; 3]) -> SpatialMatrix {
     let body = RigidBody {
         mass_kg: platform.mass_kg,
@@ -157,8 +160,8 @@ fn inertia_about_axis(platform: &FloatingPlatform, center_m: [f64; 3]) -> Spatia
     matrix
 }
 
-/// Without its weights a platform capsizes, and BModes has none: they become part of the mooring, as decks in public have it, for the
-/// motion of the tower as a rigid body on its platform.
+/// Without its weights a platform capsizes, and BModes has none: they become part of the mooring,
+/// as decks in public have it, for the motion of the tower as a rigid body on its platform.
 fn add_weights(
     block: &mut Platform,
     tower: &Tower,

@@ -8,16 +8,19 @@ use super::layout::{Layout, PerMetre};
 
 /// The ratio of both planes may change by this share of it.
 const CONSTANT: f64 = 1e-6;
-/// A stiffness that stands for an infinite one, over that of a steel tube of the same bending stiffness.
+/// A stiffness that stands for an infinite one, over that of a steel tube of the same bending
+/// stiffness.
 const RIGID: f64 = 1e4;
-/// Steel: density over Young's modulus, kg/m³ per Pa. Of a thin tube of it the rotary inertia is EI times that.
+/// Steel: density over Young's modulus, kg/m³ per Pa. Of a thin tube of it the rotary inertia is EI
+/// times that.
 const STEEL: f64 = 7850.0 / 2.1e11;
 
 /// The columns of the sections that a tower uses.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct DeckSection {
     pub(super) mass_kg_per_m: f64,
-    /// Half the polar inertia per length, kg m: BModes takes twice this about the axis, and nothing of it in bending.
+    /// Half the polar inertia per length, kg m: BModes takes twice this about the axis, and nothing
+    /// of it in bending.
     pub(super) flp_iner_kg_m: f64,
     pub(super) bending_n_m2: f64,
     pub(super) torsion_n_m2: f64,

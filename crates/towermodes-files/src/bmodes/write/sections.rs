@@ -10,8 +10,9 @@ use crate::input::Note;
 
 /// Between rows a line may differ from the tower by this share.
 const OFF: f64 = 1e-5;
-/// Rows on both sides of a step are this share of the length apart, as decks in public have it (0.27881 and 0.27882): BModes takes the
-/// first interval that the middle of an element lies in, and no element has its middle in so short a one.
+/// Rows on both sides of a step are this share of the length apart, as decks in public have it
+/// (0.27881 and 0.27882): BModes takes the first interval that the middle of an element lies in,
+/// and no element has its middle in so short a one.
 pub(super) const STEP: f64 = 1e-7;
 /// Shorter parts of the length are not divided.
 const SHORTEST: f64 = 1e-5;

@@ -1,4 +1,5 @@
-//! What sits at a height of the tower and has no place in a deck but spread over a short part of the tower.
+//! What sits at a height of the tower and has no place in a deck but spread over a short part of
+//! the tower.
 
 use towermodes::{TowerDescription, Wires};
 

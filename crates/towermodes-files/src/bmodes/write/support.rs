@@ -1,4 +1,5 @@
-//! What holds a tower as a deck says it: nothing but its clamped base, wires, or what stands in the sea or on springs.
+//! What holds a tower as a deck says it: nothing but its clamped base, wires, or what stands in the
+//! sea or on springs.
 
 use towermodes::{Tower, TowerDescription, Wires};
 
@@ -20,7 +21,8 @@ pub(super) enum Hub {
 }
 
 impl Hub {
-    /// How many elements BModes 3.00 takes: its solver has at most 1000 unknowns, nine for each element and those of the base.
+    /// How many elements BModes 3.00 takes: its solver has at most 1000 unknowns, nine for each
+    /// element and those of the base.
     pub(super) fn most_elements(self) -> usize {
         match self {
             Self::Clamped => 111,
@@ -70,7 +72,8 @@ pub(super) fn hub_connection(tower: &Tower) -> Result<Hub, BmodesWriteError> {
     }
 }
 
-/// Whether anything needs the block of what stands in the sea: springs, soil, water, or a base below the datum.
+/// Whether anything needs the block of what stands in the sea: springs, soil, water, or a base
+/// below the datum.
 pub(super) fn is_offshore(tower: &Tower, hub: Hub) -> bool {
     let is_surrounded = tower.pieces().iter().any(|piece| {
         let middle = piece.section_at(0.5 * (piece.base_m + piece.top_m));

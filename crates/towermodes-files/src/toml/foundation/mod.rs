@@ -78,7 +78,8 @@ pub(super) fn foundation(root: &Table<'_>, reading: &mut Reading) -> Option<Foun
     (kind.read)(&table, reading)
 }
 
-/// The type that a foundation says it has; if there is none of that name, its other keys cannot be judged.
+/// The type that a foundation says it has; if there is none of that name, its other keys cannot be
+/// judged.
 fn kind(value: &Value<'_>, reading: &mut Reading) -> Option<&'static Kind> {
     let has_type = |value: &Value<'_>| {
         let table = value.get_ref().as_table();

@@ -33,7 +33,8 @@ fn read(table: &Table<'_>, reading: &mut Reading) -> Option<Foundation> {
     })))
 }
 
-/// A finite number, or an infinite one for a motion that is rigidly held; where in the matrix that may stand the tower knows.
+/// A finite number, or an infinite one for a motion that is rigidly held; where in the matrix that
+/// may stand the tower knows.
 fn stiffness_entry(value: &Value<'_>, what: &str, reading: &mut Reading) -> Option<f64> {
     infinity(value).or_else(|| number(value, what, reading))
 }

@@ -48,7 +48,8 @@ impl MaterialNames {
         )
     }
 
-    /// What stands in the row of a station; an index that no material has is a name that no material has.
+    /// What stands in the row of a station; an index that no material has is a name that no
+    /// material has.
     pub(super) fn in_row(&self, index: usize) -> Option<String> {
         let name = self.name(index);
         (!name.is_empty() && (self.are_needed() || index > 0)).then(|| quoted(&name))

@@ -33,9 +33,11 @@ pub enum WindIoWriteError {
     NoSections,
 }
 
-/// Writes a tower as windIO 2: `description` is what `tower` was made of. The notes say what the format cannot hold.
+/// Writes a tower as windIO 2: `description` is what `tower` was made of. The notes say what the
+/// format cannot hold.
 ///
-/// Everything from base to top is written as `components.tower`, and the rotor-nacelle assembly as `components.drivetrain`.
+/// Everything from base to top is written as `components.tower`, and the rotor-nacelle assembly as
+/// `components.drivetrain`.
 ///
 /// # Errors
 /// [`WindIoWriteError`].

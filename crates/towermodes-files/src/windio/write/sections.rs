@@ -57,7 +57,8 @@ impl Axis {
     }
 }
 
-/// Tubes: outer diameter, layers with their materials, and the beam if it is needed for point masses.
+/// Tubes: outer diameter, layers with their materials, and the beam if it is needed for point
+/// masses.
 pub(super) fn walls(description: &TowerDescription, axis: &Axis) -> (Yaml, Entries, Yaml) {
     let pairs = description.stations.windows(2);
     let pieces: Vec<&[Station]> = pairs.filter(|p| p[0].height_m < p[1].height_m).collect();
@@ -181,7 +182,8 @@ fn tube(station: &Station, material: &Material, outfitting: f64) -> Properties {
     }
 }
 
-/// Stiffness and inertia matrices; entries that are infinite are left out, which is how the reader knows them.
+/// Stiffness and inertia matrices; entries that are infinite are left out, which is how the reader
+/// knows them.
 fn beam(rows: &[(f64, Properties)]) -> Yaml {
     let column = |value: &dyn Fn(&Properties) -> f64| {
         Yaml::Numbers(rows.iter().map(|(_, p)| value(p)).collect())

@@ -65,7 +65,8 @@ fn write_value(out: &mut String, value: &Yaml, indent: usize) {
     }
 }
 
-/// The fewest digits that give the number again; always with a point and a signed exponent, which older readers of YAML need.
+/// The fewest digits that give the number again; always with a point and a signed exponent, which
+/// older readers of YAML need.
 fn number(value: f64) -> String {
     let text = format!("{value:?}");
     match text.split_once('e') {

@@ -1,4 +1,5 @@
-//! How far the axes of a Campbell diagram reach: the field of the decision, and a second one for what is higher.
+//! How far the axes of a Campbell diagram reach: the field of the decision, and a second one for
+//! what is higher.
 
 use towermodes::Verdict;
 use towermodes::rotor::{BEYOND_OPERATION, Campbell, StiffnessClass};
@@ -9,7 +10,8 @@ use super::lines::is_blade;
 const TOWER_MODES: usize = 5;
 /// … as long as they are not higher than so many times the highest excitation in operation.
 const WORTH: f64 = 2.0;
-/// What is warned of, or fails, is in the diagram up to so many times the highest excitation; beyond, all else would be a strip at its foot.
+/// What is warned of, or fails, is in the diagram up to so many times the highest excitation;
+/// beyond, all else would be a strip at its foot.
 const FAR: f64 = 6.0;
 /// The diagram reaches so much above its highest line.
 const ABOVE: f64 = 1.06;
@@ -36,7 +38,8 @@ pub(super) fn last_rpm(campbell: &Campbell) -> f64 {
     }
 }
 
-/// The frequencies at which fields end, Hz, from 0 upwards: one field, or that of the decision and one above it.
+/// The frequencies at which fields end, Hz, from 0 upwards: one field, or that of the decision and
+/// one above it.
 pub(super) fn ends_hz(campbell: &Campbell, multiples: &[usize], last_rpm: f64) -> Vec<f64> {
     let decisive_hz = decisive_hz(campbell, last_rpm);
     let highest_hz = highest_hz(campbell, multiples, last_rpm);
@@ -51,8 +54,8 @@ pub(super) fn ends_hz(campbell: &Campbell, multiples: &[usize], last_rpm: f64) -
     }
 }
 
-/// As high as the decision is: the first bending modes, and the ray of the blades' passing to the right end; where all these modes are below
-/// 1P, the ray of 1P.
+/// As high as the decision is: the first bending modes, and the ray of the blades' passing to the
+/// right end; where all these modes are below 1P, the ray of 1P.
 fn decisive_hz(campbell: &Campbell, last_rpm: f64) -> f64 {
     let mut classes = campbell.classes.iter().map(|(_, class)| *class);
     let is_soft_soft =
@@ -66,7 +69,8 @@ fn decisive_hz(campbell: &Campbell, last_rpm: f64) -> f64 {
     (ABOVE_FIRST * first_hz(campbell)).max(ABOVE_RAY * ray_hz)
 }
 
-/// The highest of the first bending modes, Hz; without these the lowest mode of the tower that something resists.
+/// The highest of the first bending modes, Hz; without these the lowest mode of the tower that
+/// something resists.
 fn first_hz(campbell: &Campbell) -> f64 {
     let lines = campbell.first_bending.iter();
     let lines = lines.filter_map(|line| campbell.lines.get(*line));
@@ -77,8 +81,9 @@ fn first_hz(campbell: &Campbell) -> f64 {
     }
 }
 
-/// The frequency at the upper end of all, Hz: above every line that the highest excitation passes before the right end, the lowest of the
-/// tower whatever excites it, and whatever is warned of or fails.
+/// The frequency at the upper end of all, Hz: above every line that the highest excitation passes
+/// before the right end, the lowest of the tower whatever excites it, and whatever is warned of or
+/// fails.
 fn highest_hz(campbell: &Campbell, multiples: &[usize], last_rpm: f64) -> f64 {
     let highest = multiples.iter().max().map_or(0.0, |n| *n as f64);
     let excitation_hz = highest * campbell.rotor.highest_rpm / 60.0;
@@ -103,7 +108,8 @@ fn tower_hz(campbell: &Campbell) -> impl Iterator<Item = f64> {
     tower.filter_map(|line| line.points.first().map(|[_, hz]| *hz))
 }
 
-/// The highest mode of the tower that is worth showing: the first, and the next few that are not far above the excitations.
+/// The highest mode of the tower that is worth showing: the first, and the next few that are not
+/// far above the excitations.
 fn worthy_hz(campbell: &Campbell, excitation_hz: f64) -> f64 {
     let mut tower_hz = tower_hz(campbell);
     let first_hz = tower_hz.find(|hz| *hz > 0.0).unwrap_or(0.0);

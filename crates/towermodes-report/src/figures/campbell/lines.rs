@@ -7,7 +7,8 @@ use crate::figures::quantity::frequency;
 
 /// Most excitations: more are a grey surface.
 const EXCITATIONS: usize = 100;
-/// Lines of the tower nearer to each other than this share are one line to the eye, and have one label.
+/// Lines of the tower nearer to each other than this share are one line to the eye, and have one
+/// label.
 const ONE_LINE: f64 = 1e-3;
 /// Frequencies nearer to each other than this share are one number.
 const ONE_NUMBER: f64 = 1e-4;
@@ -163,7 +164,8 @@ fn together(names: &[String]) -> String {
     }
 }
 
-/// One frequency of lines upon each other; the first and the last where four digits tell them apart.
+/// One frequency of lines upon each other; the first and the last where four digits tell them
+/// apart.
 fn together_hz(hz: &[f64]) -> String {
     let (low, high) = hz.iter().fold((f64::INFINITY, 0.0_f64), |(low, high), hz| {
         (low.min(*hz), high.max(*hz))
@@ -208,7 +210,8 @@ pub(super) fn three_digits(value: f64) -> String {
 mod tests {
     use super::{three_digits, together, together_hz};
 
-    /// Frequencies on both sides of a rounding limit are one number; those that differ in the fourth digit are two.
+    /// Frequencies on both sides of a rounding limit are one number; those that differ in the
+    /// fourth digit are two.
     #[test]
     fn frequencies_of_one_line_are_told_apart_or_said_once() {
         assert_eq!(together_hz(&[0.242_48, 0.242_51]), "0.2425 Hz");

@@ -18,7 +18,8 @@ use above::{above_text, unresisted_text};
 use field::drawing;
 use lines::{Shown, shown, three_digits};
 
-/// The natural frequencies of tower and blade against the rotor's speed, its excitations, and where they come too near in operation.
+/// The natural frequencies of tower and blade against the rotor's speed, its excitations, and where
+/// they come too near in operation.
 pub fn campbell(campbell: &Campbell) -> Figure {
     let shown = shown(campbell);
     Figure {
@@ -94,7 +95,8 @@ fn margin_percent(share: f64) -> f64 {
     (share * 1e11).round() / 1e9
 }
 
-/// The lines with their points, then the excitations in operation: that of a tower's mode is the same at every speed.
+/// The lines with their points, then the excitations in operation: that of a tower's mode is the
+/// same at every speed.
 fn table(campbell: &Campbell) -> DataTable {
     let header = ["line", "rotor speed (rpm)", "frequency (Hz)"];
     let row = |name: &str, rpm: String, hz: f64| vec![name.to_owned(), rpm, format!("{hz:.4}")];

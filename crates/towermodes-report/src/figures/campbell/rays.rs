@@ -78,7 +78,8 @@ impl Labelled {
     }
 }
 
-/// So many: the rotor's speed, the passing of its blades and what fails, and of the others some, evenly chosen.
+/// So many: the rotor's speed, the passing of its blades and what fails, and of the others some,
+/// evenly chosen.
 fn foremost(campbell: &Campbell, multiples: Vec<usize>, most: usize) -> Vec<usize> {
     if multiples.len() <= most {
         return multiples;

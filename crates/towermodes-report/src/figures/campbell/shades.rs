@@ -1,5 +1,5 @@
-//! What is shaded behind the lines of a Campbell diagram: the speeds of operation, the window of soft-stiff towers, and the margins around
-//! 1P and the passing of the blades.
+//! What is shaded behind the lines of a Campbell diagram: the speeds of operation, the window of
+//! soft-stiff towers, and the margins around 1P and the passing of the blades.
 
 use towermodes::rotor::Campbell;
 
@@ -16,8 +16,8 @@ const AROUND: f64 = 4.0;
 /// From the band of operation to that name: marks on its border reach so far.
 const FROM_BAND: f64 = 26.0;
 
-/// The frequencies of soft-stiff towers: above 1P at the highest speed, below the passing of the blades at the lowest; none where these ranges
-/// overlap.
+/// The frequencies of soft-stiff towers: above 1P at the highest speed, below the passing of the
+/// blades at the lowest; none where these ranges overlap.
 pub(super) fn window_hz(campbell: &Campbell) -> Option<[f64; 2]> {
     let rotor = &campbell.rotor;
     let from_hz = rotor.highest_rpm / 60.0;
@@ -71,7 +71,8 @@ pub(super) fn draw(drawing: &mut Drawing, campbell: &Campbell, shown: &Shown, ax
     }
 }
 
-/// Around the ray of a multiple, in operation: the frequencies f whose distance |n Ω/f − 1| is below the margin, or below twice the margin.
+/// Around the ray of a multiple, in operation: the frequencies f whose distance |n Ω/f − 1| is
+/// below the margin, or below twice the margin.
 fn ribbon(
     drawing: &mut Drawing,
     campbell: &Campbell,
@@ -109,7 +110,8 @@ fn ribbon(
     drawing.polyline(&lower, &stroke);
 }
 
-/// Writes the window's name into it, beside the band of operation and between the lines of modes, where there is room.
+/// Writes the window's name into it, beside the band of operation and between the lines of modes,
+/// where there is room.
 pub(super) fn name_window(drawing: &mut Drawing, campbell: &Campbell, shown: &Shown, axes: &Axes) {
     let Some(window_hz) = window_hz(campbell) else {
         return;
@@ -133,7 +135,8 @@ pub(super) fn name_window(drawing: &mut Drawing, campbell: &Campbell, shown: &Sh
     drawing.text((left + AROUND, middle + 0.35 * SIZE), text, &style);
 }
 
-/// The middle of the widest gap between lines of modes in the window; none if no gap has room for a name.
+/// The middle of the widest gap between lines of modes in the window; none if no gap has room for a
+/// name.
 fn free_height(window_hz: [f64; 2], shown: &Shown, axes: &Axes) -> Option<f64> {
     let frame = axes.frame;
     let [bottom, top] = window_hz.map(|hz| axes.y.at(hz).clamp(frame.top, frame.bottom));

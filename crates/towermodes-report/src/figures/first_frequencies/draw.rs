@@ -118,7 +118,8 @@ fn beside(
     spread(wished, widest + 10.0, range)
 }
 
-/// A mode's name, its mark, its distances and its verdict; `place` is its number and the middle of its lane.
+/// A mode's name, its mark, its distances and its verdict; `place` is its number and the middle of
+/// its lane.
 fn draw_lane(drawing: &mut Drawing, axes: &Axes, lane: &Lane, place: (usize, f64)) {
     let (index, y) = place;
     let Frame { left, right, .. } = axes.frame;

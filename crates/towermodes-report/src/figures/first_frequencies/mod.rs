@@ -12,12 +12,13 @@ use ranges::{Lane, Range, lanes, ranges};
 /// The name that a page calls the picture by.
 const NAME: &str = "first-frequencies";
 
-/// The first fore-aft and side-side frequencies of a tower (where it has none, the lowest coupled ones) on an axis of frequencies, with their
-/// distances to the rotor's speed (1P) and to the passing of its blades; the ranges of these in operation are shaded, and beside them what the
+/// The first fore-aft and side-side frequencies of a tower (where it has none, the lowest coupled
+/// ones) on an axis of frequencies, with their distances to the rotor's speed (1P) and to the
+/// passing of its blades; the ranges of these in operation are shaded, and beside them what the
 /// margin keeps free. None if neither a mode nor an excitation is there to be shown.
 ///
-/// With the margin m an excitation from a to b keeps natural frequencies out of a/(1 + m) to b/(1 − m): there |n Ω/f − 1| is below m at some
-/// speed of operation.
+/// With the margin m an excitation from a to b keeps natural frequencies out of a/(1 + m) to b/(1 −
+/// m): there |n Ω/f − 1| is below m at some speed of operation.
 pub fn first_frequencies(campbell: &Campbell) -> Option<Figure> {
     let (ranges, lanes) = (ranges(campbell), lanes(campbell));
     if ranges.is_empty() || lanes.is_empty() {

@@ -59,7 +59,8 @@ pub(super) fn ranges(campbell: &Campbell) -> Vec<Range> {
     multiples.into_iter().map(range).collect()
 }
 
-/// The first fore-aft and side-side mode, and in place of those that are not there the lowest coupled ones.
+/// The first fore-aft and side-side mode, and in place of those that are not there the lowest
+/// coupled ones.
 pub(super) fn lanes(campbell: &Campbell) -> Vec<Lane> {
     let lines = || campbell.lines.iter().enumerate();
     let is_first_of = |line: &FrequencyLine, wanted: Family| match line.of {

@@ -93,7 +93,8 @@ fn footing(tower: &Tower, half_space: &HalfSpace) -> Vec<Body> {
     ]
 }
 
-/// The hull of the drawing, as nobody knows the platform's shape, with its centre of mass and three moorings.
+/// The hull of the drawing, as nobody knows the platform's shape, with its centre of mass and three
+/// moorings.
 fn floating(tower: &Tower, platform: &FloatingPlatform) -> Vec<Body> {
     let (base_m, height_m) = (tower.base_m(), tower.height_m());
     let keel_m = keel_m(platform, tower);

@@ -1,4 +1,5 @@
-//! The rotor-nacelle assembly in space: the silhouette of the drawing given depth, with blades of a nominal length.
+//! The rotor-nacelle assembly in space: the silhouette of the drawing given depth, with blades of a
+//! nominal length.
 
 use std::f64::consts::{FRAC_PI_2, TAU};
 
@@ -9,7 +10,8 @@ use super::{Body, FAR, MASS, Substance};
 use crate::figures::outline::outer_diameter_m;
 use crate::figures::tower::{MachineForm, ground_m, has_machine, water_m};
 
-/// Length of a blade as a share of the tower's height above water or ground: that of most turbines is 0.6 to 0.8.
+/// Length of a blade as a share of the tower's height above water or ground: that of most turbines
+/// is 0.6 to 0.8.
 const BLADE: f64 = 0.6;
 /// Blades of a rotor that the input says nothing of.
 const USUAL_BLADES: usize = 3;

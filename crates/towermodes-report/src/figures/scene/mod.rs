@@ -16,15 +16,18 @@ const HALF_SIDE: f64 = 0.22;
 const MOST_MASSES: usize = 40;
 /// More sets of wires than this are not drawn.
 const MOST_WIRES: usize = 12;
-/// Radius of the lightest mass and what the heaviest has in addition, as shares of the tower's height.
+/// Radius of the lightest mass and what the heaviest has in addition, as shares of the tower's
+/// height.
 const MASS: [f64; 2] = [0.008, 0.012];
 /// From here on a height or a distance is not drawn, in heights of the tower.
 const FAR: f64 = 4.0;
 
-/// A body of the scene at rest: x fore-aft (downwind), y side-side, z up in the datum of the stations, m.
+/// A body of the scene at rest: x fore-aft (downwind), y side-side, z up in the datum of the
+/// stations, m.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Body {
-    /// The height at which it is fixed to the tower's axis, m: it moves and turns with the section there. Nothing of what stands still.
+    /// The height at which it is fixed to the tower's axis, m: it moves and turns with the section
+    /// there. Nothing of what stands still.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub follows_m: Option<f64>,
     /// What it is made of.
@@ -68,15 +71,18 @@ pub enum Form {
     Solid,
     /// A ball around its only point.
     Ball,
-    /// A straight line from its first point, which follows the tower, to its second, which does not.
+    /// A straight line from its first point, which follows the tower, to its second, which does
+    /// not.
     Line,
     /// The same as a spring.
     Spring,
 }
 
-/// The bodies of a description, those behind first: ground, soil, foundation, wires, masses, machine, water.
+/// The bodies of a description, those behind first: ground, soil, foundation, wires, masses,
+/// machine, water.
 ///
-/// The forms are those of the drawing: machine, platform and blades have no measures in a description and are nominal.
+/// The forms are those of the drawing: machine, platform and blades have no measures in a
+/// description and are nominal.
 pub(super) fn scene(description: &TowerDescription, tower: &Tower) -> Vec<Body> {
     let mut bodies = surroundings::ground(description, tower);
     bodies.extend(foundation::foundation(description, tower));

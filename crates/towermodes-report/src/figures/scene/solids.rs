@@ -7,7 +7,8 @@ use super::{Body, Form, Substance};
 /// Corners of what is round.
 const CORNERS: usize = 24;
 
-/// A block around the tower's axis that stands still, `half_m` to each side, from one height to another.
+/// A block around the tower's axis that stands still, `half_m` to each side, from one height to
+/// another.
 pub(super) fn block(of: Substance, half_m: f64, [low_m, high_m]: [f64; 2]) -> Body {
     let sides = [-half_m, half_m];
     let corners = sides.into_iter().flat_map(|x| sides.map(|y| (x, y)));

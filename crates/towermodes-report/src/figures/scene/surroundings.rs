@@ -13,7 +13,8 @@ const BELOW_KEEL: f64 = 0.08;
 /// Half the side of the water around a platform, as a share of the tower's height.
 const SEA: f64 = 0.5;
 
-/// What is under the tower: soil that holds it, the bed of the water, or the ground that it is clamped to.
+/// What is under the tower: soil that holds it, the bed of the water, or the ground that it is
+/// clamped to.
 pub(super) fn ground(description: &TowerDescription, tower: &Tower) -> Vec<Body> {
     let (height_m, base_m) = (tower.height_m(), tower.base_m());
     let half_m = HALF_SIDE * height_m;

@@ -55,7 +55,8 @@ impl Part {
 /// A motion with less of a mode's energy than this would be a straight line at zero.
 const NOTABLE: f64 = 1e-3;
 
-/// The components that take part in a coupled mode, by its energy; all of x, y and the rotation about z if it has none.
+/// The components that take part in a coupled mode, by its energy; all of x, y and the rotation
+/// about z if it has none.
 pub(super) fn coupled_parts(mode: &Mode) -> Vec<Part> {
     let mean = mode.energy.mean();
     let shares = [

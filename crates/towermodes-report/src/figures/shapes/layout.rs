@@ -83,7 +83,8 @@ pub(super) fn column(tower: &Tower) -> [f64; 2] {
     [left, left + COLUMN]
 }
 
-/// The panels row by row: as few rows as have room for every legend, about equally many panels in each.
+/// The panels row by row: as few rows as have room for every legend, about equally many panels in
+/// each.
 pub(super) fn rows(panels: &[Panel], column: [f64; 2]) -> Vec<&[Panel]> {
     let fits = |row: &[Panel]| {
         let needed: f64 = row.iter().map(|panel| needed_width(panel) + GAP).sum();

@@ -15,11 +15,12 @@ use layout::{WIDTH, column, rows, sheet_height, strips};
 use panels::panels;
 use strip::draw_strip;
 
-/// The shapes of a tower's modes over its height, by family, each as a share of its largest deflection, of torsion and yaw of its largest
-/// rotation.
+/// The shapes of a tower's modes over its height, by family, each as a share of its largest
+/// deflection, of torsion and yaw of its largest rotation.
 ///
-/// Of a family with more than six modes the six lowest are drawn. Where every side-side mode is a fore-aft one turned, there is one panel for
-/// both. Modes of no one family have a panel for each of x, y, z and the rotation about z that takes part in them.
+/// Of a family with more than six modes the six lowest are drawn. Where every side-side mode is a
+/// fore-aft one turned, there is one panel for both. Modes of no one family have a panel for each
+/// of x, y, z and the rotation about z that takes part in them.
 pub fn shapes(description: &TowerDescription, tower: &Tower, solution: &Solution) -> Figure {
     let panels = panels(solution);
     let column = column(tower);

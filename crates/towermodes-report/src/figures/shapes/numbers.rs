@@ -86,7 +86,8 @@ fn rows(mode: &Mode, chosen: &[usize]) -> Vec<Vec<String>> {
     parts.iter().map(row).collect()
 }
 
-/// Which of so many points: at most [`HEIGHTS`] at about equal distances, the first and the last among them.
+/// Which of so many points: at most [`HEIGHTS`] at about equal distances, the first and the last
+/// among them.
 fn chosen(points: usize) -> Vec<usize> {
     if points <= HEIGHTS {
         return (0..points).collect();

@@ -133,7 +133,8 @@ fn coupled(modes: &[&Mode]) -> Vec<Panel> {
     panels.into_iter().flatten().collect()
 }
 
-/// The motions of a floating tower as one body; those in two planes that are the same are one curve.
+/// The motions of a floating tower as one body; those in two planes that are the same are one
+/// curve.
 fn rigid(solution: &Solution) -> Panel {
     let modes: Vec<&Mode> = solution
         .modes

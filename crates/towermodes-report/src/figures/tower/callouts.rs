@@ -96,7 +96,8 @@ pub(super) fn draw_callouts(
     let mut callouts = fitting(&wrapped, room);
     let left_out = LeftOut::new(&wrapped, &callouts);
     callouts.sort_by(|a, b| a.at.1.total_cmp(&b.at.1));
-    // Lines of one callout have equal places, whose order is kept; the first must not rise above what it is about more than the last sinks.
+    // Lines of one callout have equal places, whose order is kept; the first must not rise above
+    // what it is about more than the last sinks.
     let places: Vec<f64> = callouts
         .iter()
         .flat_map(|callout| callout.lines.iter().map(|_| callout.at.1 + 0.35 * TEXT))
@@ -148,7 +149,8 @@ fn wrapped(callout: &Callout, column: &Column) -> Callout {
     }
 }
 
-/// As many as fill so many lines, whole subjects first, then masses up to half of what remains, then stations.
+/// As many as fill so many lines, whole subjects first, then masses up to half of what remains,
+/// then stations.
 fn fitting(callouts: &[Callout], room: usize) -> Vec<Callout> {
     let lines = |callouts: &[Callout]| callouts.iter().map(|c| c.lines.len()).sum::<usize>();
     let of = |subject: Subject| -> Vec<Callout> {

@@ -10,7 +10,8 @@ use crate::figures::quantity::{mass, metres, stiffness};
 use crate::figures::symbols::{center_of_mass, waves};
 use crate::svg::{Colour, Dash, Drawing, Stroke};
 
-/// A platform whose centre is deeper below the base than this many heights of the tower is not drawn whole.
+/// A platform whose centre is deeper below the base than this many heights of the tower is not
+/// drawn whole.
 const DEEPEST: f64 = 4.0;
 
 /// The platform, if the tower floats.

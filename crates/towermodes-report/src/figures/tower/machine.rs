@@ -17,7 +17,8 @@ pub(in crate::figures) fn is_there(rna: &Rna) -> bool {
     *rna != Rna::default()
 }
 
-/// Draws the machine, if there is one; `scale` is the size of the silhouette, 1 in the picture of the tower.
+/// Draws the machine, if there is one; `scale` is the size of the silhouette, 1 in the picture of
+/// the tower.
 pub(super) fn draw_machine(drawing: &mut Drawing, view: &View, tower: &Tower, scale: f64) {
     let rna = tower.rna();
     if !is_there(rna) {
@@ -70,7 +71,8 @@ fn is_in_field(view: &View, (x, y): (f64, f64)) -> bool {
         && (frame.top + 7.0..=frame.bottom - 7.0).contains(&y)
 }
 
-/// Nacelle, hub and the roots of blades from the side, in any unit of length: x from the tower's axis, heights from its top.
+/// Nacelle, hub and the roots of blades from the side, in any unit of length: x from the tower's
+/// axis, heights from its top.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(in crate::figures) struct MachineForm {
     /// Where the nacelle begins, upwind.
@@ -91,8 +93,8 @@ impl MachineForm {
     /// How many times the radius of the tower's top the unit is that lengths go by.
     pub const UNITS: f64 = 1.4;
 
-    /// The form by its unit; a centre of mass that lies so far above the top is at half the nacelle's height, if that is neither flat nor
-    /// higher than `most`.
+    /// The form by its unit; a centre of mass that lies so far above the top is at half the
+    /// nacelle's height, if that is neither flat nor higher than `most`.
     pub fn new(unit: f64, center_above: f64, most: f64) -> Self {
         let front = -1.7 * unit;
         let height = (2.0 * center_above).clamp(1.3 * unit, most.max(1.3 * unit));

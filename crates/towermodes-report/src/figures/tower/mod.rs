@@ -35,9 +35,11 @@ use surroundings::draw_water_and_ground;
 
 /// A tower with what is on it, under it and around it, as its description says.
 ///
-/// Heights and lengths have one scale. Diameters are drawn wider and walls thicker by round factors that the picture names; a tower of which
-/// only the stiffness is known is as wide as the steel tube of the same bending stiffness whose wall is a 200th of its diameter, which goes with
-/// the fourth root of EI. Machine and platform are silhouettes without measures, with their centres of mass to scale.
+/// Heights and lengths have one scale. Diameters are drawn wider and walls thicker by round factors
+/// that the picture names; a tower of which only the stiffness is known is as wide as the steel
+/// tube of the same bending stiffness whose wall is a 200th of its diameter, which goes with the
+/// fourth root of EI. Machine and platform are silhouettes without measures, with their centres of
+/// mass to scale.
 pub fn tower(description: &TowerDescription, tower: &Tower) -> Figure {
     let (view, height) = sheet(description, tower);
     let mut drawing = Drawing::new(WIDTH, height);

@@ -26,7 +26,8 @@ pub(in crate::figures) struct Level {
     pub colour: Colour,
 }
 
-/// A view of the small tower in a column: from what is below its base to its machine; tubes at most so many pixels wide.
+/// A view of the small tower in a column: from what is below its base to its machine; tubes at most
+/// so many pixels wide.
 pub(in crate::figures) fn small_view(
     frame: Frame,
     (description, tower): (&TowerDescription, &Tower),
@@ -72,7 +73,8 @@ pub(in crate::figures) fn levels(description: &TowerDescription, tower: &Tower) 
     water.into_iter().chain(ground).collect()
 }
 
-/// Draws the tower in the column of a view, with its axis of heights; `name` is no other clip's of the sheet.
+/// Draws the tower in the column of a view, with its axis of heights; `name` is no other clip's of
+/// the sheet.
 pub(in crate::figures) fn draw_small(
     drawing: &mut Drawing,
     view: &View,

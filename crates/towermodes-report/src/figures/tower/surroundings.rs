@@ -22,7 +22,8 @@ const SPRING_GAP: f64 = 22.0;
 /// More layers of soil than this are not hatched each in its own way.
 const MOST_LAYERS: usize = 12;
 
-/// The height of the ground around the tower, m, if there is any: the bed, or the surface of the soil.
+/// The height of the ground around the tower, m, if there is any: the bed, or the surface of the
+/// soil.
 pub(in crate::figures) fn ground_m(description: &TowerDescription, tower: &Tower) -> Option<f64> {
     let water = description.water;
     let bed_m = water.map(|water| water.bed_m.unwrap_or(tower.base_m()));
@@ -66,7 +67,8 @@ pub(super) fn draw_water_and_ground(
     }
 }
 
-/// Draws the layers of soil: hatched on the left with springs, on the right bars as wide as they are stiff.
+/// Draws the layers of soil: hatched on the left with springs, on the right bars as wide as they
+/// are stiff.
 pub(super) fn draw_soil(
     drawing: &mut Drawing,
     view: &View,

@@ -1,4 +1,5 @@
-//! Where things are on the sheet: one scale for heights and lengths, another for diameters and a third for walls.
+//! Where things are on the sheet: one scale for heights and lengths, another for diameters and a
+//! third for walls.
 
 use towermodes::Tower;
 
@@ -35,8 +36,8 @@ pub(in crate::figures) struct View {
 }
 
 impl View {
-    /// A view of a tower in a field whose upper edge is at a height (m), with its axis at a place and tubes of readable width, at most
-    /// `widest` pixels.
+    /// A view of a tower in a field whose upper edge is at a height (m), with its axis at a place
+    /// and tubes of readable width, at most `widest` pixels.
     pub fn new(
         tower: &Tower,
         frame: Frame,

@@ -12,7 +12,8 @@ use crate::svg::{Colour, Drawing, Stroke};
 /// More sets of wires than this have no callout each.
 const MOST_WIRES: usize = 6;
 
-/// The height that wires are drawn to, m: the ground, or the base where that is above one of them or there is none.
+/// The height that wires are drawn to, m: the ground, or the base where that is above one of them
+/// or there is none.
 pub(in crate::figures) fn wires_ground_m(description: &TowerDescription, tower: &Tower) -> f64 {
     let lowest_m = description.wires.iter().map(|wires| wires.height_m);
     let lowest_m = lowest_m.fold(f64::INFINITY, f64::min);
@@ -51,7 +52,8 @@ impl Drawn {
     }
 }
 
-/// Draws taut wires to both sides, to the ground; those that go beyond the edge of the field are cut there.
+/// Draws taut wires to both sides, to the ground; those that go beyond the edge of the field are
+/// cut there.
 pub(super) fn draw_wires(
     drawing: &mut Drawing,
     view: &View,

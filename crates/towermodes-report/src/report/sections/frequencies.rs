@@ -197,7 +197,8 @@ fn period(mode: &Mode) -> String {
     }
 }
 
-/// Its label, with the other parts of its energy from one percent on: "1st fore-aft bending (8 % torsion)".
+/// Its label, with the other parts of its energy from one percent on: "1st fore-aft bending (8 %
+/// torsion)".
 pub(super) fn what_it_is(mode: &Mode) -> String {
     let parts = mode.other_parts();
     let shown = parts.iter().filter(|(_, share)| *share >= 0.01);

@@ -19,7 +19,8 @@ use super::document::{Block, Document, Picture, Section};
 use super::table::Table;
 use crate::svg::Figure;
 
-/// Everything that a report says: what decides first, then what it rests on, and at the end what only a checker needs.
+/// Everything that a report says: what decides first, then what it rests on, and at the end what
+/// only a checker needs.
 pub(super) fn document(content: &ReportContent) -> Document {
     let title_block = content.title_block.given().into_iter();
     let document = Document {

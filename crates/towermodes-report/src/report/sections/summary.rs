@@ -184,7 +184,8 @@ fn class_of_family((family, class): &(Family, StiffnessClass)) -> String {
     format!("{} is {class}", family.name())
 }
 
-/// "Of 32 pairs of excitation and mode 30 pass, 1 is near the limit and 1 fails at a margin of 5 %".
+/// "Of 32 pairs of excitation and mode 30 pass, 1 is near the limit and 1 fails at a margin of 5
+/// %".
 fn counts(campbell: &Campbell) -> String {
     let count = |verdict: Verdict| {
         let margins = campbell.margins.iter();

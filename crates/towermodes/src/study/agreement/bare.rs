@@ -1,4 +1,5 @@
-//! A tower without all that is not its own: what its wall and its point masses are over a part of its height.
+//! A tower without all that is not its own: what its wall and its point masses are over a part of
+//! its height.
 
 use super::columns::HeightRange;
 use crate::tower::{
@@ -6,7 +7,8 @@ use crate::tower::{
     TowerDescription, Tube,
 };
 
-/// The part of a tower between two heights, clamped at its base: no machine, foundation, soil, water, wires, weights, shear deformation.
+/// The part of a tower between two heights, clamped at its base: no machine, foundation, soil,
+/// water, wires, weights, shear deformation.
 pub(super) fn bare(
     tower: &Tower,
     point_masses: &[PointMass],
@@ -34,7 +36,8 @@ pub(super) fn bare(
     bare
 }
 
-/// Two rows for a part of a piece; what is equal where pieces meet is joined again when the tower is made.
+/// Two rows for a part of a piece; what is equal where pieces meet is joined again when the tower
+/// is made.
 fn add(piece: &Piece, part: HeightRange, bare: &mut TowerDescription) {
     let ends_m = [part.base_m, part.top_m];
     match piece.profile {
@@ -69,7 +72,8 @@ fn add(piece: &Piece, part: HeightRange, bare: &mut TowerDescription) {
     }
 }
 
-/// The value at a height of what is linear over a piece: exact at both ends, and infinite where both are.
+/// The value at a height of what is linear over a piece: exact at both ends, and infinite where
+/// both are.
 fn linear(piece: &Piece, base: f64, top: f64, height_m: f64) -> f64 {
     if height_m == piece.base_m || base == top {
         base

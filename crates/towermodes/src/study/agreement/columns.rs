@@ -2,7 +2,8 @@
 
 use crate::tower::{Piece, Planes, PointMass, Tower, compliance};
 
-/// Gauss-Legendre nodes and weights on [−1, 1] with three points: exact for EI of a tube, a quartic in height.
+/// Gauss-Legendre nodes and weights on [−1, 1] with three points: exact for EI of a tube, a quartic
+/// in height.
 const GAUSS_3: [(f64, f64); 3] = [
     (-0.774_596_669_241_483_4, 5.0 / 9.0),
     (0.0, 8.0 / 9.0),
@@ -101,12 +102,14 @@ impl Integral {
     }
 }
 
-/// What a tower has along its height, summed so that any part of it is a sum of few terms, none of which is subtracted.
+/// What a tower has along its height, summed so that any part of it is a sum of few terms, none of
+/// which is subtracted.
 pub(super) struct Columns<'a> {
     tower: &'a Tower,
     point_masses: &'a [PointMass],
     reference_m: f64,
-    /// A binary tree of sums: entry i is the sum of entries 2i and 2i + 1, and the second half are the pieces.
+    /// A binary tree of sums: entry i is the sum of entries 2i and 2i + 1, and the second half are
+    /// the pieces.
     sums: Vec<Integral>,
 }
 

@@ -31,7 +31,8 @@ pub struct Compared {
     pub first: f64,
     /// That of the second.
     pub second: f64,
-    /// second/first − 1, or (second − first)/scale for what can be zero; infinite where only the first is zero.
+    /// second/first − 1, or (second − first)/scale for what can be zero; infinite where only the
+    /// first is zero.
     pub difference: f64,
     /// What the difference is worth.
     pub verdict: Verdict,

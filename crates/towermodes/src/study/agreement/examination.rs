@@ -1,4 +1,5 @@
-//! What one tower amounts to: the numbers by which a description is checked against a drawing or a data sheet.
+//! What one tower amounts to: the numbers by which a description is checked against a drawing or a
+//! data sheet.
 
 use super::bare::bare;
 use super::columns::{Columns, HeightRange, tip_flexibility};
@@ -33,7 +34,8 @@ pub struct Examination {
     pub point_masses_kg: f64,
     /// Height of its centre of mass in the datum of the stations, m.
     pub center_of_mass_m: f64,
-    /// Its inertia against rigid motions (x, y, z, rotation about x, y, z) about its base: kg, kg m, kg m².
+    /// Its inertia against rigid motions (x, y, z, rotation about x, y, z) about its base: kg, kg
+    /// m, kg m².
     pub inertia_about_base: SpatialMatrix,
     /// Its inertia about its centre of mass, kg m².
     pub inertia_about_center_kg_m2: Inertia,

@@ -46,7 +46,8 @@ impl ComparedFrequency {
     }
 }
 
-/// The first two frequencies in each plane, by the spectral beam; those that neither tower has are left out.
+/// The first two frequencies in each plane, by the spectral beam; those that neither tower has are
+/// left out.
 pub(super) fn frequencies(
     towers: [&Tower; 2],
     rotary_inertia: bool,

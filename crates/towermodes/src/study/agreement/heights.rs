@@ -6,9 +6,11 @@ use crate::tower::Planes;
 
 /// Heights at which two towers are listed, besides those where they are furthest apart.
 const LISTED_HEIGHTS: usize = 21;
-/// Values by height are means over this share of the height: a step that sits 1 mm higher in one file than in the other is no difference.
+/// Values by height are means over this share of the height: a step that sits 1 mm higher in one
+/// file than in the other is no difference.
 const WINDOW: f64 = 0.01;
-/// Equal parts of the height at whose ends the largest difference is looked for, besides all stations.
+/// Equal parts of the height at whose ends the largest difference is looked for, besides all
+/// stations.
 const SEARCHED: usize = 1000;
 
 /// Two towers at a height.
@@ -16,11 +18,13 @@ const SEARCHED: usize = 1000;
 pub struct AgreementRow {
     /// The height in the datum of the stations, m.
     pub height_m: f64,
-    /// Mass per length, kg/m: the mean over [`Agreement::window_m`](super::Agreement::window_m) around the height.
+    /// Mass per length, kg/m: the mean over [`Agreement::window_m`](super::Agreement::window_m)
+    /// around the height.
     pub mass_kg_per_m: Compared,
     /// EI, N m², the same mean.
     pub bending_n_m2: Planes<Compared>,
-    /// Mass from the base of the overlap to here, with the point masses, kg; the difference is a share of the first tower's whole mass.
+    /// Mass from the base of the overlap to here, with the point masses, kg; the difference is a
+    /// share of the first tower's whole mass.
     pub mass_below_kg: Compared,
 }
 
@@ -89,7 +93,8 @@ impl Heights<'_> {
         )
     }
 
-    /// Where the largest difference can be: means over windows have kinks where a window begins or ends at a station.
+    /// Where the largest difference can be: means over windows have kinks where a window begins or
+    /// ends at a station.
     fn searched_m(&self, stations_m: &[f64]) -> Vec<f64> {
         let half_m = 0.5 * self.window_m();
         let HeightRange { base_m, top_m } = self.overlap;

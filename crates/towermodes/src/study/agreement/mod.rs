@@ -1,7 +1,8 @@
 //! Two descriptions of one tower: whether they agree, and where they do not.
 //!
-//! Two files of different programs may describe the same steel by different columns, rows and steps. What is compared is what a beam
-//! feels of them: masses and EI by height, and the frequencies that follow.
+//! Two files of different programs may describe the same steel by different columns, rows and
+//! steps. What is compared is what a beam feels of them: masses and EI by height, and the
+//! frequencies that follow.
 
 mod bare;
 mod columns;
@@ -85,21 +86,23 @@ pub enum AgreementError {
 pub struct Agreement {
     /// From where to where each tower reaches.
     pub ranges: [HeightRange; 2],
-    /// The heights they share, to which all but [`frequencies_as_given`](Self::frequencies_as_given) refers.
+    /// The heights they share, to which all but
+    /// [`frequencies_as_given`](Self::frequencies_as_given) refers.
     pub overlap: HeightRange,
-    /// How far the second must be lowered for both to reach from one height to one, m, if they are equally long and not at one height:
-    /// they may have different datums.
+    /// How far the second must be lowered for both to reach from one height to one, m, if they are
+    /// equally long and not at one height: they may have different datums.
     pub shift_m: Option<f64>,
     /// Length that values by height are means over, m.
     pub window_m: f64,
     /// Mass with outfitting and point masses, kg.
     pub mass_kg: Compared,
-    /// The point masses in it, kg; the difference is a share of the first tower's mass, and no part of the verdict: what one file has as
-    /// point masses the other may have in its wall.
+    /// The point masses in it, kg; the difference is a share of the first tower's mass, and no part
+    /// of the verdict: what one file has as point masses the other may have in its wall.
     pub point_masses_kg: Compared,
     /// Height of the centre of mass, m; the difference is a share of the overlap's length.
     pub center_of_mass_m: Compared,
-    /// Deflection of the overlap's top by a unit force there, from bending, if its base is clamped, m/N.
+    /// Deflection of the overlap's top by a unit force there, from bending, if its base is clamped,
+    /// m/N.
     pub tip_flexibility_m_per_n: Planes<Compared>,
     /// Where the masses per length (kg/m) are furthest apart.
     pub largest_mass: LargestDifference,
@@ -107,11 +110,13 @@ pub struct Agreement {
     pub largest_bending: Planes<LargestDifference>,
     /// By height: at equal distances, and where they are furthest apart.
     pub rows: Vec<AgreementRow>,
-    /// The first frequencies of the overlap, clamped, with its point masses and nothing else: Euler-Bernoulli beams without rotary
-    /// inertia, shear deformation and weights, because the files of some programs have none of these.
+    /// The first frequencies of the overlap, clamped, with its point masses and nothing else:
+    /// Euler-Bernoulli beams without rotary inertia, shear deformation and weights, because the
+    /// files of some programs have none of these.
     pub frequencies_bare: Vec<ComparedFrequency>,
-    /// The first frequencies of both whole towers as they are described, with machine, foundation, surroundings, rotary inertia and
-    /// shear deformation; none if neither has a machine, a foundation, surroundings or weights.
+    /// The first frequencies of both whole towers as they are described, with machine, foundation,
+    /// surroundings, rotary inertia and shear deformation; none if neither has a machine, a
+    /// foundation, surroundings or weights.
     pub frequencies_as_given: Vec<ComparedFrequency>,
 }
 
@@ -131,8 +136,8 @@ impl Agreement {
         1.0 - self.overlap.length_m() / lengths_m.fold(0.0, f64::max)
     }
 
-    /// The worst verdict of all; towers that do not reach equally far are at least a warning, and fail if more than a hundredth of one is
-    /// not in the other.
+    /// The worst verdict of all; towers that do not reach equally far are at least a warning, and
+    /// fail if more than a hundredth of one is not in the other.
     pub fn verdict(&self) -> Verdict {
         let ranges = if self.ranges_agree() {
             Verdict::Pass

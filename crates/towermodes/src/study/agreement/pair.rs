@@ -11,7 +11,8 @@ use crate::tower::{Foundation, PointMass, Tower, TowerDescription};
 /// Compares two descriptions that should be of the same tower.
 ///
 /// # Errors
-/// [`AgreementError`]: a description that is no tower, towers that share no height, or one that cannot be solved.
+/// [`AgreementError`]: a description that is no tower, towers that share no height, or one that
+/// cannot be solved.
 pub fn agree(
     first: &TowerDescription,
     second: &TowerDescription,

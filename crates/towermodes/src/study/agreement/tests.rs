@@ -155,7 +155,8 @@ fn a_wall_one_percent_thicker_is_seen_at_its_heights() {
         bending,
     );
     assert!((40.5..=59.5).contains(&agreement.largest_mass.height_m));
-    // 0.99 % of mass is over 0.5 %, 0.98 % of EI just below 1 %, a fifth of the mass's below a quarter.
+    // 0.99 % of mass is over 0.5 %, 0.98 % of EI just below 1 %, a fifth of the mass's below a
+    // quarter.
     assert_eq!(agreement.largest_mass.compared.verdict, Verdict::Fail);
     let of_bending = agreement.largest_bending.fore_aft.compared.verdict;
     assert_eq!(of_bending, Verdict::Warn);
@@ -256,7 +257,8 @@ fn point_masses_and_machines_are_part_of_the_comparison() {
     close(agreement.mass_kg.difference, 1e4 / wall);
     close(agreement.point_masses_kg.difference, 1e4 / wall);
     assert!(agreement.ranges_agree());
-    // The machine is not in the bare frequencies, where 10 t on 478 t change f by about −2 · 10/478.
+    // The machine is not in the bare frequencies, where 10 t on 478 t change f by about −2 ·
+    // 10/478.
     let bare = agreement.frequencies_bare[0].compared.expect("both");
     assert!((-0.05..-0.03).contains(&bare.difference));
     let given = agreement.frequencies_as_given[0].compared.expect("both");

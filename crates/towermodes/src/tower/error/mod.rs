@@ -34,7 +34,8 @@ pub enum Problem {
         /// The value given.
         value: f64,
     },
-    /// A size that no quantity of a tower has, and that would not leave the numbers computed from it finite.
+    /// A size that no quantity of a tower has, and that would not leave the numbers computed from
+    /// it finite.
     #[error(
         "{quantity} is {}{unit}, but only sizes from {} to {}{unit} can be computed with",
         Plain(*.value), Plain(*.least), Plain(*.most)

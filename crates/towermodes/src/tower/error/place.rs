@@ -9,7 +9,8 @@ use std::fmt;
 pub enum Place {
     /// The list of stations as a whole.
     Stations,
-    /// One value of one station: `height`, `diameter`, `wall` or `material`; of a row of a property table: `height` or its column.
+    /// One value of one station: `height`, `diameter`, `wall` or `material`; of a row of a property
+    /// table: `height` or its column.
     Station {
         /// Which station.
         index: usize,
@@ -40,7 +41,8 @@ pub enum Place {
         /// Which of its values.
         key: &'static str,
     },
-    /// One value of a layer of soil: `rows`, or of one of its rows `height`, `x`, `y`, `z`, `torsion`.
+    /// One value of a layer of soil: `rows`, or of one of its rows `height`, `x`, `y`, `z`,
+    /// `torsion`.
     Soil {
         /// Which layer.
         layer: usize,

@@ -8,19 +8,23 @@ use crate::Warning;
 use crate::tower::{Inertia, Place, PointMass, Tower};
 use crate::warning::{Ineffective, Quantity, Site};
 
-/// A centre of mass is no further from the tower's top along one axis, m: those of the largest machines are at 15.
+/// A centre of mass is no further from the tower's top along one axis, m: those of the largest
+/// machines are at 15.
 const CENTRE: Usual = Usual::at_most(Quantity::CentreDistance, 25.0);
-/// A machine weighs at least this share of its tower: with a wrong unit it has less than a hundredth.
+/// A machine weighs at least this share of its tower: with a wrong unit it has less than a
+/// hundredth.
 const RNA_SHARE: Usual = Usual::at_least(Quantity::RnaShare, 0.01);
 /// A machine is not heavier than so many towers.
 const TOWERS: f64 = 5.0;
 /// Machines above this mass have inertias that second bending and torsion feel, kg.
 const HEAVY_KG: f64 = 50e3;
-/// Radii of gyration reach to this share of the tower's height: a rotor's is a third of its radius, which is less than the height.
+/// Radii of gyration reach to this share of the tower's height: a rotor's is a third of its radius,
+/// which is less than the height.
 const REACH: f64 = 0.6;
 /// No body is denser throughout than lead, kg/m³.
 const DENSEST_KG_PER_M3: f64 = 12e3;
-/// By so much a principal moment may exceed the sum of the others: inertias are given to two or three digits.
+/// By so much a principal moment may exceed the sum of the others: inertias are given to two or
+/// three digits.
 const ROUNDED: f64 = 0.01;
 
 pub(super) fn check(tower: &Tower, given: &Given<'_>, warnings: &mut Vec<Warning>) {

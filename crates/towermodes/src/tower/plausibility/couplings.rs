@@ -4,7 +4,8 @@ use crate::Warning;
 use crate::space::SpatialMatrix;
 use crate::warning::Site;
 
-/// Couplings below this share of the geometric mean of their diagonal entries are noise of the program that made the matrix.
+/// Couplings below this share of the geometric mean of their diagonal entries are noise of the
+/// program that made the matrix.
 const NOISE: f64 = 0.05;
 
 /// A matrix and what it is called.
@@ -36,7 +37,8 @@ pub(super) fn check(named: &Named<'_>, warnings: &mut Vec<Warning>) {
     warnings.extend(acts_above(named));
 }
 
-/// A translation with the rotation about the same axis: nothing that is the same on both sides of a plane through the tower has it.
+/// A translation with the rotation about the same axis: nothing that is the same on both sides of a
+/// plane through the tower has it.
 fn along_axis(what: &'static str, site: Site, matrix: &SpatialMatrix, warnings: &mut Vec<Warning>) {
     let couples = |i: &usize| {
         let diagonal = matrix[*i][*i].abs().sqrt() * matrix[i + 3][i + 3].abs().sqrt();
@@ -53,7 +55,8 @@ fn along_axis(what: &'static str, site: Site, matrix: &SpatialMatrix, warnings: 
     }
 }
 
-/// A spring or a mass k at a height h above the point has k h in row 1, column 5 and −k h in row 2, column 4.
+/// A spring or a mass k at a height h above the point has k h in row 1, column 5 and −k h in row 2,
+/// column 4.
 fn acts_above(named: &Named<'_>) -> Option<Warning> {
     let highest_m = named.highest_m?;
     let m = named.matrix;

@@ -10,15 +10,18 @@ use crate::tower::validate::largest_asymmetry;
 use crate::tower::{Place, Tower};
 use crate::warning::{Quantity, Site};
 
-/// A platform weighs at least this share of the turbine on it: tension-leg platforms have about one.
+/// A platform weighs at least this share of the turbine on it: tension-leg platforms have about
+/// one.
 const SHARE: Usual = Usual::at_least(Quantity::PlatformShare, 0.05);
 /// Slow spars have 0.03 Hz, tension-leg platforms 1 Hz.
 const HEAVE_HZ: Usual = Usual::new(Quantity::HeaveFrequency, 0.008, 5.0);
 /// Slack moorings give 0.004 Hz.
 const SURGE_HZ: Usual = Usual::new(Quantity::SurgeFrequency, 0.001, 2.0);
-/// Platforms and their moorings reach no further from the tower's base than so many times the tower's height.
+/// Platforms and their moorings reach no further from the tower's base than so many times the
+/// tower's height.
 const DEPTH: f64 = 4.0;
-/// The centre of what is in the water may be above the tower's base by this share of its height: entries are rounded.
+/// The centre of what is in the water may be above the tower's base by this share of its height:
+/// entries are rounded.
 const ABOVE: f64 = 0.05;
 
 pub(super) fn check(tower: &Tower, platform: &FloatingPlatform, warnings: &mut Vec<Warning>) {
@@ -86,7 +89,8 @@ fn body(tower: &Tower, platform: &FloatingPlatform, warnings: &mut Vec<Warning>)
     bodies::inertia(mass_kg, inertia, reach_m, at("inertia"), warnings);
 }
 
-/// The floater as a mass on its springs: heave on water plane and moorings, surge and sway on the moorings.
+/// The floater as a mass on its springs: heave on water plane and moorings, surge and sway on the
+/// moorings.
 fn frequencies(tower: &Tower, platform: &FloatingPlatform, warnings: &mut Vec<Warning>) {
     let mass_kg = tower.mass_kg() + tower.rna().mass_kg + platform.mass_kg;
     let added = &platform.added_mass.matrix;

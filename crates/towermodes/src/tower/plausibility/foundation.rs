@@ -1,4 +1,5 @@
-//! What the tower stands on: springs against the tower's own stiffness and mass, footings, couplings.
+//! What the tower stands on: springs against the tower's own stiffness and mass, footings,
+//! couplings.
 
 use super::couplings::{self, Named};
 use super::usual::Usual;
@@ -18,11 +19,13 @@ const LATERAL: Usual = Usual::at_least(Quantity::LateralStiffness, 30.0);
 const TORSION: Usual = Usual::at_least(Quantity::TorsionStiffness, 0.2);
 const LATERAL_HZ: Usual = Usual::at_least(Quantity::LateralFrequency, 0.8);
 const VERTICAL_HZ: Usual = Usual::at_least(Quantity::VerticalFrequency, 1.5);
-/// The lever of springs is at least this share of the section's radius of gyration: a footing is wider than the tower, a pile as wide.
+/// The lever of springs is at least this share of the section's radius of gyration: a footing is
+/// wider than the tower, a pile as wide.
 const LEVER: f64 = 0.5;
 /// Speed of sound in steel, m/s.
 const SOUND_M_PER_S: f64 = 5000.0;
-/// A foundation's centre may be above the base by this share of the tower's height: entries are rounded.
+/// A foundation's centre may be above the base by this share of the tower's height: entries are
+/// rounded.
 const ABOVE: f64 = 0.005;
 
 pub(super) fn check(tower: &Tower, given: &Given<'_>, warnings: &mut Vec<Warning>) {
@@ -80,7 +83,8 @@ fn coupling(tower: &Tower, what: &'static str, key: &'static str, warnings: &mut
     );
 }
 
-/// Springs that alone hold the tower, against its own stiffness and mass; soil and wires may do their work.
+/// Springs that alone hold the tower, against its own stiffness and mass; soil and wires may do
+/// their work.
 fn springs(
     tower: &Tower,
     given: &Given<'_>,
@@ -112,8 +116,8 @@ fn springs(
     }
 }
 
-/// The softer plane's rocking spring against EI/H, the torsion spring against GJ/H; those that are zero or infinite are not meant to hold,
-/// or to give.
+/// The softer plane's rocking spring against EI/H, the torsion spring against GJ/H; those that are
+/// zero or infinite are not meant to hold, or to give.
 fn against_rotation(
     tower: &Tower,
     [rocking, torsion]: [&'static str; 2],
@@ -134,7 +138,8 @@ fn against_rotation(
     }
 }
 
-/// The softer plane's lateral spring against EI/H³ and against the mass that it carries, the vertical one against that mass.
+/// The softer plane's lateral spring against EI/H³ and against the mass that it carries, the
+/// vertical one against that mass.
 fn against_translation(
     tower: &Tower,
     [lateral, vertical]: [&'static str; 2],

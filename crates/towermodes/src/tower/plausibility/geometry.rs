@@ -14,7 +14,8 @@ const TALLEST_M: f64 = 1000.0;
 const THINNEST: f64 = 500.0;
 /// No tube of concrete, and no mast of a small turbine, has a thicker one.
 const THICKEST: f64 = 10.0;
-/// No steel tube wider than [`WIDE_M`] has a thicker one, but for flanges, which are short: built towers and piles have 50 to 300.
+/// No steel tube wider than [`WIDE_M`] has a thicker one, but for flanges, which are short: built
+/// towers and piles have 50 to 300.
 const THICKEST_STEEL: f64 = 30.0;
 /// A tube is wide from this diameter on, m.
 const WIDE_M: f64 = 1.5;
@@ -95,7 +96,8 @@ fn thickest(stations: &[Station], materials: &[Material], index: usize) -> f64 {
     }
 }
 
-/// Whether a station is an end of a part of the tower whose material is of a kind: a row's material reaches up to the next row.
+/// Whether a station is an end of a part of the tower whose material is of a kind: a row's material
+/// reaches up to the next row.
 fn is_end_of(stations: &[Station], index: usize, is_of_kind: impl Fn(usize) -> bool) -> bool {
     let below = index.saturating_sub(1);
     let above = (index + 2).min(stations.len());

@@ -9,7 +9,8 @@ use crate::warning::{Ineffective, Quantity, Site};
 const DENSITY: Usual = Usual::new(Quantity::Density, 300.0, 25e3);
 const YOUNGS_MODULUS: Usual = Usual::new(Quantity::YoungsModulus, 1e9, 1e12);
 const POISSONS_RATIO: Usual = Usual::new(Quantity::PoissonsRatio, 0.0, 0.49);
-/// Plastics with fibres of glass have 3500 m/s, with fibres of carbon up to 9700; steel whose density carries bolts and paint 4500.
+/// Plastics with fibres of glass have 3500 m/s, with fibres of carbon up to 9700; steel whose
+/// density carries bolts and paint 4500.
 const WAVE_SPEED: Usual = Usual::new(Quantity::MaterialWaveSpeed, 1500.0, 9800.0);
 const OUTFITTING_FACTOR: Usual = Usual::new(Quantity::OutfittingFactor, 0.9, 2.0);
 
@@ -25,7 +26,8 @@ pub(super) fn check(tower: &Tower, given: &Given<'_>, warnings: &mut Vec<Warning
     useless(tower, &used, warnings);
 }
 
-/// Which of the materials a part of the tower is made of: a row's material reaches up to the next row.
+/// Which of the materials a part of the tower is made of: a row's material reaches up to the next
+/// row.
 fn used(tower: &Tower, count: usize) -> Vec<bool> {
     let mut used = vec![false; count];
     for pair in tower.stations().windows(2) {

@@ -1,7 +1,9 @@
-//! Inputs that are possible but look like a slip: a wrong unit, a lost digit, a wrong sign, radians.
+//! Inputs that are possible but look like a slip: a wrong unit, a lost digit, a wrong sign,
+//! radians.
 //!
-//! Each quantity is compared with what physics allows or with what every built tower has, never with a list of words. Limits are generous:
-//! a warning that is mostly wrong is not read. Where rows have a quantity, the row that is furthest off is named.
+//! Each quantity is compared with what physics allows or with what every built tower has, never
+//! with a list of words. Limits are generous: a warning that is mostly wrong is not read. Where
+//! rows have a quantity, the row that is furthest off is named.
 
 mod bodies;
 mod couplings;

@@ -1,10 +1,14 @@
-//! Rows whose value does not go with those of the rows beside them: a digit, or one of an exponent, is wrong.
+//! Rows whose value does not go with those of the rows beside them: a digit, or one of an exponent,
+//! is wrong.
 
-/// No built tower has a row that is so many times as stiff, or as wide, as both rows beside it, or so many times less.
+/// No built tower has a row that is so many times as stiff, or as wide, as both rows beside it, or
+/// so many times less.
 const SPIKE: f64 = 4.0;
-/// How far from a power of ten a ratio may be, in powers of ten, that a wrong exponent makes: what is real beside it varies as well.
+/// How far from a power of ten a ratio may be, in powers of ten, that a wrong exponent makes: what
+/// is real beside it varies as well.
 const NEAR_A_POWER: f64 = 0.12;
-/// Rows that go together differ by no more than this factor from one to the next, where the value of the next one is foretold.
+/// Rows that go together differ by no more than this factor from one to the next, where the value
+/// of the next one is foretold.
 const SMOOTH: f64 = 2.0;
 
 /// What a value has to be to be out of line.
@@ -12,7 +16,8 @@ const SMOOTH: f64 = 2.0;
 pub(super) enum Spike {
     /// Any value far from its neighbours': nothing real makes it.
     Any,
-    /// A power of ten away from them: something real, as a mass that is spread over a short length, can make any other value.
+    /// A power of ten away from them: something real, as a mass that is spread over a short length,
+    /// can make any other value.
     PowerOfTen,
 }
 
@@ -25,7 +30,8 @@ impl Spike {
     }
 }
 
-/// The value that is furthest out of line of positive values at heights (m): its index, and what the values beside it make expect.
+/// The value that is furthest out of line of positive values at heights (m): its index, and what
+/// the values beside it make expect.
 pub(super) fn worst(heights_m: &[f64], values: &[f64], spike: Spike) -> Option<(usize, f64)> {
     let out_of_line = (0..values.len()).filter_map(|index| {
         let expected = expected(heights_m, values, index, spike)?;

@@ -6,10 +6,12 @@ use crate::Warning;
 use crate::tower::{Piece, Place, Plane, SoilRow, Tower};
 use crate::warning::{Ineffective, Quantity, Site};
 
-/// The stiffest row of a layer is at least as stiff as very soft clay; no rock is stiffer than the other.
+/// The stiffest row of a layer is at least as stiff as very soft clay; no rock is stiffer than the
+/// other.
 const STIFFEST_ROW: Usual = Usual::new(Quantity::SoilSpring, 5e4, 1e12);
 const PLANES: Usual = Usual::new(Quantity::SoilPlaneRatio, 0.1, 10.0);
-/// A tower that soil holds reaches into it over at least this share of the length over which it bends there.
+/// A tower that soil holds reaches into it over at least this share of the length over which it
+/// bends there.
 const WINKLER: Usual = Usual::at_least(Quantity::WinklerLengths, 0.5);
 /// A base whose rocking spring is at least so many times EI/H holds the tower without the soil.
 const HOLDS: f64 = 5.0;

@@ -1,4 +1,5 @@
-//! What the rows of a property table say of their material and shape: speeds of waves and radii of gyration, row by row and plane by plane.
+//! What the rows of a property table say of their material and shape: speeds of waves and radii of
+//! gyration, row by row and plane by plane.
 
 use std::f64::consts::PI;
 
@@ -18,7 +19,8 @@ const WIDEST_SHARE: f64 = 0.25;
 /// EI of one plane is at most so many times that of the other.
 const PLANES_APART: f64 = 5.0;
 
-/// A speed that a material has. One row may carry a mass that is spread over it; half of the rows do not.
+/// A speed that a material has. One row may carry a mass that is spread over it; half of the rows
+/// do not.
 struct Speed {
     key: &'static str,
     quantity: Quantity,
@@ -125,8 +127,8 @@ fn check_speed(speed: &Speed, rows: &[PropertyStation], warnings: &mut Vec<Warni
     check_worst(values.filter(|(_, value, _)| value.is_finite()), warnings);
 }
 
-/// The radius of gyration of a section in each plane, with the range that it can be in: no section is narrower than a solid rod that is as
-/// heavy, r² = A/(4π).
+/// The radius of gyration of a section in each plane, with the range that it can be in: no section
+/// is narrower than a solid rod that is as heavy, r² = A/(4π).
 fn radii_of(
     index: usize,
     row: &PropertyStation,

@@ -7,7 +7,8 @@ use crate::Warning;
 use crate::tower::{Place, Tower, Wires};
 use crate::warning::{Ineffective, Quantity, Site};
 
-/// Stays of small masts are 5 mm thick. There is no upper limit: decks hold towers rigidly with wires.
+/// Stays of small masts are 5 mm thick. There is no upper limit: decks hold towers rigidly with
+/// wires.
 const DIAMETER: Usual = Usual::at_least(Quantity::WireDiameter, 0.003);
 const COUNT: Usual = Usual::at_most(Quantity::WireCount, 24.0);
 /// A right angle in radians is 1.57.

@@ -11,9 +11,11 @@ use crate::tower::foundation::{
     FloatingPlatform, Foundation, FoundationSprings, HalfSpace, StiffnessFoundation,
 };
 
-/// Entries of a stiffness that should be equal may differ by this share of their diagonal entries: they are often printed rounded.
+/// Entries of a stiffness that should be equal may differ by this share of their diagonal entries:
+/// they are often printed rounded.
 const ROUNDED: f64 = 1e-6;
-/// Entries of a floating platform's matrices may differ by this share of the larger one: they come from panel codes.
+/// Entries of a floating platform's matrices may differ by this share of the larger one: they come
+/// from panel codes.
 const SLIGHTLY: f64 = 0.05;
 /// … or by this share of their diagonal entries.
 const NOISE: f64 = 1e-3;
@@ -150,7 +152,8 @@ fn check_platform(platform: &FloatingPlatform) -> Result<(), TowerError> {
     check_not_indefinite("added_mass", what, &base.inertia)
 }
 
-/// Weights turn a floating tower over about the point that its hydrostatic stiffness is about: without that they have none.
+/// Weights turn a floating tower over about the point that its hydrostatic stiffness is about:
+/// without that they have none.
 pub(super) fn check_buoyancy(description: &TowerDescription) -> Result<(), TowerError> {
     let Foundation::Floating(platform) = &description.foundation else {
         return Ok(());
@@ -180,7 +183,8 @@ fn check_finite(
     }
 }
 
-/// The first pair of entries that should be equal and are not, by more than a share of the larger and of their diagonal entries.
+/// The first pair of entries that should be equal and are not, by more than a share of the larger
+/// and of their diagonal entries.
 fn asymmetry(
     what: &'static str,
     matrix: &SpatialMatrix,
@@ -203,7 +207,8 @@ fn asymmetry(
     })
 }
 
-/// The largest difference of entries that should be equal, as a share of the larger of the two; 0 if the matrix is symmetric.
+/// The largest difference of entries that should be equal, as a share of the larger of the two; 0
+/// if the matrix is symmetric.
 pub(in crate::tower) fn largest_asymmetry(matrix: &SpatialMatrix) -> f64 {
     let pairs = (0..6).flat_map(|row| (row + 1..6).map(move |column| (row, column)));
     let shares = pairs.map(|(row, column)| {
@@ -214,7 +219,8 @@ pub(in crate::tower) fn largest_asymmetry(matrix: &SpatialMatrix) -> f64 {
     shares.fold(0.0, f64::max)
 }
 
-/// Refuses a matrix with a negative eigenvalue; whether it is negative is judged where its diagonal is scaled to one.
+/// Refuses a matrix with a negative eigenvalue; whether it is negative is judged where its diagonal
+/// is scaled to one.
 fn check_not_indefinite(
     key: &'static str,
     what: &'static str,

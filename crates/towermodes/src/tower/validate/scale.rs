@@ -1,8 +1,10 @@
-//! Whether a number can be a quantity at all: finite, of a possible sign, and of a size that can be computed with.
+//! Whether a number can be a quantity at all: finite, of a possible sign, and of a size that can be
+//! computed with.
 
 use crate::tower::error::{Place, Problem, TowerError};
 
-/// Sizes that are not zero lie between these, in SI units. Products of a few of them stay far from the limits of a double.
+/// Sizes that are not zero lie between these, in SI units. Products of a few of them stay far from
+/// the limits of a double.
 const SIZES: [f64; 2] = [1e-30, 1e30];
 /// Lengths lie between these, m: their fourth powers are in every stiffness.
 const LENGTHS_M: [f64; 2] = [1e-15, 1e9];
@@ -67,7 +69,8 @@ pub(super) fn not_negative(
     error(place, problem)
 }
 
-/// A stiffness to the ground: not negative, and of any finite size, because springs are scaled to themselves and a huge one is a rigid hold.
+/// A stiffness to the ground: not negative, and of any finite size, because springs are scaled to
+/// themselves and a huge one is a rigid hold.
 pub(super) fn stiffness(
     place: Place,
     quantity: &'static str,

@@ -156,7 +156,8 @@ fn surroundings(description: &TowerDescription) -> Vec<String> {
     points
 }
 
-/// What no input of this kind has, and this one has not either; the water and the moorings of a platform are not along the tower.
+/// What no input of this kind has, and this one has not either; the water and the moorings of a
+/// platform are not along the tower.
 fn left_out(description: &TowerDescription) -> String {
     let has_water = description.water.is_some() || !description.added_mass.is_empty();
     let kinds = [
