@@ -1,7 +1,9 @@
 //! `towermodes campbell`.
 
-use towermodes::rotor::{Campbell, CampbellError, FrequencyLine, Rpm, campbell, reach_hz};
-use towermodes::{Options, Solution, Tower, Verdict};
+use towermodes::tower::Rpm;
+use towermodes::{Options, Solution, Tower};
+use towermodes_analysis::Verdict;
+use towermodes_analysis::resonance::{Campbell, CampbellError, FrequencyLine, campbell, reach_hz};
 use towermodes_files::{Note, RotorNotes, TowerInput, write_campbell_csv, write_campbell_json};
 
 use crate::args::{CampbellArguments, ChosenRotor, Format, Prescribed, RotorArguments};
@@ -193,8 +195,8 @@ fn judged(campbell: &Campbell) -> Result<(), Failure> {
 #[cfg(test)]
 mod tests {
     use clap::Parser;
-    use towermodes::rotor::{Excited, FrequencyLine, LineEnd};
     use towermodes::{BladeDescription, BladeFamily, BladeSection};
+    use towermodes_analysis::resonance::{Excited, FrequencyLine, LineEnd};
 
     use super::{campbell_of, lost_note};
     use crate::args::{Arguments, Command, Prescribed};

@@ -2,8 +2,9 @@
 
 use std::path::Path;
 
-use towermodes::study::{AgreementLimits, agree, examine};
-use towermodes::{Rna, Verdict};
+use towermodes::Rna;
+use towermodes_analysis::Verdict;
+use towermodes_analysis::agreement::{AgreementLimits, agree, examine};
 use towermodes_files::{
     FileFormat, NOTHING_LEFT_OUT, Note, TowerInput, write_agreement_json, write_examination_json,
 };

@@ -2,8 +2,8 @@
 
 use std::time::{Duration, Instant};
 
-use towermodes::study::compare_with;
 use towermodes::{Options, Tower, Workspace, solve_with};
+use towermodes_analysis::study::compare_with;
 use towermodes_files::{write_comparison_csv, write_comparison_json};
 
 use crate::args::{CompareArguments, Format};

@@ -1,6 +1,6 @@
 //! `towermodes converge`.
 
-use towermodes::study::{Fineness, converge_with};
+use towermodes_analysis::study::{Fineness, converge_with};
 use towermodes_files::{write_convergence_csv, write_convergence_json};
 
 use crate::args::{ConvergeArguments, Format};

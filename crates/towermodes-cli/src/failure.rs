@@ -4,9 +4,9 @@ use std::io::{self, Write as _};
 use std::process::ExitCode;
 
 use annotate_snippets::{AnnotationKind, Group, Level, Renderer, Snippet};
-use towermodes::elastodyn::ShapesError;
-use towermodes::rotor::CampbellError;
 use towermodes::{BladeError, EigenError, Family, SolveError, TowerError, Warning};
+use towermodes_analysis::elastodyn::ShapesError;
+use towermodes_analysis::resonance::CampbellError;
 use towermodes_files::elastodyn::{MakeError, TowerFileError};
 use towermodes_files::{Diagnostic, FileFormat, InputError, Note, ResultError, Source, TowerInput};
 use towermodes_report::raster::RasterError;

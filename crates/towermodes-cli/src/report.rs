@@ -5,8 +5,8 @@ use std::path::Path;
 
 use sha2::{Digest, Sha256};
 use towermodes::Planes;
-use towermodes::rotor::Campbell;
 use towermodes::{Solution, Tower};
+use towermodes_analysis::resonance::Campbell;
 use towermodes_files::elastodyn::{MakeOptions, make_tower_file};
 use towermodes_files::{FileFormat, Note, Source, TowerInput, encoded_as};
 use towermodes_report::report::{

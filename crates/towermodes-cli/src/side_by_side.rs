@@ -1,7 +1,7 @@
 //! Every method on one tower, as the report and the picture of errors have them.
 
-use towermodes::study::{ColumnSpec, Comparison, compare_with};
 use towermodes::{Method, Options, SolveError, Tower};
+use towermodes_analysis::study::{ColumnSpec, Comparison, compare_with};
 
 use crate::progress::Progress;
 
@@ -48,7 +48,7 @@ pub(crate) fn columns_in_words(columns: &[ColumnSpec]) -> Vec<String> {
 #[cfg(test)]
 mod tests {
     use towermodes::Method;
-    use towermodes::study::ColumnSpec;
+    use towermodes_analysis::study::ColumnSpec;
 
     use super::columns_in_words;
 

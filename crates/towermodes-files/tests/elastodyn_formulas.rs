@@ -1,8 +1,8 @@
 //! ElastoDyn's formulas on the tower file of the NREL 5 MW turbine.
 
 use towermodes::Planes;
-use towermodes::elastodyn::{PlaneModes, TowerModel, TowerPolynomial, TowerStation};
 use towermodes::tower::Plane;
+use towermodes_analysis::elastodyn::{PlaneModes, TowerModel, TowerPolynomial, TowerStation};
 
 /// The first so many numbers of a line.
 fn numbers(line: &str, count: usize) -> Vec<f64> {

@@ -4,11 +4,15 @@
 use crate::pictures;
 
 use pictures::{check, check_labels, input};
-use towermodes::rotor::{
-    Campbell, CampbellOptions, Excited, FrequencyLine, Margin, Rotor, StiffnessClass, campbell,
+use towermodes::Rotor;
+use towermodes::{BladeFamily, Family, Method, Options, solve};
+use towermodes_analysis::Verdict;
+use towermodes_analysis::resonance::{
+    Campbell, CampbellOptions, Excited, FrequencyLine, Margin, StiffnessClass, campbell,
 };
-use towermodes::study::{ColumnSpec, Comparison, Convergence, Fineness, compare, converge};
-use towermodes::{BladeFamily, Family, Method, Options, Verdict, solve};
+use towermodes_analysis::study::{
+    ColumnSpec, Comparison, Convergence, Fineness, compare, converge,
+};
 use towermodes_report::figures;
 use towermodes_report::svg::{Figure, Look};
 

@@ -3,7 +3,8 @@
 use crate::pictures;
 
 use pictures::{EXAMPLES, example, keep};
-use towermodes::rotor::{Campbell, CampbellOptions, Rotor, campbell};
+use towermodes::Rotor;
+use towermodes_analysis::resonance::{Campbell, CampbellOptions, campbell};
 use towermodes_report::figures::first_frequencies;
 use towermodes_report::svg::{Figure, Look};
 
@@ -108,7 +109,7 @@ fn coupled_modes_stand_in_for_missing_ones() {
         &CampbellOptions::default(),
     );
     for (place, line) in diagram.lines.iter_mut().enumerate() {
-        line.of = towermodes::rotor::Excited::Tower {
+        line.of = towermodes_analysis::resonance::Excited::Tower {
             number: place + 1,
             family: towermodes::Family::Coupled,
             order: place + 1,

@@ -9,9 +9,10 @@ use std::fs;
 use std::path::Path;
 
 use pictures::{EXAMPLES, check, check_labels, example, input};
-use towermodes::rotor::{CampbellOptions, Rotor, campbell};
-use towermodes::study::{self, ColumnSpec, Fineness, converge};
+use towermodes::Rotor;
 use towermodes::{Method, Options, solve};
+use towermodes_analysis::resonance::{CampbellOptions, campbell};
+use towermodes_analysis::study::{self, ColumnSpec, Fineness, converge};
 use towermodes_report::figures;
 use towermodes_report::svg::{Figure, Heading, Look};
 

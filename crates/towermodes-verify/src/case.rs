@@ -1,6 +1,6 @@
 //! One case: a tower, its known answers, and the methods that should give them.
 
-use towermodes::study::solve_until;
+use towermodes::solve_until;
 use towermodes::{Method, Mode, Options, Solution, Tower, TowerDescription, Workspace};
 
 use crate::expected::{Digits, Expected, Quantity, families};

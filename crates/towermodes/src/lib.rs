@@ -32,38 +32,34 @@ pub mod beam;
 pub mod blade;
 pub mod chain;
 pub mod eigen;
-pub mod elastodyn;
 pub mod elements;
 mod method;
 pub mod modes;
 mod number;
 pub mod parts;
-pub mod rotor;
 mod solve;
 pub mod space;
-pub mod study;
-mod symmetric;
+pub mod symmetric;
 pub mod tower;
-mod verdict;
 mod warning;
 
 pub use blade::{Blade, BladeDescription, BladeError, BladeSection};
 pub use eigen::{EigenError, Statistics};
 pub use method::Method;
 pub use modes::{ByMotion, Energy, Family, ShapePoint};
-pub use number::Plain;
-pub use rotor::Rotor;
+pub use number::{Plain, four_digits};
 pub use solve::{
     BladeFamily, BladeMode, BladeSolution, Certificate, DEFAULT_MODES, DEFAULT_POINTS,
     DEFAULT_SEGMENTS, MAX_BYTES, MAX_DEGREE, MAX_POINTS, MAX_SECONDS, MAX_SEGMENTS,
-    MAX_SPECTRAL_ELEMENTS, Mode, Options, Progress, Solution, SolveError, Stage, Workspace, solve,
-    solve_blade, solve_certain, solve_with,
+    MAX_SPECTRAL_ELEMENTS, Mode, ModeKey, Options, Progress, Solution, SolveError, Stage,
+    Workspace, blade_degrees_of_freedom, solve, solve_blade, solve_blade_once, solve_certain,
+    solve_until, solve_with,
 };
 pub use tower::{
     AddedMassRow, FloatingPlatform, Foundation, FoundationSprings, HalfSpace, Inertia, Material,
     PartNames, Place, Plane, Planes, PointMass, Problem, Properties, PropertyStation,
-    ReferredMatrix, RigidBody, Rna, Shear, SoilRow, SoilStiffness, Station, StiffnessFoundation,
-    Tower, TowerDescription, TowerError, Water, Wires, is_printable, printable,
+    ReferredMatrix, RigidBody, Rna, Rotor, Shear, SoilRow, SoilStiffness, Station,
+    StiffnessFoundation, Tower, TowerDescription, TowerError, Water, Wires, is_printable,
+    printable,
 };
-pub use verdict::Verdict;
 pub use warning::{Ineffective, Quantity, Site, Warning};

@@ -75,14 +75,20 @@ fn rounded(value: f64, digits: usize) -> f64 {
     format!("{value:.decimals$e}").parse().unwrap_or(value)
 }
 
-/// To six digits.
+/// Rounded to six significant digits.
 pub(crate) fn significant(value: f64) -> f64 {
     rounded(value, 6)
 }
 
-/// Four digits, zeros at the end too, as frequencies are read: "0.3450"; with an exponent far from
-/// 1.
-pub(crate) fn four_digits(value: f64) -> String {
+/// A number with four significant digits and its trailing zeros, as frequencies are read, and with
+/// an exponent below 1e-3 and from 1e5.
+///
+/// # Example
+/// ```
+/// assert_eq!(towermodes::four_digits(0.345), "0.3450");
+/// assert_eq!(towermodes::four_digits(3.2e-7), "3.200e-7");
+/// ```
+pub fn four_digits(value: f64) -> String {
     if value == 0.0 {
         return "0".to_owned();
     }

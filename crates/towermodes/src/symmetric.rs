@@ -3,11 +3,20 @@
 /// Sweeps after which Jacobi's method has long converged.
 const MAX_SWEEPS: usize = 60;
 
-/// The eigenvalues of a symmetric matrix, rising, and the eigenvector of each as a row.
+/// The eigenvalues of a symmetric matrix in rising order, and the eigenvector of each as a row.
 ///
 /// Jacobi's cyclic rotations (Golub & Van Loan 2013, ch. 8.5), which find small eigenvalues of
 /// scaled matrices to full accuracy.
-pub(crate) fn eigenpairs<const N: usize>(mut a: [[f64; N]; N]) -> ([f64; N], [[f64; N]; N]) {
+///
+/// # Example
+/// ```
+/// use towermodes::symmetric::eigenpairs;
+///
+/// let (values, vectors) = eigenpairs([[2.0, 1.0], [1.0, 2.0]]);
+/// assert!((values[0] - 1.0).abs() < 1e-15 && (values[1] - 3.0).abs() < 1e-15);
+/// assert!((vectors[1][0] - vectors[1][1]).abs() < 1e-15);
+/// ```
+pub fn eigenpairs<const N: usize>(mut a: [[f64; N]; N]) -> ([f64; N], [[f64; N]; N]) {
     let mut vectors: [[f64; N]; N] =
         std::array::from_fn(|i| std::array::from_fn(|j| f64::from(u8::from(i == j))));
     for _ in 0..MAX_SWEEPS {

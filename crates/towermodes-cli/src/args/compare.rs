@@ -1,8 +1,8 @@
 //! The arguments of `compare`.
 
 use clap::Args;
-use towermodes::study::ColumnSpec;
 use towermodes::{MAX_SEGMENTS, Method, Options};
+use towermodes_analysis::study::ColumnSpec;
 
 use super::Destination;
 use super::input::InputArguments;

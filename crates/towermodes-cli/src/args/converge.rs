@@ -1,8 +1,8 @@
 //! The arguments of `converge`.
 
 use clap::Args;
-use towermodes::study::Fineness;
 use towermodes::{MAX_DEGREE, MAX_SEGMENTS, Method, Options};
+use towermodes_analysis::study::Fineness;
 
 use super::Destination;
 use super::input::InputArguments;

@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use clap::{Args, Subcommand, ValueEnum};
-use towermodes::elastodyn::{MAX_STATIONS, Rows};
+use towermodes_analysis::elastodyn::{MAX_STATIONS, Rows};
 use towermodes_files::elastodyn::{Damping, MakeOptions};
 
 use super::file_of;

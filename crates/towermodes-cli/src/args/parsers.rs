@@ -2,7 +2,7 @@
 
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use towermodes::Method;
-use towermodes::rotor::FASTEST_RPM;
+use towermodes::tower::FASTEST_RPM;
 
 /// A method by its name.
 pub(super) fn method_parser() -> impl TypedValueParser<Value = Method> {

@@ -1,7 +1,9 @@
 //! What the rotor is taken for: its speeds, its blades, the margin asked for.
 
 use clap::Args;
-use towermodes::rotor::{CampbellOptions, DEFAULT_MARGIN, MOST_BLADES, Rotor};
+use towermodes::Rotor;
+use towermodes::tower::MOST_BLADES;
+use towermodes_analysis::resonance::{CampbellOptions, DEFAULT_MARGIN};
 
 use super::parsers::{margin_parser, number_parser, speeds_parser};
 

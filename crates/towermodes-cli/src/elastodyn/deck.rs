@@ -2,10 +2,10 @@
 
 use std::path::Path;
 
-use towermodes::elastodyn::{
+use towermodes::{Method, Options, Planes, Tower};
+use towermodes_analysis::elastodyn::{
     PointMasses, Rows, TowerModel, TowerShapes, TowerStation, tower_rows, tower_shapes,
 };
-use towermodes::{Method, Options, Planes, Tower};
 use towermodes_files::elastodyn::{ElastoDynDeck, MakeError, read_elastodyn, torsion_notes};
 use towermodes_files::{Beside, FileFormat, InputError, Note, ReadOptions, Source, TowerInput};
 

@@ -1,7 +1,7 @@
 //! `towermodes elastodyn validate`.
 
-use towermodes::Verdict;
-use towermodes::elastodyn::{JudgementLimits, judge};
+use towermodes_analysis::Verdict;
+use towermodes_analysis::elastodyn::{JudgementLimits, judge};
 use towermodes_files::elastodyn::MakeError;
 use towermodes_files::write_judgement_json;
 

@@ -1,7 +1,7 @@
 //! The pictures of methods: as their segments get more, and side by side.
 
-use towermodes::study::{Comparison, Convergence, Fineness, Level, converge_with};
 use towermodes::{MAX_SEGMENTS, Method, Options, Tower};
+use towermodes_analysis::study::{Comparison, Convergence, Fineness, Level, converge_with};
 use towermodes_report::figures;
 
 use super::Drawn;

@@ -1,7 +1,10 @@
 //! Two descriptions of one tower for people, and what one describes.
 
-use towermodes::study::{Agreement, Compared, ComparedFrequency, Examination, LargestDifference};
-use towermodes::{Tower, Verdict};
+use towermodes::Tower;
+use towermodes_analysis::Verdict;
+use towermodes_analysis::agreement::{
+    Agreement, Compared, ComparedFrequency, Examination, LargestDifference,
+};
 
 use super::text::{align_right, four_digits, plain_table, title, tonnes};
 

@@ -1,8 +1,11 @@
 //! A Campbell diagram for people: which excitation comes how near to which mode, and where the
 //! tower stands among them.
 
-use towermodes::rotor::{Campbell, Excited, FrequencyLine, Margin, Rotor, Rpm};
-use towermodes::{Tower, Verdict};
+use towermodes::Rotor;
+use towermodes::Tower;
+use towermodes::tower::Rpm;
+use towermodes_analysis::Verdict;
+use towermodes_analysis::resonance::{Campbell, Excited, FrequencyLine, Margin};
 
 use super::text::{align_right, counted, plain_table, title, with_error, wrapped};
 
@@ -144,8 +147,10 @@ fn percent(share: f64) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::{distance, hidden, summary, unresisted};
-    use towermodes::rotor::{Campbell, Excited, FrequencyLine, Margin, Rotor};
-    use towermodes::{Family, Material, Station, Tower, TowerDescription, Verdict};
+    use towermodes::Rotor;
+    use towermodes::{Family, Material, Station, Tower, TowerDescription};
+    use towermodes_analysis::Verdict;
+    use towermodes_analysis::resonance::{Campbell, Excited, FrequencyLine, Margin};
 
     fn campbell() -> Campbell {
         let (family, order) = (Family::Surge, 1);

@@ -3,8 +3,8 @@
 
 use std::time::Duration;
 
-use towermodes::study::{Column, Comparison};
 use towermodes::{Family, Method, Tower};
+use towermodes_analysis::study::{Column, Comparison};
 
 use super::text::{align_right, plain_table, title};
 

@@ -1,7 +1,7 @@
 //! How a method converges, for people: errors, observed orders, and a picture of both.
 
 use towermodes::Tower;
-use towermodes::study::{Convergence, Fineness, Level};
+use towermodes_analysis::study::{Convergence, Fineness, Level};
 use towermodes_report::terminal;
 
 use super::text::{align_right, plain_table, title};
@@ -106,7 +106,7 @@ fn mark(index: usize) -> char {
 #[cfg(test)]
 mod tests {
     use super::{fineness, named};
-    use towermodes::study::{Fineness, Level};
+    use towermodes_analysis::study::{Fineness, Level};
 
     #[test]
     fn segments_are_those_used() {

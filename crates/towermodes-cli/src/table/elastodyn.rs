@@ -1,7 +1,7 @@
 //! Shapes for ElastoDyn for people: how well they fit, how they change, how they are judged.
 
-use towermodes::elastodyn::{Judgement, TowerShape, TowerShapes};
 use towermodes::{Plane, Tower};
+use towermodes_analysis::elastodyn::{Judgement, TowerShape, TowerShapes};
 use towermodes_files::elastodyn::{MadeTowerFile, TowerFile};
 
 use super::text::{align_right, four_digits, plain_table, title};

@@ -1,12 +1,12 @@
 //! A complete tower file of a tower: its rows, its shapes, its damping.
 
 use thiserror::Error;
-use towermodes::elastodyn::{
+use towermodes::{Method, Options, Plane, Planes, Tower};
+use towermodes_analysis::elastodyn::{
     ConcentratedMass as ListedMass, DampingError, Generalized, ModelError, PlaneModes, PointMasses,
     Rows, RowsError, ShapesError, TowerModel, TowerPolynomial, TowerRows, TowerShapes,
     TowerStation, damping_to_write_percent, tower_rows, tower_shapes,
 };
-use towermodes::{Method, Options, Plane, Planes, Tower};
 
 use super::tower_file::{ConcentratedMass, TowerFile, TowerRow};
 use super::writer::header_with_heights;

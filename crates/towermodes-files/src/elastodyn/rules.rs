@@ -1,7 +1,7 @@
 //! What OpenFAST refuses in a tower file.
 
 use thiserror::Error;
-use towermodes::elastodyn::{COEFFICIENT_DECIMALS, RoundingError, TowerPolynomial};
+use towermodes_analysis::elastodyn::{COEFFICIENT_DECIMALS, RoundingError, TowerPolynomial};
 
 use super::tower_file::TowerFile;
 

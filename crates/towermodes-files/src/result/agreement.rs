@@ -5,7 +5,7 @@ use std::io::Write;
 use schemars::JsonSchema;
 use serde::Serialize;
 use towermodes::Planes;
-use towermodes::study::{
+use towermodes_analysis::agreement::{
     Agreement, AgreementRow, Compared, ComparedFrequency, Examination, HeightRange,
     LargestDifference,
 };

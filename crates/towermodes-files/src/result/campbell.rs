@@ -4,8 +4,8 @@ use std::io::Write;
 
 use schemars::JsonSchema;
 use serde::Serialize;
-use towermodes::rotor::{Campbell, Excited, FrequencyLine, Margin, StiffnessClass};
 use towermodes::{Family, Tower, Warning};
+use towermodes_analysis::resonance::{Campbell, Excited, FrequencyLine, Margin, StiffnessClass};
 
 use super::{ResultError, write_pretty};
 use crate::input::Note;

@@ -5,7 +5,7 @@ use std::time::Duration;
 
 use schemars::JsonSchema;
 use serde::Serialize;
-use towermodes::study::{Column, Comparison, FollowedMode};
+use towermodes_analysis::study::{Column, Comparison, FollowedMode};
 
 use super::{ResultError, write_pretty};
 

@@ -4,7 +4,7 @@ use std::io::Write;
 
 use schemars::JsonSchema;
 use serde::Serialize;
-use towermodes::study::{Convergence, Fineness, Level};
+use towermodes_analysis::study::{Convergence, Fineness, Level};
 
 use super::comparison::{FollowedModeJson, followed};
 use super::{ResultError, write_pretty};

@@ -4,8 +4,9 @@ use std::io::Write;
 
 use schemars::JsonSchema;
 use serde::Serialize;
-use towermodes::elastodyn::Judgement;
-use towermodes::{Plane, Verdict};
+use towermodes::Plane;
+use towermodes_analysis::Verdict;
+use towermodes_analysis::elastodyn::Judgement;
 
 use super::{ResultError, write_pretty};
 

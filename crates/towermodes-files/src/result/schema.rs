@@ -2,7 +2,10 @@
 
 use std::io::Write;
 
-use schemars::{JsonSchema, schema_for};
+use schemars::generate::SchemaSettings;
+use schemars::transform::RecursiveTransform;
+use schemars::{JsonSchema, Schema};
+use serde_json::Value;
 
 use super::agreement::{AgreementJson, ExaminationJson};
 use super::blade::BladeSolutionJson;
@@ -56,5 +59,18 @@ pub fn write_json_schema(kind: ResultKind, writer: impl Write) -> Result<(), Res
 }
 
 fn write_schema_of<T: JsonSchema>(writer: impl Write) -> Result<(), ResultError> {
-    write_pretty(&schema_for!(T), writer)
+    let one_line = RecursiveTransform(join_lines);
+    let settings = SchemaSettings::default().with_transform(one_line);
+    write_pretty(
+        &settings.into_generator().into_root_schema_for::<T>(),
+        writer,
+    )
+}
+
+/// Joins the lines of a description: in the source they end at column 100.
+fn join_lines(schema: &mut Schema) {
+    let description = schema.get("description").and_then(Value::as_str);
+    if let Some(joined) = description.map(|text| text.replace('\n', " ")) {
+        schema.insert("description".to_owned(), joined.into());
+    }
 }

@@ -2,7 +2,7 @@
 
 use std::f64::consts::PI;
 
-use towermodes::rotor::MOST_BLADES;
+use towermodes::tower::MOST_BLADES;
 use towermodes::{Place, Rotor};
 
 use super::outline::Outline;

@@ -2,8 +2,11 @@
 
 use std::path::PathBuf;
 
-use towermodes::rotor::{Campbell, CampbellOptions, Excited, StiffnessClass, campbell};
-use towermodes::{BladeFamily, Family, Inertia, Options, RigidBody, Rotor, Verdict, solve};
+use towermodes::{BladeFamily, Family, Inertia, Options, RigidBody, Rotor, solve};
+use towermodes_analysis::Verdict;
+use towermodes_analysis::resonance::{
+    Campbell, CampbellOptions, Excited, StiffnessClass, campbell,
+};
 use towermodes_files::elastodyn::{
     BladeMasses, ElastoDynDeck, lump_rna, read_blade_file, read_elastodyn, read_main_file,
     read_tower_file,
@@ -456,7 +459,7 @@ fn blades_of_the_nrel_5_mw_turbine_are_those_published() {
     );
     // Turning makes it stiffer: flap by more than the part of its own speed, 0.2017 Hz, that
     // Southwell gives a uniform beam at most.
-    let rated = |line: &towermodes::rotor::FrequencyLine| {
+    let rated = |line: &towermodes_analysis::resonance::FrequencyLine| {
         let mut points = line.points.iter();
         points.find(|point| point[0] == 12.1).expect("rated")[1]
     };

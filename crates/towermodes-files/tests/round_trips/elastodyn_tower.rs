@@ -2,8 +2,8 @@
 
 use std::f64::consts::PI;
 
-use towermodes::elastodyn::Rows;
 use towermodes::{Planes, PointMass, Properties, PropertyStation, Station, TowerDescription};
+use towermodes_analysis::elastodyn::Rows;
 use towermodes_files::FileFormat;
 use towermodes_files::elastodyn::{DEFAULT_NODES, MakeOptions};
 

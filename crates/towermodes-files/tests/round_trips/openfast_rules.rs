@@ -2,8 +2,8 @@
 //! `ReadTowerFile` and `ValidateTowerData` of ElastoDyn), said here once more and independently: by
 //! the place of each line.
 
-use towermodes::elastodyn::TowerShape;
 use towermodes::{PointMass, TowerDescription};
+use towermodes_analysis::elastodyn::TowerShape;
 use towermodes_files::elastodyn::{MakeOptions, make_tower_file, write_tower_file};
 
 use super::formats::{tower, with_masses_listed};

@@ -1,6 +1,6 @@
 //! How the errors of a method fall as its segments, or its degree, get more.
 
-use towermodes::study::{Convergence, Fineness, Level};
+use towermodes_analysis::study::{Convergence, Fineness, Level};
 
 use super::end_labels::{self, EndLabel};
 use super::error::hidden_text;

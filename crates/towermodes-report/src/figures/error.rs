@@ -1,7 +1,7 @@
 //! How far the frequencies of several methods are from those of the beam itself.
 
 use towermodes::Method;
-use towermodes::study::{Column, Comparison};
+use towermodes_analysis::study::{Column, Comparison};
 
 use super::error_axis::{ErrorAxis, signed};
 use super::legend::{self, Entry, Sample, words};

@@ -1,9 +1,9 @@
 //! What a report is made of.
 
-use towermodes::elastodyn::TowerShapes;
-use towermodes::rotor::{Campbell, CampbellError};
-use towermodes::study::Comparison;
 use towermodes::{Options, Planes, Solution, SolveError, Tower, TowerDescription};
+use towermodes_analysis::elastodyn::TowerShapes;
+use towermodes_analysis::resonance::{Campbell, CampbellError};
+use towermodes_analysis::study::Comparison;
 
 /// Results and circumstances, all that a report says.
 #[derive(Debug, Clone)]

@@ -1,7 +1,8 @@
 //! What a report says, before it is a page or a text.
 
 use serde::Serialize;
-use towermodes::{Verdict, is_printable};
+use towermodes::is_printable;
+use towermodes_analysis::Verdict;
 
 use super::embedded::EmbeddedFile;
 use super::table::Table;

@@ -2,7 +2,7 @@
 
 use towermodes::Options;
 use towermodes::elements::GAUSS_HINGE_POSITION;
-use towermodes::rotor::{Campbell, DEFAULT_MARGIN};
+use towermodes_analysis::resonance::{Campbell, DEFAULT_MARGIN};
 
 use super::content::ReportContent;
 use super::shell::quoted;

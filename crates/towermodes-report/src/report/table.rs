@@ -1,7 +1,7 @@
 //! Tables of a report, with what is shown of long ones.
 
 use serde::Serialize;
-use towermodes::Verdict;
+use towermodes_analysis::Verdict;
 
 use super::document::Mark;
 use super::number::NOTHING;

@@ -1,6 +1,6 @@
 //! How the errors of a method fall, in braille dots.
 
-use towermodes::study::{Convergence, Fineness, Level};
+use towermodes_analysis::study::{Convergence, Fineness, Level};
 
 use super::chart::{Series, XAxis, chart};
 use crate::figures::error_axis::ROUNDING;

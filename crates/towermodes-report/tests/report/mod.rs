@@ -6,14 +6,15 @@ mod page;
 
 use std::collections::HashSet;
 
-use towermodes::elastodyn::tower_shapes;
-use towermodes::rotor::{CampbellError, CampbellOptions, Rotor, campbell};
-use towermodes::study::{ColumnSpec, compare};
+use towermodes::Rotor;
 use towermodes::{
     AddedMassRow, Foundation, FoundationSprings, Inertia, Material, Method, Options, PartNames,
     Planes, PointMass, Rna, SoilRow, SolveError, Station, Tower, TowerDescription, Water, Wires,
     solve,
 };
+use towermodes_analysis::elastodyn::tower_shapes;
+use towermodes_analysis::resonance::{CampbellError, CampbellOptions, campbell};
+use towermodes_analysis::study::{ColumnSpec, compare};
 use towermodes_report::report::{
     ElastoDynShapes, InputFile, ReportContent, TitleBlock, html, markdown,
 };

@@ -91,8 +91,8 @@ impl Family {
         Self::RIGID.contains(&self)
     }
 
-    /// What one of its modes is called, without the order.
-    pub(crate) fn noun(self) -> &'static str {
+    /// The name of one of its modes without the order: "fore-aft bending", "coupled mode".
+    pub fn noun(self) -> &'static str {
         match self {
             Self::ForeAft => "fore-aft bending",
             Self::SideSide => "side-side bending",
@@ -133,8 +133,12 @@ impl Family {
     }
 }
 
-/// A number as 1st, 2nd, 3rd, 4th …
-pub(crate) struct Ordinal(pub(crate) usize);
+/// Displays a number as an English ordinal: 1st, 2nd, 3rd, 4th, 11th.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Ordinal(
+    /// The number.
+    pub usize,
+);
 
 impl fmt::Display for Ordinal {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {

@@ -98,18 +98,22 @@ pub fn solve_blade(
     modes: usize,
     radii_m: &[f64],
 ) -> Result<BladeSolution, SolveError> {
-    let mut solution = blade_modes(blade, modes, radii_m)?;
+    let mut solution = solve_blade_once(blade, modes, radii_m)?;
     estimate(blade, &blade.description().borders, &mut solution.modes)?;
     Ok(solution)
 }
 
-/// How many unknowns a blade has, and so modes.
-pub(crate) fn blade_degrees_of_freedom(blade: &Blade) -> usize {
+/// The number of degrees of freedom of a blade, and so of its modes.
+pub fn blade_degrees_of_freedom(blade: &Blade) -> usize {
     blade_coordinates(blade) * (blade.description().borders.len() - 1)
 }
 
-/// [`solve_blade`] without the estimate of the elements' errors, which takes most of its time.
-pub(crate) fn blade_modes(
+/// The same as [`solve_blade`] on one mesh, without the discretization error of the modes (it is 0
+/// in the result), which takes most of the time.
+///
+/// # Errors
+/// As [`solve_blade`].
+pub fn solve_blade_once(
     blade: &Blade,
     modes: usize,
     radii_m: &[f64],

@@ -13,17 +13,20 @@ mod reference;
 mod solution;
 mod spectrum;
 mod stability;
+mod until;
 mod warnings;
 mod watch;
 
-pub use blade::{BladeFamily, BladeMode, BladeSolution, solve_blade};
-pub(crate) use blade::{blade_degrees_of_freedom, blade_modes};
+pub use blade::{
+    BladeFamily, BladeMode, BladeSolution, blade_degrees_of_freedom, solve_blade, solve_blade_once,
+};
 pub use certain::solve_certain;
 pub use options::{
     DEFAULT_MODES, DEFAULT_POINTS, DEFAULT_SEGMENTS, MAX_BYTES, MAX_DEGREE, MAX_POINTS,
     MAX_SECONDS, MAX_SEGMENTS, MAX_SPECTRAL_ELEMENTS, Options, SolveError,
 };
 pub use solution::{Certificate, Mode, Solution};
+pub use until::solve_until;
 pub use watch::{Progress, Stage};
 
 use crate::eigen::{EigenError, Statistics};
@@ -36,7 +39,7 @@ use cost::Cost;
 use estimate::estimate_errors;
 use model::{Cut, Model};
 use naming::{Identity, identify};
-pub(crate) use spectrum::ModeKey;
+pub use spectrum::ModeKey;
 use spectrum::{Found, Proof, Spectrum};
 use stability::{VERGE, begin_below_zero, buckles, buckling_load_factor, find_origin, is_pressed};
 use warnings::{irregular, uncertain_end, warnings};

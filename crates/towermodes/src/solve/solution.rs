@@ -108,6 +108,11 @@ impl Mode {
         self.key == other.key
     }
 
+    /// The identity of the mode, the same on any mesh and by any method.
+    pub fn key(&self) -> ModeKey {
+        self.key
+    }
+
     /// 1/frequency, s; infinite for a motion that nothing resists.
     pub fn period_s(&self) -> f64 {
         1.0 / self.frequency_hz

@@ -18,17 +18,20 @@ pub(super) struct Spectrum {
     pub(super) statistics: Statistics,
 }
 
-/// Which mode it is, on any mesh and by any method: its part, its order in it from 1, and which of
-/// two equal planes it is in.
+/// The identity of a mode of a tower, the same on any mesh and by any method.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-pub(crate) struct ModeKey {
-    pub(crate) part: usize,
-    pub(crate) order: usize,
-    pub(crate) is_turned: bool,
+pub struct ModeKey {
+    /// The subsystem (uncoupled group of motions) that the mode belongs to, from 0. Where both
+    /// bending planes are equal, subsystem 0 is bending in either.
+    pub part: usize,
+    /// Order within the subsystem, from 1.
+    pub order: usize,
+    /// Whether it is the side-side copy of a fore-aft mode, of a tower whose planes are equal.
+    pub is_turned: bool,
 }
 
 impl ModeKey {
-    /// Whether it is the same mode but for the plane.
+    /// Whether both modes differ by the bending plane at most.
     pub(super) fn is_twin(self, other: Self) -> bool {
         (self.part, self.order) == (other.part, other.order)
     }

@@ -4,8 +4,8 @@ use super::foundation::Foundation;
 use super::material::Material;
 use super::part_names::PartNames;
 use super::properties::Properties;
+use super::rotor::Rotor;
 use super::surroundings::{AddedMassRow, SoilRow, Water, Wires};
-use crate::rotor::Rotor;
 use crate::symmetric::eigenpairs;
 
 /// One row of the tower's geometry: the tube at a height. Between rows diameter and wall are

@@ -20,6 +20,7 @@ mod plausibility;
 mod properties;
 mod rigid;
 mod rigid_body;
+mod rotor;
 mod section;
 mod surroundings;
 mod validate;
@@ -48,11 +49,11 @@ pub use piece::{Piece, Profile};
 pub use planes::{Plane, Planes};
 pub use properties::Properties;
 pub use rigid_body::RigidBody;
+pub use rotor::{FASTEST_RPM, MOST_BLADES, Rotor, Rpm};
 pub use section::{Section, SectionMasses, Tube};
 pub use surroundings::{AddedMassRow, SoilRow, SoilStiffness, Water, Wires};
 
 pub(crate) use plausibility::inertia_plausibility;
-pub(crate) use validate::check_rotor;
 use weight::Above;
 
 /// A tower that can exist: every property is finite and positive, every wall fits its tube,
@@ -70,7 +71,7 @@ pub struct Tower {
     attachments: Vec<Attachment>,
     base: Base,
     gravity_m_per_s2: f64,
-    rotor: Option<crate::Rotor>,
+    rotor: Option<Rotor>,
     above: Above,
     independent: Vec<Motions>,
     planes_are_equal: bool,
@@ -191,7 +192,7 @@ impl Tower {
     }
 
     /// The rotor, if it is known.
-    pub fn rotor(&self) -> Option<&crate::Rotor> {
+    pub fn rotor(&self) -> Option<&Rotor> {
         self.rotor.as_ref()
     }
 
@@ -273,7 +274,7 @@ impl Tower {
 
     /// What looks like a slip in a rotor on this tower. It matters where its excitations are asked
     /// for, and so it is not among [`warnings`](Self::warnings).
-    pub fn rotor_warnings(&self, rotor: &crate::Rotor) -> Vec<crate::Warning> {
+    pub fn rotor_warnings(&self, rotor: &Rotor) -> Vec<crate::Warning> {
         plausibility::rotor_plausibility(self, rotor)
     }
 }

@@ -1,7 +1,7 @@
 //! What is said of modes that are not in the field of a Campbell diagram.
 
-use towermodes::Verdict;
-use towermodes::rotor::Campbell;
+use towermodes_analysis::Verdict;
+use towermodes_analysis::resonance::Campbell;
 
 use super::lines::Shown;
 

@@ -1,8 +1,8 @@
 //! How far the axes of a Campbell diagram reach: the field of the decision, and a second one for
 //! what is higher.
 
-use towermodes::Verdict;
-use towermodes::rotor::{BEYOND_OPERATION, Campbell, StiffnessClass};
+use towermodes_analysis::Verdict;
+use towermodes_analysis::resonance::{BEYOND_OPERATION, Campbell, StiffnessClass};
 
 use super::lines::is_blade;
 

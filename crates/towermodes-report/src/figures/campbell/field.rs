@@ -1,6 +1,6 @@
 //! The fields of a Campbell diagram: band of operation, excitations, modes, marks, labels.
 
-use towermodes::rotor::Campbell;
+use towermodes_analysis::resonance::Campbell;
 
 use crate::figures::{end_labels, legend};
 use crate::svg::{

@@ -1,7 +1,7 @@
 //! What the lines, marks and shades of a Campbell diagram are.
 
-use towermodes::Verdict;
-use towermodes::rotor::Campbell;
+use towermodes_analysis::Verdict;
+use towermodes_analysis::resonance::Campbell;
 
 use super::lines::{Group, Shown};
 use super::rays::{self, strong};

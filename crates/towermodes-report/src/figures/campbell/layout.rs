@@ -1,6 +1,6 @@
 //! Where the fields of a Campbell diagram are, and which labels stand beside them.
 
-use towermodes::rotor::Campbell;
+use towermodes_analysis::resonance::Campbell;
 
 use crate::figures::end_labels::{self, EndLabel, GAP};
 use crate::svg::{Axes, Frame, Marker, text_width};

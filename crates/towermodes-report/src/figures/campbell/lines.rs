@@ -1,6 +1,6 @@
 //! Which lines of a Campbell diagram are drawn, and what they are called.
 
-use towermodes::rotor::{Campbell, Excited, FrequencyLine};
+use towermodes_analysis::resonance::{Campbell, Excited, FrequencyLine};
 
 use super::extent::{ends_hz, last_rpm};
 use crate::figures::quantity::frequency;

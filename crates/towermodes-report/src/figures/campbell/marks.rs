@@ -1,7 +1,7 @@
 //! The marks of pairs that fail or are warned of, those at one place counted.
 
-use towermodes::Verdict;
-use towermodes::rotor::{Campbell, Margin};
+use towermodes_analysis::Verdict;
+use towermodes_analysis::resonance::{Campbell, Margin};
 
 use super::lines::Shown;
 use crate::svg::{Anchor, Axes, Colour, Drawing, Marker, TextStyle, text_width};
@@ -169,7 +169,7 @@ pub(super) fn draw(drawing: &mut Drawing, clusters: &[Cluster]) {
 
 #[cfg(test)]
 mod tests {
-    use towermodes::Verdict::{Fail, Warn};
+    use towermodes_analysis::Verdict::{Fail, Warn};
 
     use super::{Cluster, apart};
 

@@ -10,7 +10,9 @@ mod marks;
 mod rays;
 mod shades;
 
-use towermodes::rotor::{Campbell, Rotor, Rpm};
+use towermodes::Rotor;
+use towermodes::tower::Rpm;
+use towermodes_analysis::resonance::Campbell;
 
 use crate::svg::{DataTable, Figure};
 

@@ -1,7 +1,7 @@
 //! The excitations of a Campbell diagram: a ray each, and as many labels as there is room for.
 
-use towermodes::Verdict;
-use towermodes::rotor::Campbell;
+use towermodes_analysis::Verdict;
+use towermodes_analysis::resonance::Campbell;
 
 use super::lines::Shown;
 use crate::svg::{Anchor, Axes, Colour, Drawing, Stroke, TextStyle, spread, text_width};
@@ -147,7 +147,7 @@ pub(super) fn upper_ends(
 #[cfg(test)]
 mod tests {
     use towermodes::Rotor;
-    use towermodes::rotor::Campbell;
+    use towermodes_analysis::resonance::Campbell;
 
     use super::foremost;
 

@@ -1,7 +1,7 @@
 //! What is shaded behind the lines of a Campbell diagram: the speeds of operation, the window of
 //! soft-stiff towers, and the margins around 1P and the passing of the blades.
 
-use towermodes::rotor::Campbell;
+use towermodes_analysis::resonance::Campbell;
 
 use super::lines::Shown;
 use super::rays::strong;

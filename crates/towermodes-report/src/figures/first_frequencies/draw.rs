@@ -1,7 +1,7 @@
 //! The bar as it is drawn: shaded ranges, a lane for each mode, distances to both sides.
 
-use towermodes::Verdict;
-use towermodes::rotor::Margin;
+use towermodes_analysis::Verdict;
+use towermodes_analysis::resonance::Margin;
 
 use super::Bar;
 use super::numbers::{distance, word};

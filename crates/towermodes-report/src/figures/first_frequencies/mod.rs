@@ -4,7 +4,7 @@ mod draw;
 mod numbers;
 mod ranges;
 
-use towermodes::rotor::Campbell;
+use towermodes_analysis::resonance::Campbell;
 
 use crate::svg::Figure;
 use ranges::{Lane, Range, lanes, ranges};

@@ -1,7 +1,7 @@
 //! The bar in words and as a table.
 
-use towermodes::Verdict;
-use towermodes::rotor::Margin;
+use towermodes_analysis::Verdict;
+use towermodes_analysis::resonance::Margin;
 
 use super::Bar;
 use super::ranges::{Lane, Range};

@@ -1,7 +1,8 @@
 //! Which excitations and which modes are on the bar, and how far they are from each other.
 
-use towermodes::rotor::{Campbell, Excited, FrequencyLine, Margin};
-use towermodes::{Family, Verdict};
+use towermodes::Family;
+use towermodes_analysis::Verdict;
+use towermodes_analysis::resonance::{Campbell, Excited, FrequencyLine, Margin};
 
 /// Modes on the bar.
 const MOST_LANES: usize = 2;

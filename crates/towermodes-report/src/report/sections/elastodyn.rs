@@ -1,7 +1,7 @@
 //! Polynomial shapes for ElastoDyn, and how well they fit.
 
 use towermodes::Plane;
-use towermodes::elastodyn::{PassedOver, TowerShape};
+use towermodes_analysis::elastodyn::{PassedOver, TowerShape};
 
 use super::super::content::{ElastoDynShapes, ReportContent};
 use super::super::document::Block;

@@ -1,6 +1,6 @@
 //! The input, drawn and in tables.
 
-use towermodes::rotor::Rpm;
+use towermodes::tower::Rpm;
 use towermodes::{Inertia, Rna, Rotor, TowerDescription};
 
 use super::super::content::ReportContent;

@@ -1,7 +1,7 @@
 //! What other methods make of the tower.
 
 use towermodes::Method;
-use towermodes::study::{Column, Comparison};
+use towermodes_analysis::study::{Column, Comparison};
 
 use super::super::content::ReportContent;
 use super::super::document::Block;

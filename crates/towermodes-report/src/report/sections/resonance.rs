@@ -1,7 +1,8 @@
 //! How far what the rotor excites stays from the natural frequencies.
 
-use towermodes::rotor::{Campbell, StiffnessClass};
-use towermodes::{Family, Verdict};
+use towermodes::Family;
+use towermodes_analysis::Verdict;
+use towermodes_analysis::resonance::{Campbell, StiffnessClass};
 
 use super::super::content::ReportContent;
 use super::super::document::Block;

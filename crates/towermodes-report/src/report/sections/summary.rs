@@ -1,7 +1,8 @@
 //! What matters most, in a few lines.
 
-use towermodes::rotor::{Campbell, Margin, StiffnessClass};
-use towermodes::{Family, Mode, Solution, Verdict};
+use towermodes::{Family, Mode, Solution};
+use towermodes_analysis::Verdict;
+use towermodes_analysis::resonance::{Campbell, Margin, StiffnessClass};
 
 use super::super::content::ReportContent;
 use super::super::document::{Block, Mark, Statement};

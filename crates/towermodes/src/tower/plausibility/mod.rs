@@ -24,7 +24,7 @@ use super::foundation::Foundation;
 use super::{AddedMassRow, SoilRow, Tower, Water, Wires};
 use super::{Place, material::Material};
 use crate::Warning;
-use crate::rotor::Rotor;
+use crate::tower::Rotor;
 use crate::warning::{Quantity, Site};
 use usual::Usual;
 

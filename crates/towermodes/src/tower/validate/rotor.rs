@@ -1,8 +1,8 @@
 //! The checks of a rotor.
 
 use super::scale::{error, not_negative, positive};
-use crate::rotor::{FASTEST_RPM, MOST_BLADES, Rotor};
 use crate::tower::error::{Place, Problem, TowerError};
+use crate::tower::rotor::{FASTEST_RPM, MOST_BLADES, Rotor};
 
 /// Everything a rotor must satisfy.
 pub(crate) fn check_rotor(rotor: &Rotor) -> Result<(), TowerError> {

@@ -1,0 +1,142 @@
+//! Mass and bending stiffness of two towers by height, and where they are furthest apart.
+
+use super::columns::{Columns, HeightRange};
+use super::compared::{AgreementLimits, Compared};
+use towermodes::tower::Planes;
+
+/// Heights at which two towers are listed, besides those where they are furthest apart.
+const LISTED_HEIGHTS: usize = 21;
+/// Values by height are means over this share of the height: a step that sits 1 mm higher in one
+/// file than in the other is no difference.
+const WINDOW: f64 = 0.01;
+/// Equal parts of the height at whose ends the largest difference is looked for, besides all
+/// stations.
+const SEARCHED: usize = 1000;
+
+/// Two towers at a height.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct AgreementRow {
+    /// The height in the datum of the stations, m.
+    pub height_m: f64,
+    /// Mass per length, kg/m: the mean over [`Agreement::window_m`](super::Agreement::window_m)
+    /// around the height.
+    pub mass_kg_per_m: Compared,
+    /// EI, N m², the same mean.
+    pub bending_n_m2: Planes<Compared>,
+    /// Mass from the base of the overlap to here, with the point masses, kg; the difference is a
+    /// share of the first tower's whole mass.
+    pub mass_below_kg: Compared,
+}
+
+/// Where two towers are furthest apart in a quantity.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct LargestDifference {
+    /// The middle of the window there, m.
+    pub height_m: f64,
+    /// The means over the window there.
+    pub compared: Compared,
+}
+
+/// Two towers over the heights they share.
+pub(super) struct Heights<'a> {
+    pub(super) columns: [&'a Columns<'a>; 2],
+    pub(super) overlap: HeightRange,
+    pub(super) limits: AgreementLimits,
+}
+
+impl Heights<'_> {
+    /// Length that values are means over, m.
+    pub(super) fn window_m(&self) -> f64 {
+        WINDOW * self.overlap.length_m()
+    }
+
+    /// The window around a height, moved into the overlap at its ends.
+    fn window(&self, height_m: f64) -> HeightRange {
+        let HeightRange { base_m, top_m } = self.overlap;
+        let half_m = 0.5 * self.window_m();
+        // The ends are in order: the window is a hundredth of what is between them.
+        let middle_m = height_m.max(base_m + half_m).min(top_m - half_m);
+        HeightRange {
+            base_m: (middle_m - half_m).max(base_m),
+            top_m: (middle_m + half_m).min(top_m),
+        }
+    }
+
+    /// Means of both over the window around a height: mass per length, EI.
+    fn means(&self, height_m: f64) -> (Compared, Planes<Compared>) {
+        let window = self.window(height_m);
+        let [first, second] = self.columns.map(|columns| columns.means(window));
+        let bending = |a, b| Compared::ratio(a, b, self.limits.stiffness);
+        (
+            Compared::ratio(first.0, second.0, self.limits.mass),
+            first.1.zip(second.1, bending),
+        )
+    }
+
+    /// The largest differences of mass per length and EI anywhere; the lowest of equal ones.
+    pub(super) fn largest(
+        &self,
+        stations_m: &[f64],
+    ) -> (LargestDifference, Planes<LargestDifference>) {
+        let at = |height_m: f64| {
+            let (mass, bending) = self.means(height_m);
+            let found = |compared| LargestDifference { height_m, compared };
+            (found(mass), bending.map(found))
+        };
+        let half_m = 0.5 * self.window_m();
+        let lowest_m = self.overlap.base_m + half_m;
+        self.searched_m(stations_m).into_iter().map(at).fold(
+            at(lowest_m),
+            |(mass, bending), (other_mass, other_bending)| {
+                (larger(mass, other_mass), bending.zip(other_bending, larger))
+            },
+        )
+    }
+
+    /// Where the largest difference can be: means over windows have kinks where a window begins or
+    /// ends at a station.
+    fn searched_m(&self, stations_m: &[f64]) -> Vec<f64> {
+        let half_m = 0.5 * self.window_m();
+        let HeightRange { base_m, top_m } = self.overlap;
+        let around = |z: &f64| [*z - half_m, *z, *z + half_m];
+        let mut heights_m: Vec<f64> = self.overlap.heights_m(SEARCHED + 1).collect();
+        heights_m.extend(stations_m.iter().flat_map(around));
+        heights_m.retain(|z| (base_m + half_m..=top_m - half_m).contains(z));
+        heights_m.sort_by(f64::total_cmp);
+        heights_m.dedup();
+        heights_m
+    }
+
+    /// Rows at equal heights and at others.
+    pub(super) fn rows(&self, others_m: &[f64]) -> Vec<AgreementRow> {
+        let mut heights_m: Vec<f64> = self.overlap.heights_m(LISTED_HEIGHTS).collect();
+        heights_m.extend(others_m);
+        heights_m.sort_by(f64::total_cmp);
+        heights_m.dedup_by(|a, b| (*a - *b).abs() < 1e-6 * self.overlap.length_m());
+        let whole_kg = self.columns[0].mass(self.overlap).0;
+        let row = |height_m: f64| {
+            let (mass_kg_per_m, bending_n_m2) = self.means(height_m);
+            let below = HeightRange {
+                top_m: height_m,
+                ..self.overlap
+            };
+            let [first, second] = self.columns.map(|columns| columns.mass(below).0);
+            AgreementRow {
+                height_m,
+                mass_kg_per_m,
+                bending_n_m2,
+                mass_below_kg: Compared::on_scale(first, second, whole_kg, self.limits.mass),
+            }
+        };
+        heights_m.into_iter().map(row).collect()
+    }
+}
+
+fn larger(found: LargestDifference, other: LargestDifference) -> LargestDifference {
+    let size = |largest: &LargestDifference| largest.compared.difference.abs();
+    if size(&other) > size(&found) {
+        other
+    } else {
+        found
+    }
+}

@@ -1,0 +1,145 @@
+//! Two towers put side by side.
+
+use super::bare::bare;
+use super::columns::{Columns, HeightRange, SAME_HEIGHT_M, is_same_height, tip_flexibility};
+use super::compared::{AgreementLimits, Compared};
+use super::frequencies::{ComparedFrequency, frequencies};
+use super::heights::Heights;
+use super::{Agreement, AgreementError, WhichTower};
+use towermodes::tower::{Foundation, PointMass, Tower, TowerDescription};
+
+/// Compares two descriptions that should be of the same tower.
+///
+/// # Errors
+/// [`AgreementError`]: a description that is no tower, towers that share no height, or one that
+/// cannot be solved.
+pub fn agree(
+    first: &TowerDescription,
+    second: &TowerDescription,
+    limits: &AgreementLimits,
+) -> Result<Agreement, AgreementError> {
+    let pair = Pair::new([first, second])?;
+    let (towers, overlap) = (&pair.towers, pair.overlap);
+    let masses = pair.point_masses();
+    let columns = [0, 1].map(|i| Columns::new(&towers[i], masses[i], overlap.base_m));
+    let heights = Heights {
+        columns: columns.each_ref(),
+        overlap,
+        limits: *limits,
+    };
+    let stations_m: Vec<f64> = towers.iter().flat_map(Tower::station_heights_m).collect();
+    let (largest_mass, largest_bending) = heights.largest(&stations_m);
+    let (fore_aft, side_side) = (largest_bending.fore_aft, largest_bending.side_side);
+    let furthest_m = [largest_mass, fore_aft, side_side].map(|largest| largest.height_m);
+    let [[kg, other_kg], [center_m, other_center_m]] = masses_and_centers(&columns, overlap);
+    let [attached_kg, other_attached_kg] = pair.point_masses_kg();
+    let share_of = |first, second, scale| Compared::on_scale(first, second, scale, limits.mass);
+    let [tip, other_tip] = towers
+        .each_ref()
+        .map(|tower| tip_flexibility(tower, overlap));
+    Ok(Agreement {
+        ranges: pair.ranges,
+        overlap,
+        shift_m: pair.shift_m(),
+        window_m: heights.window_m(),
+        mass_kg: Compared::ratio(kg, other_kg, limits.mass),
+        point_masses_kg: share_of(attached_kg, other_attached_kg, kg),
+        center_of_mass_m: share_of(center_m, other_center_m, overlap.length_m()),
+        tip_flexibility_m_per_n: tip.zip(other_tip, |a, b| Compared::ratio(a, b, limits.stiffness)),
+        largest_mass,
+        largest_bending,
+        rows: heights.rows(&furthest_m),
+        frequencies_bare: pair.frequencies_bare(limits.frequency)?,
+        frequencies_as_given: pair.frequencies_as_given(limits.frequency)?,
+    })
+}
+
+/// The masses of both, kg, and the heights of their centres, m.
+fn masses_and_centers(columns: &[Columns<'_>; 2], overlap: HeightRange) -> [[f64; 2]; 2] {
+    let sums = columns.each_ref().map(|columns| columns.mass(overlap));
+    let center_m = |(kg, kg_m): (f64, f64)| overlap.base_m + kg_m / kg;
+    [sums.map(|(kg, _)| kg), sums.map(center_m)]
+}
+
+/// Two towers and what they share.
+struct Pair<'a> {
+    descriptions: [&'a TowerDescription; 2],
+    towers: [Tower; 2],
+    ranges: [HeightRange; 2],
+    overlap: HeightRange,
+}
+
+impl<'a> Pair<'a> {
+    fn new(descriptions: [&'a TowerDescription; 2]) -> Result<Self, AgreementError> {
+        let towers = both(descriptions.map(TowerDescription::clone))?;
+        let ranges = towers.each_ref().map(HeightRange::of);
+        let overlap = ranges[0].and(&ranges[1]);
+        if overlap.length_m() <= SAME_HEIGHT_M {
+            return Err(AgreementError::NothingShared { ranges });
+        }
+        Ok(Self {
+            descriptions,
+            towers,
+            ranges,
+            overlap,
+        })
+    }
+
+    fn point_masses(&self) -> [&'a [PointMass]; 2] {
+        self.descriptions
+            .map(|description| description.point_masses.as_slice())
+    }
+
+    /// The point masses of each on the overlap, kg.
+    fn point_masses_kg(&self) -> [f64; 2] {
+        self.point_masses().map(|masses| {
+            let shared = masses.iter().filter(|m| self.overlap.holds(m.height_m));
+            shared.map(|mass| mass.mass_kg).sum()
+        })
+    }
+
+    /// How much higher the second is, if both are equally long.
+    fn shift_m(&self) -> Option<f64> {
+        let [first, second] = &self.ranges;
+        let shift_m = second.base_m - first.base_m;
+        let is_as_long = is_same_height(first.length_m(), second.length_m());
+        (is_as_long && !is_same_height(shift_m, 0.0)).then_some(shift_m)
+    }
+
+    /// Without all that some programs' files do not have.
+    fn frequencies_bare(&self, limit: f64) -> Result<Vec<ComparedFrequency>, AgreementError> {
+        let masses = self.point_masses();
+        let towers = both([0, 1].map(|i| bare(&self.towers[i], masses[i], self.overlap)))?;
+        frequencies(towers.each_ref(), false, limit)
+    }
+
+    /// With all that is said of them, if it is more.
+    fn frequencies_as_given(&self, limit: f64) -> Result<Vec<ComparedFrequency>, AgreementError> {
+        if !self.descriptions.into_iter().any(is_more_than_bare) {
+            return Ok(Vec::new());
+        }
+        frequencies(self.towers.each_ref(), true, limit)
+    }
+}
+
+/// The towers of two descriptions.
+fn both([first, second]: [TowerDescription; 2]) -> Result<[Tower; 2], AgreementError> {
+    let tower = |description, which| {
+        Tower::new(description).map_err(|error| AgreementError::Tower { which, error })
+    };
+    Ok([
+        tower(first, WhichTower::First)?,
+        tower(second, WhichTower::Second)?,
+    ])
+}
+
+/// Whether there is more than a wall and point masses on a clamp.
+fn is_more_than_bare(description: &TowerDescription) -> bool {
+    description.rna.mass_kg != 0.0
+        || description.foundation != Foundation::Clamped
+        || !description.soil.is_empty()
+        || !description.added_mass.is_empty()
+        || description.water.is_some()
+        || !description.wires.is_empty()
+        || description.gravity_m_per_s2 != 0.0
+}

@@ -1,0 +1,187 @@
+//! Which modes of a solution ElastoDyn is given: the first two bending modes of each plane.
+
+use thiserror::Error;
+
+use super::shape_samples::ShapeSamples;
+use towermodes::modes::Family;
+use towermodes::tower::{Plane, Planes};
+use towermodes::{Mode, Solution};
+
+/// Modes with a larger share of their energy in torsion than this are not taken for bending modes
+/// unless told: ElastoDyn's towers do not twist.
+pub const DEFAULT_TORSION_LIMIT: f64 = 0.5;
+/// Heights at which shapes are sampled for a fit: far more than a polynomial of degree 6 can
+/// follow.
+const SAMPLES: usize = 201;
+
+/// The modes for ElastoDyn.
+#[derive(Debug, Clone, PartialEq)]
+pub struct BendingModes<'a> {
+    /// The first and second mode of each plane.
+    pub modes: Planes<[&'a Mode; 2]>,
+    /// The modes that bend in a plane but were left out for their torsion, by frequency.
+    pub passed_over: Vec<PassedOver>,
+}
+
+/// A mode that was left out.
+#[derive(Debug, Clone, PartialEq)]
+pub struct PassedOver {
+    /// Its place in the list, from 1.
+    pub number: usize,
+    /// What it is: "2nd fore-aft bending".
+    pub label: String,
+    /// Its frequency, Hz.
+    pub frequency_hz: f64,
+    /// The plane in which it bends most.
+    pub plane: Plane,
+    /// The share of its energy in torsion.
+    pub torsion_share: f64,
+}
+
+/// Why there are no modes for ElastoDyn.
+#[derive(Debug, Clone, PartialEq, Error)]
+#[non_exhaustive]
+pub enum ChooseError {
+    /// The list is too short.
+    #[error(
+        "ElastoDyn needs two {} modes, and {found} of the {} modes solved for can be taken{}; ask for {ask_for} modes",
+        plane_name(*.plane), .solved, and_passed_over(*.passed_over)
+    )]
+    TooFewModes {
+        /// The plane.
+        plane: Plane,
+        /// How many of its bending modes are there.
+        found: usize,
+        /// How many were left out for their torsion.
+        passed_over: usize,
+        /// How many modes the solution has.
+        solved: usize,
+        /// How many to ask for.
+        ask_for: usize,
+    },
+    /// A limit that is no share.
+    #[error("the largest share of torsion cannot be {limit}; it must be from 0 to 1")]
+    Limit {
+        /// The limit.
+        limit: f64,
+    },
+}
+
+/// Picks the first and second bending modes of each plane: those of its own family, and coupled
+/// ones that have more of their energy in it than in any other motion, unless more than
+/// `torsion_limit` of their energy is in torsion. Motions of a floating tower as one body are none
+/// of them.
+///
+/// # Errors
+/// [`ChooseError`].
+pub fn choose(solution: &Solution, torsion_limit: f64) -> Result<BendingModes<'_>, ChooseError> {
+    if !(0.0..=1.0).contains(&torsion_limit) {
+        let limit = torsion_limit;
+        return Err(ChooseError::Limit { limit });
+    }
+    let (fore_aft, mut passed_over) = first_two(solution, Plane::ForeAft, torsion_limit)?;
+    let (side_side, others) = first_two(solution, Plane::SideSide, torsion_limit)?;
+    passed_over.extend(others);
+    passed_over.sort_by_key(|mode| mode.number);
+    let modes = Planes {
+        fore_aft,
+        side_side,
+    };
+    Ok(BendingModes { modes, passed_over })
+}
+
+/// The first two modes of a plane, and those below the second that were left out.
+fn first_two(
+    solution: &Solution,
+    plane: Plane,
+    torsion_limit: f64,
+) -> Result<([&Mode; 2], Vec<PassedOver>), ChooseError> {
+    let mut passed_over = Vec::new();
+    let mut taken = Vec::new();
+    let bending = solution.modes.iter();
+    for mode in bending.filter(|mode| plane_of(mode) == Some(plane)) {
+        if mode.energy.mean().torsion > torsion_limit {
+            passed_over.push(left_out(mode, plane));
+            continue;
+        }
+        taken.push(mode);
+        if let [first, second] = taken[..] {
+            return Ok(([first, second], passed_over));
+        }
+    }
+    let solved = solution.modes.len();
+    Err(ChooseError::TooFewModes {
+        plane,
+        found: taken.len(),
+        passed_over: passed_over.len(),
+        solved,
+        // Two modes in each plane, torsion and stretch among them, and six rigid ones if it floats;
+        // else twice as many.
+        ask_for: (2 * solved).max(12),
+    })
+}
+
+/// The heights at which shapes are to be sampled for a fit, for
+/// [`Options::heights_m`](towermodes::Options::heights_m): from the base to the top of the flexible
+/// tower (m), both exactly.
+pub fn sample_heights_m(base_m: f64, top_m: f64) -> Vec<f64> {
+    let height = |k: usize| {
+        let s = k as f64 / (SAMPLES - 1) as f64;
+        base_m * (1.0 - s) + top_m * s
+    };
+    (0..SAMPLES).map(height).collect()
+}
+
+impl BendingModes<'_> {
+    /// The samples of one of the modes (0 or 1) of a plane at the heights of
+    /// [`Options::heights_m`](towermodes::Options::heights_m), which must go from the base to the top of
+    /// the flexible tower.
+    pub fn samples(&self, plane: Plane, mode: usize) -> ShapeSamples {
+        let modes = self.modes.of(plane);
+        ShapeSamples::of(&modes[mode.min(1)].shape_there, plane)
+    }
+}
+
+/// The plane of a bending mode.
+fn plane_of(mode: &Mode) -> Option<Plane> {
+    match mode.family {
+        Family::ForeAft => Some(Plane::ForeAft),
+        Family::SideSide => Some(Plane::SideSide),
+        Family::Coupled => {
+            let parts = mode.energy.mean();
+            let others = parts.torsion.max(parts.axial);
+            if parts.fore_aft.max(parts.side_side) < others {
+                None
+            } else if parts.fore_aft >= parts.side_side {
+                Some(Plane::ForeAft)
+            } else {
+                Some(Plane::SideSide)
+            }
+        }
+        _ => None,
+    }
+}
+
+fn left_out(mode: &Mode, plane: Plane) -> PassedOver {
+    PassedOver {
+        number: mode.number,
+        label: mode.label(),
+        frequency_hz: mode.frequency_hz,
+        plane,
+        torsion_share: mode.energy.mean().torsion,
+    }
+}
+
+fn plane_name(plane: Plane) -> &'static str {
+    match plane {
+        Plane::ForeAft => Family::ForeAft.noun(),
+        Plane::SideSide => Family::SideSide.noun(),
+    }
+}
+
+fn and_passed_over(count: usize) -> String {
+    match count {
+        0 => String::new(),
+        _ => format!(" ({count} more twist too much)"),
+    }
+}

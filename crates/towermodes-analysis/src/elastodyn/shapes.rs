@@ -1,0 +1,183 @@
+//! The four shapes that ElastoDyn is given of a tower, from its own modes.
+
+use thiserror::Error;
+
+use super::choose::{ChooseError, DEFAULT_TORSION_LIMIT, PassedOver, choose, sample_heights_m};
+use super::decimal::{COEFFICIENT_DECIMALS, DecimalPolynomial, RoundingError};
+use super::fit::{FitError, PolynomialFit, fit};
+use super::shape_samples::ShapeSamples;
+use towermodes::Plain;
+use towermodes::tower::{Plane, Tower};
+use towermodes::{Mode, Options, SolveError, solve};
+
+/// Modes asked for first; more where torsion or motions of a floater are among them.
+const FIRST_MODES: usize = 12;
+/// More modes than this are not looked through.
+const MOST_MODES: usize = 96;
+
+/// A shape for ElastoDyn.
+#[derive(Debug, Clone, PartialEq)]
+pub struct TowerShape {
+    /// The plane it bends in.
+    pub plane: Plane,
+    /// 1 or 2.
+    pub number: usize,
+    /// What the mode is called: "1st fore-aft bending".
+    pub label: String,
+    /// The mode's frequency, with all that the tower carries and stands on, Hz.
+    pub frequency_hz: f64,
+    /// The share of the mode's energy that is torsion, which the shape does not have.
+    pub torsion_share: f64,
+    /// The shape itself.
+    pub samples: ShapeSamples,
+    /// The polynomial fitted to it, and how well.
+    pub fit: PolynomialFit,
+    /// The polynomial as it is printed.
+    pub decimals: DecimalPolynomial,
+}
+
+/// The shapes for ElastoDyn: first and second fore-aft, first and second side-side.
+#[derive(Debug, Clone, PartialEq)]
+pub struct TowerShapes {
+    /// The four shapes.
+    pub shapes: [TowerShape; 4],
+    /// Modes left out for their torsion.
+    pub passed_over: Vec<PassedOver>,
+}
+
+/// Why a tower has no shapes for ElastoDyn.
+#[derive(Debug, Clone, PartialEq, Error)]
+#[non_exhaustive]
+pub enum ShapesError {
+    /// The tower cannot be solved.
+    #[error(transparent)]
+    Solve(#[from] SolveError),
+    /// It has too few bending modes.
+    #[error(transparent)]
+    Choose(#[from] ChooseError),
+    /// A mode is no polynomial.
+    #[error("the {label} cannot be fitted: {error}")]
+    Fit {
+        /// Which mode.
+        label: String,
+        /// Why not.
+        error: FitError,
+    },
+    /// The polynomial cannot be printed.
+    #[error("the {label} cannot be printed: {error}")]
+    Rounding {
+        /// Which mode.
+        label: String,
+        /// Why not.
+        error: RoundingError,
+    },
+    /// A flexible tower that begins where no tower is.
+    #[error("the flexible tower begins at {} m, but the tower reaches from {} m to {} m", Plain(*.from_m), Plain(*.base_m), Plain(*.top_m))]
+    Outside {
+        /// Where it would begin, m.
+        from_m: f64,
+        /// Base of the tower, m.
+        base_m: f64,
+        /// Top of the tower, m.
+        top_m: f64,
+    },
+}
+
+/// Solves a tower and fits the first two bending modes of each plane above a height (m), the motion
+/// there taken off.
+///
+/// The options say how it is solved; number of modes and heights are chosen here.
+///
+/// # Errors
+/// [`ShapesError`].
+pub fn tower_shapes(
+    tower: &Tower,
+    options: &Options,
+    from_m: f64,
+) -> Result<TowerShapes, ShapesError> {
+    let (base_m, top_m) = (tower.base_m(), tower.top_m());
+    if !(base_m..top_m).contains(&from_m) {
+        return Err(ShapesError::Outside {
+            from_m,
+            base_m,
+            top_m,
+        });
+    }
+    let mut options = Options {
+        modes: FIRST_MODES,
+        points: 2,
+        heights_m: sample_heights_m(from_m, top_m),
+        ..options.clone()
+    };
+    loop {
+        let solution = solve(tower, &options)?;
+        match choose(&solution, DEFAULT_TORSION_LIMIT) {
+            Err(ChooseError::TooFewModes { .. }) if options.modes < MOST_MODES => {
+                options.modes *= 2;
+            }
+            Err(error) => return Err(error.into()),
+            Ok(bending) => {
+                let shape = |plane, number: usize| {
+                    let mode = bending.modes.of(plane)[number - 1];
+                    let samples = bending.samples(plane, number - 1);
+                    shape(plane, number, mode, samples)
+                };
+                return Ok(TowerShapes {
+                    shapes: [
+                        shape(Plane::ForeAft, 1)?,
+                        shape(Plane::ForeAft, 2)?,
+                        shape(Plane::SideSide, 1)?,
+                        shape(Plane::SideSide, 2)?,
+                    ],
+                    passed_over: bending.passed_over,
+                });
+            }
+        }
+    }
+}
+
+fn shape(
+    plane: Plane,
+    number: usize,
+    mode: &Mode,
+    samples: ShapeSamples,
+) -> Result<TowerShape, ShapesError> {
+    let label = mode.label();
+    let fit = fit(&samples).map_err(|error| ShapesError::Fit {
+        label: label.clone(),
+        error,
+    })?;
+    let decimals = fit.polynomial.rounded(COEFFICIENT_DECIMALS);
+    let decimals = decimals.map_err(|error| ShapesError::Rounding {
+        label: label.clone(),
+        error,
+    })?;
+    Ok(TowerShape {
+        plane,
+        number,
+        label,
+        frequency_hz: mode.frequency_hz,
+        torsion_share: mode.energy.mean().torsion,
+        samples,
+        fit,
+        decimals,
+    })
+}
+
+impl TowerShapes {
+    /// The polynomials of both modes of a plane, as they are printed.
+    pub fn polynomials(&self, plane: Plane) -> [super::TowerPolynomial; 2] {
+        let first = match plane {
+            Plane::ForeAft => 0,
+            Plane::SideSide => 2,
+        };
+        [0, 1].map(|i| self.shapes[first + i].decimals.polynomial())
+    }
+
+    /// The printed coefficients: of the first and second fore-aft, first and second side-side
+    /// shape.
+    pub fn coefficients(&self) -> [[f64; 5]; 4] {
+        let polynomial = |shape: &TowerShape| shape.decimals.polynomial().coefficients;
+        [0, 1, 2, 3].map(|i| polynomial(&self.shapes[i]))
+    }
+}

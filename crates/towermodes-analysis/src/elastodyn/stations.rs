@@ -1,0 +1,319 @@
+//! The rows of a tower file: a tower's mass and bending stiffness by height, linear between the
+//! rows.
+
+use thiserror::Error;
+
+use super::model::{ConcentratedMass, TowerStation};
+use towermodes::Plain;
+use towermodes::tower::{Piece, Planes, PointMass, Section, Tower};
+
+/// Rows that are put by themselves leave frequencies and the mass an error below this share.
+const ACCURACY: f64 = 1e-6;
+/// Rows of a step are this share of the height apart: ElastoDyn wants heights that rise.
+const STEP: f64 = 1e-6;
+/// Cuts that are no farther apart than this share of the height are one.
+const CLOSEST: f64 = 4.0 * STEP;
+/// More rows than this are refused.
+pub const MAX_STATIONS: usize = 100_000;
+
+/// How many rows there shall be.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Rows {
+    /// As many as keep frequencies right to a millionth, mass and stiffness being linear between
+    /// them.
+    #[default]
+    Accurate,
+    /// About so many, and at least those that steps and kinks need.
+    Count(usize),
+}
+
+/// What becomes of masses at a height.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum PointMasses {
+    /// They are listed beside the rows.
+    Listed,
+    /// Each is spread over a part of the tower, this many to the whole height: ElastoDyn's
+    /// elements.
+    Spread {
+        /// Parts of the height.
+        parts: usize,
+    },
+}
+
+/// The rows of a tower, and the masses beside them.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct TowerRows {
+    /// The rows, from the base to the top.
+    pub stations: Vec<TowerStation>,
+    /// Masses that are not in the rows.
+    pub concentrated_masses: Vec<ConcentratedMass>,
+}
+
+/// Why a tower has no rows.
+#[derive(Debug, Clone, Copy, PartialEq, Error)]
+#[non_exhaustive]
+pub enum RowsError {
+    /// A flexible tower that begins where no tower is.
+    #[error("the flexible tower begins at {} m, but the tower reaches from {} m to {} m", Plain(*.from_m), Plain(*.base_m), Plain(*.top_m))]
+    Outside {
+        /// Where it would begin, m.
+        from_m: f64,
+        /// Base of the tower, m.
+        base_m: f64,
+        /// Top of the tower, m.
+        top_m: f64,
+    },
+    /// More rows than anybody reads.
+    #[error("the tower would have {rows} rows, more than {MAX_STATIONS}")]
+    TooMany {
+        /// How many.
+        rows: usize,
+    },
+}
+
+/// A part of the tower over which mass and stiffness are smooth, with what is spread over it.
+struct Part<'a> {
+    piece: &'a Piece,
+    base_m: f64,
+    top_m: f64,
+    /// Mass of what is spread over it, kg/m.
+    spread_kg_per_m: f64,
+    /// Into how many intervals it is cut.
+    intervals: usize,
+}
+
+/// The rows of a tower above a height (m): its sections' mass, without water, and bending
+/// stiffness.
+///
+/// # Errors
+/// [`RowsError`].
+pub fn tower_rows(
+    tower: &Tower,
+    from_m: f64,
+    rows: Rows,
+    masses: PointMasses,
+) -> Result<TowerRows, RowsError> {
+    let (base_m, top_m) = (tower.base_m(), tower.top_m());
+    if !(base_m..top_m).contains(&from_m) {
+        return Err(RowsError::Outside {
+            from_m,
+            base_m,
+            top_m,
+        });
+    }
+    let above = tower.point_masses().iter();
+    let point_masses: Vec<&PointMass> = above.filter(|m| m.height_m >= from_m).collect();
+    let fraction = |height_m: f64| (height_m - from_m) / (top_m - from_m);
+    let concentrated = |mass: &&PointMass| ConcentratedMass {
+        height_fraction: fraction(mass.height_m),
+        mass_kg: mass.mass_kg,
+    };
+    let (listed, spread) = match masses {
+        PointMasses::Listed => (point_masses.iter().map(concentrated).collect(), Vec::new()),
+        PointMasses::Spread { parts } => {
+            (Vec::new(), spread_over(&point_masses, from_m, top_m, parts))
+        }
+    };
+    let mut parts = parts_of(tower, from_m, &spread);
+    share_out(&mut parts, rows)?;
+    Ok(TowerRows {
+        stations: stations(&parts, fraction),
+        concentrated_masses: listed,
+    })
+}
+
+/// A mass that is spread over a part of the tower.
+struct Spread {
+    base_m: f64,
+    top_m: f64,
+    mass_kg: f64,
+}
+
+/// Each mass over a part of the height with it in the middle, or at an end of the tower as near as
+/// can be.
+fn spread_over(masses: &[&PointMass], from_m: f64, top_m: f64, parts: usize) -> Vec<Spread> {
+    let whole_m = top_m - from_m;
+    let length_m = whole_m / parts.max(1) as f64;
+    let spread = masses.iter().map(|mass| {
+        let base_m = (mass.height_m - 0.5 * length_m)
+            .min(top_m - length_m)
+            .max(from_m);
+        Spread {
+            base_m,
+            top_m: (base_m + length_m).min(top_m),
+            mass_kg: mass.mass_kg,
+        }
+    });
+    spread.collect()
+}
+
+/// Where mass or stiffness bends or jumps, m: the ends of pieces, and of what is spread. What is
+/// closer together than rows can be is one, in the middle, so that each part is longer than a step
+/// is wide and a step that was read from two rows stays where it was.
+fn cuts(tower: &Tower, from_m: f64, spread: &[Spread]) -> Vec<f64> {
+    let top_m = tower.top_m();
+    let closest_m = CLOSEST * (top_m - from_m);
+    let ends = tower.pieces().iter().map(|piece| piece.top_m);
+    let spread = spread.iter().flat_map(|s| [s.base_m, s.top_m]);
+    let mut all_m: Vec<f64> = ends.chain(spread).filter(|z| *z > from_m).collect();
+    all_m.sort_by(f64::total_cmp);
+    let mut cuts_m = vec![from_m];
+    let mut from = 0;
+    while from < all_m.len() {
+        let first_m = all_m[from];
+        let count = all_m[from..].partition_point(|z| z - first_m <= closest_m);
+        let middle_m = 0.5 * (first_m + all_m[from + count - 1]);
+        if middle_m - from_m > closest_m && top_m - middle_m > closest_m {
+            cuts_m.push(middle_m);
+        }
+        from += count;
+    }
+    cuts_m.push(top_m);
+    cuts_m
+}
+
+/// The parts between the cuts, with what is spread over each: all of it, whatever rounding made of
+/// its ends.
+fn parts_of<'a>(tower: &'a Tower, from_m: f64, spread: &[Spread]) -> Vec<Part<'a>> {
+    let cuts_m = cuts(tower, from_m, spread);
+    let nearest = |height_m: f64| {
+        let above = cuts_m.partition_point(|cut| *cut < height_m);
+        let above = above.clamp(1, cuts_m.len() - 1);
+        let is_below = height_m - cuts_m[above - 1] < cuts_m[above] - height_m;
+        if is_below { above - 1 } else { above }
+    };
+    // What begins and ends at each cut, kg/m.
+    let mut changes = vec![0.0; cuts_m.len()];
+    for mass in spread {
+        let first = nearest(mass.base_m).min(cuts_m.len() - 2);
+        let last = nearest(mass.top_m).max(first + 1);
+        let mass_kg_per_m = mass.mass_kg / (cuts_m[last] - cuts_m[first]);
+        changes[first] += mass_kg_per_m;
+        changes[last] -= mass_kg_per_m;
+    }
+    let mut spread_kg_per_m = 0.0;
+    let pairs = cuts_m.windows(2).zip(changes);
+    pairs
+        .map(|(pair, change)| {
+            spread_kg_per_m += change;
+            Part {
+                piece: tower.piece_at(0.5 * (pair[0] + pair[1])),
+                base_m: pair[0],
+                top_m: pair[1],
+                // What was added and taken away leaves rounding.
+                spread_kg_per_m: f64::max(spread_kg_per_m, 0.0),
+                intervals: 1,
+            }
+        })
+        .collect()
+}
+
+fn share_out(parts: &mut [Part<'_>], rows: Rows) -> Result<(), RowsError> {
+    let whole_m: f64 = parts.iter().map(|part| part.top_m - part.base_m).sum();
+    for part in &mut *parts {
+        part.intervals = match rows {
+            Rows::Accurate => part.accurate_intervals(),
+            Rows::Count(count) => {
+                let share = (part.top_m - part.base_m) / whole_m;
+                let intervals = (share * count.saturating_sub(1) as f64).round();
+                (intervals as usize).max(1)
+            }
+        };
+    }
+    let rows = parts
+        .iter()
+        .fold(1_usize, |sum, part| sum.saturating_add(part.intervals));
+    if rows > MAX_STATIONS {
+        return Err(RowsError::TooMany { rows });
+    }
+    Ok(())
+}
+
+impl Part<'_> {
+    fn values_at(&self, height_m: f64) -> [f64; 3] {
+        let Section {
+            masses,
+            bending_n_m2,
+            ..
+        } = self
+            .piece
+            .section_at(height_m.clamp(self.piece.base_m, self.piece.top_m));
+        let mass = masses.mass_kg_per_m + self.spread_kg_per_m;
+        [mass, bending_n_m2.fore_aft, bending_n_m2.side_side]
+    }
+
+    /// So many intervals that what is linear over each is right in the mean: a straight line over
+    /// an interval h is off by h² f″/12 in the mean, and a frequency goes with the root of
+    /// stiffness over mass.
+    fn accurate_intervals(&self) -> usize {
+        let [mass, fore_aft, side_side] = self.bends();
+        let frequency = 0.5 * (mass + fore_aft.max(side_side));
+        let relative = frequency.max(mass) / 12.0;
+        // What is linear is so but for rounding.
+        if relative < 1e-9 {
+            1
+        } else {
+            (relative / ACCURACY).sqrt().ceil() as usize
+        }
+    }
+
+    /// h² f″ over the whole part as a share of f, where it is most: by quarters, since a curve can
+    /// turn, and bend most where it is least.
+    fn bends(&self) -> [f64; 3] {
+        let values: [[f64; 3]; 5] = std::array::from_fn(|k| {
+            let s = k as f64 / 4.0;
+            self.values_at(self.base_m * (1.0 - s) + self.top_m * s)
+        });
+        std::array::from_fn(|i| {
+            let bends = values.windows(3).map(|three| {
+                let [below, middle, above] = [three[0][i], three[1][i], three[2][i]];
+                16.0 * (below - 2.0 * middle + above).abs() / below.min(above)
+            });
+            bends.fold(0.0, f64::max)
+        })
+    }
+}
+
+/// Where parts meet there is one row, or two a little apart if it is a step.
+fn stations(parts: &[Part<'_>], fraction: impl Fn(f64) -> f64) -> Vec<TowerStation> {
+    let mut stations: Vec<TowerStation> = Vec::new();
+    for (index, part) in parts.iter().enumerate() {
+        for k in 0..=part.intervals {
+            let s = k as f64 / part.intervals as f64;
+            let height_m = part.base_m * (1.0 - s) + part.top_m * s;
+            let [mass_kg_per_m, fore_aft, side_side] = part.values_at(height_m);
+            let mut station = TowerStation {
+                height_fraction: fraction(height_m),
+                mass_kg_per_m,
+                bending_n_m2: Planes {
+                    fore_aft,
+                    side_side,
+                },
+            };
+            if k == 0
+                && index > 0
+                && let Some(below) = stations.last_mut()
+            {
+                if is_same(below, &station) {
+                    continue;
+                }
+                below.height_fraction -= 0.5 * STEP;
+                station.height_fraction += 0.5 * STEP;
+            }
+            stations.push(station);
+        }
+    }
+    stations
+}
+
+/// Whether there is no step between two rows at one height.
+fn is_same(a: &TowerStation, b: &TowerStation) -> bool {
+    let values = |s: &TowerStation| {
+        let bending = s.bending_n_m2;
+        [s.mass_kg_per_m, bending.fore_aft, bending.side_side]
+    };
+    let pairs = values(a).into_iter().zip(values(b));
+    pairs
+        .into_iter()
+        .all(|(a, b)| (a - b).abs() <= 1e-9 * a.abs())
+}

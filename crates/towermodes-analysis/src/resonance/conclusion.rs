@@ -1,0 +1,240 @@
+//! What a Campbell diagram says in words: the verdict on the first bending frequencies first, then
+//! the pairs that fail or are warned of.
+
+use super::campbell::{Campbell, Excited, Margin, StiffnessClass};
+use super::margin::is_strong;
+use crate::verdict::Verdict;
+use towermodes::four_digits;
+use towermodes::modes::Family;
+use towermodes::tower::{Rotor, Rpm};
+
+/// Of each kind of remark at most so many pairs are named.
+const NAMED: usize = 6;
+
+impl Campbell {
+    /// The conclusion in sentences, the most important first.
+    ///
+    /// The first says where the first bending frequencies lie among 1P and the passing of the
+    /// blades and how far away these stay: "The first bending frequencies, 0.3187 Hz (side-side)
+    /// and 0.3215 Hz (fore-aft), lie between 1P (up to 0.2017 Hz) and 3P (from 0.3450 Hz) with
+    /// margins of at least 7.3 %: soft-stiff." Two planes of different classes have a sentence
+    /// each. Then come the pairs that fail, the warnings of 1P and of the passing of the blades,
+    /// the minor warnings (other multiples, modes of a blade), and modes that are
+    /// [not judged](Self::unjudged_hz).
+    #[must_use]
+    pub fn conclusion(&self) -> Vec<String> {
+        let mut sentences = standing(self);
+        let kinds = [
+            (Verdict::Fail, true, "FAIL"),
+            (Verdict::Warn, true, "warning"),
+            (Verdict::Warn, false, "minor warning"),
+        ];
+        let remarks = kinds
+            .iter()
+            .filter_map(|(verdict, is_strong, name)| remark(self, *verdict, *is_strong, name));
+        let remarks: Vec<String> = remarks.collect();
+        if remarks.is_empty() && !self.margins.is_empty() {
+            sentences.push("No warnings.".to_owned());
+        }
+        sentences.extend(remarks);
+        sentences.extend(self.unjudged_hz().map(|[from_hz, to_hz]| {
+            format!(
+                "Modes between {} and {} Hz are not in the list and not judged.",
+                four_digits(from_hz),
+                four_digits(to_hz)
+            )
+        }));
+        sentences
+    }
+}
+
+/// A first bending mode: its plane, its class, its line.
+#[derive(Debug, Clone, Copy, PartialEq)]
+struct First {
+    family: Family,
+    class: StiffnessClass,
+    line: usize,
+}
+
+/// Where the first bending modes lie, in one sentence if they lie alike.
+fn standing(campbell: &Campbell) -> Vec<String> {
+    let pairs = campbell.classes.iter().zip(&campbell.first_bending);
+    let firsts = pairs.map(|((family, class), line)| First {
+        family: *family,
+        class: *class,
+        line: *line,
+    });
+    let firsts: Vec<First> = firsts.collect();
+    match &firsts[..] {
+        [] => {
+            vec!["No first bending mode is in the list, so the tower has no class.".to_owned()]
+        }
+        [a, b] if a.class == b.class => vec![sentence(campbell, &firsts)],
+        firsts => {
+            let each = firsts.iter();
+            each.map(|first| sentence(campbell, &[*first])).collect()
+        }
+    }
+}
+
+/// "The first bending frequencies, 0.3187 Hz (side-side) and 0.3215 Hz (fore-aft), lie between …
+/// with margins of at least 7.3 %: soft-stiff."
+fn sentence(campbell: &Campbell, firsts: &[First]) -> String {
+    let hz = |first: &First| {
+        let line = campbell.lines.get(first.line);
+        let point = line.and_then(|line| line.points.first());
+        point.map_or(f64::NAN, |[_, hz]| *hz)
+    };
+    let mut firsts = firsts.to_vec();
+    firsts.sort_by(|a, b| hz(a).total_cmp(&hz(b)));
+    let text = |first: &First| four_digits(hz(first));
+    let subject = match &firsts[..] {
+        [a, b] if text(a) == text(b) => format!("frequencies, both {} Hz, lie", text(a)),
+        [a, b] => format!(
+            "frequencies, {} Hz ({}) and {} Hz ({}), lie",
+            text(a),
+            a.family.name(),
+            text(b),
+            b.family.name()
+        ),
+        firsts => format!(
+            "frequency, {} Hz, lies",
+            firsts.iter().map(text).collect::<String>()
+        ),
+    };
+    let plane = match &firsts[..] {
+        [first] => format!("{} ", first.family.name()),
+        _ => String::new(),
+    };
+    let class = firsts.first().map(|first| first.class);
+    let (place, class) = class.map_or_else(Default::default, |class| place(class, &campbell.rotor));
+    let margin = least_margin(campbell, &firsts).unwrap_or_default();
+    format!("The first {plane}bending {subject} {place}{margin}: {class}.")
+}
+
+/// Where a class has its modes, and what it is called.
+fn place(class: StiffnessClass, rotor: &Rotor) -> (String, &'static str) {
+    let passing = rotor.blades;
+    let hz = |multiple: usize, rpm: f64| four_digits(multiple as f64 * rpm / 60.0);
+    let (lowest, highest) = (rotor.lowest_rpm, rotor.highest_rpm);
+    let place = match class {
+        StiffnessClass::SoftSoft => format!("below 1P (from {} Hz)", hz(1, lowest)),
+        StiffnessClass::SoftStiff => format!(
+            "between 1P (up to {} Hz) and {passing}P (from {} Hz)",
+            hz(1, highest),
+            hz(passing, lowest)
+        ),
+        StiffnessClass::StiffStiff => {
+            format!("above {passing}P (up to {} Hz)", hz(passing, highest))
+        }
+        StiffnessClass::Met { multiple } => format!(
+            "in the range of {multiple}P in operation ({} to {} Hz)",
+            hz(multiple, lowest),
+            hz(multiple, highest)
+        ),
+    };
+    match class {
+        StiffnessClass::Met { .. } => (place, "resonance"),
+        class => (place, class.name()),
+    }
+}
+
+/// " with margins of at least 7.3 %": to the excitations that bound the class; none if one of these
+/// was not asked for.
+fn least_margin(campbell: &Campbell, firsts: &[First]) -> Option<String> {
+    let blades = campbell.rotor.blades;
+    let mut least: Option<&Margin> = None;
+    for first in firsts {
+        let bounds = match first.class {
+            StiffnessClass::SoftSoft => vec![1],
+            StiffnessClass::SoftStiff => vec![1, blades],
+            StiffnessClass::StiffStiff => vec![blades],
+            StiffnessClass::Met { .. } => return None,
+        };
+        for multiple in bounds {
+            let mut margins = campbell.margins.iter();
+            let own = margins.find(|m| m.line == first.line && m.multiple == multiple)?;
+            let is_less = least.is_none_or(|least| own.distance.abs() < least.distance.abs());
+            least = if is_less { Some(own) } else { least };
+        }
+    }
+    let least = least?;
+    let percent = percent(campbell, least);
+    let percent = percent.trim_start_matches(['+', '-']);
+    Some(match least.verdict {
+        Verdict::Fail => format!(
+            " with margins of only {percent} %, less than the {} % asked for",
+            whole_percent(campbell.margin)
+        ),
+        _ => format!(" with margins of at least {percent} %"),
+    })
+}
+
+/// "2 warnings: 3P with 1st side-side bending (+8.2 % at 6.9 rpm) and …"; none if there are none.
+fn remark(campbell: &Campbell, verdict: Verdict, strong: bool, name: &str) -> Option<String> {
+    let is_of_kind = |margin: &&Margin| {
+        margin.verdict == verdict
+            && (verdict == Verdict::Fail || strong == is_weighty(campbell, margin))
+    };
+    let mut pairs: Vec<&Margin> = campbell.margins.iter().filter(is_of_kind).collect();
+    let more = match pairs.len().saturating_sub(NAMED) {
+        0 => String::new(),
+        more => format!("; and {more} more"),
+    };
+    let count = pairs.len();
+    pairs.truncate(NAMED);
+    pairs.sort_by_key(|margin| (margin.multiple, margin.line));
+    let groups: Vec<String> = pairs
+        .chunk_by(|a, b| a.multiple == b.multiple)
+        .map(|group| group_in_words(campbell, group))
+        .collect();
+    let name = match (name, count) {
+        ("FAIL", _) => name.to_owned(),
+        (_, 1) => format!("1 {name}"),
+        _ => format!("{count} {}", name.replacen("warning", "warnings", 1)),
+    };
+    (count > 0).then(|| format!("{name}: {}{more}.", groups.join("; ")))
+}
+
+/// Whether a pair is of the tower and of 1P or the passing of the blades.
+fn is_weighty(campbell: &Campbell, margin: &Margin) -> bool {
+    let line = campbell.lines.get(margin.line);
+    let is_tower = line.is_some_and(|line| matches!(line.of, Excited::Tower { .. }));
+    is_tower && is_strong(margin.multiple, &campbell.rotor)
+}
+
+/// "9P with 1st torsion (met at 10.428 rpm) and 2nd side-side bending (-4.0 % at 12.1 rpm)".
+fn group_in_words(campbell: &Campbell, group: &[&Margin]) -> String {
+    let pair = |margin: &&Margin| {
+        let label = campbell.lines.get(margin.line).map(|line| &line.label);
+        let distance = match margin.distance {
+            0.0 => "met".to_owned(),
+            _ => format!("{} %", percent(campbell, margin)),
+        };
+        format!(
+            "{} ({distance} at {} rpm)",
+            label.map_or("a mode", |label| label),
+            Rpm(margin.nearest_rpm)
+        )
+    };
+    let pairs: Vec<String> = group.iter().map(pair).collect();
+    let pairs = match &pairs[..] {
+        [first @ .., last] if !first.is_empty() => format!("{} and {last}", first.join(", ")),
+        pairs => pairs.concat(),
+    };
+    let multiple = group.first().map_or(0, |margin| margin.multiple);
+    format!("{multiple}P with {pairs}")
+}
+
+/// A distance with its sign: no digits after the point where it is ten times the frequency.
+fn percent(campbell: &Campbell, margin: &Margin) -> String {
+    match margin.distance {
+        share if share.abs() < 9.995 => campbell.distance_percent(margin),
+        share => format!("{:+.0}", 100.0 * share),
+    }
+}
+
+/// A share in percent without what dividing by 100 left.
+fn whole_percent(share: f64) -> f64 {
+    (share * 1e11).round() / 1e9
+}

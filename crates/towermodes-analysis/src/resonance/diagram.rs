@@ -1,0 +1,193 @@
+//! The diagram put together: lines of tower and blade, margins, classes.
+
+use super::campbell::{
+    BEYOND_OPERATION, Campbell, CampbellError, CampbellOptions, DEFAULT_MARGIN, Excited,
+    FrequencyLine,
+};
+use super::class::class;
+use super::margin::margin;
+use super::reach::known_to_hz;
+use super::sweep::{blade_lines, speeds_rpm};
+use towermodes::blade::BladeDescription;
+use towermodes::modes::Family;
+use towermodes::tower::Rotor;
+use towermodes::tower::Tower;
+use towermodes::{Mode, Solution};
+
+/// A coupled mode with this share of its energy in a plane bends the tower there.
+const GOOD_PART: f64 = 0.2;
+
+/// The most speeds that a blade is solved at.
+const MOST_SPEEDS: usize = 1000;
+
+impl Default for CampbellOptions {
+    fn default() -> Self {
+        Self {
+            margin: DEFAULT_MARGIN,
+            multiples: Vec::new(),
+            blade_modes: 6,
+            speeds: 25,
+        }
+    }
+}
+
+/// Natural frequencies of a tower, and of a blade if it is given, against the multiples of a
+/// rotor's speed.
+///
+/// A multiple n excites with n Ω/60 Hz at Ω rpm. Its distance from a natural frequency f is d = n
+/// Ω/f − 1 at the speed of operation, lowest to highest, at which |d| is least; 0 if they meet. A
+/// mode of the tower has one frequency at all speeds. Modes of a blade are those in the rotating
+/// frame, solved at [`CampbellOptions::speeds`] equally spaced speeds from standstill to 1.2 times
+/// the highest and at both borders of operation; they keep the names they have at standstill and
+/// are followed by their shapes (the modal assurance criterion with the blade's masses), the two
+/// most alike first, so that names do not jump where lines cross. Between two speeds f² is linear
+/// in Ω² (Southwell), so distances are exact but where modes veer. A mode that is like none of
+/// eight times as many modes at the next speed is lost: its line ends there
+/// ([`FrequencyLine::lost`]), and if that is before the highest speed of operation its margins are
+/// those of the speeds before, and warn at least; there are none if it is before the lowest.
+///
+/// With the margin m, and f wrong by its whole estimated error towards the excitation:
+///
+/// | against | fail | warn | pass |
+/// |---|---|---|---|
+/// | a tower's mode, n = 1 and n = number of blades | \|d\| < m | m ≤ \|d\| < 2 m | 2 m ≤ \|d\| |
+/// | a tower's mode, other n; a blade's mode, any n | never | \|d\| < m | m ≤ \|d\| |
+///
+/// What only its error brings within m, from 2 m or further away, warns and does not fail: it is
+/// not known well enough.
+///
+/// A stiffness 10 to 20 % off moves a frequency by 5 to 10 %: what warns would then be at the
+/// limit. Other multiples are weaker, and whether they matter depends on loads that are not in this
+/// model. A frequency of 0 (a motion that nothing resists) has no margins; those of a floating
+/// tower as one body have margins like all others.
+///
+/// Errors: those of the frequencies, [`FrequencyLine::error_hz`]; of a blade they are estimated at
+/// the first and the last speed.
+///
+/// Sources: Germanischer Lloyd, *Guideline for the Certification of Wind Turbines* (2010);
+/// Southwell & Gough, ARC R&M 766 (1921); Allemang & Brown, *A correlation coefficient for modal
+/// vector analysis* (1982).
+///
+/// # Errors
+/// [`CampbellError`]: options or a rotor that cannot be, a solution of another tower, a blade that
+/// cannot be solved.
+pub fn campbell(
+    tower: &Tower,
+    solution: &Solution,
+    blade: Option<&BladeDescription>,
+    rotor: &Rotor,
+    options: &CampbellOptions,
+) -> Result<Campbell, CampbellError> {
+    check(tower, solution, rotor, options)?;
+    let speeds_rpm = speeds_rpm(rotor, options.speeds);
+    let last_rpm = BEYOND_OPERATION * rotor.highest_rpm;
+    let mut lines: Vec<FrequencyLine> = solution
+        .modes
+        .iter()
+        .map(|mode| tower_line(mode, last_rpm))
+        .collect();
+    if let Some(blade) = blade {
+        lines.extend(blade_lines(blade, options.blade_modes, &speeds_rpm)?);
+    }
+    let multiples = multiples(rotor, options);
+    let pairs = lines
+        .iter()
+        .enumerate()
+        .flat_map(|line| multiples.iter().map(move |multiple| (line, *multiple)));
+    let margins = pairs
+        .filter_map(|(line, multiple)| margin(line, multiple, rotor, options.margin))
+        .collect();
+    let first = first_bending_modes(solution);
+    Ok(Campbell {
+        rotor: *rotor,
+        margin: options.margin,
+        classes: first
+            .iter()
+            .map(|(plane, index)| (*plane, class(solution.modes[*index].frequency_hz, rotor)))
+            .collect(),
+        first_bending: first.iter().map(|(_, index)| *index).collect(),
+        known_to_hz: known_to_hz(solution),
+        multiples,
+        lines,
+        margins,
+    })
+}
+
+fn check(
+    tower: &Tower,
+    solution: &Solution,
+    rotor: &Rotor,
+    options: &CampbellOptions,
+) -> Result<(), CampbellError> {
+    let (margin, speeds) = (options.margin, options.speeds);
+    if !(margin > 0.0 && margin < 1.0) {
+        return Err(CampbellError::Margin { margin });
+    }
+    if options.multiples.contains(&0) {
+        return Err(CampbellError::Multiple);
+    }
+    if !(2..=MOST_SPEEDS).contains(&speeds) {
+        return Err(CampbellError::Speeds { speeds });
+    }
+    rotor.validate()?;
+    let heights_m = tower.station_heights_m();
+    let is_of_tower = |mode: &Mode| {
+        let points = mode.station_shape.iter().map(|point| point.height_m);
+        points.eq(heights_m.iter().copied())
+    };
+    if solution.modes.iter().all(is_of_tower) {
+        return Ok(());
+    }
+    Err(CampbellError::OtherTower)
+}
+
+/// The multiples that are asked for, each once, rising.
+pub(super) fn multiples(rotor: &Rotor, options: &CampbellOptions) -> Vec<usize> {
+    let blades = rotor.blades;
+    let mut multiples = match &options.multiples[..] {
+        [] => vec![1, blades, 2 * blades, 3 * blades],
+        asked => asked.to_vec(),
+    };
+    multiples.sort_unstable();
+    multiples.dedup();
+    multiples
+}
+
+fn tower_line(mode: &Mode, last_rpm: f64) -> FrequencyLine {
+    FrequencyLine {
+        of: Excited::Tower {
+            number: mode.number,
+            family: mode.family,
+            order: mode.order,
+        },
+        label: mode.label(),
+        points: [0.0, last_rpm].map(|rpm| [rpm, mode.frequency_hz]).to_vec(),
+        error_hz: mode.error_hz(),
+        lost: None,
+    }
+}
+
+/// The first mode that bends the tower in each plane, if it is in the list and has a frequency, and
+/// where it is in the list.
+fn first_bending_modes(solution: &Solution) -> Vec<(Family, usize)> {
+    let planes = [Family::ForeAft, Family::SideSide].into_iter();
+    let first = planes.filter_map(|plane| Some((plane, first_bending(solution, plane)?)));
+    let resisted = first.filter(|(_, index)| solution.modes[*index].frequency_hz > 0.0);
+    resisted.collect()
+}
+
+/// The lowest mode with a good part of its energy in a plane. A machine whose principal axes are
+/// not those of the wind bends the tower in both planes at once: such a mode is coupled, and is the
+/// first of both.
+fn first_bending(solution: &Solution, plane: Family) -> Option<usize> {
+    let bends = |mode: &Mode| {
+        let mean = mode.energy.mean();
+        let part = if plane == Family::ForeAft {
+            mean.fore_aft
+        } else {
+            mean.side_side
+        };
+        mode.family == plane || (mode.family == Family::Coupled && part >= GOOD_PART)
+    };
+    solution.modes.iter().position(bends)
+}

@@ -1,0 +1,236 @@
+//! How near the multiples of a rotor's speed come to natural frequencies while it runs.
+
+use super::campbell::{Excited, FrequencyLine, Margin};
+use crate::verdict::Verdict;
+use towermodes::tower::Rotor;
+
+/// A line against a multiple of the rotor's speed, at the speed of operation where they are
+/// nearest; none for a motion that nothing resists, whose frequency is 0, and for a mode that was
+/// lost below the lowest speed. Of one that was lost in operation nobody knows the rest: it does
+/// not pass.
+///
+/// Between neighbouring points of a line f² is linear in Ω²: for a tower's mode it is constant, and
+/// for a blade's that is Southwell's rule. So n Ω/f rises or falls all the way between two points,
+/// and it is nearest to 1 at one of them or where both meet, which is solved exactly.
+pub(super) fn margin(
+    (number, line): (usize, &FrequencyLine),
+    multiple: usize,
+    rotor: &Rotor,
+    least: f64,
+) -> Option<Margin> {
+    let known_rpm = match line.lost {
+        Some(_) => line.points.last()?[0],
+        None => f64::INFINITY,
+    };
+    if known_rpm < rotor.lowest_rpm {
+        return None;
+    }
+    let range_rpm = [rotor.lowest_rpm, rotor.highest_rpm.min(known_rpm)];
+    let nearest = nearest(&line.points, multiple, range_rpm)?;
+    let distance = cautious(line, multiple, range_rpm, nearest.distance);
+    let is_tower = matches!(line.of, Excited::Tower { .. });
+    let is_strong = is_tower && is_strong(multiple, rotor);
+    Some(Margin {
+        line: number,
+        multiple,
+        nearest_rpm: nearest.rpm,
+        excitation_hz: nearest.excitation_hz,
+        natural_hz: nearest.natural_hz,
+        distance: nearest.distance,
+        verdict: match verdict(nearest.distance.abs(), distance, least, is_strong) {
+            Verdict::Pass if known_rpm < rotor.highest_rpm => Verdict::Warn,
+            verdict => verdict,
+        },
+    })
+}
+
+/// Whether a multiple is the rotor's own speed or the passing of its blades.
+pub(super) fn is_strong(multiple: usize, rotor: &Rotor) -> bool {
+    multiple == 1 || multiple == rotor.blades
+}
+
+/// What a distance is worth. The rotor's own speed and the passing of its blades are what shakes a
+/// tower most; higher multiples, and what shakes a blade, are weaker and no reason to fail.
+///
+/// A frequency whose error alone brings it that near, from beyond what is warned of, is not known
+/// well enough to fail.
+fn verdict(distance: f64, cautious: f64, least: f64, is_strong: bool) -> Verdict {
+    match is_strong {
+        true if cautious < least && distance < 2.0 * least => Verdict::Fail,
+        true if cautious < 2.0 * least => Verdict::Warn,
+        false if cautious < least => Verdict::Warn,
+        _ => Verdict::Pass,
+    }
+}
+
+/// |n Ω/f − 1| with the frequencies wrong by their error towards the excitation.
+fn cautious(line: &FrequencyLine, multiple: usize, range_rpm: [f64; 2], distance: f64) -> f64 {
+    let towards_hz = line.error_hz.copysign(distance);
+    let moved = line.points.iter().map(|[rpm, hz]| [*rpm, hz + towards_hz]);
+    let moved: Vec<[f64; 2]> = moved.collect();
+    if distance == 0.0 || moved.iter().any(|[_, hz]| !hz.is_finite()) {
+        return 0.0;
+    }
+    match nearest(&moved, multiple, range_rpm) {
+        // They may meet.
+        None => 0.0,
+        Some(nearest) if nearest.distance.signum() != distance.signum() => 0.0,
+        Some(nearest) => nearest.distance.abs(),
+    }
+}
+
+/// A point of a line and the excitation at its speed.
+#[derive(Debug, Clone, Copy, PartialEq)]
+struct Pair {
+    rpm: f64,
+    excitation_hz: f64,
+    natural_hz: f64,
+    /// n Ω/f − 1.
+    distance: f64,
+}
+
+impl Pair {
+    fn new(multiple: usize, rpm: f64, natural_hz: f64) -> Self {
+        let excitation_hz = multiple as f64 * rpm / 60.0;
+        Self {
+            rpm,
+            excitation_hz,
+            natural_hz,
+            distance: excitation_hz / natural_hz - 1.0,
+        }
+    }
+
+    /// Where the excitation meets the line between two points on different sides of it: (n Ω)² − f²
+    /// is linear in Ω² there.
+    fn meeting(a: &Self, b: &Self) -> Self {
+        let above = |pair: &Self| pair.excitation_hz.powi(2) - pair.natural_hz.powi(2);
+        let (above_a, above_b) = (above(a), above(b));
+        let share = above_a / (above_a - above_b);
+        let natural_hz = between([a.natural_hz, b.natural_hz], share);
+        Self {
+            rpm: between([a.rpm, b.rpm], share),
+            excitation_hz: natural_hz,
+            natural_hz,
+            distance: 0.0,
+        }
+    }
+}
+
+/// Where a line and a multiple are nearest within a range of speeds; at the lowest such speed.
+fn nearest(points: &[[f64; 2]], multiple: usize, range_rpm: [f64; 2]) -> Option<Pair> {
+    if points.iter().any(|[_, hz]| hz.is_nan() || *hz <= 0.0) {
+        return None;
+    }
+    let [lowest, highest] = range_rpm;
+    let inside = points.iter().map(|[rpm, _]| *rpm);
+    let inside = inside.filter(|rpm| lowest < *rpm && *rpm < highest);
+    let speeds = [lowest].into_iter().chain(inside).chain([highest]);
+    let pair = |rpm: f64| Pair::new(multiple, rpm, frequency_hz(points, rpm));
+    let pairs: Vec<Pair> = speeds.map(pair).collect();
+    let meets = |pair: &&[Pair]| pair[0].distance * pair[1].distance < 0.0;
+    let meetings = pairs.windows(2).filter(meets);
+    let meetings = meetings.map(|pair| Pair::meeting(&pair[0], &pair[1]));
+    let all = meetings.chain(pairs.iter().copied());
+    all.min_by(|a, b| {
+        let sizes = a.distance.abs().total_cmp(&b.distance.abs());
+        sizes.then(a.rpm.total_cmp(&b.rpm))
+    })
+}
+
+/// The frequency of a line at a speed: at its points as they are, f² linear in Ω² between them.
+fn frequency_hz(points: &[[f64; 2]], rpm: f64) -> f64 {
+    let above = points.partition_point(|point| point[0] < rpm);
+    let Some(&[above_rpm, above_hz]) = points.get(above.min(points.len() - 1)) else {
+        return f64::NAN;
+    };
+    if above == 0 || above == points.len() || above_rpm == rpm {
+        return above_hz;
+    }
+    let [below_rpm, below_hz] = points[above - 1];
+    let share =
+        (rpm * rpm - below_rpm * below_rpm) / (above_rpm * above_rpm - below_rpm * below_rpm);
+    between([below_hz, above_hz], share)
+}
+
+/// The number whose square is at a share of the way between the squares of two.
+fn between([a, b]: [f64; 2], share: f64) -> f64 {
+    if a == b {
+        return a;
+    }
+    (a * a + share * (b * b - a * a)).sqrt()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::campbell::LineEnd;
+    use super::*;
+    use towermodes::BladeFamily;
+
+    /// f² = 1 + Ω²/100 at 0, 10 and 20 rpm.
+    const LINE: [[f64; 2]; 3] = [
+        [0.0, 1.0],
+        [10.0, std::f64::consts::SQRT_2],
+        [20.0, 2.236_067_977_499_79],
+    ];
+
+    /// The line up to 20 rpm, lost at 25 rpm, against 1P in a range of speeds.
+    fn margin_of_lost(lowest_rpm: f64, highest_rpm: f64) -> Option<Margin> {
+        let (family, order) = (BladeFamily::Flap, 1);
+        let line = FrequencyLine {
+            of: Excited::Blade { family, order },
+            label: "blade 1st flap".to_owned(),
+            points: LINE.to_vec(),
+            error_hz: 0.0,
+            lost: Some(LineEnd {
+                rotor_speed_rpm: 25.0,
+                alike: 0.1,
+            }),
+        };
+        let rotor = Rotor {
+            blades: 3,
+            lowest_rpm,
+            highest_rpm,
+        };
+        margin((0, &line), 1, &rotor, 0.05)
+    }
+
+    /// 20 rpm are 1/3 Hz, far below √5 Hz.
+    #[test]
+    fn what_is_lost_in_operation_does_not_pass() {
+        let known = margin_of_lost(10.0, 20.0).expect("a margin");
+        assert_eq!((known.nearest_rpm, known.verdict), (20.0, Verdict::Pass));
+        let partly = margin_of_lost(10.0, 24.0).expect("a margin");
+        assert_eq!((partly.nearest_rpm, partly.verdict), (20.0, Verdict::Warn));
+        assert!((partly.distance - (1.0 / 45.0_f64.sqrt() - 1.0)).abs() < 1e-15);
+        assert_eq!(margin_of_lost(21.0, 24.0), None);
+    }
+
+    #[test]
+    fn frequencies_between_points_follow_southwell() {
+        assert!((frequency_hz(&LINE, 5.0) - 1.25_f64.sqrt()).abs() < 1e-15);
+        assert!((frequency_hz(&LINE, 15.0) - 3.25_f64.sqrt()).abs() < 1e-15);
+        assert_eq!(frequency_hz(&LINE, 10.0), LINE[1][1]);
+        assert_eq!(frequency_hz(&LINE, 30.0), LINE[2][1]);
+    }
+
+    /// n Ω/60 = f where Ω² (n²/3600 − 1/100) = 1: for n = 12 Ω² = 1/0.03.
+    #[test]
+    fn meetings_are_exact() {
+        let met = nearest(&LINE, 12, [2.0, 8.0]).expect("a pair");
+        assert!((met.rpm - (1.0_f64 / 0.03).sqrt()).abs() < 1e-14);
+        assert!((met.natural_hz - met.rpm / 5.0).abs() < 1e-15);
+        assert_eq!(met.distance, 0.0);
+        // For n = 6 both rise alike and never meet: Ω/10 over sqrt(1 + Ω²/100) is nearest at the
+        // highest speed.
+        let apart = nearest(&LINE, 6, [2.0, 20.0]).expect("a pair");
+        assert_eq!(apart.rpm, 20.0);
+        assert!((apart.distance - (2.0 / 5.0_f64.sqrt() - 1.0)).abs() < 1e-15);
+    }
+
+    #[test]
+    fn a_single_speed_is_a_range() {
+        let at = nearest(&LINE, 12, [5.0, 5.0]).expect("a pair");
+        assert_eq!(at.rpm, 5.0);
+        assert!((at.distance - (1.0 / 1.25_f64.sqrt() - 1.0)).abs() < 1e-15);
+    }
+}

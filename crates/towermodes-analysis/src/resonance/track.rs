@@ -1,0 +1,310 @@
+//! Modes of a blade followed from speed to speed by their shapes.
+
+use crate::mac::mac;
+use towermodes::BladeFamily;
+
+/// Frequencies closer than this are a pair whose shapes any computation may mix.
+const REPEATED: f64 = 1e-6;
+
+/// A mode that is like two others by less than this difference is between both: it is veering, or
+/// chance mixed it.
+const AMBIGUOUS: f64 = 0.4;
+
+/// At least so alike is the same mode.
+const SAME: f64 = 0.5;
+
+/// A mode that veers among three is a third like each of them; less than this is another mode …
+const BETWEEN: f64 = 0.25;
+
+/// … and so is what those seen do not make up to this share together.
+const MADE_UP: f64 = 0.75;
+
+/// A mode of a blade at a speed.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Seen {
+    /// Hz.
+    pub(super) frequency_hz: f64,
+    pub(super) family: BladeFamily,
+    /// Motions where it was sampled, each times the root of the mass that moves so.
+    pub(super) shape: Vec<f64>,
+    /// Hz; none if it is not known at this speed.
+    pub(super) error_hz: Option<f64>,
+}
+
+/// A mode followed.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Followed {
+    /// Its family at standstill, or at the first speed at which it is no pair with another.
+    pub(super) family: Option<BladeFamily>,
+    /// Hz, at each speed so far.
+    pub(super) frequencies_hz: Vec<f64>,
+    /// The largest error known, Hz.
+    pub(super) error_hz: f64,
+    /// How alike the mode was that was left for it at the first speed at which none is like it:
+    /// there it ends.
+    pub(super) lost: Option<f64>,
+    /// What it was when it was last seen clearly.
+    shape: Vec<f64>,
+}
+
+impl Followed {
+    fn new(seen: &Seen) -> Self {
+        Self {
+            family: None,
+            frequencies_hz: Vec::new(),
+            error_hz: 0.0,
+            lost: None,
+            shape: seen.shape.clone(),
+        }
+    }
+
+    fn see(&mut self, seen: &Seen) {
+        self.frequencies_hz.push(seen.frequency_hz);
+        self.error_hz = self.error_hz.max(seen.error_hz.unwrap_or(0.0));
+    }
+}
+
+/// Modes that are followed, by frequency at standstill.
+#[derive(Debug, Clone, Default)]
+pub(super) struct Tracks {
+    pub(super) modes: Vec<Followed>,
+}
+
+/// Which mode seen each mode followed is, and how surely.
+pub(super) struct Assignment {
+    /// For each mode followed: the one seen, if one was left for it.
+    chosen: Vec<Option<usize>>,
+    /// How alike each mode followed and each seen are.
+    alike: Vec<Vec<f64>>,
+}
+
+impl Assignment {
+    /// The mode seen that a mode followed is; or how alike what was left for it is, if it is not
+    /// among those seen.
+    fn found(&self, mode: usize) -> Result<usize, f64> {
+        let Some(other) = self.chosen[mode] else {
+            return Err(0.0);
+        };
+        let alike = self.alike[mode][other];
+        let together: f64 = self.alike[mode].iter().sum();
+        let is_between = alike >= BETWEEN && together >= MADE_UP;
+        if alike >= SAME || is_between {
+            Ok(other)
+        } else {
+            Err(alike)
+        }
+    }
+}
+
+impl Tracks {
+    /// Begins with what is seen at standstill.
+    pub(super) fn begin(seen: &[Seen]) -> Self {
+        let mut tracks = Self {
+            modes: seen.iter().map(Followed::new).collect(),
+        };
+        let chosen = (0..seen.len()).map(Some).collect();
+        let alike = tracks.alike(seen);
+        tracks.take(seen, &Assignment { chosen, alike });
+        tracks
+    }
+
+    /// Whether one of the first modes, if it was followed up to here, is not among those seen.
+    pub(super) fn has_lost(&self, assignment: &Assignment, first: usize) -> bool {
+        let mut modes = self.modes.iter().take(first).enumerate();
+        modes.any(|(index, mode)| mode.lost.is_none() && assignment.found(index).is_err())
+    }
+
+    /// Who is who: the two that are most alike, then of the others the two that are most alike, and
+    /// so on.
+    pub(super) fn assign(&self, seen: &[Seen]) -> Assignment {
+        let alike = self.alike(seen);
+        let followed = (0..self.modes.len()).filter(|mode| self.modes[*mode].lost.is_none());
+        let mut pairs: Vec<(usize, usize)> = followed
+            .flat_map(|mode| (0..seen.len()).map(move |other| (mode, other)))
+            .collect();
+        // Of what is equally alike the nearer in number: the sort keeps the order.
+        pairs.sort_by_key(|(mode, other)| mode.abs_diff(*other));
+        pairs.sort_by(|a, b| alike[b.0][b.1].total_cmp(&alike[a.0][a.1]));
+        let mut chosen = vec![None; self.modes.len()];
+        let mut is_taken = vec![false; seen.len()];
+        for (mode, other) in pairs {
+            if chosen[mode].is_none() && !is_taken[other] {
+                chosen[mode] = Some(other);
+                is_taken[other] = true;
+            }
+        }
+        Assignment { chosen, alike }
+    }
+
+    /// Goes on to the modes that were assigned; those that are not among the ones seen end before.
+    pub(super) fn take(&mut self, seen: &[Seen], assignment: &Assignment) {
+        for (index, mode) in self.modes.iter_mut().enumerate() {
+            if mode.lost.is_some() {
+                continue;
+            }
+            let other = match assignment.found(index) {
+                Ok(other) => other,
+                Err(alike) => {
+                    mode.lost = Some(alike);
+                    continue;
+                }
+            };
+            let found = &seen[other];
+            mode.see(found);
+            if is_repeated(seen, other) {
+                continue;
+            }
+            let is_new = mode.family.is_none();
+            mode.family.get_or_insert(found.family);
+            let alike = &assignment.alike[index];
+            let rivals = alike.iter().enumerate().filter(|(i, _)| *i != other);
+            let rival = rivals.map(|(_, alike)| *alike).fold(0.0, f64::max);
+            // A shape that is half another's would be followed to either.
+            if is_new || alike[other] - rival >= AMBIGUOUS {
+                mode.shape.clone_from(&found.shape);
+            }
+        }
+    }
+
+    /// How alike each mode followed and each seen are; those of a repeated pair are as alike as the
+    /// plane that both span.
+    fn alike(&self, seen: &[Seen]) -> Vec<Vec<f64>> {
+        let rows = self.modes.iter().map(|mode| {
+            let single = seen.iter().map(|s| mac(&mode.shape, &s.shape, None));
+            let single: Vec<f64> = single.map(|alike| alike.unwrap_or(0.0)).collect();
+            let of_plane = |i: usize| {
+                let all = seen.iter().zip(&single);
+                let own = all.filter(|(other, _)| repeats(other, &seen[i]));
+                own.map(|(_, alike)| alike).sum::<f64>().min(1.0)
+            };
+            (0..seen.len()).map(of_plane).collect()
+        });
+        rows.collect()
+    }
+}
+
+fn repeats(a: &Seen, b: &Seen) -> bool {
+    (a.frequency_hz - b.frequency_hz).abs() <= REPEATED * a.frequency_hz.max(b.frequency_hz)
+}
+
+fn is_repeated(seen: &[Seen], index: usize) -> bool {
+    let others = seen.iter().enumerate().filter(|(i, _)| *i != index);
+    others
+        .into_iter()
+        .any(|(_, other)| repeats(other, &seen[index]))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn seen(frequency_hz: f64, shape: [f64; 3]) -> Seen {
+        Seen {
+            frequency_hz,
+            family: BladeFamily::Flap,
+            shape: shape.to_vec(),
+            error_hz: None,
+        }
+    }
+
+    fn turned(angle: f64) -> [[f64; 3]; 2] {
+        let (sin, cos) = angle.sin_cos();
+        [[cos, sin, 0.0], [-sin, cos, 0.0]]
+    }
+
+    /// Follows two modes over speeds at which their shapes are turned into each other by these
+    /// angles, 0.1 Hz apart.
+    fn followed(angles: &[f64]) -> Vec<Vec<f64>> {
+        let at = |angle: f64| {
+            let [first, second] = turned(angle);
+            [seen(1.0, first), seen(1.1, second)]
+        };
+        let mut tracks = Tracks::begin(&at(0.0));
+        for angle in angles {
+            let seen = at(*angle);
+            let assignment = tracks.assign(&seen);
+            tracks.take(&seen, &assignment);
+        }
+        let modes = tracks.modes.into_iter();
+        modes.map(|mode| mode.frequencies_hz).collect()
+    }
+
+    /// Coarse steps pass through a veering: at 40 degrees (0.59 and 0.41 alike) the shapes are both
+    /// and are not taken on, so at 80 degrees each mode is the other line.
+    #[test]
+    fn modes_go_through_a_veering() {
+        let angles = [40.0_f64, 80.0].map(f64::to_radians);
+        let expected = [vec![1.0, 1.0, 1.1], vec![1.1, 1.1, 1.0]];
+        assert_eq!(followed(&angles), expected);
+    }
+
+    /// A shape that changes for good, little by little, stays one line.
+    #[test]
+    fn slow_changes_are_followed() {
+        let angles: Vec<f64> = (1..=9).map(|k| f64::from(10 * k).to_radians()).collect();
+        assert_eq!(followed(&angles), [[1.0; 10], [1.1; 10]]);
+    }
+
+    /// Of a pair any mixture may be seen; as a pair both are as they were.
+    #[test]
+    fn pairs_may_be_mixed() {
+        let [first, second] = turned(0.0);
+        let mut tracks = Tracks::begin(&[seen(1.0, first), seen(1.1, second)]);
+        let [first, second] = turned(0.8);
+        let pair = [seen(1.05, first), seen(1.05, second)];
+        let assignment = tracks.assign(&pair);
+        assert!(!tracks.has_lost(&assignment, 2));
+        tracks.take(&pair, &assignment);
+        let [first, second] = turned(0.0);
+        let apart = [seen(1.1, second), seen(1.2, first)];
+        let assignment = tracks.assign(&apart);
+        tracks.take(&apart, &assignment);
+        let frequencies: Vec<_> = tracks.modes.iter().map(|m| &m.frequencies_hz[..]).collect();
+        assert_eq!(frequencies, [[1.0, 1.05, 1.2], [1.1, 1.05, 1.1]]);
+    }
+
+    #[test]
+    fn a_mode_that_is_not_seen_is_lost() {
+        let [first, second] = turned(0.0);
+        let mut tracks = Tracks::begin(&[seen(1.0, first), seen(1.1, second)]);
+        let others = [seen(1.0, first), seen(1.05, [0.0, 0.0, 1.0])];
+        let assignment = tracks.assign(&others);
+        assert!(!tracks.has_lost(&assignment, 1));
+        assert!(tracks.has_lost(&assignment, 2));
+        // It ends before that speed, and does not come back.
+        tracks.take(&others, &assignment);
+        assert_eq!(tracks.modes[1].lost, Some(0.0));
+        let again = [seen(1.2, first), seen(1.3, second)];
+        let assignment = tracks.assign(&again);
+        assert!(!tracks.has_lost(&assignment, 2));
+        tracks.take(&again, &assignment);
+        assert_eq!(tracks.modes[0].frequencies_hz, [1.0, 1.0, 1.2]);
+        assert_eq!(tracks.modes[1].frequencies_hz, [1.1]);
+    }
+
+    /// Fewer are seen than followed: what is seen stays with the mode that it is like.
+    #[test]
+    fn a_mode_too_few_shifts_no_other() {
+        let [first, second] = turned(0.0);
+        let mut tracks = Tracks::begin(&[seen(1.0, first), seen(1.1, second)]);
+        let one = [seen(1.2, second)];
+        let assignment = tracks.assign(&one);
+        tracks.take(&one, &assignment);
+        assert_eq!(tracks.modes[0].frequencies_hz, [1.0]);
+        assert_eq!(tracks.modes[0].lost, Some(0.0));
+        assert_eq!(tracks.modes[1].frequencies_hz, [1.1, 1.2]);
+        assert_eq!(tracks.modes[1].lost, None);
+    }
+
+    /// Of a shape that is 0.4, 0.3 and 0.3 of three modes nothing is lost; without the last two it
+    /// is.
+    #[test]
+    fn a_mode_between_three_is_not_lost() {
+        let shape = [0.4_f64, 0.3, 0.3].map(f64::sqrt);
+        let axes = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+        let tracks = Tracks::begin(&[seen(1.0, shape)]);
+        let three = axes.map(|axis| seen(1.0 + axis[1] + 2.0 * axis[2], axis));
+        assert!(!tracks.has_lost(&tracks.assign(&three), 1));
+        assert!(tracks.has_lost(&tracks.assign(&three[..1]), 1));
+    }
+}

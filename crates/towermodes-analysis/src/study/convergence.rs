@@ -1,0 +1,168 @@
+//! One method as its segments get more.
+
+use super::follow::{FollowedMode, followed, not_found, solve_for};
+use towermodes::Method;
+use towermodes::Warning;
+use towermodes::tower::Tower;
+use towermodes::{Options, SolveError, Workspace, solve_with};
+
+/// How finely a tower is represented: what a method converges with.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Fineness {
+    /// A number of segments or elements.
+    Segments(usize),
+    /// A polynomial degree of the spectral beam.
+    Degree(usize),
+}
+
+impl Fineness {
+    /// The number itself.
+    pub fn number(self) -> usize {
+        match self {
+            Self::Segments(number) | Self::Degree(number) => number,
+        }
+    }
+}
+
+/// The errors at one fineness.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Level {
+    /// What was asked for.
+    pub asked: Fineness,
+    /// Segments or elements that were used.
+    pub segments: usize,
+    /// Degrees of freedom of the whole tower.
+    pub degrees_of_freedom: usize,
+    /// The frequency of each followed mode, Hz; none where it is not there yet.
+    pub frequencies_hz: Vec<Option<f64>>,
+    /// f/f_limit − 1 of each.
+    pub errors: Vec<Option<f64>>,
+    /// Observed order from the level before, p in n⁻ᵖ; for the spectral beam decimal digits gained
+    /// a degree. None where rounding is all that is left of an error.
+    pub orders: Vec<Option<f64>>,
+}
+
+/// One method as its segments, or its degree, get more.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Convergence {
+    /// The method.
+    pub method: Method,
+    /// The modes with the frequencies they converge to, those of the spectral beam of the same
+    /// theory.
+    pub modes: Vec<FollowedMode>,
+    /// Whether that beam has rotary inertia in bending.
+    pub rotary_inertia: bool,
+    /// From the first asked for to the last.
+    pub levels: Vec<Level>,
+    /// What the spectral beam warns of: a mode that it does not resolve is no measure for the
+    /// method.
+    pub warnings: Vec<Warning>,
+}
+
+/// Errors below this are rounding and the error of the limit itself, and have no order.
+const ROUNDING: f64 = 1e-11;
+
+/// The beam that a method converges to: the spectral one, without rotary inertia where the method
+/// has none.
+///
+/// # Errors
+/// [`SolveError::NoShear`] for BModes and a tower that shears: it converges to no beam of that
+/// tower.
+fn limit_options(tower: &Tower, options: &Options) -> Result<Options, SolveError> {
+    if options.method == Method::Bmodes && tower.shears() {
+        return Err(SolveError::NoShear);
+    }
+    Ok(Options {
+        method: Method::Spectral,
+        segments: None,
+        degree: None,
+        rotary_inertia: options.has_rotary_inertia(),
+        points: 2,
+        ..options.clone()
+    })
+}
+
+/// Solves a tower by one method at each fineness and compares with the beam it converges to; each
+/// level is told to `done`.
+///
+/// # Errors
+/// [`SolveError`]: of any of the solves, or [`SolveError::NoShear`].
+pub fn converge(
+    tower: &Tower,
+    options: &Options,
+    fineness: &[Fineness],
+    done: impl FnMut(&Level),
+) -> Result<Convergence, SolveError> {
+    converge_with(tower, options, fineness, &mut Workspace::default(), done)
+}
+
+/// [`converge`] in memory that may be watched.
+///
+/// # Errors
+/// As [`converge`].
+pub fn converge_with(
+    tower: &Tower,
+    options: &Options,
+    fineness: &[Fineness],
+    workspace: &mut Workspace,
+    mut done: impl FnMut(&Level),
+) -> Result<Convergence, SolveError> {
+    let limit = limit_options(tower, options)?;
+    let beam = solve_with(tower, &limit, workspace)?;
+    let mut warnings = beam.warnings.clone();
+    let modes = followed(tower, &beam);
+    let mut levels: Vec<Level> = Vec::with_capacity(fineness.len());
+    for &asked in fineness {
+        let options = match asked {
+            Fineness::Segments(segments) => Options {
+                segments: Some(segments),
+                ..options.clone()
+            },
+            Fineness::Degree(degree) => Options {
+                degree: Some(degree),
+                ..options.clone()
+            },
+        };
+        let solution = solve_for(tower, &options, &modes, workspace)?;
+        warnings.extend(not_found(&modes, &solution));
+        let frequency = |mode: &FollowedMode| mode.frequency_in(&solution);
+        let frequencies_hz: Vec<_> = modes.iter().map(frequency).collect();
+        let error = |(f, mode): (&Option<f64>, &FollowedMode)| mode.relative_difference(*f);
+        let errors = frequencies_hz.iter().zip(&modes).map(error).collect();
+        let mut level = Level {
+            asked,
+            segments: solution.segments,
+            degrees_of_freedom: solution.degrees_of_freedom,
+            frequencies_hz,
+            errors,
+            orders: Vec::new(),
+        };
+        level.orders = orders(levels.last(), &level);
+        done(&level);
+        levels.push(level);
+    }
+    Ok(Convergence {
+        method: options.method,
+        modes,
+        rotary_inertia: limit.rotary_inertia,
+        levels,
+        warnings,
+    })
+}
+
+/// The observed order of each mode between two levels.
+fn orders(before: Option<&Level>, level: &Level) -> Vec<Option<f64>> {
+    let Some(before) = before else {
+        return vec![None; level.errors.len()];
+    };
+    let order = |(coarse, fine): (&Option<f64>, &Option<f64>)| {
+        let (coarse, fine) = (coarse.as_ref()?.abs(), fine.as_ref()?.abs());
+        let gain = match (before.asked, level.asked) {
+            (Fineness::Degree(coarse), Fineness::Degree(fine)) => fine as f64 - coarse as f64,
+            _ => (level.segments as f64 / before.segments as f64).log10(),
+        };
+        let order = (coarse / fine).log10() / gain;
+        (coarse > ROUNDING && fine > ROUNDING && order.is_finite()).then_some(order)
+    };
+    before.errors.iter().zip(&level.errors).map(order).collect()
+}
