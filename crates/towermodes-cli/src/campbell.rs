@@ -1,5 +1,6 @@
 //! `towermodes campbell`.
 
+use towermodes::number::four_digits;
 use towermodes::tower::Rpm;
 use towermodes::{Options, Solution, Tower};
 use towermodes_analysis::Verdict;
@@ -135,8 +136,8 @@ fn unjudged(campbell: &Campbell) -> Option<Note> {
     let [known_hz, reach_hz] = campbell.unjudged_hz()?;
     Some(Note::new(format!(
         "the list of modes ends at {} Hz and excitations count up to {} Hz: modes between these are not judged (--modes)",
-        table::four_digits(known_hz),
-        table::four_digits(reach_hz)
+        four_digits(known_hz),
+        four_digits(reach_hz)
     )))
 }
 

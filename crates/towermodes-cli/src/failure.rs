@@ -4,15 +4,17 @@ use std::io::{self, Write as _};
 use std::process::ExitCode;
 
 use annotate_snippets::{AnnotationKind, Group, Level, Renderer, Snippet};
+use towermodes::number;
 use towermodes::{BladeError, EigenError, Family, SolveError, TowerError, Warning};
 use towermodes_analysis::elastodyn::ShapesError;
 use towermodes_analysis::resonance::CampbellError;
 use towermodes_files::elastodyn::{MakeError, TowerFileError};
 use towermodes_files::{Diagnostic, FileFormat, InputError, Note, ResultError, Source, TowerInput};
 use towermodes_report::raster::RasterError;
+use towermodes_report::wording::printable;
 
 use crate::args::EndingError;
-use crate::printable::printable;
+use crate::terminal::NOT_SHOWN;
 
 /// Why the program ends without a result.
 #[derive(Debug)]
@@ -188,8 +190,7 @@ const NO_ROTOR: &str = "give --rpm LOWEST,HIGHEST, or add to the tower's file:
   rpm = [6.9, 12.1]  # lowest and highest speed of operation";
 
 fn resonant_text(failures: usize, margin: f64) -> String {
-    // Percent as given: 5, not 5.000000000000001.
-    let percent = (margin * 1e11).round() / 1e9;
+    let percent = number::percent(margin);
     match failures {
         1 => format!("1 excitation is within {percent} % of a natural frequency in operation"),
         n => format!("{n} excitations are within {percent} % of natural frequencies in operation"),
@@ -204,7 +205,7 @@ impl From<ResultError> for Failure {
 
 /// Says what belongs to a result but not into it.
 pub(crate) fn report(text: &str) {
-    say(&printable(text));
+    say(&printable(text, NOT_SHOWN));
 }
 
 /// Says what the reader of a file decided or left out.
@@ -265,7 +266,7 @@ fn hint(error: &SolveError) -> Option<&'static str> {
 }
 
 fn message(level: Level<'_>, text: &str, hint: Option<&str>) -> String {
-    let text = printable(text);
+    let text = printable(text, NOT_SHOWN);
     let title = rendered(&[Group::with_title(level.primary_title(&*text))]);
     let hint = hint.map(|hint| rendered(&[Group::with_title(Level::HELP.primary_title(hint))]));
     title + &hint.unwrap_or_default()
@@ -274,13 +275,14 @@ fn message(level: Level<'_>, text: &str, hint: Option<&str>) -> String {
 /// Every mistake with its line, as compilers show them, with a blank line between two.
 fn mistakes_text(source: &Source, mistakes: &[Diagnostic]) -> String {
     let mut text = String::new();
-    let name = printable(&source.name);
+    let name = printable(&source.name, NOT_SHOWN);
     for mistake in mistakes {
         if !text.is_empty() {
             text.push('\n');
         }
-        let said = printable(&mistake.message);
-        let hint = mistake.hint.as_deref().map(printable);
+        let said = printable(&mistake.message, NOT_SHOWN);
+        let hint = mistake.hint.as_deref();
+        let hint = hint.map(|hint| printable(hint, NOT_SHOWN));
         let snippet = Snippet::source(&source.text)
             .path(&*name)
             .annotation(AnnotationKind::Primary.span(visible(&source.text, mistake)));

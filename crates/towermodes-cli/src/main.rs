@@ -15,7 +15,6 @@ mod failure;
 mod input;
 mod output;
 mod plot;
-mod printable;
 mod progress;
 mod reference;
 mod report;

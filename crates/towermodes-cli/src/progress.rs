@@ -10,8 +10,9 @@ use std::time::Duration;
 
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressState, ProgressStyle};
 use towermodes::{Options, Solution, SolveError, Stage, Tower, Workspace, solve_certain};
+use towermodes_report::wording::printable;
 
-use crate::printable::printable;
+use crate::terminal::NOT_SHOWN;
 
 /// Work that takes no longer than this is done without a word.
 const QUIET: Duration = Duration::from_millis(500);
@@ -126,7 +127,10 @@ impl Now {
             }
             (Some((name, _)), _) => {
                 let (number, of) = (self.at + 1, self.pieces.len());
-                format!("{number} of {of}, {}", shortened(&printable(name)))
+                format!(
+                    "{number} of {of}, {}",
+                    shortened(&printable(name, NOT_SHOWN))
+                )
             }
             (None, _) => "all done".to_owned(),
         }

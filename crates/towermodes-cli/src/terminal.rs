@@ -8,3 +8,6 @@ pub(crate) fn width() -> usize {
     let size = terminal_size::terminal_size_of(std::io::stdout());
     size.map_or(WIDTH_OF_FILES, |(width, _)| usize::from(width.0))
 }
+
+/// Stands for a character that a terminal would obey instead of showing it.
+pub(crate) const NOT_SHOWN: char = '\u{fffd}';

@@ -30,7 +30,6 @@ mod diagnostic;
 pub mod elastodyn;
 mod hawc2;
 mod input;
-mod number;
 mod places;
 mod read;
 mod records;
@@ -39,6 +38,8 @@ mod source;
 mod station_table;
 mod toml;
 mod windio;
+
+use towermodes::number;
 
 pub use bmodes::{
     BmodesFiles, BmodesInput, BmodesWriteError, BmodesWriteOptions, OutHeader, OutMode, OutRow,

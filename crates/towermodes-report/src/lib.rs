@@ -4,7 +4,9 @@
 //! shows as a table.
 
 pub mod figures;
+mod number;
 pub mod raster;
 pub mod report;
 pub mod svg;
 pub mod terminal;
+pub mod wording;

@@ -35,7 +35,7 @@ pub mod eigen;
 pub mod elements;
 mod method;
 pub mod modes;
-mod number;
+pub mod number;
 pub mod parts;
 mod solve;
 pub mod space;
@@ -47,7 +47,7 @@ pub use blade::{Blade, BladeDescription, BladeError, BladeSection};
 pub use eigen::{EigenError, Statistics};
 pub use method::Method;
 pub use modes::{ByMotion, Energy, Family, ShapePoint};
-pub use number::{Plain, four_digits};
+pub use number::Plain;
 pub use solve::{
     BladeFamily, BladeMode, BladeSolution, Certificate, DEFAULT_MODES, DEFAULT_POINTS,
     DEFAULT_SEGMENTS, MAX_BYTES, MAX_DEGREE, MAX_POINTS, MAX_SECONDS, MAX_SEGMENTS,

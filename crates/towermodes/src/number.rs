@@ -1,9 +1,9 @@
-//! Numbers as people write them.
+//! How numbers are written in every text that a person reads.
 //!
-//! The rule for every text that a person reads: at most seven significant digits, plainly from 1e-4
-//! to 1e7 and with an exponent beyond. More digits appear only where two numbers that differ would
-//! otherwise look the same ([`Apart`]), or where a text asks for so many decimals. Files that a
-//! program reads back have all digits; they do not use this.
+//! [`Plain`] and [`Rounded`] write values of the input, [`digits`] and [`four_digits`] computed
+//! values, [`with_error`] frequencies, [`percent`] fractions. All of them write small and large
+//! numbers with an exponent. Files that a program reads back have all digits; they do not use this
+//! module.
 
 use std::fmt;
 
@@ -75,33 +75,127 @@ fn rounded(value: f64, digits: usize) -> f64 {
     format!("{value:.decimals$e}").parse().unwrap_or(value)
 }
 
-/// Rounded to six significant digits.
+/// A value rounded to six significant digits.
 pub(crate) fn significant(value: f64) -> f64 {
     rounded(value, 6)
 }
 
-/// A number with four significant digits and its trailing zeros, as frequencies are read, and with
-/// an exponent below 1e-3 and from 1e5.
+/// Shows a number with at most six significant digits, which is a millimetre of a tower and a
+/// kilogram of its nacelle: plainly from 1e-4 to 1e7, with an exponent beyond.
 ///
 /// # Example
 /// ```
-/// assert_eq!(towermodes::four_digits(0.345), "0.3450");
-/// assert_eq!(towermodes::four_digits(3.2e-7), "3.200e-7");
+/// use towermodes::number::Rounded;
+///
+/// assert_eq!(Rounded(0.001_234_567).to_string(), "0.00123457");
+/// assert_eq!(Rounded(2.1e11).to_string(), "2.1e11");
 /// ```
-pub fn four_digits(value: f64) -> String {
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Rounded(
+    /// The number.
+    pub f64,
+);
+
+impl fmt::Display for Rounded {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        // -0 + 0 is 0.
+        write!(f, "{}", Plain(significant(self.0) + 0.0))
+    }
+}
+
+/// A computed value with `count` significant digits, trailing zeros included: plainly from 1e-4 to
+/// 1e6, with an exponent beyond.
+///
+/// # Example
+/// ```
+/// use towermodes::number::digits;
+///
+/// assert_eq!(digits(0.345, 4), "0.3450");
+/// assert_eq!(digits(9.999_96, 4), "10.00");
+/// assert_eq!(digits(3.3e-9, 2), "3.3e-9");
+/// ```
+#[must_use]
+pub fn digits(value: f64, count: usize) -> String {
     if value == 0.0 {
         return "0".to_owned();
     }
-    if !(1e-3..1e5).contains(&value.abs()) {
-        return format!("{value:.3e}");
+    let after_point = count.saturating_sub(1);
+    let scientific = format!("{value:.after_point$e}");
+    let exponent = scientific.split_once('e').map(|(_, exponent)| exponent);
+    match exponent.and_then(|exponent| exponent.parse::<isize>().ok()) {
+        Some(exponent) if (-4..6).contains(&exponent) => {
+            let decimals = after_point.saturating_add_signed(-exponent);
+            format!("{value:.decimals$}")
+        }
+        _ => scientific,
     }
-    let decimals = (3.0 - value.abs().log10().floor()).max(0.0) as usize;
-    format!("{value:.decimals$}")
+}
+
+/// A computed value with four significant digits, as [`digits`].
+#[must_use]
+pub fn four_digits(value: f64) -> String {
+    digits(value, 4)
+}
+
+/// A number with at most `decimals` digits after the point and without zeros at its end.
+///
+/// # Example
+/// ```
+/// assert_eq!(towermodes::number::fixed(12.10, 3), "12.1");
+/// ```
+#[must_use]
+pub fn fixed(value: f64, decimals: usize) -> String {
+    trimmed(&format!("{value:.decimals$}")).to_owned()
+}
+
+/// A written number without zeros at its end, nor a minus sign before 0.
+#[must_use]
+pub fn trimmed(text: &str) -> &str {
+    let text = match text.contains('.') {
+        true => text.trim_end_matches('0').trim_end_matches('.'),
+        false => text,
+    };
+    if text == "-0" { "0" } else { text }
+}
+
+/// A frequency, or its error, with as many decimals as show two digits of the error; at least 4 and
+/// at most 11, which is what a double holds.
+///
+/// `value_hz` is the number to write: the frequency, its error, or another estimate of the
+/// frequency. A value that its decimals cannot show is written as "<0.0001". Beyond 1e-4 to 1e6 Hz
+/// the value has an exponent and seven digits.
+///
+/// # Example
+/// ```
+/// use towermodes::number::with_error;
+///
+/// assert_eq!(with_error(0.321_456_789, 0.321_456_789, 3e-6), "0.3214568");
+/// assert_eq!(with_error(3e-6, 0.321_456_789, 3e-6), "0.0000030");
+/// ```
+#[must_use]
+pub fn with_error(value_hz: f64, frequency_hz: f64, error_hz: f64) -> String {
+    if frequency_hz > 0.0 && !(1e-4..1e6).contains(&frequency_hz) {
+        return format!("{value_hz:.6e}");
+    }
+    // An error of 0 has as many decimals as there can be: log10(0) is -∞.
+    let decimals = 1_i32.saturating_sub(error_hz.log10().floor() as i32);
+    let decimals = usize::try_from(decimals.clamp(4, 11)).unwrap_or_default();
+    let least = format!("0.{}1", "0".repeat(decimals - 1));
+    if value_hz > 0.0 && least.parse().is_ok_and(|least: f64| value_hz < least) {
+        return format!("<{least}");
+    }
+    format!("{value_hz:.decimals$}")
+}
+
+/// A fraction that was given in percent, in percent again: 5, not 5.000000000000001.
+#[must_use]
+pub fn percent(fraction: f64) -> f64 {
+    (fraction * 1e11).round() / 1e9
 }
 
 #[cfg(test)]
 mod tests {
-    use super::{Apart, Plain, four_digits};
+    use super::{Apart, Plain, Rounded, digits, fixed, four_digits, percent, with_error};
 
     #[test]
     fn four_digits_whatever_the_size() {
@@ -112,6 +206,44 @@ mod tests {
                 "0.3450", "12.10", "0.001234", "0", "4322", "12346", "3.200e-7"
             ]
         );
+        // Rounding may carry into the next power of ten.
+        let shown = [9.999_96, 999_999.4, -26_054_943.0, f64::NAN].map(four_digits);
+        assert_eq!(shown, ["10.00", "1.000e6", "-2.605e7", "NaN"]);
+        assert_eq!(digits(0.046_871, 2), "0.047");
+    }
+
+    #[test]
+    fn six_digits_are_shown() {
+        let shown = [
+            98_462.001_396,
+            -0.0,
+            0.001_234_567,
+            1.234_567_8e-7,
+            9_999_999.9,
+        ]
+        .map(|value| Rounded(value).to_string());
+        assert_eq!(shown, ["98462", "0", "0.00123457", "1.23457e-7", "1e7"]);
+    }
+
+    #[test]
+    fn decimals_have_no_zeros_at_the_end() {
+        let shown = [87.6, 120.0, -0.000_1, 0.5].map(|value| fixed(value, 3));
+        assert_eq!(shown, ["87.6", "120", "0", "0.5"]);
+    }
+
+    #[test]
+    fn frequencies_have_the_digits_that_their_error_leaves() {
+        assert_eq!(with_error(0.321_456_789, 0.321_456_789, 3e-6), "0.3214568");
+        assert_eq!(with_error(0.321_456_789, 0.321_456_789, 0.1), "0.3215");
+        assert_eq!(with_error(0.25, 0.25, 0.0), "0.25000000000");
+        assert_eq!(with_error(1e-13, 0.25, 1e-13), "<0.00000000001");
+        assert_eq!(with_error(2.5e-7, 2.5e-7, 1e-9), "2.500000e-7");
+    }
+
+    #[test]
+    fn margins_are_shown_as_they_were_given() {
+        let shown = [0.03, 2.55, 5.0, 7.0, 12.5].map(|given| percent(given / 100.0));
+        assert_eq!(shown, [0.03, 2.55, 5.0, 7.0, 12.5]);
     }
 
     #[test]

@@ -4,8 +4,8 @@
 use super::campbell::{Campbell, Excited, Margin, StiffnessClass};
 use super::margin::is_strong;
 use crate::verdict::Verdict;
-use towermodes::four_digits;
 use towermodes::modes::Family;
+use towermodes::number::{self, four_digits};
 use towermodes::tower::{Rotor, Rpm};
 
 /// Of each kind of remark at most so many pairs are named.
@@ -164,7 +164,7 @@ fn least_margin(campbell: &Campbell, firsts: &[First]) -> Option<String> {
     Some(match least.verdict {
         Verdict::Fail => format!(
             " with margins of only {percent} %, less than the {} % asked for",
-            whole_percent(campbell.margin)
+            number::percent(campbell.margin)
         ),
         _ => format!(" with margins of at least {percent} %"),
     })
@@ -232,9 +232,4 @@ fn percent(campbell: &Campbell, margin: &Margin) -> String {
         share if share.abs() < 9.995 => campbell.distance_percent(margin),
         share => format!("{:+.0}", 100.0 * share),
     }
-}
-
-/// A share in percent without what dividing by 100 left.
-fn whole_percent(share: f64) -> f64 {
-    (share * 1e11).round() / 1e9
 }

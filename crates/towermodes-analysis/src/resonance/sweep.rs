@@ -5,7 +5,7 @@ use std::f64::consts::PI;
 use super::campbell::{BEYOND_OPERATION, CampbellError, Excited, FrequencyLine, LineEnd};
 use super::track::{Seen, Tracks};
 use towermodes::blade::{Blade, BladeDescription};
-use towermodes::modes::{Ordinal, ShapePoint};
+use towermodes::modes::ShapePoint;
 use towermodes::tower::Rotor;
 use towermodes::{BladeFamily, BladeMode, blade_degrees_of_freedom, solve_blade, solve_blade_once};
 
@@ -79,7 +79,7 @@ fn lines(tracks: Tracks, modes: usize, speeds_rpm: &[f64]) -> Vec<FrequencyLine>
         let frequencies = speeds_rpm.iter().zip(mode.frequencies_hz);
         FrequencyLine {
             of: Excited::Blade { family, order },
-            label: format!("blade {} {}", Ordinal(order), family.name()),
+            label: format!("blade {}", family.label(order)),
             points: frequencies.map(|(rpm, hz)| [*rpm, hz]).collect(),
             error_hz: mode.error_hz,
             lost,

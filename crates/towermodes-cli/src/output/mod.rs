@@ -8,17 +8,20 @@ use std::io::{ErrorKind, IsTerminal, Write};
 use std::path::{Path, PathBuf};
 
 use same_file::Handle;
+use towermodes_report::wording::printable;
 
 use crate::failure::Failure;
-use crate::printable::printable;
+use crate::terminal::NOT_SHOWN;
 
 /// Writes a finished result to a file, or to standard output. A terminal gets no sign that would
 /// disturb it.
 pub(crate) fn deliver(result: &[u8], output: Option<&Path>) -> Result<(), Failure> {
     match std::str::from_utf8(result) {
-        Ok(text) if output.is_none() && std::io::stdout().is_terminal() => {
-            write(printable(text).as_bytes(), None, anstream::stdout().lock())
-        }
+        Ok(text) if output.is_none() && std::io::stdout().is_terminal() => write(
+            printable(text, NOT_SHOWN).as_bytes(),
+            None,
+            anstream::stdout().lock(),
+        ),
         _ => write(result, output, anstream::stdout().lock()),
     }
 }

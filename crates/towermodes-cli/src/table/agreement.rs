@@ -1,12 +1,13 @@
 //! Two descriptions of one tower for people, and what one describes.
 
 use towermodes::Tower;
+use towermodes::number::four_digits;
 use towermodes_analysis::Verdict;
 use towermodes_analysis::agreement::{
     Agreement, Compared, ComparedFrequency, Examination, LargestDifference,
 };
 
-use super::text::{align_right, four_digits, plain_table, title, tonnes};
+use super::text::{align_right, plain_table, title, tonnes};
 
 /// Masses, stiffnesses and frequencies of two towers, by height.
 pub(crate) fn agreement(names: &[String; 2], agreement: &Agreement) -> String {
@@ -84,7 +85,7 @@ fn whole(agreement: &Agreement) -> String {
     add(
         largest("mass kg/m", &agreement.largest_mass),
         &agreement.largest_mass.compared,
-        &four,
+        &four_digits,
     );
     add(
         largest("EI fore-aft N m2", &bending.fore_aft),
@@ -158,10 +159,6 @@ fn by_height(agreement: &Agreement) -> String {
     }
     align_right(&mut table, 0..=9);
     table.trim_fmt()
-}
-
-fn four(value: f64) -> String {
-    four_digits(value)
 }
 
 fn percent(difference: f64) -> String {

@@ -1,8 +1,10 @@
 //! The modes of a rotating blade for people.
 
-use towermodes::{Blade, BladeFamily, BladeMode, BladeSolution};
+use towermodes::number::{four_digits, with_error};
+use towermodes::{Blade, BladeMode, BladeSolution};
+use towermodes_report::wording::{blade_mode_shape, completeness, counted};
 
-use super::text::{align_right, aligned, counted, four_digits, name_line, plain_table, with_error};
+use super::text::{align_right, aligned, name_line, plain_table};
 
 /// The modes as a table, and one line on what they are of.
 pub(crate) fn blade(blade: &Blade, solution: &BladeSolution) -> String {
@@ -10,7 +12,7 @@ pub(crate) fn blade(blade: &Blade, solution: &BladeSolution) -> String {
     let mut table = plain_table();
     table.set_header([
         "mode",
-        "what it is",
+        "mode shape",
         "frequency Hz",
         "± error",
         "per revolution",
@@ -25,7 +27,7 @@ pub(crate) fn blade(blade: &Blade, solution: &BladeSolution) -> String {
     for (mode, (frequency, error)) in modes().zip(frequencies.iter().zip(&errors)) {
         table.add_row([
             mode.number.to_string(),
-            what_it_is(mode),
+            blade_mode_shape(mode),
             frequency.clone(),
             error.clone(),
             per_revolution(mode.frequency_hz, rotor_hz),
@@ -37,7 +39,7 @@ pub(crate) fn blade(blade: &Blade, solution: &BladeSolution) -> String {
         kg => format!("{} kg at its tip", four_digits(kg)),
     };
     format!(
-        "{}{}\n\nblade of {} kg from radius {} m to {} m, {tip} | {} rpm | bmodes, {} | certified: {} below {} Hz, all listed\n",
+        "{}{}\n\nblade of {} kg from radius {} m to {} m, {tip} | {} rpm | bmodes, {} | {}\n",
         name_line(&description.name),
         table.trim_fmt(),
         four_digits(blade.mass_kg()),
@@ -45,46 +47,8 @@ pub(crate) fn blade(blade: &Blade, solution: &BladeSolution) -> String {
         description.tip_radius_m,
         rounded(60.0 * rotor_hz),
         counted(solution.elements, "element"),
-        counted(solution.certificate.count, "mode"),
-        four_digits(solution.certificate.below_hz),
+        completeness(&solution.certificate, solution.modes.len()),
     )
-}
-
-/// "2nd flap (12 % torsion)".
-fn what_it_is(mode: &BladeMode) -> String {
-    let kinetic = &mode.kinetic;
-    let shares = [
-        (BladeFamily::Flap, kinetic.side_side),
-        (BladeFamily::Lag, kinetic.fore_aft),
-        (BladeFamily::Torsion, kinetic.torsion),
-        (BladeFamily::Axial, kinetic.axial),
-    ];
-    let others = shares
-        .into_iter()
-        .filter(|(family, _)| *family != mode.family);
-    let mut others: Vec<(BladeFamily, f64)> = others.filter(|(_, share)| *share >= 0.01).collect();
-    others.sort_by(|a, b| b.1.total_cmp(&a.1));
-    let others: Vec<String> = others
-        .iter()
-        .map(|(family, share)| format!("{:.0} % {}", 100.0 * share, family.name()))
-        .collect();
-    let label = format!("{} {}", ordinal(mode.order), mode.family.name());
-    if others.is_empty() {
-        return label;
-    }
-    format!("{label} ({})", others.join(", "))
-}
-
-/// "1st", "2nd", "3rd", "4th".
-fn ordinal(number: usize) -> String {
-    let ending = match (number % 10, number % 100) {
-        (_, 11..=13) => "th",
-        (1, _) => "st",
-        (2, _) => "nd",
-        (3, _) => "rd",
-        _ => "th",
-    };
-    format!("{number}{ending}")
 }
 
 /// "3.62 P".

@@ -1,13 +1,13 @@
 //! A Campbell diagram for people: which excitation comes how near to which mode, and where the
 //! tower stands among them.
 
-use towermodes::Rotor;
 use towermodes::Tower;
+use towermodes::number::{percent, with_error};
 use towermodes::tower::Rpm;
-use towermodes_analysis::Verdict;
 use towermodes_analysis::resonance::{Campbell, Excited, FrequencyLine, Margin};
+use towermodes_report::wording::{counted, operation, verdict_counts, verdict_word};
 
-use super::text::{align_right, counted, plain_table, title, with_error, wrapped};
+use super::text::{align_right, plain_table, title, wrapped};
 
 /// The conclusion in words first; then the pairs that come near each other, or all, and the rotor.
 /// `has_blade` is whether the files have a blade.
@@ -64,7 +64,7 @@ fn pairs(campbell: &Campbell, shown: &[&Margin]) -> String {
             Rpm(margin.nearest_rpm).to_string(),
             format!("{:.4}", margin.excitation_hz),
             distance(campbell, margin),
-            margin.verdict.name().to_uppercase(),
+            verdict_word(margin.verdict).to_owned(),
         ]);
     }
     align_right(&mut table, 1..=5);
@@ -105,27 +105,11 @@ fn unresisted(campbell: &Campbell) -> Option<String> {
 
 /// The rotor, the margin and how many verdicts of each kind.
 fn summary(campbell: &Campbell, has_blade: bool) -> String {
-    let Rotor {
-        blades,
-        lowest_rpm,
-        highest_rpm,
-    } = campbell.rotor;
-    let speeds = if lowest_rpm == highest_rpm {
-        format!("{} rpm only", Rpm(lowest_rpm))
-    } else {
-        format!("{} to {} rpm", Rpm(lowest_rpm), Rpm(highest_rpm))
-    };
-    let count = |verdict: Verdict| {
-        let margins = campbell.margins.iter();
-        margins.filter(|margin| margin.verdict == verdict).count()
-    };
+    let [pass, warn, fail] = verdict_counts(campbell);
     format!(
-        "{} at {speeds} | margin {} % | {} pass, {} warn, {} fail{}",
-        counted(blades, "blade"),
+        "{} | margin {} % | {pass} pass, {warn} warn, {fail} fail{}",
+        operation(&campbell.rotor),
         percent(campbell.margin),
-        count(Verdict::Pass),
-        count(Verdict::Warn),
-        count(Verdict::Fail),
         match (has_blade, has_blade_lines(campbell)) {
             (_, true) => "",
             (true, false) => " | without the blade",
@@ -137,11 +121,6 @@ fn summary(campbell: &Campbell, has_blade: bool) -> String {
 fn has_blade_lines(campbell: &Campbell) -> bool {
     let mut lines = campbell.lines.iter();
     lines.any(|line| matches!(line.of, Excited::Blade { .. }))
-}
-
-/// A share in percent as it was given, without what dividing by 100 left.
-fn percent(share: f64) -> f64 {
-    (share * 1e11).round() / 1e9
 }
 
 #[cfg(test)]
@@ -248,7 +227,7 @@ mod tests {
         let mut campbell = campbell();
         assert!(summary(&campbell, true).starts_with("3 blades at 6 to 12 rpm | "));
         campbell.rotor.lowest_rpm = 12.0;
-        assert!(summary(&campbell, true).starts_with("3 blades at 12 rpm only | "));
+        assert!(summary(&campbell, true).starts_with("3 blades at 12 rpm | "));
     }
 
     #[test]

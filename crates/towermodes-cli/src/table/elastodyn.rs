@@ -1,10 +1,12 @@
 //! Shapes for ElastoDyn for people: how well they fit, how they change, how they are judged.
 
+use towermodes::number::four_digits;
 use towermodes::{Plane, Tower};
 use towermodes_analysis::elastodyn::{Judgement, TowerShape, TowerShapes};
 use towermodes_files::elastodyn::{MadeTowerFile, TowerFile};
+use towermodes_report::wording::verdict_word;
 
-use super::text::{align_right, four_digits, plain_table, title};
+use super::text::{align_right, plain_table, title};
 
 /// How well the polynomials of a made tower file fit, and what ElastoDyn makes of them.
 pub(crate) fn fits(tower: &Tower, made: &MadeTowerFile) -> String {
@@ -122,7 +124,7 @@ pub(crate) fn judgements(
             format!("{:.6}", judgement.sum),
             format!("{:.4}", judgement.implied_hz),
             format!("{:.4}", judgement.best_implied_hz),
-            judgement.verdict.name().to_uppercase(),
+            verdict_word(judgement.verdict).to_owned(),
         ]);
     }
     align_right(&mut table, 1..=8);

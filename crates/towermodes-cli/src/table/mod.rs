@@ -17,5 +17,4 @@ pub(crate) use comparison::comparison;
 pub(crate) use convergence::convergence;
 pub(crate) use elastodyn::{changes, fits, judgements};
 pub(crate) use solution::solution;
-pub(crate) use text::four_digits;
 pub(crate) use verification::verification;

@@ -1,10 +1,10 @@
 //! A solution for people.
 
+use towermodes::number::{four_digits, with_error};
 use towermodes::{Method, Mode, Solution, Tower};
+use towermodes_report::wording::{buckling_load_factor, completeness, mesh, mode_shape};
 
-use super::text::{
-    align_right, aligned, counted, four_digits, plain_table, title, tonnes, with_error,
-};
+use super::text::{align_right, aligned, plain_table, title, tonnes};
 
 /// The modes as a table, and one line on what they are of.
 pub(crate) fn solution(tower: &Tower, solution: &Solution) -> String {
@@ -15,13 +15,8 @@ pub(crate) fn solution(tower: &Tower, solution: &Solution) -> String {
     text.push('\n');
     text.push_str(&effective_masses(solution));
     if let Some(factor) = solution.buckling_load_factor {
-        // Near 1 every digit matters.
-        let factor = if factor < 1.01 {
-            format!("{factor:.6}")
-        } else {
-            four_digits(factor)
-        };
-        text.push_str(&format!(" | buckles at {factor} times its weight"));
+        let factor = buckling_load_factor(factor);
+        text.push_str(&format!(" | buckling load factor {factor}"));
     }
     if tower.gravity_m_per_s2() == 0.0 {
         text.push_str(" | without gravity");
@@ -32,7 +27,7 @@ pub(crate) fn solution(tower: &Tower, solution: &Solution) -> String {
 
 fn modes(solution: &Solution) -> String {
     let mut table = plain_table();
-    table.set_header(["mode", "what it is", "frequency Hz", "± error", "period s"]);
+    table.set_header(["mode", "mode shape", "frequency Hz", "± error", "period s"]);
     let modes = || solution.modes.iter();
     let frequencies =
         aligned(modes().map(|m| with_error(m.frequency_hz, m.frequency_hz, m.error_hz())));
@@ -40,7 +35,7 @@ fn modes(solution: &Solution) -> String {
     for (mode, (frequency, error)) in modes().zip(frequencies.iter().zip(&errors)) {
         table.add_row([
             mode.number.to_string(),
-            what_it_is(mode),
+            mode_shape(mode),
             frequency.clone(),
             error.clone(),
             period(mode),
@@ -59,44 +54,23 @@ fn period(mode: &Mode) -> String {
     }
 }
 
-/// Its label, with the other parts of its energy from one percent on: "1st fore-aft bending (8 %
-/// torsion)".
-fn what_it_is(mode: &Mode) -> String {
-    let parts = mode.other_parts();
-    let shown = parts.iter().filter(|(_, share)| *share >= 0.01);
-    let parts: Vec<String> = shown
-        .map(|(family, share)| format!("{:.0} % {}", 100.0 * share, family.name()))
-        .collect();
-    if parts.is_empty() {
-        return mode.label();
-    }
-    format!("{} ({})", mode.label(), parts.join(", "))
-}
-
 /// Tower mass, top mass, method, certificate.
 fn summary(tower: &Tower, solution: &Solution) -> String {
     let top = match tower.rna().mass_kg {
         0.0 => "no top mass".to_owned(),
         kg => format!("top {}", tonnes(kg)),
     };
-    let count = solution.certificate.count;
-    let listed = if count > solution.modes.len() {
-        "the list cuts a pair"
-    } else {
-        "all listed"
+    // The error of BModes' method does not show that its beam lacks rotary inertia.
+    let physics = match solution.method {
+        Method::Bmodes => " without rotary inertia",
+        _ => "",
     };
     format!(
-        "tower {}, {top} | {}, {} | certified: this {} has {} below {} Hz, {listed}",
+        "tower {}, {top} | {}, {}{physics} | {}",
         tonnes(tower.mass_kg()),
         solution.method.name(),
-        fineness(solution),
-        if is_beam(solution.method) {
-            "beam"
-        } else {
-            "chain"
-        },
-        counted(count, "mode"),
-        four_digits(solution.certificate.below_hz),
+        mesh(solution.method, solution.segments, solution.degree),
+        completeness(&solution.certificate, solution.modes.len()),
     )
 }
 
@@ -106,25 +80,4 @@ fn effective_masses(solution: &Solution) -> String {
         .effective_mass_shares()
         .map(|share| format!("{:.0} %", 100.0 * share));
     format!("effective mass of these modes: {x} in x, {y} in y, {z} in z")
-}
-
-/// "100 segments", "1 element of degree 19", or "50 elements without rotary inertia": the beam of
-/// BModes is that of Euler and Bernoulli, and its error does not say how far that is from a beam
-/// whose sections resist rotation.
-fn fineness(solution: &Solution) -> String {
-    let noun = if is_beam(solution.method) {
-        "element"
-    } else {
-        "segment"
-    };
-    let degree = solution.degree.map(|degree| format!(" of degree {degree}"));
-    let physics = match solution.method {
-        Method::Bmodes => " without rotary inertia",
-        _ => "",
-    };
-    counted(solution.segments, noun) + &degree.unwrap_or_default() + physics
-}
-
-fn is_beam(method: Method) -> bool {
-    matches!(method, Method::Bmodes | Method::Spectral)
 }

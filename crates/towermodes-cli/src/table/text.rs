@@ -46,35 +46,6 @@ pub(super) fn aligned(numbers: impl Iterator<Item = String>) -> Vec<String> {
     numbers.into_iter().map(padded).collect()
 }
 
-/// Frequencies are shown with at least this many decimals, and at most with those a number holds.
-const DECIMALS: std::ops::RangeInclusive<i32> = 4..=11;
-
-/// A frequency or its error, with as many decimals as show two digits of the error.
-pub(super) fn with_error(value_hz: f64, frequency_hz: f64, error_hz: f64) -> String {
-    // Far from 1 Hz an exponent says more than a row of zeros.
-    if frequency_hz > 0.0 && !(1e-4..1e6).contains(&frequency_hz) {
-        return format!("{value_hz:.6e}");
-    }
-    // An error of 0 has as many as there can be.
-    let decimals = 1_i32.saturating_sub(error_hz.log10().floor() as i32);
-    let decimals = usize::try_from(decimals.clamp(*DECIMALS.start(), *DECIMALS.end()));
-    let decimals = decimals.unwrap_or_default();
-    let least = 0.1_f64.powi(i32::try_from(decimals).unwrap_or_default());
-    if value_hz > 0.0 && value_hz < least {
-        return format!("<{least:.decimals$}");
-    }
-    format!("{value_hz:.decimals$}")
-}
-
-/// Four significant digits.
-pub(crate) fn four_digits(value: f64) -> String {
-    if !(1e-4..1e9).contains(&value) {
-        return format!("{value:.3e}");
-    }
-    let decimals = (3 - value.log10().floor() as i32).max(0);
-    format!("{value:.*}", usize::try_from(decimals).unwrap_or_default())
-}
-
 /// Units, which stay with their number.
 const UNITS: [&str; 3] = ["Hz", "rpm", "%"];
 
@@ -106,11 +77,6 @@ pub(super) fn wrapped(text: &str) -> String {
     lines.join("\n")
 }
 
-/// "1 mode", "2 modes".
-pub(super) fn counted(count: usize, noun: &str) -> String {
-    format!("{count} {noun}{}", if count == 1 { "" } else { "s" })
-}
-
 /// A mass in tonnes.
 pub(super) fn tonnes(kg: f64) -> String {
     if kg < 1e9 {
@@ -122,7 +88,7 @@ pub(super) fn tonnes(kg: f64) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::{aligned, four_digits, with_error, wrapped};
+    use super::{aligned, wrapped};
 
     #[test]
     fn long_sentences_are_broken_between_words() {
@@ -149,20 +115,5 @@ mod tests {
             aligned(numbers.into_iter()),
             ["0.25  ", "12.1234", "7     "]
         );
-    }
-
-    #[test]
-    fn frequencies_have_the_digits_that_their_error_leaves() {
-        assert_eq!(with_error(0.321_456_789, 0.321_456_789, 3e-6), "0.3214568");
-        assert_eq!(with_error(0.321_456_789, 0.321_456_789, 0.1), "0.3215");
-        assert_eq!(with_error(0.25, 0.25, 0.0), "0.25000000000");
-    }
-
-    #[test]
-    fn four_digits_whatever_the_size() {
-        assert_eq!(four_digits(3.33105), "3.331");
-        assert_eq!(four_digits(0.046_871), "0.04687");
-        assert_eq!(four_digits(123_456.0), "123456");
-        assert_eq!(four_digits(1e-7), "1.000e-7");
     }
 }

@@ -1,13 +1,13 @@
 //! What a report says, before it is a page or a text.
 
 use serde::Serialize;
-use towermodes::is_printable;
 use towermodes_analysis::Verdict;
 
 use super::embedded::EmbeddedFile;
 use super::table::Table;
 use crate::figures::AnimationData;
 use crate::svg::Figure;
+use crate::wording;
 
 /// A report.
 pub(super) struct Document {
@@ -88,14 +88,9 @@ pub(super) struct Mark {
 impl Mark {
     /// That of a verdict.
     pub(super) fn of(verdict: Verdict) -> Self {
-        let word = match verdict {
-            Verdict::Pass => "PASS",
-            Verdict::Warn => "WARN",
-            Verdict::Fail => "FAIL",
-        };
         Self {
             name: verdict.name(),
-            word,
+            word: wording::verdict_word(verdict),
         }
     }
 }
@@ -135,24 +130,7 @@ impl Document {
     }
 }
 
-/// Text without characters that no document has and without marks that turn the direction of
-/// writing.
+/// Text with a space for each character that could hide or forge what a page shows.
 pub(super) fn printable(text: &str) -> String {
-    // The last two are no characters of XML.
-    let disturbs = |c: char| {
-        (!is_printable(c) && !matches!(c, '\n' | '\t')) || matches!(c, '\u{fffe}' | '\u{ffff}')
-    };
-    text.chars()
-        .map(|c| if disturbs(c) { ' ' } else { c })
-        .collect()
-}
-
-#[cfg(test)]
-mod tests {
-    use super::printable;
-
-    #[test]
-    fn text_has_no_marks_that_turn_it() {
-        assert_eq!(printable("a\u{202e}b\u{0}c\n"), "a b c\n");
-    }
+    wording::printable(text, ' ').into_owned()
 }

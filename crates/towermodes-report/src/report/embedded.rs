@@ -2,7 +2,7 @@
 
 use super::content::InputFile;
 use super::document::printable;
-use super::number::counted;
+use crate::wording::counted;
 
 /// Of a longer file the report has the beginning alone, bytes.
 const MOST_OF_A_FILE: usize = 256 * 1024;

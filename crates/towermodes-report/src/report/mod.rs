@@ -10,7 +10,6 @@ mod embedded;
 mod error;
 mod html;
 mod markdown;
-mod number;
 mod plot_command;
 mod sections;
 mod shell;

@@ -2,6 +2,7 @@
 
 use towermodes::Options;
 use towermodes::elements::GAUSS_HINGE_POSITION;
+use towermodes::number;
 use towermodes_analysis::resonance::{Campbell, DEFAULT_MARGIN};
 
 use super::content::ReportContent;
@@ -73,9 +74,7 @@ fn rotor(campbell: &Campbell) -> String {
         multiples.join(",")
     );
     if campbell.margin != DEFAULT_MARGIN {
-        // 5, not 5.000000000000001.
-        let percent = (campbell.margin * 1e11).round() / 1e9;
-        text.push_str(&format!(" --margin {percent}"));
+        text.push_str(&format!(" --margin {}", number::percent(campbell.margin)));
     }
     text
 }

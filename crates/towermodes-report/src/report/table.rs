@@ -4,7 +4,7 @@ use serde::Serialize;
 use towermodes_analysis::Verdict;
 
 use super::document::Mark;
-use super::number::NOTHING;
+use crate::number::NOTHING;
 
 /// Longer tables are shortened in their middle.
 const LONG: usize = 30;

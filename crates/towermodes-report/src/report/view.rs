@@ -5,10 +5,10 @@ use serde::Serialize;
 use super::document::{Block, Document, Picture, Section, Statement, printable};
 use super::embedded::EmbeddedFile;
 use super::error::ReportError;
-use super::number::counted;
 use super::table::{Cell, Column, MOST_ROWS, Table};
 use crate::figures::{AnimationData, Body, Substance};
 use crate::svg::{DataTable, Look};
+use crate::wording::counted;
 
 /// Tables with at most so many rows are not broken across pages of paper.
 const SHORT: usize = 24;

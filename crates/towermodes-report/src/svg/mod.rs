@@ -13,5 +13,5 @@ pub use colour::{Colour, Theme, contrast, stylesheet};
 pub use drawing::{Anchor, Dash, Drawing, LabelBox, Marker, Stroke, TextStyle};
 pub use figure::{DataTable, Figure, Look};
 pub use heading::Heading;
-pub use scale::{Scale, number, power_of_ten, superscript};
+pub use scale::{Scale, number, power_of_ten};
 pub use text::{LINE_HEIGHT, text_width};

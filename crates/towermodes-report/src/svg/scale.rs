@@ -1,5 +1,7 @@
 //! From values to places on a sheet.
 
+use crate::number::superscript;
+
 /// How values lie along an axis.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Scale {
@@ -122,19 +124,6 @@ pub fn power_of_ten(value: f64) -> String {
         .trim_end_matches('.')
         .replace('-', "\u{2212}");
     format!("{text}\u{b7}10{digits}")
-}
-
-/// An exponent raised: "-12" as "⁻¹²".
-pub fn superscript(exponent: &str) -> String {
-    let raised = exponent.chars().map(|c| match c {
-        '-' => '\u{207b}',
-        '1' => '\u{b9}',
-        '2' => '\u{b2}',
-        '3' => '\u{b3}',
-        '0' | '4'..='9' => char::from_u32(0x2070 + (c as u32 - '0' as u32)).unwrap_or(c),
-        c => c,
-    });
-    raised.collect()
 }
 
 #[cfg(test)]

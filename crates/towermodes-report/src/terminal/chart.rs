@@ -3,6 +3,7 @@
 
 use super::canvas::{ACROSS, Canvas, DOWN};
 use crate::svg::spread;
+use crate::wording::counted;
 
 /// About so many rows, whatever the powers of ten.
 const ROWS: usize = 16;
@@ -157,8 +158,8 @@ pub(super) fn chart(series: &[Series], x_axis: &XAxis, width: usize) -> String {
     text += &format!("{:>1$}{2}\n", "└", AXIS - 1, "─".repeat(columns + 1));
     text += &numbers(drawn, &places);
     if hidden > 0 {
-        let plural = if hidden == 1 { "" } else { "s" };
-        text += &format!("{:AXIS$}{hidden} more line{plural} not drawn\n", "");
+        let lines = counted(hidden, "more line");
+        text += &format!("{:AXIS$}{lines} not drawn\n", "");
     }
     text
 }

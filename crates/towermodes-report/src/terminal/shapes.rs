@@ -5,7 +5,7 @@ use towermodes::{
 };
 
 use super::panel::{Curve, Line, Panel, side_by_side};
-use crate::svg::number;
+use crate::number::four_digits;
 
 impl Curve {
     /// A rotation as a share of its largest: beside a deflection of 1 it has no scale. Deflections
@@ -102,7 +102,7 @@ fn tower_panel(mode: &Mode, twin: Option<&Mode>) -> Panel {
         ],
         _ => whole(Component::Along(0)),
     };
-    let mut captions = vec![label(mode, twin), frequency(mode.frequency_hz)];
+    let mut captions = vec![label(mode, twin), four_digits(mode.frequency_hz) + " Hz"];
     captions.extend(match mode.family {
         Family::Coupled => Some(format!("{} line, {} dots", first.1, second.1)),
         family => to_the_right(family).map(str::to_owned),
@@ -154,9 +154,8 @@ fn blade_panel(mode: &BladeMode) -> Panel {
         BladeFamily::Torsion => (Component::AboutZ, Some("rotation")),
         BladeFamily::Axial => (Component::Along(2), Some("motion along it")),
     };
-    let of_torsion = Family::Torsion.label(mode.order);
-    let name = of_torsion.replace(Family::Torsion.name(), mode.family.name());
-    let mut captions = vec![name, frequency(mode.frequency_hz)];
+    let name = mode.family.label(mode.order);
+    let mut captions = vec![name, four_digits(mode.frequency_hz) + " Hz"];
     captions.extend(quantity.map(str::to_owned));
     Panel {
         curves: vec![curve(mode.shape.iter(), component, Line::Whole)],
@@ -176,9 +175,4 @@ fn curve<'a>(
     points.sort_by(|a, b| a.0.total_cmp(&b.0));
     points.dedup_by(|b, a| b.0 == a.0);
     Curve { points, line }
-}
-
-/// Four digits of a frequency.
-fn frequency(frequency_hz: f64) -> String {
-    number(frequency_hz, 1e-3 * frequency_hz) + " Hz"
 }

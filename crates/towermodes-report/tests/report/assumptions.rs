@@ -422,7 +422,7 @@ fn others() -> Vec<Row> {
         row(
             "mass at the top",
             topped,
-            &["There is no rotor-nacelle assembly. A mass of 350.0 t is at the tower's top."],
+            &["There is no rotor-nacelle assembly. A mass of 350 t is at the tower's top."],
             &["Nothing", "no masses"],
         ),
         row(

@@ -8,7 +8,7 @@ use crate::Method;
 use crate::beam::{Beam, BeamWork, assemble_blade, blade_coordinates};
 use crate::blade::Blade;
 use crate::eigen::{EigenError, EigenWorkspace, Pencil, Verdict, lowest, verify};
-use crate::modes::{BeamCurves, ByMotion, ModeCurve, ShapePoint, richardson};
+use crate::modes::{BeamCurves, ByMotion, ModeCurve, Ordinal, ShapePoint, richardson};
 use crate::parts::{Combination, SPACE, Structure, StructurePencil};
 
 /// Relative distances above the last mode at which completeness is certified, widest first.
@@ -40,6 +40,11 @@ impl BladeFamily {
             Self::Torsion => "torsion",
             Self::Axial => "axial",
         }
+    }
+
+    /// Its name with an ordinal: "2nd flap".
+    pub fn label(self, order: usize) -> String {
+        format!("{} {}", Ordinal(order), self.name())
     }
 
     fn of(kinetic: &ByMotion) -> Self {

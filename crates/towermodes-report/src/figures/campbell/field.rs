@@ -13,7 +13,7 @@ use super::lines::Shown;
 use super::marks::{self, Cluster, clusters};
 use super::rays;
 use super::shades::{self, operation_places};
-use super::speeds;
+use crate::wording::speed_range;
 
 /// Below the fields: numbers and name of the axis.
 const BELOW: f64 = 46.0;
@@ -124,7 +124,7 @@ fn operation(drawing: &mut Drawing, campbell: &Campbell, fields: &[Axes]) {
             drawing.line((x, top), (x, bottom), &dashed);
         }
     }
-    let text = format!("operation: {}", speeds(&campbell.rotor));
+    let text = format!("operation: {} rpm", speed_range(&campbell.rotor));
     let half = 0.5 * text_width(&text, SIZE, false);
     let middle = (0.5 * (from + to)).clamp(half + 4.0, WIDTH - half - 4.0);
     let style = TextStyle::new(SIZE).anchor(Anchor::Middle);

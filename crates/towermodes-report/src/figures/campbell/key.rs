@@ -1,15 +1,17 @@
 //! What the lines, marks and shades of a Campbell diagram are.
 
+use towermodes::number::percent;
 use towermodes_analysis::Verdict;
 use towermodes_analysis::resonance::Campbell;
 
 use super::lines::{Group, Shown};
 use super::rays::{self, strong};
 use super::shades::{ribbon_edge, window_edge, window_hz};
-use super::{margin_percent, speeds_of};
+use super::speeds_of;
 use crate::figures::legend::{Entry, Sample, words};
-use crate::figures::quantity::frequency;
+use crate::number::four_digits;
 use crate::svg::{Colour, Dash, Marker, Stroke};
+use crate::wording::counted;
 
 /// The colour of the tower's modes.
 const TOWER: Colour = Colour::Series(0);
@@ -96,8 +98,8 @@ fn shades(campbell: &Campbell, shown: &Shown) -> Vec<Entry> {
     if let Some([from_hz, to_hz]) = window_hz(campbell) {
         let text = format!(
             "soft-stiff: {} to {} Hz",
-            frequency(from_hz),
-            frequency(to_hz)
+            four_digits(from_hz),
+            four_digits(to_hz)
         );
         entries.push((surface(Colour::Window, window_edge()), text));
     }
@@ -109,10 +111,10 @@ fn shades(campbell: &Campbell, shown: &Shown) -> Vec<Entry> {
         return entries;
     }
     let of = strong.join(" or ");
-    let percent = margin_percent(campbell.margin);
-    let text = format!("within {percent} % of {of}{}", speeds_of(campbell));
+    let margin = percent(campbell.margin);
+    let text = format!("within {margin} % of {of}{}", speeds_of(campbell));
     entries.push((surface(Colour::TooNear, ribbon_edge(true)), text));
-    let text = format!("within {} %", margin_percent(2.0 * campbell.margin));
+    let text = format!("within {} %", percent(2.0 * campbell.margin));
     entries.push((surface(Colour::Near, ribbon_edge(false)), text));
     entries
 }
@@ -149,8 +151,5 @@ fn unlabelled([modes, excitations]: [usize; 2]) -> impl Iterator<Item = String> 
         (excitations, "excitation", ""),
     ];
     let without = without.into_iter().filter(|(count, ..)| *count > 0);
-    without.map(|(count, noun, of)| {
-        let plural = if count == 1 { "" } else { "s" };
-        format!("{count} {noun}{plural}{of} without label")
-    })
+    without.map(|(count, noun, of)| format!("{}{of} without label", counted(count, noun)))
 }

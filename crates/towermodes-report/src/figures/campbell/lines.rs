@@ -3,7 +3,7 @@
 use towermodes_analysis::resonance::{Campbell, Excited, FrequencyLine};
 
 use super::extent::{ends_hz, last_rpm};
-use crate::figures::quantity::frequency;
+use crate::number::four_digits;
 
 /// Most excitations: more are a grey surface.
 const EXCITATIONS: usize = 100;
@@ -170,19 +170,19 @@ fn together_hz(hz: &[f64]) -> String {
     let (low, high) = hz.iter().fold((f64::INFINITY, 0.0_f64), |(low, high), hz| {
         (low.min(*hz), high.max(*hz))
     });
-    let is_one = high - low <= ONE_NUMBER * high || frequency(low) == frequency(high);
+    let is_one = high - low <= ONE_NUMBER * high || four_digits(low) == four_digits(high);
     match hz {
         // Both sides of a rounding limit are no two numbers.
-        _ if is_one => format!("{} Hz", frequency(0.5 * (low + high))),
-        [a, b] => format!("{}, {} Hz", frequency(*a), frequency(*b)),
-        _ => format!("{} to {} Hz", frequency(low), frequency(high)),
+        _ if is_one => format!("{} Hz", four_digits(0.5 * (low + high))),
+        [a, b] => format!("{}, {} Hz", four_digits(*a), four_digits(*b)),
+        _ => format!("{} to {} Hz", four_digits(low), four_digits(high)),
     }
 }
 
 /// The frequency of a line, or its frequencies at the ends.
 fn range_hz(points: &[[f64; 2]]) -> String {
     let [Some(first), Some(last)] =
-        [points.first(), points.last()].map(|point| point.map(|[_, hz]| frequency(*hz)))
+        [points.first(), points.last()].map(|point| point.map(|[_, hz]| four_digits(*hz)))
     else {
         return String::new();
     };
@@ -193,22 +193,9 @@ fn range_hz(points: &[[f64; 2]]) -> String {
     }
 }
 
-/// Three significant digits.
-pub(super) fn three_digits(value: f64) -> String {
-    if !(1e-4..1e6).contains(&value) {
-        return if value == 0.0 {
-            "0".to_owned()
-        } else {
-            format!("{value:.2e}")
-        };
-    }
-    let decimals = (2.0 - value.log10().floor()).clamp(0.0, 6.0) as usize;
-    format!("{value:.decimals$}")
-}
-
 #[cfg(test)]
 mod tests {
-    use super::{three_digits, together, together_hz};
+    use super::{together, together_hz};
 
     /// Frequencies on both sides of a rounding limit are one number; those that differ in the
     /// fourth digit are two.
@@ -219,16 +206,6 @@ mod tests {
         assert_eq!(together_hz(&[0.242_34, 0.242_51]), "0.2423, 0.2425 Hz");
         assert_eq!(together_hz(&[0.3, 0.3, 0.3]), "0.3000 Hz");
         assert_eq!(together_hz(&[1.0, 1.0004, 1.0009]), "1.000 to 1.001 Hz");
-    }
-
-    #[test]
-    fn three_digits_whatever_the_size() {
-        assert_eq!(three_digits(0.321_46), "0.321");
-        assert_eq!(three_digits(12.34), "12.3");
-        assert_eq!(three_digits(0.007_9), "0.00790");
-        assert_eq!(three_digits(1234.6), "1235");
-        assert_eq!(three_digits(0.0), "0");
-        assert_eq!(three_digits(3.2e-7), "3.20e-7");
     }
 
     #[test]

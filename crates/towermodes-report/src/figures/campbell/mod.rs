@@ -14,11 +14,13 @@ use towermodes::Rotor;
 use towermodes::tower::Rpm;
 use towermodes_analysis::resonance::Campbell;
 
+use crate::number::digits;
 use crate::svg::{DataTable, Figure};
+use crate::wording::operation;
 
 use above::{above_text, unresisted_text};
 use field::drawing;
-use lines::{Shown, shown, three_digits};
+use lines::{Shown, shown};
 
 /// The natural frequencies of tower and blade against the rotor's speed, its excitations, and where
 /// they come too near in operation.
@@ -36,10 +38,10 @@ pub fn campbell(campbell: &Campbell) -> Figure {
 
 fn description(campbell: &Campbell, shown: &Shown) -> String {
     let mut text = format!(
-        "{} Natural frequencies from 0 to {} Hz against the rotor's speed from 0 to {} rpm, with the excitations {}. {}.",
+        "{} Natural frequencies from 0 to {} Hz against the rotor's speed from 0 to {} rpm, with the excitations {}. Operation: {}.",
         campbell.conclusion().join(" "),
-        three_digits(shown.highest_hz()),
-        three_digits(shown.last_rpm),
+        digits(shown.highest_hz(), 3),
+        digits(shown.last_rpm, 3),
         excitations(&shown.multiples),
         operation(&campbell.rotor)
     );
@@ -64,25 +66,6 @@ fn excitations(multiples: &[usize]) -> String {
     }
 }
 
-/// "Operation: 3 blades at 6.9 to 12.1 rpm".
-fn operation(rotor: &Rotor) -> String {
-    let noun = if rotor.blades == 1 { "blade" } else { "blades" };
-    format!("Operation: {} {noun} at {}", rotor.blades, speeds(rotor))
-}
-
-/// "6.9 to 12.1 rpm".
-fn speeds(rotor: &Rotor) -> String {
-    let (lowest, highest) = (
-        Rpm(rotor.lowest_rpm).to_string(),
-        Rpm(rotor.highest_rpm).to_string(),
-    );
-    if lowest == highest {
-        format!("{lowest} rpm")
-    } else {
-        format!("{lowest} to {highest} rpm")
-    }
-}
-
 /// " in operation", where the rotor has more than one speed.
 fn speeds_of(campbell: &Campbell) -> &'static str {
     let rotor = &campbell.rotor;
@@ -90,11 +73,6 @@ fn speeds_of(campbell: &Campbell) -> &'static str {
         true => " in operation",
         false => "",
     }
-}
-
-/// A margin in percent without what dividing by 100 left.
-fn margin_percent(share: f64) -> f64 {
-    (share * 1e11).round() / 1e9
 }
 
 /// The lines with their points, then the excitations in operation: that of a tower's mode is the

@@ -4,12 +4,13 @@ use towermodes_analysis::Verdict;
 use towermodes_analysis::resonance::Margin;
 
 use super::Bar;
-use super::numbers::{distance, word};
+use super::numbers::distance;
 use super::ranges::{Lane, Range};
-use crate::figures::quantity::frequency;
+use crate::number::four_digits;
 use crate::svg::{
     Anchor, Axes, Colour, Dash, Drawing, Frame, Marker, Stroke, TextStyle, spread, text_width,
 };
+use crate::wording::verdict_word;
 
 const WIDTH: f64 = 900.0;
 /// Height of a mode's lane.
@@ -98,7 +99,7 @@ fn name_ranges(drawing: &mut Drawing, axes: &Axes, ranges: &[Range]) {
 
 /// "3P: 0.345 to 0.605 Hz".
 fn range_name(range: &Range) -> String {
-    let [low, high] = range.operation_hz.map(frequency);
+    let [low, high] = range.operation_hz.map(four_digits);
     match low == high {
         true => format!("{}P: {low} Hz", range.multiple),
         false => format!("{}P: {low} to {high} Hz", range.multiple),
@@ -141,7 +142,11 @@ fn draw_lane(drawing: &mut Drawing, axes: &Axes, lane: &Lane, place: (usize, f64
     write_distances(drawing, axes, &lane.margins, (x, y));
     if let Some(verdict) = lane.verdict() {
         let style = TextStyle::new(SIZE).bold().colour(colour(verdict));
-        drawing.text((right + 12.0, y + 0.35 * SIZE), word(verdict), &style);
+        drawing.text(
+            (right + 12.0, y + 0.35 * SIZE),
+            verdict_word(verdict),
+            &style,
+        );
     }
 }
 
@@ -173,7 +178,7 @@ fn draw_error(drawing: &mut Drawing, axes: &Axes, lane: &Lane, y: f64) {
 }
 
 fn write_frequency(drawing: &mut Drawing, axes: &Axes, lane: &Lane, (x, y): (f64, f64)) {
-    let texts = [format!("{} Hz", frequency(lane.frequency_hz))];
+    let texts = [format!("{} Hz", four_digits(lane.frequency_hz))];
     let style = TextStyle::new(SIZE).anchor(Anchor::Middle);
     for x in beside(&texts, &[x], axes.frame, (SIZE, false)) {
         write_on_paper(drawing, (x, y - 13.0), &texts[0], &style);

@@ -1,12 +1,12 @@
 //! The bar in words and as a table.
 
-use towermodes_analysis::Verdict;
 use towermodes_analysis::resonance::Margin;
 
 use super::Bar;
 use super::ranges::{Lane, Range};
-use crate::figures::quantity::{frequency, significant};
+use crate::number::{four_digits, short};
 use crate::svg::DataTable;
+use crate::wording::verdict_word;
 
 const MINUS: &str = "\u{2212}";
 
@@ -19,7 +19,7 @@ pub(super) fn description(bar: &Bar) -> String {
     format!(
         "In operation {}; with a margin of {} % that keeps {} Hz free of natural frequencies. {}.",
         ranges.join(" and "),
-        significant(100.0 * bar.margin, 3),
+        short(100.0 * bar.margin, 3),
         kept_free.join(" and "),
         lanes.join("; ")
     )
@@ -27,7 +27,7 @@ pub(super) fn description(bar: &Bar) -> String {
 
 /// "1P excites from 0.115 to 0.2017 Hz".
 fn range_text(range: &Range) -> String {
-    let [low, high] = range.operation_hz.map(frequency);
+    let [low, high] = range.operation_hz.map(four_digits);
     match low == high {
         true => format!("{}P excites at {low} Hz", range.multiple),
         false => format!("{}P excites from {low} to {high} Hz", range.multiple),
@@ -36,7 +36,7 @@ fn range_text(range: &Range) -> String {
 
 /// "0.115 to 0.2017".
 fn between([low, high]: [f64; 2]) -> String {
-    format!("{} to {}", frequency(low), frequency(high))
+    format!("{} to {}", four_digits(low), four_digits(high))
 }
 
 fn lane_text(lane: &Lane) -> String {
@@ -48,7 +48,7 @@ fn lane_text(lane: &Lane) -> String {
     format!(
         "{} is at {} Hz{distances}",
         lane.label,
-        frequency(lane.frequency_hz)
+        four_digits(lane.frequency_hz)
     )
 }
 
@@ -84,15 +84,6 @@ fn signed_percent(margin: &Margin) -> String {
     format!("{:+.1}", 100.0 * margin.distance).replace('-', MINUS)
 }
 
-/// A verdict as it is read.
-pub(super) fn word(verdict: Verdict) -> &'static str {
-    match verdict {
-        Verdict::Pass => "PASS",
-        Verdict::Warn => "WARN",
-        Verdict::Fail => "FAIL",
-    }
-}
-
 /// Each mode against each excitation.
 pub(super) fn table(bar: &Bar) -> DataTable {
     let header = [
@@ -120,12 +111,12 @@ fn row(bar: &Bar, lane: &Lane, margin: &Margin) -> Option<Vec<String>> {
     let range = ranges.find(|range| range.multiple == margin.multiple)?;
     Some(vec![
         lane.label.clone(),
-        frequency(lane.frequency_hz),
-        significant(lane.error_hz, 2),
+        four_digits(lane.frequency_hz),
+        short(lane.error_hz, 2),
         format!("{}P", margin.multiple),
         between(range.operation_hz),
         between(range.kept_free_hz),
         signed_percent(margin),
-        word(margin.verdict).to_owned(),
+        verdict_word(margin.verdict).to_owned(),
     ])
 }

@@ -8,8 +8,8 @@ mod strip;
 
 use towermodes::{Solution, Tower, TowerDescription};
 
+use super::enlargement::factor;
 use super::outline::is_nominal;
-use super::quantity::factor;
 use crate::svg::{Colour, Drawing, Figure, TextStyle};
 use layout::{WIDTH, column, rows, sheet_height, strips};
 use panels::panels;

@@ -3,7 +3,7 @@
 use towermodes::{Family, Mode, Solution, Tower};
 
 use super::curves::{Part, coupled_parts};
-use crate::figures::quantity::{frequency, metres, significant};
+use crate::number::{four_digits, length, short};
 use crate::svg::DataTable;
 
 /// Heights of the table.
@@ -16,7 +16,7 @@ pub(super) fn description(tower: &Tower, solution: &Solution) -> String {
     let modes = &solution.modes;
     let named = modes.iter().take(MOST_MODES);
     let named: Vec<String> = named
-        .map(|mode| format!("{} at {} Hz", mode.label(), frequency(mode.frequency_hz)))
+        .map(|mode| format!("{} at {} Hz", mode.label(), four_digits(mode.frequency_hz)))
         .collect();
     let more = match modes.len().saturating_sub(MOST_MODES) {
         0 => String::new(),
@@ -24,8 +24,8 @@ pub(super) fn description(tower: &Tower, solution: &Solution) -> String {
     };
     format!(
         "Deflections of the tower from z = {} m to z = {} m in its natural modes, each as a share of its largest: {}{more}.",
-        metres(tower.base_m()),
-        metres(tower.top_m()),
+        length(tower.base_m()),
+        length(tower.top_m()),
         if named.is_empty() {
             "none".to_owned()
         } else {
@@ -45,7 +45,7 @@ pub(super) fn table(solution: &Solution) -> DataTable {
     ];
     if let Some(first) = solution.modes.first() {
         let heights = chosen.iter().filter_map(|index| first.shape.get(*index));
-        header.extend(heights.map(|point| format!("z = {} m", metres(point.height_m))));
+        header.extend(heights.map(|point| format!("z = {} m", length(point.height_m))));
     }
     DataTable {
         header,
@@ -62,27 +62,28 @@ fn rows(mode: &Mode, chosen: &[usize]) -> Vec<Vec<String>> {
         Family::Coupled => coupled_parts(mode),
         family => vec![Part::main(family)],
     };
-    let row = |part: &Part| {
-        let mut cells = vec![
-            mode.label(),
-            frequency(mode.frequency_hz),
-            part.name().to_owned(),
-        ];
-        let points = chosen.iter().map(|index| mode.shape.get(*index));
-        // What is nothing beside the largest, 1, is zero; a rotation per metre has no largest.
-        let is_share = mode.family != Family::Coupled || *part != Part::RotationZ;
-        let value = |value: f64| {
-            if is_share && value.abs() < 5e-4 {
-                0.0
-            } else {
-                value
-            }
+    let row =
+        |part: &Part| {
+            let mut cells = vec![
+                mode.label(),
+                four_digits(mode.frequency_hz),
+                part.name().to_owned(),
+            ];
+            let points = chosen.iter().map(|index| mode.shape.get(*index));
+            // What is nothing beside the largest, 1, is zero; a rotation per metre has no largest.
+            let is_share = mode.family != Family::Coupled || *part != Part::RotationZ;
+            let value = |value: f64| {
+                if is_share && value.abs() < 5e-4 {
+                    0.0
+                } else {
+                    value
+                }
+            };
+            cells.extend(points.map(|point| {
+                point.map_or_else(String::new, |point| short(value(part.of(point)), 3))
+            }));
+            cells
         };
-        cells.extend(points.map(|point| {
-            point.map_or_else(String::new, |point| significant(value(part.of(point)), 3))
-        }));
-        cells
-    };
     parts.iter().map(row).collect()
 }
 

@@ -3,7 +3,8 @@
 use towermodes::{Family, Mode, ShapePoint, Solution};
 
 use super::curves::{Part, coupled_parts, is_turned, order};
-use crate::figures::quantity::{frequency, round_factor};
+use crate::figures::enlargement::round_factor;
+use crate::number::four_digits;
 
 /// How the headings of all panels of coupled modes begin.
 pub(super) const COUPLED: &str = "coupled: ";
@@ -180,7 +181,7 @@ fn curve(mode: &Mode, part: Part, name: &str) -> Curve {
     let points = mode.shape.iter();
     let point = |point: &ShapePoint| (point.height_m, part.of(point));
     Curve {
-        label: format!("{name} {} Hz", frequency(mode.frequency_hz)),
+        label: format!("{name} {} Hz", four_digits(mode.frequency_hz)),
         points: points.map(point).collect(),
     }
 }

@@ -1,6 +1,7 @@
 //! What is said beside the tower, each with a line to what it is about.
 
 use crate::svg::{Colour, Drawing, Stroke, TextStyle, spread, text_width};
+use crate::wording::counted;
 
 /// Size of the text.
 const TEXT: f64 = 11.0;
@@ -58,21 +59,14 @@ impl LeftOut {
 
     /// "Masses at 63 more heights, 1 more station."; none if all are said.
     pub fn text(&self) -> Option<String> {
-        let plural = |count: usize| if count == 1 { "" } else { "s" };
         let [whole, masses, stations] = self.0;
         let parts = [
             (
                 masses,
-                format!("masses at {masses} more height{}", plural(masses)),
+                format!("masses at {}", counted(masses, "more height")),
             ),
-            (
-                stations,
-                format!("{stations} more station{}", plural(stations)),
-            ),
-            (
-                whole,
-                format!("{whole} more thing{} not named", plural(whole)),
-            ),
+            (stations, counted(stations, "more station")),
+            (whole, counted(whole, "more thing") + " not named"),
         ];
         let parts = parts.into_iter().filter(|(count, _)| *count > 0);
         let text = parts.map(|(_, text)| text).collect::<Vec<_>>().join(", ");

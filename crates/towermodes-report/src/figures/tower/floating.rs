@@ -6,8 +6,8 @@ use towermodes::{FloatingPlatform, Foundation, Tower, TowerDescription};
 use super::callouts::{Callout, Subject};
 use super::view::View;
 use crate::figures::outline::outer_diameter_m;
-use crate::figures::quantity::{mass, metres, stiffness};
 use crate::figures::symbols::{center_of_mass, waves};
+use crate::number::{length, mass, stiffness};
 use crate::svg::{Colour, Dash, Drawing, Stroke};
 
 /// A platform whose centre is deeper below the base than this many heights of the tower is not
@@ -161,7 +161,7 @@ pub(super) fn callouts(view: &View, tower: &Tower, description: &TowerDescriptio
         lines,
         subject: Subject::Whole,
     };
-    let [x, y, z] = platform.center_m.map(metres);
+    let [x, y, z] = platform.center_m.map(length);
     let beyond = if shows_center(view, platform) {
         ""
     } else {
@@ -193,7 +193,7 @@ pub(super) fn callouts(view: &View, tower: &Tower, description: &TowerDescriptio
     if let Some(surface_m) = surface_m.filter(|surface_m| view.shows(*surface_m)) {
         let text = format!(
             "z = {} m: hydrostatic stiffness is about this",
-            metres(surface_m)
+            length(surface_m)
         );
         callouts.push(whole((view.frame.right, view.y(surface_m)), vec![text]));
     }

@@ -5,8 +5,8 @@ use towermodes::{Foundation, FoundationSprings, HalfSpace, StiffnessFoundation, 
 use super::callouts::{Callout, Subject};
 use super::view::View;
 use crate::figures::outline::outer_diameter_m;
-use crate::figures::quantity::{mass, metres, stiffness};
 use crate::figures::symbols::{held_below, held_left, rigid_link, spiral, spring, turn};
+use crate::number::{length, mass, stiffness};
 use crate::svg::{Colour, Drawing, Stroke};
 
 /// Room that a foundation needs below the base.
@@ -227,13 +227,13 @@ fn footing_lines(footing: &HalfSpace, is_to_scale: bool) -> Vec<String> {
     vec![
         format!(
             "footing: radius {} m, embedded {} m{beyond}",
-            metres(footing.radius_m),
-            metres(footing.embedment_m)
+            length(footing.radius_m),
+            length(footing.embedment_m)
         ),
         format!(
             "half-space: G {}, ν {}",
             stiffness(footing.shear_modulus_pa, "Pa"),
-            metres(footing.poissons_ratio)
+            length(footing.poissons_ratio)
         ),
     ]
 }

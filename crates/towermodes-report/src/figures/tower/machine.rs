@@ -5,8 +5,8 @@ use towermodes::{Rna, Tower};
 use super::callouts::{Callout, Subject};
 use super::view::View;
 use crate::figures::outline::outer_diameter_m;
-use crate::figures::quantity::{mass, metres};
 use crate::figures::symbols::center_of_mass;
+use crate::number::{length, mass};
 use crate::svg::{Colour, Dash, Drawing, Stroke};
 
 /// Room that the silhouette needs above the tower.
@@ -42,7 +42,7 @@ pub(super) fn callout(view: &View, tower: &Tower) -> Option<Callout> {
     if !is_there(rna) {
         return None;
     }
-    let [x, y, z] = rna.center_m.map(metres);
+    let [x, y, z] = rna.center_m.map(length);
     let mut lines = vec![format!("RNA {}", mass(rna.mass_kg))];
     if rna.mass_kg > 0.0 {
         let is_drawn = is_in_field(view, center(view, tower));

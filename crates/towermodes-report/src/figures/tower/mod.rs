@@ -23,8 +23,8 @@ pub(super) use wires::wires_ground_m;
 
 use towermodes::{Tower, TowerDescription};
 
+use super::enlargement::factor;
 use super::outline::is_nominal;
-use super::quantity::factor;
 use crate::svg::{Axes, Colour, Drawing, Figure, TextStyle};
 use body::{draw_body, draw_masses};
 use callouts::{Callout, Column, draw_callouts};

@@ -3,22 +3,22 @@
 use towermodes::{Foundation, Tower, TowerDescription};
 
 use super::machine;
-use crate::figures::quantity::{mass, metres, significant, stiffness};
+use crate::number::{length, mass, short, stiffness};
 use crate::svg::DataTable;
 
 /// What is to be seen.
 pub(super) fn description(description: &TowerDescription, tower: &Tower) -> String {
     let mut sentences = vec![format!(
         "A tower of {} m, from z = {} m to z = {} m",
-        metres(tower.height_m()),
-        metres(tower.base_m()),
-        metres(tower.top_m())
+        length(tower.height_m()),
+        length(tower.base_m()),
+        length(tower.top_m())
     )];
     if let (Some(base), Some(top)) = (tower.stations().first(), tower.stations().last()) {
         sentences.push(format!(
             "outer diameter {} m at the base and {} m at the top",
-            metres(base.outer_diameter_m),
-            metres(top.outer_diameter_m)
+            length(base.outer_diameter_m),
+            length(top.outer_diameter_m)
         ));
     } else {
         sentences.push(format!(
@@ -40,10 +40,10 @@ pub(super) fn description(description: &TowerDescription, tower: &Tower) -> Stri
     }
     for wires in &description.wires {
         let (count, height_m) = (wires.count, wires.height_m);
-        sentences.push(format!("{count} wires at z = {} m", metres(height_m)));
+        sentences.push(format!("{count} wires at z = {} m", length(height_m)));
     }
     if let Some(water) = &description.water {
-        sentences.push(format!("in water up to z = {} m", metres(water.level_m)));
+        sentences.push(format!("in water up to z = {} m", length(water.level_m)));
     }
     if !description.added_mass.is_empty() {
         sentences.push("with added mass along its length".to_owned());
@@ -91,14 +91,14 @@ pub(super) fn table(description: &TowerDescription, tower: &Tower) -> DataTable 
 /// A row of the table: what, at which height (m), and in some of the other four columns a value.
 fn row(what: String, height_m: f64, values: [Option<String>; 4]) -> Vec<String> {
     let values = values.into_iter().map(Option::unwrap_or_default);
-    [what, metres(height_m)].into_iter().chain(values).collect()
+    [what, length(height_m)].into_iter().chain(values).collect()
 }
 
 fn stations(tower: &Tower) -> Vec<Vec<String>> {
     let stations = tower.stations().iter();
     let tube = stations.map(|station| {
-        let diameter = metres(station.outer_diameter_m);
-        let wall = significant(1e3 * station.wall_thickness_m, 4);
+        let diameter = length(station.outer_diameter_m);
+        let wall = short(1e3 * station.wall_thickness_m, 4);
         let values = [Some(diameter), Some(wall), None, None];
         row("tube".to_owned(), station.height_m, values)
     });
@@ -109,7 +109,7 @@ fn sections(tower: &Tower) -> Vec<Vec<String>> {
     let stations = tower.properties().iter();
     let section = stations.map(|station| {
         let bending = station.properties.bending_n_m2;
-        let of = |stiffness| significant(stiffness, 4);
+        let of = |stiffness| short(stiffness, 4);
         let text = if bending.are_equal() {
             of(bending.fore_aft)
         } else {
@@ -123,7 +123,7 @@ fn sections(tower: &Tower) -> Vec<Vec<String>> {
 }
 
 fn masses(tower: &Tower) -> Vec<Vec<String>> {
-    let tonnes = |mass_kg: f64| [None, None, None, Some(significant(1e-3 * mass_kg, 4))];
+    let tonnes = |mass_kg: f64| [None, None, None, Some(short(1e-3 * mass_kg, 4))];
     let masses = tower.point_masses().iter();
     let masses = masses.map(|mass| {
         let what = "point mass".to_owned();
@@ -143,7 +143,7 @@ fn around(description: &TowerDescription, tower: &Tower) -> Vec<Vec<String>> {
     let none = || [None, None, None, None];
     let wires = description.wires.iter().map(|wires| {
         let (angle, each) = (
-            significant(wires.angle_deg, 3),
+            short(wires.angle_deg, 3),
             stiffness(wires.stiffness_n_per_m, "N/m"),
         );
         let what = format!("{} wires, {angle}°, {each} each", wires.count);
@@ -156,7 +156,7 @@ fn around(description: &TowerDescription, tower: &Tower) -> Vec<Vec<String>> {
     });
     let soil = description.soil.iter().flatten().map(|soil| {
         let (x, y) = (soil.stiffness.x_n_per_m2, soil.stiffness.y_n_per_m2);
-        let (x, y) = (significant(x, 3), significant(y, 3));
+        let (x, y) = (short(x, 3), short(y, 3));
         let what = format!("soil springs {x} N/m² in x, {y} N/m² in y");
         row(what, soil.height_m, none())
     });

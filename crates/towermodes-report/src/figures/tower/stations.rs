@@ -5,7 +5,7 @@ use towermodes::{PropertyStation, Station, Tower};
 use super::callouts::{Callout, Subject};
 use super::view::View;
 use crate::figures::outline::outer_diameter_m;
-use crate::figures::quantity::{mass, metres, significant, wall};
+use crate::number::{length, mass, short, wall};
 
 /// The tube, or the stiffness, at each station's height; of a step both sides.
 pub(super) fn station_callouts(view: &View, tower: &Tower) -> Vec<Callout> {
@@ -17,7 +17,7 @@ pub(super) fn station_callouts(view: &View, tower: &Tower) -> Vec<Callout> {
         let radius = view.radius(outer_diameter_m(tower, height_m));
         Callout {
             at: (view.axis_x + radius, view.y(height_m)),
-            lines: vec![format!("z = {} m: {text}", metres(height_m))],
+            lines: vec![format!("z = {} m: {text}", length(height_m))],
             subject: Subject::Station,
         }
     };
@@ -25,7 +25,7 @@ pub(super) fn station_callouts(view: &View, tower: &Tower) -> Vec<Callout> {
 }
 
 fn tube_text(there: &[Station]) -> String {
-    let diameters = there.iter().map(|station| metres(station.outer_diameter_m));
+    let diameters = there.iter().map(|station| length(station.outer_diameter_m));
     let walls = there.iter().map(|station| wall(station.wall_thickness_m));
     format!(
         "Ø {} m, wall {}",
@@ -38,9 +38,9 @@ fn row_text(there: &[PropertyStation]) -> String {
     let bending = there.iter().map(|row| row.properties.bending_n_m2);
     let texts = bending.map(|bending| {
         if bending.are_equal() {
-            return significant(bending.fore_aft, 3);
+            return short(bending.fore_aft, 3);
         }
-        let of = |stiffness| significant(stiffness, 3);
+        let of = |stiffness| short(stiffness, 3);
         format!(
             "{} (x), {} (y)",
             of(bending.fore_aft),
@@ -76,7 +76,7 @@ pub(super) fn mass_callouts(view: &View, tower: &Tower) -> Vec<Callout> {
                 at: (view.axis_x + 6.0, view.y(height_m)),
                 lines: vec![format!(
                     "z = {} m: {count} {}",
-                    metres(height_m),
+                    length(height_m),
                     mass(sum_kg)
                 )],
                 subject: Subject::Mass,

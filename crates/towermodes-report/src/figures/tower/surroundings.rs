@@ -7,8 +7,8 @@ use super::callouts::{Callout, Subject};
 use super::floating::{platform, surface_m};
 use super::view::View;
 use crate::figures::outline::outer_diameter_m;
-use crate::figures::quantity::{metres, significant, stiffness};
 use crate::figures::symbols::{hatching, held_below, held_left, spring, waves};
+use crate::number::{length, short, stiffness};
 use crate::svg::{Colour, Drawing, Stroke};
 
 /// The widest bar of the soil's stiffness.
@@ -193,14 +193,14 @@ pub(super) fn callouts(view: &View, description: &TowerDescription, tower: &Towe
     if let Some(water) = &description.water {
         if view.shows(water.level_m) {
             let flooded = if water.flooded { ", tower flooded" } else { "" };
-            let text = format!("z = {} m: water level{flooded}", metres(water.level_m));
+            let text = format!("z = {} m: water level{flooded}", length(water.level_m));
             whole((edge, view.y(water.level_m)), vec![text]);
         }
         let bed_m = water.bed_m.unwrap_or(tower.base_m());
         if view.shows(bed_m) {
             whole(
                 (edge, view.y(bed_m)),
-                vec![format!("z = {} m: bed", metres(bed_m))],
+                vec![format!("z = {} m: bed", length(bed_m))],
             );
         }
     }
@@ -212,7 +212,7 @@ pub(super) fn callouts(view: &View, description: &TowerDescription, tower: &Towe
     }
     if let Some((height_m, most)) = added_mass(description) {
         let radius = view.radius(outer_diameter_m(tower, height_m));
-        let text = format!("added mass, up to {} kg/m", significant(most, 4));
+        let text = format!("added mass, up to {} kg/m", short(most, 4));
         whole((view.axis_x + radius, view.y(height_m)), vec![text]);
     }
     callouts

@@ -3,8 +3,8 @@
 
 use towermodes::Tower;
 
+use crate::figures::enlargement::round_factor;
 use crate::figures::outline::{Shell, shells};
-use crate::figures::quantity::round_factor;
 use crate::svg::Frame;
 
 /// A widest tube from the first to the last of these is drawn as it is.

@@ -6,7 +6,7 @@ use super::callouts::{Callout, Subject};
 use super::surroundings::ground_m;
 use super::view::View;
 use crate::figures::outline::outer_diameter_m;
-use crate::figures::quantity::{metres, significant, stiffness};
+use crate::number::{length, short, stiffness};
 use crate::svg::{Colour, Drawing, Stroke};
 
 /// More sets of wires than this have no callout each.
@@ -105,7 +105,7 @@ pub(super) fn callouts(view: &View, description: &TowerDescription, tower: &Towe
             let away_m = wire.anchor.0 / view.per_m;
             lines.push(format!(
                 "cut in the picture: anchors {} m away",
-                significant(away_m, 3)
+                short(away_m, 3)
             ));
         }
         if index + 1 == MOST_WIRES && more > 0 {
@@ -123,9 +123,9 @@ pub(super) fn callouts(view: &View, description: &TowerDescription, tower: &Towe
 fn wire_lines(wires: &Wires) -> Vec<String> {
     vec![format!(
         "z = {} m: {} wires, {}°, {} each",
-        metres(wires.height_m),
+        length(wires.height_m),
         wires.count,
-        significant(wires.angle_deg, 3),
+        short(wires.angle_deg, 3),
         stiffness(wires.stiffness_n_per_m, "N/m")
     )]
 }

@@ -5,10 +5,10 @@ use towermodes_analysis::elastodyn::{PassedOver, TowerShape};
 
 use super::super::content::{ElastoDynShapes, ReportContent};
 use super::super::document::Block;
-use super::super::number::{digits, length, percent, short_frequency};
 use super::super::plot_command::command;
 use super::super::table::Table;
 use super::{paragraph, table};
+use crate::number::{digits, four_digits, length, percent};
 
 pub(super) fn blocks(content: &ReportContent) -> Vec<Block> {
     let made = match &content.elastodyn {
@@ -108,7 +108,7 @@ fn left_out(mode: &PassedOver) -> String {
         "mode {}, {} at {} Hz: {} % of its energy is torsion",
         mode.number,
         mode.label,
-        short_frequency(mode.frequency_hz),
+        four_digits(mode.frequency_hz),
         percent(mode.torsion_share)
     )
 }

@@ -6,10 +6,10 @@ use towermodes::{
 };
 
 use super::super::document::Block;
-use super::super::number::{digits, given, length};
 use super::super::table::Table;
 use super::input::inertia;
 use super::{paragraph, table};
+use crate::number::{digits, given, length};
 
 /// The six motions of a matrix's rows and columns.
 const MOTIONS: [&str; 6] = ["x", "y", "z", "about x", "about y", "about z"];

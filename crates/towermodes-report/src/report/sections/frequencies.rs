@@ -5,9 +5,10 @@ use towermodes::{ByMotion, Foundation, Method, Mode, Options, Rna, Solution};
 
 use super::super::content::ReportContent;
 use super::super::document::Block;
-use super::super::number::{NOTHING, counted, digits, error, frequency, given, percent};
 use super::super::table::Table;
 use super::{paragraph, table};
+use crate::number::{NOTHING, digits, frequency, given, percent};
+use crate::wording::{buckling_load_factor, counted, mesh, mode_shape, proof_of_completeness};
 
 pub(super) fn blocks(content: &ReportContent) -> Vec<Block> {
     let solution = &content.solution;
@@ -21,7 +22,10 @@ pub(super) fn blocks(content: &ReportContent) -> Vec<Block> {
         paragraph(errors(solution)),
         table(of_errors(solution)),
         Block::Heading("Completeness".to_owned()),
-        paragraph(certificate(solution)),
+        paragraph(proof_of_completeness(
+            &solution.certificate,
+            solution.modes.len(),
+        )),
         Block::Heading("Energy".to_owned()),
         paragraph(names(content)),
         table(energy(solution)),
@@ -36,8 +40,8 @@ pub(super) fn blocks(content: &ReportContent) -> Vec<Block> {
     if let Some(factor) = solution.buckling_load_factor {
         blocks.push(Block::Heading("Buckling".to_owned()));
         blocks.push(paragraph(format!(
-            "The tower would buckle under {} times the weights it carries.",
-            digits(factor, 4)
+            "The linear buckling load factor for gravity (self-weight and rotor-nacelle assembly) is {}.",
+            buckling_load_factor(factor)
         )));
     } else if content.tower.base().floats && content.tower.gravity_m_per_s2() != 0.0 {
         blocks.push(Block::Heading("Buckling".to_owned()));
@@ -88,15 +92,10 @@ fn whole(content: &ReportContent) -> String {
 
 fn how(content: &ReportContent) -> String {
     let solution = &content.solution;
-    let noun = super::methods::unit(solution.method);
-    let degree = match solution.degree {
-        Some(degree) => format!(" of polynomial degree {degree}"),
-        None => String::new(),
-    };
     format!(
-        "Computed by the method {} with {}{degree}, {} of freedom{}.",
+        "Computed by the method {} with {}, {} of freedom{}.",
         solution.method.name(),
-        counted(solution.segments, noun),
+        mesh(solution.method, solution.segments, solution.degree),
         counted(solution.degrees_of_freedom, "degree"),
         hinges(solution.method, &content.options)
     )
@@ -156,9 +155,9 @@ fn of_modes(solution: &Solution) -> Table {
     for mode in &solution.modes {
         table.push([
             mode.number.to_string(),
-            what_it_is(mode),
+            mode_shape(mode),
             frequency(mode.frequency_hz, mode.error_hz()),
-            error(mode.error_hz()),
+            digits(mode.error_hz(), 2),
             period(mode),
         ]);
     }
@@ -180,8 +179,8 @@ fn of_errors(solution: &Solution) -> Table {
     for mode in &solution.modes {
         table.push([
             mode.number.to_string(),
-            error(mode.discretization_error_hz),
-            error(mode.algebraic_error_hz),
+            digits(mode.discretization_error_hz, 2),
+            digits(mode.algebraic_error_hz, 2),
             frequency(mode.extrapolated_hz, mode.error_hz()),
             digits(mode.modal_mass, 4),
         ]);
@@ -195,39 +194,6 @@ fn period(mode: &Mode) -> String {
     } else {
         NOTHING.to_owned()
     }
-}
-
-/// Its label, with the other parts of its energy from one percent on: "1st fore-aft bending (8 %
-/// torsion)".
-pub(super) fn what_it_is(mode: &Mode) -> String {
-    let parts = mode.other_parts();
-    let shown = parts.iter().filter(|(_, share)| *share >= 0.01);
-    let parts: Vec<String> = shown
-        .map(|(family, share)| format!("{:.0} % {}", 100.0 * share, family.name()))
-        .collect();
-    if parts.is_empty() {
-        return mode.label();
-    }
-    format!("{} ({})", mode.label(), parts.join(", "))
-}
-
-fn certificate(solution: &Solution) -> String {
-    let certificate = &solution.certificate;
-    let (count, listed) = (certificate.count, solution.modes.len());
-    let all = if count > listed {
-        let are = if listed == 1 { "is" } else { "are" };
-        format!(
-            "{listed} of them {are} listed; the others repeat the last one, because the number of modes asked for cuts a pair"
-        )
-    } else {
-        "all of them are listed".to_owned()
-    };
-    format!(
-        "A count of the negative pivots of K − ω²M (Sylvester's law of inertia) proves that the computed model has exactly {} below {} Hz; \
-         {all}. No mode in this range is missing.",
-        counted(count, "natural frequency").replace("frequencys", "frequencies"),
-        digits(certificate.below_hz, 6),
-    )
 }
 
 fn energy(solution: &Solution) -> Table {

@@ -1,16 +1,16 @@
 //! The input, drawn and in tables.
 
-use towermodes::tower::Rpm;
-use towermodes::{Inertia, Rna, Rotor, TowerDescription};
+use towermodes::{Inertia, Rna, TowerDescription};
 
 use super::super::content::ReportContent;
 use super::super::document::Block;
-use super::super::number::{NOTHING, digits, given, length, mass};
 use super::super::table::Table;
 use super::foundation::foundation;
 use super::surroundings::surroundings;
 use super::{paragraph, table, tabulated_picture};
 use crate::figures;
+use crate::number::{NOTHING, digits, given, length, mass};
+use crate::wording::speed_range;
 
 pub(super) fn blocks(content: &ReportContent) -> Vec<Block> {
     let description = &content.description;
@@ -67,19 +67,9 @@ fn overview(content: &ReportContent) -> Table {
     ];
     if let Some(rotor) = &description.rotor {
         facts.push(("blades of the rotor in the file", rotor.blades.to_string()));
-        facts.push(("rotor speed in the file (rpm)", speeds(rotor)));
+        facts.push(("rotor speed in the file (rpm)", speed_range(rotor)));
     }
     Table::of_facts("Overview", facts)
-}
-
-/// "6.9 to 12.1", or the only one.
-pub(super) fn speeds(rotor: &Rotor) -> String {
-    let (lowest, highest) = (Rpm(rotor.lowest_rpm), Rpm(rotor.highest_rpm));
-    if rotor.lowest_rpm == rotor.highest_rpm {
-        lowest.to_string()
-    } else {
-        format!("{lowest} to {highest}")
-    }
 }
 
 fn described(name: &str) -> String {

@@ -5,11 +5,11 @@ use towermodes_analysis::study::{Column, Comparison};
 
 use super::super::content::ReportContent;
 use super::super::document::Block;
-use super::super::number::{NOTHING, digits, signed_percent};
 use super::super::table::Table;
 use super::frequencies::hinges;
 use super::{paragraph, table, tabulated_picture};
 use crate::figures;
+use crate::number::{NOTHING, digits, signed_percent};
 
 pub(super) fn blocks(content: &ReportContent) -> Vec<Block> {
     let comparison = match &content.comparison {
@@ -59,14 +59,6 @@ fn measure(content: &ReportContent, comparison: &Comparison) -> String {
         "{text} Those of bmodes in bending are the exception: its element lacks {lacks}, which the measure has, and so they do not vanish \
          however many elements it has."
     )
-}
-
-/// What a method cuts a tower into.
-pub(super) fn unit(method: Method) -> &'static str {
-    match method {
-        Method::Bmodes | Method::Spectral => "element",
-        _ => "segment",
-    }
 }
 
 /// What a method is.

@@ -1,16 +1,15 @@
 //! How far what the rotor excites stays from the natural frequencies.
 
 use towermodes::Family;
-use towermodes_analysis::Verdict;
 use towermodes_analysis::resonance::{Campbell, StiffnessClass};
 
 use super::super::content::ReportContent;
 use super::super::document::Block;
-use super::super::number::{counted, digits, margin_percent, short_frequency, signed_percent};
 use super::super::table::{Cell, Table};
-use super::input::speeds;
 use super::{paragraph, picture, table};
 use crate::figures;
+use crate::number::{digits, four_digits, margin_percent, typeset};
+use crate::wording::{counted, speed_range, verdict_counts};
 
 /// What a user adds to a file for this section.
 const ROTOR: &str =
@@ -57,7 +56,7 @@ fn asked(campbell: &Campbell) -> String {
         "The rotor has {} and runs at {} rpm. Its speed and multiples of it ({}) excite the tower; n Ω/f − 1 says how far an excitation n Ω stays \
          from a natural frequency f where they are nearest in operation. The margin asked for is {} %.",
         counted(rotor.blades, "blade"),
-        speeds(rotor),
+        speed_range(rotor),
         multiples.join(", "),
         margin_percent(campbell.margin)
     )
@@ -94,11 +93,11 @@ fn margins(campbell: &Campbell) -> Table {
         let label = campbell.lines.get(margin.line).map(|line| &line.label);
         let texts = [
             label.cloned().unwrap_or_default(),
-            short_frequency(margin.natural_hz),
+            four_digits(margin.natural_hz),
             format!("{}P", margin.multiple),
-            short_frequency(margin.excitation_hz),
+            four_digits(margin.excitation_hz),
             digits(margin.nearest_rpm, 4),
-            signed_percent(margin.distance),
+            typeset(&campbell.distance_percent(margin)),
         ];
         let mut row: Vec<Cell> = texts.into_iter().map(Cell::from).collect();
         row.push(margin.verdict.into());
@@ -109,16 +108,11 @@ fn margins(campbell: &Campbell) -> Table {
 }
 
 fn verdicts(campbell: &Campbell) -> String {
-    let count = |verdict| {
-        let margins = campbell.margins.iter();
-        margins.filter(|margin| margin.verdict == verdict).count()
-    };
+    let [pass, warn, fail] = verdict_counts(campbell);
     format!(
         "FAIL ({}): the rotor's speed or the passing of its blades comes nearer to a tower's mode than the margin. WARN ({}): it comes nearer \
          than twice the margin, or another multiple or a blade's mode nearer than the margin. PASS ({}): all others. What decides is the \
          distance after f is moved by its error towards the excitation; the table has it without.",
-        count(Verdict::Fail),
-        count(Verdict::Warn),
-        count(Verdict::Pass)
+        fail, warn, pass
     )
 }

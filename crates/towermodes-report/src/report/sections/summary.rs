@@ -1,13 +1,14 @@
 //! What matters most, in a few lines.
 
-use towermodes::{Family, Mode, Solution};
+use towermodes::{Family, Mode};
 use towermodes_analysis::Verdict;
 use towermodes_analysis::resonance::{Campbell, Margin, StiffnessClass};
 
 use super::super::content::ReportContent;
 use super::super::document::{Block, Mark, Statement};
-use super::super::number::{counted, digits, margin_percent, short_frequency, signed_percent};
 use super::own_picture;
+use crate::number::{digits, four_digits, margin_percent, typeset};
+use crate::wording::{completeness, counted, verdict_counts};
 
 use crate::figures;
 
@@ -90,7 +91,7 @@ fn with_period(mode: &Mode) -> String {
     format!(
         "{} {} Hz (period {} s)",
         mode.label(),
-        short_frequency(mode.frequency_hz),
+        four_digits(mode.frequency_hz),
         digits(mode.period_s(), 4)
     )
 }
@@ -138,8 +139,8 @@ fn not_judged(campbell: &Campbell) -> String {
         None => String::new(),
         Some([known_hz, reach_hz]) => format!(
             " Modes from {} to {} Hz, which excitations reach, are not in the list and not judged.",
-            short_frequency(known_hz),
-            short_frequency(reach_hz)
+            four_digits(known_hz),
+            four_digits(reach_hz)
         ),
     }
 }
@@ -163,12 +164,12 @@ fn failures(campbell: &Campbell) -> String {
 fn failure(campbell: &Campbell, margin: &Margin) -> String {
     let line = campbell.lines.get(margin.line);
     let label = line.map_or("a mode", |line| line.label.as_str());
-    let (hz, multiple) = (short_frequency(margin.natural_hz), margin.multiple);
+    let (hz, multiple) = (four_digits(margin.natural_hz), margin.multiple);
     let rpm = digits(margin.nearest_rpm, 4);
     if margin.distance == 0.0 {
         return format!("{label} ({hz} Hz) is met by {multiple}P at {rpm} rpm");
     }
-    let percent = signed_percent(margin.distance);
+    let percent = typeset(&campbell.distance_percent(margin));
     format!("{multiple}P at {rpm} rpm comes to {percent} % of {label} ({hz} Hz)")
 }
 
@@ -188,16 +189,13 @@ fn class_of_family((family, class): &(Family, StiffnessClass)) -> String {
 /// "Of 32 pairs of excitation and mode 30 pass, 1 is near the limit and 1 fails at a margin of 5
 /// %".
 fn counts(campbell: &Campbell) -> String {
-    let count = |verdict: Verdict| {
-        let margins = campbell.margins.iter();
-        margins.filter(|margin| margin.verdict == verdict).count()
-    };
+    let [pass, warn, fail] = verdict_counts(campbell);
     format!(
         "Of {} of an excitation and a natural frequency {} PASS, {} WARN and {} FAIL at a margin of {} %",
         counted(campbell.margins.len(), "pair"),
-        count(Verdict::Pass),
-        count(Verdict::Warn),
-        count(Verdict::Fail),
+        pass,
+        warn,
+        fail,
         margin_percent(campbell.margin)
     )
 }
@@ -220,34 +218,10 @@ fn certainty(content: &ReportContent) -> Statement {
     Statement {
         lead: "Certainty",
         text: format!(
-            "{} below {} Hz{}; the largest numerical error of these frequencies is {} %. {remarks}",
-            listed(solution),
-            digits(solution.certificate.below_hz, 4),
-            proved(solution),
+            "{}; the largest numerical error of these frequencies is {} %. {remarks}",
+            completeness(&solution.certificate, solution.modes.len()),
             digits(100.0 * worst, 2),
         ),
         verdict: None,
-    }
-}
-
-/// "9 modes", or "8 of the 9 modes" where the list ends within a pair.
-fn listed(solution: &Solution) -> String {
-    let (count, listed) = (solution.certificate.count, solution.modes.len());
-    match count > listed {
-        true => format!("{listed} of the {}", counted(count, "mode")),
-        false => counted(count, "mode"),
-    }
-}
-
-/// That they are all, and which is not listed.
-fn proved(solution: &Solution) -> &'static str {
-    match solution
-        .certificate
-        .count
-        .saturating_sub(solution.modes.len())
-    {
-        0 => ", proved complete",
-        1 => ", proved complete (the one not listed is the other of a pair with the last)",
-        _ => ", proved complete (those not listed repeat the last)",
     }
 }

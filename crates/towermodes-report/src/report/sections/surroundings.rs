@@ -3,9 +3,9 @@
 use towermodes::{AddedMassRow, SoilRow, TowerDescription, Water, Wires};
 
 use super::super::document::Block;
-use super::super::number::{given, length};
 use super::super::table::Table;
 use super::table;
+use crate::number::{given, length};
 
 /// More layers of soil or tables of added mass than this are counted only.
 const MOST_TABLES: usize = 20;

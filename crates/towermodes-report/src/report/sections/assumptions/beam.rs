@@ -4,7 +4,7 @@ use towermodes::tower::Motion;
 use towermodes::{Method, Shear, Tower};
 
 use super::super::super::content::ReportContent;
-use super::super::super::number::given;
+use crate::number::given;
 
 /// Which beam it is, why it lacks what other beams have, and which motions it has.
 pub(super) fn beam(content: &ReportContent) -> String {

@@ -7,7 +7,7 @@ use towermodes::{Properties, Rna, Station, TowerDescription};
 
 use super::super::content::ReportContent;
 use super::super::document::Block;
-use super::super::number::{given, mass};
+use crate::number::{given, mass};
 
 pub(super) fn blocks(content: &ReportContent) -> Vec<Block> {
     let description = &content.description;

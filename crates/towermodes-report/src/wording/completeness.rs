@@ -1,0 +1,59 @@
+//! The certificate in words: an eigenvalue count proves that no mode is missing.
+
+use towermodes::Certificate;
+use towermodes::number::{digits, four_digits};
+
+use super::text::counted;
+
+/// The certificate in one line, for a list of `listed` modes: "complete: exactly 8 modes below
+/// 8.323 Hz".
+///
+/// A list may end between two modes of equal frequency; then the line gives how many are listed.
+pub fn completeness(certificate: &Certificate, listed: usize) -> String {
+    let (count, below_hz) = (certificate.count, four_digits(certificate.below_hz));
+    let exactly = format!("exactly {} below {below_hz} Hz", counted(count, "mode"));
+    match count > listed {
+        true => format!("{exactly}, {listed} listed (the last one repeats)"),
+        false => format!("complete: {exactly}"),
+    }
+}
+
+/// The certificate as a report explains it: the theorem, the count, and what it proves.
+pub fn proof_of_completeness(certificate: &Certificate, listed: usize) -> String {
+    let count = match certificate.count {
+        1 => "1 natural frequency".to_owned(),
+        count => format!("{count} natural frequencies"),
+    };
+    let all = match (certificate.count > listed, listed) {
+        (false, _) => "all of them are listed".to_owned(),
+        (true, 1) => "1 of them is listed; the others repeat it".to_owned(),
+        (true, _) => format!("{listed} of them are listed; the others repeat the last one"),
+    };
+    format!(
+        "The number of negative pivots of K − ω²M (Sylvester's law of inertia) proves that the computed model has exactly {count} below {} Hz; \
+         {all}. No mode in this range is missing.",
+        digits(certificate.below_hz, 6)
+    )
+}
+
+#[cfg(test)]
+mod tests {
+    use towermodes::Certificate;
+
+    use super::{completeness, proof_of_completeness};
+
+    #[test]
+    fn a_list_that_ends_within_a_pair_is_named() {
+        let certificate = Certificate {
+            complete: true,
+            count: 9,
+            below_hz: 8.3234,
+        };
+        let all = "complete: exactly 9 modes below 8.323 Hz";
+        assert_eq!(completeness(&certificate, 9), all);
+        let cut = "exactly 9 modes below 8.323 Hz, 8 listed (the last one repeats)";
+        assert_eq!(completeness(&certificate, 8), cut);
+        let proof = proof_of_completeness(&certificate, 8);
+        assert!(proof.contains("exactly 9 natural frequencies below 8.32340 Hz; 8 of them are"));
+    }
+}

@@ -1,0 +1,16 @@
+//! Words and sentences that several surfaces share: tables on a terminal, reports, pictures.
+//!
+//! A sentence that stands here is written once, so that every surface uses the same words for the
+//! same result.
+
+mod completeness;
+mod mode;
+mod model;
+mod rotor;
+mod text;
+
+pub use completeness::{completeness, proof_of_completeness};
+pub use mode::{blade_mode_shape, mode_shape};
+pub use model::{buckling_load_factor, is_beam, mesh, mesh_unit};
+pub use rotor::{operation, speed_range, verdict_counts, verdict_word};
+pub use text::{counted, listed, printable};

@@ -1,0 +1,62 @@
+//! Counts, lists, and names that come from files.
+
+use std::borrow::Cow;
+
+use towermodes::is_printable;
+
+/// A count with its noun: "1 mode", "2 modes".
+pub fn counted(count: usize, noun: &str) -> String {
+    format!("{count} {noun}{}", if count == 1 { "" } else { "s" })
+}
+
+/// A list in words: "a", "a and b", "a, b and c".
+pub fn listed(items: &[String]) -> String {
+    match items {
+        [first @ .., last] if !first.is_empty() => format!("{} and {last}", first.join(", ")),
+        items => items.concat(),
+    }
+}
+
+/// A text in which `replacement` stands for every control character, every mark that turns the
+/// direction of writing, and both noncharacters U+FFFE and U+FFFF. Line feeds and tabs stay.
+///
+/// Names come from files: without this they could hide or forge what a terminal or a page shows.
+pub fn printable(text: &str, replacement: char) -> Cow<'_, str> {
+    if !text.contains(disturbs) {
+        return Cow::Borrowed(text);
+    }
+    let shown = text
+        .chars()
+        .map(|c| if disturbs(c) { replacement } else { c });
+    Cow::Owned(shown.collect())
+}
+
+fn disturbs(c: char) -> bool {
+    (!is_printable(c) && !matches!(c, '\n' | '\t')) || matches!(c, '\u{fffe}' | '\u{ffff}')
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{listed, printable};
+
+    #[test]
+    fn lists_end_with_and() {
+        let items = ["a", "b", "c"].map(str::to_owned);
+        assert_eq!(listed(&items), "a, b and c");
+        assert_eq!(listed(&items[..2]), "a and b");
+        assert_eq!(listed(&items[..1]), "a");
+    }
+
+    #[test]
+    fn what_would_disturb_a_terminal_or_a_page_is_replaced() {
+        let shown = |text| printable(text, '\u{fffd}').into_owned();
+        assert_eq!(
+            shown("a\u{202e}b\u{1b}[2Jc\u{9b}d"),
+            "a\u{fffd}b\u{fffd}[2Jc\u{fffd}d"
+        );
+        assert_eq!(shown("a\rb\u{7f}"), "a\u{fffd}b\u{fffd}");
+        let plain = "Türme, 塔\n\tB";
+        assert_eq!(shown(plain), plain);
+        assert_eq!(printable("a\u{202e}b\u{0}c\n", ' '), "a b c\n");
+    }
+}
