@@ -1,19 +1,14 @@
-//! A picture as pixels: PNG drawn with fonts that are in the program, so that it is the same
-//! everywhere.
-
-use std::sync::{Arc, OnceLock};
+//! A picture as pixels: a PNG whose text is drawn with the font in the program, so that it is the
+//! same on every machine.
 
 use resvg::tiny_skia::{Pixmap, Transform};
-use resvg::usvg::{Options, Tree, fontdb::Database};
+use resvg::usvg::{Options, Tree};
 use thiserror::Error;
 
-use crate::svg::{Figure, Look, Theme};
+use crate::svg::{Figure, Look, Theme, outlined};
 
 /// Wider or higher pictures than this, in pixels, are refused: each pixel takes four bytes.
 pub const MAX_PIXELS: u32 = 10_000;
-
-/// The font of every text.
-const FONT: &str = "DejaVu Sans";
 
 /// Why a picture was not drawn.
 #[derive(Debug, Clone, PartialEq, Error)]
@@ -61,13 +56,8 @@ pub fn png(figure: &Figure, theme: Theme, scale: f64) -> Result<Vec<u8>, RasterE
 
 fn pixels(figure: &Figure, theme: Theme, scale: f64) -> Result<Pixmap, RasterError> {
     let (width, height) = size(figure, scale)?;
-    let options = Options {
-        font_family: FONT.to_owned(),
-        fontdb: fonts(),
-        ..Options::default()
-    };
-    let svg = figure.to_svg(Look::Fixed(theme));
-    let tree = Tree::from_str(&svg, &options);
+    let svg = outlined(&figure.to_svg(Look::Fixed(theme)));
+    let tree = Tree::from_str(&svg, &Options::default());
     let tree = tree.map_err(|error| RasterError::Drawing(error.to_string()))?;
     let pixmap = Pixmap::new(width, height);
     let mut pixmap =
@@ -99,19 +89,6 @@ fn size(figure: &Figure, scale: f64) -> Result<(u32, u32), RasterError> {
             scale,
         })
     }
-}
-
-/// The fonts of the program and no others.
-fn fonts() -> Arc<Database> {
-    static FONTS: OnceLock<Arc<Database>> = OnceLock::new();
-    let load = || {
-        let mut fonts = Database::new();
-        fonts.load_font_data(dejavu::sans::regular().to_vec());
-        fonts.load_font_data(dejavu::sans::bold().to_vec());
-        fonts.set_sans_serif_family(FONT);
-        Arc::new(fonts)
-    };
-    Arc::clone(FONTS.get_or_init(load))
 }
 
 #[cfg(test)]

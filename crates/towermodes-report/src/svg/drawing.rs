@@ -457,7 +457,7 @@ fn path_through(points: &[(f64, f64)]) -> String {
 }
 
 /// A length in hundredths of a pixel, without zeros at its end.
-fn short(value: f64) -> String {
+pub(super) fn short(value: f64) -> String {
     let text = format!("{value:.2}");
     let text = text.trim_end_matches('0').trim_end_matches('.');
     if text == "-0" {
@@ -465,6 +465,15 @@ fn short(value: f64) -> String {
     } else {
         text.to_owned()
     }
+}
+
+/// The text that [`escaped`] wrote.
+pub(super) fn unescaped(text: &str) -> String {
+    let signs = text
+        .replace("&lt;", "<")
+        .replace("&gt;", ">")
+        .replace("&quot;", "\"");
+    signs.replace("&amp;", "&")
 }
 
 /// A text as SVG has it, without what no document may have.

@@ -5,6 +5,7 @@ mod colour;
 mod drawing;
 mod figure;
 mod heading;
+mod outlines;
 mod scale;
 mod text;
 
@@ -13,5 +14,6 @@ pub use colour::{Colour, Theme, contrast, stylesheet};
 pub use drawing::{Anchor, Dash, Drawing, LabelBox, Marker, Stroke, TextStyle};
 pub use figure::{DataTable, Figure, Look};
 pub use heading::Heading;
+pub use outlines::outlined;
 pub use scale::{Scale, number, power_of_ten};
 pub use text::{LINE_HEIGHT, text_width};

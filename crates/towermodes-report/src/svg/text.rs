@@ -25,7 +25,8 @@ pub fn text_width(text: &str, size: f64, is_bold: bool) -> f64 {
     size * text.chars().map(width).sum::<f64>()
 }
 
-fn face(is_bold: bool) -> Option<&'static Face<'static>> {
+/// The font, regular or bold.
+pub(super) fn face(is_bold: bool) -> Option<&'static Face<'static>> {
     static REGULAR: OnceLock<Option<Face<'static>>> = OnceLock::new();
     static BOLD: OnceLock<Option<Face<'static>>> = OnceLock::new();
     let face = if is_bold {
