@@ -176,7 +176,7 @@ rows = [[-12.0, 1e6, 2e6, 3e6, 4e6], [-8.0, 1e6, 2e6, 3e6, 4e6]]
     // From -20 to -12, -10, -8 and 80 m.
     let pieces = tower.pieces();
     assert_eq!(pieces.len(), 4);
-    let ends = |index: usize| pieces[index].ambient.soil.expect("soil");
+    let ends = |index: usize| pieces[index].environment.soil.expect("soil");
     let [bottom, top] = ends(0);
     assert_near(bottom.x_n_per_m2, 2e7);
     assert_near(bottom.y_n_per_m2, 3e7);
@@ -187,7 +187,7 @@ rows = [[-12.0, 1e6, 2e6, 3e6, 4e6], [-8.0, 1e6, 2e6, 3e6, 4e6]]
     assert_near(bottom.x_n_per_m2, 5e6);
     assert_eq!((bottom.z_n_per_m2, bottom.torsion_n), (3e6, 4e6));
     assert_near(ends(2)[1].y_n_per_m2, 2e6);
-    assert_eq!(pieces[3].ambient.soil, None);
+    assert_eq!(pieces[3].environment.soil, None);
 }
 
 #[test]
@@ -195,8 +195,12 @@ fn water_with_its_defaults_and_without() {
     let quarter = std::f64::consts::FRAC_PI_4;
     let around = |text: &str| {
         let tower = tower(text);
-        let ambients: Vec<_> = tower.pieces().iter().map(|piece| piece.ambient).collect();
-        ambients
+        let environments: Vec<_> = tower
+            .pieces()
+            .iter()
+            .map(|piece| piece.environment)
+            .collect();
+        environments
             .iter()
             .map(|a| (a.outside_kg_per_m3, a.inside_kg_per_m3))
             .collect::<Vec<_>>()
@@ -277,7 +281,7 @@ torsion = inf
 "#;
     let tower = tower_from_toml(table).expect("a tower");
     assert_eq!(tower.pieces().len(), 2);
-    assert!(tower.pieces()[0].ambient.soil.is_some());
+    assert!(tower.pieces()[0].environment.soil.is_some());
     assert_eq!(tower.base().moves, [true, true, true, true, true, false]);
     let mistakes = tower_from_toml(&format!("{table}[water]\nlevel = 0.0\n"));
     let mistakes = mistakes.expect_err("the table has no diameters");

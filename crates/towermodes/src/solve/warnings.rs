@@ -85,7 +85,7 @@ fn soil_unresolved(tower: &Tower, mesh: &Mesh, degree: Option<usize>) -> Option<
     for border in mesh.borders_m().windows(2) {
         let middle_m = 0.5 * (border[0] + border[1]);
         let piece = tower.piece_at(middle_m);
-        if piece.ambient.soil.is_none() {
+        if piece.environment.soil.is_none() {
             continue;
         }
         let section = piece.section_at(middle_m);

@@ -1,6 +1,7 @@
 //! What sits on a tower at a height: point masses, wires, the rotor-nacelle assembly.
 
-use super::description::{Inertia, PointMass, Rna};
+use super::description::{PointMass, Rna};
+use super::inertia::Inertia;
 use super::surroundings::Wires;
 use crate::space::SpatialMatrix;
 

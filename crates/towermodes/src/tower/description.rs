@@ -1,12 +1,12 @@
-//! What a user says about a tower, before anything is checked.
+//! The description of a tower as a user gives it, before it is checked.
 
 use super::foundation::Foundation;
+use super::inertia::Inertia;
 use super::material::Material;
 use super::part_names::PartNames;
 use super::properties::Properties;
 use super::rotor::Rotor;
-use super::surroundings::{AddedMassRow, SoilRow, Water, Wires};
-use crate::symmetric::eigenpairs;
+use super::shear::Shear;
 
 /// One row of the tower's geometry: the tube at a height. Between rows diameter and wall are
 /// linear.
@@ -48,54 +48,6 @@ pub struct PropertyStation {
     pub properties: Properties,
 }
 
-/// The inertia tensor of a rigid body about its own centre of mass, kg m².
-///
-/// Products of inertia are the entries of the tensor (xy = −∫ x y dm).
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub struct Inertia {
-    /// About the fore-aft axis (resists side-side rotation), kg m².
-    pub xx: f64,
-    /// About the side-side axis (resists fore-aft rotation), kg m².
-    pub yy: f64,
-    /// About the tower axis (resists torsion), kg m².
-    pub zz: f64,
-    /// Entry xy, kg m².
-    pub xy: f64,
-    /// Entry xz, kg m².
-    pub xz: f64,
-    /// Entry yz, kg m².
-    pub yz: f64,
-}
-
-impl Inertia {
-    /// The symmetric tensor.
-    pub fn tensor(&self) -> [[f64; 3]; 3] {
-        [
-            [self.xx, self.xy, self.xz],
-            [self.xy, self.yy, self.yz],
-            [self.xz, self.yz, self.zz],
-        ]
-    }
-
-    /// The inertia that a symmetric tensor says.
-    pub fn from_tensor(tensor: [[f64; 3]; 3]) -> Self {
-        let [[xx, xy, xz], [_, yy, yz], [_, _, zz]] = tensor;
-        Self {
-            xx,
-            yy,
-            zz,
-            xy,
-            xz,
-            yz,
-        }
-    }
-
-    /// The principal moments of inertia, rising, kg m².
-    pub fn principal_kg_m2(&self) -> [f64; 3] {
-        eigenpairs(self.tensor()).0
-    }
-}
-
 /// The rotor-nacelle assembly: a rigid body on the tower top. All zero means there is none.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Rna {
@@ -128,19 +80,8 @@ pub struct PointMass {
     pub inertia_kg_m2: Inertia,
 }
 
-/// Whether the beam deforms in shear.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub enum Shear {
-    /// No shear deformation: a Rayleigh beam (Euler-Bernoulli bending with rotary inertia).
-    #[default]
-    Rigid,
-    /// Timoshenko beam, Cowper's (1966) coefficient of each section's tube.
-    Cowper,
-    /// Timoshenko beam with this coefficient κ everywhere (0 < κ ≤ 1).
-    Coefficient(f64),
-}
-
-/// Everything a user says about a tower. [`Tower::new`](super::Tower::new) checks it.
+/// A tower as its user describes it: geometry, materials, masses, foundation and environment.
+/// [`Tower::new`](super::Tower::new) checks it.
 ///
 /// # Example
 /// ```

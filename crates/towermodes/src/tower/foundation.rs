@@ -1,6 +1,6 @@
 //! What a tower stands on, as a user says it.
 
-use super::description::Inertia;
+use super::inertia::Inertia;
 use crate::space::SpatialMatrix;
 
 /// What holds the lowest station.

@@ -117,7 +117,7 @@ impl MassIntegrals {
 /// `reference_m`: ∫ k dz, ∫ k (z − z₀) dz and ∫ k (z − z₀)² dz in each plane, ∫ k_t dz, ∫ k_z dz.
 /// None if there is no soil.
 pub fn soil_integrals(piece: &Piece, base_m: f64, top_m: f64, reference_m: f64) -> Option<OnAxis> {
-    piece.ambient.soil?;
+    piece.environment.soil?;
     let (middle, half) = (0.5 * (base_m + top_m), 0.5 * (top_m - base_m));
     let mut sum = OnAxis::default();
     // Linear springs times a square: three points are exact.
@@ -310,7 +310,7 @@ mod tests {
                 material: Material::from_shear_modulus(1.0, 1.0, 0.4),
                 shear: Shear::Rigid,
             },
-            ambient: crate::tower::Ambient::default(),
+            environment: crate::tower::Environment::default(),
         }
     }
 

@@ -1,11 +1,12 @@
 //! A linear piece of a tower: a tube of one material, or a table of properties, linear in height.
 
-use super::ambient::Ambient;
-use super::description::{PropertyStation, Shear, Station};
+use super::description::{PropertyStation, Station};
+use super::environment::Environment;
 use super::independent::Motion;
 use super::material::Material;
 use super::properties::Properties;
 use super::section::{Section, SectionMasses, Tube};
+use super::shear::Shear;
 use super::surroundings::SoilStiffness;
 
 /// The tower between two heights over which its profile is linear.
@@ -18,7 +19,7 @@ pub struct Piece {
     /// What is linear between them.
     pub profile: Profile,
     /// The soil and the water around it.
-    pub ambient: Ambient,
+    pub environment: Environment,
 }
 
 /// What is linear over a piece.
@@ -103,24 +104,24 @@ impl Piece {
             }
             Profile::Table { base, top } => {
                 let mut section = base.blend(top, s);
-                section.masses.water_kg_per_m = self.ambient.added_kg_per_m_at(s);
+                section.masses.water_kg_per_m = self.environment.added_kg_per_m_at(s);
                 section
             }
         };
-        section.soil = self.ambient.soil_at(s);
+        section.soil = self.environment.soil_at(s);
         section
     }
 
     /// Mass that moves with a tube of it transversely, a share `s` of the way up, kg/m.
     #[inline]
     fn water_kg_per_m(&self, tube: &Tube, s: f64) -> f64 {
-        self.ambient.water_kg_per_m(tube) + self.ambient.added_kg_per_m_at(s)
+        self.environment.water_kg_per_m(tube) + self.environment.added_kg_per_m_at(s)
     }
 
     /// The soil springs at a height (m) inside the piece; none if there is no soil.
     #[inline]
     pub(super) fn soil_at(&self, height_m: f64) -> SoilStiffness {
-        self.ambient.soil_at(self.share_at(height_m))
+        self.environment.soil_at(self.share_at(height_m))
     }
 
     /// The masses of [`section_at`](Self::section_at) alone.
@@ -161,7 +162,7 @@ impl Piece {
 
     fn soil_is_round(&self) -> bool {
         let is_round = |soil: &SoilStiffness| soil.transverse().are_equal();
-        self.ambient
+        self.environment
             .soil
             .is_none_or(|ends| ends.iter().all(is_round))
     }
@@ -259,7 +260,7 @@ impl Piece {
             base_m,
             top_m,
             profile,
-            ambient: Ambient::default(),
+            environment: Environment::default(),
         }
     }
 
@@ -269,7 +270,7 @@ impl Piece {
             base_m: self.base_m,
             top_m: upper.top_m,
             profile: self.profile.up_to(&upper.profile)?,
-            ambient: self.ambient,
+            environment: self.environment,
         };
         let line = whole.section_at(self.top_m);
         let straight = is_same(&self.section_at(self.top_m), &line) && self.meets(upper);
@@ -316,7 +317,7 @@ pub(super) fn tube_pieces(
                 material,
                 shear,
             },
-            ambient: Ambient::default(),
+            environment: Environment::default(),
         }
     });
     fewest(pieces)
@@ -331,7 +332,7 @@ pub(super) fn table_pieces(rows: &[PropertyStation], outfitting_factor: f64) -> 
             base: pair[0].properties.heavier(outfitting_factor),
             top: pair[1].properties.heavier(outfitting_factor),
         },
-        ambient: Ambient::default(),
+        environment: Environment::default(),
     });
     fewest(pieces)
 }

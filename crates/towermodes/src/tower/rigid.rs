@@ -1,7 +1,7 @@
 //! The whole tower as one rigid body on its base: what resists its motions, and its inertia.
 
-use super::Tower;
 use super::integrals::{mass_integrals, soil_integrals};
+use super::model::Tower;
 use crate::space::{SpatialMatrix, add_scaled, lower_matrix};
 
 impl Tower {

@@ -1,6 +1,7 @@
 //! Rigid bodies put together: a rotor-nacelle assembly from its hub, blades and nacelle.
 
-use super::description::{Inertia, Rna};
+use super::description::Rna;
+use super::inertia::Inertia;
 
 /// What is smaller than this share of its like is rounding.
 const ROUNDING: f64 = 1e-14;

@@ -2,9 +2,9 @@
 
 use std::f64::consts::PI;
 
-use super::description::Shear;
 use super::material::Material;
 use super::planes::Planes;
+use super::shear::Shear;
 use super::surroundings::SoilStiffness;
 
 /// A circular tube of outer diameter d and wall thickness t (0 < t ≤ d/2; t = d/2 is a solid rod).

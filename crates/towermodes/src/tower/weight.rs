@@ -1,11 +1,10 @@
-//! The weight that a tower carries at a height.
+//! The mass that a tower carries at a height.
 
-use super::Tower;
 use super::attachment::Attachment;
 use super::integrals::mass_integrals;
 use super::piece::Piece;
 
-/// What lies above, summed once.
+/// The mass above each piece and each attachment, summed once.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Above {
     /// Mass of the whole tower, kg.
@@ -30,6 +29,18 @@ impl Above {
             of_attachments_kg: sums_from_the_top(attached),
         }
     }
+
+    /// The mass above a height (m) of a piece, kg, if `attached` attachments are below the height.
+    pub(super) fn mass_kg(
+        &self,
+        piece: &Piece,
+        index: usize,
+        height_m: f64,
+        attached: usize,
+    ) -> f64 {
+        let own = mass_integrals(piece, height_m, piece.top_m, height_m);
+        own.mass_kg + self.of_pieces_kg[index] + self.of_attachments_kg[attached]
+    }
 }
 
 /// The sum of each value and those after it, and a zero at the end.
@@ -42,31 +53,4 @@ fn sums_from_the_top(values: impl DoubleEndedIterator<Item = f64>) -> Vec<f64> {
     }
     sums.reverse();
     sums
-}
-
-impl Tower {
-    /// The compression N by all weights above a height (m) of the tower, N: what sits at the height
-    /// itself is above it.
-    ///
-    /// Water does not press on the wall: it is not a weight, and buoyancy is left out.
-    pub fn compression_n(&self, height_m: f64) -> f64 {
-        let index = self.piece_index_at(height_m);
-        let piece = &self.pieces[index];
-        let own = mass_integrals(piece, height_m, piece.top_m, height_m);
-        let attached = self.attachments.partition_point(|a| a.height_m < height_m);
-        let above = &self.above;
-        let mass_kg = own.mass_kg + above.of_pieces_kg[index] + above.of_attachments_kg[attached];
-        self.gravity_m_per_s2 * mass_kg
-    }
-
-    /// ∫ N dz between two heights (m) of one piece with nothing attached between them, N m.
-    ///
-    /// A rigid piece that turns by θ lowers all it carries and itself: its potential energy is −½
-    /// θ² times this integral.
-    pub fn compression_integral_n_m(&self, base_m: f64, top_m: f64) -> f64 {
-        let piece = self.piece_at(0.5 * (base_m + top_m));
-        let own = mass_integrals(piece, base_m, top_m, base_m);
-        self.compression_n(top_m) * (top_m - base_m)
-            + self.gravity_m_per_s2 * own.structural_moment_kg_m
-    }
 }

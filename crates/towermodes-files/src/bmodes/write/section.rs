@@ -145,7 +145,7 @@ pub(super) fn side_side_multiplier(
 
 #[cfg(test)]
 mod tests {
-    use towermodes::tower::{Ambient, Piece, Profile};
+    use towermodes::tower::{Environment, Piece, Profile};
     use towermodes::{Planes, Properties};
 
     use super::{MadeUp, PerMetre, deck_section};
@@ -168,7 +168,7 @@ mod tests {
                 base: row,
                 top: row,
             },
-            ambient: Ambient::default(),
+            environment: Environment::default(),
         }
     }
 

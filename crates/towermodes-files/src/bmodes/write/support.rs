@@ -77,7 +77,7 @@ pub(super) fn hub_connection(tower: &Tower) -> Result<Hub, BmodesWriteError> {
 pub(super) fn is_offshore(tower: &Tower, hub: Hub) -> bool {
     let is_surrounded = tower.pieces().iter().any(|piece| {
         let middle = piece.section_at(0.5 * (piece.base_m + piece.top_m));
-        piece.ambient.soil.is_some() || middle.masses.water_kg_per_m != 0.0
+        piece.environment.soil.is_some() || middle.masses.water_kg_per_m != 0.0
     });
     hub != Hub::Clamped || is_surrounded || tower.base_m() < 0.0
 }

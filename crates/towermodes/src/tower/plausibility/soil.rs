@@ -25,7 +25,7 @@ pub(super) fn check(tower: &Tower, given: &Given<'_>, warnings: &mut Vec<Warning
     if given.soil.is_empty() {
         return;
     }
-    let surrounds = |piece: &Piece| piece.ambient.soil.is_some();
+    let surrounds = |piece: &Piece| piece.environment.soil.is_some();
     if tower.base().is_clamped() && tower.pieces().iter().any(surrounds) {
         warnings.push(Warning::SoilAndClamp);
     }
@@ -84,7 +84,10 @@ fn holds(tower: &Tower, warnings: &mut Vec<Warning>) {
 /// The length in soil over (4EI/k)^¼ with the mean spring; none without soil in this plane.
 fn winkler_lengths(tower: &Tower, plane: Plane) -> Option<f64> {
     let in_soil = tower.pieces().iter().filter_map(|piece| {
-        let [low, high] = piece.ambient.soil?.map(|soil| soil.transverse().of(plane));
+        let [low, high] = piece
+            .environment
+            .soil?
+            .map(|soil| soil.transverse().of(plane));
         let length_m = piece.length_m();
         let middle_m = piece.base_m + 0.5 * length_m;
         let bending = piece.section_at(middle_m).bending_n_m2.of(plane);

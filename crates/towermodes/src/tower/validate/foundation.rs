@@ -1,6 +1,6 @@
 //! The checks of what the base stands on.
 
-use super::check_inertia;
+use super::inertia::check_inertia;
 use super::scale::{coordinate, error, finite, length, not_negative, positive, stiffness};
 use crate::space::SpatialMatrix;
 use crate::symmetric::eigenpairs;

@@ -1,6 +1,7 @@
 //! The checks that turn a description into a tower.
 
 mod foundation;
+mod inertia;
 mod rotor;
 mod scale;
 mod surroundings;
@@ -9,15 +10,16 @@ pub(super) use foundation::largest_asymmetry;
 pub(crate) use rotor::check_rotor;
 
 use foundation::{check_buoyancy, check_foundation};
-use scale::{coordinate, error, finite, length, not_negative, positive};
+use inertia::check_inertia;
+use scale::{coordinate, error, length, not_negative, positive};
 use surroundings::check_surroundings;
 
-use super::description::{
-    Inertia, PointMass, PropertyStation, Rna, Shear, Station, TowerDescription,
-};
+use super::description::{PointMass, PropertyStation, Rna, Station, TowerDescription};
 use super::error::{Place, Problem, TowerError};
+use super::inertia::Inertia;
 use super::material::Material;
 use super::properties::Properties;
+use super::shear::Shear;
 
 /// Everything a description must satisfy to be a tower.
 pub(super) fn validate(description: &TowerDescription) -> Result<(), TowerError> {
@@ -259,21 +261,6 @@ fn check_rna(rna: &Rna) -> Result<(), TowerError> {
         return error(at("mass"), Problem::InertiaWithoutMass);
     }
     Ok(())
-}
-
-/// A principal moment of inertia may be negative by this share of the largest: tensors are rounded.
-const ROUNDED: f64 = 1e-9;
-
-fn check_inertia(place: Place, inertia: &Inertia) -> Result<(), TowerError> {
-    for value in inertia.tensor().into_iter().flatten() {
-        finite(place, "an entry of the inertia", value, " kg m2")?;
-    }
-    let principal_kg_m2 = inertia.principal_kg_m2();
-    let largest = principal_kg_m2[2].max(-principal_kg_m2[0]);
-    if principal_kg_m2[0] >= -ROUNDED * largest {
-        return Ok(());
-    }
-    error(place, Problem::NegativeInertia { principal_kg_m2 })
 }
 
 fn check_point_mass(

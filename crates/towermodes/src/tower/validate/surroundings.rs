@@ -1,9 +1,9 @@
 //! The checks of soil, added mass, water, wires and gravity.
 
 use super::scale::{coordinate, error, finite, not_negative, positive, stiffness};
-use crate::tower::ambient;
 use crate::tower::description::TowerDescription;
 use crate::tower::error::{Place, Problem, TowerError};
+use crate::tower::immersion;
 use crate::tower::surroundings::{AddedMassRow, SoilRow, Water, Wires};
 
 pub(super) fn check_surroundings(
@@ -137,7 +137,7 @@ fn check_water(water: &Water, base_m: f64, top_m: f64) -> Result<(), TowerError>
     if water.bed_m.is_some() && bed_m >= level_m {
         return error(at("bed"), Problem::BedAboveWater { bed_m, level_m });
     }
-    if ambient::reaches(water, base_m, top_m) {
+    if immersion::reaches(water, base_m, top_m) {
         return Ok(());
     }
     let problem = Problem::WaterOutsideTower {

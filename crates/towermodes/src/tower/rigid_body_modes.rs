@@ -1,13 +1,13 @@
-//! Whether anything holds a tower: a rigid motion that nothing resists has no frequency.
+//! The check for rigid-body modes: a rigid motion that nothing resists has no frequency.
 
-use super::Tower;
 use super::error::{FreeMotions, Place, Problem, TowerError};
+use super::model::Tower;
 use crate::space::SpatialMatrix;
 use crate::symmetric::eigenpairs;
 
-/// A scaled stiffness below this is none.
+/// A scaled stiffness below this counts as zero.
 const FREE: f64 = 1e-12;
-/// Parts of a free motion larger than this, as a share of its largest, are named.
+/// Parts of a free motion larger than this, as a fraction of its largest, are named.
 const NAMED: f64 = 0.1;
 
 /// Refuses a tower that can move as a whole without resistance, unless it floats.

@@ -1,49 +1,13 @@
-//! What soil and water do to a piece of a tower.
+//! Where soil and water begin and end along a tower.
 
 use super::description::TowerDescription;
+use super::environment::Environment;
 use super::piece::Piece;
-use super::section::Tube;
 use super::surroundings::{AddedMassRow, SoilRow, SoilStiffness, Water};
 
-/// What surrounds a piece: linear soil springs, water on either side of the wall.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub struct Ambient {
-    /// Soil springs at the lower and the upper end; none if there is no soil.
-    pub soil: Option<[SoilStiffness; 2]>,
-    /// Mass that moves with it transversely at the lower and the upper end, kg/m; none if no table
-    /// says so.
-    pub added_kg_per_m: Option<[f64; 2]>,
-    /// ρ C_a π/4 where there is water outside, kg/m³: times D² the added mass per length.
-    pub outside_kg_per_m3: f64,
-    /// ρ π/4 where there is water inside, kg/m³: times (D − 2t)² its mass per length.
-    pub inside_kg_per_m3: f64,
-}
-
-impl Ambient {
-    /// Mass of water that moves transversely with a tube, kg/m.
-    #[inline]
-    pub(super) fn water_kg_per_m(&self, tube: &Tube) -> f64 {
-        let (d, inner) = (tube.outer_diameter_m, tube.inner_diameter_m());
-        self.outside_kg_per_m3 * d * d + self.inside_kg_per_m3 * inner * inner
-    }
-
-    /// Mass from tables that moves with it transversely a share `s` of the way up, kg/m.
-    #[inline]
-    pub(super) fn added_kg_per_m_at(&self, s: f64) -> f64 {
-        self.added_kg_per_m
-            .map_or(0.0, |[base, top]| base + s * (top - base))
-    }
-
-    /// Soil springs a share `s` of the way up.
-    #[inline]
-    pub(super) fn soil_at(&self, s: f64) -> SoilStiffness {
-        self.soil
-            .map_or_else(SoilStiffness::default, |[base, top]| base.blend(&top, s))
-    }
-}
-
-/// Cuts pieces where soil and water begin, end or bend, and says of each part what surrounds it.
-pub(super) fn surrounded(pieces: Vec<Piece>, description: &TowerDescription) -> Vec<Piece> {
+/// Cuts pieces where soil and water begin, end or change slope, and gives each part its
+/// environment.
+pub(super) fn in_environment(pieces: Vec<Piece>, description: &TowerDescription) -> Vec<Piece> {
     let base_m = pieces.first().map_or(0.0, |piece| piece.base_m);
     let soil = description.soil.iter().flatten().map(|row| row.height_m);
     let added = description.added_mass.iter().flatten();
@@ -64,7 +28,7 @@ pub(super) fn surrounded(pieces: Vec<Piece>, description: &TowerDescription) -> 
         let inside = cuts_m[first..last.max(first)].iter();
         for &end_m in inside.chain([&piece.top_m]) {
             let mut part = piece.part(below_m, end_m);
-            part.ambient = ambient(description, base_m, &part);
+            part.environment = environment(description, base_m, &part);
             parts.push(part);
             below_m = end_m;
         }
@@ -72,47 +36,47 @@ pub(super) fn surrounded(pieces: Vec<Piece>, description: &TowerDescription) -> 
     parts
 }
 
-/// What surrounds a piece that no cut lies within.
-fn ambient(description: &TowerDescription, base_m: f64, piece: &Piece) -> Ambient {
+/// The environment of a piece inside which nothing begins or ends.
+fn environment(description: &TowerDescription, base_m: f64, piece: &Piece) -> Environment {
     let soil = description
         .soil
         .iter()
         .filter_map(|rows| soil_of(rows, piece));
     let tables = description.added_mass.iter();
     let added = tables.filter_map(|rows| added_mass_of(rows, piece));
-    let mut ambient = Ambient {
+    let mut environment = Environment {
         soil: soil.reduce(|a, b| [a[0].and(&b[0]), a[1].and(&b[1])]),
         added_kg_per_m: added.reduce(|a, b| [a[0] + b[0], a[1] + b[1]]),
-        ..Ambient::default()
+        ..Environment::default()
     };
     if let Some(water) = &description.water {
         let quarter = water.density_kg_per_m3 * std::f64::consts::FRAC_PI_4;
         let is_under = |bed_m: f64| bed_m <= piece.base_m && piece.top_m <= water.level_m;
         if is_under(water.bed_m.unwrap_or(base_m)) {
-            ambient.outside_kg_per_m3 = quarter * water.added_mass_coefficient;
+            environment.outside_kg_per_m3 = quarter * water.added_mass_coefficient;
         }
         if water.flooded && is_under(base_m) {
-            ambient.inside_kg_per_m3 = quarter;
+            environment.inside_kg_per_m3 = quarter;
         }
     }
-    ambient
+    environment
 }
 
-/// The springs of one layer at both ends of a piece; none if it does not reach there.
+/// The springs of one layer at both ends of a piece; `None` if the layer is elsewhere.
 fn soil_of(rows: &[SoilRow], piece: &Piece) -> Option<[SoilStiffness; 2]> {
     let (pair, shares) = around(rows, |row| row.height_m, piece)?;
     Some(shares.map(|s| pair[0].stiffness.blend(&pair[1].stiffness, s)))
 }
 
-/// The mass of one table at both ends of a piece, kg/m; none if it does not reach there.
+/// The mass of one table at both ends of a piece, kg/m; `None` if the table is elsewhere.
 fn added_mass_of(rows: &[AddedMassRow], piece: &Piece) -> Option<[f64; 2]> {
     let (pair, shares) = around(rows, |row| row.height_m, piece)?;
     let (below, above) = (pair[0].mass_kg_per_m, pair[1].mass_kg_per_m);
     Some(shares.map(|s| below + s * (above - below)))
 }
 
-/// The two rows around a piece, and how far from the lower to the upper one its ends are; two rows
-/// at one height are a step.
+/// The two rows around a piece, and the positions of its ends between them, as fractions; two
+/// rows at one height are a step.
 fn around<'a, R>(
     rows: &'a [R],
     height_m: impl Fn(&R) -> f64,
@@ -126,7 +90,7 @@ fn around<'a, R>(
     Some((pair, [share(piece.base_m), share(piece.top_m)]))
 }
 
-/// Whether there is a height on the tower where water is, for a plain mistake.
+/// Whether any part of the tower is below the water level and above the bed.
 pub(super) fn reaches(water: &Water, base_m: f64, top_m: f64) -> bool {
     water.level_m > base_m && water.bed_m.unwrap_or(base_m) < top_m
 }

@@ -1,0 +1,115 @@
+//! A description becomes a tower: checked, cut into pieces, its motions told apart.
+
+use super::attachment::Attachment;
+use super::base::Base;
+use super::description::TowerDescription;
+use super::error::TowerError;
+use super::immersion::in_environment;
+use super::independent::{self, Motion, Motions};
+use super::model::Tower;
+use super::name::printable;
+use super::piece::{self, Piece};
+use super::plausibility::{self, rotor_plausibility};
+use super::rotor::Rotor;
+use super::weight::Above;
+use super::{rigid_body_modes, validate};
+use crate::Warning;
+
+impl Tower {
+    /// Checks a description and makes the tower of it.
+    ///
+    /// # Errors
+    /// [`TowerError`] with the place and the numbers of the first thing that no tower can have.
+    pub fn new(description: TowerDescription) -> Result<Self, TowerError> {
+        validate::validate(&description)?;
+        let pieces = in_environment(pieces_of(&description), &description);
+        let (base_m, top_m) = (pieces[0].base_m, pieces[pieces.len() - 1].top_m);
+        let attachments = attachments_of(&description, top_m);
+        let above = Above::new(&pieces, &attachments);
+        let masses = description.point_masses.iter();
+        let mass_kg = above.tower_kg + masses.map(|m| m.mass_kg).sum::<f64>();
+        let carried_kg = mass_kg + description.rna.mass_kg;
+        let base = Base::new(&description.foundation, base_m, carried_kg);
+        let of_base = [&base.stiffness, &base.inertia];
+        let matrices = attachments
+            .iter()
+            .flat_map(Attachment::matrices)
+            .chain(of_base);
+        let planes_are_equal = pieces.iter().all(Piece::planes_are_equal)
+            && base.moves[0] == base.moves[1]
+            && base.moves[3] == base.moves[4]
+            && matrices.clone().all(independent::planes_are_equal);
+        let independent = independent::independent_motions(matrices);
+        let is_uncoupled = independent.len() == Motion::ALL.len();
+        let mut tower = Self {
+            planes_are_equal: planes_are_equal && is_uncoupled,
+            independent: possible(independent, &pieces, &base),
+            name: printable(&description.name),
+            stations: description.stations,
+            properties: description.properties,
+            rna: description.rna,
+            point_masses: description.point_masses,
+            pieces,
+            attachments,
+            base,
+            gravity_m_per_s2: description.gravity_m_per_s2,
+            rotor: description.rotor,
+            above,
+            outfitting_factor: description.outfitting_factor,
+            mass_kg,
+            warnings: Vec::new(),
+        };
+        rigid_body_modes::check(&tower)?;
+        tower.base.units = tower.base_units();
+        let given = plausibility::Given {
+            materials: &description.materials,
+            foundation: &description.foundation,
+            soil: &description.soil,
+            added_mass: &description.added_mass,
+            water: description.water.as_ref(),
+            wires: &description.wires,
+            rna_is_point: description.rna_is_point,
+        };
+        tower.warnings = plausibility::plausibility(&tower, &given);
+        Ok(tower)
+    }
+
+    /// What looks like a slip in a rotor on this tower. It matters where its excitations are asked
+    /// for, and so it is not among [`warnings`](Self::warnings).
+    pub fn rotor_warnings(&self, rotor: &Rotor) -> Vec<Warning> {
+        rotor_plausibility(self, rotor)
+    }
+}
+
+/// The sets without the motions that nothing can make: neither the tower deforms so nor its base
+/// moves so.
+fn possible(sets: Vec<Motions>, pieces: &[Piece], base: &Base) -> Vec<Motions> {
+    let is_held = |motion: &Motion| {
+        let components = motion.components();
+        pieces[0].is_rigid_in(*motion) && components.iter().all(|(i, _)| !base.moves[*i])
+    };
+    let held = Motion::ALL.into_iter().filter(is_held);
+    let held: Vec<Motion> = held.collect();
+    let without = |set: Motions| held.iter().fold(set, |set, motion| set.without(*motion));
+    let sets = sets.into_iter().map(without);
+    sets.filter(|set| set.iter().next().is_some()).collect()
+}
+
+fn pieces_of(description: &TowerDescription) -> Vec<Piece> {
+    let factor = description.outfitting_factor;
+    if description.stations.is_empty() {
+        return piece::table_pieces(&description.properties, factor);
+    }
+    let (stations, materials) = (&description.stations, &description.materials);
+    piece::tube_pieces(stations, materials, factor, description.shear)
+}
+
+fn attachments_of(description: &TowerDescription, top_m: f64) -> Vec<Attachment> {
+    let masses = description.point_masses.iter();
+    let wires = description.wires.iter();
+    let mut attachments: Vec<Attachment> = masses.map(Attachment::of_point_mass).collect();
+    attachments.extend(wires.map(Attachment::of_wires));
+    attachments.push(Attachment::of_rna(&description.rna, top_m));
+    attachments.sort_by(|a, b| a.height_m.total_cmp(&b.height_m));
+    attachments
+}

@@ -1,0 +1,192 @@
+//! The tower itself: constant once it is made.
+
+use super::attachment::Attachment;
+use super::base::Base;
+use super::description::{PointMass, PropertyStation, Rna, Station};
+use super::independent::{Motion, Motions};
+use super::integrals::mass_integrals;
+use super::piece::Piece;
+use super::rotor::Rotor;
+use super::weight::Above;
+use crate::Warning;
+
+/// A tower that can exist: every property is finite and positive, every wall fits its tube,
+/// something holds it or it floats.
+///
+/// Made by [`Tower::new`] from a [`TowerDescription`]; constant afterwards.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Tower {
+    pub(super) name: String,
+    pub(super) stations: Vec<Station>,
+    pub(super) properties: Vec<PropertyStation>,
+    pub(super) pieces: Vec<Piece>,
+    pub(super) rna: Rna,
+    pub(super) point_masses: Vec<PointMass>,
+    pub(super) attachments: Vec<Attachment>,
+    pub(super) base: Base,
+    pub(super) gravity_m_per_s2: f64,
+    pub(super) rotor: Option<Rotor>,
+    pub(super) above: Above,
+    pub(super) independent: Vec<Motions>,
+    pub(super) planes_are_equal: bool,
+    pub(super) outfitting_factor: f64,
+    pub(super) mass_kg: f64,
+    pub(super) warnings: Vec<Warning>,
+}
+
+impl Tower {
+    /// What the user calls it; may be empty. What cannot be [shown](printable) is a space.
+    pub fn name(&self) -> &str {
+        &self.name
+    }
+
+    /// The stations as they were given; none if the tower is a table of properties.
+    pub fn stations(&self) -> &[Station] {
+        &self.stations
+    }
+
+    /// The rows of the property table as they were given; none if the tower is made of tubes.
+    pub fn properties(&self) -> &[PropertyStation] {
+        &self.properties
+    }
+
+    /// The heights of the stations or rows as they were given, m.
+    pub fn station_heights_m(&self) -> Vec<f64> {
+        let stations = self.stations.iter().map(|station| station.height_m);
+        let rows = self.properties.iter().map(|row| row.height_m);
+        stations.chain(rows).collect()
+    }
+
+    /// The linear pieces from the base to the top; consecutive ones share a height.
+    pub fn pieces(&self) -> &[Piece] {
+        &self.pieces
+    }
+
+    /// The rotor-nacelle assembly.
+    pub fn rna(&self) -> &Rna {
+        &self.rna
+    }
+
+    /// The point masses as they were given.
+    pub fn point_masses(&self) -> &[PointMass] {
+        &self.point_masses
+    }
+
+    /// Point masses, wires and the rotor-nacelle assembly by increasing height.
+    pub fn attachments(&self) -> &[Attachment] {
+        &self.attachments
+    }
+
+    /// The base and what holds it.
+    pub fn base(&self) -> &Base {
+        &self.base
+    }
+
+    /// Acceleration of gravity, m/s²; 0 if weights are left out.
+    pub fn gravity_m_per_s2(&self) -> f64 {
+        self.gravity_m_per_s2
+    }
+
+    /// The rotor, if it is known.
+    pub fn rotor(&self) -> Option<&Rotor> {
+        self.rotor.as_ref()
+    }
+
+    /// The smallest sets of motions that are coupled with each other and with no other, by the
+    /// structure of the tower.
+    pub fn independent_motions(&self) -> &[Motions] {
+        &self.independent
+    }
+
+    /// What the density of the tower was multiplied by.
+    pub fn outfitting_factor(&self) -> f64 {
+        self.outfitting_factor
+    }
+
+    /// The piece that a height (m) on the tower lies in; of two that meet there the lower one.
+    pub fn piece_at(&self, height_m: f64) -> &Piece {
+        &self.pieces[self.piece_index_at(height_m)]
+    }
+
+    fn piece_index_at(&self, height_m: f64) -> usize {
+        let index = self.pieces.partition_point(|piece| piece.top_m < height_m);
+        index.min(self.pieces.len() - 1)
+    }
+
+    /// Whether the tower does not deform at all in a motion: its table has an infinite stiffness
+    /// there.
+    pub fn is_rigid_in(&self, motion: Motion) -> bool {
+        self.pieces[0].is_rigid_in(motion)
+    }
+
+    /// Whether the tower deforms in shear.
+    pub fn shears(&self) -> bool {
+        self.pieces[0].shears()
+    }
+
+    /// Whether any section has rotary inertia in bending: tubes have, the rows of a table may not.
+    pub fn has_rotary_inertia(&self) -> bool {
+        let inertias = self
+            .properties
+            .iter()
+            .map(|row| row.properties.rotary_inertia_kg_m);
+        !self.stations.is_empty()
+            || inertias
+                .into_iter()
+                .any(|i| i.fore_aft != 0.0 || i.side_side != 0.0)
+    }
+
+    /// Height z of the base in the user's datum, m.
+    pub fn base_m(&self) -> f64 {
+        self.pieces[0].base_m
+    }
+
+    /// Height z of the top in the user's datum, m.
+    pub fn top_m(&self) -> f64 {
+        self.pieces[self.pieces.len() - 1].top_m
+    }
+
+    /// Base to top, m.
+    pub fn height_m(&self) -> f64 {
+        self.top_m() - self.base_m()
+    }
+
+    /// Mass of the tower with its outfitting and point masses, without the rotor-nacelle assembly,
+    /// kg.
+    pub fn mass_kg(&self) -> f64 {
+        self.mass_kg
+    }
+
+    /// The axial compression N at a height (m) by the weight of everything above, N. An attachment
+    /// at the height itself counts as above it.
+    ///
+    /// Water is not a weight: it does not press on the wall, and buoyancy is left out.
+    pub fn compression_n(&self, height_m: f64) -> f64 {
+        let index = self.piece_index_at(height_m);
+        let attached = self.attachments.partition_point(|a| a.height_m < height_m);
+        let piece = &self.pieces[index];
+        self.gravity_m_per_s2 * self.above.mass_kg(piece, index, height_m, attached)
+    }
+
+    /// ∫ N dz between two heights (m) of one piece with no attachment between them, N m.
+    ///
+    /// A rigid piece that rotates by θ lowers itself and all it carries: its potential energy is
+    /// −½ θ² times this integral.
+    pub fn compression_integral_n_m(&self, base_m: f64, top_m: f64) -> f64 {
+        let piece = self.piece_at(0.5 * (base_m + top_m));
+        let own = mass_integrals(piece, base_m, top_m, base_m);
+        self.compression_n(top_m) * (top_m - base_m)
+            + self.gravity_m_per_s2 * own.structural_moment_kg_m
+    }
+
+    /// Whether both bending planes are equal and nothing couples them, so that each bending
+    /// frequency is there twice.
+    pub fn planes_are_equal(&self) -> bool {
+        self.planes_are_equal
+    }
+
+    /// What looks like a slip in the input, though it is possible.
+    pub fn warnings(&self) -> &[Warning] {
+        &self.warnings
+    }
+}
