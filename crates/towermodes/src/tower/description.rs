@@ -7,6 +7,7 @@ use super::part_names::PartNames;
 use super::properties::Properties;
 use super::rotor::Rotor;
 use super::shear::Shear;
+use super::surroundings::{AddedMassRow, SoilRow, Water, Wires};
 
 /// One row of the tower's geometry: the tube at a height. Between rows diameter and wall are
 /// linear.
