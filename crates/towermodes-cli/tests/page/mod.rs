@@ -4,6 +4,7 @@
 //! `TOWERMODES_SCREENSHOTS` names a folder for pictures of the pages.
 
 mod browser;
+mod devtools;
 mod report;
 
 use serde_json::Value;
