@@ -8,9 +8,9 @@ use std::time::Duration;
 
 use criterion::{BenchmarkId, Criterion, criterion_group, criterion_main};
 use towermodes::chain::Chains;
-use towermodes::eigen::{EigenWorkspace, lowest};
-use towermodes::elements::{Borders, Mesh, Recipe, assemble};
-use towermodes::parts::{Parts, Problem};
+use towermodes::eigen::{EigenWorkspace, Pencil, lowest};
+use towermodes::elements::{Borders, Mesh, Recipe, assemble_chains};
+use towermodes::subsystem::{Eigenproblem, SubsystemPencil};
 use towermodes::{Method, Options, Rna, Tower, TowerDescription, Workspace, solve_with};
 use towermodes_verify::towers::{floater, reference, reference_on_springs};
 
@@ -29,14 +29,14 @@ fn turned(mut tower: TowerDescription) -> TowerDescription {
     tower
 }
 
-fn chains(tower: &Tower, segments: usize) -> Parts<Chains> {
-    let mut parts = Parts::default();
+fn chains(tower: &Tower, segments: usize) -> Chains {
+    let mut chains = Chains::default();
     let mesh = Mesh::new(tower, Borders::Pieces, segments);
-    assemble(tower, &mesh, &Recipe::default(), &mut parts);
-    parts
+    assemble_chains(tower, &mesh, &Recipe::default(), &mut chains);
+    chains
 }
 
-const AT_REST: Problem = Problem::Vibration { origin: 0.0 };
+const AT_REST: Eigenproblem = Eigenproblem::Vibration { origin: 0.0 };
 
 /// Towers whose motions are all coupled, 8 modes, by the default method.
 fn coupled(c: &mut Criterion) {
@@ -103,8 +103,8 @@ fn bending_plane(c: &mut Criterion) {
         let (mut chains, mut eigen) = (chains(&tower, segments), EigenWorkspace::default());
         group.bench_function(BenchmarkId::from_parameter(segments), |b| {
             b.iter(|| {
-                let part = black_box(&mut chains).part_mut(0);
-                part.with_pencil(AT_REST, |pencil| lowest(pencil, 4, &mut eigen))
+                let first = &mut *black_box(&mut chains).members_mut()[0];
+                lowest(&mut SubsystemPencil::new(first, AT_REST), 4, &mut eigen)
             });
         });
     }
@@ -117,18 +117,17 @@ fn pieces(c: &mut Criterion) {
     let tower = tower(350e3);
     let mut chains = chains(&tower, 100);
     let mesh = Mesh::new(&tower, Borders::Pieces, 100);
-    chains.part_mut(0).with_pencil(AT_REST, |pencil| {
-        let (x, mut y) = (vec![1.0; pencil.size()], vec![0.0; pencil.size()]);
-        group.bench_function("product", |b| {
-            b.iter(|| pencil.mass_times(black_box(&x), &mut y));
-        });
-        group.bench_function("count", |b| {
-            b.iter(|| pencil.count_below(black_box(400.0)));
-        });
+    let mut pencil = SubsystemPencil::new(&mut *chains.members_mut()[0], AT_REST);
+    let (x, mut y) = (vec![1.0; pencil.size()], vec![0.0; pencil.size()]);
+    group.bench_function("product", |b| {
+        b.iter(|| pencil.mass_times(black_box(&x), &mut y));
+    });
+    group.bench_function("count", |b| {
+        b.iter(|| pencil.count_below(black_box(400.0)));
     });
     group.bench_function("assembly", |b| {
         b.iter(|| {
-            assemble(black_box(&tower), &mesh, &Recipe::default(), &mut chains);
+            assemble_chains(black_box(&tower), &mesh, &Recipe::default(), &mut chains);
         });
     });
     group.finish();

@@ -1,21 +1,25 @@
-//! Rigid motions about points on one vertical axis, in 1, 2, 3 or 6 components.
+//! Rigid-body motions, forces and matrices at points on one vertical axis.
 //!
-//! A motion known at one height is known at every height: only the transverse translations change,
-//! by rotation times rise. That is all the spatial algebra a straight tower needs, so it is written
-//! once over the number of components D and a small table says which component moves which
-//! (Featherstone, *Rigid Body Dynamics Algorithms*, 2008, ch. 2, restricted to translations along
-//! z).
+//! A motion that is known at one height is known at every height: only the transverse translations
+//! change, by rotation times rise. That is all the spatial algebra that a straight tower needs. It
+//! is written once for D components, and a table of levers gives which rotation moves which
+//! translation.
+//!
+//! Source: Featherstone, *Rigid Body Dynamics Algorithms* (2008), ch. 2, restricted to
+//! displacements along z.
 //!
 //! | D | components |
 //! |---|---|
 //! | 1 | axial translation, or rotation about the axis |
 //! | 2 | a bending plane: deflection w, rotation θ |
-//! | 3 | a bending plane and a motion of dimension 1 |
+//! | 3 | a bending plane and a motion of one component |
 //! | 6 | x, y, z, rotation about x, y, z |
+//!
+//! Any other D is a compile-time error.
 
-/// One entry of the rigid-motion matrix X(h) = 1 + h·Σ sign·e_moved e_byᵀ.
+/// One entry of the rigid-body transformation X(h) = 1 + h·Σ sign·e_moved e_byᵀ.
 #[derive(Debug, Clone, Copy)]
-pub struct Lever {
+pub(crate) struct Lever {
     /// The translation that is moved.
     pub(crate) moved: usize,
     /// The rotation that moves it.
@@ -24,85 +28,75 @@ pub struct Lever {
     pub(crate) sign: f64,
 }
 
-/// The number of motion components, as a type.
-#[derive(Debug, Clone, Copy)]
-pub struct Dim<const D: usize>;
+const IN_A_PLANE: [Lever; 1] = [Lever {
+    moved: 0,
+    by: 1,
+    sign: 1.0,
+}];
 
-/// How rigid motions in D components change with height.
-pub trait Space {
-    /// Which translation a rotation moves per metre of rise.
-    const LEVERS: &'static [Lever];
-}
-
-impl Space for Dim<1> {
-    const LEVERS: &'static [Lever] = &[];
-}
-
-impl Space for Dim<2> {
-    const LEVERS: &'static [Lever] = &[Lever {
+const IN_SPACE: [Lever; 2] = [
+    Lever {
         moved: 0,
-        by: 1,
+        by: 4,
         sign: 1.0,
-    }];
+    },
+    Lever {
+        moved: 1,
+        by: 3,
+        sign: -1.0,
+    },
+];
+
+/// The levers of motions in `components` components.
+pub(crate) const fn levers(components: usize) -> &'static [Lever] {
+    match components {
+        1 => &[],
+        2 | 3 => &IN_A_PLANE,
+        6 => &IN_SPACE,
+        _ => panic!("a motion has 1, 2, 3 or 6 components"),
+    }
 }
 
-impl Space for Dim<3> {
-    const LEVERS: &'static [Lever] = <Dim<2> as Space>::LEVERS;
-}
-
-impl Space for Dim<6> {
-    const LEVERS: &'static [Lever] = &[
-        Lever {
-            moved: 0,
-            by: 4,
-            sign: 1.0,
-        },
-        Lever {
-            moved: 1,
-            by: 3,
-            sign: -1.0,
-        },
-    ];
-}
-
-/// A symmetric D×D matrix; both triangles are kept.
+/// A symmetric D×D matrix; both triangles are stored.
 pub type Matrix<const D: usize> = [[f64; D]; D];
 
-/// A symmetric matrix for the motion (x, y, z, rotation about x, y, z).
+/// A symmetric matrix for the motion (x, y, z, rotation about x, y, z) of a point.
+///
+/// Inertia: kg, kg m, kg m². Stiffness: N/m, N, N m.
 pub type SpatialMatrix = Matrix<6>;
 
-/// The motion `rise_m` above the point where it is `motion`: X v.
+/// Replaces a motion v by the motion X v of the point `rise_m` above (m, rad).
 #[inline]
-pub fn raise<const D: usize>(motion: &mut [f64; D], rise_m: f64)
-where
-    Dim<D>: Space,
-{
-    for lever in Dim::<D>::LEVERS {
+pub fn transform_motion<const D: usize>(motion: &mut [f64; D], rise_m: f64) {
+    for lever in const { levers(D) } {
         motion[lever.moved] += lever.sign * rise_m * motion[lever.by];
     }
 }
 
-/// The force `rise_m` below the point where it is `force`: Xᵀ f.
+/// Replaces a force f by its equivalent Xᵀ f at the point `rise_m` below (N, N m).
 #[inline]
-pub fn lower<const D: usize>(force: &mut [f64; D], rise_m: f64)
-where
-    Dim<D>: Space,
-{
-    for lever in Dim::<D>::LEVERS {
+pub fn transform_force<const D: usize>(force: &mut [f64; D], rise_m: f64) {
+    for lever in const { levers(D) } {
         force[lever.by] += lever.sign * rise_m * force[lever.moved];
     }
 }
 
-/// An inertia or stiffness `rise_m` below the point where it is `matrix`: Xᵀ P X.
+/// Replaces an inertia or stiffness P by its equivalent Xᵀ P X for the motion of the point `rise_m`
+/// below.
+///
+/// # Example
+/// A point mass of 2 kg, 3 m above the point: m h = 6 kg m and m h² = 18 kg m².
+/// ```
+/// let mut inertia = [[2.0, 0.0], [0.0, 0.0]];
+/// towermodes::space::transform_matrix(&mut inertia, 3.0);
+/// assert_eq!(inertia, [[2.0, 6.0], [6.0, 18.0]]);
+/// ```
 #[inline]
-pub fn lower_matrix<const D: usize>(matrix: &mut Matrix<D>, rise_m: f64)
-where
-    Dim<D>: Space,
-{
+pub fn transform_matrix<const D: usize>(matrix: &mut Matrix<D>, rise_m: f64) {
     for row in matrix.iter_mut() {
-        lower(row, rise_m);
+        transform_force(row, rise_m);
     }
-    for lever in Dim::<D>::LEVERS {
+    for lever in const { levers(D) } {
         let moved = matrix[lever.moved];
         for (entry, moved) in matrix[lever.by].iter_mut().zip(moved) {
             *entry += lever.sign * rise_m * moved;

@@ -6,11 +6,11 @@ use towermodes::Tower;
 use towermodes::beam::{BeamRecipe, BeamWorkspace, Beams, assemble_beams};
 use towermodes::chain::Chains;
 use towermodes::eigen::{EigenWorkspace, lowest};
-use towermodes::elements::{Borders, Mesh, Recipe, assemble};
-use towermodes::parts::{Parts, Problem};
+use towermodes::elements::{Borders, Mesh, Recipe, assemble_chains};
+use towermodes::subsystem::{Eigenproblem, SubsystemPencil};
 use towers::{reference, reference_350t};
 
-const AT_REST: Problem = Problem::Vibration { origin: 0.0 };
+const AT_REST: Eigenproblem = Eigenproblem::Vibration { origin: 0.0 };
 
 #[test]
 fn a_reused_workspace_allocates_nothing() {
@@ -18,18 +18,16 @@ fn a_reused_workspace_allocates_nothing() {
     let mesh = towers
         .each_ref()
         .map(|tower| Mesh::new(tower, Borders::Pieces, 100));
-    let (mut chains, mut eigen) = (Parts::<Chains>::default(), EigenWorkspace::default());
+    let (mut chains, mut eigen) = (Chains::default(), EigenWorkspace::default());
     let mut solve = |index: usize| {
-        assemble(
+        assemble_chains(
             &towers[index],
             &mesh[index],
             &Recipe::default(),
             &mut chains,
         );
-        let found = chains
-            .part_mut(0)
-            .with_pencil(AT_REST, |pencil| lowest(pencil, 4, &mut eigen));
-        found.expect("stable");
+        let mut pencil = SubsystemPencil::new(&mut *chains.members_mut()[0], AT_REST);
+        lowest(&mut pencil, 4, &mut eigen).expect("stable");
     };
     let first = allocation_counter::measure(|| solve(0));
     assert!(first.count_total > 0, "the counter does not count");
@@ -58,14 +56,12 @@ fn beams_allocate_nothing_either() {
     ];
     for (recipe, segments) in recipes {
         let mesh = Mesh::new(&tower, Borders::Pieces, segments);
-        let (mut beams, mut assembly) = (Parts::<Beams>::default(), BeamWorkspace::default());
+        let (mut beams, mut assembly) = (Beams::default(), BeamWorkspace::default());
         let mut eigen = EigenWorkspace::default();
         let mut solve = || {
             assemble_beams(&tower, &mesh, recipe, &mut assembly, &mut beams);
-            let found = beams
-                .part_mut(0)
-                .with_pencil(AT_REST, |pencil| lowest(pencil, 4, &mut eigen));
-            found.expect("stable");
+            let mut pencil = SubsystemPencil::new(&mut *beams.members_mut()[0], AT_REST);
+            lowest(&mut pencil, 4, &mut eigen).expect("stable");
         };
         assert!(allocation_counter::measure(&mut solve).count_total > 0);
         assert_eq!(allocation_counter::measure(&mut solve).count_total, 0);

@@ -5,12 +5,12 @@
 
 use crate::towers;
 
-use towermodes::chain::{Chain, ChainWork};
+use towermodes::chain::{Chain, ChainSubsystem};
 use towermodes::eigen::{EigenWorkspace, lowest};
 use towermodes::elements::{Borders, Mesh};
-use towermodes::parts::{Role, StructurePencil};
-use towermodes::tower::{Piece, compliance};
-use towermodes::{EigenError, Family, Method, Options, Shear, Tower, TowerDescription};
+use towermodes::subsystem::{Eigenproblem, MatrixKind, SubsystemPencil};
+use towermodes::tower::{Motion, Motions, Piece, compliance};
+use towermodes::{EigenError, Family, Method, Options, Plane, Shear, Tower, TowerDescription};
 use towermodes_verify::{Case, Run, manual};
 use towers::{Uniform, assert_close, extrapolated, frequencies, reference, solved};
 
@@ -110,7 +110,7 @@ fn tied_chain(beam: &Uniform, segments: usize, ground: impl Fn(f64) -> [[f64; 2]
         add_tied_body(&mut chain, piece, joint_m, border[1], &ground);
     }
     let tip = [[tower.rna().mass_kg, 0.0], [0.0, 0.0]];
-    chain.add(Role::Inertia, tower.top_m(), tip);
+    chain.add(MatrixKind::Inertia, tower.top_m(), tip);
     chain
 }
 
@@ -124,8 +124,8 @@ fn add_tied_body(
     let (length, middle) = (to - from, 0.5 * (from + to));
     let mass = piece.section_at(middle).masses.mass_kg_per_m * length;
     let inertia = [[mass, 0.0], [0.0, mass * length * length / 12.0]];
-    chain.add(Role::Inertia, middle, inertia);
-    chain.add(Role::Ground, middle, ground(length));
+    chain.add(MatrixKind::Inertia, middle, inertia);
+    chain.add(MatrixKind::Foundation, middle, ground(length));
 }
 
 /// Frequencies of a tied chain, extrapolated from 200 and 400 segments, Hz.
@@ -136,9 +136,17 @@ fn tied_frequencies(
 ) -> Result<Vec<f64>, EigenError> {
     let frequencies = |segments| {
         let chain = tied_chain(beam, segments, &ground);
-        let (mut work, mut eigen) = (ChainWork::default(), EigenWorkspace::default());
-        let mut pencil = StructurePencil::vibration(&chain, &mut work);
-        lowest(&mut pencil, modes, &mut eigen)?;
+        let fore_aft = Motions::only(Motion::Bending(Plane::ForeAft));
+        let (mut chain, mut eigen) = (
+            ChainSubsystem::new(fore_aft, chain),
+            EigenWorkspace::default(),
+        );
+        let at_rest = Eigenproblem::Vibration { origin: 0.0 };
+        lowest(
+            &mut SubsystemPencil::new(&mut chain, at_rest),
+            modes,
+            &mut eigen,
+        )?;
         let values = eigen.eigenvalues().iter();
         Ok(values
             .map(towermodes::eigen::Eigenvalue::frequency_hz)

@@ -7,7 +7,7 @@ use crate::towers;
 use pencils::{check_counts, check_solve, dense_eigenvalues};
 use towermodes::beam::{BeamRecipe, BeamWorkspace, Beams, assemble_beams};
 use towermodes::elements::{Borders, Mesh};
-use towermodes::parts::{Parts, Problem};
+use towermodes::subsystem::{Eigenproblem, SubsystemPencil};
 use towermodes::tower::{Properties, Section};
 use towermodes::{
     Family, Foundation, FoundationSprings, Method, Options, Planes, SoilRow, SoilStiffness, Tower,
@@ -23,15 +23,15 @@ fn spectral(degree: usize) -> BeamRecipe {
     }
 }
 
-fn beams(description: &TowerDescription, segments: usize, recipe: BeamRecipe) -> Parts<Beams> {
+fn beams(description: &TowerDescription, segments: usize, recipe: BeamRecipe) -> Beams {
     let tower = Tower::new(description.clone()).expect("a valid tower");
     let mesh = Mesh::new(&tower, Borders::Pieces, segments);
-    let (mut parts, mut work) = (Parts::default(), BeamWorkspace::default());
-    assemble_beams(&tower, &mesh, recipe, &mut work, &mut parts);
-    parts
+    let (mut beams, mut work) = (Beams::default(), BeamWorkspace::default());
+    assemble_beams(&tower, &mesh, recipe, &mut work, &mut beams);
+    beams
 }
 
-const AT_REST: Problem = Problem::Vibration { origin: 0.0 };
+const AT_REST: Eigenproblem = Eigenproblem::Vibration { origin: 0.0 };
 
 #[test]
 fn counts_and_solves_equal_those_of_dense_matrices() {
@@ -65,13 +65,12 @@ fn counts_and_solves_equal_those_of_dense_matrices() {
     }
     for (name, description) in towers {
         for (recipe, segments) in [(BeamRecipe::Bmodes, 12), (spectral(3), 8), (spectral(9), 1)] {
-            let mut parts = beams(&description, segments, recipe);
-            for part in 0..parts.count() {
-                let case = format!("{name}, {recipe:?}, part {part}");
-                parts.part_mut(part).with_pencil(AT_REST, |pencil| {
-                    check_counts(pencil, 8, &case);
-                    check_solve(pencil, 1e-8, &case);
-                });
+            let mut beams = beams(&description, segments, recipe);
+            for (index, beam) in beams.members_mut().iter_mut().enumerate() {
+                let case = format!("{name}, {recipe:?}, subsystem {index}");
+                let mut pencil = SubsystemPencil::new(&mut **beam, AT_REST);
+                check_counts(&mut pencil, 8, &case);
+                check_solve(&mut pencil, 1e-8, &case);
             }
         }
     }
@@ -85,10 +84,9 @@ fn errors_at(degree: usize) -> [f64; 3] {
         rotary_inertia: false,
         shear: true,
     };
-    let mut parts = beams(&reference(), 1, recipe);
-    let lambdas = parts
-        .part_mut(0)
-        .with_pencil(AT_REST, |pencil| dense_eigenvalues(pencil));
+    let mut beams = beams(&reference(), 1, recipe);
+    let first = &mut *beams.members_mut()[0];
+    let lambdas = dense_eigenvalues(&mut SubsystemPencil::new(first, AT_REST));
     let exact = [0.892169154365, 4.378139643592, 11.400647435166];
     std::array::from_fn(|mode| lambdas[mode].sqrt() / std::f64::consts::TAU / exact[mode] - 1.0)
 }

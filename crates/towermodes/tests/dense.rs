@@ -6,8 +6,9 @@ use crate::towers;
 use nalgebra::{DMatrix, DVector, SymmetricEigen, Vector3};
 use pencils::{check_counts, check_solve, dense_eigenvalues};
 use towermodes::chain::Chains;
-use towermodes::elements::{Borders, Element, Mesh, Recipe, assemble};
-use towermodes::parts::{Parts, Problem};
+use towermodes::eigen::Pencil;
+use towermodes::elements::{Borders, Element, Mesh, Recipe, assemble_chains};
+use towermodes::subsystem::{Eigenproblem, SubsystemPencil};
 use towermodes::{
     Foundation, FoundationSprings, Inertia, Method, Options, PointMass, SoilRow, SoilStiffness,
     Tower, TowerDescription, Water, Wires,
@@ -143,30 +144,28 @@ fn equation_15_as_a_dense_matrix_gives_the_same_eigenvalues() {
     }
 }
 
-fn chains(description: &TowerDescription, segments: usize, element: Element) -> Parts<Chains> {
+fn chains(description: &TowerDescription, segments: usize, element: Element) -> Chains {
     let tower = Tower::new(description.clone()).expect("a valid tower");
     let mesh = Mesh::new(&tower, Borders::Pieces, segments);
-    let mut parts = Parts::default();
+    let mut chains = Chains::default();
     let recipe = Recipe {
         element,
         ..Recipe::default()
     };
-    assemble(&tower, &mesh, &recipe, &mut parts);
-    parts
+    assemble_chains(&tower, &mesh, &recipe, &mut chains);
+    chains
 }
 
-const AT_REST: Problem = Problem::Vibration { origin: 0.0 };
+const AT_REST: Eigenproblem = Eigenproblem::Vibration { origin: 0.0 };
 
 #[test]
 fn inertia_counts_equal_dense_eigenvalue_counts() {
     for (name, description) in [("reference", reference()), ("rich", rich())] {
         for element in Element::ALL {
-            let mut parts = chains(&description, 20, element);
-            for part in 0..parts.count() {
-                let case = format!("{name}, {element:?}, part {part}");
-                parts
-                    .part_mut(part)
-                    .with_pencil(AT_REST, |pencil| check_counts(pencil, 30, &case));
+            let mut chains = chains(&description, 20, element);
+            for (index, chain) in chains.members_mut().iter_mut().enumerate() {
+                let case = format!("{name}, {element:?}, subsystem {index}");
+                check_counts(&mut SubsystemPencil::new(&mut **chain, AT_REST), 30, &case);
             }
         }
     }
@@ -228,14 +227,17 @@ fn soil(height_m: f64, x_n_per_m2: f64, y_n_per_m2: f64) -> SoilRow {
 fn counts_and_solves_hold_with_all_that_ties_a_tower_to_the_ground() {
     for (name, description) in grounded() {
         for element in Element::ALL {
-            let mut parts = chains(&description, 14, element);
-            for part in 0..parts.count() {
-                let case = format!("{name}, {element:?}, part {part}");
-                let part = parts.part_mut(part);
-                part.with_pencil(AT_REST, |pencil| check_counts(pencil, 20, &case));
+            let mut chains = chains(&description, 14, element);
+            for (index, chain) in chains.members_mut().iter_mut().enumerate() {
+                let case = format!("{name}, {element:?}, subsystem {index}");
+                check_counts(&mut SubsystemPencil::new(&mut **chain, AT_REST), 20, &case);
                 for origin in [-10.0, -1000.0, 0.0] {
-                    let problem = Problem::Vibration { origin };
-                    part.with_pencil(problem, |pencil| check_solve(pencil, 1e-8, &case));
+                    let problem = Eigenproblem::Vibration { origin };
+                    check_solve(
+                        &mut SubsystemPencil::new(&mut **chain, problem),
+                        1e-8,
+                        &case,
+                    );
                 }
             }
         }
@@ -245,11 +247,11 @@ fn counts_and_solves_hold_with_all_that_ties_a_tower_to_the_ground() {
 #[test]
 fn buckling_counts_equal_dense_eigenvalue_counts() {
     for (name, description) in grounded() {
-        let mut parts = chains(&description, 10, Element::RmjeExact);
+        let mut chains = chains(&description, 10, Element::RmjeExact);
         let case = format!("{name}, buckling");
-        parts
-            .part_mut(0)
-            .with_pencil(Problem::Buckling, |pencil| check_counts(pencil, 10, &case));
+        let first = &mut *chains.members_mut()[0];
+        let mut pencil = SubsystemPencil::new(first, Eigenproblem::Buckling);
+        check_counts(&mut pencil, 10, &case);
     }
 }
 
@@ -275,18 +277,15 @@ fn a_six_component_chain_has_the_spectra_of_its_decoupled_ones() {
         chains(&coupled, 12, Element::RmjeExact),
         chains(&description, 12, Element::RmjeExact),
     );
-    assert_eq!((one.count(), four.count()), (1, 4));
+    assert_eq!((one.members().len(), four.members().len()), (1, 4));
     let mut union: Vec<f64> = Vec::new();
-    for part in 0..4 {
-        let own = four
-            .part_mut(part)
-            .with_pencil(AT_REST, |pencil| dense_eigenvalues(pencil));
-        union.extend(own);
+    for chain in four.members_mut() {
+        let mut pencil = SubsystemPencil::new(&mut **chain, AT_REST);
+        union.extend(dense_eigenvalues(&mut pencil));
     }
     let union = rising(union.into_iter());
-    let all = one
-        .part_mut(0)
-        .with_pencil(AT_REST, |pencil| dense_eigenvalues(pencil));
+    let only = &mut *one.members_mut()[0];
+    let all = dense_eigenvalues(&mut SubsystemPencil::new(only, AT_REST));
     for (got, expected) in all.iter().zip(&union).take(30) {
         assert_close(*got, *expected, 1e-8, "coupled");
     }
@@ -294,14 +293,13 @@ fn a_six_component_chain_has_the_spectra_of_its_decoupled_ones() {
 
 #[test]
 fn a_pencil_gives_the_same_answers_whatever_was_asked_before() {
-    let mut parts = chains(&reference(), 10, Element::RmjeExact);
-    parts.part_mut(0).with_pencil(AT_REST, |pencil| {
-        let x: Vec<f64> = (0..pencil.size()).map(|i| (i as f64).cos()).collect();
-        let (mut first, mut second) = (x.clone(), x.clone());
-        pencil.mass_times(&x, &mut first);
-        pencil.count_below(50.0);
-        pencil.stiffness_times(&x, &mut second);
-        pencil.mass_times(&x, &mut second);
-        assert_eq!(first, second);
-    });
+    let mut chains = chains(&reference(), 10, Element::RmjeExact);
+    let mut pencil = SubsystemPencil::new(&mut *chains.members_mut()[0], AT_REST);
+    let x: Vec<f64> = (0..pencil.size()).map(|i| (i as f64).cos()).collect();
+    let (mut first, mut second) = (x.clone(), x.clone());
+    pencil.mass_times(&x, &mut first);
+    pencil.count_below(50.0);
+    pencil.stiffness_times(&x, &mut second);
+    pencil.mass_times(&x, &mut second);
+    assert_eq!(first, second);
 }

@@ -65,7 +65,7 @@ pub(super) fn followed(tower: &Tower, solution: &Solution) -> Vec<FollowedMode> 
             family: mode.family,
             order: mode.order,
             frequency_hz: mode.frequency_hz,
-            is_pair: pairs && mode.key().part == 0,
+            is_pair: pairs && mode.key().subsystem == 0,
             key: mode.key(),
         })
         .collect()

@@ -1,6 +1,6 @@
 //! The matrices of the offshore block: made symmetric, and referred to the tower's base.
 
-use towermodes::space::{SpatialMatrix, lower_matrix};
+use towermodes::space::{SpatialMatrix, transform_matrix};
 
 use super::deck::MatrixValue;
 use crate::diagnostic::Diagnostic;
@@ -77,7 +77,7 @@ pub(super) fn symmetrized<const N: usize>(
 /// A stiffness or an inertia about a point on the axis at `height_m`, as one about the base at
 /// `base_m`.
 pub(super) fn about_base(mut matrix: SpatialMatrix, height_m: f64, base_m: f64) -> SpatialMatrix {
-    lower_matrix(&mut matrix, height_m - base_m);
+    transform_matrix(&mut matrix, height_m - base_m);
     matrix
 }
 

@@ -9,10 +9,9 @@
 //! tower shears, rotation and deflection are independent, each of degree p or less.
 
 use super::element::{Slice, Stencil};
-use super::strain::{Strain, deformations};
-use super::structure::Beams;
+use super::strain::Strain;
+use super::subsystem::Beams;
 use crate::elements::Mesh;
-use crate::parts::{Parts, on_components};
 use crate::tower::{Section, Tower};
 
 /// How a tower is made into beams.
@@ -97,17 +96,17 @@ impl BeamRecipe {
     }
 }
 
-/// Makes the beams of a tower cut as `mesh` says.
+/// Makes the beams of a tower on a mesh.
 pub fn assemble_beams(
     tower: &Tower,
     mesh: &Mesh,
     recipe: BeamRecipe,
     workspace: &mut BeamWorkspace,
-    parts: &mut Parts<Beams>,
+    beams: &mut Beams,
 ) {
     let degrees = recipe.degrees(tower.shears() && recipe.shears());
-    parts.restart(tower);
-    parts.deform(|strain| {
+    beams.begin(tower);
+    beams.set_strains(|strain| {
         if tower.is_rigid_in(strain.motion()) {
             0
         } else {
@@ -119,7 +118,7 @@ pub fn assemble_beams(
     let gravity = tower.gravity_m_per_s2();
     let mut attachments = tower.attachments();
     for (span, borders) in mesh.spans_with_borders() {
-        attachments = parts.attach_up_to(span.base_m, attachments, gravity);
+        attachments = beams.attach_up_to(span.base_m, attachments, gravity);
         for border in borders.windows(2) {
             let (base_m, length_m) = (border[0], border[1] - border[0]);
             take_sections(tower, recipe, span.piece, (base_m, length_m), workspace);
@@ -135,28 +134,23 @@ pub fn assemble_beams(
                 compressions_n,
                 rotary_inertia: recipe.rotary_inertia(),
             };
-            parts.add_element(stencil, &slice);
+            beams.add_element(stencil, &slice);
         }
     }
-    parts.attach_up_to(tower.top_m(), attachments, gravity);
+    beams.attach_up_to(tower.top_m(), attachments, gravity);
 }
 
-impl Parts<Beams> {
-    /// Elements from here on have so many coordinates of each strain.
-    fn deform(&mut self, count: impl Fn(Strain) -> usize) {
-        for part in self.iter_mut() {
-            let motions = part.motions();
-            on_components!(part, beam, components => {
-                beam.structure.deform(deformations(motions, components, &count));
-            });
+impl Beams {
+    /// Sets how many coordinates elements from here on have for each strain.
+    pub(super) fn set_strains(&mut self, count: impl Fn(Strain) -> usize) {
+        for beam in self.members_mut() {
+            beam.set_strains(&count);
         }
     }
 
     fn add_element(&mut self, stencil: &mut Stencil, slice: &Slice<'_>) {
-        for part in self.iter_mut() {
-            on_components!(part, beam, components => {
-                stencil.add_element(&mut beam.structure, &components, slice);
-            });
+        for beam in self.members_mut() {
+            beam.add_element(stencil, slice);
         }
     }
 }

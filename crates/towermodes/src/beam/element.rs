@@ -1,5 +1,5 @@
-//! One beam element of any degree: its stiffness, its inertia, what soil and weights do to it, the
-//! motion of its top.
+//! One beam element of any degree: stiffness, inertia, soil, geometric stiffness, and the motion of
+//! its top.
 //!
 //! A strain of the element (curvature, shear, stretch, twist) is Σ c_k P_k(ξ), and each motion
 //! component is that strain integrated once or twice over the height. The stiffness ∫ s P_i P_j dz
@@ -7,21 +7,21 @@
 //! well conditioned at any degree. In y = Lᵀ c it is the identity.
 
 use super::legendre::{Legendre, Term, gauss_points};
-use super::model::{Beam, WEIGHTS, place, rigid_motion};
+use super::model::{Beam, GEOMETRIC, place, rigid_motion};
 use super::strain::{Deformation, Strain};
-use crate::parts::Role;
-use crate::space::{Dim, Lever, Space};
+use crate::space::{Lever, levers};
+use crate::subsystem::MatrixKind;
 use crate::tower::{Component, Motion, Section, SoilStiffness};
 
-/// What an element is made of: its sections at the points of a stencil.
-pub(super) struct Slice<'a> {
+/// The sections of an element at the points of a stencil.
+pub struct Slice<'a> {
     /// Height of its base, m.
     pub(super) base_m: f64,
     /// Length, m.
     pub(super) length_m: f64,
     /// The section at each point.
     pub(super) sections: &'a [Section],
-    /// The compression at each point, N; empty if weights are left out.
+    /// The compression at each point, N; empty without gravity.
     pub(super) compressions_n: &'a [f64],
     /// Whether sections have rotary inertia in bending.
     pub(super) rotary_inertia: bool,
@@ -29,7 +29,7 @@ pub(super) struct Slice<'a> {
 
 /// The Gauss points of an element with the polynomials there, and working memory.
 #[derive(Debug, Clone, Default)]
-pub(super) struct Stencil {
+pub struct Stencil {
     /// ξ and weight on [−1, 1].
     pub(super) points: Vec<(f64, f64)>,
     pub(super) at_points: Vec<Vec<Term>>,
@@ -64,9 +64,7 @@ impl Stencil {
         beam: &mut Beam<D>,
         components: &[Component; D],
         slice: &Slice<'_>,
-    ) where
-        Dim<D>: Space,
-    {
+    ) {
         self.begin_element(beam, slice.base_m, slice.length_m, |stencil, beam, root| {
             stencil.add_stiffness(slice, &beam.deformations, beam.coordinates(), root);
         });
@@ -84,9 +82,7 @@ impl Stencil {
         base_m: f64,
         length_m: f64,
         add_stiffness: impl FnOnce(&Self, &Beam<D>, &mut [f64]),
-    ) where
-        Dim<D>: Space,
-    {
+    ) {
         let (m, rows) = (beam.coordinates(), beam.rows());
         beam.ends.push((base_m, length_m));
         let from = beam.roots.len();
@@ -99,10 +95,7 @@ impl Stencil {
     }
 
     /// Ends an element: what its top does is known.
-    pub(super) fn end_element<const D: usize>(&mut self, beam: &mut Beam<D>)
-    where
-        Dim<D>: Space,
-    {
+    pub(super) fn end_element<const D: usize>(&mut self, beam: &mut Beam<D>) {
         let (m, rows) = (beam.coordinates(), beam.rows());
         let Self { at_top, shape, .. } = self;
         let root = &beam.roots[beam.roots.len() - m * m..];
@@ -120,9 +113,7 @@ impl Stencil {
         components: &[Component; D],
         slice: &Slice<'_>,
         point: usize,
-    ) where
-        Dim<D>: Space,
-    {
+    ) {
         let (xi, weight) = self.points[point];
         let (section, length_m) = (&slice.sections[point], slice.length_m);
         let rise_m = 0.5 * length_m * (1.0 + xi);
@@ -141,21 +132,21 @@ impl Stencil {
         );
         let inertia = inertia(section, slice.rotary_inertia);
         let inertia = components.map(|(i, _)| weight * inertia[i]);
-        let matrix = beam.last_matrix(place(Role::Inertia));
+        let matrix = beam.last_matrix(place(MatrixKind::Inertia));
         add_squares(&inertia, &self.shape, rows, matrix);
         if section.soil != SoilStiffness::default() {
             let soil = soil(&section.soil);
             let soil = components.map(|(i, _)| weight * soil[i]);
-            let matrix = beam.last_matrix(place(Role::Ground));
+            let matrix = beam.last_matrix(place(MatrixKind::Foundation));
             add_squares(&soil, &self.shape, rows, matrix);
         }
         let Some(compression_n) = slice.compressions_n.get(point) else {
             return;
         };
-        for lever in Dim::<D>::LEVERS {
+        for lever in const { levers(D) } {
             self.write_shear(beam, components, lever, point);
-            let matrix = beam.last_matrix(WEIGHTS);
-            self.add_sinking::<D>(lever, -weight * compression_n, rows, matrix);
+            let matrix = beam.last_matrix(GEOMETRIC);
+            self.add_p_delta::<D>(lever, -weight * compression_n, rows, matrix);
         }
     }
 
@@ -166,9 +157,7 @@ impl Stencil {
         components: &[Component; D],
         lever: &Lever,
         point: usize,
-    ) where
-        Dim<D>: Space,
-    {
+    ) {
         let (element, m) = (beam.elements() - 1, beam.coordinates());
         self.shear.clear();
         self.shear.resize(beam.rows(), 0.0);
@@ -188,9 +177,11 @@ impl Stencil {
     /// sum += factor·(θ θᵀ + θ γᵀ + γ θᵀ), with the rotation θ = dw/dz − γ of a lever's plane and
     /// the shear γ written last.
     ///
-    /// −N times it is what a compression N does: sections turned by θ carry what is above them down
-    /// by θ²/2, and slide down along themselves by γ θ (Haringx 1948).
-    fn add_sinking<const D: usize>(
+    /// With the factor −N it is the geometric stiffness of a compression N: sections that are
+    /// rotated by θ lower what is above them by θ²/2, and the shear γ along them by γ θ.
+    ///
+    /// Source: Haringx (1948).
+    fn add_p_delta<const D: usize>(
         &self,
         lever: &Lever,
         factor: f64,
@@ -208,7 +199,7 @@ impl Stencil {
         }
     }
 
-    /// ∫ s P_i P_j dz of each strain, one block a strain; the lower triangle.
+    /// ∫ s P_i P_j dz of each strain, one block per strain; the lower triangle.
     fn add_stiffness<const D: usize>(
         &self,
         slice: &Slice<'_>,
@@ -235,12 +226,12 @@ impl Stencil {
     }
 }
 
-/// What a section resists motions (x, y, z, rotation about x, y, z) with, kg/m and kg m.
+/// The inertia of a section per length against (x, y, z, rotation about x, y, z), kg/m and kg m.
 fn inertia(section: &Section, rotary_inertia: bool) -> [f64; 6] {
     let masses = &section.masses;
     let transverse = masses.mass_kg_per_m + masses.water_kg_per_m;
-    let share = f64::from(u8::from(rotary_inertia));
-    let rotary = masses.rotary_inertia_kg_m.map(|rotary| share * rotary);
+    let factor = f64::from(u8::from(rotary_inertia));
+    let rotary = masses.rotary_inertia_kg_m.map(|rotary| factor * rotary);
     [
         transverse,
         transverse,
@@ -251,7 +242,7 @@ fn inertia(section: &Section, rotary_inertia: bool) -> [f64; 6] {
     ]
 }
 
-/// What soil resists motions (x, y, z, rotation about x, y, z) with.
+/// The stiffness of the soil per length against (x, y, z, rotation about x, y, z), N/m² and N.
 fn soil(soil: &SoilStiffness) -> [f64; 6] {
     [
         soil.x_n_per_m2,
@@ -272,9 +263,7 @@ pub(super) fn write_shape<const D: usize>(
     deformations: &[Deformation<D>],
     root: &[f64],
     shape: &mut [f64],
-) where
-    Dim<D>: Space,
-{
+) {
     let rows = shape.len() / D;
     let half = 0.5 * length_m;
     let rigid = rigid_motion::<D>(rise_m);

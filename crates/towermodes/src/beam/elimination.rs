@@ -1,7 +1,7 @@
-//! The factorization of a beam's matrices in O(n), with solve and inertia count.
+//! The factorization of a matrix A of a beam in O(n), with solve and inertia count.
 //!
 //! As for a chain of rigid bodies: seen from the base of an element, all that is above it is one
-//! symmetric D×D matrix P. Going down,
+//! symmetric D×D matrix P. From the top down,
 //!
 //! A ← A_e + [X T]ᵀ P [X T],
 //!
@@ -11,14 +11,14 @@
 
 use super::model::{Beam, add_congruent};
 use super::product::{base_motion, factors};
-use crate::parts::Combination;
-use crate::space::{Dim, Matrix, Space, add_scaled, lower, raise};
+use crate::space::{Matrix, add_scaled, transform_force, transform_motion};
+use crate::subsystem::Coefficients;
 
 /// Pivots closer to zero than this are moved there, to the negative side: an eigenvalue hit exactly
 /// counts as below.
 const TINY_PIVOT: f64 = 1e-30;
 
-/// A factored combination, and working memory; reused from solve to solve.
+/// A factored a, and working memory; reused from solve to solve.
 #[derive(Debug, Clone, Default)]
 pub struct Factors {
     /// Each element's matrix after its coordinates were eliminated: a row holds what it was coupled
@@ -33,56 +33,42 @@ pub struct Factors {
     right: Vec<f64>,
 }
 
-/// The number of negative eigenvalues of a combination of the beam's matrices, counted without
-/// storing anything.
+/// The number of negative eigenvalues of a matrix A of the beam; nothing is stored.
 pub fn count_negative<const D: usize>(
     beam: &Beam<D>,
-    combination: &Combination,
+    a: &Coefficients,
     work: &mut Factors,
-) -> usize
-where
-    Dim<D>: Space,
-{
+) -> usize {
     let mut base = std::mem::take(&mut work.scratch);
-    let negative = eliminate_all(beam, combination, work, &mut base, |_, _| {});
+    let negative = eliminate_all(beam, a, work, &mut base, |_, _| {});
     work.scratch = base;
     negative
 }
 
-/// Factors a combination of the beam's matrices and returns the number of its negative eigenvalues.
-pub fn factorize<const D: usize>(
-    beam: &Beam<D>,
-    combination: &Combination,
-    work: &mut Factors,
-) -> usize
-where
-    Dim<D>: Space,
-{
+/// Factors a matrix A of the beam and returns the number of its negative eigenvalues.
+pub fn factorize<const D: usize>(beam: &Beam<D>, a: &Coefficients, work: &mut Factors) -> usize {
     let size = beam.rows() * beam.rows();
     let mut elements = std::mem::take(&mut work.elements);
     elements.resize(size * beam.elements(), 0.0);
     let mut base = std::mem::take(&mut work.base);
-    let negative = eliminate_all(beam, combination, work, &mut base, |element, matrix| {
+    let negative = eliminate_all(beam, a, work, &mut base, |element, matrix| {
         elements[element * size..(element + 1) * size].copy_from_slice(matrix);
     });
     (work.elements, work.base) = (elements, base);
     negative
 }
 
-/// Eliminates everything from the top down, tells `record` each element's matrix; leaves that of
-/// the base in `base`.
+/// Eliminates everything from the top down, passes each element's matrix to `record`, and leaves
+/// that of the base in `base`.
 fn eliminate_all<const D: usize>(
     beam: &Beam<D>,
-    combination: &Combination,
+    a: &Coefficients,
     work: &mut Factors,
     base: &mut Vec<f64>,
     mut record: impl FnMut(usize, &[f64]),
-) -> usize
-where
-    Dim<D>: Space,
-{
+) -> usize {
     let rows = beam.rows();
-    let factors = factors(combination);
+    let factors = factors(a);
     work.matrix.resize(rows * rows, 0.0);
     work.top.resize(D * rows, 0.0);
     let (matrix, top) = (&mut work.matrix[..], &mut work.top[..]);
@@ -92,7 +78,7 @@ where
         combine(beam, &factors, element, matrix);
         beam.top_motion(element, top);
         add_congruent(&above, top, rows, matrix);
-        (D..rows).for_each(|i| matrix[i * rows + i] += combination.springs);
+        (D..rows).for_each(|i| matrix[i * rows + i] += a.stiffness);
         negative += eliminate(matrix, rows, D);
         above = std::array::from_fn(|i| std::array::from_fn(|j| matrix[i * rows + j]));
         record(element, matrix);
@@ -100,7 +86,7 @@ where
     negative + eliminate_base(beam, &factors, above, base)
 }
 
-/// The matrix of one element, without the springs.
+/// The matrix of one element, without the elements' own stiffness.
 #[inline]
 fn combine<const D: usize>(beam: &Beam<D>, factors: &[f64; 3], element: usize, matrix: &mut [f64]) {
     let size = matrix.len();
@@ -115,7 +101,7 @@ fn combine<const D: usize>(beam: &Beam<D>, factors: &[f64; 3], element: usize, m
     }
 }
 
-/// Eliminates the coordinates of the base, on which stands what is seen as `above`.
+/// Eliminates the coordinates of the base, where everything above it is the matrix `above`.
 fn eliminate_base<const D: usize>(
     beam: &Beam<D>,
     factors: &[f64; 3],
@@ -161,10 +147,7 @@ fn eliminate(matrix: &mut [f64], rows: usize, first: usize) -> usize {
 }
 
 /// Solves A y = x in place, with the factors of A from [`factorize`].
-pub fn solve<const D: usize>(beam: &Beam<D>, work: &mut Factors, x: &mut [f64])
-where
-    Dim<D>: Space,
-{
+pub fn solve<const D: usize>(beam: &Beam<D>, work: &mut Factors, x: &mut [f64]) {
     let (rows, coordinates) = (beam.rows(), beam.coordinates());
     work.right.resize(rows, 0.0);
     let (of_base, own) = x.split_at_mut(beam.base_coordinates());
@@ -172,7 +155,7 @@ where
         |element: usize| &work.elements[element * rows * rows..(element + 1) * rows * rows];
     let tips =
         |element: usize| &beam.tips[element * D * coordinates..(element + 1) * D * coordinates];
-    // Down: what each element's base must still bear, in `force`.
+    // Down: the force on each element's base, in `force`.
     let mut force = [0.0; D];
     for element in (0..beam.elements()).rev() {
         let own = &mut own[element * coordinates..(element + 1) * coordinates];
@@ -184,7 +167,7 @@ where
                 .zip(row)
                 .for_each(|(x, tip)| *x += component * tip);
         }
-        lower(&mut force, beam.length_m(element));
+        transform_force(&mut force, beam.length_m(element));
         let right = &mut work.right[..];
         right[..D].copy_from_slice(&force);
         right[D..].copy_from_slice(own);
@@ -202,7 +185,7 @@ where
         right[D..].copy_from_slice(own);
         substitute(factors(element), rows, D, right);
         own.copy_from_slice(&right[D..]);
-        raise(&mut motion, beam.length_m(element));
+        transform_motion(&mut motion, beam.length_m(element));
         for (component, row) in motion
             .iter_mut()
             .zip(tips(element).chunks_exact(coordinates.max(1)))

@@ -1,21 +1,21 @@
 //! A chain of flexible elements.
 
 use super::strain::Deformation;
-use crate::parts::{Combination, Role};
-use crate::space::{Dim, Matrix, Space, add_scaled, lower_matrix, raise};
+use crate::space::{Matrix, add_scaled, levers, transform_matrix, transform_motion};
+use crate::subsystem::{Coefficients, MatrixKind};
 
 /// A chain of flexible elements, in D motion components, clamped or on a base that moves.
 ///
 /// Each element moves with its base and deforms by itself in `coordinates` ways: its strains are
-/// Legendre polynomials c_k P_k, and its unknowns are y = Lᵀ c with L Lᵀ the element's stiffness
+/// Legendre polynomials Σ c_k P_k, and its unknowns are y = Lᵀ c with L Lᵀ the element's stiffness
 /// for c. So the stiffness of the elements is the identity, as in a [`Chain`](crate::chain::Chain),
 /// and the pencil is
 ///
 /// (1 + Jᵀ S J) y = λ Jᵀ M J y,
 ///
-/// where J maps y to the motion of each element's base and its own y, and M, the inertia, and S,
-/// what ties to the ground less what weights take, hold one matrix an element for these. The space
-/// is that of Hermite cubics and bubbles, but no stiffness of a node is ever formed, whose entries
+/// where J maps y to the motion of each element's base and its own y. M (inertia) and S (stiffness
+/// to the ground and geometric stiffness) hold one matrix per element for these. The space is that
+/// of Hermite cubics and bubble functions, but no nodal stiffness is ever formed, whose entries
 /// nearly cancel in fine meshes.
 ///
 /// Vectors hold the coordinates of the base, if it moves, then those of the elements from the base
@@ -28,13 +28,13 @@ pub struct Beam<const D: usize> {
     pub(super) base: Option<MovingBase<D>>,
     /// Where each element begins, m, and its length, m.
     pub(super) ends: Vec<(f64, f64)>,
-    /// Motion of each element's top by its coordinates: D rows an element.
+    /// Motion of each element's top for its coordinates: D rows per element.
     pub(super) tips: Vec<f64>,
-    /// Inertia, ground and weights of each element for the motion of its base and its coordinates:
-    /// D + coordinates rows an element. The last two may be shorter, or empty, if the elements
-    /// above have none.
+    /// Inertia, foundation and geometric stiffness of each element for the motion of its base and
+    /// its coordinates: D + coordinates rows per element. The last two are shorter, or empty, if
+    /// the elements above have none.
     pub(super) matrices: [Vec<f64>; 3],
-    /// L of each element, lower triangular: `coordinates` rows an element.
+    /// L of each element, lower triangular: `coordinates` rows per element.
     pub(super) roots: Vec<f64>,
     /// Working memory of [`add`](Self::add).
     top: Vec<f64>,
@@ -46,7 +46,7 @@ pub(super) struct MovingBase<const D: usize> {
     /// Motion for a coordinate of 1; zero where it is held.
     pub(super) unit: [f64; D],
     height_m: f64,
-    /// Inertia, ground and weights.
+    /// Inertia, foundation and geometric stiffness.
     pub(super) matrices: [Matrix<D>; 3],
 }
 
@@ -58,21 +58,18 @@ impl<const D: usize> MovingBase<D> {
     }
 }
 
-/// The place of the weights' matrices.
-pub(super) const WEIGHTS: usize = 2;
+/// The place of the geometric stiffness among the matrices.
+pub(super) const GEOMETRIC: usize = 2;
 
-/// The place of a role's matrices.
-pub(super) fn place(role: Role) -> usize {
-    match role {
-        Role::Inertia => 0,
-        Role::Ground => 1,
+/// The place of a kind among the matrices.
+pub(super) fn place(kind: MatrixKind) -> usize {
+    match kind {
+        MatrixKind::Inertia => 0,
+        MatrixKind::Foundation => 1,
     }
 }
 
-impl<const D: usize> Beam<D>
-where
-    Dim<D>: Space,
-{
+impl<const D: usize> Beam<D> {
     /// Forgets all elements but keeps the memory.
     pub fn clear(&mut self) {
         self.base = None;
@@ -82,8 +79,8 @@ where
         self.roots.clear();
     }
 
-    /// Elements from here on deform so.
-    pub fn deform(&mut self, deformations: impl Iterator<Item = Deformation<D>>) {
+    /// Sets how elements from here on deform.
+    pub fn set_deformations(&mut self, deformations: impl Iterator<Item = Deformation<D>>) {
         self.deformations.clear();
         self.deformations.extend(deformations);
         self.coordinates = self.deformations.iter().map(|d| d.count).sum();
@@ -94,8 +91,8 @@ where
         &self.deformations
     }
 
-    /// Begins with a base that moves freely in the components with a `unit`, the motion that a
-    /// coordinate of 1 is; zero holds one.
+    /// Begins with a base that moves freely in the components with a `unit`: the motion (m or rad)
+    /// for a coordinate of 1. Zero holds one.
     pub fn add_base(&mut self, height_m: f64, unit: [f64; D]) {
         let moves = unit.iter().any(|unit| *unit != 0.0);
         self.base = moves.then_some(MovingBase {
@@ -131,38 +128,38 @@ where
         D + self.coordinates
     }
 
-    /// Adds a matrix, given about `reference_m`, to the top of the last element; before the first
-    /// that is the base.
+    /// Adds a matrix, given about `reference_m` (m), to the top of the last element, or to the base
+    /// before the first one.
     ///
-    /// The top moves by X v + T y, so a matrix B is seen as [X T]ᵀ B [X T].
-    pub fn add(&mut self, role: Role, reference_m: f64, matrix: Matrix<D>) {
-        self.add_at(place(role), reference_m, matrix);
+    /// The top moves by X v + T y, so a matrix B adds [X T]ᵀ B [X T].
+    pub fn add(&mut self, kind: MatrixKind, reference_m: f64, matrix: Matrix<D>) {
+        self.add_at(place(kind), reference_m, matrix);
     }
 
-    /// Takes a stiffness (N m) against rotation in the bending planes, by which weights overturn
-    /// it, from the top of the last element; before the first that is the base.
-    pub fn overturn(&mut self, stiffness_n_m: f64) {
-        if Dim::<D>::LEVERS.is_empty() {
+    /// Adds a geometric stiffness −`moment_n_m` (N m/rad) against rotation in the bending planes to
+    /// the top of the last element, or to the base before the first one.
+    pub fn add_geometric_stiffness(&mut self, moment_n_m: f64) {
+        if const { levers(D) }.is_empty() {
             return;
         }
         let mut matrix = [[0.0; D]; D];
-        for lever in Dim::<D>::LEVERS {
-            matrix[lever.by][lever.by] = -stiffness_n_m;
+        for lever in const { levers(D) } {
+            matrix[lever.by][lever.by] = -moment_n_m;
         }
         let last = self.ends.last();
         let top_m = last.map_or(0.0, |(base_m, length_m)| base_m + length_m);
-        self.add_at(WEIGHTS, top_m, matrix);
+        self.add_at(GEOMETRIC, top_m, matrix);
     }
 
     fn add_at(&mut self, place: usize, reference_m: f64, mut matrix: Matrix<D>) {
         let Some(&(base_m, length_m)) = self.ends.last() else {
             if let Some(base) = &mut self.base {
-                lower_matrix(&mut matrix, reference_m - base.height_m);
+                transform_matrix(&mut matrix, reference_m - base.height_m);
                 add_scaled(&mut base.matrices[place], 1.0, &matrix);
             }
             return;
         };
-        lower_matrix(&mut matrix, reference_m - (base_m + length_m));
+        transform_matrix(&mut matrix, reference_m - (base_m + length_m));
         let rows = self.rows();
         let mut top = std::mem::take(&mut self.top);
         top.resize(D * rows, 0.0);
@@ -205,15 +202,12 @@ where
         all.all(|value| value.is_finite())
     }
 
-    /// Whether a combination of its matrices is the elements' stiffness alone, which is the
-    /// identity.
-    pub fn is_identity(&self, combination: &Combination) -> bool {
-        let [_, ground, weights] = &self.matrices;
-        let is_tied = combination.ground != 0.0 && !ground.is_empty();
-        let is_pressed = combination.weights != 0.0 && !weights.is_empty();
-        combination.springs == 1.0
-            && combination.mass == 0.0
-            && !(self.base.is_some() || is_tied || is_pressed)
+    /// Whether a matrix A is the stiffness of the elements alone, which is the identity.
+    pub fn is_identity(&self, a: &Coefficients) -> bool {
+        let [_, foundation, geometric] = &self.matrices;
+        let is_tied = a.foundation != 0.0 && !foundation.is_empty();
+        let is_pressed = a.geometric != 0.0 && !geometric.is_empty();
+        a.stiffness == 1.0 && a.mass == 0.0 && !(self.base.is_some() || is_tied || is_pressed)
     }
 
     /// An element's coordinates y turned into its strain coefficients: c = L⁻ᵀ y, in place.
@@ -235,15 +229,12 @@ where
 }
 
 /// X(h): the rigid motion a height h (m) above one that is known, as a matrix.
-pub(super) fn rigid_motion<const D: usize>(rise_m: f64) -> Matrix<D>
-where
-    Dim<D>: Space,
-{
+pub(super) fn rigid_motion<const D: usize>(rise_m: f64) -> Matrix<D> {
     let mut matrix = [[0.0; D]; D];
     for column in 0..D {
         let mut motion = [0.0; D];
         motion[column] = 1.0;
-        raise(&mut motion, rise_m);
+        transform_motion(&mut motion, rise_m);
         for row in 0..D {
             matrix[row][column] = motion[row];
         }

@@ -2,14 +2,11 @@
 //! forces.
 
 use super::model::Beam;
-use crate::parts::{Balance, Combination};
-use crate::space::{Dim, Space, add, lower, raise, times};
+use crate::space::{add, times, transform_force, transform_motion};
+use crate::subsystem::Coefficients;
 
 /// The motion of every element's base, and of the top last.
-pub fn motions<const D: usize>(beam: &Beam<D>, x: &[f64], motions: &mut Vec<[f64; D]>)
-where
-    Dim<D>: Space,
-{
+pub fn motions<const D: usize>(beam: &Beam<D>, x: &[f64], motions: &mut Vec<[f64; D]>) {
     motions.clear();
     let (of_base, own) = split(beam, x);
     let base = base_motion(beam, of_base);
@@ -17,21 +14,19 @@ where
     motions.push(top);
 }
 
-/// out = A x for a combination A of the beam's matrices; `loads` is working memory.
+/// out = A x for a matrix A of the beam; `loads` is working memory.
 pub fn product<const D: usize>(
     beam: &Beam<D>,
-    combination: &Combination,
+    a: &Coefficients,
     loads: &mut Vec<f64>,
     x: &[f64],
     out: &mut [f64],
-) where
-    Dim<D>: Space,
-{
+) {
     let (of_base, own) = split(beam, x);
     let base = base_motion(beam, of_base);
-    let factors = factors(combination);
+    let factors = factors(a);
     loads.clear();
-    if *combination == Combination::MASS {
+    if *a == Coefficients::MASS {
         sweep_up(beam, base, own, |e, motion, own| {
             add_forces(&beam.matrices[0], beam.rows(), e, motion, own, loads);
         });
@@ -44,17 +39,14 @@ pub fn product<const D: usize>(
     sweep_down(beam, base_load(beam, &factors, &base), loads, out);
     let first = of_base.len();
     for (out, x) in out[first..].iter_mut().zip(&x[first..]) {
-        *out += combination.springs * x;
+        *out += a.stiffness * x;
     }
 }
 
 /// out = Jᵀ M r with r the rigid motion that is one in every component at the base: a start vector
 /// for iterations.
-pub fn base_excitation<const D: usize>(beam: &Beam<D>, loads: &mut Vec<f64>, out: &mut [f64])
-where
-    Dim<D>: Space,
-{
-    let factors = factors(&Combination::MASS);
+pub fn base_excitation<const D: usize>(beam: &Beam<D>, loads: &mut Vec<f64>, out: &mut [f64]) {
+    let factors = factors(&Coefficients::MASS);
     loads.clear();
     // No element deforms: no coordinates are as good as zeros.
     sweep_up(beam, [1.0; D], &[], |e, motion, own| {
@@ -63,22 +55,19 @@ where
     sweep_down(beam, base_load(beam, &factors, &[1.0; D]), loads, out);
 }
 
-/// The resultant of A x about the base, and what each component contributes to xᵀ A x.
+/// The resultant of A x about the base, and the contribution of each component to xᵀ A x.
 ///
-/// An element's coordinates contribute to the component that their strain moves last: rotation in
+/// An element's coordinates contribute to the last component that their strain moves: rotation in
 /// bending.
-pub fn balance<const D: usize>(
+pub fn resultant<const D: usize>(
     beam: &Beam<D>,
-    combination: &Combination,
+    a: &Coefficients,
     loads: &mut Vec<f64>,
     x: &[f64],
-) -> Balance<D>
-where
-    Dim<D>: Space,
-{
+) -> ([f64; D], [f64; D]) {
     let (of_base, own) = split(beam, x);
     let base = base_motion(beam, of_base);
-    let factors = factors(combination);
+    let factors = factors(a);
     let base_m = beam.ends.first().map_or(0.0, |(base_m, _)| *base_m);
     let mut force = base_load(beam, &factors, &base);
     let mut energy: [f64; D] = std::array::from_fn(|c| force[c] * base[c]);
@@ -93,26 +82,23 @@ where
         for deformation in &beam.deformations {
             let component = deformation.integrals.iter().rposition(|times| *times != 0);
             for (y, load) in contributions.by_ref().take(deformation.count) {
-                energy[component.unwrap_or(0)] += y * (load + combination.springs * y);
+                energy[component.unwrap_or(0)] += y * (load + a.stiffness * y);
             }
         }
         let mut load: [f64; D] = std::array::from_fn(|c| of_motion[c]);
-        lower(&mut load, beam.ends[element].0 - base_m);
+        transform_force(&mut load, beam.ends[element].0 - base_m);
         add(&mut force, &load);
     });
-    Balance { force, energy }
+    (force, energy)
 }
 
-/// The factors of a combination in the order in which matrices are kept.
-pub(super) fn factors(combination: &Combination) -> [f64; 3] {
-    [combination.mass, combination.ground, combination.weights]
+/// The coefficients in the order in which the matrices are stored.
+pub(super) fn factors(a: &Coefficients) -> [f64; 3] {
+    [a.mass, a.foundation, a.geometric]
 }
 
 /// The coordinates of the base and those of the elements.
-fn split<'x, const D: usize>(beam: &Beam<D>, x: &'x [f64]) -> (&'x [f64], &'x [f64])
-where
-    Dim<D>: Space,
-{
+fn split<'x, const D: usize>(beam: &Beam<D>, x: &'x [f64]) -> (&'x [f64], &'x [f64]) {
     x.split_at(beam.base_coordinates())
 }
 
@@ -146,9 +132,7 @@ fn add_load<const D: usize>(
     motion: &[f64; D],
     own: &[f64],
     loads: &mut Vec<f64>,
-) where
-    Dim<D>: Space,
-{
+) {
     let rows = beam.rows();
     let from = loads.len();
     loads.resize(from + rows, 0.0);
@@ -180,7 +164,7 @@ fn add_forces<const D: usize>(
     loads.extend(matrix.chunks_exact(rows).map(force));
 }
 
-/// From the base up: v ← X v + T y, told to `visit` element by element before it changes; returns
+/// From the base up: v ← X v + T y, passed to `visit` element by element before it changes; returns
 /// the motion of the top.
 #[inline]
 fn sweep_up<const D: usize>(
@@ -188,10 +172,7 @@ fn sweep_up<const D: usize>(
     base: [f64; D],
     own: &[f64],
     mut visit: impl FnMut(usize, &[f64; D], &[f64]),
-) -> [f64; D]
-where
-    Dim<D>: Space,
-{
+) -> [f64; D] {
     let mut motion = base;
     let coordinates = beam.coordinates();
     for (element, &(_, length_m)) in beam.ends.iter().enumerate() {
@@ -199,7 +180,7 @@ where
             .get(element * coordinates..(element + 1) * coordinates)
             .unwrap_or_default();
         visit(element, &motion, own);
-        raise(&mut motion, length_m);
+        transform_motion(&mut motion, length_m);
         let tip = &beam.tips[element * D * coordinates..(element + 1) * D * coordinates];
         for (component, row) in motion.iter_mut().zip(tip.chunks_exact(coordinates.max(1))) {
             *component += dot(row, own);
@@ -210,10 +191,7 @@ where
 
 /// From the top down: out = own load + Tᵀ F, F ← Xᵀ F + load of the base.
 #[inline]
-fn sweep_down<const D: usize>(beam: &Beam<D>, base_load: [f64; D], loads: &[f64], out: &mut [f64])
-where
-    Dim<D>: Space,
-{
+fn sweep_down<const D: usize>(beam: &Beam<D>, base_load: [f64; D], loads: &[f64], out: &mut [f64]) {
     let (rows, coordinates) = (beam.rows(), beam.coordinates());
     let (of_base, own) = out.split_at_mut(beam.base_coordinates());
     let mut force = [0.0; D];
@@ -227,7 +205,7 @@ where
                 *out += component * tip;
             }
         }
-        lower(&mut force, length_m);
+        transform_force(&mut force, length_m);
         let base: [f64; D] = std::array::from_fn(|d| load[d]);
         add(&mut force, &base);
     }

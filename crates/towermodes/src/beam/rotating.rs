@@ -6,14 +6,15 @@
 //! its own X. Sections are constant over an element and that of its middle, but for the twist.
 //! Precone, gyroscopic forces, bending's rotary inertia and gravity are left out, as in BModes.
 
+use super::centrifugal::centrifugal_stiffness;
 use super::element::Stencil;
-use super::model::Beam;
-use super::pull::pull;
-use super::strain::{Strain, deformations};
+use super::general::{GeneralElement, GeneralSection};
+use super::strain::Strain;
+use super::subsystem::Beams;
 use crate::blade::{Blade, BladeSection};
-use crate::parts::{Role, SPACE};
 use crate::space::SpatialMatrix;
-use crate::tower::{Motion, Motions, Plane, spatial_inertia};
+use crate::subsystem::MatrixKind;
+use crate::tower::{Plane, spatial_inertia};
 
 /// Six Gauss points, as BModes takes: the sines of a twist that varies over an element have no
 /// exact rule.
@@ -21,7 +22,7 @@ const POINTS: usize = 6;
 
 const NONE: SpatialMatrix = [[0.0; 6]; 6];
 
-/// What an element feels at one of its points.
+/// A section of an element, and the forces of rotation there.
 struct Local {
     section: BladeSection,
     /// sin and cos of twist and pitch.
@@ -34,14 +35,10 @@ struct Local {
     tension_n: f64,
 }
 
-/// Makes the beam of a blade with elements between these shares of the span.
-pub(crate) fn assemble_blade(blade: &Blade, borders: &[f64], beam: &mut Beam<6>) {
-    let all = Motion::ALL.into_iter().map(Motions::only);
-    let all = all.fold(Motions::default(), Motions::and);
-    beam.clear();
-    beam.deform(deformations(all, SPACE, |strain| {
-        coordinates(blade, strain)
-    }));
+/// Makes the beam of a blade with elements between these fractions of the span.
+pub(crate) fn assemble_blade(blade: &Blade, borders: &[f64], beams: &mut Beams) {
+    beams.begin_coupled();
+    beams.set_strains(|strain| coordinates(blade, strain));
     let mut stencil = Stencil::default();
     stencil.prepare(POINTS, 3);
     let mut outside_n = tensions_outside(blade, borders);
@@ -52,15 +49,16 @@ pub(crate) fn assemble_blade(blade: &Blade, borders: &[f64], beam: &mut Beam<6>)
             ends: (border[0], border[1]),
             outside_n,
         };
-        element.add(&mut stencil, beam);
+        element.add(&mut stencil, beams);
     }
     let description = blade.description();
     let (tip, tip_m) = (&description.tip, description.tip_radius_m);
     let inertia = spatial_inertia(tip.mass_kg, tip.center_m, &tip.inertia_kg_m2);
-    beam.add(Role::Inertia, tip_m, inertia);
+    beams.add(MatrixKind::Inertia, tip_m, &inertia);
     if description.tip_is_pulled {
         let speed_squared = description.rotor_speed_rad_per_s.powi(2);
-        beam.add(Role::Ground, tip_m, pull(tip, tip_m, speed_squared));
+        let stiffness = centrifugal_stiffness(tip, tip_m, speed_squared);
+        beams.add(MatrixKind::Foundation, tip_m, &stiffness);
     }
 }
 
@@ -112,29 +110,34 @@ fn tensions_outside(blade: &Blade, borders: &[f64]) -> std::vec::IntoIter<f64> {
 /// An element before it is part of a beam.
 struct Element<'a> {
     blade: &'a Blade,
-    /// Shares of the span.
+    /// Fractions of the span.
     ends: (f64, f64),
     /// Centrifugal force of all that is outside it, N.
     outside_n: f64,
 }
 
 impl Element<'_> {
-    fn add(&self, stencil: &mut Stencil, beam: &mut Beam<6>) {
+    fn add(&self, stencil: &mut Stencil, beams: &mut Beams) {
         let base_m = self.blade.radius_m(self.ends.0);
         let length_m = self.blade.radius_m(self.ends.1) - base_m;
         let radii_m: Vec<f64> = stencil.heights_m(base_m, length_m).collect();
-        let locals: Vec<Local> = radii_m.iter().map(|&r| self.local(r)).collect();
-        stencil.begin_element(beam, base_m, length_m, |stencil, beam, root| {
-            for (point, local) in locals.iter().enumerate() {
-                let stiffness = local.stiffness();
-                let deformations = beam.deformations();
-                stencil.add_strain_stiffness(deformations, length_m, point, &stiffness, root);
+        let section = |&radius_m: &f64| {
+            let local = self.local(radius_m);
+            GeneralSection {
+                strain_stiffness: local.stiffness(),
+                inertia: local.inertia(),
+                foundation: local.rotation(),
             }
-        });
-        for (point, local) in locals.iter().enumerate() {
-            stencil.add_matrices(beam, point, [&local.inertia(), &local.rotation()]);
+        };
+        let points: Vec<GeneralSection> = radii_m.iter().map(section).collect();
+        let element = GeneralElement {
+            base_m,
+            length_m,
+            points: &points,
+        };
+        for beam in beams.members_mut() {
+            beam.add_general_element(stencil, &element);
         }
-        stencil.end_element(beam);
     }
 
     /// The section of the middle with the twist at a radius, and what pulls there.

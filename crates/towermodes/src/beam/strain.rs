@@ -47,7 +47,7 @@ impl Strain {
         }
     }
 
-    /// How often it is integrated to move each of its motion's components, translation before
+    /// How many times it is integrated to give each component of its motion, translation before
     /// rotation.
     fn integrals(self) -> &'static [usize] {
         match self {
@@ -57,7 +57,7 @@ impl Strain {
         }
     }
 
-    /// What a section resists it with.
+    /// The section stiffness against this strain: EI, κGA, GJ or EA.
     pub(super) fn stiffness(self, section: &Section) -> f64 {
         match self {
             Self::Curvature(plane) => section.bending_n_m2.of(plane),
@@ -75,18 +75,18 @@ pub struct Deformation<const D: usize> {
     pub strain: Strain,
     /// Number of its coordinates.
     pub count: usize,
-    /// How often it is integrated to give each component, 0 where it does not move it; negative
-    /// where it moves it backwards.
+    /// How many times it is integrated to give each component, 0 where it does not move it;
+    /// negative where it moves it backwards.
     pub(super) integrals: [i32; D],
 }
 
-/// The deformations of an element for a set of motions, each with as many coordinates as `count`
-/// says.
+/// The deformations of an element for a set of motions, each with `count` coordinates.
 pub(super) fn deformations<const D: usize>(
     motions: Motions,
-    components: [Component; D],
+    components: &[Component; D],
     count: impl Fn(Strain) -> usize,
 ) -> impl Iterator<Item = Deformation<D>> {
+    let components = *components;
     let own = Strain::ALL.into_iter();
     let counted = own.map(move |strain| (strain, count(strain)));
     counted
@@ -111,9 +111,9 @@ mod tests {
         let side_side = Motions::only(Motion::Bending(Plane::SideSide));
         let space = [(0, 1.0), (1, 1.0), (2, 1.0), (3, 1.0), (4, 1.0), (5, 1.0)];
         let count = |strain| usize::from(strain != Strain::Shear(Plane::SideSide));
-        let in_space: Vec<_> = deformations(side_side, space, count).collect();
+        let in_space: Vec<_> = deformations(side_side, &space, count).collect();
         assert_eq!(in_space[0].integrals, [0, 2, 0, -1, 0, 0]);
-        let in_plane: Vec<_> = deformations(side_side, [(1, 1.0), (3, -1.0)], count).collect();
+        let in_plane: Vec<_> = deformations(side_side, &[(1, 1.0), (3, -1.0)], count).collect();
         assert_eq!(in_plane[0].integrals, [2, 1]);
     }
 }

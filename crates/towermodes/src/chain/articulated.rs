@@ -1,24 +1,26 @@
-//! The articulated factorization of a combination of a chain's matrices, as K − σM, in O(n), with
-//! solve and inertia count.
+//! The articulated factorization of a matrix A of a chain, as K − σM, in O(n), with solve and
+//! inertia count.
 //!
-//! In scaled joint coordinates it is k + Gᵀ Jᵀ B J G with k = 1 for springs, 0 for a free base, and
-//! B = S + W − σM block diagonal over the bodies. Seen from a joint, all that is above it is one
-//! symmetric D×D matrix P. Going down from the tip,
+//! In scaled joint coordinates A = k + Gᵀ Jᵀ B J G with k = 1 for springs, 0 for a free base, and B
+//! = S + W − σM block diagonal over the bodies (S stiffness to the ground, W geometric stiffness).
+//! Seen from a joint, all that is above it is one symmetric D×D matrix P. From the tip down,
 //!
 //! P ← B + Xᵀ P X;  for each spring of the joint, with column p = P e and root g = 1/√k:
 //! δ = k + g² eᵀp,  P ← P − p pᵀ g²/δ.
 //!
-//! A slide under a compression N is coupled with the rotation θ above it by −N: its column is p − N
-//! e_θ.
+//! A shear deflection under a compression N is coupled with the rotation θ above it by −N: its
+//! column is p − N e_θ.
 //!
-//! This is Featherstone's articulated-body recursion (2008, ch. 7) with forces in place of
-//! accelerations; the springs of one joint are eliminated one by one, which needs no inverse. The
+//! Source: the articulated-body recursion of Featherstone (2008, ch. 7) with forces in place of
+//! accelerations. The springs of one joint are eliminated one by one, which needs no inverse. The
 //! pivots δ are the D of a factorization L D Lᵀ, so by Sylvester's law the number of negative ones
 //! is the number of eigenvalues below σ: a Sturm count in O(n).
 
 use super::model::{Chain, Link};
-use crate::parts::Combination;
-use crate::space::{Dim, Matrix, Space, add, add_scaled, lower, lower_matrix, raise};
+use crate::space::{
+    Matrix, add, add_scaled, levers, transform_force, transform_matrix, transform_motion,
+};
+use crate::subsystem::Coefficients;
 
 /// Pivots closer to zero than this are moved there, to the negative side: 1 is the unit of a pivot,
 /// so the change is far below rounding, and an eigenvalue hit exactly counts as below.
@@ -33,68 +35,58 @@ pub struct Elimination<const D: usize> {
     column: [f64; D],
 }
 
-/// The number of negative eigenvalues of a combination of the chain's matrices, counted without
-/// storing anything.
-pub fn count_negative<const D: usize>(chain: &Chain<D>, combination: &Combination) -> usize
-where
-    Dim<D>: Space,
-{
-    eliminate(chain, combination, |_| {})
+/// The number of negative eigenvalues of a matrix A of the chain; nothing is stored.
+pub fn count_negative<const D: usize>(chain: &Chain<D>, a: &Coefficients) -> usize {
+    eliminate(chain, a, |_| {})
 }
 
-/// Factors a combination of the chain's matrices into `factors` and returns the number of its
-/// negative eigenvalues.
+/// Factors a matrix A of the chain into `factors` and returns the number of its negative
+/// eigenvalues.
 pub fn factorize<const D: usize>(
     chain: &Chain<D>,
-    combination: &Combination,
+    a: &Coefficients,
     factors: &mut Vec<Elimination<D>>,
-) -> usize
-where
-    Dim<D>: Space,
-{
+) -> usize {
     factors.clear();
-    eliminate(chain, combination, |elimination| factors.push(elimination))
+    eliminate(chain, a, |elimination| factors.push(elimination))
 }
 
-/// Eliminates every spring from the tip down, tells each to `record`, returns how many pivots are
-/// negative.
+/// Eliminates every spring from the tip down, passes each to `record`, and returns how many pivots
+/// are negative.
 #[inline]
 fn eliminate<const D: usize>(
     chain: &Chain<D>,
-    combination: &Combination,
+    a: &Coefficients,
     mut record: impl FnMut(Elimination<D>),
-) -> usize
-where
-    Dim<D>: Space,
-{
+) -> usize {
     let mut p = [[0.0; D]; D];
     let mut above_m = 0.0;
     let mut negative = 0;
     for (joint, link) in chain.links.iter().enumerate().rev() {
-        lower_matrix(&mut p, above_m - link.height_m);
+        transform_matrix(&mut p, above_m - link.height_m);
         above_m = link.height_m;
-        add_body(chain, combination, joint, &mut p);
-        let spring = combination.springs * link.spring;
+        add_body(chain, a, joint, &mut p);
+        let spring = a.stiffness * link.spring;
         for component in 0..D {
             let root = link.root[component];
             if root == 0.0 {
                 continue;
             }
-            let sinking = sinking(link, combination.weights, component);
+            let p_delta = p_delta(link, a.geometric, component);
             let mut column = p[component];
             let mut pivot = spring + root * root * column[component];
             if pivot.abs() < TINY_PIVOT {
                 pivot = -TINY_PIVOT;
             }
             negative += usize::from(pivot < 0.0);
-            add(&mut column, &sinking);
+            add(&mut column, &p_delta);
             let inverse = 1.0 / pivot;
             record(Elimination { inverse, column });
             update(
                 &mut p,
                 component,
                 &column,
-                &sinking,
+                &p_delta,
                 (spring, root, inverse),
             );
         }
@@ -108,7 +100,7 @@ fn update<const D: usize>(
     matrix: &mut Matrix<D>,
     component: usize,
     column: &[f64; D],
-    sinking: &[f64; D],
+    p_delta: &[f64; D],
     (spring, root, inverse): (f64, f64, f64),
 ) {
     let factor = root * root * inverse;
@@ -120,43 +112,34 @@ fn update<const D: usize>(
     }
     // In the spring's own row and column p − p p_e g²/δ is p k/δ: no cancellation when the spring
     // is soft.
-    let (share, slid) = (spring * inverse, own[component] * factor);
+    let (fraction, slid) = (spring * inverse, own[component] * factor);
     for k in 0..D {
-        let entry = own[k] * share - sinking[k] * slid;
+        let entry = own[k] * fraction - p_delta[k] * slid;
         matrix[component][k] = entry;
         matrix[k][component] = entry;
     }
 }
 
-/// P ← P + mass M + ground S + weights G of one body.
+/// P ← P + mass M + foundation S + geometric G of one body.
 #[inline]
-fn add_body<const D: usize>(
-    chain: &Chain<D>,
-    combination: &Combination,
-    joint: usize,
-    p: &mut Matrix<D>,
-) where
-    Dim<D>: Space,
-{
-    add_scaled(p, combination.mass, &chain.inertias[joint]);
-    if let Some(ground) = chain.ground.get(joint) {
-        add_scaled(p, combination.ground, ground);
+fn add_body<const D: usize>(chain: &Chain<D>, a: &Coefficients, joint: usize, p: &mut Matrix<D>) {
+    add_scaled(p, a.mass, &chain.inertias[joint]);
+    if let Some(foundation) = chain.foundation.get(joint) {
+        add_scaled(p, a.foundation, foundation);
     }
-    for lever in Dim::<D>::LEVERS {
-        p[lever.by][lever.by] -= combination.weights * chain.links[joint].overturning_n_m;
+    for lever in const { levers(D) } {
+        p[lever.by][lever.by] -= a.geometric * chain.links[joint].geometric_n_m;
     }
 }
 
-/// The column −N s e_θ by which a slide of a joint is coupled with the rotation of its body.
+/// The column −N s e_θ by which a shear deflection of a joint is coupled with the rotation of its
+/// body (P-Delta effect).
 #[inline]
-fn sinking<const D: usize>(link: &Link<D>, weights: f64, component: usize) -> [f64; D]
-where
-    Dim<D>: Space,
-{
+fn p_delta<const D: usize>(link: &Link<D>, geometric: f64, component: usize) -> [f64; D] {
     let mut column = [0.0; D];
-    for lever in Dim::<D>::LEVERS {
+    for lever in const { levers(D) } {
         if lever.moved == component {
-            column[lever.by] -= weights * link.compression_n * lever.sign;
+            column[lever.by] -= geometric * link.compression_n * lever.sign;
         }
     }
     column
@@ -165,18 +148,12 @@ where
 /// Solves A y = x in place, with the factors of A from [`factorize`].
 ///
 /// Down: u = x − g eᵀb, b ← b + p g u/δ.  Up: y = (u − g pᵀv)/δ, v ← v + e g y.
-pub fn solve<const D: usize>(chain: &Chain<D>, factors: &[Elimination<D>], x: &mut [f64])
-where
-    Dim<D>: Space,
-{
+pub fn solve<const D: usize>(chain: &Chain<D>, factors: &[Elimination<D>], x: &mut [f64]) {
     bias_down(chain, factors, x);
     motion_up(chain, factors, x);
 }
 
-fn bias_down<const D: usize>(chain: &Chain<D>, factors: &[Elimination<D>], x: &mut [f64])
-where
-    Dim<D>: Space,
-{
+fn bias_down<const D: usize>(chain: &Chain<D>, factors: &[Elimination<D>], x: &mut [f64]) {
     let mut bias = [0.0; D];
     let mut above_m = 0.0;
     let mut eliminations = factors.iter();
@@ -184,7 +161,7 @@ where
     // end: go joint by joint.
     let mut first = x.len();
     for link in chain.links.iter().rev() {
-        lower(&mut bias, above_m - link.height_m);
+        transform_force(&mut bias, above_m - link.height_m);
         above_m = link.height_m;
         first -= link.moving;
         let mut own = x[first..first + link.moving].iter_mut();
@@ -205,16 +182,13 @@ where
     }
 }
 
-fn motion_up<const D: usize>(chain: &Chain<D>, factors: &[Elimination<D>], x: &mut [f64])
-where
-    Dim<D>: Space,
-{
+fn motion_up<const D: usize>(chain: &Chain<D>, factors: &[Elimination<D>], x: &mut [f64]) {
     let mut motion = [0.0; D];
     let mut below_m = 0.0;
     let mut eliminations = factors.iter().rev();
     let mut first = 0;
     for link in &chain.links {
-        raise(&mut motion, link.height_m - below_m);
+        transform_motion(&mut motion, link.height_m - below_m);
         below_m = link.height_m;
         let mut own = x[first..first + link.moving].iter_mut().rev();
         first += link.moving;

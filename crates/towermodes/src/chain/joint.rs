@@ -1,6 +1,6 @@
-//! The springs of a joint in space, and what each part of a model sees of them.
+//! The springs of a joint.
 
-use crate::tower::{Line, Plane, Planes};
+use crate::tower::Planes;
 
 /// The flexibilities of the springs in a joint on the tower's axis: 1/k, zero where the joint is
 /// rigid.
@@ -17,30 +17,6 @@ pub struct JointFlexibility {
 }
 
 impl JointFlexibility {
-    /// For the bending chain of a plane: deflection, rotation.
-    pub fn bending(&self, plane: Plane) -> [f64; 2] {
-        [
-            self.deflection_m_per_n.of(plane),
-            self.bending_per_n_m.of(plane),
-        ]
-    }
-
-    /// For torsion or axial motion.
-    #[inline]
-    pub fn line(&self, line: Line) -> f64 {
-        match line {
-            Line::Torsion => self.torsion_per_n_m,
-            Line::Axial => self.axial_m_per_n,
-        }
-    }
-
-    /// For a bending plane and torsion or axial motion together.
-    #[inline]
-    pub fn plane_and_line(&self, plane: Plane, line: Line) -> [f64; 3] {
-        let [deflection, rotation] = self.bending(plane);
-        [deflection, rotation, self.line(line)]
-    }
-
     /// For the motion (x, y, z, rotation about x, y, z).
     pub fn spatial(&self) -> [f64; 6] {
         let (w, theta) = (self.deflection_m_per_n, self.bending_per_n_m);

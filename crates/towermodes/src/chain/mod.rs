@@ -1,14 +1,14 @@
-//! Rigid bodies and elastic joints: the O(n) product, the articulated factorization, the inertia
-//! count.
+//! Chains of rigid bodies and elastic joints in D components: O(n) product, articulated
+//! factorization, inertia count.
 
 mod articulated;
+mod cubic;
+mod curves;
 mod joint;
 mod model;
 mod product;
-mod structure;
+mod subsystem;
 
-pub use articulated::{Elimination, count_negative, factorize, solve};
 pub use joint::JointFlexibility;
-pub use model::{Chain, Link};
-pub use product::{Loads, base_excitation, motions, product};
-pub use structure::{ChainWork, Chains};
+pub use model::Chain;
+pub use subsystem::{ChainAssembly, ChainSubsystem, Chains};

@@ -1,9 +1,9 @@
 //! The chain itself: joints with springs, bodies between them.
 
-use crate::parts::{Combination, Role};
-use crate::space::{Dim, Matrix, Space, add_scaled, lower_matrix};
+use crate::space::{Matrix, add_scaled, levers, transform_matrix};
+use crate::subsystem::{Coefficients, MatrixKind};
 
-/// A joint and what weights do to the rigid body it carries, up to the next joint.
+/// A joint, with the geometric stiffness of the rigid body above it, up to the next joint.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Link<const D: usize> {
     /// Height of the joint, m.
@@ -13,13 +13,13 @@ pub struct Link<const D: usize> {
     pub(super) root: [f64; D],
     /// How many of these are not zero.
     pub(super) moving: usize,
-    /// 1 for a joint with springs; 0 for the base, which is free but for what ties its body to the
-    /// ground.
+    /// 1 for a joint with springs; 0 for a base that moves, which only the foundation holds.
     pub(super) spring: f64,
     /// Compression at the joint, N.
     pub(super) compression_n: f64,
-    /// What weights take from the body's stiffness against rotation in the bending planes, N m.
-    pub(super) overturning_n_m: f64,
+    /// By how much gravity reduces the body's stiffness against rotation in the bending planes,
+    /// N m/rad.
+    pub(super) geometric_n_m: f64,
 }
 
 /// A chain of rigid bodies joined by diagonal springs, in D motion components, clamped or on a base
@@ -31,9 +31,12 @@ pub struct Link<const D: usize> {
 ///
 /// (1 + Gᵀ Jᵀ S J G) y = λ Gᵀ Jᵀ M J G y,  G = K^{−1/2},
 ///
-/// where J maps joint to body motions, M holds the bodies' inertias and S what ties bodies to the
-/// ground, foundation, soil and wires, and what weights take from that. Nothing here is
-/// ill-conditioned however fine the chain: Nikolić & Šalinić's eq. (17) with no matrix formed.
+/// where J maps joint motions to body motions, M holds the inertia of each body, and S its
+/// stiffness to the ground (foundation, soil, guy wires) and its geometric stiffness. Nothing here
+/// is ill-conditioned, however fine the chain is.
+///
+/// Source: Nikolić & Šalinić, *Free vibration analysis of the horizontal axis wind turbine tower*,
+/// eq. (17), without forming a matrix.
 ///
 /// Vectors hold the moving coordinates only, joint by joint from the base, so their length is
 /// [`degrees_of_freedom`](Self::degrees_of_freedom).
@@ -43,11 +46,11 @@ pub struct Chain<const D: usize> {
     /// Inertia of each body about its joint; apart from the links, because most sweeps do not need
     /// it.
     pub(super) inertias: Vec<Matrix<D>>,
-    /// Stiffness to ground of each body about its joint; may be shorter, or empty, if the bodies
-    /// above have none.
-    pub(super) ground: Vec<Matrix<D>>,
-    /// Whether weights overturn any body.
-    has_weights: bool,
+    /// Stiffness to the ground of each body about its joint; shorter, or empty, if the bodies above
+    /// have none.
+    pub(super) foundation: Vec<Matrix<D>>,
+    /// Whether any body has a geometric stiffness.
+    has_geometric_stiffness: bool,
     degrees_of_freedom: usize,
 }
 
@@ -56,23 +59,20 @@ impl<const D: usize> Default for Chain<D> {
         Self {
             links: Vec::new(),
             inertias: Vec::new(),
-            ground: Vec::new(),
-            has_weights: false,
+            foundation: Vec::new(),
+            has_geometric_stiffness: false,
             degrees_of_freedom: 0,
         }
     }
 }
 
-impl<const D: usize> Chain<D>
-where
-    Dim<D>: Space,
-{
+impl<const D: usize> Chain<D> {
     /// Forgets all joints and bodies but keeps the memory.
     pub fn clear(&mut self) {
         self.links.clear();
         self.inertias.clear();
-        self.ground.clear();
-        self.has_weights = false;
+        self.foundation.clear();
+        self.has_geometric_stiffness = false;
         self.degrees_of_freedom = 0;
     }
 
@@ -88,13 +88,14 @@ where
         self.push(height_m, unit, 0.0, 0.0);
     }
 
-    /// Ends the present body with a joint at `height_m`, not below the joints before it.
+    /// Ends the present body with a joint at `height_m` (m), not below the joints before it.
     ///
-    /// `flexibility` is 1/k of each component, zero where the joint is rigid; a joint rigid in all
-    /// components is none. Where it slides by δ under a compression of `compression_n`, along
-    /// sections turned by θ, what it carries sinks by δ θ: the shear's part of Haringx's (1948)
-    /// theory of columns. θ is that of the body above, so a joint that slides much should not turn
-    /// too.
+    /// `flexibility` is 1/k of each component (m/N, rad/(N m)), zero where the joint is rigid; a
+    /// joint that is rigid in all components is left out. A shear deflection δ along sections that
+    /// are rotated by θ lowers what is above by δ θ, which works under `compression_n` (N). θ is
+    /// that of the body above, so a joint with much shear deflection should not rotate too.
+    ///
+    /// Source: Haringx (1948), shear in the theory of columns.
     pub fn add_joint(&mut self, height_m: f64, flexibility: [f64; D], compression_n: f64) {
         self.push(height_m, flexibility.map(f64::sqrt), 1.0, compression_n);
     }
@@ -111,7 +112,7 @@ where
             moving,
             spring,
             compression_n,
-            overturning_n_m: 0.0,
+            geometric_n_m: 0.0,
         });
         self.inertias.push([[0.0; D]; D]);
     }
@@ -119,29 +120,29 @@ where
     /// Adds a matrix, given about `reference_m`, to the present body; before the first joint that
     /// is the clamped base, which does not move.
     #[inline]
-    pub fn add(&mut self, role: Role, reference_m: f64, mut matrix: Matrix<D>) {
+    pub fn add(&mut self, kind: MatrixKind, reference_m: f64, mut matrix: Matrix<D>) {
         let count = self.links.len();
         let (Some(link), Some(inertia)) = (self.links.last(), self.inertias.last_mut()) else {
             return;
         };
-        lower_matrix(&mut matrix, reference_m - link.height_m);
-        match role {
-            Role::Inertia => add_scaled(inertia, 1.0, &matrix),
-            Role::Ground => {
-                self.ground.resize(count, [[0.0; D]; D]);
-                add_scaled(&mut self.ground[count - 1], 1.0, &matrix);
+        transform_matrix(&mut matrix, reference_m - link.height_m);
+        match kind {
+            MatrixKind::Inertia => add_scaled(inertia, 1.0, &matrix),
+            MatrixKind::Foundation => {
+                self.foundation.resize(count, [[0.0; D]; D]);
+                add_scaled(&mut self.foundation[count - 1], 1.0, &matrix);
             }
         }
     }
 
-    /// Takes a stiffness (N m) against rotation in the bending planes, by which weights overturn
-    /// it, from the present body.
+    /// Adds a geometric stiffness −`moment_n_m` (N m/rad) against rotation in the bending planes to
+    /// the present body.
     #[inline]
-    pub fn overturn(&mut self, stiffness_n_m: f64) {
-        let bends = !Dim::<D>::LEVERS.is_empty();
+    pub fn add_geometric_stiffness(&mut self, moment_n_m: f64) {
+        let bends = !const { levers(D) }.is_empty();
         if let Some(link) = self.links.last_mut().filter(|_| bends) {
-            link.overturning_n_m += stiffness_n_m;
-            self.has_weights = true;
+            link.geometric_n_m += moment_n_m;
+            self.has_geometric_stiffness = true;
         }
     }
 
@@ -164,22 +165,26 @@ where
     /// numbers overflowed on the way here.
     pub fn is_finite(&self) -> bool {
         let links = self.links.iter().all(|link| {
-            let values = [link.compression_n, link.overturning_n_m];
+            let values = [link.compression_n, link.geometric_n_m];
             link.root
                 .iter()
                 .chain(&values)
                 .all(|value| value.is_finite())
         });
-        let mut matrices = self.inertias.iter().chain(&self.ground).flatten().flatten();
+        let mut matrices = self
+            .inertias
+            .iter()
+            .chain(&self.foundation)
+            .flatten()
+            .flatten();
         links && matrices.all(|value| value.is_finite())
     }
 
-    /// Whether a combination of its matrices is that of the joints' springs alone, which is the
-    /// identity.
-    pub fn is_identity(&self, combination: &Combination) -> bool {
+    /// Whether a matrix A is the stiffness of the joints alone, which is the identity.
+    pub fn is_identity(&self, a: &Coefficients) -> bool {
         let is_free = self.links.first().is_some_and(|base| base.spring == 0.0);
-        let is_tied = combination.ground != 0.0 && !self.ground.is_empty();
-        let is_pressed = combination.weights != 0.0 && self.has_weights;
-        combination.springs == 1.0 && combination.mass == 0.0 && !(is_free || is_tied || is_pressed)
+        let is_tied = a.foundation != 0.0 && !self.foundation.is_empty();
+        let is_pressed = a.geometric != 0.0 && self.has_geometric_stiffness;
+        a.stiffness == 1.0 && a.mass == 0.0 && !(is_free || is_tied || is_pressed)
     }
 }

@@ -4,9 +4,9 @@
 //! (Kahan 1967). An inertia count just above the last one that gives k says there are no more: the
 //! list is complete.
 
-/// What counts above a list of eigenvalues say.
+/// The result of the counts above a list of eigenvalues.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) enum Verdict {
+pub(crate) enum CountCheck {
     /// As many as in the list, and none within this relative distance above the last.
     Complete {
         /// (σ − λ_last)/λ_last of the count that agreed.
@@ -28,8 +28,8 @@ pub(crate) fn verify(
     expected: usize,
     margins: &[f64],
     mut count_below: impl FnMut(f64) -> usize,
-) -> Verdict {
-    let mut verdict = Verdict::Disagrees {
+) -> CountCheck {
+    let mut check = CountCheck::Disagrees {
         count: 0,
         shift: last,
     };
@@ -37,11 +37,11 @@ pub(crate) fn verify(
         let shift = last * (1.0 + margin);
         let count = count_below(shift);
         if count == expected {
-            return Verdict::Complete { margin };
+            return CountCheck::Complete { margin };
         }
-        verdict = Verdict::Disagrees { count, shift };
+        check = CountCheck::Disagrees { count, shift };
     }
-    verdict
+    check
 }
 
 /// The relative error bound of eigenvalue `index` of a complete list, from its relative residual ρ.

@@ -7,7 +7,7 @@ mod pencil;
 mod tridiagonal;
 mod vector;
 
-pub(crate) use certificate::{Verdict, verify};
+pub(crate) use certificate::{CountCheck, verify};
 pub use error::EigenError;
 pub use pencil::Pencil;
 
@@ -155,6 +155,43 @@ impl EigenWorkspace {
         }
     }
 
+    /// Checks the list just found by a count: nothing if it is complete, and then the eigenvalues
+    /// are filled with their bounds; else how many eigenvalues there are.
+    ///
+    /// # Errors
+    /// [`EigenError::Unresolved`], [`EigenError::TooStiff`], or [`EigenError::Incomplete`] if no
+    /// other attempt would help.
+    fn check(
+        &mut self,
+        pencil: &mut dyn Pencil,
+        wanted: usize,
+        restarts: usize,
+    ) -> Result<Option<usize>, EigenError> {
+        if let Some(resolved) = self.residuals.iter().position(|&r| r > MAX_RESIDUAL) {
+            return Err(EigenError::Unresolved { wanted, resolved });
+        }
+        let last = self.lambdas[wanted - 1];
+        match verify(last, wanted, &MARGINS, |shift| pencil.count_below(shift)) {
+            CountCheck::Complete { margin } => self.bound(pencil, margin).map(|()| None),
+            CountCheck::Disagrees { count, shift }
+                if restarts == MAX_RESTARTS || count <= wanted =>
+            {
+                Err(EigenError::Incomplete {
+                    found: wanted,
+                    counted: count,
+                    below_hz: shift.sqrt() / TAU,
+                    restarts,
+                })
+            }
+            CountCheck::Disagrees { count, .. } => Ok(Some(count)),
+        }
+    }
+
+    /// Keeps the vectors found; what was missed is in their complement.
+    fn lock(&mut self, found: usize) {
+        self.lanczos.lock(&self.vectors[..found], &self.thetas);
+    }
+
     /// Fills the eigenvalues with the bounds that a proved margin above the last one allows.
     ///
     /// # Errors
@@ -200,11 +237,35 @@ pub fn lowest(
     if wanted == 0 {
         return Ok(Statistics::default());
     }
-    let negative = pencil.factorize();
-    if negative > 0 {
-        return Err(EigenError::Unstable { negative });
+    factorize(pencil)?;
+    workspace.lanczos.reset(size);
+    let (mut wanted, mut restarts) = (wanted, 0);
+    loop {
+        let done = workspace.lanczos.start(pencil, restarts)
+            && workspace.lanczos.run(pencil, wanted)
+            && workspace.extract(pencil, wanted);
+        if !done {
+            return Err(EigenError::NotFinite);
+        }
+        let Some(count) = workspace.check(pencil, wanted, restarts)? else {
+            let products = workspace.lanczos.products;
+            return Ok(Statistics { products, restarts });
+        };
+        workspace.lock(wanted);
+        wanted = count.min(size);
+        restarts += 1;
     }
-    find_until_complete(pencil, wanted, workspace)
+}
+
+/// Factors K.
+///
+/// # Errors
+/// [`EigenError::Unstable`] if K is not positive definite.
+fn factorize(pencil: &mut dyn Pencil) -> Result<(), EigenError> {
+    match pencil.factorize() {
+        0 => Ok(()),
+        negative => Err(EigenError::Unstable { negative }),
+    }
 }
 
 /// The relative distance below the least eigenvalue at which a count proves that there is none
@@ -220,10 +281,7 @@ pub(crate) fn least(
     pencil: &mut dyn Pencil,
     workspace: &mut EigenWorkspace,
 ) -> Result<f64, EigenError> {
-    let negative = pencil.factorize();
-    if negative > 0 {
-        return Err(EigenError::Unstable { negative });
-    }
+    factorize(pencil)?;
     workspace.eigenvalues.clear();
     workspace.lanczos.reset(pencil.size());
     let mut below = 0;
@@ -247,52 +305,4 @@ pub(crate) fn least(
         below_hz: workspace.lambdas[0].sqrt() / TAU,
         restarts: MAX_RESTARTS,
     })
-}
-
-fn find_until_complete(
-    pencil: &mut dyn Pencil,
-    wanted: usize,
-    workspace: &mut EigenWorkspace,
-) -> Result<Statistics, EigenError> {
-    let size = pencil.size();
-    let mut wanted = wanted;
-    workspace.lanczos.reset(size);
-    for restarts in 0.. {
-        let done = workspace.lanczos.start(pencil, restarts)
-            && workspace.lanczos.run(pencil, wanted)
-            && workspace.extract(pencil, wanted);
-        if !done {
-            return Err(EigenError::NotFinite);
-        }
-        if let Some(resolved) = workspace.residuals.iter().position(|&r| r > MAX_RESIDUAL) {
-            return Err(EigenError::Unresolved { wanted, resolved });
-        }
-        let last = workspace.lambdas[wanted - 1];
-        let count_below = |shift| pencil.count_below(shift);
-        match verify(last, wanted, &MARGINS, count_below) {
-            Verdict::Complete { margin } => {
-                workspace.bound(pencil, margin)?;
-                return Ok(Statistics {
-                    products: workspace.lanczos.products,
-                    restarts,
-                });
-            }
-            Verdict::Disagrees { count, shift } => {
-                if restarts == MAX_RESTARTS || count <= wanted {
-                    return Err(EigenError::Incomplete {
-                        found: wanted,
-                        counted: count,
-                        below_hz: shift.sqrt() / TAU,
-                        restarts,
-                    });
-                }
-                // Keep what was found; what was missed is in its complement.
-                workspace
-                    .lanczos
-                    .lock(&workspace.vectors[..wanted], &workspace.thetas);
-                wanted = count.min(size);
-            }
-        }
-    }
-    unreachable!("the loop ends by return")
 }

@@ -1,9 +1,9 @@
-//! Pieces of tower as rigid bodies with the soil around them and the weight they carry, prismatic
-//! or exact.
+//! Rigid bodies of segments with their soil and geometric stiffness, prismatic or exact, and the
+//! joints between them.
 
 use super::{Assembly, springs};
 use crate::chain::JointFlexibility;
-use crate::parts::Role;
+use crate::subsystem::MatrixKind;
 use crate::tower::{OnAxis, Piece, Planes, Section, SoilStiffness, mass_integrals, soil_integrals};
 
 impl Assembly<'_> {
@@ -27,12 +27,14 @@ impl Assembly<'_> {
             torsion: masses.polar_inertia_kg_m * length,
             axial: masses.mass_kg_per_m * length,
         };
-        self.parts.add(Role::Inertia, middle_m, &inertia);
+        self.chains
+            .add(MatrixKind::Inertia, middle_m, &inertia.spatial());
         if section.soil != SoilStiffness::default() {
             let soil = prismatic_soil(&section.soil, length);
-            self.parts.add(Role::Ground, middle_m, &soil);
+            self.chains
+                .add(MatrixKind::Foundation, middle_m, &soil.spatial());
         }
-        self.add_weight(base_m, top_m);
+        self.add_geometric_stiffness(base_m, top_m);
     }
 
     /// Adds the tower between two heights (m) as a rigid body with its exact mass, centre and
@@ -42,45 +44,47 @@ impl Assembly<'_> {
         let reference_m = 0.5 * (base_m + top_m);
         let mass = mass_integrals(piece, base_m, top_m, reference_m);
         let inertia = mass.on_axis(self.recipe.rotary_inertia);
-        self.parts.add(Role::Inertia, reference_m, &inertia);
+        self.chains
+            .add(MatrixKind::Inertia, reference_m, &inertia.spatial());
         if let Some(soil) = soil_integrals(piece, base_m, top_m, reference_m) {
-            self.parts.add(Role::Ground, reference_m, &soil);
+            self.chains
+                .add(MatrixKind::Foundation, reference_m, &soil.spatial());
         }
-        self.add_weight(base_m, top_m);
+        self.add_geometric_stiffness(base_m, top_m);
     }
 
-    /// A body that turns by θ lowers all it carries, and itself: −½ θ² ∫ N dz.
+    /// A body that rotates by θ lowers everything above it, and itself: −½ θ² ∫ N dz.
     #[inline]
-    fn add_weight(&mut self, base_m: f64, top_m: f64) {
+    fn add_geometric_stiffness(&mut self, base_m: f64, top_m: f64) {
         if self.tower.gravity_m_per_s2() == 0.0 {
             return;
         }
-        let overturning_n_m = self.tower.compression_integral_n_m(base_m, top_m);
-        self.parts.overturn(overturning_n_m);
+        let moment_n_m = self.tower.compression_integral_n_m(base_m, top_m);
+        self.chains.add_geometric_stiffness(moment_n_m);
     }
 
     /// Adds a joint at a height (m).
     ///
-    /// A compression works on the slide times the rotation where it happens. That is between those
-    /// below and above the joint, so where shear slides much the hinge is halved around the slide;
-    /// either rotation alone would cost an order of convergence.
+    /// A compression works on the shear deflection times the rotation at its place, which is between
+    /// those below and above the joint. So where shear is large the hinge is halved around the
+    /// shear deflection; either rotation alone would cost an order of convergence.
     pub(super) fn add_joint(&mut self, height_m: f64, joint: &JointFlexibility) {
         if self.tower.gravity_m_per_s2() == 0.0 {
-            self.parts.add_joint(height_m, joint, 0.0);
+            self.chains.add_joint(height_m, joint, 0.0);
             return;
         }
         let compression_n = self.tower.compression_n(height_m);
         if !(self.tower.shears() && joint.turns() && joint.slides()) {
-            self.parts.add_joint(height_m, joint, compression_n);
+            self.chains.add_joint(height_m, joint, compression_n);
             return;
         }
         let half = springs::hinge(joint.bending_per_n_m.map(|whole| 0.5 * whole));
-        let slide = JointFlexibility {
+        let shear = JointFlexibility {
             bending_per_n_m: Planes::default(),
             ..*joint
         };
-        for part in [&half, &slide, &half] {
-            self.parts.add_joint(height_m, part, compression_n);
+        for joint in [&half, &shear, &half] {
+            self.chains.add_joint(height_m, joint, compression_n);
         }
     }
 

@@ -1,4 +1,4 @@
-//! Recipes that turn a tower into a chain, one a file, and where they cut it.
+//! Recipes that turn a tower into chains, one per file, and the mesh they work on.
 
 mod bodies;
 mod cardanic;
@@ -10,12 +10,12 @@ mod springs;
 
 pub use cardanic::GAUSS_HINGE_POSITION;
 pub use mesh::{BorderError, Borders, Mesh, Span};
+pub(crate) use springs::shear_fraction;
 
 use crate::chain::Chains;
-use crate::parts::Parts;
 use crate::tower::{Piece, Tower};
 
-/// A way to make a chain of a segment of a tower.
+/// A way to represent a segment of a tower by rigid bodies and joints.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Element {
     /// See [`Method::RmjeExact`](crate::Method::RmjeExact).
@@ -51,7 +51,7 @@ impl Element {
     }
 }
 
-/// How a tower is made into a chain.
+/// How a tower is made into chains.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Recipe {
     /// The element.
@@ -59,8 +59,8 @@ pub struct Recipe {
     /// Whether sections have rotary inertia in bending (false: an Euler-Bernoulli beam); torsion
     /// and the rotor-nacelle assembly keep theirs.
     pub rotary_inertia: bool,
-    /// Where the hinges of [`Element::Cardanic`] sit, as a share k of the segment from each end, 0
-    /// < k < 1/2.
+    /// Where the hinges of [`Element::Cardanic`] sit, as a fraction k of the segment from each end,
+    /// 0 < k < 1/2.
     pub hinge_position: f64,
 }
 
@@ -74,10 +74,10 @@ impl Default for Recipe {
     }
 }
 
-/// A tower being made into the parts of a model.
+/// A tower that is being made into chains.
 struct Assembly<'a> {
     tower: &'a Tower,
-    parts: &'a mut Parts<Chains>,
+    chains: &'a mut Chains,
     recipe: &'a Recipe,
 }
 
@@ -96,13 +96,12 @@ impl Assembly<'_> {
     }
 }
 
-/// Makes the chains of a tower cut as `mesh` says, with a border at every end of a linear piece.
-pub fn assemble(tower: &Tower, mesh: &Mesh, recipe: &Recipe, parts: &mut Parts<Chains>) {
-    parts.restart(tower);
-    parts.reserve(1 + recipe.element.joints() * mesh.segments());
+/// Makes the chains of a tower on a mesh with a border at every end of a linear piece.
+pub fn assemble_chains(tower: &Tower, mesh: &Mesh, recipe: &Recipe, chains: &mut Chains) {
+    chains.begin(tower, 1 + recipe.element.joints() * mesh.segments());
     let mut assembly = Assembly {
         tower,
-        parts,
+        chains,
         recipe,
     };
     let gravity = tower.gravity_m_per_s2();
@@ -110,13 +109,13 @@ pub fn assemble(tower: &Tower, mesh: &Mesh, recipe: &Recipe, parts: &mut Parts<C
     for (span, borders) in mesh.spans_with_borders() {
         let piece = &tower.pieces()[span.piece];
         attachments = assembly
-            .parts
+            .chains
             .attach_up_to(span.base_m, attachments, gravity);
         for border in borders.windows(2) {
             assembly.add_segment(piece, border[0], border[1]);
         }
     }
     assembly
-        .parts
+        .chains
         .attach_up_to(tower.top_m(), attachments, gravity);
 }

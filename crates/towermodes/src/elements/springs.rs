@@ -2,7 +2,7 @@
 //! Elements share them out.
 
 use crate::chain::JointFlexibility;
-use crate::tower::{Compliance, Planes, Section};
+use crate::tower::{Compliance, Plane, Planes, Section, Tower, compliance};
 
 /// Of a prismatic segment of a length (m): L/EI, L³(1+φ)/(12EI) with φ = 12EI/(κGAL²) written out,
 /// L/EA, L/GJ.
@@ -28,6 +28,16 @@ pub(super) fn exact(compliance: &Compliance) -> JointFlexibility {
         axial_m_per_n: compliance.axial_m_per_n,
         torsion_per_n_m: compliance.torsion_per_n_m,
     }
+}
+
+/// The fraction of the transverse flexibility of a segment between two heights (m) that is shear.
+pub(crate) fn shear_fraction(tower: &Tower, plane: Plane, base_m: f64, top_m: f64) -> f64 {
+    if !tower.shears() {
+        return 0.0;
+    }
+    let piece = tower.piece_at(0.5 * (base_m + top_m));
+    let compliance = compliance(piece, base_m, top_m).bending.of(plane);
+    compliance.shear_m_per_n / (compliance.shear_m_per_n + compliance.deflection_m_per_n)
 }
 
 /// A joint that only bends.

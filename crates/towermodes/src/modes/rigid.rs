@@ -11,7 +11,7 @@ const RIGID: f64 = 0.5;
 const NAMED: f64 = 0.25;
 
 /// The whole tower as one body.
-pub(crate) struct RigidBody {
+pub(crate) struct RigidTower {
     inertia: SpatialMatrix,
     /// Its inverse.
     flexibility: SpatialMatrix,
@@ -27,7 +27,7 @@ pub(crate) struct RigidShares {
     total: f64,
 }
 
-impl RigidBody {
+impl RigidTower {
     /// The body with this inertia about the base.
     pub(crate) fn new(inertia: &SpatialMatrix) -> Self {
         Self {

@@ -1,16 +1,7 @@
 //! A mode as curves over the segments, normalized and sampled.
 
 use super::shape::ShapePoint;
-
-/// What a model knows of a mode between its segment borders; heights within a segment are shares s
-/// from 0 to 1, motions (x, y, z, rotation about x, y, z).
-pub trait SegmentCurves {
-    /// The motion of the section at s.
-    fn motion(&self, segment: usize, s: f64) -> [f64; 6];
-
-    /// The value of largest magnitude of a translation, or of the rotation about z, on the segment.
-    fn extreme(&self, segment: usize, component: usize) -> f64;
-}
+use crate::subsystem::SegmentCurves;
 
 /// A mode, ready to be sampled.
 pub struct ModeCurve<'a> {

@@ -1,27 +1,25 @@
 //! Modes of one frequency, turned to the axes.
 //!
-//! Any mixture of modes with the same frequency is a mode. Which one an eigensolver gives is
-//! chance; the one that bends in one plane, or surges without yawing, is what a person means.
+//! Any linear combination of modes with the same frequency is a mode, and an eigensolver gives an
+//! arbitrary one. An engineer expects the one that bends in one plane, or surges without yawing.
 
 use super::model::Model;
 use crate::eigen::EigenWorkspace;
 use crate::symmetric::eigenpairs;
-use crate::tower::Tower;
 
 /// More modes of one frequency than this are left as they are.
 const MOST: usize = 6;
 
-/// Mixes the eigenvectors of a part that have one eigenvalue, within a relative distance, so that
+/// Mixes the eigenvectors of a subsystem that have one eigenvalue, within a relative distance, so that
 /// each is as much of one motion as can be: bending fore-aft first, then side-side, torsion,
 /// stretch.
 pub(super) fn align(
-    tower: &Tower,
     model: &mut Model,
-    part: usize,
+    subsystem: usize,
     repeated: f64,
     workspace: &mut EigenWorkspace,
 ) {
-    if model.motions(part).iter().nth(1).is_none() {
+    if model.motions(subsystem).iter().nth(1).is_none() {
         return;
     }
     let lambdas: Vec<f64> = workspace.eigenvalues().iter().map(|e| e.lambda).collect();
@@ -33,7 +31,7 @@ pub(super) fn align(
             .take_while(|l| **l <= ceiling)
             .count();
         if (2..=MOST).contains(&count) {
-            let rows = axes(tower, model, part, workspace, first, count);
+            let rows = axes(model, subsystem, workspace, first, count);
             workspace.mix(first, count, &rows);
         }
         first += count;
@@ -42,16 +40,15 @@ pub(super) fn align(
 
 /// How to mix so many vectors from `first` on: one row for each new one.
 fn axes(
-    tower: &Tower,
     model: &mut Model,
-    part: usize,
+    subsystem: usize,
     workspace: &EigenWorkspace,
     first: usize,
     count: usize,
 ) -> [[f64; MOST]; MOST] {
     // The motion that should come first has the lowest value.
     let mut value = |vector: &[f64]| {
-        let kinetic = model.resultants(tower, part, vector).kinetic;
+        let kinetic = model.modal_forces(subsystem, vector).kinetic;
         -(3.0 * kinetic.fore_aft + 2.0 * kinetic.side_side + kinetic.torsion)
     };
     let mut form = |i: usize, j: usize| {

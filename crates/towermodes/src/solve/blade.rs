@@ -2,28 +2,30 @@
 
 use std::f64::consts::TAU;
 
-use super::options::{MAX_BYTES, SolveError};
+use super::checks::{check_modes, check_segments, check_size};
+use super::cost::Cost;
+use super::error::SolveError;
 use super::solution::Certificate;
+use super::spectrum::Found;
+use super::tracking::{Ladder, MORE};
+use super::workspace::Workspace;
 use crate::Method;
-use crate::beam::{Beam, BeamWork, assemble_blade, blade_coordinates};
+use crate::beam::blade_coordinates;
 use crate::blade::Blade;
-use crate::eigen::{EigenError, EigenWorkspace, Pencil, Verdict, lowest, verify};
-use crate::modes::{BeamCurves, ByMotion, ModeCurve, Ordinal, ShapePoint, richardson};
-use crate::parts::{Combination, SPACE, Structure, StructurePencil};
+use crate::eigen::EigenError;
+use crate::modes::{ByMotion, ModeCurve, Ordinal, ShapePoint};
+use crate::subsystem::Coefficients;
 
-/// Relative distances above the last mode at which completeness is certified, widest first.
-const MARGINS: [f64; 6] = [0.1, 0.03, 0.01, 1e-3, 1e-5, 1e-9];
-
-/// More elements of a blade than this are refused: they hold full matrices, and errors are
-/// estimated with eight times as many.
+/// More elements of a blade than this are refused: each has a full matrix, and the error estimate
+/// takes eight times as many.
 pub const MAX_BLADE_ELEMENTS: usize = 10_000;
 
-/// The kind of motion of a blade's mode: that with most of the kinetic energy.
+/// The kind of motion of a blade's mode: the one with most of the kinetic energy.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum BladeFamily {
     /// Out of the rotor's plane.
     Flap,
-    /// In the rotor's plane.
+    /// Edgewise, in the rotor's plane.
     Lag,
     /// About the span.
     Torsion,
@@ -58,7 +60,7 @@ impl BladeFamily {
 /// A natural mode of a rotating blade.
 #[derive(Debug, Clone, PartialEq)]
 pub struct BladeMode {
-    /// Place in the list, from 1.
+    /// Number in the list, from 1.
     pub number: usize,
     /// Natural frequency in the rotating frame, Hz.
     pub frequency_hz: f64,
@@ -66,21 +68,21 @@ pub struct BladeMode {
     pub family: BladeFamily,
     /// Order within the family, from 1.
     pub order: usize,
-    /// Shares of the kinetic energy: `fore_aft` is lag, `side_side` flap.
+    /// Fractions of the kinetic energy: `fore_aft` is edgewise, `side_side` flap.
     pub kinetic: ByMotion,
     /// Bound on the error of the eigenvalue computation, Hz.
     pub algebraic_error_hz: f64,
-    /// Estimate of the error of the elements, Hz.
+    /// Estimate of the discretization error, Hz.
     pub discretization_error_hz: f64,
     /// The frequency extrapolated from elements cut in two, Hz.
     pub extrapolated_hz: f64,
-    /// The motion (X lag, Y flap, Z along the span; rotations about these) at the radii asked for,
-    /// its largest translation, or for torsion rotation, 1; `height_m` is the distance from the
-    /// rotor's axis.
+    /// The shape at the radii asked for: X edgewise, Y flap, Z along the span, and rotations about
+    /// these. Its largest translation (for torsion its largest rotation) is 1; `height_m` is the
+    /// distance from the rotor's axis.
     pub shape: Vec<ShapePoint>,
 }
 
-/// The lowest modes of a rotating blade, with their errors and the proof that they are all.
+/// The lowest modes of a rotating blade, with their errors and the proof that none is missing.
 #[derive(Debug, Clone, PartialEq)]
 pub struct BladeSolution {
     /// Number of elements.
@@ -93,24 +95,49 @@ pub struct BladeSolution {
     pub certificate: Certificate,
 }
 
-/// Finds the lowest modes of a rotating blade by the element of BModes, with its shapes at
+/// Computes the lowest modes of a rotating blade by the element of BModes, with the shapes at
 /// distances from the rotor's axis, m.
 ///
 /// # Errors
 /// [`SolveError`]: more modes than there are, or a rotation that makes the blade unstable.
+///
+/// # Example
+/// A uniform cantilever at standstill: f₁ = 1.8751²/(2π) √(EI/(m L⁴)).
+/// ```
+/// use towermodes::{Blade, BladeDescription, BladeSection, solve_blade};
+///
+/// let section = |span| BladeSection {
+///     span,
+///     mass_kg_per_m: 100.0,
+///     flap_n_m2: 1e8,
+///     edge_n_m2: 4e8,
+///     torsion_n_m2: 1e8,
+///     axial_n: 1e10,
+///     flap_inertia_kg_m: 10.0,
+///     edge_inertia_kg_m: 40.0,
+///     ..BladeSection::default()
+/// };
+/// let blade = Blade::new(BladeDescription {
+///     tip_radius_m: 40.0,
+///     sections: vec![section(0.0), section(1.0)],
+///     borders: (0..=20).map(|k| f64::from(k) / 20.0).collect(),
+///     ..BladeDescription::default()
+/// })?;
+/// let solution = solve_blade(&blade, 2, &[])?;
+/// let (flap, edgewise) = (&solution.modes[0], &solution.modes[1]);
+/// assert!((flap.frequency_hz - 0.34975).abs() < 1e-4);
+/// assert!((edgewise.frequency_hz / flap.frequency_hz - 2.0).abs() < 1e-6);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 pub fn solve_blade(
     blade: &Blade,
     modes: usize,
     radii_m: &[f64],
 ) -> Result<BladeSolution, SolveError> {
-    let mut solution = solve_blade_once(blade, modes, radii_m)?;
-    estimate(blade, &blade.description().borders, &mut solution.modes)?;
+    let mut workspace = Workspace::default();
+    let mut solution = on_own_elements(blade, modes, radii_m, &mut workspace)?;
+    estimate_errors(blade, &mut solution.modes, &mut workspace)?;
     Ok(solution)
-}
-
-/// The number of degrees of freedom of a blade, and so of its modes.
-pub fn blade_degrees_of_freedom(blade: &Blade) -> usize {
-    blade_coordinates(blade) * (blade.description().borders.len() - 1)
 }
 
 /// The same as [`solve_blade`] on one mesh, without the discretization error of the modes (it is 0
@@ -123,135 +150,102 @@ pub fn solve_blade_once(
     modes: usize,
     radii_m: &[f64],
 ) -> Result<BladeSolution, SolveError> {
+    on_own_elements(blade, modes, radii_m, &mut Workspace::default())
+}
+
+/// The number of degrees of freedom of a blade, and so of its modes.
+pub fn blade_degrees_of_freedom(blade: &Blade) -> usize {
+    unknowns(blade, &blade.description().borders)
+}
+
+fn unknowns(blade: &Blade, borders: &[f64]) -> usize {
+    blade_coordinates(blade) * (borders.len() - 1)
+}
+
+fn on_own_elements(
+    blade: &Blade,
+    modes: usize,
+    radii_m: &[f64],
+    workspace: &mut Workspace,
+) -> Result<BladeSolution, SolveError> {
     let borders = &blade.description().borders;
     let elements = borders.len() - 1;
-    if elements > MAX_BLADE_ELEMENTS {
-        let (segments, most) = (elements, MAX_BLADE_ELEMENTS);
-        return Err(SolveError::Segments { segments, most });
-    }
-    if modes == 0 {
-        return Err(SolveError::NoModes);
-    }
-    let mut found = Solved::new(blade, borders, modes)?;
-    let certificate = found.prove(modes)?;
-    let shapes: Vec<BladeMode> = (0..modes).map(|i| found.mode(blade, i, radii_m)).collect();
-    let mut solution = BladeSolution {
+    check_segments(elements, MAX_BLADE_ELEMENTS)?;
+    check_modes(modes)?;
+    let found = solve_cut(blade, borders, modes, workspace)?;
+    let Workspace { model, spectrum } = &mut *workspace;
+    let proof = spectrum.prove(model, &found, modes)?;
+    let borders_m: Vec<f64> = borders.iter().map(|b| blade.radius_m(*b)).collect();
+    let shapes = found[..modes].iter().enumerate();
+    let mut modes: Vec<BladeMode> = shapes
+        .map(|(index, found)| mode(index, found, &borders_m, radii_m, workspace))
+        .collect();
+    number_families(&mut modes);
+    Ok(BladeSolution {
         elements,
-        degrees_of_freedom: found.beam.degrees_of_freedom(),
-        modes: shapes,
-        certificate,
+        degrees_of_freedom: workspace.model.degrees_of_freedom(),
+        modes,
+        certificate: Certificate::of(&proof),
+    })
+}
+
+/// Assembles a blade with elements between these fractions of its span and solves it for at least
+/// the modes asked for.
+fn solve_cut(
+    blade: &Blade,
+    borders: &[f64],
+    modes: usize,
+    workspace: &mut Workspace,
+) -> Result<Vec<Found>, SolveError> {
+    let (elements, unknowns) = (borders.len() - 1, unknowns(blade, borders));
+    check_size(modes, elements, unknowns)?;
+    Cost::of_blade(unknowns, elements, modes).check(modes)?;
+    let Workspace { model, spectrum } = workspace;
+    model.assemble_blade(blade, borders);
+    if !model.is_finite() {
+        return Err(EigenError::NotFinite.into());
+    }
+    spectrum.solve(model, modes).map_err(|error| match error {
+        // Without rotation every blade is stable.
+        EigenError::Unstable { negative } => SolveError::UnstableBlade {
+            rotor_speed_rpm: 60.0 * blade.description().rotor_speed_rad_per_s / TAU,
+            negative,
+        },
+        error => error.into(),
+    })
+}
+
+/// A mode with its shape; the discretization error is not known yet.
+fn mode(
+    index: usize,
+    found: &Found,
+    borders_m: &[f64],
+    radii_m: &[f64],
+    workspace: &mut Workspace,
+) -> BladeMode {
+    let Workspace { model, spectrum } = workspace;
+    let vector = spectrum.vector(found.key);
+    let forces = model.resultant(found.key.subsystem, &Coefficients::MASS, vector);
+    let kinetic = ByMotion::sums(forces.energy).shares();
+    let family = BladeFamily::of(&kinetic);
+    let subsystem = model.subsystem(found.key.subsystem);
+    let curves = subsystem.curves(borders_m, &|_, _, _| 0.0, vector);
+    let normalized_by: &[usize] = match family {
+        BladeFamily::Torsion => &[5],
+        _ => &[0, 1, 2],
     };
-    number_families(&mut solution.modes);
-    Ok(solution)
-}
-
-/// A blade cut and solved.
-struct Solved {
-    beam: Beam<6>,
-    work: BeamWork,
-    eigen: EigenWorkspace,
-    radii_m: Vec<f64>,
-}
-
-impl Solved {
-    fn new(blade: &Blade, borders: &[f64], modes: usize) -> Result<Self, SolveError> {
-        let mut solved = Self {
-            beam: Beam::default(),
-            work: BeamWork::default(),
-            eigen: EigenWorkspace::default(),
-            radii_m: borders.iter().map(|b| blade.radius_m(*b)).collect(),
-        };
-        assemble_blade(blade, borders, &mut solved.beam);
-        if !solved.beam.is_finite() {
-            return Err(EigenError::NotFinite.into());
-        }
-        let available = solved.beam.degrees_of_freedom();
-        if modes > available {
-            let segments = borders.len() - 1;
-            return Err(SolveError::TooManyModes {
-                modes,
-                segments,
-                available,
-            });
-        }
-        // Vectors for a mode as of a tower's elements of BModes, and the mode itself.
-        let bytes =
-            (6 * modes + 20).min(2 * available) as f64 * (available * size_of::<f64>()) as f64;
-        if bytes > MAX_BYTES as f64 {
-            let degrees_of_freedom = available;
-            return Err(SolveError::TooLarge {
-                modes,
-                degrees_of_freedom,
-                bytes,
-            });
-        }
-        let Self {
-            beam, work, eigen, ..
-        } = &mut solved;
-        let found = lowest(&mut StructurePencil::vibration(beam, work), modes, eigen);
-        match found {
-            // Without rotation every blade is stable.
-            Err(EigenError::Unstable { negative }) => Err(SolveError::UnstableBlade {
-                rotor_speed_rpm: 60.0 * blade.description().rotor_speed_rad_per_s / TAU,
-                negative,
-            }),
-            found => Ok(found.map(|_| solved)?),
-        }
-    }
-
-    /// Counts the modes below the gap above the last one asked for.
-    fn prove(&mut self, modes: usize) -> Result<Certificate, SolveError> {
-        let Self {
-            beam, work, eigen, ..
-        } = self;
-        let lambdas = eigen.eigenvalues();
-        let last = lambdas[modes - 1].lambda;
-        let is_repeated = |e: &&crate::eigen::Eigenvalue| e.lambda <= last * (1.0 + 1e-9);
-        let expected = modes + lambdas[modes..].iter().take_while(is_repeated).count();
-        let mut pencil = StructurePencil::vibration(&*beam, work);
-        match verify(last, expected, &MARGINS, |shift| pencil.count_below(shift)) {
-            Verdict::Complete { margin } => Ok(Certificate {
-                complete: true,
-                count: expected,
-                below_hz: (last * (1.0 + margin)).sqrt() / TAU,
-            }),
-            Verdict::Disagrees { count, shift } => Err(EigenError::Incomplete {
-                found: expected,
-                counted: count,
-                below_hz: shift.sqrt() / TAU,
-                restarts: 0,
-            }
-            .into()),
-        }
-    }
-
-    /// A mode, its errors of the elements still unknown.
-    fn mode(&mut self, blade: &Blade, index: usize, radii_m: &[f64]) -> BladeMode {
-        let eigenvalue = self.eigen.eigenvalues()[index];
-        let vector = self.eigen.vector(index);
-        let base_m = blade.description().hub_radius_m;
-        let (beam, work) = (&self.beam, &mut self.work);
-        let balance = beam.balance(&Combination::MASS, work, vector, base_m);
-        let kinetic = ByMotion::sums(balance.energy).shares();
-        let family = BladeFamily::of(&kinetic);
-        let curves = BeamCurves::of_beam(beam, &SPACE, vector);
-        let normalized_by: &[usize] = match family {
-            BladeFamily::Torsion => &[5],
-            _ => &[0, 1, 2],
-        };
-        let curve = ModeCurve::new(&self.radii_m, &curves, normalized_by);
-        let frequency_hz = eigenvalue.frequency_hz();
-        BladeMode {
-            number: index + 1,
-            frequency_hz,
-            family,
-            order: 0,
-            kinetic,
-            algebraic_error_hz: eigenvalue.frequency_error_hz(),
-            discretization_error_hz: 0.0,
-            extrapolated_hz: frequency_hz,
-            shape: curve.sample(radii_m),
-        }
+    let curve = ModeCurve::new(borders_m, &*curves, normalized_by);
+    let frequency_hz = found.eigenvalue.frequency_hz();
+    BladeMode {
+        number: index + 1,
+        frequency_hz,
+        family,
+        order: 0,
+        kinetic,
+        algebraic_error_hz: found.eigenvalue.frequency_error_hz(),
+        discretization_error_hz: 0.0,
+        extrapolated_hz: frequency_hz,
+        shape: curve.sample(radii_m),
     }
 }
 
@@ -263,35 +257,47 @@ fn number_families(modes: &mut [BladeMode]) {
     }
 }
 
-/// Solves again with every element cut in two, as often as the errors have powers, and
-/// extrapolates. Elements that reach over sections of the blade are cut at these first: no halving
-/// alone would see what they miss.
-fn estimate(blade: &Blade, borders: &[f64], modes: &mut [BladeMode]) -> Result<(), SolveError> {
+/// Solves again on finer elements and extrapolates.
+fn estimate_errors(
+    blade: &Blade,
+    modes: &mut [BladeMode],
+    workspace: &mut Workspace,
+) -> Result<(), SolveError> {
     let powers = Method::Bmodes.bending_powers(false);
-    let mut finer = with_sections(blade, borders);
-    let mut meshes_hz: Vec<Vec<f64>> = Vec::new();
-    if finer.len() == borders.len() {
-        meshes_hz.push(modes.iter().map(|mode| mode.frequency_hz).collect());
-        finer = halved(&finer);
-    }
-    // As many meshes as the powers need; where the elements' own are one more, these find out what
-    // agrees by chance.
-    for _ in 0..=powers.len() {
-        let solved = Solved::new(blade, &finer, modes.len())?;
-        let found = solved.eigen.eigenvalues().iter();
-        meshes_hz.insert(0, found.map(|e| e.frequency_hz()).collect());
-        finer = halved(&finer);
-    }
+    let ladder = ladder(blade, powers.len() + MORE);
+    let own_hz: Vec<f64> = modes.iter().map(|mode| mode.frequency_hz).collect();
+    let levels = ladder.solve(&own_hz, |_, borders| {
+        let found = solve_cut(blade, borders, own_hz.len(), workspace)?;
+        let found = found[..own_hz.len()].iter();
+        Ok(found
+            .map(|mode| Some(mode.eigenvalue.frequency_hz()))
+            .collect())
+    })?;
     for (index, mode) in modes.iter_mut().enumerate() {
-        let meshes_hz = meshes_hz.iter().map(|mesh| mesh[index]).collect();
-        let estimate = richardson(mode.frequency_hz, meshes_hz, powers);
+        let estimate = levels.extrapolate(index, mode.frequency_hz, powers);
         mode.discretization_error_hz = estimate.error_hz;
         mode.extrapolated_hz = estimate.extrapolated_hz;
     }
     Ok(())
 }
 
-/// Shares of the span that differ by less are the same.
+/// `steps` meshes beside the blade's own elements, each with half the elements of the one before.
+/// Elements with sections inside are cut at these first, and are none of the meshes: halving alone
+/// would not show what they miss.
+fn ladder(blade: &Blade, steps: usize) -> Ladder<Vec<f64>> {
+    let borders = &blade.description().borders;
+    let cut = with_sections(blade, borders);
+    let is_own = cut.len() == borders.len();
+    let finer = std::iter::successors(Some(cut), |borders| Some(halved(borders)));
+    let mut meshes: Vec<Vec<f64>> = finer.take(steps + usize::from(is_own)).collect();
+    meshes.reverse();
+    Ladder {
+        own: is_own.then(|| meshes.len() - 1),
+        meshes,
+    }
+}
+
+/// Fractions of the span that differ by less are the same.
 const ROUNDED: f64 = 1e-9;
 
 /// The borders of the elements, and the sections that lie between them.

@@ -1,6 +1,10 @@
 //! As many of the modes asked for as can be told from rounding.
 
-use super::{Options, Solution, SolveError, Workspace, solve_with};
+use super::error::SolveError;
+use super::options::Options;
+use super::solution::Solution;
+use super::tower::solve_with;
+use super::workspace::Workspace;
 use crate::Warning;
 use crate::eigen::EigenError;
 use crate::tower::Tower;

@@ -1,15 +1,18 @@
-//! What a solve takes of a machine, estimated before any of it is taken.
+//! Memory and time of a solve, estimated before anything is allocated.
 //!
 //! The Lanczos process keeps all its vectors and orthogonalizes each against all before it: for w
-//! modes of a part with n unknowns about p = 2.5 w + 12 vectors, 8 n p bytes and n p² operations,
+//! modes of a subsystem with n unknowns about p = 2.5 w + 12 vectors, 8 n p bytes and n p² operations,
 //! and p³ for the projected matrix. The constants are fitted to runs on a processor of 2020 (one
 //! core, 3 GHz). Estimates are 0.8 to 3 times the memory and 0.5 to 3 times the time that was
 //! measured there.
 
-use super::model::Cut;
-use super::options::{MAX_BYTES, MAX_SECONDS, Options, SolveError};
+use super::cut::Cut;
+use super::error::SolveError;
+use super::limits::{MAX_BYTES, MAX_SECONDS};
+use super::options::Options;
 use crate::Method;
 use crate::modes::ShapePoint;
+use crate::subsystem::dimension;
 use crate::tower::{Motion, Motions, Plane, Tower};
 
 /// Bytes of a number.
@@ -49,16 +52,29 @@ impl Cost {
                 ladder(cut, others)
             }
         };
-        let parts = Parts::of(tower, cut, options);
-        let (finest, share) = (parts.work(finest), all / own);
+        let costs = Costs::of(tower, cut, options);
+        let (finest, share) = (costs.work(finest), all / own);
         let heights = options.points + tower.station_heights_m().len() + options.heights_m.len();
         let shapes = options.modes as f64 * size_of::<ShapePoint>() as f64 * heights as f64;
         Self {
             bytes: finest.bytes + shapes,
-            seconds: share * parts.work(own).seconds,
-            unknowns: parts.unknowns_a_segment() * own,
+            seconds: share * costs.work(own).seconds,
+            unknowns: costs.unknowns_a_segment() * own,
             segments: all,
-            products: parts.products(),
+            products: costs.products(),
+        }
+    }
+
+    /// Of one mesh of a blade with so many unknowns; its time is not estimated.
+    pub(super) fn of_blade(unknowns: usize, segments: usize, modes: usize) -> Self {
+        // Vectors per mode as of a tower's elements of BModes, and the mode itself.
+        let vectors = (6 * modes + 20).min(2 * unknowns) as f64;
+        Self {
+            bytes: vectors * (unknowns * size_of::<f64>()) as f64,
+            seconds: 0.0,
+            unknowns: unknowns as f64,
+            segments: segments as f64,
+            products: vectors,
         }
     }
 
@@ -104,8 +120,8 @@ struct Work {
     seconds: f64,
 }
 
-/// A part of the tower's model that is solved for itself.
-struct PartCost {
+/// One subsystem.
+struct SubsystemCost {
     /// Unknowns a segment.
     unknowns: f64,
     /// Bytes a segment, without vectors.
@@ -118,13 +134,13 @@ struct PartCost {
     multiplicity: f64,
 }
 
-struct Parts {
-    parts: Vec<PartCost>,
+struct Costs {
+    subsystems: Vec<SubsystemCost>,
     /// Vectors for w modes: coefficients of 1, w, w².
     vectors: [f64; 3],
 }
 
-impl Parts {
+impl Costs {
     fn of(tower: &Tower, cut: &Cut, options: &Options) -> Self {
         let sets = tower.independent_motions();
         let bends = |set: &Motions| set.iter().any(Motion::bends);
@@ -132,7 +148,7 @@ impl Parts {
         let side_side = Motions::only(Motion::Bending(Plane::SideSide));
         // Half of the modes bend in each plane; what else there is has fewer.
         let planes = sets.iter().filter(|set| bends(set)).count().max(1);
-        let mut parts = Vec::with_capacity(sets.len());
+        let mut subsystems = Vec::with_capacity(sets.len());
         for (index, set) in sets.iter().enumerate() {
             if equal && *set == side_side {
                 continue;
@@ -142,14 +158,14 @@ impl Parts {
             } else {
                 0.25
             };
-            parts.push(PartCost {
+            subsystems.push(SubsystemCost {
                 modes: (share * options.modes as f64).ceil(),
                 multiplicity: if equal && index == 0 { 2.0 } else { 1.0 },
-                ..PartCost::of(tower, set, cut, options)
+                ..SubsystemCost::of(tower, set, cut, options)
             });
         }
         Self {
-            parts,
+            subsystems,
             // The elements of BModes have clusters of high modes, which take more.
             vectors: match options.method {
                 Method::Bmodes => [12.0, 2.5, 0.05],
@@ -159,8 +175,8 @@ impl Parts {
     }
 
     fn unknowns_a_segment(&self) -> f64 {
-        let parts = self.parts.iter();
-        parts.map(|part| part.multiplicity * part.unknowns).sum()
+        let subsystems = self.subsystems.iter();
+        subsystems.map(|s| s.multiplicity * s.unknowns).sum()
     }
 
     /// Vectors of the process that finds so many modes.
@@ -171,8 +187,8 @@ impl Parts {
 
     /// One for each vector, and one for each mode that is found.
     fn products(&self) -> f64 {
-        let parts = self.parts.iter();
-        parts
+        let subsystems = self.subsystems.iter();
+        subsystems
             .map(|part| self.vectors(part.modes) + part.modes)
             .sum()
     }
@@ -182,7 +198,7 @@ impl Parts {
             bytes: 0.0,
             seconds: 0.0,
         };
-        for part in &self.parts {
+        for part in &self.subsystems {
             let size = part.unknowns * segments;
             let modes = part.modes.min(size);
             let vectors = self.vectors(modes).min(size);
@@ -195,8 +211,8 @@ impl Parts {
     }
 }
 
-impl PartCost {
-    /// A part for these motions; the number of its modes is not known yet.
+impl SubsystemCost {
+    /// A subsystem of these motions; the number of its modes is not known yet.
     fn of(tower: &Tower, set: &Motions, cut: &Cut, options: &Options) -> Self {
         let shears = usize::from(tower.shears());
         let unknowns = |motion: Motion| match (options.method, motion.bends()) {
@@ -208,13 +224,7 @@ impl PartCost {
             (_, false) => 1,
         };
         let unknowns: usize = set.iter().map(unknowns).sum();
-        // Components of the part's motion: a part of several motions has three or all six.
-        let components = match (set.iter().count(), set.iter().any(Motion::bends)) {
-            (1, false) => 1,
-            (1, true) => 2,
-            (2, true) if set.iter().filter(|motion| motion.bends()).count() == 1 => 3,
-            _ => 6,
-        };
+        let components = dimension(*set);
         // Inertia and one more; where the tower is tied to the ground or pressed by weights, their
         // matrices and factors too.
         let is_untied = tower.base().is_clamped() && tower.gravity_m_per_s2() == 0.0;
@@ -241,8 +251,9 @@ impl PartCost {
 mod tests {
     use super::{Cost, ladder};
     use crate::elements::Mesh;
-    use crate::solve::model::Cut;
-    use crate::solve::options::{Options, SolveError};
+    use crate::solve::cut::Cut;
+    use crate::solve::error::SolveError;
+    use crate::solve::options::Options;
     use crate::{Material, Method, Station, Tower, TowerDescription};
 
     fn tower() -> Tower {

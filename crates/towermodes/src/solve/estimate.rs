@@ -1,37 +1,39 @@
 //! The discretization error of each mode, from meshes that are coarser or finer by halves.
 
-use super::model::{Cut, Model};
-use super::options::{Options, SolveError};
+use super::cut::Cut;
+use super::error::SolveError;
+use super::model::Model;
+use super::one_mesh::Described;
+use super::options::Options;
+use super::progress::Stage;
 use super::reference::Reference;
 use super::solution::Mode;
-use super::spectrum::{ModeKey, Spectrum, count_below};
+use super::spectrum::{ModeKey, count_below};
 use super::stability::find_origin_again;
-use super::{Described, Stage, Workspace};
-use crate::eigen::EigenError;
+use super::tracking::{Ladder, Levels, MORE, frequencies};
+use super::workspace::Workspace;
 use crate::elements::Mesh;
-use crate::modes::{Estimate, richardson};
 use crate::tower::{Motion, Tower};
 
-/// Meshes that halve each other's segments, finest first.
-struct Ladder {
-    meshes: Vec<Mesh>,
-    /// Which of them is the solution's own.
-    own: usize,
-}
-
-/// What other meshes, or the beam itself, say beside the error of each mode.
+/// The results of other meshes, or of the reference beam solution, beside the error of each mode.
 pub(super) struct Estimates {
-    /// How many modes another mesh, or the beam, has below the end of the list: if that is another
-    /// number than the certificate's, the list ends within the error of the segments.
+    /// How many modes another mesh, or the reference, has below the end of the list: if that is
+    /// another number than the certificate's, the list ends within the discretization error.
     pub(super) elsewhere: usize,
-    /// Places in the list, from 0, of modes whose meshes do not fall as the powers of the method
-    /// say.
+    /// Places in the list, from 0, of modes that do not converge with the powers of the method.
     pub(super) irregular: Vec<usize>,
 }
 
+/// Where meshes disagree by less than this fraction of a frequency the larger estimate is enough,
+/// and no reference is computed.
+const NEGLIGIBLE: f64 = 1e-5;
+
+/// A segment over which a dimension or a stiffness changes by more than this factor is steep.
+const STEEP: f64 = 2.0;
+
 /// Solves again with the segments halved, or doubled where they cannot be halved, and extrapolates.
-/// What the meshes do not agree on is compared with the beam itself, and so is every mode on
-/// elements whose borders are given: no halving of these sees what they miss.
+/// Modes that do not converge regularly are compared with the reference beam solution, and so is
+/// every mode on elements whose borders are given: no halving of these shows what they miss.
 pub(super) fn estimate_errors(
     tower: &Tower,
     cut: &Cut,
@@ -48,15 +50,15 @@ pub(super) fn estimate_errors(
             irregular: Vec::new(),
         });
     }
-    let powers = part_powers(tower, options, &workspace.model);
-    let (levels, own, elsewhere) =
+    let powers = powers(tower, options, &workspace.model);
+    let (levels, elsewhere) =
         solve_meshes(tower, cut, options, (modes, below), &powers, workspace)?;
-    // Where a section changes much over one segment meshes can fall as they should towards
-    // something else.
+    // Where a section changes much over one segment meshes can converge regularly to something
+    // else.
     let all_are_doubtful = is_steep(tower, &cut.mesh);
     let (mut irregular, mut doubtful) = (Vec::new(), Vec::new());
     for (index, mode) in modes.iter_mut().enumerate() {
-        let estimate = extrapolated(mode, index, &levels, own, powers[mode.key.part]);
+        let estimate = levels.extrapolate(index, mode.frequency_hz, powers[mode.key.subsystem]);
         mode.discretization_error_hz = estimate.error_hz;
         mode.extrapolated_hz = estimate.extrapolated_hz;
         if !estimate.is_regular {
@@ -76,14 +78,7 @@ pub(super) fn estimate_errors(
     })
 }
 
-/// Where meshes disagree by less than this share of a frequency the larger estimate is enough, and
-/// the beam is not asked.
-const NEGLIGIBLE: f64 = 1e-5;
-
-/// A segment over which a dimension or a stiffness changes by more than this factor is steep.
-const STEEP: f64 = 2.0;
-
-/// Whether a segment is steep: the first or the last of a span, as what is linear changes most
+/// Whether a segment is steep: the first or the last of a span, because what is linear changes most
 /// where it is least.
 fn is_steep(tower: &Tower, mesh: &Mesh) -> bool {
     mesh.spans_with_borders().any(|(span, borders_m)| {
@@ -94,39 +89,8 @@ fn is_steep(tower: &Tower, mesh: &Mesh) -> bool {
     })
 }
 
-/// The error of a mode from as many meshes as its powers need and one more, coarser ones before
-/// finer ones.
-fn extrapolated(
-    mode: &Mode,
-    index: usize,
-    levels: &[Level],
-    own: usize,
-    powers: &[i32],
-) -> Estimate {
-    let needed = (powers.len() + MORE).min(levels.len() - 1);
-    let finest = own.min(levels.len() - 1 - needed);
-    let meshes_hz = levels[finest..=finest + needed]
-        .iter()
-        .map(|level| level[index]);
-    match meshes_hz.collect::<Option<Vec<f64>>>() {
-        Some(meshes_hz) => richardson(mode.frequency_hz, meshes_hz, powers),
-        // A finer chain that buckles leaves nothing certain of the mode.
-        None => uncertain(mode),
-    }
-}
-
-/// An estimate where nothing is known.
-fn uncertain(mode: &Mode) -> Estimate {
-    Estimate {
-        error_hz: mode.frequency_hz,
-        extrapolated_hz: mode.frequency_hz,
-        spread_hz: mode.frequency_hz,
-        is_regular: false,
-    }
-}
-
-/// Takes the errors of some modes from the beam itself. Where that cannot be solved, the estimates
-/// stay as they are, or are all of the frequency where there are none.
+/// Takes the errors of some modes from the reference beam solution. Where that cannot be solved,
+/// the estimates stay as they are, or are the whole frequency where there are none.
 fn compare(
     tower: &Tower,
     options: &Options,
@@ -148,7 +112,7 @@ fn compare(
                 mode.discretization_error_hz = (mode.frequency_hz - beam_hz).abs() + change_hz;
                 mode.extrapolated_hz = beam_hz;
             }
-            // The beam itself buckles, or nothing is known at all.
+            // The reference buckles, or nothing is known at all.
             Some(None) => mode.discretization_error_hz = mode.frequency_hz,
             None if mode.discretization_error_hz == 0.0 => {
                 mode.discretization_error_hz = mode.frequency_hz;
@@ -158,11 +122,8 @@ fn compare(
     }
 }
 
-/// Meshes can agree by chance, and one more than the powers need finds it out.
-const MORE: usize = 1;
-
-/// The frequencies of the modes on all meshes of a ladder, which of these is the solution's own,
-/// and how many modes the one next to it has below the end of the list.
+/// The frequencies of the modes on all meshes of a ladder, and how many modes the mesh next to
+/// their own has below the end of the list.
 fn solve_meshes(
     tower: &Tower,
     cut: &Cut,
@@ -170,139 +131,110 @@ fn solve_meshes(
     (modes, below): (&[Mode], f64),
     powers: &[&[i32]],
     workspace: &mut Workspace,
-) -> Result<(Vec<Level>, usize, usize), SolveError> {
+) -> Result<(Levels, usize), SolveError> {
     // Three meshes at least; on a single piece, which converges smoothly, three do for two powers
     // too.
     let is_single = tower.pieces().len() == 1;
-    let steps = modes.iter().map(|mode| match powers[mode.key.part].len() {
-        count if is_single && count > 1 => count,
-        count => count + MORE,
-    });
-    let steps = steps.max();
-    let ladder_from =
-        |fewest, model: &Model| Ladder::new(&cut.mesh, modes, fewest, steps.unwrap_or(0), model);
-    let mut ladder = ladder_from(1, &workspace.model);
-    let (mut levels, mut elsewhere) =
-        solve_ladder(tower, &ladder, options, modes, below, workspace)?;
-    if levels[ladder.own..].iter().flatten().any(Option::is_none) {
-        // A coarser chain buckles where this one stands: only finer ones say something.
-        ladder = ladder_from(cut.mesh.segments(), &workspace.model);
-        (levels, elsewhere) = solve_ladder(tower, &ladder, options, modes, below, workspace)?;
-    }
-    Ok((levels, ladder.own, elsewhere))
-}
-
-impl Ladder {
-    /// `steps` meshes beside `mesh`: coarser ones while every span can be halved, every family
-    /// still has its modes and there are no fewer segments than `fewest`, then finer ones.
-    fn new(mesh: &Mesh, modes: &[Mode], fewest: usize, steps: usize, model: &Model) -> Self {
-        let halves = std::iter::successors(Some(mesh.clone()), |mesh| {
-            mesh.halved()
-                .filter(|halved| halved.segments() >= fewest && has_all(halved, modes, model))
+    let steps = modes
+        .iter()
+        .map(|mode| match powers[mode.key.subsystem].len() {
+            count if is_single && count > 1 => count,
+            count => count + MORE,
         });
-        let mut meshes: Vec<Mesh> = halves.take(1 + steps).collect();
-        let own = 1 + steps - meshes.len();
-        for _ in 0..own {
-            meshes.insert(0, meshes[0].doubled());
-        }
-        Self { meshes, own }
+    let steps = steps.max().unwrap_or(0);
+    let ladder = ladder(&cut.mesh, modes, 1, steps, &workspace.model);
+    let solved = solve_ladder(tower, &ladder, options, modes, below, workspace)?;
+    if !solved.0.lacks_coarse() {
+        return Ok(solved);
+    }
+    // A coarser chain buckles where this one does not: only finer ones give an estimate.
+    let ladder = self::ladder(
+        &cut.mesh,
+        modes,
+        cut.mesh.segments(),
+        steps,
+        &workspace.model,
+    );
+    solve_ladder(tower, &ladder, options, modes, below, workspace)
+}
+
+/// `steps` meshes beside `mesh`: coarser ones while every span can be halved, every family still
+/// has its modes and there are no fewer segments than `fewest`, then finer ones.
+fn ladder(mesh: &Mesh, modes: &[Mode], fewest: usize, steps: usize, model: &Model) -> Ladder<Mesh> {
+    let halves = std::iter::successors(Some(mesh.clone()), |mesh| {
+        mesh.halved()
+            .filter(|halved| halved.segments() >= fewest && has_all(halved, modes, model))
+    });
+    let mut meshes: Vec<Mesh> = halves.take(1 + steps).collect();
+    let own = 1 + steps - meshes.len();
+    for _ in 0..own {
+        meshes.insert(0, meshes[0].doubled());
+    }
+    Ladder {
+        meshes,
+        own: Some(own),
     }
 }
 
-/// The frequencies of the modes on a mesh, Hz; none of those of a part that weights make unstable
-/// there.
-pub(super) type Level = Vec<Option<f64>>;
-
-/// The frequencies of the same modes on every mesh, and how many modes the mesh next to the
-/// solution's own has below `below`: the coarser neighbour if there is one.
+/// The frequencies of the same modes on every mesh, and how many modes the mesh next to their own
+/// has below `below`: the coarser neighbour if there is one.
 fn solve_ladder(
     tower: &Tower,
-    ladder: &Ladder,
+    ladder: &Ladder<Mesh>,
     options: &Options,
     modes: &[Mode],
     below: f64,
     workspace: &mut Workspace,
-) -> Result<(Vec<Level>, usize), SolveError> {
+) -> Result<(Levels, usize), SolveError> {
     let Workspace { model, spectrum } = workspace;
     let origin = model.origin;
     let keys: Vec<ModeKey> = modes.iter().map(|mode| mode.key).collect();
-    let mut levels = Vec::with_capacity(ladder.meshes.len());
-    let mut elsewhere = 0;
-    let mut others = 0;
-    for (index, mesh) in ladder.meshes.iter().enumerate() {
-        if index == ladder.own {
-            levels.push(modes.iter().map(|mode| Some(mode.frequency_hz)).collect());
-            continue;
-        }
-        let cut = Cut {
-            mesh: mesh.clone(),
-            degree: 0,
-        };
+    let own_hz: Vec<f64> = modes.iter().map(|mode| mode.frequency_hz).collect();
+    let (mut elsewhere, mut others) = (0, 0);
+    let levels = ladder.solve(&own_hz, |index, mesh| {
         others += 1;
-        model.watch.enter(Stage::Errors {
+        model.monitor.enter(Stage::Errors {
             mesh: others,
             meshes: ladder.meshes.len() - 1,
             segments: mesh.segments(),
         });
+        let cut = Cut {
+            mesh: mesh.clone(),
+            degree: 0,
+        };
         model.assemble(tower, &cut, options);
         find_origin_again(tower, model, origin)?;
-        levels.push(frequencies(&keys, model, spectrum)?);
-        if index.abs_diff(ladder.own) == 1 {
+        let level = frequencies(&keys, model, spectrum)?;
+        if ladder.own.is_some_and(|own| index.abs_diff(own) == 1) {
             elsewhere = count_below(model, below);
         }
-    }
+        Ok(level)
+    })?;
     Ok((levels, elsewhere))
 }
 
-/// The powers of 1/n in the errors of each part's modes: those of bending, or of torsion and axial
-/// motion, or the more there are.
-fn part_powers(tower: &Tower, options: &Options, model: &Model) -> Vec<&'static [i32]> {
+/// The powers of 1/n in the errors of the modes of each subsystem: those of bending, or of torsion
+/// and axial motion, whichever are more.
+fn powers(tower: &Tower, options: &Options, model: &Model) -> Vec<&'static [i32]> {
     let method = options.method;
     let powers_of = |motion: Motion| match motion {
         Motion::Bending(_) => method.bending_powers(tower.shears()),
         Motion::Torsion | Motion::Axial => method.axial_powers(),
     };
-    (0..model.parts())
-        .map(|part| {
-            let powers = model.motions(part).iter().map(powers_of);
+    (0..model.count())
+        .map(|index| {
+            let powers = model.motions(index).iter().map(powers_of);
             powers.max_by_key(|powers| powers.len()).unwrap_or_default()
         })
         .collect()
 }
 
 /// Whether a mesh is fine enough to have every mode of the list: every element has at least two
-/// joint coordinates a segment in a bending plane, one in torsion and one axially.
+/// joint coordinates per segment in a bending plane, one in torsion and one axially.
 fn has_all(mesh: &Mesh, modes: &[Mode], model: &Model) -> bool {
     let coordinates = |motion: Motion| 1 + usize::from(motion.bends());
     modes.iter().all(|mode| {
-        let motions = model.motions(mode.key.part).iter();
+        let motions = model.motions(mode.key.subsystem).iter();
         mode.key.order <= motions.map(coordinates).sum::<usize>() * mesh.segments()
     })
-}
-
-/// The frequencies of modes on the mesh that the model is of.
-pub(super) fn frequencies(
-    keys: &[ModeKey],
-    model: &mut Model,
-    spectrum: &mut Spectrum,
-) -> Result<Level, SolveError> {
-    let mut is_stable = vec![true; model.parts()];
-    for (part, is_stable) in is_stable.iter_mut().enumerate() {
-        let own = keys.iter().filter(|key| key.part == part);
-        let Some(wanted) = own.map(|key| key.order).max() else {
-            continue;
-        };
-        match spectrum.solve_part(model, part, wanted) {
-            Err(EigenError::Unstable { .. }) => *is_stable = false,
-            // Near buckling another mesh can be beyond the origin, or its lowest modes below the
-            // rounding of the others.
-            Err(_) if model.origin < 0.0 => *is_stable = false,
-            result => result?,
-        }
-    }
-    let frequency = |key: &ModeKey| {
-        let eigenvalue = || spectrum.eigenvalue(model, *key);
-        is_stable[key.part].then(|| eigenvalue().frequency_hz())
-    };
-    Ok(keys.iter().map(frequency).collect())
 }

@@ -1,37 +1,31 @@
-//! A tower as eigenvalue problems of independent parts, whatever the method.
+//! A tower or a blade as uncoupled subsystems, whatever the method.
 
+use super::cut::Cut;
 use super::options::Options;
-use super::watch::Watch;
-use crate::beam::{BeamRecipe, BeamWorkspace, Beams, assemble_beams};
+use super::progress::Monitor;
+use crate::beam::{BeamRecipe, BeamWorkspace, Beams, assemble_beams, assemble_blade};
+use crate::blade::Blade;
 use crate::chain::Chains;
-use crate::eigen::Pencil;
-use crate::elements::{Mesh, assemble};
-use crate::modes::{BeamCurves, ByMotion, ChainCurves, SegmentCurves};
-use crate::parts::{
-    Balance, Combination, Kind, Part, Parts, Problem, Structure, embedded, on_components,
-};
+use crate::elements::{Mesh, assemble_chains};
+use crate::modes::ByMotion;
+use crate::subsystem::{Coefficients, Eigenproblem, Resultant, Subsystem, SubsystemPencil};
 use crate::tower::{Motions, Tower};
 
-/// Where a tower is cut, and how finely each part is represented.
-#[derive(Debug, Clone, PartialEq)]
-pub(super) struct Cut {
-    pub(super) mesh: Mesh,
-    /// Polynomial degree of the spectral beam; the other methods have their own.
-    pub(super) degree: usize,
-}
-
-/// The eigenvalue problems of a tower, with the memory to work on them.
+/// The subsystems of a tower or a blade, with the memory to work on them.
+///
+/// They are chains or beams, whichever was assembled last: one of the two lists is empty.
 #[derive(Default)]
 pub(super) struct Model {
-    is_chain: bool,
-    chains: Parts<Chains>,
-    beams: Parts<Beams>,
-    assembly: BeamWorkspace,
+    chains: Chains,
+    beams: Beams,
+    beam_memory: BeamWorkspace,
+    /// Height of the base, or radius of the blade's root, m.
+    base_m: f64,
     /// Where the spectrum begins, rad²/s²: 0, or below where nothing holds a floating tower in some
     /// direction.
     pub(super) origin: f64,
-    /// Who is told what is done with it.
-    pub(super) watch: Watch,
+    /// The progress observer.
+    pub(super) monitor: Monitor,
 }
 
 impl std::fmt::Debug for Model {
@@ -40,157 +34,134 @@ impl std::fmt::Debug for Model {
     }
 }
 
-/// Runs the same code on the parts, whatever they are made of.
-macro_rules! on_parts {
-    ($model:expr, $parts:ident => $act:expr) => {
-        if $model.is_chain {
-            let $parts = &$model.chains;
-            $act
-        } else {
-            let $parts = &$model.beams;
-            $act
-        }
-    };
-}
-
-/// The forces and the energy of a motion.
+/// The forces and the energy of a mode.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Resultants {
-    /// Products of the inertia forces with rigid motions (x, y, z, rotation about x, y, z) about
-    /// the base.
+pub(super) struct ModalForces {
+    /// Products of the inertia forces with rigid-body motions (x, y, z, rotation about x, y, z)
+    /// about the base.
     pub(super) force: [f64; 6],
     /// Kinetic energy, times 2/ω².
     pub(super) kinetic: ByMotion,
-    /// Strain energy, times 2; none for a part of one motion, which has all of it.
+    /// Strain energy, times 2; none for a subsystem of one motion, which has all of it.
     pub(super) strain: Option<ByMotion>,
 }
 
 impl Model {
-    /// Makes the problems of a tower cut as told.
+    /// Assembles a tower on a mesh.
     pub(super) fn assemble(&mut self, tower: &Tower, cut: &Cut, options: &Options) {
-        match options.method.element() {
-            Some(element) => {
-                self.is_chain = true;
-                self.origin = 0.0;
-                assemble(tower, &cut.mesh, &options.recipe(element), &mut self.chains);
-            }
-            None => self.assemble_beams(tower, &cut.mesh, options.beam_recipe(cut.degree)),
+        let Some(element) = options.method.element() else {
+            return self.assemble_beams(tower, &cut.mesh, options.beam_recipe(cut.degree));
+        };
+        self.restart(tower.base_m());
+        let recipe = options.recipe(element);
+        assemble_chains(tower, &cut.mesh, &recipe, &mut self.chains);
+    }
+
+    /// Assembles a tower as beams.
+    pub(super) fn assemble_beams(&mut self, tower: &Tower, mesh: &Mesh, recipe: BeamRecipe) {
+        self.restart(tower.base_m());
+        let Self {
+            beam_memory, beams, ..
+        } = self;
+        assemble_beams(tower, mesh, recipe, beam_memory, beams);
+    }
+
+    /// Assembles a rotating blade with elements between these fractions of its span.
+    pub(super) fn assemble_blade(&mut self, blade: &Blade, borders: &[f64]) {
+        self.restart(blade.description().hub_radius_m);
+        assemble_blade(blade, borders, &mut self.beams);
+    }
+
+    fn restart(&mut self, base_m: f64) {
+        self.chains.release();
+        self.beams.release();
+        self.base_m = base_m;
+        self.origin = 0.0;
+    }
+
+    /// Number of subsystems; of two equal bending planes only one is there.
+    pub(super) fn count(&self) -> usize {
+        self.chains.members().len() + self.beams.members().len()
+    }
+
+    /// A subsystem; the first one has the bending in the fore-aft plane.
+    pub(super) fn subsystem(&self, index: usize) -> &dyn Subsystem {
+        let (chains, beams) = (self.chains.members(), self.beams.members());
+        match index.checked_sub(chains.len()) {
+            None => &*chains[index],
+            Some(index) => &*beams[index],
         }
     }
 
-    /// Makes the problems of a tower as beams.
-    pub(super) fn assemble_beams(&mut self, tower: &Tower, mesh: &Mesh, recipe: BeamRecipe) {
-        self.is_chain = false;
-        self.origin = 0.0;
-        let Self {
-            assembly, beams, ..
-        } = self;
-        assemble_beams(tower, mesh, recipe, assembly, beams);
+    /// The eigenvalue problem of a subsystem.
+    pub(super) fn pencil(&mut self, index: usize, problem: Eigenproblem) -> SubsystemPencil<'_> {
+        let subsystem = subsystem_mut(&mut self.chains, &mut self.beams, index);
+        SubsystemPencil::new(subsystem, problem).observed_by(self.monitor.observer())
     }
 
+    /// The free vibration of a subsystem, from the [origin](Self::origin) of the spectrum.
+    pub(super) fn vibration(&mut self, index: usize) -> SubsystemPencil<'_> {
+        let origin = self.origin;
+        self.pencil(index, Eigenproblem::Vibration { origin })
+    }
+
+    /// How many times the modes of a subsystem are in the spectrum.
+    pub(super) fn multiplicity(&self, index: usize) -> usize {
+        match self.chains.members().is_empty() {
+            true => self.beams.multiplicity(index),
+            false => self.chains.multiplicity(index),
+        }
+    }
+
+    /// The motions of a subsystem.
+    pub(super) fn motions(&self, index: usize) -> Motions {
+        self.subsystem(index).motions()
+    }
+
+    /// Unknowns of the whole, an equal plane counted twice.
     pub(super) fn degrees_of_freedom(&self) -> usize {
-        on_parts!(self, parts => parts.degrees_of_freedom())
+        (0..self.count())
+            .map(|index| self.multiplicity(index) * self.subsystem(index).degrees_of_freedom())
+            .sum()
     }
 
     /// Whether no number overflowed.
     pub(super) fn is_finite(&self) -> bool {
-        on_parts!(self, parts => parts.is_finite())
+        (0..self.count()).all(|index| self.subsystem(index).is_finite())
     }
 
-    /// Number of parts: those that are solved, an equal plane once.
-    pub(super) fn parts(&self) -> usize {
-        on_parts!(self, parts => parts.count())
-    }
-
-    /// How many times the modes of a part are there.
-    pub(super) fn multiplicity(&self, part: usize) -> usize {
-        on_parts!(self, parts => parts.multiplicity(part))
-    }
-
-    /// The motions of a part.
-    pub(super) fn motions(&self, part: usize) -> Motions {
-        on_parts!(self, parts => parts.part(part).motions())
-    }
-
-    /// Lets `act` work on the vibration problem of a part.
-    pub(super) fn with_pencil<R>(
+    /// The resultant and the energy of a matrix A and an eigenvector of a subsystem.
+    pub(super) fn resultant(
         &mut self,
-        part: usize,
-        act: impl FnOnce(&mut dyn Pencil) -> R,
-    ) -> R {
-        let origin = self.origin;
-        self.with_problem(part, Problem::Vibration { origin }, None, act)
-    }
-
-    /// Lets `act` work on any problem of a part, iterations beginning with a vector if one is
-    /// known.
-    pub(super) fn with_problem<R>(
-        &mut self,
-        part: usize,
-        problem: Problem,
-        first: Option<&[f64]>,
-        act: impl FnOnce(&mut dyn Pencil) -> R,
-    ) -> R {
-        let watch = &mut self.watch;
-        let watched = |pencil: &mut dyn Pencil| watch.over(pencil, act);
-        if self.is_chain {
-            let part = self.chains.part_mut(part);
-            part.with_pencil_beginning(problem, first, watched)
-        } else {
-            let part = self.beams.part_mut(part);
-            part.with_pencil_beginning(problem, first, watched)
-        }
-    }
-
-    /// An eigenvector of a part as curves over the segments.
-    pub(super) fn curves<'a>(
-        &self,
-        tower: &'a Tower,
-        mesh: &'a Mesh,
-        part: usize,
+        index: usize,
+        a: &Coefficients,
         vector: &[f64],
-    ) -> Box<dyn SegmentCurves + 'a> {
-        if self.is_chain {
-            Box::new(ChainCurves::new(
-                tower,
-                mesh,
-                self.chains.part(part),
-                vector,
-            ))
-        } else {
-            Box::new(BeamCurves::new(self.beams.part(part), vector))
-        }
+    ) -> Resultant {
+        let base_m = self.base_m;
+        subsystem_mut(&mut self.chains, &mut self.beams, index).resultant(a, vector, base_m)
     }
 
-    /// The forces and the energy of an eigenvector of a part.
-    pub(super) fn resultants(&mut self, tower: &Tower, part: usize, vector: &[f64]) -> Resultants {
-        let base_m = tower.base_m();
-        if self.is_chain {
-            resultants(self.chains.part_mut(part), vector, base_m)
-        } else {
-            resultants(self.beams.part_mut(part), vector, base_m)
+    /// The forces and the energy of an eigenvector of a subsystem.
+    pub(super) fn modal_forces(&mut self, index: usize, vector: &[f64]) -> ModalForces {
+        let Resultant { force, energy } = self.resultant(index, &Coefficients::MASS, vector);
+        // A single motion has all the energy, however large it is.
+        let is_single = self.motions(index).iter().nth(1).is_none();
+        let strain = (!is_single).then(|| self.resultant(index, &Coefficients::STIFFNESS, vector));
+        ModalForces {
+            force,
+            kinetic: ByMotion::sums(energy),
+            strain: strain.map(|strain| ByMotion::sums(strain.energy)),
         }
     }
 }
 
-fn resultants<K: Kind>(part: &mut Part<K>, vector: &[f64], base_m: f64) -> Resultants {
-    let is_single = part.motions().iter().nth(1).is_none();
-    on_components!(part, member, components => {
-        let (structure, work) = (&member.structure, &mut member.work);
-        let mut balance = |combination| structure.balance(&combination, work, vector, base_m);
-        let Balance { force, energy } = balance(Combination::MASS);
-        // Where there is but one motion all energy is its own, whatever its size.
-        let strain = if is_single {
-            None
-        } else {
-            Some(balance(Combination::STIFFNESS).energy)
-        };
-        // Energies have no sign of a direction.
-        let unsigned = components.map(|(i, _)| (i, 1.0));
-        Resultants {
-            force: embedded(&force, &components),
-            kinetic: ByMotion::sums(embedded(&energy, &unsigned)),
-            strain: strain.map(|energy| ByMotion::sums(embedded(&energy, &unsigned))),
-        }
-    })
+fn subsystem_mut<'a>(
+    chains: &'a mut Chains,
+    beams: &'a mut Beams,
+    index: usize,
+) -> &'a mut dyn Subsystem {
+    match index.checked_sub(chains.members().len()) {
+        None => &mut *chains.members_mut()[index],
+        Some(index) => &mut *beams.members_mut()[index],
+    }
 }

@@ -1,14 +1,14 @@
-//! What each mode is: its family and order, where its energy is, which mass moves with it.
+//! The identity of each mode: family, order, distribution of energy, effective mass.
 
 use std::collections::HashMap;
 
-use super::model::{Model, Resultants};
+use super::model::{ModalForces, Model};
 use super::spectrum::{Found, Spectrum};
-use crate::modes::{ByMotion, Energy, Family, RigidBody, rigid_names};
+use crate::modes::{ByMotion, Energy, Family, RigidTower, rigid_names};
 use crate::space::SpatialMatrix;
 use crate::tower::Tower;
 
-/// What a mode is.
+/// The identity of a mode.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Identity {
     pub(super) family: Family,
@@ -28,26 +28,26 @@ pub(super) fn identify(
     inertia: &SpatialMatrix,
 ) -> Vec<Identity> {
     let origin = model.origin;
-    let mut resultants: Vec<Resultants> = Vec::with_capacity(found.len());
+    let mut forces: Vec<ModalForces> = Vec::with_capacity(found.len());
     for (index, mode) in found.iter().enumerate() {
         // Of a repeated pair the second has what the first has.
-        let known = match resultants.last() {
+        let known = match forces.last() {
             Some(last) if mode.key.is_turned && found[index - 1].key.is_twin(mode.key) => *last,
-            _ => model.resultants(tower, mode.key.part, spectrum.vector(mode.key)),
+            _ => model.modal_forces(mode.key.subsystem, spectrum.vector(mode.key)),
         };
-        resultants.push(known);
+        forces.push(known);
     }
     let rigid = if tower.base().floats {
-        names_afloat(found, &resultants, origin, inertia)
+        names_afloat(found, &forces, origin, inertia)
     } else {
         vec![None; found.len()]
     };
     let mut orders: HashMap<Family, usize> = HashMap::new();
     let mut identities = Vec::with_capacity(found.len());
-    for ((found, resultants), rigid) in found.iter().zip(&resultants).zip(rigid) {
+    for ((found, forces), rigid) in found.iter().zip(&forces).zip(rigid) {
         // What nothing resists has no strain energy but rounding.
-        let kinetic = resultants.kinetic.shares();
-        let strain = match resultants.strain {
+        let kinetic = forces.kinetic.shares();
+        let strain = match forces.strain {
             _ if found.eigenvalue.is_zero() => ByMotion::default(),
             None => kinetic,
             Some(strain) => strain.shares(),
@@ -59,7 +59,7 @@ pub(super) fn identify(
             family: rigid.unwrap_or_else(|| family(model, found, &energy)),
             order: 0,
             energy,
-            effective_mass: resultants.force.map(|force| force * force * from_origin),
+            effective_mass: forces.force.map(|force| force * force * from_origin),
         };
         let mut identity = if found.key.is_turned {
             identity.turned_to_side_side()
@@ -74,10 +74,10 @@ pub(super) fn identify(
     identities
 }
 
-/// The family of a mode of an elastic tower: that of the only motion of its part, or of the one
+/// The family of a mode of an elastic tower: that of the only motion of its subsystem, or of the one
 /// with most of its energy.
 fn family(model: &Model, found: &Found, energy: &Energy) -> Family {
-    let mut motions = model.motions(found.key.part).iter();
+    let mut motions = model.motions(found.key.subsystem).iter();
     match (motions.next(), motions.next()) {
         (Some(only), None) => Family::of(only),
         _ => energy.main_motion().map_or(Family::Coupled, Family::of),
@@ -88,17 +88,17 @@ fn family(model: &Model, found: &Found, energy: &Energy) -> Family {
 /// equal planes as in the first.
 fn names_afloat(
     found: &[Found],
-    resultants: &[Resultants],
+    forces: &[ModalForces],
     origin: f64,
     inertia: &SpatialMatrix,
 ) -> Vec<Option<Family>> {
     let own: Vec<usize> = (0..found.len())
         .filter(|&i| !found[i].key.is_turned)
         .collect();
-    let body = RigidBody::new(inertia);
+    let body = RigidTower::new(inertia);
     let shares = own.iter().map(|&i| {
         let scale = (found[i].eigenvalue.lambda - origin).sqrt();
-        body.shares(&resultants[i].force.map(|force| force * scale))
+        body.shares(&forces[i].force.map(|force| force * scale))
     });
     let mut names = vec![None; found.len()];
     for (&i, name) in own.iter().zip(rigid_names(shares)) {

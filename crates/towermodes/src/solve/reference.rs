@@ -1,15 +1,18 @@
 //! The beam itself as a reference: the spectral beam of a method's own physics, where meshes do not
 //! say how large its errors are.
 
-use super::Stage;
 use super::cost::Cost;
-use super::degree::{CONVERGED, can_be_finer, finer, first_cut};
-use super::estimate::{Level, frequencies};
-use super::model::{Cut, Model};
-use super::options::{Options, SolveError};
+use super::cut::Cut;
+use super::error::SolveError;
+use super::model::Model;
+use super::options::Options;
+use super::progress::Stage;
+use super::spectral_cut::{CONVERGED, can_be_finer, finer, first_cut};
 use super::spectrum::ModeKey;
 use super::stability::{buckling_load_factor, find_origin_again};
-use super::{Method, Workspace};
+use super::tracking::{Level, frequencies};
+use super::workspace::Workspace;
+use crate::Method;
 use crate::beam::BeamRecipe;
 use crate::tower::Tower;
 
@@ -106,7 +109,7 @@ fn assemble(
     model: &mut Model,
 ) -> Result<(), SolveError> {
     check_cost(tower, cut, options)?;
-    model.watch.enter(Stage::Reference {
+    model.monitor.enter(Stage::Reference {
         elements: cut.mesh.segments(),
         degree: cut.degree,
     });
@@ -121,7 +124,7 @@ fn assemble(
 
 /// The factor by which all weights must be multiplied for the beam itself to buckle; none if it
 /// cannot be found. The model of the workspace is that of the beam afterwards.
-pub(super) fn load_factor_of_the_beam(
+fn load_factor_of_the_beam(
     tower: &Tower,
     options: &Options,
     workspace: &mut Workspace,
@@ -133,6 +136,29 @@ pub(super) fn load_factor_of_the_beam(
         Ok(load_factor) => load_factor,
         Err(SolveError::Buckles { load_factor }) => Some(load_factor),
         Err(_) => None,
+    }
+}
+
+/// What is wrong with a tower that buckles when it is cut into segments: the tower, or that these
+/// are too few.
+pub(super) fn buckles(
+    tower: &Tower,
+    cut: &Cut,
+    options: &Options,
+    load_factor: f64,
+    workspace: &mut Workspace,
+) -> SolveError {
+    let segments = cut.mesh.segments();
+    match load_factor_of_the_beam(tower, options, workspace) {
+        Some(of_the_beam) if of_the_beam > 1.0 => SolveError::BucklesOnSegments {
+            segments,
+            load_factor,
+            of_the_beam,
+        },
+        Some(of_the_beam) => SolveError::Buckles {
+            load_factor: of_the_beam,
+        },
+        None => SolveError::Buckles { load_factor },
     }
 }
 

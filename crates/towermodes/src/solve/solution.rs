@@ -1,7 +1,7 @@
 //! What a solve gives.
 
 use super::naming::Identity;
-use super::spectrum::{Found, ModeKey};
+use super::spectrum::{Found, ModeKey, Proof};
 use crate::Method;
 use crate::Warning;
 use crate::eigen::Statistics;
@@ -102,7 +102,7 @@ impl Mode {
     }
 
     /// Whether it is the same mode as one of another solution of the tower, on another mesh or by
-    /// another method: of the same part of the tower and of the same order in it, whatever its
+    /// another method: of the same subsystem of the tower and of the same order in it, whatever its
     /// frequency and family are there.
     pub fn is_same_as(&self, other: &Self) -> bool {
         self.key == other.key
@@ -182,6 +182,16 @@ pub struct Certificate {
     pub count: usize,
     /// A frequency in the gap above the last mode, Hz.
     pub below_hz: f64,
+}
+
+impl Certificate {
+    pub(super) fn of(proof: &Proof) -> Self {
+        Self {
+            complete: true,
+            count: proof.count,
+            below_hz: proof.below.max(0.0).sqrt() / std::f64::consts::TAU,
+        }
+    }
 }
 
 /// The lowest modes of a tower, with their errors and the proof that they are all.

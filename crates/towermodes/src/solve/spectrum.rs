@@ -1,9 +1,10 @@
-//! The lowest modes of all parts together, and the proof that none is missing.
+//! The lowest modes of all subsystems together, and the proof that none is missing.
 
 use super::alignment::align;
 use super::model::Model;
-use crate::eigen::{EigenError, EigenWorkspace, Eigenvalue, Statistics, Verdict, lowest, verify};
-use crate::tower::Tower;
+use crate::eigen::{
+    CountCheck, EigenError, EigenWorkspace, Eigenvalue, Pencil, Statistics, lowest, verify,
+};
 
 /// Relative distances above the last mode at which completeness is certified, widest first.
 const MARGINS: [f64; 7] = [0.1, 0.03, 0.01, 1e-3, 1e-4, 1e-6, REPEATED];
@@ -11,10 +12,10 @@ const MARGINS: [f64; 7] = [0.1, 0.03, 0.01, 1e-3, 1e-4, 1e-6, REPEATED];
 /// cross as near as that.
 const REPEATED: f64 = 1e-9;
 
-/// Eigenvalues and eigenvectors of all parts.
+/// Eigenvalues and eigenvectors of all subsystems.
 #[derive(Debug, Default)]
 pub(super) struct Spectrum {
-    parts: Vec<EigenWorkspace>,
+    of_subsystems: Vec<EigenWorkspace>,
     pub(super) statistics: Statistics,
 }
 
@@ -23,7 +24,7 @@ pub(super) struct Spectrum {
 pub struct ModeKey {
     /// The subsystem (uncoupled group of motions) that the mode belongs to, from 0. Where both
     /// bending planes are equal, subsystem 0 is bending in either.
-    pub part: usize,
+    pub subsystem: usize,
     /// Order within the subsystem, from 1.
     pub order: usize,
     /// Whether it is the side-side copy of a fore-aft mode, of a tower whose planes are equal.
@@ -33,7 +34,7 @@ pub struct ModeKey {
 impl ModeKey {
     /// Whether both modes differ by the bending plane at most.
     pub(super) fn is_twin(self, other: Self) -> bool {
-        (self.part, self.order) == (other.part, other.order)
+        (self.subsystem, self.order) == (other.subsystem, other.order)
     }
 }
 
@@ -54,75 +55,84 @@ pub(super) struct Proof {
 impl Spectrum {
     /// The eigenvector of a mode of the last solve.
     pub(super) fn vector(&self, key: ModeKey) -> &[f64] {
-        self.parts[key.part].vector(key.order - 1)
+        self.of_subsystems[key.subsystem].vector(key.order - 1)
     }
 
-    /// The lowest eigenvector of a part in the last solve, if any was found.
-    pub(super) fn first_of(&self, part: usize) -> Option<&[f64]> {
-        let workspace = &self.parts[part];
+    /// The lowest eigenvector of a subsystem in the last solve, if any was found.
+    pub(super) fn first_of(&self, subsystem: usize) -> Option<&[f64]> {
+        let workspace = &self.of_subsystems[subsystem];
         (!workspace.eigenvalues().is_empty()).then(|| workspace.vector(0))
     }
 
-    /// The eigenvalue of a mode of the last solve of its part.
+    /// The eigenvalue of a mode of the last solve of its subsystem.
     pub(super) fn eigenvalue(&self, model: &Model, key: ModeKey) -> Eigenvalue {
-        self.parts[key.part].eigenvalues()[key.order - 1].shifted(model.origin)
+        self.of_subsystems[key.subsystem].eigenvalues()[key.order - 1].shifted(model.origin)
     }
 
-    /// Solves the problem of one part for its `wanted` lowest modes.
-    pub(super) fn solve_part(
+    /// Solves one subsystem for its `wanted` lowest modes.
+    pub(super) fn solve_subsystem(
         &mut self,
         model: &mut Model,
-        part: usize,
+        subsystem: usize,
         wanted: usize,
     ) -> Result<(), EigenError> {
-        self.parts
-            .resize_with(model.parts().max(self.parts.len()), EigenWorkspace::default);
-        let workspace = &mut self.parts[part];
-        let statistics = model.with_pencil(part, |pencil| lowest(pencil, wanted, workspace))?;
-        self.statistics += statistics;
+        self.of_subsystems.resize_with(
+            model.count().max(self.of_subsystems.len()),
+            EigenWorkspace::default,
+        );
+        let workspace = &mut self.of_subsystems[subsystem];
+        self.statistics += lowest(&mut model.vibration(subsystem), wanted, workspace)?;
         Ok(())
     }
 
-    /// Solves for at least the `wanted` lowest modes of all parts together; returns all found,
+    /// Solves for at least the `wanted` lowest modes of all subsystems together; returns all
+    /// found,
     /// sorted.
     ///
-    /// The first part, which bends fore-aft and so is the softest, is solved first; its highest
-    /// mode bounds how many the others must give.
+    /// The first subsystem, which has the bending fore-aft and so is the softest, is solved first;
+    /// its highest mode bounds how many the others must give.
     pub(super) fn solve(
         &mut self,
-        tower: &Tower,
         model: &mut Model,
         wanted: usize,
     ) -> Result<Vec<Found>, EigenError> {
         self.statistics = Statistics::default();
-        let all_first = size(model, 0);
+        let all_first = model.subsystem(0).degrees_of_freedom();
         // Side-side bending is as soft, or nearly, and gives the other half.
-        let is_alone = model.parts() == 1;
+        let is_alone = model.count() == 1;
         let half = if is_alone { wanted } else { wanted.div_ceil(2) };
         let mut first = half.min(all_first);
         loop {
-            self.solve_part(model, 0, first)?;
-            let ceiling = self.parts[0].eigenvalues().last().map_or(0.0, |e| e.lambda);
-            let mut total = self.parts[0].eigenvalues().len() * model.multiplicity(0);
+            self.solve_subsystem(model, 0, first)?;
+            let ceiling = self.of_subsystems[0]
+                .eigenvalues()
+                .last()
+                .map_or(0.0, |e| e.lambda);
+            let mut total = self.of_subsystems[0].eigenvalues().len() * model.multiplicity(0);
             // Just above the ceiling, so that a mode equal to it counts.
             let above = ceiling * (1.0 + REPEATED);
-            let others: Vec<usize> = (1..model.parts())
-                .map(|part| count_part(model, part, above))
+            let others: Vec<usize> = (1..model.count())
+                .map(|index| count_of(model, index, above))
                 .collect();
             total += others.iter().sum::<usize>();
             if total < wanted && first < all_first {
                 first = (first + (wanted - total)).min(all_first);
                 continue;
             }
-            for (part, count) in (1..).zip(others) {
-                // With the first part exhausted there is no ceiling: anything may be among the
+            for (index, count) in (1..).zip(others) {
+                // With the first subsystem exhausted there is no ceiling: anything may be among the
                 // lowest.
-                let all = wanted.min(size(model, part));
+                let all = wanted.min(model.subsystem(index).degrees_of_freedom());
                 let count = if total < wanted { all } else { count };
-                self.solve_part(model, part, count)?;
+                self.solve_subsystem(model, index, count)?;
             }
-            for (part, workspace) in self.parts.iter_mut().take(model.parts()).enumerate() {
-                align(tower, model, part, REPEATED, workspace);
+            for (index, workspace) in self
+                .of_subsystems
+                .iter_mut()
+                .take(model.count())
+                .enumerate()
+            {
+                align(model, index, REPEATED, workspace);
             }
             return Ok(self.sorted(model));
         }
@@ -131,12 +141,15 @@ impl Spectrum {
     /// All modes found, by frequency; of a repeated pair the fore-aft mode first.
     fn sorted(&self, model: &Model) -> Vec<Found> {
         let mut found: Vec<Found> = Vec::new();
-        for (part, workspace) in self.parts.iter().take(model.parts()).enumerate() {
-            for is_turned in [false, true].into_iter().take(model.multiplicity(part)) {
+        for (subsystem, workspace) in self.of_subsystems.iter().take(model.count()).enumerate() {
+            for is_turned in [false, true]
+                .into_iter()
+                .take(model.multiplicity(subsystem))
+            {
                 let eigenvalues = workspace.eigenvalues().iter().enumerate();
                 found.extend(eigenvalues.map(|(index, eigenvalue)| Found {
                     key: ModeKey {
-                        part,
+                        subsystem,
                         order: index + 1,
                         is_turned,
                     },
@@ -144,7 +157,7 @@ impl Spectrum {
                 }));
             }
         }
-        // What nothing resists has no order but that of the parts.
+        // Motions that nothing resists are ordered by subsystem.
         let lambda = |found: &Found| match found.eigenvalue {
             eigenvalue if eigenvalue.is_zero() => 0.0,
             eigenvalue => eigenvalue.lambda,
@@ -153,7 +166,7 @@ impl Spectrum {
         found
     }
 
-    /// Counts the modes of all parts in the gap above `found[..listed]`.
+    /// Counts the modes of all subsystems in the gap above `found[..listed]`.
     ///
     /// A mode that repeats the last of the list lies below the gap too, and is counted.
     pub(super) fn prove(
@@ -171,11 +184,11 @@ impl Spectrum {
         let expected = listed + repeats.count();
         let count_below = |shift| count_below(model, shift + origin);
         match verify(lambda, expected, &MARGINS, count_below) {
-            Verdict::Complete { margin } => Ok(Proof {
+            CountCheck::Complete { margin } => Ok(Proof {
                 count: expected,
                 below: lambda * (1.0 + margin) + origin,
             }),
-            Verdict::Disagrees { count, shift } => Err(EigenError::Incomplete {
+            CountCheck::Disagrees { count, shift } => Err(EigenError::Incomplete {
                 found: listed,
                 counted: count,
                 below_hz: (shift + origin).max(0.0).sqrt() / std::f64::consts::TAU,
@@ -185,20 +198,16 @@ impl Spectrum {
     }
 }
 
-fn size(model: &mut Model, part: usize) -> usize {
-    model.with_pencil(part, |pencil| pencil.size())
+/// Number of modes of a subsystem below μ, counted from the beginning of the spectrum, rad²/s².
+fn count_of(model: &mut Model, subsystem: usize, shift: f64) -> usize {
+    model.vibration(subsystem).count_below(shift)
 }
 
-/// Number of modes of a part below μ, counted from the beginning of the spectrum, rad²/s².
-fn count_part(model: &mut Model, part: usize, shift: f64) -> usize {
-    model.with_pencil(part, |pencil| pencil.count_below(shift))
-}
-
-/// Number of modes of all parts below λ, rad²/s².
+/// Number of modes of all subsystems below λ, rad²/s².
 pub(super) fn count_below(model: &mut Model, lambda: f64) -> usize {
     let shift = lambda - model.origin;
-    (0..model.parts())
-        .map(|part| model.multiplicity(part) * count_part(model, part, shift))
+    (0..model.count())
+        .map(|index| model.multiplicity(index) * count_of(model, index, shift))
         .sum()
 }
 

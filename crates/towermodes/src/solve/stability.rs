@@ -1,17 +1,14 @@
-//! Whether a tower stands: buckling of one that is held, stability of one that floats.
+//! Stability: buckling of a tower on a foundation, rigid-body stability of a floating one.
 
-use super::Workspace;
-use super::model::{Cut, Model};
-use super::options::{Options, SolveError};
-use super::reference::load_factor_of_the_beam;
-use super::spectrum::Spectrum;
-use crate::eigen::{EigenError, EigenWorkspace, Pencil, least, lowest};
-use crate::modes::{ByMotion, Energy, Family, RigidBody};
-use crate::parts::Problem;
+use super::error::SolveError;
+use super::model::Model;
+use super::spectrum::{Spectrum, count_below};
+use crate::eigen::{EigenError, EigenWorkspace, least, lowest};
+use crate::modes::{ByMotion, Energy, Family, RigidTower};
+use crate::subsystem::Eigenproblem;
 use crate::tower::{Motion, Tower};
 
-/// Frequencies of rigid motions, rad²/s², among which the softest that something resists is looked
-/// for.
+/// The range of λ, rad²/s², in which the softest rigid-body motion that something resists is sought.
 const SOFTEST: f64 = 1e-8;
 const STIFFEST: f64 = 1e12;
 /// A motion slower by this than the softest one that something resists is one that nothing resists.
@@ -27,12 +24,12 @@ pub(super) fn find_origin(tower: &Tower, model: &mut Model) -> Result<(), SolveE
     if !tower.base().floats {
         return Ok(());
     }
-    let at_rest = count(model, 0.0);
+    let at_rest = count_below(model, 0.0);
     if at_rest == 0 {
         return Ok(());
     }
     let softest = softest_resisted(model, at_rest);
-    if count(model, -UNRESISTED * softest) > 0 {
+    if count_below(model, -UNRESISTED * softest) > 0 {
         return Err(unstable(tower, model, softest)?);
     }
     // Near enough that the slow modes keep their digits, far enough that the tower's do.
@@ -40,45 +37,40 @@ pub(super) fn find_origin(tower: &Tower, model: &mut Model) -> Result<(), SolveE
     Ok(())
 }
 
-/// Number of modes of all parts below λ, rad²/s².
-fn count(model: &mut Model, lambda: f64) -> usize {
-    super::spectrum::count_below(model, lambda)
-}
-
 /// About the lowest λ, rad²/s², below which there are more modes than those without resistance:
 /// within a factor of 2.
 fn softest_resisted(model: &mut Model, without: usize) -> f64 {
     let mut lambda = SOFTEST;
-    while lambda < STIFFEST && count(model, lambda) <= without {
+    while lambda < STIFFEST && count_below(model, lambda) <= without {
         lambda *= 2.0;
     }
     lambda
 }
 
-/// Names the motion that grows fastest: one of the whole, or of the tower on its platform.
+/// Names the motion that grows fastest: a rigid-body motion, or one of the tower on its platform.
 fn unstable(tower: &Tower, model: &mut Model, scale: f64) -> Result<SolveError, EigenError> {
     let mut below = -scale;
-    while count(model, below) > 0 && below > -STIFFEST {
+    while count_below(model, below) > 0 && below > -STIFFEST {
         below *= 2.0;
     }
     model.origin = below;
     let mut workspace = EigenWorkspace::default();
     let mut worst: Option<(f64, usize, Vec<f64>)> = None;
-    for part in 0..model.parts() {
-        model.with_pencil(part, |pencil| lowest(pencil, 1, &mut workspace))?;
+    for index in 0..model.count() {
+        lowest(&mut model.vibration(index), 1, &mut workspace)?;
         let Some(lambda) = workspace.eigenvalues().first().map(|e| e.lambda) else {
             continue;
         };
         if worst.as_ref().is_none_or(|(least, ..)| lambda < *least) {
-            worst = Some((lambda, part, workspace.vector(0).to_vec()));
+            worst = Some((lambda, index, workspace.vector(0).to_vec()));
         }
     }
-    let (lambda, part, vector) = worst.ok_or(EigenError::NotFinite)?;
-    let resultants = model.resultants(tower, part, &vector);
-    let force = resultants.force.map(|force| force * lambda.sqrt());
-    let shares = RigidBody::new(&tower.rigid_inertia(true)).shares(&force);
+    let (lambda, index, vector) = worst.ok_or(EigenError::NotFinite)?;
+    let forces = model.modal_forces(index, &vector);
+    let force = forces.force.map(|force| force * lambda.sqrt());
+    let shares = RigidTower::new(&tower.rigid_inertia(true)).shares(&force);
     let of_the_tower = || {
-        let kinetic = resultants.kinetic.shares();
+        let kinetic = forces.kinetic.shares();
         let strain = ByMotion::default();
         let motion = Energy { kinetic, strain }.main_motion();
         motion.map_or(Family::Coupled, Family::of)
@@ -88,16 +80,16 @@ fn unstable(tower: &Tower, model: &mut Model, scale: f64) -> Result<SolveError, 
     Ok(SolveError::Unstable { motion })
 }
 
-/// A tower that bears less than this times its weights is on the verge of buckling: its lowest
-/// frequencies are below a tenth of those without weights.
+/// A tower with a smaller buckling load factor is on the verge of buckling: its lowest frequencies
+/// are below a tenth of those without gravity.
 pub(super) const VERGE: f64 = 1.01;
 
-/// Whether weights press a tower that is held.
-pub(super) fn is_pressed(tower: &Tower) -> bool {
+/// Whether self-weight can buckle a tower: it has gravity and does not float.
+pub(super) fn can_buckle(tower: &Tower) -> bool {
     tower.gravity_m_per_s2() != 0.0 && !tower.base().floats
 }
 
-/// Both planes buckle at much the same weights: so many modes may be near zero.
+/// Both planes buckle at nearly the same load: so many modes may be near zero.
 const NEAR_ZERO: usize = 4;
 
 /// Sets where the spectrum of a tower on the verge of buckling begins: so far below zero that the
@@ -121,31 +113,8 @@ pub(super) fn find_origin_again(
     Ok(())
 }
 
-/// What is wrong with a tower that buckles when it is cut into segments: the tower, or that these
-/// are too few.
-pub(super) fn buckles(
-    tower: &Tower,
-    cut: &Cut,
-    options: &Options,
-    load_factor: f64,
-    workspace: &mut Workspace,
-) -> SolveError {
-    let segments = cut.mesh.segments();
-    match load_factor_of_the_beam(tower, options, workspace) {
-        Some(of_the_beam) if of_the_beam > 1.0 => SolveError::BucklesOnSegments {
-            segments,
-            load_factor,
-            of_the_beam,
-        },
-        Some(of_the_beam) => SolveError::Buckles {
-            load_factor: of_the_beam,
-        },
-        None => SolveError::Buckles { load_factor },
-    }
-}
-
-/// The factor by which weights must be multiplied for the tower to buckle; none without gravity, or
-/// where it floats. The modes, if they are known, are near the shapes in which it buckles.
+/// The factor by which self-weight must be multiplied for the tower to buckle; none without
+/// gravity, or where it floats. The modes, if they are known, are near the buckling shapes.
 ///
 /// # Errors
 /// [`SolveError::Buckles`] if it does.
@@ -154,23 +123,23 @@ pub(super) fn buckling_load_factor(
     model: &mut Model,
     modes: Option<&Spectrum>,
 ) -> Result<Option<f64>, SolveError> {
-    if !is_pressed(tower) {
+    if !can_buckle(tower) {
         return Ok(None);
     }
     let mut lowest_factor = None;
     let mut workspace = EigenWorkspace::default();
-    for part in 0..model.parts() {
-        let bends = model.motions(part).iter().any(Motion::bends);
+    for index in 0..model.count() {
+        let bends = model.motions(index).iter().any(Motion::bends);
         if !bends {
             continue;
         }
-        let first = modes.and_then(|modes| modes.first_of(part));
-        let find = |pencil: &mut dyn Pencil| least(pencil, &mut workspace);
-        match model.with_problem(part, Problem::Buckling, first, find) {
+        let first = modes.and_then(|modes| modes.first_of(index));
+        let pencil = model.pencil(index, Eigenproblem::Buckling);
+        match least(&mut pencil.starting_from(first), &mut workspace) {
             Ok(factor) => {
                 lowest_factor = Some(lowest_factor.map_or(factor, |least: f64| least.min(factor)));
             }
-            // Weights too small beside the stiffness to count.
+            // Self-weight is negligible relative to the stiffness.
             Err(EigenError::NotFinite) => {}
             Err(error) => return Err(error.into()),
         }

@@ -1,6 +1,10 @@
 //! Solves with more and more modes until a condition holds.
 
-use super::{Options, Solution, SolveError, Workspace, solve_with};
+use super::error::SolveError;
+use super::options::Options;
+use super::solution::Solution;
+use super::tower::solve_with;
+use super::workspace::Workspace;
 use crate::tower::Tower;
 
 /// Solves for the modes asked for and then for twice as many, until `has_all` holds or the tower

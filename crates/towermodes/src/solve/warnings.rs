@@ -1,6 +1,6 @@
 //! What looks like a slip once the modes are known.
 
-use super::Described;
+use super::one_mesh::Described;
 use super::options::Options;
 use super::solution::{Certificate, Mode};
 use super::stability::VERGE;

@@ -2,7 +2,7 @@
 
 use super::attachment::spatial_inertia;
 use super::foundation::{FloatingPlatform, Foundation, FoundationSprings, ReferredMatrix};
-use crate::space::{SpatialMatrix, add_scaled, lower_matrix};
+use crate::space::{SpatialMatrix, add_scaled, transform_matrix};
 
 /// The base of a tower, for its motion (x, y, z, rotation about x, y, z).
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -83,7 +83,7 @@ impl Base {
         };
         let add = |sum: &mut SpatialMatrix, referred: &ReferredMatrix| {
             let mut matrix = symmetrized(&referred.matrix);
-            lower_matrix(&mut matrix, referred.height_m - base_m);
+            transform_matrix(&mut matrix, referred.height_m - base_m);
             add_scaled(sum, 1.0, &matrix);
         };
         add(&mut base.inertia, &platform.added_mass);

@@ -49,7 +49,7 @@ pub use integrals::{
 pub use material::Material;
 pub use model::Tower;
 pub use name::{is_printable, printable};
-pub use on_axis::{Line, OnAxis};
+pub use on_axis::OnAxis;
 pub use part_names::PartNames;
 pub use piece::{Piece, Profile};
 pub use planes::{Plane, Planes};

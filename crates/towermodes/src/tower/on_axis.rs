@@ -1,6 +1,6 @@
 //! Matrices of a piece of tower, which lies on the axis: inertia, soil, weight.
 
-use super::independent::{Component, Motion};
+use super::independent::Motion;
 use super::planes::{Plane, Planes};
 use crate::space::{Matrix, SpatialMatrix};
 
@@ -18,30 +18,15 @@ pub struct OnAxis {
 }
 
 impl OnAxis {
-    /// What a bending plane sees.
+    /// The matrix of a bending plane for (w, θ).
     #[inline]
-    pub fn plane(&self, plane: Plane) -> Matrix<2> {
+    fn plane(&self, plane: Plane) -> Matrix<2> {
         let [ww, wt, tt] = self.bending.of(plane);
         [[ww, wt], [wt, tt]]
     }
 
-    /// What torsion or axial motion sees.
+    /// The matrix for the motion (x, y, z, rotation about x, y, z).
     #[inline]
-    pub fn line(&self, line: Line) -> f64 {
-        match line {
-            Line::Torsion => self.torsion,
-            Line::Axial => self.axial,
-        }
-    }
-
-    /// What a bending plane and torsion or axial motion see together.
-    #[inline]
-    pub fn plane_and_line(&self, plane: Plane, line: Line) -> Matrix<3> {
-        let [ww, wt, tt] = self.bending.of(plane);
-        [[ww, wt, 0.0], [wt, tt, 0.0], [0.0, 0.0, self.line(line)]]
-    }
-
-    /// For the motion (x, y, z, rotation about x, y, z).
     pub fn spatial(&self) -> SpatialMatrix {
         let mut matrix = [[0.0; 6]; 6];
         for plane in [Plane::ForeAft, Plane::SideSide] {
@@ -55,28 +40,5 @@ impl OnAxis {
         matrix[5][5] = self.torsion;
         matrix[2][2] = self.axial;
         matrix
-    }
-}
-
-/// A motion with one component.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Line {
-    /// Twist about the axis.
-    Torsion,
-    /// Stretch along the axis.
-    Axial,
-}
-
-impl Line {
-    /// The motion that it is.
-    pub fn motion(self) -> Motion {
-        match self {
-            Self::Torsion => Motion::Torsion,
-            Self::Axial => Motion::Axial,
-        }
-    }
-
-    pub(crate) fn components(self) -> [Component; 1] {
-        [self.motion().components()[0]]
     }
 }

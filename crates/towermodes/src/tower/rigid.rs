@@ -2,7 +2,7 @@
 
 use super::integrals::{mass_integrals, soil_integrals};
 use super::model::Tower;
-use crate::space::{SpatialMatrix, add_scaled, lower_matrix};
+use crate::space::{SpatialMatrix, add_scaled, transform_matrix};
 
 impl Tower {
     /// What resists rigid motions (x, y, z, rotation about x, y, z) of the whole tower about its
@@ -64,6 +64,6 @@ impl Tower {
 
 fn add_referred(sum: &mut SpatialMatrix, matrix: &SpatialMatrix, rise_m: f64) {
     let mut matrix = *matrix;
-    lower_matrix(&mut matrix, rise_m);
+    transform_matrix(&mut matrix, rise_m);
     add_scaled(sum, 1.0, &matrix);
 }

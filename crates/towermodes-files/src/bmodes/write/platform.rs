@@ -1,7 +1,7 @@
 //! The block of what stands in the sea or on springs: the base's matrices, and the tables along the
 //! tower.
 
-use towermodes::space::{SpatialMatrix, add_scaled, lower_matrix};
+use towermodes::space::{SpatialMatrix, add_scaled, transform_matrix};
 use towermodes::tower::mass_integrals;
 use towermodes::{
     FloatingPlatform, Foundation, Inertia, ReferredMatrix, RigidBody, Tower, TowerDescription,
@@ -94,7 +94,7 @@ fn floating(
             height_m,
         } = *referred;
         if matrix != NONE && height_m != reference_m {
-            lower_matrix(&mut matrix, height_m - reference_m);
+            transform_matrix(&mut matrix, height_m - reference_m);
             moved.push(name);
         }
         matrix
@@ -219,7 +219,7 @@ fn add_what_is_at_the_base(
             matrix[i][i] = mass.mass_kg;
             matrix[3 + i][3..].copy_from_slice(&tensor[i]);
         }
-        lower_matrix(&mut matrix, rise_m);
+        transform_matrix(&mut matrix, rise_m);
         add_scaled(&mut block.hydro_mass, 1.0, &matrix);
     }
     for &index in &layout.wires_at_the_base {
@@ -228,7 +228,7 @@ fn add_what_is_at_the_base(
         matrix[0][0] = wires.horizontal_n_per_m();
         matrix[1][1] = wires.horizontal_n_per_m();
         matrix[2][2] = wires.vertical_n_per_m();
-        lower_matrix(&mut matrix, rise_m);
+        transform_matrix(&mut matrix, rise_m);
         add_scaled(&mut block.mooring, 1.0, &matrix);
     }
 }

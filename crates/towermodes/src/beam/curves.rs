@@ -1,10 +1,12 @@
 //! The curve of a mode of a beam: the polynomials of its elements themselves.
 
-use super::sampling::SegmentCurves;
-use crate::beam::{Beam, Beams, Legendre, Strain, motions};
-use crate::parts::{Part, embedded, on_components, plane_components};
-use crate::space::{Dim, Space, raise};
-use crate::tower::Component;
+use super::legendre::Legendre;
+use super::model::Beam;
+use super::product::motions;
+use super::strain::Strain;
+use crate::space::transform_motion;
+use crate::subsystem::{Coordinates, SegmentCurves};
+use crate::tower::Motion;
 
 /// Halvings that locate a turning point: 2⁻²⁶ of an interval, which changes the value there by
 /// 2⁻⁵².
@@ -12,7 +14,7 @@ const HALVINGS: usize = 26;
 
 /// The curves of one eigenvector of a beam.
 #[derive(Debug, Clone, Default)]
-pub struct BeamCurves {
+pub(super) struct BeamCurves {
     /// The motion of every element's base.
     bases: Vec<[f64; 6]>,
     lengths_m: Vec<f64>,
@@ -32,34 +34,22 @@ struct Rising {
 }
 
 impl BeamCurves {
-    /// Those of an eigenvector of a part of a tower.
-    pub fn new(part: &Part<Beams>, vector: &[f64]) -> Self {
-        on_components!(part, member, components => {
-            Self::of_beam(&member.structure, &components, vector)
-        })
-    }
-
-    pub(crate) fn of_beam<const D: usize>(
+    /// Those of an eigenvector of a beam.
+    pub(super) fn new<const D: usize>(
         beam: &Beam<D>,
-        components: &[Component; D],
+        coordinates: &Coordinates<D>,
         vector: &[f64],
-    ) -> Self
-    where
-        Dim<D>: Space,
-    {
+    ) -> Self {
         let mut bases = Vec::new();
         motions(beam, vector, &mut bases);
         let mut strains = vector[beam.base_coordinates()..].to_vec();
-        // A part that does not deform has none.
+        // A beam that does not deform has none.
         let own = strains.chunks_exact_mut(beam.coordinates().max(1));
         own.enumerate()
             .for_each(|(element, own)| beam.to_strains(element, own));
         let deformations = beam.deformations().iter();
         Self {
-            bases: bases
-                .iter()
-                .map(|base| embedded(base, components))
-                .collect(),
+            bases: bases.iter().map(|base| coordinates.expand(base)).collect(),
             lengths_m: (0..beam.elements()).map(|e| beam.length_m(e)).collect(),
             deformations: deformations.map(|d| (d.strain, d.count)).collect(),
             strains,
@@ -70,7 +60,7 @@ impl BeamCurves {
     fn at(&self, element: usize, s: f64) -> Rising {
         let (length_m, base) = (self.lengths_m[element], &self.bases[element]);
         let mut motion = *base;
-        raise(&mut motion, s * length_m);
+        transform_motion(&mut motion, s * length_m);
         let mut rising = Rising {
             motion,
             slope: [base[4], -base[3], 0.0, 0.0, 0.0, 0.0],
@@ -106,8 +96,8 @@ impl BeamCurves {
 }
 
 impl Rising {
-    /// Adds what a strain with these coefficients does up to s, on an element of this half length
-    /// (m).
+    /// Adds the motion by a strain with these coefficients up to s, on an element of this half
+    /// length (m).
     fn deform(&mut self, strain: Strain, coefficients: &[f64], s: f64, half: f64) {
         let [mut value, mut first, mut second] = [0.0; 3];
         for (c, term) in coefficients.iter().zip(Legendre::at(2.0 * s - 1.0)) {
@@ -117,13 +107,14 @@ impl Rising {
         }
         match strain {
             Strain::Curvature(plane) => {
-                let [(w, _), (theta, sign)] = plane_components(plane);
+                let components = Motion::Bending(plane).components();
+                let ((w, _), (theta, sign)) = (components[0], components[1]);
                 self.motion[w] += half * half * second;
                 self.motion[theta] += sign * half * first;
                 self.slope[w] += half * first;
             }
             Strain::Shear(plane) => {
-                let [(w, _), _] = plane_components(plane);
+                let (w, _) = Motion::Bending(plane).components()[0];
                 self.motion[w] += half * first;
                 self.slope[w] += value;
             }

@@ -1,30 +1,23 @@
-//! The spectral beam: the degree is raised until the modes stand still.
+//! p-refinement of the spectral method: the degree increases until the modes converge.
 
 use super::cost::{Cost, DEGREES};
-use super::model::Cut;
-use super::options::{MAX_SPECTRAL_ELEMENTS, Options, SolveError};
+use super::cut::Cut;
+use super::error::SolveError;
+use super::one_mesh::{describe, solve_cut};
+use super::options::Options;
 use super::solution::Solution;
+use super::spectral_cut::{CONVERGED, STEP, can_be_finer, finer, first_cut};
 use super::spectrum::Found;
 use super::warnings::warnings;
-use super::{Workspace, describe, solve_cut, within_limit};
+use super::workspace::Workspace;
 use crate::eigen::Statistics;
-use crate::elements::Mesh;
 use crate::tower::Tower;
 
-/// Frequencies that change by no more than this, relatively, from one degree to the next have
-/// converged.
-pub(super) const CONVERGED: f64 = 1e-10;
-/// How much the degree is raised at a time.
-const STEP: usize = 2;
-/// Above this degree elements are halved instead: their matrices are full.
-const HIGHEST_DEGREE: usize = 30;
 /// What is tried beside the first two cuts: so many times what these take, and so many seconds.
 /// Modes that do not stand still by then, as where a few numbers of a file are nine digits off, are
 /// given with the change that they still make.
 const PATIENCE: f64 = 3.0;
 const PATIENCE_S: f64 = 1.0;
-/// More modes an element than this are a matter of more elements, not of a higher degree.
-const MODES_AN_ELEMENT: usize = 20;
 
 /// A cut that is solved, with the change from a coarser or to a finer one, Hz a mode.
 struct Solved {
@@ -64,8 +57,7 @@ pub(super) fn solve(
         mode.discretization_error_hz = change_hz;
     }
     let warnings = warnings(tower, &cut.mesh, options, &result);
-    let (method, segments) = (options.method, cut.mesh.segments());
-    Ok(result.into_solution(method, segments, warnings, statistics))
+    Ok(result.into_solution(options, cut.mesh.segments(), warnings, statistics))
 }
 
 /// Solves with one degree, after the next one, which says how far it is off.
@@ -112,60 +104,6 @@ fn raise(
             });
         }
     }
-}
-
-/// One element a linear piece, more where it is steep, or as many as told, of a degree that may do.
-pub(super) fn first_cut(tower: &Tower, options: &Options) -> Result<Cut, SolveError> {
-    let borders = options.borders();
-    let mut mesh = match options.segments {
-        None => Mesh::coarsest(tower, borders),
-        Some(segments) => {
-            within_limit(segments, MAX_SPECTRAL_ELEMENTS)?;
-            Mesh::new(tower, borders, segments)
-        }
-    };
-    while options.modes / MODES_AN_ELEMENT > mesh.segments()
-        && 2 * mesh.segments() <= MAX_SPECTRAL_ELEMENTS
-    {
-        mesh = mesh.doubled();
-    }
-    within_limit(mesh.segments(), MAX_SPECTRAL_ELEMENTS)?;
-    Ok(Cut {
-        degree: first_degree(options.modes, mesh.segments()),
-        mesh,
-    })
-}
-
-/// A degree at which so many modes of so many elements are nearly there.
-fn first_degree(modes: usize, elements: usize) -> usize {
-    // Half of the modes are in each bending plane, and a half wave takes about a degree and a half;
-    // an element that sees a part of a half wave alone needs few.
-    if modes >= elements {
-        7 + modes.div_ceil(elements)
-    } else {
-        4 + (4 * modes).div_ceil(elements)
-    }
-}
-
-/// The next finer cut: a higher degree, or elements of half the length.
-pub(super) fn finer(cut: Cut, options: &Options) -> Cut {
-    if cut.degree + STEP <= HIGHEST_DEGREE {
-        return Cut {
-            degree: cut.degree + STEP,
-            ..cut
-        };
-    }
-    let mesh = cut.mesh.doubled();
-    Cut {
-        degree: first_degree(options.modes, mesh.segments()),
-        mesh,
-    }
-}
-
-pub(super) fn can_be_finer(cut: &Cut, options: &Options) -> bool {
-    let elements = cut.mesh.segments();
-    cut.degree + STEP <= HIGHEST_DEGREE
-        || 2 * elements <= MAX_SPECTRAL_ELEMENTS.min(64 * options.modes)
 }
 
 /// How far each mode is from what it is on another cut, Hz; all of its frequency if it is not

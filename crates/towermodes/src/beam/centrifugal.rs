@@ -1,4 +1,4 @@
-//! What rotation does to a rigid body at the tip of a blade.
+//! The centrifugal stiffness of a rigid body at the tip of a blade.
 
 use crate::space::SpatialMatrix;
 use crate::tower::RigidBody;
@@ -10,16 +10,21 @@ const IN_PLANE: [usize; 2] = [0, 2];
 
 const NONE: SpatialMatrix = [[0.0; 6]; 6];
 
-/// What rotation adds to the stiffness against motions of a body at the tip, whose pull on the
-/// blade is in the tension already.
+/// What rotation adds to the stiffness against motions of a body at the tip, `tip_m` (m) from the
+/// rotor's axis, at Ω² = `speed_squared` (rad²/s²): N/m, N, N m. The tension that the body causes
+/// in the blade is not included.
 ///
 /// The potential of the centrifugal forces is −½ Ω² ∫ |P r|² dm, with P r the part of r normal to
 /// the rotor's axis. A point of the body that is ρ from the tip moves to r₀ + u + R ρ, where R
 /// turns by the slopes first and by the twist about the deformed axis then: R = 1 + B + T + ½ B² +
 /// B T + ½ T² with B the cross product of the bending rotations and T that of the twist.
-pub(super) fn pull(tip: &RigidBody, tip_m: f64, speed_squared: f64) -> SpatialMatrix {
+pub(super) fn centrifugal_stiffness(
+    tip: &RigidBody,
+    tip_m: f64,
+    speed_squared: f64,
+) -> SpatialMatrix {
     let moment = tip.center_m.map(|c| tip.mass_kg * c);
-    let spread = spread(tip);
+    let second_moments = second_moments(tip);
     let mut matrix = NONE;
     for i in IN_PLANE {
         matrix[i][i] = -speed_squared * tip.mass_kg;
@@ -30,7 +35,7 @@ pub(super) fn pull(tip: &RigidBody, tip_m: f64, speed_squared: f64) -> SpatialMa
             set(&mut matrix, i, 3 + a, -speed_squared * moved);
         }
         for b in 0..3 {
-            let turned = turned(a, b, &spread);
+            let turned = turned(a, b, &second_moments);
             let outwards = dot(&second_order(a, b)[2], &moment);
             matrix[3 + a][3 + b] = -speed_squared * (turned + tip_m * outwards);
         }
@@ -39,11 +44,11 @@ pub(super) fn pull(tip: &RigidBody, tip_m: f64, speed_squared: f64) -> SpatialMa
 }
 
 /// ∫ |P W ρ|² + ρᵀ P N ρ dm for rotations a and b: what the body's own extent adds, kg m².
-fn turned(a: usize, b: usize, spread: &Tensor) -> f64 {
+fn turned(a: usize, b: usize, second_moments: &Tensor) -> f64 {
     let (first, then, second) = (generator(a), generator(b), second_order(a, b));
     let rows = IN_PLANE.into_iter().map(|i| {
-        let moved = spread.map(|row| dot(&row, &then[i]));
-        dot(&first[i], &moved) + dot(&second[i], &spread[i])
+        let moved = second_moments.map(|row| dot(&row, &then[i]));
+        dot(&first[i], &moved) + dot(&second[i], &second_moments[i])
     });
     rows.sum()
 }
@@ -53,7 +58,7 @@ fn dot(a: &[f64; 3], b: &[f64; 3]) -> f64 {
 }
 
 /// ∫ ρ ρᵀ dm of a body about the tip, kg m²: ½ tr(J) 1 − J.
-fn spread(body: &RigidBody) -> Tensor {
+fn second_moments(body: &RigidBody) -> Tensor {
     let about_tip = body.tensor_about([0.0; 3]);
     let half_trace = 0.5 * (about_tip[0][0] + about_tip[1][1] + about_tip[2][2]);
     std::array::from_fn(|i| {
@@ -152,7 +157,7 @@ mod tests {
     }
 
     #[test]
-    fn the_pull_is_the_curvature_of_the_centrifugal_potential() {
+    fn the_stiffness_is_the_curvature_of_the_centrifugal_potential() {
         let step = 1e-3;
         let at = |i: usize, j: usize, a: f64, b: f64| {
             let mut motion = [0.0; 6];
@@ -160,7 +165,7 @@ mod tests {
             motion[j] += b * step;
             potential(motion)
         };
-        let matrix = pull(&body(), TIP_M, SPEED_SQUARED);
+        let matrix = centrifugal_stiffness(&body(), TIP_M, SPEED_SQUARED);
         for (i, row) in matrix.iter().enumerate() {
             for (j, entry) in row.iter().enumerate() {
                 let corners = at(i, j, 1.0, 1.0) - at(i, j, 1.0, -1.0) - at(i, j, -1.0, 1.0)
@@ -175,9 +180,12 @@ mod tests {
     #[test]
     fn a_body_keeps_its_second_moments() {
         let expected = MASSES.map(|(mass, at)| mass * at[0] * at[2]);
-        let spread = spread(&body());
-        assert!((spread[0][2] - expected.iter().sum::<f64>()).abs() < 1e-14);
+        let second_moments = second_moments(&body());
+        assert!((second_moments[0][2] - expected.iter().sum::<f64>()).abs() < 1e-14);
         let none = RigidBody::massless(Inertia::default());
-        assert_eq!(pull(&none, TIP_M, SPEED_SQUARED)[4][4], 0.0);
+        assert_eq!(
+            centrifugal_stiffness(&none, TIP_M, SPEED_SQUARED)[4][4],
+            0.0
+        );
     }
 }

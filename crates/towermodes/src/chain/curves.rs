@@ -4,37 +4,36 @@
 //! segment borders are those of beam nodes. Between them the beam's own curve is drawn, not the
 //! rigid bodies' steps.
 
-use super::sampling::SegmentCurves;
-use super::shape::Cubic;
-use crate::chain::{Chain, Chains, motions};
-use crate::elements::Mesh;
-use crate::parts::{Part, embedded, on_components};
-use crate::space::{Dim, Space, raise};
-use crate::tower::{Motion, Motions, Plane, Tower, compliance};
+use super::cubic::Cubic;
+use super::model::Chain;
+use super::product::motions;
+use crate::space::transform_motion;
+use crate::subsystem::{Coordinates, SegmentCurves, ShearFraction};
+use crate::tower::{Motion, Motions};
 
 /// The curves of one eigenvector of a chain.
-pub struct ChainCurves<'a> {
-    tower: &'a Tower,
+pub(super) struct ChainCurves<'a> {
     borders_m: &'a [f64],
+    shear: &'a ShearFraction<'a>,
     /// The motion of every segment border.
     borders: Vec<[f64; 6]>,
     motions: Motions,
 }
 
 impl<'a> ChainCurves<'a> {
-    /// Those of an eigenvector of a part of a tower.
-    pub fn new(tower: &'a Tower, mesh: &'a Mesh, part: &Part<Chains>, vector: &[f64]) -> Self {
-        let mut borders = Vec::with_capacity(mesh.borders_m().len());
-        on_components!(part, member, components => {
-            border_motions(mesh, &member.structure, vector, |motion| {
-                borders.push(embedded(motion, &components));
-            });
-        });
+    /// Those of an eigenvector over segments with these borders, m.
+    pub(super) fn new<const D: usize>(
+        borders_m: &'a [f64],
+        shear: &'a ShearFraction<'a>,
+        chain: &Chain<D>,
+        coordinates: &Coordinates<D>,
+        vector: &[f64],
+    ) -> Self {
         Self {
-            tower,
-            borders_m: mesh.borders_m(),
-            borders,
-            motions: part.motions(),
+            borders_m,
+            shear,
+            borders: border_motions(borders_m, chain, coordinates, vector),
+            motions: coordinates.motions(),
         }
     }
 
@@ -46,12 +45,12 @@ impl<'a> ChainCurves<'a> {
         let length_m = top_m - base_m;
         match motion {
             Motion::Bending(plane) => {
-                let share = shear_share(self.tower, plane, base_m, top_m);
+                let shear = (self.shear)(plane, base_m, top_m);
                 let (below, above) = (
                     [own(below, 0), own(below, 1)],
                     [own(above, 0), own(above, 1)],
                 );
-                Cubic::beam(below, above, length_m, share)
+                Cubic::beam(below, above, length_m, shear)
             }
             Motion::Torsion | Motion::Axial => Cubic::line(own(below, 0), own(above, 0), length_m),
         }
@@ -78,39 +77,26 @@ impl SegmentCurves for ChainCurves<'_> {
     }
 }
 
-/// The share of a segment's sliding that is shear deformation.
-fn shear_share(tower: &Tower, plane: Plane, base_m: f64, top_m: f64) -> f64 {
-    if !tower.shears() {
-        return 0.0;
-    }
-    let piece = tower.piece_at(0.5 * (base_m + top_m));
-    let compliance = compliance(piece, base_m, top_m).bending.of(plane);
-    compliance.shear_m_per_n / (compliance.shear_m_per_n + compliance.deflection_m_per_n)
-}
-
-/// Tells `visit` the motion at every segment border: that of the body that reaches over it.
+/// The motion at every segment border: that of the body that reaches over it.
 fn border_motions<const D: usize>(
-    mesh: &Mesh,
+    borders_m: &[f64],
     chain: &Chain<D>,
+    coordinates: &Coordinates<D>,
     vector: &[f64],
-    mut visit: impl FnMut(&[f64; D]),
-) where
-    Dim<D>: Space,
-{
+) -> Vec<[f64; 6]> {
     let mut bodies = Vec::with_capacity(chain.joints());
     motions(chain, vector, &mut bodies);
     let mut body = 0;
-    for &border_m in mesh.borders_m() {
+    let motion_at = |&border_m: &f64| {
         while body < chain.joints() && chain.joint_height_m(body) <= border_m {
             body += 1;
         }
-        visit(&match body.checked_sub(1) {
-            None => [0.0; D],
-            Some(joint) => {
-                let mut motion = bodies[joint];
-                raise(&mut motion, border_m - chain.joint_height_m(joint));
-                motion
-            }
-        });
-    }
+        let Some(joint) = body.checked_sub(1) else {
+            return coordinates.expand(&[0.0; D]);
+        };
+        let mut motion = bodies[joint];
+        transform_motion(&mut motion, border_m - chain.joint_height_m(joint));
+        coordinates.expand(&motion)
+    };
+    borders_m.iter().map(motion_at).collect()
 }

@@ -1,0 +1,35 @@
+//! Refusals that towers and blades share.
+
+use super::error::SolveError;
+
+/// Refuses a list of no modes.
+pub(super) fn check_modes(modes: usize) -> Result<(), SolveError> {
+    match modes {
+        0 => Err(SolveError::NoModes),
+        _ => Ok(()),
+    }
+}
+
+/// Refuses no segments, or more than `most`.
+pub(super) fn check_segments(segments: usize, most: usize) -> Result<(), SolveError> {
+    match (1..=most).contains(&segments) {
+        true => Ok(()),
+        false => Err(SolveError::Segments { segments, most }),
+    }
+}
+
+/// Refuses more modes than a model of so many degrees of freedom has.
+pub(super) fn check_size(
+    modes: usize,
+    segments: usize,
+    available: usize,
+) -> Result<(), SolveError> {
+    match modes > available {
+        false => Ok(()),
+        true => Err(SolveError::TooManyModes {
+            modes,
+            segments,
+            available,
+        }),
+    }
+}

@@ -1,0 +1,83 @@
+//! The front door for towers.
+
+use super::cut::Cut;
+use super::error::SolveError;
+use super::estimate::estimate_errors;
+use super::one_mesh::{describe, solve_cut};
+use super::options::Options;
+use super::p_refinement;
+use super::solution::Solution;
+use super::warnings::{irregular, uncertain_end, warnings};
+use super::workspace::Workspace;
+use crate::Method;
+use crate::tower::Tower;
+
+/// Computes the lowest modes of a tower, with the proof that none is missing.
+///
+/// # Errors
+/// [`SolveError`]: impossible options, an unstable tower, or a computation that failed; never an
+/// incomplete list.
+///
+/// # Example
+/// The published element of Nikolić & Šalinić on 20 segments, compared with the exact value of a
+/// clamped prismatic beam, f₁ = 1.8751²/(2π) √(EI/(ρA L⁴)), to three digits:
+/// ```
+/// use towermodes::{Material, Method, Options, Station, Tower, TowerDescription, solve};
+///
+/// let tower = Tower::new(TowerDescription {
+///     materials: vec![Material::from_shear_modulus(7850.0, 2.1e11, 8.08e10)],
+///     stations: vec![Station::new(0.0, 4.0, 0.03), Station::new(90.0, 4.0, 0.03)],
+///     ..TowerDescription::default()
+/// })?;
+/// let options = Options {
+///     method: Method::Rmje,
+///     segments: Some(20),
+///     ..Options::default()
+/// };
+/// let solution = solve(&tower, &options)?;
+/// let first_hz = solution.modes[0].extrapolated_hz;
+/// assert!((first_hz - 0.5012).abs() < 1e-3, "{first_hz}");
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub fn solve(tower: &Tower, options: &Options) -> Result<Solution, SolveError> {
+    solve_with(tower, options, &mut Workspace::default())
+}
+
+/// [`solve`] in memory that was used before, for many solves.
+///
+/// # Errors
+/// As [`solve`].
+///
+/// # Example
+/// See [`Workspace`].
+pub fn solve_with(
+    tower: &Tower,
+    options: &Options,
+    workspace: &mut Workspace,
+) -> Result<Solution, SolveError> {
+    options.check()?;
+    workspace.model.monitor.restart();
+    match options.method {
+        Method::Spectral => p_refinement::solve(tower, options, workspace),
+        _ => solve_segments(tower, options, workspace),
+    }
+}
+
+/// With elements of a fixed kind: solved once, the errors estimated from meshes of half or twice as
+/// many segments.
+fn solve_segments(
+    tower: &Tower,
+    options: &Options,
+    workspace: &mut Workspace,
+) -> Result<Solution, SolveError> {
+    let cut = Cut::new(tower, options)?;
+    let found = solve_cut(tower, &cut, options, workspace)?;
+    let statistics = workspace.spectrum.statistics;
+    let mut result = describe(tower, &cut, options, &found, workspace)?;
+    let estimates = estimate_errors(tower, &cut, options, &mut result, workspace)?;
+    let mut warnings = warnings(tower, &cut.mesh, options, &result);
+    warnings.extend(irregular(&result.modes, &estimates.irregular));
+    let elsewhere = estimates.elsewhere;
+    warnings.extend(uncertain_end(&result.modes, &result.certificate, elsewhere));
+    Ok(result.into_solution(options, cut.mesh.segments(), warnings, statistics))
+}

@@ -1,0 +1,54 @@
+//! The memory of a solve.
+
+use super::model::Model;
+use super::progress::{Monitor, Progress};
+use super::spectrum::Spectrum;
+
+/// Memory that is reused from solve to solve.
+///
+/// # Example
+/// ```
+/// use towermodes::{Material, Options, Station, Tower, TowerDescription, Workspace, solve_with};
+///
+/// let mut workspace = Workspace::default();
+/// for (wall_m, expected_hz) in [(0.020, 0.8924), (0.030, 0.8910)] {
+///     let tower = Tower::new(TowerDescription {
+///         materials: vec![Material::from_shear_modulus(8500.0, 2.1e11, 8.08e10)],
+///         stations: vec![Station::new(0.0, 6.0, wall_m), Station::new(87.6, 3.87, wall_m)],
+///         ..TowerDescription::default()
+///     })?;
+///     let solution = solve_with(&tower, &Options::default(), &mut workspace)?;
+///     assert!((solution.modes[0].frequency_hz - expected_hz).abs() < 1e-4);
+/// }
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Debug, Default)]
+pub struct Workspace {
+    pub(super) model: Model,
+    pub(super) spectrum: Spectrum,
+}
+
+impl Workspace {
+    /// A workspace whose solves report their progress to an observer: each stage, and each product
+    /// with the mass matrix, which can be many per second or none for seconds. The results are the
+    /// same as without an observer.
+    ///
+    /// # Example
+    /// ```
+    /// use towermodes::{Material, Options, Station, Tower, TowerDescription, Workspace, solve_with};
+    ///
+    /// let tower = Tower::new(TowerDescription {
+    ///     materials: vec![Material::from_shear_modulus(8500.0, 2.1e11, 8.08e10)],
+    ///     stations: vec![Station::new(0.0, 6.0, 0.027), Station::new(87.6, 3.87, 0.019)],
+    ///     ..TowerDescription::default()
+    /// })?;
+    /// let mut workspace = Workspace::watched(|progress| assert!(progress.fraction < 1.0));
+    /// let solution = solve_with(&tower, &Options::default(), &mut workspace)?;
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn watched(observer: impl FnMut(Progress) + Send + Sync + 'static) -> Self {
+        let mut workspace = Self::default();
+        workspace.model.monitor = Monitor::new(Box::new(observer));
+        workspace
+    }
+}

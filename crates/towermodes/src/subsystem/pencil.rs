@@ -1,0 +1,149 @@
+//! A subsystem as an eigenvalue problem.
+
+use super::{Coefficients, Subsystem};
+use crate::eigen::Pencil;
+
+/// Of which two matrices the eigenvalues are sought.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Eigenproblem {
+    /// (K − σM) u = (λ − σ) M u for an origin σ.
+    Vibration {
+        /// σ, rad²/s².
+        origin: f64,
+    },
+    /// K u = μ (−G) u: the structure of stiffness K buckles at μ times its self-weight.
+    Buckling,
+}
+
+impl Eigenproblem {
+    fn stiffness(self) -> Coefficients {
+        match self {
+            Self::Vibration { origin } => Coefficients::STIFFNESS.minus(origin, Coefficients::MASS),
+            Self::Buckling => Coefficients::ELASTIC,
+        }
+    }
+
+    fn mass(self) -> Coefficients {
+        match self {
+            Self::Vibration { .. } => Coefficients::MASS,
+            Self::Buckling => Coefficients::GRAVITY,
+        }
+    }
+}
+
+/// Is told of each product with the mass matrix.
+pub trait ProductObserver {
+    /// A product was made.
+    fn count_product(&mut self);
+}
+
+/// A subsystem as the eigensolver sees it.
+pub struct SubsystemPencil<'a> {
+    subsystem: &'a mut dyn Subsystem,
+    stiffness: Coefficients,
+    mass: Coefficients,
+    stiffness_is_identity: bool,
+    start: Option<&'a [f64]>,
+    observer: Option<&'a mut dyn ProductObserver>,
+}
+
+impl<'a> SubsystemPencil<'a> {
+    /// An eigenvalue problem of a subsystem.
+    pub fn new(subsystem: &'a mut dyn Subsystem, problem: Eigenproblem) -> Self {
+        let stiffness = problem.stiffness();
+        Self {
+            stiffness_is_identity: subsystem.is_identity(&stiffness),
+            subsystem,
+            stiffness,
+            mass: problem.mass(),
+            start: None,
+            observer: None,
+        }
+    }
+
+    /// The same problem, with iterations that start from a vector, if one is known, instead of the
+    /// subsystem's own.
+    #[must_use]
+    pub fn starting_from(self, start: Option<&'a [f64]>) -> Self {
+        Self { start, ..self }
+    }
+
+    /// The same problem, with an observer of its products.
+    #[must_use]
+    pub fn observed_by(self, observer: Option<&'a mut dyn ProductObserver>) -> Self {
+        Self { observer, ..self }
+    }
+}
+
+impl Pencil for SubsystemPencil<'_> {
+    fn size(&self) -> usize {
+        self.subsystem.degrees_of_freedom()
+    }
+
+    fn stiffness_is_identity(&self) -> bool {
+        self.stiffness_is_identity
+    }
+
+    fn mass_times(&mut self, x: &[f64], out: &mut [f64]) {
+        self.subsystem.product(&self.mass, x, out);
+        if let Some(observer) = &mut self.observer {
+            observer.count_product();
+        }
+    }
+
+    fn stiffness_times(&mut self, x: &[f64], out: &mut [f64]) {
+        if self.stiffness_is_identity {
+            out.copy_from_slice(x);
+        } else {
+            self.subsystem.product(&self.stiffness, x, out);
+        }
+    }
+
+    fn count_below(&mut self, shift: f64) -> usize {
+        let shifted = self.stiffness.minus(shift, self.mass);
+        self.subsystem.count_negative(&shifted)
+    }
+
+    fn factorize(&mut self) -> usize {
+        if self.stiffness_is_identity {
+            return 0;
+        }
+        self.subsystem.factorize(&self.stiffness)
+    }
+
+    fn solve(&mut self, x: &mut [f64]) {
+        if !self.stiffness_is_identity {
+            self.subsystem.solve(x);
+        }
+    }
+
+    fn stiffness_cancellation(&mut self, x: &[f64]) -> f64 {
+        if self.stiffness_is_identity {
+            return 0.0;
+        }
+        let stiffness = self.stiffness;
+        let mut energy = |factor: f64, matrix: Coefficients, x: &[f64]| match factor {
+            0.0 => 0.0,
+            _ => factor * self.subsystem.energy(&matrix, x),
+        };
+        let others = [
+            energy(stiffness.foundation, Coefficients::FOUNDATION, x),
+            -energy(stiffness.geometric, Coefficients::GRAVITY, x),
+            energy(stiffness.mass, Coefficients::MASS, x),
+        ];
+        // All terms add up to 1, so the joints or elements have the rest.
+        let own = 1.0 - others.iter().sum::<f64>();
+        let gross = own.abs() + others.iter().map(|term| term.abs()).sum::<f64>();
+        // The motion of a tied point is a sum over all below it: take it as if nothing cancelled.
+        let all: Vec<f64> = x.iter().map(|x| x.abs()).collect();
+        let ties = energy(stiffness.foundation, Coefficients::FOUNDATION, &all).abs();
+        (gross - 1.0).max(0.0) + 2.0 * ties.sqrt()
+    }
+
+    fn start(&mut self, out: &mut [f64]) {
+        match self.start {
+            Some(start) => out.copy_from_slice(start),
+            None => self.subsystem.start(out),
+        }
+    }
+}
