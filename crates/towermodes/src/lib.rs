@@ -1,8 +1,11 @@
-//! Natural frequencies and mode shapes of wind turbine towers by the rigid multibody method,
-//! certified.
+//! Natural frequencies and mode shapes of wind turbine towers by the rigid multibody method, with
+//! the proof that no mode is missing.
+//!
+//! A tower is described by stations, materials and masses, on a foundation, in soil and water
+//! ([`TowerDescription`]), checked once ([`Tower::new`]) and solved ([`solve()`]):
 //!
 //! ```
-//! use towermodes::{Material, Options, Rna, Station, Tower, TowerDescription, solve};
+//! use towermodes::{Material, Method, Options, Rna, Station, Tower, TowerDescription, solve};
 //!
 //! let tower = Tower::new(TowerDescription {
 //!     materials: vec![Material::from_shear_modulus(8500.0, 2.1e11, 8.08e10)],
@@ -15,17 +18,32 @@
 //! assert_eq!(first.label(), "1st fore-aft bending");
 //! assert!((first.frequency_hz - 0.300206).abs() < 1e-5);
 //! assert!(solution.certificate.complete);
+//!
+//! // The element of the paper, Nikolić & Šalinić, as published, on 100 segments:
+//! let published = Options { method: Method::Rmje, segments: Some(100), ..Options::default() };
+//! let first = &solve(&tower, &published)?.modes[0];
+//! assert!((first.extrapolated_hz - 0.300206).abs() < 1e-5);
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
-//! A tower is made of stations, a material and masses, on a foundation, in soil and water
-//! ([`TowerDescription`]), checked once ([`Tower::new`]), and solved as chains of rigid bodies and
-//! elastic joints, or of flexible elements ([`solve()`]). Each frequency comes with a bound on its
-//! algebraic error, an estimate of its discretization error and an extrapolated value; the list
-//! comes with a [`Certificate`] that no mode is missing.
+//! Each frequency comes with a bound on its algebraic error, an estimate of its discretization error
+//! and an extrapolated value; the list comes with a [`Certificate`] that no mode is missing.
+//! Other methods are chosen by [`Options::method`]; rotating blades are solved by [`solve_blade`].
 //!
-//! Data flows one way: [`tower`] → [`chain`] and [`elements`], or [`beam`] → [`parts`] → [`eigen`]
-//! → [`modes`] → [`solve()`]. SI units throughout; heights are in the user's own datum; x is
+//! # Where each step is
+//!
+//! | step | room |
+//! |---|---|
+//! | what a tower or a blade is, exact section integrals, which motions are coupled | [`tower`], [`blade`] |
+//! | the mesh, and the recipes that make bodies and joints of a segment: the paper's is `elements/rmje.rs` | [`elements`] |
+//! | the chain of rigid bodies and elastic joints, the paper's eq. (17), in O(n) without a matrix | [`chain`] |
+//! | beams of flexible elements: BModes, the spectral method, rotating blades | [`beam`] |
+//! | uncoupled groups of motions, each as an eigenvalue problem | [`subsystem`] |
+//! | Lanczos process for the lowest eigenvalues, error bounds, inertia count | [`eigen`] |
+//! | family, shape, energy, discretization error of a mode | [`modes`] |
+//! | options, the spectrum of the whole tower, certificate, error estimates, warnings | [`solve()`] |
+//!
+//! Data flows in this order only. SI units throughout; heights are in the user's own datum; x is
 //! fore-aft (downwind), y side-side, z up.
 
 pub mod beam;

@@ -1,8 +1,14 @@
-//! The methods by name, and how their errors fall.
+//! The methods by name, and the orders of their errors.
 
-use crate::elements::Element;
-
-/// A way to make an eigenvalue problem of a tower.
+/// A discretization of a tower.
+///
+/// # Example
+/// ```
+/// use towermodes::Method;
+///
+/// assert_eq!(Method::named("rmje"), Some(Method::Rmje));
+/// assert_eq!(Method::Rmje.bending_powers(false), [2]);
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Method {
     /// One joint at the elastic centre of each segment, exact section integrals.
@@ -21,8 +27,8 @@ pub enum Method {
     Lumped,
     /// The 15-dof finite element of BModes: Euler-Bernoulli, sections constant over an element.
     Bmodes,
-    /// The beam itself: one element a linear piece, or more where it is steep, polynomials of a
-    /// degree that is raised until the modes stand still.
+    /// Spectral elements: one per linear piece, or more where it is steep, with polynomials of a
+    /// degree that increases until the modes converge. The reference beam solution.
     Spectral,
 }
 
@@ -51,30 +57,18 @@ impl Method {
         }
     }
 
-    /// The method of a name, if there is one.
+    /// The method with a [name](Self::name), if there is one.
     pub fn named(name: &str) -> Option<Self> {
         Self::ALL.into_iter().find(|method| method.name() == name)
     }
 
-    /// The element of its chain, if it makes one.
-    pub(crate) fn element(self) -> Option<Element> {
-        match self {
-            Self::RmjeExact => Some(Element::RmjeExact),
-            Self::Rmje => Some(Element::Rmje),
-            Self::CardanicExact => Some(Element::CardanicExact),
-            Self::Cardanic => Some(Element::Cardanic),
-            Self::Lumped => Some(Element::Lumped),
-            Self::Bmodes | Self::Spectral => None,
-        }
-    }
-
-    /// The leading powers p of its error n⁻ᵖ in bending; none for the spectral beam, whose error
-    /// falls exponentially with its degree.
+    /// The leading powers p of its error n⁻ᵖ in bending with n segments; none for the spectral
+    /// method, whose error decreases exponentially with the degree.
     ///
-    /// 2 where there is one joint in a segment. 1 and 2 for the published element of a tower that
-    /// shears: its sliding joint sits at L/4; without shear the sliding of a segment is O(n⁻³) and
-    /// where it happens does not matter, but shear makes it O(n⁻¹), and its place an error of first
-    /// order. 2 and 4 for two hinges and for BModes: 4 from the hinges or the cubics, 2 from
+    /// 2 where there is one joint in a segment. 1 and 2 for the published element of a tower with
+    /// shear deformation: its translational joint is at L/4; without shear the deflection of that
+    /// joint is O(n⁻³) and its place does not matter, but shear makes it O(n⁻¹), and its place an
+    /// error of first order. 2 and 4 for two hinges and for BModes: 4 from the hinges or the cubics, 2 from
     /// prismatic sections or from rotary inertia, small enough that neither can be left out.
     pub fn bending_powers(self, shears: bool) -> &'static [i32] {
         match self {
@@ -87,7 +81,7 @@ impl Method {
 
     /// The leading powers p of its error n⁻ᵖ in torsion and axially: 2, with BModes 2 and 4, but 1
     /// and 2 for the published element, whose joint for both sits at L/4. The two can cancel on
-    /// usual meshes, so both are needed to know the error.
+    /// usual meshes, so both are needed for the estimate of the error.
     pub fn axial_powers(self) -> &'static [i32] {
         match self {
             Self::Rmje => &[1, 2],

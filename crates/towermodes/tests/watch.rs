@@ -2,6 +2,7 @@
 
 use crate::towers;
 
+use std::backtrace::Backtrace;
 use std::sync::{Arc, Mutex};
 
 use towermodes::{
@@ -140,4 +141,34 @@ fn every_solve_begins_with_nothing_done() {
     let told = told.lock().expect("a list").clone();
     let falls = told.windows(2).filter(|pair| pair[1] < pair[0]);
     assert_eq!(falls.count(), 1);
+}
+
+/// Where in the library the functions are that lead from the front door to the first step of the
+/// Lanczos process.
+fn way_to_the_first_step() -> Vec<String> {
+    let trace = Arc::new(Mutex::new(String::new()));
+    let taken = Arc::clone(&trace);
+    let mut workspace = Workspace::watched(move |progress: Progress| {
+        let mut taken = taken.lock().expect("a text");
+        if progress.products == 1 && taken.is_empty() {
+            *taken = Backtrace::force_capture().to_string();
+        }
+    });
+    let tower = Tower::new(reference()).expect("a valid tower");
+    solve_with(&tower, &Options::default(), &mut workspace).expect("solved");
+    let trace = trace.lock().expect("a text").clone();
+    let places = trace.lines().map(str::trim);
+    // The observer itself is not on the way.
+    let is_way = |place: &&str| {
+        let rooms = ["src/solve/", "src/eigen/"];
+        rooms.iter().any(|room| place.contains(room)) && !place.contains("progress.rs")
+    };
+    places.filter(is_way).map(str::to_owned).collect()
+}
+
+/// As far as line tables show them: inlined functions count, and without line tables there are none.
+#[test]
+fn from_the_front_door_to_a_lanczos_step_there_are_at_most_eight_functions() {
+    let way = way_to_the_first_step();
+    assert!(way.len() <= 8, "{way:#?}");
 }

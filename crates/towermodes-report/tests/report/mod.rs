@@ -472,7 +472,7 @@ fn a_blade_without_modes_leaves_its_reason() {
         rotor_speed_rpm: 12.1,
         error: SolveError::NoModes,
     }));
-    let said = "The rotor's excitations were not compared with the natural frequencies: the blade at 12.1 rpm: no modes were asked for";
+    let said = "The rotor's excitations were not compared with the natural frequencies: the blade at 12.1 rpm: the number of modes is 0; it must be at least 1";
     let page = page_of(&content);
     let resonance = section(&page, "resonance");
     assert!(resonance.contains(said), "{resonance}");

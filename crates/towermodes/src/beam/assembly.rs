@@ -4,8 +4,8 @@
 //! Euler-Bernoulli, the section constant over an element and that of its middle. In strains: two
 //! coordinates in bending, three axially, two in torsion.
 //!
-//! **Spectral.** The beam itself, on elements that lie within one linear piece, with exact
-//! sections; of degree p: deflections of degree p in bending, p axially and in torsion. Where the
+//! **Spectral.** The reference beam solution: elements that lie within one linear piece, with exact
+//! sections, of degree p: deflections of degree p in bending, p axially and in torsion. Where the
 //! tower shears, rotation and deflection are independent, each of degree p or less.
 
 use super::element::{Slice, Stencil};
@@ -19,13 +19,13 @@ use crate::tower::{Section, Tower};
 pub enum BeamRecipe {
     /// The element of BModes.
     Bmodes,
-    /// The beam itself.
+    /// Spectral elements.
     Spectral {
         /// Polynomial degree of the deflections, at least 2.
         degree: usize,
         /// Whether sections have rotary inertia in bending.
         rotary_inertia: bool,
-        /// Whether a tower that shears does so here.
+        /// Whether the shear deformation of the tower is included.
         shear: bool,
     },
 }

@@ -148,51 +148,68 @@ fn eliminate(matrix: &mut [f64], rows: usize, first: usize) -> usize {
 
 /// Solves A y = x in place, with the factors of A from [`factorize`].
 pub fn solve<const D: usize>(beam: &Beam<D>, work: &mut Factors, x: &mut [f64]) {
-    let (rows, coordinates) = (beam.rows(), beam.coordinates());
-    work.right.resize(rows, 0.0);
+    work.right.resize(beam.rows(), 0.0);
     let (of_base, own) = x.split_at_mut(beam.base_coordinates());
-    let factors =
-        |element: usize| &work.elements[element * rows * rows..(element + 1) * rows * rows];
-    let tips =
-        |element: usize| &beam.tips[element * D * coordinates..(element + 1) * D * coordinates];
-    // Down: the force on each element's base, in `force`.
+    let force = reduce_down(beam, work, own);
+    solve_base(beam, &work.base, &force, of_base);
+    substitute_up(beam, work, base_motion(beam, of_base), own);
+}
+
+/// Eliminates the coordinates of the elements from the top down; returns the force on the base.
+fn reduce_down<const D: usize>(beam: &Beam<D>, work: &mut Factors, own: &mut [f64]) -> [f64; D] {
+    let (rows, coordinates) = (beam.rows(), beam.coordinates());
+    let Factors {
+        elements, right, ..
+    } = work;
     let mut force = [0.0; D];
     for element in (0..beam.elements()).rev() {
         let own = &mut own[element * coordinates..(element + 1) * coordinates];
-        for (component, row) in force
-            .iter()
-            .zip(tips(element).chunks_exact(coordinates.max(1)))
-        {
+        for (component, row) in force.iter().zip(tip_rows(beam, element)) {
             own.iter_mut()
                 .zip(row)
                 .for_each(|(x, tip)| *x += component * tip);
         }
         transform_force(&mut force, beam.length_m(element));
-        let right = &mut work.right[..];
         right[..D].copy_from_slice(&force);
         right[D..].copy_from_slice(own);
-        reduce(factors(element), rows, D, right);
+        reduce(&elements[element * rows * rows..], rows, D, right);
         force.copy_from_slice(&right[..D]);
         own.copy_from_slice(&right[D..]);
     }
-    solve_base(beam, &work.base, &force, of_base);
-    // Up: the motion of each element's base, and with it its coordinates.
-    let mut motion = base_motion(beam, of_base);
+    force
+}
+
+/// Finds the coordinates of the elements from the base up, from the motion of the base.
+fn substitute_up<const D: usize>(
+    beam: &Beam<D>,
+    work: &mut Factors,
+    base: [f64; D],
+    own: &mut [f64],
+) {
+    let (rows, coordinates) = (beam.rows(), beam.coordinates());
+    let Factors {
+        elements, right, ..
+    } = work;
+    let mut motion = base;
     for element in 0..beam.elements() {
         let own = &mut own[element * coordinates..(element + 1) * coordinates];
-        let right = &mut work.right[..];
         right[..D].copy_from_slice(&motion);
         right[D..].copy_from_slice(own);
-        substitute(factors(element), rows, D, right);
+        substitute(&elements[element * rows * rows..], rows, D, right);
         own.copy_from_slice(&right[D..]);
         transform_motion(&mut motion, beam.length_m(element));
-        for (component, row) in motion
-            .iter_mut()
-            .zip(tips(element).chunks_exact(coordinates.max(1)))
-        {
+        for (component, row) in motion.iter_mut().zip(tip_rows(beam, element)) {
             *component += row.iter().zip(&*own).map(|(tip, y)| tip * y).sum::<f64>();
         }
     }
+}
+
+/// The rows of the motion of an element's top for its coordinates.
+#[inline]
+fn tip_rows<const D: usize>(beam: &Beam<D>, element: usize) -> std::slice::ChunksExact<'_, f64> {
+    let coordinates = beam.coordinates();
+    let tips = &beam.tips[element * D * coordinates..(element + 1) * D * coordinates];
+    tips.chunks_exact(coordinates.max(1))
 }
 
 fn solve_base<const D: usize>(

@@ -17,4 +17,4 @@ mod subsystem;
 pub use assembly::{BeamRecipe, BeamWorkspace, assemble_beams};
 pub use model::Beam;
 pub(crate) use rotating::{assemble_blade, blade_coordinates};
-pub use subsystem::{BeamAssembly, BeamSubsystem, Beams};
+pub use subsystem::{BeamAssembly, Beams};

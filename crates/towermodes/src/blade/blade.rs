@@ -11,6 +11,9 @@ const TIP_REACH: f64 = 0.6;
 
 /// A blade that can exist: every property is finite, and positive where it must be; constant
 /// afterwards.
+///
+/// # Example
+/// See [`solve_blade`](crate::solve_blade).
 #[derive(Debug, Clone, PartialEq)]
 pub struct Blade {
     description: BladeDescription,

@@ -9,6 +9,6 @@ mod model;
 mod product;
 mod subsystem;
 
-pub use joint::JointFlexibility;
+pub(crate) use joint::JointFlexibility;
 pub use model::Chain;
 pub use subsystem::{ChainAssembly, ChainSubsystem, Chains};

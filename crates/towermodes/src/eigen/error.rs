@@ -1,45 +1,47 @@
-//! Why modes could not be found.
+//! Why eigenvalues could not be computed.
 
 use thiserror::Error;
 
-/// Why the lowest eigenvalues of a pencil could not be found and proved complete.
+/// Why the lowest eigenvalues of a pencil could not be computed and proved complete.
 #[derive(Debug, Clone, Copy, PartialEq, Error)]
 #[non_exhaustive]
 pub enum EigenError {
     /// More eigenvalues than unknowns.
-    #[error("{wanted} modes were asked for, but there are only {available}")]
+    #[error("{wanted} modes were requested, but there are only {available}")]
     TooMany {
-        /// Asked for.
+        /// Requested.
         wanted: usize,
         /// Unknowns.
         available: usize,
     },
-    /// K has negative eigenvalues: the tower buckles or floats away.
+    /// K has negative eigenvalues: the structure buckles, or nothing holds it.
     #[error("the stiffness has {negative} negative eigenvalues: the tower is unstable")]
     Unstable {
         /// How many.
         negative: usize,
     },
-    /// The stiffness cancels so much that rounding hides what is left.
-    #[error("springs to the ground are so stiff beside the tower that rounding hides it")]
+    /// The terms of the stiffness cancel so much that only rounding errors remain.
+    #[error(
+        "the foundation, soil or guy wires are too stiff relative to the tower: not resolvable in double precision"
+    )]
     TooStiff,
     /// The numbers overflowed.
     #[error("the numbers of this tower are too large or too small to compute with")]
     NotFinite,
-    /// The stiffest modes asked for are below the rounding of the softest.
+    /// The stiffest modes requested are below the rounding errors of the softest.
     #[error(
-        "of one kind of motion only the lowest {resolved} of {wanted} modes can be told from rounding: the stiffest part of the tower \
-         is too stiff beside the softest"
+        "only the lowest {resolved} of {wanted} modes of one group of motions are resolvable in double precision: the stiffest part \
+         of the tower is too stiff relative to the softest"
     )]
     Unresolved {
-        /// How many there should be.
+        /// How many were sought.
         wanted: usize,
-        /// How many have residuals that mean something.
+        /// How many have small residuals.
         resolved: usize,
     },
-    /// The count of eigenvalues never agreed with the list.
+    /// The eigenvalue count never agreed with the list.
     #[error(
-        "{found} modes were found but the inertia count says there are {counted} below {below_hz:.6e} Hz, \
+        "{found} modes were found, but the inertia count gives {counted} below {below_hz:.6e} Hz, \
          and {restarts} restarts did not find the rest"
     )]
     Incomplete {

@@ -18,7 +18,7 @@ const FLOOR: f64 = 2.0 * f64::EPSILON;
 /// A projected matrix up to this size is diagonalized at once with its eigenvectors.
 const SMALL: usize = 64;
 /// The Ritz values are looked at when the forecast of the residual is small enough, and at every so
-/// many steps whatever it says.
+/// many steps regardless.
 const LOOK_ANYWAY: usize = 8;
 
 /// The state and the memory of a Lanczos process; a second process of the same size allocates

@@ -21,10 +21,10 @@ const MAX_RESTARTS: usize = 8;
 /// The relative distances above the last eigenvalue at which a count is tried.
 const MARGINS: [f64; 4] = [1e-2, 1e-4, 1e-6, 1e-9];
 
-/// Relative residuals above this mean nothing: the mode is below the rounding of the lowest one.
+/// With a larger relative residual a mode is below the rounding errors of the lowest one.
 const MAX_RESIDUAL: f64 = 1e-4;
 
-/// Cancellation in the stiffness that leaves a relative error above this is refused: soil or wires
+/// Cancellation in the stiffness that leaves a larger relative error is refused: soil or guy wires
 /// 10¹⁴ times as stiff as the tower.
 const MAX_ROUNDING: f64 = 1e-7;
 
@@ -38,12 +38,12 @@ pub struct Eigenvalue {
 }
 
 impl Eigenvalue {
-    /// Whether it cannot be told from zero.
+    /// Whether it is zero within its error.
     pub fn is_zero(&self) -> bool {
         self.lambda <= self.error
     }
 
-    /// √λ/2π, Hz; 0 where it cannot be told from zero.
+    /// The frequency √λ/2π, Hz; 0 where λ is zero within its error.
     pub fn frequency_hz(&self) -> f64 {
         if self.is_zero() {
             return 0.0;
@@ -51,13 +51,13 @@ impl Eigenvalue {
         self.lambda.sqrt() / TAU
     }
 
-    /// The bound as a frequency, Hz: how far √λ can be off.
+    /// The bound on the error of the frequency, Hz.
     pub fn frequency_error_hz(&self) -> f64 {
         let least = (self.lambda - self.error).max(0.0);
         self.error / (self.lambda.max(self.error).sqrt() + least.sqrt()) / TAU
     }
 
-    /// The eigenvalue λ + `origin` of a problem whose spectrum begins elsewhere.
+    /// The eigenvalue λ + `origin` (rad²/s²), where λ was counted from the origin.
     pub fn shifted(&self, origin: f64) -> Self {
         Self {
             lambda: self.lambda + origin,
@@ -66,12 +66,12 @@ impl Eigenvalue {
     }
 }
 
-/// What a solve cost.
+/// The cost of a solve.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct Statistics {
     /// Products with the mass matrix.
     pub products: usize,
-    /// Restarts because a count disagreed with the list.
+    /// Restarts because an eigenvalue count disagreed with the list.
     pub restarts: usize,
 }
 
@@ -82,8 +82,8 @@ impl std::ops::AddAssign for Statistics {
     }
 }
 
-/// The result of [`lowest`] and the memory it was found in; hand it back and a second solve of the
-/// same size allocates nothing.
+/// The result of [`lowest`] and the memory of its computation. A second solve of the same size in
+/// the same workspace allocates nothing.
 #[derive(Debug, Default)]
 pub struct EigenWorkspace {
     lanczos: Lanczos,
@@ -213,10 +213,10 @@ impl EigenWorkspace {
     }
 }
 
-/// Finds the `wanted` lowest eigenvalues of K u = λ M u and proves that none is missing.
+/// Computes the `wanted` lowest eigenvalues of K u = λ M u and proves that none is missing.
 ///
-/// The list may be longer than `wanted`: no count can be taken between repeated eigenvalues, and
-/// whatever a count showed to be there is found too. The results are in the workspace.
+/// The results are in the workspace. The list may be longer than `wanted`: no count can be taken
+/// between repeated eigenvalues, and every eigenvalue that a count revealed is computed too.
 ///
 /// # Errors
 /// [`EigenError`]: more wanted than there are, K not positive definite, numbers out of range, or a
@@ -272,8 +272,7 @@ fn factorize(pencil: &mut dyn Pencil) -> Result<(), EigenError> {
 /// below.
 const LEAST: f64 = 1e-9;
 
-/// Finds the least eigenvalue alone and proves that none is below it; whether it is repeated is not
-/// asked.
+/// Computes the smallest eigenvalue alone and proves that none is below it; it may be repeated.
 ///
 /// # Errors
 /// As [`lowest`].

@@ -1,10 +1,10 @@
-//! The only thing the eigensolver knows of a model.
+//! The interface between a model and the eigensolver.
 
 /// A symmetric eigenvalue problem K u = λ M u with K positive definite; M may be indefinite, then
 /// the eigenvalues are the positive ones.
 ///
 /// λ = ω² in rad²/s²; vectors have length [`size`](Self::size). Implementations keep their working
-/// memory inside, hence `&mut self`; results must not depend on what was asked before.
+/// memory inside, hence `&mut self`; results must not depend on earlier calls.
 pub trait Pencil {
     /// Number of unknowns.
     fn size(&self) -> usize;
@@ -15,7 +15,7 @@ pub trait Pencil {
     /// out = K x.
     fn stiffness_times(&mut self, x: &[f64], out: &mut [f64]);
 
-    /// Whether K is the identity, so that products with it need not be asked for.
+    /// Whether K is the identity, so that products with it are not needed.
     fn stiffness_is_identity(&self) -> bool {
         false
     }
@@ -30,9 +30,9 @@ pub trait Pencil {
     /// x ← K⁻¹ x, after [`factorize`](Self::factorize).
     fn solve(&mut self, x: &mut [f64]);
 
-    /// By how much a small relative error of the terms and motions that xᵀ K x = 1 is made of is
-    /// enlarged in it: more than 0 where terms cancel, as weights take from the stiffness, or where
-    /// motions cancel at something stiff.
+    /// The factor by which relative errors of the terms of xᵀ K x = 1, and of the motions in them,
+    /// are amplified: more than 0 where terms cancel, as with geometric stiffness, or where motions
+    /// cancel at something stiff.
     fn stiffness_cancellation(&mut self, _: &[f64]) -> f64 {
         0.0
     }

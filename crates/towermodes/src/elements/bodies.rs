@@ -4,7 +4,9 @@
 use super::{Assembly, springs};
 use crate::chain::JointFlexibility;
 use crate::subsystem::MatrixKind;
-use crate::tower::{OnAxis, Piece, Planes, Section, SoilStiffness, mass_integrals, soil_integrals};
+use crate::tower::{
+    Axisymmetric, Piece, Planes, Section, SoilStiffness, mass_integrals, soil_integrals,
+};
 
 impl Assembly<'_> {
     /// Adds a rigid prismatic rod between two heights (m), about its middle.
@@ -14,9 +16,9 @@ impl Assembly<'_> {
         let masses = &section.masses;
         let transverse_kg = (masses.mass_kg_per_m + masses.water_kg_per_m) * length;
         let second = transverse_kg * length * length / 12.0;
-        let inertia = OnAxis {
+        let inertia = Axisymmetric {
             bending: masses.rotary_inertia_kg_m.map(|rotary| {
-                // Sections have rotary inertia in bending only if the recipe says so.
+                // Sections have rotary inertia in bending only with this recipe.
                 let rotary = if self.recipe.rotary_inertia {
                     rotary * length
                 } else {
@@ -43,7 +45,7 @@ impl Assembly<'_> {
     pub(super) fn add_exact_body(&mut self, piece: &Piece, base_m: f64, top_m: f64) {
         let reference_m = 0.5 * (base_m + top_m);
         let mass = mass_integrals(piece, base_m, top_m, reference_m);
-        let inertia = mass.on_axis(self.recipe.rotary_inertia);
+        let inertia = mass.axisymmetric(self.recipe.rotary_inertia);
         self.chains
             .add(MatrixKind::Inertia, reference_m, &inertia.spatial());
         if let Some(soil) = soil_integrals(piece, base_m, top_m, reference_m) {
@@ -110,8 +112,8 @@ impl Assembly<'_> {
 
 /// Constant springs along a rod of a length (m), about its middle: k l against moving, k l³/12
 /// against turning.
-fn prismatic_soil(soil: &SoilStiffness, length: f64) -> OnAxis {
-    OnAxis {
+fn prismatic_soil(soil: &SoilStiffness, length: f64) -> Axisymmetric {
+    Axisymmetric {
         bending: soil
             .transverse()
             .map(|k| [k * length, 0.0, k * length.powi(3) / 12.0]),

@@ -1,7 +1,7 @@
 //! The cardanic joint beam element, prismatic and with exact sections.
 //!
 //! A reconstruction of the element of Zhao, Maißer & Wu, whose text is not openly available, from
-//! what Nikolić & Šalinić say of it: one rigid body and two rotational joints more than theirs,
+//! its description by Nikolić & Šalinić: one rigid body and two rotational joints more than theirs,
 //! rotating instead of sliding. A segment of length L becomes four rigid bodies, with bending
 //! hinges of stiffness 2EI/L at kL and (1−k)L, and in the middle a joint for axial motion, torsion
 //! and, where the tower shears, sliding (EA/L, GJ/L, κGA/L).

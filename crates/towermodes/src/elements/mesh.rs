@@ -1,8 +1,8 @@
-//! Where a tower is cut into segments.
+//! The mesh of a tower: where it is cut into segments.
 //!
 //! Every row of every quantity is a segment border: steps and kinks of the tower, the soil and the
-//! water, and whatever is attached. The spectral beam is also cut where the tower is steep. Between
-//! borders the segments are equal, and their number is shared out by length.
+//! water, and every attachment. Spectral elements also end where the tower is steep. Between
+//! borders the segments are equal, and their number is distributed by length.
 
 use thiserror::Error;
 
@@ -14,40 +14,40 @@ use crate::tower::Tower;
 /// p is exact to 3⁻ᵖ in its strains.
 const STEEPEST_SPAN: f64 = 4.0;
 
-/// Heights that differ by this share of the tower's are the same.
+/// Heights that differ by this fraction of the tower's height are the same.
 const ROUNDED: f64 = 1e-9;
 
-/// Why a tower cannot be cut at given heights.
+/// Why given heights cannot be the segment borders of a tower.
 #[derive(Debug, Clone, Copy, PartialEq, Error)]
 pub enum BorderError {
-    /// What is attached, or an end of the tower, is at none of them.
-    #[error("no border of an element is at {} m, where the tower ends or something is attached", Plain(*.height_m))]
+    /// An attachment, or an end of the tower, is at none of them.
+    #[error("no element border is at {} m, where the tower ends or something is attached", Plain(*.height_m))]
     Missing {
         /// The height, m.
         height_m: f64,
     },
     /// There are some below the base or above the top.
-    #[error("the borders of the elements do not begin at the base or do not end at the top")]
+    #[error("the element borders must begin at the base and end at the top of the tower")]
     Beyond,
-    /// They do not rise.
-    #[error("the border of an element at {} m is not above the one before it", Plain(*.height_m))]
+    /// They do not increase.
+    #[error("the element border at {} m is not above the one before it", Plain(*.height_m))]
     NotRising {
         /// The height, m.
         height_m: f64,
     },
 }
 
-/// What must be a segment border.
+/// Which heights must be segment borders.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Borders {
     /// Every end of a linear piece, and every point mass.
     Pieces,
     /// Those, and as many more that no dimension of a tube and no stiffness of a table changes by
-    /// more than a factor of 4 over a span: what polynomials can follow.
+    /// more than a factor of 4 over a span, so that polynomials converge fast.
     Gradual,
 }
 
-/// A part of a tower that is cut into equal segments.
+/// A stretch of a tower that is cut into equal segments.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Span {
     /// Index of the linear piece at its lower end, into [`Tower::pieces`].
@@ -84,7 +84,7 @@ impl Mesh {
         if segments.is_multiple_of(2) && segments / 4 >= spans.len() {
             Self::in_pairs(spans, segments / 2)
         } else {
-            Self::shared_out(spans, segments, 1)
+            Self::distribute(spans, segments, 1)
         }
     }
 
@@ -98,8 +98,8 @@ impl Mesh {
         Self::in_pairs(spans, segments / 2 + short)
     }
 
-    /// Cuts a tower into so many equal segments, if every border that there must be is one of
-    /// theirs, but for rounding.
+    /// Cuts a tower into equal segments, if every required border is one of theirs, up to
+    /// rounding.
     pub fn equal(tower: &Tower, borders: Borders, segments: usize) -> Option<Self> {
         let mut spans = spans_of(tower, borders);
         let segment_m = tower.height_m() / segments as f64;
@@ -115,16 +115,16 @@ impl Mesh {
         (total == segments).then(|| Self::from_spans(spans))
     }
 
-    /// Cuts a tower nowhere but where it must be.
+    /// Cuts a tower at the required borders only.
     pub fn coarsest(tower: &Tower, borders: Borders) -> Self {
         Self::from_spans(spans_of(tower, borders))
     }
 
-    /// Cuts a tower at given heights, m, rising strictly from its base to its top: whatever is
-    /// attached must be at one of them. Heights that differ from these by rounding are moved there.
+    /// Cuts a tower at given heights, m, strictly increasing from its base to its top. Every
+    /// attachment must be at one of them, up to rounding.
     ///
     /// # Errors
-    /// The first thing that is not so.
+    /// [`BorderError`]: the first condition that is not met.
     pub fn with_borders(tower: &Tower, heights_m: &[f64]) -> Result<Self, BorderError> {
         let mut borders_m = heights_m.to_vec();
         // What is no number rises over nothing.
@@ -157,11 +157,11 @@ impl Mesh {
     }
 
     fn in_pairs(spans: Vec<Span>, pairs: usize) -> Self {
-        Self::shared_out(spans, pairs, 2)
+        Self::distribute(spans, pairs, 2)
     }
 
-    /// Shares `shares` out by length, each worth so many segments.
-    fn shared_out(mut spans: Vec<Span>, shares: usize, segments_each: usize) -> Self {
+    /// Distributes `shares` by length, each of so many segments.
+    fn distribute(mut spans: Vec<Span>, shares: usize, segments_each: usize) -> Self {
         let lengths: Vec<f64> = spans.iter().map(Span::length_m).collect();
         let counts = shared_by_length(&lengths, shares);
         for (span, count) in spans.iter_mut().zip(counts) {
@@ -170,18 +170,18 @@ impl Mesh {
         Self::from_spans(spans)
     }
 
-    /// The fewest segments a tower can be cut into: its steps, kinks and point masses make them.
+    /// The fewest segments of a tower: its steps, kinks and attachments require them.
     pub fn fewest_segments(tower: &Tower, borders: Borders) -> usize {
         spans_of(tower, borders).len()
     }
 
-    /// Every two segments as one, if every span has an even number of them.
+    /// The mesh with every two segments merged, if every span has an even number of them.
     pub fn halved(&self) -> Option<Self> {
         let even = self.spans.iter().all(|span| span.segments % 2 == 0);
         even.then(|| self.with_segments(|segments| segments / 2))
     }
 
-    /// Every segment as two.
+    /// The mesh with every segment halved.
     pub fn doubled(&self) -> Self {
         self.with_segments(|segments| 2 * segments)
     }
@@ -227,7 +227,7 @@ impl Mesh {
     }
 }
 
-/// The parts between the borders that there must be, each as one segment.
+/// The spans between the required borders, each as one segment.
 fn spans_of(tower: &Tower, borders: Borders) -> Vec<Span> {
     let spans = smooth_spans(tower);
     if borders != Borders::Gradual {
@@ -266,7 +266,7 @@ fn add_gradual(tower: &Tower, span: Span, spans: &mut Vec<Span>) {
     }
 }
 
-/// The parts between the ends of pieces and what is attached.
+/// The spans between the ends of pieces and attachments.
 fn smooth_spans(tower: &Tower) -> Vec<Span> {
     let (pieces, attachments) = (tower.pieces(), tower.attachments());
     // They are sorted by height.
@@ -294,7 +294,7 @@ fn smooth_spans(tower: &Tower) -> Vec<Span> {
     spans
 }
 
-/// Shares `total` out over the lengths, at least one to each: the whole parts first, then the
+/// Distributes `total` over the lengths, at least one to each: the whole parts first, then the
 /// largest remainders.
 fn shared_by_length(lengths: &[f64], total: usize) -> Vec<usize> {
     let total = total.max(lengths.len());

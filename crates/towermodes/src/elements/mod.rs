@@ -12,6 +12,7 @@ pub use cardanic::GAUSS_HINGE_POSITION;
 pub use mesh::{BorderError, Borders, Mesh, Span};
 pub(crate) use springs::shear_fraction;
 
+use crate::Method;
 use crate::chain::Chains;
 use crate::tower::{Piece, Tower};
 
@@ -41,7 +42,19 @@ impl Element {
         Self::Lumped,
     ];
 
-    /// Joints in a segment that can move in bending, if the planes are equal.
+    /// The element of a method, if it uses rigid bodies.
+    pub(crate) fn of(method: Method) -> Option<Self> {
+        match method {
+            Method::RmjeExact => Some(Self::RmjeExact),
+            Method::Rmje => Some(Self::Rmje),
+            Method::CardanicExact => Some(Self::CardanicExact),
+            Method::Cardanic => Some(Self::Cardanic),
+            Method::Lumped => Some(Self::Lumped),
+            Method::Bmodes | Method::Spectral => None,
+        }
+    }
+
+    /// Joints of a segment that bend, if the planes are equal.
     fn joints(self) -> usize {
         match self {
             Self::RmjeExact | Self::Lumped => 1,

@@ -4,14 +4,14 @@
 //! segment of length L is a prismatic beam with the section at its middle, and becomes three rigid
 //! bodies, [0, L/4], [L/4, L/2] and [L/2, L], and two joints:
 //!
-//! | at | moves | springs |
+//! | at | components | stiffness |
 //! |---|---|---|
 //! | L/4 | both deflections, axial, torsion | 12EI/(L³(1+φ)), EA/L, GJ/L |
 //! | L/2 | both bending rotations | EI/L |
 //!
 //! The springs are those of the segment's exact static stiffness; φ = 12EI/(κGAL²) with shear, 0
 //! without. Bending converges as n⁻², torsion and axial, whose joint is off the middle, only as
-//! n⁻¹; with shear, bending also ends as n⁻¹.
+//! n⁻¹; with shear, bending converges as n⁻¹ in the end.
 
 use super::{Assembly, springs};
 use crate::chain::JointFlexibility;

@@ -1,5 +1,5 @@
 //! The springs of a segment: the flexibilities of its exact static stiffness, all in one joint.
-//! Elements share them out.
+//! Elements distribute them over their joints.
 
 use crate::chain::JointFlexibility;
 use crate::tower::{Compliance, Plane, Planes, Section, Tower, compliance};

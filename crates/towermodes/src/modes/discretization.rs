@@ -1,10 +1,10 @@
-//! The discretization error of a frequency, by Richardson's extrapolation.
+//! The discretization error of a frequency, by Richardson extrapolation.
 //!
 //! A method whose error has the powers p, q, … of 1/n gives f(n) = f* + C n⁻ᵖ + D n⁻ᵠ + …. Meshes
 //! that halve each other's segments give C, D, … and with them both the error and a better value
 //! (Richardson 1911; Romberg 1955 for several powers).
 
-/// What coarser or finer meshes say about a frequency.
+/// The estimate of coarser or finer meshes for a frequency.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Estimate {
     /// Estimate of |f* − f(n)|, Hz.
@@ -14,27 +14,38 @@ pub struct Estimate {
     /// How far the value extrapolated without the finest mesh is from that with it, Hz; 0 without a
     /// mesh to spare.
     pub spread_hz: f64,
-    /// Whether the meshes fall as the powers say, so that the spread is small beside the error.
+    /// Whether the meshes converge with the given powers, so that the spread is small relative to
+    /// the error.
     pub is_regular: bool,
 }
 
-/// Values extrapolated with and without the finest mesh that differ by more than this many errors
-/// are no regular convergence. A term of the next even power, a thirtieth of the first, makes them
+/// If the values extrapolated with and without the finest mesh differ by more than this many
+/// errors, convergence is not regular. A term of the next even power, a thirtieth of the first, makes them
 /// differ by about as much; an error that falls by one power less makes them differ by twice.
 const REGULAR: f64 = 1.5;
-/// Spreads below this share of a frequency are rounding.
+/// Spreads below this fraction of a frequency are rounding errors.
 const ROUNDING: f64 = 1e-10;
 
 /// Extrapolates the frequencies (Hz) of one mode on meshes from the finest to the coarsest, each
 /// with half the segments of the one before, for an error with these powers of 1/n: one mesh more
 /// than there are powers, or two.
 ///
-/// Each power p in turn: fᵢ ← fᵢ + (fᵢ − fᵢ₊₁)/(2ᵖ − 1). The error is that of `frequency_hz`, which
-/// is one of the meshes', but no less than the last power changed the extrapolated value, and no
-/// less than what another mesh more says: how far the value extrapolated without the finest mesh is
-/// off, over 2ᵖ of the lowest power. Where that is not small the meshes do not converge with these
-/// powers yet, and the error is no less than all of it: where terms cancel, or two meshes agree by
-/// chance, the estimate must not.
+/// For each power p in turn: fᵢ ← fᵢ + (fᵢ − fᵢ₊₁)/(2ᵖ − 1). The error is that of `frequency_hz`,
+/// which is one of the meshes', but at least the change by the last power, and at least the spread
+/// (the difference of the values extrapolated with and without the finest mesh) over 2ᵖ of the
+/// lowest power. Where the spread is large the meshes do not converge with these powers yet, and the
+/// error is at least the spread: terms may cancel, or two meshes agree by chance.
+///
+/// Source: Richardson (1911); Romberg (1955) for several powers.
+///
+/// # Example
+/// f(n) = 3 + 1/n² on 8, 4 and 2 segments:
+/// ```
+/// let meshes_hz = vec![3.0 + 1.0 / 64.0, 3.0 + 1.0 / 16.0, 3.25];
+/// let estimate = towermodes::modes::richardson(meshes_hz[0], meshes_hz, &[2]);
+/// assert!((estimate.extrapolated_hz - 3.0).abs() < 1e-14);
+/// assert!((estimate.error_hz - 1.0 / 64.0).abs() < 1e-14 && estimate.is_regular);
+/// ```
 pub fn richardson(frequency_hz: f64, mut meshes_hz: Vec<f64>, powers: &[i32]) -> Estimate {
     let mut last_change = 0.0_f64;
     for (removed, &power) in powers.iter().enumerate() {
@@ -53,12 +64,12 @@ pub fn richardson(frequency_hz: f64, mut meshes_hz: Vec<f64>, powers: &[i32]) ->
     let coarser_hz = meshes_hz.get(1).copied().unwrap_or(extrapolated_hz);
     let spread_hz = (extrapolated_hz - coarser_hz).abs();
     let is_regular = spread_hz <= (REGULAR * error_hz).max(ROUNDING * frequency_hz);
-    let share = match powers.first() {
+    let fraction = match powers.first() {
         Some(&power) if is_regular => 2.0_f64.powi(-power),
         _ => 1.0,
     };
     Estimate {
-        error_hz: error_hz.max(share * spread_hz),
+        error_hz: error_hz.max(fraction * spread_hz),
         // Meshes too coarse for any power extrapolate to nonsense; where it shows, the mode's own
         // value is the better one.
         extrapolated_hz: if extrapolated_hz > 0.0 {
@@ -77,7 +88,7 @@ mod tests {
 
     #[test]
     fn meshes_that_agree_by_chance_are_found_out_by_another() {
-        // The two finest agree, and the third says that they are nowhere.
+        // The two finest agree, and the third shows that they have not converged.
         let two = richardson(1.0, vec![1.0, 1.0], &[2]);
         assert_eq!((two.error_hz, two.is_regular), (0.0, true));
         let three = richardson(1.0, vec![1.0, 1.0, 1.3], &[2]);

@@ -1,8 +1,8 @@
-//! Where the energy of a mode is.
+//! The distribution of the energy of a mode over the motions.
 
 use crate::tower::Motion;
 
-/// The share of the energy that makes a mode one of a motion's.
+/// A mode belongs to a motion with at least this fraction of the energy.
 const MAJORITY: f64 = 0.6;
 
 /// A value for each motion of a bare tower.
@@ -12,9 +12,9 @@ pub struct ByMotion {
     pub fore_aft: f64,
     /// Bending side-side.
     pub side_side: f64,
-    /// Twist.
+    /// Torsion.
     pub torsion: f64,
-    /// Stretch.
+    /// Axial motion.
     pub axial: f64,
 }
 
@@ -35,7 +35,7 @@ impl ByMotion {
         [self.fore_aft, self.side_side, self.torsion, self.axial]
     }
 
-    /// As shares of their sum; all zero if the sum is not positive beside its terms.
+    /// As fractions of their sum; all zero if the sum is not positive relative to its terms.
     pub(crate) fn shares(&self) -> Self {
         let values = self.values();
         let (sum, size): (f64, f64) = (values.iter().sum(), values.iter().map(|x| x.abs()).sum());
@@ -56,8 +56,9 @@ impl ByMotion {
     }
 }
 
-/// The parts of a mode's energy, each of the two adding up to 1; the strain energy is that of
-/// tower, foundation, soil, wires and weights, and zero in all parts where there is none.
+/// The fractions of a mode's kinetic and strain energy that belong to each motion; each of the two
+/// sums to 1. The strain energy includes the foundation, soil, guy wires and geometric stiffness;
+/// its fractions are all zero where there is none.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Energy {
     /// Kinetic energy.
@@ -67,7 +68,7 @@ pub struct Energy {
 }
 
 impl Energy {
-    /// The mean of both; the kinetic part alone where there is no strain energy.
+    /// The mean of both; the kinetic energy alone where there is no strain energy.
     pub fn mean(&self) -> ByMotion {
         let (k, s) = (&self.kinetic, &self.strain);
         if *s == ByMotion::default() {
@@ -81,7 +82,7 @@ impl Energy {
         }
     }
 
-    /// The motion with most of the energy, if it is clearly most.
+    /// The motion with a clear majority of the energy, if there is one.
     pub(crate) fn main_motion(&self) -> Option<Motion> {
         let mean = self.mean().values();
         let shares = Motion::ALL.into_iter().zip(mean);

@@ -1,4 +1,4 @@
-//! What a mode is called.
+//! The names of modes.
 
 use std::fmt;
 
@@ -12,23 +12,23 @@ pub enum Family {
     ForeAft,
     /// Bending across the wind: translation y, rotation about x.
     SideSide,
-    /// Twist about the tower's axis.
+    /// Torsion about the tower's axis.
     Torsion,
-    /// Stretch along the tower's axis.
+    /// Axial motion.
     Axial,
-    /// No one of these has most of the energy.
+    /// None of the motions has a clear majority of the energy.
     Coupled,
-    /// A floating tower moves along x as one body.
+    /// Rigid-body motion of a floating tower along x.
     Surge,
-    /// It moves along y as one body.
+    /// Rigid-body motion of a floating tower along y.
     Sway,
-    /// It moves along z as one body.
+    /// Rigid-body motion of a floating tower along z.
     Heave,
-    /// It turns about x as one body.
+    /// Rigid-body rotation of a floating tower about x.
     Roll,
-    /// It turns about y as one body.
+    /// Rigid-body rotation of a floating tower about y.
     Pitch,
-    /// It turns about z as one body.
+    /// Rigid-body rotation of a floating tower about z.
     Yaw,
 }
 
@@ -48,7 +48,7 @@ impl Family {
         Self::Yaw,
     ];
 
-    /// The motions of a floating tower as one body: along x, y, z, about x, y, z.
+    /// The rigid-body modes of a floating tower: along x, y, z, about x, y, z.
     pub const RIGID: [Self; 6] = [
         Self::Surge,
         Self::Sway,
@@ -86,7 +86,7 @@ impl Family {
         }
     }
 
-    /// Whether a floating tower moves as one body.
+    /// Whether it is a rigid-body mode of a floating tower.
     pub fn is_rigid(self) -> bool {
         Self::RIGID.contains(&self)
     }
@@ -101,8 +101,8 @@ impl Family {
         }
     }
 
-    /// The label of its mode of an order (from 1): "2nd fore-aft bending"; of the one that moves
-    /// the tower as one body its name.
+    /// The label of its mode of an order (from 1): "2nd fore-aft bending"; for a rigid-body mode
+    /// its name.
     pub fn label(self, order: usize) -> String {
         if self.is_rigid() {
             return self.name().to_owned();

@@ -1,4 +1,4 @@
-//! What a user sees of a mode: family and order, shape, modal mass, energy, discretization error.
+//! The modes as a user sees them: family and order, shape, modal mass, energy, discretization error.
 
 mod discretization;
 mod energy;

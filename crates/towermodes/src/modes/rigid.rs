@@ -1,23 +1,24 @@
-//! The modes in which a floating tower moves as one body, and their names.
+//! The rigid-body modes of a floating tower, and their names.
 
 use super::family::Family;
 use crate::space::{SpatialMatrix, times};
 use crate::symmetric::eigenpairs;
 use crate::tower::{Motion, Plane};
 
-/// A mode is rigid if the rigid motions have at least this share of its kinetic energy.
+/// A mode is a rigid-body mode if rigid-body motions have at least this fraction of its kinetic
+/// energy.
 const RIGID: f64 = 0.5;
-/// A rigid mode may be called by a motion that has at least this share of the rigid part.
+/// A rigid-body mode may have the name of a motion with at least this fraction of that energy.
 const NAMED: f64 = 0.25;
 
-/// The whole tower as one body.
+/// The whole tower as one rigid body.
 pub(crate) struct RigidTower {
     inertia: SpatialMatrix,
     /// Its inverse.
     flexibility: SpatialMatrix,
 }
 
-/// What a mode has in common with the rigid motions of the tower, as shares of its kinetic energy.
+/// The rigid-body motions in a mode, as fractions of its kinetic energy.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct RigidShares {
     /// Of surge, sway, heave, roll, pitch, yaw, about the height in each plane where a push does
@@ -28,7 +29,7 @@ pub(crate) struct RigidShares {
 }
 
 impl RigidTower {
-    /// The body with this inertia about the base.
+    /// The rigid body with this inertia about the base (kg, kg m, kg m²).
     pub(crate) fn new(inertia: &SpatialMatrix) -> Self {
         Self {
             inertia: *inertia,
@@ -61,8 +62,8 @@ impl RigidTower {
 }
 
 impl RigidShares {
-    /// The motion with the largest share among those not taken, if the mode is rigid and the share
-    /// large enough to call it so.
+    /// The motion with the largest fraction among those not taken, if the mode is a rigid-body mode
+    /// and the fraction is large enough for the name.
     pub(crate) fn name(&self, taken: &[bool; 6]) -> Option<usize> {
         let free = (0..6).filter(|&motion| !taken[motion]);
         let largest = free.max_by(|&a, &b| self.motions[a].total_cmp(&self.motions[b]))?;

@@ -1,6 +1,6 @@
 //! The shape of a mode along the tower.
 
-/// The motion of the tower's axis at a height, as a share of the mode's largest.
+/// The motion of the tower's axis at a height, relative to the largest of the mode.
 ///
 /// The largest translation of the tower is 1 (for torsion the largest rotation), positive at the
 /// top; rotations are per metre of it.

@@ -76,7 +76,7 @@ pub struct BladeMode {
     pub discretization_error_hz: f64,
     /// The frequency extrapolated from elements cut in two, Hz.
     pub extrapolated_hz: f64,
-    /// The shape at the radii asked for: X edgewise, Y flap, Z along the span, and rotations about
+    /// The shape at the radii requested: X edgewise, Y flap, Z along the span, and rotations about
     /// these. Its largest translation (for torsion its largest rotation) is 1; `height_m` is the
     /// distance from the rotor's axis.
     pub shape: Vec<ShapePoint>,
@@ -190,7 +190,7 @@ fn on_own_elements(
 }
 
 /// Assembles a blade with elements between these fractions of its span and solves it for at least
-/// the modes asked for.
+/// the modes requested.
 fn solve_cut(
     blade: &Blade,
     borders: &[f64],

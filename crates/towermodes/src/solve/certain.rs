@@ -1,4 +1,4 @@
-//! As many of the modes asked for as can be told from rounding.
+//! As many of the modes requested as double precision resolves.
 
 use super::error::SolveError;
 use super::options::Options;
@@ -9,14 +9,18 @@ use crate::Warning;
 use crate::eigen::EigenError;
 use crate::tower::Tower;
 
-/// [`solve_with`], but where rounding hides the stiffest of the modes asked for, the lower ones
-/// that it does not hide, as many as there are, with a [`Warning::OnlyCertain`]. A tower with
-/// hardly any mass has four bending modes, those of the machine on it, and the next ones far above.
+/// [`solve_with`], but if the stiffest of the modes requested are not resolvable in double
+/// precision, only the lower ones that are, with a [`Warning::OnlyCertain`]. For instance, a tower
+/// with hardly any mass has four bending modes, those of the RNA on it, and the next ones far
+/// above.
 ///
 /// The certificate is that of the modes listed.
 ///
 /// # Errors
-/// As [`solve_with`], for reasons other than that, or if not even one mode is certain.
+/// As [`solve_with`] for any other reason, or if not even one mode is resolvable.
+///
+/// # Example
+/// See [`solve`](crate::solve()), which has the same arguments but for the workspace.
 pub fn solve_certain(
     tower: &Tower,
     options: &Options,

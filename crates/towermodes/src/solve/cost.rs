@@ -11,6 +11,7 @@ use super::error::SolveError;
 use super::limits::{MAX_BYTES, MAX_SECONDS};
 use super::options::Options;
 use crate::Method;
+use crate::elements::Element;
 use crate::modes::ShapePoint;
 use crate::subsystem::dimension;
 use crate::tower::{Motion, Motions, Plane, Tower};
@@ -21,7 +22,7 @@ const NUMBER: f64 = size_of::<f64>() as f64;
 const SECONDS_A_TERM: f64 = 1e-9;
 /// Looks at the projected matrix, and terms of its diagonalization in units of p³.
 const DIAGONALIZATION: f64 = 1.5;
-/// Degrees that the spectral beam tries until the modes stand still, as a rule.
+/// Degrees that the spectral method usually needs until the modes converge.
 pub(super) const DEGREES: f64 = 3.0;
 
 /// What a solve takes.
@@ -53,12 +54,12 @@ impl Cost {
             }
         };
         let costs = Costs::of(tower, cut, options);
-        let (finest, share) = (costs.work(finest), all / own);
+        let (finest, meshes) = (costs.work(finest), all / own);
         let heights = options.points + tower.station_heights_m().len() + options.heights_m.len();
         let shapes = options.modes as f64 * size_of::<ShapePoint>() as f64 * heights as f64;
         Self {
             bytes: finest.bytes + shapes,
-            seconds: share * costs.work(own).seconds,
+            seconds: meshes * costs.work(own).seconds,
             unknowns: costs.unknowns_a_segment() * own,
             segments: all,
             products: costs.products(),
@@ -153,13 +154,13 @@ impl Costs {
             if equal && *set == side_side {
                 continue;
             }
-            let share = if bends(set) {
+            let fraction = if bends(set) {
                 1.0 / planes as f64
             } else {
                 0.25
             };
             subsystems.push(SubsystemCost {
-                modes: (share * options.modes as f64).ceil(),
+                modes: (fraction * options.modes as f64).ceil(),
                 multiplicity: if equal && index == 0 { 2.0 } else { 1.0 },
                 ..SubsystemCost::of(tower, set, cut, options)
             });
@@ -189,7 +190,7 @@ impl Costs {
     fn products(&self) -> f64 {
         let subsystems = self.subsystems.iter();
         subsystems
-            .map(|part| self.vectors(part.modes) + part.modes)
+            .map(|subsystem| self.vectors(subsystem.modes) + subsystem.modes)
             .sum()
     }
 
@@ -198,13 +199,14 @@ impl Costs {
             bytes: 0.0,
             seconds: 0.0,
         };
-        for part in &self.subsystems {
-            let size = part.unknowns * segments;
-            let modes = part.modes.min(size);
+        for subsystem in &self.subsystems {
+            let size = subsystem.unknowns * segments;
+            let modes = subsystem.modes.min(size);
             let vectors = self.vectors(modes).min(size);
             let kept = vectors + modes + 4.0;
-            work.bytes += NUMBER * (size * kept + vectors * vectors) + part.bytes * segments;
-            let terms = size * vectors * (vectors + part.terms) + DIAGONALIZATION * vectors.powi(3);
+            work.bytes += NUMBER * (size * kept + vectors * vectors) + subsystem.bytes * segments;
+            let terms =
+                size * vectors * (vectors + subsystem.terms) + DIAGONALIZATION * vectors.powi(3);
             work.seconds += SECONDS_A_TERM * terms;
         }
         work
@@ -225,11 +227,10 @@ impl SubsystemCost {
         };
         let unknowns: usize = set.iter().map(unknowns).sum();
         let components = dimension(*set);
-        // Inertia and one more; where the tower is tied to the ground or pressed by weights, their
-        // matrices and factors too.
+        // Inertia and one more; with a foundation or gravity also their matrices and the factors.
         let is_untied = tower.base().is_clamped() && tower.gravity_m_per_s2() == 0.0;
         let matrices = if is_untied { 2 } else { 5 };
-        let rows = match options.method.element() {
+        let rows = match Element::of(options.method) {
             Some(_) => components,
             None => components + unknowns,
         };
@@ -237,7 +238,7 @@ impl SubsystemCost {
         Self {
             unknowns: unknowns as f64,
             bytes: NUMBER * numbers as f64,
-            terms: match options.method.element() {
+            terms: match Element::of(options.method) {
                 Some(_) => 20.0,
                 None => (components + unknowns) as f64 * 4.0,
             },

@@ -6,7 +6,7 @@ use super::progress::Monitor;
 use crate::beam::{BeamRecipe, BeamWorkspace, Beams, assemble_beams, assemble_blade};
 use crate::blade::Blade;
 use crate::chain::Chains;
-use crate::elements::{Mesh, assemble_chains};
+use crate::elements::{Element, Mesh, assemble_chains};
 use crate::modes::ByMotion;
 use crate::subsystem::{Coefficients, Eigenproblem, Resultant, Subsystem, SubsystemPencil};
 use crate::tower::{Motions, Tower};
@@ -49,7 +49,7 @@ pub(super) struct ModalForces {
 impl Model {
     /// Assembles a tower on a mesh.
     pub(super) fn assemble(&mut self, tower: &Tower, cut: &Cut, options: &Options) {
-        let Some(element) = options.method.element() else {
+        let Some(element) = Element::of(options.method) else {
             return self.assemble_beams(tower, &cut.mesh, options.beam_recipe(cut.degree));
         };
         self.restart(tower.base_m());

@@ -27,51 +27,61 @@ pub(super) fn identify(
     found: &[Found],
     inertia: &SpatialMatrix,
 ) -> Vec<Identity> {
-    let origin = model.origin;
+    let forces = modal_forces(model, spectrum, found);
+    let rigid = if tower.base().floats {
+        names_afloat(found, &forces, model.origin, inertia)
+    } else {
+        vec![None; found.len()]
+    };
+    let mut orders: HashMap<Family, usize> = HashMap::new();
+    let identified = found.iter().zip(&forces).zip(rigid);
+    let identities = identified.map(|((found, forces), rigid)| {
+        let mut identity = identity(model, found, forces, rigid);
+        let order = orders.entry(identity.family).or_insert(0);
+        *order += 1;
+        identity.order = *order;
+        identity
+    });
+    identities.collect()
+}
+
+/// The forces and energies of the modes; the second of a repeated pair has those of the first.
+fn modal_forces(model: &mut Model, spectrum: &Spectrum, found: &[Found]) -> Vec<ModalForces> {
     let mut forces: Vec<ModalForces> = Vec::with_capacity(found.len());
     for (index, mode) in found.iter().enumerate() {
-        // Of a repeated pair the second has what the first has.
         let known = match forces.last() {
             Some(last) if mode.key.is_turned && found[index - 1].key.is_twin(mode.key) => *last,
             _ => model.modal_forces(mode.key.subsystem, spectrum.vector(mode.key)),
         };
         forces.push(known);
     }
-    let rigid = if tower.base().floats {
-        names_afloat(found, &forces, origin, inertia)
-    } else {
-        vec![None; found.len()]
+    forces
+}
+
+/// The identity of one mode, with the name of a rigid-body mode if it has one; its order is not
+/// known yet.
+fn identity(model: &Model, found: &Found, forces: &ModalForces, rigid: Option<Family>) -> Identity {
+    let kinetic = forces.kinetic.shares();
+    let strain = match forces.strain {
+        // A motion that nothing resists has no strain energy but rounding errors.
+        _ if found.eigenvalue.is_zero() => ByMotion::default(),
+        None => kinetic,
+        Some(strain) => strain.shares(),
     };
-    let mut orders: HashMap<Family, usize> = HashMap::new();
-    let mut identities = Vec::with_capacity(found.len());
-    for ((found, forces), rigid) in found.iter().zip(&forces).zip(rigid) {
-        // What nothing resists has no strain energy but rounding.
-        let kinetic = forces.kinetic.shares();
-        let strain = match forces.strain {
-            _ if found.eigenvalue.is_zero() => ByMotion::default(),
-            None => kinetic,
-            Some(strain) => strain.shares(),
-        };
-        let energy = Energy { kinetic, strain };
-        // The vector has uᵀ(K − σM)u = 1, and so uᵀMu = 1/(λ − σ).
-        let from_origin = found.eigenvalue.lambda - origin;
-        let identity = Identity {
-            family: rigid.unwrap_or_else(|| family(model, found, &energy)),
-            order: 0,
-            energy,
-            effective_mass: forces.force.map(|force| force * force * from_origin),
-        };
-        let mut identity = if found.key.is_turned {
-            identity.turned_to_side_side()
-        } else {
-            identity
-        };
-        let order = orders.entry(identity.family).or_insert(0);
-        *order += 1;
-        identity.order = *order;
-        identities.push(identity);
+    let energy = Energy { kinetic, strain };
+    // The vector has uᵀ(K − σM)u = 1, and so uᵀMu = 1/(λ − σ).
+    let from_origin = found.eigenvalue.lambda - model.origin;
+    let identity = Identity {
+        family: rigid.unwrap_or_else(|| family(model, found, &energy)),
+        order: 0,
+        energy,
+        effective_mass: forces.force.map(|force| force * force * from_origin),
+    };
+    if found.key.is_turned {
+        identity.turned_to_side_side()
+    } else {
+        identity
     }
-    identities
 }
 
 /// The family of a mode of an elastic tower: that of the only motion of its subsystem, or of the one

@@ -19,7 +19,7 @@ use crate::modes::ModeCurve;
 use crate::space::SpatialMatrix;
 use crate::tower::{Plane, Tower};
 
-/// Assembles a tower on a mesh and solves it for at least the modes asked for.
+/// Assembles a tower on a mesh and solves it for at least the modes requested.
 pub(super) fn solve_cut(
     tower: &Tower,
     cut: &Cut,
@@ -123,7 +123,7 @@ impl Described {
     }
 }
 
-/// Proves that no mode is missing below those found, and describes the modes asked for.
+/// Proves that no mode is missing below those found, and describes the modes requested.
 pub(super) fn describe(
     tower: &Tower,
     cut: &Cut,

@@ -9,33 +9,46 @@ use crate::elements::{Borders, Element, GAUSS_HINGE_POSITION, Recipe};
 use crate::modes::ShapePoint;
 
 /// How to solve a tower.
+///
+/// # Example
+/// Twelve modes by the element of BModes, which has no rotary inertia in bending.
+/// ```
+/// use towermodes::{Method, Options};
+///
+/// let options = Options {
+///     method: Method::Bmodes,
+///     modes: 12,
+///     ..Options::default()
+/// };
+/// assert!(options.rotary_inertia && !options.has_rotary_inertia());
+/// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct Options {
-    /// The element.
+    /// The discretization.
     pub method: Method,
-    /// Number of segments; `None` is [`DEFAULT_SEGMENTS`] and two more for each short span between
-    /// steps, kinks and what is attached.
+    /// Number of segments; `None` is [`DEFAULT_SEGMENTS`](crate::DEFAULT_SEGMENTS) and two more for
+    /// each short span between steps, kinks and attachments.
     pub segments: Option<usize>,
-    /// Where the elements of the method `bmodes` begin and end, m, from the base to the top, in
-    /// place of `segments`: whatever is attached must be at one of these heights; rows of the tower
-    /// need not be, and what the elements miss of them is in the errors.
+    /// Heights at which the elements of [`Method::Bmodes`] begin and end, m, from the base to the
+    /// top, instead of `segments`. Every attachment must be at one of these heights. Rows of the
+    /// tower need not be; the error estimate includes what the elements miss of them.
     pub borders_m: Option<Vec<f64>>,
-    /// Polynomial degree of the elements of the spectral beam, 2 to [`MAX_DEGREE`]; `None` raises
-    /// it until the modes stand still.
+    /// Polynomial degree of the elements of [`Method::Spectral`], 2 to [`MAX_DEGREE`]; `None`
+    /// increases it until the modes converge.
     pub degree: Option<usize>,
-    /// How many modes, from the lowest.
+    /// Number of modes, from the lowest.
     pub modes: usize,
-    /// At how many equal heights, base and top included, shapes are given.
+    /// Number of equally spaced output heights of the shapes, base and top included.
     pub points: usize,
-    /// Other heights at which shapes are given, m: [`Mode::shape_there`](crate::Mode::shape_there).
+    /// Additional output heights of the shapes, m: [`Mode::shape_there`](crate::Mode::shape_there).
     pub heights_m: Vec<f64>,
     /// Whether sections have rotary inertia in bending (false: an Euler-Bernoulli beam).
     pub rotary_inertia: bool,
-    /// Where the hinges of the cardanic element sit, as a share k of the segment from each end; (1
-    /// − 1/√3)/2 unless told.
+    /// Position of the hinges of [`Method::Cardanic`], as a fraction k of the segment from each end,
+    /// 0 < k < 1/2; (1 − 1/√3)/2 by default.
     pub hinge_position: f64,
-    /// Whether what would take more than [`MAX_BYTES`] or [`MAX_SECONDS`] is refused before it
-    /// begins.
+    /// Whether a solve whose estimated cost is above [`MAX_BYTES`] or
+    /// [`MAX_SECONDS`](crate::MAX_SECONDS) is refused before it begins.
     pub limits: bool,
 }
 
@@ -57,7 +70,7 @@ impl Default for Options {
 }
 
 impl Options {
-    /// Refuses what no tower can be asked.
+    /// Refuses options that are impossible for any tower.
     pub(super) fn check(&self) -> Result<(), SolveError> {
         check_modes(self.modes)?;
         if let Some(degree) = self
@@ -82,7 +95,7 @@ impl Options {
         Ok(())
     }
 
-    /// Refuses shapes that no memory holds, whatever the tower.
+    /// Refuses shapes that need too much memory, whatever the tower is.
     pub(super) fn check_shapes(&self) -> Result<(), SolveError> {
         let (modes, points) = (self.modes, self.points + self.heights_m.len());
         if modes > MAX_BYTES / (points * size_of::<ShapePoint>()) {
@@ -91,12 +104,13 @@ impl Options {
         Ok(())
     }
 
-    /// Whether sections have rotary inertia in bending: if told so, and never with BModes.
+    /// Whether sections have rotary inertia in bending: as [set](Self::rotary_inertia), but never
+    /// with BModes.
     pub fn has_rotary_inertia(&self) -> bool {
         self.rotary_inertia && self.method != Method::Bmodes
     }
 
-    /// What the elements of a chain need to know of it.
+    /// The recipe of the elements of a chain.
     pub(super) fn recipe(&self, element: Element) -> Recipe {
         Recipe {
             element,
@@ -105,7 +119,7 @@ impl Options {
         }
     }
 
-    /// What the elements of a beam need to know of it, and their degree if they are spectral.
+    /// The recipe of the elements of a beam, with their degree if they are spectral.
     pub(super) fn beam_recipe(&self, degree: usize) -> BeamRecipe {
         match self.method {
             Method::Bmodes => BeamRecipe::Bmodes,

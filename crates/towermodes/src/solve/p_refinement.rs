@@ -26,7 +26,7 @@ struct Solved {
     changes_hz: Vec<f64>,
 }
 
-/// Solves with rising degree until the modes asked for have converged, or with the degree asked
+/// Solves with rising degree until the modes requested have converged, or with the degree asked
 /// for; the change from one degree to the next is the estimate of the error.
 pub(super) fn solve(
     tower: &Tower,
@@ -60,7 +60,7 @@ pub(super) fn solve(
     Ok(result.into_solution(options, cut.mesh.segments(), warnings, statistics))
 }
 
-/// Solves with one degree, after the next one, which says how far it is off.
+/// Solves with one degree, after the next one, which gives its error.
 fn fix(
     cut: Cut,
     options: &Options,
@@ -79,7 +79,7 @@ fn fix(
     })
 }
 
-/// Raises the degree until the modes asked for have converged.
+/// Increases the degree until the modes requested have converged.
 fn raise(
     first: Cut,
     options: &Options,

@@ -114,8 +114,8 @@ impl Monitor {
     fn fraction(&self, products: usize) -> f64 {
         let ([all, of_a_cut], [before, now]) = (self.expected, self.done);
         let least = self.progress.map_or(0.0, |progress| progress.fraction);
-        let share = (products as f64 / of_a_cut).min(1.0);
-        let fraction = (before + now * share) / all;
+        let of_this_cut = (products as f64 / of_a_cut).min(1.0);
+        let fraction = (before + now * of_this_cut) / all;
         // Nothing expected is nothing known.
         if fraction.is_finite() {
             fraction.clamp(least, NEARLY_ALL)

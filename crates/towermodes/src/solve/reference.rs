@@ -1,5 +1,5 @@
-//! The beam itself as a reference: the spectral beam of a method's own physics, where meshes do not
-//! say how large its errors are.
+//! The reference beam solution: spectral elements with the physics of a method, where its meshes do
+//! not converge regularly.
 
 use super::cost::Cost;
 use super::cut::Cut;
@@ -16,19 +16,19 @@ use crate::Method;
 use crate::beam::BeamRecipe;
 use crate::tower::Tower;
 
-/// The degree is raised until its change is below this share of the error that it shows.
+/// The degree increases until its change is below this fraction of the error that it shows.
 const BESIDE_THE_ERROR: f64 = 0.1;
 
-/// The degree is raised no more often: what still changes then is part of the error.
+/// The degree increases at most so many times; a change that remains is added to the error.
 const MOST_RAISES: usize = 6;
 
 /// A reference that is estimated to take longer, s, is not made: the estimate of the meshes stays,
 /// with its warning.
 const MOST_SECONDS: f64 = 10.0;
 
-/// The frequencies of modes of the beam itself.
+/// The frequencies of modes by the reference beam solution.
 pub(super) struct Reference {
-    /// Hz; none of those that weights make unstable.
+    /// Hz; none for modes that self-weight makes unstable.
     pub(super) frequencies_hz: Level,
     /// How far each may be off, Hz: its change from one degree to the next.
     pub(super) changes_hz: Vec<f64>,
@@ -122,8 +122,7 @@ fn assemble(
     Ok(())
 }
 
-/// The factor by which all weights must be multiplied for the beam itself to buckle; none if it
-/// cannot be found. The model of the workspace is that of the beam afterwards.
+/// The buckling load factor of the reference beam solution; none if it cannot be computed. The model of the workspace is that of the beam afterwards.
 fn load_factor_of_the_beam(
     tower: &Tower,
     options: &Options,

@@ -1,4 +1,4 @@
-//! What a solve gives.
+//! The result of a solve.
 
 use super::naming::Identity;
 use super::spectrum::{Found, ModeKey, Proof};
@@ -8,27 +8,46 @@ use crate::eigen::Statistics;
 use crate::modes::{ByMotion, Energy, Family, ModeCurve, ShapePoint};
 use crate::space::SpatialMatrix;
 
-/// A natural mode of a tower.
+/// A natural mode of a tower, one of [`Solution::modes`].
+///
+/// # Example
+/// ```
+/// use towermodes::{Material, Options, Rna, Station, Tower, TowerDescription, solve};
+///
+/// let tower = Tower::new(TowerDescription {
+///     materials: vec![Material::from_shear_modulus(8500.0, 2.1e11, 8.08e10)],
+///     stations: vec![Station::new(0.0, 6.0, 0.027), Station::new(87.6, 3.87, 0.019)],
+///     rna: Rna::point(350e3),
+///     ..TowerDescription::default()
+/// })?;
+/// let mode = &solve(&tower, &Options::default())?.modes[0];
+/// assert_eq!(mode.label(), "1st fore-aft bending");
+/// assert!((mode.period_s() - 3.331).abs() < 1e-3);
+/// assert!(mode.error_hz() < 1e-4 * mode.frequency_hz);
+/// let top = mode.shape.last().expect("101 points");
+/// assert_eq!((top.height_m, top.translation[0]), (87.6, 1.0));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct Mode {
-    /// Place in the list, from 1.
+    /// Number in the list, from 1.
     pub number: usize,
-    /// Natural frequency of the chain of rigid bodies or of the beam, Hz; 0 for a motion that
-    /// nothing resists.
+    /// Natural frequency of the discretized tower, Hz; 0 for a rigid-body motion that nothing
+    /// resists.
     pub frequency_hz: f64,
-    /// The kind of motion: that with most of the energy.
+    /// The kind of motion: the one with most of the energy.
     pub family: Family,
     /// Order within the family, from 1.
     pub order: usize,
     /// Bound on the error of the eigenvalue computation, Hz.
     pub algebraic_error_hz: f64,
-    /// Estimate of the error of representing the beam by this many segments, Hz.
+    /// Estimate of the discretization error: the difference from the frequency of the beam, Hz.
     pub discretization_error_hz: f64,
-    /// The beam's frequency extrapolated from meshes of half or twice the segments, Hz.
+    /// The frequency of the beam, extrapolated from meshes with half or twice the segments, Hz.
     pub extrapolated_hz: f64,
-    /// Modal mass uᵀMu for the shape as normalized here: kg, or kg m² for torsion and yaw.
+    /// Modal mass uᵀMu of the shape as normalized here: kg, or kg m² for torsion and yaw.
     pub modal_mass: f64,
-    /// Where its energy is.
+    /// Distribution of its energy over the motions.
     pub energy: Energy,
     /// Effective modal masses in x, y, z, kg, and about the axes x, y, z through the base, kg m²:
     /// (uᵀ M r)²/(uᵀ M u) with r the rigid motion of 1 in that direction. Over all modes they add
@@ -40,7 +59,7 @@ pub struct Mode {
     pub station_shape: Vec<ShapePoint>,
     /// The shape at the heights of [`Options::heights_m`](crate::Options::heights_m).
     pub shape_there: Vec<ShapePoint>,
-    /// Which mode it is on any mesh and by any method.
+    /// Its identity on any mesh and by any method.
     pub(crate) key: ModeKey,
 }
 
@@ -94,7 +113,7 @@ impl Mode {
         }
     }
 
-    /// Whether no number of it overflowed on the way.
+    /// Whether every number is finite.
     pub(super) fn is_finite(&self) -> bool {
         let points = self.shape.iter().chain(&self.station_shape);
         let mut points = points.chain(&self.shape_there);
@@ -113,12 +132,12 @@ impl Mode {
         self.key
     }
 
-    /// 1/frequency, s; infinite for a motion that nothing resists.
+    /// Period 1/f, s; infinite for a motion that nothing resists.
     pub fn period_s(&self) -> f64 {
         1.0 / self.frequency_hz
     }
 
-    /// The whole error, of the segments and of the eigenvalue computation, Hz.
+    /// The total error, discretization and eigenvalue computation together, Hz.
     pub fn error_hz(&self) -> f64 {
         self.discretization_error_hz + self.algebraic_error_hz
     }
@@ -137,8 +156,7 @@ impl Mode {
         matches!(self.family, Family::Torsion | Family::Yaw)
     }
 
-    /// The parts of its energy that are not of its own family, with the family each is of, largest
-    /// first.
+    /// The fractions of its energy that belong to other families than its own, largest first.
     pub fn other_parts(&self) -> Vec<(Family, f64)> {
         let mean = self.energy.mean();
         let own = match self.family {
@@ -165,20 +183,37 @@ impl Mode {
         parts
     }
 
-    /// What it is: "1st fore-aft bending".
+    /// Order and family in words: "1st fore-aft bending".
     pub fn label(&self) -> String {
         self.family.label(self.order)
     }
 }
 
-/// The proof that no mode is missing.
+/// The proof that no mode is missing: an inertia count (Sylvester's law) of the stiffness less a
+/// shift times the mass, just above the last mode, equals the number of modes found.
+///
+/// # Example
+/// ```
+/// use towermodes::{Material, Options, Station, Tower, TowerDescription, solve};
+///
+/// let tower = Tower::new(TowerDescription {
+///     materials: vec![Material::from_shear_modulus(8500.0, 2.1e11, 8.08e10)],
+///     stations: vec![Station::new(0.0, 6.0, 0.027), Station::new(87.6, 3.87, 0.019)],
+///     ..TowerDescription::default()
+/// })?;
+/// let solution = solve(&tower, &Options::default())?;
+/// let certificate = &solution.certificate;
+/// assert_eq!((certificate.complete, certificate.count), (true, 8));
+/// assert!(certificate.below_hz > solution.modes[7].frequency_hz);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Certificate {
     /// Whether the inertia count and the list agree; a solution that is not complete is never
     /// returned.
     pub complete: bool,
-    /// Number of modes that the inertia count proves below [`below_hz`](Self::below_hz): as many as
-    /// are listed, or more if the number asked for cuts a repeated pair.
+    /// The number of modes below [`below_hz`](Self::below_hz), by the inertia count: the number
+    /// listed, or more if the list ends within a repeated pair.
     pub count: usize,
     /// A frequency in the gap above the last mode, Hz.
     pub below_hz: f64,
@@ -194,14 +229,31 @@ impl Certificate {
     }
 }
 
-/// The lowest modes of a tower, with their errors and the proof that they are all.
+/// The lowest modes of a tower, with their errors and the proof that none is missing.
+///
+/// # Example
+/// ```
+/// use towermodes::{Family, Material, Options, Rna, Station, Tower, TowerDescription, solve};
+///
+/// let tower = Tower::new(TowerDescription {
+///     materials: vec![Material::from_shear_modulus(8500.0, 2.1e11, 8.08e10)],
+///     stations: vec![Station::new(0.0, 6.0, 0.027), Station::new(87.6, 3.87, 0.019)],
+///     rna: Rna::point(350e3),
+///     ..TowerDescription::default()
+/// })?;
+/// let solution = solve(&tower, &Options::default())?;
+/// let first = solution.mode(Family::ForeAft, 1).expect("it is the lowest mode");
+/// assert!((first.frequency_hz - 0.300206).abs() < 1e-5);
+/// assert_eq!(solution.modes.len(), 8);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct Solution {
     /// The method used.
     pub method: Method,
-    /// Number of segments used, or of elements.
+    /// Number of segments or elements used.
     pub segments: usize,
-    /// Polynomial degree of the elements of the spectral beam; none for other methods.
+    /// Polynomial degree of the elements of [`Method::Spectral`]; none for other methods.
     pub degree: Option<usize>,
     /// Degrees of freedom of the whole tower.
     pub degrees_of_freedom: usize,
@@ -209,22 +261,22 @@ pub struct Solution {
     pub modes: Vec<Mode>,
     /// The proof that none is missing.
     pub certificate: Certificate,
-    /// The inertia of the whole tower against rigid motions (x, y, z, rotation about x, y, z) about
-    /// its base, with all that moves with it: kg, kg m, kg m². Its diagonal is what effective
-    /// masses are shares of.
+    /// The inertia of the whole tower, with everything that moves with it, against rigid-body
+    /// motions (x, y, z, rotation about x, y, z) about its base: kg, kg m, kg m². Its diagonal is
+    /// the sum of the effective masses of all modes.
     pub rigid_inertia: SpatialMatrix,
-    /// The factor by which all weights must be multiplied for the tower to buckle; none without
+    /// The factor by which self-weight must be multiplied for the tower to buckle; none without
     /// gravity, or where it floats.
     pub buckling_load_factor: Option<f64>,
-    /// What looks like a slip.
+    /// Possible input mistakes, and limits of the results.
     pub warnings: Vec<Warning>,
-    /// What it cost.
+    /// Number of products and restarts.
     pub statistics: Statistics,
 }
 
 impl Solution {
-    /// The sums of the effective masses of the modes in the list, as shares of the whole: in x, y,
-    /// z and about x, y, z.
+    /// The sums of the effective masses of the modes in the list, as fractions of the whole: in x,
+    /// y, z and about x, y, z.
     pub fn effective_mass_shares(&self) -> [f64; 6] {
         std::array::from_fn(|i| {
             let listed: f64 = self.modes.iter().map(|mode| mode.effective_mass[i]).sum();

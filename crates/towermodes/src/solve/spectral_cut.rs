@@ -11,14 +11,15 @@ use crate::tower::Tower;
 /// Frequencies that change by no more than this, relatively, from one degree to the next have
 /// converged.
 pub(super) const CONVERGED: f64 = 1e-10;
-/// How much the degree is raised at a time.
+/// The step of the degree.
 pub(super) const STEP: usize = 2;
-/// Above this degree elements are halved instead: their matrices are full.
+/// Above this degree the elements are halved instead, because their matrices are full.
 const HIGHEST_DEGREE: usize = 30;
-/// More modes an element than this are a matter of more elements, not of a higher degree.
+/// With more modes per element the number of elements increases, not the degree.
 const MODES_AN_ELEMENT: usize = 20;
 
-/// One element a linear piece, more where it is steep, or as many as told, of a degree that may do.
+/// The first mesh and degree: one element per linear piece, more where it is steep, or the number
+/// requested.
 pub(super) fn first_cut(tower: &Tower, options: &Options) -> Result<Cut, SolveError> {
     let borders = options.borders();
     let mut mesh = match options.segments {

@@ -102,40 +102,45 @@ impl Spectrum {
         let is_alone = model.count() == 1;
         let half = if is_alone { wanted } else { wanted.div_ceil(2) };
         let mut first = half.min(all_first);
-        loop {
+        let others = loop {
             self.solve_subsystem(model, 0, first)?;
-            let ceiling = self.of_subsystems[0]
-                .eigenvalues()
-                .last()
-                .map_or(0.0, |e| e.lambda);
-            let mut total = self.of_subsystems[0].eigenvalues().len() * model.multiplicity(0);
-            // Just above the ceiling, so that a mode equal to it counts.
-            let above = ceiling * (1.0 + REPEATED);
-            let others: Vec<usize> = (1..model.count())
-                .map(|index| count_of(model, index, above))
-                .collect();
-            total += others.iter().sum::<usize>();
-            if total < wanted && first < all_first {
-                first = (first + (wanted - total)).min(all_first);
-                continue;
+            let others = self.counts_below_first(model);
+            let of_first = self.of_subsystems[0].eigenvalues().len() * model.multiplicity(0);
+            let total = of_first + others.iter().sum::<usize>();
+            if total >= wanted {
+                break others;
             }
-            for (index, count) in (1..).zip(others) {
-                // With the first subsystem exhausted there is no ceiling: anything may be among the
-                // lowest.
-                let all = wanted.min(model.subsystem(index).degrees_of_freedom());
-                let count = if total < wanted { all } else { count };
-                self.solve_subsystem(model, index, count)?;
+            if first == all_first {
+                // With the first subsystem exhausted there is no ceiling: any mode of the others
+                // may be among the lowest.
+                let all = |index| model.subsystem(index).degrees_of_freedom().min(wanted);
+                break (1..model.count()).map(all).collect();
             }
-            for (index, workspace) in self
-                .of_subsystems
-                .iter_mut()
-                .take(model.count())
-                .enumerate()
-            {
-                align(model, index, REPEATED, workspace);
-            }
-            return Ok(self.sorted(model));
+            first = (first + (wanted - total)).min(all_first);
+        };
+        for (index, count) in (1..).zip(others) {
+            self.solve_subsystem(model, index, count)?;
         }
+        for (index, workspace) in self
+            .of_subsystems
+            .iter_mut()
+            .take(model.count())
+            .enumerate()
+        {
+            align(model, index, REPEATED, workspace);
+        }
+        Ok(self.sorted(model))
+    }
+
+    /// How many modes each subsystem but the first has below the highest mode found of the first.
+    fn counts_below_first(&self, model: &mut Model) -> Vec<usize> {
+        let found = self.of_subsystems[0].eigenvalues();
+        let ceiling = found.last().map_or(0.0, |e| e.lambda);
+        // Just above the ceiling, so that a mode equal to it counts.
+        let above = ceiling * (1.0 + REPEATED);
+        (1..model.count())
+            .map(|index| count_of(model, index, above))
+            .collect()
     }
 
     /// All modes found, by frequency; of a repeated pair the fore-aft mode first.

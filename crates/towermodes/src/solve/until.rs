@@ -7,7 +7,7 @@ use super::tower::solve_with;
 use super::workspace::Workspace;
 use crate::tower::Tower;
 
-/// Solves for the modes asked for and then for twice as many, until `has_all` holds or the tower
+/// Solves for the modes requested and then for twice as many, until `has_all` holds or the tower
 /// has no more modes. The shapes have two points.
 ///
 /// # Errors

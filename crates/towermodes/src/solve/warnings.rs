@@ -1,4 +1,4 @@
-//! What looks like a slip once the modes are known.
+//! Warnings that depend on the modes.
 
 use super::one_mesh::Described;
 use super::options::Options;
@@ -8,17 +8,17 @@ use crate::elements::Mesh;
 use crate::tower::Tower;
 use crate::{Method, Warning};
 
-/// An estimate above this share of the frequency says that the mode is not resolved.
+/// With a larger error relative to the frequency a mode is not resolved.
 const RESOLVED: f64 = 0.02;
 
-/// Errors above this share of the frequency of modes whose meshes do not fall as they should are
-/// told.
+/// Larger errors relative to the frequency, of modes that do not converge regularly, cause a
+/// warning.
 const IRREGULAR: f64 = 1e-3;
 
-/// A change of a quantity below this share within an element matters little.
+/// A smaller relative change of a quantity within an element is negligible.
 const SLIGHT: f64 = 0.05;
 
-/// Errors above this share of a frequency say that what given elements miss matters.
+/// With larger errors relative to a frequency, what given elements miss matters.
 const MISSED: f64 = 5e-3;
 
 /// The warnings of the input and of its modes.
@@ -63,7 +63,7 @@ pub(super) fn warnings(
     warnings
 }
 
-/// Says that the list ends within the error of the segments: another mesh has another count of
+/// Warns that the list ends within the error of the segments: another mesh has another count of
 /// modes below its end than certified, or a mode is extrapolated beyond it.
 pub(super) fn uncertain_end(
     modes: &[Mode],
@@ -76,9 +76,8 @@ pub(super) fn uncertain_end(
     is_uncertain.then_some(Warning::UncertainEnd { below_hz })
 }
 
-/// Says that motions die out in the soil within a part of a segment: those that a tower on an
-/// elastic bed has, (4EI/k)^¼ in bending, (EA/k)^½ and (GJ/k)^½ along and about the axis. A
-/// polynomial of a degree resolves so many parts of its element.
+/// Warns if the Winkler decay length is below the mesh size: (4EI/k)^¼ in bending, (EA/k)^½ along
+/// and (GJ/k)^½ about the axis. An element of degree p resolves a p-th of its length.
 fn soil_unresolved(tower: &Tower, mesh: &Mesh, degree: Option<usize>) -> Option<Warning> {
     let parts = degree.unwrap_or(1) as f64;
     let mut worst: Option<(f64, f64)> = None;
@@ -111,7 +110,7 @@ fn soil_unresolved(tower: &Tower, mesh: &Mesh, degree: Option<usize>) -> Option<
     })
 }
 
-/// Says where an element of BModes, which has the section at its middle, reaches over rows of the
+/// Reports where an element of BModes, which has the section at its middle, reaches over rows of the
 /// tower, and which quantity it misses most of there: that which differs most within the element
 /// from what is taken for it.
 fn missed(tower: &Tower, mesh: &Mesh) -> Option<Warning> {
@@ -130,7 +129,8 @@ fn missed(tower: &Tower, mesh: &Mesh) -> Option<Warning> {
 }
 
 /// The quantity that differs most from its value at the middle of an element at the ends of pieces
-/// within it, and by which share of the larger; none if no piece ends there, or little changes.
+/// within it, and the difference relative to the larger value; none if no piece ends there, or the
+/// difference is negligible.
 fn most_missed(tower: &Tower, base_m: f64, top_m: f64) -> Option<(&'static str, f64)> {
     let middle_m = 0.5 * (base_m + top_m);
     let taken = tower.piece_at(middle_m).section_at(middle_m).quantities();
@@ -153,27 +153,30 @@ fn most_missed(tower: &Tower, base_m: f64, top_m: f64) -> Option<(&'static str, 
     (most.1 > SLIGHT).then_some(most)
 }
 
-/// The difference of two values as a share of the larger; 0 if both are nothing.
+/// The difference of two values relative to the larger; 0 if both are zero.
 fn difference(a: f64, b: f64) -> f64 {
     let larger = a.abs().max(b.abs());
     if a == b { 0.0 } else { (a - b).abs() / larger }
 }
 
-/// Says that the frequencies of some modes, at `places` in the list, do not fall with the segments
-/// as the order of the method says.
+/// Warns that the frequencies of some modes, at `places` in the list, do not converge with the order
+/// of the method.
 pub(super) fn irregular(modes: &[Mode], places: &[usize]) -> Option<Warning> {
     let relative = |mode: &Mode| mode.error_hz() / mode.frequency_hz;
     let listed = places.iter().map(|&place| &modes[place]);
     let moving = listed.filter(|mode| mode.frequency_hz > 0.0);
-    // What is unresolved by so much is told already.
+    // For larger errors there is another warning.
     let band = IRREGULAR..=RESOLVED;
-    let told: Vec<&Mode> = moving
+    let affected: Vec<&Mode> = moving
         .filter(|mode| band.contains(&relative(mode)))
         .collect();
     Some(Warning::Irregular {
-        number: told.first()?.number,
-        others: told.len() - 1,
-        worst: told.iter().map(|mode| relative(mode)).fold(0.0, f64::max),
+        number: affected.first()?.number,
+        others: affected.len() - 1,
+        worst: affected
+            .iter()
+            .map(|mode| relative(mode))
+            .fold(0.0, f64::max),
     })
 }
 

@@ -8,7 +8,7 @@ mod list;
 mod pencil;
 
 pub use coefficients::{Coefficients, MatrixKind};
-pub use coordinates::{Coordinates, dimension};
+pub(crate) use coordinates::{Coordinates, dimension};
 pub use curves::{SegmentCurves, ShearFraction};
 pub use list::Subsystems;
 pub use pencil::{Eigenproblem, ProductObserver, SubsystemPencil};

@@ -31,7 +31,7 @@ impl Eigenproblem {
     }
 }
 
-/// Is told of each product with the mass matrix.
+/// An observer of the products with the mass matrix.
 pub trait ProductObserver {
     /// A product was made.
     fn count_product(&mut self);

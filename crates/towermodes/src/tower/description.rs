@@ -50,6 +50,15 @@ pub struct PropertyStation {
 }
 
 /// The rotor-nacelle assembly: a rigid body on the tower top. All zero means there is none.
+///
+/// # Example
+/// 350 t with the centre of mass 2 m above the tower top:
+/// ```
+/// use towermodes::Rna;
+///
+/// let rna = Rna { center_m: [0.0, 0.0, 2.0], ..Rna::point(350e3) };
+/// assert_eq!(rna.mass_kg, 350e3);
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Rna {
     /// Mass, kg.

@@ -4,6 +4,28 @@ use super::inertia::Inertia;
 use crate::space::SpatialMatrix;
 
 /// What holds the lowest station.
+///
+/// # Example
+/// A rocking spring of 50 GN m/rad lowers the first frequency.
+/// ```
+/// use towermodes::{
+///     Foundation, FoundationSprings, Material, Options, Rna, Station, Tower, TowerDescription, solve,
+/// };
+///
+/// let tower = Tower::new(TowerDescription {
+///     materials: vec![Material::from_shear_modulus(8500.0, 2.1e11, 8.08e10)],
+///     stations: vec![Station::new(0.0, 6.0, 0.027), Station::new(87.6, 3.87, 0.019)],
+///     rna: Rna::point(350e3),
+///     foundation: Foundation::Springs(FoundationSprings {
+///         rocking_n_m: 5e10,
+///         ..FoundationSprings::RIGID
+///     }),
+///     ..TowerDescription::default()
+/// })?;
+/// let first_hz = solve(&tower, &Options::default())?.modes[0].frequency_hz;
+/// assert!((0.270..0.280).contains(&first_hz), "clamped it is 0.300 Hz: {first_hz}");
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 #[derive(Debug, Clone, PartialEq, Default)]
 pub enum Foundation {
     /// It does not move.

@@ -6,7 +6,7 @@
 //! stiffness of a table changes by more than 10 % leave an error below 1e-15 (the nearest pole of
 //! the integrand is 20 half-panels away).
 
-use super::on_axis::OnAxis;
+use super::axisymmetric::Axisymmetric;
 use super::piece::Piece;
 use super::planes::{Plane, Planes};
 use super::section::Section;
@@ -100,8 +100,8 @@ impl MassIntegrals {
     /// As the inertia of a rigid body about the reference, with or without the sections' rotary
     /// inertia in bending.
     #[inline]
-    pub fn on_axis(&self, rotary_inertia: bool) -> OnAxis {
-        OnAxis {
+    pub fn axisymmetric(&self, rotary_inertia: bool) -> Axisymmetric {
+        Axisymmetric {
             bending: self.rotary_inertia_kg_m2.map(|rotary| {
                 let rotary = if rotary_inertia { rotary } else { 0.0 };
                 let second = self.second_moment_kg_m2 + rotary;
@@ -116,10 +116,15 @@ impl MassIntegrals {
 /// What soil springs do to `piece` between two heights (m) inside it, as a rigid body about
 /// `reference_m`: ∫ k dz, ∫ k (z − z₀) dz and ∫ k (z − z₀)² dz in each plane, ∫ k_t dz, ∫ k_z dz.
 /// None if there is no soil.
-pub fn soil_integrals(piece: &Piece, base_m: f64, top_m: f64, reference_m: f64) -> Option<OnAxis> {
+pub fn soil_integrals(
+    piece: &Piece,
+    base_m: f64,
+    top_m: f64,
+    reference_m: f64,
+) -> Option<Axisymmetric> {
     piece.environment.soil?;
     let (middle, half) = (0.5 * (base_m + top_m), 0.5 * (top_m - base_m));
-    let mut sum = OnAxis::default();
+    let mut sum = Axisymmetric::default();
     // Linear springs times a square: three points are exact.
     for (node, weight) in GAUSS_3 {
         let z = middle + half * node;

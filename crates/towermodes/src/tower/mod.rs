@@ -2,6 +2,7 @@
 //! constant afterwards.
 
 mod attachment;
+mod axisymmetric;
 mod base;
 mod description;
 mod environment;
@@ -15,7 +16,6 @@ mod make;
 mod material;
 mod model;
 mod name;
-mod on_axis;
 mod part_names;
 mod piece;
 mod planes;
@@ -33,6 +33,7 @@ mod weight;
 
 pub use attachment::Attachment;
 pub(crate) use attachment::spatial_inertia;
+pub use axisymmetric::Axisymmetric;
 pub use base::Base;
 pub use description::{PointMass, PropertyStation, Rna, Station, TowerDescription};
 pub use environment::Environment;
@@ -49,7 +50,6 @@ pub use integrals::{
 pub use material::Material;
 pub use model::Tower;
 pub use name::{is_printable, printable};
-pub use on_axis::OnAxis;
 pub use part_names::PartNames;
 pub use piece::{Piece, Profile};
 pub use planes::{Plane, Planes};

@@ -37,7 +37,7 @@ impl Tower {
         }
         for piece in &self.pieces {
             let mass = mass_integrals(piece, piece.base_m, piece.top_m, base_m);
-            add_scaled(&mut sum, 1.0, &mass.on_axis(rotary_inertia).spatial());
+            add_scaled(&mut sum, 1.0, &mass.axisymmetric(rotary_inertia).spatial());
         }
         sum
     }

@@ -7,7 +7,7 @@ use crate::space::{Matrix, SpatialMatrix};
 /// A matrix for rigid motions that couples neither the bending planes nor torsion nor stretch:
 /// inertia or stiffness.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub struct OnAxis {
+pub struct Axisymmetric {
     /// For deflection w and rotation θ in each plane, θ being minus the rotation about x in the
     /// side-side plane: ww, wθ, θθ.
     pub bending: Planes<[f64; 3]>,
@@ -17,7 +17,7 @@ pub struct OnAxis {
     pub axial: f64,
 }
 
-impl OnAxis {
+impl Axisymmetric {
     /// The matrix of a bending plane for (w, θ).
     #[inline]
     fn plane(&self, plane: Plane) -> Matrix<2> {
