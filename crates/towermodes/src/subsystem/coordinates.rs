@@ -47,14 +47,23 @@ impl<const D: usize> Coordinates<D> {
     /// A matrix for all six components, restricted to these: s_i s_j A_ij.
     #[inline]
     pub fn restrict(&self, matrix: &SpatialMatrix) -> Matrix<D> {
-        let components = &self.components;
-        components.map(|(i, s)| components.map(|(j, t)| s * t * matrix[i][j]))
+        let mut own = [[0.0; D]; D];
+        for (row, (i, s)) in own.iter_mut().zip(&self.components) {
+            for (entry, (j, t)) in row.iter_mut().zip(&self.components) {
+                *entry = s * t * matrix[*i][*j];
+            }
+        }
+        own
     }
 
     /// The entries of a diagonal matrix that belong to these components.
     #[inline]
     pub fn restrict_diagonal(&self, diagonal: &[f64; 6]) -> [f64; D] {
-        self.components.map(|(i, _)| diagonal[i])
+        let mut own = [0.0; D];
+        for (entry, (i, _)) in own.iter_mut().zip(&self.components) {
+            *entry = diagonal[*i];
+        }
+        own
     }
 
     /// The same, with zero for components that do not move.
