@@ -535,7 +535,7 @@ fn a_healthy_tower_is_said_to_be_so_first() {
         conclusion[2].starts_with("Modes between 0.3"),
         "{conclusion:?}"
     );
-    assert!(conclusion[2].ends_with(" and 1.911 Hz are not in the list and not judged."));
+    assert!(conclusion[2].ends_with(" and 1.911 Hz are not in the list and were not checked."));
     assert_eq!(conclusion.len(), 3);
 }
 
@@ -552,18 +552,18 @@ fn a_weak_excitation_is_a_minor_warning() {
         conclusion[1],
         "The first side-side bending frequency, 1.500 Hz, lies above 3P (up to 0.6050 Hz) with margins of at least 59.7 %: stiff-stiff."
     );
-    let minor = "1 minor warning: 9P with 1st side-side bending (met at 10 rpm).";
+    let minor = "1 minor warning: 9P with 1st side-side bending (crossing at 10 rpm).";
     assert_eq!(conclusion[2], minor);
 }
 
-/// 0.345/0.33 − 1 is 4.5 %, less than the 5 % asked for; 0.345/0.32 − 1 is 7.8 %, less than twice
+/// 0.345/0.33 − 1 is 4.5 %, less than the required 5 %; 0.345/0.32 − 1 is 7.8 %, less than twice
 /// that.
 #[test]
 fn what_fails_is_said_before_what_is_near() {
     let conclusion = said([0.33, 0.32], NREL);
     assert!(
         conclusion[0]
-            .ends_with(" with margins of only 4.5 %, less than the 5 % asked for: soft-stiff."),
+            .ends_with(" with margins of only 4.5 %, less than the required 5 %: soft-stiff."),
         "{conclusion:?}"
     );
     assert_eq!(
@@ -586,7 +586,7 @@ fn other_classes_are_said_with_what_bounds_them() {
     );
     assert_eq!(
         conclusion[1],
-        "FAIL: 1P with 1st fore-aft bending (met at 9 rpm) and 1st side-side bending (met at 9 rpm)."
+        "FAIL: 1P with 1st fore-aft bending (crossing at 9 rpm) and 1st side-side bending (crossing at 9 rpm)."
     );
     let below = &said([0.1, 0.1], NREL)[0];
     assert!(
@@ -607,6 +607,6 @@ fn without_1p_the_class_has_no_margin() {
     let mut diagram = campbell(&tower, &solution, None, &NREL, &options).expect("a diagram");
     assert!(!diagram.conclusion()[0].contains("margin"));
     diagram.classes.clear();
-    let none = "No first bending mode is in the list, so the tower has no class.";
+    let none = "The list has no first bending mode, so no design class is given.";
     assert_eq!(diagram.conclusion()[0], none);
 }

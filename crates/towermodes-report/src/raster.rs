@@ -1,5 +1,5 @@
-//! A picture as pixels: a PNG whose text is drawn with the font in the program, so that it is the
-//! same on every machine.
+//! A picture as PNG, whose text is drawn with the font of the program, so that it is the same
+//! everywhere.
 
 use resvg::tiny_skia::{Pixmap, Transform};
 use resvg::usvg::{Options, Tree};
@@ -7,19 +7,19 @@ use thiserror::Error;
 
 use crate::svg::{Figure, Look, Theme, outlined};
 
-/// Wider or higher pictures than this, in pixels, are refused: each pixel takes four bytes.
+/// Wider or higher pictures, in pixels, are refused: each pixel takes four bytes.
 pub const MAX_PIXELS: u32 = 10_000;
 
 /// Why a picture was not drawn.
 #[derive(Debug, Clone, PartialEq, Error)]
 pub enum RasterError {
-    /// No factor that pixels can have.
+    /// The scale is not a positive number.
     #[error("a scale of {scale} pixels a unit; it must be a number above 0")]
     Scale {
         /// The scale asked for.
         scale: f64,
     },
-    /// More pixels than anybody looks at, or less than one.
+    /// The picture has too many pixels, or less than one.
     #[error(
         "{width} by {height} at scale {scale} gives {} by {} pixels; each must be from 1 to {MAX_PIXELS}, so the scale at most {:.2}",
         (.width * .scale).ceil(), (.height * .scale).ceil(), largest_scale(*.width, *.height)
@@ -32,10 +32,10 @@ pub enum RasterError {
         /// The scale asked for.
         scale: f64,
     },
-    /// A drawing that is no SVG: a fault of the program.
+    /// The drawing is not valid SVG: a defect of the program.
     #[error("the drawing cannot be read: {0}")]
     Drawing(String),
-    /// The pixels could not be written as PNG: a fault of the program.
+    /// The pixels could not be written as PNG: a defect of the program.
     #[error("the pixels cannot be written: {0}")]
     Encoding(String),
 }

@@ -15,7 +15,7 @@ fn any_tower() -> impl Strategy<Value = TowerDescription> {
     let row = (0.01..1.0, 0.1..1.0, 0.001..0.5);
     let rows = prop::collection::vec(row, 2..40);
     let scales = (-0.5..2.5, -300.0..300.0, 0.005..0.2);
-    let machine = (
+    let rna = (
         prop::bool::ANY,
         2.0..7.0,
         -20.0..20.0,
@@ -28,15 +28,8 @@ fn any_tower() -> impl Strategy<Value = TowerDescription> {
         -0.5..1.5,
         prop::collection::vec((0.05..1.0, 20.0..80.0), 0..5),
     );
-    (rows, scales, machine, masses, around, 0_u8..4).prop_map(
-        |(
-            rows,
-            (size, base_m, slender),
-            machine,
-            masses,
-            (has_water, level, wires),
-            foundation,
-        )| {
+    (rows, scales, rna, masses, around, 0_u8..4).prop_map(
+        |(rows, (size, base_m, slender), rna, masses, (has_water, level, wires), foundation)| {
             let height_m = 10.0_f64.powf(size);
             let whole: f64 = rows.iter().skip(1).map(|row| row.0).sum();
             let mut share = 0.0;
@@ -63,7 +56,7 @@ fn any_tower() -> impl Strategy<Value = TowerDescription> {
                 stiffness_n_per_m: 1e4,
                 angle_deg,
             });
-            let (has_machine, mass, x, y, z) = machine;
+            let (has_rna, mass, x, y, z) = rna;
             let rna = Rna {
                 mass_kg: 10.0_f64.powf(mass),
                 center_m: [x, y, z],
@@ -72,7 +65,7 @@ fn any_tower() -> impl Strategy<Value = TowerDescription> {
             TowerDescription {
                 point_masses: point_masses.collect(),
                 wires: wires.collect(),
-                rna: if has_machine { rna } else { Rna::default() },
+                rna: if has_rna { rna } else { Rna::default() },
                 water: has_water.then(|| Water {
                     level_m: at(level).max(base_m + 0.1 * (top_m - base_m)),
                     bed_m: None,

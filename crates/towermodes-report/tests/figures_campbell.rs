@@ -76,8 +76,11 @@ fn lines_are_where_their_frequencies_are() {
     let svg = figure.to_svg(Look::Inline);
     assert!(svg.contains(&format!(" {y:.2}L")), "{y} in {svg}");
     let description = &figure.description;
-    assert!(description.contains(" 2 more modes above"), "{description}");
-    assert!(says(&figure, "2 more modes above"));
+    assert!(
+        description.contains(" 2 modes above the frequency range"),
+        "{description}"
+    );
+    assert!(says(&figure, "2 modes above the frequency range"));
     assert!(!says(&figure, UPPER));
 }
 
@@ -87,7 +90,7 @@ fn written(length: f64) -> String {
     text.trim_end_matches('0').trim_end_matches('.').to_owned()
 }
 
-const UPPER: &str = "upper field: higher modes at another scale";
+const UPPER: &str = "upper panel: higher modes at another scale";
 
 /// With 9P the second mode, 2.2 Hz, is worth showing, and has a field of its own: 130 high, of
 /// three labels. 9P is 2.178 Hz at the right end; the list of that field ends at 1.06 times 2.2 Hz.
@@ -103,7 +106,7 @@ fn high_modes_do_not_squeeze_the_first() {
     for y in [first, second] {
         assert!(svg.contains(&format!(" {}L", written(y))), "{y} in {svg}");
     }
-    assert!(says(&figure, UPPER) && says(&figure, "1 more mode above"));
+    assert!(says(&figure, UPPER) && says(&figure, "1 mode above the frequency range"));
     check_labels("two fields", &figure);
 }
 
@@ -173,18 +176,24 @@ fn whatever_is_judged_is_in_the_picture() {
     let lines = lines.map(|(hz, number)| tower_line(number, hz)).collect();
     let mut campbell = by_hand(lines, vec![1, 3]);
     let figure = figures::campbell(&campbell);
-    assert!(says(&figure, "2nd fore-aft: 0.7000 Hz") && says(&figure, "3 more modes above"));
+    assert!(
+        says(&figure, "2nd fore-aft: 0.7000 Hz")
+            && says(&figure, "3 modes above the frequency range")
+    );
     let at = |line: usize, natural_hz, verdict| Margin {
         natural_hz,
         ..margin(line, verdict)
     };
     campbell.margins = vec![at(2, 1.5, Verdict::Warn), at(3, 2.2, Verdict::Fail)];
     let figure = figures::campbell(&campbell);
-    assert!(says(&figure, "4th fore-aft: 2.200 Hz") && says(&figure, "1 more mode above"));
+    assert!(
+        says(&figure, "4th fore-aft: 2.200 Hz")
+            && says(&figure, "1 mode above the frequency range")
+    );
     // 9 Hz are more than 6 times 0.726 Hz: the rest would be a strip at the foot.
     campbell.margins.push(at(4, 9.0, Verdict::Fail));
     let figure = figures::campbell(&campbell);
-    assert!(says(&figure, "1 more mode above, 1 FAIL"));
+    assert!(says(&figure, "1 mode above the frequency range, 1 FAIL"));
     check_labels("a mode far above", &figure);
 }
 
@@ -197,7 +206,7 @@ fn modes_without_a_frequency_are_counted() {
     assert!(says(&figure, "1 mode at 0 Hz"));
     let description = &figure.description;
     assert!(
-        description.contains("Not drawn: 1 mode at 0 Hz."),
+        description.contains("Not shown: 1 mode at 0 Hz."),
         "{description}"
     );
 }
@@ -236,8 +245,8 @@ fn many_excitations_are_drawn_and_more_are_counted() {
     assert_eq!(triangles(&thirty), 2);
     let many = rays(140);
     assert!(many.description.contains("the excitations 1P to 100P."));
-    assert!(many.description.contains("Not drawn: 40 more excitations."));
-    let text = "nP: other multiples of the rotor's speed; 40 more are not drawn";
+    assert!(many.description.contains("Not shown: 40 more excitations."));
+    let text = "nP: other multiples of the rotor speed; 40 more are not shown";
     assert!(says(&many, text));
     assert_eq!(triangles(&many), 1);
 }
@@ -245,7 +254,7 @@ fn many_excitations_are_drawn_and_more_are_counted() {
 #[test]
 fn marks_at_one_place_are_apart_and_counted() {
     let mut campbell = by_hand(vec![tower_line(1, 0.3), tower_line(2, 0.5)], vec![1, 3]);
-    let number = "number above a mark: so many pairs";
+    let number = "number above a mark: coinciding crossings";
     campbell.margins = vec![margin(0, Verdict::Fail), margin(0, Verdict::Warn)];
     let figure = figures::campbell(&campbell);
     assert!(!says(&figure, number));
@@ -263,9 +272,9 @@ fn pairs_that_fail_are_marked_and_said() {
         figure.labels().iter().any(|label| label.text == text)
     };
     campbell.margins = vec![margin(0, Verdict::Pass)];
-    assert!(!says(&campbell, "too near: FAIL") && !says(&campbell, "near: WARN"));
+    assert!(!says(&campbell, "margin not met: FAIL") && !says(&campbell, "WARN"));
     campbell.margins = vec![margin(0, Verdict::Fail), margin(1, Verdict::Warn)];
-    assert!(says(&campbell, "too near: FAIL") && says(&campbell, "near: WARN"));
+    assert!(says(&campbell, "margin not met: FAIL") && says(&campbell, "WARN"));
     let description = figures::campbell(&campbell).description;
     assert!(description.contains("FAIL: 3P with 1st fore-aft bending (+15.0 % at 6.9 rpm)."));
     assert!(description.contains("1 warning: 3P with 2nd fore-aft bending (+15.0 % at 6.9 rpm)."));
@@ -409,7 +418,7 @@ fn convergence_is_readable() {
                 check(&case, &figure);
                 let svg = figure.to_svg(Look::Inline);
                 let says = svg.contains(" more modes</text>");
-                assert_eq!(says, figure.description.contains("not drawn"), "{case}");
+                assert_eq!(says, figure.description.contains("not shown"), "{case}");
                 let is_known =
                     name == "nrel-5mw.toml" && method == Method::RmjeExact && modes == 16;
                 assert!(!is_known || svg.contains(">2 more modes<"), "{case}");

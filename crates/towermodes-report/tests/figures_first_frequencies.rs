@@ -93,7 +93,7 @@ fn ranges_are_those_of_hand() {
     assert!(
         figure
             .description
-            .contains("a margin of 20 % that keeps 0.1667 to 0.2500 and 0.5000 to 0.7500 Hz free"),
+            .contains("the margin of 20 % natural frequencies must stay out of 0.1667 to 0.2500 and 0.5000 to 0.7500 Hz"),
         "{}",
         figure.description
     );

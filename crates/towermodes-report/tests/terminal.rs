@@ -170,7 +170,7 @@ fn torsion_is_a_rotation_and_says_so() {
     );
 }
 
-/// A machine beside the tower in y, so slow in yaw that fore-aft bending and torsion move together;
+/// An RNA beside the tower in y, so slow in yaw that fore-aft bending and torsion move together;
 /// side-side bending does not.
 #[test]
 fn a_coupled_mode_shows_the_motions_it_has() {

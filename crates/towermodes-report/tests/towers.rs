@@ -67,13 +67,13 @@ fn thin_walls_high_towers_small_towers() {
 }
 
 #[test]
-fn machines_that_hang_over() {
+fn rnas_that_hang_over() {
     for (what, center_m) in [
-        ("machine before", [-20.0, 0.0, 3.0]),
-        ("machine above", [0.0, 0.0, 20.0]),
-        ("machine below", [0.0, 0.0, -5.0]),
-        ("machine beside", [6.0, 9.0, 2.0]),
-        ("machine far away", [500.0, 0.0, 0.0]),
+        ("RNA before", [-20.0, 0.0, 3.0]),
+        ("RNA above", [0.0, 0.0, 20.0]),
+        ("RNA below", [0.0, 0.0, -5.0]),
+        ("RNA beside", [6.0, 9.0, 2.0]),
+        ("RNA far away", [500.0, 0.0, 0.0]),
     ] {
         let description = TowerDescription {
             rna: Rna {
@@ -109,7 +109,7 @@ fn very_many_masses() {
 
 #[test]
 fn what_moves_in_all_directions_at_once() {
-    // A machine far off in x and y couples everything.
+    // An RNA far off in x and y couples everything.
     let description = TowerDescription {
         rna: Rna {
             mass_kg: 200e3,
@@ -128,7 +128,7 @@ fn what_moves_in_all_directions_at_once() {
     look("coupled", &description, 30);
 }
 
-/// A machine beside the tower in y couples fore-aft bending with torsion alone, one in front of it
+/// An RNA beside the tower in y couples fore-aft bending with torsion alone, one in front of it
 /// side-side bending with torsion: the panel of the direction that does not move would be empty.
 #[test]
 fn coupled_modes_have_the_panels_in_which_they_move() {
@@ -253,7 +253,7 @@ fn wires_beyond_the_picture_are_cut_and_what_is_left_out_is_named() {
     let figure = figures::tower(&description, &tower);
     check("cut wires", &figure);
     let said: Vec<&str> = figure.labels().iter().map(|l| l.text.as_str()).collect();
-    let cut = "cut in the picture: anchors 220 m away";
+    let cut = "shortened in the picture: anchors 220 m away";
     assert!(said.contains(&cut), "{said:?}");
     let note = said
         .iter()

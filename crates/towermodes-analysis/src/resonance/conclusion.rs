@@ -20,7 +20,7 @@ impl Campbell {
     /// margins of at least 7.3 %: soft-stiff." Two planes of different classes have a sentence
     /// each. Then come the pairs that fail, the warnings of 1P and of the passing of the blades,
     /// the minor warnings (other multiples, modes of a blade), and modes that are
-    /// [not judged](Self::unjudged_hz).
+    /// [not checked](Self::unjudged_hz).
     #[must_use]
     pub fn conclusion(&self) -> Vec<String> {
         let mut sentences = standing(self);
@@ -39,7 +39,7 @@ impl Campbell {
         sentences.extend(remarks);
         sentences.extend(self.unjudged_hz().map(|[from_hz, to_hz]| {
             format!(
-                "Modes between {} and {} Hz are not in the list and not judged.",
+                "Modes between {} and {} Hz are not in the list and were not checked.",
                 four_digits(from_hz),
                 four_digits(to_hz)
             )
@@ -67,7 +67,7 @@ fn standing(campbell: &Campbell) -> Vec<String> {
     let firsts: Vec<First> = firsts.collect();
     match &firsts[..] {
         [] => {
-            vec!["No first bending mode is in the list, so the tower has no class.".to_owned()]
+            vec!["The list has no first bending mode, so no design class is given.".to_owned()]
         }
         [a, b] if a.class == b.class => vec![sentence(campbell, &firsts)],
         firsts => {
@@ -163,7 +163,7 @@ fn least_margin(campbell: &Campbell, firsts: &[First]) -> Option<String> {
     let percent = percent.trim_start_matches(['+', '-']);
     Some(match least.verdict {
         Verdict::Fail => format!(
-            " with margins of only {percent} %, less than the {} % asked for",
+            " with margins of only {percent} %, less than the required {} %",
             number::percent(campbell.margin)
         ),
         _ => format!(" with margins of at least {percent} %"),
@@ -203,12 +203,12 @@ fn is_weighty(campbell: &Campbell, margin: &Margin) -> bool {
     is_tower && is_strong(margin.multiple, &campbell.rotor)
 }
 
-/// "9P with 1st torsion (met at 10.428 rpm) and 2nd side-side bending (-4.0 % at 12.1 rpm)".
+/// "9P with 1st torsion (crossing at 10.428 rpm) and 2nd side-side bending (-4.0 % at 12.1 rpm)".
 fn group_in_words(campbell: &Campbell, group: &[&Margin]) -> String {
     let pair = |margin: &&Margin| {
         let label = campbell.lines.get(margin.line).map(|line| &line.label);
         let distance = match margin.distance {
-            0.0 => "met".to_owned(),
+            0.0 => "crossing".to_owned(),
             _ => format!("{} %", percent(campbell, margin)),
         };
         format!(

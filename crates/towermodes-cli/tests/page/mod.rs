@@ -175,7 +175,7 @@ fn the_view_in_space_can_be_turned() {
 
 /// What stands on the tower moves with it; what stands around it does not.
 #[test]
-fn machine_and_masses_move_and_soil_and_water_stay() {
+fn rna_and_masses_move_and_soil_and_water_stay() {
     let Some(page) = OpenPage::open(|| report_of("monopile.toml"), WIDE) else {
         return;
     };
@@ -186,7 +186,7 @@ fn machine_and_masses_move_and_soil_and_water_stay() {
         ))
     };
     let names = [
-        "machine",
+        "rna",
         "rotor",
         "mass",
         "foundation",
@@ -523,7 +523,7 @@ const PAPER: View = View {
     is_dark: false,
 };
 
-/// Modes of an eccentric machine on a coupled foundation have long names: "1st side-side bending (5
+/// Modes of an eccentric RNA on a coupled foundation have long names: "1st side-side bending (5
 /// % fore-aft, 1 % torsion)".
 #[test]
 fn tables_of_coupled_modes_fit_the_window_and_the_paper() {

@@ -1,4 +1,4 @@
-//! How the errors of a method fall as its segments, or its degree, get more.
+//! Convergence of a method with the number of segments or the polynomial degree.
 
 use towermodes_analysis::study::{Convergence, Fineness, Level};
 
@@ -15,19 +15,19 @@ const HEIGHT: f64 = 520.0;
 const TOP: f64 = 18.0;
 /// Below the field: numbers and name of the axis.
 const BELOW: f64 = 46.0;
-/// More modes cannot be told apart.
+/// More modes cannot be distinguished.
 const MODES: usize = 14;
 /// Numbers along the axis are at least so far apart.
 const BETWEEN: f64 = 8.0;
 
-/// A mode as it is drawn: number and error of each level at which it is there.
+/// The curve of a mode: number of segments and error of each level that has the mode.
 struct Series {
     mode: usize,
     label: String,
     points: Vec<[f64; 2]>,
 }
 
-/// The relative errors of the modes against the number of segments, both logarithmic; of the
+/// The relative errors of the modes against the number of segments on logarithmic axes; for the
 /// spectral beam against its degree.
 pub fn convergence(convergence: &Convergence) -> Figure {
     let series = series(convergence);
@@ -80,7 +80,7 @@ fn series(convergence: &Convergence) -> Vec<Series> {
     drawn.take(MODES).collect()
 }
 
-/// The last order that was observed of a mode.
+/// The last observed order of a mode.
 fn last_order(convergence: &Convergence, mode: usize) -> Option<f64> {
     let mut levels = convergence.levels.iter().rev();
     levels.find_map(|level| level.orders.get(mode).copied().flatten())
@@ -91,16 +91,18 @@ fn label(convergence: &Convergence, mode: usize) -> String {
     let name = convergence.modes[mode].label();
     match last_order(convergence, mode) {
         None => name,
-        Some(digits) if is_spectral(convergence) => format!("{name}, {digits:.2} digits a degree"),
+        Some(digits) if is_spectral(convergence) => {
+            format!("{name}, {digits:.2} digits per degree")
+        }
         Some(order) => format!("{name}, order {order:.2}"),
     }
 }
 
 fn beam(convergence: &Convergence) -> &'static str {
     if convergence.rotary_inertia {
-        "the spectral beam"
+        "the converged spectral beam"
     } else {
-        "the spectral beam without rotary inertia"
+        "the converged spectral beam without rotary inertia"
     }
 }
 
@@ -109,7 +111,7 @@ fn description(convergence: &Convergence, drawn: usize) -> String {
     let numbers = convergence.levels.iter().map(|level| level.asked.number());
     let (least, most) = (numbers.clone().min(), numbers.max());
     let mut text = format!(
-        "Relative errors of the frequencies of {} against {}, for {} {} to {}, on {} axes.",
+        "Relative errors of the {} frequencies with respect to {}, for {} {} to {}, on {} axes.",
         convergence.method.name(),
         beam(convergence),
         if spectral { "degrees" } else { "segments" },
@@ -127,14 +129,16 @@ fn description(convergence: &Convergence, drawn: usize) -> String {
     });
     if low <= high {
         text.push_str(&match spectral {
-            true => format!(" The last steps gain {low:.2} to {high:.2} decimal digits a degree."),
-            false => format!(" The orders last observed are {low:.2} to {high:.2}."),
+            true => {
+                format!(" The last steps gain {low:.2} to {high:.2} decimal digits per degree.")
+            }
+            false => format!(" The last observed orders are {low:.2} to {high:.2}."),
         });
     }
     match convergence.modes.len() - drawn {
         0 => {}
-        1 => text.push_str(" 1 further mode is not drawn."),
-        hidden => text.push_str(&format!(" {hidden} further modes are not drawn.")),
+        1 => text.push_str(" 1 further mode is not shown."),
+        hidden => text.push_str(&format!(" {hidden} further modes are not shown.")),
     }
     text
 }
@@ -160,7 +164,7 @@ fn drawing(convergence: &Convergence, series: &[Series]) -> Drawing {
     frame.right -= end_labels::column_width(&labels);
     let axes = axes(frame);
     let name = if spectral {
-        "degree of the polynomials (–)"
+        "polynomial degree (–)"
     } else {
         "segments (–)"
     };
@@ -222,7 +226,7 @@ fn end_label(series: &Series, errors: &ErrorAxis, axes: &Axes) -> EndLabel {
     }
 }
 
-/// From the least to the most, with room for the markers.
+/// From the smallest to the largest number, with room for the markers.
 fn x_range(convergence: &Convergence) -> [f64; 2] {
     let numbers = convergence.levels.iter().map(number);
     let (low, high) = numbers.fold((f64::INFINITY, 0.0_f64), |(low, high), n| {
@@ -236,7 +240,7 @@ fn x_range(convergence: &Convergence) -> [f64; 2] {
     }
 }
 
-/// The numbers asked for, as far as there is room for them.
+/// The requested numbers, as many as there is room for.
 fn x_ticks(convergence: &Convergence, axes: &Axes) -> Vec<(f64, String)> {
     let mut numbers: Vec<usize> = convergence
         .levels
@@ -258,7 +262,7 @@ fn x_ticks(convergence: &Convergence, axes: &Axes) -> Vec<(f64, String)> {
     ticks
 }
 
-/// Each mode with its error and order at each level.
+/// One row per mode and level: error and order.
 fn table(convergence: &Convergence) -> DataTable {
     let spectral = is_spectral(convergence);
     let header = [
@@ -266,7 +270,11 @@ fn table(convergence: &Convergence) -> DataTable {
         "frequency (Hz)",
         if spectral { "degree" } else { "segments" },
         "relative error",
-        if spectral { "digits a degree" } else { "order" },
+        if spectral {
+            "digits per degree"
+        } else {
+            "order"
+        },
     ];
     let of_mode = |mode: usize| {
         let followed = &convergence.modes[mode];

@@ -8,19 +8,19 @@ const SIZE: f64 = 11.0;
 pub(super) const GAP: f64 = 14.0;
 /// From the field to a label, the leader between them.
 const LEADER: f64 = 22.0;
-/// What a marker before a label needs.
+/// Width of a marker before a label.
 const MARKER: f64 = 14.0;
 /// Between the labels and the edge of the picture.
 const MARGIN: f64 = 10.0;
-/// Wider labels are cut.
+/// Longer labels are cut.
 const WIDEST: f64 = 270.0;
 
-/// What is written beside the end of a line.
+/// The label at the end of a line.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct EndLabel {
     /// Where the line ends.
     pub(super) y: f64,
-    /// What it is.
+    /// Its text.
     pub(super) text: String,
     /// The colour of the line.
     pub(super) colour: Colour,
@@ -45,7 +45,7 @@ impl EndLabel {
     }
 }
 
-/// What a column of labels of these texts needs to the right of a field.
+/// The width that a column of these labels needs to the right of a field.
 pub(super) fn column_width(labels: &[EndLabel]) -> f64 {
     let widest = labels.iter().map(EndLabel::width).fold(0.0, f64::max);
     LEADER + widest.min(WIDEST) + MARGIN
@@ -79,7 +79,7 @@ pub(super) fn draw(drawing: &mut Drawing, x: f64, range: [f64; 2], labels: &[End
     }
 }
 
-/// A text without what does not fit.
+/// A text cut to a width.
 fn cut(text: &str, width: f64, is_bold: bool) -> String {
     if text_width(text, SIZE, is_bold) <= width {
         return text.to_owned();

@@ -7,7 +7,7 @@ pub(super) fn factor(value: f64) -> String {
     format!("\u{d7}{}", short(value, 1))
 }
 
-/// One, two or five times a power of ten: the least that is not below a number, or the greatest
+/// One, two or five times a power of ten: the smallest that is not below a value, or the largest
 /// that is not above it.
 pub(super) fn round_factor(value: f64, is_above: bool) -> f64 {
     if !(value.is_finite() && value > 0.0) {

@@ -1,4 +1,4 @@
-//! How far the frequencies of several methods are from those of the beam itself.
+//! Frequency differences of several methods from the reference beam solution.
 
 use towermodes::Method;
 use towermodes_analysis::study::{Column, Comparison};
@@ -8,6 +8,7 @@ use super::legend::{self, Entry, Sample, words};
 use crate::svg::{
     Anchor, Axes, Colour, DataTable, Drawing, Figure, Frame, Marker, Stroke, TextStyle, text_width,
 };
+use crate::wording::counted;
 
 const WIDTH: f64 = 900.0;
 /// Height of the field.
@@ -23,21 +24,20 @@ const METHODS: usize = 12;
 /// Neighbouring dots of a mode are so far apart where there is room.
 const APART: f64 = 9.0;
 
-/// The relative differences of the methods' frequencies from the spectral beam's, a row of dots a
+/// The relative frequency differences of the methods from the spectral beam, a group of dots per
 /// mode.
 pub fn error(comparison: &Comparison) -> Figure {
     let methods = drawn(comparison);
     Figure {
         name: "error".to_owned(),
-        title: "Differences of the methods' frequencies from the beam's".to_owned(),
+        title: "Frequency differences of the methods from the reference beam solution".to_owned(),
         description: description(comparison, &methods),
         drawing: drawing(comparison, &methods),
         table: table(comparison),
     }
 }
 
-/// The columns that are drawn: the spectral beam is the measure, not one of them, unless it is
-/// alone.
+/// The columns that are drawn. The spectral beam is the reference and is drawn only if it is alone.
 fn drawn(comparison: &Comparison) -> Vec<&Column> {
     let others = comparison
         .columns
@@ -51,7 +51,7 @@ fn drawn(comparison: &Comparison) -> Vec<&Column> {
     }
 }
 
-/// How far a column is from the beam in a mode, if it has it.
+/// The relative difference of a column from the reference in a mode, if it has the mode.
 fn difference(comparison: &Comparison, column: &Column, mode: usize) -> Option<f64> {
     let difference = comparison.relative_difference(column, mode)?;
     difference.is_finite().then_some(difference)
@@ -76,22 +76,15 @@ fn hidden(comparison: &Comparison) -> usize {
 
 /// "20 more modes"; none of none.
 pub(super) fn hidden_text(hidden: usize) -> Option<String> {
-    match hidden {
-        0 => None,
-        1 => Some("1 more mode".to_owned()),
-        count => Some(format!("{count} more modes")),
-    }
+    (hidden > 0).then(|| counted(hidden, "more mode"))
 }
 
 fn description(comparison: &Comparison, methods: &[&Column]) -> String {
     let names: Vec<String> = methods.iter().map(|column| name(column)).collect();
     let mut text = format!(
-        "Relative differences of the frequencies of {} from those of the spectral beam, for {}, on a logarithmic axis.",
+        "Relative frequency differences of {} from the spectral beam, for {}, on a logarithmic axis.",
         names.join(", "),
-        match comparison.modes.len() {
-            1 => "1 mode".to_owned(),
-            count => format!("{count} modes"),
-        }
+        counted(comparison.modes.len(), "mode")
     );
     let largest = |column: &&Column| {
         let all =
@@ -110,8 +103,8 @@ fn description(comparison: &Comparison, methods: &[&Column]) -> String {
     }));
     match hidden(comparison) {
         0 => {}
-        1 => text.push_str(" The last mode is not drawn."),
-        hidden => text.push_str(&format!(" The last {hidden} modes are not drawn.")),
+        1 => text.push_str(" The last mode is not shown."),
+        hidden => text.push_str(&format!(" The last {hidden} modes are not shown.")),
     }
     text
 }
@@ -143,7 +136,7 @@ fn drawing(comparison: &Comparison, methods: &[&Column]) -> Drawing {
     let mut drawing = Drawing::new(WIDTH, height.ceil());
     axes.draw_y_at(
         &mut drawing,
-        "relative difference |f / f of the beam − 1| (–)",
+        "relative difference |f/f_ref − 1| (–)",
         &errors.ticks(),
     );
     names(&mut drawing, &labels, &axes);
@@ -238,7 +231,7 @@ fn dots(
     }
 }
 
-/// A row a mode: its frequency and the difference of each method, with its sign.
+/// One row per mode: its frequency and the signed difference of each method.
 fn table(comparison: &Comparison) -> DataTable {
     let first = ["mode".to_owned(), "frequency (Hz)".to_owned()];
     let row = |mode: usize| {

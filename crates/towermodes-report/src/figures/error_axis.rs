@@ -1,8 +1,8 @@
-//! A logarithmic axis of relative errors, with a foot for those that are rounding.
+//! A logarithmic axis of relative errors; rounding errors are drawn at its lower end.
 
 use crate::svg::{Scale, power_of_ten};
 
-/// Errors below this are rounding: they stand at the foot of the axis.
+/// Errors below this are rounding errors and are drawn at the lower end.
 pub(crate) const ROUNDING: f64 = 1e-12;
 
 /// About so many numbers along the axis.
@@ -13,12 +13,12 @@ const TICKS: usize = 9;
 pub(super) struct ErrorAxis {
     /// The lowest and the highest error, powers of ten.
     pub(super) range: [f64; 2],
-    /// Whether its lower end stands for everything below [`ROUNDING`].
+    /// Whether its lower end shows everything below [`ROUNDING`].
     has_foot: bool,
 }
 
 impl ErrorAxis {
-    /// An axis that has all of these errors.
+    /// An axis for these errors.
     pub(super) fn of(errors: impl Iterator<Item = f64>) -> Self {
         let (mut lowest, mut highest, mut has_foot) = (f64::INFINITY, 0.0_f64, false);
         for error in errors.map(f64::abs).filter(|error| error.is_finite()) {
@@ -40,12 +40,12 @@ impl ErrorAxis {
         }
     }
 
-    /// Where an error is on the axis: itself, or the foot.
+    /// The value of an error on the axis: itself, or the lower end.
     pub(super) fn value(&self, error: f64) -> f64 {
         error.abs().max(self.range[0])
     }
 
-    /// Powers of ten and what is written at them.
+    /// Powers of ten with their labels.
     pub(super) fn ticks(&self) -> Vec<(f64, String)> {
         let ticks = Scale::logarithmic(self.range, [0.0, 1.0]).ticks(TICKS);
         let text = |(index, value): (usize, &f64)| {

@@ -1,4 +1,4 @@
-//! What the lines and markers of a picture are, in rows.
+//! The legend of a figure, in rows.
 
 use crate::svg::{Colour, Drawing, LINE_HEIGHT, Marker, Stroke, TextStyle, text_width};
 
@@ -13,7 +13,7 @@ const SPACE: f64 = 6.0;
 /// From an entry to the next.
 const BETWEEN: f64 = 22.0;
 
-/// How something is drawn; what is words alone has no line, no marker and no surface.
+/// The sample of an entry; an entry of words alone has no line, marker or surface.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub(super) struct Sample {
     /// As a line.
@@ -58,7 +58,7 @@ impl Sample {
     }
 }
 
-/// How something is drawn, and what it is.
+/// An entry: its sample and its text.
 pub(super) type Entry = (Sample, String);
 
 /// An entry of words alone.

@@ -1,4 +1,4 @@
-//! The pictures, one a file: each from results of the library alone.
+//! The figures, one per file or folder, each made from results of the library alone.
 
 mod animation;
 mod campbell;

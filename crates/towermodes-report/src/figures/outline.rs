@@ -1,14 +1,14 @@
-//! How wide a tower is at each height, also one of which only the stiffness is known.
+//! The width of a tower at each height; of a property table a nominal width.
 
 use towermodes::tower::{Piece, Profile};
 use towermodes::{Properties, Tower};
 
-/// Diameter over wall of the steel tube that stands for a row of a property table.
+/// D/t of the steel tube that is drawn for a row of a property table.
 pub(super) const NOMINAL_SLENDERNESS: f64 = 200.0;
 /// Young's modulus of that tube, Pa.
 const NOMINAL_MODULUS_PA: f64 = 2.1e11;
 
-/// The tower between two heights over which it tapers evenly.
+/// A part of the tower with linear taper.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Shell {
     /// Height of the lower end, m.
@@ -17,7 +17,7 @@ pub(super) struct Shell {
     pub top_m: f64,
     /// Outer diameter at the lower and the upper end, m.
     pub outer_m: [f64; 2],
-    /// Wall there, m; none where only the stiffness is known.
+    /// Wall thickness there, m; none for a property table.
     pub wall_m: Option<[f64; 2]>,
 }
 
@@ -34,19 +34,19 @@ pub(super) fn shells(tower: &Tower) -> Vec<Shell> {
     tower.pieces().iter().map(shell).collect()
 }
 
-/// The outer diameter of a tower at a height, m, of two shells that meet there that of the lower
-/// one; of a property table the nominal one.
+/// The outer diameter of a tower at a height, m: at a step that of the lower part, for a property
+/// table the nominal one.
 pub(super) fn outer_diameter_m(tower: &Tower, height_m: f64) -> f64 {
     shell(tower.piece_at(height_m)).outer_at_m(height_m)
 }
 
-/// Whether the tower is a table of properties, so that its widths are nominal.
+/// Whether the tower is a property table, so that its widths are nominal.
 pub(super) fn is_nominal(tower: &Tower) -> bool {
     tower.stations().is_empty()
 }
 
-/// The diameter of the steel tube (E = 2.1·10¹¹ Pa) of the same mean EI whose wall is a 200th of
-/// its diameter, m: EI = E π/8 D³ t of a thin tube.
+/// The diameter, m, of the steel tube (E = 2.1·10¹¹ Pa) with the same EI and t = D/200. A thin tube
+/// has EI = E π/8 D³ t; of two planes the geometric mean of EI counts.
 pub(super) fn nominal_diameter_m(properties: &Properties) -> f64 {
     let bending = properties.bending_n_m2;
     let stiffness = bending.fore_aft.sqrt() * bending.side_side.sqrt();

@@ -1,4 +1,4 @@
-//! The signs of engineering drawings: springs, hatching, water, centres of mass.
+//! Symbols of engineering drawings: springs, hatching, water, centres of mass.
 
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
@@ -33,7 +33,7 @@ pub(super) fn spring(drawing: &mut Drawing, from: (f64, f64), to: (f64, f64), ha
     drawing.polyline(&points, &ink());
 }
 
-/// A spring against turning: a spiral around a point, which begins there and ends below.
+/// A rotational spring: a spiral around a point, which begins there and ends below.
 pub(super) fn spiral(drawing: &mut Drawing, center: (f64, f64), radius: f64) {
     let points: Vec<(f64, f64)> = (0..=40)
         .map(|k| {
@@ -46,7 +46,7 @@ pub(super) fn spiral(drawing: &mut Drawing, center: (f64, f64), radius: f64) {
     drawing.polyline(&points, &ink());
 }
 
-/// A turn about an upright axis: a part of an ellipse with an arrow.
+/// A rotation about a vertical axis: a part of an ellipse with an arrow.
 pub(super) fn turn(drawing: &mut Drawing, center: (f64, f64), radius: f64) {
     let flat = 0.28 * radius;
     let at = |angle: f64| {
@@ -68,7 +68,7 @@ pub(super) fn turn(drawing: &mut Drawing, center: (f64, f64), radius: f64) {
     }
 }
 
-/// What does not move: a line with hatching below it.
+/// A fixed support: a line with hatching below it.
 pub(super) fn held_below(drawing: &mut Drawing, from_x: f64, to_x: f64, y: f64) {
     drawing.line((from_x, y), (to_x, y), &Stroke::new(Colour::Ink, 1.4));
     let fine = Stroke::new(Colour::Muted, 0.9);
@@ -79,7 +79,7 @@ pub(super) fn held_below(drawing: &mut Drawing, from_x: f64, to_x: f64, y: f64) 
     }
 }
 
-/// What does not move on the left: an upright line with hatching beside it.
+/// A fixed support on the left: a vertical line with hatching beside it.
 pub(super) fn held_left(drawing: &mut Drawing, x: f64, from_y: f64, to_y: f64) {
     drawing.line((x, from_y), (x, to_y), &Stroke::new(Colour::Ink, 1.4));
     let fine = Stroke::new(Colour::Muted, 0.9);

@@ -1,54 +1,52 @@
-//! What a report is made of.
+//! The input of a report.
 
 use towermodes::{Options, Planes, Solution, SolveError, Tower, TowerDescription};
 use towermodes_analysis::elastodyn::TowerShapes;
 use towermodes_analysis::resonance::{Campbell, CampbellError};
 use towermodes_analysis::study::Comparison;
 
-/// Results and circumstances, all that a report says.
+/// Results and circumstances: everything that a report contains.
 #[derive(Debug, Clone)]
 pub struct ReportContent {
-    /// What it is of; empty for a title made of the tower's name.
+    /// The title; empty for a title made from the name of the tower.
     pub title: String,
     /// Who made it, who checked it, and under which number it is filed.
     pub title_block: TitleBlock,
     /// The input.
     pub description: TowerDescription,
-    /// The tower made of it.
+    /// The validated tower.
     pub tower: Tower,
-    /// How it was solved.
+    /// The options of the solution.
     pub options: Options,
     /// Its modes, with shapes at many heights ([`Options::points`]).
     pub solution: Solution,
-    /// What other methods make of it, or why they make nothing.
+    /// The comparison of all methods, or why there is none.
     pub comparison: Result<Comparison, SolveError>,
-    /// Natural frequencies against the rotor's speed, or why a blade has none; nothing if there is
-    /// no rotor.
+    /// The resonance check, or why a blade could not be solved; none without a rotor.
     pub campbell: Option<Result<Campbell, CampbellError>>,
     /// The shapes for ElastoDyn as its tower file has them, or why there are none.
     pub elastodyn: Result<ElastoDynShapes, String>,
     /// Height from which the shapes for ElastoDyn are taken, m.
     pub shapes_from_m: f64,
-    /// What the reader of the input decided, left out or could not take over.
+    /// The notes of the reader: what it assumed, left out or could not import.
     pub notes: Vec<String>,
-    /// Those of the notes on a part of the turbine that is missing in the model: the summary
-    /// repeats them.
+    /// The notes on parts of the turbine that are missing in the model; the summary repeats them.
     pub model_notes: Vec<String>,
     /// The version of the program.
     pub version: String,
     /// The command as it was typed, arguments quoted for a shell.
     pub command_line: String,
-    /// The options among them that say how the input is read, for commands that draw the same
-    /// tower; empty if none.
+    /// Its options that control how the input is read, for commands on the same tower; may be
+    /// empty.
     pub reading: String,
-    /// Whether the input is a tower file of this program, and not of another one.
+    /// Whether the input is a tower file of this program.
     pub is_own_format: bool,
     /// The files that the input was read from, the main one first.
     pub files: Vec<InputFile>,
 }
 
-/// What a document control system wants to know of a report. Empty fields are left out; there is no
-/// clock, so the date is what was given.
+/// The fields of a document control system. Empty fields are left out; the date is the given text,
+/// because a report has no clock.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
 pub struct TitleBlock {
     /// The project or the site.
@@ -57,21 +55,21 @@ pub struct TitleBlock {
     pub document: String,
     /// Its revision.
     pub revision: String,
-    /// Who made it.
+    /// The author.
     pub author: String,
-    /// Who checked it.
+    /// The checker.
     pub checker: String,
     /// Its date.
     pub date: String,
 }
 
-/// The shapes in a tower file of ElastoDyn, and what it makes of them.
+/// The mode shapes in an ElastoDyn tower file, and their frequencies in ElastoDyn.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ElastoDynShapes {
     /// The shapes with their fits.
     pub shapes: TowerShapes,
-    /// ElastoDyn's frequencies of the first and second shape of each plane, without what the tower
-    /// carries and without gravity, Hz.
+    /// ElastoDyn's frequencies of the first and second shape of each plane, without RNA and
+    /// gravity, Hz.
     pub frequency_alone_hz: Planes<[f64; 2]>,
 }
 
@@ -80,14 +78,14 @@ pub struct ElastoDynShapes {
 pub struct InputFile {
     /// Its path as it was given.
     pub name: String,
-    /// Whether size and sum are those of its text in UTF-8, because its bytes are gone: standard
-    /// input, pipes.
+    /// Whether size and checksum are those of its text in UTF-8, because the bytes are no longer
+    /// available: standard input, pipes.
     pub is_of_text: bool,
     /// Its size.
     pub bytes: u64,
     /// SHA-256 (FIPS 180-4) of its bytes, in hexadecimal.
     pub sha256: String,
-    /// Its text, which the report repeats.
+    /// Its text, which the report includes.
     pub text: String,
 }
 
@@ -109,7 +107,7 @@ impl TitleBlock {
 }
 
 impl ReportContent {
-    /// The title, or one made of the tower's name.
+    /// The title, or one made from the name of the tower.
     pub(super) fn heading(&self) -> String {
         let name = self.description.name.trim();
         match (self.title.trim(), name) {
@@ -119,7 +117,7 @@ impl ReportContent {
         }
     }
 
-    /// The file that commands are shown with; standard input as these know it.
+    /// The file name in commands; `-` for standard input.
     pub(super) fn main_file(&self) -> &str {
         let name = self.files.first().map(|file| file.name.as_str());
         match name {

@@ -1,4 +1,4 @@
-//! What a report says, before it is a page or a text.
+//! The content of a report, independent of HTML and Markdown.
 
 use serde::Serialize;
 use towermodes_analysis::Verdict;
@@ -11,7 +11,7 @@ use crate::wording;
 
 /// A report.
 pub(super) struct Document {
-    /// What it is of.
+    /// Its title.
     pub title: String,
     /// The fields below the title, each with its name.
     pub title_block: Vec<(&'static str, String)>,
@@ -21,13 +21,13 @@ pub(super) struct Document {
 
 /// A part with a heading.
 pub(super) struct Section {
-    /// What links to it call it: a word in small letters.
+    /// Its id in links: a word in small letters.
     pub id: &'static str,
     /// The heading.
     pub title: &'static str,
-    /// Whether it is an appendix: these have letters in place of numbers.
+    /// Whether it is an appendix; appendices have letters in place of numbers.
     pub is_appendix: bool,
-    /// What it says.
+    /// Its content.
     pub blocks: Vec<Block>,
 }
 
@@ -37,11 +37,11 @@ pub(super) enum Block {
     Heading(String),
     /// Running text.
     Paragraph(String),
-    /// What matters most, each with a word before it.
+    /// Sentences with a word before each.
     Statements(Vec<Statement>),
-    /// Points.
+    /// A list.
     List(Vec<String>),
-    /// Text that is typed.
+    /// Commands or lines of a file.
     Code(String),
     /// A file of the input.
     File(EmbeddedFile),
@@ -49,34 +49,34 @@ pub(super) enum Block {
     Table(Table),
     /// A picture.
     Picture(Box<Picture>),
-    /// The modes as they move.
+    /// The animated mode shapes.
     Animation(AnimationData),
 }
 
-/// A sentence that matters, with a word before it.
+/// A sentence with a word before it.
 #[derive(Serialize)]
 pub(super) struct Statement {
     /// The word.
     pub lead: &'static str,
     /// The sentence.
     pub text: String,
-    /// What it is worth, if it is a verdict.
+    /// Its verdict, if it has one.
     pub verdict: Option<Mark>,
 }
 
-/// A picture and how to make it again.
+/// A picture and the command that draws it.
 pub(super) struct Picture {
     /// The picture.
     pub figure: Figure,
     /// Its number, from 1.
     pub number: usize,
-    /// What `towermodes plot --what` calls it; none of a picture that only reports have.
+    /// Its name in `towermodes plot --what`; none if only reports have the picture.
     pub what: Option<&'static str>,
-    /// Whether tables of the section have its numbers, so that it needs none of its own.
+    /// Whether the tables of the section have its numbers.
     pub is_tabulated: bool,
 }
 
-/// A verdict in a word that is looked up in a style sheet, and the word that is read.
+/// A verdict as a class of the style sheet and as a word for the reader.
 #[derive(Serialize, Clone, Copy, PartialEq, Eq)]
 pub(super) struct Mark {
     /// `pass`, `warn`, `fail`.
@@ -86,7 +86,7 @@ pub(super) struct Mark {
 }
 
 impl Mark {
-    /// That of a verdict.
+    /// The mark of a verdict.
     pub(super) fn of(verdict: Verdict) -> Self {
         Self {
             name: verdict.name(),

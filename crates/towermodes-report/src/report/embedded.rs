@@ -1,24 +1,24 @@
-//! Files of the input as the report repeats them.
+//! Input files as the report includes them.
 
 use super::content::InputFile;
 use super::document::printable;
 use crate::wording::counted;
 
-/// Of a longer file the report has the beginning alone, bytes.
+/// Longer files are cut to so many bytes.
 const MOST_OF_A_FILE: usize = 256 * 1024;
-/// Of all files together a report has no more, bytes.
+/// All files together are cut to so many bytes.
 const MOST_OF_ALL: usize = 1024 * 1024;
 
-/// A file of the input, as much of it as a report has.
+/// An input file, as far as the report includes it.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(super) struct EmbeddedFile {
     /// Its path as it was given.
     pub name: String,
-    /// Its text with line feeds alone at the ends of lines.
+    /// Its text, lines ending with a line feed.
     pub text: String,
     /// Whether each of its lines ends with a carriage return and a line feed.
     pub has_crlf: bool,
-    /// What keeps the text here from being the file byte by byte; none if nothing does.
+    /// How the text differs from the bytes of the file, if it does.
     pub differs: Option<String>,
 }
 
@@ -46,16 +46,16 @@ impl EmbeddedFile {
             let all = counted(file.text.lines().count(), "line");
             let shown = shown.lines().count();
             differs.push(format!(
-                "the file has {all}, of which the first {shown} are here: a report has at most {} kB of a file and {} kB of all",
+                "only the first {shown} of {all} are included (at most {} kB of a file and {} kB of all files)",
                 MOST_OF_A_FILE / 1024,
                 MOST_OF_ALL / 1024
             ));
         }
         if printed != text || (!has_crlf && shown.contains('\r')) {
-            differs.push("control characters are spaces here".to_owned());
+            differs.push("control characters are shown as spaces".to_owned());
         }
         if !file.is_of_text && file.text.len() as u64 != file.bytes {
-            differs.push("the file is not encoded in UTF-8, or begins with a mark of its encoding; its text is the same".to_owned());
+            differs.push("the file is not encoded in UTF-8, or begins with a byte order mark; the text is the same".to_owned());
         }
         Self {
             name: file.name.clone(),
@@ -104,7 +104,7 @@ mod tests {
         assert_eq!(kept.text.len(), MOST_OF_A_FILE);
         let said = kept.differs.as_deref().expect("a note");
         assert!(
-            said.contains("32769 lines, of which the first 32768 are here"),
+            said.contains("only the first 32768 of 32769 lines are included"),
             "{said}"
         );
     }

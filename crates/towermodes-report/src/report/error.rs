@@ -2,8 +2,7 @@
 
 use thiserror::Error;
 
-/// Why there is no report; whatever the input, there should be one, so each is a mistake of this
-/// crate.
+/// Why there is no report. Every input should give one, so each error is a defect of this crate.
 #[derive(Debug, Clone, PartialEq, Eq, Error)]
 #[non_exhaustive]
 pub enum ReportError {

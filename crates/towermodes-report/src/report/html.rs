@@ -1,4 +1,4 @@
-//! The report as one page that needs nothing beside it.
+//! The report as one self-contained page.
 
 use minijinja::syntax::SyntaxConfig;
 use minijinja::value::Serde;
@@ -11,11 +11,11 @@ use super::sections::document;
 use super::view::{PageView, sections};
 use crate::svg::{Colour, Theme, stylesheet};
 
-/// The page with places for what it says; its name says that everything is escaped.
+/// The template of the page; its name makes the engine escape everything.
 const TEMPLATE: &str = include_str!("template.html");
-/// How it looks.
+/// The style of the page.
 const STYLE: &str = include_str!("style.css");
-/// What the page does for its reader, then how the tower moves: files that know each other.
+/// The scripts of the page and of the animation, which share one scope.
 const SCRIPT: &str = concat!(
     include_str!("script/page.js"),
     include_str!("script/files.js"),
@@ -30,7 +30,7 @@ const SCRIPT: &str = concat!(
 /// The report as one page of HTML: no other file, nothing from a network; the same content gives
 /// the same bytes.
 ///
-/// Texts of the user are escaped wherever they stand.
+/// All texts of the user are escaped.
 ///
 /// # Errors
 /// [`ReportError`].
@@ -56,7 +56,7 @@ fn title_block(document: &Document) -> Vec<(&'static str, String)> {
         .collect()
 }
 
-/// The template filled in, without the lines that only steer it.
+/// The template filled in, without the lines that only control it.
 fn rendered(page: PageView) -> Result<String, minijinja::Error> {
     let mut environment = Environment::new();
     let mut syntax = SyntaxConfig::builder();

@@ -8,7 +8,7 @@ use super::sections::document;
 use super::table::{Cell, Table};
 use crate::svg::DataTable;
 
-/// Tables of more rows than this are shortened as the page shortens them: here nothing folds away.
+/// Tables with more rows are shortened like those of the page.
 const MOST_WHOLE_ROWS: usize = 100;
 
 /// The report as Markdown in the dialect of GitHub: the same as [`html()`](super::html()) without
@@ -35,7 +35,7 @@ pub fn markdown(content: &ReportContent) -> String {
     text
 }
 
-/// A piece of a section; nothing of what moves.
+/// A piece of a section; none for animations.
 fn of_block(block: &Block, content: &ReportContent) -> Option<String> {
     Some(match block {
         Block::Heading(heading) => format!("### {}", line(heading)),
@@ -53,7 +53,7 @@ fn of_block(block: &Block, content: &ReportContent) -> Option<String> {
 fn of_file(file: &EmbeddedFile) -> String {
     let differs = file.differs.as_ref();
     let differs = differs.map_or(String::new(), |differs| {
-        format!(" Not byte by byte: {}.", line(differs))
+        format!(" Differs from the file: {}.", line(differs))
     });
     let text = fenced(file.text.strip_suffix('\n').unwrap_or(&file.text));
     format!("**{}**{differs}\n\n{text}", line(&file.name))
@@ -79,7 +79,7 @@ fn marked(mark: Mark) -> String {
     format!("**{}**", mark.word)
 }
 
-/// What a picture shows, and the command that draws it, or its numbers where no command does.
+/// The description of a picture, and the command that draws it, or its numbers if there is none.
 fn of_picture(picture: &Picture, content: &ReportContent) -> String {
     let figure = &picture.figure;
     let heading = format!(
@@ -145,7 +145,7 @@ fn row(cells: &[String]) -> String {
     format!("| {} |", cells.join(" | "))
 }
 
-/// Text in one line that means nothing to Markdown.
+/// Text in one line, escaped for Markdown.
 fn line(text: &str) -> String {
     let mut escaped = String::with_capacity(text.len());
     for c in printable(text).chars() {
@@ -163,7 +163,7 @@ fn line(text: &str) -> String {
     escaped
 }
 
-/// Text that is typed, within a fence longer than any in it.
+/// Code within a fence longer than any in it.
 fn fenced(text: &str) -> String {
     let text = printable(text);
     let longest = text.split(|c| c != '`').map(str::len).max().unwrap_or(0);

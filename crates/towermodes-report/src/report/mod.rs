@@ -1,9 +1,9 @@
-//! The report that a designer hands over: the input, what was assumed, the results with their
-//! errors, and what is needed to check them.
+//! The report of a designer: the input, the assumptions, the results with their errors, and what is
+//! needed to check them.
 //!
-//! What is said is made once, as a document of sections; [`html()`] and [`markdown()`] write it
-//! down.
+//! The content is made once, as a document of sections; [`html()`] and [`markdown()`] render it.
 
+mod animation_view;
 mod content;
 mod document;
 mod embedded;

@@ -1,4 +1,4 @@
-//! The commands that make again what is in a report.
+//! The commands that reproduce what is in a report.
 
 use towermodes::Options;
 use towermodes::elements::GAUSS_HINGE_POSITION;
@@ -8,7 +8,7 @@ use towermodes_analysis::resonance::{Campbell, DEFAULT_MARGIN};
 use super::content::ReportContent;
 use super::shell::quoted;
 
-/// The command that draws what `towermodes plot --what WHAT` calls so.
+/// The command that draws the picture `what`.
 pub(super) fn plot_command(content: &ReportContent, what: &str) -> String {
     let mut words = vec![format!("--what {what}")];
     match what {
@@ -26,8 +26,8 @@ pub(super) fn plot_command(content: &ReportContent, what: &str) -> String {
     command(content, "plot", &words)
 }
 
-/// A command on the report's file, read as the report read it. A file that looks like an option
-/// stands after all of these, behind `--`.
+/// A command on the file of the report, with the same reading options. A file name that looks like
+/// an option comes last, after `--`.
 pub(super) fn command(content: &ReportContent, name: &str, options: &[String]) -> String {
     let file = content.main_file();
     let is_dashed = file.starts_with('-') && file != "-";
@@ -43,12 +43,12 @@ pub(super) fn command(content: &ReportContent, name: &str, options: &[String]) -
     words.join(" ")
 }
 
-/// How a solution was made. The method is always said: without it a file may prescribe another.
+/// The options of a solution. The method is always included, because a file may prescribe another.
 fn solved(options: &Options) -> String {
     format!("--method {} {}", options.method.name(), asked(options))
 }
 
-/// What holds for every method.
+/// The options that every method has.
 fn asked(options: &Options) -> String {
     let mut text = format!("--modes {}", options.modes);
     if let Some(segments) = options.segments {

@@ -1,6 +1,6 @@
-//! Commands as a shell reads them.
+//! Quoting of arguments for a POSIX shell.
 
-/// An argument as a POSIX shell reads it back.
+/// An argument quoted so that a POSIX shell reads it back unchanged.
 pub fn quoted(argument: &str) -> String {
     let is_plain = |c: char| c.is_ascii_alphanumeric() || "/._-+=:,@%".contains(c);
     if !argument.is_empty() && argument.chars().all(is_plain) {

@@ -1,4 +1,4 @@
-//! Tables of a report, with what is shown of long ones.
+//! Tables of a report, and the rows of long ones that are shown.
 
 use serde::Serialize;
 use towermodes_analysis::Verdict;
@@ -6,17 +6,17 @@ use towermodes_analysis::Verdict;
 use super::document::Mark;
 use crate::number::NOTHING;
 
-/// Longer tables are shortened in their middle.
+/// Longer tables are shortened in the middle.
 const LONG: usize = 30;
-/// What is left of these at each end.
+/// The number of rows that remain at each end.
 const ENDS: usize = 8;
-/// More rows than this are in no report, whatever the input.
+/// The largest number of rows of a table in a report.
 pub(super) const MOST_ROWS: usize = 4000;
 
 /// A column of a table.
 #[derive(Serialize, Clone)]
 pub(super) struct Column {
-    /// What it is, unit included.
+    /// Its name, unit included.
     pub name: String,
     /// Whether it is flush right.
     pub is_number: bool,
@@ -25,9 +25,9 @@ pub(super) struct Column {
 /// A cell of a table.
 #[derive(Serialize, Clone)]
 pub(super) struct Cell {
-    /// What it says.
+    /// Its text.
     pub text: String,
-    /// Whether it is a verdict, and which.
+    /// Its verdict, if it is one.
     pub verdict: Option<Mark>,
 }
 
@@ -56,11 +56,11 @@ impl From<Verdict> for Cell {
     }
 }
 
-/// Numbers in rows; the first cell of each says what the row is of.
+/// A table; the first cell of each row names the row.
 pub(super) struct Table {
     /// Its number, from 1.
     pub number: usize,
-    /// What it is.
+    /// Its caption.
     pub caption: String,
     /// Its columns.
     pub columns: Vec<Column>,
@@ -74,12 +74,12 @@ pub(super) struct Table {
 
 /// The rows of a long table that are shown at first.
 pub(super) struct Brief {
-    /// Their places.
+    /// Their indices.
     pub shown: Vec<usize>,
     /// After how many of them others are left out that belong between; none if those are here and
     /// there.
     pub gap_after: Option<usize>,
-    /// Which they are: "pairs nearer than a factor 2".
+    /// Their name: "pairs within a factor of 2".
     pub which: String,
 }
 
@@ -208,7 +208,7 @@ impl Table {
             let rows = kept.map(|row| std::mem::take(&mut self.rows[*row]));
             self.rows = rows.collect();
             self.caption.push_str(&format!(
-                " ({count} rows; here are {which}: {} of {})",
+                " ({count} rows; shown: {which}, {} of {})",
                 self.rows.len(),
                 shown.len()
             ));
@@ -297,13 +297,13 @@ mod tests {
         assert_eq!((huge.rows.len(), &*huge.rows[1][0].text), (500, "400"));
         assert!(
             huge.caption
-                .ends_with("(200000 rows; here are near pairs: 500 of 500)")
+                .ends_with("(200000 rows; shown: near pairs, 500 of 500)")
         );
         let huge = table(200_000, 2);
         assert_eq!((huge.rows.len(), &*huge.rows[3999][0].text), (4000, "7998"));
         assert!(
             huge.caption
-                .ends_with("(200000 rows; here are near pairs: 4000 of 100000)")
+                .ends_with("(200000 rows; shown: near pairs, 4000 of 100000)")
         );
     }
 }

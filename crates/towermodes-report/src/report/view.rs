@@ -1,16 +1,16 @@
-//! A document as the template of the page sees it.
+//! The document in the form that the template of the page needs.
 
 use serde::Serialize;
 
+use super::animation_view::AnimationView;
 use super::document::{Block, Document, Picture, Section, Statement, printable};
 use super::embedded::EmbeddedFile;
 use super::error::ReportError;
 use super::table::{Cell, Column, MOST_ROWS, Table};
-use crate::figures::{AnimationData, Body, Substance};
 use crate::svg::{DataTable, Look};
 use crate::wording::counted;
 
-/// Tables with at most so many rows are not broken across pages of paper.
+/// Tables with at most so many rows are not broken across printed pages.
 const SHORT: usize = 24;
 
 /// A report's page.
@@ -57,12 +57,12 @@ pub(super) struct FileView {
     /// Its number among the files, from 1.
     pub number: usize,
     pub name: String,
-    /// What a copy of it is called: the last part of its path.
+    /// The name of a saved copy: the last part of its path.
     pub file_name: String,
     pub text: String,
     /// How its lines end in the file: `lf` or `crlf`.
     pub line_end: &'static str,
-    /// How many lines are here.
+    /// The number of lines, in words.
     pub lines: String,
     /// How the text differs from the file, if it does.
     pub differs: Option<String>,
@@ -74,22 +74,22 @@ pub(super) struct TableView {
     /// "Table 3. Stations".
     pub caption: String,
     pub columns: Vec<Column>,
-    /// What is shown at first.
+    /// The rows that are shown at first.
     pub rows: Vec<RowView>,
-    /// Which these are, if there are others.
+    /// Which rows these are, if there are others.
     pub which: Option<String>,
-    /// All rows, if these are not they.
+    /// All rows, if not all are shown at first.
     pub all: Vec<RowView>,
-    /// What all of them are called: "all 41 rows".
+    /// Their name: "all 41 rows".
     pub all_name: String,
-    /// Whether it fits on a page of paper with what is around it, and should not be broken there.
+    /// Whether it should not be broken across printed pages.
     pub is_short: bool,
 }
 
 /// A row of a table of the page.
 #[derive(Serialize)]
 pub(super) struct RowView {
-    /// Whether rows between the ones before and after are left out here.
+    /// Whether the row stands for left out rows.
     pub is_gap: bool,
     pub cells: Vec<Cell>,
 }
@@ -100,29 +100,10 @@ pub(super) struct PictureView {
     pub number: usize,
     pub title: String,
     pub description: String,
-    /// The picture itself, escaped already.
+    /// The picture as SVG, already escaped.
     pub svg: String,
-    /// Its numbers, if no table of the section has them.
+    /// Its numbers, unless a table of the section has them.
     pub table: Option<TableView>,
-}
-
-/// The moving tower of the page.
-#[derive(Serialize)]
-pub(super) struct AnimationView {
-    pub modes: Vec<AnimatedModeView>,
-    /// Whether the tower's width is nominal.
-    pub is_nominal: bool,
-    /// What is drawn with the tower, in words; empty if nothing is.
-    pub parts: String,
-    /// What the script reads, as JSON that ends no script.
-    pub data: String,
-}
-
-/// A mode to choose from.
-#[derive(Serialize)]
-pub(super) struct AnimatedModeView {
-    pub number: usize,
-    pub label: String,
 }
 
 /// The sections of a document.
@@ -240,7 +221,7 @@ impl TableView {
         let left_out = data.rows.len().saturating_sub(MOST_ROWS);
         let note = match left_out {
             0 => String::new(),
-            count => format!(" ({count} more rows are not here)"),
+            count => format!(" ({count} more rows are left out)"),
         };
         Self {
             caption: printable(&format!("Numbers of figure {number}. {title}{note}.")),
@@ -304,42 +285,4 @@ impl PictureView {
                 .then(|| TableView::of_data(picture.number, &figure.title, &figure.table)),
         }
     }
-}
-
-impl AnimationView {
-    fn of(data: &AnimationData) -> Result<Self, ReportError> {
-        let json = serde_json::to_string(data).map_err(|error| ReportError::Data {
-            message: error.to_string(),
-        })?;
-        let mode = |mode: &crate::figures::AnimatedMode| AnimatedModeView {
-            number: mode.number,
-            label: format!("{}, {} Hz", mode.label, mode.frequency_hz),
-        };
-        Ok(Self {
-            modes: data.modes.iter().map(mode).collect(),
-            is_nominal: data.is_nominal,
-            parts: parts(&data.bodies),
-            // Neither `</script` nor `<!--` may be in a script.
-            data: json.replace('<', "\\u003c"),
-        })
-    }
-}
-
-/// What the bodies around a moving tower are: "ground, masses, the machine (nominal form)".
-fn parts(bodies: &[Body]) -> String {
-    let names = [
-        (Substance::Ground, "ground"),
-        (Substance::Soil, "soil"),
-        (Substance::Water, "water"),
-        (Substance::Foundation, "the foundation or platform"),
-        (Substance::Link, "springs, wires or moorings"),
-        (Substance::Mass, "centres of mass as balls"),
-        (
-            Substance::Machine,
-            "nacelle, hub and blades in a nominal form, as their measures are not in the input",
-        ),
-    ];
-    let is_there = |of: Substance| bodies.iter().any(|body| body.of == of);
-    let there = names.into_iter().filter(|(of, _)| is_there(*of));
-    there.map(|(_, name)| name).collect::<Vec<_>>().join(", ")
 }

@@ -1,8 +1,9 @@
 //! Axes around a field, with a unit on each.
 
 use super::colour::Colour;
-use super::drawing::{Anchor, Drawing, Stroke, TextStyle};
+use super::drawing::Drawing;
 use super::scale::{Scale, is_far_from_one, plain, power_of_ten};
+use super::style::{Anchor, Stroke, TextStyle};
 use super::text::text_width;
 
 /// Size of the numbers along an axis.
@@ -35,7 +36,7 @@ pub struct Axes {
 }
 
 impl Axes {
-    /// Axes of these values; `logarithmic` says which of x and y have equal steps for equal ratios.
+    /// Axes for these ranges; `logarithmic` gives for x and y whether the scale is logarithmic.
     pub fn new(frame: Frame, x: [f64; 2], y: [f64; 2], logarithmic: [bool; 2]) -> Self {
         let scale = |values, places, is_logarithmic| {
             if is_logarithmic {
@@ -65,7 +66,7 @@ impl Axes {
         Self::left_margin_at(&tick_texts(&scale, ticks))
     }
 
-    /// The same with what is written at each value.
+    /// The same with a label for each value.
     pub fn left_margin_at(ticks: &[(f64, String)]) -> f64 {
         widest(ticks) + NUMBERS + 2.2 * NAME
     }
@@ -76,7 +77,7 @@ impl Axes {
         self.draw_x_at(drawing, name, &tick_texts(&self.x, ticks));
     }
 
-    /// The same with its own values and what is written at each.
+    /// The same with given values and their labels.
     pub fn draw_x_at(&self, drawing: &mut Drawing, name: &str, ticks: &[(f64, String)]) {
         let Frame {
             left,
@@ -111,7 +112,7 @@ impl Axes {
         self.draw_y_at(drawing, name, &tick_texts(&self.y, ticks));
     }
 
-    /// The same with its own values and what is written at each.
+    /// The same with given values and their labels.
     pub fn draw_y_at(&self, drawing: &mut Drawing, name: &str, ticks: &[(f64, String)]) {
         let Frame {
             left,
@@ -179,9 +180,9 @@ fn tick_texts(scale: &Scale, count: usize) -> Vec<(f64, String)> {
         .collect()
 }
 
-/// Moves places apart until neighbours are at least `gap` from each other, as little as it can, and
-/// all within `range`: for labels beside the ends of lines. They keep their order; where there is
-/// no room for all, they are spread evenly.
+/// Moves places apart as little as possible until neighbours have at least the distance `gap` and
+/// all are within `range`: for labels beside the ends of lines. The order stays; if there is not
+/// enough room, the places are spaced evenly.
 pub fn spread(places: &[f64], gap: f64, range: [f64; 2]) -> Vec<f64> {
     let mut order: Vec<usize> = (0..places.len()).collect();
     order.sort_by(|a, b| places[*a].total_cmp(&places[*b]));

@@ -1,6 +1,6 @@
 //! Colours by their role, for light and dark paper.
 
-/// What a line or a surface stands for; never a colour by itself.
+/// The role of a line or a surface, which each theme gives a colour.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Colour {
     /// Text and outlines.
@@ -13,27 +13,27 @@ pub enum Colour {
     Paper,
     /// The walls of a tower.
     Steel,
-    /// The machine on top.
-    Machine,
+    /// The rotor-nacelle assembly.
+    Rna,
     /// Ground.
     Soil,
     /// Water.
     Water,
-    /// A range that is shaded, as of speeds.
+    /// A shaded range, for instance of speeds.
     Band,
-    /// A range that is wanted, as of frequencies.
+    /// A permitted range, for instance of frequencies.
     Window,
-    /// What is near something that must be kept away from.
+    /// Within twice a required margin.
     Near,
-    /// What is too near to it.
+    /// Within the required margin.
     TooNear,
     /// Members of a family that is drawn together, from 0; beyond the last they begin again.
     Series(usize),
-    /// What is well.
+    /// Pass.
     Pass,
-    /// What is near a limit.
+    /// Warn.
     Warn,
-    /// What is beyond a limit.
+    /// Fail.
     Fail,
 }
 
@@ -46,7 +46,7 @@ pub enum Theme {
     Dark,
 }
 
-/// Colours of lines that are told apart by all kinds of eyes (after Okabe & Ito, 2008), darkened or
+/// Line colours that colour-blind readers can distinguish (after Okabe & Ito, 2008), darkened or
 /// lightened until their contrast to the paper is at least 3.
 const SERIES: [[&str; 2]; 7] = [
     ["#0072b2", "#56b4e9"],
@@ -59,14 +59,14 @@ const SERIES: [[&str; 2]; 7] = [
 ];
 
 impl Colour {
-    /// Every colour there is.
+    /// All colours.
     pub const ALL: [Self; 22] = [
         Self::Ink,
         Self::Muted,
         Self::Grid,
         Self::Paper,
         Self::Steel,
-        Self::Machine,
+        Self::Rna,
         Self::Soil,
         Self::Water,
         Self::Band,
@@ -93,7 +93,7 @@ impl Colour {
             Self::Grid => ["#d8dde3", "#3a4048"],
             Self::Paper => ["#ffffff", "#16191d"],
             Self::Steel => ["#8b98a7", "#8896a6"],
-            Self::Machine => ["#5d6b7a", "#a9b6c4"],
+            Self::Rna => ["#5d6b7a", "#a9b6c4"],
             Self::Soil => ["#d9c7a8", "#5a4a31"],
             Self::Water => ["#cfe6f5", "#17384d"],
             Self::Band => ["#e9edf2", "#262c34"],
@@ -119,7 +119,7 @@ impl Colour {
             Self::Grid => "grid".to_owned(),
             Self::Paper => "paper".to_owned(),
             Self::Steel => "steel".to_owned(),
-            Self::Machine => "machine".to_owned(),
+            Self::Rna => "rna".to_owned(),
             Self::Soil => "soil".to_owned(),
             Self::Water => "water".to_owned(),
             Self::Band => "band".to_owned(),

@@ -2,169 +2,11 @@
 
 use std::fmt::Write;
 
+use towermodes::is_printable;
+
 use super::colour::Colour;
+use super::style::{Anchor, Marker, Stroke, TextStyle};
 use super::text::text_width;
-
-/// How a line is drawn.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Stroke {
-    /// Its colour.
-    pub colour: Colour,
-    /// Its width.
-    pub width: f64,
-    /// Whether it is broken.
-    pub dash: Dash,
-}
-
-impl Stroke {
-    /// A whole line.
-    pub fn new(colour: Colour, width: f64) -> Self {
-        Self {
-            colour,
-            width,
-            dash: Dash::Whole,
-        }
-    }
-
-    /// The same line broken.
-    pub fn dashed(self, dash: Dash) -> Self {
-        Self { dash, ..self }
-    }
-}
-
-/// How a line is broken: what tells lines apart without colour.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Dash {
-    /// Not at all.
-    Whole,
-    /// In dashes.
-    Dashed,
-    /// In dots.
-    Dotted,
-    /// In dashes and dots by turns.
-    DashDot,
-    /// In long dashes.
-    Long,
-}
-
-impl Dash {
-    /// A dash for each member of a series, from 0.
-    pub fn of_series(index: usize) -> Self {
-        [
-            Self::Whole,
-            Self::Dashed,
-            Self::DashDot,
-            Self::Dotted,
-            Self::Long,
-        ][index % 5]
-    }
-
-    fn pattern(self) -> Option<&'static str> {
-        match self {
-            Self::Whole => None,
-            Self::Dashed => Some("6 4"),
-            Self::Dotted => Some("1.5 3"),
-            Self::DashDot => Some("8 3 1.5 3"),
-            Self::Long => Some("14 5"),
-        }
-    }
-}
-
-/// A mark at a point: the other thing that tells series apart without colour.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Marker {
-    /// A disc.
-    Disc,
-    /// A square.
-    Square,
-    /// A triangle.
-    Triangle,
-    /// A square on its corner.
-    Diamond,
-    /// A cross.
-    Cross,
-    /// A ring.
-    Ring,
-}
-
-impl Marker {
-    /// A marker for each member of a series, from 0.
-    pub fn of_series(index: usize) -> Self {
-        [
-            Self::Disc,
-            Self::Square,
-            Self::Triangle,
-            Self::Diamond,
-            Self::Cross,
-            Self::Ring,
-        ][index % 6]
-    }
-}
-
-/// Which part of a text is at its point.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Anchor {
-    /// Its beginning.
-    Start,
-    /// Its middle.
-    Middle,
-    /// Its end.
-    End,
-}
-
-/// How a text is written.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct TextStyle {
-    /// Size of the letters.
-    pub size: f64,
-    /// Colour.
-    pub colour: Colour,
-    /// Which part of it is at its point.
-    pub anchor: Anchor,
-    /// Whether it is bold.
-    pub is_bold: bool,
-    /// Whether it reads upwards.
-    pub is_turned: bool,
-}
-
-impl TextStyle {
-    /// Text of a size in ink, beginning at its point.
-    pub fn new(size: f64) -> Self {
-        Self {
-            size,
-            colour: Colour::Ink,
-            anchor: Anchor::Start,
-            is_bold: false,
-            is_turned: false,
-        }
-    }
-
-    /// The same in another colour.
-    pub fn colour(self, colour: Colour) -> Self {
-        Self { colour, ..self }
-    }
-
-    /// The same with another part at its point.
-    pub fn anchor(self, anchor: Anchor) -> Self {
-        Self { anchor, ..self }
-    }
-
-    /// The same in bold.
-    pub fn bold(self) -> Self {
-        Self {
-            is_bold: true,
-            ..self
-        }
-    }
-
-    /// The same reading upwards.
-    pub fn turned(self) -> Self {
-        Self {
-            is_turned: true,
-            ..self
-        }
-    }
-}
 
 /// A text that was written and the box around it.
 #[derive(Debug, Clone, PartialEq)]
@@ -344,8 +186,7 @@ impl Drawing {
         self.labels.push(label_box(at, text, style));
     }
 
-    /// Draws inside a rectangle alone: what reaches beyond is cut. `name` must be the only one of
-    /// the drawing.
+    /// Draws inside a rectangle; everything beyond it is cut. `name` must be unique in the drawing.
     pub fn clipped(
         &mut self,
         name: &str,
@@ -476,7 +317,7 @@ pub(super) fn unescaped(text: &str) -> String {
     signs.replace("&amp;", "&")
 }
 
-/// A text as SVG has it, without what no document may have.
+/// A text escaped for SVG, without characters that XML forbids.
 pub(super) fn escaped(text: &str) -> String {
     let mut escaped = String::with_capacity(text.len());
     for c in text.chars() {
@@ -485,9 +326,8 @@ pub(super) fn escaped(text: &str) -> String {
             '<' => escaped.push_str("&lt;"),
             '>' => escaped.push_str("&gt;"),
             '"' => escaped.push_str("&quot;"),
-            c if c.is_control() || ('\u{fffe}'..='\u{ffff}').contains(&c) => escaped.push(' '),
-            // Marks that turn the direction of writing would show numbers backwards.
-            '\u{202a}'..='\u{202e}' | '\u{2066}'..='\u{2069}' => escaped.push(' '),
+            // XML has no control characters, and marks of direction would show numbers backwards.
+            c if !is_printable(c) || matches!(c, '\u{fffe}' | '\u{ffff}') => escaped.push(' '),
             c => escaped.push(c),
         }
     }
@@ -496,8 +336,8 @@ pub(super) fn escaped(text: &str) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::{Anchor, Drawing, Stroke, TextStyle, escaped, short};
-    use crate::svg::Colour;
+    use super::{Drawing, escaped, short};
+    use crate::svg::{Anchor, Colour, Stroke, TextStyle};
 
     #[test]
     fn lengths_are_short() {

@@ -3,12 +3,11 @@
 use super::colour::{Colour, Theme, stylesheet};
 use super::drawing::{Drawing, ID, LabelBox, escaped};
 
-/// The fonts of a picture: whatever the reader has that is as narrow as DejaVu Sans, whose widths
-/// are measured, or narrower.
+/// The fonts of a picture: DejaVu Sans, whose widths are measured, or narrower ones.
 const FONTS: &str =
     "'Helvetica Neue', Helvetica, Arial, 'Liberation Sans', 'DejaVu Sans', sans-serif";
 
-/// Where a picture gets its colours from.
+/// The source of the colours of a picture.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Look {
     /// A file of its own that follows the reader's preference for light or dark.
@@ -19,10 +18,10 @@ pub enum Look {
     Inline,
 }
 
-/// The numbers of a picture as a table, for those who do not see it.
+/// The numbers of a picture as a table, for readers who cannot see it.
 #[derive(Debug, Clone, PartialEq, Default, serde::Serialize)]
 pub struct DataTable {
-    /// What the columns are, units included.
+    /// The names of the columns, units included.
     pub header: Vec<String>,
     /// The rows, each as long as the header.
     pub rows: Vec<Vec<String>>,
@@ -31,11 +30,11 @@ pub struct DataTable {
 /// A picture.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Figure {
-    /// A name of letters, digits and hyphens that no other picture of a page has.
+    /// A name of letters, digits and hyphens, unique on a page.
     pub name: String,
-    /// What it is, in a line.
+    /// The title, one line.
     pub title: String,
-    /// What is to be seen, in a sentence or two: the alternative text.
+    /// The alternative text: what the picture shows, in a few sentences.
     pub description: String,
     /// The picture.
     pub drawing: Drawing,

@@ -1,7 +1,7 @@
-//! A visible heading above a picture: a file that is mailed says by itself what it shows.
+//! A visible heading above a picture that stands alone, for instance as an attachment.
 
-use super::drawing::TextStyle;
 use super::figure::Figure;
+use super::style::TextStyle;
 use super::text::{LINE_HEIGHT, text_width};
 use super::{Colour, Stroke};
 
@@ -13,13 +13,13 @@ const LINES: f64 = 12.0;
 const MARGIN: f64 = 12.0;
 /// Below the heading.
 const BELOW: f64 = 10.0;
-/// A text takes at most so many lines; what remains is cut.
+/// A text takes at most so many lines; the rest is cut.
 const MOST_LINES: [usize; 2] = [2, 5];
 
-/// What is written above a picture.
+/// The heading of a picture.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
 pub struct Heading {
-    /// The title, in bold: the tower's name. Nothing is written of an empty one.
+    /// The title in bold: the tower's name. An empty title is left out.
     pub title: String,
     /// Below it, each a paragraph: first, in muted letters, what the picture shows and how it was
     /// computed, then what follows from it.
@@ -47,7 +47,7 @@ impl Heading {
 }
 
 impl Figure {
-    /// The picture with a heading above it; the same picture where the heading is empty.
+    /// The picture with a heading above it; unchanged if the heading is empty.
     #[must_use]
     pub fn headed(self, heading: &Heading) -> Self {
         let lines = heading.broken(self.drawing.width);

@@ -1,8 +1,8 @@
-//! From values to places on a sheet.
+//! Linear and logarithmic scales from values to places on a sheet.
 
 use crate::number::superscript;
 
-/// How values lie along an axis.
+/// The scale of an axis.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Scale {
     /// The value at the beginning.
@@ -13,12 +13,12 @@ pub struct Scale {
     pub from: f64,
     /// The place of the end.
     pub to: f64,
-    /// Whether equal steps are equal ratios.
+    /// Whether the scale is logarithmic.
     pub is_logarithmic: bool,
 }
 
 impl Scale {
-    /// Equal steps for equal differences.
+    /// A linear scale.
     pub fn linear([low, high]: [f64; 2], [from, to]: [f64; 2]) -> Self {
         Self {
             low,
@@ -29,7 +29,7 @@ impl Scale {
         }
     }
 
-    /// Equal steps for equal ratios; both values must be positive.
+    /// A logarithmic scale; both values must be positive.
     pub fn logarithmic([low, high]: [f64; 2], [from, to]: [f64; 2]) -> Self {
         Self {
             is_logarithmic: true,

@@ -1,4 +1,4 @@
-//! How wide text is.
+//! The width of text.
 
 use std::sync::OnceLock;
 
@@ -9,8 +9,8 @@ pub const LINE_HEIGHT: f64 = 1.3;
 
 /// The width of a text in a size, in the units of the drawing.
 ///
-/// That of DejaVu Sans, which is wider than what browsers usually have in its place (Verdana's
-/// width; Helvetica and Arial are narrower): what fits with it fits everywhere.
+/// It is measured with DejaVu Sans, which is as wide as Verdana and wider than Helvetica and Arial:
+/// text that fits with it fits with the fonts of any browser.
 pub fn text_width(text: &str, size: f64, is_bold: bool) -> f64 {
     let Some(face) = face(is_bold) else {
         return size * text.chars().count() as f64;

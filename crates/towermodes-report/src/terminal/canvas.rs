@@ -10,7 +10,7 @@ const BITS: [[u8; ACROSS]; DOWN] = [[0x01, 0x08], [0x02, 0x10], [0x04, 0x20], [0
 /// The pattern without dots.
 const EMPTY: u32 = 0x2800;
 
-/// A sheet of dots; what lies outside is not drawn.
+/// A sheet of dots; dots outside it are not drawn.
 #[derive(Debug, Clone)]
 pub(super) struct Canvas {
     columns: usize,

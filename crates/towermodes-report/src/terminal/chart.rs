@@ -7,9 +7,9 @@ use crate::wording::counted;
 
 /// About so many rows, whatever the powers of ten.
 const ROWS: usize = 16;
-/// Most columns of the field: wider ones show nothing more.
+/// The largest number of columns of the field: wider ones show nothing more.
 const WIDEST: usize = 72;
-/// Narrower fields show nothing; names of the lines are left out before.
+/// Narrower fields are not drawn; before that the names of the lines are left out.
 const NARROWEST: usize = 20;
 /// Characters left of the field: a power of ten and the axis.
 const AXIS: usize = 8;
@@ -19,7 +19,7 @@ const SAMPLE: usize = 6;
 /// Whether a line has the dot of this number along it.
 type Style = fn(usize) -> bool;
 
-/// How lines are broken, by turns, with a sample of each.
+/// The dash patterns of the lines, used in turn, with a sample of each.
 const STYLES: [(&str, Style); 3] = [
     ("───", |_| true),
     ("╌╌╌", |step| step % 6 < 4),
@@ -29,7 +29,7 @@ const STYLES: [(&str, Style); 3] = [
 /// A line through points.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Series {
-    /// The character it is called in a table.
+    /// Its character in the table.
     pub(super) mark: char,
     /// Its name.
     pub(super) name: String,
@@ -37,7 +37,7 @@ pub(super) struct Series {
     pub(super) points: Vec<(f64, f64)>,
 }
 
-/// What is along x.
+/// The x axis.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct XAxis {
     /// Its name.
@@ -121,8 +121,8 @@ impl<'a> Places<'a> {
     }
 }
 
-/// The diagram, as wide as there is room; nothing where there are no points or no room. More lines
-/// than rows are counted only.
+/// The diagram, at most `width` characters wide; empty without points or room. If there are more
+/// lines than rows, the rest is counted.
 pub(super) fn chart(series: &[Series], x_axis: &XAxis, width: usize) -> String {
     let drawn: Vec<Series> = series
         .iter()
@@ -178,7 +178,7 @@ fn draw(canvas: &mut Canvas, places: &Places<'_>, series: &Series, style: Style)
     }
 }
 
-/// What stands to the right of each row: the lines by their ends, moved apart.
+/// The labels to the right of each row: the lines by their ends, moved apart.
 fn labels_of_rows(series: &[Series], places: &Places<'_>, has_names: bool) -> Vec<String> {
     let row = |series: &Series| {
         let last = series.points.last().map_or(0, |point| places.down(point.1));

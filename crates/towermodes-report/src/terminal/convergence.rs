@@ -1,14 +1,13 @@
-//! How the errors of a method fall, in braille dots.
+//! The convergence of a method in braille dots.
 
 use towermodes_analysis::study::{Convergence, Fineness, Level};
 
 use super::chart::{Series, XAxis, chart};
 use crate::figures::error_axis::ROUNDING;
 
-/// The relative errors of the modes over the number of segments, both logarithmic, of the spectral
-/// beam over its degree, as wide as a terminal of `width` columns has room for. `marks` are the
-/// characters by which a table beside it calls the modes. Nothing where there is no room, or no
-/// error.
+/// The relative errors of the modes against the number of segments on logarithmic axes (for the
+/// spectral beam against its degree), as wide as a terminal of `width` columns permits. `marks` are
+/// the characters of the modes in the table beside it. Empty if there is no room or no error.
 pub fn convergence(
     convergence: &Convergence,
     marks: impl Iterator<Item = char>,

@@ -1,4 +1,5 @@
-//! Small diagrams side by side: a value to the right over a height or radius upwards, words below.
+//! Small diagrams side by side: a value to the right against a height or radius upwards, with a
+//! caption below.
 
 use super::canvas::{ACROSS, Canvas, DOWN};
 use crate::svg::number;
@@ -13,7 +14,7 @@ const GAP: usize = 2;
 const REACH: usize = COLUMNS * ACROSS / 2 - 1;
 /// Dots from the top to the bottom.
 const DOTS: usize = ROWS * DOWN;
-/// Terminals narrower than this show no diagrams.
+/// Narrower terminals show no diagrams.
 const NARROWEST: usize = 30;
 
 /// How a curve is drawn.
@@ -32,15 +33,15 @@ pub(super) struct Curve {
     pub(super) line: Line,
 }
 
-/// A diagram with what is said below it.
+/// A diagram with its caption.
 #[derive(Debug, Clone)]
 pub(super) struct Panel {
     pub(super) curves: Vec<Curve>,
     pub(super) captions: Vec<String>,
 }
 
-/// The diagrams in rows as wide as there is room, with the heights from `low_m` to `high_m` on the
-/// left of each row; nothing where not one fits.
+/// The diagrams in rows of at most `width` characters, with the heights from `low_m` to `high_m` on
+/// the left of each row; empty if none fits.
 pub(super) fn side_by_side(panels: &[Panel], [low_m, high_m]: [f64; 2], width: usize) -> String {
     let axis = axis([low_m, high_m]);
     let of_axis = axis.iter().map(|label| label.chars().count()).max();
@@ -135,7 +136,7 @@ fn drawn(curves: &[Curve], [low_m, high_m]: [f64; 2]) -> Vec<String> {
     canvas.lines().collect()
 }
 
-/// Dots in every row, so many that neighbours in two rows touch.
+/// Dots in every row, so many that the rows are connected.
 fn draw_whole(canvas: &mut Canvas, at: impl Fn(usize) -> usize) {
     canvas.dot(at(0), 0);
     for y in 1..DOTS {

@@ -8,8 +8,8 @@ use super::panel::{Curve, Line, Panel, side_by_side};
 use crate::number::four_digits;
 
 impl Curve {
-    /// A rotation as a share of its largest: beside a deflection of 1 it has no scale. Deflections
-    /// stay.
+    /// A rotation normalised to its largest value, because a deflection of 1 gives it no scale.
+    /// Deflections are unchanged.
     fn with_scale_of(mut self, component: Component) -> Self {
         let sizes = self.points.iter().map(|(_, value)| value.abs());
         let largest = sizes.fold(0.0, f64::max);
@@ -38,11 +38,11 @@ impl Component {
     }
 }
 
-/// The shapes of a solution, as wide as a terminal of `width` columns has room for: heights
-/// upwards, and to the right fore-aft or side-side motion, of torsion the rotation, of axial modes
-/// the motion upwards, each as a share of its largest. Of coupled modes the two motions with most
-/// energy are drawn, one as a line and one as dots, a rotation as a share of its own largest. What
-/// is there twice, in two equal planes, is drawn once. Nothing where not even one fits.
+/// The mode shapes of a solution, as wide as a terminal of `width` columns permits: heights
+/// upwards, and to the right the fore-aft or side-side deflection, the rotation of torsion modes, or the
+/// axial motion, each normalised to its maximum. Coupled modes show the two motions with the most
+/// energy, one as a line and one as dots. Equal modes of two equal planes are drawn once. Empty if
+/// not even one shape fits.
 pub fn shapes(tower: &Tower, solution: &Solution, width: usize) -> String {
     let panels: Vec<Panel> = drawn_once(tower, solution)
         .into_iter()
@@ -51,8 +51,8 @@ pub fn shapes(tower: &Tower, solution: &Solution, width: usize) -> String {
     side_by_side(&panels, [tower.base_m(), tower.top_m()], width)
 }
 
-/// The shapes of a rotating blade, as [`shapes`]: radii upwards, to the right flap or lag, of
-/// torsion the rotation.
+/// The mode shapes of a rotating blade, like [`shapes`]: radii upwards, to the right the flapwise
+/// or edgewise deflection, or the rotation of torsion modes.
 pub fn blade_shapes(blade: &Blade, solution: &BladeSolution, width: usize) -> String {
     let description = blade.description();
     let radii_m = [description.hub_radius_m, description.tip_radius_m];
@@ -60,7 +60,7 @@ pub fn blade_shapes(blade: &Blade, solution: &BladeSolution, width: usize) -> St
     side_by_side(&panels, radii_m, width)
 }
 
-/// The modes, each with the one that is the same in the other of two equal planes.
+/// The modes, each with its equal mode in the other of two equal planes.
 fn drawn_once<'a>(tower: &Tower, solution: &'a Solution) -> Vec<(&'a Mode, Option<&'a Mode>)> {
     let mut drawn: Vec<(&Mode, Option<&Mode>)> = Vec::new();
     for mode in &solution.modes {
@@ -110,7 +110,7 @@ fn tower_panel(mode: &Mode, twin: Option<&Mode>) -> Panel {
     Panel { curves, captions }
 }
 
-/// The two components of a coupled mode with most of its energy, with their names.
+/// The two components of a coupled mode with the most energy, with their names.
 fn coupled_components(mode: &Mode) -> [(Component, &'static str); 2] {
     let mean = mode.energy.mean();
     let mut all = [
@@ -129,16 +129,16 @@ fn coupled_components(mode: &Mode) -> [(Component, &'static str); 2] {
     }
 }
 
-/// What is drawn to the right, where the name of a mode does not say it.
+/// The drawn quantity, if the name of the mode does not give it.
 fn to_the_right(family: Family) -> Option<&'static str> {
     match family {
         Family::Torsion | Family::Yaw => Some("rotation about z"),
-        Family::Axial | Family::Heave => Some("motion along z"),
+        Family::Axial | Family::Heave => Some("axial motion"),
         _ => None,
     }
 }
 
-/// "1st fore-aft and side-side bending" of two that are one.
+/// "1st fore-aft and side-side bending" for two equal modes.
 fn label(mode: &Mode, twin: Option<&Mode>) -> String {
     match (twin, mode.family) {
         (None, _) => mode.label(),
@@ -152,7 +152,7 @@ fn blade_panel(mode: &BladeMode) -> Panel {
         BladeFamily::Lag => (Component::Along(0), None),
         BladeFamily::Flap => (Component::Along(1), None),
         BladeFamily::Torsion => (Component::AboutZ, Some("rotation")),
-        BladeFamily::Axial => (Component::Along(2), Some("motion along it")),
+        BladeFamily::Axial => (Component::Along(2), Some("axial motion")),
     };
     let name = mode.family.label(mode.order);
     let mut captions = vec![name, four_digits(mode.frequency_hz) + " Hz"];
@@ -163,7 +163,7 @@ fn blade_panel(mode: &BladeMode) -> Panel {
     }
 }
 
-/// A component over the heights of points, in any order; a height that is there twice counts once.
+/// A component over the heights of points in any order; of equal heights one counts.
 fn curve<'a>(
     points: impl Iterator<Item = &'a ShapePoint>,
     component: Component,

@@ -95,13 +95,13 @@ fn beams() -> Vec<Row> {
             pole(),
             &[
                 "a Rayleigh beam",
-                "It also twists and stretches.",
+                "Torsion and axial deformation are included.",
                 "The base is clamped",
-                "by 5 % where it bears ten times its weights.",
+                "by 5 % at a load factor of 10.",
                 "There is no rotor-nacelle assembly.",
-                "no soil along the tower, no water along the tower, no wires on the tower, no masses on the tower's axis",
+                "no soil along the tower, no water along the tower, no guy wires, no point masses",
             ],
-            &["table", "BModes", "infinite", "at the tower's top"],
+            &["table", "BModes", "infinite", "at the tower top"],
         ),
         row(
             "Cowper",
@@ -112,7 +112,7 @@ fn beams() -> Vec<Row> {
         row(
             "tube, --no-rotary-inertia",
             pole(),
-            &["an Euler-Bernoulli beam", "as asked (--no-rotary-inertia)"],
+            &["an Euler-Bernoulli beam", "neglected (--no-rotary-inertia)"],
             &["table"],
         )
         .without_rotary_inertia(),
@@ -133,7 +133,7 @@ fn beams() -> Vec<Row> {
                 "an Euler-Bernoulli beam",
                 "The element of BModes has no rotary inertia",
             ],
-            &["as asked"],
+            &["(--no-rotary-inertia)"],
         )
         .by(Method::Bmodes),
         row(
@@ -141,7 +141,7 @@ fn beams() -> Vec<Row> {
             sheared(Shear::Cowper),
             &[
                 "an Euler-Bernoulli beam",
-                "rotary inertia and shear stiffness are left out",
+                "rotary inertia and shear stiffness of the input are neglected",
             ],
             &["Cowper"],
         )
@@ -151,27 +151,27 @@ fn beams() -> Vec<Row> {
             table(0.0),
             &[
                 "an Euler-Bernoulli beam",
-                "The input's table gives the sections no rotary inertia.",
-                "a table: mass and stiffnesses are linear",
-                "It also stretches, but does not twist",
+                "The table of the input has no rotary inertia.",
+                "a table: mass and stiffness vary linearly",
+                "Axial deformation is included, torsion is not",
             ],
-            &["Rayleigh", "tubes", "as asked"],
+            &["Rayleigh", "tubes", "(--no-rotary-inertia)"],
         ),
         row(
             "table with rotary inertia",
             table(900.0),
             &["a Rayleigh beam", "squared radii of gyration"],
-            &["no rotary inertia"],
+            &["has no rotary inertia"],
         ),
         row(
             "deck of ElastoDyn",
             example("small-turbine/ElastoDyn.dat"),
             &[
                 "an Euler-Bernoulli beam",
-                "It neither twists nor stretches",
+                "Torsion and axial deformation are not included",
                 "rotor-nacelle assembly is one rigid body",
             ],
-            &["Rayleigh", "It also"],
+            &["Rayleigh", "Axial deformation is included"],
         ),
     ]
 }
@@ -238,10 +238,10 @@ fn grounds() -> Vec<Row> {
             on(Foundation::Springs(springs)),
             &[
                 "linear springs",
-                "rigidly held in z, rotation about z.",
-                "the more the softer the base",
+                "Fixed degrees of freedom: z, rotation about z.",
+                "more so on a softer foundation",
             ],
-            &["clamped", "a little", "own inertia"],
+            &["clamped", "inertia of the foundation"],
         ),
         row(
             "springs that are all rigid",
@@ -254,8 +254,8 @@ fn grounds() -> Vec<Row> {
             on(Foundation::Stiffness(Box::new(matrices))),
             &[
                 "linear springs",
-                "rigidly held in z, rotation about z.",
-                "The foundation's own inertia moves with the base",
+                "Fixed degrees of freedom: z, rotation about z.",
+                "The inertia of the foundation moves with the base",
             ],
             &["clamped"],
         ),
@@ -263,7 +263,7 @@ fn grounds() -> Vec<Row> {
             "stiffness matrix without inertia",
             on(Foundation::Stiffness(Box::new(without_inertia))),
             &["linear springs"],
-            &["own inertia"],
+            &["inertia of the foundation"],
         ),
         row(
             "half-space",
@@ -308,53 +308,57 @@ fn afloat() -> Vec<Row> {
             "floating with gravity",
             with(9.81),
             &[
-                "Weights act with g = 9.81",
-                "they decide roll and pitch",
+                "Gravity is included as linear geometric stiffness, g = 9.81",
+                "it determines roll and pitch",
                 "with constant added mass, hydrostatic stiffness, linear moorings",
                 "no water along the tower",
             ],
-            &["no water,", "make it softer", "a little", "gives it no"],
+            &[
+                "no water,",
+                "lowers the bending frequencies",
+                "has no constant",
+            ],
         ),
         row(
             "floating without gravity",
             with(0.0),
-            &["g is 0. They decide roll and pitch of a floating tower"],
-            &["a little", "would lower"],
+            &["(g = 0). It determines roll and pitch of a floating tower"],
+            &["would lower"],
         ),
         row(
             "floating without added mass",
             platform_alone,
             &[
-                "The input gives it no constant added mass.",
-                "radiation damping is left out",
+                "The input has no constant added mass.",
+                "radiation damping is neglected",
             ],
-            &["dependence"],
+            &["frequency dependence"],
         ),
         row(
             "weights of the hydrostatic stiffness",
             with(9.81),
-            &["Hydrostatic stiffness, to which the part of the weights is added"],
-            &["without the weights"],
+            &["Hydrostatic stiffness as given; the gravity terms of all masses are added to it"],
+            &["without gravity terms"],
         )
         .of("input"),
         row(
             "no weights of the hydrostatic stiffness",
             with(0.0),
-            &["Hydrostatic stiffness as given, no weights added to it"],
-            &["without the weights"],
+            &["Hydrostatic stiffness as given, without gravity terms"],
+            &["are added to it"],
         )
         .of("input"),
         row(
             "names afloat",
             with(9.81),
-            &["each named after the rigid motion that it has most of"],
+            &["named after the largest rigid-body motion"],
             &["A mode is named after"],
         )
         .of("frequencies"),
         row(
             "names ashore",
             pole(),
-            &["A mode is named after the motion with most of both."],
+            &["A mode is named after the motion with the largest mean of both fractions."],
             &["Surge"],
         )
         .of("frequencies"),
@@ -395,8 +399,13 @@ fn around() -> Vec<Row> {
     };
     vec![
         row("soil", soil, &["Winkler"], &["no soil"]),
-        row("water", water, &["Water is still"], &["no water"]),
-        row("wires", wires, &["Wires are linear springs"], &["no wires"]),
+        row("water", water, &["Still water"], &["no water"]),
+        row(
+            "wires",
+            wires,
+            &["Guy wires are linear springs"],
+            &["no guy wires"],
+        ),
     ]
 }
 
@@ -410,7 +419,7 @@ fn others() -> Vec<Row> {
         point_masses: vec![at(40.0), at(80.0)],
         ..pole()
     };
-    let machine = TowerDescription {
+    let rna = TowerDescription {
         rna: Rna::point(350e3),
         ..pole()
     };
@@ -422,41 +431,41 @@ fn others() -> Vec<Row> {
         row(
             "mass at the top",
             topped,
-            &["There is no rotor-nacelle assembly. A mass of 350 t is at the tower's top."],
-            &["Nothing", "no masses"],
+            &["There is no rotor-nacelle assembly. A mass of 350 t is at the tower top."],
+            &["no point masses"],
         ),
         row(
-            "machine",
-            machine,
+            "rna",
+            rna,
             &["The rotor-nacelle assembly is one rigid body"],
             &["There is no rotor-nacelle assembly"],
         ),
         row(
             "--no-rna",
             pole(),
-            &["There is no rotor-nacelle assembly: --no-rna leaves it out."],
+            &["There is no rotor-nacelle assembly (--no-rna)."],
             &[],
         )
         .read("--no-rna"),
         row(
             "spectral",
             pole(),
-            &["from one degree, or from one length of the elements, to the next"],
-            &["finer meshes", "finenesses"],
+            &["from one polynomial degree, or from one element length, to the next"],
+            &["finer meshes"],
         )
         .by(Method::Spectral)
         .of("frequencies"),
         row(
             "segments",
             pole(),
-            &["meshes of other finenesses"],
-            &["degree, or"],
+            &["coarser or finer meshes"],
+            &["polynomial degree"],
         )
         .of("frequencies"),
         row(
             "bmodes beside it",
             pole(),
-            &["Those of bmodes", "lacks rotary inertia, which"],
+            &["The differences of bmodes", "lacks rotary inertia, which"],
             &[],
         )
         .of("methods"),
@@ -470,15 +479,15 @@ fn others() -> Vec<Row> {
         row(
             "bmodes alike",
             pole(),
-            &["fall as segments get more"],
-            &["Those of bmodes"],
+            &["decrease with more segments"],
+            &["The differences of bmodes"],
         )
         .without_rotary_inertia()
         .of("methods"),
         row(
             "width of tubes",
             pole(),
-            &["Height and diameter are to one scale"],
+            &["Height and diameter are to the same scale"],
             &["nominal", "has no diameter"],
         )
         .of("animation"),

@@ -1,4 +1,4 @@
-//! What is said of modes that are not in the field of a Campbell diagram.
+//! The modes outside the field of a Campbell diagram, in words.
 
 use towermodes_analysis::Verdict;
 use towermodes_analysis::resonance::Campbell;
@@ -6,12 +6,12 @@ use towermodes_analysis::resonance::Campbell;
 use super::lines::Shown;
 use crate::wording::{counted, verdict_word};
 
-/// "3 more modes above, 1 pair of them FAIL"; none if there are none.
+/// "3 modes above the frequency range, 1 FAIL"; none if there are none.
 pub(super) fn above_text(campbell: &Campbell, shown: &Shown) -> Option<String> {
     if shown.above.is_empty() {
         return None;
     }
-    let modes = counted(shown.above.len(), "more mode");
+    let modes = counted(shown.above.len(), "mode");
     let of_verdict = |verdict: Verdict| {
         let own = campbell.margins.iter();
         let own =
@@ -21,7 +21,7 @@ pub(super) fn above_text(campbell: &Campbell, shown: &Shown) -> Option<String> {
     };
     let verdicts = [Verdict::Fail, Verdict::Warn].into_iter();
     let verdicts: String = verdicts.filter_map(of_verdict).collect();
-    Some(format!("{modes} above{verdicts}"))
+    Some(format!("{modes} above the frequency range{verdicts}"))
 }
 
 /// "2 modes at 0 Hz"; none if there are none.

@@ -1,25 +1,24 @@
-//! How far the axes of a Campbell diagram reach: the field of the decision, and a second one for
-//! what is higher.
+//! The ranges of the axes of a Campbell diagram: a main field with the first bending modes and the
+//! blade passing frequency, and an upper field for higher modes.
 
 use towermodes_analysis::Verdict;
 use towermodes_analysis::resonance::{BEYOND_OPERATION, Campbell, StiffnessClass};
 
 use super::lines::is_blade;
 
-/// This many modes of the tower are worth more height than the excitations need …
+/// So many tower modes are shown even if they are above the excitations …
 const TOWER_MODES: usize = 5;
-/// … as long as they are not higher than so many times the highest excitation in operation.
+/// … up to so many times the highest excitation in operation.
 const WORTH: f64 = 2.0;
-/// What is warned of, or fails, is in the diagram up to so many times the highest excitation;
-/// beyond, all else would be a strip at its foot.
+/// Pairs that fail or warn are shown up to so many times the highest excitation.
 const FAR: f64 = 6.0;
-/// The diagram reaches so much above its highest line.
+/// The diagram ends so much above its highest line.
 const ABOVE: f64 = 1.06;
-/// The field of the decision reaches so much above the first bending modes …
+/// The main field ends so much above the first bending modes …
 const ABOVE_FIRST: f64 = 1.3;
-/// … and so much above the end of the ray of the blades' passing.
+/// … and so much above the end of the ray of the blade passing frequency.
 const ABOVE_RAY: f64 = 1.03;
-/// What is higher gets a field of its own if it would take more than this share of the height.
+/// Higher modes get the upper field if they would take more than this fraction of the height.
 const SQUEEZED: f64 = 1.35;
 
 /// The speed at the right end, rpm.
@@ -38,8 +37,7 @@ pub(super) fn last_rpm(campbell: &Campbell) -> f64 {
     }
 }
 
-/// The frequencies at which fields end, Hz, from 0 upwards: one field, or that of the decision and
-/// one above it.
+/// The upper ends of the fields, Hz: one field, or the main field and the upper one.
 pub(super) fn ends_hz(campbell: &Campbell, multiples: &[usize], last_rpm: f64) -> Vec<f64> {
     let decisive_hz = decisive_hz(campbell, last_rpm);
     let highest_hz = highest_hz(campbell, multiples, last_rpm);
@@ -54,8 +52,8 @@ pub(super) fn ends_hz(campbell: &Campbell, multiples: &[usize], last_rpm: f64) -
     }
 }
 
-/// As high as the decision is: the first bending modes, and the ray of the blades' passing to the
-/// right end; where all these modes are below 1P, the ray of 1P.
+/// The upper end of the main field: the first bending modes, and the ray of the blade passing
+/// frequency to the right end; if all these modes are below 1P, the ray of 1P.
 fn decisive_hz(campbell: &Campbell, last_rpm: f64) -> f64 {
     let mut classes = campbell.classes.iter().map(|(_, class)| *class);
     let is_soft_soft =
@@ -69,8 +67,7 @@ fn decisive_hz(campbell: &Campbell, last_rpm: f64) -> f64 {
     (ABOVE_FIRST * first_hz(campbell)).max(ABOVE_RAY * ray_hz)
 }
 
-/// The highest of the first bending modes, Hz; without these the lowest mode of the tower that
-/// something resists.
+/// The highest of the first bending modes, Hz; without these the lowest tower mode above 0 Hz.
 fn first_hz(campbell: &Campbell) -> f64 {
     let lines = campbell.first_bending.iter();
     let lines = lines.filter_map(|line| campbell.lines.get(*line));
@@ -81,9 +78,8 @@ fn first_hz(campbell: &Campbell) -> f64 {
     }
 }
 
-/// The frequency at the upper end of all, Hz: above every line that the highest excitation passes
-/// before the right end, the lowest of the tower whatever excites it, and whatever is warned of or
-/// fails.
+/// The upper end of the diagram, Hz: above every line that the highest excitation crosses, the
+/// lowest tower modes, and every pair that fails or warns.
 fn highest_hz(campbell: &Campbell, multiples: &[usize], last_rpm: f64) -> f64 {
     let highest = multiples.iter().max().map_or(0.0, |n| *n as f64);
     let excitation_hz = highest * campbell.rotor.highest_rpm / 60.0;
@@ -108,8 +104,7 @@ fn tower_hz(campbell: &Campbell) -> impl Iterator<Item = f64> {
     tower.filter_map(|line| line.points.first().map(|[_, hz]| *hz))
 }
 
-/// The highest mode of the tower that is worth showing: the first, and the next few that are not
-/// far above the excitations.
+/// The highest tower mode to show: the first, and the next few not far above the excitations.
 fn worthy_hz(campbell: &Campbell, excitation_hz: f64) -> f64 {
     let mut tower_hz = tower_hz(campbell);
     let first_hz = tower_hz.find(|hz| *hz > 0.0).unwrap_or(0.0);
@@ -125,7 +120,7 @@ fn passed_hz(campbell: &Campbell, end_hz: f64) -> f64 {
     below.fold(0.0, f64::max)
 }
 
-/// The highest frequency that is warned of or fails.
+/// The highest frequency with a FAIL or WARN.
 fn judged_hz(campbell: &Campbell, multiples: &[usize], end_hz: f64) -> f64 {
     let judged = campbell.margins.iter().filter(|margin| {
         margin.verdict != Verdict::Pass

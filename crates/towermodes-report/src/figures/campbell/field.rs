@@ -91,7 +91,7 @@ fn draw_field(
     }
 }
 
-/// Says of modes that are not in the fields how many there are, above and below.
+/// Writes the number of modes outside the fields, above and below.
 fn draw_aside(drawing: &mut Drawing, fields: &[Axes], [above, below]: &[Option<String>; 2]) {
     let style = TextStyle::new(SIZE).colour(Colour::Muted);
     let (Some(lower), Some(upper)) = (fields.first(), fields.last()) else {
@@ -106,7 +106,7 @@ fn draw_aside(drawing: &mut Drawing, fields: &[Axes], [above, below]: &[Option<S
     }
 }
 
-/// The speeds of operation above the fields, with a bracket over the band.
+/// The operating speeds above the fields, with a bracket over the band.
 fn operation(drawing: &mut Drawing, campbell: &Campbell, fields: &[Axes]) {
     let Some(axes) = fields.last() else {
         return;

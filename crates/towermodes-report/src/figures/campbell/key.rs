@@ -1,4 +1,4 @@
-//! What the lines, marks and shades of a Campbell diagram are.
+//! The legend of a Campbell diagram: lines, marks and shades.
 
 use towermodes::number::percent;
 use towermodes_analysis::Verdict;
@@ -27,7 +27,7 @@ pub(super) fn stroke(group: &Group) -> Stroke {
     }
 }
 
-/// What is in the picture, and how many lines of modes and excitations have no label.
+/// The entries of the legend, and how many lines of modes and excitations have no label.
 pub(super) fn entries(
     campbell: &Campbell,
     shown: &Shown,
@@ -39,9 +39,9 @@ pub(super) fn entries(
     entries.extend(shades(campbell, shown));
     entries.extend(marks(campbell));
     entries.extend(unlabelled(without_label).map(words));
-    let number = "number above a mark: so many pairs".to_owned();
+    let number = "number above a mark: coinciding crossings".to_owned();
     entries.extend(is_counted.then(|| words(number)));
-    let upper = "upper field: higher modes at another scale".to_owned();
+    let upper = "upper panel: higher modes at another scale".to_owned();
     entries.extend((shown.ends_hz.len() > 1).then(|| words(upper)));
     entries
 }
@@ -55,7 +55,7 @@ fn line(line: Stroke, marker: Option<(Marker, Colour)>) -> Sample {
 }
 
 fn modes(shown: &Shown) -> Vec<Entry> {
-    let kinds = [(false, "mode of the tower"), (true, "mode of a blade")].into_iter();
+    let kinds = [(false, "tower mode"), (true, "blade mode")].into_iter();
     let entry = |(is_blade, text): (bool, &str)| {
         let first = shown
             .groups
@@ -72,17 +72,17 @@ fn excitations(campbell: &Campbell, shown: &Shown) -> Vec<Entry> {
     let mut entries = Vec::new();
     let text = match strong[..] {
         [] => None,
-        [1] => Some("1P: the rotor's speed".to_owned()),
-        [passing] => Some(format!("{passing}P: the passing of the blades")),
+        [1] => Some("1P: rotor speed".to_owned()),
+        [passing] => Some(format!("{passing}P: blade passing frequency")),
         [_, passing, ..] => Some(format!(
-            "1P, {passing}P: the rotor's speed, the passing of its blades"
+            "1P, {passing}P: rotor speed, blade passing frequency"
         )),
     };
     entries.extend(text.map(|text| (line(rays::stroke(shown, true), None), text)));
     if shown.multiples.len() > strong.len() {
-        let mut text = "nP: other multiples of the rotor's speed".to_owned();
+        let mut text = "nP: other multiples of the rotor speed".to_owned();
         if shown.more_multiples > 0 {
-            text += &format!("; {} more are not drawn", shown.more_multiples);
+            text += &format!("; {} more are not shown", shown.more_multiples);
         }
         entries.push((line(rays::stroke(shown, false), None), text));
     }
@@ -124,13 +124,9 @@ fn marks(campbell: &Campbell) -> Vec<Entry> {
         (
             Verdict::Fail,
             (Marker::Cross, Colour::Fail),
-            "too near: FAIL",
+            "margin not met: FAIL",
         ),
-        (
-            Verdict::Warn,
-            (Marker::Triangle, Colour::Warn),
-            "near: WARN",
-        ),
+        (Verdict::Warn, (Marker::Triangle, Colour::Warn), "WARN"),
     ];
     let entry = |(verdict, marker, text): (Verdict, (Marker, Colour), &str)| {
         let mut all = campbell.margins.iter();

@@ -1,4 +1,4 @@
-//! Where the fields of a Campbell diagram are, and which labels stand beside them.
+//! The places of the fields of a Campbell diagram and the labels beside them.
 
 use towermodes_analysis::resonance::Campbell;
 
@@ -18,11 +18,11 @@ const LOWER: f64 = 340.0;
 const UPPER: [f64; 2] = [130.0, 240.0];
 /// Between two fields.
 const BETWEEN: f64 = 14.0;
-/// Above the fields: the speeds of operation, and excitations that end there.
+/// Above the fields: the operating speeds, and excitations that end there.
 const TOP: f64 = 52.0;
 /// About so many numbers along an axis.
 pub(super) const TICKS: usize = 8;
-/// Size of what is said beside the fields.
+/// Size of the texts beside the fields.
 pub(super) const SIZE: f64 = 11.0;
 
 /// The labels beside a field.
@@ -31,15 +31,15 @@ pub(super) struct Labels<'a> {
     multiples: Vec<usize>,
 }
 
-/// Where everything is.
+/// The layout of the diagram.
 pub(super) struct Layout<'a> {
     /// The axes of the fields, from the lowest.
     pub(super) fields: Vec<Axes>,
-    /// What is written beside each.
+    /// The labels beside each.
     pub(super) labels: Vec<Labels<'a>>,
-    /// The multiples whose rays leave above and have a label there.
+    /// The multiples whose rays end at the top and have a label there.
     pub(super) above: Vec<usize>,
-    /// What is said of modes above and below the fields.
+    /// The texts on modes above and below the fields.
     pub(super) aside: [Option<String>; 2],
 }
 
@@ -132,7 +132,7 @@ fn axes(frame: Frame, index: usize, shown: &Shown) -> Axes {
     )
 }
 
-/// From the field to what is said of modes that are not in it.
+/// From the field to the text on modes outside it.
 pub(super) const ASIDE: f64 = 20.0;
 
 fn aside_width(aside: &[Option<String>; 2]) -> f64 {
@@ -164,7 +164,7 @@ fn labels<'a>(campbell: &Campbell, shown: &'a Shown, width: f64) -> Vec<Labels<'
     (0..shown.ends_hz.len()).map(of_field).collect()
 }
 
-/// So many groups: all, or those that are not passed over in silence, and of the others the lowest.
+/// So many groups: all, or those with a FAIL or WARN and the lowest of the others.
 fn foremost<'a>(campbell: &Campbell, mut groups: Vec<&'a Group>, most: usize) -> Vec<&'a Group> {
     let rank = |group: &&Group| {
         let own = campbell.margins.iter();

@@ -1,26 +1,25 @@
-//! Which lines of a Campbell diagram are drawn, and what they are called.
+//! The lines of a Campbell diagram that are drawn, and their labels.
 
 use towermodes_analysis::resonance::{Campbell, Excited, FrequencyLine};
 
 use super::extent::{ends_hz, last_rpm};
 use crate::number::four_digits;
 
-/// Most excitations: more are a grey surface.
+/// The largest number of excitations: more would be a grey surface.
 const EXCITATIONS: usize = 100;
-/// Lines of the tower nearer to each other than this share are one line to the eye, and have one
-/// label.
+/// Tower lines closer than this relative distance look like one line and have one label.
 const ONE_LINE: f64 = 1e-3;
-/// Frequencies nearer to each other than this share are one number.
+/// Frequencies closer than this relative distance are shown as one number.
 const ONE_NUMBER: f64 = 1e-4;
 
-/// What of a diagram is drawn.
+/// The drawn part of a diagram.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Shown {
     /// The speed at the right end, rpm.
     pub(super) last_rpm: f64,
     /// The frequencies at which the fields end, Hz, from the lowest: one or two.
     pub(super) ends_hz: Vec<f64>,
-    /// The multiples, the lowest of very many.
+    /// The multiples; of very many the lowest.
     pub(super) multiples: Vec<usize>,
     /// How many multiples are not drawn.
     pub(super) more_multiples: usize,
@@ -38,7 +37,7 @@ impl Shown {
         self.ends_hz.last().copied().unwrap_or(1.0)
     }
 
-    /// Which field a frequency is in, from the lowest; what is above all is in the last.
+    /// The field of a frequency, counted from the lowest; frequencies above all are in the last.
     pub(super) fn field_of(&self, hz: f64) -> usize {
         let below = self.ends_hz.iter().filter(|end_hz| **end_hz < hz).count();
         below.min(self.ends_hz.len().saturating_sub(1))
@@ -54,12 +53,12 @@ impl Shown {
     }
 }
 
-/// Lines that lie upon each other.
+/// Coinciding lines.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Group {
     /// Which lines of the diagram.
     pub(super) members: Vec<usize>,
-    /// What they are, with their frequency.
+    /// Their label with the frequency.
     pub(super) label: String,
     /// Whether they are of a blade.
     pub(super) is_blade: bool,
@@ -112,7 +111,7 @@ pub(super) fn is_blade(line: &FrequencyLine) -> bool {
     matches!(line.of, Excited::Blade { .. })
 }
 
-/// The lines, those of the tower together that lie upon each other.
+/// The lines; coinciding tower lines form one group.
 fn groups(campbell: &Campbell) -> Vec<Group> {
     let first_hz = |line: &FrequencyLine| line.points.first().map_or(f64::NAN, |[_, hz]| *hz);
     let are_one = |a: &FrequencyLine, b: &FrequencyLine| {
@@ -164,8 +163,7 @@ fn together(names: &[String]) -> String {
     }
 }
 
-/// One frequency of lines upon each other; the first and the last where four digits tell them
-/// apart.
+/// The frequency of coinciding lines; the first and the last if four digits distinguish them.
 fn together_hz(hz: &[f64]) -> String {
     let (low, high) = hz.iter().fold((f64::INFINITY, 0.0_f64), |(low, high), hz| {
         (low.min(*hz), high.max(*hz))

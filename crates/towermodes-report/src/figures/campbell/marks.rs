@@ -1,4 +1,4 @@
-//! The marks of pairs that fail or are warned of, those at one place counted.
+//! The marks of pairs that fail or warn; coinciding marks are counted.
 
 use towermodes_analysis::Verdict;
 use towermodes_analysis::resonance::{Campbell, Margin};
@@ -8,21 +8,21 @@ use crate::svg::{Anchor, Axes, Colour, Drawing, Marker, TextStyle, text_width};
 
 /// From the middle of a mark to its edge.
 const RADIUS: f64 = 6.0;
-/// What is under a mark reaches so far, so that lines do not make it another.
+/// Radius of the background under a mark, so that lines do not change its form.
 const PAPER: f64 = 8.0;
 /// Size of the number above a mark.
 const SIZE: f64 = 9.5;
 /// From the middle of a mark to the foot of its number.
 const RISE: f64 = 9.0;
 
-/// Marks so near each other that they would be one.
+/// Coinciding marks.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Cluster {
     /// The sum of their places.
     sum: (f64, f64),
     /// How many pairs fail.
     fails: usize,
-    /// How many are warned of.
+    /// How many warn.
     warns: usize,
 }
 
@@ -50,7 +50,7 @@ impl Cluster {
         (self.sum.0 / count, self.sum.1 / count)
     }
 
-    /// Its marks from left to right: what, how many, and where.
+    /// Its marks from left to right: kind, count and place.
     fn marks(&self) -> Vec<(Marker, Colour, usize, (f64, f64))> {
         let (x, y) = self.place();
         let both = self.fails > 0 && self.warns > 0;
@@ -105,7 +105,7 @@ fn number_width(count: usize) -> f64 {
     }
 }
 
-/// The marks of all pairs that are drawn in a field, counted from the lowest, none upon another.
+/// The marks of all pairs in a field (counted from the lowest), without overlaps.
 pub(super) fn clusters(
     campbell: &Campbell,
     shown: &Shown,
@@ -126,7 +126,7 @@ pub(super) fn clusters(
     apart(pairs.filter_map(of_pair))
 }
 
-/// Joins what touches until nothing does.
+/// Joins touching marks until none touch.
 fn apart(pairs: impl Iterator<Item = Cluster>) -> Vec<Cluster> {
     let mut clusters: Vec<Cluster> = Vec::new();
     for pair in pairs {

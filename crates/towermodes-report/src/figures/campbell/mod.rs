@@ -1,4 +1,4 @@
-//! Natural frequencies against the rotor's speed, crossed by its excitations: the Campbell diagram.
+//! The Campbell diagram: natural frequencies and excitations against the rotor speed.
 
 mod above;
 mod extent;
@@ -22,8 +22,8 @@ use above::{above_text, unresisted_text};
 use field::drawing;
 use lines::{Shown, shown};
 
-/// The natural frequencies of tower and blade against the rotor's speed, its excitations, and where
-/// they come too near in operation.
+/// The Campbell diagram of tower and blade: natural frequencies and excitations against the rotor
+/// speed, with the crossings and the required margin in operation.
 pub fn campbell(campbell: &Campbell) -> Figure {
     let shown = shown(campbell);
     Figure {
@@ -38,7 +38,7 @@ pub fn campbell(campbell: &Campbell) -> Figure {
 
 fn description(campbell: &Campbell, shown: &Shown) -> String {
     let mut text = format!(
-        "{} Natural frequencies from 0 to {} Hz against the rotor's speed from 0 to {} rpm, with the excitations {}. Operation: {}.",
+        "{} The diagram shows natural frequencies up to {} Hz and rotor speeds up to {} rpm, with the excitations {}. Operation: {}.",
         campbell.conclusion().join(" "),
         digits(shown.highest_hz(), 3),
         digits(shown.last_rpm, 3),
@@ -48,8 +48,8 @@ fn description(campbell: &Campbell, shown: &Shown) -> String {
     let above = above_text(campbell, shown);
     let more =
         (shown.more_multiples > 0).then(|| format!("{} more excitations", shown.more_multiples));
-    for not_drawn in [above, unresisted_text(shown), more].into_iter().flatten() {
-        text.push_str(&format!(" Not drawn: {not_drawn}."));
+    for not_shown in [above, unresisted_text(shown), more].into_iter().flatten() {
+        text.push_str(&format!(" Not shown: {not_shown}."));
     }
     text
 }
@@ -66,7 +66,7 @@ fn excitations(multiples: &[usize]) -> String {
     }
 }
 
-/// " in operation", where the rotor has more than one speed.
+/// " in operation", if the rotor has more than one speed.
 fn speeds_of(campbell: &Campbell) -> &'static str {
     let rotor = &campbell.rotor;
     match rotor.lowest_rpm < rotor.highest_rpm {
@@ -75,8 +75,8 @@ fn speeds_of(campbell: &Campbell) -> &'static str {
     }
 }
 
-/// The lines with their points, then the excitations in operation: that of a tower's mode is the
-/// same at every speed.
+/// The lines with their points, then the excitations in operation. The frequency of a tower mode is
+/// the same at every speed.
 fn table(campbell: &Campbell) -> DataTable {
     let header = ["line", "rotor speed (rpm)", "frequency (Hz)"];
     let row = |name: &str, rpm: String, hz: f64| vec![name.to_owned(), rpm, format!("{hz:.4}")];

@@ -1,4 +1,4 @@
-//! The excitations of a Campbell diagram: a ray each, and as many labels as there is room for.
+//! The excitations of a Campbell diagram: one ray each, and as many labels as there is room for.
 
 use towermodes_analysis::Verdict;
 use towermodes_analysis::resonance::Campbell;
@@ -20,7 +20,7 @@ pub(super) fn end_hz(multiple: usize, shown: &Shown) -> f64 {
     multiple as f64 * shown.last_rpm / 60.0
 }
 
-/// The multiples of most weight that are drawn: the rotor's speed and the passing of its blades.
+/// The strong excitations that are drawn: 1P and the blade passing frequency.
 pub(super) fn strong(campbell: &Campbell, shown: &Shown) -> Vec<usize> {
     let multiples = shown.multiples.iter().copied();
     multiples
@@ -32,7 +32,7 @@ pub(super) fn is_strong(campbell: &Campbell, multiple: usize) -> bool {
     [1, campbell.rotor.blades].contains(&multiple)
 }
 
-/// How a ray is drawn: those of most weight are thick and dark.
+/// The stroke of a ray: strong excitations are thick and dark.
 pub(super) fn stroke(shown: &Shown, is_strong: bool) -> Stroke {
     match is_strong {
         true => Stroke::new(Colour::Ink, 2.4),
@@ -41,7 +41,7 @@ pub(super) fn stroke(shown: &Shown, is_strong: bool) -> Stroke {
     }
 }
 
-/// The rays, those of most weight on top.
+/// The rays, strong excitations on top.
 pub(super) fn draw(drawing: &mut Drawing, campbell: &Campbell, shown: &Shown, axes: &Axes) {
     let (strong, weak): (Vec<usize>, Vec<usize>) = shown
         .multiples
@@ -58,9 +58,9 @@ pub(super) fn draw(drawing: &mut Drawing, campbell: &Campbell, shown: &Shown, ax
 /// The multiples that have a label.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Labelled {
-    /// Those whose ray ends at the right.
+    /// The multiples whose ray ends at the right.
     pub(super) right: Vec<usize>,
-    /// Those whose ray leaves above.
+    /// The multiples whose ray ends at the top.
     pub(super) above: Vec<usize>,
 }
 
@@ -78,8 +78,8 @@ impl Labelled {
     }
 }
 
-/// So many: the rotor's speed, the passing of its blades and what fails, and of the others some,
-/// evenly chosen.
+/// So many of the multiples: 1P, the blade passing frequency and those that fail, and an even
+/// selection of the others.
 fn foremost(campbell: &Campbell, multiples: Vec<usize>, most: usize) -> Vec<usize> {
     if multiples.len() <= most {
         return multiples;
@@ -116,7 +116,7 @@ fn widest(multiples: &[usize]) -> f64 {
     widths.fold(0.0, f64::max)
 }
 
-/// Labels those that leave the field above, there.
+/// Labels the rays that end at the top.
 pub(super) fn upper_ends(
     drawing: &mut Drawing,
     multiples: &[usize],

@@ -1,5 +1,5 @@
-//! What is shaded behind the lines of a Campbell diagram: the speeds of operation, the window of
-//! soft-stiff towers, and the margins around 1P and the passing of the blades.
+//! The shaded areas of a Campbell diagram: the operating speeds, the soft-stiff range, and the
+//! margins around 1P and the blade passing frequency.
 
 use towermodes_analysis::resonance::Campbell;
 
@@ -7,17 +7,17 @@ use super::lines::Shown;
 use super::rays::strong;
 use crate::svg::{Axes, Colour, Dash, Drawing, Stroke, TextStyle, text_width};
 
-/// A rotor of one speed has a band, and ribbons, so wide.
+/// The width of the band and of the margins for a rotor of one speed.
 const NARROWEST: f64 = 8.0;
 /// Size of the name of the window.
 const SIZE: f64 = 11.0;
 /// Around that name.
 const AROUND: f64 = 4.0;
-/// From the band of operation to that name: marks on its border reach so far.
+/// From the operating band to that name: marks on its border extend so far.
 const FROM_BAND: f64 = 26.0;
 
-/// The frequencies of soft-stiff towers: above 1P at the highest speed, below the passing of the
-/// blades at the lowest; none where these ranges overlap.
+/// The soft-stiff range, Hz: above 1P at the highest speed and below the blade passing frequency at
+/// the lowest; none if these ranges overlap.
 pub(super) fn window_hz(campbell: &Campbell) -> Option<[f64; 2]> {
     let rotor = &campbell.rotor;
     let from_hz = rotor.highest_rpm / 60.0;
@@ -25,12 +25,12 @@ pub(super) fn window_hz(campbell: &Campbell) -> Option<[f64; 2]> {
     (from_hz < to_hz).then_some([from_hz, to_hz])
 }
 
-/// The places of the lowest and the highest speed of operation.
+/// The places of the lowest and the highest operating speed.
 pub(super) fn operation_places(campbell: &Campbell, axes: &Axes) -> [f64; 2] {
     [campbell.rotor.lowest_rpm, campbell.rotor.highest_rpm].map(|rpm| axes.x.at(rpm))
 }
 
-/// The edges of the band of operation, wide enough to be seen.
+/// The edges of the operating band, wide enough to be visible.
 fn band_edges(campbell: &Campbell, axes: &Axes) -> [f64; 2] {
     let [from, to] = operation_places(campbell, axes);
     let more = 0.5 * (NARROWEST - (to - from)).max(0.0);
@@ -71,8 +71,8 @@ pub(super) fn draw(drawing: &mut Drawing, campbell: &Campbell, shown: &Shown, ax
     }
 }
 
-/// Around the ray of a multiple, in operation: the frequencies f whose distance |n Ω/f − 1| is
-/// below the margin, or below twice the margin.
+/// Around the ray of a multiple, in operation: the frequencies f with |n Ω/f − 1| below the margin,
+/// or below twice the margin.
 fn ribbon(
     drawing: &mut Drawing,
     campbell: &Campbell,
@@ -110,8 +110,8 @@ fn ribbon(
     drawing.polyline(&lower, &stroke);
 }
 
-/// Writes the window's name into it, beside the band of operation and between the lines of modes,
-/// where there is room.
+/// Writes the name of the soft-stiff range beside the operating band and between the lines of
+/// modes, if there is room.
 pub(super) fn name_window(drawing: &mut Drawing, campbell: &Campbell, shown: &Shown, axes: &Axes) {
     let Some(window_hz) = window_hz(campbell) else {
         return;
@@ -135,8 +135,7 @@ pub(super) fn name_window(drawing: &mut Drawing, campbell: &Campbell, shown: &Sh
     drawing.text((left + AROUND, middle + 0.35 * SIZE), text, &style);
 }
 
-/// The middle of the widest gap between lines of modes in the window; none if no gap has room for a
-/// name.
+/// The middle of the widest gap between lines of modes in the range; none if no gap has room.
 fn free_height(window_hz: [f64; 2], shown: &Shown, axes: &Axes) -> Option<f64> {
     let frame = axes.frame;
     let [bottom, top] = window_hz.map(|hz| axes.y.at(hz).clamp(frame.top, frame.bottom));

@@ -1,10 +1,9 @@
-//! The bar as it is drawn: shaded ranges, a lane for each mode, distances to both sides.
+//! Draws the bar: shaded ranges, and a lane for each mode with its separations.
 
 use towermodes_analysis::Verdict;
-use towermodes_analysis::resonance::Margin;
 
 use super::Bar;
-use super::numbers::distance;
+use super::numbers::separation;
 use super::ranges::{Lane, Range};
 use crate::number::four_digits;
 use crate::svg::{
@@ -15,7 +14,7 @@ use crate::wording::verdict_word;
 const WIDTH: f64 = 900.0;
 /// Height of a mode's lane.
 const LANE: f64 = 66.0;
-/// Room above the field for what the ranges are called.
+/// Room above the field for the names of the ranges.
 const ABOVE: f64 = 32.0;
 /// Room below it for its axis and the explanation.
 const BELOW: f64 = 66.0;
@@ -27,7 +26,7 @@ const SIZE: f64 = 12.0;
 const SMALL: f64 = 10.5;
 /// From the middle of a mode's mark to its edge.
 const RADIUS: f64 = 6.5;
-/// Share of the highest value that the axis goes beyond it.
+/// The axis ends at this multiple of the highest value.
 const BEYOND: f64 = 1.06;
 
 /// The picture of a bar.
@@ -63,7 +62,7 @@ fn axes(bar: &Bar, height: f64) -> Axes {
     Axes::new(frame, [0.0, BEYOND * highest_hz], [0.0, 1.0], [false; 2])
 }
 
-/// Shades what is kept free, darker what the rotor excites, and names each range above.
+/// Shades the range with the margin, darker the range in operation, and names each range above.
 fn draw_ranges(drawing: &mut Drawing, axes: &Axes, ranges: &[Range]) {
     let Frame { top, bottom, .. } = axes.frame;
     let shade = |drawing: &mut Drawing, [low, high]: [f64; 2], fill, edge: &Stroke| {
@@ -106,7 +105,7 @@ fn range_name(range: &Range) -> String {
     }
 }
 
-/// Places for the middles of texts near those wished, none upon another and all within the frame.
+/// Places for the middles of texts near the wished ones, without overlaps and within the frame.
 fn beside(
     texts: &[String],
     wished: &[f64],
@@ -119,8 +118,8 @@ fn beside(
     spread(wished, widest + 10.0, range)
 }
 
-/// A mode's name, its mark, its distances and its verdict; `place` is its number and the middle of
-/// its lane.
+/// The label, mark, separations and verdict of a mode; `place` is its number and the middle of its
+/// lane.
 fn draw_lane(drawing: &mut Drawing, axes: &Axes, lane: &Lane, place: (usize, f64)) {
     let (index, y) = place;
     let Frame { left, right, .. } = axes.frame;
@@ -139,7 +138,7 @@ fn draw_lane(drawing: &mut Drawing, axes: &Axes, lane: &Lane, place: (usize, f64
         Colour::Series(index),
     );
     write_frequency(drawing, axes, lane, (x, y));
-    write_distances(drawing, axes, &lane.margins, (x, y));
+    write_separations(drawing, axes, lane, (x, y));
     if let Some(verdict) = lane.verdict() {
         let style = TextStyle::new(SIZE).bold().colour(colour(verdict));
         drawing.text(
@@ -158,7 +157,7 @@ fn colour(verdict: Verdict) -> Colour {
     }
 }
 
-/// From the mode to where an excitation is nearest.
+/// From the mode to the closest excitation in operation.
 fn draw_distance(drawing: &mut Drawing, (x, y): (f64, f64), end: f64) {
     let line = Stroke::new(Colour::Ink, 1.3);
     drawing.line((x, y), (end, y), &line);
@@ -185,10 +184,10 @@ fn write_frequency(drawing: &mut Drawing, axes: &Axes, lane: &Lane, (x, y): (f64
     }
 }
 
-/// Each distance in percent below the middle of its line.
-fn write_distances(drawing: &mut Drawing, axes: &Axes, margins: &[Margin], (x, y): (f64, f64)) {
-    let texts: Vec<String> = margins.iter().map(distance).collect();
-    let middles = margins.iter();
+/// Each separation in percent below the middle of its line.
+fn write_separations(drawing: &mut Drawing, axes: &Axes, lane: &Lane, (x, y): (f64, f64)) {
+    let texts: Vec<String> = lane.separations().map(separation).collect();
+    let middles = lane.margins.iter();
     let middles = middles.map(|margin| 0.5 * (x + axes.x.at(margin.excitation_hz)));
     let middles: Vec<f64> = middles.collect();
     let style = TextStyle::new(SIZE).anchor(Anchor::Middle);
@@ -209,7 +208,7 @@ fn write_on_paper(drawing: &mut Drawing, (x, y): (f64, f64), text: &str, style: 
 }
 
 fn draw_note(drawing: &mut Drawing, height: f64) {
-    let note = "Between whole lines: excited in operation. From there to the broken lines: kept free by the margin. Percent: n Ω/f − 1 where they are nearest.";
+    let note = "Between solid lines: excitation range in operation. Between dashed lines: the same with the required margin. Percentages: n Ω/f − 1 at the closest speed.";
     let style = TextStyle::new(SMALL).colour(Colour::Muted);
     drawing.text((12.0, height - 10.0), note, &style);
 }

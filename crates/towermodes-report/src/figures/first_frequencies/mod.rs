@@ -1,4 +1,4 @@
-//! The first bending frequencies on one bar, between what the rotor excites most.
+//! The first bending frequencies on one bar, between the strongest excitations of the rotor.
 
 mod draw;
 mod numbers;
@@ -9,16 +9,16 @@ use towermodes_analysis::resonance::Campbell;
 use crate::svg::Figure;
 use ranges::{Lane, Range, lanes, ranges};
 
-/// The name that a page calls the picture by.
+/// The id of the picture on a page.
 const NAME: &str = "first-frequencies";
 
-/// The first fore-aft and side-side frequencies of a tower (where it has none, the lowest coupled
-/// ones) on an axis of frequencies, with their distances to the rotor's speed (1P) and to the
-/// passing of its blades; the ranges of these in operation are shaded, and beside them what the
-/// margin keeps free. None if neither a mode nor an excitation is there to be shown.
+/// The first fore-aft and side-side frequencies of a tower (or the lowest coupled ones) on a
+/// frequency axis, with their separation from the rotor speed (1P) and the blade passing frequency.
+/// The ranges of both in operation are shaded, and around them the required margin. None if there
+/// is neither a mode nor an excitation to show.
 ///
-/// With the margin m an excitation from a to b keeps natural frequencies out of a/(1 + m) to b/(1 −
-/// m): there |n Ω/f − 1| is below m at some speed of operation.
+/// With the margin m an excitation from a to b Hz keeps natural frequencies out of a/(1 + m) to
+/// b/(1 − m): there |n Ω/f − 1| is below m at some operating speed.
 pub fn first_frequencies(campbell: &Campbell) -> Option<Figure> {
     let (ranges, lanes) = (ranges(campbell), lanes(campbell));
     if ranges.is_empty() || lanes.is_empty() {
@@ -38,13 +38,13 @@ pub fn first_frequencies(campbell: &Campbell) -> Option<Figure> {
     })
 }
 
-/// What is on the bar.
+/// The content of the bar.
 #[derive(Debug, Clone, PartialEq)]
 struct Bar {
-    /// What excites most, by frequency.
+    /// The strongest excitations, by frequency.
     ranges: Vec<Range>,
     /// The modes, each in a lane of its own.
     lanes: Vec<Lane>,
-    /// Least share of a natural frequency that an excitation stays away from it.
+    /// The required margin, a fraction.
     margin: f64,
 }

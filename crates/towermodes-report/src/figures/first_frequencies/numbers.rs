@@ -4,20 +4,18 @@ use towermodes_analysis::resonance::Margin;
 
 use super::Bar;
 use super::ranges::{Lane, Range};
-use crate::number::{four_digits, short};
+use crate::number::{four_digits, short, typeset};
 use crate::svg::DataTable;
 use crate::wording::verdict_word;
 
-const MINUS: &str = "\u{2212}";
-
-/// What is to be seen.
+/// The figure in words.
 pub(super) fn description(bar: &Bar) -> String {
     let ranges: Vec<String> = bar.ranges.iter().map(range_text).collect();
     let lanes: Vec<String> = bar.lanes.iter().map(lane_text).collect();
     let kept_free = bar.ranges.iter().map(|range| between(range.kept_free_hz));
     let kept_free: Vec<String> = kept_free.collect();
     format!(
-        "In operation {}; with a margin of {} % that keeps {} Hz free of natural frequencies. {}.",
+        "In operation {}; with the margin of {} % natural frequencies must stay out of {} Hz. {}.",
         ranges.join(" and "),
         short(100.0 * bar.margin, 3),
         kept_free.join(" and "),
@@ -25,63 +23,55 @@ pub(super) fn description(bar: &Bar) -> String {
     )
 }
 
-/// "1P excites from 0.115 to 0.2017 Hz".
+/// "1P covers 0.1150 to 0.2017 Hz".
 fn range_text(range: &Range) -> String {
     let [low, high] = range.operation_hz.map(four_digits);
     match low == high {
-        true => format!("{}P excites at {low} Hz", range.multiple),
-        false => format!("{}P excites from {low} to {high} Hz", range.multiple),
+        true => format!("{}P is at {low} Hz", range.multiple),
+        false => format!("{}P covers {low} to {high} Hz", range.multiple),
     }
 }
 
-/// "0.115 to 0.2017".
+/// "0.1150 to 0.2017".
 fn between([low, high]: [f64; 2]) -> String {
     format!("{} to {}", four_digits(low), four_digits(high))
 }
 
 fn lane_text(lane: &Lane) -> String {
-    let distances: Vec<String> = lane.margins.iter().map(margin_text).collect();
-    let distances = match distances.len() {
+    let separations = lane
+        .separations()
+        .map(separation_text)
+        .collect::<Vec<String>>();
+    let separations = match separations.len() {
         0 => String::new(),
-        _ => format!(", where {}", distances.join(" and ")),
+        _ => format!(": {}", separations.join(" and ")),
     };
     format!(
-        "{} is at {} Hz{distances}",
+        "{} is at {} Hz{separations}",
         lane.label,
         four_digits(lane.frequency_hz)
     )
 }
 
-/// "3P stays 6.4 % above it".
-fn margin_text(margin: &Margin) -> String {
-    let side = if margin.distance > 0.0 {
-        "above"
-    } else {
-        "below"
+/// "3P is 6.4 % above it".
+fn separation_text((margin, percent): (&Margin, &str)) -> String {
+    let side = match margin.distance > 0.0 {
+        true => "above",
+        false => "below",
     };
+    let size = percent.trim_start_matches(['+', '-']);
     match margin.distance == 0.0 {
-        true => format!("{}P meets it", margin.multiple),
-        false => format!(
-            "{}P stays {:.1} % {side} it",
-            margin.multiple,
-            100.0 * margin.distance.abs()
-        ),
+        true => format!("{}P crosses it", margin.multiple),
+        false => format!("{}P is {size} % {side} it", margin.multiple),
     }
 }
 
-/// "3P +6.4 %", or that it meets the mode.
-pub(super) fn distance(margin: &Margin) -> String {
-    if margin.distance == 0.0 {
-        return format!("met by {}P", margin.multiple);
+/// "3P +6.4 %", or that the excitation crosses the mode.
+pub(super) fn separation((margin, percent): (&Margin, &str)) -> String {
+    match margin.distance == 0.0 {
+        true => format!("crossed by {}P", margin.multiple),
+        false => format!("{}P {} %", margin.multiple, typeset(percent)),
     }
-    format!("{}P {} %", margin.multiple, signed_percent(margin))
-}
-
-fn signed_percent(margin: &Margin) -> String {
-    if margin.distance == 0.0 {
-        return "0".to_owned();
-    }
-    format!("{:+.1}", 100.0 * margin.distance).replace('-', MINUS)
 }
 
 /// Each mode against each excitation.
@@ -91,14 +81,14 @@ pub(super) fn table(bar: &Bar) -> DataTable {
         "frequency (Hz)",
         "error (Hz)",
         "excitation",
-        "in operation (Hz)",
-        "kept free (Hz)",
+        "range in operation (Hz)",
+        "range with margin (Hz)",
         "n Ω/f − 1 (%)",
         "verdict",
     ];
     let rows = bar.lanes.iter().flat_map(|lane| {
-        let margins = lane.margins.iter();
-        margins.filter_map(|margin| row(bar, lane, margin))
+        let separations = lane.separations();
+        separations.filter_map(|separation| row(bar, lane, separation))
     });
     DataTable {
         header: header.map(str::to_owned).to_vec(),
@@ -106,7 +96,7 @@ pub(super) fn table(bar: &Bar) -> DataTable {
     }
 }
 
-fn row(bar: &Bar, lane: &Lane, margin: &Margin) -> Option<Vec<String>> {
+fn row(bar: &Bar, lane: &Lane, (margin, percent): (&Margin, &str)) -> Option<Vec<String>> {
     let mut ranges = bar.ranges.iter();
     let range = ranges.find(|range| range.multiple == margin.multiple)?;
     Some(vec![
@@ -116,7 +106,10 @@ fn row(bar: &Bar, lane: &Lane, margin: &Margin) -> Option<Vec<String>> {
         format!("{}P", margin.multiple),
         between(range.operation_hz),
         between(range.kept_free_hz),
-        signed_percent(margin),
+        match margin.distance == 0.0 {
+            true => "0".to_owned(),
+            false => typeset(percent),
+        },
         verdict_word(margin.verdict).to_owned(),
     ])
 }

@@ -1,4 +1,4 @@
-//! Which excitations and which modes are on the bar, and how far they are from each other.
+//! The excitations and modes on the bar, and their separation.
 
 use towermodes::Family;
 use towermodes_analysis::Verdict;
@@ -7,38 +7,47 @@ use towermodes_analysis::resonance::{Campbell, Excited, FrequencyLine, Margin};
 /// Modes on the bar.
 const MOST_LANES: usize = 2;
 
-/// What a multiple of the rotor's speed excites in operation.
+/// The frequencies of a multiple of the rotor speed in operation.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Range {
     /// The multiple.
     pub multiple: usize,
-    /// From the lowest to the highest speed of operation, Hz.
+    /// From the lowest to the highest operating speed, Hz.
     pub operation_hz: [f64; 2],
-    /// What the margin keeps free of natural frequencies, Hz.
+    /// The same widened by the margin, Hz.
     pub kept_free_hz: [f64; 2],
 }
 
 /// A mode on the bar.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Lane {
-    /// What it is called: "1st fore-aft bending".
+    /// Its label: "1st fore-aft bending".
     pub label: String,
     /// Its frequency, Hz.
     pub frequency_hz: f64,
     /// The error of the frequency, Hz.
     pub error_hz: f64,
-    /// How far the excitations of the bar stay away, by their multiples.
+    /// The separations from the excitations on the bar, by multiple.
     pub margins: Vec<Margin>,
+    /// These separations in percent with their sign: "+6.4".
+    pub percents: Vec<String>,
 }
 
 impl Lane {
+    /// The separations, each as a margin and in percent.
+    pub fn separations(&self) -> impl Iterator<Item = (&Margin, &str)> {
+        self.margins
+            .iter()
+            .zip(self.percents.iter().map(String::as_str))
+    }
+
     /// The worst verdict on the excitations of the bar; none if there is none.
     pub fn verdict(&self) -> Option<Verdict> {
         self.margins.iter().map(|margin| margin.verdict).max()
     }
 }
 
-/// The rotor's speed and the passing of its blades, as far as these were looked at.
+/// The rotor speed and the blade passing frequency, if they were checked.
 pub(super) fn ranges(campbell: &Campbell) -> Vec<Range> {
     let rotor = &campbell.rotor;
     let mut multiples = vec![1, rotor.blades];
@@ -60,8 +69,7 @@ pub(super) fn ranges(campbell: &Campbell) -> Vec<Range> {
     multiples.into_iter().map(range).collect()
 }
 
-/// The first fore-aft and side-side mode, and in place of those that are not there the lowest
-/// coupled ones.
+/// The first fore-aft and side-side modes; in place of a missing one the lowest coupled mode.
 pub(super) fn lanes(campbell: &Campbell) -> Vec<Lane> {
     let lines = || campbell.lines.iter().enumerate();
     let is_first_of = |line: &FrequencyLine, wanted: Family| match line.of {
@@ -88,10 +96,15 @@ fn lane(campbell: &Campbell, index: usize, line: &FrequencyLine) -> Option<Lane>
     let on_bar = |margin: &&Margin| {
         margin.line == index && [1, campbell.rotor.blades].contains(&margin.multiple)
     };
+    let margins: Vec<Margin> = campbell.margins.iter().filter(on_bar).copied().collect();
+    let percents = margins
+        .iter()
+        .map(|margin| campbell.distance_percent(margin));
     (frequency_hz > 0.0).then(|| Lane {
         label: line.label.clone(),
         frequency_hz,
         error_hz: line.error_hz,
-        margins: campbell.margins.iter().filter(on_bar).copied().collect(),
+        percents: percents.collect(),
+        margins,
     })
 }

@@ -1,4 +1,4 @@
-//! What holds the base, in space: springs, a footing, a platform with its moorings.
+//! The foundation in space: springs, a footing, a platform with its moorings.
 
 use towermodes::space::SpatialMatrix;
 use towermodes::{
@@ -10,12 +10,12 @@ use super::{Body, FAR, Form, HALF_SIDE, MASS, Substance, directions};
 use crate::figures::outline::outer_diameter_m;
 use crate::figures::tower::{keel_m, on_diagonal};
 
-/// Length of a spring and least thickness of a footing, as shares of the tower's height.
+/// Length of a spring and least thickness of a footing, as fractions of the tower's height.
 const SPRING: f64 = 0.08;
 const FOOTING: f64 = 0.025;
-/// Depth of the soil below a footing, as a share of the tower's height.
+/// Depth of the soil below a footing, as a fraction of the tower's height.
 const HALF_SPACE: f64 = 0.12;
-/// Where moorings end, as a share of the tower's height to the side.
+/// Where moorings end, as a fraction of the tower's height to the side.
 const ANCHORS: f64 = 0.45;
 
 /// The bodies of a foundation; a clamped base stands on the ground alone.
@@ -33,7 +33,7 @@ fn base_radius_m(tower: &Tower) -> f64 {
     0.5 * outer_diameter_m(tower, tower.base_m())
 }
 
-/// A plate at the base, and from it a spring in each direction that gives way.
+/// A plate at the base with a spring in each flexible direction.
 fn springs(tower: &Tower, springs: &FoundationSprings) -> Vec<Body> {
     if tower.base().is_clamped() {
         return Vec::new();
@@ -60,7 +60,7 @@ fn springs(tower: &Tower, springs: &FoundationSprings) -> Vec<Body> {
     bodies
 }
 
-/// What a spring is fixed to.
+/// The fixed end of a spring.
 fn post([x, y, z]: [f64; 3], half_m: f64) -> Body {
     let sides = [-half_m, half_m];
     let corners = sides.into_iter().flat_map(|a| {
@@ -93,8 +93,7 @@ fn footing(tower: &Tower, half_space: &HalfSpace) -> Vec<Body> {
     ]
 }
 
-/// The hull of the drawing, as nobody knows the platform's shape, with its centre of mass and three
-/// moorings.
+/// A nominal hull, because the input has no shape, with its centre of mass and three moorings.
 fn floating(tower: &Tower, platform: &FloatingPlatform) -> Vec<Body> {
     let (base_m, height_m) = (tower.base_m(), tower.height_m());
     let keel_m = keel_m(platform, tower);

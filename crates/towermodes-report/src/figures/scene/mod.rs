@@ -1,7 +1,7 @@
-//! What stands on, under and around a tower, as bodies in space that a script can move with it.
+//! Tower, RNA, foundation and surroundings as bodies in space that a script animates.
 
 mod foundation;
-mod machine;
+mod rna;
 mod solids;
 mod surroundings;
 
@@ -10,27 +10,27 @@ use towermodes::{Tower, TowerDescription};
 
 use solids::{ball, link};
 
-/// Half the side of soil, water and ground as shares of the tower's height: these end somewhere.
+/// Half the side of soil, water and ground as fractions of the tower's height.
 const HALF_SIDE: f64 = 0.22;
 /// More masses than this are not drawn: the heaviest stay.
 const MOST_MASSES: usize = 40;
 /// More sets of wires than this are not drawn.
 const MOST_WIRES: usize = 12;
-/// Radius of the lightest mass and what the heaviest has in addition, as shares of the tower's
+/// Radius of the lightest mass and what the heaviest has in addition, as fractions of the tower's
 /// height.
 const MASS: [f64; 2] = [0.008, 0.012];
-/// From here on a height or a distance is not drawn, in heights of the tower.
+/// Larger heights or distances are not drawn, in heights of the tower.
 const FAR: f64 = 4.0;
 
 /// A body of the scene at rest: x fore-aft (downwind), y side-side, z up in the datum of the
 /// stations, m.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Body {
-    /// The height at which it is fixed to the tower's axis, m: it moves and turns with the section
-    /// there. Nothing of what stands still.
+    /// The height at which it is fixed to the tower axis, m: it moves with the section there. None
+    /// if it does not move.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub follows_m: Option<f64>,
-    /// What it is made of.
+    /// Its substance.
     pub of: Substance,
     /// Its form.
     pub form: Form,
@@ -41,29 +41,29 @@ pub struct Body {
     pub radius_m: Option<f64>,
 }
 
-/// What a body is made of: how it is coloured.
+/// The substance of a body, which gives its colour.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Substance {
     /// The nacelle.
-    Machine,
+    Rna,
     /// Hub and blades.
     Rotor,
     /// A mass of its own.
     Mass,
     /// A footing, a plate, a platform.
     Foundation,
-    /// Ground without stiffness of its own, and what does not move.
+    /// Ground without stiffness, and everything that does not move.
     Ground,
-    /// Soil that holds the tower.
+    /// Soil with springs.
     Soil,
     /// Water.
     Water,
-    /// Springs, wires, moorings.
+    /// Springs, guy wires, moorings.
     Link,
 }
 
-/// How the points of a body make it.
+/// How the points of a body define its form.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Form {
@@ -79,16 +79,16 @@ pub enum Form {
 }
 
 /// The bodies of a description, those behind first: ground, soil, foundation, wires, masses,
-/// machine, water.
+/// RNA, water.
 ///
-/// The forms are those of the drawing: machine, platform and blades have no measures in a
+/// The forms are those of the drawing: RNA, platform and blades have no dimensions in a
 /// description and are nominal.
 pub(super) fn scene(description: &TowerDescription, tower: &Tower) -> Vec<Body> {
     let mut bodies = surroundings::ground(description, tower);
     bodies.extend(foundation::foundation(description, tower));
     bodies.extend(wires(description, tower));
     bodies.extend(masses(tower));
-    bodies.extend(machine::machine(description, tower));
+    bodies.extend(rna::rna(description, tower));
     bodies.extend(surroundings::water(description, tower));
     let is_drawn = |body: &Body| body.points.iter().flatten().all(|value| value.is_finite());
     bodies.retain(is_drawn);

@@ -6,15 +6,14 @@ use super::solids::block;
 use super::{Body, HALF_SIDE, Substance};
 use crate::figures::tower::{ground_m, keel_m, platform, surface_m, water_m};
 
-/// Thickness of ground of which only the surface matters, as a share of the tower's height.
+/// Thickness of ground of which only the surface matters, as a fraction of the tower's height.
 const SLAB: f64 = 0.02;
-/// Depth of water below a platform's keel, as a share of the tower's height.
+/// Depth of water below a platform's keel, as a fraction of the tower's height.
 const BELOW_KEEL: f64 = 0.08;
-/// Half the side of the water around a platform, as a share of the tower's height.
+/// Half the side of the water around a platform, as a fraction of the tower's height.
 const SEA: f64 = 0.5;
 
-/// What is under the tower: soil that holds it, the bed of the water, or the ground that it is
-/// clamped to.
+/// The ground: soil with springs, the seabed, or the ground that the tower is clamped to.
 pub(super) fn ground(description: &TowerDescription, tower: &Tower) -> Vec<Body> {
     let (height_m, base_m) = (tower.height_m(), tower.base_m());
     let half_m = HALF_SIDE * height_m;

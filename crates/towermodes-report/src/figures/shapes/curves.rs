@@ -1,10 +1,10 @@
-//! What of a mode is drawn: one component of its motion, and which modes are others turned.
+//! The component of a mode that is drawn, and which side-side modes equal fore-aft modes.
 
 use towermodes::{Family, Mode, ShapePoint};
 
-/// Shapes of a repeated pair agree to this.
+/// Shapes of an equal pair agree to this.
 const EQUAL_SHAPE: f64 = 1e-6;
-/// And frequencies to this, relative.
+/// Frequencies of an equal pair agree to this, relative.
 const EQUAL_FREQUENCY: f64 = 1e-9;
 
 /// A component of a motion.
@@ -21,7 +21,7 @@ pub(super) enum Part {
 }
 
 impl Part {
-    /// What is largest in modes of a family: what their shapes are shares of.
+    /// The component that a family is normalised by.
     pub fn main(family: Family) -> Self {
         match family {
             Family::SideSide | Family::Sway | Family::Roll => Self::Y,
@@ -73,7 +73,7 @@ pub(super) fn coupled_parts(mode: &Mode) -> Vec<Part> {
     }
 }
 
-/// Whether a side-side mode is a fore-aft one turned: their frequencies and curves are the same.
+/// Whether a side-side mode equals a fore-aft mode: frequencies and curves are the same.
 pub(super) fn is_turned(fore_aft: &Mode, side_side: &Mode) -> bool {
     let (a, b) = (fore_aft.frequency_hz, side_side.frequency_hz);
     let points = fore_aft.shape.iter().zip(&side_side.shape);
@@ -81,7 +81,7 @@ pub(super) fn is_turned(fore_aft: &Mode, side_side: &Mode) -> bool {
     (a - b).abs() <= EQUAL_FREQUENCY * a.max(b) && differences.all(|it| it <= EQUAL_SHAPE)
 }
 
-/// Its place in its family: "1st"; of a motion as one body its name.
+/// Its order in its family, "1st"; for a rigid-body mode its name.
 pub(super) fn order(mode: &Mode) -> String {
     let label = mode.label();
     if mode.family.is_rigid() {

@@ -1,4 +1,4 @@
-//! How wide panels are, and which stand in one row.
+//! The widths of the panels and their rows.
 
 use towermodes::Tower;
 
@@ -9,11 +9,11 @@ use crate::svg::{Axes, text_width};
 pub(super) const WIDTH: f64 = 900.0;
 /// Its height with one row of panels.
 const HEIGHT: f64 = 560.0;
-/// And the height of each row where there are more.
+/// Height of each row if there are more.
 const ROW_HEIGHT: f64 = 420.0;
 /// Below the rows.
 const FOOT: f64 = 22.0;
-/// Where the panels end.
+/// Right edge of the panels.
 const RIGHT: f64 = 884.0;
 /// Least room for the numbers of the axis of heights.
 const NUMBERS: f64 = 54.0;
@@ -32,7 +32,7 @@ pub(super) const SAMPLE: f64 = 28.0;
 /// Size of a heading.
 pub(super) const HEADING: f64 = 12.0;
 
-/// A panel with the room that it has.
+/// A panel with its place.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Placed<'a> {
     /// The panel.

@@ -15,12 +15,12 @@ use layout::{WIDTH, column, rows, sheet_height, strips};
 use panels::panels;
 use strip::draw_strip;
 
-/// The shapes of a tower's modes over its height, by family, each as a share of its largest
-/// deflection, of torsion and yaw of its largest rotation.
+/// The mode shapes of a tower over its height, by family, each normalised to its largest
+/// deflection; torsion and yaw to their largest rotation.
 ///
-/// Of a family with more than six modes the six lowest are drawn. Where every side-side mode is a
-/// fore-aft one turned, there is one panel for both. Modes of no one family have a panel for each
-/// of x, y, z and the rotation about z that takes part in them.
+/// At most six modes of a family are drawn. If all side-side modes equal the fore-aft ones, one
+/// panel shows both. Coupled modes have a panel for each of x, y, z and the rotation about z that
+/// takes part in them.
 pub fn shapes(description: &TowerDescription, tower: &Tower, solution: &Solution) -> Figure {
     let panels = panels(solution);
     let column = column(tower);
@@ -55,7 +55,7 @@ fn title(tower: &Tower, solution: &Solution) -> String {
     }
 }
 
-/// Says how the tower is drawn and what the lines across are.
+/// The note on the scales of the tower and on the dotted lines.
 fn note_of(tower: &Tower, (diameters, walls): (f64, f64)) -> String {
     let tower_note = if is_nominal(tower) {
         format!(
@@ -71,7 +71,7 @@ fn note_of(tower: &Tower, (diameters, walls): (f64, f64)) -> String {
     };
     match tower.point_masses().len() {
         0 => tower_note,
-        1..=strip::MOST_MASSES => format!("{tower_note} Dotted lines across: point masses."),
-        count => format!("{tower_note} {count} point masses, on the tower only."),
+        1..=strip::MOST_MASSES => format!("{tower_note} Dotted lines: point masses."),
+        count => format!("{tower_note} {count} point masses, drawn on the tower only."),
     }
 }

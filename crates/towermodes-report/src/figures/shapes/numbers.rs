@@ -1,4 +1,4 @@
-//! The picture of the shapes in words and as a table.
+//! The figure of the mode shapes in words and as a table.
 
 use towermodes::{Family, Mode, Solution, Tower};
 
@@ -6,12 +6,12 @@ use super::curves::{Part, coupled_parts};
 use crate::number::{four_digits, length, short};
 use crate::svg::DataTable;
 
-/// Heights of the table.
+/// The number of heights in the table.
 const HEIGHTS: usize = 11;
-/// Most modes of the description.
+/// The largest number of modes in the description.
 const MOST_MODES: usize = 6;
 
-/// What is to be seen.
+/// The figure in words.
 pub(super) fn description(tower: &Tower, solution: &Solution) -> String {
     let modes = &solution.modes;
     let named = modes.iter().take(MOST_MODES);
@@ -23,7 +23,7 @@ pub(super) fn description(tower: &Tower, solution: &Solution) -> String {
         more => format!(", and {more} more"),
     };
     format!(
-        "Deflections of the tower from z = {} m to z = {} m in its natural modes, each as a share of its largest: {}{more}.",
+        "Mode shapes of the tower from z = {} m to z = {} m, each normalised to its maximum: {}{more}.",
         length(tower.base_m()),
         length(tower.top_m()),
         if named.is_empty() {
@@ -87,8 +87,8 @@ fn rows(mode: &Mode, chosen: &[usize]) -> Vec<Vec<String>> {
     parts.iter().map(row).collect()
 }
 
-/// Which of so many points: at most [`HEIGHTS`] at about equal distances, the first and the last
-/// among them.
+/// The indices of at most [`HEIGHTS`] of `count` points at about equal distances, including the
+/// first and the last.
 fn chosen(points: usize) -> Vec<usize> {
     if points <= HEIGHTS {
         return (0..points).collect();

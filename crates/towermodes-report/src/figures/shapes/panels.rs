@@ -1,4 +1,4 @@
-//! Which panels there are, and which curves are in each.
+//! The panels of the figure and the curves in each.
 
 use towermodes::{Family, Mode, ShapePoint, Solution};
 
@@ -6,21 +6,21 @@ use super::curves::{Part, coupled_parts, is_turned, order};
 use crate::figures::enlargement::round_factor;
 use crate::number::four_digits;
 
-/// How the headings of all panels of coupled modes begin.
+/// The start of the heading of every panel of coupled modes.
 pub(super) const COUPLED: &str = "coupled: ";
-/// Most curves of a panel.
+/// The largest number of curves in a panel.
 const MOST_CURVES: usize = 6;
-/// A panel reaches below zero if a curve does by more than this.
+/// A panel extends below zero if a curve is more than this below zero.
 const BELOW_ZERO: f64 = 0.02;
 
 /// A field with curves over the height.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Panel {
-    /// What stands above it.
+    /// The heading above it.
     pub heading: &'static str,
-    /// A second line.
+    /// The second line of the heading.
     pub note: Option<&'static str>,
-    /// Names of the axis below, the fullest first.
+    /// Names of the axis below, the longest first.
     pub axis: [&'static str; 2],
     /// The values at its left and right edge.
     pub range: [f64; 2],
@@ -28,7 +28,7 @@ pub(super) struct Panel {
     pub ticks: [usize; 2],
     /// The curves.
     pub curves: Vec<Curve>,
-    /// How many modes it has that are not drawn.
+    /// The number of modes that are not drawn.
     pub more: usize,
 }
 
@@ -71,7 +71,7 @@ pub(super) fn panels(solution: &Solution) -> Vec<Panel> {
     panels
 }
 
-/// Whether every side-side mode is the fore-aft one of its order turned.
+/// Whether every side-side mode equals the fore-aft mode of its order.
 fn are_turned(fore_aft: &[&Mode], side_side: &[&Mode]) -> bool {
     let twin = |mode: &&Mode| {
         let same_order = fore_aft.iter().find(|other| other.order == mode.order);
@@ -99,7 +99,7 @@ fn panel(
     }
 }
 
-/// A panel for each component that takes part in some mode of no one family.
+/// A panel for each component that takes part in a coupled mode.
 fn coupled(modes: &[&Mode]) -> Vec<Panel> {
     let shown: Vec<&Mode> = modes.iter().take(MOST_CURVES).copied().collect();
     let parts: Vec<Part> = shown.iter().flat_map(|mode| coupled_parts(mode)).collect();
@@ -134,8 +134,7 @@ fn coupled(modes: &[&Mode]) -> Vec<Panel> {
     panels.into_iter().flatten().collect()
 }
 
-/// The motions of a floating tower as one body; those in two planes that are the same are one
-/// curve.
+/// The rigid-body modes of a floating tower; equal modes in the two planes are one curve.
 fn rigid(solution: &Solution) -> Panel {
     let modes: Vec<&Mode> = solution
         .modes
@@ -167,7 +166,7 @@ fn rigid(solution: &Solution) -> Panel {
     });
     let curves: Vec<Curve> = curves.collect();
     Panel {
-        heading: "as one body",
+        heading: "rigid body",
         note: None,
         axis: ["motion / largest (\u{2212})"; 2],
         range: share_range(&curves),
@@ -192,7 +191,7 @@ fn share_range(curves: &[Curve]) -> [f64; 2] {
     [if lowest < -BELOW_ZERO { -1.0 } else { 0.0 }, 1.0]
 }
 
-/// As far to the left as to the right, to a round number that no curve passes.
+/// A symmetric range, to a round number that no curve exceeds.
 fn own_range(curves: &[Curve]) -> [f64; 2] {
     let most = values(curves).map(f64::abs).fold(0.0, f64::max);
     let most = round_factor(most, true);

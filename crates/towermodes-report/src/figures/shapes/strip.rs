@@ -1,4 +1,4 @@
-//! A row of the picture: the tower, and panels beside it on the same axis of heights.
+//! A row of the figure: the tower and panels beside it on the same height axis.
 
 use towermodes::{Tower, TowerDescription};
 
@@ -6,18 +6,18 @@ use super::layout::{HEADING, LEGEND, Placed, SAMPLE, Strip, TICKS, entries};
 use crate::figures::tower::{View, draw_small, levels, small_view};
 use crate::svg::{Anchor, Axes, Colour, Dash, Drawing, Frame, Stroke, TextStyle, text_width};
 
-/// With more masses than this no lines are drawn across the panels.
+/// With more point masses no lines are drawn across the panels.
 pub(super) const MOST_MASSES: usize = 40;
-/// Widest tube.
+/// Largest width of the tower.
 const WIDEST: f64 = 40.0;
 /// Room below a field for the numbers and the name of its axis.
 const BELOW: f64 = 42.0;
-/// A panel that is wider has more numbers.
+/// Wider panels have more numbers.
 const WIDE: f64 = 140.0;
-/// Size of the names of water and ground.
+/// Text size of the names of water and ground.
 const SMALL: f64 = 10.0;
 
-/// Draws a row; gives how the tower in it is drawn.
+/// Draws a row; returns the view of its tower.
 pub(super) fn draw_strip(
     drawing: &mut Drawing,
     strip: &Strip<'_>,
@@ -51,7 +51,7 @@ pub(super) fn draw_strip(
     view
 }
 
-/// Lines across all panels: the water, the ground, the masses.
+/// Lines across all panels at the water level, the ground and the point masses.
 fn draw_levels(
     drawing: &mut Drawing,
     view: &View,

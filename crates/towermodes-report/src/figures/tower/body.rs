@@ -89,9 +89,9 @@ pub(super) fn draw_masses(drawing: &mut Drawing, view: &View, description: &Towe
         let center = (view.axis_x, view.y(mass.height_m));
         if are_apart {
             let radius = 3.0 + 3.5 * share.cbrt();
-            drawing.disc(center, radius, Colour::Machine, Some(&edge));
+            drawing.disc(center, radius, Colour::Rna, Some(&edge));
         } else {
-            drawing.disc(center, 1.0 + 3.0 * share.cbrt(), Colour::Machine, None);
+            drawing.disc(center, 1.0 + 3.0 * share.cbrt(), Colour::Rna, None);
         }
     }
 }

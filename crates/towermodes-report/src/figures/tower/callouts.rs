@@ -66,7 +66,7 @@ impl LeftOut {
                 format!("masses at {}", counted(masses, "more height")),
             ),
             (stations, counted(stations, "more station")),
-            (whole, counted(whole, "more thing") + " not named"),
+            (whole, counted(whole, "more part") + " without label"),
         ];
         let parts = parts.into_iter().filter(|(count, _)| *count > 0);
         let text = parts.map(|(_, text)| text).collect::<Vec<_>>().join(", ");

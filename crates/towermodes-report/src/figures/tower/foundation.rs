@@ -211,13 +211,13 @@ fn matrix_lines(foundation: &StiffnessFoundation) -> Vec<String> {
         format!("{}, {}, {} {unit}", value(0), value(1), value(2))
     };
     let mut lines = vec![
-        "6×6 matrix, on its diagonal".to_owned(),
+        "6×6 stiffness matrix, diagonal:".to_owned(),
         format!("x, y, z: {}", of(0, "N/m")),
         format!("about x, y, z: {}", of(3, "N m")),
     ];
     let moving = foundation.inertia[0][0].max(foundation.inertia[1][1]);
     if moving > 0.0 {
-        lines.push(format!("moving with it: {}", mass(moving)));
+        lines.push(format!("foundation mass {}", mass(moving)));
     }
     lines
 }

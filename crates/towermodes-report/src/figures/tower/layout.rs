@@ -2,10 +2,10 @@
 
 use towermodes::{Tower, TowerDescription};
 
-use super::floating::{keel_m, platform, surface_m};
+use super::platform::{keel_m, platform, surface_m};
 use super::view::View;
 use super::wires::wires_ground_m;
-use super::{foundation, machine};
+use super::{foundation, rna};
 use crate::svg::{Axes, Frame};
 
 /// Width of the sheet.
@@ -26,8 +26,8 @@ const NEAR: f64 = 1.0;
 /// A sheet for a tower: what is where, and how high it is.
 pub(super) fn sheet(description: &TowerDescription, tower: &Tower) -> (View, f64) {
     let (low_m, high_m) = extent_m(description, tower);
-    let above = if machine::is_there(tower.rna()) {
-        machine::ABOVE
+    let above = if rna::is_there(tower.rna()) {
+        rna::ABOVE
     } else {
         20.0
     };
@@ -70,7 +70,7 @@ fn extent_m(description: &TowerDescription, tower: &Tower) -> (f64, f64) {
     if let Some(water) = &description.water {
         include(water.level_m);
     }
-    if machine::is_there(tower.rna()) {
+    if rna::is_there(tower.rna()) {
         include(top_m + tower.rna().center_m[2] - 0.05 * tower.height_m());
     }
     let mut low_m = base_m;

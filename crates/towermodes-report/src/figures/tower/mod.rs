@@ -1,21 +1,21 @@
-//! The tower as a drawing: heights to scale, diameters and walls by stated factors.
+//! The tower as a drawing: heights to scale, diameters and walls enlarged by stated factors.
 
 mod body;
 mod callouts;
-mod floating;
 mod foundation;
 mod layout;
-mod machine;
 mod numbers;
+mod platform;
+mod rna;
 mod small;
 mod stations;
 mod surroundings;
 mod view;
 mod wires;
 
-pub(super) use floating::{keel_m, platform, surface_m};
 pub(super) use foundation::on_diagonal;
-pub(super) use machine::{MachineForm, is_there as has_machine};
+pub(super) use platform::{keel_m, platform, surface_m};
+pub(super) use rna::{RnaForm, is_there as has_rna};
 pub(super) use small::{draw_small, levels, small_view};
 pub(super) use surroundings::{ground_m, water_m};
 pub(super) use view::View;
@@ -30,16 +30,15 @@ use body::{draw_body, draw_masses};
 use callouts::{Callout, Column, draw_callouts};
 use foundation::draw_foundation;
 use layout::{TICKS, WIDTH, sheet};
-use machine::{draw_machine, is_there};
+use rna::{draw_rna, is_there};
 use surroundings::draw_water_and_ground;
 
-/// A tower with what is on it, under it and around it, as its description says.
+/// A tower with RNA, foundation and surroundings, from its description.
 ///
-/// Heights and lengths have one scale. Diameters are drawn wider and walls thicker by round factors
-/// that the picture names; a tower of which only the stiffness is known is as wide as the steel
-/// tube of the same bending stiffness whose wall is a 200th of its diameter, which goes with the
-/// fourth root of EI. Machine and platform are silhouettes without measures, with their centres of
-/// mass to scale.
+/// Heights and lengths have the same scale. Diameters and walls are enlarged by round factors that
+/// the picture states. A tower given by a property table is as wide as the steel tube of the same
+/// bending stiffness with t = D/200, which is proportional to the fourth root of EI. RNA and
+/// platform are nominal silhouettes with their centres of mass to scale.
 pub fn tower(description: &TowerDescription, tower: &Tower) -> Figure {
     let (view, height) = sheet(description, tower);
     let mut drawing = Drawing::new(WIDTH, height);
@@ -73,26 +72,26 @@ pub fn tower(description: &TowerDescription, tower: &Tower) -> Figure {
 
 fn draw_scene(drawing: &mut Drawing, view: &View, description: &TowerDescription, tower: &Tower) {
     draw_water_and_ground(drawing, view, description, tower);
-    floating::draw_sea(drawing, view, description);
+    platform::draw_sea(drawing, view, description);
     let heights_m = [view.low_m(), view.high_m];
     let axes = Axes::new(view.frame, [0.0, 1.0], heights_m, [false, false]);
     axes.draw_y(drawing, "height z (m)", TICKS);
     surroundings::draw_soil(drawing, view, description, tower);
     wires::draw_wires(drawing, view, description, tower);
-    if let Some(platform) = floating::platform(description) {
-        floating::draw_platform(drawing, view, tower, platform);
+    if let Some(platform) = platform::platform(description) {
+        platform::draw_platform(drawing, view, tower, platform);
     }
     draw_foundation(drawing, view, tower, &description.foundation);
     let water = description.water.filter(|water| water.flooded);
     draw_body(drawing, view, tower, water.map(|water| water.level_m));
     draw_masses(drawing, view, description);
-    draw_machine(drawing, view, tower, 1.0);
+    draw_rna(drawing, view, tower, 1.0);
 }
 
 fn callouts_of(view: &View, description: &TowerDescription, tower: &Tower) -> Vec<Callout> {
-    let mut callouts: Vec<Callout> = machine::callout(view, tower).into_iter().collect();
+    let mut callouts: Vec<Callout> = rna::callout(view, tower).into_iter().collect();
     callouts.extend(foundation::callout(view, tower, &description.foundation));
-    callouts.extend(floating::callouts(view, tower, description));
+    callouts.extend(platform::callouts(view, tower, description));
     callouts.extend(surroundings::callouts(view, description, tower));
     callouts.extend(wires::callouts(view, description, tower));
     callouts.extend(stations::mass_callouts(view, tower));
@@ -100,7 +99,7 @@ fn callouts_of(view: &View, description: &TowerDescription, tower: &Tower) -> Ve
     callouts
 }
 
-/// Says what is to scale and what is not.
+/// Writes which dimensions are to scale.
 fn draw_note(drawing: &mut Drawing, view: &View, tower: &Tower, left_out: Option<String>) {
     let width = factor(view.diameter_factor);
     let mut note = if is_nominal(tower) {

@@ -2,14 +2,14 @@
 
 use towermodes::{Foundation, Tower, TowerDescription};
 
-use super::machine;
+use super::rna;
 use crate::number::{length, mass, short, stiffness};
 use crate::svg::DataTable;
 
-/// What is to be seen.
+/// The figure in words.
 pub(super) fn description(description: &TowerDescription, tower: &Tower) -> String {
     let mut sentences = vec![format!(
-        "A tower of {} m, from z = {} m to z = {} m",
+        "Structure of {} m height, from z = {} m to z = {} m",
         length(tower.height_m()),
         length(tower.base_m()),
         length(tower.top_m())
@@ -22,7 +22,7 @@ pub(super) fn description(description: &TowerDescription, tower: &Tower) -> Stri
         ));
     } else {
         sentences.push(format!(
-            "given by {} rows of section properties",
+            "{} rows of section properties",
             tower.properties().len()
         ));
     }
@@ -35,24 +35,38 @@ pub(super) fn description(description: &TowerDescription, tower: &Tower) -> Stri
         };
         sentences.push(masses);
     }
-    if machine::is_there(tower.rna()) {
-        sentences.push(format!("a machine of {} on top", mass(tower.rna().mass_kg)));
+    if rna::is_there(tower.rna()) {
+        sentences.push(format!(
+            "rotor-nacelle assembly of {}",
+            mass(tower.rna().mass_kg)
+        ));
     }
     for wires in &description.wires {
         let (count, height_m) = (wires.count, wires.height_m);
-        sentences.push(format!("{count} wires at z = {} m", length(height_m)));
+        sentences.push(format!("{count} guy wires at z = {} m", length(height_m)));
     }
     if let Some(water) = &description.water {
-        sentences.push(format!("in water up to z = {} m", length(water.level_m)));
+        sentences.push(format!("water level at z = {} m", length(water.level_m)));
     }
     if !description.added_mass.is_empty() {
-        sentences.push("with added mass along its length".to_owned());
+        sentences.push("added mass along the tower".to_owned());
     }
-    if !description.soil.is_empty() {
-        sentences.push("held by soil springs along its length".to_owned());
-    }
+    sentences.extend(soil(description));
     sentences.push(foundation(&description.foundation, tower).to_owned());
     format!("{}.", sentences.join("; "))
+}
+
+/// "soil springs from z = −45 m to z = −20 m".
+fn soil(description: &TowerDescription) -> Option<String> {
+    let heights = description.soil.iter().flatten().map(|row| row.height_m);
+    let (lowest_m, highest_m) = heights.fold(None, |range, z| match range {
+        None => Some((z, z)),
+        Some((low, high)) => Some((z.min(low), z.max(high))),
+    })?;
+    let (lowest, highest) = (length(lowest_m), length(highest_m));
+    Some(format!(
+        "soil springs from z = {lowest} m to z = {highest} m"
+    ))
 }
 
 fn foundation(foundation: &Foundation, tower: &Tower) -> &'static str {
@@ -61,18 +75,18 @@ fn foundation(foundation: &Foundation, tower: &Tower) -> &'static str {
         Foundation::Clamped => "clamped at the base",
         Foundation::Stiffness(_) => "on a foundation with a stiffness matrix",
         Foundation::Springs(_) => "on springs at the base",
-        Foundation::HalfSpace(_) => "on a round footing in an elastic half-space",
+        Foundation::HalfSpace(_) => "on a circular footing on an elastic half-space",
         Foundation::Floating(_) => "on a floating platform",
     }
 }
 
-/// The stations or rows, the point masses, the machine, and what is around the tower.
+/// Stations or rows, point masses, RNA and surroundings as a table.
 pub(super) fn table(description: &TowerDescription, tower: &Tower) -> DataTable {
     let header = [
-        "what",
+        "part",
         "z (m)",
         "outer diameter (m)",
-        "wall (mm)",
+        "wall thickness (mm)",
         "EI (N m²)",
         "mass (t)",
     ];
@@ -88,7 +102,7 @@ pub(super) fn table(description: &TowerDescription, tower: &Tower) -> DataTable 
     }
 }
 
-/// A row of the table: what, at which height (m), and in some of the other four columns a value.
+/// A row of the table: the part, its height in m, and a value in some of the other four columns.
 fn row(what: String, height_m: f64, values: [Option<String>; 4]) -> Vec<String> {
     let values = values.into_iter().map(Option::unwrap_or_default);
     [what, length(height_m)].into_iter().chain(values).collect()
@@ -129,16 +143,16 @@ fn masses(tower: &Tower) -> Vec<Vec<String>> {
         let what = "point mass".to_owned();
         row(what, mass.height_m, tonnes(mass.mass_kg))
     });
-    let rna = Some(tower.rna()).filter(|rna| machine::is_there(rna));
+    let rna = Some(tower.rna()).filter(|rna| rna::is_there(rna));
     let rna = rna.map(|rna| {
         let height_m = tower.top_m() + rna.center_m[2];
-        let what = "machine (centre of mass)".to_owned();
+        let what = "RNA (centre of mass)".to_owned();
         row(what, height_m, tonnes(rna.mass_kg))
     });
     masses.chain(rna).collect()
 }
 
-/// Wires, water, soil.
+/// Guy wires, water, soil.
 fn around(description: &TowerDescription, tower: &Tower) -> Vec<Vec<String>> {
     let none = || [None, None, None, None];
     let wires = description.wires.iter().map(|wires| {
@@ -146,12 +160,12 @@ fn around(description: &TowerDescription, tower: &Tower) -> Vec<Vec<String>> {
             short(wires.angle_deg, 3),
             stiffness(wires.stiffness_n_per_m, "N/m"),
         );
-        let what = format!("{} wires, {angle}°, {each} each", wires.count);
+        let what = format!("{} guy wires, {angle}°, {each} each", wires.count);
         row(what, wires.height_m, none())
     });
     let water = description.water.iter().flat_map(|water| {
         let bed_m = water.bed_m.unwrap_or(tower.base_m());
-        [("water level", water.level_m), ("bed", bed_m)]
+        [("water level", water.level_m), ("seabed", bed_m)]
             .map(|(what, height_m)| row(what.to_owned(), height_m, none()))
     });
     let soil = description.soil.iter().flatten().map(|soil| {

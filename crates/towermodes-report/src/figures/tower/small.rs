@@ -3,12 +3,12 @@
 use towermodes::{Tower, TowerDescription};
 
 use super::view::View;
-use super::{body, floating, foundation, machine, surroundings, wires};
+use super::{body, foundation, platform, rna, surroundings, wires};
 use crate::svg::{Axes, Colour, Drawing, Frame};
 
-/// Size of the machine's silhouette.
-const MACHINE: f64 = 0.6;
-/// Room above the tower without a machine.
+/// Size of the RNA's silhouette.
+const RNA_SCALE: f64 = 0.6;
+/// Room above the tower without an RNA.
 const ABOVE: f64 = 14.0;
 /// Room below the water that a tower floats in.
 const BELOW_FLOATING: f64 = 36.0;
@@ -26,24 +26,24 @@ pub(in crate::figures) struct Level {
     pub colour: Colour,
 }
 
-/// A view of the small tower in a column: from what is below its base to its machine; tubes at most
+/// A view of the small tower in a column: from below its base to its RNA; tubes at most
 /// so many pixels wide.
 pub(in crate::figures) fn small_view(
     frame: Frame,
     (description, tower): (&TowerDescription, &Tower),
     widest: f64,
 ) -> View {
-    let above = if machine::is_there(tower.rna()) {
-        machine::ABOVE * MACHINE
+    let above = if rna::is_there(tower.rna()) {
+        rna::ABOVE * RNA_SCALE
     } else {
         ABOVE
     };
-    let platform = floating::platform(description);
+    let platform = platform::platform(description);
     let below = match platform {
         Some(_) => BELOW_FLOATING,
         None => foundation::below(&description.foundation),
     };
-    let sea_m = platform.and_then(floating::surface_m);
+    let sea_m = platform.and_then(platform::surface_m);
     let depth_m = sea_m.map_or(0.0, |sea_m| tower.base_m() - sea_m);
     let is_near = (0.0..=NEAR * tower.height_m()).contains(&depth_m);
     let extent_m = tower.height_m() + if is_near { depth_m } else { 0.0 };
@@ -84,19 +84,19 @@ pub(in crate::figures) fn draw_small(
     let frame = view.frame;
     let size = (frame.right - frame.left, frame.bottom - frame.top);
     surroundings::draw_water_and_ground(drawing, view, description, tower);
-    floating::draw_sea(drawing, view, description);
+    platform::draw_sea(drawing, view, description);
     let heights_m = [view.low_m(), view.high_m];
     let axes = Axes::new(frame, [0.0, 1.0], heights_m, [false, false]);
     axes.draw_y(drawing, "height z (m)", ticks);
     drawing.clipped(name, (frame.left, frame.top), size, |drawing| {
         wires::draw_wires(drawing, view, description, tower);
-        if let Some(platform) = floating::platform(description) {
-            floating::draw_hull(drawing, view, tower, platform);
+        if let Some(platform) = platform::platform(description) {
+            platform::draw_hull(drawing, view, tower, platform);
         }
         foundation::draw_foundation(drawing, view, tower, &description.foundation);
     });
     let water = description.water.filter(|water| water.flooded);
     body::draw_body(drawing, view, tower, water.map(|water| water.level_m));
     body::draw_masses(drawing, view, description);
-    machine::draw_machine(drawing, view, tower, MACHINE);
+    rna::draw_rna(drawing, view, tower, RNA_SCALE);
 }

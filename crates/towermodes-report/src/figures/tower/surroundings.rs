@@ -4,25 +4,25 @@ use towermodes::tower::Piece;
 use towermodes::{Tower, TowerDescription};
 
 use super::callouts::{Callout, Subject};
-use super::floating::{platform, surface_m};
+use super::platform::{platform, surface_m};
 use super::view::View;
 use crate::figures::outline::outer_diameter_m;
 use crate::figures::symbols::{hatching, held_below, held_left, spring, waves};
 use crate::number::{length, short, stiffness};
 use crate::svg::{Colour, Drawing, Stroke};
 
-/// The widest bar of the soil's stiffness.
+/// The width of the bar of the largest soil stiffness.
 const WIDEST_BAR: f64 = 80.0;
-/// From the tower to what holds it, and the distance of the springs.
+/// From the tower to the fixed ends of the springs.
 const SPRING: f64 = 34.0;
 /// From the lowest of them to the base.
 const BASE: f64 = 15.0;
 /// From spring to spring.
 const SPRING_GAP: f64 = 22.0;
-/// More layers of soil than this are not hatched each in its own way.
+/// At most so many layers of soil are hatched.
 const MOST_LAYERS: usize = 12;
 
-/// The height of the ground around the tower, m, if there is any: the bed, or the surface of the
+/// The height of the ground around the tower, m, if there is any: the seabed, or the surface of the
 /// soil.
 pub(in crate::figures) fn ground_m(description: &TowerDescription, tower: &Tower) -> Option<f64> {
     let water = description.water;
@@ -67,8 +67,8 @@ pub(super) fn draw_water_and_ground(
     }
 }
 
-/// Draws the layers of soil: hatched on the left with springs, on the right bars as wide as they
-/// are stiff.
+/// Draws the layers of soil: hatched with springs on the left, and on the right bars whose width is
+/// proportional to the stiffness.
 pub(super) fn draw_soil(
     drawing: &mut Drawing,
     view: &View,
@@ -153,7 +153,7 @@ fn draw_soil_springs(drawing: &mut Drawing, view: &View, tower: &Tower, most: f6
     held_left(drawing, wall, top, bottom);
 }
 
-/// Beyond the widest part of the tower in the soil.
+/// Half the largest width of the tower in the soil.
 fn beside(view: &View, tower: &Tower) -> f64 {
     let in_soil = tower.pieces().iter().filter(|piece| {
         springs_at(piece, piece.base_m) > 0.0 || springs_at(piece, piece.top_m) > 0.0
@@ -169,7 +169,7 @@ fn springs_at(piece: &Piece, height_m: f64) -> f64 {
     springs.x_n_per_m2.max(springs.y_n_per_m2)
 }
 
-/// Where the soil is stiffest, m, and how stiff in x or y, N/m².
+/// The height of the largest soil stiffness, m, and its value in x or y, N/m².
 fn stiffest(tower: &Tower) -> Option<(f64, f64)> {
     let pieces = tower.pieces().iter();
     let ends = pieces.flat_map(|piece| {
@@ -179,7 +179,7 @@ fn stiffest(tower: &Tower) -> Option<(f64, f64)> {
         .filter(|(_, stiffness)| *stiffness > 0.0)
 }
 
-/// What is to be said of soil and water.
+/// The labels of soil and water.
 pub(super) fn callouts(view: &View, description: &TowerDescription, tower: &Tower) -> Vec<Callout> {
     let mut callouts: Vec<Callout> = Vec::new();
     let mut whole = |at: (f64, f64), lines: Vec<String>| {
@@ -200,25 +200,25 @@ pub(super) fn callouts(view: &View, description: &TowerDescription, tower: &Towe
         if view.shows(bed_m) {
             whole(
                 (edge, view.y(bed_m)),
-                vec![format!("z = {} m: bed", length(bed_m))],
+                vec![format!("z = {} m: seabed", length(bed_m))],
             );
         }
     }
     if let Some((height_m, most)) = stiffest(tower) {
         let x = view.axis_x + beside(view, tower) + 4.0 + WIDEST_BAR;
-        let text = format!("soil springs, widest bar {}", stiffness(most, "N/m²"));
+        let text = format!("soil springs, largest {}", stiffness(most, "N/m²"));
         // A little inside the bar, as the base has its own label.
         whole((x, view.y(height_m) - 6.0), vec![text]);
     }
     if let Some((height_m, most)) = added_mass(description) {
         let radius = view.radius(outer_diameter_m(tower, height_m));
-        let text = format!("added mass, up to {} kg/m", short(most, 4));
+        let text = format!("added mass, largest {} kg/m", short(most, 4));
         whole((view.axis_x + radius, view.y(height_m)), vec![text]);
     }
     callouts
 }
 
-/// Where the most added mass of a table is, m, and how much, kg/m.
+/// The height of the largest added mass of a table, m, and its value, kg/m.
 fn added_mass(description: &TowerDescription) -> Option<(f64, f64)> {
     let rows = description.added_mass.iter().flatten();
     let most = rows.max_by(|a, b| a.mass_kg_per_m.total_cmp(&b.mass_kg_per_m))?;

@@ -1,4 +1,4 @@
-//! Taut wires beside the tower.
+//! Guy wires beside the tower.
 
 use towermodes::{Tower, TowerDescription, Wires};
 
@@ -9,7 +9,7 @@ use crate::figures::outline::outer_diameter_m;
 use crate::number::{length, short, stiffness};
 use crate::svg::{Colour, Drawing, Stroke};
 
-/// More sets of wires than this have no callout each.
+/// More sets of wires have no callout each.
 const MOST_WIRES: usize = 6;
 
 /// The height that wires are drawn to, m: the ground, or the base where that is above one of them
@@ -94,7 +94,7 @@ fn draw_cut(drawing: &mut Drawing, (x, y): (f64, f64), side: f64, line: &Stroke)
     }
 }
 
-/// What is to be said of wires.
+/// The labels of the guy wires.
 pub(super) fn callouts(view: &View, description: &TowerDescription, tower: &Tower) -> Vec<Callout> {
     let mut callouts = Vec::new();
     let more = description.wires.len().saturating_sub(MOST_WIRES);
@@ -104,12 +104,12 @@ pub(super) fn callouts(view: &View, description: &TowerDescription, tower: &Towe
         if wire.share(view) < 1.0 {
             let away_m = wire.anchor.0 / view.per_m;
             lines.push(format!(
-                "cut in the picture: anchors {} m away",
+                "shortened in the picture: anchors {} m away",
                 short(away_m, 3)
             ));
         }
         if index + 1 == MOST_WIRES && more > 0 {
-            lines.push(format!("{more} more sets of wires"));
+            lines.push(format!("{more} more sets of guy wires"));
         }
         callouts.push(Callout {
             at: wire.start,

@@ -54,7 +54,7 @@ function showDirection() {
 }
 
 function showSpeed() {
-  byId("animation-speed").textContent = `${SPEEDS_HZ[state.speed]} cycles per second here`;
+  byId("animation-speed").textContent = `${SPEEDS_HZ[state.speed]} cycles per second on screen`;
   byId("animation-slower").disabled = state.speed === 0;
   byId("animation-faster").disabled = state.speed === SPEEDS_HZ.length - 1;
 }

@@ -28,7 +28,7 @@ async function copy(button) {
     say(button, "Copied.");
   } catch {
     mark(pre);
-    say(button, "Marked: copy it with the keys of your system.");
+    say(button, "Selected: copy it with the keyboard.");
   }
 }
 

@@ -19,7 +19,7 @@ function layers(name, frame) {
   const onAxis = (points) => points.map((point) => [0, 0, point[2]]);
   const isBefore = (body) => body.of === "mass" || depth(body.points) > depth(onAxis(body.points));
   const rest = bodiesOf(name).filter((body) => !THROUGH.includes(body.of));
-  const moving = rest.filter((body) => ["machine", "rotor", "mass"].includes(body.of));
+  const moving = rest.filter((body) => ["rna", "rotor", "mass"].includes(body.of));
   const farthestFirst = (a, b) => depth(a.points) - depth(b.points);
   return {
     behind: rest.filter((body) => !moving.includes(body)).concat(moving.filter((body) => !isBefore(body)).sort(farthestFirst)),
@@ -37,7 +37,7 @@ function picture(parent, mode, name, frame) {
   Object.entries(attributes).forEach(([key, value]) => svg.setAttribute(key, value));
   cell.appendChild(svg);
   drawn(svg, "title", { id: `${id}-title` }, `Mode ${mode.number}, ${mode.label}, ${view.name}`);
-  drawn(svg, "desc", { id: `${id}-text` }, "The tower at rest and deflected by the mode, with what stands on it, under it and around it.");
+  drawn(svg, "desc", { id: `${id}-text` }, "The tower undeformed and deflected in the mode, with rotor-nacelle assembly, foundation and surroundings.");
   if (view.axes) drawAxes(svg, frame, view.axes);
   const parts = layers(name, frame);
   const paths = (bodies) => bodies.map((body) => ({ body, path: drawn(svg, "path", { class: `body ${body.of}` }) }));

@@ -5,7 +5,7 @@ const WIDTH = 300;
 // Room for numbers and names of the axes.
 const MARGIN = { left: 44, right: 8, top: 10, bottom: 42 };
 // Which parts of the scene a view from above has: the others would hide the sections.
-const FROM_ABOVE = ["machine"];
+const FROM_ABOVE = ["rna"];
 
 // A view in parallel projection from a direction: azimuth from x towards y, elevation above the ground.
 const VIEWS = {

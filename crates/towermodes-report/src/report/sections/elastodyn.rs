@@ -1,4 +1,4 @@
-//! Polynomial shapes for ElastoDyn, and how well they fit.
+//! Polynomial mode shapes for ElastoDyn and the quality of their fit.
 
 use towermodes::Plane;
 use towermodes_analysis::elastodyn::{PassedOver, TowerShape};
@@ -8,29 +8,29 @@ use super::super::document::Block;
 use super::super::plot_command::command;
 use super::super::table::Table;
 use super::{paragraph, table};
-use crate::number::{digits, four_digits, length, percent};
+use crate::number::{digits, four_digits, length, percent, superscript};
+use crate::wording::listed;
 
 pub(super) fn blocks(content: &ReportContent) -> Vec<Block> {
     let made = match &content.elastodyn {
         Ok(made) => made,
         Err(error) => {
-            return vec![paragraph(format!(
-                "There are no shapes for ElastoDyn: {error}."
-            ))];
+            return vec![paragraph(format!("No mode shapes for ElastoDyn: {error}."))];
         }
     };
     let mut blocks = vec![
         paragraph(format!(
-            "ElastoDyn describes the tower from {} m to {} m by two shapes in each plane, polynomials of the share of the height of degree 2 to \
-             6 that neither move nor turn at the base and are 1 at the top. {}These are fitted by least squares to the modes of the spectral \
-             beam, the tower with all that it carries and stands on; residuals are shares of a shape's largest deflection. ElastoDyn's \
-             frequency of a shape alone is that of its own formulas, without what is on the top and without gravity.",
+            "ElastoDyn describes the tower from {} m to {} m by two mode shapes in each plane: polynomials of degree 2 to 6 in the normalised \
+             height x, with zero deflection and slope at the base and the value 1 at the top. {}The coefficients are fitted by least squares \
+             to the modes of the spectral beam, including rotor-nacelle assembly and foundation; residuals are relative to the largest \
+             deflection of the shape. The ElastoDyn frequency is computed with ElastoDyn's generalised mass and stiffness for the shape, \
+             without rotor-nacelle assembly and gravity; it is not comparable with the frequency of the mode.",
             length(content.shapes_from_m),
             length(content.tower.top_m()),
             base(content)
         )),
         table(coefficients(made)),
-        paragraph("The whole tower file, with these coefficients, is written by"),
+        paragraph("This command writes the complete tower file with these coefficients:"),
         Block::Code(command(
             content,
             "elastodyn tower",
@@ -39,15 +39,16 @@ pub(super) fn blocks(content: &ReportContent) -> Vec<Block> {
     ];
     blocks.extend(lacks(content).map(paragraph));
     if begins_in_soil_or_water(content) {
-        blocks.push(paragraph(
-            "Here the flexible tower begins at the lowest height, in soil or water; --from-height of that command says where ElastoDyn's \
-             tower begins.",
-        ));
+        blocks.push(paragraph(format!(
+            "Warning: the coefficients cover the whole structure from z = {} m, in soil or water. For OpenFAST give the height at which the \
+             ElastoDyn tower begins: --from-height of the command above.",
+            length(content.shapes_from_m)
+        )));
     }
     let passed_over = &made.shapes.passed_over;
     if !passed_over.is_empty() {
         blocks.push(paragraph(
-            "Modes that bend but were left out for their torsion, which ElastoDyn's towers do not have:",
+            "Bending modes that were left out because of their torsion, which an ElastoDyn tower does not have:",
         ));
         let passed = passed_over.iter();
         blocks.push(Block::List(passed.map(left_out).collect()));
@@ -55,44 +56,38 @@ pub(super) fn blocks(content: &ReportContent) -> Vec<Block> {
     blocks
 }
 
-/// That what the base does in a mode is none of a shape, where it does anything.
+/// States that base motion is subtracted before the fit, if the base can move.
 fn base(content: &ReportContent) -> &'static str {
     let tower = &content.tower;
     if tower.base().is_clamped() && content.shapes_from_m == tower.base_m() {
         return "";
     }
-    "How far the lower end moves and turns in a mode is taken out of it first. "
+    "The translation and rotation of the lower end are subtracted from each mode before the fit. "
 }
 
-/// What holds and surrounds the tower here and is not in ElastoDyn.
+/// The parts of this model that an ElastoDyn tower does not have.
 fn lacks(content: &ReportContent) -> Option<String> {
     let d = &content.description;
     let things = [
-        (
-            !content.tower.base().is_clamped(),
-            "the motion of the base in the modes",
-        ),
+        (!content.tower.base().is_clamped(), "the base motion"),
         (
             content.shapes_from_m > content.tower.base_m(),
-            "the tower below",
+            "the structure below",
         ),
         (!d.soil.is_empty(), "the soil"),
         (
             d.water.is_some() || !d.added_mass.is_empty(),
-            "the mass of the water",
+            "the added mass of the water",
         ),
-        (!d.wires.is_empty(), "the wires"),
+        (!d.wires.is_empty(), "the guy wires"),
     ];
-    let there: Vec<&str> = things
-        .into_iter()
-        .filter(|(is_there, _)| *is_there)
-        .map(|(_, what)| what)
-        .collect();
+    let there = things.into_iter().filter(|(is_there, _)| *is_there);
+    let there: Vec<String> = there.map(|(_, what)| what.to_owned()).collect();
     (!there.is_empty()).then(|| {
         format!(
-            "ElastoDyn's tower stands clamped on its platform and does not have {}: what these do to the frequencies must come from other \
-             modules of OpenFAST, or is not there.",
-            there.join(", ")
+            "The ElastoDyn tower is clamped to its platform and does not include {}. Their effect on the frequencies must come from other \
+             modules of OpenFAST; otherwise it is missing in the OpenFAST model.",
+            listed(&there)
         )
     })
 }
@@ -113,7 +108,7 @@ fn left_out(mode: &PassedOver) -> String {
     )
 }
 
-/// The name that a shape's coefficients have in a tower file, without their power.
+/// The name of the coefficients of a shape in a tower file, without the power.
 fn name(shape: &TowerShape) -> String {
     let plane = match shape.plane {
         Plane::ForeAft => "FA",
@@ -122,7 +117,7 @@ fn name(shape: &TowerShape) -> String {
     format!("Tw{plane}M{}Sh", shape.number)
 }
 
-/// In the digits of the command that writes the tower file.
+/// With the decimals of the command that writes the tower file.
 fn hertz(value: f64) -> String {
     format!("{value:.5}")
 }
@@ -132,7 +127,7 @@ fn coefficients(made: &ElastoDynShapes) -> Table {
     let names = shapes.shapes.each_ref().map(|s| format!("#{}", name(s)));
     let header = ["quantity"].into_iter();
     let mut table = Table::new(
-        "Coefficients of the shapes and how well they fit",
+        "Polynomial coefficients of the mode shapes and quality of the fit",
         header.chain(names.iter().map(String::as_str)),
     );
     let mut row = |quantity: &str, value: &dyn Fn(&TowerShape) -> String| {
@@ -141,9 +136,14 @@ fn coefficients(made: &ElastoDynShapes) -> Table {
         table.push(cells);
     };
     row("mode", &|shape| shape.label.clone());
-    row("its frequency (Hz)", &|shape| hertz(shape.frequency_hz));
+    row("frequency of the mode (Hz)", &|shape| {
+        hertz(shape.frequency_hz)
+    });
     for power in 2..=6 {
-        let quantity = format!("({power}), of the power {power}");
+        let quantity = format!(
+            "({power}), coefficient of x{}",
+            superscript(&power.to_string())
+        );
         row(&quantity, &|shape| {
             shape.decimals.texts()[power - 2].replace('-', "\u{2212}")
         });
@@ -160,16 +160,16 @@ fn coefficients(made: &ElastoDynShapes) -> Table {
             2,
         )
     });
-    row("largest deflection over that of the top", &|shape| {
+    row("largest deflection / top deflection (−)", &|shape| {
         digits(shape.fit.largest_deflection, 4)
     });
     row("condition number of the fit", &|shape| {
         digits(shape.fit.condition, 3)
     });
-    row("ElastoDyn's frequency of the shape alone (Hz)", &|shape| {
+    row("ElastoDyn frequency (Hz)", &|shape| {
         hertz(made.frequency_alone_hz.of(shape.plane)[shape.number - 1])
     });
-    row("torsion in the mode's energy (%)", &|shape| {
+    row("torsion fraction of the mode's energy (%)", &|shape| {
         percent(shape.torsion_share)
     });
     table

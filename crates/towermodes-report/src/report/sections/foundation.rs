@@ -1,4 +1,4 @@
-//! What the tower stands on, in tables.
+//! The foundation in tables.
 
 use towermodes::{
     FloatingPlatform, Foundation, FoundationSprings, HalfSpace, ReferredMatrix,
@@ -11,7 +11,7 @@ use super::input::inertia;
 use super::{paragraph, table};
 use crate::number::{digits, given, length};
 
-/// The six motions of a matrix's rows and columns.
+/// The degrees of freedom of the rows and columns of a matrix.
 const MOTIONS: [&str; 6] = ["x", "y", "z", "about x", "about y", "about z"];
 
 pub(super) fn foundation(description: &TowerDescription) -> Vec<Block> {
@@ -19,7 +19,11 @@ pub(super) fn foundation(description: &TowerDescription) -> Vec<Block> {
         Foundation::Clamped => vec![paragraph("The base is clamped.")],
         Foundation::Stiffness(foundation) => of_stiffness(foundation),
         Foundation::Springs(springs) => {
-            vec![table(of_springs("Springs under the base", springs, given))]
+            vec![table(of_springs(
+                "Foundation springs at the base",
+                springs,
+                given,
+            ))]
         }
         Foundation::HalfSpace(footing) => of_half_space(footing),
         Foundation::Floating(platform) => floating(platform, description.gravity_m_per_s2),
@@ -43,7 +47,7 @@ fn of_springs(caption: &str, springs: &FoundationSprings, number: impl Fn(f64) -
             ("lateral, x and y (N/m)", number(springs.lateral_n_per_m)),
             ("rocking, about x and y (N m)", number(springs.rocking_n_m)),
             (
-                "coupling of x with rotation about y (N)",
+                "coupling k(x, ry) = −k(y, rx) (N)",
                 number(springs.coupling_n),
             ),
             ("vertical (N/m)", number(springs.vertical_n_per_m)),
@@ -54,10 +58,10 @@ fn of_springs(caption: &str, springs: &FoundationSprings, number: impl Fn(f64) -
 
 fn of_half_space(footing: &HalfSpace) -> Vec<Block> {
     let given_values = Table::of_facts(
-        "A rigid circular footing on elastic soil",
+        "Rigid circular footing on an elastic half-space",
         [
             ("radius (m)", length(footing.radius_m)),
-            ("depth of embedment (m)", length(footing.embedment_m)),
+            ("embedment depth (m)", length(footing.embedment_m)),
             (
                 "shear modulus of the soil (Pa)",
                 given(footing.shear_modulus_pa),
@@ -68,30 +72,32 @@ fn of_half_space(footing: &HalfSpace) -> Vec<Block> {
             ),
         ],
     );
-    let springs = of_springs("Its springs", &footing.springs(), |value| digits(value, 5));
+    let springs = of_springs("Springs of the footing", &footing.springs(), |value| {
+        digits(value, 5)
+    });
     vec![table(given_values), table(springs)]
 }
 
 fn floating(platform: &FloatingPlatform, gravity_m_per_s2: f64) -> Vec<Block> {
     let [x, y, z] = platform.center_m;
     let mut facts = vec![
-        ("mass with ballast (kg)", given(platform.mass_kg)),
+        ("mass including ballast (kg)", given(platform.mass_kg)),
         ("centre of mass from the axis, x (m)", length(x)),
         ("centre of mass from the axis, y (m)", length(y)),
         ("centre of mass, height z (m)", length(z)),
     ];
     facts.extend(inertia(&platform.inertia_kg_m2));
-    let body = "The floating platform, inertia about its centre of mass";
+    let body = "Floating platform; moments of inertia about its centre of mass";
     let mut blocks = vec![table(Table::of_facts(body, facts))];
     let hydrostatic = if gravity_m_per_s2 == 0.0 {
-        "Hydrostatic stiffness as given, no weights added to it (N/m, N, N m)"
+        "Hydrostatic stiffness as given, without gravity terms (N/m, N, N m)"
     } else {
-        "Hydrostatic stiffness, to which the part of the weights is added (N/m, N, N m)"
+        "Hydrostatic stiffness as given; the gravity terms of all masses are added to it (N/m, N, N m)"
     };
     let matrices = [
         ("Added mass (kg, kg m, kg m²)", &platform.added_mass),
         (hydrostatic, &platform.hydrostatic),
-        ("Stiffness of the moorings (N/m, N, N m)", &platform.mooring),
+        ("Mooring stiffness (N/m, N, N m)", &platform.mooring),
     ];
     for (name, referred) in matrices {
         blocks.extend(referred_matrix(name, referred));

@@ -1,4 +1,4 @@
-//! Frequencies with their errors, where their energy is, and the proof that they are all.
+//! Frequencies with their errors, the proof of completeness, energies and effective masses.
 
 use towermodes::elements::GAUSS_HINGE_POSITION;
 use towermodes::{ByMotion, Foundation, Method, Mode, Options, Rna, Solution};
@@ -8,7 +8,9 @@ use super::super::document::Block;
 use super::super::table::Table;
 use super::{paragraph, table};
 use crate::number::{NOTHING, digits, frequency, given, percent};
-use crate::wording::{buckling_load_factor, counted, mesh, mode_shape, proof_of_completeness};
+use crate::wording::{
+    buckling_load_factor, counted, listed, mesh, mode_shape, proof_of_completeness,
+};
 
 pub(super) fn blocks(content: &ReportContent) -> Vec<Block> {
     let solution = &content.solution;
@@ -16,7 +18,7 @@ pub(super) fn blocks(content: &ReportContent) -> Vec<Block> {
         paragraph(how(content)),
         table(of_modes(solution)),
         paragraph(
-            "A frequency ends with the first digit that its error reaches; the error is the sum of a discretization error and an algebraic one.",
+            "Frequencies are given to two digits of their error. The error is the sum of the discretization error and the algebraic error.",
         ),
         Block::Heading("Errors".to_owned()),
         paragraph(errors(solution)),
@@ -29,32 +31,37 @@ pub(super) fn blocks(content: &ReportContent) -> Vec<Block> {
         Block::Heading("Energy".to_owned()),
         paragraph(names(content)),
         table(energy(solution)),
-        Block::Heading("Effective masses".to_owned()),
+        Block::Heading("Effective modal masses".to_owned()),
         paragraph(format!(
-            "How much of the whole mass, or of its inertia about the base, a mode moves as the base is shaken along or about an axis: \
-             (uᵀMr)²/(uᵀMu) with the shape u and the rigid motion r, as shares of rᵀMr. The whole is {}.",
-            whole(content)
+            "Effective modal mass for base excitation along an axis, or effective moment of inertia about it: (uᵀMr)²/(uᵀMu) with the mode \
+             shape u and the rigid-body motion r, as a fraction of the total rᵀMr. {}",
+            total(content)
         )),
         table(effective_masses(solution)),
     ];
-    if let Some(factor) = solution.buckling_load_factor {
-        blocks.push(Block::Heading("Buckling".to_owned()));
-        blocks.push(paragraph(format!(
-            "The linear buckling load factor for gravity (self-weight and rotor-nacelle assembly) is {}.",
-            buckling_load_factor(factor)
-        )));
-    } else if content.tower.base().floats && content.tower.gravity_m_per_s2() != 0.0 {
-        blocks.push(Block::Heading("Buckling".to_owned()));
-        blocks.push(paragraph(
-            "No factor of buckling is given: the tower floats, and more weight would change how deep it floats and what holds it upright, not \
-             only what presses on it.",
-        ));
-    }
+    blocks.extend(buckling(content));
     blocks
 }
 
-/// What moves as the base is shaken.
-fn whole(content: &ReportContent) -> String {
+/// The buckling load factor, or why a floating structure has none; nothing without gravity.
+fn buckling(content: &ReportContent) -> Vec<Block> {
+    let text = if let Some(factor) = content.solution.buckling_load_factor {
+        format!(
+            "The linear buckling load factor for gravity (self-weight and all masses on the tower) is {}.",
+            buckling_load_factor(factor)
+        )
+    } else if content.tower.base().floats && content.tower.gravity_m_per_s2() != 0.0 {
+        "No buckling load factor is given for a floating structure: a larger weight would also change its draught and its hydrostatic \
+         stiffness."
+            .to_owned()
+    } else {
+        return Vec::new();
+    };
+    vec![Block::Heading("Buckling".to_owned()), paragraph(text)]
+}
+
+/// What the total mass includes.
+fn total(content: &ReportContent) -> String {
     let d = &content.description;
     let platform_water = match &d.foundation {
         Foundation::Floating(platform) => platform.added_mass.matrix != [[0.0; 6]; 6],
@@ -72,22 +79,20 @@ fn whole(content: &ReportContent) -> String {
         ),
         (content.tower.base().floats, "the platform"),
         (foundation, "the inertia of the foundation"),
-        (platform_water, "the platform's added mass"),
+        (platform_water, "the added mass of the platform"),
         (
             d.water.is_some() || !d.added_mass.is_empty(),
-            "the water that moves with the tower in x and y",
+            "the added mass of the water in x and y",
         ),
     ];
     let there = parts.into_iter().filter(|(is_there, _)| *is_there);
-    let there: Vec<&str> = there.map(|(_, name)| name).collect();
+    let there = ["the tower"].into_iter().chain(there.map(|(_, name)| name));
+    let there: Vec<String> = there.map(str::to_owned).collect();
     let soil = match d.soil.is_empty() {
         true => "",
-        false => "; soil has no mass here",
+        false => " The soil has no mass.",
     };
-    match there.len() {
-        0 => format!("the tower's own{soil}"),
-        _ => format!("the tower with {}{soil}", there.join(", ")),
-    }
+    format!("The total includes {}.{soil}", listed(&there))
 }
 
 fn how(content: &ReportContent) -> String {
@@ -101,44 +106,43 @@ fn how(content: &ReportContent) -> String {
     )
 }
 
-/// Where the hinges of a segment are, if the user put them elsewhere than the method has them.
+/// The hinge position, if the user changed it from that of the method.
 pub(super) fn hinges(method: Method, options: &Options) -> String {
     let position = options.hinge_position;
     if method != Method::Cardanic || position == GAUSS_HINGE_POSITION {
         return String::new();
     }
     format!(
-        ", hinges at {} of a segment's length from its ends (--hinges) instead of the Gauss points'",
+        ", hinges at {} of the segment length from its ends (--hinges) instead of at the Gauss points",
         given(position)
     )
 }
 
-/// What the errors are of, and where they are from.
+/// How the errors are estimated or bounded, and what they do not include.
 fn errors(solution: &Solution) -> String {
     let discretization = if solution.method == Method::Spectral {
-        "The discretization error is an estimate of what the polynomials leave out: how far a frequency changes from one degree, or from one \
-         length of the elements, to the next. Nothing is extrapolated: the extrapolated frequency is the frequency itself."
+        "The discretization error is estimated from the change of the frequency from one polynomial degree, or from one element length, to \
+         the next. The frequency is not extrapolated: the extrapolated frequency is the frequency itself."
     } else {
-        "The discretization error is an estimate of what the finite number of segments or elements leaves out, from meshes of other \
-         finenesses; the extrapolated frequency is the limit of ever finer meshes as far as these tell."
+        "The discretization error is estimated from coarser or finer meshes. The extrapolated frequency is the Richardson extrapolation to \
+         zero segment length."
     };
     format!(
-        "{discretization} The algebraic error is a bound on that of the eigenvalue computation. None of them knows how well the input \
-         describes the tower."
+        "{discretization} The algebraic error is an upper bound of the error of the eigenvalue solver. These errors do not include the \
+         uncertainty of the input data and of the model."
     )
 }
 
-/// What a mode's name says.
+/// The rule that names a mode.
 fn names(content: &ReportContent) -> String {
-    let text =
-        "The shares of each motion in the kinetic energy and in the strain energy of a mode.";
+    let text = "Fractions of the kinetic and of the strain energy of a mode in each motion.";
     if content.tower.base().floats {
         return format!(
-            "{text} Surge, sway, heave, roll, pitch and yaw are modes in which the whole tower moves as one body, each named after the rigid \
-             motion that it has most of; any other mode is named after the motion with most of both energies."
+            "{text} Surge, sway, heave, roll, pitch and yaw are modes in which the whole tower moves as one rigid body, named after the largest \
+             rigid-body motion; any other mode is named after the motion with the largest mean of both fractions."
         );
     }
-    format!("{text} A mode is named after the motion with most of both.")
+    format!("{text} A mode is named after the motion with the largest mean of both fractions.")
 }
 
 fn of_modes(solution: &Solution) -> Table {
@@ -146,7 +150,7 @@ fn of_modes(solution: &Solution) -> Table {
         "Natural frequencies",
         [
             "#mode",
-            "what it is",
+            "mode shape",
             "#frequency (Hz)",
             "#error (Hz)",
             "#period (s)",
@@ -164,15 +168,15 @@ fn of_modes(solution: &Solution) -> Table {
     table.shortened()
 }
 
-/// The parts of the errors, and what belongs to a mode without being a frequency.
+/// The components of the errors, and the modal masses.
 fn of_errors(solution: &Solution) -> Table {
     let mut table = Table::new(
-        "What the errors are made of; modal masses",
+        "Error components and modal masses",
         [
             "#mode",
-            "#discretization (Hz)",
-            "#algebraic (Hz)",
-            "#extrapolated (Hz)",
+            "#discretization error (Hz)",
+            "#algebraic error (Hz)",
+            "#extrapolated frequency (Hz)",
             "#modal mass (kg) or inertia (kg m²)",
         ],
     );
@@ -198,10 +202,10 @@ fn period(mode: &Mode) -> String {
 
 fn energy(solution: &Solution) -> Table {
     let mut table = Table::new(
-        "Parts of the energy, kinetic (k) and strain (s), in percent",
+        "Energy fractions, kinetic (k) and strain (s), in percent",
         [
             "#mode",
-            "what it is",
+            "mode shape",
             "#k fore-aft",
             "#k side-side",
             "#k torsion",
@@ -224,10 +228,10 @@ fn energy(solution: &Solution) -> Table {
 
 fn effective_masses(solution: &Solution) -> Table {
     let mut table = Table::new(
-        "Effective masses in percent of the whole",
+        "Effective modal masses in percent of the total",
         [
             "#mode",
-            "what it is",
+            "mode shape",
             "#x",
             "#y",
             "#z",
@@ -239,12 +243,12 @@ fn effective_masses(solution: &Solution) -> Table {
     for mode in &solution.modes {
         let mut row = vec![mode.number.to_string(), mode.label()];
         let shares = mode.effective_mass.iter().enumerate();
-        row.extend(shares.map(|(i, mass)| share(mass / solution.rigid_inertia[i][i])));
+        row.extend(shares.map(|(i, mass)| percent_or_dash(mass / solution.rigid_inertia[i][i])));
         table.push(row);
     }
     let mut table = table.shortened();
-    let mut sum = vec!["sum".to_owned(), "the modes above".to_owned()];
-    sum.extend(solution.effective_mass_shares().map(share));
+    let mut sum = vec!["sum".to_owned(), "listed modes".to_owned()];
+    sum.extend(solution.effective_mass_shares().map(percent_or_dash));
     table.push(sum);
     if let Some(brief) = &mut table.brief {
         brief.shown.push(table.rows.len() - 1);
@@ -252,10 +256,10 @@ fn effective_masses(solution: &Solution) -> Table {
     table
 }
 
-/// In percent; nothing of nothing is no share.
-fn share(share: f64) -> String {
-    if share.is_finite() {
-        percent(share)
+/// A fraction in percent; a dash where the total is zero.
+fn percent_or_dash(fraction: f64) -> String {
+    if fraction.is_finite() {
+        percent(fraction)
     } else {
         NOTHING.to_owned()
     }

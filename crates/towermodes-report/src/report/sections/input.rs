@@ -1,4 +1,4 @@
-//! The input, drawn and in tables.
+//! The input as a drawing and in tables.
 
 use towermodes::{Inertia, Rna, TowerDescription};
 
@@ -16,8 +16,8 @@ pub(super) fn blocks(content: &ReportContent) -> Vec<Block> {
     let description = &content.description;
     let mut blocks = vec![
         paragraph(
-            "Numbers with more than six digits are rounded to four here, lengths to the millimetre; the input files, with every digit, are at \
-             the end of the report.",
+            "Values with more than six digits are rounded to four, lengths to the millimetre. The input files at the end of the report have all \
+             digits.",
         ),
         tabulated_picture(figures::tower(description, &content.tower), "tower"),
         table(overview(content)),
@@ -34,7 +34,7 @@ pub(super) fn blocks(content: &ReportContent) -> Vec<Block> {
     }
     if description.rna != Rna::default() {
         blocks.push(Block::Heading("Rotor-nacelle assembly".to_owned()));
-        blocks.push(table(machine(&description.rna)));
+        blocks.push(table(rna(&description.rna)));
     }
     blocks.push(Block::Heading("Foundation".to_owned()));
     blocks.extend(foundation(description));
@@ -52,22 +52,25 @@ fn overview(content: &ReportContent) -> Table {
         ),
         ("height (m)", length(tower.height_m())),
         (
-            "mass of the tower, with outfitting and point masses",
+            "mass of the structure without RNA, including point masses",
             mass(tower.mass_kg()),
         ),
         (
-            "mass of the rotor-nacelle assembly",
+            "mass of the rotor-nacelle assembly (RNA)",
             mass(description.rna.mass_kg),
         ),
         (
-            "factor of outfitting (−)",
+            "secondary-mass factor, outfitting_factor (−)",
             given(description.outfitting_factor),
         ),
         ("gravity (m/s²)", given(description.gravity_m_per_s2)),
     ];
     if let Some(rotor) = &description.rotor {
-        facts.push(("blades of the rotor in the file", rotor.blades.to_string()));
-        facts.push(("rotor speed in the file (rpm)", speed_range(rotor)));
+        facts.push(("number of blades (input file)", rotor.blades.to_string()));
+        facts.push((
+            "operating rotor speed (input file, rpm)",
+            speed_range(rotor),
+        ));
     }
     Table::of_facts("Overview", facts)
 }
@@ -106,12 +109,12 @@ fn materials(description: &TowerDescription) -> Table {
 
 fn stations(description: &TowerDescription) -> Table {
     let mut table = Table::new(
-        "Stations from the base to the top; linear between them, two at one height are a step",
+        "Stations from the base to the top; linear between them; two stations at the same height define a step",
         [
             "#height z (m)",
             "#outer diameter (m)",
-            "#wall (mm)",
-            "#diameter/wall (−)",
+            "#wall thickness (mm)",
+            "#D/t (−)",
             "#material above",
         ],
     );
@@ -138,7 +141,7 @@ fn material(description: &TowerDescription, index: usize) -> String {
 
 fn properties(description: &TowerDescription) -> Table {
     let mut table = Table::new(
-        "Properties of the sections from the base to the top (FA: fore-aft, SS: side-side)",
+        "Section properties from the base to the top (FA: fore-aft, SS: side-side)",
         [
             "#height z (m)",
             "#mass (kg/m)",
@@ -175,7 +178,7 @@ fn properties(description: &TowerDescription) -> Table {
 
 fn point_masses(description: &TowerDescription) -> Table {
     let mut table = Table::new(
-        "Masses on the tower's axis, inertia about their own centres",
+        "Point masses on the tower axis; moments of inertia about their centres of mass",
         [
             "#height z (m)",
             "#mass of each (kg)",
@@ -196,7 +199,7 @@ fn point_masses(description: &TowerDescription) -> Table {
     table.without_empty_columns().named(names).shortened()
 }
 
-/// The entries of a tensor with their names.
+/// The entries of an inertia tensor with their names.
 pub(super) fn inertia(inertia: &Inertia) -> [(&'static str, String); 6] {
     [
         ("Ixx (kg m²)", given(inertia.xx)),
@@ -208,17 +211,17 @@ pub(super) fn inertia(inertia: &Inertia) -> [(&'static str, String); 6] {
     ]
 }
 
-fn machine(rna: &Rna) -> Table {
+fn rna(rna: &Rna) -> Table {
     let [x, y, z] = rna.center_m;
     let mut facts = vec![
         ("mass (kg)", given(rna.mass_kg)),
-        ("centre of mass from the tower's top, x (m)", length(x)),
-        ("centre of mass from the tower's top, y (m)", length(y)),
-        ("centre of mass from the tower's top, z (m)", length(z)),
+        ("centre of mass relative to the tower top, x (m)", length(x)),
+        ("centre of mass relative to the tower top, y (m)", length(y)),
+        ("centre of mass relative to the tower top, z (m)", length(z)),
     ];
     facts.extend(inertia(&rna.inertia_kg_m2));
     Table::of_facts(
-        "The rotor-nacelle assembly, inertia about its centre of mass",
+        "Rotor-nacelle assembly; moments of inertia about its centre of mass",
         facts,
     )
 }

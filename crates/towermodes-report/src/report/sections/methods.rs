@@ -1,4 +1,4 @@
-//! What other methods make of the tower.
+//! The frequencies of all methods.
 
 use towermodes::Method;
 use towermodes_analysis::study::{Column, Comparison};
@@ -21,28 +21,28 @@ pub(super) fn blocks(content: &ReportContent) -> Vec<Block> {
         }
     };
     let mut blocks = vec![
-        paragraph(measure(content, comparison)),
+        paragraph(reference(content, comparison)),
         // Tables break across pages of paper, pictures do not.
         tabulated_picture(figures::error(comparison), "error"),
         table(of_methods(content, comparison)),
         table(differences(comparison)),
     ];
-    // What is said of the input is said with the input.
+    // Warnings on the input are in the section on notes and warnings.
     let of_input = content.tower.warnings();
     let warnings = comparison.warnings.iter();
     let warnings = warnings.filter(|warning| !of_input.contains(warning));
     let warnings: Vec<String> = warnings.map(ToString::to_string).collect();
     if !warnings.is_empty() {
-        blocks.push(paragraph("What the spectral beam warns of:"));
+        blocks.push(paragraph("Warnings from the spectral beam:"));
         blocks.push(Block::List(warnings));
     }
     blocks
 }
 
-/// What the differences are of, and which of them do not vanish.
-fn measure(content: &ReportContent, comparison: &Comparison) -> String {
-    let text = "The same tower by every method the program has. The spectral beam converges exponentially and is the measure of the others; \
-                their differences are those of so many segments, not of the methods as such, and fall as segments get more.";
+/// The reference of the differences, and which of them do not converge to zero.
+fn reference(content: &ReportContent, comparison: &Comparison) -> String {
+    let text = "All methods of the program for the same tower. The spectral beam converges exponentially and is the reference. The differences of \
+                the other methods are discretization errors at the given number of segments; they decrease with more segments.";
     let tower = &content.tower;
     let rotates = content.options.rotary_inertia && tower.has_rotary_inertia();
     let lacks = match (rotates, tower.shears()) {
@@ -56,12 +56,12 @@ fn measure(content: &ReportContent, comparison: &Comparison) -> String {
         return text.to_owned();
     }
     format!(
-        "{text} Those of bmodes in bending are the exception: its element lacks {lacks}, which the measure has, and so they do not vanish \
-         however many elements it has."
+        "{text} The differences of bmodes in bending are an exception: its element lacks {lacks}, which the reference includes, so they do \
+         not converge to zero."
     )
 }
 
-/// What a method is.
+/// A method in a few words.
 fn description(method: Method) -> &'static str {
     match method {
         Method::RmjeExact => {
@@ -81,7 +81,7 @@ fn description(method: Method) -> &'static str {
             "finite element of BModes (NREL): Euler-Bernoulli, no shear, no rotary inertia"
         }
         Method::Spectral => {
-            "the beam itself: elements with polynomials of a degree that is raised until the modes stand still"
+            "reference beam solution: elements with polynomials of a degree that is increased until the frequencies converge"
         }
     }
 }
@@ -91,7 +91,7 @@ fn of_methods(content: &ReportContent, comparison: &Comparison) -> Table {
         "The methods compared",
         [
             "method",
-            "what it is",
+            "description",
             "#segments or elements",
             "#degree",
             "#degrees of freedom",
@@ -115,7 +115,7 @@ fn of_methods(content: &ReportContent, comparison: &Comparison) -> Table {
     table
 }
 
-/// Every method but the measure itself.
+/// The differences of every method except the reference.
 fn differences(comparison: &Comparison) -> Table {
     let others = || {
         let columns = comparison.columns.iter();
@@ -126,7 +126,7 @@ fn differences(comparison: &Comparison) -> Table {
         .collect();
     let header = ["mode", "#spectral (Hz)"].into_iter();
     let mut table = Table::new(
-        "Relative differences of frequencies to the spectral beam",
+        "Relative differences of the frequencies from the spectral beam",
         header.chain(names.iter().map(String::as_str)),
     );
     for (index, mode) in comparison.modes.iter().enumerate() {

@@ -1,4 +1,4 @@
-//! The sections of a report, one a file.
+//! The sections of a report, one per file.
 
 mod assumptions;
 mod elastodyn;
@@ -19,8 +19,8 @@ use super::document::{Block, Document, Picture, Section};
 use super::table::Table;
 use crate::svg::Figure;
 
-/// Everything that a report says: what decides first, then what it rests on, and at the end what
-/// only a checker needs.
+/// The whole report: the results that decide, then what they are based on, and at the end the
+/// details for a checker.
 pub(super) fn document(content: &ReportContent) -> Document {
     let title_block = content.title_block.given().into_iter();
     let document = Document {
@@ -99,7 +99,7 @@ fn picture(figure: Figure, what: &'static str) -> Block {
     }))
 }
 
-/// The same of a picture whose numbers are in the tables of its section.
+/// The same for a picture whose numbers are in the tables of its section.
 fn tabulated_picture(figure: Figure, what: &'static str) -> Block {
     Block::Picture(Box::new(Picture {
         figure,

@@ -1,32 +1,32 @@
-//! The mode shapes, still and moving.
+//! The mode shapes as a picture and animated.
 
 use super::super::content::ReportContent;
 use super::super::document::Block;
 use super::{paragraph, picture};
 use crate::figures;
 
-/// More modes than this do not move: a page should not be megabytes.
-const MOST_MOVING: usize = 100;
+/// At most so many modes are animated, so that a page is not megabytes.
+const MOST_ANIMATED: usize = 100;
 
 pub(super) fn blocks(content: &ReportContent) -> Vec<Block> {
     let (tower, solution) = (&content.tower, &content.solution);
-    let mut moving = figures::animation_data(&content.description, tower, solution);
-    let count = moving.modes.len();
-    moving.modes.truncate(MOST_MOVING);
+    let mut animated = figures::animation_data(&content.description, tower, solution);
+    let count = animated.modes.len();
+    animated.modes.truncate(MOST_ANIMATED);
     let mut blocks = vec![
         paragraph(
-            "Each shape is scaled so that its largest deflection, or for torsion its largest rotation, is 1: a natural mode has no size of \
-             its own. x is fore-aft (downwind), y side-side, z up along the tower.",
+            "Each shape is scaled to a largest deflection of 1, for torsion to a largest rotation of 1, because the amplitude of a mode is \
+             arbitrary. x is fore-aft (downwind), y side-side, z up along the tower.",
         ),
         picture(
             figures::shapes(&content.description, tower, solution),
             "shapes",
         ),
-        Block::Animation(moving),
+        Block::Animation(animated),
     ];
-    if count > MOST_MOVING {
+    if count > MOST_ANIMATED {
         blocks.push(paragraph(format!(
-            "Of the {count} modes the lowest {MOST_MOVING} move here."
+            "Only the lowest {MOST_ANIMATED} of the {count} modes are animated."
         )));
     }
     blocks

@@ -1,4 +1,4 @@
-//! What the reader and the library have to say of the input and the results.
+//! The messages of the reader and of the library on the input and the results.
 
 use super::super::content::ReportContent;
 use super::super::document::Block;
@@ -9,17 +9,19 @@ pub(super) fn blocks(content: &ReportContent) -> Vec<Block> {
     let warnings = &content.solution.warnings;
     if !content.notes.is_empty() {
         blocks.push(paragraph(
-            "What was decided, left out or could not be taken over as the input was read:",
+            "Notes of the reader: what was assumed, left out or could not be imported:",
         ));
         blocks.push(Block::List(content.notes.clone()));
     }
     if !warnings.is_empty() {
-        blocks.push(paragraph("What looks like a slip, or limits the results:"));
+        blocks.push(paragraph(
+            "Warnings: possible input errors, and limits of the results:",
+        ));
         let warnings = warnings.iter();
         blocks.push(Block::List(warnings.map(ToString::to_string).collect()));
     }
     if blocks.is_empty() {
-        blocks.push(paragraph("There are none."));
+        blocks.push(paragraph("The computation gave no notes or warnings. The section on resonance has the verdicts on resonance."));
     }
     blocks
 }

@@ -1,4 +1,4 @@
-//! What is needed to make the same report again.
+//! What is needed to produce the same report again.
 
 use super::super::content::{InputFile, ReportContent};
 use super::super::document::Block;
@@ -23,8 +23,8 @@ pub(super) fn blocks(content: &ReportContent) -> Vec<Block> {
     }
     vec![
         paragraph(format!(
-            "Made by towermodes {}. The same version, command and files give the same report, byte by byte: there is nothing random in it, and \
-             no date but that of --date.",
+            "Produced by towermodes {}. The same version, command and files give the same report byte by byte: it contains nothing random and no \
+             date except that of --date.",
             content.version
         )),
         Block::Code(content.command_line.clone()),

@@ -1,39 +1,33 @@
-//! What matters most, in a few lines.
+//! The results that matter most, in a few lines.
 
 use towermodes::{Family, Mode};
-use towermodes_analysis::Verdict;
-use towermodes_analysis::resonance::{Campbell, Margin, StiffnessClass};
 
 use super::super::content::ReportContent;
 use super::super::document::{Block, Mark, Statement};
 use super::own_picture;
-use crate::number::{digits, four_digits, margin_percent, typeset};
+use crate::figures;
+use crate::number::{digits, four_digits, margin_percent};
 use crate::wording::{completeness, counted, verdict_counts};
 
-use crate::figures;
-
-/// More failures than these are counted only.
-const MOST_FAILURES: usize = 10;
-
 pub(super) fn blocks(content: &ReportContent) -> Vec<Block> {
-    let missing: Vec<Statement> = content
-        .model_notes
-        .iter()
-        .map(|note| missing_part(note))
-        .collect();
-    let diagram = content.campbell.as_ref().and_then(|of| of.as_ref().ok());
-    let bar = diagram.and_then(figures::first_frequencies);
     let mut blocks = Vec::new();
+    let missing = content.model_notes.iter().map(|note| missing_part(note));
+    let missing: Vec<Statement> = missing.collect();
     if !missing.is_empty() {
         blocks.push(Block::Statements(missing));
     }
+    blocks.push(Block::Statements(vec![
+        resonance(content),
+        frequencies(content),
+        verification(content),
+    ]));
+    let diagram = content.campbell.as_ref().and_then(|of| of.as_ref().ok());
+    let bar = diagram.and_then(figures::first_frequencies);
     blocks.extend(bar.map(own_picture));
-    let statements = vec![resonance(content), frequencies(content), certainty(content)];
-    blocks.push(Block::Statements(statements));
     blocks
 }
 
-/// What the model lacks, before anything that follows from it.
+/// A part of the turbine that the model lacks: it stands before everything that follows from it.
 fn missing_part(note: &str) -> Statement {
     Statement {
         lead: "Not in the model",
@@ -42,18 +36,57 @@ fn missing_part(note: &str) -> Statement {
     }
 }
 
-/// Whether anything stands for the machine: a mass on the tower's top.
-fn has_machine(content: &ReportContent) -> bool {
+/// Whether the model has a rotor-nacelle assembly, or a mass at the tower top in its place.
+fn has_rna(content: &ReportContent) -> bool {
     let tower = &content.tower;
     let mut masses = tower.point_masses().iter();
     tower.rna().mass_kg > 0.0
         || masses.any(|mass| mass.height_m == tower.top_m() && mass.mass_kg > 0.0)
 }
 
-/// The first mode of each plane and of torsion, and the first of all.
+/// The conclusion of the resonance check, and how many pairs pass, warn and fail.
+fn resonance(content: &ReportContent) -> Statement {
+    let lead = "Resonance";
+    let not_checked = |why: &str| Statement {
+        lead,
+        text: format!("Not checked: {why}."),
+        verdict: None,
+    };
+    let campbell = match &content.campbell {
+        None => return not_checked("the input gives no rotor speed"),
+        Some(Err(_)) => return not_checked("the rotor blade could not be solved"),
+        Some(Ok(campbell)) => campbell,
+    };
+    let [pass, warn, fail] = verdict_counts(campbell);
+    Statement {
+        lead,
+        text: format!(
+            "{} {}{} of a natural frequency and an excitation: {pass} PASS, {warn} WARN, {fail} FAIL at a required margin of {} %.",
+            campbell.conclusion().join(" "),
+            caveat(content),
+            counted(campbell.margins.len(), "pair"),
+            margin_percent(campbell.margin)
+        ),
+        verdict: Some(Mark::of(campbell.verdict())),
+    }
+}
+
+/// What limits the conclusion, where parts are missing that would change it.
+fn caveat(content: &ReportContent) -> &'static str {
+    match (has_rna(content), content.model_notes.is_empty()) {
+        (false, _) => {
+            "The model has no rotor-nacelle assembly: the class and the margins are not those of the turbine. "
+        }
+        (true, false) => {
+            "The class and the margins are those of the model without the missing parts. "
+        }
+        (true, true) => "",
+    }
+}
+
+/// The first mode of each family, and the first of all.
 fn frequencies(content: &ReportContent) -> Statement {
     let solution = &content.solution;
-    let of = |family: Family| solution.mode(family, 1);
     let families = [
         Family::Surge,
         Family::Sway,
@@ -65,7 +98,10 @@ fn frequencies(content: &ReportContent) -> Statement {
         Family::SideSide,
         Family::Torsion,
     ];
-    let mut first: Vec<&Mode> = families.into_iter().filter_map(of).collect();
+    let first = families
+        .into_iter()
+        .filter_map(|family| solution.mode(family, 1));
+    let mut first: Vec<&Mode> = first.collect();
     if let Some(lowest) = solution.modes.first()
         && !first.iter().any(|mode| mode.number == lowest.number)
     {
@@ -73,9 +109,9 @@ fn frequencies(content: &ReportContent) -> Statement {
     }
     first.sort_by_key(|mode| mode.number);
     let texts: Vec<String> = first.into_iter().map(with_period).collect();
-    let bare = match has_machine(content) {
+    let bare = match has_rna(content) {
         true => "",
-        false => "Of the tower without a rotor-nacelle assembly: ",
+        false => "Tower without rotor-nacelle assembly: ",
     };
     Statement {
         lead: "Frequencies",
@@ -86,141 +122,39 @@ fn frequencies(content: &ReportContent) -> Statement {
 
 fn with_period(mode: &Mode) -> String {
     if mode.frequency_hz == 0.0 {
-        return format!("{}: nothing resists it", mode.label());
+        return format!("{} 0 Hz (free motion)", mode.label());
     }
     format!(
         "{} {} Hz (period {} s)",
         mode.label(),
         four_digits(mode.frequency_hz),
-        digits(mode.period_s(), 4)
+        four_digits(mode.period_s())
     )
 }
 
-fn resonance(content: &ReportContent) -> Statement {
-    let lead = "Resonance";
-    let nothing = |why: &str| Statement {
-        lead,
-        text: format!("{why}, so nothing is said of resonance."),
-        verdict: None,
-    };
-    let campbell = match &content.campbell {
-        None => return nothing("No rotor is given"),
-        Some(Err(_)) => return nothing("The rotor's blade could not be solved"),
-        Some(Ok(campbell)) => campbell,
-    };
-    let classes: Vec<String> = campbell.classes.iter().map(class_of_family).collect();
-    let class = match &classes[..] {
-        [] => String::new(),
-        _ if !has_machine(content) => {
-            "The tower carries no rotor-nacelle assembly, so no class of stiffness is said of it. "
-                .to_owned()
-        }
-        classes => format!(
-            "First bending{}: {}. ",
-            of_what(content),
-            classes.join(", ")
-        ),
-    };
-    Statement {
-        lead,
-        text: format!(
-            "{class}{}.{}{}",
-            counts(campbell),
-            failures(campbell),
-            not_judged(campbell)
-        ),
-        verdict: Some(Mark::of(campbell.verdict())),
-    }
-}
-
-/// Where there may be modes that excitations come near to and that are not in the list.
-fn not_judged(campbell: &Campbell) -> String {
-    match campbell.unjudged_hz() {
-        None => String::new(),
-        Some([known_hz, reach_hz]) => format!(
-            " Modes from {} to {} Hz, which excitations reach, are not in the list and not judged.",
-            four_digits(known_hz),
-            four_digits(reach_hz)
-        ),
-    }
-}
-
-/// "FAIL: yaw (0.1217 Hz) is met by 1P at 7.3 rpm; …".
-fn failures(campbell: &Campbell) -> String {
-    let margins = campbell.margins.iter();
-    let failing: Vec<&Margin> = margins.filter(|m| m.verdict == Verdict::Fail).collect();
-    let more = match failing.len().saturating_sub(MOST_FAILURES) {
-        0 => String::new(),
-        more => format!("; {more} more are in the section on resonance"),
-    };
-    let named = failing.iter().take(MOST_FAILURES);
-    let named: Vec<String> = named.map(|margin| failure(campbell, margin)).collect();
-    match named.len() {
-        0 => String::new(),
-        _ => format!(" FAIL: {}{more}.", named.join("; ")),
-    }
-}
-
-fn failure(campbell: &Campbell, margin: &Margin) -> String {
-    let line = campbell.lines.get(margin.line);
-    let label = line.map_or("a mode", |line| line.label.as_str());
-    let (hz, multiple) = (four_digits(margin.natural_hz), margin.multiple);
-    let rpm = digits(margin.nearest_rpm, 4);
-    if margin.distance == 0.0 {
-        return format!("{label} ({hz} Hz) is met by {multiple}P at {rpm} rpm");
-    }
-    let percent = typeset(&campbell.distance_percent(margin));
-    format!("{multiple}P at {rpm} rpm comes to {percent} % of {label} ({hz} Hz)")
-}
-
-/// Whose class it is, where parts are missing that would change it.
-fn of_what(content: &ReportContent) -> &'static str {
-    match content.model_notes.is_empty() {
-        true => "",
-        false => " of the model without what is missing",
-    }
-}
-
-/// "fore-aft is soft-stiff".
-fn class_of_family((family, class): &(Family, StiffnessClass)) -> String {
-    format!("{} is {class}", family.name())
-}
-
-/// "Of 32 pairs of excitation and mode 30 pass, 1 is near the limit and 1 fails at a margin of 5
-/// %".
-fn counts(campbell: &Campbell) -> String {
-    let [pass, warn, fail] = verdict_counts(campbell);
-    format!(
-        "Of {} of an excitation and a natural frequency {} PASS, {} WARN and {} FAIL at a margin of {} %",
-        counted(campbell.margins.len(), "pair"),
-        pass,
-        warn,
-        fail,
-        margin_percent(campbell.margin)
-    )
-}
-
-fn certainty(content: &ReportContent) -> Statement {
+/// The certificate, the largest numerical error, and whether there are messages.
+fn verification(content: &ReportContent) -> Statement {
     let solution = &content.solution;
-    let share = |mode: &Mode| mode.error_hz() / mode.frequency_hz;
-    let worst = solution
+    let relative = solution
         .modes
         .iter()
-        .map(share)
-        .filter(|share| share.is_finite());
-    let worst = worst.fold(0.0, f64::max);
-    let said = content.notes.len() + solution.warnings.len();
-    let remarks = match said {
-        0 => "There are no warnings.".to_owned(),
-        1 => "There is 1 note or warning: see the section on these.".to_owned(),
-        count => format!("There are {count} notes and warnings: see the section on these."),
+        .map(|mode| mode.error_hz() / mode.frequency_hz);
+    let largest = relative
+        .filter(|error| error.is_finite())
+        .fold(0.0, f64::max);
+    let messages = match content.notes.len() + solution.warnings.len() {
+        0 => "The computation gave no warnings.".to_owned(),
+        count => format!(
+            "The computation gave {}: see the section on these.",
+            counted(count, "note or warning").replace("note or warnings", "notes and warnings")
+        ),
     };
     Statement {
-        lead: "Certainty",
+        lead: "Numerical verification",
         text: format!(
-            "{}; the largest numerical error of these frequencies is {} %. {remarks}",
+            "{}; the largest numerical error of these frequencies is {} %. The uncertainty of the input is not included. {messages}",
             completeness(&solution.certificate, solution.modes.len()),
-            digits(100.0 * worst, 2),
+            digits(100.0 * largest, 2),
         ),
         verdict: None,
     }

@@ -1,4 +1,4 @@
-//! Soil, water and wires, in tables.
+//! Soil, water and guy wires in tables.
 
 use towermodes::{AddedMassRow, SoilRow, TowerDescription, Water, Wires};
 
@@ -7,7 +7,7 @@ use super::super::table::Table;
 use super::table;
 use crate::number::{given, length};
 
-/// More layers of soil or tables of added mass than this are counted only.
+/// At most so many layers of soil and tables of added mass are shown.
 const MOST_TABLES: usize = 20;
 
 pub(super) fn surroundings(description: &TowerDescription) -> Vec<Block> {
@@ -26,7 +26,7 @@ pub(super) fn surroundings(description: &TowerDescription) -> Vec<Block> {
     if tables.is_empty() {
         return Vec::new();
     }
-    let heading = Block::Heading("Surroundings".to_owned());
+    let heading = Block::Heading("Soil, water and guy wires".to_owned());
     std::iter::once(heading)
         .chain(tables.into_iter().map(table))
         .collect()
@@ -46,7 +46,7 @@ fn which(index: usize, count: usize, names: &[String]) -> String {
 
 fn soil_layer(which: &str, rows: &[SoilRow]) -> Table {
     let mut table = Table::new(
-        format!("Soil springs per length of tower{which}; linear between rows"),
+        format!("Soil springs per unit length{which}; linear between rows"),
         [
             "#height z (m)",
             "#x (N/m²)",
@@ -73,15 +73,15 @@ fn water(water: &Water) -> Table {
     Table::of_facts(
         "Water around the tower",
         [
-            ("level z (m)", length(water.level_m)),
-            ("bed z (m)", bed),
+            ("water level z (m)", length(water.level_m)),
+            ("seabed z (m)", bed),
             ("density (kg/m³)", given(water.density_kg_per_m3)),
             (
                 "added mass coefficient (−)",
                 given(water.added_mass_coefficient),
             ),
             (
-                "water inside",
+                "flooded (water inside)",
                 if water.flooded { "yes" } else { "no" }.to_owned(),
             ),
         ],
@@ -101,7 +101,7 @@ fn added_mass(which: &str, rows: &[AddedMassRow]) -> Table {
 
 fn wires(wires: &[Wires], names: &[String]) -> Table {
     let mut table = Table::new(
-        "Wires",
+        "Guy wires",
         [
             "#height z (m)",
             "#number",

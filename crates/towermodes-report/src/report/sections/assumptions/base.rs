@@ -1,10 +1,10 @@
-//! What the tower's base is taken to stand on.
+//! The assumptions on the foundation.
 
 use towermodes::{FloatingPlatform, Foundation, StiffnessFoundation, TowerDescription};
 
 use super::super::super::content::ReportContent;
 
-/// The motions of a base, as they are held.
+/// The degrees of freedom of the base.
 const MOTIONS: [&str; 6] = [
     "x",
     "y",
@@ -15,18 +15,18 @@ const MOTIONS: [&str; 6] = [
 ];
 const NONE: [[f64; 6]; 6] = [[0.0; 6]; 6];
 
-/// What holds the base, what moves with it and what is left out of both.
+/// Stiffness and inertia of the foundation, and what they neglect.
 pub(super) fn foundation(content: &ReportContent) -> String {
     let description: &TowerDescription = &content.description;
     match &description.foundation {
-        Foundation::Clamped => "The base is clamped: it neither moves nor turns.".to_owned(),
+        Foundation::Clamped => "The base is clamped: all six degrees of freedom are fixed.".to_owned(),
         Foundation::Springs(_) => springs(content),
         Foundation::Stiffness(foundation) => {
             format!("{}{}", springs(content), inertia(foundation))
         }
         Foundation::HalfSpace(_) => {
-            "The base stands on a rigid circular footing on an elastic half-space: static, uncoupled springs (Arya, O'Neill & Pincus, 1979), \
-             without damping and without soil that moves along."
+            "The base is a rigid circular footing on an elastic half-space, modelled by static, uncoupled springs (Arya, O'Neill & Pincus, 1979) \
+             without damping and soil mass."
                 .to_owned()
         }
         Foundation::Floating(platform) => floating(platform),
@@ -42,12 +42,12 @@ fn springs(content: &ReportContent) -> String {
     let held: Vec<&str> = MOTIONS.iter().zip(&base.moves).filter_map(held).collect();
     let rigidly = match held.len() {
         0 => String::new(),
-        _ => format!(" It is rigidly held in {}.", held.join(", ")),
+        _ => format!(" Fixed degrees of freedom: {}.", held.join(", ")),
     };
     let what = if base.stiffness == NONE {
-        "The foundation has no springs against the motions of the base that are possible."
+        "The free motions of the base have no foundation stiffness."
     } else {
-        "The base stands on linear springs without damping that do not depend on frequency."
+        "The base rests on linear springs without damping that do not depend on frequency."
     };
     format!("{what}{rigidly}")
 }
@@ -56,7 +56,7 @@ fn inertia(foundation: &StiffnessFoundation) -> &'static str {
     if foundation.inertia == NONE {
         return "";
     }
-    " The foundation's own inertia moves with the base, constant at all frequencies."
+    " The inertia of the foundation moves with the base and does not depend on frequency."
 }
 
 fn floating(platform: &FloatingPlatform) -> String {
@@ -75,14 +75,12 @@ fn floating(platform: &FloatingPlatform) -> String {
     };
     let without = match of(false)[..] {
         [] => String::new(),
-        ref absent => format!(" The input gives it no {}.", absent.join(", no ")),
+        ref absent => format!(" The input has no {}.", absent.join(", no ")),
     };
     let frequency = if platform.added_mass.matrix == NONE {
-        " is left out"
+        " is neglected"
     } else {
-        " and the dependence of added mass on frequency are left out"
+        " and the frequency dependence of the added mass are neglected"
     };
-    format!(
-        "The base stands on a rigid floating platform{with}; radiation damping{frequency}.{without}"
-    )
+    format!("The base is a rigid floating platform{with}; radiation damping{frequency}.{without}")
 }

@@ -1,4 +1,4 @@
-//! Which beam the tower is taken for.
+//! The beam theory.
 
 use towermodes::tower::Motion;
 use towermodes::{Method, Shear, Tower};
@@ -6,22 +6,24 @@ use towermodes::{Method, Shear, Tower};
 use super::super::super::content::ReportContent;
 use crate::number::given;
 
-/// Which beam it is, why it lacks what other beams have, and which motions it has.
+/// The beam theory, why it neglects an effect, and which motions it has.
 pub(super) fn beam(content: &ReportContent) -> String {
     let (tower, options) = (&content.tower, &content.options);
     let is_bmodes = options.method == Method::Bmodes;
     let shears = tower.shears() && !is_bmodes;
     let rotates = options.has_rotary_inertia() && tower.has_rotary_inertia();
     let theory = match (shears, rotates) {
-        (true, true) => "a Timoshenko beam: shear deformation and rotary inertia of the sections",
+        (true, true) => {
+            "a Timoshenko beam with shear deformation and rotary inertia of the sections"
+        }
         (true, false) => {
             "a beam with shear deformation but without rotary inertia of the sections in bending"
         }
         (false, true) => {
-            "a Rayleigh beam: Euler-Bernoulli bending with rotary inertia of the sections, no shear deformation"
+            "a Rayleigh beam: Euler-Bernoulli bending with rotary inertia of the sections, without shear deformation"
         }
         (false, false) => {
-            "an Euler-Bernoulli beam: neither shear deformation nor rotary inertia of the sections"
+            "an Euler-Bernoulli beam without shear deformation and rotary inertia of the sections"
         }
     };
     let sentences = [
@@ -33,51 +35,51 @@ pub(super) fn beam(content: &ReportContent) -> String {
     said.collect::<Vec<String>>().join(" ")
 }
 
-/// Where the shear stiffness is from.
+/// The source of the shear stiffness.
 fn coefficient(content: &ReportContent, shears: bool) -> String {
     if !shears {
         return String::new();
     }
     if content.tower.stations().is_empty() {
-        return "; the shear stiffness is that of the table".to_owned();
+        return "; the shear stiffness is given by the table".to_owned();
     }
     match content.description.shear {
         Shear::Cowper => {
-            "; the shear coefficient is that of Cowper (1966) for each section's tube".to_owned()
+            "; shear coefficient by Cowper (1966) for the tube of each section".to_owned()
         }
         Shear::Coefficient(kappa) => format!("; the shear coefficient is {}", given(kappa)),
         Shear::Rigid => String::new(),
     }
 }
 
-/// What the input or its kind would have, but the method or the user left out.
+/// What the method or the user neglects, or the input lacks.
 fn left_out(content: &ReportContent) -> &'static str {
     let (tower, options) = (&content.tower, &content.options);
     match (tower.has_rotary_inertia(), options.method, tower.shears()) {
         (true, Method::Bmodes, true) => {
-            "The element of BModes has neither, so the input's rotary inertia and shear stiffness are left out."
+            "The element of BModes has neither: rotary inertia and shear stiffness of the input are neglected."
         }
         (true, Method::Bmodes, false) => {
-            "The element of BModes has no rotary inertia, so that of the input's sections is left out."
+            "The element of BModes has no rotary inertia: that of the input is neglected."
         }
         (false, Method::Bmodes, true) => {
-            "The element of BModes has no shear deformation, so the input's shear stiffness is left out."
+            "The element of BModes has no shear deformation: the shear stiffness of the input is neglected."
         }
         (true, ..) if !options.rotary_inertia => {
-            "The rotary inertia of the input's sections is left out, as asked (--no-rotary-inertia)."
+            "The rotary inertia of the sections is neglected (--no-rotary-inertia)."
         }
-        (false, ..) => "The input's table gives the sections no rotary inertia.",
+        (false, ..) => "The table of the input has no rotary inertia.",
         _ => "",
     }
 }
 
-/// Whether it twists and stretches.
+/// Whether torsion and axial deformation are included.
 fn other_motions(tower: &Tower) -> &'static str {
     let is_rigid = |motion| tower.is_rigid_in(motion);
     match (is_rigid(Motion::Torsion), is_rigid(Motion::Axial)) {
-        (false, false) => "It also twists and stretches.",
-        (true, false) => "It also stretches, but does not twist: its GJ is infinite.",
-        (false, true) => "It also twists, but does not stretch: its EA is infinite.",
-        (true, true) => "It neither twists nor stretches: its GJ and EA are infinite.",
+        (false, false) => "Torsion and axial deformation are included.",
+        (true, false) => "Axial deformation is included, torsion is not: GJ is infinite.",
+        (false, true) => "Torsion is included, axial deformation is not: EA is infinite.",
+        (true, true) => "Torsion and axial deformation are not included: GJ and EA are infinite.",
     }
 }

@@ -1,4 +1,4 @@
-//! What the computation takes for granted and leaves out, as the tower and its solution have it.
+//! What the computation assumes and neglects for this tower and this solution.
 
 mod base;
 mod beam;
@@ -14,11 +14,11 @@ pub(super) fn blocks(content: &ReportContent) -> Vec<Block> {
     let mut points = vec![
         beam::beam(content),
         sections(description),
-        "Vibrations are small, about the straight tower, and undamped: neither structural, aerodynamic nor soil damping, all of which change \
-         frequencies little."
+        "Displacements are small, about the undeformed position. No structural, aerodynamic or soil damping is included; its effect on the \
+         natural frequencies is small."
             .to_owned(),
         gravity(content),
-        machine(content),
+        rna(content),
         base::foundation(content),
     ];
     points.extend(surroundings(description));
@@ -28,10 +28,10 @@ pub(super) fn blocks(content: &ReportContent) -> Vec<Block> {
 
 fn sections(description: &TowerDescription) -> String {
     let outfitting = if description.outfitting_factor == 1.0 {
-        "no factor of outfitting".to_owned()
+        "No secondary-mass factor is applied to the mass.".to_owned()
     } else {
         format!(
-            "a factor of {} for outfitting (paint, bolts, platforms)",
+            "The mass is multiplied by {} for secondary mass such as paint, bolts and platforms.",
             given(description.outfitting_factor)
         )
     };
@@ -42,22 +42,22 @@ fn sections(description: &TowerDescription) -> String {
             [bending.fore_aft, bending.side_side, row.polar_inertia_kg_m] != [0.0; 3]
         };
         let linear = if rows.any(has_inertia) {
-            "mass, stiffnesses and squared radii of gyration"
+            "mass, stiffness and squared radii of gyration"
         } else {
-            "mass and stiffnesses"
+            "mass and stiffness"
         };
         return format!(
-            "Sections are those of a table: {linear} are linear in height between its rows. The masses have {outfitting}."
+            "Cross-sections are given by a table: {linear} vary linearly between its rows. {outfitting}"
         );
     }
     format!(
-        "Sections are {} of isotropic, linearly elastic material that keep their shape; diameter and wall are linear in height \
-         between stations. The density has {outfitting}. Doors, flanges and ladders count only as far as masses say so.",
+        "Cross-sections are {} of isotropic, linearly elastic material and do not deform (no ovalization); diameter and wall thickness vary \
+         linearly between stations. {outfitting} Doors, flanges and ladders are included only if they are given as masses.",
         shape(&description.stations)
     )
 }
 
-/// What sections are; of a rod the wall is half the diameter.
+/// The form of the cross-sections; a solid rod has a wall thickness of half its diameter.
 fn shape(stations: &[Station]) -> &'static str {
     let is_solid = |station: &Station| {
         let hole_m = station.outer_diameter_m - 2.0 * station.wall_thickness_m;
@@ -67,52 +67,53 @@ fn shape(stations: &[Station]) -> &'static str {
     match solid {
         0 => "circular tubes",
         all if all == stations.len() => "solid circular rods",
-        _ => "circular tubes, solid where the wall is half the diameter,",
+        _ => "circular tubes, solid where the wall thickness is half the diameter,",
     }
 }
 
-/// What weights do: of a floating tower they decide what is upright, of others they soften.
+/// The effect of gravity: on a fixed tower it lowers the stiffness, on a floating one it also
+/// determines roll and pitch.
 fn gravity(content: &ReportContent) -> String {
     let base = content.tower.base();
     let g = content.tower.gravity_m_per_s2();
     match (g == 0.0, base.floats) {
         (true, true) => {
-            "Weights are left out of the stiffness: g is 0. They decide roll and pitch of a floating tower, which are right only if the \
-             hydrostatic stiffness as given has the weights' part in it."
+            "Gravity is not included in the stiffness (g = 0). It determines roll and pitch of a floating tower, so these are correct only if the \
+             hydrostatic stiffness in the input includes the gravity terms."
                 .to_owned()
         }
         (true, false) if base.is_clamped() => {
-            "Weights are left out of the stiffness: g is 0. They would lower the first bending frequencies, roughly by half the ratio of the \
-             weights to those under which the tower buckles: by 5 % where it bears ten times its weights."
+            "Gravity is not included in the stiffness (g = 0). It would lower the first bending frequencies by roughly half the reciprocal of the \
+             buckling load factor: by 5 % at a load factor of 10."
                 .to_owned()
         }
         (true, false) => {
-            "Weights are left out of the stiffness: g is 0. They would lower the first bending frequencies, the more the softer the base."
+            "Gravity is not included in the stiffness (g = 0). It would lower the first bending frequencies, more so on a softer foundation."
                 .to_owned()
         }
         (false, true) => format!(
-            "Weights act with g = {} m/s² (the geometric stiffness of first order): they soften the tower, and with the platform's weight and \
-             the hydrostatic stiffness they decide roll and pitch.",
+            "Gravity is included as linear geometric stiffness, g = {} m/s²; it lowers the bending stiffness. With the platform weight and the \
+             hydrostatic stiffness it determines roll and pitch.",
             given(g)
         ),
         (false, false) => format!(
-            "Weights press on the tower with g = {} m/s² and make it softer (the geometric stiffness of first order).",
+            "Gravity is included as linear geometric stiffness, g = {} m/s²; it lowers the bending frequencies.",
             given(g)
         ),
     }
 }
 
 /// The rotor-nacelle assembly, or what is in its place.
-fn machine(content: &ReportContent) -> String {
+fn rna(content: &ReportContent) -> String {
     let tower = &content.tower;
     if *tower.rna() != Rna::default() {
-        return "The rotor-nacelle assembly is one rigid body fixed to the tower's top. Its blades do not bend, and a turning rotor adds \
-                neither gyroscopic moments nor aerodynamic stiffness."
+        return "The rotor-nacelle assembly is one rigid body fixed to the tower top. Blade flexibility, gyroscopic moments and aerodynamic \
+                stiffness of the rotating rotor are neglected."
             .to_owned();
     }
     let mut options = content.reading.split_whitespace();
     let why = if options.any(|option| option == "--no-rna") {
-        ": --no-rna leaves it out"
+        " (--no-rna)"
     } else {
         ""
     };
@@ -121,9 +122,9 @@ fn machine(content: &ReportContent) -> String {
     let kg: Vec<f64> = at_top.map(|mass| mass.mass_kg).collect();
     let masses = match kg.len() {
         0 => String::new(),
-        1 => format!(" A mass of {} is at the tower's top.", mass(kg[0])),
+        1 => format!(" A mass of {} is at the tower top.", mass(kg[0])),
         count => format!(
-            " {count} masses, {} together, are at the tower's top.",
+            " {count} masses, {} in total, are at the tower top.",
             mass(kg.iter().sum())
         ),
     };
@@ -133,41 +134,39 @@ fn machine(content: &ReportContent) -> String {
 fn surroundings(description: &TowerDescription) -> Vec<String> {
     let mut points = Vec::new();
     if !description.soil.is_empty() {
-        points
-            .push("Soil is a bed of linear springs (Winkler) without mass or damping.".to_owned());
+        points.push(
+            "Soil is modelled by distributed linear springs (Winkler) without mass or damping."
+                .to_owned(),
+        );
     }
     if description.water.is_some() {
         points.push(
-            "Water is still and moves with the tower as a constant mass per length; drag, waves and buoyancy are left out."
+            "Still water is modelled as frequency-independent added mass per unit length; drag, waves and buoyancy are neglected."
                 .to_owned(),
         );
     }
     if !description.added_mass.is_empty() {
         points.push(
-            "Tables of added mass move with the tower transversely and weigh nothing.".to_owned(),
+            "Tabulated added mass moves with the tower in x and y and has no weight.".to_owned(),
         );
     }
     if !description.wires.is_empty() {
         points.push(
-            "Wires are linear springs that stay taut; their tension and mass are left out."
+            "Guy wires are linear springs that stay taut; their pretension and mass are neglected."
                 .to_owned(),
         );
     }
     points
 }
 
-/// What no input of this kind has, and this one has not either; the water and the moorings of a
-/// platform are not along the tower.
+/// What this input lacks, and what no beam model has.
 fn left_out(description: &TowerDescription) -> String {
     let has_water = description.water.is_some() || !description.added_mass.is_empty();
     let kinds = [
         (description.soil.is_empty(), "soil along the tower"),
         (!has_water, "water along the tower"),
-        (description.wires.is_empty(), "wires on the tower"),
-        (
-            description.point_masses.is_empty(),
-            "masses on the tower's axis",
-        ),
+        (description.wires.is_empty(), "guy wires"),
+        (description.point_masses.is_empty(), "point masses"),
     ];
     let absent = kinds.into_iter().filter(|(is_absent, _)| *is_absent);
     let absent: Vec<&str> = absent.map(|(_, name)| name).collect();
@@ -176,6 +175,6 @@ fn left_out(description: &TowerDescription) -> String {
         _ => format!("The input has no {}. ", absent.join(", no ")),
     };
     format!(
-        "{input}Local modes of the shell, of blades and of internals are not those of a beam and are not here."
+        "{input}Local modes of the shell, of blades and of internals are not represented by a beam model and are not included."
     )
 }

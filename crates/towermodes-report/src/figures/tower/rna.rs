@@ -1,4 +1,4 @@
-//! The rotor-nacelle assembly: a silhouette without measures, its centre of mass to scale.
+//! The rotor-nacelle assembly: a nominal silhouette, its centre of mass to scale.
 
 use towermodes::{Rna, Tower};
 
@@ -12,14 +12,14 @@ use crate::svg::{Colour, Dash, Drawing, Stroke};
 /// Room that the silhouette needs above the tower.
 pub(super) const ABOVE: f64 = 62.0;
 
-/// Whether there is a machine at all.
+/// Whether there is an RNA.
 pub(in crate::figures) fn is_there(rna: &Rna) -> bool {
     *rna != Rna::default()
 }
 
-/// Draws the machine, if there is one; `scale` is the size of the silhouette, 1 in the picture of
+/// Draws the RNA, if there is one; `scale` is the size of the silhouette, 1 in the picture of
 /// the tower.
-pub(super) fn draw_machine(drawing: &mut Drawing, view: &View, tower: &Tower, scale: f64) {
+pub(super) fn draw_rna(drawing: &mut Drawing, view: &View, tower: &Tower, scale: f64) {
     let rna = tower.rna();
     if !is_there(rna) {
         return;
@@ -36,7 +36,7 @@ pub(super) fn draw_machine(drawing: &mut Drawing, view: &View, tower: &Tower, sc
     }
 }
 
-/// What is to be said of the machine, if there is one.
+/// The label of the RNA, if there is one.
 pub(super) fn callout(view: &View, tower: &Tower) -> Option<Callout> {
     let rna = tower.rna();
     if !is_there(rna) {
@@ -48,7 +48,7 @@ pub(super) fn callout(view: &View, tower: &Tower) -> Option<Callout> {
         let is_drawn = is_in_field(view, center(view, tower));
         let beyond = if is_drawn { "" } else { " (not drawn)" };
         lines.push(format!(
-            "centre of mass ({x}, {y}, {z}) m from the top{beyond}"
+            "centre of mass ({x}, {y}, {z}) m from the tower top{beyond}"
         ));
     }
     let silhouette = Silhouette::new(view, tower, 1.0);
@@ -74,7 +74,7 @@ fn is_in_field(view: &View, (x, y): (f64, f64)) -> bool {
 /// Nacelle, hub and the roots of blades from the side, in any unit of length: x from the tower's
 /// axis, heights from its top.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(in crate::figures) struct MachineForm {
+pub(in crate::figures) struct RnaForm {
     /// Where the nacelle begins, upwind.
     pub front: f64,
     /// Where it ends.
@@ -89,7 +89,7 @@ pub(in crate::figures) struct MachineForm {
     pub blades_at: f64,
 }
 
-impl MachineForm {
+impl RnaForm {
     /// How many times the radius of the tower's top the unit is that lengths go by.
     pub const UNITS: f64 = 1.4;
 
@@ -116,7 +116,7 @@ struct Silhouette {
     top: f64,
     height: f64,
     unit: f64,
-    form: MachineForm,
+    form: RnaForm,
 }
 
 /// Between nacelle and hub.
@@ -125,9 +125,9 @@ const GAP: f64 = 3.0;
 impl Silhouette {
     fn new(view: &View, tower: &Tower, scale: f64) -> Self {
         let radius = view.radius(outer_diameter_m(tower, tower.top_m()));
-        let unit = (MachineForm::UNITS * radius).clamp(12.0, 22.0) * scale;
+        let unit = (RnaForm::UNITS * radius).clamp(12.0, 22.0) * scale;
         let above = tower.rna().center_m[2] * view.per_m;
-        let form = MachineForm::new(unit, above, 42.0 * scale);
+        let form = RnaForm::new(unit, above, 42.0 * scale);
         Self {
             left: view.axis_x + form.front,
             right: view.axis_x + form.back,
@@ -148,7 +148,7 @@ impl Silhouette {
         let middle = self.top + 0.5 * self.height;
         self.draw_blades(drawing, middle, &edge);
         let size = (self.right - self.left, self.height);
-        drawing.rectangle((self.left, self.top), size, Colour::Machine, Some(&edge));
+        drawing.rectangle((self.left, self.top), size, Colour::Rna, Some(&edge));
         let nose: Vec<(f64, f64)> = (0..=12)
             .map(|k| {
                 let angle = std::f64::consts::PI * (0.5 + f64::from(k) / 12.0);
@@ -158,7 +158,7 @@ impl Silhouette {
                 )
             })
             .collect();
-        drawing.polygon(&nose, Colour::Machine, Some(&edge));
+        drawing.polygon(&nose, Colour::Rna, Some(&edge));
     }
 
     /// The roots of two blades.

@@ -8,18 +8,18 @@ use towermodes::{Tower, TowerDescription};
 use super::solids::{ball, circle, solid};
 use super::{Body, FAR, MASS, Substance};
 use crate::figures::outline::outer_diameter_m;
-use crate::figures::tower::{MachineForm, ground_m, has_machine, water_m};
+use crate::figures::tower::{RnaForm, ground_m, has_rna, water_m};
 
-/// Length of a blade as a share of the tower's height above water or ground: that of most turbines
-/// is 0.6 to 0.8.
+/// Length of a blade as a fraction of the tower's height above water or ground; 0.6 to 0.8 for most
+/// turbines.
 const BLADE: f64 = 0.6;
-/// Blades of a rotor that the input says nothing of.
+/// Number of blades if the input does not give it.
 const USUAL_BLADES: usize = 3;
-/// Half the width of the nacelle's unit as shares of the tower's height.
+/// Half the width of the nacelle's unit as fractions of the tower's height.
 const UNIT: [f64; 2] = [0.012, 0.035];
-/// The highest nacelle as a share of the tower's height.
+/// The highest nacelle as a fraction of the tower's height.
 const HIGHEST: f64 = 0.075;
-/// Places along a blade as shares of its length, and its edges there as shares of it.
+/// Places along a blade as fractions of its length, and its edges there as fractions of it.
 const OUTLINE: [(f64, [f64; 2]); 4] = [
     (0.0, [-0.017, 0.017]),
     (0.2, [-0.02, 0.045]),
@@ -27,17 +27,17 @@ const OUTLINE: [(f64, [f64; 2]); 4] = [
     (1.0, [-0.004, 0.006]),
 ];
 
-/// Nacelle, hub, blades and the centre of mass; nothing if there is no machine.
-pub(super) fn machine(description: &TowerDescription, tower: &Tower) -> Vec<Body> {
+/// Nacelle, hub, blades and the centre of mass; nothing without an RNA.
+pub(super) fn rna(description: &TowerDescription, tower: &Tower) -> Vec<Body> {
     let rna = tower.rna();
-    if !has_machine(rna) {
+    if !has_rna(rna) {
         return Vec::new();
     }
     let (top_m, height_m) = (tower.top_m(), tower.height_m());
     let radius_m = 0.5 * outer_diameter_m(tower, top_m);
-    let unit_m = MachineForm::UNITS * radius_m;
+    let unit_m = RnaForm::UNITS * radius_m;
     let unit_m = unit_m.clamp(UNIT[0] * height_m, UNIT[1] * height_m);
-    let form = MachineForm::new(unit_m, rna.center_m[2], HIGHEST * height_m);
+    let form = RnaForm::new(unit_m, rna.center_m[2], HIGHEST * height_m);
     let mut bodies = vec![nacelle(&form, top_m), hub(&form, top_m)];
     let rotor = description.rotor;
     let blades = rotor.map_or(USUAL_BLADES, |rotor| rotor.blades);
@@ -59,18 +59,18 @@ fn foot_m(description: &TowerDescription, tower: &Tower) -> f64 {
     if foot_m < top_m { foot_m } else { base_m }
 }
 
-fn nacelle(form: &MachineForm, top_m: f64) -> Body {
+fn nacelle(form: &RnaForm, top_m: f64) -> Body {
     let half_m = 0.5 * form.height;
     let ends = [form.front, form.back];
     let corners = ends.into_iter().flat_map(|x| {
         let edge = |y: f64| [[x, y, top_m], [x, y, top_m + form.height]];
         [edge(-half_m), edge(half_m)].into_iter().flatten()
     });
-    solid(Some(top_m), Substance::Machine, corners.collect())
+    solid(Some(top_m), Substance::Rna, corners.collect())
 }
 
 /// Half an ellipsoid before the nacelle.
-fn hub(form: &MachineForm, top_m: f64) -> Body {
+fn hub(form: &RnaForm, top_m: f64) -> Body {
     let middle_m = top_m + 0.5 * form.height;
     let slices = (0..4).map(|k| FRAC_PI_2 * f64::from(k) / 3.0);
     let slice = |angle: f64| {
@@ -88,7 +88,7 @@ fn hub(form: &MachineForm, top_m: f64) -> Body {
 }
 
 /// A blade that is turned about the shaft by an angle; the first stands upright.
-fn blade(form: &MachineForm, top_m: f64, (length_m, turn): (f64, f64)) -> Body {
+fn blade(form: &RnaForm, top_m: f64, (length_m, turn): (f64, f64)) -> Body {
     let middle_m = top_m + 0.5 * form.height;
     let (sin, cos) = turn.sin_cos();
     let place = |along: f64, across: f64| {

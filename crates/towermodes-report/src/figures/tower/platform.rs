@@ -1,4 +1,4 @@
-//! A floating platform: a body whose shape is not known, its centre of mass to scale, its moorings.
+//! A floating platform: a nominal hull, its centre of mass to scale, its moorings.
 
 use towermodes::space::SpatialMatrix;
 use towermodes::{FloatingPlatform, Foundation, Tower, TowerDescription};
@@ -14,7 +14,7 @@ use crate::svg::{Colour, Dash, Drawing, Stroke};
 /// drawn whole.
 const DEEPEST: f64 = 4.0;
 
-/// The platform, if the tower floats.
+/// The platform of a floating tower.
 pub(in crate::figures) fn platform(description: &TowerDescription) -> Option<&FloatingPlatform> {
     match &description.foundation {
         Foundation::Floating(platform) => Some(platform),
@@ -34,7 +34,7 @@ pub(in crate::figures) fn keel_m(platform: &FloatingPlatform, tower: &Tower) -> 
     base_m - depth_m
 }
 
-/// Where the water's surface is drawn, m: at the height that the hydrostatic stiffness is about.
+/// The drawn water level, m: the reference height of the hydrostatic stiffness.
 pub(in crate::figures) fn surface_m(platform: &FloatingPlatform) -> Option<f64> {
     let has_buoyancy = platform.hydrostatic.matrix != SpatialMatrix::default();
     has_buoyancy.then_some(platform.hydrostatic.height_m)
@@ -173,7 +173,10 @@ pub(super) fn callouts(view: &View, tower: &Tower, description: &TowerDescriptio
     let mut callouts = vec![whole(
         (view.axis_x + half, center),
         vec![
-            format!("platform {}, shape not known", mass(platform.mass_kg)),
+            format!(
+                "floating platform {}, shape unknown",
+                mass(platform.mass_kg)
+            ),
             format!("centre of mass ({x}, {y}) m from the axis, z = {z} m{beyond}"),
         ],
     )];
@@ -181,7 +184,7 @@ pub(super) fn callouts(view: &View, tower: &Tower, description: &TowerDescriptio
     if *mooring != SpatialMatrix::default() {
         let value = |i: usize| stiffness(mooring[i][i], "").trim_end().to_owned();
         let lines = vec![
-            "moorings, stiffness in x, y, z:".to_owned(),
+            "mooring stiffness in x, y, z:".to_owned(),
             format!("{}, {}, {} N/m", value(0), value(1), value(2)),
         ];
         callouts.push(whole(
@@ -192,7 +195,7 @@ pub(super) fn callouts(view: &View, tower: &Tower, description: &TowerDescriptio
     let surface_m = surface_m(platform).filter(|_| description.water.is_none());
     if let Some(surface_m) = surface_m.filter(|surface_m| view.shows(*surface_m)) {
         let text = format!(
-            "z = {} m: hydrostatic stiffness is about this",
+            "z = {} m: reference of the hydrostatic stiffness",
             length(surface_m)
         );
         callouts.push(whole((view.frame.right, view.y(surface_m)), vec![text]));

@@ -1,0 +1,164 @@
+//! How lines, marks and texts are drawn.
+
+use super::colour::Colour;
+
+/// How a line is drawn.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Stroke {
+    /// Its colour.
+    pub colour: Colour,
+    /// Its width.
+    pub width: f64,
+    /// Its dash pattern.
+    pub dash: Dash,
+}
+
+impl Stroke {
+    /// A whole line.
+    pub fn new(colour: Colour, width: f64) -> Self {
+        Self {
+            colour,
+            width,
+            dash: Dash::Whole,
+        }
+    }
+
+    /// The same line broken.
+    pub fn dashed(self, dash: Dash) -> Self {
+        Self { dash, ..self }
+    }
+}
+
+/// The dash pattern of a line, which distinguishes lines without colour.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Dash {
+    /// Not at all.
+    Whole,
+    /// In dashes.
+    Dashed,
+    /// In dots.
+    Dotted,
+    /// In dashes and dots by turns.
+    DashDot,
+    /// In long dashes.
+    Long,
+}
+
+impl Dash {
+    /// A dash for each member of a series, from 0.
+    pub fn of_series(index: usize) -> Self {
+        [
+            Self::Whole,
+            Self::Dashed,
+            Self::DashDot,
+            Self::Dotted,
+            Self::Long,
+        ][index % 5]
+    }
+
+    pub(super) fn pattern(self) -> Option<&'static str> {
+        match self {
+            Self::Whole => None,
+            Self::Dashed => Some("6 4"),
+            Self::Dotted => Some("1.5 3"),
+            Self::DashDot => Some("8 3 1.5 3"),
+            Self::Long => Some("14 5"),
+        }
+    }
+}
+
+/// A mark at a point, which distinguishes series without colour.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Marker {
+    /// A disc.
+    Disc,
+    /// A square.
+    Square,
+    /// A triangle.
+    Triangle,
+    /// A square on its corner.
+    Diamond,
+    /// A cross.
+    Cross,
+    /// A ring.
+    Ring,
+}
+
+impl Marker {
+    /// A marker for each member of a series, from 0.
+    pub fn of_series(index: usize) -> Self {
+        [
+            Self::Disc,
+            Self::Square,
+            Self::Triangle,
+            Self::Diamond,
+            Self::Cross,
+            Self::Ring,
+        ][index % 6]
+    }
+}
+
+/// The part of a text that is at its point.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Anchor {
+    /// Its beginning.
+    Start,
+    /// Its middle.
+    Middle,
+    /// Its end.
+    End,
+}
+
+/// How a text is written.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct TextStyle {
+    /// Size of the letters.
+    pub size: f64,
+    /// Colour.
+    pub colour: Colour,
+    /// Which part of it is at its point.
+    pub anchor: Anchor,
+    /// Whether it is bold.
+    pub is_bold: bool,
+    /// Whether it reads upwards.
+    pub is_turned: bool,
+}
+
+impl TextStyle {
+    /// Text of a size in ink, beginning at its point.
+    pub fn new(size: f64) -> Self {
+        Self {
+            size,
+            colour: Colour::Ink,
+            anchor: Anchor::Start,
+            is_bold: false,
+            is_turned: false,
+        }
+    }
+
+    /// The same in another colour.
+    pub fn colour(self, colour: Colour) -> Self {
+        Self { colour, ..self }
+    }
+
+    /// The same with another part at its point.
+    pub fn anchor(self, anchor: Anchor) -> Self {
+        Self { anchor, ..self }
+    }
+
+    /// The same in bold.
+    pub fn bold(self) -> Self {
+        Self {
+            is_bold: true,
+            ..self
+        }
+    }
+
+    /// The same reading upwards.
+    pub fn turned(self) -> Self {
+        Self {
+            is_turned: true,
+            ..self
+        }
+    }
+}
