@@ -8,14 +8,17 @@ use super::text::counted;
 /// The certificate in one line, for a list of `listed` modes: "complete: exactly 8 modes below
 /// 8.323 Hz".
 ///
-/// A list may end between two modes of equal frequency; then the line gives how many are listed.
+/// A list may end between two modes of equal frequency; then the line says so.
 pub fn completeness(certificate: &Certificate, listed: usize) -> String {
-    let (count, below_hz) = (certificate.count, four_digits(certificate.below_hz));
-    let exactly = format!("exactly {} below {below_hz} Hz", counted(count, "mode"));
-    match count > listed {
-        true => format!("{exactly}, {listed} listed (the last one repeats)"),
-        false => format!("complete: {exactly}"),
-    }
+    let except = match certificate.count > listed {
+        true => " except for a repeat of the last mode",
+        false => "",
+    };
+    format!(
+        "complete{except}: exactly {} below {} Hz",
+        counted(certificate.count, "mode"),
+        four_digits(certificate.below_hz)
+    )
 }
 
 /// The certificate as a report explains it: the theorem, the count, and what it proves.
@@ -51,7 +54,7 @@ mod tests {
         };
         let all = "complete: exactly 9 modes below 8.323 Hz";
         assert_eq!(completeness(&certificate, 9), all);
-        let cut = "exactly 9 modes below 8.323 Hz, 8 listed (the last one repeats)";
+        let cut = "complete except for a repeat of the last mode: exactly 9 modes below 8.323 Hz";
         assert_eq!(completeness(&certificate, 8), cut);
         let proof = proof_of_completeness(&certificate, 8);
         assert!(proof.contains("exactly 9 natural frequencies below 8.32340 Hz; 8 of them are"));

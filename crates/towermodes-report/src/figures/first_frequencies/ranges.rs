@@ -99,12 +99,13 @@ fn lane(campbell: &Campbell, index: usize, line: &FrequencyLine) -> Option<Lane>
     let margins: Vec<Margin> = campbell.margins.iter().filter(on_bar).copied().collect();
     let percents = margins
         .iter()
-        .map(|margin| campbell.distance_percent(margin));
+        .map(|margin| campbell.distance_percent(margin))
+        .collect();
     (frequency_hz > 0.0).then(|| Lane {
         label: line.label.clone(),
         frequency_hz,
         error_hz: line.error_hz,
-        percents: percents.collect(),
+        percents,
         margins,
     })
 }

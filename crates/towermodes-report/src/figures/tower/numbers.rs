@@ -73,10 +73,10 @@ fn foundation(foundation: &Foundation, tower: &Tower) -> &'static str {
     match foundation {
         _ if tower.base().is_clamped() => "clamped at the base",
         Foundation::Clamped => "clamped at the base",
-        Foundation::Stiffness(_) => "on a foundation with a stiffness matrix",
-        Foundation::Springs(_) => "on springs at the base",
-        Foundation::HalfSpace(_) => "on a circular footing on an elastic half-space",
-        Foundation::Floating(_) => "on a floating platform",
+        Foundation::Stiffness(_) => "foundation with a stiffness matrix",
+        Foundation::Springs(_) => "springs at the base",
+        Foundation::HalfSpace(_) => "circular footing on an elastic half-space",
+        Foundation::Floating(_) => "floating platform",
     }
 }
 

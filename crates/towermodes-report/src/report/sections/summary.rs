@@ -152,7 +152,7 @@ fn verification(content: &ReportContent) -> Statement {
     Statement {
         lead: "Numerical verification",
         text: format!(
-            "{}; the largest numerical error of these frequencies is {} %. The uncertainty of the input is not included. {messages}",
+            "Mode list {}. The largest numerical error of a frequency is {} %. The uncertainty of the input is not included. {messages}",
             completeness(&solution.certificate, solution.modes.len()),
             digits(100.0 * largest, 2),
         ),
