@@ -149,62 +149,65 @@ fn drawing(convergence: &Convergence, series: &[Series]) -> Drawing {
         .iter()
         .flat_map(|s| s.points.iter().map(|[_, error]| *error));
     let errors = ErrorAxis::of(errors);
-    let spectral = is_spectral(convergence);
-    let mut frame = Frame {
-        left: Axes::left_margin_at(&errors.ticks()),
-        top: TOP,
-        right: WIDTH,
-        bottom: HEIGHT - BELOW,
-    };
-    let axes = |frame| Axes::new(frame, x_range(convergence), errors.range, [!spectral, true]);
-    let labels: Vec<EndLabel> = series
-        .iter()
-        .map(|s| end_label(s, &errors, &axes(frame)))
-        .collect();
-    frame.right -= end_labels::column_width(&labels);
-    let axes = axes(frame);
-    let name = if spectral {
-        "polynomial degree (–)"
-    } else {
-        "segments (–)"
-    };
-    axes.draw_x_at(&mut drawing, name, &x_ticks(convergence, &axes));
-    axes.draw_y_at(
-        &mut drawing,
-        "relative error |f / f∞ − 1| (–)",
-        &errors.ticks(),
-    );
+    let (axes, labels) = axes_with_labels(convergence, series, &errors);
+    draw_axes(&mut drawing, convergence, &axes, &errors);
     let places: Vec<Vec<(f64, f64)>> = series.iter().map(|s| places(s, &errors, &axes)).collect();
-    if !spectral {
+    if !is_spectral(convergence) {
         let orders = series
             .iter()
             .filter_map(|s| last_order(convergence, s.mode));
         slope::draw(&mut drawing, &axes, &orders.collect::<Vec<f64>>(), &places);
     }
     for (series, places) in series.iter().zip(&places) {
-        drawing.polyline(places, &stroke(series.mode));
-        for place in places {
-            drawing.marker(
-                Marker::of_series(series.mode),
-                *place,
-                4.0,
-                Colour::Series(series.mode),
-            );
-        }
+        draw_series(&mut drawing, series.mode, places);
     }
-    end_labels::draw(
-        &mut drawing,
-        frame.right,
-        [frame.top, frame.bottom],
-        &labels,
-    );
+    let Frame {
+        top, right, bottom, ..
+    } = axes.frame;
+    end_labels::draw(&mut drawing, right, [top, bottom], &labels);
     if let Some(text) = hidden_text(convergence.modes.len() - series.len()) {
         let style = TextStyle::new(11.0).colour(Colour::Muted);
         let last_x = WIDTH - 10.0 - text_width(&text, 11.0, false);
-        let at = (last_x.min(frame.right + 22.0), frame.bottom + 16.0);
-        drawing.text(at, &text, &style);
+        drawing.text((last_x.min(right + 22.0), bottom + 16.0), &text, &style);
     }
     drawing
+}
+
+/// The axes of a field that leaves room for the labels on its right, and these labels.
+fn axes_with_labels(
+    convergence: &Convergence,
+    series: &[Series],
+    errors: &ErrorAxis,
+) -> (Axes, Vec<EndLabel>) {
+    let mut frame = Frame {
+        left: Axes::left_margin_at(&errors.ticks()),
+        top: TOP,
+        right: WIDTH,
+        bottom: HEIGHT - BELOW,
+    };
+    let is_logarithmic = [!is_spectral(convergence), true];
+    let axes = |frame| Axes::new(frame, x_range(convergence), errors.range, is_logarithmic);
+    let label = |s: &Series| end_label(s, errors, &axes(frame));
+    let labels: Vec<EndLabel> = series.iter().map(label).collect();
+    frame.right -= end_labels::column_width(&labels);
+    (axes(frame), labels)
+}
+
+fn draw_axes(drawing: &mut Drawing, convergence: &Convergence, axes: &Axes, errors: &ErrorAxis) {
+    let name = match is_spectral(convergence) {
+        true => "polynomial degree (–)",
+        false => "segments (–)",
+    };
+    axes.draw_x_at(drawing, name, &x_ticks(convergence, axes));
+    axes.draw_y_at(drawing, "relative error |f / f∞ − 1| (–)", &errors.ticks());
+}
+
+fn draw_series(drawing: &mut Drawing, mode: usize, places: &[(f64, f64)]) {
+    drawing.polyline(places, &stroke(mode));
+    let (marker, colour) = (Marker::of_series(mode), Colour::Series(mode));
+    for place in places {
+        drawing.marker(marker, *place, 4.0, colour);
+    }
 }
 
 fn stroke(mode: usize) -> Stroke {

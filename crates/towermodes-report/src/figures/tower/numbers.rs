@@ -8,52 +8,62 @@ use crate::svg::DataTable;
 
 /// The figure in words.
 pub(super) fn description(description: &TowerDescription, tower: &Tower) -> String {
-    let mut sentences = vec![format!(
+    let mut parts = dimensions(tower);
+    parts.extend(bodies(tower));
+    parts.extend(surroundings(description));
+    parts.push(foundation(&description.foundation, tower).to_owned());
+    format!("{}.", parts.join("; "))
+}
+
+fn dimensions(tower: &Tower) -> Vec<String> {
+    let heights = format!(
         "Structure of {} m height, from z = {} m to z = {} m",
         length(tower.height_m()),
         length(tower.base_m()),
         length(tower.top_m())
-    )];
-    if let (Some(base), Some(top)) = (tower.stations().first(), tower.stations().last()) {
-        sentences.push(format!(
+    );
+    let sections = match (tower.stations().first(), tower.stations().last()) {
+        (Some(base), Some(top)) => format!(
             "outer diameter {} m at the base and {} m at the top",
             length(base.outer_diameter_m),
             length(top.outer_diameter_m)
-        ));
-    } else {
-        sentences.push(format!(
-            "{} rows of section properties",
-            tower.properties().len()
-        ));
-    }
+        ),
+        _ => format!("{} rows of section properties", tower.properties().len()),
+    };
+    vec![heights, sections]
+}
+
+/// Point masses and RNA.
+fn bodies(tower: &Tower) -> Vec<String> {
+    let mut parts = Vec::new();
     let masses = tower.point_masses();
-    if !masses.is_empty() {
-        let sum_kg = masses.iter().map(|mass| mass.mass_kg).sum();
-        let masses = match masses.len() {
-            1 => format!("1 point mass of {}", mass(sum_kg)),
-            count => format!("{count} point masses, {} in total", mass(sum_kg)),
-        };
-        sentences.push(masses);
+    let sum_kg = masses.iter().map(|mass| mass.mass_kg).sum();
+    match masses.len() {
+        0 => {}
+        1 => parts.push(format!("1 point mass of {}", mass(sum_kg))),
+        count => parts.push(format!("{count} point masses, {} in total", mass(sum_kg))),
     }
-    if rna::is_there(tower.rna()) {
-        sentences.push(format!(
-            "rotor-nacelle assembly of {}",
-            mass(tower.rna().mass_kg)
-        ));
+    let rna = tower.rna();
+    if rna::is_there(rna) {
+        parts.push(format!("rotor-nacelle assembly of {}", mass(rna.mass_kg)));
     }
-    for wires in &description.wires {
+    parts
+}
+
+/// Guy wires, water, added mass and soil.
+fn surroundings(description: &TowerDescription) -> Vec<String> {
+    let wires = description.wires.iter().map(|wires| {
         let (count, height_m) = (wires.count, wires.height_m);
-        sentences.push(format!("{count} guy wires at z = {} m", length(height_m)));
-    }
-    if let Some(water) = &description.water {
-        sentences.push(format!("water level at z = {} m", length(water.level_m)));
-    }
+        format!("{count} guy wires at z = {} m", length(height_m))
+    });
+    let mut parts: Vec<String> = wires.collect();
+    let water = description.water.as_ref();
+    parts.extend(water.map(|water| format!("water level at z = {} m", length(water.level_m))));
     if !description.added_mass.is_empty() {
-        sentences.push("added mass along the tower".to_owned());
+        parts.push("added mass along the tower".to_owned());
     }
-    sentences.extend(soil(description));
-    sentences.push(foundation(&description.foundation, tower).to_owned());
-    format!("{}.", sentences.join("; "))
+    parts.extend(soil(description));
+    parts
 }
 
 /// "soil springs from z = −45 m to z = −20 m".

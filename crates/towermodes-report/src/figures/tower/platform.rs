@@ -151,54 +151,59 @@ fn draw_moorings(
     }
 }
 
-/// What is to be said of the platform, its moorings and the surface.
+/// The labels of the platform, its moorings and the water surface.
 pub(super) fn callouts(view: &View, tower: &Tower, description: &TowerDescription) -> Vec<Callout> {
     let Some(platform) = platform(description) else {
         return Vec::new();
     };
-    let whole = |at: (f64, f64), lines: Vec<String>| Callout {
+    let whole = |(at, lines): ((f64, f64), Vec<String>)| Callout {
         at,
         lines,
         subject: Subject::Whole,
     };
+    let has_water = description.water.is_some();
+    let texts = [
+        Some(hull_text(view, tower, platform)),
+        mooring_text(view, platform),
+        surface_text(view, platform).filter(|_| !has_water),
+    ];
+    texts.into_iter().flatten().map(whole).collect()
+}
+
+fn hull_text(view: &View, tower: &Tower, platform: &FloatingPlatform) -> ((f64, f64), Vec<String>) {
     let [x, y, z] = platform.center_m.map(length);
-    let beyond = if shows_center(view, platform) {
-        ""
-    } else {
-        " (not drawn)"
+    let beyond = match shows_center(view, platform) {
+        true => "",
+        false => " (not drawn)",
     };
-    let half = half_width(view, tower);
     let (base, keel) = (view.y(tower.base_m()), view.y(keel_m(platform, tower)));
     let center = view.y(platform.center_m[2]).clamp(base, keel);
-    let mut callouts = vec![whole(
-        (view.axis_x + half, center),
-        vec![
-            format!(
-                "floating platform {}, shape unknown",
-                mass(platform.mass_kg)
-            ),
-            format!("centre of mass ({x}, {y}) m from the axis, z = {z} m{beyond}"),
-        ],
-    )];
+    let lines = vec![
+        format!(
+            "floating platform {}, shape unknown",
+            mass(platform.mass_kg)
+        ),
+        format!("centre of mass ({x}, {y}) m from the axis, z = {z} m{beyond}"),
+    ];
+    ((view.axis_x + half_width(view, tower), center), lines)
+}
+
+fn mooring_text(view: &View, platform: &FloatingPlatform) -> Option<((f64, f64), Vec<String>)> {
     let mooring = &platform.mooring.matrix;
-    if *mooring != SpatialMatrix::default() {
-        let value = |i: usize| stiffness(mooring[i][i], "").trim_end().to_owned();
-        let lines = vec![
+    let value = |i: usize| stiffness(mooring[i][i], "").trim_end().to_owned();
+    let lines = || {
+        vec![
             "mooring stiffness in x, y, z:".to_owned(),
             format!("{}, {}, {} N/m", value(0), value(1), value(2)),
-        ];
-        callouts.push(whole(
-            (view.frame.right - 40.0, view.frame.bottom - 14.0),
-            lines,
-        ));
-    }
-    let surface_m = surface_m(platform).filter(|_| description.water.is_none());
-    if let Some(surface_m) = surface_m.filter(|surface_m| view.shows(*surface_m)) {
-        let text = format!(
-            "z = {} m: reference of the hydrostatic stiffness",
-            length(surface_m)
-        );
-        callouts.push(whole((view.frame.right, view.y(surface_m)), vec![text]));
-    }
-    callouts
+        ]
+    };
+    let at = (view.frame.right - 40.0, view.frame.bottom - 14.0);
+    (*mooring != SpatialMatrix::default()).then(|| (at, lines()))
+}
+
+fn surface_text(view: &View, platform: &FloatingPlatform) -> Option<((f64, f64), Vec<String>)> {
+    let surface_m = surface_m(platform).filter(|surface_m| view.shows(*surface_m))?;
+    let z = length(surface_m);
+    let text = format!("z = {z} m: reference of the hydrostatic stiffness");
+    Some(((view.frame.right, view.y(surface_m)), vec![text]))
 }

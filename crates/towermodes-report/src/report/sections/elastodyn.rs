@@ -19,16 +19,7 @@ pub(super) fn blocks(content: &ReportContent) -> Vec<Block> {
         }
     };
     let mut blocks = vec![
-        paragraph(format!(
-            "ElastoDyn describes the tower from {} m to {} m by two mode shapes in each plane: polynomials of degree 2 to 6 in the normalised \
-             height x, with zero deflection and slope at the base and the value 1 at the top. {}The coefficients are fitted by least squares \
-             to the modes of the spectral beam, including rotor-nacelle assembly and foundation; residuals are relative to the largest \
-             deflection of the shape. The ElastoDyn frequency is computed with ElastoDyn's generalised mass and stiffness for the shape, \
-             without rotor-nacelle assembly and gravity; it is not comparable with the frequency of the mode.",
-            length(content.shapes_from_m),
-            length(content.tower.top_m()),
-            base(content)
-        )),
+        paragraph(introduction(content)),
         table(coefficients(made)),
         paragraph("This command writes the complete tower file with these coefficients:"),
         Block::Code(command(
@@ -54,6 +45,20 @@ pub(super) fn blocks(content: &ReportContent) -> Vec<Block> {
         blocks.push(Block::List(passed.map(left_out).collect()));
     }
     blocks
+}
+
+/// What the coefficients are and how they are made.
+fn introduction(content: &ReportContent) -> String {
+    format!(
+        "ElastoDyn describes the tower from {} m to {} m by two mode shapes in each plane: polynomials of degree 2 to 6 in the normalised \
+         height x, with zero deflection and slope at the base and the value 1 at the top. {}The coefficients are fitted by least squares \
+         to the modes of the spectral beam, including rotor-nacelle assembly and foundation; residuals are relative to the largest \
+         deflection of the shape. The ElastoDyn frequency is computed with ElastoDyn's generalised mass and stiffness for the shape, \
+         without rotor-nacelle assembly and gravity; it is not comparable with the frequency of the mode.",
+        length(content.shapes_from_m),
+        length(content.tower.top_m()),
+        base(content)
+    )
 }
 
 /// States that base motion is subtracted before the fit, if the base can move.
