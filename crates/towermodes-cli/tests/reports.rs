@@ -295,7 +295,7 @@ fn margins_are_said_as_they_were_given() {
         ];
         let page = text(report(&arguments, Stdio::null()));
         assert!(
-            page.contains(&format!("FAIL at a margin of {margin} %")),
+            page.contains(&format!("FAIL at a required margin of {margin} %")),
             "{page}"
         );
         assert!(
