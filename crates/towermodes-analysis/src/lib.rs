@@ -1,15 +1,66 @@
 //! Questions asked of the natural modes of wind turbine towers.
 //!
-//! Every answer is computed from towers and their solutions alone: this crate reads no files and
-//! prints nothing, so the program, a report and a web page ask the same questions in the same way.
+//! Every answer is computed from towers and their solutions alone. This crate reads no files and
+//! prints nothing, so a program, a report and a web page ask the same questions in the same way.
 //!
 //! | question | function | module |
 //! |---|---|---|
-//! | How far are the methods from each other? | [`compare`] | [`study`] |
+//! | How far do the methods differ? | [`compare`] | [`study`] |
 //! | How do frequencies converge as the number of segments increases? | [`converge`] | [`study`] |
-//! | Does the rotor excite the tower? | [`campbell`] | [`resonance`] |
-//! | Do two files describe the same tower? | [`agree`] | [`agreement`] |
+//! | Does the rotor excite a mode of the tower? | [`campbell`] | [`resonance`] |
+//! | Do two descriptions describe the same tower? | [`agree`] | [`agreement`] |
 //! | Which mode shapes does ElastoDyn need? | [`tower_shapes`] | [`elastodyn`] |
+//!
+//! # Example
+//! ```
+//! use towermodes::{
+//!     Material, Method, Options, Rna, Rotor, Station, Tower, TowerDescription, solve,
+//! };
+//! use towermodes_analysis::agreement::AgreementLimits;
+//! use towermodes_analysis::resonance::{CampbellOptions, StiffnessClass};
+//! use towermodes_analysis::study::{ColumnSpec, Fineness};
+//! use towermodes_analysis::{Verdict, agree, campbell, compare, converge, tower_shapes};
+//!
+//! let description = TowerDescription {
+//!     materials: vec![Material::from_shear_modulus(8500.0, 2.1e11, 8.08e10)],
+//!     stations: vec![Station::new(0.0, 6.0, 0.027), Station::new(87.6, 3.87, 0.019)],
+//!     rna: Rna::point(350e3),
+//!     ..TowerDescription::default()
+//! };
+//! let tower = Tower::new(description.clone())?;
+//! let options = Options { modes: 4, ..Options::default() };
+//!
+//! // compare: 60 lumped segments against the reference beam solution
+//! let lumped = ColumnSpec { method: Method::Lumped, segments: Some(60) };
+//! let comparison = compare(&tower, &options, &[lumped], |_, _| ())?;
+//! let difference = comparison.relative_difference(&comparison.columns[0], 0);
+//! assert!(difference.is_some_and(|difference| difference.abs() < 1e-3));
+//!
+//! // converge: the error of the paper's element falls with the square of the number of segments
+//! let rmje = Options { method: Method::RmjeExact, ..options.clone() };
+//! let levels = [20, 40, 80].map(Fineness::Segments);
+//! let convergence = converge(&tower, &rmje, &levels, |_| ())?;
+//! let order = convergence.levels[2].orders[0];
+//! assert!(order.is_some_and(|order| (order - 2.0).abs() < 0.1));
+//!
+//! // campbell: the rotor speed range 6.9 to 12.1 rpm and the first bending modes
+//! let rotor = Rotor { blades: 3, lowest_rpm: 6.9, highest_rpm: 12.1 };
+//! let solution = solve(&tower, &options)?;
+//! let diagram = campbell(&tower, &solution, None, &rotor, &CampbellOptions::default())?;
+//! assert_eq!(diagram.classes[0].1, StiffnessClass::SoftStiff);
+//!
+//! // agree: the tower against one with a top mass that is 10 t larger
+//! let heavier = TowerDescription { rna: Rna::point(360e3), ..description.clone() };
+//! let agreement = agree(&description, &heavier, &AgreementLimits::default())?;
+//! assert_eq!(agreement.mass_kg.verdict, Verdict::Pass);
+//! assert_eq!(agreement.verdict(), Verdict::Fail);
+//!
+//! // tower_shapes: polynomials of x² to x⁶ for ElastoDyn, from the base up
+//! let shapes = tower_shapes(&tower, &options, tower.base_m())?;
+//! let sum: f64 = shapes.coefficients()[0].iter().sum();
+//! assert!((sum - 1.0).abs() < 1e-9);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
 
 pub mod agreement;
 pub mod elastodyn;

@@ -1,11 +1,19 @@
-//! How alike two mode shapes are.
+//! The modal assurance criterion of two mode shapes.
 
-/// The modal assurance criterion (Σ m a b)²/(Σ m a² Σ m b²) of two shapes sampled alike: 1 for
-/// shapes that differ by a factor only, 0 for shapes that are orthogonal (Allemang & Brown 1982),
-/// weighted by the masses at the samples if they are given.
+/// The modal assurance criterion MAC = (Σ m a b)²/(Σ m a² Σ m b²) of two shapes sampled at the same
+/// places: 1 for shapes that differ by a factor only, 0 for orthogonal shapes (Allemang & Brown
+/// 1982). The masses m at the samples are 1 unless given.
 ///
-/// None if the numbers of samples differ, or where a shape does not move, has weights below 0, or
-/// is not finite.
+/// None if the numbers of samples differ, a shape is zero everywhere, a mass is negative, or a
+/// number is not finite.
+///
+/// # Example
+/// ```
+/// use towermodes_analysis::mac;
+///
+/// assert_eq!(mac(&[0.0, 0.25, 1.0], &[0.0, -0.5, -2.0], None), Some(1.0));
+/// assert_eq!(mac(&[1.0, 1.0], &[1.0, -1.0], None), Some(0.0));
+/// ```
 pub fn mac(a: &[f64], b: &[f64], masses: Option<&[f64]>) -> Option<f64> {
     let n = a.len();
     let weighs = |masses: &[f64]| masses.len() == n && masses.iter().all(|&mass| mass >= 0.0);
@@ -24,8 +32,8 @@ pub fn mac(a: &[f64], b: &[f64], masses: Option<&[f64]>) -> Option<f64> {
         aa += mass * a * a;
         bb += mass * b * b;
     }
-    let alike = (ab / aa) * (ab / bb);
-    alike.is_finite().then(|| alike.min(1.0))
+    let mac = (ab / aa) * (ab / bb);
+    mac.is_finite().then(|| mac.min(1.0))
 }
 
 #[cfg(test)]

@@ -1,6 +1,6 @@
-//! What a difference is worth.
+//! The verdict on a difference.
 
-/// What a difference is worth.
+/// The verdict on a difference.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Verdict {
     /// No more than half the limit.
@@ -12,7 +12,15 @@ pub enum Verdict {
 }
 
 impl Verdict {
-    /// The verdict on a relative difference; one that is no number fails.
+    /// The verdict on a relative difference and its limit. A difference that is not a number fails.
+    ///
+    /// # Example
+    /// ```
+    /// use towermodes_analysis::Verdict;
+    ///
+    /// assert_eq!(Verdict::of(-0.004, 0.01), Verdict::Pass);
+    /// assert_eq!(Verdict::of(0.008, 0.01), Verdict::Warn);
+    /// ```
     pub fn of(difference: f64, limit: f64) -> Self {
         let size = difference.abs();
         if size <= 0.5 * limit {

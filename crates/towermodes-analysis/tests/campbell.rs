@@ -258,9 +258,9 @@ fn classes(rotor: Rotor, expected: &[(f64, StiffnessClass)]) {
 
 #[test]
 fn classes_of_a_5_mw_tower() {
-    use StiffnessClass::{Met, SoftSoft, SoftStiff, StiffStiff};
-    let by_speed = Met { multiple: 1 };
-    let by_blades = Met { multiple: 3 };
+    use StiffnessClass::{Coincident, SoftSoft, SoftStiff, StiffStiff};
+    let by_speed = Coincident { multiple: 1 };
+    let by_blades = Coincident { multiple: 3 };
     classes(
         NREL,
         &[
@@ -278,11 +278,11 @@ fn classes_of_a_5_mw_tower() {
 
 #[test]
 fn classes_have_names() {
-    use StiffnessClass::{Met, SoftSoft, SoftStiff, StiffStiff};
-    let met = Met { multiple: 3 };
+    use StiffnessClass::{Coincident, SoftSoft, SoftStiff, StiffStiff};
+    let met = Coincident { multiple: 3 };
     let names = [SoftSoft, SoftStiff, StiffStiff, met].map(StiffnessClass::name);
     assert_eq!(names, ["soft-soft", "soft-stiff", "stiff-stiff", "met"]);
-    assert_eq!(met.to_string(), "met by 3P in operation");
+    assert_eq!(met.to_string(), "coincides with 3P in operation");
     assert_eq!(SoftStiff.to_string(), "soft-stiff");
 }
 
@@ -310,15 +310,15 @@ fn pairs_within_a_factor_2_are_near() {
 /// 3 to 12 rpm: 1P 0.05 to 0.2 Hz, 3P 0.15 to 0.6 Hz.
 #[test]
 fn classes_where_both_ranges_overlap() {
-    use StiffnessClass::{Met, SoftSoft, StiffStiff};
+    use StiffnessClass::{Coincident, SoftSoft, StiffStiff};
     classes(
         rotor(3, 3.0, 12.0),
         &[
             (0.049, SoftSoft),
-            (0.051, Met { multiple: 1 }),
-            (0.18, Met { multiple: 1 }),
-            (0.21, Met { multiple: 3 }),
-            (0.59, Met { multiple: 3 }),
+            (0.051, Coincident { multiple: 1 }),
+            (0.18, Coincident { multiple: 1 }),
+            (0.21, Coincident { multiple: 3 }),
+            (0.59, Coincident { multiple: 3 }),
             (0.61, StiffStiff),
         ],
     );
@@ -327,13 +327,13 @@ fn classes_where_both_ranges_overlap() {
 /// 20 to 40 rpm: 0.333 to 0.667 Hz.
 #[test]
 fn a_rotor_of_one_blade_has_no_soft_stiff() {
-    use StiffnessClass::{Met, SoftSoft, StiffStiff};
+    use StiffnessClass::{Coincident, SoftSoft, StiffStiff};
     classes(
         rotor(1, 20.0, 40.0),
         &[
             (0.333, SoftSoft),
-            (0.334, Met { multiple: 1 }),
-            (0.666, Met { multiple: 1 }),
+            (0.334, Coincident { multiple: 1 }),
+            (0.666, Coincident { multiple: 1 }),
             (0.667, StiffStiff),
         ],
     );
@@ -443,12 +443,16 @@ fn known_to_1_hz(cuts: bool, margin: f64) -> Campbell {
 /// of 20 % up to 0.605/0.6 = 1.0083 Hz.
 #[test]
 fn modes_above_the_list_are_not_judged() {
-    assert_eq!(known_to_1_hz(false, 0.05).unjudged_hz(), None);
-    let [known_hz, reach_hz] = known_to_1_hz(false, 0.2).unjudged_hz().expect("a gap");
+    assert_eq!(known_to_1_hz(false, 0.05).uncovered_range_hz(), None);
+    let [known_hz, reach_hz] = known_to_1_hz(false, 0.2)
+        .uncovered_range_hz()
+        .expect("a gap");
     close(known_hz, 1.0);
     close(reach_hz, 0.605 / 0.6);
     // A mode beside the last one may be anywhere above it.
-    let [known_hz, _] = known_to_1_hz(true, 0.2).unjudged_hz().expect("a gap");
+    let [known_hz, _] = known_to_1_hz(true, 0.2)
+        .uncovered_range_hz()
+        .expect("a gap");
     close(known_hz, 0.75);
 }
 

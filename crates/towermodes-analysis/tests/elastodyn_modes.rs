@@ -6,9 +6,9 @@ use towermodes::{
     Rna, Solution, Tower, TowerDescription, solve,
 };
 use towermodes_analysis::elastodyn::{
-    ChooseError, DEFAULT_TORSION_LIMIT, PlaneModes, ShapeSamples, TowerModel, TowerPolynomial,
-    TowerStation, choose, damping_of_system_percent, damping_to_write_percent, fit,
-    sample_heights_m,
+    DEFAULT_TORSION_LIMIT, PlaneModes, SelectionError, ShapeSamples, TowerModel, TowerPolynomial,
+    TowerStation, damping_of_system_percent, damping_to_write_percent, fit, sample_heights_m,
+    select_bending_modes,
 };
 use towermodes_analysis::mac;
 
@@ -53,7 +53,7 @@ fn solved(description: TowerDescription, modes: usize) -> Solution {
 #[test]
 fn a_cantilever_s_modes_become_its_polynomials_in_both_planes() {
     let solution = solved(uniform(), 10);
-    let chosen = choose(&solution, DEFAULT_TORSION_LIMIT).expect("modes");
+    let chosen = select_bending_modes(&solution, DEFAULT_TORSION_LIMIT).expect("modes");
     assert!(chosen.passed_over.is_empty());
     let expected = [
         [
@@ -85,7 +85,7 @@ fn a_cantilever_s_modes_become_its_polynomials_in_both_planes() {
 #[test]
 fn elastodyn_finds_the_frequencies_of_the_tower_alone() {
     let solution = solved(uniform(), 10);
-    let chosen = choose(&solution, DEFAULT_TORSION_LIMIT).expect("modes");
+    let chosen = select_bending_modes(&solution, DEFAULT_TORSION_LIMIT).expect("modes");
     let shape = |mode| {
         let fit = fit(&chosen.samples(Plane::ForeAft, mode));
         fit.expect("a fit").polynomial
@@ -160,7 +160,7 @@ fn the_motion_of_a_soft_base_is_not_in_the_polynomials() {
         },
         10,
     );
-    let chosen = choose(&solution, DEFAULT_TORSION_LIMIT).expect("modes");
+    let chosen = select_bending_modes(&solution, DEFAULT_TORSION_LIMIT).expect("modes");
     let mut found = [[TowerPolynomial::default(); 2]; 2];
     for (plane, found) in [Plane::ForeAft, Plane::SideSide]
         .into_iter()
@@ -193,7 +193,7 @@ fn modes_that_twist_are_passed_over_and_named() {
     for part in [&mut twisted.kinetic, &mut twisted.strain] {
         (part.fore_aft, part.torsion) = (0.45, 0.55);
     }
-    let chosen = choose(&solution, DEFAULT_TORSION_LIMIT).expect("modes");
+    let chosen = select_bending_modes(&solution, DEFAULT_TORSION_LIMIT).expect("modes");
     let labels = chosen.modes.fore_aft.map(|mode| mode.label());
     assert_eq!(labels, ["1st fore-aft bending", "3rd fore-aft bending"]);
     assert_eq!(chosen.passed_over.len(), 1);
@@ -203,8 +203,8 @@ fn modes_that_twist_are_passed_over_and_named() {
         (second, "2nd fore-aft bending")
     );
     assert_eq!(passed_over.torsion_share, 0.55);
-    assert!(choose(&solution, 0.55).is_ok_and(|all| all.passed_over.is_empty()));
-    assert!(choose(&solution, f64::NAN).is_err());
+    assert!(select_bending_modes(&solution, 0.55).is_ok_and(|all| all.passed_over.is_empty()));
+    assert!(select_bending_modes(&solution, f64::NAN).is_err());
 }
 
 #[test]
@@ -216,7 +216,7 @@ fn coupled_modes_are_of_the_plane_with_most_of_their_energy() {
     for part in [&mut coupled.energy.kinetic, &mut coupled.energy.strain] {
         (part.side_side, part.fore_aft, part.torsion) = (0.45, 0.35, 0.2);
     }
-    let chosen = choose(&solution, DEFAULT_TORSION_LIMIT).expect("modes");
+    let chosen = select_bending_modes(&solution, DEFAULT_TORSION_LIMIT).expect("modes");
     assert_eq!(chosen.modes.side_side[1].number, second);
     assert_eq!(chosen.modes.fore_aft[1].label(), "2nd fore-aft bending");
     // With most of it in torsion it is of no plane, and not passed over either.
@@ -224,7 +224,7 @@ fn coupled_modes_are_of_the_plane_with_most_of_their_energy() {
     for part in [&mut coupled.energy.kinetic, &mut coupled.energy.strain] {
         (part.side_side, part.fore_aft, part.torsion) = (0.25, 0.25, 0.5);
     }
-    let chosen = choose(&solution, DEFAULT_TORSION_LIMIT).expect("modes");
+    let chosen = select_bending_modes(&solution, DEFAULT_TORSION_LIMIT).expect("modes");
     assert_eq!(chosen.modes.side_side[1].label(), "3rd side-side bending");
     assert!(chosen.passed_over.is_empty());
 }
@@ -232,10 +232,10 @@ fn coupled_modes_are_of_the_plane_with_most_of_their_energy() {
 #[test]
 fn a_list_too_short_says_how_many_modes_to_ask_for() {
     let solution = solved(uniform(), 3);
-    let error = choose(&solution, DEFAULT_TORSION_LIMIT).expect_err("too few");
+    let error = select_bending_modes(&solution, DEFAULT_TORSION_LIMIT).expect_err("too few");
     assert_eq!(
         error,
-        ChooseError::TooFewModes {
+        SelectionError::TooFewModes {
             plane: Plane::SideSide,
             found: 1,
             passed_over: 0,
@@ -253,7 +253,7 @@ fn a_list_too_short_says_how_many_modes_to_ask_for() {
 fn shapes_without_samples_are_refused_and_modes_are_told_apart() {
     let tower = Tower::new(uniform()).expect("a tower");
     let solution = solve(&tower, &Options::default()).expect("modes");
-    let chosen = choose(&solution, DEFAULT_TORSION_LIMIT).expect("modes");
+    let chosen = select_bending_modes(&solution, DEFAULT_TORSION_LIMIT).expect("modes");
     assert!(fit(&chosen.samples(Plane::ForeAft, 0)).is_err());
     let deflections = |mode: usize| -> Vec<f64> {
         let shape = &chosen.modes.fore_aft[mode].shape;

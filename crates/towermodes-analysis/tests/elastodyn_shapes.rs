@@ -10,8 +10,8 @@ use elastodyn_towers::{
 use towermodes::{Foundation, FoundationSprings, Plane, Planes, SolveError, TowerDescription};
 use towermodes_analysis::Verdict;
 use towermodes_analysis::elastodyn::{
-    Judgement, JudgementLimits, PlaneModes, ShapesError, TowerPolynomial, TowerShapes, judge,
-    tower_shapes,
+    PlaneModes, ShapesError, TowerPolynomial, TowerShapes, ValidatedShape, ValidationLimits,
+    tower_shapes, validate_shapes,
 };
 
 /// βL of the cantilever's first two modes.
@@ -137,14 +137,14 @@ fn modes(shapes: [TowerPolynomial; 2]) -> PlaneModes {
 }
 
 /// Judges these two shapes in the fore-aft plane; the side-side ones are the tower's own.
-fn judged(fore_aft: [TowerPolynomial; 2]) -> [Judgement; 4] {
+fn judged(fore_aft: [TowerPolynomial; 2]) -> [ValidatedShape; 4] {
     let own = own();
     let shipped = Planes {
         fore_aft: modes(fore_aft),
         side_side: modes(own.polynomials(Plane::SideSide)),
     };
-    let limits = JudgementLimits::default();
-    judge(&uniform_model(), &shipped, &own, &limits).expect("judgements")
+    let limits = ValidationLimits::default();
+    validate_shapes(&uniform_model(), &shipped, &own, &limits).expect("judgements")
 }
 
 /// a + k b.
@@ -251,5 +251,5 @@ fn sums_that_openfast_refuses_fail() {
     // No frequency of a shape that does not move.
     let own = own();
     let none = Planes::both(modes([TowerPolynomial::default(); 2]));
-    assert!(judge(&uniform_model(), &none, &own, &JudgementLimits::default()).is_err());
+    assert!(validate_shapes(&uniform_model(), &none, &own, &ValidationLimits::default()).is_err());
 }

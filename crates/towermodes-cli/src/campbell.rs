@@ -1,10 +1,8 @@
 //! `towermodes campbell`.
 
-use towermodes::number::four_digits;
-use towermodes::tower::Rpm;
 use towermodes::{Options, Solution, Tower};
 use towermodes_analysis::Verdict;
-use towermodes_analysis::resonance::{Campbell, CampbellError, FrequencyLine, campbell, reach_hz};
+use towermodes_analysis::resonance::{Assessment, Campbell, assess, reach_hz, solve_to_reach};
 use towermodes_files::{Note, RotorNotes, TowerInput, write_campbell_csv, write_campbell_json};
 
 use crate::args::{CampbellArguments, ChosenRotor, Format, Prescribed, RotorArguments};
@@ -13,9 +11,6 @@ use crate::input::tower_input;
 use crate::output::{check_not_input, check_not_inputs, deliver};
 use crate::progress::solve;
 use crate::table;
-
-/// How many modes are looked for, if nobody says, to come as high as the rotor's excitations.
-const MOST_MODES: usize = 40;
 
 /// Reads the tower, solves it, sets its frequencies against the rotor's excitations; a pair that
 /// fails is exit code 1.
@@ -32,7 +27,7 @@ pub(crate) fn run(arguments: &CampbellArguments) -> Result<(), Failure> {
     let prescribed = Prescribed::of(&mut input);
     let mut options = arguments.options(prescribed).map_err(Failure::Usage)?;
     let is_given = arguments.has_modes();
-    let solution = solve_to_reach(&input, &tower, &arguments.rotor, &mut options, is_given)?;
+    let solution = solved_to_reach(&input, &tower, &arguments.rotor, &mut options, is_given)?;
     let (campbell, rotor_notes) = campbell_of(&input, &tower, &solution, &arguments.rotor)?;
     let notes = [std::mem::take(&mut input.notes), rotor_notes].concat();
     let mut result = Vec::new();
@@ -54,32 +49,27 @@ pub(crate) fn run(arguments: &CampbellArguments) -> Result<(), Failure> {
     judged(&campbell)
 }
 
-/// Solves for the modes that the options ask for and, if nobody gave a number, for as many more as
-/// the rotor's excitations reach.
+/// Solves for the modes that the options ask for and, if no number was given, for as many more as
+/// the excitations of the rotor reach.
 ///
 /// # Errors
 /// [`Failure::Unsolved`].
-pub(crate) fn solve_to_reach(
+pub(crate) fn solved_to_reach(
     input: &TowerInput,
     tower: &Tower,
     arguments: &RotorArguments,
     options: &mut Options,
     is_given: bool,
 ) -> Result<Solution, Failure> {
-    let mut solution = solve(tower, options).map_err(Failure::Unsolved)?;
-    let Some(chosen) = arguments.rotor(input.description.rotor, input.blades) else {
-        return Ok(solution);
-    };
-    let reach_hz = reach_hz(&chosen.rotor, &arguments.options());
-    while !is_given && solution.certificate.below_hz < reach_hz && options.modes < MOST_MODES {
-        let modes = (2 * options.modes).min(MOST_MODES);
-        options.modes = modes.min(solution.degrees_of_freedom);
-        if options.modes <= solution.modes.len() {
-            break;
+    let rotor = arguments.rotor(input.description.rotor, input.blades);
+    let solution = match rotor.filter(|_| !is_given) {
+        Some(chosen) => {
+            let reach_hz = reach_hz(&chosen.rotor, &arguments.options());
+            solve_to_reach(options, reach_hz, |options| solve(tower, options))
         }
-        solution = solve(tower, options).map_err(Failure::Unsolved)?;
-    }
-    Ok(solution)
+        None => solve(tower, options),
+    };
+    solution.map_err(Failure::Unsolved)
 }
 
 /// The rotor of the file, or of the command line.
@@ -93,12 +83,11 @@ pub(crate) fn rotor_of(
     })
 }
 
-/// The natural frequencies of a solved tower, and of its blade if the files have one, against the
-/// rotor's excitations; with what the user should know of the rotor. A blade that has no modes at
-/// one of the speeds is left out with a note: the tower's margins are as good.
+/// The Campbell diagram of a solved tower, and of its blade if the files have one, with the notes on
+/// it.
 ///
 /// # Errors
-/// [`Failure::NoRotor`] if neither the file nor the command line says how fast the rotor runs;
+/// [`Failure::NoRotor`] if neither the file nor the command line gives the rotor speed;
 /// [`Failure::Campbell`].
 pub(crate) fn campbell_of(
     input: &TowerInput,
@@ -107,38 +96,12 @@ pub(crate) fn campbell_of(
     arguments: &RotorArguments,
 ) -> Result<(Campbell, Vec<Note>), Failure> {
     let chosen = rotor_of(input, arguments)?;
-    let options = arguments.options();
+    let (blade, options) = (input.blade.as_ref(), arguments.options());
+    let assessment = assess(tower, solution, blade, &chosen.rotor, &options);
+    let Assessment { campbell, remarks } = assessment.map_err(Failure::Campbell)?;
     let mut notes = notes_on(input, &chosen);
-    let warnings = tower.rotor_warnings(&chosen.rotor);
-    notes.extend(
-        warnings
-            .iter()
-            .map(|warning| Note::new(warning.to_string())),
-    );
-    let diagram = |blade| campbell(tower, solution, blade, &chosen.rotor, &options);
-    let campbell = match diagram(input.blade.as_ref()) {
-        Err(error @ (CampbellError::Blade { .. } | CampbellError::NoBlade(_))) => {
-            let message = format!("the modes of the blade are left out: {error}");
-            notes.push(Note::new(message));
-            diagram(None)
-        }
-        other => other,
-    };
-    let campbell = campbell.map_err(Failure::Campbell)?;
-    let lost = |line| lost_note(line, chosen.rotor.lowest_rpm, chosen.rotor.highest_rpm);
-    notes.extend(campbell.lines.iter().filter_map(lost));
-    notes.extend(unjudged(&campbell));
+    notes.extend(remarks.iter().map(|remark| Note::new(remark.to_string())));
     Ok((campbell, notes))
-}
-
-/// Excitations that reach higher than the modes that are known.
-fn unjudged(campbell: &Campbell) -> Option<Note> {
-    let [known_hz, reach_hz] = campbell.unjudged_hz()?;
-    Some(Note::new(format!(
-        "the list of modes ends at {} Hz and excitations count up to {} Hz: modes between these are not judged (--modes)",
-        four_digits(known_hz),
-        four_digits(reach_hz)
-    )))
 }
 
 /// What the reader and the program decided of the rotor.
@@ -160,26 +123,6 @@ fn notes_on(input: &TowerInput, chosen: &ChosenRotor) -> Vec<Note> {
     notes.chain(assumed).collect()
 }
 
-/// That a mode of a blade was lost, and what that does to its margins.
-fn lost_note(line: &FrequencyLine, lowest_rpm: f64, highest_rpm: f64) -> Option<Note> {
-    let end = line.lost?;
-    let [last_rpm, _] = *line.points.last()?;
-    let margins = if last_rpm < lowest_rpm {
-        "there are no margins of it"
-    } else if last_rpm < highest_rpm {
-        "its margins are those of the speeds before, and none passes"
-    } else {
-        "that is beyond operation, and its margins hold"
-    };
-    Some(Note::new(format!(
-        "{} is lost: at {} rpm no mode is like it (the one left for it has a modal assurance criterion of {:.2}), so its line ends at {} rpm; {margins}",
-        line.label,
-        Rpm(end.rotor_speed_rpm),
-        end.alike,
-        Rpm(last_rpm)
-    )))
-}
-
 /// Whether the rotor may run as it does.
 fn judged(campbell: &Campbell) -> Result<(), Failure> {
     let fails = |verdict: &Verdict| *verdict == Verdict::Fail;
@@ -196,10 +139,9 @@ fn judged(campbell: &Campbell) -> Result<(), Failure> {
 #[cfg(test)]
 mod tests {
     use clap::Parser;
-    use towermodes::{BladeDescription, BladeFamily, BladeSection};
-    use towermodes_analysis::resonance::{Excited, FrequencyLine, LineEnd};
+    use towermodes::{BladeDescription, BladeSection};
 
-    use super::{campbell_of, lost_note};
+    use super::campbell_of;
     use crate::args::{Arguments, Command, Prescribed};
     use crate::input::tower_input;
     use crate::progress::solve;
@@ -258,7 +200,7 @@ mod tests {
             (2, 8, 1)
         );
         // Two modes are fewer than 90 rpm excite.
-        assert!(notes[0].to_string().contains("are not judged"));
+        assert!(notes[0].to_string().contains("are not assessed"));
         let backwards = BladeDescription {
             hub_radius_m: 2.0,
             ..unstable_blade()
@@ -271,37 +213,8 @@ mod tests {
             assert_eq!(campbell, without);
             assert_eq!(notes.len(), 2, "{notes:?}");
             let said = notes[0].to_string();
-            let expected = format!("the modes of the blade are left out: {why}");
+            let expected = format!("the diagram has no blade modes: {why}");
             assert!(said.starts_with(&expected), "{said}");
         }
-    }
-
-    #[test]
-    fn a_lost_mode_is_said_with_its_numbers() {
-        let (family, order) = (BladeFamily::Flap, 2);
-        let line = FrequencyLine {
-            of: Excited::Blade { family, order },
-            label: "blade 2nd flap".to_owned(),
-            points: vec![[0.0, 1.0], [9.5, 1.5]],
-            error_hz: 0.0,
-            lost: Some(LineEnd {
-                rotor_speed_rpm: 10.0,
-                alike: 0.125,
-            }),
-        };
-        let said = |lowest_rpm: f64, highest_rpm: f64| {
-            let note = lost_note(&line, lowest_rpm, highest_rpm).expect("a note");
-            note.to_string()
-        };
-        let text = said(5.0, 12.0);
-        assert_eq!(
-            text,
-            "blade 2nd flap is lost: at 10 rpm no mode is like it (the one left for it has a modal assurance criterion of 0.12), so its line \
-             ends at 9.5 rpm; its margins are those of the speeds before, and none passes"
-        );
-        assert!(said(9.8, 12.0).ends_with("there are no margins of it"));
-        assert!(said(5.0, 9.0).ends_with("its margins hold"));
-        let whole = FrequencyLine { lost: None, ..line };
-        assert_eq!(lost_note(&whole, 5.0, 12.0), None);
     }
 }

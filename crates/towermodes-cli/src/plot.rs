@@ -9,7 +9,7 @@ use towermodes_report::svg::Figure;
 use towermodes_report::{figures, raster};
 
 use crate::args::{PictureFormat, PlotArguments, Prescribed, What};
-use crate::campbell::{campbell_of, rotor_of, solve_to_reach};
+use crate::campbell::{campbell_of, rotor_of, solved_to_reach};
 use crate::failure::{Failure, note, warn};
 use crate::input::tower_input;
 use crate::output::{check_not_input, check_not_inputs, check_terminal, deliver_bytes};
@@ -121,7 +121,7 @@ fn campbell(
     rotor_of(input, &arguments.rotor)?;
     let mut options = options(input, arguments)?;
     let is_given = arguments.has_modes();
-    let solution = solve_to_reach(input, tower, &arguments.rotor, &mut options, is_given)?;
+    let solution = solved_to_reach(input, tower, &arguments.rotor, &mut options, is_given)?;
     let (campbell, notes) = campbell_of(input, tower, &solution, &arguments.rotor)?;
     let drawn = Drawn::new(figures::campbell(&campbell), &solution.warnings);
     Ok(Drawn {

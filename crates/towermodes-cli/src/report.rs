@@ -14,7 +14,7 @@ use towermodes_report::report::{
 };
 
 use crate::args::{PageFormat, Prescribed, ReportArguments};
-use crate::campbell::{campbell_of, solve_to_reach};
+use crate::campbell::{campbell_of, solved_to_reach};
 use crate::failure::{Failure, note, warn};
 use crate::input::tower_input;
 use crate::output::{check_not_input, check_not_inputs, check_terminal, deliver};
@@ -52,7 +52,7 @@ fn content(
     let prescribed = Prescribed::of(input);
     let mut options = arguments.options(prescribed).map_err(Failure::Usage)?;
     let is_given = arguments.has_modes();
-    let solution = solve_to_reach(input, &tower, &arguments.rotor, &mut options, is_given)?;
+    let solution = solved_to_reach(input, &tower, &arguments.rotor, &mut options, is_given)?;
     let campbell = resonance(input, &tower, &solution, arguments)?;
     // On a monopile ElastoDyn's tower is what stands above it.
     let shapes_from_m = input.joint_m.unwrap_or(tower.base_m());

@@ -1,32 +1,22 @@
-//! Every method on one tower, as the report and the picture of errors have them.
+//! Every method on one tower, for the report and the picture of errors.
 
 use towermodes::{Method, Options, SolveError, Tower};
-use towermodes_analysis::study::{ColumnSpec, Comparison, compare_with};
+use towermodes_analysis::study::{
+    COMPARED_SEGMENTS, ColumnSpec, Comparison, all_methods as columns_of, compare_all_methods,
+};
 
 use crate::progress::Progress;
 
-/// Segments, or elements, of each method unless told.
-pub(crate) const COMPARED_SEGMENTS: usize = 60;
-
-/// Every method with so many segments, or elements; the spectral beam has its own.
+/// Compares all methods and shows the progress.
 pub(crate) fn all_methods(
     tower: &Tower,
     options: &Options,
     segments: Option<usize>,
 ) -> Result<Comparison, SolveError> {
     let segments = segments.unwrap_or(COMPARED_SEGMENTS);
-    let column = |method: Method| ColumnSpec {
-        method,
-        segments: (method != Method::Spectral).then_some(segments),
-    };
-    let columns = Method::ALL.map(column);
-    let options = Options {
-        borders_m: None,
-        ..options.clone()
-    };
-    let progress = Progress::of(columns_in_words(&columns));
+    let progress = Progress::of(columns_in_words(&columns_of(segments)));
     let mut workspace = progress.workspace();
-    compare_with(tower, &options, &columns, &mut workspace, |_, _| {
+    compare_all_methods(tower, options, segments, &mut workspace, |_, _| {
         progress.done();
     })
 }

@@ -2,9 +2,11 @@
 
 use thiserror::Error;
 
-use super::choose::{ChooseError, DEFAULT_TORSION_LIMIT, PassedOver, choose, sample_heights_m};
 use super::decimal::{COEFFICIENT_DECIMALS, DecimalPolynomial, RoundingError};
 use super::fit::{FitError, PolynomialFit, fit};
+use super::selection::{
+    DEFAULT_TORSION_LIMIT, PassedOver, SelectionError, sample_heights_m, select_bending_modes,
+};
 use super::shape_samples::ShapeSamples;
 use towermodes::Plain;
 use towermodes::tower::{Plane, Tower};
@@ -54,7 +56,7 @@ pub enum ShapesError {
     Solve(#[from] SolveError),
     /// It has too few bending modes.
     #[error(transparent)]
-    Choose(#[from] ChooseError),
+    Selection(#[from] SelectionError),
     /// A mode is no polynomial.
     #[error("the {label} cannot be fitted: {error}")]
     Fit {
@@ -111,8 +113,8 @@ pub fn tower_shapes(
     };
     loop {
         let solution = solve(tower, &options)?;
-        match choose(&solution, DEFAULT_TORSION_LIMIT) {
-            Err(ChooseError::TooFewModes { .. }) if options.modes < MOST_MODES => {
+        match select_bending_modes(&solution, DEFAULT_TORSION_LIMIT) {
+            Err(SelectionError::TooFewModes { .. }) if options.modes < MOST_MODES => {
                 options.modes *= 2;
             }
             Err(error) => return Err(error.into()),

@@ -1,4 +1,4 @@
-//! Natural frequencies against the speed of a rotor.
+//! The Campbell diagram: natural frequencies against the rotor speed, and their margins.
 
 use thiserror::Error;
 
@@ -9,7 +9,7 @@ use towermodes::tower::TowerError;
 use towermodes::tower::{Rotor, Rpm};
 use towermodes::{BladeFamily, SolveError};
 
-/// The margin that guidelines for certification ask for: an excitation must be 5 % away from a
+/// The margin that certification guidelines require: an excitation must be at least 5 % away from a
 /// natural frequency (Germanischer Lloyd, *Guideline for the Certification of Wind Turbines*, 2010;
 /// DIBt, *Richtlinie für Windenergieanlagen*, 2012: f_R/f₀ ≤ 0.95 or ≥ 1.05).
 pub const DEFAULT_MARGIN: f64 = 0.05;
@@ -17,94 +17,94 @@ pub const DEFAULT_MARGIN: f64 = 0.05;
 /// Diagrams go to this many times the highest operating speed.
 pub const BEYOND_OPERATION: f64 = 1.2;
 
-/// What is asked of a diagram.
+/// Options of a Campbell diagram.
 #[derive(Debug, Clone, PartialEq)]
 pub struct CampbellOptions {
-    /// The least relative distance |n Ω/f − 1| of an excitation to a natural frequency that passes.
+    /// The smallest relative distance |n Ω/f − 1| of an excitation from a natural frequency that
+    /// passes, above 0 and below 1.
     pub margin: f64,
-    /// Which multiples of the rotor's speed; empty is the speed itself and one, two and three times
-    /// the number of blades.
+    /// The multiples n of the rotor speed; if empty, 1 and one, two and three times the number of
+    /// blades.
     pub multiples: Vec<usize>,
-    /// How many modes of a blade, from the lowest.
+    /// Number of blade modes, from the lowest.
     pub blade_modes: usize,
-    /// How many equally spaced speeds from standstill to
-    /// [`BEYOND_OPERATION`](super::BEYOND_OPERATION) times the highest a blade is solved at, 2 to
-    /// 1000; the lowest and the highest speed of operation come in addition where they are not
-    /// among them.
+    /// Number of equally spaced rotor speeds at which a blade is solved, 2 to 1000, from standstill
+    /// to [`BEYOND_OPERATION`] times the highest operating speed. The lowest and the highest
+    /// operating speed are added if they are not among them.
     pub speeds: usize,
 }
 
-/// What has a natural frequency.
+/// The mode that a natural frequency belongs to.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Excited {
-    /// A mode of the tower: its number in the list of its solution, from 1, its family and order.
+    /// A mode of the tower.
     Tower {
-        /// Its number.
+        /// Its number in the list of the solution, from 1.
         number: usize,
         /// Its family.
         family: Family,
-        /// Its order in the family.
+        /// Its order in the family, from 1.
         order: usize,
     },
-    /// A mode of a rotating blade, followed from speed to speed: its family and order at
+    /// A mode of a rotating blade, followed from speed to speed. Family and order are those at
     /// standstill.
     Blade {
         /// Its family.
         family: BladeFamily,
-        /// Its order in the family.
+        /// Its order in the family, from 1.
         order: usize,
     },
 }
 
-/// A natural frequency against the rotor's speed.
+/// A natural frequency against the rotor speed: one line of the diagram.
 #[derive(Debug, Clone, PartialEq)]
 pub struct FrequencyLine {
-    /// Of what.
+    /// The mode.
     pub of: Excited,
-    /// What it is called: "1st fore-aft bending", "blade 1st flap".
+    /// Its name: "1st fore-aft bending", "blade 1st flap".
     pub label: String,
-    /// Rotor speed (rpm) and frequency (Hz) by rising speed, from standstill; of a tower's mode the
-    /// two ends.
+    /// Rotor speed (rpm) and natural frequency (Hz) in the order of rising speed, from standstill.
+    /// A tower mode has the two ends of its horizontal line.
     pub points: Vec<[f64; 2]>,
     /// The largest estimated error of the frequencies, Hz.
     pub error_hz: f64,
-    /// Why it ends before the others; none if it goes on to the end.
+    /// Where and why the line ends early; none if it reaches the highest speed.
     pub lost: Option<LineEnd>,
 }
 
-/// Where a mode of a blade was lost: none of the modes at the next speed is like it, and its line
-/// ends before.
+/// The end of the line of a blade mode that was lost: no mode at the next speed has a similar
+/// shape.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct LineEnd {
-    /// The speed at which it is not found, rpm.
+    /// The first rotor speed at which the mode is not found, rpm.
     pub rotor_speed_rpm: f64,
-    /// How alike the mode is that was left for it there: the modal assurance criterion, 0 to 1,
-    /// where 1 is the same shape.
-    pub alike: f64,
+    /// The modal assurance criterion of the closest mode there that is not another line's, 0 to 1
+    /// (1: the same shape).
+    pub mac: f64,
 }
 
-/// How far an excitation stays from a natural frequency in operation.
+/// The distance of an excitation from a natural frequency in operation.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Margin {
-    /// Which line of the diagram, from 0.
+    /// Index of the line in the diagram, from 0.
     pub line: usize,
-    /// Which multiple n of the rotor's speed Ω.
+    /// The multiple n of the rotor speed Ω.
     pub multiple: usize,
-    /// The speed of operation at which they are nearest, rpm; of a line that was lost as far as it
-    /// goes.
+    /// The operating speed at which both are closest, rpm. A line that ends early counts up to its
+    /// end.
     pub nearest_rpm: f64,
     /// The excitation n Ω there, Hz.
     pub excitation_hz: f64,
     /// The natural frequency f there, Hz.
     pub natural_hz: f64,
-    /// n Ω/f − 1 there: negative where the excitation stays below, zero where they meet.
+    /// n Ω/f − 1 there: negative where the excitation stays below, zero where both coincide.
     pub distance: f64,
-    /// What it is worth.
+    /// The verdict on the distance.
     pub verdict: Verdict,
 }
 
 impl Margin {
-    /// Whether it is worth a look: the excitation is less than a factor 2 from the natural
+    /// Whether tables list it by default: the excitation is less than a factor 2 from the natural
     /// frequency, or the pair does not pass.
     pub fn is_near(&self) -> bool {
         let ratio = 1.0 + self.distance;
@@ -112,77 +112,79 @@ impl Margin {
     }
 }
 
-/// Where the first bending frequency of a tower lies among the excitations.
+/// The stiffness class of a tower: where its first bending frequency lies among the excitations.
 ///
-/// The rotor's speed excites from its lowest to its highest speed, its blades' passing from the
-/// number of blades times the one to that times the other. Where both ranges overlap (a wide range
-/// of speeds), what is in both counts as met by the rotor's speed, and nothing is soft-stiff. A
-/// rotor of one blade has one range: below it is soft-soft, above it stiff-stiff.
+/// In operation 1P ranges from the lowest to the highest rotor speed, and the blade passing
+/// frequency over the number of blades times that range. Where both ranges overlap (a wide range of
+/// speeds), a frequency in both counts as coincident with 1P, and no tower is soft-stiff. A rotor of
+/// one blade has one range: below it a tower is soft-soft, above it stiff-stiff.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum StiffnessClass {
-    /// Below the rotor's lowest speed.
+    /// Below 1P at the lowest operating speed.
     SoftSoft,
-    /// Between the rotor's highest speed and the lowest passing frequency of the blades.
+    /// Between 1P at the highest and the blade passing frequency at the lowest operating speed.
     SoftStiff,
-    /// Above the highest passing frequency of the blades.
+    /// Above the blade passing frequency at the highest operating speed.
     StiffStiff,
-    /// Within the range of this multiple of the rotor's speed: it is met in operation.
-    Met {
+    /// Within the operating range of a multiple of the rotor speed: both coincide at some operating
+    /// speed.
+    Coincident {
         /// The multiple: 1 or the number of blades.
         multiple: usize,
     },
 }
 
-/// Natural frequencies against the speed of a rotor, with margins.
+/// Natural frequencies against the rotor speed, with the margins of all excitations.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Campbell {
     /// The rotor.
     pub rotor: Rotor,
-    /// The margin asked for.
+    /// The required margin, a fraction of the natural frequency.
     pub margin: f64,
-    /// The multiples of the rotor's speed, rising.
+    /// The multiples of the rotor speed, rising.
     pub multiples: Vec<usize>,
-    /// The frequency below which every mode of the tower is in the list, Hz; none if all modes are.
+    /// The frequency below which the list of tower modes is complete, Hz; none if the list has all
+    /// modes.
     pub known_to_hz: Option<f64>,
-    /// The lines: modes of the tower by frequency, then those of the blade.
+    /// The lines: tower modes by frequency, then blade modes.
     pub lines: Vec<FrequencyLine>,
-    /// Every line against every multiple, by line, then by multiple.
+    /// The margin of every line against every multiple, by line, then by multiple.
     pub margins: Vec<Margin>,
-    /// Where the lowest mode that bends the tower fore-aft lies, and that side-side, if they are in
-    /// the list; a coupled mode may be both.
+    /// The stiffness class of the lowest fore-aft and of the lowest side-side bending mode, if they
+    /// are in the list. One coupled mode may be both.
     pub classes: Vec<(Family, StiffnessClass)>,
-    /// Which lines these modes are, from 0, in the order of `classes`.
+    /// The indices of the lines of these modes, from 0, in the order of `classes`.
     pub first_bending: Vec<usize>,
 }
 
-/// Why there is no diagram.
+/// Why there is no Campbell diagram.
 #[derive(Debug, Clone, PartialEq, Error)]
 pub enum CampbellError {
-    /// A margin that is none.
+    /// The required margin is not between 0 and 1.
     #[error("the margin is {margin}, but it must be above 0 and below 1")]
     Margin {
         /// The margin.
         margin: f64,
     },
-    /// A multiple of nothing.
-    #[error("a multiple of the rotor's speed is 0")]
+    /// A multiple is 0.
+    #[error("a multiple of the rotor speed is 0; multiples start at 1")]
     Multiple,
-    /// Too few speeds, or more than anybody looks at.
-    #[error("{speeds} speeds; a blade's modes are followed over 2 to 1000")]
+    /// The number of speeds is not 2 to 1000.
+    #[error("the number of rotor speeds is {speeds}, but it must be 2 to 1000")]
     Speeds {
-        /// How many.
+        /// The number given.
         speeds: usize,
     },
-    /// A rotor that cannot be.
+    /// The description of the rotor is invalid.
     #[error(transparent)]
     Rotor(#[from] TowerError),
-    /// A solution whose shapes are at other heights than the tower's stations.
+    /// The shapes of the solution are at other heights than the stations of the tower.
     #[error("the solution is not of this tower")]
     OtherTower,
-    /// A blade that cannot be.
+    /// The description of the blade is invalid.
     #[error("the blade: {0}")]
     NoBlade(#[from] BladeError),
-    /// A blade that cannot be solved at a speed.
+    /// The blade cannot be solved at a rotor speed.
     #[error("the blade at {} rpm: {error}", Rpm(*.rotor_speed_rpm))]
     Blade {
         /// The speed, rpm.

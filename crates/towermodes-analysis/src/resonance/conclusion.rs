@@ -1,5 +1,5 @@
-//! What a Campbell diagram says in words: the verdict on the first bending frequencies first, then
-//! the pairs that fail or are warned of.
+//! The conclusion of a Campbell diagram in sentences: the first bending frequencies first, then the
+//! pairs that fail or warn.
 
 use super::campbell::{Campbell, Excited, Margin, StiffnessClass};
 use super::margin::is_strong;
@@ -8,19 +8,19 @@ use towermodes::modes::Family;
 use towermodes::number::{self, four_digits};
 use towermodes::tower::{Rotor, Rpm};
 
-/// Of each kind of remark at most so many pairs are named.
+/// Each sentence names at most this many pairs.
 const NAMED: usize = 6;
 
 impl Campbell {
     /// The conclusion in sentences, the most important first.
     ///
-    /// The first says where the first bending frequencies lie among 1P and the passing of the
-    /// blades and how far away these stay: "The first bending frequencies, 0.3187 Hz (side-side)
+    /// The first sentence states where the first bending frequencies lie relative to 1P and the
+    /// blade passing frequency, and their margins: "The first bending frequencies, 0.3187 Hz (side-side)
     /// and 0.3215 Hz (fore-aft), lie between 1P (up to 0.2017 Hz) and 3P (from 0.3450 Hz) with
     /// margins of at least 7.3 %: soft-stiff." Two planes of different classes have a sentence
-    /// each. Then come the pairs that fail, the warnings of 1P and of the passing of the blades,
-    /// the minor warnings (other multiples, modes of a blade), and modes that are
-    /// [not checked](Self::unjudged_hz).
+    /// each. Then follow the pairs that fail, the warnings of 1P and of the blade passing
+    /// frequency, the minor warnings (other multiples, blade modes), and the range in which modes
+    /// are [not covered](Self::uncovered_range_hz).
     #[must_use]
     pub fn conclusion(&self) -> Vec<String> {
         let mut sentences = standing(self);
@@ -37,7 +37,7 @@ impl Campbell {
             sentences.push("No warnings.".to_owned());
         }
         sentences.extend(remarks);
-        sentences.extend(self.unjudged_hz().map(|[from_hz, to_hz]| {
+        sentences.extend(self.uncovered_range_hz().map(|[from_hz, to_hz]| {
             format!(
                 "Modes between {} and {} Hz are not in the list and were not checked.",
                 four_digits(from_hz),
@@ -56,7 +56,7 @@ struct First {
     line: usize,
 }
 
-/// Where the first bending modes lie, in one sentence if they lie alike.
+/// The position of the first bending modes, in one sentence if both have the same class.
 fn standing(campbell: &Campbell) -> Vec<String> {
     let pairs = campbell.classes.iter().zip(&campbell.first_bending);
     let firsts = pairs.map(|((family, class), line)| First {
@@ -112,7 +112,7 @@ fn sentence(campbell: &Campbell, firsts: &[First]) -> String {
     format!("The first {plane}bending {subject} {place}{margin}: {class}.")
 }
 
-/// Where a class has its modes, and what it is called.
+/// The frequency range of a class in words, and its name.
 fn place(class: StiffnessClass, rotor: &Rotor) -> (String, &'static str) {
     let passing = rotor.blades;
     let hz = |multiple: usize, rpm: f64| four_digits(multiple as f64 * rpm / 60.0);
@@ -127,20 +127,20 @@ fn place(class: StiffnessClass, rotor: &Rotor) -> (String, &'static str) {
         StiffnessClass::StiffStiff => {
             format!("above {passing}P (up to {} Hz)", hz(passing, highest))
         }
-        StiffnessClass::Met { multiple } => format!(
+        StiffnessClass::Coincident { multiple } => format!(
             "in the range of {multiple}P in operation ({} to {} Hz)",
             hz(multiple, lowest),
             hz(multiple, highest)
         ),
     };
     match class {
-        StiffnessClass::Met { .. } => (place, "resonance"),
+        StiffnessClass::Coincident { .. } => (place, "resonance"),
         class => (place, class.name()),
     }
 }
 
-/// " with margins of at least 7.3 %": to the excitations that bound the class; none if one of these
-/// was not asked for.
+/// " with margins of at least 7.3 %": to the excitations that bound the class; none if the diagram
+/// lacks one of these multiples.
 fn least_margin(campbell: &Campbell, firsts: &[First]) -> Option<String> {
     let blades = campbell.rotor.blades;
     let mut least: Option<&Margin> = None;
@@ -149,7 +149,7 @@ fn least_margin(campbell: &Campbell, firsts: &[First]) -> Option<String> {
             StiffnessClass::SoftSoft => vec![1],
             StiffnessClass::SoftStiff => vec![1, blades],
             StiffnessClass::StiffStiff => vec![blades],
-            StiffnessClass::Met { .. } => return None,
+            StiffnessClass::Coincident { .. } => return None,
         };
         for multiple in bounds {
             let mut margins = campbell.margins.iter();
@@ -196,7 +196,7 @@ fn remark(campbell: &Campbell, verdict: Verdict, strong: bool, name: &str) -> Op
     (count > 0).then(|| format!("{name}: {}{more}.", groups.join("; ")))
 }
 
-/// Whether a pair is of the tower and of 1P or the passing of the blades.
+/// Whether a pair is a tower mode with 1P or the blade passing frequency.
 fn is_weighty(campbell: &Campbell, margin: &Margin) -> bool {
     let line = campbell.lines.get(margin.line);
     let is_tower = line.is_some_and(|line| matches!(line.of, Excited::Tower { .. }));

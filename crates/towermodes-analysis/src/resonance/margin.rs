@@ -183,7 +183,7 @@ mod tests {
             error_hz: 0.0,
             lost: Some(LineEnd {
                 rotor_speed_rpm: 25.0,
-                alike: 0.1,
+                mac: 0.1,
             }),
         };
         let rotor = Rotor {

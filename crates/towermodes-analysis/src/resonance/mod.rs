@@ -1,5 +1,6 @@
-//! What a rotor excites: its speeds, the multiples of them, how far natural frequencies are from
-//! these, and what its blades do as it turns.
+//! Resonance: the multiples of the rotor speed that excite the tower, their margins to natural
+//! frequencies (the Campbell diagram), the stiffness class, and the blade modes against the rotor
+//! speed.
 
 mod campbell;
 mod class;
@@ -8,6 +9,7 @@ mod diagram;
 mod margin;
 mod percent;
 mod reach;
+mod remark;
 mod sweep;
 mod track;
 
@@ -16,4 +18,5 @@ pub use campbell::{
     FrequencyLine, LineEnd, Margin, StiffnessClass,
 };
 pub use diagram::campbell;
-pub use reach::reach_hz;
+pub use reach::{MOST_MODES, reach_hz, solve_to_reach};
+pub use remark::{Assessment, Covered, Remark, assess};

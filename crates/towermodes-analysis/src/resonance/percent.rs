@@ -1,8 +1,8 @@
-//! Distances in percent, with as many digits as tell them from the margin.
+//! Distances in percent, with enough digits to tell them from the margin.
 
 use super::campbell::{Campbell, Margin};
 
-/// Nobody reads more digits after the point.
+/// The largest number of decimals.
 const MOST_DIGITS: usize = 6;
 
 impl Campbell {

@@ -1,17 +1,17 @@
-//! How high a rotor's excitations reach, and how high the modes of a tower are known.
+//! How high the excitations of a rotor reach, and whether the list of modes reaches as high.
 
 use super::campbell::{Campbell, CampbellOptions};
 use super::diagram::multiples;
 use super::margin::is_strong;
 use crate::verdict::Verdict;
-use towermodes::Solution;
 use towermodes::tower::Rotor;
+use towermodes::{Options, Solution};
 
 impl Campbell {
-    /// The frequencies, Hz, from the lowest, at which the tower may have modes that are not in the
-    /// list and that an excitation would come near to; none if every such mode is in it.
+    /// The frequency range (from, to), Hz, in which the tower may have modes that are not in the list
+    /// although an excitation comes close to them; none if the list covers all excitations.
     #[must_use]
-    pub fn unjudged_hz(&self) -> Option<[f64; 2]> {
+    pub fn uncovered_range_hz(&self) -> Option<[f64; 2]> {
         let known_hz = self.known_to_hz?;
         let options = CampbellOptions {
             margin: self.margin,
@@ -22,21 +22,24 @@ impl Campbell {
         (known_hz < reach_hz).then_some([known_hz, reach_hz])
     }
 
-    /// The worst of all margins; at best [`Verdict::Warn`] where modes are
-    /// [not judged](Self::unjudged_hz).
+    /// The worst verdict of all margins, and at best [`Verdict::Warn`] where the list of modes does
+    /// not [cover all excitations](Self::uncovered_range_hz).
     #[must_use]
     pub fn verdict(&self) -> Verdict {
         let worst = self.margins.iter().map(|margin| margin.verdict).max();
         let worst = worst.unwrap_or(Verdict::Pass);
-        match self.unjudged_hz() {
+        match self.uncovered_range_hz() {
             Some(_) => worst.max(Verdict::Warn),
             None => worst,
         }
     }
 }
 
-/// The frequency, Hz, above which no mode of a tower is near an excitation: n Ω/f − 1 is −m, or −2
-/// m where that is warned of, at f = n Ω/(1 − m) or n Ω/(1 − 2 m) with the highest speed Ω.
+/// The frequency, Hz, above which every tower mode passes.
+///
+/// With the highest operating speed Ω, the multiple n and the margin m, the distance n Ω/f − 1 is
+/// −m at f = n Ω/(1 − m), and −2 m (below which the strong excitations warn) at f = n Ω/(1 − 2 m).
+/// The result is the largest of these.
 #[must_use]
 pub fn reach_hz(rotor: &Rotor, options: &CampbellOptions) -> f64 {
     let reach = |multiple: usize| {
@@ -51,7 +54,35 @@ pub fn reach_hz(rotor: &Rotor, options: &CampbellOptions) -> f64 {
     reaches.fold(0.0, f64::max)
 }
 
-/// The frequency, Hz, below which every mode is listed; none if all that there are are.
+/// The largest number of modes that [`solve_to_reach`] asks for.
+pub const MOST_MODES: usize = 40;
+
+/// Solves for the number of modes in the options, and then for twice as many (at most
+/// [`MOST_MODES`]) until the list is complete up to `reach_hz` ([`reach_hz()`]) or the tower has no
+/// more modes. `options.modes` is raised to the number that was solved for.
+///
+/// The solver is an argument, so that a program can report its progress.
+///
+/// # Errors
+/// Those of `solve`.
+pub fn solve_to_reach<E>(
+    options: &mut Options,
+    reach_hz: f64,
+    mut solve: impl FnMut(&Options) -> Result<Solution, E>,
+) -> Result<Solution, E> {
+    let mut solution = solve(options)?;
+    while solution.certificate.below_hz < reach_hz && options.modes < MOST_MODES {
+        let modes = (2 * options.modes).min(MOST_MODES);
+        options.modes = modes.min(solution.degrees_of_freedom);
+        if options.modes <= solution.modes.len() {
+            break;
+        }
+        solution = solve(options)?;
+    }
+    Ok(solution)
+}
+
+/// The frequency, Hz, below which the list of modes is complete; none if it has all modes.
 pub(super) fn known_to_hz(solution: &Solution) -> Option<f64> {
     let listed = solution.modes.len();
     if listed >= solution.degrees_of_freedom {

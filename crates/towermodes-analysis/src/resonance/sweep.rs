@@ -72,9 +72,9 @@ fn lines(tracks: Tracks, modes: usize, speeds_rpm: &[f64]) -> Vec<FrequencyLine>
         families.push(family);
         let order = families.iter().filter(|f| **f == family).count();
         let lost_at = speeds_rpm.get(mode.frequencies_hz.len());
-        let lost = lost_at.zip(mode.lost).map(|(rpm, alike)| LineEnd {
+        let lost = lost_at.zip(mode.lost).map(|(rpm, mac)| LineEnd {
             rotor_speed_rpm: *rpm,
-            alike,
+            mac,
         });
         let frequencies = speeds_rpm.iter().zip(mode.frequencies_hz);
         FrequencyLine {

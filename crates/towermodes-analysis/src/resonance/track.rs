@@ -1,4 +1,4 @@
-//! Modes of a blade followed from speed to speed by their shapes.
+//! Blade modes followed from speed to speed by the modal assurance criterion (MAC) of their shapes.
 
 use crate::mac::mac;
 use towermodes::BladeFamily;
@@ -6,17 +6,18 @@ use towermodes::BladeFamily;
 /// Frequencies closer than this are a pair whose shapes any computation may mix.
 const REPEATED: f64 = 1e-6;
 
-/// A mode that is like two others by less than this difference is between both: it is veering, or
-/// chance mixed it.
+/// Two modes whose MACs with a followed mode differ by less than this are ambiguous: the modes veer,
+/// or the computation mixed a repeated pair.
 const AMBIGUOUS: f64 = 0.4;
 
-/// At least so alike is the same mode.
+/// A mode with at least this MAC is the same mode.
 const SAME: f64 = 0.5;
 
-/// A mode that veers among three is a third like each of them; less than this is another mode …
+/// A mode that veers among three others has a MAC of one third with each. Below this limit it is
+/// another mode …
 const BETWEEN: f64 = 0.25;
 
-/// … and so is what those seen do not make up to this share together.
+/// … and so it is if its MACs with all modes at this speed sum to less than this.
 const MADE_UP: f64 = 0.75;
 
 /// A mode of a blade at a speed.
@@ -40,10 +41,10 @@ pub(super) struct Followed {
     pub(super) frequencies_hz: Vec<f64>,
     /// The largest error known, Hz.
     pub(super) error_hz: f64,
-    /// How alike the mode was that was left for it at the first speed at which none is like it:
-    /// there it ends.
+    /// The MAC of the mode assigned to it at the first speed at which it is not found; its line ends
+    /// before that speed.
     pub(super) lost: Option<f64>,
-    /// What it was when it was last seen clearly.
+    /// Its shape at the last speed at which the assignment was unambiguous.
     shape: Vec<f64>,
 }
 
@@ -70,28 +71,28 @@ pub(super) struct Tracks {
     pub(super) modes: Vec<Followed>,
 }
 
-/// Which mode seen each mode followed is, and how surely.
+/// The assignment of the modes at one speed to the followed modes.
 pub(super) struct Assignment {
-    /// For each mode followed: the one seen, if one was left for it.
+    /// For each followed mode the index of its mode at this speed, if one was left.
     chosen: Vec<Option<usize>>,
-    /// How alike each mode followed and each seen are.
-    alike: Vec<Vec<f64>>,
+    /// The MAC of each followed mode (row) with each mode at this speed (column).
+    mac: Vec<Vec<f64>>,
 }
 
 impl Assignment {
-    /// The mode seen that a mode followed is; or how alike what was left for it is, if it is not
-    /// among those seen.
+    /// The index of the mode at this speed that continues a followed mode, or the MAC of the mode
+    /// assigned to it if that is too small.
     fn found(&self, mode: usize) -> Result<usize, f64> {
         let Some(other) = self.chosen[mode] else {
             return Err(0.0);
         };
-        let alike = self.alike[mode][other];
-        let together: f64 = self.alike[mode].iter().sum();
-        let is_between = alike >= BETWEEN && together >= MADE_UP;
-        if alike >= SAME || is_between {
+        let mac = self.mac[mode][other];
+        let together: f64 = self.mac[mode].iter().sum();
+        let is_between = mac >= BETWEEN && together >= MADE_UP;
+        if mac >= SAME || is_between {
             Ok(other)
         } else {
-            Err(alike)
+            Err(mac)
         }
     }
 }
@@ -103,8 +104,8 @@ impl Tracks {
             modes: seen.iter().map(Followed::new).collect(),
         };
         let chosen = (0..seen.len()).map(Some).collect();
-        let alike = tracks.alike(seen);
-        tracks.take(seen, &Assignment { chosen, alike });
+        let mac = tracks.macs(seen);
+        tracks.take(seen, &Assignment { chosen, mac });
         tracks
     }
 
@@ -114,17 +115,17 @@ impl Tracks {
         modes.any(|(index, mode)| mode.lost.is_none() && assignment.found(index).is_err())
     }
 
-    /// Who is who: the two that are most alike, then of the others the two that are most alike, and
-    /// so on.
+    /// Greedy assignment by descending MAC: the pair with the largest MAC first, then the largest
+    /// among the modes that remain, and so on.
     pub(super) fn assign(&self, seen: &[Seen]) -> Assignment {
-        let alike = self.alike(seen);
+        let mac = self.macs(seen);
         let followed = (0..self.modes.len()).filter(|mode| self.modes[*mode].lost.is_none());
         let mut pairs: Vec<(usize, usize)> = followed
             .flat_map(|mode| (0..seen.len()).map(move |other| (mode, other)))
             .collect();
-        // Of what is equally alike the nearer in number: the sort keeps the order.
+        // Among equal MACs the closer index wins: the sort is stable.
         pairs.sort_by_key(|(mode, other)| mode.abs_diff(*other));
-        pairs.sort_by(|a, b| alike[b.0][b.1].total_cmp(&alike[a.0][a.1]));
+        pairs.sort_by(|a, b| mac[b.0][b.1].total_cmp(&mac[a.0][a.1]));
         let mut chosen = vec![None; self.modes.len()];
         let mut is_taken = vec![false; seen.len()];
         for (mode, other) in pairs {
@@ -133,7 +134,7 @@ impl Tracks {
                 is_taken[other] = true;
             }
         }
-        Assignment { chosen, alike }
+        Assignment { chosen, mac }
     }
 
     /// Goes on to the modes that were assigned; those that are not among the ones seen end before.
@@ -144,8 +145,8 @@ impl Tracks {
             }
             let other = match assignment.found(index) {
                 Ok(other) => other,
-                Err(alike) => {
-                    mode.lost = Some(alike);
+                Err(mac) => {
+                    mode.lost = Some(mac);
                     continue;
                 }
             };
@@ -156,26 +157,26 @@ impl Tracks {
             }
             let is_new = mode.family.is_none();
             mode.family.get_or_insert(found.family);
-            let alike = &assignment.alike[index];
-            let rivals = alike.iter().enumerate().filter(|(i, _)| *i != other);
-            let rival = rivals.map(|(_, alike)| *alike).fold(0.0, f64::max);
-            // A shape that is half another's would be followed to either.
-            if is_new || alike[other] - rival >= AMBIGUOUS {
+            let macs = &assignment.mac[index];
+            let rivals = macs.iter().enumerate().filter(|(i, _)| *i != other);
+            let rival = rivals.map(|(_, mac)| *mac).fold(0.0, f64::max);
+            // An ambiguous shape could be followed to either mode.
+            if is_new || macs[other] - rival >= AMBIGUOUS {
                 mode.shape.clone_from(&found.shape);
             }
         }
     }
 
-    /// How alike each mode followed and each seen are; those of a repeated pair are as alike as the
-    /// plane that both span.
-    fn alike(&self, seen: &[Seen]) -> Vec<Vec<f64>> {
+    /// The MAC of each followed mode with each mode at this speed. The modes of a repeated pair have
+    /// the MAC with the plane that both span.
+    fn macs(&self, seen: &[Seen]) -> Vec<Vec<f64>> {
         let rows = self.modes.iter().map(|mode| {
             let single = seen.iter().map(|s| mac(&mode.shape, &s.shape, None));
-            let single: Vec<f64> = single.map(|alike| alike.unwrap_or(0.0)).collect();
+            let single: Vec<f64> = single.map(|mac| mac.unwrap_or(0.0)).collect();
             let of_plane = |i: usize| {
                 let all = seen.iter().zip(&single);
                 let own = all.filter(|(other, _)| repeats(other, &seen[i]));
-                own.map(|(_, alike)| alike).sum::<f64>().min(1.0)
+                own.map(|(_, mac)| mac).sum::<f64>().min(1.0)
             };
             (0..seen.len()).map(of_plane).collect()
         });

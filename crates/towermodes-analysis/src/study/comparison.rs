@@ -1,4 +1,4 @@
-//! Several methods side by side.
+//! Methods compared on one tower.
 
 use super::follow::{FollowedMode, followed, not_found, solve_for};
 use towermodes::Method;
@@ -6,57 +6,60 @@ use towermodes::Warning;
 use towermodes::tower::Tower;
 use towermodes::{Options, Solution, SolveError, Workspace, solve_with};
 
-/// A method with its segments: what a column of a comparison is of.
+/// The method of a column of a comparison, with its number of segments.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct ColumnSpec {
     /// The method.
     pub method: Method,
-    /// Number of segments or elements; `None` is the method's own choice.
+    /// Number of segments or elements; none for the default of the method.
     pub segments: Option<usize>,
 }
 
-/// What one method makes of the tower.
+/// The frequencies of a tower by one method.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Column {
     /// The method.
     pub method: Method,
     /// Number of segments or elements used.
     pub segments: usize,
-    /// Polynomial degree, if it is the spectral beam.
+    /// Polynomial degree of the elements of the spectral beam; none for other methods.
     pub degree: Option<usize>,
     /// Degrees of freedom of the whole tower.
     pub degrees_of_freedom: usize,
-    /// The frequency of each followed mode, Hz; none where so few segments do not have it.
+    /// The frequency of each mode, Hz; none where so few segments do not have it.
     pub frequencies_hz: Vec<Option<f64>>,
 }
 
-/// Several methods side by side.
+/// Several methods compared on one tower.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Comparison {
-    /// The modes, one a row, with the frequencies of the spectral beam.
+    /// The modes with the frequencies of the reference beam solution (spectral elements).
     pub modes: Vec<FollowedMode>,
     /// The methods.
     pub columns: Vec<Column>,
-    /// What the spectral beam warns of: a mode that it does not resolve is no measure for the
-    /// others; and methods that lack modes.
+    /// Warnings of the reference solution (the differences to a mode that it does not resolve are
+    /// not errors of the methods), and of methods that lack modes.
     pub warnings: Vec<Warning>,
 }
 
 impl Comparison {
-    /// Relative difference of a column's frequency to that of the spectral beam, f/f_spectral − 1;
-    /// 0 where both are.
+    /// The relative difference f/f_reference − 1 of a frequency of a column, for a mode by its index
+    /// from 0; 0 if both frequencies are 0.
     pub fn relative_difference(&self, column: &Column, mode: usize) -> Option<f64> {
         self.modes[mode].relative_difference(column.frequencies_hz[mode])
     }
 }
 
-/// Solves a tower by several methods for the lowest modes of the spectral beam.
+/// Solves a tower by several methods for the lowest modes of the reference beam solution.
 ///
-/// `options` holds for all: the number of modes, rotary inertia, the place of hinges. Each solved
-/// column is told to `done`, with the options that solved it.
+/// `options` apply to all methods: the number of modes, rotary inertia, the place of hinges. `done`
+/// is called with each column and the options that solved it.
 ///
 /// # Errors
-/// [`SolveError`] of the first method that cannot solve it.
+/// [`SolveError`] of the first method that cannot solve the tower.
+///
+/// # Example
+/// See the [crate's front page](crate).
 pub fn compare(
     tower: &Tower,
     options: &Options,
@@ -66,7 +69,39 @@ pub fn compare(
     compare_with(tower, options, columns, &mut Workspace::default(), done)
 }
 
-/// [`compare`] in memory that may be watched.
+/// Segments, or elements, of each method in a comparison of all methods unless told.
+pub const COMPARED_SEGMENTS: usize = 60;
+
+/// A column for every method with the same number of segments or elements; the spectral beam has
+/// its own number.
+pub fn all_methods(segments: usize) -> Vec<ColumnSpec> {
+    let column = |method| ColumnSpec {
+        method,
+        segments: (method != Method::Spectral).then_some(segments),
+    };
+    Method::ALL.into_iter().map(column).collect()
+}
+
+/// Compares [all methods](all_methods). Borders of elements in the options do not apply: each
+/// method chooses its own.
+///
+/// # Errors
+/// As [`compare`].
+pub fn compare_all_methods(
+    tower: &Tower,
+    options: &Options,
+    segments: usize,
+    workspace: &mut Workspace,
+    done: impl FnMut(&Column, &Options),
+) -> Result<Comparison, SolveError> {
+    let options = Options {
+        borders_m: None,
+        ..options.clone()
+    };
+    compare_with(tower, &options, &all_methods(segments), workspace, done)
+}
+
+/// [`compare`] with a workspace, which may report progress.
 ///
 /// # Errors
 /// As [`compare`].
@@ -108,7 +143,7 @@ pub fn compare_with(
     Ok(comparison)
 }
 
-/// What a solution has of the modes that are compared.
+/// The column of a solution.
 fn column(solution: &Solution, modes: &[FollowedMode]) -> Column {
     let frequency = |mode: &FollowedMode| mode.frequency_in(solution);
     Column {

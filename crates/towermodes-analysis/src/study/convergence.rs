@@ -1,4 +1,4 @@
-//! One method as its segments get more.
+//! The convergence of one method as its number of segments, or its degree, increases.
 
 use super::follow::{FollowedMode, followed, not_found, solve_for};
 use towermodes::Method;
@@ -6,7 +6,7 @@ use towermodes::Warning;
 use towermodes::tower::Tower;
 use towermodes::{Options, SolveError, Workspace, solve_with};
 
-/// How finely a tower is represented: what a method converges with.
+/// The refinement of a method.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Fineness {
     /// A number of segments or elements.
@@ -24,50 +24,50 @@ impl Fineness {
     }
 }
 
-/// The errors at one fineness.
+/// The errors at one refinement.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Level {
-    /// What was asked for.
+    /// The refinement asked for.
     pub asked: Fineness,
-    /// Segments or elements that were used.
+    /// Number of segments or elements used.
     pub segments: usize,
     /// Degrees of freedom of the whole tower.
     pub degrees_of_freedom: usize,
-    /// The frequency of each followed mode, Hz; none where it is not there yet.
+    /// The frequency of each mode, Hz; none where so few segments do not have it.
     pub frequencies_hz: Vec<Option<f64>>,
-    /// f/f_limit − 1 of each.
+    /// The relative error f/f_limit − 1 of each mode.
     pub errors: Vec<Option<f64>>,
-    /// Observed order from the level before, p in n⁻ᵖ; for the spectral beam decimal digits gained
-    /// a degree. None where rounding is all that is left of an error.
+    /// The observed order p of the error n⁻ᵖ from the level before; for the spectral beam the number
+    /// of decimal digits gained per degree. None where the error is rounding only.
     pub orders: Vec<Option<f64>>,
 }
 
-/// One method as its segments, or its degree, get more.
+/// The convergence of one method as its number of segments, or its degree, increases.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Convergence {
     /// The method.
     pub method: Method,
-    /// The modes with the frequencies they converge to, those of the spectral beam of the same
-    /// theory.
+    /// The modes with the frequencies they converge to: those of the reference beam solution of the
+    /// same beam theory.
     pub modes: Vec<FollowedMode>,
-    /// Whether that beam has rotary inertia in bending.
+    /// Whether the reference beam has rotary inertia in bending.
     pub rotary_inertia: bool,
-    /// From the first asked for to the last.
+    /// The levels in the order asked for.
     pub levels: Vec<Level>,
-    /// What the spectral beam warns of: a mode that it does not resolve is no measure for the
-    /// method.
+    /// Warnings of the reference solution: the differences to a mode that it does not resolve are
+    /// not errors of the method.
     pub warnings: Vec<Warning>,
 }
 
-/// Errors below this are rounding and the error of the limit itself, and have no order.
+/// Errors below this are rounding errors and errors of the reference, and have no order.
 const ROUNDING: f64 = 1e-11;
 
-/// The beam that a method converges to: the spectral one, without rotary inertia where the method
-/// has none.
+/// The options of the reference beam that a method converges to: the spectral beam, without rotary
+/// inertia if the method has none.
 ///
 /// # Errors
-/// [`SolveError::NoShear`] for BModes and a tower that shears: it converges to no beam of that
-/// tower.
+/// [`SolveError::NoShear`] for BModes and a tower with shear deformation: BModes has none and
+/// converges to another beam.
 fn limit_options(tower: &Tower, options: &Options) -> Result<Options, SolveError> {
     if options.method == Method::Bmodes && tower.shears() {
         return Err(SolveError::NoShear);
@@ -82,11 +82,14 @@ fn limit_options(tower: &Tower, options: &Options) -> Result<Options, SolveError
     })
 }
 
-/// Solves a tower by one method at each fineness and compares with the beam it converges to; each
-/// level is told to `done`.
+/// Solves a tower by one method at each refinement and compares the frequencies with those of the
+/// reference beam that the method converges to. `done` is called with each level.
 ///
 /// # Errors
-/// [`SolveError`]: of any of the solves, or [`SolveError::NoShear`].
+/// [`SolveError`] of any of the solves, or [`SolveError::NoShear`].
+///
+/// # Example
+/// See the [crate's front page](crate).
 pub fn converge(
     tower: &Tower,
     options: &Options,
@@ -96,7 +99,7 @@ pub fn converge(
     converge_with(tower, options, fineness, &mut Workspace::default(), done)
 }
 
-/// [`converge`] in memory that may be watched.
+/// [`converge`] with a workspace, which may report progress.
 ///
 /// # Errors
 /// As [`converge`].

@@ -1,5 +1,5 @@
-//! The same modes by different methods: what is followed is family and order, not the place in the
-//! list, which meshes change.
+//! The same modes by different methods, identified by subsystem and order and not by the place in
+//! the list, which depends on the mesh.
 
 use towermodes::Warning;
 use towermodes::modes::Family;
@@ -13,18 +13,18 @@ pub struct FollowedMode {
     pub family: Family,
     /// Order within the family, from 1.
     pub order: usize,
-    /// The frequency that the others are compared with, that of the spectral beam, Hz.
+    /// The reference frequency, that of the spectral beam, Hz.
     pub frequency_hz: f64,
-    /// Whether the side-side mode of the same order has this frequency too; it is not followed
+    /// Whether the side-side mode of the same order has the same frequency; it is not in the list
     /// then.
     pub is_pair: bool,
-    /// Which mode it is by any method: families may change from one to another where motions are
-    /// coupled.
+    /// The identity of the mode by any method: its family may differ between methods where motions
+    /// are coupled.
     key: ModeKey,
 }
 
 impl FollowedMode {
-    /// What it is: "1st fore-aft bending", or "1st bending" for a pair.
+    /// Its name: "1st fore-aft bending", or "1st bending" for a pair.
     pub fn label(&self) -> String {
         let label = self.family.label(self.order);
         if self.is_pair {
@@ -38,8 +38,7 @@ impl FollowedMode {
         }
     }
 
-    /// f/f_mode − 1 of a frequency (Hz) that it has elsewhere; 0 if both are, as of motions that
-    /// nothing resists.
+    /// The relative difference f/f_reference − 1 of a frequency (Hz); 0 if both are 0.
     pub(super) fn relative_difference(&self, frequency_hz: Option<f64>) -> Option<f64> {
         match (frequency_hz?, self.frequency_hz) {
             (f, limit) if f == limit => Some(0.0),
@@ -48,14 +47,14 @@ impl FollowedMode {
         }
     }
 
-    /// Its frequency in a solution, if it is there, Hz.
+    /// Its frequency in a solution, Hz, if the solution has the mode.
     pub(super) fn frequency_in(&self, solution: &Solution) -> Option<f64> {
         let mode = solution.modes.iter().find(|mode| mode.key() == self.key)?;
         Some(mode.frequency_hz)
     }
 }
 
-/// The modes of a solution, a pair once.
+/// The modes of a solution; a repeated pair once.
 pub(super) fn followed(tower: &Tower, solution: &Solution) -> Vec<FollowedMode> {
     let pairs = tower.planes_are_equal();
     let modes = solution.modes.iter();
@@ -71,14 +70,13 @@ pub(super) fn followed(tower: &Tower, solution: &Solution) -> Vec<FollowedMode> 
         .collect()
 }
 
-/// Modes that are not there below so many times the highest frequency that is followed are not
-/// looked for above.
+/// Modes are looked for up to this multiple of the highest followed frequency.
 pub(super) const REACH: f64 = 4.0;
-/// … and no more modes than this for each one that is followed are looked for.
+/// … and among at most this many modes for each followed mode.
 const MOST_FOR_EACH: usize = 16;
 
-/// Solves until all that are followed are there, there are no more, or what is missing is too far
-/// off to be one of them.
+/// Solves until the list has all followed modes, the tower has no more, or the missing ones are too
+/// far away to be found.
 pub(super) fn solve_for(
     tower: &Tower,
     options: &Options,
@@ -106,7 +104,7 @@ fn highest_hz(modes: &[FollowedMode]) -> f64 {
     frequencies_hz.fold(0.0, f64::max)
 }
 
-/// Says that modes were not found, though a solution has more than were looked at.
+/// The warning that modes were not found although the tower has more modes than were solved for.
 pub(super) fn not_found(modes: &[FollowedMode], solution: &Solution) -> Option<Warning> {
     let missing = modes
         .iter()

@@ -1,9 +1,12 @@
-//! What several methods make of one tower: side by side, and each as it converges.
+//! Several methods on one tower: compared with each other, and as the number of segments increases.
 
 mod comparison;
 mod convergence;
 mod follow;
 
-pub use comparison::{Column, ColumnSpec, Comparison, compare, compare_with};
+pub use comparison::{
+    COMPARED_SEGMENTS, Column, ColumnSpec, Comparison, all_methods, compare, compare_all_methods,
+    compare_with,
+};
 pub use convergence::{Convergence, Fineness, Level, converge, converge_with};
 pub use follow::FollowedMode;

@@ -1,7 +1,7 @@
 //! `towermodes elastodyn validate`.
 
 use towermodes_analysis::Verdict;
-use towermodes_analysis::elastodyn::{JudgementLimits, judge};
+use towermodes_analysis::elastodyn::{ValidationLimits, validate_shapes};
 use towermodes_files::elastodyn::MakeError;
 use towermodes_files::write_judgement_json;
 
@@ -18,8 +18,8 @@ pub(crate) fn run(arguments: &ValidateArguments) -> Result<(), Failure> {
     let flexible_m = main.tower_length_m();
     let nodes = main.tower_nodes;
     let model = file.model(flexible_m, nodes, judged.deck.rna.mass_kg);
-    let limits = JudgementLimits::default();
-    let judgements = judge(&model, &file.modes(), &judged.shapes, &limits)
+    let limits = ValidationLimits::default();
+    let judgements = validate_shapes(&model, &file.modes(), &judged.shapes, &limits)
         .map_err(|error| Failure::TowerFile(MakeError::Model(error)))?;
     let mut result = Vec::new();
     match arguments.format {

@@ -2,7 +2,7 @@
 
 use towermodes::number::four_digits;
 use towermodes::{Plane, Tower};
-use towermodes_analysis::elastodyn::{Judgement, TowerShape, TowerShapes};
+use towermodes_analysis::elastodyn::{TowerShape, TowerShapes, ValidatedShape};
 use towermodes_files::elastodyn::{MadeTowerFile, TowerFile};
 use towermodes_report::wording::verdict_word;
 
@@ -94,7 +94,7 @@ pub(crate) fn judgements(
     file: &str,
     tower: &Tower,
     from_m: f64,
-    judgements: &[Judgement; 4],
+    judgements: &[ValidatedShape; 4],
 ) -> String {
     let mut table = plain_table();
     table.set_header([

@@ -138,13 +138,13 @@ fn coarseness(
         rows: rows.stations.iter().map(tower_row).collect(),
         ..content.clone()
     };
-    let likeness = model(&accurate).likeness(&model(content));
-    Ok((likeness.largest() > 1e-3).then(|| {
+    let difference = model(&accurate).difference_from(&model(content));
+    Ok((difference.largest() > 1e-3).then(|| {
         Note::new(format!(
             "{} rows change the tower's mass by {:+.2} % and its flexibility by {:+.2} %; without --stations there are {}",
             content.rows.len(),
-            100.0 * likeness.mass,
-            100.0 * likeness.flexibility.fore_aft,
+            100.0 * difference.mass,
+            100.0 * difference.flexibility.fore_aft,
             accurate.rows.len()
         ))
     }))

@@ -138,7 +138,7 @@ pub fn write_campbell_json(
             highest_rpm: campbell.rotor.highest_rpm,
         },
         margin: campbell.margin,
-        unjudged_hz: campbell.unjudged_hz(),
+        unjudged_hz: campbell.uncovered_range_hz(),
         multiples: &campbell.multiples,
         lines: campbell.lines.iter().map(line_json).collect(),
         margins: campbell
@@ -197,7 +197,7 @@ fn class_json((family, class): &(Family, StiffnessClass)) -> ClassJson {
         family: family.name(),
         class: class.name(),
         met_by_multiple: match *class {
-            StiffnessClass::Met { multiple } => Some(multiple),
+            StiffnessClass::Coincident { multiple } => Some(multiple),
             _ => None,
         },
     }

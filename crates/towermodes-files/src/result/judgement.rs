@@ -6,7 +6,7 @@ use schemars::JsonSchema;
 use serde::Serialize;
 use towermodes::Plane;
 use towermodes_analysis::Verdict;
-use towermodes_analysis::elastodyn::Judgement;
+use towermodes_analysis::elastodyn::ValidatedShape;
 
 use super::{ResultError, write_pretty};
 
@@ -56,7 +56,7 @@ struct JudgementJson {
 /// # Errors
 /// [`ResultError`] if the writer refuses.
 pub fn write_judgement_json(
-    judgements: &[Judgement; 4],
+    judgements: &[ValidatedShape; 4],
     writer: impl Write,
 ) -> Result<(), ResultError> {
     let worst = judgements.iter().map(|judgement| judgement.verdict).max();
@@ -67,7 +67,7 @@ pub fn write_judgement_json(
     write_pretty(&result, writer)
 }
 
-fn judgement_json(judgement: &Judgement) -> JudgementJson {
+fn judgement_json(judgement: &ValidatedShape) -> JudgementJson {
     JudgementJson {
         plane: match judgement.plane {
             Plane::ForeAft => "fore-aft",

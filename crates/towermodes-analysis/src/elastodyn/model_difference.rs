@@ -1,19 +1,22 @@
-//! Whether the rows of a tower file are those of a tower.
+//! How far two ElastoDyn tower models differ in mass and flexibility, and whether a deck is of a
+//! tower.
+
+use std::fmt;
 
 use super::model::{TowerModel, TowerStation};
 use towermodes::tower::Planes;
 
-/// How far rows are from those of a tower, relatively.
+/// The relative differences of two tower models in ElastoDyn's terms.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Likeness {
-    /// Of the mass of the flexible tower.
+pub struct ModelDifference {
+    /// Difference in the mass of the flexible tower, as a fraction.
     pub mass: f64,
-    /// Of the deflection of its top by a force there.
+    /// Difference in the deflection of the top by a force there, as a fraction.
     pub flexibility: Planes<f64>,
 }
 
-impl Likeness {
-    /// The largest of all.
+impl ModelDifference {
+    /// The largest absolute value of all.
     pub fn largest(&self) -> f64 {
         let Planes {
             fore_aft,
@@ -23,13 +26,26 @@ impl Likeness {
     }
 }
 
+/// "its mass differs by +0.12 %, its flexibility by -0.30 % fore-aft and -0.30 % side-side".
+impl fmt::Display for ModelDifference {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(
+            f,
+            "its mass differs by {:+.2} %, its flexibility by {:+.2} % fore-aft and {:+.2} % side-side",
+            100.0 * self.mass,
+            100.0 * self.flexibility.fore_aft,
+            100.0 * self.flexibility.side_side
+        )
+    }
+}
+
 impl TowerModel {
-    /// How far it is from another: mass with concentrated masses, and ∫ (1 − x)²/EI dx, by the
-    /// trapezoidal rule over the rows.
-    pub fn likeness(&self, other: &Self) -> Likeness {
+    /// How far another model differs from this one: other/this − 1 of the mass with concentrated
+    /// masses, and of the flexibility ∫ (1 − x)²/EI dx by the trapezoidal rule over the rows.
+    pub fn difference_from(&self, other: &Self) -> ModelDifference {
         let relative = |a: f64, b: f64| b / a - 1.0;
         let (own, others) = (self.flexibility(), other.flexibility());
-        Likeness {
+        ModelDifference {
             mass: relative(self.mass_kg(), other.mass_kg()),
             flexibility: Planes {
                 fore_aft: relative(own.fore_aft, others.fore_aft),
@@ -95,10 +111,10 @@ mod tests {
         let flexibility = tower.flexibility().fore_aft;
         assert!((flexibility - 8.0 / 15.0).abs() < 1e-4);
         let other = uniform(11.0, 10.0, 101);
-        let likeness = tower.likeness(&other);
-        assert!((likeness.mass - 0.1).abs() < 1e-12);
-        assert!((likeness.flexibility.side_side + 0.5).abs() < 1e-12);
-        assert!((likeness.largest() - 0.5).abs() < 1e-12);
-        assert_eq!(tower.likeness(&tower).largest(), 0.0);
+        let difference = tower.difference_from(&other);
+        assert!((difference.mass - 0.1).abs() < 1e-12);
+        assert!((difference.flexibility.side_side + 0.5).abs() < 1e-12);
+        assert!((difference.largest() - 0.5).abs() < 1e-12);
+        assert_eq!(tower.difference_from(&tower).largest(), 0.0);
     }
 }

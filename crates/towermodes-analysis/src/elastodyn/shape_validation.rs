@@ -1,4 +1,4 @@
-//! How far the shapes of a tower file are from the tower's own.
+//! Validation of the shapes in an ElastoDyn tower file against the modes of the tower.
 
 use super::decimal::SUM_TOLERANCE;
 use super::fit::trapezoidal;
@@ -9,18 +9,18 @@ use crate::mac::mac;
 use crate::verdict::Verdict;
 use towermodes::tower::{Plane, Planes};
 
-/// How large a difference passes, and how large a one is only warned of.
+/// The limits of a validation: up to the first number a shape passes, up to the second it warns.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct JudgementLimits {
-    /// Root of the mean square of the difference, as a share of the shape's largest deflection.
+pub struct ValidationLimits {
+    /// Root mean square of the difference, as a fraction of the largest deflection of the shape.
     pub rms: [f64; 2],
     /// 1 − MAC.
     pub mac: [f64; 2],
-    /// Relative difference of the frequencies that ElastoDyn makes of the shapes.
+    /// Relative difference of the frequencies that ElastoDyn computes from the shapes.
     pub frequency: [f64; 2],
 }
 
-impl Default for JudgementLimits {
+impl Default for ValidationLimits {
     fn default() -> Self {
         Self {
             rms: [0.01, 0.05],
@@ -30,9 +30,9 @@ impl Default for JudgementLimits {
     }
 }
 
-/// A shape of a tower file beside the tower's own.
+/// A shape of a tower file compared with the mode of the tower.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Judgement {
+pub struct ValidatedShape {
     /// The plane it bends in.
     pub plane: Plane,
     /// 1 or 2.
@@ -59,7 +59,7 @@ pub struct Judgement {
     pub verdict: Verdict,
 }
 
-impl Judgement {
+impl ValidatedShape {
     /// How many times as far off as the best polynomial.
     pub fn rms_ratio(&self) -> f64 {
         self.rms / self.best_rms
@@ -71,12 +71,12 @@ impl Judgement {
 ///
 /// # Errors
 /// [`ModelError`] for what ElastoDyn cannot take.
-pub fn judge(
+pub fn validate_shapes(
     model: &TowerModel,
     shipped: &Planes<PlaneModes>,
     own: &TowerShapes,
-    limits: &JudgementLimits,
-) -> Result<[Judgement; 4], ModelError> {
+    limits: &ValidationLimits,
+) -> Result<[ValidatedShape; 4], ModelError> {
     let implied = |plane: Plane| -> Result<_, ModelError> {
         let modes = shipped.of(plane);
         let best = PlaneModes {
@@ -102,7 +102,7 @@ pub fn judge(
 }
 
 /// A shape of a file beside its mode; frequencies and verdict are still missing.
-fn compared(shape: &TowerShape, shapes: &[TowerPolynomial; 2], number: usize) -> Judgement {
+fn compared(shape: &TowerShape, shapes: &[TowerPolynomial; 2], number: usize) -> ValidatedShape {
     let points: Vec<(f64, f64)> = shape.samples.bent().collect();
     let mode: Vec<f64> = points.iter().map(|(_, w)| *w).collect();
     let sampled = |polynomial: &TowerPolynomial| -> Vec<f64> {
@@ -113,7 +113,7 @@ fn compared(shape: &TowerShape, shapes: &[TowerPolynomial; 2], number: usize) ->
     let weights = trapezoidal(&points);
     let size = (shape.fit.largest_deflection * shape.fit.tip_deflection).abs();
     let left = |basis: &[&[f64]]| what_is_left(&mode, basis, &weights).sqrt() / size;
-    Judgement {
+    ValidatedShape {
         plane: shape.plane,
         number: shape.number,
         mode_hz: shape.frequency_hz,
@@ -156,9 +156,9 @@ fn what_is_left(vector: &[f64], basis: &[&[f64]], weights: &[f64]) -> f64 {
     dot(&left, &left)
 }
 
-impl Judgement {
+impl ValidatedShape {
     /// The worst of what its numbers say.
-    fn by(&self, limits: &JudgementLimits) -> Verdict {
+    fn by(&self, limits: &ValidationLimits) -> Verdict {
         if (self.sum - 1.0).abs() > SUM_TOLERANCE {
             return Verdict::Fail;
         }

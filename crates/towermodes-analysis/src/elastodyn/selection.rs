@@ -1,4 +1,4 @@
-//! Which modes of a solution ElastoDyn is given: the first two bending modes of each plane.
+//! Selection of the modes for ElastoDyn: the first two bending modes of each plane.
 
 use thiserror::Error;
 
@@ -41,7 +41,7 @@ pub struct PassedOver {
 /// Why there are no modes for ElastoDyn.
 #[derive(Debug, Clone, PartialEq, Error)]
 #[non_exhaustive]
-pub enum ChooseError {
+pub enum SelectionError {
     /// The list is too short.
     #[error(
         "ElastoDyn needs two {} modes, and {found} of the {} modes solved for can be taken{}; ask for {ask_for} modes",
@@ -73,11 +73,14 @@ pub enum ChooseError {
 /// of them.
 ///
 /// # Errors
-/// [`ChooseError`].
-pub fn choose(solution: &Solution, torsion_limit: f64) -> Result<BendingModes<'_>, ChooseError> {
+/// [`SelectionError`].
+pub fn select_bending_modes(
+    solution: &Solution,
+    torsion_limit: f64,
+) -> Result<BendingModes<'_>, SelectionError> {
     if !(0.0..=1.0).contains(&torsion_limit) {
         let limit = torsion_limit;
-        return Err(ChooseError::Limit { limit });
+        return Err(SelectionError::Limit { limit });
     }
     let (fore_aft, mut passed_over) = first_two(solution, Plane::ForeAft, torsion_limit)?;
     let (side_side, others) = first_two(solution, Plane::SideSide, torsion_limit)?;
@@ -95,7 +98,7 @@ fn first_two(
     solution: &Solution,
     plane: Plane,
     torsion_limit: f64,
-) -> Result<([&Mode; 2], Vec<PassedOver>), ChooseError> {
+) -> Result<([&Mode; 2], Vec<PassedOver>), SelectionError> {
     let mut passed_over = Vec::new();
     let mut taken = Vec::new();
     let bending = solution.modes.iter();
@@ -110,7 +113,7 @@ fn first_two(
         }
     }
     let solved = solution.modes.len();
-    Err(ChooseError::TooFewModes {
+    Err(SelectionError::TooFewModes {
         plane,
         found: taken.len(),
         passed_over: passed_over.len(),

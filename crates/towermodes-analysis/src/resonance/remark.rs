@@ -1,0 +1,190 @@
+//! A Campbell diagram with remarks: what a reader must know to use it.
+
+use std::fmt;
+
+use towermodes::tower::{Rotor, Rpm, Tower};
+use towermodes::number::four_digits;
+use towermodes::{BladeDescription, Solution, Warning};
+
+use super::campbell::{Campbell, CampbellError, CampbellOptions, FrequencyLine};
+use super::diagram::campbell;
+
+/// A Campbell diagram and the remarks on it.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Assessment {
+    /// The diagram.
+    pub campbell: Campbell,
+    /// What a reader must know to use it.
+    pub remarks: Vec<Remark>,
+}
+
+/// What a reader of a Campbell diagram must know.
+#[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
+pub enum Remark {
+    /// A value of the rotor looks like an input mistake.
+    Rotor(Warning),
+    /// The blade has no modes at one of the speeds; the diagram has the modes of the tower only.
+    BladeLeftOut(CampbellError),
+    /// A blade mode could not be followed to the highest speed.
+    ModeLost {
+        /// Its name.
+        label: String,
+        /// The first speed at which it is not found, rpm.
+        lost_at_rpm: f64,
+        /// The modal assurance criterion of the closest mode there.
+        mac: f64,
+        /// The last speed of its line, rpm.
+        last_rpm: f64,
+        /// Which operating speeds its margins cover.
+        covered: Covered,
+    },
+    /// The excitations reach higher than the list of modes.
+    Uncovered {
+        /// The frequency up to which the list is complete, Hz.
+        known_hz: f64,
+        /// The frequency up to which an excitation can be close to a mode, Hz.
+        reach_hz: f64,
+    },
+}
+
+/// Which operating speeds the margins of a line cover that ends early.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Covered {
+    /// None: the line ends below the lowest operating speed.
+    Nothing,
+    /// Those below the end of the line; none of its margins passes.
+    Part,
+    /// All: the line ends above the highest operating speed.
+    All,
+}
+
+/// The remark in one sentence.
+impl fmt::Display for Remark {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Rotor(warning) => warning.fmt(f),
+            Self::BladeLeftOut(error) => {
+                write!(f, "the diagram has no blade modes: {error}")
+            }
+            Self::ModeLost {
+                label,
+                lost_at_rpm,
+                mac,
+                last_rpm,
+                covered,
+            } => write!(
+                f,
+                "the line of {label} ends at {} rpm: at {} rpm no mode has a similar shape (largest modal assurance criterion {mac:.2}); {}",
+                Rpm(*last_rpm),
+                Rpm(*lost_at_rpm),
+                match covered {
+                    Covered::Nothing => "it has no margins",
+                    Covered::Part => "its margins cover the speeds below, and none passes",
+                    Covered::All => "this is above the operating speeds, and its margins are valid",
+                }
+            ),
+            Self::Uncovered { known_hz, reach_hz } => write!(
+                f,
+                "the list of modes ends at {} Hz, but excitations reach {} Hz: modes in between are not assessed; increase the number of modes",
+                four_digits(*known_hz),
+                four_digits(*reach_hz)
+            ),
+        }
+    }
+}
+
+/// The [Campbell diagram](campbell) of a solved tower and its remarks.
+///
+/// A blade that is invalid or has no modes at one of the speeds is left out with a remark, because
+/// the margins of the tower modes do not depend on it.
+///
+/// # Errors
+/// As [`campbell`], but for those of the blade.
+pub fn assess(
+    tower: &Tower,
+    solution: &Solution,
+    blade: Option<&BladeDescription>,
+    rotor: &Rotor,
+    options: &CampbellOptions,
+) -> Result<Assessment, CampbellError> {
+    let warnings = tower.rotor_warnings(rotor).into_iter();
+    let mut remarks: Vec<Remark> = warnings.map(Remark::Rotor).collect();
+    let diagram = |blade| campbell(tower, solution, blade, rotor, options);
+    let campbell = match diagram(blade) {
+        Err(error @ (CampbellError::Blade { .. } | CampbellError::NoBlade(_))) => {
+            remarks.push(Remark::BladeLeftOut(error));
+            diagram(None)?
+        }
+        other => other?,
+    };
+    let lost = |line| mode_lost(line, rotor);
+    remarks.extend(campbell.lines.iter().filter_map(lost));
+    let uncovered = campbell.uncovered_range_hz();
+    remarks.extend(uncovered.map(|[known_hz, reach_hz]| Remark::Uncovered { known_hz, reach_hz }));
+    Ok(Assessment { campbell, remarks })
+}
+
+/// The remark on a line that ends early.
+fn mode_lost(line: &FrequencyLine, rotor: &Rotor) -> Option<Remark> {
+    let end = line.lost?;
+    let [last_rpm, _] = *line.points.last()?;
+    Some(Remark::ModeLost {
+        label: line.label.clone(),
+        lost_at_rpm: end.rotor_speed_rpm,
+        mac: end.mac,
+        last_rpm,
+        covered: if last_rpm < rotor.lowest_rpm {
+            Covered::Nothing
+        } else if last_rpm < rotor.highest_rpm {
+            Covered::Part
+        } else {
+            Covered::All
+        },
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use towermodes::BladeFamily;
+
+    use super::super::campbell::{Excited, LineEnd};
+    use super::*;
+
+    #[test]
+    fn a_lost_mode_is_reported_with_its_numbers() {
+        let (family, order) = (BladeFamily::Flap, 2);
+        let line = FrequencyLine {
+            of: Excited::Blade { family, order },
+            label: "blade 2nd flap".to_owned(),
+            points: vec![[0.0, 1.0], [9.5, 1.5]],
+            error_hz: 0.0,
+            lost: Some(LineEnd {
+                rotor_speed_rpm: 10.0,
+                mac: 0.125,
+            }),
+        };
+        let remark = |lowest_rpm: f64, highest_rpm: f64| {
+            let rotor = Rotor {
+                blades: 3,
+                lowest_rpm,
+                highest_rpm,
+            };
+            mode_lost(&line, &rotor).expect("a remark").to_string()
+        };
+        assert_eq!(
+            remark(5.0, 12.0),
+            "the line of blade 2nd flap ends at 9.5 rpm: at 10 rpm no mode has a similar shape (largest modal assurance criterion 0.12); \
+             its margins cover the speeds below, and none passes"
+        );
+        assert!(remark(9.8, 12.0).ends_with("it has no margins"));
+        assert!(remark(5.0, 9.0).ends_with("its margins are valid"));
+        let whole = FrequencyLine { lost: None, ..line };
+        let rotor = Rotor {
+            blades: 3,
+            lowest_rpm: 5.0,
+            highest_rpm: 12.0,
+        };
+        assert_eq!(mode_lost(&whole, &rotor), None);
+    }
+}
