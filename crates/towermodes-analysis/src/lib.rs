@@ -11,6 +11,8 @@
 //! | Do two descriptions describe the same tower? | [`agree`] | [`agreement`] |
 //! | Which mode shapes does ElastoDyn need? | [`tower_shapes`] | [`elastodyn`] |
 //!
+//! With the feature `serde` results can be serialized, with `schema` they have JSON schemas.
+//!
 //! # Example
 //! ```
 //! use towermodes::{
@@ -33,7 +35,7 @@
 //! // compare: 60 lumped segments against the reference beam solution
 //! let lumped = ColumnSpec { method: Method::Lumped, segments: Some(60) };
 //! let comparison = compare(&tower, &options, &[lumped], |_, _| ())?;
-//! let difference = comparison.relative_difference(&comparison.columns[0], 0);
+//! let difference = comparison.columns[0].relative_differences[0];
 //! assert!(difference.is_some_and(|difference| difference.abs() < 1e-3));
 //!
 //! // converge: the error of the paper's element falls with the square of the number of segments
@@ -53,7 +55,7 @@
 //! let heavier = TowerDescription { rna: Rna::point(360e3), ..description.clone() };
 //! let agreement = agree(&description, &heavier, &AgreementLimits::default())?;
 //! assert_eq!(agreement.mass_kg.verdict, Verdict::Pass);
-//! assert_eq!(agreement.verdict(), Verdict::Fail);
+//! assert_eq!(agreement.verdict, Verdict::Fail);
 //!
 //! // tower_shapes: polynomials of x² to x⁶ for ElastoDyn, from the base up
 //! let shapes = tower_shapes(&tower, &options, tower.base_m())?;

@@ -5,9 +5,7 @@ use std::path::Path;
 use towermodes::Rna;
 use towermodes_analysis::Verdict;
 use towermodes_analysis::agreement::{AgreementLimits, agree, examine};
-use towermodes_files::{
-    FileFormat, NOTHING_LEFT_OUT, Note, TowerInput, write_agreement_json, write_examination_json,
-};
+use towermodes_files::{FileFormat, NOTHING_LEFT_OUT, Note, TowerInput, write_result_json};
 
 use crate::args::{CheckArguments, ReportFormat};
 use crate::failure::{Failure, note, warn};
@@ -32,7 +30,7 @@ fn of_one(arguments: &CheckArguments) -> Result<(), Failure> {
         ReportFormat::Table => {
             result.extend(table::examination(&tower, &examination).into_bytes());
         }
-        ReportFormat::Json => write_examination_json(&examination, &mut result)?,
+        ReportFormat::Json => write_result_json(&examination, &mut result)?,
     }
     note(&input.notes);
     warn(tower.warnings(), &input);
@@ -79,10 +77,10 @@ fn of_two(arguments: &CheckArguments, other: &Path) -> Result<(), Failure> {
             let names = [&arguments.input.file, other].map(|path| path.display().to_string());
             result.extend(table::agreement(&names, &agreement).into_bytes());
         }
-        ReportFormat::Json => write_agreement_json(&agreement, &mut result)?,
+        ReportFormat::Json => write_result_json(&agreement, &mut result)?,
     }
     deliver(&result, None)?;
-    match agreement.verdict() {
+    match agreement.verdict {
         Verdict::Fail => Err(Failure::Disagree),
         _ => Ok(()),
     }

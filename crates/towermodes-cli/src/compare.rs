@@ -4,7 +4,7 @@ use std::time::{Duration, Instant};
 
 use towermodes::{Options, Tower, Workspace, solve_with};
 use towermodes_analysis::study::compare_with;
-use towermodes_files::{write_comparison_csv, write_comparison_json};
+use towermodes_files::{write_comparison_csv, write_result_json};
 
 use crate::args::{CompareArguments, Format};
 use crate::failure::{Failure, note, warn};
@@ -31,19 +31,24 @@ pub(crate) fn run(arguments: &CompareArguments) -> Result<(), Failure> {
     check_not_inputs(input.files(), output)?;
     let columns = arguments.columns();
     let progress = Progress::of(columns_in_words(&columns));
-    let mut times = Vec::new();
     let (options, mut workspace) = (arguments.options(), progress.workspace());
-    let comparison = compare_with(&tower, &options, &columns, &mut workspace, |_, options| {
-        times.push(time_of(&tower, options));
-        progress.done();
-    })
+    let comparison = compare_with(
+        &tower,
+        &options,
+        &columns,
+        &mut workspace,
+        |column, options| {
+            column.seconds_per_solve = Some(time_of(&tower, options).as_secs_f64());
+            progress.done();
+        },
+    )
     .map_err(Failure::Unsolved)?;
     drop((workspace, progress));
     let mut result = Vec::new();
     match format {
-        Format::Table => result.extend(table::comparison(&tower, &comparison, &times).into_bytes()),
-        Format::Json => write_comparison_json(&comparison, &times, &mut result)?,
-        Format::Csv => write_comparison_csv(&comparison, &times, &mut result)?,
+        Format::Table => result.extend(table::comparison(&tower, &comparison).into_bytes()),
+        Format::Json => write_result_json(&comparison, &mut result)?,
+        Format::Csv => write_comparison_csv(&comparison, &mut result)?,
     }
     note(&input.notes);
     warn(&comparison.warnings, &input);

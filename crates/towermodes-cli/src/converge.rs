@@ -1,7 +1,7 @@
 //! `towermodes converge`.
 
 use towermodes_analysis::study::{Fineness, converge_with};
-use towermodes_files::{write_convergence_csv, write_convergence_json};
+use towermodes_files::{write_convergence_csv, write_result_json};
 
 use crate::args::{ConvergeArguments, Format};
 use crate::failure::{Failure, note, warn};
@@ -34,7 +34,7 @@ pub(crate) fn run(arguments: &ConvergeArguments) -> Result<(), Failure> {
         Format::Table => {
             result.extend(table::convergence(&tower, &convergence, width).into_bytes());
         }
-        Format::Json => write_convergence_json(&convergence, &mut result)?,
+        Format::Json => write_result_json(&convergence, &mut result)?,
         Format::Csv => write_convergence_csv(&convergence, &mut result)?,
     }
     note(&input.notes);

@@ -3,7 +3,8 @@
 
 use clap::CommandFactory;
 use clap_complete::Shell;
-use towermodes_files::{ResultKind, write_json_schema};
+use towermodes_files::{ResultKind, write_json_schema, write_schema_of};
+use towermodes_verify::Verification;
 
 use crate::args::Arguments;
 use crate::failure::Failure;
@@ -18,6 +19,11 @@ pub(crate) fn completions(shell: Shell) -> Result<(), Failure> {
 
 /// `towermodes schema [COMMAND]`.
 pub(crate) fn schema(of: &str) -> Result<(), Failure> {
+    let mut schema = Vec::new();
+    if of == "verify" {
+        write_schema_of::<Verification>("towermodes verification", "verify", &mut schema)?;
+        return deliver(&schema, None);
+    }
     let kind = match of {
         "blade" => ResultKind::Blade,
         "compare" => ResultKind::Comparison,
@@ -25,11 +31,9 @@ pub(crate) fn schema(of: &str) -> Result<(), Failure> {
         "campbell" => ResultKind::Campbell,
         "check" => ResultKind::Agreement,
         "check-one" => ResultKind::Examination,
-        "validate" => ResultKind::Judgement,
-        "verify" => ResultKind::Verification,
+        "validate" => ResultKind::ShapeValidation,
         _ => ResultKind::Solution,
     };
-    let mut schema = Vec::new();
     write_json_schema(kind, &mut schema)?;
     deliver(&schema, None)
 }

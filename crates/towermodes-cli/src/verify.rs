@@ -1,7 +1,7 @@
 //! `towermodes verify`.
 
-use towermodes_files::{write_verification_csv, write_verification_json};
-use towermodes_verify::{Row, manual, markdown};
+use towermodes_files::{write_records_csv, write_result_json};
+use towermodes_verify::{Row, Verification, manual, markdown};
 
 use crate::args::{VerifyArguments, VerifyFormat};
 use crate::failure::Failure;
@@ -21,19 +21,23 @@ pub(crate) fn run(arguments: &VerifyArguments) -> Result<(), Failure> {
         progress.done();
     }
     drop(progress);
+    let verification = Verification::of(rows);
+    let rows = &verification.rows;
     let mut result = Vec::new();
     match format {
-        VerifyFormat::Table => result.extend(table::verification(&rows).into_bytes()),
-        VerifyFormat::Json => write_verification_json(&rows, &mut result)?,
-        VerifyFormat::Csv => write_verification_csv(&rows, &mut result)?,
-        VerifyFormat::Markdown => result.extend(markdown(&rows).into_bytes()),
+        VerifyFormat::Table => result.extend(table::verification(rows).into_bytes()),
+        VerifyFormat::Json => write_result_json(&verification, &mut result)?,
+        VerifyFormat::Csv => {
+            write_records_csv(Row::COLUMNS, rows.iter().map(Row::record), &mut result)?;
+        }
+        VerifyFormat::Markdown => result.extend(markdown(rows).into_bytes()),
     }
     deliver(&result, arguments.output())?;
-    match rows.iter().filter(|row| !row.passes()).count() {
+    match verification.failures {
         0 => Ok(()),
         failures => Err(Failure::Unverified {
             failures,
-            values: rows.len(),
+            values: verification.values,
         }),
     }
 }

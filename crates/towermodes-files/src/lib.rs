@@ -54,10 +54,9 @@ pub use input::{
 };
 pub use read::{Input, NOTHING_LEFT_OUT, read, read_source, recognize};
 pub use result::{
-    ResultError, ResultKind, write_agreement_json, write_blade_csv, write_blade_json,
-    write_campbell_csv, write_campbell_json, write_comparison_csv, write_comparison_json,
-    write_convergence_csv, write_convergence_json, write_csv, write_examination_json, write_json,
-    write_json_schema, write_judgement_json, write_verification_csv, write_verification_json,
+    ResultError, ResultKind, write_blade_csv, write_blade_json, write_campbell_csv,
+    write_campbell_json, write_comparison_csv, write_convergence_csv, write_csv, write_json,
+    write_json_schema, write_records_csv, write_result_json, write_schema_of,
 };
 pub use source::{MAX_FILE_BYTES, ReadError, Source, encoded_as};
 pub use toml::{description_from_toml, tower_from_toml, write_toml};

@@ -17,10 +17,12 @@ mod expected;
 mod manual;
 mod markdown;
 mod row;
+#[cfg(feature = "serde")]
+mod row_keys;
 pub mod towers;
 
 pub use case::{Case, Run, Unit, Value};
 pub use expected::{Digits, Expected, Quantity};
 pub use manual::{CHAPTERS, Chapter, manual};
 pub use markdown::markdown;
-pub use row::Row;
+pub use row::{Row, Verification};

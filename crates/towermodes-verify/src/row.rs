@@ -57,6 +57,39 @@ impl Row {
         }
     }
 
+    /// The names of the columns of [`record`](Self::record).
+    pub const COLUMNS: [&'static str; 11] = [
+        "chapter",
+        "case",
+        "source",
+        "method",
+        "mode",
+        "unit",
+        "expected",
+        "got",
+        "relative_difference",
+        "tolerance",
+        "verdict",
+    ];
+
+    /// The row as a record of CSV.
+    pub fn record(&self) -> [String; 11] {
+        let difference = self.relative_difference();
+        [
+            self.chapter.name.to_owned(),
+            self.case.clone(),
+            self.source.to_owned(),
+            self.method.clone(),
+            self.what.clone(),
+            self.unit.to_owned(),
+            self.expected.value.to_string(),
+            self.got.as_ref().map_or_else(Clone::clone, f64::to_string),
+            difference.map_or_else(String::new, |difference| format!("{difference:e}")),
+            format!("{:e}", self.tolerance),
+            self.verdict().to_owned(),
+        ]
+    }
+
     /// PASS or FAIL.
     pub fn verdict(&self) -> &'static str {
         if self.passes() { "PASS" } else { "FAIL" }
@@ -66,5 +99,29 @@ impl Row {
     pub fn passes(&self) -> bool {
         self.relative_difference()
             .is_some_and(|difference| difference.abs() <= self.tolerance)
+    }
+}
+
+/// All values of the manual that were compared.
+#[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+pub struct Verification {
+    /// Number of values compared.
+    pub values: usize,
+    /// How many of them do not agree.
+    pub failures: usize,
+    /// Every value.
+    pub rows: Vec<Row>,
+}
+
+impl Verification {
+    /// Counts the rows that do not pass.
+    pub fn of(rows: Vec<Row>) -> Self {
+        Self {
+            values: rows.len(),
+            failures: rows.iter().filter(|row| !row.passes()).count(),
+            rows,
+        }
     }
 }

@@ -30,6 +30,8 @@
 //! and an extrapolated value; the list comes with a [`Certificate`] that no mode is missing.
 //! Other methods are chosen by [`Options::method`]; rotating blades are solved by [`solve_blade`].
 //!
+//! With the feature `serde` results can be serialized, with `schema` they have JSON schemas.
+//!
 //! # Where each step is
 //!
 //! | step | room |

@@ -10,6 +10,9 @@
 /// assert_eq!(Method::Rmje.bending_powers(false), [2]);
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[cfg_attr(feature = "serde", serde(rename_all = "kebab-case"))]
 pub enum Method {
     /// One joint at the elastic centre of each segment, exact section integrals.
     #[default]

@@ -20,6 +20,8 @@ pub(super) fn is_same_height(a_m: f64, b_m: f64) -> bool {
 
 /// A part of a tower's height.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct HeightRange {
     /// The lower end in the datum of the stations, m.
     pub base_m: f64,

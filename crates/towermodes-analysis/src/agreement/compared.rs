@@ -26,13 +26,16 @@ impl Default for AgreementLimits {
 
 /// A quantity of two towers.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Compared {
     /// That of the first tower.
     pub first: f64,
     /// That of the second.
     pub second: f64,
-    /// second/first − 1, or (second − first)/scale for what can be zero; infinite where only the
-    /// first is zero.
+    /// second/first − 1, or (second − first)/scale for what can be zero; infinite (in JSON
+    /// null) where only the first is zero.
+    #[cfg_attr(feature = "schema", schemars(with = "Option<f64>"))]
     pub difference: f64,
     /// What the difference is worth.
     pub verdict: Verdict,

@@ -12,6 +12,8 @@ const LISTED_HEIGHTS: usize = 21;
 
 /// A tower at a height.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct ExaminationRow {
     /// The height in the datum of the stations, m.
     pub height_m: f64,
@@ -25,6 +27,8 @@ pub struct ExaminationRow {
 
 /// What one tower amounts to, without machine, foundation and surroundings.
 #[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Examination {
     /// From where to where it reaches.
     pub range: HeightRange,
@@ -38,12 +42,14 @@ pub struct Examination {
     /// m, kg m².
     pub inertia_about_base: SpatialMatrix,
     /// Its inertia about its centre of mass, kg m².
+    #[cfg_attr(feature = "serde", serde(skip))]
     pub inertia_about_center_kg_m2: Inertia,
     /// Deflection of its top by a unit force there, from bending, m/N.
     pub tip_flexibility_m_per_n: Planes<f64>,
     /// By height, at equal distances from the base to the top.
     pub rows: Vec<ExaminationRow>,
     /// What looks like a slip in the description, machine and foundation included.
+    #[cfg_attr(feature = "serde", serde(skip))]
     pub warnings: Vec<Warning>,
 }
 
@@ -62,7 +68,8 @@ pub fn examine(description: &TowerDescription) -> Result<Examination, TowerError
     Ok(Examination {
         range,
         mass_kg,
-        point_masses_kg: masses.iter().map(|mass| mass.mass_kg).sum(),
+        // The sum of no numbers is a negative zero.
+        point_masses_kg: masses.iter().map(|mass| mass.mass_kg).sum::<f64>() + 0.0,
         center_of_mass_m: range.base_m + arm_m,
         inertia_about_base,
         inertia_about_center_kg_m2: about_center(&inertia_about_base, mass_kg, arm_m),

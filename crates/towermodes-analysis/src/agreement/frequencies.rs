@@ -21,29 +21,20 @@ const WANTED: [(Family, usize); 4] = [
 const MOST_MODES: usize = 32;
 
 /// The frequency of a mode of two towers.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct ComparedFrequency {
-    /// The kind of motion.
-    pub family: Family,
-    /// Order within the family, from 1.
-    pub order: usize,
-    /// Those of the first and the second tower, Hz; none where coupled motions have no such mode.
-    pub frequencies_hz: [Option<f64>; 2],
-    /// Both, if both are there.
-    pub compared: Option<Compared>,
-}
-
-impl ComparedFrequency {
-    /// What it is: "1st fore-aft bending".
-    pub fn label(&self) -> String {
-        self.family.label(self.order)
-    }
-
-    /// What the difference is worth; a mode that only one tower has is a warning.
-    pub fn verdict(&self) -> Verdict {
-        self.compared
-            .map_or(Verdict::Warn, |compared| compared.verdict)
-    }
+    /// The name of the mode: "1st fore-aft bending".
+    pub label: String,
+    /// Frequency of the first tower, Hz; none if coupled motions leave it without such a mode.
+    pub first_hz: Option<f64>,
+    /// Frequency of the second tower, Hz; none if coupled motions leave it without such a mode.
+    pub second_hz: Option<f64>,
+    /// The relative difference second/first − 1, if both towers have the mode.
+    pub difference: Option<f64>,
+    /// The verdict on the difference; a mode of only one tower is a warning.
+    pub verdict: Verdict,
 }
 
 /// The first two frequencies in each plane, by the spectral beam; those that neither tower has are
@@ -68,20 +59,20 @@ pub(super) fn frequencies(
     let second = solved(towers[1], WhichTower::Second)?;
     let compared = |(family, order): (Family, usize)| {
         let frequency = |solution: &Solution| Some(solution.mode(family, order)?.frequency_hz);
-        let frequencies_hz = [frequency(&first), frequency(&second)];
+        let (first_hz, second_hz) = (frequency(&first), frequency(&second));
+        let both = first_hz.zip(second_hz);
+        let compared = both.map(|(first, second)| Compared::ratio(first, second, limit));
         ComparedFrequency {
-            family,
-            order,
-            frequencies_hz,
-            compared: match frequencies_hz {
-                [Some(first), Some(second)] => Some(Compared::ratio(first, second, limit)),
-                _ => None,
-            },
+            label: family.label(order),
+            first_hz,
+            second_hz,
+            difference: compared.map(|compared| compared.difference),
+            verdict: compared.map_or(Verdict::Warn, |compared| compared.verdict),
         }
     };
     let modes = WANTED.into_iter().map(compared);
     Ok(modes
-        .filter(|mode| mode.frequencies_hz != [None, None])
+        .filter(|mode| mode.first_hz.is_some() || mode.second_hz.is_some())
         .collect())
 }
 

@@ -15,6 +15,8 @@ const SEARCHED: usize = 1000;
 
 /// Two towers at a height.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct AgreementRow {
     /// The height in the datum of the stations, m.
     pub height_m: f64,
@@ -30,6 +32,8 @@ pub struct AgreementRow {
 
 /// Where two towers are furthest apart in a quantity.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct LargestDifference {
     /// The middle of the window there, m.
     pub height_m: f64,

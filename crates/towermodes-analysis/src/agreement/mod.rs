@@ -83,9 +83,16 @@ pub enum AgreementError {
 
 /// How two towers compare over the heights they share.
 #[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Agreement {
-    /// From where to where each tower reaches.
-    pub ranges: [HeightRange; 2],
+    /// The worst verdict of all. Towers that do not have the same ends are at least a warning, and
+    /// fail if more than a hundredth of one is not in the other.
+    pub verdict: Verdict,
+    /// The heights of the first tower.
+    pub first_range: HeightRange,
+    /// The heights of the second tower.
+    pub second_range: HeightRange,
     /// The heights they share, to which all but
     /// [`frequencies_as_given`](Self::frequencies_as_given) refers.
     pub overlap: HeightRange,
@@ -126,19 +133,18 @@ const FEW: f64 = 0.01;
 impl Agreement {
     /// Whether both towers reach from one height to one, within 1 mm.
     pub fn ranges_agree(&self) -> bool {
-        let [first, second] = &self.ranges;
+        let (first, second) = (&self.first_range, &self.second_range);
         is_same_height(first.base_m, second.base_m) && is_same_height(first.top_m, second.top_m)
     }
 
     /// How much of the longer tower the other has no part of.
     pub fn uncompared_share(&self) -> f64 {
-        let lengths_m = self.ranges.iter().map(HeightRange::length_m);
-        1.0 - self.overlap.length_m() / lengths_m.fold(0.0, f64::max)
+        let lengths_m = [&self.first_range, &self.second_range].map(HeightRange::length_m);
+        1.0 - self.overlap.length_m() / lengths_m.into_iter().fold(0.0, f64::max)
     }
 
-    /// The worst verdict of all; towers that do not reach equally far are at least a warning, and
-    /// fail if more than a hundredth of one is not in the other.
-    pub fn verdict(&self) -> Verdict {
+    /// The [`verdict`](Self::verdict) that follows from all other values.
+    fn worst(&self) -> Verdict {
         let ranges = if self.ranges_agree() {
             Verdict::Pass
         } else if self.uncompared_share() <= FEW {
@@ -163,7 +169,7 @@ impl Agreement {
             .into_iter()
             .map(|compared| compared.verdict)
             .chain(below)
-            .chain(modes.map(ComparedFrequency::verdict))
+            .chain(modes.map(|mode| mode.verdict))
             .fold(ranges, Verdict::max)
     }
 }

@@ -6,6 +6,7 @@ use super::compared::{AgreementLimits, Compared};
 use super::frequencies::{ComparedFrequency, frequencies};
 use super::heights::Heights;
 use super::{Agreement, AgreementError, WhichTower};
+use crate::verdict::Verdict;
 use towermodes::tower::{Foundation, PointMass, Tower, TowerDescription};
 
 /// Compares two descriptions that should be of the same tower.
@@ -37,8 +38,11 @@ pub fn agree(
     let [tip, other_tip] = towers
         .each_ref()
         .map(|tower| tip_flexibility(tower, overlap));
-    Ok(Agreement {
-        ranges: pair.ranges,
+    let [first_range, second_range] = pair.ranges;
+    let agreement = Agreement {
+        verdict: Verdict::Pass,
+        first_range,
+        second_range,
         overlap,
         shift_m: pair.shift_m(),
         window_m: heights.window_m(),
@@ -51,6 +55,11 @@ pub fn agree(
         rows: heights.rows(&furthest_m),
         frequencies_bare: pair.frequencies_bare(limits.frequency)?,
         frequencies_as_given: pair.frequencies_as_given(limits.frequency)?,
+    };
+    let verdict = agreement.worst();
+    Ok(Agreement {
+        verdict,
+        ..agreement
     })
 }
 

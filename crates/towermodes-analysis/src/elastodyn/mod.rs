@@ -39,6 +39,6 @@ pub use selection::{
     select_bending_modes,
 };
 pub use shape_samples::ShapeSamples;
-pub use shape_validation::{ValidatedShape, ValidationLimits, validate_shapes};
+pub use shape_validation::{ShapeValidation, ValidatedShape, ValidationLimits, validate_shapes};
 pub use shapes::{ShapesError, TowerShape, TowerShapes, tower_shapes};
 pub use stations::{MAX_STATIONS, PointMasses, Rows, RowsError, TowerRows, tower_rows};

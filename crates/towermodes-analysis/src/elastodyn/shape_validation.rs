@@ -32,42 +32,50 @@ impl Default for ValidationLimits {
 
 /// A shape of a tower file compared with the mode of the tower.
 #[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct ValidatedShape {
     /// The plane it bends in.
     pub plane: Plane,
     /// 1 or 2.
     pub number: usize,
-    /// Frequency of the tower's own mode, with all that it carries and stands on, Hz.
+    /// Frequency of the mode of the tower with its rotor-nacelle assembly and foundation, Hz.
     pub mode_hz: f64,
-    /// What the coefficients add up to; OpenFAST refuses what is farther than 0.0015 from 1.
+    /// The sum of the coefficients; OpenFAST refuses a sum that differs from 1 by more than 0.0015.
     pub sum: f64,
-    /// Root of the mean square over the height of the difference to the mode, as a share of the
-    /// mode's largest deflection, the shape being multiplied by what makes it least: a top that
-    /// hardly moves would make the difference of shapes that are 1 there as large as one likes.
+    /// Root mean square over the height of the difference to the mode, as a fraction of the largest
+    /// deflection of the mode. The shape is scaled by the factor that makes it least: shapes that
+    /// are 1 at a top that hardly moves would differ by any amount.
     pub rms: f64,
-    /// The same of the best polynomial.
+    /// The same for the best polynomial.
     pub best_rms: f64,
-    /// The same of what both shapes of the plane together cannot follow: ElastoDyn mixes them.
+    /// The same for the best combination of both shapes of the plane: ElastoDyn superposes them.
     pub rms_of_both: f64,
+    /// The ratio of `rms` and `best_rms`.
+    pub rms_ratio: f64,
     /// Modal assurance criterion (Σab)²/(Σa² Σb²) with the mode.
     pub mac: f64,
-    /// Frequency that ElastoDyn makes of the shape, of the tower without what it carries, Hz.
+    /// Frequency that ElastoDyn computes from the shape, for the tower without its rotor-nacelle
+    /// assembly, Hz.
     pub implied_hz: f64,
-    /// The same of the best polynomial.
+    /// The same for the best polynomial.
     pub best_implied_hz: f64,
-    /// Whether it passes.
+    /// The verdict on the shape.
     pub verdict: Verdict,
 }
 
-impl ValidatedShape {
-    /// How many times as far off as the best polynomial.
-    pub fn rms_ratio(&self) -> f64 {
-        self.rms / self.best_rms
-    }
+/// The validation of the four shapes of a tower file.
+#[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+pub struct ShapeValidation {
+    /// The worst verdict of all shapes.
+    pub verdict: Verdict,
+    /// First and second fore-aft shape, first and second side-side shape.
+    pub shapes: [ValidatedShape; 4],
 }
 
-/// Judges the shapes of a tower file by the tower's own. `shipped` has what the file says of each
-/// plane.
+/// Validates the shapes of a tower file (`shipped`) against the modes of the tower (`own`).
 ///
 /// # Errors
 /// [`ModelError`] for what ElastoDyn cannot take.
@@ -76,7 +84,7 @@ pub fn validate_shapes(
     shipped: &Planes<PlaneModes>,
     own: &TowerShapes,
     limits: &ValidationLimits,
-) -> Result<[ValidatedShape; 4], ModelError> {
+) -> Result<ShapeValidation, ModelError> {
     let implied = |plane: Plane| -> Result<_, ModelError> {
         let modes = shipped.of(plane);
         let best = PlaneModes {
@@ -90,18 +98,23 @@ pub fn validate_shapes(
         Ok((frequencies(&modes)?, frequencies(&best)?))
     };
     let implied = [implied(Plane::ForeAft)?, implied(Plane::SideSide)?];
-    Ok(std::array::from_fn(|i| {
+    let shapes: [ValidatedShape; 4] = std::array::from_fn(|i| {
         let (shape, (shipped_hz, best_hz)) = (&own.shapes[i], implied[i / 2]);
         let shapes = shipped.of(shape.plane).shapes;
-        let mut judgement = compared(shape, &shapes, i % 2);
-        judgement.implied_hz = shipped_hz[i % 2];
-        judgement.best_implied_hz = best_hz[i % 2];
-        judgement.verdict = judgement.by(limits);
-        judgement
-    }))
+        let mut validated = compared(shape, &shapes, i % 2);
+        validated.implied_hz = shipped_hz[i % 2];
+        validated.best_implied_hz = best_hz[i % 2];
+        validated.verdict = validated.by(limits);
+        validated
+    });
+    let worst = shapes.iter().map(|shape| shape.verdict).max();
+    Ok(ShapeValidation {
+        verdict: worst.unwrap_or(Verdict::Fail),
+        shapes,
+    })
 }
 
-/// A shape of a file beside its mode; frequencies and verdict are still missing.
+/// A shape of a file compared with its mode; frequencies and verdict are set later.
 fn compared(shape: &TowerShape, shapes: &[TowerPolynomial; 2], number: usize) -> ValidatedShape {
     let points: Vec<(f64, f64)> = shape.samples.bent().collect();
     let mode: Vec<f64> = points.iter().map(|(_, w)| *w).collect();
@@ -113,14 +126,16 @@ fn compared(shape: &TowerShape, shapes: &[TowerPolynomial; 2], number: usize) ->
     let weights = trapezoidal(&points);
     let size = (shape.fit.largest_deflection * shape.fit.tip_deflection).abs();
     let left = |basis: &[&[f64]]| what_is_left(&mode, basis, &weights).sqrt() / size;
+    let (rms, best_rms) = (left(&[&file[number]]), left(&[&best]));
     ValidatedShape {
         plane: shape.plane,
         number: shape.number,
         mode_hz: shape.frequency_hz,
         sum: shapes[number].sum(),
-        rms: left(&[&file[number]]),
-        best_rms: left(&[&best]),
+        rms,
+        best_rms,
         rms_of_both: left(&[&file[0], &file[1]]),
+        rms_ratio: rms / best_rms,
         mac: mac(&mode, &file[number], None).unwrap_or(0.0),
         implied_hz: f64::NAN,
         best_implied_hz: f64::NAN,
@@ -157,7 +172,7 @@ fn what_is_left(vector: &[f64], basis: &[&[f64]], weights: &[f64]) -> f64 {
 }
 
 impl ValidatedShape {
-    /// The worst of what its numbers say.
+    /// The verdict by the limits.
     fn by(&self, limits: &ValidationLimits) -> Verdict {
         if (self.sum - 1.0).abs() > SUM_TOLERANCE {
             return Verdict::Fail;

@@ -17,6 +17,8 @@ pub struct ColumnSpec {
 
 /// The frequencies of a tower by one method.
 #[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Column {
     /// The method.
     pub method: Method,
@@ -26,34 +28,34 @@ pub struct Column {
     pub degree: Option<usize>,
     /// Degrees of freedom of the whole tower.
     pub degrees_of_freedom: usize,
+    /// The time of one solve, s; none until the caller of [`compare`] sets it.
+    pub seconds_per_solve: Option<f64>,
     /// The frequency of each mode, Hz; none where so few segments do not have it.
     pub frequencies_hz: Vec<Option<f64>>,
+    /// The relative difference f/f_reference − 1 of each mode; 0 if both frequencies are 0.
+    pub relative_differences: Vec<Option<f64>>,
 }
 
 /// Several methods compared on one tower.
 #[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Comparison {
     /// The modes with the frequencies of the reference beam solution (spectral elements).
     pub modes: Vec<FollowedMode>,
     /// The methods.
+    #[cfg_attr(feature = "serde", serde(rename = "methods"))]
     pub columns: Vec<Column>,
     /// Warnings of the reference solution (the differences to a mode that it does not resolve are
     /// not errors of the methods), and of methods that lack modes.
+    #[cfg_attr(feature = "serde", serde(skip))]
     pub warnings: Vec<Warning>,
-}
-
-impl Comparison {
-    /// The relative difference f/f_reference − 1 of a frequency of a column, for a mode by its index
-    /// from 0; 0 if both frequencies are 0.
-    pub fn relative_difference(&self, column: &Column, mode: usize) -> Option<f64> {
-        self.modes[mode].relative_difference(column.frequencies_hz[mode])
-    }
 }
 
 /// Solves a tower by several methods for the lowest modes of the reference beam solution.
 ///
 /// `options` apply to all methods: the number of modes, rotary inertia, the place of hinges. `done`
-/// is called with each column and the options that solved it.
+/// is called with each column and the options that solved it, and may time it.
 ///
 /// # Errors
 /// [`SolveError`] of the first method that cannot solve the tower.
@@ -64,7 +66,7 @@ pub fn compare(
     tower: &Tower,
     options: &Options,
     columns: &[ColumnSpec],
-    done: impl FnMut(&Column, &Options),
+    done: impl FnMut(&mut Column, &Options),
 ) -> Result<Comparison, SolveError> {
     compare_with(tower, options, columns, &mut Workspace::default(), done)
 }
@@ -92,7 +94,7 @@ pub fn compare_all_methods(
     options: &Options,
     segments: usize,
     workspace: &mut Workspace,
-    done: impl FnMut(&Column, &Options),
+    done: impl FnMut(&mut Column, &Options),
 ) -> Result<Comparison, SolveError> {
     let options = Options {
         borders_m: None,
@@ -110,7 +112,7 @@ pub fn compare_with(
     options: &Options,
     columns: &[ColumnSpec],
     workspace: &mut Workspace,
-    mut done: impl FnMut(&Column, &Options),
+    mut done: impl FnMut(&mut Column, &Options),
 ) -> Result<Comparison, SolveError> {
     let with = |spec: &ColumnSpec| Options {
         method: spec.method,
@@ -132,12 +134,12 @@ pub fn compare_with(
     for spec in columns {
         let options = with(spec);
         let solution = solve_for(tower, &options, &comparison.modes, workspace)?;
-        let column = column(&solution, &comparison.modes);
+        let mut column = column(&solution, &comparison.modes);
         comparison
             .warnings
             .extend(not_found(&comparison.modes, &solution));
         let modes = solution.modes.len();
-        done(&column, &Options { modes, ..options });
+        done(&mut column, &Options { modes, ..options });
         comparison.columns.push(column);
     }
     Ok(comparison)
@@ -151,6 +153,11 @@ fn column(solution: &Solution, modes: &[FollowedMode]) -> Column {
         segments: solution.segments,
         degree: solution.degree,
         degrees_of_freedom: solution.degrees_of_freedom,
+        seconds_per_solve: None,
         frequencies_hz: modes.iter().map(frequency).collect(),
+        relative_differences: modes
+            .iter()
+            .map(|mode| mode.relative_difference(frequency(mode)))
+            .collect(),
     }
 }

@@ -24,38 +24,70 @@ impl Fineness {
     }
 }
 
+impl Fineness {
+    /// The polynomial degree, if that is refined.
+    pub fn degree(self) -> Option<usize> {
+        match self {
+            Self::Segments(_) => None,
+            Self::Degree(degree) => Some(degree),
+        }
+    }
+}
+
+#[cfg(feature = "serde")]
+fn serialize_degree<S: serde::Serializer>(
+    asked: &Fineness,
+    serializer: S,
+) -> Result<S::Ok, S::Error> {
+    serde::Serialize::serialize(&asked.degree(), serializer)
+}
+
 /// The errors at one refinement.
 #[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Level {
-    /// The refinement asked for.
-    pub asked: Fineness,
     /// Number of segments or elements used.
     pub segments: usize,
+    /// The refinement asked for. In JSON `degree`: the polynomial degree of the elements of the
+    /// spectral beam; null for other methods.
+    #[cfg_attr(
+        feature = "serde",
+        serde(rename = "degree", serialize_with = "serialize_degree")
+    )]
+    #[cfg_attr(feature = "schema", schemars(with = "Option<usize>"))]
+    pub asked: Fineness,
     /// Degrees of freedom of the whole tower.
     pub degrees_of_freedom: usize,
     /// The frequency of each mode, Hz; none where so few segments do not have it.
     pub frequencies_hz: Vec<Option<f64>>,
     /// The relative error f/f_limit − 1 of each mode.
+    #[cfg_attr(feature = "serde", serde(rename = "relative_errors"))]
     pub errors: Vec<Option<f64>>,
     /// The observed order p of the error n⁻ᵖ from the level before; for the spectral beam the number
     /// of decimal digits gained per degree. None where the error is rounding only.
+    #[cfg_attr(feature = "serde", serde(rename = "observed_orders"))]
     pub orders: Vec<Option<f64>>,
 }
 
 /// The convergence of one method as its number of segments, or its degree, increases.
 #[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Convergence {
     /// The method.
     pub method: Method,
+    /// Whether the reference beam has rotary inertia in bending.
+    #[cfg_attr(feature = "serde", serde(rename = "limit_has_rotary_inertia"))]
+    pub rotary_inertia: bool,
     /// The modes with the frequencies they converge to: those of the reference beam solution of the
     /// same beam theory.
     pub modes: Vec<FollowedMode>,
-    /// Whether the reference beam has rotary inertia in bending.
-    pub rotary_inertia: bool,
     /// The levels in the order asked for.
     pub levels: Vec<Level>,
     /// Warnings of the reference solution: the differences to a mode that it does not resolve are
     /// not errors of the method.
+    #[cfg_attr(feature = "serde", serde(skip))]
     pub warnings: Vec<Warning>,
 }
 

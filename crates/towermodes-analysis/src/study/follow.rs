@@ -4,40 +4,31 @@
 use towermodes::Warning;
 use towermodes::modes::Family;
 use towermodes::tower::Tower;
-use towermodes::{ModeKey, Options, Solution, SolveError, Workspace, solve_until};
+use towermodes::{Mode, ModeKey, Options, Solution, SolveError, Workspace, solve_until};
 
 /// A mode that is followed from method to method.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct FollowedMode {
     /// The kind of motion.
     pub family: Family,
     /// Order within the family, from 1.
     pub order: usize,
-    /// The reference frequency, that of the spectral beam, Hz.
-    pub frequency_hz: f64,
+    /// Its name: "1st fore-aft bending", or "1st bending" for a pair.
+    pub label: String,
     /// Whether the side-side mode of the same order has the same frequency; it is not in the list
     /// then.
     pub is_pair: bool,
+    /// The reference frequency, that of the spectral beam, Hz.
+    pub frequency_hz: f64,
     /// The identity of the mode by any method: its family may differ between methods where motions
     /// are coupled.
+    #[cfg_attr(feature = "serde", serde(skip))]
     key: ModeKey,
 }
 
 impl FollowedMode {
-    /// Its name: "1st fore-aft bending", or "1st bending" for a pair.
-    pub fn label(&self) -> String {
-        let label = self.family.label(self.order);
-        if self.is_pair {
-            match self.family {
-                Family::Surge => "surge and sway".to_owned(),
-                Family::Pitch => "pitch and roll".to_owned(),
-                _ => label.replace("fore-aft ", ""),
-            }
-        } else {
-            label
-        }
-    }
-
     /// The relative difference f/f_reference − 1 of a frequency (Hz); 0 if both are 0.
     pub(super) fn relative_difference(&self, frequency_hz: Option<f64>) -> Option<f64> {
         match (frequency_hz?, self.frequency_hz) {
@@ -57,17 +48,36 @@ impl FollowedMode {
 /// The modes of a solution; a repeated pair once.
 pub(super) fn followed(tower: &Tower, solution: &Solution) -> Vec<FollowedMode> {
     let pairs = tower.planes_are_equal();
+    let followed = |mode: &Mode| {
+        let key = mode.key();
+        let is_pair = pairs && key.subsystem == 0;
+        FollowedMode {
+            family: mode.family,
+            order: mode.order,
+            label: if is_pair {
+                pair_label(mode)
+            } else {
+                mode.label()
+            },
+            is_pair,
+            frequency_hz: mode.frequency_hz,
+            key,
+        }
+    };
     let modes = solution.modes.iter();
     modes
         .filter(|mode| !mode.key().is_turned)
-        .map(|mode| FollowedMode {
-            family: mode.family,
-            order: mode.order,
-            frequency_hz: mode.frequency_hz,
-            is_pair: pairs && mode.key().subsystem == 0,
-            key: mode.key(),
-        })
+        .map(followed)
         .collect()
+}
+
+/// The name of both modes of a pair.
+fn pair_label(mode: &Mode) -> String {
+    match mode.family {
+        Family::Surge => "surge and sway".to_owned(),
+        Family::Pitch => "pitch and roll".to_owned(),
+        _ => mode.label().replace("fore-aft ", ""),
+    }
 }
 
 /// Modes are looked for up to this multiple of the highest followed frequency.

@@ -3,7 +3,7 @@
 use towermodes_analysis::Verdict;
 use towermodes_analysis::elastodyn::{ValidationLimits, validate_shapes};
 use towermodes_files::elastodyn::MakeError;
-use towermodes_files::write_judgement_json;
+use towermodes_files::write_result_json;
 
 use super::deck::judged;
 use crate::args::{ReportFormat, ValidateArguments};
@@ -19,20 +19,22 @@ pub(crate) fn run(arguments: &ValidateArguments) -> Result<(), Failure> {
     let nodes = main.tower_nodes;
     let model = file.model(flexible_m, nodes, judged.deck.rna.mass_kg);
     let limits = ValidationLimits::default();
-    let judgements = validate_shapes(&model, &file.modes(), &judged.shapes, &limits)
+    let validation = validate_shapes(&model, &file.modes(), &judged.shapes, &limits)
         .map_err(|error| Failure::TowerFile(MakeError::Model(error)))?;
     let mut result = Vec::new();
     match arguments.format {
         ReportFormat::Table => {
             let title = &judged.deck.tower_source.name;
             result.extend(
-                table::judgements(title, &judged.tower, judged.from_m, &judgements).into_bytes(),
+                table::judgements(title, &judged.tower, judged.from_m, &validation.shapes)
+                    .into_bytes(),
             );
         }
-        ReportFormat::Json => write_judgement_json(&judgements, &mut result)?,
+        ReportFormat::Json => write_result_json(&validation, &mut result)?,
     }
     deliver(&result, None)?;
-    match judgements
+    match validation
+        .shapes
         .iter()
         .filter(|j| j.verdict == Verdict::Fail)
         .count()

@@ -20,12 +20,12 @@ pub(crate) fn agreement(names: &[String; 2], agreement: &Agreement) -> String {
         by_height(agreement),
         agreement.window_m,
         agreement.overlap.base_m,
-        agreement.verdict().name(),
+        agreement.verdict.name(),
     )
 }
 
 fn ranges(agreement: &Agreement) -> String {
-    let [first, second] = &agreement.ranges;
+    let (first, second) = (&agreement.first_range, &agreement.second_range);
     if agreement.ranges_agree() {
         return format!("both from {} m to {} m\n", first.base_m, first.top_m);
     }
@@ -111,16 +111,15 @@ fn whole(agreement: &Agreement) -> String {
 }
 
 fn add_frequency(table: &mut comfy_table::Table, which: &str, frequency: &ComparedFrequency) {
-    let [first, second] = frequency
-        .frequencies_hz
+    let [first, second] = [frequency.first_hz, frequency.second_hz]
         .map(|hz| hz.map_or("-".to_owned(), |hz| format!("{hz:.5} Hz")));
-    let difference = frequency.compared.map(|c| percent(c.difference));
+    let difference = frequency.difference.map(percent);
     table.add_row([
-        format!("{} ({which})", frequency.label()),
+        format!("{} ({which})", frequency.label),
         first,
         second,
         difference.unwrap_or("-".to_owned()),
-        frequency.verdict().name().to_owned(),
+        frequency.verdict.name().to_owned(),
     ]);
 }
 

@@ -1,15 +1,13 @@
 //! A comparison of methods for people, in the layout of the paper's tables: modes down, methods
 //! across.
 
-use std::time::Duration;
-
 use towermodes::{Family, Method, Tower};
 use towermodes_analysis::study::{Column, Comparison};
 
 use super::text::{align_right, plain_table, title};
 
 /// Frequencies, differences to the spectral beam, sizes and times.
-pub(crate) fn comparison(tower: &Tower, comparison: &Comparison, times: &[Duration]) -> String {
+pub(crate) fn comparison(tower: &Tower, comparison: &Comparison) -> String {
     let columns = &comparison.columns;
     let mut table = plain_table();
     let mut add = |first: String, cell: &dyn Fn(usize) -> String| {
@@ -19,15 +17,15 @@ pub(crate) fn comparison(tower: &Tower, comparison: &Comparison, times: &[Durati
     add(String::new(), &|i| fineness(&columns[i]));
     for (row, mode) in comparison.modes.iter().enumerate() {
         let pair = if mode.is_pair { " (twice)" } else { "" };
-        add(mode.label() + pair, &|i| {
+        add(mode.label.clone() + pair, &|i| {
             frequency(columns[i].frequencies_hz[row])
         });
     }
     add(String::new(), &|_| String::new());
     add("difference to spectral".into(), &|_| String::new());
     for (row, mode) in comparison.modes.iter().enumerate() {
-        let difference = |i: usize| comparison.relative_difference(&columns[i], row);
-        add(mode.label(), &|i| {
+        let difference = |i: usize| columns[i].relative_differences[row];
+        add(mode.label.clone(), &|i| {
             difference(i).map_or("-".into(), shown_difference)
         });
     }
@@ -35,7 +33,9 @@ pub(crate) fn comparison(tower: &Tower, comparison: &Comparison, times: &[Durati
     add("degrees of freedom".into(), &|i| {
         columns[i].degrees_of_freedom.to_string()
     });
-    add("time a solve".into(), &|i| shown_time(times[i]));
+    add("time a solve".into(), &|i| {
+        columns[i].seconds_per_solve.map_or("-".into(), shown_time)
+    });
     align_right(&mut table, 1..=columns.len());
     let note = note(comparison).map_or_else(String::new, |note| format!("\n{note}\n"));
     format!("{}{}\n{note}", title(tower), table.trim_fmt())
@@ -65,8 +65,7 @@ fn shown_difference(difference: f64) -> String {
     }
 }
 
-fn shown_time(time: Duration) -> String {
-    let seconds = time.as_secs_f64();
+fn shown_time(seconds: f64) -> String {
     match seconds {
         ..1e-3 => format!("{:.0} us", seconds * 1e6),
         ..1.0 => format!("{:.1} ms", seconds * 1e3),
@@ -85,7 +84,7 @@ fn note(comparison: &Comparison) -> Option<&'static str> {
     let bmodes = of(Method::Bmodes)?;
     let mut modes = comparison.modes.iter();
     let bending = modes.position(|mode| mode.family == Family::ForeAft)?;
-    let differs = comparison.relative_difference(bmodes, bending)?.abs() > 1e-4;
+    let differs = bmodes.relative_differences[bending]?.abs() > 1e-4;
     differs.then_some(
         "bmodes has no rotary inertia in bending and no shear: where the other methods have them, that is part of its difference.",
     )

@@ -87,7 +87,7 @@ fn legend(convergence: &Convergence) -> String {
             format!(
                 "{}  {}, {:.6} Hz\n",
                 mark(index),
-                mode.label(),
+                mode.label.clone(),
                 mode.frequency_hz
             )
         })

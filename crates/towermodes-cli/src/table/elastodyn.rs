@@ -118,7 +118,7 @@ pub(crate) fn judgements(
             format!("Tw{plane}M{}Sh", judgement.number),
             format!("{:.4}", judgement.mode_hz),
             format!("{:.2} %", 100.0 * judgement.rms),
-            four_digits(judgement.rms_ratio()),
+            four_digits(judgement.rms_ratio),
             format!("{:.2} %", 100.0 * judgement.rms_of_both),
             format!("{:.5}", judgement.mac),
             format!("{:.6}", judgement.sum),

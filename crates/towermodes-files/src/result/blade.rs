@@ -4,36 +4,33 @@ use std::io::Write;
 
 use schemars::JsonSchema;
 use serde::Serialize;
-use towermodes::{Blade, BladeMode, BladeSolution, ByMotion};
+use towermodes::{Blade, BladeMode, BladeSolution, Certificate, Method};
 
-use super::solution_json::{CertificateJson, ShapeJson, certificate_json, shape_json};
-use super::{ResultError, write_pretty};
+use super::{ResultError, write_result_json};
 use crate::input::Note;
 
-/// The result of `towermodes solve --format json` for a rotating blade. Keys are stable: new ones
-/// may be added, none is renamed.
+/// The result of `towermodes solve` for a rotating blade.
 #[derive(Serialize, JsonSchema)]
-#[schemars(title = "towermodes blade solution")]
-pub(super) struct BladeSolutionJson<'a> {
+pub(super) struct BladeDocument<'a> {
     /// The method: always `bmodes`.
-    method: &'static str,
+    method: Method,
     /// Number of elements.
     elements: usize,
     /// Degrees of freedom.
     degrees_of_freedom: usize,
-    /// What was solved.
-    blade: BladeJson<'a>,
+    /// The blade that was solved.
+    blade: BladeSummary<'a>,
     /// The lowest modes by frequency.
-    modes: Vec<BladeModeJson>,
+    modes: &'a [BladeMode],
     /// The proof that no mode is missing.
-    certificate: CertificateJson,
+    certificate: Certificate,
     /// What the reader of the file decided or left out.
     warnings: Vec<String>,
 }
 
-/// What was solved.
+/// The blade that was solved.
 #[derive(Serialize, JsonSchema)]
-struct BladeJson<'a> {
+struct BladeSummary<'a> {
     /// The name in the file; may be empty.
     name: &'a str,
     /// Radius of the hub, m.
@@ -44,45 +41,8 @@ struct BladeJson<'a> {
     mass_kg: f64,
     /// Mass of the body at the tip, kg.
     tip_mass_kg: f64,
-    /// Speed of the rotor, rad/s.
+    /// Rotor speed, rad/s.
     rotor_speed_rad_per_s: f64,
-}
-
-/// A natural mode of a rotating blade.
-#[derive(Serialize, JsonSchema)]
-struct BladeModeJson {
-    /// Place in the list, from 1.
-    number: usize,
-    /// Natural frequency in the rotating frame, Hz.
-    frequency_hz: f64,
-    /// `flap`, `lag`, `torsion` or `axial`: the motion with most of the kinetic energy.
-    family: &'static str,
-    /// Order within the family, from 1.
-    order: usize,
-    /// Bound on the error of the eigenvalue computation, Hz.
-    algebraic_error_hz: f64,
-    /// Estimate of the error of the elements, Hz.
-    discretization_error_hz: f64,
-    /// The frequency extrapolated from elements cut in two, Hz.
-    extrapolated_hz: f64,
-    /// Shares of the kinetic energy.
-    kinetic: BladeEnergyJson,
-    /// The shape at the element borders: x is lag, y flap, z along the span; `height_m` is the
-    /// distance from the rotor's axis.
-    shape: ShapeJson,
-}
-
-/// A share for each motion of a blade.
-#[derive(Serialize, JsonSchema)]
-struct BladeEnergyJson {
-    /// Out of the rotor's plane.
-    flap: f64,
-    /// In the rotor's plane.
-    lag: f64,
-    /// About the span.
-    torsion: f64,
-    /// Along the span.
-    axial: f64,
 }
 
 /// Writes the modes of a blade as indented JSON with a newline at the end.
@@ -96,11 +56,11 @@ pub fn write_blade_json(
     writer: impl Write,
 ) -> Result<(), ResultError> {
     let description = blade.description();
-    let result = BladeSolutionJson {
-        method: "bmodes",
+    let document = BladeDocument {
+        method: Method::Bmodes,
         elements: solution.elements,
         degrees_of_freedom: solution.degrees_of_freedom,
-        blade: BladeJson {
+        blade: BladeSummary {
             name: &description.name,
             hub_radius_m: description.hub_radius_m,
             tip_radius_m: description.tip_radius_m,
@@ -108,38 +68,15 @@ pub fn write_blade_json(
             tip_mass_kg: description.tip.mass_kg,
             rotor_speed_rad_per_s: description.rotor_speed_rad_per_s,
         },
-        modes: solution.modes.iter().map(mode_json).collect(),
-        certificate: certificate_json(&solution.certificate),
+        modes: &solution.modes,
+        certificate: solution.certificate,
         warnings: notes.iter().map(ToString::to_string).collect(),
     };
-    write_pretty(&result, writer)
+    write_result_json(&document, writer)
 }
 
-fn mode_json(mode: &BladeMode) -> BladeModeJson {
-    BladeModeJson {
-        number: mode.number,
-        frequency_hz: mode.frequency_hz,
-        family: mode.family.name(),
-        order: mode.order,
-        algebraic_error_hz: mode.algebraic_error_hz,
-        discretization_error_hz: mode.discretization_error_hz,
-        extrapolated_hz: mode.extrapolated_hz,
-        kinetic: energy_json(&mode.kinetic),
-        shape: shape_json(&mode.shape),
-    }
-}
-
-fn energy_json(kinetic: &ByMotion) -> BladeEnergyJson {
-    BladeEnergyJson {
-        flap: kinetic.side_side,
-        lag: kinetic.fore_aft,
-        torsion: kinetic.torsion,
-        axial: kinetic.axial,
-    }
-}
-
-/// Writes the modes of a blade as CSV with a header: the keys of the JSON, a dot going into an
-/// object.
+/// Writes the modes of a blade as CSV with a header: the keys of the JSON, with a dot
+/// before the keys of an object.
 ///
 /// # Errors
 /// [`ResultError`] if the writer refuses.
@@ -159,7 +96,7 @@ pub fn write_blade_csv(solution: &BladeSolution, writer: impl Write) -> Result<(
         "kinetic.axial",
     ])?;
     for mode in &solution.modes {
-        let kinetic = energy_json(&mode.kinetic);
+        let kinetic = &mode.kinetic;
         csv.write_record([
             mode.number.to_string(),
             mode.family.name().to_owned(),
@@ -168,8 +105,8 @@ pub fn write_blade_csv(solution: &BladeSolution, writer: impl Write) -> Result<(
             format!("{:e}", mode.algebraic_error_hz),
             format!("{:e}", mode.discretization_error_hz),
             mode.extrapolated_hz.to_string(),
-            format!("{:e}", kinetic.flap),
-            format!("{:e}", kinetic.lag),
+            format!("{:e}", kinetic.side_side),
+            format!("{:e}", kinetic.fore_aft),
             format!("{:e}", kinetic.torsion),
             format!("{:e}", kinetic.axial),
         ])?;

@@ -4,72 +4,63 @@ use std::io::Write;
 
 use schemars::JsonSchema;
 use serde::Serialize;
-use towermodes::{Family, Tower, Warning};
+use towermodes::{Family, Rotor, Tower, Warning};
+use towermodes_analysis::Verdict;
 use towermodes_analysis::resonance::{Campbell, Excited, FrequencyLine, Margin, StiffnessClass};
 
-use super::{ResultError, write_pretty};
+use super::{ResultError, write_result_json};
 use crate::input::Note;
 
-/// The result of `towermodes campbell --format json`. Keys are stable: new ones may be added, none
-/// is renamed.
+/// The result of `towermodes campbell`: the diagram with the tower and the notes of the reader.
+///
+/// The rows of margins repeat the label of their line, and the multiple that coincides with a mode
+/// is a key of its own, so lines, margins and classes have their own structures here.
 #[derive(Serialize, JsonSchema)]
-#[schemars(title = "towermodes campbell")]
-pub(super) struct CampbellJson<'a> {
-    /// The worst verdict: `pass`, `warn` or `fail`; `warn` at best where modes are not judged.
-    verdict: &'static str,
+pub(super) struct CampbellDocument<'a> {
+    /// The worst verdict; at best `warn` where the list of modes does not cover all excitations.
+    verdict: Verdict,
     /// The tower.
     tower: NamedJson<'a>,
     /// The rotor.
-    rotor: RotorJson,
-    /// The margin asked for, as a share of the natural frequency.
+    rotor: Rotor,
+    /// The required margin, as a fraction of the natural frequency.
     margin: f64,
-    /// From and to which frequency, Hz, the tower may have modes that are near an excitation but
-    /// not in the list; null if they all are.
+    /// The frequency range (from, to), Hz, in which the tower may have modes that are not in the list
+    /// although an excitation comes close to them; null if the list covers all excitations.
     unjudged_hz: Option<[f64; 2]>,
-    /// The multiples of the rotor's speed.
+    /// The multiples of the rotor speed.
     multiples: &'a [usize],
-    /// Natural frequencies: modes of the tower by frequency, then those of the blade.
+    /// Natural frequencies: tower modes by frequency, then blade modes.
     lines: Vec<LineJson<'a>>,
-    /// Every line against every multiple, but for motions that nothing resists.
+    /// Every line against every multiple, except rigid-body modes without stiffness.
     margins: Vec<MarginJson<'a>>,
-    /// Where the lowest mode that bends the tower fore-aft lies, and that side-side; a coupled mode
-    /// may be both.
+    /// The stiffness class of the lowest fore-aft and of the lowest side-side bending mode; one
+    /// coupled mode may be both.
     classes: Vec<ClassJson>,
-    /// What the reader of the file decided or left out, and what looks like a slip.
+    /// What the reader of the file decided or left out, and possible input mistakes.
     warnings: Vec<String>,
 }
 
-/// What was solved.
+/// The tower that was solved.
 #[derive(Serialize, JsonSchema)]
 struct NamedJson<'a> {
     /// The name in the file; may be empty.
     name: &'a str,
 }
 
-/// A rotor.
-#[derive(Serialize, JsonSchema)]
-struct RotorJson {
-    /// Number of blades.
-    blades: usize,
-    /// Lowest speed of operation, rpm.
-    lowest_rpm: f64,
-    /// Highest speed of operation, rpm.
-    highest_rpm: f64,
-}
-
-/// A natural frequency against the rotor's speed.
+/// A natural frequency against the rotor speed.
 #[derive(Serialize, JsonSchema)]
 struct LineJson<'a> {
     /// `tower` or `blade`.
     of: &'static str,
     /// Its number in the list of the tower's modes, from 1; null for a blade.
     number: Option<usize>,
-    /// Its family, as in the result of `solve`; of a blade that at standstill: `flap`, `lag`,
+    /// Its family, as in the result of `solve`; for a blade mode that at standstill: `flap`, `lag`,
     /// `torsion` or `axial`.
     family: &'static str,
     /// Order within the family, from 1.
     order: usize,
-    /// What it is called, as "1st fore-aft bending".
+    /// The name of the mode, as "1st fore-aft bending".
     label: &'a str,
     /// Rotor speeds, rpm, rising.
     rotor_speed_rpm: Vec<f64>,
@@ -77,46 +68,46 @@ struct LineJson<'a> {
     frequency_hz: Vec<f64>,
     /// The largest estimated error of the frequencies, Hz.
     error_hz: f64,
-    /// The speed at which a mode of a blade was lost, rpm: none there is like it, and its line ends
-    /// before; null if it goes on to the end.
+    /// The rotor speed at which a blade mode is no longer found, rpm: its line ends before; null if it
+    /// reaches the highest speed.
     lost_at_rpm: Option<f64>,
 }
 
-/// How far an excitation stays from a natural frequency in operation.
+/// The distance of an excitation from a natural frequency in operation.
 #[derive(Serialize, JsonSchema)]
 struct MarginJson<'a> {
-    /// Which of the lines, from 0.
+    /// Index of the line, from 0.
     line: usize,
-    /// What it is called.
+    /// The name of its mode.
     label: &'a str,
-    /// Which multiple of the rotor's speed.
+    /// The multiple of the rotor speed.
     multiple: usize,
-    /// The speed of operation at which they are nearest, rpm.
+    /// The operating speed at which both are closest, rpm.
     nearest_rpm: f64,
     /// The excitation there, Hz.
     excitation_hz: f64,
     /// The natural frequency there, Hz.
     natural_hz: f64,
-    /// excitation/natural − 1 there; 0 where they meet.
+    /// excitation/natural − 1 there; 0 where both coincide.
     distance: f64,
-    /// `pass`, `warn` or `fail`.
-    verdict: &'static str,
+    /// The verdict on the distance.
+    verdict: Verdict,
 }
 
-/// Where a first bending mode lies among the excitations.
+/// The stiffness class of a first bending mode.
 #[derive(Serialize, JsonSchema)]
 struct ClassJson {
-    /// `fore-aft` or `side-side`.
-    family: &'static str,
-    /// `soft-soft`, `soft-stiff`, `stiff-stiff`, or `met` where an excitation meets it in
-    /// operation.
+    /// The plane of the mode: `fore-aft` or `side-side`.
+    family: Family,
+    /// `soft-soft`, `soft-stiff`, `stiff-stiff`, or `met` where an excitation coincides with the mode
+    /// in operation.
     class: &'static str,
-    /// The multiple that meets it; null otherwise.
+    /// The multiple that coincides with it; null otherwise.
     met_by_multiple: Option<usize>,
 }
 
-/// Writes a Campbell diagram as indented JSON with a newline at the end; what the reader of the
-/// file noted comes before the warnings.
+/// Writes a Campbell diagram as indented JSON with a newline at the end; the notes of the
+/// reader come before the warnings.
 ///
 /// # Errors
 /// [`ResultError`] if the writer refuses.
@@ -129,14 +120,10 @@ pub fn write_campbell_json(
 ) -> Result<(), ResultError> {
     let notes = notes.iter().map(ToString::to_string);
     let warnings = warnings.iter().map(ToString::to_string);
-    let json = CampbellJson {
-        verdict: campbell.verdict().name(),
+    let document = CampbellDocument {
+        verdict: campbell.verdict(),
         tower: NamedJson { name: tower.name() },
-        rotor: RotorJson {
-            blades: campbell.rotor.blades,
-            lowest_rpm: campbell.rotor.lowest_rpm,
-            highest_rpm: campbell.rotor.highest_rpm,
-        },
+        rotor: campbell.rotor,
         margin: campbell.margin,
         unjudged_hz: campbell.uncovered_range_hz(),
         multiples: &campbell.multiples,
@@ -149,7 +136,7 @@ pub fn write_campbell_json(
         classes: campbell.classes.iter().map(class_json).collect(),
         warnings: notes.chain(warnings).collect(),
     };
-    write_pretty(&json, writer)
+    write_result_json(&document, writer)
 }
 
 /// `tower` or `blade`, number, family, order.
@@ -188,13 +175,13 @@ fn margin_json<'a>(campbell: &'a Campbell, margin: &Margin) -> MarginJson<'a> {
         excitation_hz: margin.excitation_hz,
         natural_hz: margin.natural_hz,
         distance: margin.distance,
-        verdict: margin.verdict.name(),
+        verdict: margin.verdict,
     }
 }
 
 fn class_json((family, class): &(Family, StiffnessClass)) -> ClassJson {
     ClassJson {
-        family: family.name(),
+        family: *family,
         class: class.name(),
         met_by_multiple: match *class {
             StiffnessClass::Coincident { multiple } => Some(multiple),
@@ -203,7 +190,7 @@ fn class_json((family, class): &(Family, StiffnessClass)) -> ClassJson {
     }
 }
 
-/// Writes a Campbell diagram as CSV: one line a pair of a natural frequency and an excitation.
+/// Writes a Campbell diagram as CSV: one line per pair of a natural frequency and an excitation.
 ///
 /// # Errors
 /// [`ResultError`] if the writer refuses.

@@ -1,26 +1,23 @@
-//! Results as other programs read them.
+//! Results as JSON with their schemas, and as CSV.
+//!
+//! The types of the library serialize themselves. Here are only the documents that put a result
+//! together with its tower and the notes of the reader.
 
-mod agreement;
 mod blade;
 mod campbell;
-mod comparison;
-mod convergence;
-mod judgement;
+mod comparison_csv;
+mod convergence_csv;
 mod schema;
+mod solution;
 mod solution_csv;
-mod solution_json;
-mod verification;
 
-pub use agreement::{write_agreement_json, write_examination_json};
 pub use blade::{write_blade_csv, write_blade_json};
 pub use campbell::{write_campbell_csv, write_campbell_json};
-pub use comparison::{write_comparison_csv, write_comparison_json};
-pub use convergence::{write_convergence_csv, write_convergence_json};
-pub use judgement::write_judgement_json;
-pub use schema::{ResultKind, write_json_schema};
+pub use comparison_csv::write_comparison_csv;
+pub use convergence_csv::write_convergence_csv;
+pub use schema::{ResultKind, write_json_schema, write_schema_of};
+pub use solution::write_json;
 pub use solution_csv::write_csv;
-pub use solution_json::write_json;
-pub use verification::{write_verification_csv, write_verification_json};
 
 use std::io::Write;
 
@@ -31,20 +28,44 @@ use thiserror::Error;
 #[derive(Debug, Error)]
 #[non_exhaustive]
 pub enum ResultError {
-    /// The system refused to take it.
+    /// The writer refused.
     #[error(transparent)]
     Io(#[from] std::io::Error),
-    /// JSON could not be made.
+    /// The value cannot be represented in JSON.
     #[error(transparent)]
     Json(#[from] serde_json::Error),
-    /// CSV could not be made.
+    /// The records cannot be represented in CSV.
     #[error(transparent)]
     Csv(#[from] ::csv::Error),
 }
 
-/// Indented JSON with a newline at the end.
-fn write_pretty(value: &impl Serialize, mut writer: impl Write) -> Result<(), ResultError> {
+/// Writes a result as indented JSON with a newline at the end.
+///
+/// # Errors
+/// [`ResultError`] if the writer refuses.
+pub fn write_result_json(
+    value: &impl Serialize,
+    mut writer: impl Write,
+) -> Result<(), ResultError> {
     serde_json::to_writer_pretty(&mut writer, value)?;
     writeln!(writer)?;
+    Ok(())
+}
+
+/// Writes a header and records as CSV.
+///
+/// # Errors
+/// [`ResultError`] if the writer refuses, or a record is shorter or longer than the header.
+pub fn write_records_csv<const N: usize>(
+    header: [&str; N],
+    records: impl IntoIterator<Item = [String; N]>,
+    writer: impl Write,
+) -> Result<(), ResultError> {
+    let mut csv = ::csv::Writer::from_writer(writer);
+    csv.write_record(header)?;
+    for record in records {
+        csv.write_record(record)?;
+    }
+    csv.flush()?;
     Ok(())
 }

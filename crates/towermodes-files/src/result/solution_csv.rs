@@ -1,4 +1,4 @@
-//! A solution as CSV: one line a mode; shapes are in the JSON.
+//! A solution as CSV: one line per mode; shapes are in the JSON.
 
 use std::io::Write;
 
@@ -6,7 +6,7 @@ use towermodes::{Mode, Solution};
 
 use super::ResultError;
 
-/// The keys of a mode in the JSON; a dot goes into an object.
+/// The keys of a mode in the JSON; a dot precedes the keys of an object.
 const HEADER: [&str; 25] = [
     "number",
     "family",

@@ -88,7 +88,7 @@ fn last_order(convergence: &Convergence, mode: usize) -> Option<f64> {
 
 /// "1st fore-aft bending, order 2.00".
 fn label(convergence: &Convergence, mode: usize) -> String {
-    let name = convergence.modes[mode].label();
+    let name = convergence.modes[mode].label.clone();
     match last_order(convergence, mode) {
         None => name,
         Some(digits) if is_spectral(convergence) => {
@@ -285,7 +285,7 @@ fn table(convergence: &Convergence) -> DataTable {
         levels.map(move |level| {
             let at = |values: &[Option<f64>]| values.get(mode).copied().flatten();
             vec![
-                followed.label(),
+                followed.label.clone(),
                 format!("{:.6}", followed.frequency_hz),
                 level.asked.number().to_string(),
                 at(&level.errors).map_or_else(String::new, signed),

@@ -52,8 +52,8 @@ fn drawn(comparison: &Comparison) -> Vec<&Column> {
 }
 
 /// The relative difference of a column from the reference in a mode, if it has the mode.
-fn difference(comparison: &Comparison, column: &Column, mode: usize) -> Option<f64> {
-    let difference = comparison.relative_difference(column, mode)?;
+fn difference(column: &Column, mode: usize) -> Option<f64> {
+    let difference = column.relative_differences[mode]?;
     difference.is_finite().then_some(difference)
 }
 
@@ -87,8 +87,7 @@ fn description(comparison: &Comparison, methods: &[&Column]) -> String {
         counted(comparison.modes.len(), "mode")
     );
     let largest = |column: &&Column| {
-        let all =
-            (0..comparison.modes.len()).filter_map(|mode| difference(comparison, column, mode));
+        let all = (0..comparison.modes.len()).filter_map(|mode| difference(column, mode));
         all.map(f64::abs).fold(0.0, f64::max)
     };
     let worst = methods
@@ -113,7 +112,7 @@ fn drawing(comparison: &Comparison, methods: &[&Column]) -> Drawing {
     let differences = modes(comparison).flat_map(|mode| {
         methods
             .iter()
-            .filter_map(move |column| difference(comparison, column, mode))
+            .filter_map(move |column| difference(column, mode))
     });
     let errors = ErrorAxis::of(differences);
     let frame = Frame {
@@ -125,7 +124,7 @@ fn drawing(comparison: &Comparison, methods: &[&Column]) -> Drawing {
     let count = modes(comparison).len().max(1) as f64;
     let axes = Axes::new(frame, [0.0, count], errors.range, [false, true]);
     let labels: Vec<String> = modes(comparison)
-        .map(|mode| comparison.modes[mode].label())
+        .map(|mode| comparison.modes[mode].label.clone())
         .collect();
     let names_height = names_height(&labels, &axes);
     let mut entries: Vec<Entry> = methods.iter().enumerate().map(entry).collect();
@@ -220,7 +219,7 @@ fn dots(
     let radius = (0.55 * apart).clamp(2.0, 4.2);
     for mode in modes(comparison) {
         for (index, column) in methods.iter().enumerate() {
-            let Some(difference) = difference(comparison, column, mode) else {
+            let Some(difference) = difference(column, mode) else {
                 continue;
             };
             let (x, y) = axes.at(middle(mode), errors.value(difference));
@@ -236,9 +235,12 @@ fn table(comparison: &Comparison) -> DataTable {
     let first = ["mode".to_owned(), "frequency (Hz)".to_owned()];
     let row = |mode: usize| {
         let followed = &comparison.modes[mode];
-        let first = [followed.label(), format!("{:.6}", followed.frequency_hz)];
+        let first = [
+            followed.label.clone(),
+            format!("{:.6}", followed.frequency_hz),
+        ];
         let cells = comparison.columns.iter().map(|column| {
-            let difference = comparison.relative_difference(column, mode);
+            let difference = column.relative_differences[mode];
             difference.map_or_else(String::new, signed)
         });
         first.into_iter().chain(cells).collect()

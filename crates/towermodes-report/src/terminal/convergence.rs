@@ -25,7 +25,7 @@ pub fn convergence(
         .zip(marks)
         .map(|(mode, mark)| Series {
             mark,
-            name: convergence.modes[mode].label(),
+            name: convergence.modes[mode].label.clone(),
             points: points(convergence, mode),
         })
         .collect();

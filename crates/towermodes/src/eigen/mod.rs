@@ -68,6 +68,8 @@ impl Eigenvalue {
 
 /// The cost of a solve.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Statistics {
     /// Products with the mass matrix.
     pub products: usize,

@@ -7,6 +7,8 @@ const MAJORITY: f64 = 0.6;
 
 /// A value for each motion of a bare tower.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct ByMotion {
     /// Bending fore-aft.
     pub fore_aft: f64,
@@ -60,6 +62,8 @@ impl ByMotion {
 /// sums to 1. The strain energy includes the foundation, soil, guy wires and geometric stiffness;
 /// its fractions are all zero where there is none.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Energy {
     /// Kinetic energy.
     pub kinetic: ByMotion,

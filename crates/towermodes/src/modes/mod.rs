@@ -5,6 +5,8 @@ mod energy;
 mod family;
 mod rigid;
 mod sampling;
+#[cfg(feature = "serde")]
+pub mod serialized;
 mod shape;
 
 pub use discretization::{Estimate, richardson};

@@ -22,6 +22,9 @@ pub const MAX_BLADE_ELEMENTS: usize = 10_000;
 
 /// The kind of motion of a blade's mode: the one with most of the kinetic energy.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[cfg_attr(feature = "serde", serde(rename_all = "kebab-case"))]
 pub enum BladeFamily {
     /// Out of the rotor's plane.
     Flap,
@@ -59,6 +62,8 @@ impl BladeFamily {
 
 /// A natural mode of a rotating blade.
 #[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct BladeMode {
     /// Number in the list, from 1.
     pub number: usize,
@@ -68,17 +73,30 @@ pub struct BladeMode {
     pub family: BladeFamily,
     /// Order within the family, from 1.
     pub order: usize,
-    /// Fractions of the kinetic energy: `fore_aft` is edgewise, `side_side` flap.
-    pub kinetic: ByMotion,
     /// Bound on the error of the eigenvalue computation, Hz.
     pub algebraic_error_hz: f64,
     /// Estimate of the discretization error, Hz.
     pub discretization_error_hz: f64,
     /// The frequency extrapolated from elements cut in two, Hz.
     pub extrapolated_hz: f64,
+    /// Fractions of the kinetic energy: `fore_aft` is edgewise (lag), `side_side` flapwise.
+    #[cfg_attr(
+        feature = "serde",
+        serde(serialize_with = "crate::modes::serialized::blade_energy")
+    )]
+    #[cfg_attr(
+        feature = "schema",
+        schemars(with = "crate::modes::serialized::BladeEnergy")
+    )]
+    pub kinetic: ByMotion,
     /// The shape at the radii requested: X edgewise, Y flap, Z along the span, and rotations about
     /// these. Its largest translation (for torsion its largest rotation) is 1; `height_m` is the
     /// distance from the rotor's axis.
+    #[cfg_attr(
+        feature = "serde",
+        serde(serialize_with = "crate::modes::serialized::shape")
+    )]
+    #[cfg_attr(feature = "schema", schemars(with = "crate::modes::serialized::Shape"))]
     pub shape: Vec<ShapePoint>,
 }
 

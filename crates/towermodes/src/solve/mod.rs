@@ -13,6 +13,8 @@ mod cut;
 mod error;
 mod estimate;
 mod limits;
+#[cfg(feature = "serde")]
+mod mode_keys;
 mod model;
 mod naming;
 mod one_mesh;

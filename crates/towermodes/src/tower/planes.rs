@@ -2,6 +2,9 @@
 
 /// A bending plane of a tower.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[cfg_attr(feature = "serde", serde(rename_all = "kebab-case"))]
 pub enum Plane {
     /// Bending in the plane of the wind: translation x, rotation about y.
     ForeAft,
@@ -11,6 +14,8 @@ pub enum Plane {
 
 /// A quantity that each bending plane has its own value of.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Planes<T> {
     /// Its value for bending in the fore-aft plane.
     pub fore_aft: T,

@@ -23,6 +23,8 @@ pub const FASTEST_RPM: f64 = 1e5;
 /// # Ok::<(), towermodes::TowerError>(())
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Rotor {
     /// Number of blades, at least one.
     pub blades: usize,

@@ -130,14 +130,14 @@ fn differences(comparison: &Comparison) -> Table {
         header.chain(names.iter().map(String::as_str)),
     );
     for (index, mode) in comparison.modes.iter().enumerate() {
-        let mut row = vec![mode.label(), digits(mode.frequency_hz, 6)];
-        row.extend(others().map(|column| difference(comparison, column, index)));
+        let mut row = vec![mode.label.clone(), digits(mode.frequency_hz, 6)];
+        row.extend(others().map(|column| difference(column, index)));
         table.push(row);
     }
     table.shortened()
 }
 
-fn difference(comparison: &Comparison, column: &Column, mode: usize) -> String {
-    let difference = comparison.relative_difference(column, mode);
+fn difference(column: &Column, mode: usize) -> String {
+    let difference = column.relative_differences[mode];
     difference.map_or(NOTHING.to_owned(), signed_percent)
 }

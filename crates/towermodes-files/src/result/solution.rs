@@ -1,0 +1,95 @@
+//! A solution as JSON. Keys are stable: new keys may be added, the meaning of a key does not change.
+
+use std::io::Write;
+
+use schemars::JsonSchema;
+use serde::Serialize;
+use towermodes::modes::serialized::{Directions, directions};
+use towermodes::{Certificate, Method, Mode, Solution, Statistics, Tower};
+
+use super::{ResultError, write_result_json};
+use crate::input::Note;
+
+/// The result of `towermodes solve`: the solution with the tower and the notes of the reader.
+#[derive(Serialize, JsonSchema)]
+pub(super) struct SolutionDocument<'a> {
+    /// The method, by its name on the command line.
+    method: Method,
+    /// Number of segments, or of elements.
+    segments: usize,
+    /// Polynomial degree of the elements of the spectral beam; null for other methods.
+    degree: Option<usize>,
+    /// Degrees of freedom of the whole tower.
+    degrees_of_freedom: usize,
+    /// The tower that was solved.
+    tower: TowerSummary<'a>,
+    /// The lowest modes by frequency; of a repeated pair the fore-aft one first.
+    modes: &'a [Mode],
+    /// The proof that no mode is missing.
+    certificate: Certificate,
+    /// The buckling load factor: the factor on gravity at which the tower buckles; null without
+    /// gravity, or where the tower floats.
+    buckling_load_factor: Option<f64>,
+    /// Effective masses of the listed modes together, as fractions of those of the whole tower.
+    #[serde(serialize_with = "directions")]
+    #[schemars(with = "Directions")]
+    effective_mass_shares: [f64; 6],
+    /// The cost of the solution.
+    solver: Statistics,
+    /// What the reader of the file decided or left out, and possible input mistakes.
+    warnings: Vec<String>,
+}
+
+/// The tower that was solved.
+#[derive(Serialize, JsonSchema)]
+struct TowerSummary<'a> {
+    /// The name in the file; may be empty.
+    name: &'a str,
+    /// Base to top, m.
+    height_m: f64,
+    /// Mass with outfitting and point masses, without the rotor-nacelle assembly, kg.
+    mass_kg: f64,
+    /// Mass of the rotor-nacelle assembly, kg.
+    top_mass_kg: f64,
+    /// Acceleration of gravity, m/s2; 0 if gravity is left out.
+    gravity_m_per_s2: f64,
+    /// Inertia of all moving masses against rigid motions (x, y, z, rotation about x, y, z) of the
+    /// whole tower about its base: kg, kg m, kg m2.
+    rigid_inertia: [[f64; 6]; 6],
+}
+
+/// Writes a solution as indented JSON with a newline at the end; the notes of the reader come before
+/// the warnings.
+///
+/// # Errors
+/// [`ResultError`] if the writer refuses.
+pub fn write_json(
+    tower: &Tower,
+    solution: &Solution,
+    notes: &[Note],
+    writer: impl Write,
+) -> Result<(), ResultError> {
+    let notes = notes.iter().map(ToString::to_string);
+    let warnings = solution.warnings.iter().map(ToString::to_string);
+    let document = SolutionDocument {
+        method: solution.method,
+        segments: solution.segments,
+        degree: solution.degree,
+        degrees_of_freedom: solution.degrees_of_freedom,
+        tower: TowerSummary {
+            name: tower.name(),
+            height_m: tower.height_m(),
+            mass_kg: tower.mass_kg(),
+            top_mass_kg: tower.rna().mass_kg,
+            gravity_m_per_s2: tower.gravity_m_per_s2(),
+            rigid_inertia: solution.rigid_inertia,
+        },
+        modes: &solution.modes,
+        certificate: solution.certificate,
+        buckling_load_factor: solution.buckling_load_factor,
+        effective_mass_shares: solution.effective_mass_shares(),
+        solver: solution.statistics,
+        warnings: notes.chain(warnings).collect(),
+    };
+    write_result_json(&document, writer)
+}
