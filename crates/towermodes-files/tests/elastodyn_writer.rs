@@ -173,7 +173,7 @@ fn every_rule_of_openfast_is_kept() {
         ),
         (
             |c| c.coefficients[1][0] += 0.01,
-            "TwFAM2Sh: the coefficients add up to 1.01",
+            "TwFAM2Sh: the coefficients sum to 1.01",
         ),
         (
             |c| c.coefficients[3][2] = f64::NAN,

@@ -10,15 +10,15 @@ const GAUSS_3: [(f64, f64); 3] = [
     (0.774_596_669_241_483_4, 5.0 / 9.0),
 ];
 
-/// Heights that differ by no more are the same, m: files of other programs write steps 1 mm wide.
+/// Heights that differ by no more than this are equal, m: some files have steps 1 mm wide.
 pub(super) const SAME_HEIGHT_M: f64 = 1.001e-3;
 
-/// Whether two heights are the same, but for what files round.
+/// Whether two heights are equal apart from rounding in files.
 pub(super) fn is_same_height(a_m: f64, b_m: f64) -> bool {
     (a_m - b_m).abs() <= SAME_HEIGHT_M
 }
 
-/// A part of a tower's height.
+/// A range of heights of a tower.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
@@ -30,7 +30,7 @@ pub struct HeightRange {
 }
 
 impl HeightRange {
-    /// That of a tower.
+    /// The heights of a tower.
     pub(super) fn of(tower: &Tower) -> Self {
         Self {
             base_m: tower.base_m(),
@@ -43,7 +43,7 @@ impl HeightRange {
         self.top_m - self.base_m
     }
 
-    /// What it shares with another; upside down if nothing.
+    /// The overlap with another range; its length is negative if there is none.
     pub(super) fn and(&self, other: &Self) -> Self {
         Self {
             base_m: self.base_m.max(other.base_m),
@@ -51,7 +51,7 @@ impl HeightRange {
         }
     }
 
-    /// Whether a height is in it, or beside it by no more than files round.
+    /// Whether it contains a height, apart from rounding in files.
     pub(super) fn holds(&self, height_m: f64) -> bool {
         height_m >= self.base_m - SAME_HEIGHT_M && height_m <= self.top_m + SAME_HEIGHT_M
     }

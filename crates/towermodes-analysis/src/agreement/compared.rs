@@ -1,15 +1,15 @@
-//! One quantity of two towers, how far apart they are, and whether that is little enough.
+//! One quantity of two towers: the difference and its verdict.
 
 use crate::verdict::Verdict;
 
-/// How large relative differences may be.
+/// The largest permitted relative differences.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct AgreementLimits {
-    /// Of masses, whole and per length, and of the centre of mass as a share of the height.
+    /// For mass, mass per length, and the centre of mass as a fraction of the height.
     pub mass: f64,
-    /// Of EI and of what follows from it.
+    /// For bending stiffness and flexibility.
     pub stiffness: f64,
-    /// Of frequencies.
+    /// For frequencies.
     pub frequency: f64,
 }
 
@@ -24,20 +24,20 @@ impl Default for AgreementLimits {
     }
 }
 
-/// A quantity of two towers.
+/// A quantity of two towers with the difference and its verdict.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Compared {
-    /// That of the first tower.
+    /// The value of the first tower.
     pub first: f64,
-    /// That of the second.
+    /// The value of the second tower.
     pub second: f64,
-    /// second/first − 1, or (second − first)/scale for what can be zero; infinite (in JSON
+    /// second/first − 1, or (second − first)/scale for values that can be zero; infinite (in JSON
     /// null) where only the first is zero.
     #[cfg_attr(feature = "schema", schemars(with = "Option<f64>"))]
     pub difference: f64,
-    /// What the difference is worth.
+    /// The verdict on the difference.
     pub verdict: Verdict,
 }
 

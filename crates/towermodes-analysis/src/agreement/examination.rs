@@ -1,5 +1,4 @@
-//! What one tower amounts to: the numbers by which a description is checked against a drawing or a
-//! data sheet.
+//! The values of one description for a check against a drawing or a data sheet.
 
 use super::bare::bare;
 use super::columns::{Columns, HeightRange, tip_flexibility};
@@ -10,53 +9,53 @@ use towermodes::tower::{Inertia, Planes, Tower, TowerDescription, TowerError};
 /// Heights at which a tower is listed.
 const LISTED_HEIGHTS: usize = 21;
 
-/// A tower at a height.
+/// The tower at a height.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct ExaminationRow {
     /// The height in the datum of the stations, m.
     pub height_m: f64,
-    /// Mass per length there, kg/m; at a step that below it.
+    /// Mass per length, kg/m; at a step that below it.
     pub mass_kg_per_m: f64,
-    /// EI there, N m²; at a step that below it.
+    /// Bending stiffness EI, N m²; at a step that below it.
     pub bending_n_m2: Planes<f64>,
-    /// Mass from the base to here, with the point masses, kg.
+    /// Mass from the base up to this height with point masses, kg.
     pub mass_below_kg: f64,
 }
 
-/// What one tower amounts to, without machine, foundation and surroundings.
+/// The values of one tower without its rotor-nacelle assembly, foundation and surroundings.
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Examination {
-    /// From where to where it reaches.
+    /// The heights of the tower.
     pub range: HeightRange,
-    /// Its mass with outfitting and point masses, kg.
+    /// Mass with outfitting and point masses, kg.
     pub mass_kg: f64,
-    /// The point masses in it, kg.
+    /// Point masses included in the mass, kg.
     pub point_masses_kg: f64,
-    /// Height of its centre of mass in the datum of the stations, m.
+    /// Height of the centre of mass in the datum of the stations, m.
     pub center_of_mass_m: f64,
-    /// Its inertia against rigid motions (x, y, z, rotation about x, y, z) about its base: kg, kg
-    /// m, kg m².
+    /// Inertia against rigid motions (x, y, z, rotation about x, y, z) about the base: kg, kg m,
+    /// kg m².
     pub inertia_about_base: SpatialMatrix,
-    /// Its inertia about its centre of mass, kg m².
+    /// Inertia about the centre of mass, kg m².
     #[cfg_attr(feature = "serde", serde(skip))]
     pub inertia_about_center_kg_m2: Inertia,
-    /// Deflection of its top by a unit force there, from bending, m/N.
+    /// Bending deflection of the top by a unit force there, clamped at the base, m/N.
     pub tip_flexibility_m_per_n: Planes<f64>,
-    /// By height, at equal distances from the base to the top.
+    /// Values by height, at equal distances from the base to the top.
     pub rows: Vec<ExaminationRow>,
-    /// What looks like a slip in the description, machine and foundation included.
+    /// Possible input mistakes in the whole description.
     #[cfg_attr(feature = "serde", serde(skip))]
     pub warnings: Vec<Warning>,
 }
 
-/// What one tower amounts to.
+/// The values of one description of a tower.
 ///
 /// # Errors
-/// [`TowerError`] for a description of which there is no tower.
+/// [`TowerError`]: the description is invalid.
 pub fn examine(description: &TowerDescription) -> Result<Examination, TowerError> {
     let tower = Tower::new(description.clone())?;
     let masses = &description.point_masses;

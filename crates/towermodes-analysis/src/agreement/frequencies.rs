@@ -17,7 +17,7 @@ const WANTED: [(Family, usize); 4] = [
     (Family::SideSide, 2),
 ];
 
-/// A mode that is not among so many is not looked for further: coupled motions have other names.
+/// The search for a mode ends after this many modes: coupled motions may have other names.
 const MOST_MODES: usize = 32;
 
 /// The frequency of a mode of two towers.
@@ -37,8 +37,8 @@ pub struct ComparedFrequency {
     pub verdict: Verdict,
 }
 
-/// The first two frequencies in each plane, by the spectral beam; those that neither tower has are
-/// left out.
+/// The first two frequencies in each plane by the spectral beam, without modes that neither tower
+/// has.
 pub(super) fn frequencies(
     towers: [&Tower; 2],
     rotary_inertia: bool,

@@ -1,47 +1,46 @@
-//! Mass and bending stiffness of two towers by height, and where they are furthest apart.
+//! Mass and bending stiffness of two towers by height, and the largest differences.
 
 use super::columns::{Columns, HeightRange};
 use super::compared::{AgreementLimits, Compared};
 use towermodes::tower::Planes;
 
-/// Heights at which two towers are listed, besides those where they are furthest apart.
+/// Number of listed heights, besides those of the largest differences.
 const LISTED_HEIGHTS: usize = 21;
-/// Values by height are means over this share of the height: a step that sits 1 mm higher in one
-/// file than in the other is no difference.
+/// Values by height are averages over this fraction of the height, so that a step that is 1 mm
+/// higher in one file is no difference.
 const WINDOW: f64 = 0.01;
-/// Equal parts of the height at whose ends the largest difference is looked for, besides all
+/// Number of equal intervals at whose ends the largest difference is searched, besides all
 /// stations.
 const SEARCHED: usize = 1000;
 
-/// Two towers at a height.
+/// Both towers at a height.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct AgreementRow {
     /// The height in the datum of the stations, m.
     pub height_m: f64,
-    /// Mass per length, kg/m: the mean over [`Agreement::window_m`](super::Agreement::window_m)
-    /// around the height.
+    /// Mass per length, kg/m: the average over `window_m` around the height.
     pub mass_kg_per_m: Compared,
-    /// EI, N m², the same mean.
+    /// Bending stiffness EI, N m², averaged in the same way.
     pub bending_n_m2: Planes<Compared>,
-    /// Mass from the base of the overlap to here, with the point masses, kg; the difference is a
-    /// share of the first tower's whole mass.
+    /// Mass from the base of the overlap up to this height with point masses, kg. The difference is
+    /// a fraction of the whole mass of the first tower.
     pub mass_below_kg: Compared,
 }
 
-/// Where two towers are furthest apart in a quantity.
+/// The largest difference of a quantity along the height.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct LargestDifference {
-    /// The middle of the window there, m.
+    /// The height of the largest difference, m.
     pub height_m: f64,
-    /// The means over the window there.
+    /// The values there.
     pub compared: Compared,
 }
 
-/// Two towers over the heights they share.
+/// Two towers over their common heights.
 pub(super) struct Heights<'a> {
     pub(super) columns: [&'a Columns<'a>; 2],
     pub(super) overlap: HeightRange,

@@ -1,8 +1,8 @@
-//! Two descriptions of one tower: whether they agree, and where they do not.
+//! Agreement of two descriptions of one tower, and the values of one description.
 //!
-//! Two files of different programs may describe the same steel by different columns, rows and
-//! steps. What is compared is what a beam feels of them: masses and EI by height, and the
-//! frequencies that follow.
+//! Files of different programs describe the same steel by different columns, rows and steps.
+//! Therefore the comparison uses what matters for a beam: mass and bending stiffness EI by height,
+//! and the resulting frequencies.
 
 mod bare;
 mod columns;
@@ -30,12 +30,12 @@ use columns::is_same_height;
 use towermodes::SolveError;
 use towermodes::tower::{Planes, TowerError};
 
-/// Which of two towers.
+/// One of two compared towers.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum WhichTower {
-    /// The one that the other is compared with.
+    /// The first one: the reference.
     First,
-    /// The other.
+    /// The second one.
     Second,
 }
 
@@ -52,7 +52,7 @@ impl fmt::Display for WhichTower {
 #[derive(Debug, Clone, PartialEq, Error)]
 #[non_exhaustive]
 pub enum AgreementError {
-    /// A description is none of a tower.
+    /// A description is invalid.
     #[error("the {which} tower: {error}")]
     Tower {
         /// Which of the two.
@@ -70,18 +70,18 @@ pub enum AgreementError {
         #[source]
         error: SolveError,
     },
-    /// No height is on both.
+    /// The towers have no common height.
     #[error(
-        "the towers share no height: the first reaches from {} m to {} m, the second from {} m to {} m",
+        "the towers have no common height: the first reaches from {} m to {} m, the second from {} m to {} m",
         ranges[0].base_m, ranges[0].top_m, ranges[1].base_m, ranges[1].top_m
     )]
     NothingShared {
-        /// From where to where each reaches.
+        /// The heights of each tower.
         ranges: [HeightRange; 2],
     },
 }
 
-/// How two towers compare over the heights they share.
+/// The comparison of two towers over their common heights.
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
@@ -93,51 +93,51 @@ pub struct Agreement {
     pub first_range: HeightRange,
     /// The heights of the second tower.
     pub second_range: HeightRange,
-    /// The heights they share, to which all but
-    /// [`frequencies_as_given`](Self::frequencies_as_given) refers.
+    /// The common heights. All values but `frequencies_as_given` refer to these.
     pub overlap: HeightRange,
-    /// How far the second must be lowered for both to reach from one height to one, m, if they are
-    /// equally long and not at one height: they may have different datums.
+    /// The distance by which the second tower must be lowered to have the heights of the first, m,
+    /// if both are equally long at different heights: their datums may differ.
     pub shift_m: Option<f64>,
-    /// Length that values by height are means over, m.
+    /// Length over which the values by height are averaged, m.
     pub window_m: f64,
     /// Mass with outfitting and point masses, kg.
     pub mass_kg: Compared,
-    /// The point masses in it, kg; the difference is a share of the first tower's mass, and no part
-    /// of the verdict: what one file has as point masses the other may have in its wall.
+    /// Point masses included in the mass, kg. The difference is a fraction of the mass of the first
+    /// tower. It does not count for the verdict: one file may give as point masses what the other
+    /// includes in its wall.
     pub point_masses_kg: Compared,
-    /// Height of the centre of mass, m; the difference is a share of the overlap's length.
+    /// Height of the centre of mass, m. The difference is a fraction of the length of the overlap.
     pub center_of_mass_m: Compared,
-    /// Deflection of the overlap's top by a unit force there, from bending, if its base is clamped,
+    /// Bending deflection of the top of the overlap by a unit force there, clamped at its base,
     /// m/N.
     pub tip_flexibility_m_per_n: Planes<Compared>,
-    /// Where the masses per length (kg/m) are furthest apart.
+    /// The largest difference in mass per length, kg/m.
     pub largest_mass: LargestDifference,
-    /// Where EI (N m²) is furthest apart.
+    /// The largest difference in bending stiffness EI, N m².
     pub largest_bending: Planes<LargestDifference>,
-    /// By height: at equal distances, and where they are furthest apart.
+    /// Values by height: at equal distances, and where the differences are largest.
     pub rows: Vec<AgreementRow>,
-    /// The first frequencies of the overlap, clamped, with its point masses and nothing else:
-    /// Euler-Bernoulli beams without rotary inertia, shear deformation and weights, because the
-    /// files of some programs have none of these.
+    /// The first frequencies of the overlap, clamped, with its point masses only: Euler-Bernoulli
+    /// beams without rotary inertia, shear deformation and gravity, because the files of some
+    /// programs have none of these.
     pub frequencies_bare: Vec<ComparedFrequency>,
-    /// The first frequencies of both whole towers as they are described, with machine, foundation,
-    /// surroundings, rotary inertia and shear deformation; none if neither has a machine, a
-    /// foundation, surroundings or weights.
+    /// The first frequencies of both whole towers as described, with rotor-nacelle assembly,
+    /// foundation, surroundings, rotary inertia and shear deformation; empty if neither tower has a
+    /// rotor-nacelle assembly, a foundation, surroundings or gravity.
     pub frequencies_as_given: Vec<ComparedFrequency>,
 }
 
-/// The share of a tower that the other may lack.
+/// The fraction of a tower that the other may lack without failing.
 const FEW: f64 = 0.01;
 
 impl Agreement {
-    /// Whether both towers reach from one height to one, within 1 mm.
+    /// Whether both towers have the same ends within 1 mm.
     pub fn ranges_agree(&self) -> bool {
         let (first, second) = (&self.first_range, &self.second_range);
         is_same_height(first.base_m, second.base_m) && is_same_height(first.top_m, second.top_m)
     }
 
-    /// How much of the longer tower the other has no part of.
+    /// The fraction of the longer tower that the other does not have.
     pub fn uncompared_share(&self) -> f64 {
         let lengths_m = [&self.first_range, &self.second_range].map(HeightRange::length_m);
         1.0 - self.overlap.length_m() / lengths_m.into_iter().fold(0.0, f64::max)

@@ -1,4 +1,4 @@
-//! Two towers put side by side.
+//! The comparison of two towers.
 
 use super::bare::bare;
 use super::columns::{Columns, HeightRange, SAME_HEIGHT_M, is_same_height, tip_flexibility};
@@ -11,9 +11,15 @@ use towermodes::tower::{Foundation, PointMass, Tower, TowerDescription};
 
 /// Compares two descriptions that should be of the same tower.
 ///
+/// Mass per length and bending stiffness are averages over a hundredth of the common height. The
+/// frequencies are those of the reference beam solution (spectral elements).
+///
 /// # Errors
-/// [`AgreementError`]: a description that is no tower, towers that share no height, or one that
+/// [`AgreementError`]: a description is invalid, the towers have no common height, or a tower
 /// cannot be solved.
+///
+/// # Example
+/// See the [crate's front page](crate).
 pub fn agree(
     first: &TowerDescription,
     second: &TowerDescription,

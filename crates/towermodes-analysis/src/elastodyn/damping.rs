@@ -1,51 +1,52 @@
-//! The damping to write for the damping that is wanted.
+//! The damping ratio in the tower file for a required damping ratio of the tower.
 //!
-//! ElastoDyn makes of a ratio ζ in its file the damping C = 2 ζ K/ω₁, where ω₁ is the frequency of
-//! the tower without its rotor-nacelle assembly. With it the tower swings at a lower ω and is
-//! damped at the ratio C ω/(2 K) = ζ ω/ω₁, gravity's part of the stiffness aside.
+//! From a ratio ζ in its file ElastoDyn computes the damping C = 2 ζ K/ω₁, where ω₁ is the
+//! frequency of the tower without its rotor-nacelle assembly. With the assembly the frequency ω is
+//! lower, and the damping ratio is C ω/(2 K) = ζ ω/ω₁, neglecting the geometric stiffness of
+//! gravity.
 
 use thiserror::Error;
 
 use towermodes::Plain;
 
-/// Why no damping can be written.
+/// Why a damping ratio cannot be written.
 #[derive(Debug, Clone, Copy, PartialEq, Error)]
 #[non_exhaustive]
 pub enum DampingError {
-    /// A ratio of damping that cannot be.
-    #[error("a damping of {} % of critical cannot be wanted; it must be from 0 to 100", Plain(*.percent))]
+    /// The required damping ratio is out of range.
+    #[error("the damping is {} % of critical, but it must be 0 to 100 %", Plain(*.percent))]
     Wanted {
         /// The ratio, percent.
         percent: f64,
     },
-    /// A frequency that is none.
-    #[error("a frequency of {} Hz has no damping; it must be above 0", Plain(*.frequency_hz))]
+    /// A frequency is not positive.
+    #[error("the frequency of a damped mode is {} Hz, but it must be above 0", Plain(*.frequency_hz))]
     Frequency {
         /// The frequency, Hz.
         frequency_hz: f64,
     },
-    /// More than OpenFAST takes.
+    /// The ratio to write is larger than OpenFAST accepts.
     #[error(
         "for {wanted_percent:.4} % of the tower with what it carries, {:.4} % would have to be written, and OpenFAST takes no more than 100",
         Plain(*.percent)
     )]
     TooMuch {
-        /// The ratio wanted, percent.
+        /// The required ratio, percent.
         wanted_percent: f64,
-        /// What would have to be written, percent.
+        /// The ratio to write, percent.
         percent: f64,
     },
 }
 
-/// The damping to write into a tower file, percent of critical, for the damping wanted of the tower
-/// with its rotor-nacelle assembly: ζ f(uncoupled)/f(coupled).
+/// The damping ratio to write into a tower file, percent of critical, for a required ratio ζ of the
+/// tower with its rotor-nacelle assembly: ζ f(uncoupled)/f(coupled).
 ///
 /// The uncoupled frequency is
 /// [`Generalized::frequency_alone_hz`](super::Generalized::frequency_alone_hz), the coupled one
-/// that of the tower with what it carries.
+/// that of the tower with its rotor-nacelle assembly.
 ///
 /// # Errors
-/// [`DampingError`].
+/// [`DampingError`]: a ratio or a frequency is out of its range.
 pub fn damping_to_write_percent(
     wanted_percent: f64,
     uncoupled_hz: f64,
@@ -62,11 +63,11 @@ pub fn damping_to_write_percent(
     })
 }
 
-/// The damping of the tower with its rotor-nacelle assembly, percent of critical, that one in a
-/// tower file makes.
+/// The damping ratio of the tower with its rotor-nacelle assembly, percent of critical, for a ratio
+/// in a tower file.
 ///
 /// # Errors
-/// [`DampingError`].
+/// [`DampingError`]: a ratio or a frequency is out of its range.
 pub fn damping_of_system_percent(
     written_percent: f64,
     uncoupled_hz: f64,

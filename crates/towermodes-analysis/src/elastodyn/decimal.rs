@@ -1,31 +1,31 @@
-//! Polynomials in the decimals that are printed.
+//! Polynomials rounded to the decimals of a tower file.
 
 use thiserror::Error;
 
 use super::polynomial::TowerPolynomial;
 use towermodes::Plain;
 
-/// Decimals that a tower file is given unless told: at least eight digits where it matters.
+/// Default number of decimals in a tower file: at least eight digits of the largest coefficients.
 pub const COEFFICIENT_DECIMALS: u32 = 8;
-/// More decimals than this say nothing in double precision.
+/// The largest number of decimals: more have no meaning in double precision.
 pub const MAX_DECIMALS: u32 = 15;
-/// OpenFAST refuses coefficients whose sum is farther from 1 than this.
+/// OpenFAST refuses coefficients whose sum differs from 1 by more than this.
 pub const SUM_TOLERANCE: f64 = 0.0015;
 /// A coefficient of this size is no shape of a tower, whose largest known ones are some hundreds.
 const MAX_COEFFICIENT: f64 = 1e12;
 
-/// A polynomial in whole units of its last decimal, which add up to 1 exactly.
+/// A polynomial in whole units of its last decimal, whose coefficients sum to 1 exactly.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct DecimalPolynomial {
     units: [i128; 5],
     decimals: u32,
 }
 
-/// Why a polynomial cannot be printed in decimals that add up to 1.
+/// Why a polynomial cannot be rounded to decimals that sum to 1.
 #[derive(Debug, Clone, Copy, PartialEq, Error)]
 #[non_exhaustive]
 pub enum RoundingError {
-    /// No decimals, or more than doubles have.
+    /// The number of decimals is out of range.
     #[error(
         "coefficients cannot have {decimals} decimals; the number must be from 1 to {MAX_DECIMALS}"
     )]
@@ -33,25 +33,26 @@ pub enum RoundingError {
         /// The number asked for.
         decimals: u32,
     },
-    /// A coefficient that is no number, or far too large for a shape.
-    #[error("the coefficient of x^{power} is {}, which is none of a mode shape", Plain(*.value))]
+    /// A coefficient is not finite or far too large for a mode shape.
+    #[error("the coefficient of x^{power} is {}, which is too large for a mode shape", Plain(*.value))]
     Coefficient {
         /// The power of x it belongs to.
         power: usize,
         /// Its value.
         value: f64,
     },
-    /// The tip's deflection is not 1.
-    #[error("the coefficients add up to {:.7}, which is farther from 1 than the {SUM_TOLERANCE} that OpenFAST takes", Plain(*.sum))]
+    /// The deflection of the top is not 1.
+    #[error("the coefficients sum to {:.7}, but OpenFAST requires 1 within {SUM_TOLERANCE}", Plain(*.sum))]
     Sum {
-        /// What they add up to.
+        /// The sum.
         sum: f64,
     },
 }
 
 impl DecimalPolynomial {
-    /// The nearest to a polynomial. A sum a little off 1 is divided out first, which changes no
-    /// shape; what rounding leaves goes to the largest coefficient, which it changes least.
+    /// The rounded polynomial. The coefficients are first divided by their sum, which scales the
+    /// shape only; the remainder of the rounding goes to the largest coefficient, which changes
+    /// relatively least.
     pub(super) fn nearest(
         polynomial: &TowerPolynomial,
         decimals: u32,
@@ -79,7 +80,7 @@ impl DecimalPolynomial {
         Ok(Self { units, decimals })
     }
 
-    /// The polynomial with the numbers that a reader makes of the decimals.
+    /// The polynomial with the decimals as numbers, as a program reads them.
     pub fn polynomial(&self) -> TowerPolynomial {
         TowerPolynomial {
             coefficients: self.texts().map(|text| text.parse().unwrap_or(f64::NAN)),
@@ -91,7 +92,7 @@ impl DecimalPolynomial {
         self.units
     }
 
-    /// The coefficients as they are printed.
+    /// The coefficients as texts.
     pub fn texts(&self) -> [String; 5] {
         let one = 10_u128.pow(self.decimals);
         let width = self.decimals as usize;

@@ -1,9 +1,11 @@
 //! Polynomials fitted to mode shapes.
 //!
-//! ElastoDyn's shapes neither move nor turn at the base and are 1 at the top. So the base's own
-//! motion is taken off first and the rest divided by its value at the top; what is fitted is φ =
-//! x² +
-//! Σ cₖ (xᵏ − x²), k = 3 to 6, which is 1 at the top whatever the cₖ.
+//! ElastoDyn's shapes have no deflection and no slope at the base and are 1 at the top. So the base
+//! motion is subtracted first, and the rest divided by its value at the top. The fitted function is
+//!
+//! φ(x) = x² + Σ cₖ (xᵏ − x²), k = 3 to 6,
+//!
+//! which is 1 at the top for any cₖ.
 
 use thiserror::Error;
 
@@ -12,25 +14,23 @@ use super::polynomial::TowerPolynomial;
 use super::shape_samples::ShapeSamples;
 use towermodes::Plain;
 
-/// A shape whose top moves less than this share of its largest motion is refused: to be 1 at the
-/// top it would be huge elsewhere.
+/// The smallest deflection of the top as a fraction of the largest deflection. A shape below it is
+/// refused: scaled to 1 at the top it would be huge elsewhere.
 pub const SMALLEST_TIP_SHARE: f64 = 1e-3;
 
-/// A polynomial fitted to a mode shape, and how well.
+/// A polynomial fitted to a mode shape, with its residuals.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct PolynomialFit {
-    /// The polynomial; its coefficients add up to 1.
+    /// The polynomial; its coefficients sum to 1.
     pub polynomial: TowerPolynomial,
-    /// Root of the mean square over the height of what the polynomial is off, the top's deflection
-    /// being 1.
+    /// Root mean square of the residual over the height, for a top deflection of 1.
     pub rms_residual: f64,
-    /// The most it is off at any sample, the top's deflection being 1.
+    /// Largest residual at any sample, for a top deflection of 1.
     pub largest_residual: f64,
-    /// The largest deflection of any sample, the top's being 1: what the residuals are to be seen
-    /// beside.
+    /// Largest deflection of any sample, for a top deflection of 1: the scale of the residuals.
     pub largest_deflection: f64,
-    /// What the samples were divided by: the top's deflection without what the base's motion makes
-    /// of it.
+    /// The divisor of the samples: the deflection of the top without the contribution of the base
+    /// motion.
     pub tip_deflection: f64,
     /// The condition number of the fit: the ratio of the largest to the smallest singular value of
     /// the columns xᵏ − x² at the samples, weighted as they are and scaled to length 1, from the R
@@ -38,7 +38,7 @@ pub struct PolynomialFit {
     pub condition: f64,
 }
 
-/// Why no polynomial can be fitted.
+/// Why a polynomial cannot be fitted.
 #[derive(Debug, Clone, Copy, PartialEq, Error)]
 #[non_exhaustive]
 pub enum FitError {
@@ -47,17 +47,17 @@ pub enum FitError {
         "{found} samples are too few to fit five coefficients; at least 6 are needed, base and top among them"
     )]
     TooFew {
-        /// How many there are.
+        /// The number of samples.
         found: usize,
     },
-    /// A number that is none.
+    /// A sample is not finite.
     #[error("sample {index} of the shape is not finite: {} at {}", Plain(*.value), Plain(*.x))]
     NotFinite {
         /// Its place, from 0.
         index: usize,
         /// Its height.
         x: f64,
-        /// Its value, without the base's motion.
+        /// Its value without the base motion.
         value: f64,
     },
     /// The samples do not begin at the base or end at the top.
@@ -78,13 +78,13 @@ pub enum FitError {
         /// The height of the one before.
         below: f64,
     },
-    /// The top does not move enough to be divided by.
+    /// The deflection of the top is too small to scale by.
     #[error(
         "the top of the shape hardly moves: {} beside {} at most, the base's own motion aside; ElastoDyn's shapes must be 1 there",
         Plain(*.tip), Plain(*.largest)
     )]
     TipStill {
-        /// The top's deflection.
+        /// The deflection of the top.
         tip: f64,
         /// The largest deflection.
         largest: f64,
@@ -94,13 +94,14 @@ pub enum FitError {
     Indistinct,
 }
 
-/// The polynomial nearest to a mode shape, in the mean square over the height.
+/// Fits a polynomial to a mode shape by least squares over the height.
 ///
-/// Each sample counts as the part of the height that is nearest to it (the trapezoidal rule), so
-/// that no part is favoured where there are more of them.
+/// Each sample is weighted by the part of the height closest to it (the trapezoidal rule), so that
+/// the result does not depend on the spacing of the samples.
 ///
 /// # Errors
-/// [`FitError`].
+/// [`FitError`]: too few samples, samples that are not finite or do not rise from 0 to 1, or a top
+/// that hardly moves.
 pub fn fit(samples: &ShapeSamples) -> Result<PolynomialFit, FitError> {
     let (points, tip_deflection) = normalized(samples)?;
     let weights = trapezoidal(&points);

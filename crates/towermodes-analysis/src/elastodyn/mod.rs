@@ -1,11 +1,12 @@
-//! What ElastoDyn, OpenFAST's tower model, makes of a tower and its modes: polynomial shapes,
-//! frequencies by its formulas, damping.
+//! The tower in ElastoDyn, the structural module of OpenFAST: polynomial mode shapes, frequencies
+//! by its formulas, damping, rows of its tower file.
 //!
-//! ElastoDyn solves no eigenvalue problem. It moves the tower by two shapes in each plane,
-//! polynomials of x² to x⁶ of the height x as a share of the flexible tower, which a user takes
-//! from elsewhere: [`select_bending_modes()`] picks the modes of a [`Solution`](towermodes::Solution), [`fit()`] makes
-//! polynomials of them, [`TowerPolynomial::rounded`] the decimals that are printed, and
-//! [`TowerModel`] says what ElastoDyn computes with them.
+//! ElastoDyn solves no eigenvalue problem. It represents the tower by two shapes in each plane,
+//! polynomials with the powers x² to x⁶ of the height x as a fraction of the flexible tower, which
+//! the user must provide. [`select_bending_modes()`] selects the modes of a
+//! [`Solution`](towermodes::Solution), [`fit()`] fits the polynomials,
+//! [`TowerPolynomial::rounded`] rounds them to the decimals of the file, and [`TowerModel`] gives
+//! what ElastoDyn computes from them. [`tower_shapes`] does all of it.
 
 mod check;
 mod damping;

@@ -1,9 +1,9 @@
-//! What ElastoDyn computes of a tower and its shapes: generalized masses and stiffnesses,
-//! frequencies, damping.
+//! The quantities that ElastoDyn computes from a tower and its shapes: generalized masses and
+//! stiffnesses, frequencies, damping.
 //!
 //! The formulas are those of the subroutine `Coeff` of ElastoDyn (OpenFAST 5.0): the midpoint rule
-//! over equal elements, properties linear between the rows of the tower file. Rotary inertia and
-//! shear are not in them, nor what else the mass on top is than a point.
+//! over equal elements, properties linear between the rows of the tower file. They have
+//! no rotary inertia and no shear deformation, and the rotor-nacelle assembly is a point mass.
 
 use std::f64::consts::{PI, TAU};
 
@@ -15,10 +15,10 @@ use super::sums::Sums;
 use towermodes::Plain;
 use towermodes::tower::{Plane, Planes};
 
-/// More elements than this are refused; ElastoDyn's towers have some tens.
+/// The largest number of elements; towers for ElastoDyn have some tens.
 pub const MAX_NODES: usize = 1_000_000;
 
-/// A tower as ElastoDyn knows it.
+/// The tower model of ElastoDyn.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct TowerModel {
     /// Length of the flexible tower, m.
@@ -31,18 +31,18 @@ pub struct TowerModel {
     pub mass_factor: f64,
     /// Factors of the bending stiffnesses, `AdjFASt` and `AdjSSSt`.
     pub stiffness_factors: Planes<f64>,
-    /// Masses along the tower; each is spread over the element it is in.
+    /// Masses along the tower; each is distributed over its element.
     pub concentrated_masses: Vec<ConcentratedMass>,
-    /// Mass of all that the tower carries, kg.
+    /// Mass of the rotor-nacelle assembly, kg.
     pub tower_top_mass_kg: f64,
     /// Acceleration of gravity, m/s².
     pub gravity_m_per_s2: f64,
 }
 
-/// A row of a tower's properties.
+/// A row of properties of the tower.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct TowerStation {
-    /// Height as a share of the flexible tower, 0 to 1.
+    /// Height as a fraction of the flexible tower, 0 to 1.
     pub height_fraction: f64,
     /// Mass per length, kg/m.
     pub mass_kg_per_m: f64,
@@ -53,13 +53,13 @@ pub struct TowerStation {
 /// A mass at a height.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct ConcentratedMass {
-    /// Height as a share of the flexible tower, 0 to 1.
+    /// Height as a fraction of the flexible tower, 0 to 1.
     pub height_fraction: f64,
     /// Mass, kg.
     pub mass_kg: f64,
 }
 
-/// What a tower file says of the two modes of a plane.
+/// The two modes of a plane in a tower file.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct PlaneModes {
     /// The shapes.
@@ -70,7 +70,8 @@ pub struct PlaneModes {
     pub damping_percent: [f64; 2],
 }
 
-/// ElastoDyn's generalized quantities of the two modes of a plane, and what follows from them.
+/// ElastoDyn's generalized quantities of the two modes of a plane, and their frequencies and
+/// damping.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Generalized {
     /// MT = mass on top + Σ m h φ², kg.
@@ -79,11 +80,11 @@ pub struct Generalized {
     pub stiffness_n_per_m: [[f64; 2]; 2],
     /// KG = −Σ g (mass above) h φ′², N/m.
     pub gravity_stiffness_n_per_m: [f64; 2],
-    /// Frequency f(·,1) of the tower without what it carries and without gravity, √(KT/(MT − mass
-    /// on top))/2π, Hz.
+    /// Frequency f(·,1) of the tower without rotor-nacelle assembly and without gravity,
+    /// √(KT/(MT − mass on top))/2π, Hz.
     pub frequency_alone_hz: [f64; 2],
-    /// Frequency f(·,2) with both, √((KT + KG)/MT)/2π, Hz; none where gravity's part is larger than
-    /// the stiffness.
+    /// Frequency f(·,2) with both, √((KT + KG)/MT)/2π, Hz; none where the geometric stiffness of
+    /// gravity exceeds the stiffness.
     pub frequency_loaded_hz: [Option<f64>; 2],
     /// Damping Cᵢⱼ = (ζⱼ/100) KTᵢⱼ/(π fⱼ(·,1)), N s/m.
     pub damping_n_s_per_m: [[f64; 2]; 2],
@@ -91,19 +92,19 @@ pub struct Generalized {
     pub tower_mass_kg: f64,
 }
 
-/// Why ElastoDyn's quantities cannot be computed.
+/// Why the quantities of ElastoDyn cannot be computed.
 #[derive(Debug, Clone, Copy, PartialEq, Error)]
 #[non_exhaustive]
 pub enum ModelError {
-    /// A quantity that cannot be.
+    /// A quantity is out of its range.
     #[error("{what} cannot be {}", Plain(*.value))]
     Quantity {
-        /// What it is.
+        /// The name of the quantity.
         what: &'static str,
         /// Its value.
         value: f64,
     },
-    /// No elements, or too many.
+    /// The number of elements is 0 or too large.
     #[error(
         "a tower cannot be cut into {nodes} elements; the number must be from 1 to {MAX_NODES}"
     )]
@@ -111,13 +112,13 @@ pub enum ModelError {
         /// The number.
         nodes: usize,
     },
-    /// Fewer rows than the base's and the top's.
+    /// The tower has fewer than 2 rows.
     #[error("a tower needs at least 2 rows of properties, not {rows}")]
     Rows {
         /// How many there are.
         rows: usize,
     },
-    /// Rows that do not rise from 0 to 1.
+    /// The heights of the rows do not rise from 0 to 1.
     #[error("the heights of the tower's rows must rise from 0 to 1; row {row} is at {}", Plain(*.height_fraction))]
     Heights {
         /// The row, from 1.
@@ -133,10 +134,10 @@ pub enum ModelError {
 }
 
 impl TowerModel {
-    /// ElastoDyn's quantities of one plane.
+    /// The generalized quantities of the modes of one plane.
     ///
     /// # Errors
-    /// [`ModelError`].
+    /// [`ModelError`]: the model or the modes are invalid, or a number overflows.
     pub fn generalized(&self, plane: Plane, modes: &PlaneModes) -> Result<Generalized, ModelError> {
         self.check()?;
         check_modes(modes)?;

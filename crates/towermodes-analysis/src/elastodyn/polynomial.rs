@@ -1,11 +1,11 @@
-//! The polynomials that ElastoDyn takes for mode shapes.
+//! The polynomials that ElastoDyn uses for mode shapes.
 
 use super::decimal::{DecimalPolynomial, RoundingError};
 
-/// A mode shape φ(x) = Σ cₖ xᵏ, k = 2 to 6, of the height x as a share of the flexible tower, 0 at
+/// A mode shape φ(x) = Σ cₖ xᵏ, k = 2 to 6. The height x is a fraction of the flexible tower, 0 at
 /// its base and 1 at its top.
 ///
-/// The base neither moves nor turns; coefficients that add up to 1 make the top's deflection 1.
+/// Deflection and slope are 0 at the base; coefficients that sum to 1 give a top deflection of 1.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct TowerPolynomial {
     /// The coefficients of x², x³, x⁴, x⁵, x⁶.
@@ -33,10 +33,11 @@ impl TowerPolynomial {
         self.coefficients.iter().sum()
     }
 
-    /// The decimals to print for it, which add up to 1 exactly.
+    /// The coefficients rounded to decimals that sum to 1 exactly.
     ///
     /// # Errors
-    /// [`RoundingError`].
+    /// [`RoundingError`]: the number of decimals or a coefficient is out of range, or the sum is
+    /// not 1.
     pub fn rounded(&self, decimals: u32) -> Result<DecimalPolynomial, RoundingError> {
         DecimalPolynomial::nearest(self, decimals)
     }

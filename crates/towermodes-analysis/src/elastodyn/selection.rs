@@ -7,19 +7,19 @@ use towermodes::modes::Family;
 use towermodes::tower::{Plane, Planes};
 use towermodes::{Mode, Solution};
 
-/// Modes with a larger share of their energy in torsion than this are not taken for bending modes
-/// unless told: ElastoDyn's towers do not twist.
+/// The default limit of the fraction of torsion in the energy of a bending mode: towers in
+/// ElastoDyn have no torsion.
 pub const DEFAULT_TORSION_LIMIT: f64 = 0.5;
-/// Heights at which shapes are sampled for a fit: far more than a polynomial of degree 6 can
-/// follow.
+/// Number of heights at which shapes are sampled for a fit: many more than a polynomial of degree 6
+/// needs.
 const SAMPLES: usize = 201;
 
-/// The modes for ElastoDyn.
+/// The bending modes for ElastoDyn.
 #[derive(Debug, Clone, PartialEq)]
 pub struct BendingModes<'a> {
     /// The first and second mode of each plane.
     pub modes: Planes<[&'a Mode; 2]>,
-    /// The modes that bend in a plane but were left out for their torsion, by frequency.
+    /// The bending modes that were left out because of their torsion, by frequency.
     pub passed_over: Vec<PassedOver>,
 }
 
@@ -28,21 +28,21 @@ pub struct BendingModes<'a> {
 pub struct PassedOver {
     /// Its place in the list, from 1.
     pub number: usize,
-    /// What it is: "2nd fore-aft bending".
+    /// Its name: "2nd fore-aft bending".
     pub label: String,
     /// Its frequency, Hz.
     pub frequency_hz: f64,
     /// The plane in which it bends most.
     pub plane: Plane,
-    /// The share of its energy in torsion.
+    /// The fraction of its energy in torsion.
     pub torsion_share: f64,
 }
 
-/// Why there are no modes for ElastoDyn.
+/// Why the modes for ElastoDyn cannot be selected.
 #[derive(Debug, Clone, PartialEq, Error)]
 #[non_exhaustive]
 pub enum SelectionError {
-    /// The list is too short.
+    /// The solution has too few bending modes.
     #[error(
         "ElastoDyn needs two {} modes, and {found} of the {} modes solved for can be taken{}; ask for {ask_for} modes",
         plane_name(*.plane), .solved, and_passed_over(*.passed_over)
@@ -50,30 +50,31 @@ pub enum SelectionError {
     TooFewModes {
         /// The plane.
         plane: Plane,
-        /// How many of its bending modes are there.
+        /// The number of its bending modes in the solution.
         found: usize,
-        /// How many were left out for their torsion.
+        /// The number of bending modes left out because of their torsion.
         passed_over: usize,
-        /// How many modes the solution has.
+        /// The number of modes in the solution.
         solved: usize,
-        /// How many to ask for.
+        /// The number of modes to ask for.
         ask_for: usize,
     },
-    /// A limit that is no share.
-    #[error("the largest share of torsion cannot be {limit}; it must be from 0 to 1")]
+    /// The limit of torsion is not a fraction.
+    #[error("the limit of the torsion fraction is {limit}, but it must be 0 to 1")]
     Limit {
         /// The limit.
         limit: f64,
     },
 }
 
-/// Picks the first and second bending modes of each plane: those of its own family, and coupled
-/// ones that have more of their energy in it than in any other motion, unless more than
-/// `torsion_limit` of their energy is in torsion. Motions of a floating tower as one body are none
-/// of them.
+/// Selects the first and second bending mode of each plane.
+///
+/// A bending mode of a plane is a mode of its family, or a coupled mode with more of its energy in
+/// the plane than in any other motion. Modes with a larger fraction of their energy in torsion than
+/// `torsion_limit` are left out. Rigid-body modes of a floating platform do not count.
 ///
 /// # Errors
-/// [`SelectionError`].
+/// [`SelectionError`]: too few bending modes, or a limit that is not 0 to 1.
 pub fn select_bending_modes(
     solution: &Solution,
     torsion_limit: f64,
@@ -137,8 +138,8 @@ pub fn sample_heights_m(base_m: f64, top_m: f64) -> Vec<f64> {
 
 impl BendingModes<'_> {
     /// The samples of one of the modes (0 or 1) of a plane at the heights of
-    /// [`Options::heights_m`](towermodes::Options::heights_m), which must go from the base to the top of
-    /// the flexible tower.
+    /// [`Options::heights_m`](towermodes::Options::heights_m), which must go from the base to the
+    /// top of the flexible tower.
     pub fn samples(&self, plane: Plane, mode: usize) -> ShapeSamples {
         let modes = self.modes.of(plane);
         ShapeSamples::of(&modes[mode.min(1)].shape_there, plane)

@@ -3,15 +3,15 @@
 use towermodes::modes::ShapePoint;
 use towermodes::tower::Plane;
 
-/// Samples of a mode shape in one plane, and how the base moves in it.
+/// Samples of a mode shape in one plane, and the motion of the base.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct ShapeSamples {
-    /// Height x as a share of the flexible tower, rising from 0 at its base to 1 at its top, and
+    /// Height x as a fraction of the flexible tower, rising from 0 at its base to 1 at its top, and
     /// the deflection there.
     pub points: Vec<(f64, f64)>,
     /// Deflection of the base.
     pub base_translation: f64,
-    /// How much the base's rotation alone would deflect the top: its slope times the length of the
+    /// Deflection of the top by the rotation of the base alone: its slope times the length of the
     /// flexible tower.
     pub base_slope: f64,
 }
@@ -43,7 +43,7 @@ impl ShapeSamples {
         }
     }
 
-    /// How far each sample is from where the base's motion alone would take it.
+    /// The deflection of each sample without the contribution of the base motion.
     pub(super) fn bent(&self) -> impl Iterator<Item = (f64, f64)> {
         let (translation, slope) = (self.base_translation, self.base_slope);
         let points = self.points.iter();

@@ -1,4 +1,4 @@
-//! The four shapes that ElastoDyn is given of a tower, from its own modes.
+//! The four mode shapes of a tower for ElastoDyn.
 
 use thiserror::Error;
 
@@ -12,9 +12,10 @@ use towermodes::Plain;
 use towermodes::tower::{Plane, Tower};
 use towermodes::{Mode, Options, SolveError, solve};
 
-/// Modes asked for first; more where torsion or motions of a floater are among them.
+/// The number of modes solved first; more if torsion or rigid-body modes of a floating platform are
+/// among them.
 const FIRST_MODES: usize = 12;
-/// More modes than this are not looked through.
+/// The search ends after this many modes.
 const MOST_MODES: usize = 96;
 
 /// A shape for ElastoDyn.
@@ -24,17 +25,17 @@ pub struct TowerShape {
     pub plane: Plane,
     /// 1 or 2.
     pub number: usize,
-    /// What the mode is called: "1st fore-aft bending".
+    /// The name of the mode: "1st fore-aft bending".
     pub label: String,
-    /// The mode's frequency, with all that the tower carries and stands on, Hz.
+    /// The frequency of the mode, with rotor-nacelle assembly and foundation, Hz.
     pub frequency_hz: f64,
-    /// The share of the mode's energy that is torsion, which the shape does not have.
+    /// The fraction of torsion in the energy of the mode, which the shape does not have.
     pub torsion_share: f64,
-    /// The shape itself.
+    /// The shape as samples.
     pub samples: ShapeSamples,
-    /// The polynomial fitted to it, and how well.
+    /// The fitted polynomial and its residuals.
     pub fit: PolynomialFit,
-    /// The polynomial as it is printed.
+    /// The polynomial rounded to the decimals of the file.
     pub decimals: DecimalPolynomial,
 }
 
@@ -57,7 +58,7 @@ pub enum ShapesError {
     /// It has too few bending modes.
     #[error(transparent)]
     Selection(#[from] SelectionError),
-    /// A mode is no polynomial.
+    /// A mode cannot be fitted by a polynomial.
     #[error("the {label} cannot be fitted: {error}")]
     Fit {
         /// Which mode.
@@ -65,7 +66,7 @@ pub enum ShapesError {
         /// Why not.
         error: FitError,
     },
-    /// The polynomial cannot be printed.
+    /// The polynomial cannot be rounded.
     #[error("the {label} cannot be printed: {error}")]
     Rounding {
         /// Which mode.
@@ -73,7 +74,7 @@ pub enum ShapesError {
         /// Why not.
         error: RoundingError,
     },
-    /// A flexible tower that begins where no tower is.
+    /// The flexible tower begins outside the tower.
     #[error("the flexible tower begins at {} m, but the tower reaches from {} m to {} m", Plain(*.from_m), Plain(*.base_m), Plain(*.top_m))]
     Outside {
         /// Where it would begin, m.
@@ -85,13 +86,17 @@ pub enum ShapesError {
     },
 }
 
-/// Solves a tower and fits the first two bending modes of each plane above a height (m), the motion
-/// there taken off.
+/// Solves a tower and fits polynomials to the first two bending modes of each plane above a height
+/// (m), without the motion at that height.
 ///
-/// The options say how it is solved; number of modes and heights are chosen here.
+/// The options apply to the solution; the number of modes and the heights are set here.
 ///
 /// # Errors
-/// [`ShapesError`].
+/// [`ShapesError`]: the tower cannot be solved, has too few bending modes, or a mode cannot be
+/// fitted.
+///
+/// # Example
+/// See the [crate's front page](crate).
 pub fn tower_shapes(
     tower: &Tower,
     options: &Options,
@@ -167,7 +172,7 @@ fn shape(
 }
 
 impl TowerShapes {
-    /// The polynomials of both modes of a plane, as they are printed.
+    /// The rounded polynomials of both modes of a plane.
     pub fn polynomials(&self, plane: Plane) -> [super::TowerPolynomial; 2] {
         let first = match plane {
             Plane::ForeAft => 0,
@@ -176,7 +181,7 @@ impl TowerShapes {
         [0, 1].map(|i| self.shapes[first + i].decimals.polynomial())
     }
 
-    /// The printed coefficients: of the first and second fore-aft, first and second side-side
+    /// The rounded coefficients: of the first and second fore-aft, first and second side-side
     /// shape.
     pub fn coefficients(&self) -> [[f64; 5]; 4] {
         let polynomial = |shape: &TowerShape| shape.decimals.polynomial().coefficients;

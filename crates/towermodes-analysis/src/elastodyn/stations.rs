@@ -1,5 +1,4 @@
-//! The rows of a tower file: a tower's mass and bending stiffness by height, linear between the
-//! rows.
+//! The rows of a tower file: mass and bending stiffness by height, linear between the rows.
 
 use thiserror::Error;
 
@@ -7,53 +6,53 @@ use super::model::{ConcentratedMass, TowerStation};
 use towermodes::Plain;
 use towermodes::tower::{Piece, Planes, PointMass, Section, Tower};
 
-/// Rows that are put by themselves leave frequencies and the mass an error below this share.
+/// The relative error of mass and frequencies with rows chosen automatically.
 const ACCURACY: f64 = 1e-6;
-/// Rows of a step are this share of the height apart: ElastoDyn wants heights that rise.
+/// The distance of the two rows of a step as a fraction of the height: ElastoDyn needs rising
+/// heights.
 const STEP: f64 = 1e-6;
-/// Cuts that are no farther apart than this share of the height are one.
+/// Cuts closer than this fraction of the height are merged.
 const CLOSEST: f64 = 4.0 * STEP;
-/// More rows than this are refused.
+/// The largest number of rows.
 pub const MAX_STATIONS: usize = 100_000;
 
-/// How many rows there shall be.
+/// The number of rows.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Rows {
-    /// As many as keep frequencies right to a millionth, mass and stiffness being linear between
-    /// them.
+    /// As many as needed for frequencies with a relative error below 1e-6, with mass and stiffness
+    /// linear between the rows.
     #[default]
     Accurate,
-    /// About so many, and at least those that steps and kinks need.
+    /// About this number, and at least those that steps and kinks need.
     Count(usize),
 }
 
-/// What becomes of masses at a height.
+/// The treatment of point masses.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum PointMasses {
-    /// They are listed beside the rows.
+    /// They are listed separately from the rows.
     Listed,
-    /// Each is spread over a part of the tower, this many to the whole height: ElastoDyn's
-    /// elements.
+    /// Each is distributed over one part of the tower, which is as long as an ElastoDyn element.
     Spread {
-        /// Parts of the height.
+        /// Number of parts of the height.
         parts: usize,
     },
 }
 
-/// The rows of a tower, and the masses beside them.
+/// The rows of a tower, and its point masses.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct TowerRows {
     /// The rows, from the base to the top.
     pub stations: Vec<TowerStation>,
-    /// Masses that are not in the rows.
+    /// Point masses that are not in the rows.
     pub concentrated_masses: Vec<ConcentratedMass>,
 }
 
-/// Why a tower has no rows.
+/// Why a tower has no rows for ElastoDyn.
 #[derive(Debug, Clone, Copy, PartialEq, Error)]
 #[non_exhaustive]
 pub enum RowsError {
-    /// A flexible tower that begins where no tower is.
+    /// The flexible tower begins outside the tower.
     #[error("the flexible tower begins at {} m, but the tower reaches from {} m to {} m", Plain(*.from_m), Plain(*.base_m), Plain(*.top_m))]
     Outside {
         /// Where it would begin, m.
@@ -63,10 +62,10 @@ pub enum RowsError {
         /// Top of the tower, m.
         top_m: f64,
     },
-    /// More rows than anybody reads.
+    /// The number of rows is too large.
     #[error("the tower would have {rows} rows, more than {MAX_STATIONS}")]
     TooMany {
-        /// How many.
+        /// The number.
         rows: usize,
     },
 }
@@ -82,11 +81,11 @@ struct Part<'a> {
     intervals: usize,
 }
 
-/// The rows of a tower above a height (m): its sections' mass, without water, and bending
-/// stiffness.
+/// The rows of a tower above a height (m): mass per length of its sections, without water, and
+/// bending stiffness.
 ///
 /// # Errors
-/// [`RowsError`].
+/// [`RowsError`]: the height is not on the tower, or the rows are too many.
 pub fn tower_rows(
     tower: &Tower,
     from_m: f64,

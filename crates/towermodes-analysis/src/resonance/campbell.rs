@@ -116,8 +116,8 @@ impl Margin {
 ///
 /// In operation 1P ranges from the lowest to the highest rotor speed, and the blade passing
 /// frequency over the number of blades times that range. Where both ranges overlap (a wide range of
-/// speeds), a frequency in both counts as coincident with 1P, and no tower is soft-stiff. A rotor of
-/// one blade has one range: below it a tower is soft-soft, above it stiff-stiff.
+/// speeds), a frequency in both counts as coincident with 1P, and no tower is soft-stiff. A rotor
+/// of one blade has one range: below it a tower is soft-soft, above it stiff-stiff.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum StiffnessClass {
     /// Below 1P at the lowest operating speed.

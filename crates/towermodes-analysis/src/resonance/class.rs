@@ -29,8 +29,9 @@ impl fmt::Display for StiffnessClass {
     }
 }
 
-/// The stiffness class of a frequency, Hz. Where the ranges of 1P and of the blade passing frequency
-/// overlap, a frequency in both counts as coincident with 1P. A rotor of one blade has one range.
+/// The stiffness class of a frequency, Hz. Where the ranges of 1P and of the blade passing
+/// frequency overlap, a frequency in both counts as coincident with 1P. A rotor of one blade has
+/// one range.
 pub(super) fn class(frequency_hz: f64, rotor: &Rotor) -> StiffnessClass {
     let range_hz = |multiple: usize| {
         let speeds = [rotor.lowest_rpm, rotor.highest_rpm];

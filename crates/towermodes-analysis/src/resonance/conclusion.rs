@@ -15,10 +15,10 @@ impl Campbell {
     /// The conclusion in sentences, the most important first.
     ///
     /// The first sentence states where the first bending frequencies lie relative to 1P and the
-    /// blade passing frequency, and their margins: "The first bending frequencies, 0.3187 Hz (side-side)
-    /// and 0.3215 Hz (fore-aft), lie between 1P (up to 0.2017 Hz) and 3P (from 0.3450 Hz) with
-    /// margins of at least 7.3 %: soft-stiff." Two planes of different classes have a sentence
-    /// each. Then follow the pairs that fail, the warnings of 1P and of the blade passing
+    /// blade passing frequency, and their margins: "The first bending frequencies, 0.3187 Hz
+    /// (side-side) and 0.3215 Hz (fore-aft), lie between 1P (up to 0.2017 Hz) and 3P (from 0.3450
+    /// Hz) with margins of at least 7.3 %: soft-stiff." Two planes of different classes have a
+    /// sentence each. Then follow the pairs that fail, the warnings of 1P and of the blade passing
     /// frequency, the minor warnings (other multiples, blade modes), and the range in which modes
     /// are [not covered](Self::uncovered_range_hz).
     #[must_use]

@@ -1,4 +1,4 @@
-//! The diagram put together: lines of tower and blade, margins, classes.
+//! The Campbell diagram: lines of tower and blade, margins, classes.
 
 use super::campbell::{
     BEYOND_OPERATION, Campbell, CampbellError, CampbellOptions, DEFAULT_MARGIN, Excited,
@@ -14,10 +14,10 @@ use towermodes::tower::Rotor;
 use towermodes::tower::Tower;
 use towermodes::{Mode, Solution};
 
-/// A coupled mode with this share of its energy in a plane bends the tower there.
+/// A coupled mode with at least this fraction of its energy in a plane counts as bending there.
 const GOOD_PART: f64 = 0.2;
 
-/// The most speeds that a blade is solved at.
+/// The largest number of speeds at which a blade is solved.
 const MOST_SPEEDS: usize = 1000;
 
 impl Default for CampbellOptions {
@@ -31,46 +31,51 @@ impl Default for CampbellOptions {
     }
 }
 
-/// Natural frequencies of a tower, and of a blade if it is given, against the multiples of a
-/// rotor's speed.
+/// The Campbell diagram of a tower, and of a blade if given: natural frequencies against the
+/// multiples of the rotor speed, with margins and verdicts.
 ///
-/// A multiple n excites with n Ω/60 Hz at Ω rpm. Its distance from a natural frequency f is d = n
-/// Ω/f − 1 at the speed of operation, lowest to highest, at which |d| is least; 0 if they meet. A
-/// mode of the tower has one frequency at all speeds. Modes of a blade are those in the rotating
-/// frame, solved at [`CampbellOptions::speeds`] equally spaced speeds from standstill to 1.2 times
-/// the highest and at both borders of operation; they keep the names they have at standstill and
-/// are followed by their shapes (the modal assurance criterion with the blade's masses), the two
-/// most alike first, so that names do not jump where lines cross. Between two speeds f² is linear
-/// in Ω² (Southwell), so distances are exact but where modes veer. A mode that is like none of
-/// eight times as many modes at the next speed is lost: its line ends there
-/// ([`FrequencyLine::lost`]), and if that is before the highest speed of operation its margins are
-/// those of the speeds before, and warn at least; there are none if it is before the lowest.
+/// The multiple n excites with n Ω/60 Hz at Ω rpm. Its distance from a natural frequency f is
+/// d = n Ω/f − 1 at the operating speed with the smallest |d|; 0 if both coincide. A tower mode has
+/// one frequency at all speeds.
 ///
-/// With the margin m, and f wrong by its whole estimated error towards the excitation:
+/// Blade modes are those in the rotating frame. They are solved at [`CampbellOptions::speeds`]
+/// equally spaced speeds from standstill to 1.2 times the highest operating speed, and at the
+/// lowest and highest operating speed. They keep their names at standstill and are followed by
+/// their shapes: greedy assignment by descending modal assurance criterion (with the masses of the
+/// blade), so that names do not jump where lines cross. Between two speeds f² is linear in Ω²
+/// (Southwell), so distances are exact except where modes veer. A line ends
+/// ([`FrequencyLine::lost`]) if none of eight times as many modes at the next speed has a similar
+/// shape. If it ends below the highest operating speed, its margins cover the speeds before and at
+/// best warn; below the lowest operating speed it has none.
 ///
-/// | against | fail | warn | pass |
+/// With the margin m, and f shifted by its estimated error towards the excitation:
+///
+/// | mode and multiple | fail | warn | pass |
 /// |---|---|---|---|
-/// | a tower's mode, n = 1 and n = number of blades | \|d\| < m | m ≤ \|d\| < 2 m | 2 m ≤ \|d\| |
-/// | a tower's mode, other n; a blade's mode, any n | never | \|d\| < m | m ≤ \|d\| |
+/// | tower mode, n = 1 and n = number of blades | \|d\| < m | m ≤ \|d\| < 2 m | 2 m ≤ \|d\| |
+/// | tower mode, other n; blade mode, any n | never | \|d\| < m | m ≤ \|d\| |
 ///
-/// What only its error brings within m, from 2 m or further away, warns and does not fail: it is
-/// not known well enough.
+/// A pair at 2 m or more that only the error of f brings below m warns and does not fail: the
+/// frequency is not known well enough.
 ///
-/// A stiffness 10 to 20 % off moves a frequency by 5 to 10 %: what warns would then be at the
-/// limit. Other multiples are weaker, and whether they matter depends on loads that are not in this
-/// model. A frequency of 0 (a motion that nothing resists) has no margins; those of a floating
-/// tower as one body have margins like all others.
+/// An error of 10 to 20 % in a stiffness changes a frequency by 5 to 10 %: a pair that warns could
+/// then be at the limit. Other multiples are weaker; whether they matter depends on loads, which
+/// are not in this model. A frequency of 0 (a rigid-body mode without stiffness) has no margins;
+/// other rigid-body modes of a floating platform have margins as all modes.
 ///
-/// Errors: those of the frequencies, [`FrequencyLine::error_hz`]; of a blade they are estimated at
-/// the first and the last speed.
+/// The error of a line is [`FrequencyLine::error_hz`]; for blade modes it is estimated at the first
+/// and the last speed.
 ///
 /// Sources: Germanischer Lloyd, *Guideline for the Certification of Wind Turbines* (2010);
 /// Southwell & Gough, ARC R&M 766 (1921); Allemang & Brown, *A correlation coefficient for modal
 /// vector analysis* (1982).
 ///
 /// # Errors
-/// [`CampbellError`]: options or a rotor that cannot be, a solution of another tower, a blade that
-/// cannot be solved.
+/// [`CampbellError`]: options, rotor or blade are invalid, the solution is of another tower, or the
+/// blade cannot be solved.
+///
+/// # Example
+/// See the [crate's front page](crate).
 pub fn campbell(
     tower: &Tower,
     solution: &Solution,
@@ -141,7 +146,7 @@ fn check(
     Err(CampbellError::OtherTower)
 }
 
-/// The multiples that are asked for, each once, rising.
+/// The multiples asked for, each once, rising.
 pub(super) fn multiples(rotor: &Rotor, options: &CampbellOptions) -> Vec<usize> {
     let blades = rotor.blades;
     let mut multiples = match &options.multiples[..] {
@@ -167,8 +172,8 @@ fn tower_line(mode: &Mode, last_rpm: f64) -> FrequencyLine {
     }
 }
 
-/// The first mode that bends the tower in each plane, if it is in the list and has a frequency, and
-/// where it is in the list.
+/// The index of the first bending mode of each plane, if it is in the list and its frequency is not
+/// 0.
 fn first_bending_modes(solution: &Solution) -> Vec<(Family, usize)> {
     let planes = [Family::ForeAft, Family::SideSide].into_iter();
     let first = planes.filter_map(|plane| Some((plane, first_bending(solution, plane)?)));
@@ -176,9 +181,9 @@ fn first_bending_modes(solution: &Solution) -> Vec<(Family, usize)> {
     resisted.collect()
 }
 
-/// The lowest mode with a good part of its energy in a plane. A machine whose principal axes are
-/// not those of the wind bends the tower in both planes at once: such a mode is coupled, and is the
-/// first of both.
+/// The lowest mode with a sufficient fraction of its energy in a plane. A rotor-nacelle assembly
+/// whose principal axes are not parallel to the wind couples both planes: such a mode is the first
+/// of both.
 fn first_bending(solution: &Solution, plane: Family) -> Option<usize> {
     let bends = |mode: &Mode| {
         let mean = mode.energy.mean();

@@ -1,17 +1,16 @@
-//! How near the multiples of a rotor's speed come to natural frequencies while it runs.
+//! The distances of the multiples of the rotor speed from natural frequencies in operation.
 
 use super::campbell::{Excited, FrequencyLine, Margin};
 use crate::verdict::Verdict;
 use towermodes::tower::Rotor;
 
-/// A line against a multiple of the rotor's speed, at the speed of operation where they are
-/// nearest; none for a motion that nothing resists, whose frequency is 0, and for a mode that was
-/// lost below the lowest speed. Of one that was lost in operation nobody knows the rest: it does
-/// not pass.
+/// The margin of a line against a multiple of the rotor speed, at the operating speed where both
+/// are closest; none for a frequency of 0, and for a line that ends below the lowest operating
+/// speed. A line that ends within the operating speeds does not pass, because the rest is unknown.
 ///
-/// Between neighbouring points of a line f² is linear in Ω²: for a tower's mode it is constant, and
-/// for a blade's that is Southwell's rule. So n Ω/f rises or falls all the way between two points,
-/// and it is nearest to 1 at one of them or where both meet, which is solved exactly.
+/// Between neighbouring points of a line f² is linear in Ω²: constant for a tower mode, Southwell's
+/// rule for a blade mode. So n Ω/f is monotonic between two points and closest to 1 at one of them
+/// or where both coincide, which is solved exactly.
 pub(super) fn margin(
     (number, line): (usize, &FrequencyLine),
     multiple: usize,
@@ -44,16 +43,16 @@ pub(super) fn margin(
     })
 }
 
-/// Whether a multiple is the rotor's own speed or the passing of its blades.
+/// Whether a multiple is 1P or the blade passing frequency.
 pub(super) fn is_strong(multiple: usize, rotor: &Rotor) -> bool {
     multiple == 1 || multiple == rotor.blades
 }
 
-/// What a distance is worth. The rotor's own speed and the passing of its blades are what shakes a
-/// tower most; higher multiples, and what shakes a blade, are weaker and no reason to fail.
+/// The verdict on a distance. 1P and the blade passing frequency excite a tower most; higher
+/// multiples, and the excitation of blade modes, are weaker and do not fail.
 ///
-/// A frequency whose error alone brings it that near, from beyond what is warned of, is not known
-/// well enough to fail.
+/// A pair that would pass without the error of its frequency does not fail either: the frequency is
+/// not known well enough.
 fn verdict(distance: f64, cautious: f64, least: f64, is_strong: bool) -> Verdict {
     match is_strong {
         true if cautious < least && distance < 2.0 * least => Verdict::Fail,
@@ -63,7 +62,7 @@ fn verdict(distance: f64, cautious: f64, least: f64, is_strong: bool) -> Verdict
     }
 }
 
-/// |n Ω/f − 1| with the frequencies wrong by their error towards the excitation.
+/// |n Ω/f − 1| with the frequency shifted by its error towards the excitation.
 fn cautious(line: &FrequencyLine, multiple: usize, range_rpm: [f64; 2], distance: f64) -> f64 {
     let towards_hz = line.error_hz.copysign(distance);
     let moved = line.points.iter().map(|[rpm, hz]| [*rpm, hz + towards_hz]);
@@ -100,8 +99,8 @@ impl Pair {
         }
     }
 
-    /// Where the excitation meets the line between two points on different sides of it: (n Ω)² − f²
-    /// is linear in Ω² there.
+    /// The intersection of excitation and line between two points on different sides of it:
+    /// (n Ω)² − f² is linear in Ω² there.
     fn meeting(a: &Self, b: &Self) -> Self {
         let above = |pair: &Self| pair.excitation_hz.powi(2) - pair.natural_hz.powi(2);
         let (above_a, above_b) = (above(a), above(b));
@@ -116,7 +115,7 @@ impl Pair {
     }
 }
 
-/// Where a line and a multiple are nearest within a range of speeds; at the lowest such speed.
+/// The closest point of a line and a multiple within a range of speeds; the lowest of equal ones.
 fn nearest(points: &[[f64; 2]], multiple: usize, range_rpm: [f64; 2]) -> Option<Pair> {
     if points.iter().any(|[_, hz]| hz.is_nan() || *hz <= 0.0) {
         return None;
@@ -152,7 +151,7 @@ fn frequency_hz(points: &[[f64; 2]], rpm: f64) -> f64 {
     between([below_hz, above_hz], share)
 }
 
-/// The number whose square is at a share of the way between the squares of two.
+/// The number whose square is interpolated linearly between the squares of two.
 fn between([a, b]: [f64; 2], share: f64) -> f64 {
     if a == b {
         return a;

@@ -8,8 +8,8 @@ use towermodes::tower::Rotor;
 use towermodes::{Options, Solution};
 
 impl Campbell {
-    /// The frequency range (from, to), Hz, in which the tower may have modes that are not in the list
-    /// although an excitation comes close to them; none if the list covers all excitations.
+    /// The frequency range (from, to), Hz, in which the tower may have modes that are not in the
+    /// list although an excitation comes close to them; none if the list covers all excitations.
     #[must_use]
     pub fn uncovered_range_hz(&self) -> Option<[f64; 2]> {
         let known_hz = self.known_to_hz?;

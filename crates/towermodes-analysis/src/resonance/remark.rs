@@ -2,8 +2,8 @@
 
 use std::fmt;
 
-use towermodes::tower::{Rotor, Rpm, Tower};
 use towermodes::number::four_digits;
+use towermodes::tower::{Rotor, Rpm, Tower};
 use towermodes::{BladeDescription, Solution, Warning};
 
 use super::campbell::{Campbell, CampbellError, CampbellOptions, FrequencyLine};

@@ -1,4 +1,4 @@
-//! A blade solved at speeds from standstill on, its modes followed by their shapes.
+//! Blade modes against the rotor speed: a blade solved at each speed, its modes followed by shape.
 
 use std::f64::consts::PI;
 
@@ -9,21 +9,20 @@ use towermodes::modes::ShapePoint;
 use towermodes::tower::Rotor;
 use towermodes::{BladeFamily, BladeMode, blade_degrees_of_freedom, solve_blade, solve_blade_once};
 
-/// Speeds closer than this share of the last are one.
+/// Speeds closer than this fraction of the highest are merged.
 const SAME_SPEED: f64 = 1e-9;
 
-/// At how many places along the span shapes are compared.
+/// Number of places along the span at which shapes are compared.
 const PLACES: usize = 30;
 
-/// More modes are solved than asked for, because others may sink below them as the rotor turns.
+/// Additional modes to solve, because others may fall below those asked for as the speed rises.
 const MORE_MODES: usize = 4;
 
-/// How often the number of modes is doubled at a speed at which one that is followed is not among
-/// them.
+/// How often the number of modes is doubled at a speed at which a followed mode is missing.
 const DOUBLINGS: usize = 3;
 
-/// Speeds in equal steps from standstill to beyond the highest, with those of operation among them,
-/// rpm.
+/// Equally spaced speeds from standstill to beyond the highest, with both ends of the operating
+/// range, rpm.
 pub(super) fn speeds_rpm(rotor: &Rotor, count: usize) -> Vec<f64> {
     let last_rpm = BEYOND_OPERATION * rotor.highest_rpm;
     let of_operation = [rotor.lowest_rpm, rotor.highest_rpm];
@@ -39,7 +38,7 @@ pub(super) fn speeds_rpm(rotor: &Rotor, count: usize) -> Vec<f64> {
     speeds
 }
 
-/// The lines of a blade's lowest modes, by frequency at standstill.
+/// The lines of the lowest blade modes, by frequency at standstill.
 pub(super) fn blade_lines(
     description: &BladeDescription,
     modes: usize,
@@ -88,11 +87,11 @@ fn lines(tracks: Tracks, modes: usize, speeds_rpm: &[f64]) -> Vec<FrequencyLine>
     line.collect()
 }
 
-/// A blade to be solved at any speed.
+/// A blade to be solved at several speeds.
 struct Sweep {
     description: BladeDescription,
-    /// Where shapes are compared: distances from the rotor's axis, m, and the roots of the masses
-    /// (kg) and polar inertias (kg m²) there.
+    /// The places where shapes are compared: distances from the rotor axis, m, and the square roots
+    /// of the masses (kg) and polar inertias (kg m²) there.
     radii_m: Vec<f64>,
     weights: Vec<[f64; 2]>,
     available: usize,
@@ -121,8 +120,8 @@ impl Sweep {
         })
     }
 
-    /// Goes on to a speed; with more modes if one that is followed is not among them. One that is
-    /// not among those either ends before.
+    /// Continues the tracks to a speed, with more modes if a followed mode is missing. A mode that
+    /// is still missing ends before.
     fn follow(
         &mut self,
         mut tracks: Tracks,
@@ -145,7 +144,7 @@ impl Sweep {
         Ok(tracks)
     }
 
-    /// The lowest modes at a speed, some more than asked for.
+    /// The lowest modes at a speed, more than asked for.
     fn solve(
         &mut self,
         rpm: f64,

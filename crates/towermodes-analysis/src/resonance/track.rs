@@ -6,8 +6,8 @@ use towermodes::BladeFamily;
 /// Frequencies closer than this are a pair whose shapes any computation may mix.
 const REPEATED: f64 = 1e-6;
 
-/// Two modes whose MACs with a followed mode differ by less than this are ambiguous: the modes veer,
-/// or the computation mixed a repeated pair.
+/// Two modes whose MACs with a followed mode differ by less than this are ambiguous: the modes
+/// veer, or the computation mixed a repeated pair.
 const AMBIGUOUS: f64 = 0.4;
 
 /// A mode with at least this MAC is the same mode.
@@ -41,8 +41,8 @@ pub(super) struct Followed {
     pub(super) frequencies_hz: Vec<f64>,
     /// The largest error known, Hz.
     pub(super) error_hz: f64,
-    /// The MAC of the mode assigned to it at the first speed at which it is not found; its line ends
-    /// before that speed.
+    /// The MAC of the mode assigned to it at the first speed at which it is not found; its line
+    /// ends before that speed.
     pub(super) lost: Option<f64>,
     /// Its shape at the last speed at which the assignment was unambiguous.
     shape: Vec<f64>,
@@ -167,8 +167,8 @@ impl Tracks {
         }
     }
 
-    /// The MAC of each followed mode with each mode at this speed. The modes of a repeated pair have
-    /// the MAC with the plane that both span.
+    /// The MAC of each followed mode with each mode at this speed. The modes of a repeated pair
+    /// have the MAC with the plane that both span.
     fn macs(&self, seen: &[Seen]) -> Vec<Vec<f64>> {
         let rows = self.modes.iter().map(|mode| {
             let single = seen.iter().map(|s| mac(&mode.shape, &s.shape, None));

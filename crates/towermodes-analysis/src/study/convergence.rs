@@ -64,8 +64,8 @@ pub struct Level {
     /// The relative error f/f_limit − 1 of each mode.
     #[cfg_attr(feature = "serde", serde(rename = "relative_errors"))]
     pub errors: Vec<Option<f64>>,
-    /// The observed order p of the error n⁻ᵖ from the level before; for the spectral beam the number
-    /// of decimal digits gained per degree. None where the error is rounding only.
+    /// The observed order p of the error n⁻ᵖ from the level before; for the spectral beam the
+    /// number of decimal digits gained per degree. None where the error is rounding only.
     #[cfg_attr(feature = "serde", serde(rename = "observed_orders"))]
     pub orders: Vec<Option<f64>>,
 }

@@ -214,8 +214,8 @@ pub struct Certificate {
     /// Whether the inertia count and the list agree; a solution that is not complete is never
     /// returned.
     pub complete: bool,
-    /// The number of modes below [`below_hz`](Self::below_hz), by the inertia count: the number
-    /// listed, or more if the list ends within a repeated pair.
+    /// Number of modes below `below_hz` by the inertia count: as many as are listed, or more if the
+    /// number asked for cuts a repeated pair.
     pub count: usize,
     /// A frequency in the gap above the last mode, Hz.
     pub below_hz: f64,
