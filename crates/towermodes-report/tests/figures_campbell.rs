@@ -512,7 +512,9 @@ fn methods_are_named_and_rounding_is_at_the_foot() {
     assert!(!has(&study, &format!("spectral (degree {degree})")));
     assert!(!has(&study, "< 10⁻¹²"));
     study.columns[0].frequencies_hz[1] = Some(study.modes[1].frequency_hz);
+    study.columns[0].relative_differences[1] = Some(0.0);
     study.columns[0].frequencies_hz[2] = None;
+    study.columns[0].relative_differences[2] = None;
     assert!(has(&study, "< 10⁻¹²"));
     let figure = figures::error(&study);
     assert_eq!(figure.table.rows[1][2], "0");
