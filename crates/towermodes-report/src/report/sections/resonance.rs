@@ -67,7 +67,7 @@ fn question(campbell: &Campbell) -> String {
 fn classes(campbell: &Campbell) -> String {
     let class = |(family, class): &(Family, StiffnessClass)| {
         let class = match class {
-            StiffnessClass::Met { multiple } => {
+            StiffnessClass::Coincident { multiple } => {
                 format!("none, {multiple}P crosses it in operation")
             }
             class => class.name().to_owned(),
