@@ -1,7 +1,7 @@
 //! What the targets share: several files in one input, and what must hold of whatever is read.
 #![forbid(unsafe_code)]
 
-use towermodes_files::{InMemory, Input, InputError, Note, Source, TowerInput};
+use towermodes_files::{InMemory, Input, ReadError, Note, Source, TowerInput};
 
 /// A line that ends one file and begins the next.
 pub const MARKER: &str = "%%%% next file %%%%\n";
@@ -30,7 +30,7 @@ pub fn companions<const N: usize>(files: [(&str, String); N]) -> InMemory {
 }
 
 /// Looks at a tower or at why there is none.
-pub fn look_at_tower(result: Result<TowerInput, InputError>) {
+pub fn look_at_tower(result: Result<TowerInput, ReadError>) {
     match result {
         Ok(input) => {
             look_at_notes(&input.notes);
@@ -43,7 +43,7 @@ pub fn look_at_tower(result: Result<TowerInput, InputError>) {
 }
 
 /// Looks at what a file describes or at why it describes nothing.
-pub fn look_at_input(result: Result<Input, InputError>) {
+pub fn look_at_input(result: Result<Input, ReadError>) {
     match result {
         Ok(Input::Tower(tower)) => look_at_tower(Ok(*tower)),
         Ok(Input::Blade(blade)) => look_at_notes(&blade.notes),
@@ -59,8 +59,8 @@ fn look_at_notes(notes: &[Note]) {
 }
 
 /// A mistake says something about a place in its file.
-fn look_at_error(error: &InputError) {
-    let InputError::Mistakes {
+fn look_at_error(error: &ReadError) {
+    let ReadError::Mistakes {
         source_file,
         mistakes,
     } = error
@@ -69,7 +69,7 @@ fn look_at_error(error: &InputError) {
     };
     assert!(!mistakes.is_empty());
     for mistake in mistakes {
-        assert!(!mistake.message.is_empty(), "{mistake:?}");
+        assert!(!mistake.message().is_empty(), "{mistake:?}");
         assert!(
             source_file.text.get(mistake.span.clone()).is_some(),
             "{mistake:?}"

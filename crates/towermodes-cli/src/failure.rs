@@ -9,7 +9,7 @@ use towermodes::{BladeError, EigenError, Family, SolveError, TowerError, Warning
 use towermodes_analysis::elastodyn::ShapesError;
 use towermodes_analysis::resonance::CampbellError;
 use towermodes_files::elastodyn::{MakeError, TowerFileError};
-use towermodes_files::{Diagnostic, FileFormat, InputError, Note, ResultError, Source, TowerInput};
+use towermodes_files::{Diagnostic, FileFormat, Note, ReadError, ResultError, Source, TowerInput};
 use towermodes_report::raster::RasterError;
 use towermodes_report::wording::printable;
 
@@ -20,7 +20,7 @@ use crate::terminal::NOT_SHOWN;
 #[derive(Debug)]
 pub(crate) enum Failure {
     /// A file cannot be read, or is no tower.
-    Input(InputError),
+    Input(ReadError),
     /// The request is impossible or the computation failed.
     Unsolved(SolveError),
     /// The file is no blade.
@@ -82,7 +82,7 @@ impl Failure {
     /// Says what went wrong on standard error and gives the exit code.
     pub(crate) fn report(&self) -> ExitCode {
         match self {
-            Self::Input(InputError::Mistakes {
+            Self::Input(ReadError::Mistakes {
                 source_file,
                 mistakes,
             }) => say(&mistakes_text(source_file, mistakes)),
@@ -280,7 +280,8 @@ fn mistakes_text(source: &Source, mistakes: &[Diagnostic]) -> String {
         if !text.is_empty() {
             text.push('\n');
         }
-        let said = printable(&mistake.message, NOT_SHOWN);
+        let message = mistake.message();
+        let said = printable(&message, NOT_SHOWN);
         let hint = mistake.hint.as_deref();
         let hint = hint.map(|hint| printable(hint, NOT_SHOWN));
         let snippet = Snippet::source(&source.text)

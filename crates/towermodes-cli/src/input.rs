@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use towermodes::Tower;
-use towermodes_files::{Beside, Input, InputError, Source, TowerInput, read, read_source};
+use towermodes_files::{Input, ReadError, SiblingFiles, Source, TowerInput, read, read_source};
 
 use crate::args::{InputArguments, ReadingArguments};
 use crate::failure::Failure;
@@ -13,8 +13,8 @@ pub(crate) fn input(file: &Path, reading: &ReadingArguments) -> Result<Input, Fa
     let options = reading.options();
     let input = if file == Path::new("-") {
         Source::from_stdin()
-            .map_err(InputError::from)
-            .and_then(|source| read_source(source, &Beside::file(file), &options))
+            .map_err(ReadError::from)
+            .and_then(|source| read_source(source, &SiblingFiles::of(file), &options))
     } else {
         read(file, &options)
     };
@@ -42,6 +42,6 @@ pub(crate) fn input_of(file: &Path, reading: &ReadingArguments) -> Result<TowerI
 /// The tower of a file, and what its reader made of it.
 pub(crate) fn tower(arguments: &InputArguments) -> Result<(Tower, TowerInput), Failure> {
     let input = tower_input(arguments)?;
-    let tower = input.tower().map_err(Failure::Input)?;
+    let Reading { tower, input } = input.check().map_err(Failure::Input)?;
     Ok((tower, input))
 }

@@ -57,7 +57,7 @@ fn content(
     // On a monopile ElastoDyn's tower is what stands above it.
     let shapes_from_m = input.joint_m.unwrap_or(tower.base_m());
     input.notes.extend(input.note_on_shapes());
-    let of_model = input.notes.iter().filter(|note| note.is_on_missing_part);
+    let of_model = input.notes.iter().filter(|note| note.is_on_missing_part());
     Ok(ReportContent {
         title: arguments.title.clone().unwrap_or_default(),
         title_block: arguments.title_block(),

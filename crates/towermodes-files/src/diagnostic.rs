@@ -1,27 +1,320 @@
-//! What is said about a mistake in a file.
+//! A mistake in a file: its place, its kind with the numbers, and what would be right.
 
 use std::fmt;
 use std::ops::Range;
 
+use thiserror::Error;
+use towermodes::Problem;
+
 /// A mistake in a file: where, what, and what would be right.
-#[derive(Debug, Clone, PartialEq, Eq)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct Diagnostic {
     /// What is wrong, with the numbers.
-    pub message: String,
-    /// The bytes of the file it is about.
+    pub kind: DiagnosticKind,
+    /// The bytes of the file that are wrong.
     pub span: Range<usize>,
     /// What would be right.
     pub hint: Option<String>,
 }
 
+/// What is wrong in a file. `Display` gives the sentence.
+///
+/// `what` is the quantity or part of the file in the words of its format, such as `NacMass (mass,
+/// kg)` or `row 3 of the soil`.
+#[derive(Debug, Clone, PartialEq, Error)]
+#[non_exhaustive]
+pub enum DiagnosticKind {
+    /// The text does not follow the grammar of TOML, YAML or CSV.
+    #[error("invalid {format}: {reason}")]
+    Syntax {
+        /// The grammar.
+        format: &'static str,
+        /// What the parser found.
+        reason: String,
+    },
+    /// The file has no content.
+    #[error("the file is empty")]
+    EmptyFile,
+    /// The file ends too early.
+    #[error("the file ends where {expected} is expected")]
+    EndOfFile {
+        /// What should follow.
+        expected: String,
+    },
+    /// The file is of another kind than is needed.
+    #[error("this is {found}")]
+    WrongFile {
+        /// What the file is, as a phrase such as `a blade file of ElastoDyn`.
+        found: String,
+    },
+    /// A file that this file names cannot be read.
+    #[error("{what} cannot be read: {reason}")]
+    UnreadableFile {
+        /// The parameter or table that names the file.
+        what: String,
+        /// The error of the file system.
+        reason: String,
+    },
+    /// A key that the table does not have.
+    #[error("`{key}` is not a key of {table}")]
+    UnknownKey {
+        /// The key.
+        key: String,
+        /// The table.
+        table: String,
+    },
+    /// A key that has no effect because of another one.
+    #[error("`{key}` has no effect {because}")]
+    UnusedKey {
+        /// The key.
+        key: String,
+        /// The reason: `beside …` or `without …`.
+        because: String,
+    },
+    /// A key or parameter that must be there.
+    #[error("{what} has no `{key}`")]
+    MissingKey {
+        /// The table or part that lacks it.
+        what: String,
+        /// The key.
+        key: String,
+    },
+    /// Something other than a key that must be there.
+    #[error("{what} is missing")]
+    Missing {
+        /// What is missing.
+        what: String,
+    },
+    /// A value of another type.
+    #[error("{what} must be {expected}, found {found}")]
+    WrongType {
+        /// The quantity.
+        what: String,
+        /// The type that is expected, such as `a number`.
+        expected: String,
+        /// What is there instead.
+        found: String,
+    },
+    /// A line that belongs to another place.
+    #[error("expected {expected} here, found {found}")]
+    Misplaced {
+        /// What should be here.
+        expected: String,
+        /// What is here.
+        found: String,
+    },
+    /// A number outside its range.
+    #[error("{what} is {}, but must be {rule}", value.show(unit))]
+    OutOfRange {
+        /// The quantity.
+        what: String,
+        /// Its value.
+        value: Exact,
+        /// The unit of the value; empty for none.
+        unit: &'static str,
+        /// The range, such as `positive` or `from 0 to 90`.
+        rule: String,
+    },
+    /// A number that is infinite or NaN.
+    #[error("{what} is not a finite number")]
+    NotFinite {
+        /// The quantity.
+        what: String,
+    },
+    /// A product of values that double precision cannot hold.
+    #[error("{what} is too large or too small for a double-precision number")]
+    Overflow {
+        /// The product.
+        what: String,
+    },
+    /// Values that must increase along the file and do not.
+    #[error("{what} must not decrease: {} follows {}", value.show(unit), previous.show(unit))]
+    NotRising {
+        /// The quantity.
+        what: String,
+        /// The value.
+        value: Exact,
+        /// The value before it.
+        previous: Exact,
+        /// The unit of both.
+        unit: &'static str,
+    },
+    /// A list or row of the wrong length.
+    #[error("{what} has {found} values instead of {expected}")]
+    WrongCount {
+        /// The list or row.
+        what: String,
+        /// The number of its values.
+        found: usize,
+        /// The number that is expected, such as `3 or 4`.
+        expected: String,
+    },
+    /// More items than can be computed with.
+    #[error("{found} {what} are more than the limit of {limit}")]
+    TooMany {
+        /// The items.
+        what: String,
+        /// Their number.
+        found: usize,
+        /// The largest number allowed.
+        limit: usize,
+    },
+    /// Something that may occur only once, or twice for a step.
+    #[error("{what} occurs {times} times")]
+    Repeated {
+        /// What occurs too often.
+        what: String,
+        /// How often it has occurred up to here.
+        times: usize,
+    },
+    /// A name that nothing in the file has.
+    #[error("there is no {what} `{name}`")]
+    UnknownName {
+        /// The kind of thing, such as `material`.
+        what: &'static str,
+        /// The name.
+        name: String,
+    },
+    /// A comma that ends a number, as a decimal comma does in files of Fortran programs.
+    #[error("{what}: the number ends at the comma before `{rest}`")]
+    Comma {
+        /// The quantity.
+        what: String,
+        /// What follows the comma.
+        rest: String,
+    },
+    /// A value that is left out between commas or by a `/`: Fortran would keep an undefined one.
+    #[error("{what} has no value here: {reason}")]
+    NoValue {
+        /// The quantity.
+        what: String,
+        /// What leaves it out.
+        reason: &'static str,
+    },
+    /// Values that contradict each other.
+    #[error("{0}")]
+    Contradiction(String),
+    /// Content that the format allows and this program does not model.
+    #[error("{0}")]
+    Unsupported(String),
+    /// A tower that the checks of the library refuse.
+    #[error(transparent)]
+    Tower(Problem),
+}
+
+/// A number in a message with all the digits it needs, with an exponent where that is shorter.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Exact(
+    /// The number.
+    pub f64,
+);
+
+impl Exact {
+    /// The number with its unit.
+    fn show(&self, unit: &str) -> String {
+        let gap = if unit.is_empty() { "" } else { " " };
+        format!("{self}{gap}{unit}")
+    }
+}
+
+impl fmt::Display for Exact {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let size = self.0.abs();
+        match size == 0.0 || (1e-4..1e12).contains(&size) || !size.is_finite() {
+            true => write!(f, "{}", self.0),
+            false => write!(f, "{:e}", self.0),
+        }
+    }
+}
+
+impl DiagnosticKind {
+    /// [`Self::WrongType`].
+    pub(crate) fn wrong_type(
+        what: impl Into<String>,
+        expected: impl Into<String>,
+        found: impl Into<String>,
+    ) -> Self {
+        Self::WrongType {
+            what: what.into(),
+            expected: expected.into(),
+            found: found.into(),
+        }
+    }
+
+    /// [`Self::OutOfRange`] of a number without a unit.
+    pub(crate) fn out_of_range(
+        what: impl Into<String>,
+        value: f64,
+        rule: impl Into<String>,
+    ) -> Self {
+        Self::out_of_range_in(what, value, "", rule)
+    }
+
+    /// [`Self::OutOfRange`] of a number in a unit.
+    pub(crate) fn out_of_range_in(
+        what: impl Into<String>,
+        value: f64,
+        unit: &'static str,
+        rule: impl Into<String>,
+    ) -> Self {
+        Self::OutOfRange {
+            what: what.into(),
+            value: Exact(value),
+            unit,
+            rule: rule.into(),
+        }
+    }
+
+    /// [`Self::WrongCount`].
+    pub(crate) fn wrong_count(
+        what: impl Into<String>,
+        found: usize,
+        expected: impl ToString,
+    ) -> Self {
+        Self::WrongCount {
+            what: what.into(),
+            found,
+            expected: expected.to_string(),
+        }
+    }
+
+    /// [`Self::NotRising`].
+    pub(crate) fn not_rising(
+        what: impl Into<String>,
+        value: f64,
+        previous: f64,
+        unit: &'static str,
+    ) -> Self {
+        Self::NotRising {
+            what: what.into(),
+            value: Exact(value),
+            previous: Exact(previous),
+            unit,
+        }
+    }
+
+    /// [`Self::Misplaced`].
+    pub(crate) fn misplaced(expected: impl Into<String>, found: impl Into<String>) -> Self {
+        Self::Misplaced {
+            expected: expected.into(),
+            found: found.into(),
+        }
+    }
+
+    /// [`Self::MissingKey`].
+    pub(crate) fn missing_key(what: impl Into<String>, key: impl Into<String>) -> Self {
+        Self::MissingKey {
+            what: what.into(),
+            key: key.into(),
+        }
+    }
+}
+
 impl Diagnostic {
     /// A mistake at a place.
-    pub fn new(span: Range<usize>, message: impl Into<String>) -> Self {
-        Self {
-            message: message.into(),
-            span,
-            hint: None,
-        }
+    pub fn new(span: Range<usize>, kind: DiagnosticKind) -> Self {
+        let hint = None;
+        Self { kind, span, hint }
     }
 
     /// The same with what would be right.
@@ -31,23 +324,39 @@ impl Diagnostic {
         self
     }
 
+    /// What is wrong, as a sentence.
+    pub fn message(&self) -> String {
+        self.kind.to_string()
+    }
+
     /// Line and column, both from 1 and the column in characters, of the mistake in its file's
     /// text.
     pub fn line_and_column(&self, text: &str) -> (usize, usize) {
-        let mut start = self.span.start.min(text.len());
-        while !text.is_char_boundary(start) {
-            start -= 1;
-        }
-        let before = &text[..start];
-        let line_start = before.rfind('\n').map_or(0, |newline| newline + 1);
-        let line = before.matches('\n').count() + 1;
-        (line, before[line_start..].chars().count() + 1)
+        line_and_column(text, self.span.start)
     }
+}
+
+/// Line and column, both from 1 and the column in characters, of a byte of a text.
+pub(crate) fn line_and_column(text: &str, byte: usize) -> (usize, usize) {
+    let mut start = byte.min(text.len());
+    while !text.is_char_boundary(start) {
+        start -= 1;
+    }
+    let before = &text[..start];
+    let line_start = before.rfind('\n').map_or(0, |newline| newline + 1);
+    let line = before.matches('\n').count() + 1;
+    (line, before[line_start..].chars().count() + 1)
+}
+
+/// The first 40 characters of a text, in backquotes: what is found in a file.
+pub(crate) fn quoted(text: &str) -> String {
+    let start: String = text.chars().take(40).collect();
+    format!("`{start}`")
 }
 
 impl fmt::Display for Diagnostic {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{}", self.message)?;
+        write!(f, "{}", self.kind)?;
         match &self.hint {
             Some(hint) => write!(f, " ({hint})"),
             None => Ok(()),
@@ -57,17 +366,20 @@ impl fmt::Display for Diagnostic {
 
 #[cfg(test)]
 mod tests {
-    use super::Diagnostic;
+    use super::{Exact, line_and_column};
 
     #[test]
     fn columns_count_characters() {
         let text = "a = 1\nβ = \"ü\" # x\n";
-        let at = |needle: &str| {
-            let start = text.find(needle).expect("in the text");
-            Diagnostic::new(start..start + 1, "").line_and_column(text)
-        };
+        let at = |needle: &str| line_and_column(text, text.find(needle).expect("in the text"));
         assert_eq!(at("a"), (1, 1));
         assert_eq!(at("#"), (2, 9));
-        assert_eq!(Diagnostic::new(999..1000, "").line_and_column(text), (3, 1));
+        assert_eq!(line_and_column(text, 999), (3, 1));
+    }
+
+    #[test]
+    fn numbers_have_all_their_digits() {
+        let shown = [350e3, 1.000_000_2, -0.5, 1e300, 2.5e-9].map(|x| Exact(x).to_string());
+        assert_eq!(shown, ["350000", "1.0000002", "-0.5", "1e300", "2.5e-9"]);
     }
 }

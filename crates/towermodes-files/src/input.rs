@@ -1,11 +1,12 @@
-//! What a reader makes of a file.
+//! What a reader gives: the description of a tower or blade, and where each value stands.
 
-use thiserror::Error;
 use towermodes::{Method, Place, Tower, TowerDescription};
 
-use crate::diagnostic::Diagnostic;
+use crate::diagnostic::line_and_column;
+use crate::error::ReadError;
+pub(crate) use crate::note::{Note, RotorNotes};
 use crate::places::Places;
-use crate::source::{ReadError, Source};
+use crate::source::Source;
 
 /// The kinds of file that describe a tower.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -34,115 +35,6 @@ impl FileFormat {
             Self::ElastoDynTower => "ElastoDyn tower",
             Self::WindIo => "windIO",
             Self::Hawc2 => "HAWC2",
-        }
-    }
-}
-
-/// Something a reader had to decide, or found and could not take over.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Note {
-    /// What it is, with the numbers.
-    pub message: String,
-    /// The file and the line (from 1) it is about, if it is about one.
-    pub place: Option<(String, usize)>,
-    /// Whether it is on a part of the turbine that the model lacks, so that it may be of another
-    /// tower than the user thinks.
-    pub is_on_missing_part: bool,
-}
-
-impl Note {
-    /// A note on the whole.
-    pub fn new(message: impl Into<String>) -> Self {
-        Self {
-            message: message.into(),
-            place: None,
-            is_on_missing_part: false,
-        }
-    }
-
-    /// A note on a part of the turbine that is not in the model.
-    pub fn on_missing_part(message: impl Into<String>) -> Self {
-        Self::new(message).of_missing_part()
-    }
-
-    /// The same as one on a part of the turbine that is not in the model.
-    pub fn of_missing_part(self) -> Self {
-        Self {
-            is_on_missing_part: true,
-            ..self
-        }
-    }
-
-    /// A note on a place in a file.
-    pub fn at(source: &Source, at: usize, message: impl Into<String>) -> Self {
-        let (line, _) = Diagnostic::new(at..at, "").line_and_column(&source.text);
-        Self {
-            place: Some((source.name.clone(), line)),
-            ..Self::new(message)
-        }
-    }
-}
-
-impl std::fmt::Display for Note {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        if let Some((file, line)) = &self.place {
-            write!(f, "{file}:{line}: ")?;
-        }
-        write!(f, "{}", self.message)
-    }
-}
-
-/// What a reader had to decide of a rotor and its blades.
-#[derive(Debug, Clone, Default, PartialEq, Eq)]
-pub struct RotorNotes {
-    /// How its speeds of operation were found: nothing that matters where others are given.
-    pub speeds: Vec<Note>,
-    /// How the number of its blades was found: nothing that matters where another is given.
-    pub blades: Vec<Note>,
-    /// All the rest.
-    pub others: Vec<Note>,
-}
-
-impl RotorNotes {
-    /// All of them, those on speeds first.
-    pub fn iter(&self) -> impl Iterator<Item = &Note> {
-        self.of_rotor().chain(&self.others)
-    }
-
-    /// Those on its speeds and the number of its blades, which go with it wherever it is handed on.
-    pub fn of_rotor(&self) -> impl Iterator<Item = &Note> {
-        self.speeds.iter().chain(&self.blades)
-    }
-}
-
-/// Why a file gives no tower.
-#[derive(Debug, Error)]
-pub enum InputError {
-    /// It, or a file that it names, cannot be read.
-    #[error(transparent)]
-    Unreadable(#[from] ReadError),
-    /// It has mistakes.
-    #[error("{}: {}", source_file.name, mistakes.first().map_or(String::new(), ToString::to_string))]
-    Mistakes {
-        /// The file they are in.
-        source_file: Box<Source>,
-        /// All that were found; never empty.
-        mistakes: Vec<Diagnostic>,
-    },
-}
-
-impl InputError {
-    /// One mistake in a file.
-    pub fn mistake(source: &Source, mistake: Diagnostic) -> Self {
-        Self::mistakes(source, vec![mistake])
-    }
-
-    /// Mistakes in a file.
-    pub fn mistakes(source: &Source, mistakes: Vec<Diagnostic>) -> Self {
-        let source_file = Box::new(source.clone());
-        Self::Mistakes {
-            source_file,
-            mistakes,
         }
     }
 }
@@ -204,12 +96,12 @@ impl TowerInput {
     /// The tower.
     ///
     /// # Errors
-    /// [`InputError::Mistakes`] at the place of what no tower can have.
-    pub fn tower(&self) -> Result<Tower, InputError> {
+    /// [`ReadError::Mistakes`] at the place of what no tower can have.
+    pub fn tower(&self) -> Result<Tower, ReadError> {
         Tower::new(self.description.clone()).map_err(|error| {
             let is_toml = self.format == FileFormat::Toml;
             let (file, diagnostic) = self.places.mistake(&error, is_toml);
-            InputError::mistake(&self.sources[file.min(self.sources.len() - 1)], diagnostic)
+            ReadError::mistake(&self.sources[file.min(self.sources.len() - 1)], diagnostic)
         })
     }
 
@@ -218,7 +110,7 @@ impl TowerInput {
     ///
     /// # Errors
     /// As [`TowerInput::tower`].
-    pub fn tower_for_shapes(&self) -> Result<Tower, InputError> {
+    pub fn tower_for_shapes(&self) -> Result<Tower, ReadError> {
         let input = Self {
             description: self.description_for_shapes(),
             ..self.clone()
@@ -243,7 +135,7 @@ impl TowerInput {
     pub fn note_on_shapes(&self) -> Option<Note> {
         let has_gravity = self.description.gravity_m_per_s2 != 0.0;
         (self.format == FileFormat::ElastoDyn && has_gravity).then(|| {
-            Note::new("the shapes are those of modes without gravity, as BModes gives them: ElastoDyn adds the weights to their stiffness itself")
+            Note::new("the shapes are those of modes without gravity, as in BModes: ElastoDyn adds the geometric stiffness of the self-weight itself")
         })
     }
 
@@ -252,7 +144,7 @@ impl TowerInput {
     pub fn line_of(&self, place: Place) -> Option<(&str, usize)> {
         let (file, span) = self.places.own(place)?;
         let source = self.sources.get(*file)?;
-        let (line, _) = Diagnostic::new(span.clone(), "").line_and_column(&source.text);
+        let (line, _) = line_and_column(&source.text, span.start);
         Some((&source.name, line))
     }
 

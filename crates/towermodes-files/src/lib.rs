@@ -1,10 +1,13 @@
 //! Towers in, results and towers out: the files of towermodes and of other programs.
 //!
-//! [`read()`] takes any file that describes a tower or a rotating blade: its own TOML, decks of
-//! BModes, ElastoDyn's main and tower files, turbines in windIO, structural files of HAWC2. Readers
-//! answer a mistake with its place in the file, what is wrong and what would be right
-//! ([`Diagnostic`]), and say what they decided or left out ([`Note`]). Writers produce what scripts
-//! and other programs read.
+//! [`read_tower`] reads the tower of any file: the TOML of this program, decks of BModes, main and
+//! tower files of ElastoDyn, turbines in windIO, structural files of HAWC2. [`read()`] reads
+//! rotating blades too and takes options.
+//!
+//! A mistake in a file is a [`Diagnostic`]: its place, its [kind](DiagnosticKind) with the numbers,
+//! and what would be right. [`ReadError`] holds all of them and is a [`std::error::Error`]. What a
+//! reader decided or left out is a [`Note`]. Writers produce files for other programs and results
+//! for scripts.
 //!
 //! ```
 //! let text = r#"
@@ -20,19 +23,23 @@
 //! assert_eq!(tower.height_m(), 87.6);
 //!
 //! let mistake = text.replace("density", "densty");
-//! let diagnostics = towermodes_files::tower_from_toml(&mistake).expect_err("no tower");
-//! assert_eq!(diagnostics[0].hint.as_deref(), Some("did you mean `density`?"));
+//! let mistakes = towermodes_files::tower_from_toml(&mistake).expect_err("no tower");
+//! assert_eq!(mistakes[0].message(), "`densty` is not a key of [material]");
+//! assert_eq!(mistakes[0].hint.as_deref(), Some("did you mean `density`?"));
 //! ```
 
 mod bmodes;
-mod companions;
 mod diagnostic;
 pub mod elastodyn;
+mod error;
 mod hawc2;
 mod input;
+mod note;
 mod places;
 mod read;
+mod recognize;
 mod records;
+mod resolver;
 mod result;
 mod source;
 mod station_table;
@@ -45,19 +52,22 @@ pub use bmodes::{
     BmodesFiles, BmodesInput, BmodesWriteError, BmodesWriteOptions, OutHeader, OutMode, OutRow,
     euclidean, read_bmodes, write_bmodes, write_bmodes_out,
 };
-pub use companions::{Beside, Companions, InMemory};
-pub use diagnostic::Diagnostic;
+pub use diagnostic::{Diagnostic, DiagnosticKind, Exact};
+pub use error::ReadError;
 pub use hawc2::read_hawc2;
-pub use input::{
-    BladeInput, FileFormat, InputError, Note, OutLayout, ReadOptions, RotorLock, RotorNotes,
-    TowerInput, TowerPart,
-};
-pub use read::{Input, NOTHING_LEFT_OUT, read, read_source, recognize};
+pub use input::{BladeInput, FileFormat, OutLayout, ReadOptions, RotorLock, TowerInput, TowerPart};
+pub use note::{Note, NoteKind, RotorNotes};
+pub use read::{Input, NOTHING_LEFT_OUT, Reading, read, read_source, read_tower};
+pub use recognize::recognize;
+pub use resolver::{FileResolver, InMemory, SiblingFiles};
 pub use result::{
     ResultError, ResultKind, write_blade_csv, write_blade_json, write_campbell_csv,
     write_campbell_json, write_comparison_csv, write_convergence_csv, write_csv, write_json,
     write_json_schema, write_records_csv, write_result_json, write_schema_of,
 };
-pub use source::{MAX_FILE_BYTES, ReadError, Source, encoded_as};
-pub use toml::{description_from_toml, tower_from_toml, write_toml};
+pub use source::{FileError, MAX_FILE_BYTES, Source, encoded_as};
+pub use toml::{
+    KeySchema, TableSchema, ValueKind, description_from_toml, tower_file_schema, tower_from_toml,
+    write_toml,
+};
 pub use windio::{WindIoWriteError, read_windio, write_windio};

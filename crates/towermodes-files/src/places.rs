@@ -5,7 +5,7 @@ use std::ops::Range;
 
 use towermodes::{Place, TowerError};
 
-use crate::diagnostic::Diagnostic;
+use crate::diagnostic::{Diagnostic, DiagnosticKind};
 
 /// The key under which the span of a whole table is remembered, for values that it leaves out.
 pub(crate) const TABLE: &str = "";
@@ -27,7 +27,7 @@ impl Places {
     /// speak of the keys of TOML, or of heights in its datum, are for TOML alone.
     pub(crate) fn mistake(&self, error: &TowerError, is_toml: bool) -> (usize, Diagnostic) {
         let (file, span) = self.find(error.place);
-        let diagnostic = Diagnostic::new(span, error.problem.to_string());
+        let diagnostic = Diagnostic::new(span, DiagnosticKind::Tower(error.problem.clone()));
         let of_toml = |hint: &&str| hint.contains(['[', '_', '"']) || hint.contains("datum");
         let hint = error
             .problem

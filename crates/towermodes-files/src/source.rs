@@ -1,4 +1,4 @@
-//! Getting the text of a file, or a clear reason why not.
+//! The text of a file, or the reason why it cannot be read.
 
 use std::fs::{File, FileType, Metadata};
 use std::io::{self, Read};
@@ -10,7 +10,7 @@ use thiserror::Error;
 /// memory.
 pub const MAX_FILE_BYTES: u64 = 64 << 20;
 
-/// The text of a file and what to call it.
+/// The text of a file and its name.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Source {
     /// The path as the user gave it, or `<standard input>`.
@@ -22,8 +22,8 @@ pub struct Source {
 /// Why a file has no text.
 #[derive(Debug, Error)]
 #[non_exhaustive]
-pub enum ReadError {
-    /// It is not there.
+pub enum FileError {
+    /// It does not exist.
     #[error("{name}: no such file")]
     Missing {
         /// The path.
@@ -40,26 +40,26 @@ pub enum ReadError {
     Special {
         /// The path.
         name: String,
-        /// What it is: `a named pipe`, `a socket` or `a device`.
+        /// Its kind: `a named pipe`, `a socket` or `a device`.
         kind: &'static str,
     },
     /// It is too large.
-    #[error("{name}: larger than {} MiB, and no tower is", MAX_FILE_BYTES >> 20)]
+    #[error("{name}: larger than {} MiB, more than any tower needs", MAX_FILE_BYTES >> 20)]
     TooLarge {
         /// The path.
         name: String,
     },
-    /// It only stands for a file that is kept elsewhere.
+    /// It is a pointer to a file that is stored elsewhere.
     #[error("{name}: this is a {system} pointer, not the file itself; {remedy}")]
     Pointer {
         /// The path.
         name: String,
-        /// What keeps the file: `Git LFS` or `git-annex`.
+        /// The system that stores the file: `Git LFS` or `git-annex`.
         system: &'static str,
         /// How to get the file.
         remedy: &'static str,
     },
-    /// It is a web page, as it is saved from a viewer of repositories.
+    /// It is a web page, as saved from a repository viewer.
     #[error("{name}: this is a web page (HTML), not the file itself; download the raw file")]
     WebPage {
         /// The path.
@@ -78,62 +78,62 @@ pub enum ReadError {
     System {
         /// The path.
         name: String,
-        /// What the system says.
+        /// The error of the system.
         error: io::Error,
     },
 }
 
 impl Source {
-    /// Reads the file that a user named: a regular one, or standard input or another descriptor
-    /// that is already open, as `/dev/stdin` and the `/dev/fd/63` of a shell are.
+    /// Reads the file that a user named: a regular file, or a descriptor that is already open, such
+    /// as `/dev/stdin` or the `/dev/fd/63` of a shell.
     ///
     /// # Errors
-    /// [`ReadError`], with the path in its message.
-    pub fn from_path(path: &Path) -> Result<Self, ReadError> {
+    /// [`FileError`], with the path in its message.
+    pub fn from_path(path: &Path) -> Result<Self, FileError> {
         match is_open_descriptor(path) {
             true => Self::open(path),
             false => Self::from_regular_file(path),
         }
     }
 
-    /// Reads a file that another file names: a regular one, because waiting for a pipe might never
-    /// end.
+    /// Reads a file that another file names: only a regular file, because reading from a pipe might
+    /// never end.
     ///
     /// # Errors
-    /// [`ReadError`], with the path in its message.
-    pub fn from_regular_file(path: &Path) -> Result<Self, ReadError> {
+    /// [`FileError`], with the path in its message.
+    pub fn from_regular_file(path: &Path) -> Result<Self, FileError> {
         if let Ok(metadata) = path.metadata() {
             check_kind(path, &metadata)?;
         }
         Self::open(path)
     }
 
-    fn open(path: &Path) -> Result<Self, ReadError> {
+    fn open(path: &Path) -> Result<Self, FileError> {
         let name = path.display().to_string();
         match File::open(path) {
             Ok(file) => Self::from_reader(name, file),
             Err(error) if error.kind() == io::ErrorKind::NotFound => {
-                Err(ReadError::Missing { name })
+                Err(FileError::Missing { name })
             }
-            Err(error) => Err(ReadError::System { name, error }),
+            Err(error) => Err(FileError::System { name, error }),
         }
     }
 
     /// Reads standard input.
     ///
     /// # Errors
-    /// [`ReadError`].
-    pub fn from_stdin() -> Result<Self, ReadError> {
+    /// [`FileError`].
+    pub fn from_stdin() -> Result<Self, FileError> {
         Self::from_reader("<standard input>".into(), io::stdin().lock())
     }
 
-    fn from_reader(name: String, reader: impl Read) -> Result<Self, ReadError> {
+    fn from_reader(name: String, reader: impl Read) -> Result<Self, FileError> {
         let mut bytes = Vec::new();
         if let Err(error) = reader.take(MAX_FILE_BYTES + 1).read_to_end(&mut bytes) {
-            return Err(ReadError::System { name, error });
+            return Err(FileError::System { name, error });
         }
         if bytes.len() as u64 > MAX_FILE_BYTES {
-            return Err(ReadError::TooLarge { name });
+            return Err(FileError::TooLarge { name });
         }
         let source = match String::from_utf8(bytes) {
             Ok(text) => Self { name, text },
@@ -141,7 +141,7 @@ impl Source {
                 let byte = error.utf8_error().valid_up_to();
                 match latin1(error.as_bytes()) {
                     Some(text) => Self { name, text },
-                    None => return Err(ReadError::NotText { name, byte }),
+                    None => return Err(FileError::NotText { name, byte }),
                 }
             }
         };
@@ -149,16 +149,16 @@ impl Source {
         Ok(source)
     }
 
-    /// Refuses what only stands for the file: pointers of Git LFS and git-annex, and web pages.
+    /// Refuses pointers of Git LFS and git-annex, and web pages.
     ///
     /// # Errors
-    /// [`ReadError::Pointer`], [`ReadError::WebPage`].
-    pub(crate) fn check_is_itself(&self) -> Result<(), ReadError> {
+    /// [`FileError::Pointer`], [`FileError::WebPage`].
+    pub(crate) fn check_is_itself(&self) -> Result<(), FileError> {
         let name = self.name.clone();
         let start = self.text.trim_start_matches('\u{feff}').trim_start();
         if start.starts_with("version https://git-lfs.github.com/spec/") {
             let (system, remedy) = ("Git LFS", "run `git lfs pull` in the repository it is from");
-            return Err(ReadError::Pointer {
+            return Err(FileError::Pointer {
                 name,
                 system,
                 remedy,
@@ -166,7 +166,7 @@ impl Source {
         }
         if start.starts_with("/annex/objects/") {
             let (system, remedy) = ("git-annex", "run `git annex get` for it");
-            return Err(ReadError::Pointer {
+            return Err(FileError::Pointer {
                 name,
                 system,
                 remedy,
@@ -177,7 +177,7 @@ impl Source {
             head.is_some_and(|head| head.eq_ignore_ascii_case(mark))
         };
         if is_page("<!doctype html") || is_page("<html") {
-            return Err(ReadError::WebPage { name });
+            return Err(FileError::WebPage { name });
         }
         Ok(())
     }
@@ -190,22 +190,22 @@ fn is_open_descriptor(path: &Path) -> bool {
     path == Path::new("/dev/stdin") || folders.iter().any(|folder| path.starts_with(folder))
 }
 
-/// Refuses what is no regular file, and one that is too large, before it is opened.
-fn check_kind(path: &Path, metadata: &Metadata) -> Result<(), ReadError> {
+/// Refuses a file that is not regular or too large, before it is opened.
+fn check_kind(path: &Path, metadata: &Metadata) -> Result<(), FileError> {
     let name = path.display().to_string();
     if metadata.is_dir() {
-        return Err(ReadError::Directory { name });
+        return Err(FileError::Directory { name });
     }
     if let Some(kind) = special(metadata.file_type()) {
-        return Err(ReadError::Special { name, kind });
+        return Err(FileError::Special { name, kind });
     }
     if metadata.len() > MAX_FILE_BYTES {
-        return Err(ReadError::TooLarge { name });
+        return Err(FileError::TooLarge { name });
     }
     Ok(())
 }
 
-/// What something is that is neither a regular file nor a directory.
+/// The kind of a file that is neither regular nor a directory.
 #[cfg(unix)]
 fn special(kind: FileType) -> Option<&'static str> {
     use std::os::unix::fs::FileTypeExt;
@@ -218,14 +218,14 @@ fn special(kind: FileType) -> Option<&'static str> {
     }
 }
 
-/// What something is that is neither a regular file nor a directory.
+/// The kind of a file that is neither regular nor a directory.
 #[cfg(not(unix))]
 fn special(kind: FileType) -> Option<&'static str> {
     (!kind.is_file()).then_some("a device")
 }
 
-/// The text of bytes in Latin-1, as older programs write degrees and umlauts; none if there are
-/// bytes that no text has.
+/// The text of bytes in Latin-1, as older programs write degrees and umlauts; none if some bytes
+/// are not text.
 fn latin1(bytes: &[u8]) -> Option<String> {
     let is_text = |byte: &u8| matches!(byte, b'\t' | b'\n' | b'\r' | 0x20..=0x7e | 0xa0..=0xfe);
     let text = || bytes.iter().map(|&byte| char::from(byte)).collect();
@@ -262,8 +262,8 @@ mod tests {
     }
 
     #[test]
-    fn what_stands_for_a_file_has_its_own_sentence() {
-        let said = |text: &str| {
+    fn pointers_and_web_pages_are_refused() {
+        let refusal = |text: &str| {
             let source = Source::from_reader("Tower.dat".into(), text.as_bytes());
             source
                 .err()
@@ -271,16 +271,16 @@ mod tests {
                 .unwrap_or_default()
         };
         let pointer = "version https://git-lfs.github.com/spec/v1\noid sha256:4d7a\nsize 12345\n";
-        assert!(said(pointer).contains("Tower.dat: this is a Git LFS pointer"));
-        assert!(said(pointer).contains("`git lfs pull`"));
-        assert!(said("/annex/objects/SHA256E-s100--ab.dat\n").contains("git-annex pointer"));
-        assert!(said("\n<!DOCTYPE HTML>\n<html lang=\"en\">").contains("a web page"));
+        assert!(refusal(pointer).contains("Tower.dat: this is a Git LFS pointer"));
+        assert!(refusal(pointer).contains("`git lfs pull`"));
+        assert!(refusal("/annex/objects/SHA256E-s100--ab.dat\n").contains("git-annex pointer"));
+        assert!(refusal("\n<!DOCTYPE HTML>\n<html lang=\"en\">").contains("a web page"));
         for file in [
             "version 1\n",
             "# https://git-lfs.github.com/spec/\n",
             "<h\n",
         ] {
-            assert_eq!(said(file), "", "{file}");
+            assert_eq!(refusal(file), "", "{file}");
         }
     }
 }

@@ -10,7 +10,7 @@ use decks::{
 };
 use towermodes::{Foundation, Method, Options, RigidBody, solve};
 use towermodes_files::{
-    Beside, BladeInput, BmodesInput, Note, ReadOptions, Source, TowerInput, read_bmodes,
+    BladeInput, BmodesInput, Note, ReadOptions, SiblingFiles, Source, TowerInput, read_bmodes,
 };
 
 fn close(a: f64, b: f64) -> bool {
@@ -445,7 +445,7 @@ fn read_sample(path: &Path, quirks: bool) -> BmodesInput {
         bmodes_quirks: quirks,
         ..ReadOptions::default()
     };
-    read_bmodes(source, &Beside::file(path), &options).unwrap_or_else(|error| panic!("{error}"))
+    read_bmodes(source, &SiblingFiles::of(path), &options).unwrap_or_else(|error| panic!("{error}"))
 }
 
 fn sample_tower(path: &Path, quirks: bool) -> TowerInput {

@@ -7,7 +7,7 @@ use decks::{
     ALONE, BLADE_SECTIONS, OFFSHORE, SECTIONS, TOWER, WIRES, blade_file, mistakes, read, refused,
     tower_file, with,
 };
-use towermodes_files::{BmodesInput, InputError};
+use towermodes_files::{BmodesInput, ReadError};
 
 /// The main file with a change is refused on a line.
 #[track_caller]
@@ -592,7 +592,7 @@ fn values_left_out_are_refused() {
 #[test]
 fn what_the_tower_itself_cannot_be_is_said_at_its_line() {
     let main = with(&tower_file(ALONE), &[("2.0e5     tip_mass", "0. tip_mass")]);
-    let InputError::Mistakes {
+    let ReadError::Mistakes {
         source_file,
         mistakes,
     } = decks::tower(&main, SECTIONS, false)
@@ -629,7 +629,7 @@ fn no_beginning_of_a_deck_is_a_deck() {
     }
     assert!(matches!(
         read(TOWER, SECTIONS, false),
-        Err(InputError::Mistakes { .. })
+        Err(ReadError::Mistakes { .. })
     ));
     assert!(matches!(
         read(&blade_file(), BLADE_SECTIONS, true),

@@ -5,7 +5,7 @@ use crate::decks;
 
 use decks::{ALONE, BLADE_SECTIONS, OFFSHORE, SECTIONS, WIRES, blade_file, read, tower_file, with};
 use proptest::prelude::*;
-use towermodes_files::{BmodesInput, InputError};
+use towermodes_files::{BmodesInput, ReadError};
 
 /// What damage puts into a file.
 const ODDITIES: [&str; 20] = [
@@ -52,7 +52,7 @@ fn survives(main: &str, sections: &str, quirks: bool) {
         Ok(BmodesInput::Blade(_)) => None,
         Err(error) => Some(error),
     };
-    if let Some(InputError::Mistakes {
+    if let Some(ReadError::Mistakes {
         source_file,
         mistakes,
     }) = error
@@ -64,7 +64,7 @@ fn survives(main: &str, sections: &str, quirks: bool) {
                 source_file.text.get(mistake.span.clone()).is_some(),
                 "{mistake:?}"
             );
-            assert!(!mistake.message.is_empty());
+            assert!(!mistake.message().is_empty());
         }
     }
 }

@@ -285,7 +285,7 @@ torsion = inf
     assert_eq!(tower.base().moves, [true, true, true, true, true, false]);
     let mistakes = tower_from_toml(&format!("{table}[water]\nlevel = 0.0\n"));
     let mistakes = mistakes.expect_err("the table has no diameters");
-    let said = &mistakes[0].message;
+    let said = &mistakes[0].message();
     assert!(said.contains("table of properties has none"), "{said}");
 }
 

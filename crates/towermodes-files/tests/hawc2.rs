@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use towermodes::{Family, Method, Options, TowerDescription, solve};
-use towermodes_files::{InputError, ReadOptions, Source, TowerInput, read_hawc2};
+use towermodes_files::{ReadError, ReadOptions, Source, TowerInput, read_hawc2};
 
 /// Two subsets of a tower that is not round, with a step, so that no two columns can be mistaken
 /// for each other.
@@ -46,11 +46,11 @@ fn refused(from: &str, to: &str, place: (usize, usize), words: &str, hint: &str)
 #[track_caller]
 fn refused_text(text: &str, place: (usize, usize), words: &str, hint: &str) {
     let result = read_hawc2(source(text), &ReadOptions::default());
-    let Err(InputError::Mistakes { mistakes, .. }) = result else {
+    let Err(ReadError::Mistakes { mistakes, .. }) = result else {
         panic!("not refused: {words}");
     };
     let first = &mistakes[0];
-    assert!(first.message.contains(words), "{first}");
+    assert!(first.message().contains(words), "{first}");
     assert!(first.to_string().contains(hint), "{first}");
     assert_eq!(first.line_and_column(text), place, "{first}");
 }
@@ -329,14 +329,14 @@ fn full_matrices_are_refused_once() {
     // of them 0.
     let row = |r: &str| format!("{r} 5000 0 0 2 2 0 0 0{}\n", " 0 1e10 0".repeat(7));
     let text = format!("#1 Tower\n$1 3\n{}{}{}", row("0"), row("40"), row("80"));
-    let Err(InputError::Mistakes { mistakes, .. }) =
+    let Err(ReadError::Mistakes { mistakes, .. }) =
         read_hawc2(source(&text), &ReadOptions::default())
     else {
         panic!("full matrices are read");
     };
     assert_eq!(mistakes.len(), 1, "{mistakes:?}");
     assert!(
-        mistakes[0].message.contains("30 columns"),
+        mistakes[0].message().contains("30 columns"),
         "{}",
         mistakes[0]
     );
@@ -360,13 +360,13 @@ fn what_only_the_tower_shows_has_its_place() {
     let error = read(&text, &ReadOptions::default())
         .tower()
         .expect_err("thrice");
-    let InputError::Mistakes { mistakes, .. } = error else {
+    let ReadError::Mistakes { mistakes, .. } = error else {
         panic!("a mistake");
     };
     assert_eq!(mistakes[0].line_and_column(&text), (8, 1));
     assert!(
         mistakes[0]
-            .message
+            .message()
             .contains("a third station at height 30 m")
     );
 }

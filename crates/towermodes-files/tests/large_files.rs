@@ -31,7 +31,7 @@ fn a_key_as_long_as_a_book_is_not_compared() {
     let key = "a".repeat(20_000_000);
     let text = format!("[material]\n{MATERIAL}[tower]\n{key} = 1\n");
     let mistakes = mistakes(&text);
-    assert!(mistakes[0].message.contains("[tower] has no `stations`"));
+    assert!(mistakes[0].message().contains("[tower] has no `stations`"));
     assert_eq!(
         mistakes[1].hint.as_deref(),
         Some("it may have stations, properties, outfitting_factor, shear")
@@ -43,7 +43,7 @@ fn a_hundred_unknown_keys_are_enough() {
     let text: String = (0..300_000).map(|i| format!("k{i} = 1\n")).collect();
     let mistakes = mistakes(&text);
     assert_eq!(mistakes.len(), 100);
-    assert_eq!(mistakes[0].message, "`k0` is not a key of the file");
+    assert_eq!(mistakes[0].message(), "`k0` is not a key of the file");
 }
 
 /// Each name was compared with each, and each hint listed all of them.
@@ -52,7 +52,7 @@ fn unknown_materials_among_thousands_are_named_a_hundred_times() {
     let unknown = tower_of_materials(20_000, |i| format!(", \"another{i}\""));
     let all = mistakes(&unknown);
     assert_eq!(all.len(), 100);
-    assert_eq!(all[0].message, "there is no material `another0`");
+    assert_eq!(all[0].message(), "there is no material `another0`");
     let hint = all[0].hint.as_deref().expect("a hint");
     assert!(hint.starts_with("there are m0, m1, "), "{hint}");
     assert!(hint.ends_with(", …"), "{hint}");
@@ -60,7 +60,7 @@ fn unknown_materials_among_thousands_are_named_a_hundred_times() {
     let nameless = mistakes(&tower_of_materials(20_000, |_| String::new()));
     assert_eq!(nameless.len(), 100);
     let words = "station 1 names no material, and there is no [material]";
-    assert_eq!(nameless[0].message, words);
+    assert_eq!(nameless[0].message(), words);
 }
 
 #[test]

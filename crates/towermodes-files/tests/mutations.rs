@@ -193,7 +193,7 @@ proptest! {
                 prop_assert!(!mistakes.is_empty());
                 for mistake in mistakes {
                     prop_assert!(mistake.span.start <= mistake.span.end && mistake.span.end <= text.len());
-                    prop_assert!(!mistake.message.is_empty());
+                    prop_assert!(!mistake.message().is_empty());
                 }
             }
         }

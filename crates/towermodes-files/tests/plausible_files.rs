@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use towermodes::{Place, Quantity, Warning};
-use towermodes_files::{Beside, Input, ReadOptions, Source, TowerInput, read_source};
+use towermodes_files::{Input, ReadOptions, SiblingFiles, Source, TowerInput, read_source};
 
 use crate::round_trips::towers;
 
@@ -27,7 +27,7 @@ fn tower_of(path: &Path) -> Option<TowerInput> {
             ..ReadOptions::default()
         };
         let source = Source::from_path(path).ok()?;
-        match read_source(source, &Beside::file(path), &options).ok()? {
+        match read_source(source, &SiblingFiles::of(path), &options).ok()? {
             Input::Tower(tower) => Some(*tower),
             Input::Blade(_) => None,
         }
@@ -87,7 +87,7 @@ fn read_text(text: &str) -> TowerInput {
     };
     match read_source(
         source,
-        &Beside::file(Path::new("tower.toml")),
+        &SiblingFiles::of(Path::new("tower.toml")),
         &ReadOptions::default(),
     ) {
         Ok(Input::Tower(tower)) => *tower,

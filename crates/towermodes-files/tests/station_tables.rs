@@ -3,8 +3,8 @@
 
 use towermodes::{Station, TowerDescription};
 use towermodes_files::{
-    Beside, InMemory, Input, InputError, ReadOptions, Source, TowerInput, description_from_toml,
-    read, read_source, tower_from_toml, write_toml,
+    InMemory, Input, ReadError, ReadOptions, SiblingFiles, Source, TowerInput,
+    description_from_toml, read, read_source, tower_from_toml, write_toml,
 };
 
 /// A tower file whose stations are in a table.
@@ -43,7 +43,7 @@ const STATIONS: &str = r#"[
   [95.0, 3.87, 0.0247],
 ]"#;
 
-fn read_with(tower: &str, table: &str) -> Result<TowerInput, InputError> {
+fn read_with(tower: &str, table: &str) -> Result<TowerInput, ReadError> {
     let source = Source {
         name: "tower.toml".to_owned(),
         text: tower.to_owned(),
@@ -73,7 +73,7 @@ fn expected() -> TowerDescription {
 #[track_caller]
 fn mistakes(tower: &str, table: &str) -> (String, Vec<(usize, usize, String)>) {
     let refused = read_with(tower, table).and_then(|input| input.tower());
-    let InputError::Mistakes {
+    let ReadError::Mistakes {
         source_file,
         mistakes,
     } = refused.expect_err("no tower")
@@ -464,7 +464,11 @@ fn a_table_that_cannot_be_read_is_shown_where_it_is_named() {
     assert_eq!((*line, *column), (11, 12), "{said}");
     assert!(said.contains("other.csv: no such file"), "{said}");
     let alone = tower_from_toml(TOWER).expect_err("a text has no files beside it");
-    assert!(alone[0].message.contains("in another file"), "{}", alone[0]);
+    assert!(
+        alone[0].message().contains("in another file"),
+        "{}",
+        alone[0]
+    );
 }
 
 #[test]
@@ -496,7 +500,7 @@ fn the_example_with_a_table_is_the_tower_of_its_table() {
     let tower = input.tower().expect("a tower");
     assert_eq!((tower.base_m(), tower.top_m()), (0.0, 87.6));
     // The table is found from any folder.
-    assert!(Beside::file(&path).path("cans.csv").is_file());
+    assert!(SiblingFiles::of(&path).path("cans.csv").is_file());
 }
 
 /// Files that are not regular, which to open would be to wait for.

@@ -401,7 +401,7 @@ fn zero_polar_inertia_and_infinite_stiffness_are_read() {
     for column in ["mass_kg_per_m", "ei_fore_aft_n_m2", "polar_inertia_kg_m"] {
         let wrong = text.replace(&format!("{column} = ["), &format!("{column} = [inf] #"));
         let mistakes = description_from_toml(&wrong).expect_err("infinite or too short");
-        assert!(mistakes[0].message.contains(column), "{mistakes:?}");
+        assert!(mistakes[0].message().contains(column), "{mistakes:?}");
     }
 }
 
@@ -419,7 +419,7 @@ fn added_mass_is_read_with_its_mistakes() {
     let refused = |text: &str, message: &str, hint: &str, place: (usize, usize)| {
         let mistakes = read(text).expect_err(text);
         let mistake = &mistakes[0];
-        assert!(mistake.message.contains(message), "{mistake}");
+        assert!(mistake.message().contains(message), "{mistake}");
         assert!(mistake.to_string().contains(hint), "{mistake}");
         let whole = format!("{base}{text}\n");
         assert_eq!(mistake.line_and_column(&whole), place, "{mistake}");

@@ -8,11 +8,12 @@ use towermodes::{
     TowerDescription, solve,
 };
 use towermodes_files::{
-    Diagnostic, InputError, ReadOptions, Source, TowerInput, TowerPart, read_windio, write_windio,
+    Diagnostic, DiagnosticKind, ReadError, ReadOptions, Source, TowerInput, TowerPart, read_windio,
+    write_windio,
 };
 use windio_files::{LAYERED, TABLE, VERSION_1, VERSION_2};
 
-fn read_part(text: &str, part: TowerPart) -> Result<TowerInput, InputError> {
+fn read_part(text: &str, part: TowerPart) -> Result<TowerInput, ReadError> {
     let source = Source {
         name: "turbine.yaml".to_owned(),
         text: text.to_owned(),
@@ -33,18 +34,18 @@ fn mistake(text: &str) -> (usize, usize, String) {
     let error = read_part(text, TowerPart::All)
         .and_then(|input| input.tower())
         .expect_err("a mistake");
-    let InputError::Mistakes { mistakes, .. } = error else {
+    let ReadError::Mistakes { mistakes, .. } = error else {
         panic!("{error}");
     };
     let first: &Diagnostic = &mistakes[0];
     assert!(first.span.end <= text.len(), "{first:?}");
     let (line, column) = first.line_and_column(text);
-    (line, column, first.message.clone())
+    (line, column, first.message())
 }
 
 /// What the notes say of parts that are missing.
 fn missing_parts(input: &TowerInput) -> String {
-    let notes = input.notes.iter().filter(|note| note.is_on_missing_part);
+    let notes = input.notes.iter().filter(|note| note.is_on_missing_part());
     notes.map(|note| format!("{}\n", note.message)).collect()
 }
 
@@ -55,7 +56,8 @@ fn has_note(input: &TowerInput, words: &str) -> bool {
 /// Line and column of the first place of a text, moved by some characters.
 fn place(text: &str, needle: &str, moved: usize) -> (usize, usize) {
     let at = text.find(needle).expect("in the text") + moved;
-    Diagnostic::new(at..at, "").line_and_column(text)
+    let what = String::new();
+    Diagnostic::new(at..at, DiagnosticKind::Missing { what }).line_and_column(text)
 }
 
 fn near(value: f64, expected: f64, tolerance: f64) {

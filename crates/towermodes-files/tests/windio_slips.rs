@@ -4,10 +4,10 @@
 use crate::windio_files;
 
 use towermodes::{Options, solve};
-use towermodes_files::{InputError, ReadOptions, Source, TowerInput, TowerPart, read_windio};
+use towermodes_files::{ReadError, ReadOptions, Source, TowerInput, TowerPart, read_windio};
 use windio_files::{LAYERED, VERSION_1, VERSION_2};
 
-fn read_with(text: &str, options: &ReadOptions) -> Result<TowerInput, InputError> {
+fn read_with(text: &str, options: &ReadOptions) -> Result<TowerInput, ReadError> {
     let source = Source {
         name: "turbine.yaml".to_owned(),
         text: text.to_owned(),
@@ -159,7 +159,7 @@ fn angles_in_the_other_unit_are_noted() {
 fn angles_that_no_unit_makes_possible_are_refused() {
     let (text, line) = with(VERSION_1, "uptilt: 0.0", "uptilt: 6000");
     let error = read_with(&text, &ReadOptions::default()).expect_err("no tilt");
-    let InputError::Mistakes { mistakes, .. } = error else {
+    let ReadError::Mistakes { mistakes, .. } = error else {
         panic!("{error}");
     };
     let said = mistakes[0].to_string();

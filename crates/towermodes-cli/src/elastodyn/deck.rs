@@ -5,7 +5,9 @@ use std::path::Path;
 use towermodes::{Method, Options, Tower};
 use towermodes_analysis::elastodyn::{OtherTower, TowerShapes, same_tower, tower_shapes};
 use towermodes_files::elastodyn::{ElastoDynDeck, MakeError, read_elastodyn, torsion_notes};
-use towermodes_files::{Beside, FileFormat, InputError, Note, ReadOptions, Source, TowerInput};
+use towermodes_files::{
+    FileFormat, Note, ReadError, ReadOptions, SiblingFiles, Source, TowerInput,
+};
 
 use crate::args::{DeckArguments, ReadingArguments};
 use crate::failure::{Failure, note};
@@ -75,9 +77,9 @@ fn read_deck(arguments: &DeckArguments) -> Result<ElastoDynDeck, Failure> {
         ..own
     };
     let source = Source::from_path(&arguments.deck)
-        .map_err(InputError::from)
+        .map_err(ReadError::from)
         .map_err(Failure::Input)?;
-    let beside = Beside::file(&arguments.deck);
+    let beside = SiblingFiles::of(&arguments.deck);
     read_elastodyn(source, &beside, &options).map_err(Failure::Input)
 }
 

@@ -1,28 +1,34 @@
 //! A blade from a deck.
 //!
-//! BModes turns the signs of twist and offsets; the library's blade has them as BModes computes
-//! with them.
+//! BModes changes the signs of twist and offsets; the blade of the library has the signs that BModes
+//! computes with.
 
 use std::f64::consts::PI;
 
 use towermodes::{BladeDescription, BladeSection, Inertia, RigidBody};
 
 use super::Sources;
+use super::deck::scaled;
 use super::deck::{Deck, HubConnection, Section};
 use super::notes::{Notes, choice, dialect, extra_columns, modes};
-use super::tower::scaled;
-use crate::diagnostic::Diagnostic;
-use crate::input::{BladeInput, InputError};
+use crate::diagnostic::{Diagnostic, DiagnosticKind};
+use crate::error::ReadError;
+use crate::input::BladeInput;
+use crate::note::Note;
 
-/// What a deck says of a blade; with `quirks` as BModes 3.00 understands it.
-pub(super) fn blade(deck: &Deck, sources: Sources, quirks: bool) -> Result<BladeInput, InputError> {
-    let in_main = |mistake| InputError::mistake(&sources.main, mistake);
+/// The blade of a deck; with `compatible` as BModes 3.00 understands it.
+pub(super) fn blade(
+    deck: &Deck,
+    sources: Sources,
+    compatible: bool,
+) -> Result<BladeInput, ReadError> {
+    let in_main = |mistake| ReadError::mistake(&sources.main, mistake);
     check_hub(deck).map_err(in_main)?;
-    let tip = tip(deck, quirks).map_err(in_main)?;
+    let tip = tip(deck, compatible).map_err(in_main)?;
     let general = &deck.general;
     let speed = scaled(&general.rot_rpm, &general.rpm_mult).map_err(in_main)?;
     let sections: Result<Vec<_>, _> = deck.sections.iter().map(|row| section(row, deck)).collect();
-    let sections = sections.map_err(|mistake| InputError::mistake(&sources.sections, mistake))?;
+    let sections = sections.map_err(|mistake| ReadError::mistake(&sources.sections, mistake))?;
     let description = BladeDescription {
         name: deck.title.clone(),
         hub_radius_m: general.root_m.value,
@@ -32,10 +38,10 @@ pub(super) fn blade(deck: &Deck, sources: Sources, quirks: bool) -> Result<Blade
         rotor_speed_rad_per_s: speed * PI / 30.0,
         pitch_rad: general.pitch_deg.value.to_radians(),
         tip,
-        tip_is_pulled: !quirks,
+        tip_is_pulled: !compatible,
     };
     let mut notes = Notes::default();
-    let modes = blade_notes(deck, quirks, &mut notes);
+    let modes = blade_notes(deck, compatible, &mut notes);
     Ok(BladeInput {
         description,
         modes,
@@ -49,21 +55,20 @@ fn check_hub(deck: &Deck) -> Result<(), Diagnostic> {
     let hub = &deck.general.hub;
     let number = match hub.value {
         HubConnection::Clamped => return Ok(()),
-        HubConnection::Free => 2,
-        HubConnection::AxiallyAndInTorsion => 3,
+        HubConnection::Free => 2.0,
+        HubConnection::AxiallyAndInTorsion => 3.0,
     };
-    let message =
-        format!("hub_conn is {number}, but nothing holds a blade that is not clamped to its hub");
-    Err(hub
-        .wrong(message)
-        .with_hint("a blade has hub_conn = 1; BModes stops at others too"))
+    let rule = "1 for a blade, which is clamped to its hub";
+    let kind = DiagnosticKind::out_of_range("hub_conn", number, rule);
+    Err(hub.wrong(kind).with_hint("BModes refuses other values too"))
 }
 
-/// A principal moment of inertia may be negative by this share of the largest: tensors are rounded.
+/// A principal moment of inertia may be negative by this fraction of the largest: tensors are
+/// rounded.
 const ROUNDED: f64 = 1e-9;
 
-/// The body at the tip in the axes of the blade: X lag, Y flap, Z span.
-fn tip(deck: &Deck, quirks: bool) -> Result<RigidBody, Diagnostic> {
+/// The body at the tip in the axes of the blade: X edgewise, Y flapwise, Z spanwise.
+fn tip(deck: &Deck, compatible: bool) -> Result<RigidBody, Diagnostic> {
     let [xx, yy, zz, xy, zx, yz] = &deck.tip.inertia_kg_m2;
     let inertia_kg_m2 = Inertia {
         xx: yy.value,
@@ -77,41 +82,43 @@ fn tip(deck: &Deck, quirks: bool) -> Result<RigidBody, Diagnostic> {
     if principal[0] < -ROUNDED * principal[2].max(-principal[0]) {
         let [a, b, c] = principal;
         let message = format!(
-            "the principal moments of inertia of the tip mass are {a:.6e}, {b:.6e} and {c:.6e} kg m2; none can be negative"
+            "the principal moments of inertia of the tip mass are {a:.6e}, {b:.6e} and {c:.6e} kg m2, but must not be negative"
         );
-        return Err(xy
-            .wrong(message)
-            .with_hint("products are entries of the tensor, about the tip mass's own centre"));
+        return Err(xy.wrong(DiagnosticKind::Contradiction(message)).with_hint(
+            "products of inertia are entries of the tensor about the tip mass's centre",
+        ));
     }
     Ok(RigidBody {
         mass_kg: deck.tip.mass_kg.value,
-        center_m: tip_center(deck, quirks),
+        center_m: tip_center(deck, compatible),
         inertia_kg_m2,
     })
 }
 
-/// Version 3.00 takes the line of `cm_axial` for `cm_loc`, and turns its sign once for each row of
-/// the section file.
-fn tip_center(deck: &Deck, quirks: bool) -> [f64; 3] {
+/// Version 3.00 reads the record of `cm_axial` as `cm_loc`, and changes its sign once for each row
+/// of the section file.
+fn tip_center(deck: &Deck, compatible: bool) -> [f64; 3] {
     let (lateral_m, axial) = (deck.tip.cm_loc_m.value, &deck.tip.cm_axial_m);
-    if !quirks {
+    if !compatible {
         let axial_m = axial.as_ref().map_or(0.0, |axial| axial.value);
         return [0.0 - lateral_m, 0.0, axial_m];
     }
     let read_m = axial.as_ref().map_or(lateral_m, |axial| axial.value);
-    let is_turned = deck.sections.len() % 2 == 1;
-    [if is_turned { 0.0 - read_m } else { read_m }, 0.0, 0.0]
+    let is_negated = deck.sections.len() % 2 == 1;
+    [if is_negated { 0.0 - read_m } else { read_m }, 0.0, 0.0]
 }
 
-/// A row in the library's terms: factors applied, signs turned, the inertias referred to the axes
-/// of the stiffnesses.
+/// A row in the library's terms: factors applied, signs changed, the inertias in the axes of the
+/// stiffnesses.
 fn section(row: &Section, deck: &Deck) -> Result<BladeSection, Diagnostic> {
     let factors = &deck.multipliers;
     let flap = scaled(&row.flap_inertia_kg_m, &factors.flap_inertia)?;
     let edge = scaled(&row.edge_inertia_kg_m, &factors.edge_inertia)?;
     if flap + edge <= 0.0 {
-        let message = "flp_iner and edge_iner with their factors are both 0: nothing resists the section's acceleration in torsion";
-        return Err(row.flap_inertia_kg_m.wrong(message));
+        let rule = "positive: it is the section's inertia in torsion";
+        let what = "the sum of flp_iner and edge_iner with their factors";
+        let kind = DiagnosticKind::out_of_range(what, flap + edge, rule);
+        return Err(row.flap_inertia_kg_m.wrong(kind));
     }
     let turned = (row.twist_deg.value - row.inertia_twist_deg.value).to_radians();
     let (mean, half) = (0.5 * (edge + flap), 0.5 * (edge - flap));
@@ -134,69 +141,77 @@ fn section(row: &Section, deck: &Deck) -> Result<BladeSection, Diagnostic> {
     if section.center_of_mass_m.is_finite() && section.tension_center_m.is_finite() {
         return Ok(section);
     }
-    let message = "the offsets of this row with their factors have no room in a number";
-    Err(row.center_of_mass_m.wrong(message))
+    let what = "an offset of this row times its factor".to_owned();
+    Err(row
+        .center_of_mass_m
+        .wrong(DiagnosticKind::Overflow { what }))
 }
 
-fn blade_notes(deck: &Deck, quirks: bool, notes: &mut Notes) -> usize {
+fn blade_notes(deck: &Deck, compatible: bool, notes: &mut Notes) -> usize {
     dialect(deck, notes);
-    tip_offset(deck, quirks, notes);
-    tip_pull(deck, quirks, notes);
+    tip_offset(deck, compatible, notes);
+    tip_pull(deck, compatible, notes);
     let general = &deck.general;
     if general.pitch_deg.value != 0.0 {
         let message = format!(
-            "bl_thp = {} degrees is added to the twist as BModes adds it: the sections are turned by bl_thp - str_tw",
+            "bl_thp = {} degrees is added to the twist, as in BModes: the sections are rotated by bl_thp - str_tw",
             general.pitch_deg.value
         );
-        notes.on(&general.pitch_deg, message);
+        notes.on(&general.pitch_deg, Note::new(message));
     }
     if general.precone_deg.value != 0.0 {
         let message = format!(
             "precone = {} degrees is not used, as in BModes",
             general.precone_deg.value
         );
-        notes.on(&general.precone_deg, message);
+        notes.on(&general.precone_deg, Note::left_out(message));
     }
     let turned = |row: &&Section| (row.twist_deg.value - row.inertia_twist_deg.value).abs() > 45.0;
     if let Some(row) = deck.sections.iter().find(turned) {
         let message = format!(
-            "at sec_loc {} the principal axes of inertia (tw_iner = {}) are turned by more than 45 degrees from those of stiffness (str_tw = {})",
+            "at sec_loc {} the principal axes of inertia (tw_iner = {}) are rotated by more than 45 degrees from those of stiffness (str_tw = {})",
             row.location.value, row.inertia_twist_deg.value, row.twist_deg.value
         );
-        notes.at_sections(row.inertia_twist_deg.span.start, message);
+        notes.at_sections(row.inertia_twist_deg.span.start, Note::suspicious(message));
     }
     extra_columns(deck, notes);
     modes(deck, notes)
 }
 
 /// The centrifugal force of the tip mass stiffens the blade.
-fn tip_pull(deck: &Deck, quirks: bool, notes: &mut Notes) {
+fn tip_pull(deck: &Deck, compatible: bool, notes: &mut Notes) {
     let (mass, general) = (&deck.tip.mass_kg, &deck.general);
     if mass.value == 0.0 || general.rot_rpm.value * general.rpm_mult.value == 0.0 {
         return;
     }
-    let said = format!(
-        "leaves the tip mass of {} kg out of the centrifugal tension",
+    let bmodes = format!(
+        "ignores the tip mass of {} kg in the centrifugal tension",
         mass.value
     );
-    let right = "it pulls, which raises the frequencies";
-    notes.on(mass, choice(quirks, &said, right));
+    let right = "it contributes to the tension, which raises the frequencies";
+    notes.on(
+        mass,
+        Note::compatibility(choice(compatible, &bmodes, right)),
+    );
 }
 
-fn tip_offset(deck: &Deck, quirks: bool, notes: &mut Notes) {
-    let (right, bmodes) = (tip_center(deck, false), tip_center(deck, true));
-    if deck.tip.mass_kg.value == 0.0 || right == bmodes {
+fn tip_offset(deck: &Deck, compatible: bool, notes: &mut Notes) {
+    let (right, wrong) = (tip_center(deck, false), tip_center(deck, true));
+    if deck.tip.mass_kg.value == 0.0 || right == wrong {
         return;
     }
-    let [[x, _, z], [read_as, ..]] = [right, bmodes];
-    let said = format!(
-        "takes the line of cm_axial for cm_loc and turns its sign for each of the {} sections: the tip mass is {read_as} m off the axis in lag, \
-         and not along the span",
+    let [[x, _, z], [read_as, ..]] = [right, wrong];
+    let bmodes = format!(
+        "reads the record of cm_axial as cm_loc and changes its sign for each of the {} sections: the tip mass is {read_as} m off the axis edgewise \
+         and has no spanwise offset",
         deck.sections.len()
     );
     let right = format!(
-        "it is {x} m off the axis in lag (cm_loc with its sign turned once) and {z} m along the span (cm_axial)"
+        "it is {x} m off the axis edgewise (cm_loc with its sign changed once) and {z} m along the span (cm_axial)"
     );
     let value = deck.tip.cm_axial_m.as_ref().unwrap_or(&deck.tip.cm_loc_m);
-    notes.on(value, choice(quirks, &said, &right));
+    notes.on(
+        value,
+        Note::compatibility(choice(compatible, &bmodes, &right)),
+    );
 }

@@ -1,10 +1,11 @@
-//! What stands in a deck of BModes: every value as it is written, with its place.
+//! The content of a BModes deck: every value as it is written, with its place.
 
 use crate::input::OutLayout;
 use std::ops::Range;
 
 use super::reader::Value;
 use super::unread::Unread;
+use crate::diagnostic::{Diagnostic, DiagnosticKind};
 
 /// A main input file with its section file.
 #[derive(Debug, Clone)]
@@ -15,17 +16,17 @@ pub(super) struct Deck {
     pub(super) general: General,
     pub(super) tip: Tip,
     pub(super) multipliers: Multipliers,
-    /// Borders of the elements from the root, as shares of the flexible length.
+    /// Element borders from the root, as fractions of the flexible length.
     pub(super) borders: Vec<Value<f64>>,
-    /// What supports a tower; nothing for a blade.
+    /// What supports a tower; empty for a blade.
     pub(super) support: Support,
-    /// The rows of the section file by rising `sec_loc`.
+    /// The rows of the section file, by increasing `sec_loc`.
     pub(super) sections: Vec<Section>,
-    /// Where more numbers than are read begin in the section file.
+    /// The byte of the section file where numbers begin that are not read.
     pub(super) extra_columns: Option<usize>,
 }
 
-/// Which program's lines a deck has.
+/// The version of BModes whose records a deck has.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Dialect {
     /// BModes 1.03: no `cm_axial`, no `tow_support`.
@@ -37,22 +38,33 @@ pub(super) enum Dialect {
     Later,
 }
 
-/// What a deck describes.
+/// The kind of beam that a deck describes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Beam {
     Blade,
     Tower,
 }
 
-/// How the root is held.
+/// How the root or base is held.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum HubConnection {
-    /// 1: not at all free.
+    /// 1: clamped.
     Clamped,
-    /// 2: entirely free.
+    /// 2: free, or on springs.
     Free,
     /// 3: held axially and in torsion, on springs otherwise.
     AxiallyAndInTorsion,
+}
+
+impl HubConnection {
+    /// That of a number from 1 to 3.
+    pub(super) fn of_number(number: f64) -> Self {
+        match number {
+            1.0 => Self::Clamped,
+            2.0 => Self::Free,
+            _ => Self::AxiallyAndInTorsion,
+        }
+    }
 }
 
 /// The general parameters.
@@ -113,12 +125,12 @@ pub(super) struct Section {
     pub(super) tension_center_m: Value<f64>,
 }
 
-/// What supports a tower beside its base.
+/// What supports a tower apart from its base.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Support {
     pub(super) wires: Vec<WireSet>,
     pub(super) offshore: Option<Box<Offshore>>,
-    /// Values that are there and not read.
+    /// Values in the file that are not read.
     pub(super) unread: Vec<Unread>,
 }
 
@@ -161,7 +173,7 @@ impl<const N: usize> MatrixValue<N> {
         start..self.spans.last().map_or(start, |span| span.end)
     }
 
-    /// Whether it says nothing.
+    /// Whether all entries are zero.
     pub(super) fn is_zero(&self) -> bool {
         self.rows.iter().flatten().all(|entry| *entry == 0.0)
     }
@@ -171,6 +183,20 @@ impl<const N: usize> MatrixValue<N> {
 #[derive(Debug, Clone)]
 pub(super) struct Distribution {
     pub(super) count: Value<usize>,
-    /// Heights above the flexible base, m, and values there; none if there are fewer than two.
+    /// Heights above the flexible base, m, and values there; empty if there are fewer than two.
     pub(super) rows: Vec<(Value<f64>, Value<f64>)>,
+}
+
+/// A value times its factor.
+///
+/// # Errors
+/// [`DiagnosticKind::Overflow`] if the product is infinite, or zero by underflow.
+pub(super) fn scaled(value: &Value<f64>, factor: &Value<f64>) -> Result<f64, Diagnostic> {
+    let product = value.value * factor.value;
+    let is_lost = product == 0.0 && value.value != 0.0 && factor.value != 0.0;
+    if product.is_finite() && !is_lost {
+        return Ok(product);
+    }
+    let what = format!("{} times its factor {}", value.value, factor.value);
+    Err(value.wrong(DiagnosticKind::Overflow { what }))
 }

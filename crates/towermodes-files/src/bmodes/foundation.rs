@@ -1,4 +1,4 @@
-//! What a tower of a deck stands on.
+//! The foundation of a tower of a deck.
 
 use std::ops::Range;
 
@@ -7,14 +7,15 @@ use towermodes::{
     FloatingPlatform, Foundation, Inertia, Place, ReferredMatrix, StiffnessFoundation,
 };
 
+use super::building::{Building, MAIN};
 use super::deck::{Deck, HubConnection, MatrixValue, Offshore};
 use super::matrix::{about_base, asymmetry, symmetrized, without_axial_and_torsion};
 use super::notes::Notes;
-use super::tower::{Building, MAIN};
-use crate::diagnostic::Diagnostic;
+use crate::diagnostic::{Diagnostic, DiagnosticKind};
+use crate::note::Note;
 use crate::places::TABLE;
 
-/// Says what holds the base.
+/// Sets the foundation: how the base is held.
 pub(super) fn foundation(
     deck: &Deck,
     building: &mut Building,
@@ -131,19 +132,22 @@ fn symmetric<const N: usize>(
     let symmetric = symmetrized(matrix, name)?;
     if let Some(pair) = asymmetry(&matrix.rows) {
         let message = format!(
-            "{name} is not symmetric (row {i}, column {j} is {}, row {j}, column {i} is {}); BModes 3.00 solves with it as it stands, \
-             which no linear spring or mass does; here the mean of both is used",
+            "{name} is not symmetric (row {i}, column {j} is {}, row {j}, column {i} is {}); BModes 3.00 uses it unsymmetric; \
+             here the mean of both entries is used, as a linear spring or mass is symmetric",
             pair.upper,
             pair.lower,
             i = pair.row,
             j = pair.column,
         );
-        notes.at(matrix.spans[pair.column - 1].start, message);
+        notes.at(
+            matrix.spans[pair.column - 1].start,
+            Note::compatibility(message),
+        );
     }
     Ok(symmetric)
 }
 
-/// Infinity says that the base is rigidly held; a number too large must not.
+/// Infinity means that the base is rigidly held; an overflow must not become infinity.
 fn check_finite(foundation: &StiffnessFoundation, offshore: &Offshore) -> Result<(), Diagnostic> {
     let matrices = [
         (
@@ -155,8 +159,11 @@ fn check_finite(foundation: &StiffnessFoundation, offshore: &Offshore) -> Result
     ];
     for (matrix, written, what) in matrices {
         if matrix.iter().flatten().any(|entry| !entry.is_finite()) {
-            let message = format!("the {what} about the tower's base has no room in a number");
-            return Err(Diagnostic::new(written.span(), message));
+            let what = format!("the {what} about the tower's base");
+            return Err(Diagnostic::new(
+                written.span(),
+                DiagnosticKind::Overflow { what },
+            ));
         }
     }
     Ok(())

@@ -1,14 +1,14 @@
 //! Reads the main file of a deck up to the elements, which blades and towers have in common.
 
 use super::deck::{Beam, Dialect, General, HubConnection, Multipliers, Tip};
-use super::list::MAX_COUNT;
-use super::quantity::{self as q, Quantity};
-use super::reader::{After, Reader, Value};
-use crate::diagnostic::Diagnostic;
+use super::diagnose::After;
+use super::parameters::{self as p, Parameter};
+use super::reader::{Reader, Value};
+use crate::diagnostic::{Diagnostic, DiagnosticKind};
 use crate::input::OutLayout;
 use crate::records::Line;
 
-/// What the main file says before the support of a tower.
+/// The content of the main file before the support of a tower.
 #[derive(Debug, Clone)]
 pub(super) struct MainFile<'a> {
     pub(super) dialect: Dialect,
@@ -21,28 +21,20 @@ pub(super) struct MainFile<'a> {
     pub(super) borders: Vec<Value<f64>>,
 }
 
-/// The main file up to and with the elements' borders.
+/// The main file up to and with the element borders.
 pub(super) fn main_file<'a>(reader: &mut Reader<'a>) -> Result<MainFile<'a>, Diagnostic> {
     reader.comment("the first line, a comment,")?;
     // A title is free text, whatever it looks like.
-    let title = reader.lines.expect("the title")?.text.trim();
+    let title = reader.lines.expect("the title")?.text.trim().to_owned();
     let (beam, general) = general(reader)?;
     let (dialect, tip) = tip(reader, beam)?;
-    comments(reader, "the heading of the section file")?;
-    let material = reader.integer(&q::ID_MAT)?;
-    if material.value != 1 {
-        let message = format!(
-            "id_mat is {}; BModes has only material type 1",
-            material.value
-        );
-        return Err(material.wrong(message).with_hint("write 1"));
-    }
-    let sections_file = reader.path(&q::SEC_PROPS_FILE)?;
-    comments(reader, "the heading of the factors")?;
+    reader.heading("the heading of the section file")?;
+    reader.value(&p::ID_MAT)?;
+    let sections_file = reader.path(&p::SEC_PROPS_FILE)?;
+    reader.heading("the heading of the factors")?;
     let multipliers = multipliers(reader)?;
-    comments(reader, "the heading of the elements")?;
+    reader.heading("the heading of the elements")?;
     let borders = borders(reader)?;
-    let title = title.to_owned();
     Ok(MainFile {
         dialect,
         title,
@@ -55,48 +47,12 @@ pub(super) fn main_file<'a>(reader: &mut Reader<'a>) -> Result<MainFile<'a>, Dia
     })
 }
 
-/// The blank line and the heading between two blocks. The blank line may be left out: then the
-/// values follow the first of two lines.
-pub(super) fn comments(reader: &mut Reader<'_>, heading: &str) -> Result<(), Diagnostic> {
-    let first = reader.comment(&format!("the line (blank as a rule) before {heading}"))?;
-    if first.is_blank() || !reader.value_follows() {
-        reader.comment(heading)?;
-    }
-    Ok(())
-}
-
 fn general(reader: &mut Reader<'_>) -> Result<(Beam, General), Diagnostic> {
-    comments(reader, "the heading of the general parameters")?;
-    reader.logical(&q::ECHO)?;
-    let kind = reader.integer(&q::BEAM_TYPE)?;
-    let beam = match kind.value {
-        1 => Beam::Blade,
-        2 => Beam::Tower,
-        other => {
-            let message = format!("beam_type is {other}, but must be 1 (a blade) or 2 (a tower)");
-            return Err(kind.wrong(message));
-        }
-    };
-    let rot_rpm = not_negative(reader, &q::ROT_RPM)?;
-    let rpm_mult = not_negative(reader, &q::RPM_MULT)?;
-    let radius_m = positive(reader, &q::RADIUS)?;
-    let root_m = not_negative(reader, &q::HUB_RAD)?;
-    if root_m.value >= radius_m.value {
-        let (root, radius) = (root_m.value, radius_m.value);
-        let message = format!("hub_rad is {root} m, which is not below radius, {radius} m");
-        let hint = "the beam reaches from hub_rad to radius";
-        return Err(root_m.wrong(message).with_hint(hint));
-    }
-    let precone_deg = reader.number(&q::PRECONE)?;
-    let pitch_deg = reader.number(&q::BL_THP)?;
-    let hub = hub_connection(reader)?;
-    let modes = reader.count(&q::MODEPR, 1, 1_000_000_000)?;
-    let layout = OutLayout {
-        radius_m: Some(radius_m.value),
-        tab_delimited: reader.logical(&q::TAB_DELIM)?.value,
-        mid_node_twist: reader.logical(&q::MID_NODE_TW)?.value,
-    };
-    let general = General {
+    reader.heading("the heading of the general parameters")?;
+    let block = reader.block(p::GENERAL).map_err(hint_on_pinned_base)?;
+    let [
+        _,
+        kind,
         rot_rpm,
         rpm_mult,
         radius_m,
@@ -105,33 +61,54 @@ fn general(reader: &mut Reader<'_>) -> Result<(Beam, General), Diagnostic> {
         pitch_deg,
         hub,
         modes,
+        tabs,
+        mid,
+    ] = block;
+    let beam = if kind.value == 1.0 {
+        Beam::Blade
+    } else {
+        Beam::Tower
+    };
+    if root_m.value >= radius_m.value {
+        let rule = format!("below radius, {} m", radius_m.value);
+        let kind = DiagnosticKind::out_of_range_in("hub_rad", root_m.value, "m", rule);
+        let hint = "the beam extends from hub_rad to radius";
+        return Err(root_m.wrong(kind).with_hint(hint));
+    }
+    let layout = OutLayout {
+        radius_m: Some(radius_m.value),
+        tab_delimited: tabs.value != 0.0,
+        mid_node_twist: mid.value != 0.0,
+    };
+    let general = General {
+        rot_rpm,
+        rpm_mult,
+        radius_m,
+        root_m,
+        precone_deg,
+        pitch_deg,
+        hub: hub.map(HubConnection::of_number),
+        modes: modes.map(|modes| modes as usize),
         layout,
     };
     Ok((beam, general))
 }
 
-fn hub_connection(reader: &mut Reader<'_>) -> Result<Value<HubConnection>, Diagnostic> {
-    let Value { value, span } = reader.integer(&q::HUB_CONN)?;
-    let value = match value {
-        1 => HubConnection::Clamped,
-        2 => HubConnection::Free,
-        3 => HubConnection::AxiallyAndInTorsion,
-        other => {
-            let message = format!("hub_conn is {other}, but must be 1, 2 or 3");
-            let hint = match other {
-                4 => "BModes has no 4 (pyBmodes calls a pinned base so); a base on springs is 3",
-                _ => "1 is clamped, 2 free, 3 held axially and in torsion only",
-            };
-            return Err(Diagnostic::new(span, message).with_hint(hint));
+/// Explains `hub_conn = 4`, which another program writes for a pinned base.
+fn hint_on_pinned_base(mistake: Diagnostic) -> Diagnostic {
+    match &mistake.kind {
+        DiagnosticKind::OutOfRange { what, value, .. }
+            if what.starts_with(p::HUB_CONN.name) && value.0 == 4.0 =>
+        {
+            mistake.with_hint("BModes has no 4 (in pyBmodes a pinned base); springs are 3")
         }
-    };
-    Ok(Value { value, span })
+        _ => mistake,
+    }
 }
 
 fn tip(reader: &mut Reader<'_>, beam: Beam) -> Result<(Dialect, Tip), Diagnostic> {
-    comments(reader, "the heading of the tip mass")?;
-    let mass_kg = not_negative(reader, &q::TIP_MASS)?;
-    let cm_loc_m = reader.number(&q::CM_LOC)?;
+    reader.heading("the heading of the tip mass")?;
+    let [mass_kg, cm_loc_m] = reader.block(p::TIP)?;
     let dialect = if lacks_cm_axial(reader, beam) {
         Dialect::V1
     } else {
@@ -139,100 +116,97 @@ fn tip(reader: &mut Reader<'_>, beam: Beam) -> Result<(Dialect, Tip), Diagnostic
     };
     let cm_axial_m = match dialect {
         Dialect::V1 => None,
-        _ => Some(reader.number(&q::CM_AXIAL)?),
+        _ => Some(reader.value(&p::CM_AXIAL)?),
     };
-    let [xx, yy, zz, xy, zx, yz] = &q::TIP_INERTIA;
-    let inertia_kg_m2 = [
-        not_negative(reader, xx)?,
-        not_negative(reader, yy)?,
-        not_negative(reader, zz)?,
-        reader.number(xy)?,
-        reader.number(zx)?,
-        reader.number(yz)?,
-    ];
     let tip = Tip {
         mass_kg,
         cm_loc_m,
         cm_axial_m,
-        inertia_kg_m2,
+        inertia_kg_m2: reader.block(p::TIP_INERTIA)?,
     };
     Ok((dialect, tip))
 }
 
-/// Whether the line of `cm_axial` is missing because version 1.03 has none, judged by the lines to
-/// come: six inertias stand where later versions have `cm_axial` before them, and a tower's file
-/// has no `tow_support`.
+/// Whether the record of `cm_axial` is missing because version 1.03 has none. The following lines
+/// show it: the six inertias come first, and a tower's file has no `tow_support`.
 fn lacks_cm_axial(reader: &Reader<'_>, beam: Beam) -> bool {
     let mut rest = reader.lines.clone().filter(|line| !line.is_blank());
-    if rest.clone().next().and_then(named) == Some(&q::CM_AXIAL) {
+    if rest.clone().next().and_then(named) == Some(&p::CM_AXIAL) {
         return false;
     }
-    let has_number = |line: &Line<'_>| line.first().is_some_and(|token| token.number("").is_ok());
+    let has_number = |line: &Line<'_>| line.first().is_some_and(|token| token.is_number());
     let values = rest.by_ref().take_while(has_number).take(8).count();
     let mut lines = reader.lines.clone();
-    let has_support = lines.any(|line| named(line) == Some(&q::TOW_SUPPORT));
+    let has_support = lines.any(|line| named(line) == Some(&p::TOW_SUPPORT));
     values == 6 && !(beam == Beam::Tower && has_support)
 }
 
-/// The quantity that a line says it is.
-pub(super) fn named(line: Line<'_>) -> Option<&'static Quantity> {
+/// The parameter whose name follows the first value of a line.
+pub(super) fn named(line: Line<'_>) -> Option<&'static Parameter> {
     let label = line.tokens().nth(1)?;
-    Quantity::called(label.text)
+    Parameter::called(label.text)
 }
 
 fn multipliers(reader: &mut Reader<'_>) -> Result<Multipliers, Diagnostic> {
-    let multipliers = Multipliers {
-        mass: positive(reader, &q::SEC_MASS_MULT)?,
-        flap_inertia: not_negative(reader, &q::FLP_INER_MULT)?,
-        edge_inertia: not_negative(reader, &q::LAG_INER_MULT)?,
-        flap: positive(reader, &q::FLP_STFF_MULT)?,
-        edge: positive(reader, &q::EDGE_STFF_MULT)?,
-        torsion: positive(reader, &q::TOR_STFF_MULT)?,
-        axial: positive(reader, &q::AXIAL_STFF_MULT)?,
-        center_of_mass: reader.number(&q::CG_OFFST_MULT)?,
-        shear_center: reader.number(&q::SC_OFFST_MULT)?,
-        tension_center: reader.number(&q::TC_OFFST_MULT)?,
-    };
-    let Multipliers {
-        flap_inertia: flap,
-        edge_inertia: edge,
-        ..
-    } = &multipliers;
-    if flap.value == 0.0 && edge.value == 0.0 {
+    let [
+        mass,
+        flap_inertia,
+        edge_inertia,
+        flap,
+        edge,
+        torsion,
+        axial,
+        center_of_mass,
+        shear_center,
+        tension_center,
+    ] = reader.block(p::FACTORS)?;
+    if flap_inertia.value == 0.0 && edge_inertia.value == 0.0 {
         let message =
-            "flp_iner_mult and lag_iner_mult are both 0: nothing resists torsion's acceleration";
-        return Err(edge.wrong(message).with_hint("write 1"));
+            "flp_iner_mult and lag_iner_mult are both 0, so the beam has no inertia in torsion";
+        let kind = DiagnosticKind::Contradiction(message.to_owned());
+        return Err(edge_inertia.wrong(kind).with_hint("write 1"));
     }
-    Ok(multipliers)
+    Ok(Multipliers {
+        mass,
+        flap_inertia,
+        edge_inertia,
+        flap,
+        edge,
+        torsion,
+        axial,
+        center_of_mass,
+        shear_center,
+        tension_center,
+    })
 }
 
 fn borders(reader: &mut Reader<'_>) -> Result<Vec<Value<f64>>, Diagnostic> {
-    let elements = reader.count(&q::NSELT, 1, MAX_COUNT)?;
+    let elements = reader.count(&p::NSELT)?;
     reader.comment("the line that announces el_loc")?;
     let count = elements.value + 1;
     let hint = format!("nselt is {}, so el_loc has {count} values", elements.value);
     let borders = reader
-        .numbers(&q::EL_LOC, count, After::Text)
+        .list(&p::EL_LOC, count, After::Text)
         .map_err(|mistake| mistake.with_hint(&hint))?;
     let next = reader.lines.clone().find(|line| !line.is_blank());
+    let numbers = |line: &Line<'_>| {
+        let tokens = line.tokens().take(2);
+        tokens.filter(|token| token.is_number()).count()
+    };
     let is_list = |line: &Line<'_>| {
-        let mut tokens = line.tokens();
-        let are_numbers = tokens
-            .by_ref()
-            .take(2)
-            .filter(|t| t.number("").is_ok())
-            .count();
-        are_numbers == 2 || (are_numbers == 1 && line.tokens().count() == 1)
+        let found = numbers(line);
+        found == 2 || (found == 1 && line.tokens().count() == 1)
     };
     if let Some(line) = next.filter(is_list) {
-        let message = format!("el_loc has {count} values, but more stand here");
-        return Err(Diagnostic::new(line.span(), message).with_hint(hint));
+        let found = count + line.tokens().take_while(|token| token.is_number()).count();
+        let kind = DiagnosticKind::wrong_count("el_loc", found, count);
+        return Err(Diagnostic::new(line.span(), kind).with_hint(hint));
     }
     check_borders(borders)
 }
 
-/// The ends of a share of a length may be this far from 0 and 1, and are these then: decks are
-/// printed rounded.
+/// The ends of a fraction of a length may differ from 0 and 1 by this much and are then set to
+/// them: decks are printed rounded.
 pub(super) const END: f64 = 1e-6;
 
 fn check_borders(mut borders: Vec<Value<f64>>) -> Result<Vec<Value<f64>>, Diagnostic> {
@@ -240,59 +214,19 @@ fn check_borders(mut borders: Vec<Value<f64>>) -> Result<Vec<Value<f64>>, Diagno
     for (index, end, name) in ends {
         let border = &mut borders[index];
         if (border.value - end).abs() > END {
-            let message = format!(
-                "the {name} value of el_loc is {}, but must be {end}",
-                border.value
-            );
+            let what = format!("the {name} value of el_loc");
+            let kind = DiagnosticKind::out_of_range(what, border.value, end.to_string());
             let hint =
-                "el_loc are shares of the flexible length, from 0 at its root to 1 at the tip";
-            return Err(border.wrong(message).with_hint(hint));
+                "el_loc are fractions of the flexible length, from 0 at its root to 1 at the tip";
+            return Err(border.wrong(kind).with_hint(hint));
         }
         border.value = end;
     }
     for pair in borders.windows(2) {
-        let (before, border) = (&pair[0], &pair[1]);
-        if border.value <= before.value {
-            let message = format!(
-                "el_loc {} does not lie beyond the value before it, {}",
-                border.value, before.value
-            );
-            return Err(border
-                .wrong(message)
-                .with_hint("each element needs a length"));
+        if pair[1].value <= pair[0].value {
+            let kind = DiagnosticKind::not_rising("el_loc", pair[1].value, pair[0].value, "");
+            return Err(pair[1].wrong(kind).with_hint("each element needs a length"));
         }
     }
     Ok(borders)
-}
-
-pub(super) fn positive(
-    reader: &mut Reader<'_>,
-    quantity: &Quantity,
-) -> Result<Value<f64>, Diagnostic> {
-    let number = reader.number(quantity)?;
-    if number.value > 0.0 {
-        return Ok(number);
-    }
-    let message = format!(
-        "{} is {}, but must be positive",
-        quantity.what(),
-        number.value
-    );
-    Err(number.wrong(message))
-}
-
-pub(super) fn not_negative(
-    reader: &mut Reader<'_>,
-    quantity: &Quantity,
-) -> Result<Value<f64>, Diagnostic> {
-    let number = reader.number(quantity)?;
-    if number.value >= 0.0 {
-        return Ok(number);
-    }
-    let message = format!(
-        "{} is {}, but cannot be negative",
-        quantity.what(),
-        number.value
-    );
-    Err(number.wrong(message))
 }

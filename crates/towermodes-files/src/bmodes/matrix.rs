@@ -3,15 +3,15 @@
 use towermodes::space::{SpatialMatrix, transform_matrix};
 
 use super::deck::MatrixValue;
-use crate::diagnostic::Diagnostic;
+use crate::diagnostic::{Diagnostic, DiagnosticKind};
 
-/// Entries that should be equal may differ by this share of the larger: matrices come from panel
-/// and mooring programs.
+/// Entries that should be equal may differ by this fraction of the larger: matrices are results of
+/// panel and mooring programs.
 const SLIGHTLY: f64 = 0.05;
-/// … or by this share of their diagonal entries.
+/// … or by this fraction of their diagonal entries.
 const NOISE: f64 = 1e-3;
 
-/// The pair of entries of a matrix that should be equal and differ most, as a share of the larger.
+/// The pair of entries of a matrix that should be equal and differ most, as a fraction of the larger.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Asymmetry {
     /// From 1.
@@ -23,7 +23,7 @@ pub(super) struct Asymmetry {
 }
 
 impl Asymmetry {
-    fn share(&self) -> f64 {
+    fn fraction(&self) -> f64 {
         let larger = self.upper.abs().max(self.lower.abs());
         if larger == 0.0 {
             0.0
@@ -43,10 +43,10 @@ pub(super) fn asymmetry<const N: usize>(matrix: &[[f64; N]; N]) -> Option<Asymme
         lower: matrix[column][row],
     });
     let unequal = differences.filter(|pair| pair.upper != pair.lower);
-    unequal.max_by(|a, b| a.share().total_cmp(&b.share()))
+    unequal.max_by(|a, b| a.fraction().total_cmp(&b.fraction()))
 }
 
-/// The mean of a matrix and its transpose; refused where they differ by more than rounding and
+/// The mean of a matrix and its transpose; an error where they differ by more than rounding and
 /// noise.
 pub(super) fn symmetrized<const N: usize>(
     matrix: &MatrixValue<N>,
@@ -60,12 +60,11 @@ pub(super) fn symmetrized<const N: usize>(
             let allowed = (SLIGHTLY * upper.abs().max(lower.abs())).max(NOISE * diagonal);
             if (upper - lower).abs() > allowed {
                 let (i, j) = (row + 1, column + 1);
-                let message = format!(
+                let kind = DiagnosticKind::Contradiction(format!(
                     "{name} is not symmetric: row {i}, column {j} is {upper} and row {j}, column {i} is {lower}"
-                );
-                let hint =
-                    "the two are the same quantity; the order is x, y, z, rotation about x, y, z";
-                return Err(Diagnostic::new(matrix.spans[column].clone(), message).with_hint(hint));
+                ));
+                let hint = "both entries are the same quantity; the order is x, y, z, rotation about x, y, z";
+                return Err(Diagnostic::new(matrix.spans[column].clone(), kind).with_hint(hint));
             }
         }
     }

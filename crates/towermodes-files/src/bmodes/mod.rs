@@ -1,24 +1,24 @@
 //! Decks of BModes, the finite-element program of NREL for towers and blades: a main file (.bmi)
 //! and a section file.
 //!
-//! The lines and what they mean: BModes 3.00 (Bir, NREL, 2008), its sample files, and the decks
+//! Sources of the records and their meaning: BModes 3.00 (Bir, NREL, 2008), its sample files, and the decks
 //! that later versions and other programs write.
 
 mod blade;
+mod building;
 mod deck;
+mod diagnose;
 mod fortran;
 mod foundation;
-mod list;
 mod main_file;
 mod matrix;
 mod norm;
 mod notes;
 mod out;
-mod quantity;
+mod parameters;
 mod reader;
 mod section_checks;
 mod sections;
-mod slips;
 mod support;
 mod surroundings;
 mod tower;
@@ -29,16 +29,17 @@ pub use norm::euclidean;
 pub use out::{OutHeader, OutMode, OutRow, write_bmodes_out};
 pub use write::{BmodesFiles, BmodesWriteError, BmodesWriteOptions, write_bmodes};
 
-use crate::companions::Companions;
-use crate::diagnostic::Diagnostic;
-use crate::input::{BladeInput, InputError, ReadOptions, TowerInput};
+use crate::diagnostic::{Diagnostic, DiagnosticKind};
+use crate::error::ReadError;
+use crate::input::{BladeInput, ReadOptions, TowerInput};
 use crate::records::{Line, Lines};
+use crate::resolver::FileResolver;
 use crate::source::Source;
 use deck::{Beam, Deck, Support};
-use quantity::Quantity;
+use parameters::{Kind, Parameter};
 use reader::Reader;
 
-/// What a deck describes.
+/// The tower or blade of a deck.
 #[derive(Debug, Clone)]
 pub enum BmodesInput {
     /// A tower.
@@ -59,27 +60,27 @@ impl Sources {
     }
 }
 
-/// Reads a deck from its main file; the section file that it names comes from `companions`.
+/// Reads a deck from its main file; `files` gives the section file that it names.
 ///
 /// # Errors
-/// [`InputError::Unreadable`] if there is no section file, [`InputError::Mistakes`] for what BModes
-/// or physics do not allow.
+/// [`ReadError::Unreadable`] if there is no section file, [`ReadError::Mistakes`] for what BModes
+/// or physics does not allow.
 pub fn read_bmodes(
     source: Source,
-    companions: &dyn Companions,
+    files: &dyn FileResolver,
     options: &ReadOptions,
-) -> Result<BmodesInput, InputError> {
-    let (deck, sources) = read_deck(source, companions)?;
-    let quirks = options.bmodes_quirks;
+) -> Result<BmodesInput, ReadError> {
+    let (deck, sources) = read_deck(source, files)?;
+    let compatible = options.bmodes_quirks;
     Ok(match deck.beam {
-        Beam::Tower => BmodesInput::Tower(Box::new(tower::tower(&deck, sources, quirks)?)),
-        Beam::Blade => BmodesInput::Blade(Box::new(blade::blade(&deck, sources, quirks)?)),
+        Beam::Tower => BmodesInput::Tower(Box::new(tower::tower(&deck, sources, compatible)?)),
+        Beam::Blade => BmodesInput::Blade(Box::new(blade::blade(&deck, sources, compatible)?)),
     })
 }
 
-fn read_deck(source: Source, companions: &dyn Companions) -> Result<(Deck, Sources), InputError> {
+fn read_deck(source: Source, files: &dyn FileResolver) -> Result<(Deck, Sources), ReadError> {
     let mut reader = Reader::new(&source.text);
-    let in_main = |mistake| InputError::mistake(&source, mistake);
+    let in_main = |mistake| ReadError::mistake(&source, mistake);
     let main = main_file::main_file(&mut reader).map_err(in_main)?;
     let (dialect, support) = match main.beam {
         Beam::Blade => (main.dialect, Support::default()),
@@ -87,13 +88,16 @@ fn read_deck(source: Source, companions: &dyn Companions) -> Result<(Deck, Sourc
             support::support(&mut reader, main.dialect, main.borders.len()).map_err(in_main)?
         }
     };
-    let file = companions.read(main.sections_file.value).map_err(|error| {
-        let message = format!("the section file cannot be read: {error}");
-        let hint = "it is looked for beside the .bmi file; small and capital letters may matter";
-        in_main(Diagnostic::new(main.sections_file.span.clone(), message).with_hint(hint))
+    let file = files.read(main.sections_file.value).map_err(|error| {
+        let kind = DiagnosticKind::UnreadableFile {
+            what: "the section file".to_owned(),
+            reason: error.to_string(),
+        };
+        let hint = "it is searched beside the .bmi file; names may be case-sensitive";
+        in_main(Diagnostic::new(main.sections_file.span.clone(), kind).with_hint(hint))
     })?;
     let sections = sections::sections(&file.text, main.beam)
-        .map_err(|mistakes| InputError::mistakes(&file, mistakes))?;
+        .map_err(|mistakes| ReadError::mistakes(&file, mistakes))?;
     let deck = Deck {
         dialect,
         title: main.title,
@@ -113,47 +117,46 @@ fn read_deck(source: Source, companions: &dyn Companions) -> Result<(Deck, Sourc
     Ok((deck, sources))
 }
 
-/// How many lines are looked at to recognize a deck.
+/// A deck is recognized by its first lines.
 const LOOKED_AT: usize = 60;
 
-/// Whether a text is the main file of a deck: lines that carry the names of its quantities after a
-/// value, or, where names are left out, the kinds of value in its general parameters.
+/// Whether a text is the main file of a deck: lines with the names of its parameters after a value
+/// or, without names, values of the types of its general parameters.
 pub(crate) fn is_deck(text: &str) -> bool {
     let lines: Vec<Line<'_>> = Lines::new(text).take(LOOKED_AT).collect();
     let names = [
-        &quantity::BEAM_TYPE,
-        &quantity::HUB_CONN,
-        &quantity::MODEPR,
-        &quantity::ID_MAT,
-        &quantity::SEC_PROPS_FILE,
-        &quantity::NSELT,
+        &parameters::BEAM_TYPE,
+        &parameters::HUB_CONN,
+        &parameters::MODEPR,
+        &parameters::ID_MAT,
+        &parameters::SEC_PROPS_FILE,
+        &parameters::NSELT,
     ];
     let is_named = |line: &&Line<'_>| {
         let label = line
             .tokens()
             .skip(1)
             .find(|t| t.text.contains(char::is_alphanumeric));
-        let quantity = label.and_then(|label| Quantity::called(label.text));
-        quantity.is_some_and(|quantity| names.contains(&quantity))
+        let parameter = label.and_then(|label| Parameter::called(label.text));
+        parameter.is_some_and(|parameter| names.contains(&parameter))
     };
     lines.iter().filter(is_named).count() >= 2 || has_general_parameters(&lines)
 }
 
-/// Whether the values of lines 5 to 16 are of the kinds that a deck has there.
+/// Whether the values of lines 5 to 16 have the types of the general parameters.
 fn has_general_parameters(lines: &[Line<'_>]) -> bool {
-    let kinds = b"lirrrrrriill";
     let values = lines.iter().skip(4).filter(|line| !line.is_blank());
     let mut count = 0;
-    let fits = |(line, kind): (&Line<'_>, &u8)| {
+    let fits = |(line, parameter): (&Line<'_>, &Parameter)| {
         count += 1;
-        line.first().is_some_and(|token| match kind {
-            b'l' => token.logical("").is_ok(),
-            b'i' => token.integer("").is_ok(),
-            _ => token.number("").is_ok(),
+        line.first().is_some_and(|token| match parameter.kind {
+            Kind::Flag => token.logical("").is_ok(),
+            Kind::Whole(_) => token.integer("").is_ok(),
+            _ => token.is_number(),
         })
     };
-    let all_fit = values.zip(kinds).all(fits);
-    all_fit && count == kinds.len()
+    let all_fit = values.zip(parameters::GENERAL).all(fits);
+    all_fit && count == parameters::GENERAL.len()
 }
 
 #[cfg(test)]
@@ -162,7 +165,7 @@ mod tests {
 
     use super::deck::Dialect;
     use super::{is_deck, read_deck};
-    use crate::companions::Beside;
+    use crate::resolver::SiblingFiles;
     use crate::source::Source;
 
     #[test]
@@ -198,7 +201,7 @@ mod tests {
             let path = Path::new(&folder).join("bmodes").join(name);
             let source = Source::from_path(&path).expect("the sample is there");
             assert!(is_deck(&source.text), "{name}");
-            let (deck, _) = read_deck(source, &Beside::file(&path)).expect("a deck");
+            let (deck, _) = read_deck(source, &SiblingFiles::of(&path)).expect("a deck");
             assert_eq!(deck.dialect, dialect, "{name}");
         }
     }

@@ -1,37 +1,17 @@
 //! Reads the section file of a deck.
 
 use super::deck::{Beam, Section};
-use super::list::{Items, MAX_COUNT};
-use super::quantity as q;
+use super::diagnose::left_out;
+use super::parameters::{COLUMNS, N_SECS};
 use super::reader::{Reader, Value};
-use super::section_checks::{check_locations, wrong};
-use crate::diagnostic::Diagnostic;
-use crate::records::{Line, Token};
+use super::section_checks::{Row, check_locations, wrong};
+use crate::diagnostic::{Diagnostic, DiagnosticKind, quoted};
+use crate::records::{Items, Line, Token};
 
-/// The columns of the file.
-pub(super) const COLUMNS: [&str; 13] = [
-    "sec_loc",
-    "str_tw",
-    "tw_iner",
-    "mass_den",
-    "flp_iner",
-    "edge_iner",
-    "flp_stff",
-    "edge_stff",
-    "tor_stff",
-    "axial_stff",
-    "cg_offst",
-    "sc_offst",
-    "tc_offst",
-];
-
-/// A row as it is written.
-pub(super) type Row = [Value<f64>; COLUMNS.len()];
-
-/// More mistakes than these help nobody.
+/// Mistakes beyond this number are not listed.
 const MAX_MISTAKES: usize = 20;
 
-/// All rows, and where the first number beyond the columns stands.
+/// All rows, and the byte of the first number beyond the columns.
 #[derive(Debug, Clone)]
 pub(super) struct Sections {
     pub(super) rows: Vec<Section>,
@@ -93,7 +73,7 @@ fn section(row: Row) -> Section {
 fn rows(text: &str) -> Result<(Vec<Row>, Option<usize>), Diagnostic> {
     let mut reader = Reader::new(text);
     reader.comment("the first line of the section file, a comment,")?;
-    let count = reader.count(&q::N_SECS, 2, MAX_COUNT)?;
+    let count = reader.count(&N_SECS)?;
     for what in [
         "the line before the columns' names",
         "the columns' names",
@@ -112,7 +92,7 @@ fn rows(text: &str) -> Result<(Vec<Row>, Option<usize>), Diagnostic> {
     Ok((rows, extra_columns))
 }
 
-/// A row of the table, on one record or on several that have its numbers exactly.
+/// A row of the table, on one record or on several that together have exactly its numbers.
 fn row(
     reader: &mut Reader<'_>,
     index: usize,
@@ -136,9 +116,9 @@ fn row(
     }
     let extra = values.get(COLUMNS.len()).map(|value| value.span.start);
     if extra.is_some() && has_joined_numbers(&first) {
-        let message = format!("{what} has {} numbers instead of 13", values.len());
+        let kind = DiagnosticKind::wrong_count(what, values.len(), COLUMNS.len());
         let hint = "write decimal points, as 0.5, and blanks between numbers";
-        return Err(Diagnostic::new(first.span(), message).with_hint(hint));
+        return Err(Diagnostic::new(first.span(), kind).with_hint(hint));
     }
     let mut values = values.into_iter();
     let empty = || Value {
@@ -150,35 +130,33 @@ fn row(
 }
 
 fn no_row(line: &Line<'_>, what: &str, index: usize) -> Diagnostic {
-    let found: String = line.text.trim().chars().take(40).collect();
-    let message = format!("{what} is expected here, 13 numbers; found `{found}`");
-    let diagnostic = Diagnostic::new(line.span(), message);
+    let expected = format!("{what}, 13 numbers,");
+    let kind = DiagnosticKind::misplaced(expected, quoted(line.text.trim()));
+    let diagnostic = Diagnostic::new(line.span(), kind);
     if index == 0 {
-        diagnostic.with_hint("between n_secs and the rows are three lines: blank, names, units")
+        diagnostic.with_hint("three lines precede the rows: a blank one, names, units")
     } else {
-        diagnostic.with_hint(format!("the rows end after {index}; n_secs should say so"))
+        diagnostic.with_hint(format!("there are {index} rows: write n_secs = {index}"))
     }
 }
 
 fn too_few(line: &Line<'_>, what: &str, found: usize) -> Diagnostic {
-    let missing = COLUMNS.get(found).copied().unwrap_or_default();
-    let message =
-        format!("{what} has {found} numbers instead of 13: from `{missing}` on they are missing");
-    let hint = format!("a row is {}", COLUMNS.join(" "));
-    Diagnostic::new(line.span(), message).with_hint(hint)
+    let kind = DiagnosticKind::wrong_count(what, found, COLUMNS.len());
+    let names = COLUMNS.map(|(name, _)| name);
+    let missing = names.get(found).copied().unwrap_or_default();
+    let hint = format!("`{missing}` is missing; a row is {}", names.join(" "));
+    Diagnostic::new(line.span(), kind).with_hint(hint)
 }
 
-/// The numbers of a line up to its first text; a text among its columns is a mistake.
+/// The numbers of a line up to its first text; text among its columns is a mistake.
 fn numbers(line: &Line<'_>) -> Result<Vec<Value<f64>>, Diagnostic> {
     let mut values = Vec::new();
     let mut items = Items::new(*line);
     while let Some(item) = items.next_item()? {
         let column = COLUMNS.get(values.len());
-        let name = column.copied().unwrap_or("a number");
+        let name = column.map_or("a number", |(name, _)| name);
         if item.commas > usize::from(!values.is_empty()) {
-            let message =
-                format!("{name} is left out: nothing stands between two commas before this");
-            return Err(Diagnostic::new(item.token.span, message).with_hint("write each value"));
+            return Err(left_out(name, &item.token));
         }
         match item.token.number(name) {
             Ok(value) => {
@@ -206,7 +184,7 @@ fn unreadable(mistake: Diagnostic, token: &Token<'_>) -> Diagnostic {
         .text
         .starts_with(|c: char| c.is_ascii_digit() || c == '.');
     if begins && token.text.ends_with(char::is_alphabetic) {
-        mistake.with_hint("leave units away")
+        mistake.with_hint("write numbers without units")
     } else {
         mistake.with_hint("a row is 13 numbers; text may follow them")
     }
@@ -215,7 +193,7 @@ fn unreadable(mistake: Diagnostic, token: &Token<'_>) -> Diagnostic {
 /// How many numbers a line begins with.
 fn columns(line: &Line<'_>) -> usize {
     let tokens = line.tokens().take(COLUMNS.len());
-    tokens.take_while(|token| token.number("").is_ok()).count()
+    tokens.take_while(|token| token.is_number()).count()
 }
 
 /// Whether numbers are joined by commas without blanks, as decimal commas are.
@@ -226,7 +204,7 @@ fn has_joined_numbers(line: &Line<'_>) -> bool {
     bytes.windows(3).any(is_joined)
 }
 
-/// Refuses more rows than `n_secs` says.
+/// Refuses more rows than `n_secs`.
 fn check_end(reader: &Reader<'_>, count: &Value<usize>) -> Result<(), Diagnostic> {
     let rest = reader.lines.clone().filter(|line| !line.is_blank());
     let more = rest.take_while(|line| columns(line) == COLUMNS.len());
@@ -234,7 +212,8 @@ fn check_end(reader: &Reader<'_>, count: &Value<usize>) -> Result<(), Diagnostic
     if more == 0 {
         return Ok(());
     }
-    let message = format!("n_secs is {}, but {more} more rows follow", count.value);
+    let found = count.value + more;
+    let kind = DiagnosticKind::wrong_count("the section file", found, count.value);
     let hint = format!("write n_secs = {}", count.value + more);
-    Err(count.wrong(message).with_hint(hint))
+    Err(count.wrong(kind).with_hint(hint))
 }

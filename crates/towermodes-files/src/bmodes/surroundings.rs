@@ -1,22 +1,23 @@
-//! What stands around a tower of a deck: wires, soil, and mass that moves with it.
+//! The guy wires, soil and added mass of a tower of a deck.
 
 use towermodes::{AddedMassRow, Place, SoilRow, SoilStiffness, Wires};
 
+use super::building::{Building, Ends, MAIN};
 use super::deck::{Deck, Distribution, WireSet};
 use super::notes::Notes;
-use super::tower::{Building, Ends, MAIN};
 use crate::diagnostic::Diagnostic;
+use crate::note::Note;
 use crate::number::Rounded;
 use crate::places::TABLE;
 
 impl Building {
-    pub(super) fn wires(&mut self, sets: &[WireSet], borders_m: &[f64], quirks: bool) {
+    pub(super) fn wires(&mut self, sets: &[WireSet], borders_m: &[f64], compatible: bool) {
         for (index, set) in sets.iter().enumerate() {
-            // A node beyond the last was refused where it stands.
+            // The reader refuses a node beyond the last.
             let node = (set.node.value - 1).min(borders_m.len() - 1);
             self.description
                 .wires
-                .push(wires(set, borders_m[node], quirks));
+                .push(wires(set, borders_m[node], compatible));
             let spans = [
                 ("height", &set.node.span),
                 ("count", &set.count.span),
@@ -94,9 +95,8 @@ impl Building {
         }
     }
 
-    /// A table with heights in the datum of the tower, up to the tower's top: as in BModes what
-    /// lies beyond has no effect. Empty if none of it is beside the flexible tower, or all of it is
-    /// zero.
+    /// A table with heights in the datum of the tower, up to the tower top: as in BModes, rows above
+    /// it have no effect. Empty if no row is along the flexible tower, or all values are zero.
     fn heights_of(&self, table: &Distribution, notes: &mut Notes) -> Vec<(f64, f64)> {
         let Ends { base_m, top_m } = self.ends;
         let length_m = top_m - base_m;
@@ -110,11 +110,11 @@ impl Building {
         let height = &table.rows[0].0;
         if last.0 <= 0.0 || first.0 >= length_m {
             let message = format!(
-                "this table reaches from {} m to {} m above the flexible base, and no part of the flexible tower is there: it has no effect",
+                "this table covers {} m to {} m above the flexible base, outside the flexible tower: it has no effect",
                 Rounded(first.0),
                 Rounded(last.0)
             );
-            notes.on(height, message);
+            notes.on(height, Note::left_out(message));
             return Vec::new();
         }
         let mut within: Vec<(f64, f64)> = Vec::with_capacity(rows.len());
@@ -125,13 +125,11 @@ impl Building {
                 Some((below, at_below)) if is_beyond => {
                     let s = (length_m - below) / (z - below);
                     let at_top = at_below + s * (value - at_below);
-                    notes.on(
-                        height,
-                        format!(
-                            "the table reaches {} m beyond the tower's top, where it has no effect",
-                            Rounded(last.0 - length_m)
-                        ),
+                    let message = format!(
+                        "the table extends {} m above the tower top, where it has no effect",
+                        Rounded(last.0 - length_m)
                     );
+                    notes.on(height, Note::left_out(message));
                     within.push((length_m, at_top));
                     break;
                 }
@@ -146,19 +144,19 @@ impl Building {
     }
 }
 
-/// Wires in the library's terms; as BModes understands them they hold horizontally with n k cos²,
-/// and not vertically.
-fn wires(set: &WireSet, height_m: f64, quirks: bool) -> Wires {
+/// Wires in the library's terms; with `compatible` they are springs of n k cos² horizontally and
+/// none vertically, as in BModes 3.00.
+fn wires(set: &WireSet, height_m: f64, compatible: bool) -> Wires {
     let cosine = set.angle_deg.value.to_radians().cos();
     let as_written = set.stiffness_n_per_m.value;
     Wires {
         height_m,
         count: set.count.value,
-        stiffness_n_per_m: if quirks {
+        stiffness_n_per_m: if compatible {
             2.0 * as_written * cosine * cosine
         } else {
             as_written
         },
-        angle_deg: if quirks { 0.0 } else { set.angle_deg.value },
+        angle_deg: if compatible { 0.0 } else { set.angle_deg.value },
     }
 }

@@ -1,67 +1,27 @@
-//! A tower from a deck.
+//! The tower of a deck.
 
 use towermodes::{
     Inertia, Method, Place, Planes, Properties, PropertyStation, Rna, TowerDescription,
 };
 
 use super::Sources;
-use super::deck::{Deck, Section};
+use super::building::{Building, Ends, MAIN, SECTIONS};
+use super::deck::{Deck, Section, scaled};
 use super::foundation::foundation;
 use super::notes::{Notes, tower_notes};
-use super::reader::Value;
 use crate::diagnostic::Diagnostic;
-use crate::input::{FileFormat, InputError, OutLayout, RotorNotes, TowerInput};
+use crate::error::ReadError;
+use crate::input::{FileFormat, OutLayout, TowerInput};
+use crate::note::RotorNotes;
 use crate::places::{Places, TABLE};
 
-/// The places of the main file and of the section file among a deck's files.
-pub(super) const MAIN: usize = 0;
-const SECTIONS: usize = 1;
-
-/// A tower's description as it grows, with the places of its values.
-pub(super) struct Building {
-    pub(super) description: TowerDescription,
-    pub(super) places: Places,
-    pub(super) ends: Ends,
-}
-
-/// Heights of a tower's flexible base and its top above ground or sea level, m.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Ends {
-    pub(super) base_m: f64,
-    pub(super) top_m: f64,
-}
-
-impl Ends {
-    fn of(deck: &Deck) -> Result<Self, Diagnostic> {
-        let general = &deck.general;
-        let draft = deck.support.offshore.as_ref().map(|block| &block.draft_m);
-        let ends = Self {
-            base_m: general.root_m.value - draft.map_or(0.0, |draft| draft.value),
-            top_m: general.radius_m.value,
-        };
-        let length_m = ends.top_m - ends.base_m;
-        if length_m > 0.0 && length_m.is_finite() {
-            return Ok(ends);
-        }
-        let message = format!(
-            "the tower reaches from {} m (hub_rad - draft) to {} m (radius): it has no length",
-            ends.base_m, ends.top_m
-        );
-        Err(draft.unwrap_or(&general.radius_m).wrong(message))
-    }
-
-    /// The height at a share of the flexible length, m; that of its ends exactly.
-    fn at(self, share: f64) -> f64 {
-        if share == 1.0 {
-            return self.top_m;
-        }
-        self.base_m + share * (self.top_m - self.base_m)
-    }
-}
-
-/// What a deck says of a tower; with `quirks` as BModes 3.00 understands it.
-pub(super) fn tower(deck: &Deck, sources: Sources, quirks: bool) -> Result<TowerInput, InputError> {
-    let in_main = |mistake| InputError::mistake(&sources.main, mistake);
+/// The tower of a deck; with `compatible` as BModes 3.00 understands it.
+pub(super) fn tower(
+    deck: &Deck,
+    sources: Sources,
+    compatible: bool,
+) -> Result<TowerInput, ReadError> {
+    let in_main = |mistake| ReadError::mistake(&sources.main, mistake);
     let ends = Ends::of(deck).map_err(in_main)?;
     let mut notes = Notes::default();
     let mut building = Building {
@@ -73,18 +33,18 @@ pub(super) fn tower(deck: &Deck, sources: Sources, quirks: bool) -> Result<Tower
         ends,
     };
     building
-        .stations(deck, quirks)
-        .map_err(|mistake| InputError::mistake(&sources.sections, mistake))?;
-    building.top_body(deck, quirks);
+        .stations(deck, compatible)
+        .map_err(|mistake| ReadError::mistake(&sources.sections, mistake))?;
+    building.top_body(deck, compatible);
     let borders_m: Vec<f64> = deck
         .borders
         .iter()
         .map(|border| ends.at(border.value))
         .collect();
-    building.wires(&deck.support.wires, &borders_m, quirks);
+    building.wires(&deck.support.wires, &borders_m, compatible);
     building.surroundings(deck, &mut notes).map_err(in_main)?;
     foundation(deck, &mut building, &mut notes).map_err(in_main)?;
-    let modes = tower_notes(deck, quirks, &mut notes).map_err(in_main)?;
+    let modes = tower_notes(deck, compatible, &mut notes).map_err(in_main)?;
     let offshore = deck.support.offshore.as_ref();
     let draft_m = offshore.map_or(0.0, |block| block.draft_m.value);
     let Building {
@@ -112,22 +72,8 @@ pub(super) fn tower(deck: &Deck, sources: Sources, quirks: bool) -> Result<Tower
     })
 }
 
-/// A value times its factor, where a number has room for it.
-pub(super) fn scaled(value: &Value<f64>, factor: &Value<f64>) -> Result<f64, Diagnostic> {
-    let product = value.value * factor.value;
-    let is_lost = product == 0.0 && value.value != 0.0 && factor.value != 0.0;
-    if product.is_finite() && !is_lost {
-        return Ok(product);
-    }
-    let message = format!(
-        "{} times its factor {} has no room in a number",
-        value.value, factor.value
-    );
-    Err(value.wrong(message))
-}
-
 impl Building {
-    fn stations(&mut self, deck: &Deck, quirks: bool) -> Result<(), Diagnostic> {
+    fn stations(&mut self, deck: &Deck, compatible: bool) -> Result<(), Diagnostic> {
         let first = deck
             .sections
             .first()
@@ -137,7 +83,7 @@ impl Building {
             self.remember_station(index, section);
             let row = PropertyStation {
                 height_m: self.ends.at(section.location.value),
-                properties: properties(section, deck, quirks)?,
+                properties: properties(section, deck, compatible)?,
             };
             self.description.properties.push(row);
         }
@@ -163,12 +109,12 @@ impl Building {
         }
     }
 
-    fn top_body(&mut self, deck: &Deck, quirks: bool) {
+    fn top_body(&mut self, deck: &Deck, compatible: bool) {
         let tip = &deck.tip;
         let [xx, yy, zz, xy, xz, yz] = tip.inertia_kg_m2.each_ref().map(|entry| entry.value);
         self.description.rna = Rna {
             mass_kg: tip.mass_kg.value,
-            center_m: tip_center(deck, quirks),
+            center_m: tip_center(deck, compatible),
             inertia_kg_m2: Inertia {
                 xx,
                 yy,
@@ -191,25 +137,25 @@ impl Building {
     }
 }
 
-/// Where the centre of the body on the top lies.
-fn tip_center(deck: &Deck, quirks: bool) -> [f64; 3] {
+/// The centre of mass of the body on the tower top.
+fn tip_center(deck: &Deck, compatible: bool) -> [f64; 3] {
     let lateral_m = deck.tip.cm_loc_m.value;
     match &deck.tip.cm_axial_m {
         None => [lateral_m, 0.0, 0.0],
-        // Version 3.00 takes the value of this line for the lateral offset.
-        Some(axial) if quirks => [axial.value, 0.0, 0.0],
+        // Version 3.00 uses the value of this record as the lateral offset.
+        Some(axial) if compatible => [axial.value, 0.0, 0.0],
         Some(axial) => [lateral_m, 0.0, axial.value],
     }
 }
 
-/// A row in the library's terms. A tower's `edge_` columns are not read.
-fn properties(section: &Section, deck: &Deck, quirks: bool) -> Result<Properties, Diagnostic> {
+/// A row in the library's terms. The `edge_` columns are not used for towers.
+fn properties(section: &Section, deck: &Deck, compatible: bool) -> Result<Properties, Diagnostic> {
     let factors = &deck.multipliers;
     let named = Planes {
         fore_aft: &factors.flap,
         side_side: &factors.edge,
     };
-    let bending = if quirks {
+    let bending = if compatible {
         Planes {
             fore_aft: named.side_side,
             side_side: named.fore_aft,

@@ -1,18 +1,17 @@
-//! Values of a deck that a count or a switch before them leaves out: BModes passes over them
-//! without a message.
+//! Values of a deck that are not read because of a count or a switch before them: BModes ignores
+//! them without a message.
 
-use super::list::{Items, MAX_COUNT, is_number};
 use super::main_file::named;
-use super::quantity::{self as q, Quantity};
+use super::parameters::{self as p, Parameter};
 use super::reader::{Reader, Value};
-use crate::records::{Line, Lines};
+use crate::records::{Items, Line, Lines, MAX_COUNT};
 
-/// Values that are not read: the byte of the main file that shows it, and what to tell the user.
+/// Values that are not read: the byte of the main file that decides it, and the note.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(super) struct Unread {
     pub(super) at: usize,
     pub(super) message: String,
-    /// Whether they are those of soil, which what floats does not touch.
+    /// Whether they are those of soil, which is not relevant to a floating platform.
     pub(super) is_soil: bool,
 }
 
@@ -26,45 +25,45 @@ impl Unread {
     }
 }
 
-/// What follows `tow_support = 0` although it is not read: wires, a platform, added mass or soil.
-pub(super) fn after_no_support(reader: &Reader<'_>, tow_support: &Value<i64>) -> Option<Unread> {
+/// The wires, platform, added mass or soil after `tow_support = 0`.
+pub(super) fn after_no_support(reader: &Reader<'_>, tow_support: &Value<usize>) -> Option<Unread> {
     let shows = [
-        &q::N_ATTACHMENTS,
-        &q::MASS_PFORM,
-        &q::N_SECS_M_DISTR,
-        &q::N_SECS_K_DISTR,
+        &p::N_ATTACHMENTS,
+        &p::MASS_PFORM,
+        &p::N_SECS_M_DISTR,
+        &p::N_SECS_K_DISTR,
     ];
     let given = |line: Line<'_>| {
-        let quantity = named(line).filter(|quantity| shows.contains(quantity))?;
+        let parameter = named(line).filter(|parameter| shows.contains(parameter))?;
         let value = line
             .first()?
             .number("")
             .ok()
             .filter(|value| *value != 0.0)?;
-        Some((quantity.name, value))
+        Some((parameter.name, value))
     };
     let (name, value) = reader.lines.clone().find_map(given)?;
     let message = format!(
         "tow_support is 0, so the lines after it are not read, as in BModes, although {name} is {value} there; \
-         write tow_support = 1 for wires or 2 for a platform or monopile"
+         write tow_support = 1 for guy wires or 2 for a platform or monopile"
     );
     Some(Unread::new(tow_support.span.start, message))
 }
 
-/// What `n_attachments = 0` drops in a deck whose `tow_support` announces wires.
+/// The wires after `n_attachments = 0` in a deck whose `tow_support` announces wires.
 pub(super) fn no_attachments(reader: &Reader<'_>, n_attachments: &Value<usize>) -> Unread {
     let stiffness = |line: Line<'_>| {
-        let is_stiffness = named_anywhere(line) == Some(&q::WIRE_STFNESS);
+        let is_stiffness = named_anywhere(line) == Some(&p::WIRE_STFNESS);
         let stiffness = line.first().filter(|_| is_stiffness)?.number("").ok()?;
         (stiffness != 0.0).then_some(stiffness)
     };
     let given = reader.lines.clone().find_map(stiffness);
     let message = match given {
         Some(stiffness) => format!(
-            "n_attachments is 0, so the tower has no wires, as in BModes, although tow_support is 1 and wire_stfness is {stiffness:e} N/m below; \
-             write the number of heights at which wires are attached"
+            "n_attachments is 0, so the tower has no guy wires, as in BModes, although tow_support is 1 and wire_stfness is {stiffness:e} N/m below; \
+             write the number of heights at which guy wires are attached"
         ),
-        None => "n_attachments is 0, so the tower has no wires although tow_support is 1; write tow_support = 0, or the number of heights at which wires are attached".to_owned(),
+        None => "n_attachments is 0, so the tower has no guy wires although tow_support is 1; write tow_support = 0, or the number of heights at which guy wires are attached".to_owned(),
     };
     Unread::new(n_attachments.span.start, message)
 }
@@ -75,7 +74,7 @@ pub(super) fn sets_of_wires(reader: &Reader<'_>, n_attachments: &Value<usize>) -
     let given = lines.take(4).map(numbers).min()?;
     let read = n_attachments.value;
     let message = format!(
-        "n_attachments is {read}, but the lines below give {given} sets of wires: as in BModes, only the first {read} are read"
+        "n_attachments is {read}, but the lines below give {given} sets of guy wires: only the first {read} are read, as in BModes"
     );
     (given > read).then(|| Unread::new(n_attachments.span.start, message))
 }
@@ -83,7 +82,7 @@ pub(super) fn sets_of_wires(reader: &Reader<'_>, n_attachments: &Value<usize>) -
 /// The values of a table whose number of rows is 0; none if they are all zero, as in templates.
 pub(super) fn table_of_no_rows(
     lines: &Lines<'_>,
-    [count, _, values]: [&Quantity; 3],
+    [count, _, values]: p::Table,
     at: usize,
 ) -> Option<Unread> {
     let line = lines.clone().nth(1)?;
@@ -98,17 +97,17 @@ pub(super) fn table_of_no_rows(
         given = given.len()
     );
     Some(Unread {
-        is_soil: count == &q::N_SECS_K_DISTR,
+        is_soil: count == &p::N_SECS_K_DISTR,
         ..Unread::new(at, message)
     })
 }
 
-/// How many numbers a line begins with.
+/// The number of numbers at the beginning of a line.
 fn numbers(line: Line<'_>) -> usize {
     values_of(line).len()
 }
 
-/// The numbers that a line begins with, repeated ones as often as they are meant.
+/// The numbers at the beginning of a line, with repeats.
 fn values_of(line: Line<'_>) -> Vec<f64> {
     let mut items = Items::new(line);
     let mut values = Vec::new();
@@ -122,8 +121,8 @@ fn values_of(line: Line<'_>) -> Vec<f64> {
     values
 }
 
-/// The quantity whose name follows the numbers of a line.
-fn named_anywhere(line: Line<'_>) -> Option<&'static Quantity> {
-    let label = line.tokens().find(|token| !is_number(token))?;
-    Quantity::called(label.text)
+/// The parameter whose name follows the numbers of a line.
+fn named_anywhere(line: Line<'_>) -> Option<&'static Parameter> {
+    let label = line.tokens().find(|token| !token.is_number())?;
+    Parameter::called(label.text)
 }

@@ -1,31 +1,37 @@
 //! Blade files of ElastoDyn and FAST 7: mass, stiffness and twist along the blade.
 //!
-//! OpenFAST reads them by position (`ReadBladeFile` in `ElastoDyn_IO.f90`); the columns changed
-//! from seventeen (FAST 7) to six (FAST 8) to five (OpenFAST 5, without `PitchAxis`), so the column
-//! of masses is the one that the line of names calls so, with the twist before it and both
-//! stiffnesses behind it.
+//! OpenFAST reads them by position (`ReadBladeFile` in `ElastoDyn_IO.f90`). The number of columns
+//! changed from seventeen (FAST 7) to six (FAST 8) to five (OpenFAST 5, without `PitchAxis`). The line
+//! of names shows the column of masses; the twist precedes it and both stiffnesses follow it.
 
-use super::names::{name_on, plain};
-use super::positional::{Parameter, Positional, last_fraction, next_fraction};
-use crate::diagnostic::Diagnostic;
+use super::names::plain;
+use super::positional::{
+    Kind, POSITIVE, Parameter, Positional, Record, check_cell, last_fraction, next_fraction, record,
+};
+use crate::diagnostic::{Diagnostic, DiagnosticKind};
 use crate::records::{Line, Token};
 use crate::source::Source;
 
-/// The names of all parameters of a blade file before its table.
-const KEYS: &[&str] = &[
-    "NBlInpSt",
-    "CalcBMode",
-    "BldFlDmp(1)",
-    "BldFlDmp(2)",
-    "BldEdDmp(1)",
-    "FlStTunr(1)",
-    "FlStTunr(2)",
-    "AdjBlMs",
-    "AdjFlSt",
-    "AdjEdSt",
+/// The records before the table of a blade file.
+const ROWS: Record = record("NBlInpSt", "number of rows", Kind::Count(1));
+const CALC_MODE: Record = record("CalcBMode", "flag of FAST 7", Kind::Other);
+const DAMPING: [Record; 3] = [
+    record("BldFlDmp(1)", "damping, percent of critical", Kind::Other),
+    record("BldFlDmp(2)", "damping, percent of critical", Kind::Other),
+    record("BldEdDmp(1)", "damping, percent of critical", Kind::Other),
+];
+const TUNERS: [Record; 2] = [
+    record("FlStTunr(1)", "stiffness tuner", Kind::Other),
+    record("FlStTunr(2)", "stiffness tuner", Kind::Other),
+];
+/// Factors of the columns of mass, flapwise and edgewise stiffness.
+const FACTORS: [Record; 3] = [
+    record("AdjBlMs", "factor of the masses", POSITIVE),
+    record("AdjFlSt", "factor of the flapwise stiffness", POSITIVE),
+    record("AdjEdSt", "factor of the edgewise stiffness", POSITIVE),
 ];
 
-/// What a blade is along its length.
+/// The properties of a blade along its length.
 #[derive(Debug, Clone, PartialEq)]
 pub struct BladeFile {
     /// Factor of the column of masses (`AdjBlMs`).
@@ -34,15 +40,15 @@ pub struct BladeFile {
     pub flap_factor: f64,
     /// Factor of the column of edgewise stiffnesses (`AdjEdSt`).
     pub edge_factor: f64,
-    /// The table as it stands there, without the factors; linear between rows. A uniform blade has
-    /// the only row of its file at both ends.
+    /// The table as written, without the factors; linear between rows. A uniform blade has the only
+    /// row of its file at both ends.
     pub rows: Vec<BladeRow>,
 }
 
 /// A row of a blade's table.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct BladeRow {
-    /// Distance from the root as a share of the blade's length, 0 to 1 (`BlFract`).
+    /// Distance from the root as a fraction of the blade's length, 0 to 1 (`BlFract`).
     pub length_fraction: f64,
     /// Mass per length, kg/m (`BMassDen`).
     pub mass_kg_per_m: f64,
@@ -97,29 +103,29 @@ impl BladeFile {
 /// # Errors
 /// The first mistake in it.
 pub fn read_blade_file(source: &Source) -> Result<BladeFile, Diagnostic> {
-    let mut lines = Positional::new(&source.text, KEYS);
-    lines.header("NBlInpSt")?;
+    let single = [&ROWS, &CALC_MODE].into_iter();
+    let all = single.chain(&DAMPING).chain(&TUNERS).chain(&FACTORS);
+    let mut lines = Positional::new(&source.text, all);
+    lines.header(&ROWS)?;
     lines.heading("the heading BLADE PARAMETERS")?;
-    let count = lines.parameter("NBlInpSt", "number of rows")?;
-    let wanted = count.count(1)?;
-    if lines
-        .peek_filled()
-        .and_then(|line| name_on(&line))
-        .as_deref()
-        == Some("calcbmode")
-    {
-        lines.parameter("CalcBMode", "flag of FAST 7")?;
+    let count = lines.parameter(&ROWS)?;
+    let wanted = count.count()?;
+    if lines.is_next(&CALC_MODE) {
+        lines.parameter(&CALC_MODE)?;
     }
-    // Public writers name the dampings wrongly; nothing depends on them.
-    for key in ["BldFlDmp(1)", "BldFlDmp(2)", "BldEdDmp(1)"] {
-        lines.unnamed_parameter(key, "damping, percent of critical")?;
+    // Public writers give the dampings wrong names; they are not used.
+    for record in &DAMPING {
+        lines.unnamed_parameter(record)?;
     }
     lines.heading("the heading BLADE ADJUSTMENT FACTORS")?;
-    lines.parameter("FlStTunr(1)", "factor")?;
-    lines.parameter("FlStTunr(2)", "factor")?;
-    let mass_factor = lines.parameter("AdjBlMs", "factor")?.positive()?;
-    let flap_factor = lines.parameter("AdjFlSt", "factor")?.positive()?;
-    let edge_factor = lines.parameter("AdjEdSt", "factor")?.positive()?;
+    for record in &TUNERS {
+        lines.parameter(record)?;
+    }
+    let [mass_factor, flap_factor, edge_factor] = {
+        let [mass, flap, edge] = &FACTORS;
+        let mut factor = |record| lines.parameter(record)?.number();
+        [factor(mass)?, factor(flap)?, factor(edge)?]
+    };
     Ok(BladeFile {
         mass_factor,
         flap_factor,
@@ -195,12 +201,8 @@ fn positive_cell(
     row: usize,
 ) -> Result<f64, Diagnostic> {
     let (value, token) = cell(line, tokens, column, name)?;
-    if value > 0.0 {
-        return Ok(value);
-    }
-    let message = format!("{name} of row {} is {}", row + 1, token.text);
-    let mistake = Diagnostic::new(token.span.clone(), message);
-    Err(mistake.with_hint("it must be greater than 0"))
+    check_cell(token, format!("{name} of row {}", row + 1), value, POSITIVE)?;
+    Ok(value)
 }
 
 /// A number of a row.
@@ -213,12 +215,9 @@ fn cell<'t, 'a>(
     match tokens.get(column) {
         Some(token) => Ok((token.number(name)?, token)),
         None => {
-            let message = format!(
-                "the row has {} numbers; {name} is number {}",
-                tokens.len(),
-                column + 1
-            );
-            Err(Diagnostic::new(line.span(), message))
+            let kind = DiagnosticKind::wrong_count("the row", tokens.len(), "5 or 6");
+            let hint = format!("{name} is number {}", column + 1);
+            Err(Diagnostic::new(line.span(), kind).with_hint(hint))
         }
     }
 }

@@ -6,23 +6,23 @@ use std::ops::Range;
 use towermodes::{Foundation, Place, RigidBody};
 
 use super::blade_file::{BladeFile, BladeMasses, read_blade_file};
-use super::description::{Ends, ONLY_BENDS, description, remember, tuner_note};
-use super::fst::{Main, main_source};
-use super::gravity::{Gravity, gravity};
-use super::hanging;
+use super::description::{
+    Ends, ONLY_BENDS, description, hanging_note, remember, tuner_note, upside_down,
+};
+use super::fst::{Gravity, Main, gravity, main_source};
 use super::lump;
 use super::main_file::MainFile;
 use super::main_reader::read_main_file;
-use super::recognise::{is_blade_file, is_main_file, is_tower_file};
+use super::names::{is_blade_file, is_main_file, is_tower_file};
 use super::rotor;
 use super::tower_file::{CoefficientSpans, TowerFile};
 use super::tower_reader::{TowerReading, read_with_places};
-use crate::companions::Companions;
-use crate::diagnostic::Diagnostic;
-use crate::input::{
-    FileFormat, InputError, Note, OutLayout, ReadOptions, RotorLock, RotorNotes, TowerInput,
-};
+use crate::diagnostic::{Diagnostic, DiagnosticKind};
+use crate::error::ReadError;
+use crate::input::{FileFormat, OutLayout, ReadOptions, RotorLock, TowerInput};
+use crate::note::{Note, RotorNotes};
 use crate::places::{Places, TABLE};
+use crate::resolver::FileResolver;
 use crate::source::Source;
 
 /// An ElastoDyn model and the tower that it describes.
@@ -34,7 +34,7 @@ pub struct ElastoDynDeck {
     pub main_source: Source,
     /// The tower file's content.
     pub tower: TowerFile,
-    /// Where in the tower file the coefficients stand.
+    /// The places of the coefficients in the tower file.
     pub coefficient_spans: CoefficientSpans,
     /// The tower file.
     pub tower_source: Source,
@@ -46,16 +46,16 @@ pub struct ElastoDynDeck {
     pub input: TowerInput,
 }
 
-/// Reads an ElastoDyn model from its main file, or from the `.fst` file that names it; `companions`
-/// are the files beside that one.
+/// Reads an ElastoDyn model from its main file, or from the `.fst` file that names it; `files` gives
+/// the files that it names.
 ///
 /// # Errors
-/// The first mistake in one of the files, among them that a file it names cannot be read.
+/// The first mistake in one of the files, or that one of them cannot be read.
 pub fn read_elastodyn(
     source: Source,
-    companions: &dyn Companions,
+    files: &dyn FileResolver,
     options: &ReadOptions,
-) -> Result<ElastoDynDeck, InputError> {
+) -> Result<ElastoDynDeck, ReadError> {
     refuse_parts(&source)?;
     let Main {
         source: main_source,
@@ -63,16 +63,16 @@ pub fn read_elastodyn(
         folder,
         gravity_m_per_s2,
         notes,
-    } = main_source(source, companions)?;
-    let main = read_main_file(&main_source).map_err(|m| InputError::mistake(&main_source, m))?;
+    } = main_source(source, files)?;
+    let main = read_main_file(&main_source).map_err(|m| ReadError::mistake(&main_source, m))?;
     let named = Named {
         source: &main_source,
         folder: &folder,
-        companions,
+        files,
     };
     let tower_source = named.read(&main.tower_file, "TwrFile", main.place("TwrFile"))?;
     let reading =
-        read_with_places(&tower_source).map_err(|m| InputError::mistake(&tower_source, m))?;
+        read_with_places(&tower_source).map_err(|m| ReadError::mistake(&tower_source, m))?;
     let blades = match options.without_rna {
         true => Blades::default(),
         false => blades(&main, &named)?,
@@ -115,53 +115,57 @@ fn rna(
     source: &Source,
     blades: &[BladeMasses],
     options: &ReadOptions,
-) -> Result<RigidBody, InputError> {
+) -> Result<RigidBody, ReadError> {
     if options.without_rna {
         return Ok(RigidBody::default());
     }
     if options.rotor == RotorLock::Free {
         let checked = lump::check_free_rotor(main, blades);
-        checked.map_err(|mistake| InputError::mistake(source, mistake))?;
+        checked.map_err(|mistake| ReadError::mistake(source, mistake))?;
     }
     let rna = lump::lump_rna(main, blades, options.rotor);
     Ok(match main.tower_hangs() {
-        true => hanging::upside_down(&rna),
+        true => upside_down(&rna),
         false => rna,
     })
 }
 
 /// Refuses files that are only a part of a model.
-fn refuse_parts(source: &Source) -> Result<(), InputError> {
+fn refuse_parts(source: &Source) -> Result<(), ReadError> {
     let part = match &source.text {
         text if is_main_file(text) => return Ok(()),
         text if is_tower_file(text) => "tower",
         text if is_blade_file(text) => "blade",
         _ => return Ok(()),
     };
-    let message = format!("this is a {part} file of ElastoDyn, not a main file");
-    let mistake = Diagnostic::new(0..0, message).with_hint("give the main file that names it");
-    Err(InputError::mistake(source, mistake))
+    let found = format!("a {part} file of ElastoDyn, not a main file");
+    let mistake = Diagnostic::new(0..0, DiagnosticKind::WrongFile { found })
+        .with_hint("give the main file that names it");
+    Err(ReadError::mistake(source, mistake))
 }
 
 /// The files that a main file names.
 struct Named<'a> {
     source: &'a Source,
-    /// The folder of the main file as seen from where the companions are.
+    /// The folder of the main file as seen from where the files are.
     folder: &'a str,
-    companions: &'a dyn Companions,
+    files: &'a dyn FileResolver,
 }
 
 impl Named<'_> {
-    fn read(&self, path: &str, key: &str, span: Range<usize>) -> Result<Source, InputError> {
-        self.companions
+    fn read(&self, path: &str, key: &str, span: Range<usize>) -> Result<Source, ReadError> {
+        self.files
             .read(&beside(self.folder, path))
             .map_err(|error| {
-                let message = format!("{key} cannot be read: {error}");
-                let hint = match key.starts_with("Bld") {
-                    true => "files are looked for beside the main file; without the rotor-nacelle assembly (--no-rna) blades are not needed",
-                    false => "files are looked for beside the main file",
+                let kind = DiagnosticKind::UnreadableFile {
+                    what: key.to_owned(),
+                    reason: error.to_string(),
                 };
-                InputError::mistake(self.source, Diagnostic::new(span, message).with_hint(hint))
+                let hint = match key.starts_with("Bld") {
+                    true => "files are searched beside the main file; without the rotor-nacelle assembly (--no-rna) blade files are not needed",
+                    false => "files are searched beside the main file",
+                };
+                ReadError::mistake(self.source, Diagnostic::new(span, kind).with_hint(hint))
             })
     }
 }
@@ -176,7 +180,7 @@ fn beside(folder: &str, path: &str) -> String {
     }
 }
 
-/// What the files of the blades say.
+/// The content of the blade files.
 #[derive(Default)]
 struct Blades {
     /// The files without repetition.
@@ -186,7 +190,7 @@ struct Blades {
     first: Option<BladeFile>,
 }
 
-fn blades(main: &MainFile, named: &Named<'_>) -> Result<Blades, InputError> {
+fn blades(main: &MainFile, named: &Named<'_>) -> Result<Blades, ReadError> {
     let mut blades = Blades::default();
     let mut read: HashMap<&str, BladeFile> = HashMap::new();
     for (path, key) in main
@@ -196,7 +200,7 @@ fn blades(main: &MainFile, named: &Named<'_>) -> Result<Blades, InputError> {
     {
         if !read.contains_key(path.as_str()) {
             let source = named.read(path, key, main.place(key))?;
-            let blade = read_blade_file(&source).map_err(|m| InputError::mistake(&source, m))?;
+            let blade = read_blade_file(&source).map_err(|m| ReadError::mistake(&source, m))?;
             blades.sources.push(source);
             blades.first.get_or_insert_with(|| blade.clone());
             read.insert(path, blade);
@@ -209,7 +213,7 @@ fn blades(main: &MainFile, named: &Named<'_>) -> Result<Blades, InputError> {
     Ok(blades)
 }
 
-/// The tower of a model, with what the user should know of it.
+/// The tower of a model with its notes.
 fn input(
     main: &MainFile,
     reading: &TowerReading,
@@ -241,7 +245,7 @@ fn input(
     notes.push(Note::new(ONLY_BENDS));
     notes.extend(foundation_note(main));
     if main.tower_hangs() {
-        notes.push(hanging::note(ends));
+        notes.push(hanging_note(ends));
     }
     TowerInput {
         format: FileFormat::ElastoDyn,
@@ -260,7 +264,7 @@ fn input(
     }
 }
 
-/// That the tower may stand on something that is not in these files.
+/// The note on a foundation that is not in these files.
 fn foundation_note(main: &MainFile) -> Option<Note> {
     let moves = main.platform_dofs.contains(&true);
     let base_m = main.tower_base_m;
@@ -268,11 +272,10 @@ fn foundation_note(main: &MainFile) -> Option<Note> {
         return None;
     }
     let why = if moves { " (the platform moves)" } else { "" };
-    let note = Note::new(format!(
-        "the tower is solved clamped at z = {base_m} m{why}; its foundation is in other files"
-    ));
-    Some(Note {
-        is_on_missing_part: moves,
-        ..note
+    let message =
+        format!("the tower is clamped at z = {base_m} m{why}; its foundation is in other files");
+    Some(match moves {
+        true => Note::missing_part(message),
+        false => Note::assumption(message),
     })
 }

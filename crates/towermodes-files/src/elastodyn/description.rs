@@ -1,16 +1,22 @@
 //! The tower that a tower file of ElastoDyn describes, once its heights are known.
+//!
+//! Towers of floating turbines in a current (MHK) hang: their top is the lower end. The towers of the
+//! library stand, so a hanging tower is solved upside down, with depths as heights. Without
+//! self-weight its frequencies are the same.
 
 use std::ops::Range;
 
-use towermodes::{Place, Planes, PointMass, Properties, PropertyStation, TowerDescription};
+use towermodes::{
+    Inertia, Place, Planes, PointMass, Properties, PropertyStation, RigidBody, TowerDescription,
+};
 
 use super::tower_file::{ConcentratedMass, TowerFile, TowerRow};
 use super::tower_reader::TowerSpans;
-use crate::input::Note;
+use crate::note::Note;
 use crate::places::{Places, TABLE};
 
-/// That ElastoDyn's towers only bend.
-pub(super) const ONLY_BENDS: &str = "towers of ElastoDyn neither twist nor stretch, and have no rotary inertia: there are bending modes only";
+/// The note that ElastoDyn's towers only bend.
+pub(super) const ONLY_BENDS: &str = "towers of ElastoDyn are rigid in torsion and axially and have no rotary inertia: there are only bending modes";
 
 /// Where the flexible tower begins and ends, m.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -44,6 +50,30 @@ impl Ends {
     }
 }
 
+/// A body mirrored in the plane z = 0.
+pub(super) fn upside_down(body: &RigidBody) -> RigidBody {
+    let [x, y, z] = body.center_m;
+    let own = body.inertia_kg_m2;
+    RigidBody {
+        mass_kg: body.mass_kg,
+        center_m: [x, y, 0.0 - z],
+        inertia_kg_m2: Inertia {
+            xz: 0.0 - own.xz,
+            yz: 0.0 - own.yz,
+            ..own
+        },
+    }
+}
+
+/// The note that a hanging tower is solved upside down.
+pub(super) fn hanging_note(ends: Ends) -> Note {
+    Note::approximation(format!(
+        "the tower hangs from z = {} m down to {} m: it is solved upside down, its heights are depths, and self-weight and buoyancy, which act against each other, are left out",
+        0.0 - ends.base_m,
+        0.0 - ends.top_m
+    ))
+}
+
 /// The tower, clamped, with nothing on top.
 pub(super) fn description(file: &TowerFile, ends: Ends, title: &str) -> TowerDescription {
     let mass = |mass: &ConcentratedMass| PointMass {
@@ -62,12 +92,12 @@ pub(super) fn description(file: &TowerFile, ends: Ends, title: &str) -> TowerDes
     }
 }
 
-/// That the tuners of the modal stiffnesses are ElastoDyn's own, if there are any.
+/// The note that the tuners of the modal stiffnesses are not used, if there are any.
 pub(super) fn tuner_note(file: &TowerFile) -> Option<Note> {
     let tuners = [file.fore_aft_tuners, file.side_side_tuners];
     let is_tuned = tuners.iter().flatten().any(|tuner| *tuner != 1.0);
     is_tuned.then(|| {
-        Note::new("FAStTunr and SSStTunr multiply modal stiffnesses of ElastoDyn and are in none of these frequencies: they change no tower")
+        Note::left_out("the stiffness tuners FAStTunr and SSStTunr multiply modal stiffnesses inside ElastoDyn: they are ignored here")
     })
 }
 

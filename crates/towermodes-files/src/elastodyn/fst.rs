@@ -1,12 +1,17 @@
-//! The `.fst` file of OpenFAST, as far as it leads to the main file of ElastoDyn.
+//! The `.fst` file of OpenFAST: the name of the main file of ElastoDyn, gravity, and the modules that
+//! are not read.
 
-use super::names::plain;
-use super::positional::Parameter;
-use super::recognise::{is_fst, is_main_file, line_of};
-use crate::companions::Companions;
-use crate::diagnostic::Diagnostic;
-use crate::input::{InputError, Note};
+use super::main_file::MainFile;
+use super::names::{is_fst, is_main_file, line_of, plain};
+use super::positional::{Kind, NON_NEGATIVE, Parameter, Record, record};
+use crate::diagnostic::{Diagnostic, DiagnosticKind};
+use crate::error::ReadError;
+use crate::note::Note;
+use crate::resolver::FileResolver;
 use crate::source::Source;
+
+const GRAVITY: Record = record("Gravity", "acceleration of gravity, m/s2", NON_NEGATIVE);
+const ED_FILE: Record = record("EDFile", "name of the main file of ElastoDyn", Kind::Other);
 
 /// A main file of ElastoDyn, and how it was found.
 pub(super) struct Main {
@@ -22,7 +27,7 @@ pub(super) struct Main {
 }
 
 /// The main file itself, or the one that an `.fst` file names.
-pub(super) fn main_source(source: Source, companions: &dyn Companions) -> Result<Main, InputError> {
+pub(super) fn main_source(source: Source, files: &dyn FileResolver) -> Result<Main, ReadError> {
     if is_main_file(&source.text) || !is_fst(&source.text) {
         let (fst, folder, notes) = (None, String::new(), Vec::new());
         return Ok(Main {
@@ -33,17 +38,18 @@ pub(super) fn main_source(source: Source, companions: &dyn Companions) -> Result
             notes,
         });
     }
-    let mistake = |mistake| InputError::mistake(&source, mistake);
+    let mistake = |mistake| ReadError::mistake(&source, mistake);
     let parameter = ed_file(&source).map_err(mistake)?;
-    let gravity_m_per_s2 = gravity(&source).map_err(mistake)?;
+    let gravity_m_per_s2 = gravity_of_fst(&source).map_err(mistake)?;
     let path = parameter.token.text.trim().to_owned();
-    let main = companions.read(&path).map_err(|error| {
-        let message = format!("EDFile cannot be read: {error}");
-        let mistake = Diagnostic::new(parameter.span(), message);
-        InputError::mistake(
-            &source,
-            mistake.with_hint("files are looked for beside the .fst file"),
-        )
+    let main = files.read(&path).map_err(|error| {
+        let kind = DiagnosticKind::UnreadableFile {
+            what: "EDFile".to_owned(),
+            reason: error.to_string(),
+        };
+        let mistake = Diagnostic::new(parameter.span(), kind);
+        let hint = "files are searched beside the .fst file";
+        ReadError::mistake(&source, mistake.with_hint(hint))
     })?;
     let folder = path
         .rfind(['/', '\\'])
@@ -59,47 +65,46 @@ pub(super) fn main_source(source: Source, companions: &dyn Companions) -> Result
     })
 }
 
-/// The acceleration of gravity, which `.fst` files have since OpenFAST 3.0.
-fn gravity(source: &Source) -> Result<Option<f64>, Diagnostic> {
+/// The acceleration of gravity in an `.fst` file, since OpenFAST 3.0.
+fn gravity_of_fst(source: &Source) -> Result<Option<f64>, Diagnostic> {
     let Some(line) = line_of(&source.text, &plain("Gravity")) else {
         return Ok(None);
     };
-    let parameter = Parameter::of(&line, "Gravity", "acceleration of gravity, m/s2")?;
-    parameter.not_negative().map(Some)
+    Parameter::of(&line, &GRAVITY)?.number().map(Some)
 }
 
 /// The line that names the main file of ElastoDyn.
 fn ed_file(source: &Source) -> Result<Parameter<'_>, Diagnostic> {
-    let missing = || Diagnostic::new(0..0, "the .fst file has no EDFile");
+    let missing = || Diagnostic::new(0..0, DiagnosticKind::missing_key("the .fst file", "EDFile"));
     let line = line_of(&source.text, &plain("EDFile")).ok_or_else(missing)?;
-    let parameter = Parameter::of(&line, "EDFile", "name of the main file of ElastoDyn")?;
+    let parameter = Parameter::of(&line, &ED_FILE)?;
     parameter.file()?;
     Ok(parameter)
 }
 
-/// What the `.fst` file says that changes what ElastoDyn's files mean.
+/// The notes on modules that change or complete the model of ElastoDyn.
 fn notes(source: &Source) -> Vec<Note> {
     let mut notes: Vec<Note> = beamdyn(source).into_iter().collect();
     notes.extend(MODULES.iter().filter_map(|module| left_out(source, module)));
     notes
 }
 
-/// That the blades are not those of ElastoDyn.
+/// The note that the blades are not those of ElastoDyn.
 fn beamdyn(source: &Source) -> Option<Note> {
     let (value, at) = switch(source, "CompElast")?;
     (value == 2).then(|| {
-        let message = "CompElast is 2: the blades are those of BeamDyn, but the masses are taken from ElastoDyn's blade files";
-        Note::at(source, at, message)
+        let message = "CompElast is 2, so the blades are those of BeamDyn, but their masses are taken from ElastoDyn's blade files";
+        Note::approximation(message).at(source, at)
     })
 }
 
-/// A part of OpenFAST that holds, surrounds or loads the foot of a tower.
+/// A module of OpenFAST that supports or loads the base of a tower.
 struct Module {
     /// The switch that turns it on.
     switch: &'static str,
     /// The name of the line with its file, in OpenFAST and in FAST 8.
     files: &'static [&'static str],
-    /// What is left out with it, with its verb.
+    /// What it models, with its verb.
     what: &'static str,
 }
 
@@ -108,7 +113,7 @@ const MODULES: [Module; 5] = [
     Module {
         switch: "CompHydro",
         files: &["HydroFile", "HDFile"],
-        what: "the water's mass and stiffness are",
+        what: "the mass and stiffness of the water are",
     },
     Module {
         switch: "CompSub",
@@ -132,7 +137,7 @@ const MODULES: [Module; 5] = [
     },
 ];
 
-/// That a module is left out, if it is on.
+/// The note that a module is left out, if it is switched on.
 fn left_out(source: &Source, module: &Module) -> Option<Note> {
     let (value, at) = switch(source, module.switch)?;
     if value == 0 {
@@ -142,13 +147,13 @@ fn left_out(source: &Source, module: &Module) -> Option<Note> {
     let file = files.find_map(|name| line_of(&source.text, &plain(name))?.first());
     let file = file.map_or_else(String::new, |token| format!(" ({})", token.text));
     let message = format!(
-        "{} is on, and its file{file} is not read: {} left out",
+        "{} is switched on, but its file{file} is not read: {} left out",
         module.switch, module.what
     );
-    Some(Note::at(source, at, message).of_missing_part())
+    Some(Note::missing_part(message).at(source, at))
 }
 
-/// The value of a switch, a number or, in the first versions, true or false; and where it stands.
+/// The value of a switch (a number or, in the first versions, true or false) and its byte.
 fn switch(source: &Source, name: &str) -> Option<(i64, usize)> {
     let token = line_of(&source.text, &plain(name))?.first()?;
     let value = match token.integer(name) {
@@ -156,4 +161,43 @@ fn switch(source: &Source, name: &str) -> Option<(i64, usize)> {
         Err(_) => i64::from(token.logical(name).ok()?),
     };
     Some((value, token.span.start))
+}
+
+/// Standard acceleration of gravity, m/s² (3rd General Conference on Weights and Measures, 1901).
+const STANDARD_M_PER_S2: f64 = 9.80665;
+
+/// The acceleration of gravity, and a note on its source.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Gravity {
+    /// Acceleration, m/s².
+    pub(super) m_per_s2: f64,
+    pub(super) note: Option<Note>,
+}
+
+/// The gravity of a model: that of the `.fst` file, as in OpenFAST since 3.0, or else that of the main
+/// file, as before, or else the standard one with a note. A tower that hangs under water has none
+/// here. Files are given by their names.
+pub(super) fn gravity(main: &MainFile, main_name: &str, fst: Option<(f64, &str)>) -> Gravity {
+    if main.tower_hangs() {
+        let (m_per_s2, note) = (0.0, None);
+        return Gravity { m_per_s2, note };
+    }
+    let (m_per_s2, message) = match (fst, main.gravity_m_per_s2) {
+        (Some((of_fst, name)), Some(of_main)) if of_fst != of_main => {
+            let message = format!(
+                "Gravity is {of_fst} m/s2 in {name} and {of_main} m/s2 in {main_name}: the first is used"
+            );
+            (of_fst, Some(message))
+        }
+        (Some((of_fst, _)), _) => (of_fst, None),
+        (None, Some(of_main)) => (of_main, None),
+        (None, None) => {
+            let message = format!(
+                "{main_name} has no Gravity, which is in the .fst file: {STANDARD_M_PER_S2} m/s2 is assumed (--no-gravity omits it)"
+            );
+            (STANDARD_M_PER_S2, Some(message))
+        }
+    };
+    let note = message.map(Note::assumption);
+    Gravity { m_per_s2, note }
 }

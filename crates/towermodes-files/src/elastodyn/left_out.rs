@@ -1,11 +1,11 @@
-//! What a tower file of ElastoDyn has no room for.
+//! The properties of a tower that a tower file of ElastoDyn does not contain.
 
 use towermodes::{Foundation, Inertia, Rna, Shear, TowerDescription};
 
-use crate::input::Note;
+use crate::note::Note;
 
-/// A note on all that a tower file does not hold of a tower; the shapes in it are those of the
-/// tower with all of that.
+/// The note on all properties that a tower file does not contain. Its shapes are those of the tower
+/// with all of them.
 pub fn left_out(description: &TowerDescription) -> Vec<Note> {
     let d = description;
     let mut masses = d.point_masses.iter();
@@ -22,14 +22,14 @@ pub fn left_out(description: &TowerDescription) -> Vec<Note> {
         ),
         (
             d.foundation != Foundation::Clamped,
-            "the foundation, whose motion is taken off the shapes",
+            "the foundation, whose motion is removed from the shapes",
         ),
         (!d.soil.is_empty(), "the soil"),
         (
             d.water.is_some() || !d.added_mass.is_empty(),
             "the water's mass",
         ),
-        (!d.wires.is_empty(), "the wires"),
+        (!d.wires.is_empty(), "the guy wires"),
         (
             d.gravity_m_per_s2 != 0.0,
             "gravity, which is in the main file",
@@ -40,12 +40,12 @@ pub fn left_out(description: &TowerDescription) -> Vec<Note> {
             masses.any(|mass| mass.inertia_kg_m2 != Inertia::default()),
             "the inertias of point masses",
         ),
-        (true, "torsion, stretch and rotary inertia"),
+        (true, "torsion, axial motion and rotary inertia"),
     ];
     let missing = things.into_iter().filter(|(is_there, _)| *is_there);
     let missing: Vec<&str> = missing.map(|(_, what)| what).collect();
-    vec![Note::new(format!(
-        "a tower file of ElastoDyn does not hold {}; the shapes are of the tower with all of them",
+    vec![Note::left_out(format!(
+        "a tower file of ElastoDyn does not contain {}; the shapes are those of the tower with all of them",
         missing.join("; ")
     ))]
 }

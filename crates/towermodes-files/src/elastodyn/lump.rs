@@ -7,15 +7,16 @@ use towermodes::{Inertia, RigidBody};
 use super::blade_file::BladeMasses;
 use super::main_file::MainFile;
 use super::shaft::{Shaft, is_balanced};
-use crate::diagnostic::Diagnostic;
-use crate::input::{Note, RotorLock};
+use crate::diagnostic::{Diagnostic, DiagnosticKind};
+use crate::input::RotorLock;
+use crate::note::Note;
 use crate::source::Source;
 
 /// Hub, blades, tip masses, generator, nacelle and yaw bearing as one body about the tower top: x
 /// downwind, y lateral, z up.
 ///
 /// The rotor's apex is at (OverHang cos τ, 0, Twr2Shft + OverHang sin τ) with τ = ShftTilt; the
-/// first blade points up, each next one stands a share of a turn further, clockwise as seen from
+/// first blade points up, each next one stands a fraction of a turn further, clockwise as seen from
 /// upwind. Blades are rods: only their mass along their axis counts. `NacYIner` is about the yaw
 /// axis, and the nacelle has no other inertia than what that leaves about its centre. With a locked
 /// rotor the generator adds `GenIner` once about the shaft; with a free one rotor and generator
@@ -127,24 +128,22 @@ fn nacelle(main: &MainFile) -> RigidBody {
     }
 }
 
-/// Refuses a free rotor that moves more than itself when it turns.
+/// Refuses a free rotor whose rotation moves the nacelle.
 pub(super) fn check_free_rotor(main: &MainFile, blades: &[BladeMasses]) -> Result<(), Diagnostic> {
     let rotor = rotor(main, blades);
     if is_balanced(&rotor, main.tip_radius_m) {
         return Ok(());
     }
     let [_, y, z] = rotor.center_m;
-    let message = format!(
-        "the rotor is not balanced: its centre of mass is {:.4} m beside the shaft, or its axis is not the shaft",
+    let kind = DiagnosticKind::Unsupported(format!(
+        "the free rotor is not balanced: its centre of mass is {:.4} m off the shaft, or the shaft is not a principal axis",
         y.hypot(z)
-    );
-    let mistake = Diagnostic::new(main.place("NumBl"), message);
-    Err(mistake.with_hint(
-        "a rotor that turns freely needs two or three blades that are alike; --rotor locked holds it",
-    ))
+    ));
+    let hint = "a free rotor needs two or three equal blades; use --rotor locked";
+    Err(Diagnostic::new(main.place("NumBl"), kind).with_hint(hint))
 }
 
-/// What was decided to make one rigid body of it.
+/// The notes on the assumptions behind one rigid body.
 pub(super) fn notes(
     main: &MainFile,
     source: &Source,
@@ -154,21 +153,21 @@ pub(super) fn notes(
     let mut notes = Vec::new();
     if main.blade_count != 3 {
         let message = format!(
-            "a rotor of {} blades is not the same in every position; the first blade is taken to point up",
+            "the inertia of a rotor of {} blades depends on its position: the first blade is assumed to point up",
             main.blade_count
         );
-        notes.push(Note::new(message));
+        notes.push(Note::assumption(message));
     }
     let at = main.place("GenIner").start;
     let message = rotor_message(&Shaft::of(main, &rotor(main, blades)), lock);
-    notes.push(Note::at(source, at, message));
+    notes.push(Note::assumption(message).at(source, at));
     if main.furling {
-        notes.push(Note::new("the furling model (FurlFile) is left out"));
+        notes.push(Note::left_out("the furling model (FurlFile) is left out"));
     }
     notes
 }
 
-/// How the rotor is held, with what the nacelle feels of it.
+/// How the rotor is held, with the inertia that the nacelle feels.
 fn rotor_message(shaft: &Shaft, lock: RotorLock) -> String {
     let [locked, felt] = [RotorLock::Locked, lock].map(|lock| match shaft.felt_by_nacelle(lock) {
         0.0 => "0 kg m2".to_owned(),
@@ -176,10 +175,10 @@ fn rotor_message(shaft: &Shaft, lock: RotorLock) -> String {
     });
     match lock {
         RotorLock::Locked => format!(
-            "the rotor is taken as locked to the nacelle: GenIner counts once, and the inertia about the shaft is {locked} (--rotor free lets the rotor turn)"
+            "the rotor is locked to the nacelle: GenIner counts once, and the inertia about the shaft is {locked} (--rotor free: no torque on the shaft)"
         ),
         RotorLock::Free => format!(
-            "the rotor turns freely: the nacelle feels {felt} about the shaft instead of the {locked} of a locked rotor, so the inertia on top is not that of one rigid body"
+            "the rotor is free: the inertia about the shaft is {felt} instead of {locked} of a locked rotor, so the RNA is not one rigid body"
         ),
     }
 }

@@ -1,18 +1,18 @@
-//! The content of a main file of ElastoDyn, as far as a tower needs it.
+//! The content of a main file of ElastoDyn that a tower needs.
 
 use std::collections::BTreeMap;
 use std::ops::Range;
 
 use super::description::hangs;
 
-/// What stands in a main (primary) file of ElastoDyn.
+/// The content of a main (primary) file of ElastoDyn.
 ///
 /// x is downwind, y lateral, z up; heights are above ground or mean sea level.
 #[derive(Debug, Clone, PartialEq)]
 pub struct MainFile {
     /// Its two free header lines.
     pub header: [String; 2],
-    /// Acceleration of gravity, m/s² (`Gravity`); in files since OpenFAST 3.0 it is elsewhere.
+    /// Acceleration of gravity, m/s² (`Gravity`); since OpenFAST 3.0 it is in the `.fst` file.
     pub gravity_m_per_s2: Option<f64>,
     /// Whether the tower's modes move: first and second fore-aft (`TwFADOF1`, `2`), first and
     /// second side-side (`TwSSDOF1`, `2`).
@@ -76,19 +76,19 @@ pub struct MainFile {
     pub yaw_bearing_mass_kg: f64,
     /// The platform.
     pub platform: Platform,
-    /// How many elements ElastoDyn cuts a blade into (`BldNodes`); not in the files of ElastoDyn
+    /// The number of elements of a blade in ElastoDyn (`BldNodes`); not in the files of ElastoDyn
     /// 1.00 and 1.01.
     pub blade_nodes: Option<usize>,
-    /// The file of each blade as the line names it, relative to the main file (`BldFile`); as many
+    /// The file of each blade as written, relative to the main file (`BldFile`); as many
     /// as there are blades.
     pub blade_files: Vec<String>,
     /// Whether there is a model of furling in another file (`Furling`).
     pub furling: bool,
-    /// How many elements ElastoDyn cuts the tower into (`TwrNodes`).
+    /// The number of elements of the tower in ElastoDyn (`TwrNodes`).
     pub tower_nodes: usize,
-    /// The tower file as the line names it, relative to the main file (`TwrFile`).
+    /// The tower file as written, relative to the main file (`TwrFile`).
     pub tower_file: String,
-    /// Where each parameter's value stands.
+    /// The place of each value.
     pub(super) spans: BTreeMap<&'static str, Range<usize>>,
 }
 
@@ -105,7 +105,7 @@ pub struct Platform {
     pub products_kg_m2: [f64; 3],
     /// Its centre of mass, m (`PtfmCMxt`, `PtfmCMyt`, `PtfmCMzt`).
     pub center_m: [f64; 3],
-    /// The point that its motion is of, m (`PtfmRefxt`, `PtfmRefyt`, `PtfmRefzt`; in ElastoDyn 1.00
+    /// The reference point of its motion, m (`PtfmRefxt`, `PtfmRefyt`, `PtfmRefzt`; in ElastoDyn 1.00
     /// z is −`PtfmRef`); x and y are zero where the file has none.
     pub reference_m: [f64; 3],
 }
@@ -127,14 +127,13 @@ impl MainFile {
         self.tip_radius_m - self.hub_radius_m
     }
 
-    /// Length of the flexible tower, m: `TowerHt` − `TowerBsHt`, or the other way round of one that
-    /// hangs.
+    /// Length of the flexible tower, m: |`TowerHt` − `TowerBsHt`|.
     pub fn tower_length_m(&self) -> f64 {
         (self.tower_top_m - self.tower_base_m).abs()
     }
 
-    /// Whether the tower hangs, as those of floating turbines in a current do: its top is below its
-    /// base and below the sea.
+    /// Whether the tower hangs, as in floating turbines in a current: its top is below its base and
+    /// below sea level.
     pub fn tower_hangs(&self) -> bool {
         hangs(self.tower_base_m, self.tower_top_m)
     }

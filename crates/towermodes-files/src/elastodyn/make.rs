@@ -10,7 +10,7 @@ use towermodes_analysis::elastodyn::{
 
 use super::tower_file::{ConcentratedMass, TowerFile, TowerRow};
 use super::writer::header_with_heights;
-use crate::input::Note;
+use crate::note::Note;
 
 /// Elements of ElastoDyn's towers unless told, `TwrNodes`.
 pub const DEFAULT_NODES: usize = 20;
@@ -141,7 +141,7 @@ fn coarseness(
     let difference = model(&accurate).difference_from(&model(content));
     Ok((difference.largest() > 1e-3).then(|| {
         Note::new(format!(
-            "{} rows change the tower's mass by {:+.2} % and its flexibility by {:+.2} %; without --stations there are {}",
+            "{} rows change the mass of the tower by {:+.2} % and its flexibility by {:+.2} %; without --stations there are {}",
             content.rows.len(),
             100.0 * difference.mass,
             100.0 * difference.flexibility.fore_aft,
@@ -229,14 +229,14 @@ const MUCH_TORSION: f64 = 0.1;
 pub fn torsion_notes(shapes: &TowerShapes) -> Vec<Note> {
     let left_out = shapes.passed_over.iter().map(|mode| {
         format!(
-            "mode {} ({}, {:.4} Hz) is not taken but the next: {:.0} % of its energy is torsion, which ElastoDyn's towers do not have",
+            "mode {} ({}, {:.4} Hz) is skipped: {:.0} % of its energy is torsion, which ElastoDyn's towers do not have",
             mode.number, mode.label, mode.frequency_hz, 100.0 * mode.torsion_share
         )
     });
     let taken = shapes.shapes.iter();
     let taken = taken.filter(|shape| shape.torsion_share > MUCH_TORSION).map(|shape| {
         format!(
-            "{:.0} % of the energy of the {} ({:.4} Hz) is torsion, which ElastoDyn's towers do not have: its bending alone is taken",
+            "{:.0} % of the energy of the {} ({:.4} Hz) is torsion, which ElastoDyn's towers do not have: only its bending is used",
             100.0 * shape.torsion_share, shape.label, shape.frequency_hz
         )
     });
@@ -254,7 +254,7 @@ fn notes(tower: &Tower, from_m: f64, shapes: &TowerShapes, options: &MakeOptions
     let above = masses.filter(|mass| mass.height_m >= from_m).count();
     if above > 0 && !options.has_concentrated_masses {
         notes.push(Note::new(format!(
-            "{above} point mass{} spread over 1/{} of the height each: OpenFAST lists such masses since 4.2 (--openfast 4.2)",
+            "{above} point mass{} distributed over 1/{} of the height each: OpenFAST has concentrated masses since 4.2 (--openfast 4.2)",
             if above == 1 { " is" } else { "es are" },
             options.nodes
         )));
@@ -262,7 +262,7 @@ fn notes(tower: &Tower, from_m: f64, shapes: &TowerShapes, options: &MakeOptions
     let rotor = tower.rna();
     if rotor.mass_kg == 0.0 {
         notes.push(Note::new(
-            "the shapes are those of a tower that carries nothing: with a rotor-nacelle assembly they are others",
+            "the shapes are those of a tower without RNA: with a rotor-nacelle assembly they differ",
         ));
     }
     notes

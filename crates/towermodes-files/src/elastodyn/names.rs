@@ -1,11 +1,12 @@
-//! The names that the lines of ElastoDyn's files say after their values.
+//! The names of parameters on the lines of ElastoDyn's files, after their values; and which file a
+//! text is by its names.
 
-use crate::records::Line;
+use crate::records::{Line, Lines};
 
-/// No name is longer; what follows would only cost time.
+/// No name is longer than this.
 const LONGEST: usize = 40;
 
-/// A name without what files differ in: case, brackets, underscores.
+/// A name without the differences between files: case, brackets, underscores.
 pub(super) fn plain(name: &str) -> String {
     let letters = name.chars().take(LONGEST);
     letters
@@ -14,7 +15,7 @@ pub(super) fn plain(name: &str) -> String {
         .collect()
 }
 
-/// The name on a line, in plain form: its second value. The titles of sections are no names.
+/// The name on a line, in plain form: its second value. Titles of sections are not names.
 pub(super) fn name_on(line: &Line<'_>) -> Option<String> {
     if is_ruler(line) {
         return None;
@@ -22,8 +23,8 @@ pub(super) fn name_on(line: &Line<'_>) -> Option<String> {
     line.tokens().nth(1).map(|token| plain(token.text))
 }
 
-/// Which of some names a line says after its value, if it says one of them.
-pub(super) fn said<'k>(line: &Line<'_>, known: &[&'k str]) -> Option<&'k str> {
+/// The one of some names that a line has after its value.
+pub(super) fn named<'k>(line: &Line<'_>, known: &[&'k str]) -> Option<&'k str> {
     let name = name_on(line)?;
     known.iter().copied().find(|known| plain(known) == name)
 }
@@ -34,9 +35,48 @@ pub(super) fn is_ruler(line: &Line<'_>) -> bool {
     text.starts_with("---") || text.starts_with("===")
 }
 
+/// Names are among the first lines of every file.
+const FIRST_LINES: usize = 400;
+
+/// Whether it is a main file of ElastoDyn, or of FAST 7, which is refused with a reason.
+pub(crate) fn is_main_file(text: &str) -> bool {
+    has_all(text, &["twrfile", "numbl", "tiprad"])
+}
+
+/// Whether it is a tower file of ElastoDyn or FAST 7.
+pub(crate) fn is_tower_file(text: &str) -> bool {
+    let first: Vec<Line<'_>> = Lines::new(text).take(12).collect();
+    first
+        .iter()
+        .any(|line| name_on(line).as_deref() == Some("ntwinpst"))
+}
+
+/// Whether it is a blade file of ElastoDyn or FAST 7.
+pub(super) fn is_blade_file(text: &str) -> bool {
+    let first: Vec<Line<'_>> = Lines::new(text).take(12).collect();
+    first
+        .iter()
+        .any(|line| name_on(line).as_deref() == Some("nblinpst"))
+}
+
+/// Whether it is the `.fst` file that names the files of all modules of OpenFAST.
+pub(crate) fn is_fst(text: &str) -> bool {
+    has_all(text, &["edfile"])
+}
+
+/// The line of a file that has a name.
+pub(super) fn line_of<'a>(text: &'a str, name: &str) -> Option<Line<'a>> {
+    let mut lines = Lines::new(text).take(FIRST_LINES);
+    lines.find(|line| name_on(line).as_deref() == Some(name))
+}
+
+fn has_all(text: &str, names: &[&str]) -> bool {
+    names.iter().all(|name| line_of(text, name).is_some())
+}
+
 #[cfg(test)]
 mod tests {
-    use super::{is_ruler, plain, said};
+    use super::{is_ruler, named, plain};
     use crate::records::Line;
 
     #[test]
@@ -46,11 +86,11 @@ mod tests {
         let line = |text| Line { text, start: 0 };
         let known = ["BldFile(1)", "BldFile(2)"];
         assert_eq!(
-            said(&line("\"a b.dat\" BldFile2 - a file"), &known),
+            named(&line("\"a b.dat\" BldFile2 - a file"), &known),
             Some("BldFile(2)")
         );
-        assert_eq!(said(&line("12.1"), &known), None);
-        assert_eq!(said(&line("---- FURLING ----"), &["Furling"]), None);
+        assert_eq!(named(&line("12.1"), &known), None);
+        assert_eq!(named(&line("---- FURLING ----"), &["Furling"]), None);
         assert!(is_ruler(&line(" --- TOWER ---")) && !is_ruler(&line("-5 ShftTilt")));
     }
 }

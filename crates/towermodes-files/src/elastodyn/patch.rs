@@ -4,8 +4,9 @@ use std::ops::Range;
 
 use thiserror::Error;
 
-use super::rules::{SHAPES, TowerFileError, coefficient_texts};
+use super::rules::{TowerFileError, coefficient_texts};
 use super::tower_file::CoefficientSpans;
+use super::tower_records::SHAPES;
 
 /// Why a tower file cannot be patched.
 #[derive(Debug, Clone, PartialEq, Error)]

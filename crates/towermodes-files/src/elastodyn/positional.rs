@@ -1,34 +1,96 @@
-//! Files whose lines mean what their places say: headings, parameters, rows of numbers.
+//! Files that are read by position: headings, parameters, rows of numbers.
 
 use std::ops::Range;
 
-use super::names::{is_ruler, name_on, plain, said};
-use crate::diagnostic::Diagnostic;
+use super::names::{is_ruler, name_on, named, plain};
+use crate::diagnostic::{Diagnostic, DiagnosticKind, quoted};
 use crate::records::{Line, Lines, Token};
 
 /// More rows than this are refused: real tables have tens, and a hostile file must not fill the
 /// memory.
 pub(super) const MAX_ROWS: usize = 100_000;
 
+/// A parameter of a file: the row of the tables that reading, writing and messages go by.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Record {
+    /// Its name on the line.
+    pub(super) name: &'static str,
+    /// What it is, with its unit.
+    pub(super) meaning: &'static str,
+    kind: Kind,
+}
+
+/// The type of a parameter and the range of its values.
+#[derive(Debug, Clone, Copy)]
+pub(super) enum Kind {
+    /// True or false, the name of a file, or a value that is not read.
+    Other,
+    /// A whole number from this one to [`MAX_ROWS`].
+    Count(usize),
+    /// A number in a range, and the range in words.
+    Number(fn(f64) -> bool, &'static str),
+}
+
+pub(super) const ANY: Kind = Kind::Number(|_| true, "a number");
+pub(super) const POSITIVE: Kind = Kind::Number(|value| value > 0.0, "greater than 0");
+pub(super) const NON_NEGATIVE: Kind = Kind::Number(|value| value >= 0.0, "non-negative");
+/// An angle of less than a right angle, degrees.
+pub(super) const ACUTE: Kind =
+    Kind::Number(|angle| angle.abs() < 90.0, "between -90 and 90 degrees");
+/// An angle of at most half a turn, degrees.
+pub(super) const HALF_TURN: Kind =
+    Kind::Number(|angle| angle.abs() <= 180.0, "from -180 to 180 degrees");
+/// A damping ratio, percent of critical.
+pub(super) const PERCENT: Kind = Kind::Number(
+    |value| (0.0..=100.0).contains(&value),
+    "from 0 to 100 percent",
+);
+
+/// A row of a table of parameters.
+pub(super) const fn record(name: &'static str, meaning: &'static str, kind: Kind) -> Record {
+    Record {
+        name,
+        meaning,
+        kind,
+    }
+}
+
+impl Record {
+    /// Whether a number is in its range, and the range.
+    pub(super) fn check(&self, value: f64) -> (bool, &'static str) {
+        match self.kind {
+            Kind::Number(is_met, rule) => (is_met(value), rule),
+            _ => (true, ""),
+        }
+    }
+
+    /// Its name in messages.
+    pub(super) fn label(&self) -> String {
+        let meaning = self.meaning.trim_start_matches([' ', ',']);
+        format!("{} ({meaning})", self.name)
+    }
+}
+
 /// The lines of a file that is read by position.
 #[derive(Debug, Clone)]
 pub(super) struct Positional<'a> {
     lines: Lines<'a>,
-    /// The names of all parameters that the file has.
-    known: &'static [&'static str],
+    /// The names of all parameters of the file.
+    known: Vec<&'static str>,
 }
 
 impl<'a> Positional<'a> {
-    pub(super) fn new(text: &'a str, known: &'static [&'static str]) -> Self {
+    pub(super) fn new<'r>(text: &'a str, records: impl IntoIterator<Item = &'r Record>) -> Self {
         let lines = Lines::new(text);
+        let known = records.into_iter().map(|record| record.name).collect();
         Self { lines, known }
     }
 
-    /// The two free lines that a file begins with. Files of FAST 7 begin with one more, a ruler:
-    /// there the heading and the first parameter, by whose name that is seen, come a line later.
-    pub(super) fn header(&mut self, first_key: &str) -> Result<[String; 2], Diagnostic> {
-        let is_first_key = |line: Line<'a>| name_on(&line) == Some(plain(first_key));
-        if self.lines.clone().nth(4).is_some_and(is_first_key) {
+    /// The two free lines at the beginning of a file. Files of FAST 7 begin with one more, a ruler:
+    /// there the heading and the first parameter, whose name shows it, come a line later.
+    pub(super) fn header(&mut self, first: &Record) -> Result<[String; 2], Diagnostic> {
+        let is_first = |line: Line<'a>| name_on(&line) == Some(plain(first.name));
+        if self.lines.clone().nth(4).is_some_and(is_first) {
             self.lines.next();
         }
         let first = self.lines.expect("the first header line")?;
@@ -41,12 +103,13 @@ impl<'a> Positional<'a> {
         self.lines.peek()
     }
 
-    /// The next line that is not blank without reading past it.
-    pub(super) fn peek_filled(&self) -> Option<Line<'a>> {
-        self.lines.clone().find(|line| !line.is_blank())
+    /// Whether the next line that is not blank has the name of a parameter.
+    pub(super) fn is_next(&self, record: &Record) -> bool {
+        let next = self.lines.clone().find(|line| !line.is_blank());
+        next.and_then(|line| name_on(&line)) == Some(plain(record.name))
     }
 
-    /// Leaves out blank lines.
+    /// Skips blank lines.
     pub(super) fn skip_blank(&mut self) {
         while self.lines.peek().is_some_and(|line| line.is_blank()) {
             self.lines.next();
@@ -57,42 +120,36 @@ impl<'a> Positional<'a> {
     /// or a row.
     pub(super) fn heading(&mut self, what: &str) -> Result<Line<'a>, Diagnostic> {
         let line = self.lines.expect(what)?;
-        if let Some(name) = said(&line, self.known) {
+        if let Some(name) = named(&line, &self.known) {
             return Err(misplaced(&line, what, name));
         }
         match line.first() {
-            Some(token) if token.number("").is_ok() => {
-                let message = format!("{what} is expected here, no number");
-                Err(token
-                    .wrong(message)
-                    .with_hint("is there a row or a line too many?"))
+            Some(token) if token.is_number() => {
+                let found = format!("the number {}", token.text);
+                let mistake = token.wrong(DiagnosticKind::misplaced(what, found));
+                Err(mistake.with_hint("is there a row or a line too many?"))
             }
             _ => Ok(line),
         }
     }
 
-    /// The line of a parameter, which has the value first; its name is compared if it is that of
-    /// another parameter.
-    pub(super) fn parameter(
-        &mut self,
-        key: &'static str,
-        what: &'static str,
-    ) -> Result<Parameter<'a>, Diagnostic> {
-        let line = self.lines.expect_filled(&format!("{key} ({what})"))?;
-        match said(&line, self.known) {
-            Some(name) if name != key => Err(misplaced(&line, key, name)),
-            _ => Parameter::of(&line, key, what),
+    /// The line of a parameter, whose value comes first. A line with the name of another parameter
+    /// is a mistake.
+    pub(super) fn parameter(&mut self, record: &Record) -> Result<Parameter<'a>, Diagnostic> {
+        let line = self.lines.expect_filled(&record.label())?;
+        match named(&line, &self.known) {
+            Some(name) if name != record.name => Err(misplaced(&line, record.name, name)),
+            _ => Parameter::of(&line, record),
         }
     }
 
-    /// The same where names are not to be relied on.
+    /// The same where the name on the line is not checked.
     pub(super) fn unnamed_parameter(
         &mut self,
-        key: &'static str,
-        what: &'static str,
+        record: &Record,
     ) -> Result<Parameter<'a>, Diagnostic> {
-        let line = self.lines.expect_filled(&format!("{key} ({what})"))?;
-        Parameter::of(&line, key, what)
+        let line = self.lines.expect_filled(&record.label())?;
+        Parameter::of(&line, record)
     }
 
     /// The next row of a table, of which `so_far` of `count` rows are read.
@@ -104,58 +161,55 @@ impl<'a> Positional<'a> {
     ) -> Result<Line<'a>, Diagnostic> {
         let what = format!("row {} of {table}", so_far + 1);
         let line = self.lines.expect_filled(&what)?;
-        let hint = || {
-            let (key, said) = (count.key, count.token.text);
-            format!("{key} is {said}; {so_far} rows are there")
-        };
-        match line.first() {
-            Some(token) if token.number("").is_ok() => {
-                line.check_commas(&format!("a number of {what}"))?;
-                Ok(line)
-            }
-            Some(token) => Err(token
-                .wrong(format!("{what} is expected here"))
-                .with_hint(hint())),
-            None => Err(
-                Diagnostic::new(line.span(), format!("{what} is expected here")).with_hint(hint()),
-            ),
+        let first = line.first();
+        if first.as_ref().is_some_and(Token::is_number) {
+            line.check_commas(&format!("a number of {what}"))?;
+            return Ok(line);
         }
+        let (found, span) = match first {
+            Some(token) => (quoted(token.text), token.span),
+            None => ("a blank line".to_owned(), line.span()),
+        };
+        let (name, value) = (count.record.name, count.token.text);
+        Err(
+            Diagnostic::new(span, DiagnosticKind::misplaced(what, found))
+                .with_hint(format!("{name} is {value}, but there are {so_far} rows")),
+        )
     }
 }
 
-/// The mistake that a line says another name than its place.
-pub(super) fn misplaced(line: &Line<'_>, expected: &str, said: &str) -> Diagnostic {
+/// The mistake of a line with the name of another parameter than expected.
+pub(super) fn misplaced(line: &Line<'_>, expected: &str, found: &str) -> Diagnostic {
     let span = line.tokens().nth(1).map_or(line.span(), |token| token.span);
-    let message = format!("expected {expected} here, but the line says {said}");
-    Diagnostic::new(span, message).with_hint("is a line missing or too many above?")
+    Diagnostic::new(span, DiagnosticKind::misplaced(expected, found))
+        .with_hint("is a line above missing, or one too many?")
 }
 
-/// A parameter: what it is called, what it is, and its value.
+/// A parameter of a file with its value.
 #[derive(Debug, Clone)]
 pub(super) struct Parameter<'a> {
-    pub(super) key: &'static str,
-    what: &'static str,
+    record: Record,
     pub(super) token: Token<'a>,
 }
 
 impl<'a> Parameter<'a> {
-    /// The parameter on a line, whose first value is its.
-    pub(super) fn of(
-        line: &Line<'a>,
-        key: &'static str,
-        what: &'static str,
-    ) -> Result<Self, Diagnostic> {
+    /// The parameter on a line, whose first value is its value.
+    pub(super) fn of(line: &Line<'a>, record: &Record) -> Result<Self, Diagnostic> {
+        let label = record.label();
         if is_ruler(line) {
-            let message = format!("{key} ({what}) is expected here, but this is a heading");
-            return Err(Diagnostic::new(line.span(), message).with_hint("is a line missing above?"));
+            let kind = DiagnosticKind::misplaced(label, "a heading");
+            return Err(Diagnostic::new(line.span(), kind).with_hint("is a line above missing?"));
         }
-        line.check_commas(&format!("{key} ({what})"))?;
+        line.check_commas(&label)?;
         match line.first() {
-            Some(token) => Ok(Self { key, what, token }),
-            None => Err(Diagnostic::new(
-                line.span(),
-                format!("{key} ({what}) is expected here"),
-            )),
+            Some(token) => Ok(Self {
+                record: *record,
+                token,
+            }),
+            None => {
+                let kind = DiagnosticKind::Missing { what: label };
+                Err(Diagnostic::new(line.span(), kind))
+            }
         }
     }
 
@@ -163,124 +217,129 @@ impl<'a> Parameter<'a> {
         self.token.span.clone()
     }
 
-    fn label(&self) -> String {
-        format!("{} ({})", self.key, self.what)
-    }
-
+    /// The number, in the range of the parameter.
     pub(super) fn number(&self) -> Result<f64, Diagnostic> {
-        self.token.number(&self.label())
-    }
-
-    /// A number that a rule holds for; else the mistake that it does not, with what would be right.
-    pub(super) fn number_if(
-        &self,
-        rule: impl Fn(f64) -> bool,
-        right: &str,
-    ) -> Result<f64, Diagnostic> {
-        let value = self.number()?;
-        if rule(value) {
-            return Ok(value);
+        let value = self.token.number(&self.record.label())?;
+        match self.record.check(value) {
+            (true, _) => Ok(value),
+            (false, rule) => Err(self.out_of_range(value, rule)),
         }
-        Err(self.wrong(&format!("is {}", self.token.text), right))
     }
 
-    pub(super) fn positive(&self) -> Result<f64, Diagnostic> {
-        self.number_if(|value| value > 0.0, "it must be greater than 0")
-    }
-
-    pub(super) fn not_negative(&self) -> Result<f64, Diagnostic> {
-        self.number_if(|value| value >= 0.0, "it must not be negative")
-    }
-
-    /// A whole number from `least` to [`MAX_ROWS`].
-    pub(super) fn count(&self, least: usize) -> Result<usize, Diagnostic> {
-        let value = self.token.integer(&self.label())?;
+    /// The whole number, in the range of the parameter.
+    pub(super) fn count(&self) -> Result<usize, Diagnostic> {
+        let value = self.token.integer(&self.record.label())?;
+        let least = match self.record.kind {
+            Kind::Count(least) => least,
+            _ => 0,
+        };
         match usize::try_from(value) {
             Ok(count) if (least..=MAX_ROWS).contains(&count) => Ok(count),
             _ => {
-                let right = format!("it must be from {least} to {MAX_ROWS}");
-                Err(self.wrong(&format!("is {value}"), &right))
+                let rule = format!("from {least} to {MAX_ROWS}");
+                Err(self.out_of_range(value as f64, rule))
             }
         }
     }
 
     pub(super) fn logical(&self) -> Result<bool, Diagnostic> {
-        self.token.logical(&self.label())
+        self.token.logical(&self.record.label())
     }
 
     /// The name of a file.
     pub(super) fn file(&self) -> Result<String, Diagnostic> {
         let path = self.token.text.trim();
         if path.is_empty() {
-            return Err(self.wrong("is empty", "a file name in quotes is expected"));
+            let what = self.record.label();
+            let kind = DiagnosticKind::wrong_type(what, "a file name in quotes", "an empty text");
+            return Err(self.token.wrong(kind));
         }
         Ok(path.to_owned())
     }
 
-    /// A mistake in the value, with what would be right.
-    pub(super) fn wrong(&self, is: &str, right: &str) -> Diagnostic {
-        Diagnostic::new(self.span(), format!("{} {is}", self.label())).with_hint(right)
+    /// The mistake of a value outside its range.
+    pub(super) fn out_of_range(&self, value: f64, rule: impl Into<String>) -> Diagnostic {
+        let what = self.record.label();
+        let kind = DiagnosticKind::out_of_range(what, value, rule);
+        self.token.wrong(kind)
     }
 }
 
-/// As many numbers as there are names of columns, from the beginning of a row; more are left out.
+/// So many numbers from the beginning of a row as there are columns; further ones are not read.
 pub(super) fn numbers<'a, const N: usize>(
     line: &Line<'a>,
     row: &str,
     columns: [&str; N],
 ) -> Result<[(f64, Token<'a>); N], Diagnostic> {
+    let too_few = |found: usize| {
+        let kind = DiagnosticKind::wrong_count(row, found, N);
+        let (missing, all) = (columns[found.min(N - 1)], columns.join(", "));
+        Diagnostic::new(line.span(), kind)
+            .with_hint(format!("{missing} is missing; a row has {all}"))
+    };
     let mut tokens = line.tokens();
     let mut read = Vec::with_capacity(N);
     for column in columns {
-        let Some(token) = tokens.next() else {
-            let message = format!("{row} has {} numbers; {column} is missing", read.len());
-            let hint = format!("a row has {}", columns.join(", "));
-            return Err(Diagnostic::new(line.span(), message).with_hint(hint));
-        };
+        let token = tokens.next().ok_or_else(|| too_few(read.len()))?;
         read.push((token.number(&format!("{column} of {row}"))?, token));
     }
-    let ended = || Diagnostic::new(line.span(), format!("{row} is too short"));
-    read.try_into().map_err(|_| ended())
+    read.try_into().map_err(|_| too_few(0))
 }
 
-/// Whether two shares of a length agree as well as OpenFAST wants in double precision.
-fn is_share(value: f64, wanted: f64) -> bool {
+/// Checks a number of a row.
+pub(super) fn check_cell(
+    token: &Token<'_>,
+    what: String,
+    value: f64,
+    kind: Kind,
+) -> Result<(), Diagnostic> {
+    match kind {
+        Kind::Number(is_met, rule) if !is_met(value) => {
+            Err(token.wrong(DiagnosticKind::out_of_range(what, value, rule)))
+        }
+        _ => Ok(()),
+    }
+}
+
+/// Whether two fractions of a length agree as well as OpenFAST requires in double precision.
+fn is_fraction(value: f64, wanted: f64) -> bool {
     (value - wanted).abs() <= 1e-14
 }
 
-/// Checks a row's share of the length, which begins at 0 and rises, and gives it.
+/// Checks the fraction of the length of a row: 0 in the first row, increasing from row to row.
 pub(super) fn next_fraction(
     value: f64,
     token: &Token<'_>,
     previous: Option<f64>,
     column: &str,
 ) -> Result<f64, Diagnostic> {
-    let wrong = |message: String, right: &str| {
-        Err(Diagnostic::new(token.span.clone(), message).with_hint(right))
-    };
     match previous {
-        None if is_share(value, 0.0) => Ok(0.0),
-        None => wrong(
-            format!("{column} of the first row is {}", token.text),
-            "it must be 0",
-        ),
+        None if is_fraction(value, 0.0) => Ok(0.0),
+        None => {
+            let what = format!("{column} of the first row");
+            Err(token.wrong(DiagnosticKind::out_of_range(what, value, "0")))
+        }
         Some(previous) if value > previous => Ok(value),
-        Some(previous) => wrong(
-            format!("{column} is {} after {previous}", token.text),
-            "it must rise from row to row; a step is two rows close together, such as 0.1 and 0.100001",
-        ),
+        Some(previous) => Err(token
+            .wrong(DiagnosticKind::not_rising(column, value, previous, ""))
+            .with_hint(
+                "it must increase from row to row; a step is two rows close together, such as 0.1 and 0.100001",
+            )),
     }
 }
 
-/// Checks that the last row's share of the length is 1, and gives it.
+/// Checks that the fraction of the length of the last row is 1, and returns it.
 pub(super) fn last_fraction(
     value: f64,
     span: Range<usize>,
     column: &str,
 ) -> Result<f64, Diagnostic> {
-    if is_share(value, 1.0) {
+    if is_fraction(value, 1.0) {
         return Ok(1.0);
     }
-    let message = format!("{column} of the last row is {value}");
-    Err(Diagnostic::new(span, message).with_hint("it must be 1"))
+    let what = format!("{column} of the last row");
+    Err(Diagnostic::new(
+        span,
+        DiagnosticKind::out_of_range(what, value, "1"),
+    ))
 }

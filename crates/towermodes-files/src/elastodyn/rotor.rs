@@ -4,7 +4,7 @@ use towermodes::{BladeDescription, BladeSection, RigidBody, Rotor};
 
 use super::blade_file::BladeFile;
 use super::main_file::MainFile;
-use crate::input::{Note, RotorNotes};
+use crate::note::{Note, RotorNotes};
 use crate::source::Source;
 
 /// A blade is cut into so many elements, or into as many as its table has intervals, up to
@@ -14,7 +14,7 @@ const MOST_ELEMENTS: usize = 400;
 
 /// Number of blades and the speed at which a simulation begins; none of a rotor that does not turn.
 ///
-/// ElastoDyn's files do not say the range of speeds in operation, which the controller decides.
+/// The files of ElastoDyn do not give the range of operating speeds, which depends on the controller.
 pub(super) fn rotor(main: &MainFile) -> Option<Rotor> {
     let rpm = main.rotor_speed_rpm;
     (rpm > 0.0).then_some(Rotor {
@@ -56,14 +56,14 @@ pub(super) fn blade(main: &MainFile, file: &BladeFile) -> BladeDescription {
 
 /// What was decided of the rotor; of its blade only if that was read.
 pub(super) fn notes(main: &MainFile, source: &Source, has_blade: bool) -> RotorNotes {
-    let at = |key: &str, message: String| Note::at(source, main.place(key).start, message);
+    let at = |key: &str, note: Note| note.at(source, main.place(key).start);
     let mut notes = RotorNotes::default();
     let rpm = main.rotor_speed_rpm;
     if rpm > 0.0 {
         let message = format!(
-            "RotSpeed = {rpm} rpm is taken as the only speed of operation; ElastoDyn's files do not say the range"
+            "RotSpeed = {rpm} rpm is the only operating speed; the files of ElastoDyn do not give the range"
         );
-        notes.speeds.push(at("RotSpeed", message));
+        notes.speeds.push(at("RotSpeed", Note::assumption(message)));
     }
     if !has_blade {
         return notes;
@@ -71,16 +71,18 @@ pub(super) fn notes(main: &MainFile, source: &Source, has_blade: bool) -> RotorN
     let precone_deg = main.precone_deg[0];
     if precone_deg != 0.0 {
         let message = format!(
-            "PreCone(1) = {precone_deg} degrees is left out of the blade's modes: it turns in the rotor's plane"
+            "PreCone(1) = {precone_deg} degrees is ignored in the modes of the blade, which rotates in the rotor plane"
         );
-        notes.others.push(at("PreCone(1)", message));
+        notes.others.push(at("PreCone(1)", Note::left_out(message)));
     }
     let pitch_deg = main.blade_pitch_deg[0];
     if pitch_deg != 0.0 {
         let message = format!(
-            "BlPitch(1) = {pitch_deg} degrees, where a simulation begins, is taken for the blade's modes at all speeds"
+            "BlPitch(1) = {pitch_deg} degrees, the initial pitch, is used for the modes of the blade at all speeds"
         );
-        notes.others.push(at("BlPitch(1)", message));
+        notes
+            .others
+            .push(at("BlPitch(1)", Note::assumption(message)));
     }
     for (blade, number) in (1..main.blade_count.min(3)).zip(2..) {
         let is_other = main.blade_files[blade] != main.blade_files[0]
@@ -91,7 +93,7 @@ pub(super) fn notes(main: &MainFile, source: &Source, has_blade: bool) -> RotorN
             let message = format!(
                 "blade {number} has another file, tip mass or pitch than the first; the modes are those of the first"
             );
-            notes.others.push(at(key, message));
+            notes.others.push(at(key, Note::assumption(message)));
         }
     }
     notes

@@ -1,29 +1,27 @@
-//! What OpenFAST refuses in a tower file.
+//! The checks of OpenFAST on a tower file.
 
 use thiserror::Error;
 use towermodes_analysis::elastodyn::{COEFFICIENT_DECIMALS, RoundingError, TowerPolynomial};
 
 use super::tower_file::TowerFile;
+use super::tower_records as records;
 
-/// The names of the four shapes of a tower file, without the number of the coefficient.
-pub(super) const SHAPES: [&str; 4] = ["TwFAM1Sh", "TwFAM2Sh", "TwSSM1Sh", "TwSSM2Sh"];
-
-/// Why a content cannot be written as a tower file: OpenFAST would refuse it, or it would not say
-/// what it should.
+/// Why a content cannot be written as a tower file: OpenFAST would refuse it, or the file would
+/// describe another tower.
 #[derive(Debug, Clone, PartialEq, Error)]
 #[non_exhaustive]
 pub enum TowerFileError {
-    /// A quantity that cannot be.
+    /// A quantity outside its range.
     #[error("{name} is {value}; it must be {rule}")]
     Quantity {
         /// Its name in the file, with the row (from 1) if it is in one.
         name: String,
         /// Its value.
         value: f64,
-        /// What it must be.
+        /// The range.
         rule: &'static str,
     },
-    /// Fewer rows than the base's and the top's.
+    /// Fewer than two rows, those of base and top.
     #[error("a tower file has at least 2 rows of distributed properties, not {rows}")]
     Rows {
         /// How many there are.
@@ -34,12 +32,12 @@ pub enum TowerFileError {
     Coefficients {
         /// The name of the shape.
         shape: &'static str,
-        /// Why.
+        /// The reason.
         error: RoundingError,
     },
-    /// Masses and no section to write them to.
+    /// Masses, but no section for them.
     #[error(
-        "there are {masses} concentrated masses, and the section for them was not asked for; OpenFAST has it since 4.2"
+        "the tower has {masses} concentrated masses, but the section for them is not requested; OpenFAST has it since 4.2"
     )]
     NoSection {
         /// How many there are.
@@ -59,33 +57,16 @@ pub(super) fn coefficient_texts(
     }
 }
 
-/// Refuses what OpenFAST 5.0 refuses, numbers that are none, and factors that leave no tower. The
+/// Checks what OpenFAST 5.0 checks, and that numbers are finite and factors positive. The
 /// coefficients are checked where they are printed.
 pub(super) fn check(content: &TowerFile) -> Result<(), TowerFileError> {
-    let of_modes = |name: &str, values: [f64; 2]| {
-        let [first, second] = values;
-        [
-            (format!("{name}(1)"), first),
-            (format!("{name}(2)"), second),
-        ]
-    };
-    let damping = [
-        of_modes("TwrFADmp", content.fore_aft_damping_percent),
-        of_modes("TwrSSDmp", content.side_side_damping_percent),
-    ];
-    for (name, value) in damping.into_iter().flatten() {
-        demand((0.0..=100.0).contains(&value), name, value, "from 0 to 100")?;
+    let damping = content.damping_percent();
+    let factors = content.factors();
+    let pairs = records::DAMPING.iter().zip(damping);
+    for (record, value) in pairs.chain(records::FACTORS.iter().zip(factors)) {
+        let (is_right, rule) = record.check(value);
+        demand(is_right && value.is_finite(), record.name, value, rule)?;
     }
-    let tuners = [
-        of_modes("FAStTunr", content.fore_aft_tuners),
-        of_modes("SSStTunr", content.side_side_tuners),
-    ];
-    for (name, value) in tuners.into_iter().flatten() {
-        positive(name, value)?;
-    }
-    positive("AdjTwMa", content.mass_factor)?;
-    positive("AdjFASt", content.fore_aft_factor)?;
-    positive("AdjSSSt", content.side_side_factor)?;
     check_rows(content)?;
     check_masses(content)
 }
@@ -126,7 +107,7 @@ fn check_masses(content: &TowerFile) -> Result<(), TowerFileError> {
         let is_share = (0.0..=1.0).contains(&height);
         demand(is_share, of_mass("HtFract"), height, "from 0 to 1")?;
         let is_mass = mass.mass_kg >= 0.0 && mass.mass_kg.is_finite();
-        demand(is_mass, of_mass("TwCMass"), mass.mass_kg, "no less than 0")?;
+        demand(is_mass, of_mass("TwCMass"), mass.mass_kg, "non-negative")?;
     }
     Ok(())
 }

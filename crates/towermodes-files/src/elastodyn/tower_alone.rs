@@ -1,10 +1,13 @@
-//! A tower from a tower file of ElastoDyn alone, which says everything but the heights of its ends.
+//! A tower from a tower file of ElastoDyn alone, which contains everything but the heights of its ends.
 
-use super::description::{Ends, ONLY_BENDS, description, hangs, remember, tuner_note};
-use super::hanging;
+use super::description::{
+    Ends, ONLY_BENDS, description, hanging_note, hangs, remember, tuner_note,
+};
 use super::tower_reader::read_with_places;
-use crate::diagnostic::Diagnostic;
-use crate::input::{FileFormat, InputError, Note, ReadOptions, TowerInput};
+use crate::diagnostic::{Diagnostic, DiagnosticKind};
+use crate::error::ReadError;
+use crate::input::{FileFormat, ReadOptions, TowerInput};
+use crate::note::Note;
 use crate::source::Source;
 
 const HINT: &str =
@@ -12,22 +15,22 @@ const HINT: &str =
 
 /// A tower, clamped and without a rotor-nacelle assembly, from a tower file of ElastoDyn alone.
 ///
-/// Its ends are those of the options, or those that a header line of the form
-/// `TowerHt = 87.6 m, TowerBsHt = 0 m` says.
+/// The heights of its ends are options, or are taken from a header line of the form
+/// `TowerHt = 87.6 m, TowerBsHt = 0 m`.
 ///
 /// # Errors
-/// The first mistake in the file, or that nothing says how high the tower is.
+/// The first mistake in the file, or that the height of the tower is not known.
 pub fn read_elastodyn_tower(
     source: Source,
     options: &ReadOptions,
-) -> Result<TowerInput, InputError> {
+) -> Result<TowerInput, ReadError> {
     let reading = match read_with_places(&source) {
         Ok(reading) => reading,
-        Err(mistake) => return Err(InputError::mistake(&source, mistake)),
+        Err(mistake) => return Err(ReadError::mistake(&source, mistake)),
     };
     let (ends, hangs) = match ends(&reading.file.header, options) {
         Ok(found) => found,
-        Err(mistake) => return Err(InputError::mistake(&source, mistake)),
+        Err(mistake) => return Err(ReadError::mistake(&source, mistake)),
     };
     let title = without_heights(&reading.file.header[1]);
     let description = description(&reading.file, ends, title);
@@ -36,37 +39,37 @@ pub fn read_elastodyn_tower(
     input.notes = reading.notes;
     input.notes.extend(tuner_note(&reading.file));
     input.notes.push(Note::new(ONLY_BENDS));
-    input.notes.extend(hangs.then(|| hanging::note(ends)));
-    input.notes.push(Note::on_missing_part(format!(
-        "the tower stands from {} m to {} m, clamped, with nothing on top and without gravity: a tower file does not say what it carries",
+    input.notes.extend(hangs.then(|| hanging_note(ends)));
+    input.notes.push(Note::missing_part(format!(
+        "the tower extends from {} m to {} m, clamped, without RNA and without gravity: a tower file contains neither",
         ends.base_m, ends.top_m
     )));
     Ok(input)
 }
 
-/// The heights of the ends, of the options if they say them, and whether the tower hangs.
+/// The heights of the ends, from the options first, and whether the tower hangs.
 fn ends(header: &[String; 2], options: &ReadOptions) -> Result<(Ends, bool), Diagnostic> {
-    let said = |name| header.iter().rev().find_map(|line| value_after(line, name));
-    let Some(top_m) = options.tower_height_m.or_else(|| said("TowerHt")) else {
-        let message = "a tower file alone does not say how high the tower is";
-        return Err(Diagnostic::new(0..0, message).with_hint(HINT));
+    let given = |name| header.iter().rev().find_map(|line| value_after(line, name));
+    let Some(top_m) = options.tower_height_m.or_else(|| given("TowerHt")) else {
+        let kind = DiagnosticKind::Missing {
+            what: "the height of the tower, which a tower file does not contain,".to_owned(),
+        };
+        return Err(Diagnostic::new(0..0, kind).with_hint(HINT));
     };
-    let base_m = options.tower_base_m.or_else(|| said("TowerBsHt"));
+    let base_m = options.tower_base_m.or_else(|| given("TowerBsHt"));
     let base_m = base_m.unwrap_or(0.0);
     let ends = Ends::of(base_m, top_m);
     let length_m = ends.top_m - ends.base_m;
     if length_m > 0.0 && length_m.is_finite() {
         return Ok((ends, hangs(base_m, top_m)));
     }
-    let message = format!(
-        "the tower's top is at {} m and its base at {} m",
-        ends.top_m, ends.base_m
-    );
-    Err(Diagnostic::new(0..0, message).with_hint("the top must be above the base"))
+    let rule = format!("above the base, {} m", ends.base_m);
+    let kind = DiagnosticKind::out_of_range_in("the tower top", ends.top_m, "m", rule);
+    Err(Diagnostic::new(0..0, kind))
 }
 
-/// The number after the last `name =` in a line, if it says it: a tower's own name stands before
-/// and may be anything.
+/// The number after the last `name =` in a line. The title of the tower precedes it and may be
+/// anything.
 fn value_after(line: &str, name: &str) -> Option<f64> {
     let (_, rest) = line.rsplit_once(name)?;
     let number = rest.trim_start().strip_prefix('=')?.trim_start();
@@ -76,8 +79,7 @@ fn value_after(line: &str, name: &str) -> Option<f64> {
     number.parse().ok().filter(|value: &f64| value.is_finite())
 }
 
-/// A header line without the heights at its end: another tower made of this one would have them in
-/// its name.
+/// A header line without the heights at its end, which do not belong to the title.
 fn without_heights(line: &str) -> &str {
     match line.rsplit_once("TowerHt =") {
         Some((what, heights)) if heights.contains("TowerBsHt =") => {

@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-/// What stands in a tower file of ElastoDyn.
+/// The content of a tower file of ElastoDyn.
 #[derive(Debug, Clone, PartialEq)]
 pub struct TowerFile {
     /// Its two free header lines.
@@ -21,18 +21,38 @@ pub struct TowerFile {
     pub fore_aft_factor: f64,
     /// Factor of the column of side-side stiffnesses.
     pub side_side_factor: f64,
-    /// The distributed properties as they stand there, without the factors.
+    /// The distributed properties as written, without the factors.
     pub rows: Vec<TowerRow>,
     /// The coefficients of x² to x⁶: of the first and second fore-aft, first and second side-side
     /// mode.
     pub coefficients: [[f64; 5]; 4],
-    /// Concentrated masses; the section is there since OpenFAST 4.2.
+    /// Concentrated masses; OpenFAST has the section since 4.2.
     pub concentrated_masses: Vec<ConcentratedMass>,
 }
 
 impl TowerFile {
-    /// The rows from the base to the top: of a uniform tower, which has one row (`NTwInpSt` = 1),
-    /// that row at both ends.
+    /// The damping ratios in the order of the file, percent of critical.
+    pub(super) fn damping_percent(&self) -> [f64; 4] {
+        let [first, second] = self.fore_aft_damping_percent;
+        let [third, fourth] = self.side_side_damping_percent;
+        [first, second, third, fourth]
+    }
+
+    /// The tuners and factors in the order of the file.
+    pub(super) fn factors(&self) -> [f64; 7] {
+        let [first, second] = self.fore_aft_tuners;
+        let [third, fourth] = self.side_side_tuners;
+        let columns = [
+            self.mass_factor,
+            self.fore_aft_factor,
+            self.side_side_factor,
+        ];
+        let [mass, fore_aft, side_side] = columns;
+        [first, second, third, fourth, mass, fore_aft, side_side]
+    }
+
+    /// The rows from the base to the top. A uniform tower has one row (`NTwInpSt` = 1), which holds at
+    /// both ends.
     pub fn rows_to_the_top(&self) -> impl Iterator<Item = TowerRow> + '_ {
         let top = match self.rows.as_slice() {
             [only] => Some(TowerRow {
@@ -48,7 +68,7 @@ impl TowerFile {
 /// A row of the distributed properties.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct TowerRow {
-    /// Height as a share of the flexible tower, 0 to 1.
+    /// Height as a fraction of the flexible tower, 0 to 1.
     pub height_fraction: f64,
     /// Mass per length, kg/m.
     pub mass_kg_per_m: f64,
@@ -61,12 +81,11 @@ pub struct TowerRow {
 /// A mass at a height.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ConcentratedMass {
-    /// Height as a share of the flexible tower, 0 to 1.
+    /// Height as a fraction of the flexible tower, 0 to 1.
     pub height_fraction: f64,
     /// Mass, kg.
     pub mass_kg: f64,
 }
 
-/// Where in its text the coefficients of a tower file stand: the bytes of each number, in the order
-/// of [`TowerFile::coefficients`].
+/// The bytes of each coefficient in the text of a tower file, in the order of [`TowerFile::coefficients`].
 pub type CoefficientSpans = [[Range<usize>; 5]; 4];

@@ -1,59 +1,19 @@
 //! Reads a tower file of ElastoDyn, or of FAST 7.
 //!
-//! OpenFAST reads it by position (`ReadTowerFile` in `ElastoDyn_IO.f90`) and refuses what is
-//! refused here (`ValidateTowerData`).
+//! Source: OpenFAST reads it by position (`ReadTowerFile` in `ElastoDyn_IO.f90`) and makes the same
+//! checks (`ValidateTowerData`).
 
 use std::ops::Range;
 
-use super::names::name_on;
-use super::positional::{Parameter, Positional, last_fraction, next_fraction, numbers};
+use super::positional::{
+    Kind, NON_NEGATIVE, POSITIVE, Parameter, Positional, Record, check_cell, last_fraction,
+    next_fraction, numbers,
+};
 use super::tower_file::{CoefficientSpans, ConcentratedMass, TowerFile, TowerRow};
+use super::tower_records::{self as records, COLUMNS, MASS_COLUMNS};
 use crate::diagnostic::Diagnostic;
-use crate::input::Note;
+use crate::note::Note;
 use crate::source::Source;
-
-/// The names of all parameters of a tower file.
-const KEYS: &[&str] = &[
-    "NTwInpSt",
-    "CalcTMode",
-    "TwrFADmp(1)",
-    "TwrFADmp(2)",
-    "TwrSSDmp(1)",
-    "TwrSSDmp(2)",
-    "FAStTunr(1)",
-    "FAStTunr(2)",
-    "SSStTunr(1)",
-    "SSStTunr(2)",
-    "AdjTwMa",
-    "AdjFASt",
-    "AdjSSSt",
-    "TwFAM1Sh(2)",
-    "TwFAM1Sh(3)",
-    "TwFAM1Sh(4)",
-    "TwFAM1Sh(5)",
-    "TwFAM1Sh(6)",
-    "TwFAM2Sh(2)",
-    "TwFAM2Sh(3)",
-    "TwFAM2Sh(4)",
-    "TwFAM2Sh(5)",
-    "TwFAM2Sh(6)",
-    "TwSSM1Sh(2)",
-    "TwSSM1Sh(3)",
-    "TwSSM1Sh(4)",
-    "TwSSM1Sh(5)",
-    "TwSSM1Sh(6)",
-    "TwSSM2Sh(2)",
-    "TwSSM2Sh(3)",
-    "TwSSM2Sh(4)",
-    "TwSSM2Sh(5)",
-    "TwSSM2Sh(6)",
-    "NTwCMass",
-];
-
-/// Where damping, factors and coefficients begin in [`KEYS`].
-const FIRST_DAMPING: usize = 2;
-const FIRST_FACTOR: usize = 6;
-const FIRST_COEFFICIENT: usize = 13;
 
 /// The modes whose coefficients a file has.
 const MODES: [&str; 4] = [
@@ -63,11 +23,11 @@ const MODES: [&str; 4] = [
     "2nd side-side",
 ];
 
-/// OpenFAST refuses coefficients whose sum is further from 1.
-const SUM_TOLERANCE: f64 = 0.0015;
+/// A fraction of the length.
+const FRACTION: Kind = Kind::Number(|value| (0.0..=1.0).contains(&value), "from 0 to 1");
 
-const COLUMNS: [&str; 4] = ["HtFract", "TMassDen", "TwFAStif", "TwSSStif"];
-const MASS_COLUMNS: [&str; 2] = ["HtFract", "TwCMass"];
+/// OpenFAST refuses coefficients whose sum differs from 1 by more.
+const SUM_TOLERANCE: f64 = 0.0015;
 
 /// Where the values of a tower file stand, bytes.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -91,8 +51,8 @@ pub(super) struct TowerReading {
 
 /// Reads a tower file of ElastoDyn, of any version of OpenFAST, or of FAST 7.
 ///
-/// Mode shapes whose coefficients do not sum to 1 are read, with a note, though OpenFAST refuses
-/// them: they are there to be replaced.
+/// Mode shapes whose coefficients do not sum to 1 are read, with a note, although OpenFAST refuses
+/// them: they can be replaced.
 ///
 /// # Errors
 /// The first mistake in it.
@@ -105,24 +65,16 @@ pub fn read_tower_file(
 
 /// The same with the places of all values.
 pub(super) fn read_with_places(source: &Source) -> Result<TowerReading, Diagnostic> {
-    let mut lines = Positional::new(&source.text, KEYS);
-    let header = lines.header("NTwInpSt")?;
+    let mut lines = Positional::new(&source.text, records::all());
+    let header = lines.header(&records::ROWS)?;
     lines.heading("the heading TOWER PARAMETERS")?;
-    let count = lines.parameter("NTwInpSt", "number of rows")?;
-    if lines
-        .peek_filled()
-        .and_then(|line| name_on(&line))
-        .as_deref()
-        == Some("calctmode")
-    {
-        lines.parameter("CalcTMode", "flag of FAST 7")?;
+    let count = lines.parameter(&records::ROWS)?;
+    if lines.is_next(&records::CALC_MODE) {
+        lines.parameter(&records::CALC_MODE)?;
     }
-    let mut damping = [0.0; 4];
-    for (ratio, key) in damping.iter_mut().zip(&KEYS[FIRST_DAMPING..FIRST_FACTOR]) {
-        *ratio = damping_ratio(&lines.parameter(key, "damping, percent of critical")?)?;
-    }
+    let damping = values(&mut lines, &records::DAMPING)?;
     lines.heading("the heading TOWER ADJUSTMENT FACTORS")?;
-    let factors = factors(&mut lines)?;
+    let factors = values(&mut lines, &records::FACTORS)?;
     let mut spans = TowerSpans {
         count: count.span(),
         ..TowerSpans::default()
@@ -147,19 +99,14 @@ pub(super) fn read_with_places(source: &Source) -> Result<TowerReading, Diagnost
     Ok(TowerReading { file, spans, notes })
 }
 
-fn damping_ratio(parameter: &Parameter<'_>) -> Result<f64, Diagnostic> {
-    let within = |value: f64| (0.0..=100.0).contains(&value);
-    parameter.number_if(within, "it must be from 0 to 100 percent")
-}
-
-/// The tuners of the modal stiffnesses and the factors of the columns.
-fn factors(lines: &mut Positional<'_>) -> Result<[f64; 7], Diagnostic> {
-    let mut values = [0.0; 7];
-    for (value, key) in values
-        .iter_mut()
-        .zip(&KEYS[FIRST_FACTOR..FIRST_COEFFICIENT])
-    {
-        *value = lines.parameter(key, "factor")?.positive()?;
+/// The numbers of parameters that follow each other.
+fn values<const N: usize>(
+    lines: &mut Positional<'_>,
+    records: &[Record; N],
+) -> Result<[f64; N], Diagnostic> {
+    let mut values = [0.0; N];
+    for (value, record) in values.iter_mut().zip(records) {
+        *value = lines.parameter(record)?.number()?;
     }
     Ok(values)
 }
@@ -170,7 +117,7 @@ fn rows(
     count: &Parameter<'_>,
     spans: &mut TowerSpans,
 ) -> Result<Vec<TowerRow>, Diagnostic> {
-    let wanted = count.count(1)?;
+    let wanted = count.count()?;
     lines.heading("the heading DISTRIBUTED TOWER PROPERTIES")?;
     lines.heading("the names of the columns")?;
     lines.heading("the units of the columns")?;
@@ -178,13 +125,10 @@ fn rows(
     while rows.len() < wanted {
         let line = lines.row("the distributed properties", rows.len(), count)?;
         let name = format!("row {}", rows.len() + 1);
-        let values = numbers(&line, &name, COLUMNS)?;
-        for ((value, token), column) in values.iter().zip(COLUMNS).skip(1) {
-            if *value <= 0.0 {
-                let message = format!("{column} of {name} is {}", token.text);
-                let mistake = Diagnostic::new(token.span.clone(), message);
-                return Err(mistake.with_hint("it must be greater than 0"));
-            }
+        let columns = COLUMNS.map(|(column, _)| column);
+        let values = numbers(&line, &name, columns)?;
+        for ((value, token), column) in values.iter().zip(columns).skip(1) {
+            check_cell(token, format!("{column} of {name}"), *value, POSITIVE)?;
         }
         let [
             (height, token),
@@ -221,8 +165,7 @@ fn coefficients(
             lines.heading("the heading TOWER SIDE-TO-SIDE MODE SHAPES")?;
         }
         for power in 0..5 {
-            let key = KEYS[FIRST_COEFFICIENT + 5 * mode + power];
-            let parameter = lines.parameter(key, "coefficient of a mode shape")?;
+            let parameter = lines.parameter(&records::COEFFICIENTS[mode][power])?;
             coefficients[mode][power] = parameter.number()?;
             spans.coefficients[mode][power] = parameter.span();
         }
@@ -230,7 +173,7 @@ fn coefficients(
     Ok(coefficients)
 }
 
-/// The section of concentrated masses, which files for OpenFAST before 4.2 do not have.
+/// The section of concentrated masses, in files for OpenFAST since 4.2.
 fn concentrated_masses(
     lines: &mut Positional<'_>,
     spans: &mut TowerSpans,
@@ -245,8 +188,8 @@ fn concentrated_masses(
         return Ok(masses);
     }
     lines.heading("the heading TOWER CONCENTRATED MASSES")?;
-    let count = lines.parameter("NTwCMass", "number of concentrated masses")?;
-    let wanted = count.count(0)?;
+    let count = lines.parameter(&records::MASSES)?;
+    let wanted = count.count()?;
     if wanted == 0 {
         return Ok(masses);
     }
@@ -255,18 +198,11 @@ fn concentrated_masses(
     while masses.len() < wanted {
         let line = lines.row("the concentrated masses", masses.len(), &count)?;
         let name = format!("concentrated mass {}", masses.len() + 1);
-        let values = numbers(&line, &name, MASS_COLUMNS)?;
+        let values = numbers(&line, &name, MASS_COLUMNS.map(|(column, _)| column))?;
         let [(height_fraction, height), (mass_kg, mass)] = &values;
-        if !(0.0..=1.0).contains(height_fraction) {
-            let message = format!("HtFract of {name} is {}", height.text);
-            let mistake = Diagnostic::new(height.span.clone(), message);
-            return Err(mistake.with_hint("it must be from 0 to 1"));
-        }
-        if *mass_kg < 0.0 {
-            let message = format!("TwCMass of {name} is {}", mass.text);
-            let mistake = Diagnostic::new(mass.span.clone(), message);
-            return Err(mistake.with_hint("it must not be negative"));
-        }
+        let what = format!("HtFract of {name}");
+        check_cell(height, what, *height_fraction, FRACTION)?;
+        check_cell(mass, format!("TwCMass of {name}"), *mass_kg, NON_NEGATIVE)?;
         masses.push(ConcentratedMass {
             height_fraction: *height_fraction,
             mass_kg: *mass_kg,
@@ -276,7 +212,7 @@ fn concentrated_masses(
     Ok(masses)
 }
 
-/// What OpenFAST would say of the sums of the coefficients.
+/// The notes on sums of coefficients that OpenFAST refuses.
 fn notes_on_sums(
     source: &Source,
     coefficients: &[[f64; 5]; 4],
@@ -288,9 +224,9 @@ fn notes_on_sums(
         let is_off = sum.is_nan() || (sum - 1.0).abs() > SUM_TOLERANCE;
         is_off.then(|| {
             let message = format!(
-                "the coefficients of the {name} mode sum to {sum:.6} instead of 1: OpenFAST refuses more than {SUM_TOLERANCE} off"
+                "the coefficients of the {name} mode sum to {sum:.6} instead of 1; OpenFAST refuses a difference of more than {SUM_TOLERANCE}"
             );
-            Note::at(source, spans[0].start, message)
+            Note::suspicious(message).at(source, spans[0].start)
         })
     });
     off.collect()

@@ -1,8 +1,10 @@
-//! Writes tower files of ElastoDyn, laid out and worded as those of OpenFAST's examples.
+//! Writes tower files of ElastoDyn with the layout and words of OpenFAST's examples.
 
 use super::columns::{column, rising_column};
-use super::rules::{SHAPES, TowerFileError, check, coefficient_texts};
+use super::positional::Record;
+use super::rules::{TowerFileError, check, coefficient_texts};
 use super::tower_file::{ConcentratedMass, TowerFile};
+use super::tower_records as records;
 
 /// The first line of every tower file.
 const TITLE: &str =
@@ -12,14 +14,14 @@ const RULER: usize = 80;
 /// Values end at this column, so that names begin in one.
 const VALUE: usize = 14;
 
-/// A whole tower file: what OpenFAST reads without complaint and makes the same tower of.
+/// The text of a tower file, which OpenFAST reads without a complaint as the same tower.
 ///
-/// Coefficients are printed as decimals that add up to 1 exactly, numbers otherwise with at least
-/// nine digits, and heights with as many as keep them apart. A content with concentrated masses
+/// Coefficients are printed as decimals that add up to 1 exactly, other numbers with at least nine
+/// digits, and heights with as many digits as keep them apart. A content with concentrated masses
 /// needs the section for them, which OpenFAST has since 4.2.
 ///
 /// # Errors
-/// [`TowerFileError`]: what OpenFAST would refuse.
+/// [`TowerFileError`] if OpenFAST would refuse the file.
 pub fn write_tower_file(
     content: &TowerFile,
     concentrated_masses_section: bool,
@@ -43,8 +45,8 @@ pub fn write_tower_file(
     Ok(lines.join("\n") + "\n")
 }
 
-/// The header of a tower file with the heights that no other line of it says: what it is, and where
-/// its base and top are (m above ground or sea level).
+/// The header of a tower file: a title, and the heights of base and top (m above ground or sea
+/// level), which no other line gives.
 pub fn header_with_heights(what: &str, tower_height_m: f64, tower_base_m: f64) -> [String; 2] {
     let what = one_line(what);
     let gap = if what.is_empty() { "" } else { "; " };
@@ -54,72 +56,20 @@ pub fn header_with_heights(what: &str, tower_height_m: f64, tower_base_m: f64) -
 
 fn parameters(content: &TowerFile, lines: &mut Vec<String>) {
     lines.push(ruler("TOWER PARAMETERS"));
-    let rows = content.rows.len().to_string();
-    let meaning = "Number of input stations to specify tower geometry";
-    lines.push(item(&rows, "NTwInpSt", meaning));
-    let planes = [
-        ("TwrFADmp", "fore-aft", content.fore_aft_damping_percent),
-        (
-            "TwrSSDmp",
-            "side-to-side",
-            content.side_side_damping_percent,
-        ),
-    ];
-    for (name, plane, values) in planes {
-        for ((number, order), value) in [(1, "1st"), (2, "2nd")].into_iter().zip(values) {
-            let meaning = format!("Tower {order} {plane} mode structural damping ratio (%)");
-            lines.push(item(
-                &format!("{value:?}"),
-                &format!("{name}({number})"),
-                &meaning,
-            ));
-        }
-    }
+    lines.push(item(&content.rows.len().to_string(), &records::ROWS));
+    items(content.damping_percent(), &records::DAMPING, lines);
 }
 
 fn factors(content: &TowerFile, lines: &mut Vec<String>) {
     // So spelled in every tower file of OpenFAST's examples.
     lines.push(ruler("TOWER ADJUSTMUNT FACTORS"));
-    let [first, second] = content.fore_aft_tuners;
-    let [third, fourth] = content.side_side_tuners;
-    let items = [
-        (
-            first,
-            "FAStTunr(1)",
-            "Tower fore-aft modal stiffness tuner, 1st mode (-)",
-        ),
-        (
-            second,
-            "FAStTunr(2)",
-            "Tower fore-aft modal stiffness tuner, 2nd mode (-)",
-        ),
-        (
-            third,
-            "SSStTunr(1)",
-            "Tower side-to-side stiffness tuner, 1st mode (-)",
-        ),
-        (
-            fourth,
-            "SSStTunr(2)",
-            "Tower side-to-side stiffness tuner, 2nd mode (-)",
-        ),
-        (
-            content.mass_factor,
-            "AdjTwMa",
-            "Factor to adjust tower mass density (-)",
-        ),
-        (
-            content.fore_aft_factor,
-            "AdjFASt",
-            "Factor to adjust tower fore-aft stiffness (-)",
-        ),
-        (
-            content.side_side_factor,
-            "AdjSSSt",
-            "Factor to adjust tower side-to-side stiffness (-)",
-        ),
-    ];
-    lines.extend(items.map(|(value, name, meaning)| item(&format!("{value:?}"), name, meaning)));
+    items(content.factors(), &records::FACTORS, lines);
+}
+
+/// A line for each value.
+fn items<const N: usize>(values: [f64; N], records: &[Record; N], lines: &mut Vec<String>) {
+    let pairs = values.into_iter().zip(records);
+    lines.extend(pairs.map(|(value, record)| item(&format!("{value:?}"), record)));
 }
 
 fn properties(content: &TowerFile, lines: &mut Vec<String>) {
@@ -129,15 +79,13 @@ fn properties(content: &TowerFile, lines: &mut Vec<String>) {
     let masses: Vec<f64> = rows().map(|row| row.mass_kg_per_m).collect();
     let fore_aft: Vec<f64> = rows().map(|row| row.fore_aft_n_m2).collect();
     let side_side: Vec<f64> = rows().map(|row| row.side_side_n_m2).collect();
-    table(
-        &[
-            ("HtFract", "(-)", rising_column(&heights)),
-            ("TMassDen", "(kg/m)", column(&masses)),
-            ("TwFAStif", "(Nm^2)", column(&fore_aft)),
-            ("TwSSStif", "(Nm^2)", column(&side_side)),
-        ],
-        lines,
-    );
+    let columns = [
+        rising_column(&heights),
+        column(&masses),
+        column(&fore_aft),
+        column(&side_side),
+    ];
+    table(records::COLUMNS, columns, lines);
 }
 
 fn shapes(
@@ -145,59 +93,46 @@ fn shapes(
     modes: [usize; 2],
     lines: &mut Vec<String>,
 ) -> Result<(), TowerFileError> {
-    for (number, mode) in (1..).zip(modes) {
-        let texts = coefficient_texts(SHAPES[mode], content.coefficients[mode])?;
-        for (power, text) in (2..).zip(texts) {
-            let of_mode = match power {
-                2 => format!("Mode {number}"),
-                _ => " ".repeat(6),
-            };
-            let meaning = format!("{of_mode}, coefficient of x^{power} term");
-            lines.push(item(&text, &format!("{}({power})", SHAPES[mode]), &meaning));
-        }
+    for mode in modes {
+        let texts = coefficient_texts(records::SHAPES[mode], content.coefficients[mode])?;
+        let pairs = texts.iter().zip(&records::COEFFICIENTS[mode]);
+        lines.extend(pairs.map(|(text, record)| item(text, record)));
     }
     Ok(())
 }
 
 fn concentrated_masses(masses: &[ConcentratedMass], lines: &mut Vec<String>) {
     lines.push(ruler("TOWER CONCENTRATED MASSES"));
-    let count = masses.len().to_string();
-    lines.push(item(
-        &count,
-        "NTwCMass",
-        "Number of tower concentrated masses",
-    ));
+    lines.push(item(&masses.len().to_string(), &records::MASSES));
     let heights: Vec<f64> = masses.iter().map(|mass| mass.height_fraction).collect();
     let masses: Vec<f64> = masses.iter().map(|mass| mass.mass_kg).collect();
-    table(
-        &[
-            ("HtFract", "(-)", column(&heights)),
-            ("TwCMass", "(kg)", column(&masses)),
-        ],
-        lines,
-    );
+    let columns = [column(&heights), column(&masses)];
+    table(records::MASS_COLUMNS, columns, lines);
 }
 
 /// Columns of equal length under their names and units, each as wide as its widest entry.
-fn table(columns: &[(&str, &str, Vec<String>)], lines: &mut Vec<String>) {
-    let widths = columns.iter().map(|(name, unit, values)| {
-        let widest = values.iter().map(String::len).max().unwrap_or(0);
-        widest.max(name.len()).max(unit.len())
+fn table<const N: usize>(
+    heads: [(&str, &str); N],
+    columns: [Vec<String>; N],
+    lines: &mut Vec<String>,
+) {
+    let widths: [usize; N] = std::array::from_fn(|k| {
+        let widest = columns[k].iter().map(String::len).max().unwrap_or(0);
+        widest.max(heads[k].0.len()).max(heads[k].1.len())
     });
-    let widths: Vec<usize> = widths.collect();
     let line = |entry: &dyn Fn(usize) -> String| {
-        let entries = (0..columns.len()).map(|k| format!("{:^1$}", entry(k), widths[k]));
+        let entries = (0..N).map(|k| format!("{:^1$}", entry(k), widths[k]));
         entries.collect::<Vec<_>>().join("  ").trim_end().to_owned()
     };
-    lines.push(line(&|k| columns[k].0.to_owned()));
-    lines.push(line(&|k| columns[k].1.to_owned()));
-    let rows = columns.first().map_or(0, |(_, _, values)| values.len());
-    lines.extend((0..rows).map(|row| line(&|k| columns[k].2[row].clone())));
+    lines.push(line(&|k| heads[k].0.to_owned()));
+    lines.push(line(&|k| heads[k].1.to_owned()));
+    let rows = columns.first().map_or(0, Vec::len);
+    lines.extend((0..rows).map(|row| line(&|k| columns[k][row].clone())));
 }
 
-/// A line of a value, its name and what it means.
-fn item(value: &str, name: &str, meaning: &str) -> String {
-    format!("{value:>VALUE$}   {name:<11} - {meaning}")
+/// A line of a value, its name and its meaning.
+fn item(value: &str, record: &Record) -> String {
+    format!("{value:>VALUE$}   {:<11} - {}", record.name, record.meaning)
 }
 
 /// A section's title in a ruler.
@@ -214,7 +149,7 @@ fn title(text: &str) -> String {
     }
 }
 
-/// A header must not become two lines, which would move all that OpenFAST reads by its place.
+/// A header must not become two lines, because OpenFAST reads the file by position.
 fn one_line(text: &str) -> String {
     let plain = |c: char| {
         if c.is_control() || c == '\u{2028}' || c == '\u{2029}' {

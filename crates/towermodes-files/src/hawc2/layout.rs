@@ -1,15 +1,15 @@
-//! Which sets and subsets a structural file of HAWC2 has, and where.
+//! The sets and subsets of a structural file of HAWC2, with their places.
 
 use std::collections::HashSet;
 use std::ops::Range;
 
-use crate::diagnostic::Diagnostic;
+use crate::diagnostic::{Diagnostic, DiagnosticKind};
 use crate::records::{Line, Lines, Token};
 
 /// More subsets than this are refused: real files have a handful.
 const MAX_SUBSETS: usize = 1000;
 
-/// A set: what follows a line `#1 name`.
+/// A set: the lines after a line `#1 name`.
 #[derive(Debug)]
 pub(super) struct Set<'a> {
     /// Its number.
@@ -27,18 +27,18 @@ pub(super) struct Subset<'a> {
     pub(super) set: usize,
     /// Its own number.
     pub(super) number: usize,
-    /// How many rows its line announces; nothing may be allocated by it.
+    /// The number of rows that its line announces; no memory may be allocated by it.
     pub(super) announced: usize,
     /// The rest of its line.
     pub(super) name: &'a str,
     /// The bytes of its line.
     pub(super) span: Range<usize>,
-    /// What follows its line, to the end of the file.
+    /// The lines after its line, to the end of the file.
     pub(super) after: Lines<'a>,
 }
 
 impl Subset<'_> {
-    /// What it is called in messages: `set 1, subset 2`.
+    /// Its name in messages: `set 1, subset 2`.
     pub(super) fn label(&self) -> String {
         format!("set {}, subset {}", self.set, self.number)
     }
@@ -52,7 +52,7 @@ pub(super) struct Layout<'a> {
 }
 
 impl<'a> Layout<'a> {
-    /// Finds the headers; rows are not looked at.
+    /// Finds the headers; rows are not read.
     pub(super) fn of(text: &'a str) -> Result<Self, Diagnostic> {
         let mut layout = Self::default();
         let mut numbers = HashSet::new();
@@ -63,19 +63,22 @@ impl<'a> Layout<'a> {
             } else if line.text.trim_start().starts_with('$') {
                 let subset = layout.subset(&line, lines.clone())?;
                 if !numbers.insert((subset.set, subset.number)) {
-                    let message = format!("{} is there a second time", subset.label());
-                    return Err(Diagnostic::new(line.span(), message)
+                    let (what, times) = (subset.label(), 2);
+                    let kind = DiagnosticKind::Repeated { what, times };
+                    return Err(Diagnostic::new(line.span(), kind)
                         .with_hint("give each subset of a set its own number"));
                 }
                 layout.subsets.push(subset);
             }
-            if layout.sets.len().max(layout.subsets.len()) > MAX_SUBSETS {
-                let message = format!("more than {MAX_SUBSETS} sets or subsets");
-                return Err(Diagnostic::new(line.span(), message));
+            let found = layout.sets.len().max(layout.subsets.len());
+            if found > MAX_SUBSETS {
+                let (what, limit) = ("sets or subsets".to_owned(), MAX_SUBSETS);
+                let kind = DiagnosticKind::TooMany { what, found, limit };
+                return Err(Diagnostic::new(line.span(), kind));
             }
         }
         if layout.subsets.is_empty() {
-            let what = "a line `$1 n`, the subset 1 with its number n of rows,";
+            let what = "a line `$1 n` (subset 1 with n rows)";
             return Err(lines.ended(what));
         }
         Ok(layout)
@@ -83,17 +86,17 @@ impl<'a> Layout<'a> {
 
     /// The subset that a line `$1 20 name` begins.
     fn subset(&self, line: &Line<'a>, after: Lines<'a>) -> Result<Subset<'a>, Diagnostic> {
-        let hint = "a subset begins with `$1 20 name`: its number and how many rows follow";
+        let hint = "a subset begins with `$1 20 name`: its number and its number of rows";
         let set = self.sets.last().ok_or_else(|| {
-            Diagnostic::new(line.span(), "a subset before any set")
-                .with_hint("a set begins with a line `#1 name`")
+            let kind = DiagnosticKind::misplaced("a set", "a subset");
+            Diagnostic::new(line.span(), kind).with_hint("a set begins with a line `#1 name`")
         })?;
         let mut tokens = header_tokens(line, '$');
         let mut count = |what: &str| {
             let token = tokens.next().ok_or_else(|| {
                 let end = line.span().end;
-                Diagnostic::new(end..end, format!("the line ends where {what} is expected"))
-                    .with_hint(hint)
+                let what = what.to_owned();
+                Diagnostic::new(end..end, DiagnosticKind::Missing { what }).with_hint(hint)
             })?;
             let value = token
                 .integer(what)
@@ -101,7 +104,11 @@ impl<'a> Layout<'a> {
             match usize::try_from(value) {
                 Ok(positive) if positive > 0 => Ok(positive),
                 _ => Err(token
-                    .wrong(format!("{what} must be at least 1"))
+                    .wrong(DiagnosticKind::out_of_range(
+                        what,
+                        value as f64,
+                        "at least 1",
+                    ))
                     .with_hint(hint)),
             }
         };
@@ -117,10 +124,13 @@ impl<'a> Layout<'a> {
         })
     }
 
-    /// The subset asked for as (set, subset), or else the first.
-    pub(super) fn choose(&self, asked: Option<(usize, usize)>) -> Result<&Subset<'a>, Diagnostic> {
-        let Some((set, number)) = asked else {
-            // There is one: a layout without is refused.
+    /// The requested (set, subset), or else the first.
+    pub(super) fn choose(
+        &self,
+        requested: Option<(usize, usize)>,
+    ) -> Result<&Subset<'a>, Diagnostic> {
+        let Some((set, number)) = requested else {
+            // There is one: a layout without subsets is refused.
             return Ok(&self.subsets[0]);
         };
         let mut subsets = self.subsets.iter();
@@ -130,14 +140,14 @@ impl<'a> Layout<'a> {
                 let listed = self.subsets.iter().take(12).map(Subset::label);
                 let there: Vec<String> = listed.collect();
                 let more = if self.subsets.len() > 12 { "; …" } else { "" };
-                let message = format!("there is no set {set}, subset {number}");
+                let what = format!("set {set}, subset {number}");
                 let span = self.sets.first().map_or(0..0, |set| set.span.clone());
-                Diagnostic::new(span, message)
+                Diagnostic::new(span, DiagnosticKind::Missing { what })
                     .with_hint(format!("the file has {}{more}", there.join("; ")))
             })
     }
 
-    /// What the set of a subset is called; may be empty.
+    /// The name of the set of a subset; may be empty.
     pub(super) fn name_of(&self, subset: &Subset<'_>) -> &'a str {
         let mut sets = self.sets.iter().rev();
         sets.find(|set| set.span.start < subset.span.start)
@@ -163,7 +173,7 @@ fn header_tokens<'a>(line: &Line<'a>, sign: char) -> impl Iterator<Item = Token<
     after_sign(line, sign).tokens()
 }
 
-/// What stands on a header after its sign.
+/// A header after its sign.
 fn after_sign<'a>(line: &Line<'a>, sign: char) -> Line<'a> {
     let rest = line.text.trim_start().trim_start_matches(sign);
     Line {

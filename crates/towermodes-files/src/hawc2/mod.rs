@@ -1,7 +1,7 @@
 //! The structural files of HAWC2, `…_st.dat`: tables of section properties along a body.
 //!
 //! `#1 name` begins a set, `$1 20 name` a subset of 20 rows of 19 columns, which follow at once;
-//! lines before a `$` are free. Format and meaning of the columns: *How 2 HAWC2, the user's manual*
+//! lines before a `$` are free text. Format and meaning of the columns: *How 2 HAWC2, the user's manual*
 //! (DTU), "Format definition of the structural data file", and the class `StFile` of wetb.
 //!
 //! HAWC2's y axis is downwind, x lies sideways and z points down. A tower is modelled in these
@@ -16,8 +16,9 @@ mod sections;
 
 use towermodes::{Place, TowerDescription};
 
-use crate::diagnostic::Diagnostic;
-use crate::input::{FileFormat, InputError, ReadOptions, TowerInput};
+use crate::diagnostic::{Diagnostic, DiagnosticKind};
+use crate::error::ReadError;
+use crate::input::{FileFormat, ReadOptions, TowerInput};
 use crate::places::TABLE;
 use crate::source::Source;
 use layout::Layout;
@@ -27,17 +28,17 @@ use row::Row;
 /// [`ReadOptions::hawc2_subset`].
 ///
 /// r runs from the tower's base, which is at [`ReadOptions::tower_base_m`]; the base is clamped,
-/// and nothing is on the top.
+/// and there is no RNA.
 ///
 /// # Errors
-/// [`InputError::Mistakes`] with the places of what cannot be read.
-pub fn read_hawc2(source: Source, options: &ReadOptions) -> Result<TowerInput, InputError> {
+/// [`ReadError::Mistakes`].
+pub fn read_hawc2(source: Source, options: &ReadOptions) -> Result<TowerInput, ReadError> {
     match read(&source, options) {
         Ok(input) => Ok(TowerInput {
             sources: vec![source],
             ..input
         }),
-        Err(mistakes) => Err(InputError::mistakes(&source, mistakes)),
+        Err(mistakes) => Err(ReadError::mistakes(&source, mistakes)),
     }
 }
 
@@ -63,7 +64,7 @@ fn read(source: &Source, options: &ReadOptions) -> Result<TowerInput, Vec<Diagno
     Ok(input)
 }
 
-/// Where the rows stand, for mistakes that only the whole tower shows.
+/// Remembers the places of the rows for the checks of the whole tower.
 fn remember(input: &mut TowerInput, rows: &[Row<'_>], subset: std::ops::Range<usize>) {
     input.places.remember(Place::Stations, 0, subset);
     for (index, row) in rows.iter().enumerate() {
@@ -74,16 +75,16 @@ fn remember(input: &mut TowerInput, rows: &[Row<'_>], subset: std::ops::Range<us
 }
 
 fn not_hawc2() -> Diagnostic {
-    Diagnostic::new(
-        0..0,
-        "this is no structural file of HAWC2: no line begins with `#` and the number of a set",
+    let found = "not a structural file of HAWC2: no line begins with `#` and the number of a set"
+        .to_owned();
+    Diagnostic::new(0..0, DiagnosticKind::WrongFile { found }).with_hint(
+        "such a file has lines `#1 name` and `$1 20 name` followed by 20 rows of 19 columns",
     )
-    .with_hint("such a file has lines `#1 name` and `$1 20 name`, and 20 rows of 19 columns after the latter")
 }
 
 /// Whether a text is a structural file of HAWC2: a line `#1 …` and then a line `$1 20 …`; of a file
-/// called `…_st.dat` the first is enough, so that one that is cut off is answered with what is
-/// missing.
+/// called `…_st.dat` the first is enough, so that the error of a truncated file names the missing
+/// part.
 pub(crate) fn is_hawc2(text: &str, name: &str) -> bool {
     let (sets, subsets) = layout::headers(text);
     let lower = name.to_ascii_lowercase();

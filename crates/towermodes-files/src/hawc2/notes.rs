@@ -1,10 +1,11 @@
-//! What a user should know of what was read from a HAWC2 file and what was not.
+//! Notes on what was read from a HAWC2 file and what was not.
 
 use super::layout::{Layout, Subset};
 use super::row::{self, Row};
 use super::rows::Table;
 use super::sections::Found;
-use crate::input::{Note, ReadOptions};
+use crate::input::ReadOptions;
+use crate::note::Note;
 use crate::number::Rounded;
 use crate::records::Lines;
 use crate::source::Source;
@@ -23,34 +24,34 @@ pub(super) fn notes(
     found: &Found,
     options: &ReadOptions,
 ) -> Vec<Note> {
-    let at = |start: usize, message: String| Note::at(source, start, message);
+    let at = |start: usize, note: Note| note.at(source, start);
     let start = subset.span.start;
     let mut notes = Vec::new();
     if layout.subsets.len() > 1 {
-        notes.push(at(start, which(layout, subset)));
+        notes.push(at(start, Note::assumption(which(layout, subset))));
     }
     if let Some((line, count)) = &table.unread {
         let message = format!(
-            "{count} more rows follow the {} that {} announces; as HAWC2 does, they are not read",
+            "{count} rows after the {} rows that {} announces are not read, as in HAWC2",
             subset.announced,
             subset.label()
         );
-        notes.push(at(line.start, message));
+        notes.push(at(line.start, Note::left_out(message)));
     }
-    notes.extend(rigid(&table.rows).map(|message| at(start, message)));
-    notes.push(at(start, shear(found.shears)));
+    notes.extend(rigid(&table.rows).map(|message| at(start, Note::suspicious(message))));
+    notes.push(at(start, Note::new(shear(found.shears))));
     notes.extend(
         left_out(&table.rows, found)
             .into_iter()
-            .map(|(row, message)| at(table.rows[row].line.start, message)),
+            .map(|(row, message)| at(table.rows[row].line.start, Note::left_out(message))),
     );
     if !found.has_gyration {
         let message =
-            "the radii of gyration are 0: the tower has no rotary inertia, and it does not twist";
-        notes.push(at(start, message.to_owned()));
+            "the radii of gyration are 0: the tower has no rotary inertia and is rigid in torsion";
+        notes.push(at(start, Note::assumption(message)));
     }
-    notes.extend(direction(&table.rows).map(|message| at(start, message)));
-    notes.push(Note::on_missing_part(ends(&table.rows, options)));
+    notes.extend(direction(&table.rows).map(|message| at(start, Note::suspicious(message))));
+    notes.push(Note::missing_part(ends(&table.rows, options)));
     notes
 }
 
@@ -95,8 +96,8 @@ fn rigid(rows: &[Row<'_>]) -> Option<String> {
     let largest = |column: usize| rows.iter().map(|row| row.of(column)).fold(0.0, f64::max);
     let (e, g) = (largest(row::YOUNG), largest(row::SHEAR_MODULUS));
     let what = match (e > STIFFEST_PA, g > STIFFEST_PA) {
-        (true, _) => "the body is made rigid on purpose, and its frequencies mean nothing",
-        (false, true) => "torsion and shear are made rigid on purpose",
+        (true, _) => "the body is intended to be rigid, so its frequencies have no meaning",
+        (false, true) => "torsion and shear are intended to be rigid",
         (false, false) => return None,
     };
     let (e, g) = (Rounded(e), Rounded(g));
@@ -105,7 +106,7 @@ fn rigid(rows: &[Row<'_>]) -> Option<String> {
 
 fn shear(shears: bool) -> String {
     if shears {
-        "sections deform in shear, with the stiffness k G A, as HAWC2's Timoshenko beams do; ElastoDyn and BModes have no shear".to_owned()
+        "sections deform in shear with the stiffness k G A, as in the Timoshenko beams of HAWC2; ElastoDyn and BModes have no shear deformation".to_owned()
     } else {
         "the shear factors k_x and k_y are 0: there is no shear deformation".to_owned()
     }
@@ -121,12 +122,12 @@ fn left_out(rows: &[Row<'_>], found: &Found) -> Vec<(usize, String)> {
         notes.push((
             index,
             format!(
-                "offsets of centres from the axis are left out; the largest is {name} = {value}{unit}, {percent:.2} % of the tube's radius"
+                "offsets of centres from the axis are ignored; the largest is {name} = {value}{unit}, {percent:.2} % of the tube's radius"
             ),
         ));
     }
     if let Some(index) = found.turned {
-        let message = "the turn of the principal axes is left out: it couples the bending planes by less than 1 %";
+        let message = "the rotation of the principal axes is ignored: it couples the bending planes by less than 1 %";
         notes.push((index, message.to_owned()));
     }
     notes
@@ -139,8 +140,8 @@ fn direction(rows: &[Row<'_>]) -> Option<String> {
     let (base, top) = (stiffness(first), stiffness(last));
     (top > 1.01 * base).then(|| {
         format!(
-            "r is taken to run upwards from the base, but EI is {base:.4e} N m2 at r = {} m and {top:.4e} N m2 at r = {} m; \
-             a body that runs downwards would stand on its head here",
+            "r is assumed to run upwards from the base, but EI is {base:.4e} N m2 at r = {} m and {top:.4e} N m2 at r = {} m; \
+             if the body runs downwards, the tower is upside down here",
             Rounded(first.of(row::R)),
             Rounded(last.of(row::R))
         )
@@ -153,14 +154,14 @@ fn ends(rows: &[Row<'_>], options: &ReadOptions) -> String {
     let of = |row: Option<&Row<'_>>| base_m + row.map_or(0.0, |row| row.of(row::R));
     let (base_m, top_m) = (of(rows.first()), of(rows.last()));
     let mut text = format!(
-        "a HAWC2 structural file has no machine, no foundation and no datum: the tower is clamped at {} m, reaches to {} m \
-         and carries nothing",
+        "a HAWC2 structural file has no RNA, no foundation and no datum: the tower extends from {} m, where it is clamped, to {} m \
+         and has no RNA",
         Rounded(base_m),
         Rounded(top_m)
     );
     if let Some(height_m) = options.tower_height_m.filter(|h| (h - top_m).abs() > 1e-3) {
         text.push_str(&format!(
-            "; its top was said to be at {} m, which would need a base at {} m",
+            "; a top at {} m, as requested, needs a base at {} m",
             Rounded(height_m),
             Rounded(height_m - (top_m - base_m))
         ));

@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use crate::diagnostic::Diagnostic;
+use crate::diagnostic::{Diagnostic, DiagnosticKind};
 use crate::records::{Line, Token};
 
 /// Columns of a row, counted from 0.
@@ -25,7 +25,7 @@ pub(super) const COLUMNS: usize = 19;
 /// How many a row has that gives the section as a full matrix of stiffness.
 const FULL_MATRIX_COLUMNS: usize = 30;
 
-/// What a column is called, its unit, and what its values may be.
+/// The name of each column, its unit with a blank before it, and the range of its values.
 const NAMES: [(&str, &str, Allowed); COLUMNS] = [
     ("r, the distance along the body", " m", Allowed::Any),
     ("m, mass per length", " kg/m", Allowed::Positive),
@@ -71,7 +71,7 @@ enum Allowed {
     Positive,
 }
 
-/// The numbers of a row and where it stands.
+/// The numbers of a row with its line.
 #[derive(Debug, Clone)]
 pub(super) struct Row<'a> {
     /// Its columns.
@@ -81,7 +81,7 @@ pub(super) struct Row<'a> {
 }
 
 impl<'a> Row<'a> {
-    /// The numbers of a line; what follows the last column on it is no number, or a mistake.
+    /// The numbers of a line; a further number is a mistake.
     pub(super) fn parse(line: Line<'a>) -> Result<Self, Diagnostic> {
         let mut tokens = line.tokens();
         let mut values = [0.0; COLUMNS];
@@ -90,7 +90,7 @@ impl<'a> Row<'a> {
             *value = number(&token, column)?;
         }
         let others: Vec<Token<'_>> = tokens.take(FULL_MATRIX_COLUMNS - COLUMNS + 1).collect();
-        let numbers = others.iter().take_while(|token| is_number(token)).count();
+        let numbers = others.iter().take_while(|token| token.is_number()).count();
         match numbers {
             0 => Ok(Self { values, line }),
             more => Err(too_many(&others[0], COLUMNS + more)),
@@ -114,66 +114,68 @@ impl<'a> Row<'a> {
     }
 }
 
-/// What a column is called, and its unit after a blank.
+/// The name of a column, and its unit with a blank before it.
 pub(super) fn name_and_unit(column: usize) -> (&'static str, &'static str) {
     let (name, unit, _) = NAMES[column];
     (name, unit)
 }
 
-/// Whether a line begins with a number, as every row does and no header.
+/// Whether a line begins with a number, as rows do and headers do not.
 pub(super) fn begins_with_number(line: &Line<'_>) -> bool {
-    line.first().is_some_and(|token| is_number(&token))
+    line.first().is_some_and(|token| token.is_number())
 }
 
 /// Whether a line has so many numbers that it gives the section as a full stiffness matrix.
 pub(super) fn is_full_matrix(line: &Line<'_>) -> bool {
-    let numbers = line.tokens().take_while(is_number);
+    let numbers = line.tokens().take_while(Token::is_number);
     numbers.take(FULL_MATRIX_COLUMNS).count() == FULL_MATRIX_COLUMNS
 }
 
 /// The mistake of such a line: what is read is the other layout.
 pub(super) fn full_matrix(line: &Line<'_>) -> Diagnostic {
-    let found = line.tokens().take_while(is_number).count();
-    let message = format!(
-        "the rows have {found} columns: they give the sections as full 6x6 stiffness matrices (FPM), which are not read"
-    );
+    let found = line.tokens().take_while(Token::is_number).count();
+    let kind = DiagnosticKind::Unsupported(format!(
+        "the rows have {found} columns: full 6x6 stiffness matrices (FPM) are not supported"
+    ));
     let first_more = line.tokens().nth(COLUMNS);
     let span = first_more.map_or_else(|| line.span(), |token| token.span);
-    Diagnostic::new(span, message).with_hint(format!(
-        "give the classic {COLUMNS} columns, with E, G, I_x, I_y, K and A"
+    Diagnostic::new(span, kind).with_hint(format!(
+        "use the classic {COLUMNS} columns, with E, G, I_x, I_y, K and A"
     ))
 }
 
-fn is_number(token: &Token<'_>) -> bool {
-    token.number("").is_ok()
-}
-
-/// The number of a column that it can have.
+/// A number in the range of its column.
 fn number(token: &Token<'_>, column: usize) -> Result<f64, Diagnostic> {
     let (name, unit, allowed) = NAMES[column];
     let what = format!("column {}, {name},", column + 1);
     let value = token.number(&what)?;
     let rule = match allowed {
-        Allowed::Positive if value <= 0.0 => "must be positive",
-        Allowed::NotNegative if value < 0.0 => "cannot be negative",
+        Allowed::Positive if value <= 0.0 => "positive",
+        Allowed::NotNegative if value < 0.0 => "non-negative",
         _ => return Ok(value),
     };
-    let message = format!("{what} is {value}{unit}, but {rule}");
-    Err(Diagnostic::new(token.span.clone(), message))
+    Err(token.wrong(DiagnosticKind::out_of_range_in(
+        what,
+        value,
+        unit.trim(),
+        rule,
+    )))
 }
 
 fn too_few(line: &Line<'_>, found: usize) -> Diagnostic {
     let end = line.start + line.text.trim_end().len();
-    let message = format!(
-        "the row has {found} columns instead of {COLUMNS}; column {}, {}, is expected here",
+    let kind = DiagnosticKind::wrong_count("the row", found, COLUMNS);
+    let hint = format!(
+        "column {}, {}, is expected here; the columns are r m x_cg y_cg ri_x ri_y x_sh y_sh E G I_x I_y K k_x k_y A pitch x_e y_e",
         found + 1,
         NAMES[found].0
     );
-    Diagnostic::new(end..end, message)
-        .with_hint("r m x_cg y_cg ri_x ri_y x_sh y_sh E G I_x I_y K k_x k_y A pitch x_e y_e")
+    Diagnostic::new(end..end, kind).with_hint(hint)
 }
 
 fn too_many(first: &Token<'_>, found: usize) -> Diagnostic {
-    let message = format!("the row has {found} columns instead of {COLUMNS}");
-    Diagnostic::new(first.span.clone(), message).with_hint("is a blank missing or one too many?")
+    let kind = DiagnosticKind::wrong_count("the row", found, COLUMNS);
+    first
+        .wrong(kind)
+        .with_hint("is a blank missing or one too many?")
 }

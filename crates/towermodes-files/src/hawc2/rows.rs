@@ -2,7 +2,7 @@
 
 use super::layout::Subset;
 use super::row::{self, Row};
-use crate::diagnostic::Diagnostic;
+use crate::diagnostic::{Diagnostic, DiagnosticKind, quoted};
 use crate::records::{Line, Lines, Token};
 
 /// More mistakes than these are not collected: the first ones say what is wrong with all.
@@ -33,8 +33,7 @@ pub(super) fn read_rows<'a>(subset: &Subset<'a>) -> Result<Table<'a>, Vec<Diagno
             break;
         }
         if row::is_full_matrix(&line) {
-            // What one row is all are, and what its columns would be in the other layout says
-            // nothing.
+            // All rows have the same layout; columns of another layout need no further check.
             return Err(vec![row::full_matrix(&line)]);
         }
         match Row::parse(line) {
@@ -44,8 +43,8 @@ pub(super) fn read_rows<'a>(subset: &Subset<'a>) -> Result<Table<'a>, Vec<Diagno
     }
     mistakes.extend(falling(&rows));
     if mistakes.is_empty() && rows.len() < 2 {
-        let message = "a subset of one row has no length; at least two are needed";
-        mistakes.push(Diagnostic::new(subset.span.clone(), message));
+        let kind = DiagnosticKind::wrong_count("the subset", rows.len(), "at least 2 (rows)");
+        mistakes.push(Diagnostic::new(subset.span.clone(), kind));
     }
     if !mistakes.is_empty() {
         return Err(mistakes);
@@ -74,44 +73,35 @@ fn next_row<'a>(lines: &mut Lines<'a>) -> Option<Line<'a>> {
 
 /// Whether a value is text, as the names of columns are.
 fn is_word(token: &Token<'_>) -> bool {
-    let is_number = token.number("").is_ok();
-    !is_number && token.text.starts_with(char::is_alphabetic)
+    !token.is_number() && token.text.starts_with(char::is_alphabetic)
 }
 
 fn no_row(subset: &Subset<'_>, found: &Token<'_>, number: usize) -> Diagnostic {
     let (label, announced) = (subset.label(), subset.announced);
-    let message = format!("row {number} of the {announced} of {label} is expected here");
-    found.wrong(message).with_hint(format!(
-        "rows follow the line `${} {announced}` at once; does it announce too many?",
+    let expected = format!("row {number} of the {announced} of {label}");
+    let kind = DiagnosticKind::misplaced(expected, quoted(found.text));
+    found.wrong(kind).with_hint(format!(
+        "rows follow the line `${} {announced}` directly; does it announce too many?",
         subset.number
     ))
 }
 
 fn too_few_rows(subset: &Subset<'_>, lines: &Lines<'_>, found: usize) -> Diagnostic {
-    let message = format!(
-        "{} announces {} rows, but {found} follow",
-        subset.label(),
-        subset.announced
-    );
+    let what = format!("{}, counted in rows,", subset.label());
+    let kind = DiagnosticKind::wrong_count(what, found, subset.announced);
     let hint = match lines.peek() {
         Some(_) => format!("write {found} here, or add the missing rows"),
-        None => "the file ends after them; is it complete?".to_owned(),
+        None => "the file ends after them: is it complete?".to_owned(),
     };
-    Diagnostic::new(subset.span.clone(), message).with_hint(hint)
+    Diagnostic::new(subset.span.clone(), kind).with_hint(hint)
 }
 
-/// The first place where r falls.
+/// The first place where r decreases.
 fn falling(rows: &[Row<'_>]) -> Option<Diagnostic> {
     let pair = rows
         .windows(2)
         .find(|pair| pair[1].of(row::R) < pair[0].of(row::R))?;
-    let message = format!(
-        "r is {} m, less than in the row before ({} m)",
-        pair[1].of(row::R),
-        pair[0].of(row::R)
-    );
-    Some(
-        Diagnostic::new(pair[1].span(row::R), message)
-            .with_hint("r is the distance from the body's first node and rises from row to row"),
-    )
+    let kind = DiagnosticKind::not_rising("r", pair[1].of(row::R), pair[0].of(row::R), "m");
+    let hint = "r is the distance from the first node of the body";
+    Some(Diagnostic::new(pair[1].span(row::R), kind).with_hint(hint))
 }

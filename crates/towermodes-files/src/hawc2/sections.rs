@@ -1,9 +1,9 @@
-//! What the columns of HAWC2 say of the sections of a tower.
+//! The sections of a tower from the columns of HAWC2.
 
 use towermodes::{Planes, Properties, PropertyStation};
 
 use super::row::{self, Row};
-use crate::diagnostic::Diagnostic;
+use crate::diagnostic::{Diagnostic, DiagnosticKind};
 
 /// An offset of more than this share of the tube's radius is refused: it couples bending with
 /// torsion.
@@ -11,7 +11,7 @@ const LARGEST_OFFSET: f64 = 0.05;
 /// Turned principal axes are refused where they couple the planes by more than this share of EI.
 const LARGEST_COUPLING: f64 = 0.01;
 
-/// What was found in the rows that the sections do not show, for the notes.
+/// Properties of the rows that the sections do not show, for the notes.
 #[derive(Debug, Default)]
 pub(super) struct Found {
     /// Whether the rows have shear factors.
@@ -39,7 +39,7 @@ pub(super) fn sections(
         let checked = same_kind(row, &found)
             .and_then(|()| axis(index, row, &mut found))
             .and_then(|()| properties(row, &found));
-        // What one row does wrong all do: the first says it.
+        // All rows usually have the same mistake: the first is enough.
         let properties = checked.map_err(|mistake| vec![mistake])?;
         stations.push(PropertyStation {
             height_m: base_m + row.of(row::R),
@@ -49,7 +49,7 @@ pub(super) fn sections(
     Ok((stations, found))
 }
 
-/// Shear factors and radii of gyration are there in all rows or in none.
+/// Shear factors and radii of gyration are positive in all rows or in none.
 fn same_kind(row: &Row<'_>, found: &Found) -> Result<(), Diagnostic> {
     let kinds = [
         (row::SHEAR_FACTOR, found.shears, "shear factors"),
@@ -59,12 +59,12 @@ fn same_kind(row: &Row<'_>, found: &Found) -> Result<(), Diagnostic> {
         let odd = columns.into_iter().find(|&c| (row.of(c) > 0.0) != expected);
         let Some(column) = odd else { continue };
         let (name, unit) = row::name_and_unit(column);
-        let message = format!(
-            "{name}, is {}{unit}, but other {what} of the subset are {}",
-            row.of(column),
-            if expected { "positive" } else { "0" }
-        );
-        return Err(Diagnostic::new(row.span(column), message)
+        let rule = match expected {
+            true => format!("positive as the other {what} of the subset"),
+            false => format!("0 as the other {what} of the subset"),
+        };
+        let kind = DiagnosticKind::out_of_range_in(name, row.of(column), unit.trim(), rule);
+        return Err(Diagnostic::new(row.span(column), kind)
             .with_hint("give all rows positive values for both axes, or all 0"));
     }
     Ok(())
@@ -77,15 +77,18 @@ fn axis(index: usize, row: &Row<'_>, found: &mut Found) -> Result<(), Diagnostic
     let radius_m = (2.0 * i_x.max(i_y) / row.of(row::AREA)).sqrt();
     let columns = [row::CG, row::SHEAR_CENTRE, row::ELASTIC_CENTRE];
     for column in columns.into_iter().flatten() {
-        let share = row.of(column).abs() / radius_m;
+        let fraction = row.of(column).abs() / radius_m;
         if row.of(column) == 0.0 {
             continue;
         }
-        if share > LARGEST_OFFSET {
-            return Err(off_axis(row, column, share));
+        if fraction > LARGEST_OFFSET {
+            return Err(off_axis(row, column, fraction));
         }
-        if found.offset.is_none_or(|(_, _, largest)| share > largest) {
-            found.offset = Some((index, column, share));
+        if found
+            .offset
+            .is_none_or(|(_, _, largest)| fraction > largest)
+        {
+            found.offset = Some((index, column, fraction));
         }
     }
     let pitch = row.of(row::PITCH).to_radians();
@@ -101,27 +104,27 @@ fn axis(index: usize, row: &Row<'_>, found: &mut Found) -> Result<(), Diagnostic
     Ok(())
 }
 
-fn off_axis(row: &Row<'_>, column: usize, share: f64) -> Diagnostic {
+fn off_axis(row: &Row<'_>, column: usize, fraction: f64) -> Diagnostic {
     let (name, unit) = row::name_and_unit(column);
-    let message = format!(
+    let kind = DiagnosticKind::Unsupported(format!(
         "{name} is {}{unit}, {:.0} % of the radius of a tube with this I and A; \
          centres that far off the axis are not modelled",
         row.of(column),
-        100.0 * share
-    );
-    Diagnostic::new(row.span(column), message)
+        100.0 * fraction
+    ));
+    Diagnostic::new(row.span(column), kind)
         .with_hint("is this the file of a blade? towers have 0 here")
 }
 
 fn turned(row: &Row<'_>) -> Diagnostic {
-    let message = format!(
-        "the principal axes are turned by {} degrees and I_x = {} m4 is not I_y = {} m4, \
-         which couples both bending planes; that is not modelled",
+    let kind = DiagnosticKind::Unsupported(format!(
+        "the principal axes are rotated by {} degrees and I_x = {} m4 differs from I_y = {} m4, \
+         which couples both bending planes; this is not modelled",
         row.of(row::PITCH),
         row.of(row::SECOND_MOMENT[0]),
         row.of(row::SECOND_MOMENT[1])
-    );
-    Diagnostic::new(row.span(row::PITCH), message).with_hint("is this the file of a blade?")
+    ));
+    Diagnostic::new(row.span(row::PITCH), kind).with_hint("is this the file of a blade?")
 }
 
 /// The section of a row.
@@ -181,9 +184,10 @@ fn properties(row: &Row<'_>, found: &Found) -> Result<Properties, Diagnostic> {
 
 /// A product of values that each are possible may be too large or too small for a number.
 fn in_range(row: &Row<'_>, products: &[(&str, f64)]) -> Result<(), Diagnostic> {
-    let Some((what, value)) = products.iter().find(|(_, v)| !(v.is_finite() && *v > 0.0)) else {
+    let Some((what, _)) = products.iter().find(|(_, v)| !(v.is_finite() && *v > 0.0)) else {
         return Ok(());
     };
-    let message = format!("{what} is {value} in this row: the values are too large or too small");
-    Err(Diagnostic::new(row.line.span(), message).with_hint("the units are m, kg/m and Pa"))
+    let what = format!("{what}, in this row");
+    let kind = DiagnosticKind::Overflow { what };
+    Err(Diagnostic::new(row.line.span(), kind).with_hint("the units are m, kg/m and Pa"))
 }

@@ -3,25 +3,24 @@
 use std::ops::Range;
 
 use super::token::{Token, Tokens};
-use crate::diagnostic::Diagnostic;
+use crate::diagnostic::{Diagnostic, DiagnosticKind};
 
 /// A line of a file, without its end.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) struct Line<'a> {
-    /// Its text.
+    /// The text.
     pub(crate) text: &'a str,
-    /// Where it starts in the file, bytes.
+    /// The byte of the file at which it starts.
     pub(crate) start: usize,
 }
 
 impl<'a> Line<'a> {
-    /// The bytes of the file it takes.
+    /// Its bytes in the file.
     pub(crate) fn span(&self) -> Range<usize> {
         self.start..self.start + self.text.len()
     }
 
-    /// Its values: separated by blanks, tabs or commas, up to a `/`; what is in quotes is one
-    /// value.
+    /// Its values: separated by blanks, tabs or commas, up to a `/`. Text in quotes is one value.
     pub(crate) fn tokens(&self) -> Tokens<'a> {
         Tokens::new(self.text, self.start)
     }
@@ -31,12 +30,11 @@ impl<'a> Line<'a> {
         self.tokens().next()
     }
 
-    /// What stands behind a comma that is one of a number, as in `87,6`: between two numbers
-    /// without a blank, where no other numbers stand or where others are separated by blanks. To
-    /// Fortran it ends the number.
-    pub(crate) fn decimal_comma(&self) -> Option<Token<'a>> {
-        let is_number = |token: &Token<'a>| token.number("").is_ok();
-        let numbers: Vec<Token<'a>> = self.tokens().take_while(is_number).collect();
+    /// The number after a decimal comma, as in `87,6`: a comma between two numbers without a blank,
+    /// where there are no other numbers or where the others are separated by blanks. In Fortran
+    /// the comma ends the number.
+    fn decimal_comma(&self) -> Option<Token<'a>> {
+        let numbers: Vec<Token<'a>> = self.tokens().take_while(Token::is_number).collect();
         let is_joined = |pair: &[Token<'a>]| {
             let gap = pair[0].span.end - self.start..pair[1].span.start - self.start;
             self.text.get(gap) == Some(",")
@@ -52,19 +50,27 @@ impl<'a> Line<'a> {
 
     /// The mistake of a decimal comma, if there is one.
     pub(crate) fn check_commas(&self, what: &str) -> Result<(), Diagnostic> {
-        let Some(token) = self.decimal_comma() else {
-            return Ok(());
-        };
-        let message = format!("a comma ends {what} before `{}`", token.text);
-        let hint =
-            "write a decimal point, as 3.5, no comma between thousands, and a blank between values";
-        Err(Diagnostic::new(token.span, message).with_hint(hint))
+        match self.decimal_comma() {
+            Some(rest) => Err(decimal_comma(what, &rest)),
+            None => Ok(()),
+        }
     }
 
-    /// Whether there is nothing on it.
+    /// Whether it is blank.
     pub(crate) fn is_blank(&self) -> bool {
         self.text.trim().is_empty()
     }
+}
+
+/// The mistake of a decimal comma in a quantity; `rest` is the number after the comma.
+pub(crate) fn decimal_comma(what: &str, rest: &Token<'_>) -> Diagnostic {
+    let kind = DiagnosticKind::Comma {
+        what: what.into(),
+        rest: rest.text.chars().take(40).collect(),
+    };
+    rest.wrong(kind).with_hint(
+        "write a decimal point, as 3.5, no comma between thousands, and a blank between values",
+    )
 }
 
 /// The lines of a file one after the other.
@@ -98,11 +104,12 @@ impl<'a> Lines<'a> {
             .ok_or_else(|| self.ended(what))
     }
 
-    /// The mistake that the file ends before something.
-    pub(crate) fn ended(&self, what: &str) -> Diagnostic {
+    /// The mistake that the file ends too early.
+    pub(crate) fn ended(&self, expected: &str) -> Diagnostic {
         let end = self.text.trim_end().len();
-        Diagnostic::new(end..end, format!("the file ends where {what} is expected"))
-            .with_hint("is it complete?")
+        let expected = expected.to_owned();
+        Diagnostic::new(end..end, DiagnosticKind::EndOfFile { expected })
+            .with_hint("is the file complete?")
     }
 }
 

@@ -2,69 +2,74 @@
 
 use std::ops::Range;
 
-use crate::diagnostic::Diagnostic;
+use crate::diagnostic::{Diagnostic, DiagnosticKind, quoted};
 
-/// One value of a line as it stands there.
+/// One value of a line, as it is written.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(crate) struct Token<'a> {
-    /// Its text, without quotes.
+    /// The text, without quotes.
     pub(crate) text: &'a str,
-    /// The bytes of the file it takes, quotes included.
+    /// Its bytes in the file, with the quotes.
     pub(crate) span: Range<usize>,
-    /// Whether it stood in quotes.
+    /// Whether it is in quotes.
     pub(crate) is_quoted: bool,
 }
 
 impl Token<'_> {
-    /// The finite number it is; exponents may be written with d, as Fortran does.
+    /// The finite number; exponents may be written with d, as in Fortran.
     pub(crate) fn number(&self, what: &str) -> Result<f64, Diagnostic> {
-        let value = self.any_number(what)?;
-        if value.is_finite() {
-            return Ok(value);
-        }
-        Err(self.wrong(format!(
-            "{what} is {}, which is not a finite number",
-            self.text
-        )))
-    }
-
-    /// The number it is, be it infinite or none.
-    fn any_number(&self, what: &str) -> Result<f64, Diagnostic> {
         let plain = self.text.replace(['d', 'D'], "e");
-        let parsed = if self.is_quoted {
-            None
-        } else {
+        let parsed = match self.is_quoted {
+            true => None,
             // `nan` and `inf` have no digit; everything else is read without its letters swapped.
-            self.text.parse().ok().or_else(|| plain.parse::<f64>().ok())
+            false => self.text.parse().ok().or_else(|| plain.parse::<f64>().ok()),
         };
-        parsed.ok_or_else(|| self.wrong(format!("{what} is expected here, a number")))
+        match parsed {
+            Some(value) if value.is_finite() => Ok(value),
+            Some(_) => {
+                let what = format!("{what} = {}", self.text);
+                Err(self.wrong(DiagnosticKind::NotFinite { what }))
+            }
+            None => Err(self.wrong_type(what, "a number")),
+        }
     }
 
-    /// The whole number it is.
+    /// Whether it is a finite number.
+    pub(crate) fn is_number(&self) -> bool {
+        self.number("").is_ok()
+    }
+
+    /// The whole number.
     pub(crate) fn integer(&self, what: &str) -> Result<i64, Diagnostic> {
-        let parsed = if self.is_quoted {
-            None
-        } else {
-            self.text.parse().ok()
+        let parsed = match self.is_quoted {
+            true => None,
+            false => self.text.parse().ok(),
         };
-        parsed.ok_or_else(|| self.wrong(format!("{what} is expected here, a whole number")))
+        parsed.ok_or_else(|| self.wrong_type(what, "a whole number"))
     }
 
-    /// The logical value it is: anything that begins with T or F, or with a point and one of these.
+    /// The logical value: anything that begins with T or F, or with a point and one of these.
     pub(crate) fn logical(&self, what: &str) -> Result<bool, Diagnostic> {
         let letters = self.text.strip_prefix('.').unwrap_or(self.text);
         match letters.chars().next().filter(|_| !self.is_quoted) {
             Some('t' | 'T') => Ok(true),
             Some('f' | 'F') => Ok(false),
-            _ => Err(self.wrong(format!("{what} is expected here, true or false"))),
+            _ => Err(self.wrong_type(what, "true or false")),
         }
     }
 
-    /// A mistake at its place, with what stands there.
-    pub(crate) fn wrong(&self, message: impl AsRef<str>) -> Diagnostic {
-        let found: String = self.text.chars().take(40).collect();
-        let message = format!("{}; found `{found}`", message.as_ref());
-        Diagnostic::new(self.span.clone(), message)
+    /// A mistake at this value.
+    pub(crate) fn wrong(&self, kind: DiagnosticKind) -> Diagnostic {
+        Diagnostic::new(self.span.clone(), kind)
+    }
+
+    /// The mistake of a value of another type.
+    fn wrong_type(&self, what: &str, expected: &str) -> Diagnostic {
+        self.wrong(DiagnosticKind::wrong_type(
+            what,
+            expected,
+            quoted(self.text),
+        ))
     }
 }
 

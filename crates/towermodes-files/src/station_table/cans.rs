@@ -1,11 +1,11 @@
-//! Cans put on one another: the stations at their ends.
+//! Cans on top of each other: the stations at their ends.
 
 use std::ops::Range;
 
 use towermodes::Station;
 
 use super::Placed;
-use crate::diagnostic::Diagnostic;
+use crate::diagnostic::{Diagnostic, DiagnosticKind, line_and_column};
 use crate::number::Rounded;
 
 /// Ends of neighbouring cans that are nearer than this, m, are at one height: lengths are
@@ -32,12 +32,9 @@ impl Can {
         if top_m > bottom_m {
             return Ok(());
         }
-        let message = format!(
-            "the top of the can, {} m, is not above its bottom, {} m",
-            Rounded(top_m),
-            Rounded(bottom_m)
-        );
-        Err(Diagnostic::new(self.spans[1].clone(), message))
+        let rule = format!("above its bottom, {} m", Rounded(bottom_m));
+        let kind = DiagnosticKind::out_of_range_in("the top of the can", top_m, "m", rule);
+        Err(Diagnostic::new(self.spans[1].clone(), kind))
     }
 
     /// The station at its bottom (0) or top (1).
@@ -62,7 +59,7 @@ pub(super) fn stations(
     text: &str,
     mistakes: &mut Vec<Diagnostic>,
 ) -> Vec<Placed> {
-    // A row that is missing for a mistake of its own would be said a second time, as a gap.
+    // A row with a mistake of its own would be reported again as a gap.
     let is_complete = mistakes.is_empty();
     if let [first, .., last] = &cans[..]
         && first.ends_m[0] > last.ends_m[0]
@@ -101,18 +98,17 @@ fn joint(below: &Can, can: &Can, text: &str) -> Result<(), Diagnostic> {
     if gap_m.abs() <= SAME_M {
         return Ok(());
     }
-    let at = below.spans[1].clone();
-    let (line, _) = Diagnostic::new(at, "").line_and_column(text);
+    let (line, _) = line_and_column(text, below.spans[1].start);
     let side = if gap_m > 0.0 { "above" } else { "below" };
-    let message = format!(
-        "this can begins at {} m, which is {} m {side} the top of the can under it, {} m in line {line}",
+    let kind = DiagnosticKind::Contradiction(format!(
+        "this can begins at {} m, which is {} m {side} the top of the can below it, {} m in line {line}",
         Rounded(bottom_m),
         Rounded(gap_m.abs()),
         Rounded(top_m)
-    );
+    ));
     let hint = match gap_m > 0.0 {
-        true => "cans must join: is a row missing?",
-        false => "cans must join without overlap, from the base up or from the top down",
+        true => "cans must be adjacent: is a row missing?",
+        false => "cans must be adjacent without overlap, from the base up or from the top down",
     };
-    Err(Diagnostic::new(can.spans[0].clone(), message).with_hint(hint))
+    Err(Diagnostic::new(can.spans[0].clone(), kind).with_hint(hint))
 }

@@ -6,7 +6,7 @@
 use std::borrow::Cow;
 use std::ops::Range;
 
-use crate::diagnostic::Diagnostic;
+use crate::diagnostic::{Diagnostic, DiagnosticKind};
 
 /// A cell: its text without quotation marks and blanks around it, and the bytes of the file it
 /// takes.
@@ -32,7 +32,7 @@ pub(super) struct Records<'a> {
 }
 
 impl<'a> Records<'a> {
-    /// Finds what separates columns: what `sep=` in the first line says, or else the semicolon, the
+    /// Finds the separator of columns: that of `sep=` in the first line, or else the semicolon, the
     /// tab or the comma of the header.
     pub(super) fn new(text: &'a str) -> Self {
         let next = if text.starts_with('\u{feff}') { 3 } else { 0 };
@@ -108,9 +108,9 @@ impl<'a> Records<'a> {
             Some(c) if c == '\n' || c == self.delimiter => self.next = after + gap + c.len_utf8(),
             Some(_) => {
                 let span = after + gap..after + gap + next.map_or(0, char::len_utf8);
-                let message = "text follows the closing quotation mark of a cell";
+                let kind = syntax("text follows the closing quotation mark of a cell");
                 let hint = "write a quotation mark within a cell twice";
-                return Err(Diagnostic::new(span, message).with_hint(hint));
+                return Err(Diagnostic::new(span, kind).with_hint(hint));
             }
         }
         Ok((cell, next != Some(self.delimiter)))
@@ -135,8 +135,15 @@ impl<'a> Records<'a> {
             is_doubled = true;
             from = close + 2;
         }
-        let message = "this quotation mark is not closed";
-        Err(Diagnostic::new(start..start + 1, message))
+        let kind = syntax("this quotation mark is not closed");
+        Err(Diagnostic::new(start..start + 1, kind))
+    }
+}
+
+fn syntax(reason: &str) -> DiagnosticKind {
+    DiagnosticKind::Syntax {
+        format: "CSV",
+        reason: reason.to_owned(),
     }
 }
 
@@ -159,7 +166,7 @@ impl<'a> Iterator for Records<'a> {
                     }
                 }
                 Err(mistake) => {
-                    // What follows cannot be told from it.
+                    // The rest cannot be read.
                     self.next = self.text.len();
                     return Some(Err(mistake));
                 }

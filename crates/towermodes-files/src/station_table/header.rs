@@ -1,11 +1,11 @@
-//! The header of a table: which column is which quantity, in which unit.
+//! The header of a table: the quantity and unit of each column.
 
 use super::cells::{Cell, Record};
 use super::unit::Unit;
 use super::words::{Quantity, Said, quantity, unknown, words_and_unit};
-use crate::diagnostic::Diagnostic;
+use crate::diagnostic::{Diagnostic, DiagnosticKind, quoted};
 
-/// What a header may look like.
+/// Example headers.
 pub(super) const EXAMPLE: &str = "write a header as `bottom_m, top_m, bottom diameter [mm], top diameter [mm], wall [mm], material` for cans, or as `height [m], diameter [m], wall [mm]` for stations";
 
 /// A column of lengths.
@@ -66,8 +66,8 @@ impl Header {
     pub(super) fn of(record: &Record<'_>) -> Result<Self, Vec<Diagnostic>> {
         let is_number = |cell: &Cell<'_>| cell.text.replace(',', ".").parse::<f64>().is_ok();
         if record.cells.iter().all(is_number) {
-            let message = "the first row has numbers, and no row above says what they are";
-            let mistake = Diagnostic::new(record.span.clone(), message);
+            let kind = DiagnosticKind::misplaced("a header with names of columns", "numbers");
+            let mistake = Diagnostic::new(record.span.clone(), kind);
             return Err(vec![mistake.with_hint(EXAMPLE)]);
         }
         let (mut columns, mut mistakes) = (Vec::<Column>::new(), Vec::new());
@@ -96,20 +96,14 @@ impl Header {
         let filled = filled.map_or(0, |last| last + 1);
         let found = record.cells.len();
         if filled > self.columns {
-            let message = format!(
-                "the row has {filled} cells, but the header names {} columns",
-                self.columns
-            );
-            let hint = "is a decimal comma meant? then separate the columns by semicolons";
+            let kind = DiagnosticKind::wrong_count("the row", filled, self.columns);
+            let hint = "if a decimal comma is meant, separate the columns by semicolons";
             let span = record.cells[self.columns].span.clone();
-            return Err(Diagnostic::new(span, message).with_hint(hint));
+            return Err(Diagnostic::new(span, kind).with_hint(hint));
         }
         if found < self.needed {
-            let message = format!(
-                "the row has {found} cells, but the header names {} columns",
-                self.columns
-            );
-            return Err(Diagnostic::new(record.span.clone(), message));
+            let kind = DiagnosticKind::wrong_count("the row", found, self.columns);
+            return Err(Diagnostic::new(record.span.clone(), kind));
         }
         Ok(())
     }
@@ -120,17 +114,18 @@ fn column(index: usize, cell: &Cell<'_>, before: &[Column]) -> Result<Option<Col
     if cell.text.is_empty() {
         return Ok(None);
     }
-    let wrong = |message: String| Diagnostic::new(cell.span.clone(), message);
+    let wrong = |kind| Diagnostic::new(cell.span.clone(), kind);
     let (words, unit) = words_and_unit(&cell.text);
     // A remark has no unit: an `ID [mm]` is an inner diameter.
     let is_read =
         |quantity: &Quantity| *quantity != Quantity::Remark || matches!(unit, Said::Nothing);
     let Some(quantity) = quantity(&words).filter(is_read) else {
-        let message = format!("`{}` is no column of cans or stations", short(&cell.text));
-        return Err(wrong(message).with_hint(unknown(&words)));
+        let kind = DiagnosticKind::misplaced("a column of cans or stations", quoted(&cell.text));
+        return Err(wrong(kind).with_hint(unknown(&words)));
     };
     if quantity != Quantity::Remark && before.iter().any(|column| column.quantity == quantity) {
-        return Err(wrong(format!("a second column is the {}", quantity.name())));
+        let (what, times) = (format!("the column {}", quantity.name()), 2);
+        return Err(wrong(DiagnosticKind::Repeated { what, times }));
     }
     if !quantity.is_length() {
         return Ok(Some(Column {
@@ -142,8 +137,9 @@ fn column(index: usize, cell: &Cell<'_>, before: &[Column]) -> Result<Option<Col
     let unit = match unit {
         Said::Unit(unit) => unit,
         Said::Other(other) => {
-            let message = format!("`{other}` is no unit of length that is known here");
-            return Err(wrong(message).with_hint("units are m, cm, mm, ft and in"));
+            let (what, name) = ("unit of length", other);
+            let kind = DiagnosticKind::UnknownName { what, name };
+            return Err(wrong(kind).with_hint("units are m, cm, mm, ft and in"));
         }
         Said::Nothing => {
             let name = quantity.name();
@@ -151,7 +147,8 @@ fn column(index: usize, cell: &Cell<'_>, before: &[Column]) -> Result<Option<Col
                 "write `{name} [mm]` or `{}_m`; units are m, cm, mm, ft and in",
                 name.replace(' ', "_")
             );
-            return Err(wrong(format!("the {name} has no unit")).with_hint(hint));
+            let what = format!("the unit of the {name}");
+            return Err(wrong(DiagnosticKind::Missing { what }).with_hint(hint));
         }
     };
     Ok(Some(Column {
@@ -164,7 +161,7 @@ fn column(index: usize, cell: &Cell<'_>, before: &[Column]) -> Result<Option<Col
 /// The table that the columns make.
 fn layout(columns: &[Column], record: &Record<'_>) -> Result<Layout, Diagnostic> {
     let of = |quantity: Quantity| columns.iter().find(|column| column.quantity == quantity);
-    let wrong = |message: String| Diagnostic::new(record.span.clone(), message).with_hint(EXAMPLE);
+    let wrong = |kind| Diagnostic::new(record.span.clone(), kind).with_hint(EXAMPLE);
     let length = |quantity: Quantity| {
         let column = of(quantity)?;
         let what = quantity.name();
@@ -175,14 +172,17 @@ fn layout(columns: &[Column], record: &Record<'_>) -> Result<Layout, Diagnostic>
         })
     };
     let required = |quantity: Quantity| {
-        let missing = || wrong(format!("no column is the {}", quantity.name()));
+        let missing = || {
+            let what = format!("the column {}", quantity.name());
+            wrong(DiagnosticKind::Missing { what })
+        };
         length(quantity).ok_or_else(missing)
     };
     let material = of(Quantity::Material).map(|column| column.index);
     let is_of_cans = of(Quantity::Bottom).or(of(Quantity::Top)).is_some();
     if is_of_cans && of(Quantity::Height).is_some() {
-        let message = "the header has a height beside the bottom or top of a can";
-        return Err(wrong(message.to_owned()));
+        let message = "the header has both a height and the bottom or top of a can";
+        return Err(wrong(DiagnosticKind::Contradiction(message.to_owned())));
     }
     if !is_of_cans {
         let lengths = [
@@ -202,8 +202,8 @@ fn layout(columns: &[Column], record: &Record<'_>) -> Result<Layout, Diagnostic>
             required(Quantity::TopDiameter)?,
         ],
         (Some(_), _) => {
-            let message = "the header has a diameter beside that of the bottom or top";
-            return Err(wrong(message.to_owned()));
+            let message = "the header has both a diameter and that of the bottom or top";
+            return Err(wrong(DiagnosticKind::Contradiction(message.to_owned())));
         }
     };
     Ok(Layout::Cans(Cans {
@@ -214,8 +214,4 @@ fn layout(columns: &[Column], record: &Record<'_>) -> Result<Layout, Diagnostic>
         wall: required(Quantity::Wall)?,
         material,
     }))
-}
-
-fn short(text: &str) -> String {
-    text.chars().take(40).collect()
 }

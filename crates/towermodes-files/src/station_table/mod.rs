@@ -1,9 +1,9 @@
-//! Tables of cans or stations in CSV, as drawings and spreadsheets give them: what `stations =
-//! "cans.csv"` of a tower file names.
+//! Tables of cans or stations in CSV, as exported from drawings and spreadsheets; a tower file names
+//! one with `stations = "cans.csv"`.
 //!
 //! A can is a row with bottom, top, diameters and wall, a station a row with height, diameter and
-//! wall. The header says the quantity and the unit of each column. Columns are separated by commas,
-//! semicolons or tabs; with the latter two a comma may be the decimal sign.
+//! wall. The header gives the quantity and the unit of each column. Columns are separated by commas,
+//! semicolons or tabs; with semicolons or tabs a comma may be the decimal sign.
 
 mod cans;
 mod cells;
@@ -16,7 +16,7 @@ use std::ops::Range;
 
 use towermodes::Station;
 
-use crate::diagnostic::Diagnostic;
+use crate::diagnostic::{Diagnostic, DiagnosticKind};
 use cells::{Record, Records};
 use header::{Header, Layout};
 use number::Numbers;
@@ -34,9 +34,10 @@ pub(crate) struct Placed {
     pub(crate) spans: [Range<usize>; 3],
 }
 
-/// Which material a name is, or the one of rows that name none; or what is wrong and what would be
-/// right.
-pub(crate) type MaterialOf<'m> = &'m dyn Fn(Option<&str>) -> Result<usize, [String; 2]>;
+/// The index of the material with a name, or of the default material for rows without a name; or what
+/// is wrong, and what would be right.
+pub(crate) type MaterialOf<'m> =
+    &'m dyn Fn(Option<&str>) -> Result<usize, (DiagnosticKind, String)>;
 
 /// The stations of a table, from the base to the top, in metres.
 ///
@@ -48,8 +49,8 @@ pub(crate) fn stations(
 ) -> Result<Vec<Placed>, Vec<Diagnostic>> {
     let mut records = Records::new(text);
     let Some(first) = records.next() else {
-        let mistake = Diagnostic::new(0..0, "the file has no rows").with_hint(header::EXAMPLE);
-        return Err(vec![mistake]);
+        let mistake = Diagnostic::new(0..0, DiagnosticKind::EmptyFile);
+        return Err(vec![mistake.with_hint(header::EXAMPLE)]);
     };
     let header = Header::of(&first.map_err(|mistake| vec![mistake])?)?;
     let mut reading = Reading {
@@ -70,8 +71,9 @@ pub(crate) fn stations(
     match reading.mistakes.is_empty() {
         true if stations.is_empty() => {
             let end = text.trim_end().len();
-            let message = "there is no row below the header";
-            Err(vec![Diagnostic::new(end..end, message)])
+            let expected = "a row after the header".to_owned();
+            let kind = DiagnosticKind::EndOfFile { expected };
+            Err(vec![Diagnostic::new(end..end, kind)])
         }
         true => Ok(stations),
         false => Err(reading.mistakes),
@@ -101,8 +103,9 @@ impl<'a> Reading<'a> {
             let record = match record {
                 Ok(record) if index < MAX_ROWS => record,
                 Ok(record) => {
-                    let message = format!("the table has more than {MAX_ROWS} rows");
-                    self.mistakes.push(Diagnostic::new(record.span, message));
+                    let (what, found, limit) = ("rows".to_owned(), index + 1, MAX_ROWS);
+                    let kind = DiagnosticKind::TooMany { what, found, limit };
+                    self.mistakes.push(Diagnostic::new(record.span, kind));
                     break;
                 }
                 Err(mistake) => {
@@ -181,9 +184,9 @@ impl<'a> Reading<'a> {
         let cell = cell.filter(|cell| !cell.text.is_empty());
         match (self.material_of)(cell.map(|cell| &*cell.text)) {
             Ok(index) => Some(index),
-            Err([message, hint]) => {
+            Err((kind, hint)) => {
                 let span = cell.map_or(record.span.clone(), |cell| cell.span.clone());
-                let mistake = Diagnostic::new(span, message).with_hint(hint);
+                let mistake = Diagnostic::new(span, kind).with_hint(hint);
                 self.mistakes.push(mistake);
                 None
             }

@@ -1,9 +1,9 @@
 //! Numbers of cells, with a decimal point or, where commas separate no columns, a decimal comma.
 
 use super::cells::Cell;
-use crate::diagnostic::Diagnostic;
+use crate::diagnostic::{Diagnostic, DiagnosticKind, line_and_column, quoted};
 
-/// How the numbers of a table are written, as far as is known.
+/// How the numbers of a table are written.
 #[derive(Debug)]
 pub(super) struct Numbers<'a> {
     text: &'a str,
@@ -25,10 +25,9 @@ impl<'a> Numbers<'a> {
     pub(super) fn number(&mut self, cell: &Cell<'_>, what: &str) -> Result<f64, Diagnostic> {
         let text = &*cell.text;
         if text.is_empty() {
-            return Err(Diagnostic::new(
-                cell.span.clone(),
-                format!("{what} is missing"),
-            ));
+            let what = what.to_owned();
+            let kind = DiagnosticKind::Missing { what };
+            return Err(Diagnostic::new(cell.span.clone(), kind));
         }
         let signs = || text.chars().filter(|c| matches!(c, ',' | '.'));
         if signs().count() > 1 {
@@ -44,14 +43,15 @@ impl<'a> Numbers<'a> {
             return Err(explained(wrong(cell, what), text));
         };
         if !number.is_finite() {
-            let message = format!("{what} is {text}, which is not a finite number");
-            return Err(Diagnostic::new(cell.span.clone(), message));
+            let what = format!("{what} = {text}");
+            let kind = DiagnosticKind::NotFinite { what };
+            return Err(Diagnostic::new(cell.span.clone(), kind));
         }
         self.check_sign(cell, sign)?;
         Ok(number)
     }
 
-    /// Refuses a decimal sign that is not that of the other numbers: one of them separates
+    /// Refuses a decimal sign that differs from that of other numbers: one of the two separates
     /// thousands.
     fn check_sign(&mut self, cell: &Cell<'_>, sign: Option<char>) -> Result<(), Diagnostic> {
         let Some(sign) = sign else { return Ok(()) };
@@ -60,25 +60,24 @@ impl<'a> Numbers<'a> {
             return Ok(());
         }
         let name = |sign: char| if sign == ',' { "comma" } else { "point" };
-        let (line, _) = Diagnostic::new(first..first, "").line_and_column(self.text);
-        let message = format!(
+        let (line, _) = line_and_column(self.text, first);
+        let kind = DiagnosticKind::Contradiction(format!(
             "`{}` has a decimal {}, but line {line} has a decimal {}",
             cell.text,
             name(sign),
             name(expected)
-        );
-        let hint = "write all numbers alike, without separators between thousands";
-        Err(Diagnostic::new(cell.span.clone(), message).with_hint(hint))
+        ));
+        let hint = "use one decimal sign, without separators between thousands";
+        Err(Diagnostic::new(cell.span.clone(), kind).with_hint(hint))
     }
 }
 
 fn wrong(cell: &Cell<'_>, what: &str) -> Diagnostic {
-    let found: String = cell.text.chars().take(40).collect();
-    let message = format!("{what} must be a number; found `{found}`");
-    Diagnostic::new(cell.span.clone(), message)
+    let kind = DiagnosticKind::wrong_type(what, "a number", quoted(&cell.text));
+    Diagnostic::new(cell.span.clone(), kind)
 }
 
-/// A text that is no number, with what would be right where it begins like one.
+/// The mistake of a text that is not a number, with a hint if it begins like one.
 fn explained(mistake: Diagnostic, text: &str) -> Diagnostic {
     let begins = text.starts_with(|c: char| c.is_ascii_digit() || c == '-');
     match begins && text.ends_with(char::is_alphabetic) {

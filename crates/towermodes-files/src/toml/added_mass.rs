@@ -3,14 +3,11 @@
 use toml::de::DeArray;
 use towermodes::{AddedMassRow, Place};
 
-use super::table::{Keys, Table, every_table, with_names};
+use super::table::{Table, every_table, with_names};
 use super::values::{Value, every_row, list, number, wrong_kind};
-use super::{Reading, TABLE};
-use crate::diagnostic::Diagnostic;
+use super::{Reading, TABLE, schema};
+use crate::diagnostic::{Diagnostic, DiagnosticKind};
 
-const ADDED_MASS: Keys = Keys {
-    known: &["rows", "name"],
-};
 const ROW: &str = "a row is [height in m, mass per length in kg/m]";
 
 /// All `[[added_mass]]` with their names.
@@ -38,7 +35,7 @@ fn table(
         key,
     };
     reading.remember(of_row(0, TABLE), value.span());
-    let table = Table::of(value, "[[added_mass]]", &ADDED_MASS, reading)?;
+    let table = Table::of(value, "[[added_mass]]", &schema::ADDED_MASS, reading)?;
     let name = table.name_of("an added mass's name", reading);
     let hint = "rows = [[height, mass per length], ...] from the bottom to the surface";
     let rows = table.require("rows", hint, reading)?;
@@ -65,8 +62,8 @@ fn values_of<'a>(
     if values.len() == 2 {
         return Some(values);
     }
-    let message = format!("{what} has {} values instead of 2", values.len());
-    reading.mistake(Diagnostic::new(value.span(), message).with_hint(ROW));
+    let kind = DiagnosticKind::wrong_count(what, values.len(), 2);
+    reading.mistake(Diagnostic::new(value.span(), kind).with_hint(ROW));
     None
 }
 

@@ -1,15 +1,11 @@
-//! What rigid bodies have: a centre of mass and an inertia.
+//! The centre of mass and the inertia of rigid bodies.
 
 use towermodes::{Inertia, Place};
 
-use super::Reading;
-use super::table::{Keys, Table};
+use super::table::Table;
 use super::values::{Value, list, number};
-use crate::diagnostic::Diagnostic;
-
-const INERTIA: Keys = Keys {
-    known: &["xx", "yy", "zz", "xy", "xz", "yz"],
-};
+use super::{Reading, schema};
+use crate::diagnostic::{Diagnostic, DiagnosticKind};
 
 /// `[x, y, z]`; the hint says from where.
 pub(super) fn center(
@@ -21,8 +17,8 @@ pub(super) fn center(
     reading.remember(place, value.span());
     let values = list(value, "center", reading)?;
     if values.len() != 3 {
-        let message = format!("center has {} values instead of 3", values.len());
-        reading.mistake(Diagnostic::new(value.span(), message).with_hint(hint));
+        let kind = DiagnosticKind::wrong_count("center", values.len(), 3);
+        reading.mistake(Diagnostic::new(value.span(), kind).with_hint(hint));
         return None;
     }
     let mut coordinate =
@@ -39,7 +35,7 @@ pub(super) fn inertia(
     reading: &mut Reading,
 ) -> Option<Inertia> {
     reading.remember(place, value.span());
-    let table = Table::of(value, "inertia", &INERTIA, reading)?;
+    let table = Table::of(value, "inertia", &schema::INERTIA, reading)?;
     let mut entry = |key: &str| {
         let value = if required.contains(&key) {
             Some(table.require(key, "kg m2, about the centre of mass", reading)?)

@@ -1,8 +1,7 @@
-//! The whole file: which sections there are, and the tower they describe together.
+//! The whole file: its sections, and the tower that they describe.
 
 use towermodes::{PartNames, TowerDescription};
 
-use super::Reading;
 use super::added_mass::added_mass;
 use super::foundation::foundation;
 use super::gravity::gravity;
@@ -11,31 +10,13 @@ use super::materials::{Materials, materials};
 use super::properties::properties;
 use super::rotor::rotor;
 use super::soil::soil;
-use super::stations::{TOWER, outfitting_factor, shear, stations};
-use super::table::{Keys, Table};
+use super::stations::{outfitting_factor, shear, stations};
+use super::table::Table;
 use super::values::text;
 use super::water::water;
 use super::wires::wires;
-use crate::diagnostic::Diagnostic;
-
-/// The sections of a file.
-pub(super) const FILE: Keys = Keys {
-    known: &[
-        "name",
-        "material",
-        "materials",
-        "tower",
-        "rna",
-        "point_mass",
-        "foundation",
-        "soil",
-        "added_mass",
-        "water",
-        "wires",
-        "gravity",
-        "rotor",
-    ],
-};
+use super::{Reading, schema};
+use crate::diagnostic::{Diagnostic, DiagnosticKind};
 
 /// The whole file.
 pub(super) fn description(root: &Table<'_>, reading: &mut Reading) -> Option<TowerDescription> {
@@ -59,7 +40,7 @@ pub(super) fn description(root: &Table<'_>, reading: &mut Reading) -> Option<Tow
     let point_masses = point_masses(root, reading);
     let hint = "add [tower] with stations = [[height, diameter, wall], ...]";
     let value = root.require("tower", hint, reading)?;
-    let tower = Table::of(value, "[tower]", &TOWER, reading)?;
+    let tower = Table::of(value, "[tower]", &schema::TOWER, reading)?;
     let body = match materials {
         Some(materials) => of_tubes(&tower, materials, reading),
         None => of_properties(root, &tower, reading),
@@ -93,7 +74,7 @@ pub(super) fn description(root: &Table<'_>, reading: &mut Reading) -> Option<Tow
     })
 }
 
-/// What materials, stations and shear say of a tower of tubes.
+/// A tower of tubes: materials, stations and shear.
 fn of_tubes(
     tower: &Table<'_>,
     materials: Option<Materials>,
@@ -114,7 +95,7 @@ fn of_tubes(
     })
 }
 
-/// What a table of properties says of a tower; all that belongs to tubes would change nothing.
+/// A tower with a table of properties; keys of tubes are refused.
 fn of_properties(
     root: &Table<'_>,
     tower: &Table<'_>,
@@ -128,15 +109,18 @@ fn of_properties(
     ];
     for (table, key) in of_tubes {
         if let Some(value) = table.get(key) {
-            let message = format!("`{key}` means nothing beside [tower.properties]");
+            let kind = DiagnosticKind::UnusedKey {
+                key: key.to_owned(),
+                because: "beside [tower.properties]".to_owned(),
+            };
             let hint = match key {
                 "stations" => "keep one of the two",
                 "shear" => {
                     "give the table the columns shear_stiffness_fore_aft_n and shear_stiffness_side_side_n (kappa GA, N)"
                 }
-                _ => "remove it: the table has the masses and the stiffnesses",
+                _ => "remove it: the table has the masses and the stiffness",
             };
-            reading.mistake(Diagnostic::new(value.span(), message).with_hint(hint));
+            reading.mistake(Diagnostic::new(value.span(), kind).with_hint(hint));
         }
     }
     let value = tower.require("properties", "", reading)?;

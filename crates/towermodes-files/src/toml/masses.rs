@@ -3,21 +3,14 @@
 use towermodes::{Inertia, Place, PointMass, Rna};
 
 use super::body::{center, inertia_if_any};
-use super::table::{Keys, Table, every_table, with_names};
+use super::table::{Table, every_table, with_names};
 use super::values::Value;
-use super::{Reading, TABLE};
-
-const RNA: Keys = Keys {
-    known: &["mass", "center", "inertia"],
-};
-const POINT_MASS: Keys = Keys {
-    known: &["height", "mass", "inertia", "name"],
-};
+use super::{Reading, TABLE, schema};
 
 /// The rotor-nacelle assembly.
 pub(super) fn rna(value: &Value<'_>, reading: &mut Reading) -> Option<Rna> {
     let at = |key| Place::Rna { key };
-    let table = Table::of(value, "[rna]", &RNA, reading)?;
+    let table = Table::of(value, "[rna]", &schema::RNA, reading)?;
     reading.remember(at(TABLE), value.span());
     let hint = "mass in kg; leave [rna] out if there is none";
     let mass = table.required_number("mass", hint, at("mass"), reading);
@@ -56,7 +49,7 @@ fn point_mass(
     reading: &mut Reading,
 ) -> Option<(PointMass, String)> {
     let at = |key| Place::PointMass { index, key };
-    let table = Table::of(value, "[[point_mass]]", &POINT_MASS, reading)?;
+    let table = Table::of(value, "[[point_mass]]", &schema::POINT_MASS, reading)?;
     reading.remember(at(TABLE), value.span());
     let name = table.name_of("a point mass's name", reading);
     let hint = "height in m, in the datum of the stations";

@@ -4,21 +4,12 @@ use std::collections::HashMap;
 
 use towermodes::{Material, Place};
 
-use super::Reading;
-use super::table::{Keys, Table, all_but_empty, listed, suggestion};
+use super::table::{Table, all_but_empty, listed, suggestion};
 use super::values::{Value, number};
-use crate::diagnostic::Diagnostic;
+use super::{Reading, schema};
+use crate::diagnostic::{Diagnostic, DiagnosticKind};
 
-const MATERIAL: Keys = Keys {
-    known: &[
-        "density",
-        "youngs_modulus",
-        "shear_modulus",
-        "poissons_ratio",
-    ],
-};
-
-/// What names of materials begin with that are but numbers.
+/// The beginning of generated names of materials, before their numbers.
 pub(super) const NUMBERED: &str = "material_";
 /// E/(2(1+ν)) and G may differ by this much, relatively: both are often rounded to three digits.
 const MODULI_TOLERANCE: f64 = 5e-3;
@@ -34,21 +25,21 @@ pub(super) struct Materials {
 }
 
 impl Materials {
-    /// Which of them a name is, or the one that rows without a name have; or what is wrong and what
-    /// would be right.
-    pub(super) fn find(&self, name: Option<&str>) -> Result<usize, [String; 2]> {
+    /// The index of the material with a name, or of the default material for a row without a name; or
+    /// what is wrong, and what would be right. `row` is the name of the row in messages.
+    pub(super) fn find(
+        &self,
+        name: Option<&str>,
+        row: &str,
+    ) -> Result<usize, (DiagnosticKind, String)> {
         let names = self.names.iter().map(String::as_str);
         let names: Vec<&str> = names.filter(|name| !name.is_empty()).collect();
         let Some(name) = name else {
-            let hint = format!(
-                "add [material], or name a material: \"{}\"",
-                listed(&names).join("\" or \"")
-            );
             let missing = || {
-                [
-                    "names no material, and there is no [material]".to_owned(),
-                    hint,
-                ]
+                let what = format!("the material of {row} (the file has no [material])");
+                let names = listed(&names).join("\" or \"");
+                let hint = format!("add [material], or name a material: \"{names}\"");
+                (DiagnosticKind::Missing { what }, hint)
             };
             return self.has_default.then_some(0).ok_or_else(missing);
         };
@@ -56,14 +47,14 @@ impl Materials {
         found.filter(|_| !name.is_empty()).ok_or_else(|| {
             let hint = match names.is_empty() {
                 true => format!("add [materials.{name}], or leave the name out to use [material]"),
-                false => suggestion(name, &names, "there are"),
+                false => suggestion(name, &names, "materials:"),
             };
-            [format!("there is no material `{name}`"), hint]
+            let (what, name) = ("material", name.to_owned());
+            (DiagnosticKind::UnknownName { what, name }, hint)
         })
     }
 
-    /// What they are called; nothing where their names are but numbers, as they are written of
-    /// materials without names.
+    /// Their names; empty if all names are generated.
     pub(super) fn own_names(&self) -> Vec<String> {
         let is_number = |name: &String| {
             let number = name.strip_prefix(NUMBERED);
@@ -111,8 +102,11 @@ pub(super) fn materials(root: &Table<'_>, reading: &mut Reading) -> Option<Mater
     }
     if complete && materials.list.is_empty() {
         let hint = "add [material] with density, youngs_modulus and shear_modulus";
-        let message = "the file has no material";
-        reading.mistake(Diagnostic::new(root.span.clone(), message).with_hint(hint));
+        // A misspelled `[material]` is reported as an unknown key.
+        if !root.has_misspelled("material") && !root.has_misspelled("materials") {
+            let kind = DiagnosticKind::missing_key("the file", "material");
+            reading.mistake(Diagnostic::new(root.span.clone(), kind).with_hint(hint));
+        }
         return None;
     }
     complete.then_some(materials)
@@ -124,7 +118,7 @@ fn material(
     index: usize,
     reading: &mut Reading,
 ) -> Option<Material> {
-    let table = Table::of(value, label, &MATERIAL, reading)?;
+    let table = Table::of(value, label, &schema::MATERIAL, reading)?;
     let mut required = |key: &'static str, what: &str, hint: &str| {
         let value = table.require(key, hint, reading)?;
         reading.remember(Place::Material { index, key }, value.span());
@@ -164,22 +158,20 @@ fn shear_modulus(
             if (given - derived).abs() <= MODULI_TOLERANCE * given.abs() {
                 return Some(given);
             }
-            let message = format!(
+            let kind = DiagnosticKind::Contradiction(format!(
                 "shear modulus {given:e} Pa and Poisson's ratio disagree: E/(2(1+nu)) is {derived:.4e} Pa"
-            );
-            let hint = "give one of the two";
-            reading.mistake(Diagnostic::new(value.span(), message).with_hint(hint));
+            ));
+            let hint = "give only one of them";
+            reading.mistake(Diagnostic::new(value.span(), kind).with_hint(hint));
             None
         }
-        // A misspelled one was said already, as for every other key.
+        // A misspelled key is reported as unknown.
         (None, None) if table.has_misspelled("poissons_ratio") || table.has_misspelled(key) => None,
         (None, None) => {
-            let message = format!(
-                "{} has neither `shear_modulus` nor `poissons_ratio`",
-                table.name()
-            );
+            let kind =
+                DiagnosticKind::missing_key(table.name(), "shear_modulus` or `poissons_ratio");
             let hint = "shear_modulus = 8.08e10 (Pa) or poissons_ratio = 0.3, for steel";
-            reading.mistake(Diagnostic::new(table.span.clone(), message).with_hint(hint));
+            reading.mistake(Diagnostic::new(table.span.clone(), kind).with_hint(hint));
             None
         }
     }
@@ -190,8 +182,8 @@ fn from_poissons_ratio(value: &Value<'_>, youngs: f64, reading: &mut Reading) ->
     if ratio > -1.0 && ratio < 0.5 {
         return Some(youngs / (2.0 * (1.0 + ratio)));
     }
-    let message = format!("Poisson's ratio is {ratio}, outside (-1, 0.5)");
-    reading
-        .mistake(Diagnostic::new(value.span(), message).with_hint("steel has 0.3, concrete 0.2"));
+    let rule = "between -1 and 0.5";
+    let kind = DiagnosticKind::out_of_range("Poisson's ratio", ratio, rule);
+    reading.mistake(Diagnostic::new(value.span(), kind).with_hint("steel has 0.3, concrete 0.2"));
     None
 }

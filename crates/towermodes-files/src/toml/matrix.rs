@@ -4,7 +4,7 @@ use towermodes::space::SpatialMatrix;
 
 use super::Reading;
 use super::values::{Value, every_row, list};
-use crate::diagnostic::Diagnostic;
+use crate::diagnostic::{Diagnostic, DiagnosticKind};
 
 const HINT: &str =
     "a matrix is six rows of six numbers, in the order x, y, z, rotation about x, y, z";
@@ -18,8 +18,8 @@ pub(super) fn matrix(
 ) -> Option<SpatialMatrix> {
     let rows = list(value, what, reading)?;
     if rows.len() != 6 {
-        let message = format!("{what} has {} rows instead of 6", rows.len());
-        reading.mistake(Diagnostic::new(value.span(), message).with_hint(HINT));
+        let kind = DiagnosticKind::wrong_count(format!("{what}, counted in rows,"), rows.len(), 6);
+        reading.mistake(Diagnostic::new(value.span(), kind).with_hint(HINT));
         return None;
     }
     let rows = every_row(rows, |index, row| {
@@ -37,8 +37,8 @@ fn row(
 ) -> Option<[f64; 6]> {
     let entries = list(value, what, reading)?;
     if entries.len() != 6 {
-        let message = format!("{what} has {} values instead of 6", entries.len());
-        reading.mistake(Diagnostic::new(value.span(), message).with_hint(HINT));
+        let kind = DiagnosticKind::wrong_count(what, entries.len(), 6);
+        reading.mistake(Diagnostic::new(value.span(), kind).with_hint(HINT));
         return None;
     }
     let entries = every_row(entries, |index, value| {

@@ -11,9 +11,11 @@ mod matrix;
 mod numbers;
 mod properties;
 mod rotor;
+mod schema;
 mod soil;
 mod stations;
 mod synonyms;
+mod syntax;
 mod table;
 mod values;
 mod water;
@@ -25,32 +27,35 @@ use std::ops::Range;
 use ::toml::de::DeTable;
 use towermodes::{Place, Tower, TowerDescription};
 
-use crate::companions::Companions;
-use crate::diagnostic::Diagnostic;
-use crate::input::{FileFormat, InputError, Note, TowerInput};
+use crate::diagnostic::{Diagnostic, DiagnosticKind};
+use crate::error::ReadError;
+use crate::input::{FileFormat, TowerInput};
+use crate::note::Note;
 use crate::places::{Places, TABLE};
-use crate::source::{ReadError, Source};
+use crate::resolver::FileResolver;
+use crate::source::{FileError, Source};
+use schema::FILE;
+use syntax::syntax_mistake;
 use table::Table;
 
+pub use schema::{KeySchema, TableSchema, ValueKind, tower_file_schema};
 pub use write::write_toml;
 
-/// More mistakes than these are not collected: the first ones say what is wrong with all, and each
-/// may list many names.
+/// Mistakes beyond this number are not collected: each may list many names.
 const MAX_MISTAKES: usize = 100;
 
-/// What is collected while a file is read: mistakes, and where in the file each value of the tower
-/// came from.
+/// Mistakes, notes and the place of each value, collected while a file is read.
 #[derive(Debug, Default)]
 struct Reading {
     mistakes: Vec<Diagnostic>,
     places: Places,
     /// The file with the stations that the tower file names, until its rows are read.
-    station_file: Option<Result<Source, ReadError>>,
+    station_file: Option<Result<Source, FileError>>,
     /// That file, if it has mistakes, and these.
     in_station_file: Option<(Source, Vec<Diagnostic>)>,
     /// The files beside the tower file that were read.
     others: Vec<Source>,
-    /// What the user should know, and at which byte of the file.
+    /// Notes with their bytes in the file.
     notes: Vec<(usize, &'static str)>,
 }
 
@@ -64,7 +69,7 @@ impl Reading {
         }
     }
 
-    /// Whether there are so many mistakes that no more are worth describing.
+    /// Whether the list of mistakes is full.
     fn is_full(&self) -> bool {
         self.mistakes.len() >= MAX_MISTAKES
     }
@@ -73,7 +78,7 @@ impl Reading {
         self.notes.push((at, message));
     }
 
-    /// Remembers where a value stands, for mistakes that only the whole tower shows.
+    /// Remembers the place of a value for the checks of the whole tower.
     fn remember(&mut self, place: Place, span: Range<usize>) {
         self.places.remember(place, 0, span);
     }
@@ -85,13 +90,14 @@ impl Reading {
 ///
 /// # Errors
 /// The mistakes found, at most a hundred, in the order of the lines; never an empty list. Stations
-/// in a file of their own are one: such a tower is read by [`read()`](crate::read()).
+/// in a file of their own are a mistake here: use [`read_tower`](crate::read_tower).
 pub fn tower_from_toml(text: &str) -> Result<Tower, Vec<Diagnostic>> {
     let reading = describe(text, None).map_err(Refused::in_text)?;
     Tower::new(reading.description).map_err(|error| vec![reading.places.mistake(&error, true).1])
 }
 
-/// Reads what the text of a TOML file says of a tower, which [`Tower::new`] has yet to check.
+/// Reads the description of a tower from the text of a TOML file, without the checks of
+/// [`Tower::new`].
 ///
 /// # Errors
 /// All mistakes of the file itself, as [`tower_from_toml`] has them.
@@ -100,30 +106,28 @@ pub fn description_from_toml(text: &str) -> Result<TowerDescription, Vec<Diagnos
     Ok(described.description)
 }
 
-/// Reads a tower from a TOML file; stations that are in a file of their own come from `companions`.
+/// Reads a tower from a TOML file; `files` gives the file of the stations if there is one.
 ///
 /// # Errors
-/// [`InputError::Mistakes`] with all that were found.
-pub(crate) fn read_toml(
-    source: Source,
-    companions: &dyn Companions,
-) -> Result<TowerInput, InputError> {
-    match describe(&source.text, Some(companions)) {
+/// [`ReadError::Mistakes`] with all that were found.
+pub(crate) fn read_toml(source: Source, files: &dyn FileResolver) -> Result<TowerInput, ReadError> {
+    match describe(&source.text, Some(files)) {
         Ok(described) => {
             let mut input = TowerInput::new(FileFormat::Toml, described.description, source);
             let notes = described.notes.iter();
-            let notes = notes.map(|(at, message)| Note::at(&input.sources[0], *at, *message));
+            let notes =
+                notes.map(|(at, message)| Note::left_out(*message).at(&input.sources[0], *at));
             input.notes = notes.collect();
             input.places = described.places;
             input.sources.extend(described.others);
             Ok(input)
         }
-        Err(Refused::Text(mistakes)) => Err(InputError::mistakes(&source, mistakes)),
-        Err(Refused::StationFile(file, mistakes)) => Err(InputError::mistakes(&file, mistakes)),
+        Err(Refused::Text(mistakes)) => Err(ReadError::mistakes(&source, mistakes)),
+        Err(Refused::StationFile(file, mistakes)) => Err(ReadError::mistakes(&file, mistakes)),
     }
 }
 
-/// What a file says, and where; and the files beside it.
+/// The description in a file, the places of its values, and the files beside it.
 struct Described {
     description: TowerDescription,
     places: Places,
@@ -155,29 +159,29 @@ impl From<Diagnostic> for Refused {
 /// The file with the stations, if the tower names one.
 fn station_file(
     root: &DeTable<'_>,
-    companions: Option<&dyn Companions>,
-) -> Option<Result<Source, ReadError>> {
+    files: Option<&dyn FileResolver>,
+) -> Option<Result<Source, FileError>> {
     let tower = root.get("tower")?.get_ref().as_table()?;
     let path = tower.get("stations")?.get_ref().as_str()?;
-    companions.map(|companions| companions.read(path))
+    files.map(|files| files.read(path))
 }
 
-/// What a file says, and where.
-fn describe(text: &str, companions: Option<&dyn Companions>) -> Result<Described, Refused> {
+/// Reads the description of a file.
+fn describe(text: &str, files: Option<&dyn FileResolver>) -> Result<Described, Refused> {
     if text.trim().is_empty() {
         let hint = "a tower needs at least [material] and [tower] with its stations";
-        return Err(Diagnostic::new(0..0, "the file is empty")
+        return Err(Diagnostic::new(0..0, DiagnosticKind::EmptyFile)
             .with_hint(hint)
             .into());
     }
     let document = DeTable::parse(text).map_err(|error| syntax_mistake(&error, text))?;
     let mut reading = Reading {
-        station_file: station_file(document.get_ref(), companions),
+        station_file: station_file(document.get_ref(), files),
         ..Reading::default()
     };
-    let root = Table::root(document.get_ref(), text.len(), &file::FILE, &mut reading);
+    let root = Table::root(document.get_ref(), text.len(), &FILE, &mut reading);
     let description = file::description(&root, &mut reading);
-    // They are found table by table; a reader goes through the file line by line.
+    // They are found table by table; people read the file line by line.
     reading.mistakes.sort_by_key(|mistake| mistake.span.start);
     match (description, reading.in_station_file) {
         (Some(description), None) if reading.mistakes.is_empty() => Ok(Described {
@@ -190,17 +194,5 @@ fn describe(text: &str, companions: Option<&dyn Companions>) -> Result<Described
             Err(Refused::StationFile(file, mistakes))
         }
         _ => Err(Refused::Text(reading.mistakes)),
-    }
-}
-
-fn syntax_mistake(error: &::toml::de::Error, text: &str) -> Diagnostic {
-    let span = error.span().unwrap_or(text.len()..text.len());
-    let ends_early = span.start >= text.trim_end().len();
-    let message = error.message().lines().collect::<Vec<_>>().join("; ");
-    let diagnostic = Diagnostic::new(span, format!("cannot be read as TOML: {message}"));
-    if ends_early {
-        diagnostic.with_hint("the file ends here; is it complete?")
-    } else {
-        diagnostic
     }
 }

@@ -3,33 +3,17 @@
 
 use towermodes::{Place, Planes, Properties, PropertyStation};
 
-use super::Reading;
-use super::table::{Keys, Table};
+use super::table::Table;
 use super::values::{Value, check_pieces, every_row, list, number, number_or_infinity};
-use crate::diagnostic::Diagnostic;
-
-const PROPERTIES: Keys = Keys {
-    known: &[
-        "z_m",
-        "mass_kg_per_m",
-        "ei_fore_aft_n_m2",
-        "ei_side_side_n_m2",
-        "gj_n_m2",
-        "ea_n",
-        "polar_inertia_kg_m",
-        "rotary_inertia_fore_aft_kg_m",
-        "rotary_inertia_side_side_kg_m",
-        "shear_stiffness_fore_aft_n",
-        "shear_stiffness_side_side_n",
-    ],
-};
+use super::{Reading, schema};
+use crate::diagnostic::{Diagnostic, DiagnosticKind};
 
 /// The columns that may be infinite, for a tower that does not twist or does not stretch.
 const MAY_BE_INFINITE: [&str; 2] = ["gj_n_m2", "ea_n"];
 
 /// All rows of the table.
 pub(super) fn properties(value: &Value<'_>, reading: &mut Reading) -> Option<Vec<PropertyStation>> {
-    let table = Table::of(value, "[tower.properties]", &PROPERTIES, reading)?;
+    let table = Table::of(value, "[tower.properties]", &schema::PROPERTIES, reading)?;
     reading.remember(Place::Stations, value.span());
     let hint = "z_m = [heights of the rows, m], and a list as long for each other column";
     let heights = table.require("z_m", hint, reading)?;
@@ -38,7 +22,7 @@ pub(super) fn properties(value: &Value<'_>, reading: &mut Reading) -> Option<Vec
     Columns { table, heights_m }.rows(reading)
 }
 
-/// The table with its heights, which say how long every column is.
+/// The table with its heights; every column has as many values.
 struct Columns<'a> {
     table: Table<'a>,
     heights_m: Vec<f64>,
@@ -156,9 +140,10 @@ fn column(
 ) -> Option<Vec<f64>> {
     let values = list(value, key, reading)?;
     if let Some(rows) = rows.filter(|&rows| rows != values.len()) {
-        let message = format!("{key} has {} values, but z_m has {rows}", values.len());
+        let expected = format!("{rows} as z_m");
+        let kind = DiagnosticKind::wrong_count(key, values.len(), expected);
         let hint = "every column has one value for each height";
-        reading.mistake(Diagnostic::new(value.span(), message).with_hint(hint));
+        reading.mistake(Diagnostic::new(value.span(), kind).with_hint(hint));
         return None;
     }
     let entry = if MAY_BE_INFINITE.contains(&key) {

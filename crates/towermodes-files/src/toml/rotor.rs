@@ -2,17 +2,13 @@
 
 use towermodes::{Place, Rotor};
 
-use super::table::{Keys, Table};
+use super::table::Table;
 use super::values::{Value, list, number, wrong_kind};
-use super::{Reading, TABLE};
-use crate::diagnostic::Diagnostic;
-
-const ROTOR: Keys = Keys {
-    known: &["blades", "rpm"],
-};
+use super::{Reading, TABLE, schema};
+use crate::diagnostic::{Diagnostic, DiagnosticKind};
 
 const HINT: &str =
-    "its lowest and highest speed in operation, rpm = [6.9, 12.1], or one number if it is constant";
+    "lowest and highest operating speed, rpm = [6.9, 12.1], or one number for a constant speed";
 
 /// The rotor: `Some(None)` if there is none, `None` after a mistake.
 pub(super) fn rotor(root: &Table<'_>, reading: &mut Reading) -> Option<Option<Rotor>> {
@@ -21,7 +17,7 @@ pub(super) fn rotor(root: &Table<'_>, reading: &mut Reading) -> Option<Option<Ro
     };
     let at = |key| Place::Rotor { key };
     reading.remember(at(TABLE), value.span());
-    let table = Table::of(value, "[rotor]", &ROTOR, reading)?;
+    let table = Table::of(value, "[rotor]", &schema::ROTOR, reading)?;
     let blades = table
         .require("blades", "number of blades, as 3", reading)
         .and_then(|value| {
@@ -40,15 +36,14 @@ pub(super) fn rotor(root: &Table<'_>, reading: &mut Reading) -> Option<Option<Ro
     }))
 }
 
-/// A number of blades; whether rotors have so many the tower's checks say.
+/// A number of blades; the checks of the tower limit it.
 fn blades(value: &Value<'_>, reading: &mut Reading) -> Option<usize> {
     let count = number(value, "blades", reading)?;
     if count.fract() == 0.0 && (0.0..=1e9).contains(&count) {
         return Some(count as usize);
     }
-    let message = format!("blades is {count}, not a number of blades");
-    let diagnostic = Diagnostic::new(value.span(), message);
-    reading.mistake(diagnostic.with_hint("a whole number of at least 1"));
+    let kind = DiagnosticKind::out_of_range("blades", count, "a whole number of at least 1");
+    reading.mistake(Diagnostic::new(value.span(), kind));
     None
 }
 
@@ -64,8 +59,8 @@ fn speeds_rpm(value: &Value<'_>, reading: &mut Reading) -> Option<[f64; 2]> {
     }
     let speeds = list(value, "rpm", reading)?;
     let [lowest, highest] = &speeds[..] else {
-        let message = format!("rpm has {} numbers, not 2", speeds.len());
-        reading.mistake(Diagnostic::new(value.span(), message).with_hint(HINT));
+        let kind = DiagnosticKind::wrong_count("rpm", speeds.len(), 2);
+        reading.mistake(Diagnostic::new(value.span(), kind).with_hint(HINT));
         return None;
     };
     let lowest = number(lowest, "the lowest rpm", reading);

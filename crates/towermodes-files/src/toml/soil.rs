@@ -3,14 +3,11 @@
 use toml::de::DeArray;
 use towermodes::{Place, SoilRow, SoilStiffness};
 
-use super::table::{Keys, Table, every_table, with_names};
+use super::table::{Table, every_table, with_names};
 use super::values::{Value, every_row, list, number, wrong_kind};
-use super::{Reading, TABLE};
-use crate::diagnostic::Diagnostic;
+use super::{Reading, TABLE, schema};
+use crate::diagnostic::{Diagnostic, DiagnosticKind};
 
-const SOIL: Keys = Keys {
-    known: &["rows", "name"],
-};
 const ROW: &str = "a row is [height in m, spring in x, spring in y] in N/m2, then, if wanted, in z (N/m2) and in torsion (N)";
 
 /// The values of a row after each other: what the tower's checks call them, and what they are
@@ -35,7 +32,7 @@ fn layer(index: usize, value: &Value<'_>, reading: &mut Reading) -> Option<(Vec<
     let layer = index;
     let at = |key| Place::Soil { layer, row: 0, key };
     reading.remember(at(TABLE), value.span());
-    let table = Table::of(value, "[[soil]]", &SOIL, reading)?;
+    let table = Table::of(value, "[[soil]]", &schema::SOIL, reading)?;
     let name = table.name_of("a soil's name", reading);
     let hint = "rows = [[height, spring in x, spring in y], ...] from the bottom to the surface";
     let rows = table.require("rows", hint, reading)?;
@@ -67,14 +64,13 @@ fn values_of<'a>(
         return None;
     };
     let count = values.len();
-    let message = match length {
-        _ if !is_row(count) => format!("{what} has {count} values instead of 3 to 5"),
-        Some(length) if length != count => {
-            format!("{what} has {count} values, but the first row has {length}")
-        }
+    let expected = match length {
+        _ if !is_row(count) => "3 to 5".to_owned(),
+        Some(length) if length != count => format!("{length} as the first row"),
         _ => return Some(values),
     };
-    reading.mistake(Diagnostic::new(value.span(), message).with_hint(ROW));
+    let kind = DiagnosticKind::wrong_count(what, count, expected);
+    reading.mistake(Diagnostic::new(value.span(), kind).with_hint(ROW));
     None
 }
 

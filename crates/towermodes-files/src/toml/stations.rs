@@ -1,22 +1,17 @@
-//! `[tower]`: the rows of stations and what holds for the whole tower.
+//! `[tower]`: the stations, the outfitting factor and the shear model.
 
 use toml::de::DeValue;
 use towermodes::{Place, Shear, Station};
 
 use super::materials::Materials;
-use super::table::{Keys, Table};
+use super::table::Table;
 use super::values::{Value, check_pieces, every_row, list, number, text, wrong_kind};
 use super::{Reading, STATION_FILE};
-use crate::diagnostic::Diagnostic;
+use crate::diagnostic::{Diagnostic, DiagnosticKind};
 use crate::station_table;
 
-/// The keys of `[tower]`.
-pub(super) const TOWER: Keys = Keys {
-    known: &["stations", "properties", "outfitting_factor", "shear"],
-};
-
-/// `stations`, all rows, or the name of a file that has them; where the materials have mistakes of
-/// their own, names of materials are not checked.
+/// `stations`: the rows, or the name of a file with them. Names of materials are not checked if the
+/// materials have mistakes.
 pub(super) fn stations(
     tower: &Table<'_>,
     materials: Option<&Materials>,
@@ -47,12 +42,9 @@ fn station(
         return None;
     };
     if !(3..=4).contains(&values.len()) {
-        let message = format!(
-            "station {} has {} values instead of 3 or 4",
-            index + 1,
-            values.len()
-        );
-        reading.mistake(Diagnostic::new(row.span(), message).with_hint(hint));
+        let what = format!("station {}", index + 1);
+        let kind = DiagnosticKind::wrong_count(what, values.len(), "3 or 4");
+        reading.mistake(Diagnostic::new(row.span(), kind).with_hint(hint));
         return None;
     }
     let mut value = |column: usize, key: &'static str, what: &str| {
@@ -82,22 +74,25 @@ fn station_material(
     let Some(materials) = materials else {
         return Some(0);
     };
-    let (span, name, subject) = match name {
+    let (span, name) = match name {
         Some(value) => {
-            let name = text(value, "a station's fourth value, its material,", reading)?;
-            (value.span(), Some(name), String::new())
+            let name = text(
+                value,
+                "the fourth value of a station, its material,",
+                reading,
+            )?;
+            (value.span(), Some(name))
         }
-        None => (row.span(), None, format!("station {} ", index + 1)),
+        None => (row.span(), None),
     };
-    // Listing the names takes time, and of many mistakes the rest is not shown.
+    // Listing the names takes time, and not all of many mistakes are shown.
     if reading.is_full() {
         return None;
     }
-    match materials.find(name) {
+    match materials.find(name, &format!("station {}", index + 1)) {
         Ok(material) => Some(material),
-        Err([message, hint]) => {
-            let message = format!("{subject}{message}");
-            reading.mistake(Diagnostic::new(span, message).with_hint(hint));
+        Err((kind, hint)) => {
+            reading.mistake(Diagnostic::new(span, kind).with_hint(hint));
             None
         }
     }
@@ -112,25 +107,27 @@ fn stations_of_file(
     let file = match reading.station_file.take() {
         Some(Ok(file)) => file,
         Some(Err(error)) => {
-            let message = format!("the file of the stations cannot be read: {error}");
-            let hint =
-                "it is looked for beside the tower file; small and capital letters may matter";
-            reading.mistake(Diagnostic::new(value.span(), message).with_hint(hint));
+            let kind = DiagnosticKind::UnreadableFile {
+                what: "the file of the stations".to_owned(),
+                reason: error.to_string(),
+            };
+            let hint = "it is searched beside the tower file; names may be case-sensitive";
+            reading.mistake(Diagnostic::new(value.span(), kind).with_hint(hint));
             return None;
         }
         None => {
-            let message = "the stations are in another file, and beside a text alone there is none";
+            let kind = DiagnosticKind::UnreadableFile {
+                what: "the file of the stations".to_owned(),
+                reason: "a text has no files beside it".to_owned(),
+            };
             let hint =
                 "write them here: stations = [[height, outer diameter, wall thickness], ...]";
-            reading.mistake(Diagnostic::new(value.span(), message).with_hint(hint));
+            reading.mistake(Diagnostic::new(value.span(), kind).with_hint(hint));
             return None;
         }
     };
     let material_of = |name: Option<&str>| match materials {
-        Some(materials) => materials.find(name).map_err(|[message, hint]| match name {
-            Some(_) => [message, hint],
-            None => [format!("the row {message}"), hint],
-        }),
+        Some(materials) => materials.find(name, "the row"),
         None => Ok(0),
     };
     let read = station_table::stations(&file.text, &material_of);

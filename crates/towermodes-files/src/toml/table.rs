@@ -5,63 +5,76 @@ use std::ops::Range;
 use toml::de::{DeTable, DeValue};
 
 use super::Reading;
+use super::schema::TableSchema;
 use super::synonyms::meant;
 use super::values::{Value, every_row, wrong_kind};
-use crate::diagnostic::Diagnostic;
+use crate::diagnostic::{Diagnostic, DiagnosticKind};
 
-/// The keys a table may have.
-pub(super) struct Keys {
-    /// The keys that are read.
-    pub(super) known: &'static [&'static str],
-}
-
-/// A table, where it stands, what it is called in messages and what it may hold.
+/// A table with its place, its name in messages and its schema.
 pub(super) struct Table<'a> {
     entries: &'a DeTable<'a>,
     pub(super) span: Range<usize>,
     name: String,
-    keys: Option<&'static Keys>,
+    /// Its known keys; none if its keys are names.
+    known: Vec<&'static str>,
 }
 
 impl<'a> Table<'a> {
-    /// The whole file; complains about unknown keys.
+    /// The whole file; reports unknown keys.
     pub(super) fn root(
         entries: &'a DeTable<'a>,
         length: usize,
-        keys: &'static Keys,
+        schema: &'static TableSchema,
         reading: &mut Reading,
     ) -> Self {
         let table = Self {
             entries,
             span: length..length,
-            name: "the file".into(),
-            keys: Some(keys),
+            name: schema.name.into(),
+            known: schema.key_names().collect(),
         };
-        table.check_keys(keys, |_| None, reading);
+        table.check_keys(|_| None, reading);
         table
     }
 
-    /// A value that should be a table with certain keys; complains about others.
+    /// A value that should be a table with the keys of a schema; reports others.
     pub(super) fn of(
         value: &'a Value<'a>,
         name: impl Into<String>,
-        keys: &'static Keys,
+        schema: &'static TableSchema,
         reading: &mut Reading,
     ) -> Option<Self> {
-        Self::with_elsewhere(value, name, keys, |_| None, reading)
+        Self::with_elsewhere(value, name, schema, |_| None, reading)
     }
 
-    /// The same where a key may belong elsewhere, which `elsewhere` then says.
+    /// The same where a key may belong to another table, which `elsewhere` names.
     pub(super) fn with_elsewhere(
         value: &'a Value<'a>,
         name: impl Into<String>,
-        keys: &'static Keys,
+        schema: &'static TableSchema,
+        elsewhere: impl Fn(&str) -> Option<String>,
+        reading: &mut Reading,
+    ) -> Option<Self> {
+        Self::with_known_keys(
+            value,
+            name,
+            schema.key_names().collect(),
+            elsewhere,
+            reading,
+        )
+    }
+
+    /// The same with a list of known keys.
+    pub(super) fn with_known_keys(
+        value: &'a Value<'a>,
+        name: impl Into<String>,
+        known: Vec<&'static str>,
         elsewhere: impl Fn(&str) -> Option<String>,
         reading: &mut Reading,
     ) -> Option<Self> {
         let mut table = Self::with_any_keys(value, name, reading)?;
-        table.keys = Some(keys);
-        table.check_keys(keys, elsewhere, reading);
+        table.known = known;
+        table.check_keys(elsewhere, reading);
         Some(table)
     }
 
@@ -77,7 +90,7 @@ impl<'a> Table<'a> {
                 entries,
                 span: value.span(),
                 name,
-                keys: None,
+                known: Vec::new(),
             }),
             _ => {
                 reading.mistake(wrong_kind(value, &name, "a table"));
@@ -86,31 +99,26 @@ impl<'a> Table<'a> {
         }
     }
 
-    /// What it is called in messages.
+    /// Its name in messages.
     pub(super) fn name(&self) -> &str {
         &self.name
     }
 
-    /// Complains about keys that mean nothing, with where they belong or the nearest one that does.
-    fn check_keys(
-        &self,
-        keys: &Keys,
-        elsewhere: impl Fn(&str) -> Option<String>,
-        reading: &mut Reading,
-    ) {
+    /// Reports unknown keys, with the table where they belong or the nearest known key.
+    fn check_keys(&self, elsewhere: impl Fn(&str) -> Option<String>, reading: &mut Reading) {
         for key in self.entries.keys() {
             if reading.is_full() {
                 return;
             }
             let name: &str = key.get_ref();
-            if keys.known.contains(&name) {
+            if self.known.contains(&name) {
                 continue;
             }
-            let message = format!("`{name}` is not a key of {}", self.name);
-            let hint =
-                elsewhere(name).unwrap_or_else(|| suggestion(name, keys.known, "it may have"));
-            let diagnostic = Diagnostic::new(key.span(), message).with_hint(hint);
-            reading.mistake(diagnostic);
+            let suggested = || suggestion(name, &self.known, "valid keys:");
+            let hint = elsewhere(name).unwrap_or_else(suggested);
+            let (key, table, span) = (name.to_owned(), self.name.clone(), key.span());
+            let kind = DiagnosticKind::UnknownKey { key, table };
+            reading.mistake(Diagnostic::new(span, kind).with_hint(hint));
         }
     }
 
@@ -119,7 +127,7 @@ impl<'a> Table<'a> {
         self.entries.get(key)
     }
 
-    /// A value that must be there. If it is there misspelled, that was said already.
+    /// A value that must be there. A misspelled key is reported only as unknown.
     pub(super) fn require(
         &self,
         key: &str,
@@ -128,15 +136,15 @@ impl<'a> Table<'a> {
     ) -> Option<&'a Value<'a>> {
         let value = self.get(key);
         if value.is_none() && !self.has_misspelled(key) {
-            let message = format!("{} has no `{key}`", self.name);
-            reading.mistake(Diagnostic::new(self.span.clone(), message).with_hint(hint));
+            let kind = DiagnosticKind::missing_key(&self.name, key);
+            reading.mistake(Diagnostic::new(self.span.clone(), kind).with_hint(hint));
         }
         value
     }
 
     /// Whether an unknown key looks like this one.
     pub(super) fn has_misspelled(&self, key: &str) -> bool {
-        let known = self.keys.map_or(&[][..], |keys| keys.known);
+        let known = &self.known;
         let mut names = self.entries.keys().map(|name| &**name.get_ref());
         names.any(|name| !known.contains(&name) && nearest(name, known) == Some(key))
     }
@@ -217,7 +225,7 @@ fn nearest<'k>(name: &str, known: &[&'k str]) -> Option<&'k str> {
     let distance = |key: &&str| strsim::damerau_levenshtein(&name.to_lowercase(), key);
     let compared = known.iter().copied().filter(is_short);
     let nearest = compared.min_by_key(distance)?;
-    // One letter of a word is a slip of the fingers; of `xx` it may be another word.
+    // One letter is a typing error in a long word; in `xx` it may be another word.
     if nearest.len() >= 4 && distance(&nearest) <= 1 {
         return Some(nearest);
     }

@@ -5,7 +5,7 @@ use toml::de::{DeArray, DeValue};
 use towermodes::MAX_SEGMENTS;
 
 use super::Reading;
-use crate::diagnostic::Diagnostic;
+use crate::diagnostic::{Diagnostic, DiagnosticKind};
 
 /// A TOML value and its place.
 pub(super) type Value<'a> = Spanned<DeValue<'a>>;
@@ -29,11 +29,13 @@ pub(super) fn number(value: &Value<'_>, what: &str, reading: &mut Reading) -> Op
     };
     let finite = parsed.filter(|number: &f64| number.is_finite());
     if finite.is_none() {
-        let message = match parsed {
-            Some(number) if number.is_nan() => format!("{what} is nan, not a finite number"),
-            _ => format!("{what} is infinite or too large for a number"),
+        let what = match parsed {
+            Some(number) if number.is_nan() => format!("{what} = nan"),
+            Some(number) => format!("{what} = {number}"),
+            None => what.to_owned(),
         };
-        reading.mistake(Diagnostic::new(value.span(), message));
+        let kind = DiagnosticKind::NotFinite { what };
+        reading.mistake(Diagnostic::new(value.span(), kind));
     }
     finite
 }
@@ -99,8 +101,7 @@ pub(super) fn list<'a>(
     list
 }
 
-/// Refuses heights with more pieces between them than a tower can have segments, before more is
-/// made of them.
+/// Refuses heights with more pieces between them than a tower can have segments.
 pub(super) fn check_pieces(
     value: &Value<'_>,
     heights_m: impl Iterator<Item = f64>,
@@ -112,17 +113,19 @@ pub(super) fn check_pieces(
     if pieces <= MAX_SEGMENTS {
         return Some(());
     }
-    let message = format!(
-        "{pieces} pieces between the heights are more than a tower can have, {MAX_SEGMENTS}"
-    );
+    let kind = DiagnosticKind::TooMany {
+        what: "pieces between the heights".to_owned(),
+        found: pieces,
+        limit: MAX_SEGMENTS,
+    };
     let start = value.span().start;
-    let mistake = Diagnostic::new(start..start + 1, message);
+    let mistake = Diagnostic::new(start..start + 1, kind);
     reading.mistake(mistake.with_hint("keep every second row, or fewer"));
     None
 }
 
-/// Every row of a list as `read` makes it of its index and value; reads on after a mistake, so that
-/// all are said together.
+/// Every row of a list, made by `read` of its index and value; goes on after a mistake, so that all
+/// mistakes are reported together.
 pub(super) fn every_row<'a, T>(
     rows: &'a DeArray<'a>,
     mut read: impl FnMut(usize, &'a Value<'a>) -> Option<T>,
@@ -137,8 +140,8 @@ pub(super) fn every_row<'a, T>(
 
 /// The mistake of a value that is of another kind than it should be.
 pub(super) fn wrong_kind(value: &Value<'_>, what: &str, expected: &str) -> Diagnostic {
-    let message = format!("{what} must be {expected}, not {}", kind(value.get_ref()));
-    Diagnostic::new(value.span(), message)
+    let kind = DiagnosticKind::wrong_type(what, expected, kind(value.get_ref()));
+    Diagnostic::new(value.span(), kind)
 }
 
 /// What a value is, in words.

@@ -2,19 +2,9 @@
 
 use towermodes::{Place, Water};
 
-use super::table::{Keys, Table};
+use super::table::Table;
 use super::values::truth;
-use super::{Reading, TABLE};
-
-const WATER: Keys = Keys {
-    known: &[
-        "level",
-        "bed",
-        "density",
-        "added_mass_coefficient",
-        "flooded",
-    ],
-};
+use super::{Reading, TABLE, schema};
 
 /// Density of sea water, kg/m³.
 const SEA_KG_PER_M3: f64 = 1025.0;
@@ -28,7 +18,7 @@ pub(super) fn water(root: &Table<'_>, reading: &mut Reading) -> Option<Option<Wa
     };
     let at = |key| Place::Water { key };
     reading.remember(at(TABLE), value.span());
-    let table = Table::of(value, "[water]", &WATER, reading)?;
+    let table = Table::of(value, "[water]", &schema::WATER, reading)?;
     let hint = "height of the surface in m, in the datum of the stations";
     let level = table.required_number("level", hint, at("level"), reading);
     let bed = table.optional_number("bed", at("bed"), reading);

@@ -2,21 +2,10 @@
 
 use towermodes::{Place, Wires};
 
-use super::table::{Keys, Table, every_table, with_names};
+use super::table::{Table, every_table, with_names};
 use super::values::{Value, number};
-use super::{Reading, TABLE};
-use crate::diagnostic::Diagnostic;
-
-const WIRES: Keys = Keys {
-    known: &[
-        "height",
-        "count",
-        "stiffness",
-        "angle_deg",
-        "azimuth_deg",
-        "name",
-    ],
-};
+use super::{Reading, TABLE, schema};
+use crate::diagnostic::{Diagnostic, DiagnosticKind};
 
 /// All `[[wires]]` with their names.
 pub(super) fn wires(root: &Table<'_>, reading: &mut Reading) -> Option<(Vec<Wires>, Vec<String>)> {
@@ -32,7 +21,7 @@ pub(super) fn wires(root: &Table<'_>, reading: &mut Reading) -> Option<(Vec<Wire
 fn set_of_wires(index: usize, value: &Value<'_>, reading: &mut Reading) -> Option<(Wires, String)> {
     let at = |key| Place::Wires { index, key };
     reading.remember(at(TABLE), value.span());
-    let table = Table::of(value, "[[wires]]", &WIRES, reading)?;
+    let table = Table::of(value, "[[wires]]", &schema::WIRES, reading)?;
     let name = table.name_of("a name of wires", reading);
     let hint = "height of their upper ends in m, in the datum of the stations";
     let height = table.required_number("height", hint, at("height"), reading);
@@ -46,8 +35,7 @@ fn set_of_wires(index: usize, value: &Value<'_>, reading: &mut Reading) -> Optio
     let stiffness = table.required_number("stiffness", hint, at("stiffness"), reading);
     let hint = "angle from the horizontal in degrees";
     let angle = table.required_number("angle_deg", hint, at("angle"), reading);
-    // Three or more equally spaced wires hold the same in every direction, whichever way the first
-    // one goes.
+    // The stiffness of three or more equally spaced wires does not depend on their azimuth.
     let azimuth = table
         .get("azimuth_deg")
         .map_or(Some(0.0), |value| number(value, "azimuth_deg", reading));
@@ -61,18 +49,13 @@ fn set_of_wires(index: usize, value: &Value<'_>, reading: &mut Reading) -> Optio
     Some((wires, name?))
 }
 
-/// A number of wires; whether they are enough the tower's checks say.
+/// A number of wires; the checks of the tower limit it.
 fn count(value: &Value<'_>, reading: &mut Reading) -> Option<usize> {
     let count = number(value, "count", reading)?;
     if count.fract() == 0.0 && (1.0..=1e9).contains(&count) {
         return Some(count as usize);
     }
-    let message = if count.abs() < 1e9 {
-        format!("count is {count}, not a number of wires")
-    } else {
-        format!("count is {count:e}, not a number of wires")
-    };
-    let hint = "a whole number of at least 3";
-    reading.mistake(Diagnostic::new(value.span(), message).with_hint(hint));
+    let kind = DiagnosticKind::out_of_range("count", count, "a whole number of at least 3");
+    reading.mistake(Diagnostic::new(value.span(), kind));
     None
 }

@@ -4,9 +4,10 @@ use towermodes::{Inertia, RigidBody};
 
 use super::reading::Reading;
 use super::yaml::Node;
-use crate::diagnostic::Diagnostic;
+use crate::diagnostic::{Diagnostic, DiagnosticKind};
+use crate::note::Note;
 
-/// A principal moment of inertia may be negative by this share of the largest.
+/// A principal moment of inertia may be negative by this fraction of the largest.
 const ROUNDED: f64 = 1e-9;
 
 /// Mass, inertia and place of the centre in version 1.
@@ -26,8 +27,9 @@ pub(super) fn body(
     let mass_node = node.require(mass, what)?;
     let mass_kg = mass_node.number(&format!("mass of the {what}"))?;
     if mass_kg < 0.0 {
-        let message = format!("mass of the {what} is {mass_kg} kg, but cannot be negative");
-        return Err(Diagnostic::new(mass_node.span.clone(), message));
+        let what = format!("mass of the {what}");
+        let kind = DiagnosticKind::out_of_range_in(what, mass_kg, "kg", "non-negative");
+        return Err(Diagnostic::new(mass_node.span.clone(), kind));
     }
     let list = |key: &str, what: String, most: usize| {
         let Some(list) = node.get(key) else {
@@ -36,8 +38,8 @@ pub(super) fn body(
         let mut numbers = list.numbers(&what)?;
         // One number is along x, three are the diagonal.
         if ![1, 3, most].contains(&numbers.len()) {
-            let message = format!("{what} has {} values instead of {most}", numbers.len());
-            return Err(Diagnostic::new(list.span.clone(), message));
+            let kind = DiagnosticKind::wrong_count(what, numbers.len(), most);
+            return Err(Diagnostic::new(list.span.clone(), kind));
         }
         numbers.resize(most, 0.0);
         Ok(numbers)
@@ -60,10 +62,10 @@ pub(super) fn body(
     if principal[0] < -ROUNDED * principal[2].max(-principal[0]) {
         let at = node.get(inertia).unwrap_or(node).span.start;
         let message = format!(
-            "no body has the inertia {moments:?} kg m2 of the {what}: a principal moment is {:.4e} kg m2; the inertia is left out (the order is xx, yy, zz, xy, xz, yz)",
+            "the inertia {moments:?} kg m2 of the {what} is impossible: a principal moment is {:.4e} kg m2; the inertia is left out (the order is xx, yy, zz, xy, xz, yz)",
             principal[0]
         );
-        reading.note_at(at, message);
+        reading.note_at(at, Note::suspicious(message));
         body.inertia_kg_m2 = Inertia::default();
     }
     Ok(body)

@@ -5,9 +5,10 @@ use towermodes::Material;
 use super::part::Part;
 use super::reading::Reading;
 use super::structure::Structure;
+use crate::note::Note;
 use crate::number::Rounded;
 
-/// Masses may differ by this share.
+/// Masses may differ by this fraction.
 const TOLERANCE: f64 = 0.01;
 
 /// Notes where the masses per length or in total disagree; the walls win.
@@ -44,10 +45,19 @@ fn compare_part(part: &Part, materials: &[Material], reading: &mut Reading<'_>) 
     let total_error = (totals[0] / totals[1] - 1.0).abs();
     if worst.0 > TOLERANCE || total_error > TOLERANCE {
         let (_, z, [table, walls]) = worst;
-        reading.note_at(elastic.mass.0[0].spans()[0].start, format!(
+        let message = format!(
             "elastic properties and layers of the {} disagree: at z = {} m {} and {} kg/m, in total {} and {} kg; the layers are used",
-            part.what, Rounded(z), Rounded(table), Rounded(walls), Rounded(totals[0]), Rounded(totals[1])
-        ));
+            part.what,
+            Rounded(z),
+            Rounded(table),
+            Rounded(walls),
+            Rounded(totals[0]),
+            Rounded(totals[1])
+        );
+        reading.note_at(
+            elastic.mass.0[0].spans()[0].start,
+            Note::suspicious(message),
+        );
     }
 }
 

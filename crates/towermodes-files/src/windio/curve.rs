@@ -4,7 +4,7 @@
 use std::ops::Range;
 
 use super::yaml::Node;
-use crate::diagnostic::Diagnostic;
+use crate::diagnostic::{Diagnostic, DiagnosticKind};
 
 /// Ends of grids and positions of different grids that are nearer than this are the same: they are
 /// rounded.
@@ -42,8 +42,9 @@ impl Curve {
         let cell = |row: &Node| {
             let list = row.list(what)?;
             let cell = list.get(column).ok_or_else(|| {
-                let message = format!("{what} has {} values in a row instead of 21", list.len());
-                Diagnostic::new(row.span.clone(), message)
+                let what = format!("a row of {what}");
+                let kind = DiagnosticKind::wrong_count(what, list.len(), 21);
+                Diagnostic::new(row.span.clone(), kind)
             })?;
             Ok((cell.number(what)?, cell.span.clone()))
         };
@@ -61,12 +62,9 @@ impl Curve {
     ) -> Result<Self, Diagnostic> {
         let grid = grid(grid_node, what)?;
         if grid.len() != values.len() {
-            let message = format!(
-                "{what} has {} values, but its grid has {}",
-                values.len(),
-                grid.len()
-            );
-            return Err(Diagnostic::new(values_node.span.clone(), message)
+            let expected = format!("{} as its grid", grid.len());
+            let kind = DiagnosticKind::wrong_count(what, values.len(), expected);
+            return Err(Diagnostic::new(values_node.span.clone(), kind)
                 .with_hint("one value for each position of the grid"));
         }
         Ok(Self {
@@ -135,36 +133,29 @@ fn grid(node: &Node, what: &str) -> Result<Vec<f64>, Diagnostic> {
     let list = node.list(&name)?;
     let mut grid = node.numbers(&name)?;
     let hint = "positions go from 0 at the base to 1 at the top";
-    let wrong =
-        |i: usize, message: String| Diagnostic::new(list[i].span.clone(), message).with_hint(hint);
+    let wrong = |i: usize, kind| Diagnostic::new(list[i].span.clone(), kind).with_hint(hint);
     if grid.len() < 2 {
-        let message = format!("{name} has {} positions, but needs at least 2", grid.len());
-        return Err(Diagnostic::new(node.span.clone(), message).with_hint(hint));
+        let kind = DiagnosticKind::wrong_count(name, grid.len(), "at least 2");
+        return Err(Diagnostic::new(node.span.clone(), kind).with_hint(hint));
     }
     let last = grid.len() - 1;
-    if grid[0].abs() > END {
-        return Err(wrong(
-            0,
-            format!("{name} begins at {} instead of 0", grid[0]),
-        ));
-    }
-    if (grid[last] - 1.0).abs() > END {
-        return Err(wrong(
-            last,
-            format!("{name} ends at {} instead of 1", grid[last]),
-        ));
+    for (i, end, which) in [(0, 0.0, "first"), (last, 1.0, "last")] {
+        if (grid[i] - end).abs() > END {
+            let what = format!("the {which} value of {name}");
+            let kind = DiagnosticKind::out_of_range(what, grid[i], end.to_string());
+            return Err(wrong(i, kind));
+        }
     }
     (grid[0], grid[last]) = (0.0, 1.0);
     for i in 1..grid.len() {
         let (before, now) = (grid[i - 1], grid[i]);
         if now < before {
-            return Err(wrong(i, format!("{name} goes down from {before} to {now}")));
+            return Err(wrong(i, DiagnosticKind::not_rising(name, now, before, "")));
         }
         if i > 1 && now == grid[i - 2] {
-            return Err(wrong(
-                i,
-                format!("{name} has {now} three times; two are a step"),
-            ));
+            let what = format!("{now} in {name}");
+            let mistake = wrong(i, DiagnosticKind::Repeated { what, times: 3 });
+            return Err(mistake.with_hint("two equal positions are a step"));
         }
     }
     Ok(grid)

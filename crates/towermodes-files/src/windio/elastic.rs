@@ -5,8 +5,9 @@ use super::outline::Version;
 use super::reading::Reading;
 use super::yaml::Node;
 use crate::diagnostic::Diagnostic;
+use crate::note::Note;
 
-/// Couplings below this share of the bending stiffness, and offsets below this many metres, are
+/// Couplings below this fraction of the bending stiffness, and offsets below this many metres, are
 /// noise.
 const NOISE: f64 = 1e-6;
 
@@ -171,10 +172,10 @@ fn note_left_out<'k>(
     let keys: Vec<&str> = keys.collect();
     if !keys.is_empty() {
         let message = format!(
-            "{what}: couplings and offsets are left out ({}); the tower's sections are centred",
+            "{what}: couplings and offsets are left out ({}); the sections of the tower are centred",
             keys.join(", ")
         );
-        reading.note_at(beam.span.start, message);
+        reading.note_at(beam.span.start, Note::left_out(message));
     }
 }
 

@@ -1,13 +1,13 @@
-//! Keys that look like one that is read, but are not it: a misspelled key would be passed over
-//! without a word.
+//! Keys that look like a key that is read: a misspelled key would be ignored without a message.
 //!
-//! Known are the keys of the schemas of windIO 1.0 and 2.x, read or not, and those that WISDEM
-//! writes beside them. Of these nothing is said.
+//! Known are the keys of the schemas of windIO 1.0 and 2.x, read or not, and those that WISDEM adds.
+//! They get no note.
 
 use super::outline::{Components, Outline};
 use super::reading::Reading;
 use super::yaml::{Node, Value};
 use crate::input::TowerPart;
+use crate::note::Note;
 
 /// The keys of a mapping.
 struct Keys {
@@ -265,7 +265,7 @@ fn note_key(key: &str, value_at: usize, keys: &Keys, what: &str, reading: &mut R
     };
     let at = place_of(key, value_at, &reading.source.text);
     let message = format!("`{key}` of {what} is not read: did you mean `{meant}`?");
-    reading.note_at(at, message);
+    reading.note_at(at, Note::suspicious(message));
 }
 
 /// The key that is read and that another looks like, unless it looks as much like one that is not

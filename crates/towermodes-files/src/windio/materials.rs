@@ -7,7 +7,8 @@ use towermodes::Material;
 use super::known_keys::note_material;
 use super::reading::Reading;
 use super::yaml::{Node, Value};
-use crate::diagnostic::Diagnostic;
+use crate::diagnostic::{Diagnostic, DiagnosticKind};
+use crate::note::Note;
 
 /// G and E/(2(1+ν)) may differ by this much, relatively: both are often rounded.
 const MODULI_TOLERANCE: f64 = 0.01;
@@ -63,15 +64,17 @@ impl<'a> Materials<'a> {
         let mut found = list.iter().filter(|node| name_of(node) == Some(name));
         let Some(first) = found.next() else {
             let names: Vec<&str> = list.iter().filter_map(name_of).take(20).collect();
-            let message = format!("there is no material `{name}`");
-            let hint = format!("materials has: {}", names.join(", "));
-            return Err(Diagnostic::new(at.span.clone(), message).with_hint(hint));
+            let hint = format!("materials: {}", names.join(", "));
+            let (what, name) = ("material", name.to_owned());
+            let kind = DiagnosticKind::UnknownName { what, name };
+            return Err(Diagnostic::new(at.span.clone(), kind).with_hint(hint));
         };
         match found.next() {
             None => Ok(first),
             Some(second) => {
-                let message = format!("a second material is called `{name}`");
-                Err(Diagnostic::new(second.span.clone(), message))
+                let (what, times) = (format!("the material `{name}`"), 2);
+                let kind = DiagnosticKind::Repeated { what, times };
+                Err(Diagnostic::new(second.span.clone(), kind))
             }
         }
     }
@@ -98,25 +101,22 @@ fn material(
     if let Some((nu, _)) = poisson
         && ((by_poisson(nu) - modulus) / modulus).abs() > MODULI_TOLERANCE
     {
-        reading.note_at(
-            span.start,
-            format!(
-                "G of {what} is {modulus:e} Pa, but E and nu = {nu} mean {:.4e} Pa: G is taken",
-                by_poisson(nu)
-            ),
+        let message = format!(
+            "G of {what} is {modulus:e} Pa, but E and nu = {nu} give {:.4e} Pa: G is used",
+            by_poisson(nu)
         );
+        reading.note_at(span.start, Note::suspicious(message));
     }
     let material = Material::from_shear_modulus(density, youngs.0, modulus);
     Ok((material, [rho.span.clone(), youngs.1, span]))
 }
 
 fn missing(node: &Node, key: &str, what: &str) -> Diagnostic {
-    let message = format!("{what} has no `{key}`");
     let hint = "a material has rho (kg/m3), E (Pa), and G (Pa) or nu";
-    Diagnostic::new(node.span.clone(), message).with_hint(hint)
+    Diagnostic::new(node.span.clone(), DiagnosticKind::missing_key(what, key)).with_hint(hint)
 }
 
-/// A value of a material; of an orthotropic one that along its fibres, and that is noted.
+/// A value of a material; of an orthotropic material that along its fibres, with a note.
 fn axial(
     node: &Node,
     key: &str,
@@ -130,16 +130,14 @@ fn axial(
         return Ok(Some((value.number(what)?, value.span.clone())));
     };
     let Some(first) = list.first() else {
-        return Err(value.wrong(&format!(
-            "{what} should be a number, or one for each direction"
-        )));
+        return Err(value.wrong(what, "a number, or one for each direction"));
     };
     let number = first.number(what)?;
     if list.len() > 1 && key != "nu" {
         let message = format!(
-            "{what} has a value for each direction: the first, {number:e} Pa, is taken as that along the tower"
+            "{what} has a value for each direction: the first, {number:e} Pa, is used along the tower"
         );
-        reading.note_at(value.span.start, message);
+        reading.note_at(value.span.start, Note::assumption(message));
     }
     Ok(Some((number, first.span.clone())))
 }

@@ -28,8 +28,10 @@ mod water;
 mod write;
 mod yaml;
 
-use crate::diagnostic::Diagnostic;
-use crate::input::{FileFormat, InputError, ReadOptions, RotorNotes, TowerInput, TowerPart};
+use crate::diagnostic::{Diagnostic, DiagnosticKind};
+use crate::error::ReadError;
+use crate::input::{FileFormat, ReadOptions, TowerInput, TowerPart};
+use crate::note::{Note, RotorNotes};
 use crate::places::Places;
 use crate::source::Source;
 use airfoils::without_airfoils;
@@ -39,7 +41,7 @@ use structure::Structure;
 
 pub use write::{WindIoWriteError, write_windio};
 
-/// Whether a file looks like windIO: it says so, or it is YAML.
+/// Whether a file looks like windIO: by its keys, or because it is YAML.
 pub(crate) fn is_windio(text: &str, name: &str) -> bool {
     let keys = ["windIO_version:", "components:", "\"windIO_version\""];
     let has_key = |line: &str| keys.iter().any(|key| line.starts_with(key));
@@ -50,13 +52,13 @@ pub(crate) fn is_windio(text: &str, name: &str) -> bool {
 
 /// Reads the tower of a turbine, on its monopile if there is one, from a file in windIO 1 or 2.
 ///
-/// The base is clamped: at the mudline if the file knows the depth of the water, or else at the
-/// lowest height. What the file has of the rotor-nacelle assembly is put together; notes say what
-/// is missing.
+/// The base is clamped: at the mudline if the file gives the water depth, or else at the lowest
+/// height. The rotor-nacelle assembly is combined from the bodies in the file; notes list the missing
+/// ones.
 ///
 /// # Errors
-/// [`InputError::Mistakes`].
-pub fn read_windio(source: Source, options: &ReadOptions) -> Result<TowerInput, InputError> {
+/// [`ReadError::Mistakes`].
+pub fn read_windio(source: Source, options: &ReadOptions) -> Result<TowerInput, ReadError> {
     let mut reading = Reading::new(&source);
     let mut places = Places::default();
     let mut rotor_notes = RotorNotes::default();
@@ -68,7 +70,7 @@ pub fn read_windio(source: Source, options: &ReadOptions) -> Result<TowerInput, 
     }) = found
     else {
         let mistakes = reading.mistakes;
-        return Err(InputError::mistakes(&source, mistakes));
+        return Err(ReadError::mistakes(&source, mistakes));
     };
     let notes = reading.notes;
     let mut input = TowerInput::new(FileFormat::WindIo, description, source);
@@ -80,7 +82,7 @@ pub fn read_windio(source: Source, options: &ReadOptions) -> Result<TowerInput, 
     Ok(input)
 }
 
-/// What a file says of a tower.
+/// The description of a tower.
 struct Described {
     description: towermodes::TowerDescription,
     /// The height at which it stands on its monopile, m.
@@ -97,7 +99,7 @@ fn describe(
 ) -> Option<Described> {
     if reading.source.text.trim().is_empty() {
         let hint = "windIO has at least components and materials";
-        let mistake = Diagnostic::new(0..0, "the file is empty").with_hint(hint);
+        let mistake = Diagnostic::new(0..0, DiagnosticKind::EmptyFile).with_hint(hint);
         reading.mistakes.push(mistake);
         return None;
     }
@@ -113,7 +115,7 @@ fn describe(
     let (blades, rotor) = match options.part {
         TowerPart::Monopile => (None, Ok(None)),
         _ => (
-            // A mistake in it is said where it counts.
+            // A mistake in it is reported where it matters.
             speeds::blade_count(&outline).ok().flatten(),
             speeds::rotor(&outline, places, reading, rotor_notes),
         ),
@@ -145,10 +147,11 @@ fn note_platform(outline: &Outline, reading: &mut Reading<'_>) {
         return;
     };
     if components.floating_platform.is_some() {
-        reading.note_missing_part("the floating platform is left out: the tower is clamped at its base; add [foundation] with type = \"floating\" after `convert --to toml`");
+        reading.note(Note::missing_part("the floating platform is left out: the tower is clamped at its base; add [foundation] with type = \"floating\" after `convert --to toml`"));
     }
     if components.jacket.is_some() {
-        reading.note_missing_part("the jacket is left out: the tower is clamped at its base");
+        let message = "the jacket is left out: the tower is clamped at its base";
+        reading.note(Note::missing_part(message));
     }
 }
 

@@ -1,4 +1,4 @@
-//! A part of the support structure, tower or monopile, as the file gives it.
+//! A part of the support structure: tower or monopile.
 
 use std::ops::Range;
 
@@ -8,7 +8,8 @@ use super::materials::Materials;
 use super::outline::Version;
 use super::reading::Reading;
 use super::yaml::Node;
-use crate::diagnostic::Diagnostic;
+use crate::diagnostic::{Diagnostic, DiagnosticKind};
+use crate::note::Note;
 use crate::number::Rounded;
 
 /// An axis that leaves the vertical by less than this, m, is straight.
@@ -23,7 +24,7 @@ pub(super) const SAME_M: f64 = 1e-6;
 /// Tower or monopile.
 #[derive(Debug)]
 pub(super) struct Part {
-    /// What it is called.
+    /// Its name in messages.
     pub(super) what: &'static str,
     /// Height along the axis, m.
     pub(super) z: Curve,
@@ -101,13 +102,15 @@ impl Part {
     fn check_whole(&self, node: &Node) -> Result<(), Diagnostic> {
         let what = self.what;
         if self.layers.is_empty() && self.elastic.is_none() {
-            let message = format!("the {what} has neither layers nor elastic properties");
+            let what = format!("the {what}");
+            let kind = DiagnosticKind::missing_key(what, "layers` or `elastic_properties");
             let hint = "each layer of the wall has a material and a thickness along the axis";
-            return Err(Diagnostic::new(node.span.clone(), message).with_hint(hint));
+            return Err(Diagnostic::new(node.span.clone(), kind).with_hint(hint));
         }
         if !self.layers.is_empty() && self.diameter.is_none() {
-            let message = format!("the {what} has layers but no outer_diameter");
-            return Err(Diagnostic::new(node.span.clone(), message));
+            let what = format!("the {what} with layers");
+            let kind = DiagnosticKind::missing_key(what, "outer_diameter");
+            return Err(Diagnostic::new(node.span.clone(), kind));
         }
         Ok(())
     }
@@ -159,8 +162,8 @@ impl Part {
             return;
         };
         let base = self.stops[below];
-        let share = (height_m - base.height_m).max(0.0) / (top.height_m - base.height_m);
-        let s = base.position.to + share * (top.position.from - base.position.to);
+        let fraction = (height_m - base.height_m).max(0.0) / (top.height_m - base.height_m);
+        let s = base.position.to + fraction * (top.position.from - base.position.to);
         self.stops.drain(..below);
         self.stops[0] = Stop {
             position: Position { from: s, to: s },
@@ -176,8 +179,8 @@ impl Part {
     }
 }
 
-/// Elastic properties that cannot be read are no mistake of a part whose layers say everything: a
-/// note says that they are not used.
+/// Elastic properties that cannot be read are not a mistake of a part with layers: they are left out
+/// with a note.
 fn unless_unused(
     elastic: Result<Option<Elastic>, Diagnostic>,
     layers: &[Layer],
@@ -187,10 +190,10 @@ fn unless_unused(
     match elastic {
         Err(mistake) if !layers.is_empty() => {
             let message = format!(
-                "the elastic properties of the {what} cannot be read ({}); its layers are used, which is what they would be compared with",
-                mistake.message
+                "the elastic properties of the {what} cannot be read ({}); its layers are used",
+                mistake.kind
             );
-            reading.note_at(mistake.span.start, message);
+            reading.note_at(mistake.span.start, Note::left_out(message));
             Ok(None)
         }
         elastic => elastic,
@@ -208,8 +211,8 @@ fn axis<'a>(node: &'a Node, what: &str, version: Version) -> Result<&'a Node, Di
     let found = paths.iter().find_map(|path| node.find(path));
     found.ok_or_else(|| {
         let path = paths[0].join(".");
-        let message = format!("the {what} has no `{path}`");
-        Diagnostic::new(node.span.clone(), message)
+        let kind = DiagnosticKind::missing_key(format!("the {what}"), path);
+        Diagnostic::new(node.span.clone(), kind)
             .with_hint("its z gives the heights along the axis, m")
     })
 }
@@ -218,21 +221,19 @@ fn check_heights(z: &Curve) -> Result<(), Diagnostic> {
     let (grid, values) = (z.grid(), z.values());
     for i in 1..grid.len() {
         let (before, now) = (values[i - 1], values[i]);
-        let message = if grid[i] == grid[i - 1] {
+        let kind = if grid[i] == grid[i - 1] {
             if now == before {
                 continue;
             }
-            format!(
-                "height jumps from {before} m to {now} m at position {}",
-                grid[i]
-            )
+            let rule = format!("{before} m, the height at the same position {}", grid[i]);
+            DiagnosticKind::out_of_range_in("height", now, "m", rule)
         } else if now > before {
             continue;
         } else {
-            format!("height {now} m is not above the one before it ({before} m)")
+            DiagnosticKind::not_rising("height", now, before, "m")
         };
-        return Err(Diagnostic::new(z.spans()[i].clone(), message)
-            .with_hint("z rises from the base to the top"));
+        return Err(Diagnostic::new(z.spans()[i].clone(), kind)
+            .with_hint("z increases from the base to the top"));
     }
     Ok(())
 }
@@ -246,10 +247,10 @@ fn note_lean(axis: &Node, what: &str, reading: &mut Reading<'_>) {
         let lean_m = numbers.iter().fold(0.0_f64, |most, x| most.max(x.abs()));
         if lean_m > STRAIGHT_M {
             let message = format!(
-                "the axis of the {what} leaves the vertical by {} m in {key}: it is taken as vertical, with the heights z",
+                "the axis of the {what} deviates from the vertical by {} m in {key}: it is modelled as vertical, with the heights z",
                 Rounded(lean_m)
             );
-            reading.note_at(values.span.start, message);
+            reading.note_at(values.span.start, Note::approximation(message));
         }
     }
 }
@@ -265,11 +266,12 @@ fn layers(
     };
     let list = list.list(&format!("layers of the {what}"))?;
     if list.len() > MAX_LAYERS {
-        let message = format!(
-            "the {what} has {} layers; {MAX_LAYERS} can be read",
-            list.len()
-        );
-        return Err(Diagnostic::new(list[MAX_LAYERS].span.clone(), message));
+        let kind = DiagnosticKind::TooMany {
+            what: format!("layers of the {what}"),
+            found: list.len(),
+            limit: MAX_LAYERS,
+        };
+        return Err(Diagnostic::new(list[MAX_LAYERS].span.clone(), kind));
     }
     let mut layers = Vec::new();
     for (i, node) in list.iter().enumerate() {
@@ -278,9 +280,9 @@ fn layers(
         let thickness = Curve::read(thickness, &format!("thickness of {name}"))?;
         let negative = thickness.values().iter().position(|&t| t < 0.0);
         if let Some(at) = negative {
-            let message = format!("thickness of {name} is {} m", thickness.values()[at]);
-            return Err(Diagnostic::new(thickness.spans()[at].clone(), message)
-                .with_hint("it cannot be negative"));
+            let (what, value) = (format!("thickness of {name}"), thickness.values()[at]);
+            let kind = DiagnosticKind::out_of_range_in(what, value, "m", "non-negative");
+            return Err(Diagnostic::new(thickness.spans()[at].clone(), kind));
         }
         let material = node.require("material", &name)?;
         layers.push(Layer {
@@ -316,19 +318,17 @@ fn point_masses(
     let mass_node = node.require("mass", &name)?;
     let (grid, masses) = (grid_node.numbers(&name)?, mass_node.numbers(&name)?);
     if grid.len() != masses.len() {
-        let message = format!(
-            "{name}: {} masses at {} positions",
-            masses.len(),
-            grid.len()
-        );
-        return Err(Diagnostic::new(mass_node.span.clone(), message));
+        let expected = format!("{} as the grid", grid.len());
+        let kind = DiagnosticKind::wrong_count(name, masses.len(), expected);
+        return Err(Diagnostic::new(mass_node.span.clone(), kind));
     }
     let places = grid_node.list(&name)?.iter().zip(mass_node.list(&name)?);
     let mut found = Vec::new();
     for ((s, mass_kg), (at, of)) in grid.into_iter().zip(masses).zip(places) {
         if !(0.0..=1.0).contains(&s) {
-            let message = format!("{name}: position {s} is not between 0 and 1");
-            return Err(Diagnostic::new(at.span.clone(), message));
+            let what = format!("position in {name}");
+            let kind = DiagnosticKind::out_of_range(what, s, "from 0 to 1");
+            return Err(Diagnostic::new(at.span.clone(), kind));
         }
         if mass_kg != 0.0 {
             found.push((z.below(s), mass_kg, of.span.clone()));

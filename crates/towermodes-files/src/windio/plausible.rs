@@ -1,10 +1,11 @@
-//! Angles and lengths of the machine in the wrong unit: version 1 has radians, version 2 degrees,
+//! Angles and lengths of the RNA in the wrong unit: version 1 has radians, version 2 degrees,
 //! both have metres.
 
 use super::outline::Version;
 use super::reading::Reading;
 use super::yaml::Node;
-use crate::diagnostic::Diagnostic;
+use crate::diagnostic::{Diagnostic, DiagnosticKind};
+use crate::note::Note;
 use crate::number::Rounded;
 
 /// No rotor is tilted or coned by more, degrees; real ones have up to 10.
@@ -34,16 +35,17 @@ pub(super) fn angle(
     let size = degrees.abs();
     // In degrees whatever the version says.
     if size > IMPOSSIBLE_DEG && written.abs() > IMPOSSIBLE_DEG {
-        let message = format!("{key} is {written} {unit}, but no rotor has more than 90 degrees");
+        let rule = "at most 90 degrees";
+        let kind = DiagnosticKind::out_of_range_in(key, written, unit, rule);
         let hint = match version {
-            Version::One => "windIO 1 has it in radians: 6 degrees are 0.10472",
-            Version::Two => "windIO 2 has it in degrees, as 6.0",
+            Version::One => "in windIO 1 it is in radians: 6 degrees are 0.10472",
+            Version::Two => "in windIO 2 it is in degrees, as 6.0",
         };
-        return Err(Diagnostic::new(node.span.clone(), message).with_hint(hint));
+        return Err(Diagnostic::new(node.span.clone(), kind).with_hint(hint));
     }
     let message = match version {
         Version::One if size > LARGEST_DEG => format!(
-            "{key} is {written} rad, which is {} degrees: windIO 1 has it in radians; {written} degrees would be {} rad",
+            "{key} is {written} rad, which is {} degrees: in windIO 1 it is in radians; {written} degrees are {} rad",
             Rounded(degrees),
             Rounded(written.to_radians())
         ),
@@ -51,12 +53,12 @@ pub(super) fn angle(
             format!("{key} is {written} degrees: rotors have less than {LARGEST_DEG}")
         }
         Version::Two if written != 0.0 && size < SMALLEST_DEG => format!(
-            "{key} is {written} degrees: windIO 2 has it in degrees; {written} rad would be {} degrees",
+            "{key} is {written} degrees: in windIO 2 it is in degrees; {written} rad are {} degrees",
             Rounded(written.to_degrees())
         ),
         _ => return Ok(radians),
     };
-    reading.note_at(node.span.start, message);
+    reading.note_at(node.span.start, Note::suspicious(message));
     Ok(radians)
 }
 
@@ -69,10 +71,10 @@ pub(super) fn length_m(
     let length_m = node.number(key)?;
     if length_m.abs() > FARTHEST_M {
         let message = format!(
-            "{key} is {} m: hubs are nearer than {FARTHEST_M} m to the tower's top; lengths are in metres",
+            "{key} is {} m: hubs are within {FARTHEST_M} m of the tower top; lengths are in metres",
             Rounded(length_m)
         );
-        reading.note_at(node.span.start, message);
+        reading.note_at(node.span.start, Note::suspicious(message));
     }
     Ok(length_m)
 }

@@ -1,7 +1,7 @@
-//! What is collected while a file is read.
+//! Notes and mistakes, collected while a file is read.
 
 use crate::diagnostic::Diagnostic;
-use crate::input::Note;
+use crate::note::Note;
 use crate::source::Source;
 
 /// The file, and the notes and mistakes that were found so far.
@@ -21,16 +21,12 @@ impl<'a> Reading<'a> {
         }
     }
 
-    pub(super) fn note(&mut self, message: impl Into<String>) {
-        self.notes.push(Note::new(message));
+    pub(super) fn note(&mut self, note: Note) {
+        self.notes.push(note);
     }
 
-    pub(super) fn note_missing_part(&mut self, message: impl Into<String>) {
-        self.notes.push(Note::on_missing_part(message));
-    }
-
-    pub(super) fn note_at(&mut self, at: usize, message: impl Into<String>) {
-        self.notes.push(Note::at(self.source, at, message));
+    pub(super) fn note_at(&mut self, byte: usize, note: Note) {
+        self.notes.push(note.at(self.source, byte));
     }
 
     /// What was read, or nothing and the mistake kept.

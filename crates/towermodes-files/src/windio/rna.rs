@@ -1,4 +1,4 @@
-//! The rotor-nacelle assembly, as far as the file says its masses.
+//! The rotor-nacelle assembly, from the masses in the file.
 
 use std::ops::Range;
 
@@ -11,12 +11,12 @@ use super::reading::Reading;
 use super::rotor::{Hub, rotor};
 use super::speeds::{USUAL_BLADES, blade_count};
 use super::yaml::Node;
-use crate::diagnostic::Diagnostic;
-use crate::input::Note;
+use crate::diagnostic::{Diagnostic, DiagnosticKind};
+use crate::note::Note;
 use crate::number::Rounded;
 use crate::places::{Places, TABLE};
 
-/// What a written file says where its drive train is the whole rotor-nacelle assembly.
+/// The comment of written files whose drive train is the whole rotor-nacelle assembly.
 pub(super) const WHOLE_ASSEMBLY: &str =
     "# towermodes: the whole rotor-nacelle assembly, hub and blades included";
 
@@ -36,7 +36,7 @@ struct Shaft {
     apex_m: [f64; 3],
 }
 
-/// The bodies of the assembly put together; a note says of what, and what is missing.
+/// The bodies of the assembly combined; a note lists them and the missing ones.
 pub(super) fn rna(
     outline: &Outline,
     version: Version,
@@ -147,9 +147,8 @@ impl Assembly {
                 let span = blade.inertia_matrix().map(|node| node.span.clone());
                 let body = rotor(blade, &hub)?;
                 if body.is_some() && hub.blades < 3.0 {
-                    reading.note(
-                        "the rotor has less than three blades: its inertia is the mean of a turn",
-                    );
+                    let message = "the rotor has fewer than three blades: its inertia is the mean over a revolution";
+                    reading.note(Note::approximation(message));
                 }
                 body.zip(span)
                     .map(|(body, span)| (format!("{} blades", hub.blades), body, span))
@@ -171,7 +170,7 @@ impl Assembly {
         Ok(())
     }
 
-    /// Says what the assembly is made of, and first of all what it lacks.
+    /// The note on the bodies of the assembly, and on the missing ones.
     fn note(&self, reading: &mut Reading<'_>) {
         let list = |(what, body): &(String, RigidBody)| format!("{what} {:.0} kg", body.mass_kg);
         let bodies: Vec<String> = self.bodies.iter().map(list).collect();
@@ -183,7 +182,7 @@ impl Assembly {
             false => self.missing.join(", "),
         };
         let message = if bodies.is_empty() {
-            "NO ROTOR-NACELLE ASSEMBLY: the file gives none of its masses, so the frequencies are those of the bare tower; give [rna] after `convert --to toml`".to_owned()
+            "NO ROTOR-NACELLE ASSEMBLY: the file has no mass of it, so the frequencies are those of the bare tower; add [rna] after `convert --to toml`".to_owned()
         } else if missing.is_empty() {
             format!(
                 "rotor-nacelle assembly: {total:.0} kg ({})",
@@ -191,24 +190,23 @@ impl Assembly {
             )
         } else {
             format!(
-                "INCOMPLETE ROTOR-NACELLE ASSEMBLY: {total:.0} kg ({}); the file gives no mass of its {missing}, so unless they are counted there the frequencies are too high; give the whole [rna] after `convert --to toml`",
+                "INCOMPLETE ROTOR-NACELLE ASSEMBLY: {total:.0} kg ({}); the file has no mass of {missing}, so the frequencies are too high unless the other masses include it; give the whole [rna] after `convert --to toml`",
                 bodies.join(", ")
             )
         };
-        let note = match self.bodies.is_empty() {
-            true => Note::new(message),
-            false => Note::at(reading.source, self.span.start, message),
+        let note = match self.bodies.is_empty() || !missing.is_empty() {
+            true => Note::missing_part(message),
+            false => Note::new(message),
         };
-        reading.notes.push(Note {
-            is_on_missing_part: self.bodies.is_empty() || !missing.is_empty(),
-            ..note
-        });
+        match self.bodies.is_empty() {
+            true => reading.note(note),
+            false => reading.note_at(self.span.start, note),
+        }
     }
 }
 
-/// Where the mass of the nacelle stands: `system_mass` as in the schema, or `above_yaw_mass` as
-/// WISDEM writes it, which is without the yaw system. Where a file has both, the latter is taken,
-/// because `yaw_mass` is added to it.
+/// The key of the nacelle mass: `system_mass` as in the schema, or `above_yaw_mass` as WISDEM writes
+/// it, without the yaw system. If a file has both, the latter is used, because `yaw_mass` is added.
 fn nacelle_keys<'k>(node: &Node, reading: &mut Reading<'_>) -> Result<[&'k str; 3], Diagnostic> {
     let [_, inertia, center] = OLD_KEYS;
     let Some(above) = node.get(ABOVE_YAW) else {
@@ -217,16 +215,16 @@ fn nacelle_keys<'k>(node: &Node, reading: &mut Reading<'_>) -> Result<[&'k str; 
     let above_kg = above.number("above_yaw_mass of the nacelle")?;
     let message = match node.get("system_mass") {
         None => format!(
-            "the nacelle has above_yaw_mass = {} kg and no system_mass: that is taken as its mass, without the yaw system",
+            "the nacelle has above_yaw_mass = {} kg and no system_mass: above_yaw_mass is used as its mass, without the yaw system",
             Rounded(above_kg)
         ),
         Some(system) => format!(
-            "the nacelle has above_yaw_mass = {} kg and system_mass = {} kg: the first is taken, and yaw_mass added to it",
+            "the nacelle has above_yaw_mass = {} kg and system_mass = {} kg: above_yaw_mass plus yaw_mass is used",
             Rounded(above_kg),
             Rounded(system.number("system_mass of the nacelle")?)
         ),
     };
-    reading.note_at(above.span.start, message);
+    reading.note_at(above.span.start, Note::assumption(message));
     Ok([ABOVE_YAW, inertia, center])
 }
 
@@ -248,7 +246,8 @@ fn hub_of(
     let diameter = shape.require("diameter", "hub")?;
     let diameter_m = diameter.number("hub diameter")?;
     if diameter_m < 0.0 {
-        return Err(diameter.wrong("hub diameter cannot be negative"));
+        let kind = DiagnosticKind::out_of_range_in("hub diameter", diameter_m, "m", "non-negative");
+        return Err(Diagnostic::new(diameter.span.clone(), kind));
     }
     let cone_rad = match shape.get("cone_angle") {
         Some(node) => angle(node, "cone_angle", version, reading)?,
@@ -263,7 +262,7 @@ fn hub_of(
     })
 }
 
-/// Tilt, overhang and height of the apex; those that are left out are zero, and that is noted.
+/// Tilt, overhang and height of the apex; missing ones are zero, with a note.
 fn shaft(
     outline: &Outline,
     version: Version,
@@ -291,10 +290,10 @@ fn shaft(
     let (overhang_m, height_m) = (value("overhang")?, value("distance_tt_hub")?);
     if !absent.is_empty() {
         let message = format!(
-            "the file has no {}: taken as 0 for the place of hub and blades",
+            "the file has no {}: 0 is assumed for the position of hub and blades",
             absent.join(", ")
         );
-        reading.note(message);
+        reading.note(Note::assumption(message));
     }
     // The end of the shaft that carries the rotor is the higher one.
     let side = if is_upwind { 1.0 } else { -1.0 };

@@ -7,7 +7,7 @@ use towermodes::{Material, Planes, Properties, PropertyStation, Station};
 use super::elastic::{Elastic, Quantity};
 use super::part::{Layer, Part, Stop};
 use super::wall::Wall;
-use crate::diagnostic::Diagnostic;
+use crate::diagnostic::{Diagnostic, DiagnosticKind};
 use crate::places::TABLE;
 
 /// No more rows than this between two stops, and all in all.
@@ -113,31 +113,36 @@ impl Part {
             let t = &layer.thickness;
             ([t.above(low), t.below(high)], layer.material)
         };
-        let wall = Wall {
+        let stretch = Wall {
             diameter_m: diameter.map_or([0.0; 2], |d| [d.above(low), d.below(high)]),
             layers: self.layers.iter().map(thickness).collect(),
             span: self.layers[0].thickness.span_at(low),
         };
         for (end, (stop, s)) in [(base, low), (top, high)].into_iter().enumerate() {
-            let d = wall.diameter_m[end];
-            let t: f64 = wall.layers.iter().map(|(t, _)| t[end]).sum();
+            let d = stretch.diameter_m[end];
+            let t: f64 = stretch.layers.iter().map(|(t, _)| t[end]).sum();
             let z = stop.height_m;
-            let message = if d <= 0.0 || d.is_nan() {
-                format!("outer diameter of the {} is {d} m at z = {z} m", self.what)
+            let at = format!("of the {} at z = {z} m", self.what);
+            let wall = format!("the wall thickness {at}");
+            let kind = if d <= 0.0 || d.is_nan() {
+                let what = format!("the outer diameter {at}");
+                DiagnosticKind::out_of_range_in(what, d, "m", "positive")
             } else if t <= 0.0 || t.is_nan() {
-                format!("the {} has no wall at z = {z} m", self.what)
+                DiagnosticKind::out_of_range_in(wall, t, "m", "positive")
             } else if 2.0 * t > d {
-                format!(
-                    "the layers of the {} are {t} m thick together at z = {z} m, where the outer diameter is {d} m",
-                    self.what
-                )
+                let rule = format!("at most half the outer diameter, {d} m");
+                DiagnosticKind::out_of_range_in(wall, t, "m", rule)
             } else {
                 continue;
             };
-            let span = if d > 0.0 { wall.span.clone() } else { ends(s) };
-            return Err(Diagnostic::new(span, message));
+            let span = if d > 0.0 {
+                stretch.span.clone()
+            } else {
+                ends(s)
+            };
+            return Err(Diagnostic::new(span, kind));
         }
-        Ok(wall)
+        Ok(stretch)
     }
 
     fn rows_of_table(&self, elastic: &Elastic) -> Vec<Placed<PropertyStation>> {

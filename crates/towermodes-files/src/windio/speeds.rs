@@ -1,4 +1,4 @@
-//! How many blades the rotor has and which speeds it runs at.
+//! The number of blades and the operating speeds of the rotor.
 
 use std::f64::consts::PI;
 
@@ -8,8 +8,8 @@ use towermodes::{Place, Rotor};
 use super::outline::Outline;
 use super::reading::Reading;
 use super::yaml::Node;
-use crate::diagnostic::Diagnostic;
-use crate::input::{Note, RotorNotes};
+use crate::diagnostic::{Diagnostic, DiagnosticKind};
+use crate::note::{Note, RotorNotes};
 use crate::places::{Places, TABLE};
 
 /// No blade's tip is faster in operation, m/s; those of large rotors reach 70 to 110.
@@ -30,19 +30,13 @@ struct Limits<'a> {
 
 impl Limits<'_> {
     /// The lowest speed, or the highest where the file has no other.
-    fn lowest(
-        &self,
-        highest: f64,
-        note: &mut impl FnMut(&Node, String),
-    ) -> Result<f64, Diagnostic> {
+    fn lowest(&self, highest: f64, note: &mut impl FnMut(&Node, Note)) -> Result<f64, Diagnostic> {
         if let Some(node) = self.lowest {
             return node.number("lowest rotor speed");
         }
         let key = self.key;
-        note(
-            self.highest,
-            format!("the file has no {key}: the highest speed is taken as the only one"),
-        );
+        let message = format!("the file has no {key}: the highest speed is the only one");
+        note(self.highest, Note::assumption(message));
         Ok(highest)
     }
 
@@ -52,7 +46,7 @@ impl Limits<'_> {
         &self,
         outline: &Outline,
         highest: f64,
-        note: &mut impl FnMut(&Node, String),
+        note: &mut impl FnMut(&Node, Note),
     ) -> Result<f64, Diagnostic> {
         if !self.of_torque {
             return Ok(1.0);
@@ -61,9 +55,9 @@ impl Limits<'_> {
         let diameter = assembly.and_then(|assembly| assembly.get("rotor_diameter"));
         let Some(diameter) = diameter else {
             let message = format!(
-                "VS_maxspd = {highest} is taken in rad/s, as the schema says; many files have rpm there, and without rotor_diameter nothing shows which"
+                "VS_maxspd = {highest} is read in rad/s, as in the schema; many files have rpm, and rotor_diameter, which would show it, is missing"
             );
-            note(self.highest, message);
+            note(self.highest, Note::assumption(message));
             return Ok(30.0 / PI);
         };
         let diameter_m = diameter.number("rotor diameter")?;
@@ -72,9 +66,9 @@ impl Limits<'_> {
             return Ok(30.0 / PI);
         }
         let message = format!(
-            "VS_maxspd = {highest} is taken in rpm: in rad/s, as the schema says, the tips of a rotor of {diameter_m} m would have {tip_m_per_s:.0} m/s"
+            "VS_maxspd = {highest} is read in rpm: in rad/s, as in the schema, the tip speed of a rotor of {diameter_m} m would be {tip_m_per_s:.0} m/s"
         );
-        note(self.highest, message);
+        note(self.highest, Note::assumption(message));
         Ok(1.0)
     }
 
@@ -82,30 +76,30 @@ impl Limits<'_> {
     fn note_range(
         &self,
         outline: &Outline,
-        note: &mut impl FnMut(&Node, String),
+        note: &mut impl FnMut(&Node, Note),
     ) -> Result<(), Diagnostic> {
         if self.of_torque {
-            let message = "VS_maxspd is taken as the highest speed of operation; it is a limit of the controller, and the rated speed may be lower";
-            note(self.highest, message.to_owned());
+            let message = "VS_maxspd is used as the highest operating speed; it is a limit of the controller, and the rated speed may be lower";
+            note(self.highest, Note::assumption(message));
             return Ok(());
         }
         let control = outline.control.as_ref();
         if let Some(node) = control.and_then(|control| control.get("max_rotor_speed")) {
             let rpm = node.number("max_rotor_speed")?;
             let message = format!(
-                "max_rotor_speed = {rpm} rpm is a limit of protection, not a speed of operation: the range ends at rated_rotor_speed"
+                "max_rotor_speed = {rpm} rpm is a protection limit, not an operating speed: the range ends at rated_rotor_speed"
             );
-            note(node, message);
+            note(node, Note::left_out(message));
         }
         Ok(())
     }
 }
 
-/// The rotor, if the file says a speed; what was decided goes to `notes`.
+/// The rotor, if the file gives a speed; assumptions go to `notes`.
 ///
 /// Version 2 has `control.min_rotor_speed` and `rated_rotor_speed`, rpm; its `max_rotor_speed` is a
-/// limit at which the machine is shut down, and no speed of operation. Version 1, and files that
-/// say version 2 but have the older `control`, have `control.torque.VS_minspd` and `VS_maxspd`, in
+/// limit at which the turbine is shut down, not an operating speed. Version 1, and files of version 2
+/// with the older `control`, have `control.torque.VS_minspd` and `VS_maxspd`, in
 /// rad/s by the schema, but in rpm in many files: which of both it is the speed of the tips shows.
 /// `VS_maxspd` limits the rated speed, which they do not say.
 pub(super) fn rotor(
@@ -124,18 +118,18 @@ pub(super) fn rotor(
     for key in [TABLE, "blades", "rpm"] {
         places.remember(Place::Rotor { key }, 0, limits.highest.span.clone());
     }
-    let mut note = |node: &Node, message: String| {
-        let note = Note::at(reading.source, node.span.start, message);
-        notes.speeds.push(note);
+    let mut note = |node: &Node, note: Note| {
+        notes.speeds.push(note.at(reading.source, node.span.start));
     };
     let lowest = limits.lowest(highest, &mut note)?;
     let factor = limits.rpm_of_unit(outline, highest, &mut note)?;
     limits.note_range(outline, &mut note)?;
     let blades = blade_count(outline)?;
     if blades.is_none() {
-        let message = format!("the file has no number_of_blades: taken as {USUAL_BLADES}");
+        let message = format!("the file has no number_of_blades: {USUAL_BLADES} is assumed");
         let at = limits.highest.span.start;
-        notes.blades.push(Note::at(reading.source, at, message));
+        let note = Note::assumption(message).at(reading.source, at);
+        notes.blades.push(note);
     }
     Ok(Some(Rotor {
         blades: blades.unwrap_or(USUAL_BLADES),
@@ -172,6 +166,7 @@ pub(super) fn blade_count(outline: &Outline) -> Result<Option<usize>, Diagnostic
     if (1.0..=MOST_BLADES as f64).contains(&count) && count.fract() == 0.0 {
         return Ok(Some(count as usize));
     }
-    let message = format!("number_of_blades should be a whole number from 1 to {MOST_BLADES}");
-    Err(node.wrong(&message))
+    let rule = format!("a whole number from 1 to {MOST_BLADES}");
+    let kind = DiagnosticKind::out_of_range("number_of_blades", count, rule);
+    Err(Diagnostic::new(node.span.clone(), kind))
 }

@@ -1,21 +1,22 @@
-//! Tower and monopile put together: what stands, where it ends, and what it is made of.
+//! Tower and monopile combined: their ends, sections and materials.
 
 use towermodes::{Material, Place, PointMass, TowerDescription};
 
-use super::joint::meet;
+use super::joint::join_monopile;
 use super::materials::Materials;
 use super::outline::{Outline, Version};
 use super::part::{Part, SAME_M};
 use super::reading::Reading;
 use super::sections::{Placed, push, push_station};
-use super::uniform::even_out;
+use super::uniform::unify_stiffness;
 use super::yaml::Node;
-use crate::diagnostic::Diagnostic;
+use crate::diagnostic::{Diagnostic, DiagnosticKind};
 use crate::input::TowerPart;
+use crate::note::Note;
 use crate::number::Rounded;
 use crate::places::{Places, TABLE};
 
-/// What stands, from below: the monopile, the tower.
+/// The parts from below: the monopile, the tower.
 pub(super) struct Structure {
     pub(super) parts: Vec<Part>,
     materials: Vec<super::materials::Used>,
@@ -50,7 +51,7 @@ impl Structure {
         if !reading.mistakes.is_empty() {
             return None;
         }
-        if let Err(mistake) = meet(&mut parts, reading) {
+        if let Err(mistake) = join_monopile(&mut parts, reading) {
             reading.mistakes.push(mistake);
             return None;
         }
@@ -131,11 +132,12 @@ impl Structure {
             let (kg, z) = (Rounded(mass_kg), Rounded(height_m));
             let place = match key {
                 "transition_piece_mass" => {
-                    format!("{kg} kg at z = {z} m, where the monopile ends")
+                    format!("{kg} kg at z = {z} m, the top of the monopile")
                 }
-                _ => format!("{kg} kg at the base: it counts only if the base moves"),
+                _ => format!("{kg} kg at the base, effective only if the base moves"),
             };
-            reading.note_at(span.start, format!("{what}: {place}, as a point mass"));
+            let message = format!("{what}: {place}, as a point mass");
+            reading.note_at(span.start, Note::approximation(message));
             self.add_mass(height_m, mass_kg, span, places);
         }
         Ok(())
@@ -241,7 +243,7 @@ impl Structure {
             }
             note_sections(part, reading);
         }
-        even_out(&mut rows, reading);
+        unify_stiffness(&mut rows, reading);
         remember(&rows, places);
         Ok(TowerDescription {
             properties: rows.into_iter().map(|placed| placed.row).collect(),
@@ -255,28 +257,28 @@ impl Structure {
     }
 }
 
-/// Says what was made of the sections of a part.
+/// Notes on the sections of a part.
 fn note_sections(part: &Part, reading: &mut Reading<'_>) {
     let what = part.what;
     if part.layers.len() > 1 {
-        reading.note(format!(
+        reading.note(Note::new(format!(
             "the {what} has several layers: its sections are the sums of concentric tubes, from outside in"
-        ));
+        )));
     }
     let table = part.elastic.as_ref().filter(|_| part.layers.is_empty());
     if table.is_some_and(|table| table.rotary.is_none()) {
-        reading.note(format!(
-            "the elastic properties of the {what} have no rotary inertia: it is that of a thin tube of the outer diameter, or none where that is not known"
-        ));
+        reading.note(Note::assumption(format!(
+            "the elastic properties of the {what} have no rotary inertia: that of a thin tube of the outer diameter is used, or none without a diameter"
+        )));
     }
 }
 
 fn nothing_to_read(wanted: TowerPart) -> Diagnostic {
-    let (key, what) = match wanted {
-        TowerPart::Monopile => ("monopile", "monopile"),
-        _ => ("tower", "tower"),
+    let key = match wanted {
+        TowerPart::Monopile => "monopile",
+        _ => "tower",
     };
-    Diagnostic::new(0..0, format!("the file has no {what}"))
+    Diagnostic::new(0..0, DiagnosticKind::missing_key("the file", key))
         .with_hint(format!("windIO has it under components.{key}"))
 }
 

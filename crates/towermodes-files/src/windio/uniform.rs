@@ -1,12 +1,12 @@
-//! What must be so in all rows of a table or in none: twist, stretch, shear.
+//! Torsion, axial motion and shear: flexible in all rows of a table, or rigid in all.
 
 use towermodes::{Properties, PropertyStation};
 
 use super::reading::Reading;
 use super::sections::Placed;
+use crate::note::Note;
 
-/// A motion that a section may have: what it is called, its stiffness, whether the section has it,
-/// and how it is taken away.
+/// A motion of a section: its name, its stiffness, whether it is flexible, and how it becomes rigid.
 struct Motion {
     name: &'static str,
     stiffness: &'static str,
@@ -16,27 +16,27 @@ struct Motion {
 
 const MOTIONS: [Motion; 3] = [
     Motion {
-        name: "twist",
+        name: "in torsion",
         stiffness: "GJ",
         is_there: |p| p.torsion_n_m2.is_finite(),
         hold: |p| p.torsion_n_m2 = f64::INFINITY,
     },
     Motion {
-        name: "stretch",
+        name: "axially",
         stiffness: "EA",
         is_there: |p| p.axial_n.is_finite(),
         hold: |p| p.axial_n = f64::INFINITY,
     },
     Motion {
-        name: "deform in shear",
+        name: "in shear",
         stiffness: "shear stiffness",
         is_there: |p| p.shear_n.is_some(),
         hold: |p| p.shear_n = None,
     },
 ];
 
-/// Takes a motion away that not all rows have, and says so; that sections do not shear is usual.
-pub(super) fn even_out(rows: &mut [Placed<PropertyStation>], reading: &mut Reading<'_>) {
+/// Makes a motion rigid in all rows if it is rigid in some, with a note; rigid in shear is usual.
+pub(super) fn unify_stiffness(rows: &mut [Placed<PropertyStation>], reading: &mut Reading<'_>) {
     for motion in &MOTIONS {
         let there = rows
             .iter()
@@ -47,13 +47,13 @@ pub(super) fn even_out(rows: &mut [Placed<PropertyStation>], reading: &mut Readi
         }
         let (name, stiffness) = (motion.name, motion.stiffness);
         if count > 0 {
-            reading.note(format!(
-                "only a part of the structure has a {stiffness}: it does not {name}"
-            ));
-        } else if name != "deform in shear" {
-            reading.note(format!(
-                "the elastic properties have no {stiffness}: the tower does not {name}"
-            ));
+            reading.note(Note::approximation(format!(
+                "only a part of the structure has a {stiffness}: all of it is rigid {name}"
+            )));
+        } else if name != "in shear" {
+            reading.note(Note::assumption(format!(
+                "the elastic properties have no {stiffness}: the tower is rigid {name}"
+            )));
         }
         for row in &mut *rows {
             (motion.hold)(&mut row.row.properties);

@@ -1,11 +1,10 @@
-//! What stands in a value of the file: maps, lists, numbers, names; and what is said when it is
-//! something else.
+//! The values of the file: maps, lists, numbers, names; and the mistakes of other types.
 
 use super::yaml::{Node, Value};
-use crate::diagnostic::Diagnostic;
+use crate::diagnostic::{Diagnostic, DiagnosticKind, quoted};
 
 impl Node {
-    /// The value of a key; one that is empty is not there.
+    /// The value of a key; an empty value counts as missing.
     pub(super) fn get(&self, key: &str) -> Option<&Self> {
         let Value::Map(entries) = &self.value else {
             return None;
@@ -24,8 +23,10 @@ impl Node {
     /// The value of a key that must be there; `what` is what it is of.
     pub(super) fn require(&self, key: &str, what: &str) -> Result<&Self, Diagnostic> {
         self.get(key).ok_or_else(|| match self.value {
-            Value::Map(_) => Diagnostic::new(self.span.clone(), format!("{what} has no `{key}`")),
-            _ => self.wrong(&format!("{what} should be a map with `{key}`")),
+            Value::Map(_) => {
+                Diagnostic::new(self.span.clone(), DiagnosticKind::missing_key(what, key))
+            }
+            _ => self.wrong(what, &format!("a map with `{key}`")),
         })
     }
 
@@ -33,7 +34,7 @@ impl Node {
     pub(super) fn list(&self, what: &str) -> Result<&[Self], Diagnostic> {
         match &self.value {
             Value::List(list) => Ok(list),
-            _ => Err(self.wrong(&format!("{what} should be a list"))),
+            _ => Err(self.wrong(what, "a list")),
         }
     }
 
@@ -44,15 +45,16 @@ impl Node {
             Value::Text(text) => text.trim().parse().ok(),
             _ => None,
         };
-        let number = number.ok_or_else(|| self.wrong(&format!("{what} should be a number")))?;
+        let number = number.ok_or_else(|| self.wrong(what, "a number"))?;
         if number.is_finite() {
             return Ok(number);
         }
-        let message = format!("{what} is {number}, which is not a finite number");
-        Err(Diagnostic::new(self.span.clone(), message))
+        let what = format!("{what} = {number}");
+        let kind = DiagnosticKind::NotFinite { what };
+        Err(Diagnostic::new(self.span.clone(), kind))
     }
 
-    /// The number of a key, or what it is unless told.
+    /// The number of a key, or a default.
     pub(super) fn number_or(&self, key: &str, what: &str, default: f64) -> Result<f64, Diagnostic> {
         self.get(key).map_or(Ok(default), |node| node.number(what))
     }
@@ -72,16 +74,17 @@ impl Node {
         }
     }
 
-    /// A mistake at its place, with what stands there.
-    pub(super) fn wrong(&self, message: &str) -> Diagnostic {
+    /// The mistake of a value of another type.
+    pub(super) fn wrong(&self, what: &str, expected: &str) -> Diagnostic {
         let found = match &self.value {
             Value::Null => "nothing".to_owned(),
             Value::Bool(value) => format!("`{value}`"),
             Value::Number(value) => format!("the number {value}"),
-            Value::Text(text) => format!("`{}`", text.chars().take(40).collect::<String>()),
+            Value::Text(text) => quoted(text),
             Value::List(_) => "a list".to_owned(),
             Value::Map(_) => "a map".to_owned(),
         };
-        Diagnostic::new(self.span.clone(), format!("{message}; found {found}"))
+        let kind = DiagnosticKind::wrong_type(what, expected, found);
+        Diagnostic::new(self.span.clone(), kind)
     }
 }

@@ -1,15 +1,16 @@
-//! Where the structure is clamped: at the mudline, if the depth of the water is known.
+//! The height at which the structure is clamped: the mudline, if the water depth is known.
 
 use super::outline::Outline;
 use super::part::SAME_M;
 use super::reading::Reading;
 use super::structure::Structure;
 use super::yaml::Node;
-use crate::diagnostic::Diagnostic;
-use crate::input::{Note, TowerPart};
+use crate::diagnostic::{Diagnostic, DiagnosticKind};
+use crate::input::TowerPart;
+use crate::note::Note;
 use crate::number::Rounded;
 
-/// Takes away what is in the ground, and says so.
+/// Removes the part below the mudline, with a note.
 pub(super) fn stand(
     structure: &mut Structure,
     outline: &Outline,
@@ -24,10 +25,10 @@ pub(super) fn stand(
     let environment = outline.environment.as_ref();
     let depth = environment.and_then(|environment| environment.get("water_depth"));
     let Some(depth) = depth else {
-        reading.note_missing_part(format!(
-            "the file does not say the depth of the water, so the mudline is not known: the monopile is clamped at its lowest height, z = {} m, and nothing holds it above",
+        reading.note(Note::missing_part(format!(
+            "the file does not give the water depth, so the mudline is not known: the monopile is clamped at its lowest height, z = {} m, without soil above",
             Rounded(base_m)
-        ));
+        )));
         return Ok(());
     };
     let mudline_m = mudline(structure, depth)?;
@@ -35,52 +36,51 @@ pub(super) fn stand(
         let (embedded, mudline) = (Rounded(mudline_m - base_m), Rounded(mudline_m));
         structure.cut_below(mudline_m);
         let message = format!(
-            "the {embedded} m of the monopile below the mudline at z = {mudline} m are left out and the tower is clamped there: softer ground lowers the frequencies; add [[soil]] after `convert --to toml`{}",
+            "the {embedded} m of the monopile below the mudline at z = {mudline} m are left out and the tower is clamped there: flexible soil lowers the frequencies; add [[soil]] after `convert --to toml`{}",
             soil(environment)
         );
-        let note = Note::at(reading.source, depth.span.start, message);
-        reading.notes.push(note.of_missing_part());
+        reading.note_at(depth.span.start, Note::missing_part(message));
     } else if base_m > mudline_m + SAME_M {
-        reading.note_at(depth.span.start, format!(
-            "the monopile ends at z = {} m, {} m above the mudline at z = {} m: it is clamped where it ends",
+        let message = format!(
+            "the monopile ends at z = {} m, {} m above the mudline at z = {} m: it is clamped at its end",
             Rounded(base_m),
             Rounded(base_m - mudline_m),
             Rounded(mudline_m)
-        ));
+        );
+        reading.note_at(depth.span.start, Note::suspicious(message));
     }
     if mudline_m < -SAME_M {
-        reading.note_at(depth.span.start, format!(
+        let message = format!(
             "the frequencies are those in air: for the mass of the water add [water] with level = 0.0 and bed = {mudline_m:?} after `convert --to toml`"
-        ));
+        );
+        reading.note_at(depth.span.start, Note::left_out(message));
     }
     Ok(())
 }
 
 /// Height of the mudline, m: sea level is at 0.
 fn mudline(structure: &Structure, depth: &Node) -> Result<f64, Diagnostic> {
-    let depth_m = depth.number("depth of the water")?;
+    let depth_m = depth.number("water depth")?;
     let top_m = structure.top_m();
-    let message = if depth_m < 0.0 {
-        format!("the depth of the water is {depth_m} m, but cannot be negative")
+    let kind = if depth_m < 0.0 {
+        DiagnosticKind::out_of_range_in("the water depth", depth_m, "m", "non-negative")
     } else if top_m <= SAME_M - depth_m {
-        format!(
-            "nothing stands above the mudline at z = {} m: the top is at z = {top_m} m",
-            -depth_m
-        )
+        let rule = format!("above the mudline, z = {} m", -depth_m);
+        DiagnosticKind::out_of_range_in("the top", top_m, "m", rule)
     } else {
         // Not -0.
         return Ok(0.0 - depth_m);
     };
-    Err(Diagnostic::new(depth.span.clone(), message))
+    Err(Diagnostic::new(depth.span.clone(), kind))
 }
 
-/// What the file says of the soil, to be used by whoever adds it.
+/// The soil properties in the file, for the note.
 fn soil(environment: Option<&Node>) -> String {
     let value = |key: &str| environment.and_then(|e| e.get(key)?.number(key).ok());
     match (value("soil_shear_modulus"), value("soil_poisson")) {
         (Some(g), Some(nu)) => {
             format!(
-                " (the file says of the soil: shear modulus {} Pa, Poisson's ratio {nu})",
+                " (soil in the file: shear modulus {} Pa, Poisson's ratio {nu})",
                 Rounded(g)
             )
         }

@@ -1,4 +1,4 @@
-//! YAML as a tree of values that remember where they stand.
+//! YAML as a tree of values with their places.
 
 use std::fmt;
 use std::ops::Range;
@@ -7,7 +7,7 @@ use serde::de::{DeserializeOwned, MapAccess, SeqAccess, Visitor};
 use serde::{Deserialize, Deserializer};
 use serde_saphyr::{Location, Spanned};
 
-use crate::diagnostic::Diagnostic;
+use crate::diagnostic::{Diagnostic, DiagnosticKind};
 
 /// A value and the bytes of the file it takes; of a list or a map, where it begins. What an alias
 /// stands for is where it was defined.
@@ -119,7 +119,7 @@ fn bytes(location: &Location) -> Range<usize> {
 pub(super) fn parse<T: DeserializeOwned>(text: &str) -> Result<T, Diagnostic> {
     let options = serde_saphyr::options! {
         with_snippet: false,
-        // Said where the number is used, and only there.
+        // Reported where the number is used.
         non_finite_float_policy: serde_saphyr::options::NonFiniteFloatPolicy::PassThrough,
     };
     serde_saphyr::from_str_with_options(text, options).map_err(|error| mistake(&error, text))
@@ -132,22 +132,20 @@ fn mistake(error: &serde_saphyr::Error, text: &str) -> Diagnostic {
         span.start.min(text.len())..span.end.min(text.len())
     });
     let message = error.to_string();
-    // The place is said by whoever shows the mistake.
+    // The place is a part of the diagnostic.
     let message = message.split(" at line ").next().unwrap_or_default();
-    // What the parser could be told is of no use to the reader.
+    // Options of the parser do not help the reader.
     let message = message
         .split(", set DuplicateKeyPolicy")
         .next()
         .unwrap_or_default();
     let message = match message.contains("budget") {
-        true => "it is larger or deeper nested than any turbine",
+        true => "it is larger or more deeply nested than any turbine",
         false => message,
     };
     let message: Vec<&str> = message.lines().map(str::trim).collect();
-    let diagnostic = Diagnostic::new(
-        span,
-        format!("cannot be read as YAML: {}", message.join("; ")),
-    );
+    let (format, reason) = ("YAML", message.join("; "));
+    let diagnostic = Diagnostic::new(span, DiagnosticKind::Syntax { format, reason });
     if diagnostic.span.start >= text.trim_end().len() {
         return diagnostic.with_hint("the file ends here; is it complete?");
     }

@@ -3,7 +3,7 @@
 
 use proptest::prelude::*;
 use proptest::sample::Index;
-use towermodes_files::{Companions, ReadError, Source};
+use towermodes_files::{FileError, FileResolver, Source};
 
 /// Numbers that no tower has, or that no reader may believe.
 const NUMBERS: [&str; 22] = [
@@ -127,12 +127,12 @@ fn boundary(text: &str, at: &Index) -> usize {
 
 /// The files beside a main file, all of them damaged in the same way.
 pub struct Damaged<'a> {
-    pub companions: &'a dyn Companions,
+    pub companions: &'a dyn FileResolver,
     pub damages: &'a [Damage],
 }
 
-impl Companions for Damaged<'_> {
-    fn read(&self, path: &str) -> Result<Source, ReadError> {
+impl FileResolver for Damaged<'_> {
+    fn read(&self, path: &str) -> Result<Source, FileError> {
         let mut source = self.companions.read(path)?;
         source.text = all(&source.text, self.damages);
         Ok(source)

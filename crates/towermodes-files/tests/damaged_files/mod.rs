@@ -7,7 +7,7 @@ mod peer_files;
 
 use proptest::test_runner::TestCaseError;
 use proptest::{prop_assert, prop_assert_eq};
-use towermodes_files::{Companions, Input, InputError, ReadOptions, Source, read_source};
+use towermodes_files::{FileResolver, Input, ReadError, ReadOptions, Source, read_source};
 
 use damage::{Damage, Damaged};
 
@@ -22,7 +22,7 @@ enum Where {
 /// file.
 fn survives(
     source: &Source,
-    companions: &dyn Companions,
+    companions: &dyn FileResolver,
     place: Where,
     damages: &[Damage],
     options: &ReadOptions,
@@ -48,9 +48,9 @@ fn survives(
 }
 
 /// Whether an error names something that cannot be read, or mistakes at bytes that its file has.
-fn is_inside_its_file(error: &InputError) -> Result<(), TestCaseError> {
+fn is_inside_its_file(error: &ReadError) -> Result<(), TestCaseError> {
     prop_assert!(!error.to_string().is_empty());
-    let InputError::Mistakes {
+    let ReadError::Mistakes {
         source_file,
         mistakes,
     } = error
@@ -60,7 +60,7 @@ fn is_inside_its_file(error: &InputError) -> Result<(), TestCaseError> {
     prop_assert!(!mistakes.is_empty());
     for mistake in mistakes {
         let span = mistake.span.clone();
-        prop_assert!(!mistake.message.is_empty(), "{mistake:?}");
+        prop_assert!(!mistake.message().is_empty(), "{mistake:?}");
         prop_assert!(source_file.text.get(span.clone()).is_some(), "{mistake:?}");
         let (line, column) = mistake.line_and_column(&source_file.text);
         let before = &source_file.text[..span.start];

@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 
 use proptest::prelude::*;
 use proptest::test_runner::TestRunner;
-use towermodes_files::{Beside, FileFormat, ReadOptions, Source, recognize};
+use towermodes_files::{FileFormat, ReadOptions, SiblingFiles, Source, recognize};
 
 use crate::damaged_files::damage::any_damages;
 use crate::damaged_files::{Where, survives};
@@ -45,7 +45,7 @@ fn damage(path: &Path, source: &Source) {
         failure_persistence: None,
         ..ProptestConfig::default()
     };
-    let companions = Beside::file(path);
+    let companions = SiblingFiles::of(path);
     let options = ReadOptions {
         tower_height_m: Some(90.0),
         ..ReadOptions::default()

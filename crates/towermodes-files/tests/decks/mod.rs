@@ -2,7 +2,7 @@
 #![allow(dead_code, reason = "each test uses its own part")]
 
 use towermodes_files::{
-    BladeInput, BmodesInput, Diagnostic, InMemory, InputError, ReadOptions, Source, TowerInput,
+    BladeInput, BmodesInput, Diagnostic, InMemory, ReadError, ReadOptions, Source, TowerInput,
     read_bmodes,
 };
 
@@ -183,7 +183,7 @@ pub fn blade_file() -> String {
 }
 
 /// What a deck of these two files is.
-pub fn read(main: &str, sections: &str, quirks: bool) -> Result<BmodesInput, InputError> {
+pub fn read(main: &str, sections: &str, quirks: bool) -> Result<BmodesInput, ReadError> {
     let source = Source {
         name: "tower.bmi".to_owned(),
         text: main.to_owned(),
@@ -218,11 +218,11 @@ pub fn blade(main: &str, sections: &str, quirks: bool) -> BladeInput {
 #[track_caller]
 pub fn mistakes(main: &str, sections: &str, quirks: bool) -> (Source, Vec<Diagnostic>) {
     match read(main, sections, quirks).expect_err("no deck") {
-        InputError::Mistakes {
+        ReadError::Mistakes {
             source_file,
             mistakes,
         } => (*source_file, mistakes),
-        InputError::Unreadable(error) => panic!("{error}"),
+        ReadError::Unreadable(error) => panic!("{error}"),
     }
 }
 

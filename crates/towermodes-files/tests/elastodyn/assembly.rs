@@ -209,7 +209,7 @@ fn blades_have_five_six_or_seventeen_columns() {
         ),
     ] {
         let mistake = mass(&BLADE.replacen(from, to, 1)).expect_err(to);
-        assert!(mistake.message.contains(says), "{mistake}");
+        assert!(mistake.message().contains(says), "{mistake}");
     }
 }
 
@@ -248,5 +248,5 @@ fn a_blade_of_one_row_is_uniform() {
     close(masses.second_moment_kg_m2, 1e5 / 3.0, 1e-9);
     let off = text.replace(" 0 0.25 13", " 1 0.25 13");
     let mistake = read_blade_file(&source("b", off)).expect_err("it begins at 0");
-    assert!(mistake.message.contains("BlFract of the first row is 1"));
+    assert!(mistake.message().contains("BlFract of the first row is 1"));
 }

@@ -2,7 +2,7 @@
 
 use towermodes::{Foundation, Rna, Tower};
 use towermodes_files::elastodyn::{ElastoDynDeck, read_elastodyn};
-use towermodes_files::{InMemory, InputError, ReadOptions, RotorLock, read_source};
+use towermodes_files::{InMemory, ReadError, ReadOptions, RotorLock, read_source};
 
 use crate::elastodyn::texts::{BLADE, TOWER, deck, files, main_text, source};
 
@@ -72,7 +72,7 @@ fn an_fst_file_leads_to_the_deck() {
 }
 
 /// A deck with an `.fst` file of these lines beside its own.
-fn by_fst(lines: &str, version: usize, options: &ReadOptions) -> Result<ElastoDynDeck, InputError> {
+fn by_fst(lines: &str, version: usize, options: &ReadOptions) -> Result<ElastoDynDeck, ReadError> {
     let fst = format!("OpenFAST INPUT FILE\nx\n\"main.dat\" EDFile - file\n{lines}");
     let mut companions = files(TOWER);
     let main = main_text(version, &[]);
@@ -173,7 +173,12 @@ fn modules_under_the_tower_are_left_out_with_a_note() {
             "a.fst:6: CompMooring is on, and its file (moor.dat) is not read: the mooring lines are left out",
         ]
     );
-    assert!(deck.input.notes.iter().any(|note| note.is_on_missing_part));
+    assert!(
+        deck.input
+            .notes
+            .iter()
+            .any(|note| note.is_on_missing_part())
+    );
     // The first versions of FAST 8 have flags.
     let flags = "True CompSub\nFalse CompHydro\n\"sub.dat\" SDFile\n";
     let said = messages(&by_fst(flags, 1, &options).expect("a deck"));
@@ -247,7 +252,7 @@ fn a_tower_of_one_row_is_uniform() {
     // A mistake at the top is one in the only row.
     let mut input = deck.input;
     input.description.properties[1].properties.mass_kg_per_m = -1.0;
-    let Err(InputError::Mistakes {
+    let Err(ReadError::Mistakes {
         source_file,
         mistakes,
     }) = input.tower()
@@ -293,7 +298,7 @@ fn files_that_are_not_there_or_not_main_files_are_said() {
         let main = source("main.dat", main_text(5, changes));
         read_elastodyn(main, &files(TOWER), &ReadOptions::default()).expect_err("no file")
     };
-    let InputError::Mistakes {
+    let ReadError::Mistakes {
         source_file,
         mistakes,
     } = missing(&[("BldFile(2)", "\"b2.dat\"")])
@@ -302,7 +307,7 @@ fn files_that_are_not_there_or_not_main_files_are_said() {
     };
     assert!(
         mistakes[0]
-            .message
+            .message()
             .contains("BldFile(2) cannot be read: b2.dat: no such file")
     );
     assert_eq!(&source_file.text[mistakes[0].span.clone()], "\"b2.dat\"");
@@ -336,7 +341,7 @@ fn what_the_library_refuses_is_in_the_right_file() {
             row.properties.polar_inertia_kg_m = 1.0;
         }
         change(&mut input.description);
-        let Err(InputError::Mistakes {
+        let Err(ReadError::Mistakes {
             source_file,
             mistakes,
         }) = input.tower()

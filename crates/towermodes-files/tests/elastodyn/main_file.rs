@@ -52,13 +52,13 @@ fn every_block_of_lines_may_be_missing_on_its_own() {
     let mistake =
         read_main_file(&source("m", without(&["NacMass"]))).expect_err("a line is missing");
     assert_eq!(
-        mistake.message,
+        mistake.message(),
         "expected NacMass here, but the line says NacYIner"
     );
     let mistake =
         read_main_file(&source("m", without(&["BlPIner(2)"]))).expect_err("one of a block");
     assert_eq!(
-        mistake.message,
+        mistake.message(),
         "expected BlPIner(2) here, but the line says BlPIner(3)"
     );
 }
@@ -80,7 +80,7 @@ fn the_rules_of_the_main_file_have_their_places() {
     ] {
         let text = main_text(5, &[(key, value)]);
         let mistake = read_main_file(&source("m", text)).expect_err(key);
-        assert!(mistake.message.contains(says), "{mistake}");
+        assert!(mistake.message().contains(says), "{mistake}");
     }
 }
 
@@ -114,7 +114,7 @@ fn the_first_layouts_are_read() {
     let half = without_nodes.replace("  3   TowerBsHt", "  3   TwrRBHt");
     let mistake = read(&half).expect_err("no TwrDraft");
     assert!(
-        mistake.message.contains("expected TwrDraft here"),
+        mistake.message().contains("expected TwrDraft here"),
         "{mistake}"
     );
 }
@@ -139,12 +139,12 @@ fn a_main_file_of_fast_7_is_refused_as_one() {
         &ReadOptions::default(),
     );
     let error = error.expect_err("FAST 7");
-    let towermodes_files::InputError::Mistakes { mistakes, .. } = &error else {
+    let towermodes_files::ReadError::Mistakes { mistakes, .. } = &error else {
         panic!("{error}");
     };
     assert!(
         mistakes[0]
-            .message
+            .message()
             .contains("this is a main file of FAST 7"),
         "{error}"
     );

@@ -11,7 +11,7 @@ use towermodes_files::elastodyn::{
     BladeMasses, ElastoDynDeck, lump_rna, read_blade_file, read_elastodyn, read_main_file,
     read_tower_file,
 };
-use towermodes_files::{Beside, InputError, ReadOptions, RotorLock, Source};
+use towermodes_files::{ReadError, ReadOptions, RotorLock, SiblingFiles, Source};
 
 use crate::elastodyn::texts::close;
 
@@ -24,14 +24,14 @@ fn peer_data() -> Option<PathBuf> {
     folder.map(|folder| PathBuf::from(folder).join("openfast"))
 }
 
-fn peer_deck(path: &str) -> Option<Result<ElastoDynDeck, InputError>> {
+fn peer_deck(path: &str) -> Option<Result<ElastoDynDeck, ReadError>> {
     peer_deck_with(path, &ReadOptions::default())
 }
 
-fn peer_deck_with(path: &str, options: &ReadOptions) -> Option<Result<ElastoDynDeck, InputError>> {
+fn peer_deck_with(path: &str, options: &ReadOptions) -> Option<Result<ElastoDynDeck, ReadError>> {
     let path = peer_data()?.join(path);
     let source = Source::from_path(&path).expect("a main file");
-    Some(read_elastodyn(source, &Beside::file(&path), options))
+    Some(read_elastodyn(source, &SiblingFiles::of(&path), options))
 }
 
 const ONSHORE: &str = "nrel5mw_land_deck/NRELOffshrBsline5MW_Onshore_ElastoDyn.dat";

@@ -4,7 +4,7 @@ use std::f64::consts::TAU;
 
 use towermodes::{Blade, BladeDescription, BladeFamily, RigidBody, Rotor, solve_blade};
 use towermodes_files::elastodyn::{ElastoDynDeck, read_elastodyn, read_main_file};
-use towermodes_files::{InMemory, InputError, ReadOptions};
+use towermodes_files::{InMemory, ReadError, ReadOptions};
 
 use crate::elastodyn::texts::{BLADE, TOWER, close, deck, files, main_text, source};
 
@@ -14,7 +14,7 @@ fn notes(deck: &ElastoDynDeck) -> Vec<String> {
 }
 
 /// A deck whose blade file is another.
-fn with_blade(blade: &str) -> Result<ElastoDynDeck, InputError> {
+fn with_blade(blade: &str) -> Result<ElastoDynDeck, ReadError> {
     let companions = InMemory {
         files: [("tower.dat", TOWER), ("parts\\blade.dat", blade)]
             .map(|(name, text)| (name.to_owned(), text.to_owned()))
@@ -165,7 +165,7 @@ fn speeds_and_pitches_that_cannot_be_are_refused() {
     ] {
         let text = main_text(5, &[(key, value)]);
         let mistake = read_main_file(&source("main.dat", text)).expect_err("a mistake");
-        assert!(mistake.message.contains(key), "{mistake}");
+        assert!(mistake.message().contains(key), "{mistake}");
     }
     // Two blades have no third.
     let two = main_text(

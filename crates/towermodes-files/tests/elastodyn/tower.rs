@@ -134,7 +134,7 @@ fn the_rules_of_openfast_have_their_lines() {
     ] {
         let (found, mistake) = tower_mistake(from, to);
         assert_eq!(found, line, "{to}: {mistake}");
-        assert!(mistake.message.contains(says), "{to}: {mistake}");
+        assert!(mistake.message().contains(says), "{to}: {mistake}");
     }
 }
 

@@ -9,7 +9,7 @@ pub fn refused_text(text: &str, place: &str, message: &str, hint: &str) {
     let first = &mistakes[0];
     let (line, column) = first.line_and_column(text);
     assert_eq!(format!("{line}:{column}"), place, "{first}");
-    assert!(first.message.contains(message), "{}", first.message);
+    assert!(first.message().contains(message), "{}", first.message());
     let said = first.hint.clone().unwrap_or_default();
     assert!(said.contains(hint), "{said}");
 }

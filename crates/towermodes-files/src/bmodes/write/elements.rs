@@ -1,10 +1,10 @@
 //! The element borders of a deck.
 
 use super::layout::{Cut, Layout, Need};
-use crate::input::Note;
+use crate::note::Note;
 
-/// The borders as shares of the length, from 0 to 1: at least `wanted` elements and no more than
-/// `most`, if what must be allows it.
+/// The borders as fractions of the length, from 0 to 1: at least `wanted` elements and at most
+/// `most`, unless essential cuts need more.
 pub(super) fn borders(
     layout: &Layout,
     most: usize,
@@ -19,10 +19,10 @@ pub(super) fn borders(
             .collect::<Vec<f64>>()
     };
     let mut ends = needed(Need::Wanted);
-    let mut note = |message: String| notes.push(Note::new(message));
+    let mut note = |message: String| notes.push(Note::approximation(message));
     if ends.len() - 1 > most {
         note(format!(
-            "to end at every step the deck would need {} elements, and BModes 3.00 takes {most}: steps lie within elements",
+            "element borders at every step need {} elements, but BModes 3.00 has at most {most}: some steps are within elements",
             ends.len() - 1
         ));
         ends = needed(Need::Essential);
@@ -30,11 +30,11 @@ pub(super) fn borders(
     let spans = ends.len() - 1;
     if spans > most {
         note(format!(
-            "masses and wires need {spans} elements, and BModes 3.00 takes {most}: it stops at this deck"
+            "masses and guy wires need {spans} elements, but BModes 3.00 has at most {most}: it will refuse this deck"
         ));
     } else if wanted > most {
         note(format!(
-            "BModes 3.00 takes {most} elements: {wanted} were asked for"
+            "BModes 3.00 has at most {most} elements: {wanted} were requested"
         ));
     }
     divided(&ends, wanted.min(most).max(spans))
@@ -49,7 +49,7 @@ pub(super) fn wire_nodes(layout: &Layout, borders: &[f64]) -> Vec<usize> {
     layout.wires_at_nodes.iter().map(node).collect()
 }
 
-/// As many elements in all, one after the other where they are longest.
+/// So many elements in total, each added where elements are longest.
 fn divided(ends: &[f64], total: usize) -> Vec<f64> {
     let lengths: Vec<f64> = ends.windows(2).map(|pair| pair[1] - pair[0]).collect();
     let mut counts = vec![1_usize; lengths.len()];

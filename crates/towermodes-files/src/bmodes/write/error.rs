@@ -1,23 +1,23 @@
-//! Why a tower is no deck.
+//! Why a tower cannot be written as a deck.
 
 use thiserror::Error;
 
 use super::number::significant;
 
-/// What a tower has that a deck of BModes could hold only as another tower.
+/// A property of a tower that a BModes deck cannot represent.
 #[derive(Debug, Clone, PartialEq, Error)]
 #[non_exhaustive]
 pub enum BmodesWriteError {
-    /// The base is held in a way that BModes has no hub_conn for.
+    /// The base is held in a way that no `hub_conn` of BModes describes.
     #[error(
-        "the base is rigidly held against {held} only: BModes has bases that are clamped, free on springs, or held against z and \
-         rotation about z; give finite springs"
+        "the base is rigidly held only in {held}: a base of BModes is clamped, free on springs, or held in z and \
+         rotation about z; use finite springs"
     )]
     PartlyRigidBase {
         /// The motions that are held.
         held: String,
     },
-    /// The two bending stiffnesses are in no constant ratio.
+    /// The ratio of the two bending stiffnesses is not constant.
     #[error(
         "side-side bending stiffness over fore-aft is {} at {} m and {} at {} m: BModes has one stiffness for both planes, and one \
          factor between them for the whole tower",
@@ -33,7 +33,7 @@ pub enum BmodesWriteError {
         /// The height of that, m.
         other_height_m: f64,
     },
-    /// The soil is not as stiff in x as in y.
+    /// The soil has different stiffness in x and y.
     #[error(
         "the soil springs at {} m are {} N/m2 in x and {} N/m2 in y: BModes has one for both",
         significant(*.height_m), significant(*.x_n_per_m2), significant(*.y_n_per_m2)
@@ -46,9 +46,9 @@ pub enum BmodesWriteError {
         /// In y, N/m².
         y_n_per_m2: f64,
     },
-    /// The name of the file of sections cannot stand in a deck.
+    /// The name of the section file cannot be written in a deck.
     #[error(
-        "`{name}` cannot name the file of sections in a deck: at most 200 characters, on one line, and not both kinds of quotes"
+        "`{name}` cannot be the name of the section file in a deck: a name has at most 200 characters, one line, and not both kinds of quotes"
     )]
     FileName {
         /// The name.

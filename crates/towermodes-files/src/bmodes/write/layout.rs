@@ -6,10 +6,10 @@ use towermodes::{Tower, TowerDescription};
 
 use super::number::significant;
 use super::spread::{Spread, spreads};
-use crate::input::Note;
+use crate::note::Note;
 
-/// Heights closer than this share of the tower's length are one: a step takes 1e-7 of it, so that
-/// the rows around it stay in order.
+/// Heights closer than this fraction of the tower's length are merged: a step takes 1e-7 of it, so
+/// that the rows around it stay in order.
 pub(super) const CLOSEST: f64 = 1e-6;
 
 /// A height at which something begins or ends.
@@ -159,10 +159,10 @@ impl Layout {
         }
         if joined > 0 {
             let message = format!(
-                "{joined} heights are written as those beside them, which are nearer than {} m",
+                "{joined} heights are merged with neighbours nearer than {} m",
                 significant(CLOSEST * self.length_m())
             );
-            notes.push(Note::new(message));
+            notes.push(Note::approximation(message));
         }
     }
 

@@ -3,11 +3,12 @@
 use towermodes::space::SpatialMatrix;
 
 use super::number::{number, rounded};
+use crate::bmodes::parameters::Parameter;
 
 /// Values on a line of those lists that go over several.
 pub(super) const VALUES_IN_A_LINE: usize = 8;
 
-/// Lines of a deck: BModes counts them, so each is written for itself.
+/// The lines of a deck, which BModes counts.
 #[derive(Default)]
 pub(super) struct Lines(pub(super) String);
 
@@ -17,18 +18,32 @@ impl Lines {
         self.0.push('\n');
     }
 
-    /// A value, its name and what it is.
-    pub(super) fn value(&mut self, value: &str, name: &str, meaning: &str) {
-        self.comment(&format!("{value:<22} {:<17}{meaning}", format!("{name}:")));
+    /// A blank line and the heading of a block.
+    pub(super) fn heading(&mut self, heading: &str) {
+        self.comment("");
+        self.comment(&format!("{:-<80}", format!("--------- {heading} ")));
     }
 
-    pub(super) fn number(&mut self, value: f64, name: &str, meaning: &str) {
-        self.value(&number(value), name, meaning);
+    /// A parameter: its value, its name and its meaning.
+    pub(super) fn value(&mut self, parameter: &Parameter, value: &str) {
+        let name = format!("{}:", parameter.name);
+        self.comment(&format!("{value:<22} {name:<17}{}", parameter.comment()));
     }
 
-    /// As many values as follow from another one, over several lines; the meaning is behind the
-    /// last one.
-    pub(super) fn list(&mut self, values: &[String], name: &str, meaning: &str) {
+    /// The parameters of a block.
+    pub(super) fn block<const N: usize>(
+        &mut self,
+        parameters: [&Parameter; N],
+        values: [String; N],
+    ) {
+        for (parameter, value) in parameters.into_iter().zip(values) {
+            self.value(parameter, &value);
+        }
+    }
+
+    /// A parameter with several values, on several lines; its name and meaning follow the last one.
+    pub(super) fn list(&mut self, parameter: &Parameter, values: impl Iterator<Item = f64>) {
+        let values: Vec<String> = values.map(number).collect();
         let mut lines: Vec<String> = values
             .chunks(VALUES_IN_A_LINE)
             .map(|v| v.join("  "))
@@ -37,7 +52,8 @@ impl Lines {
         for line in lines {
             self.comment(&line);
         }
-        self.comment(&format!("{last}  : {name}: {meaning}"));
+        let Parameter { name, .. } = parameter;
+        self.comment(&format!("{last}  : {name}: {}", parameter.comment()));
     }
 
     pub(super) fn matrix(&mut self, matrix: &SpatialMatrix) {

@@ -1,19 +1,19 @@
-//! What surrounds a tower along its length as tables of a deck: mass of water, and springs of soil.
+//! The loads along a tower as tables of a deck: mass of water, and springs of soil.
 
 use towermodes::Tower;
 use towermodes::tower::Piece;
 
+use super::base::Hub;
 use super::error::BmodesWriteError;
 use super::layout::Layout;
 use super::number::{rounded, significant};
 use super::section::section_of;
 use super::sections::STEP;
-use super::support::Hub;
-use crate::input::Note;
+use crate::note::Note;
 
-/// Between rows a line may differ from the mass of the water by this share of the largest.
+/// Between rows a line may differ from the mass of the water by this fraction of the largest.
 const OFF: f64 = 1e-5;
-/// Springs in x and y may differ by this share.
+/// Springs in x and y may differ by this fraction.
 const ROUND: f64 = 1e-6;
 /// Shorter parts of the length are not divided.
 const SHORTEST: f64 = 1e-5;
@@ -53,17 +53,16 @@ pub(super) fn loads(
         return Ok(loads);
     }
     let what = format!(
-        "BModes has no vertical and no torsional springs along a tower: theirs, {} N/m and {} N m in all,",
+        "BModes has no vertical and no torsional springs along a tower: their sums, {} N/m and {} N m,",
         significant(vertical_n_per_m),
         significant(torsion_n_m)
     );
     if hub == Hub::Free {
-        notes.push(Note::new(format!(
-            "{what} are written as springs of the base"
-        )));
+        let message = format!("{what} are written as springs of the base");
+        notes.push(Note::approximation(message));
         (loads.vertical_n_per_m, loads.torsion_n_m) = (vertical_n_per_m, torsion_n_m);
     } else {
-        notes.push(Note::new(format!("{what} are left out")));
+        notes.push(Note::left_out(format!("{what} are left out")));
     }
     Ok(loads)
 }

@@ -1,5 +1,6 @@
 //! A tower as a deck of BModes 3.00: its main file and its table of sections.
 
+mod base;
 mod deck;
 mod elements;
 mod error;
@@ -16,19 +17,19 @@ mod tip;
 
 use towermodes::{Shear, Tower, TowerDescription};
 
-use crate::input::Note;
+use crate::note::Note;
 
 pub use error::BmodesWriteError;
 
-/// How a deck is written.
+/// Options for writing a deck.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct BmodesWriteOptions {
-    /// What the deck calls the file of its sections.
+    /// The name of the section file in the deck.
     pub sections_file: String,
-    /// How many elements there are at least; as many more as steps, masses and wires demand, and no
-    /// more than BModes takes.
+    /// The least number of elements. Steps, masses and wires may need more; BModes has an upper
+    /// limit.
     pub elements: usize,
-    /// How many modes the deck asks for.
+    /// The number of modes that the deck requests.
     pub modes: usize,
 }
 
@@ -47,16 +48,19 @@ impl Default for BmodesWriteOptions {
 pub struct BmodesFiles {
     /// The main file, `.bmi`.
     pub deck: String,
-    /// The file of the sections, which the main file names.
+    /// The section file, which the main file names.
     pub sections: String,
-    /// What the deck holds otherwise than the tower, or not at all.
+    /// How the deck differs from the tower.
     pub notes: Vec<Note>,
 }
 
-/// Writes a tower as a deck of BModes 3.00; `description` is what the tower was made of.
+/// Writes a tower as a deck of BModes 3.00; `description` is the description of the tower.
+///
+/// Point masses, and guy wires beside an offshore block, are distributed over a short part of the
+/// tower, because a deck has no place for them; a note gives the length.
 ///
 /// # Errors
-/// [`BmodesWriteError`] where a deck could only hold another tower.
+/// [`BmodesWriteError`] if a deck cannot represent the tower.
 pub fn write_bmodes(
     tower: &Tower,
     description: &TowerDescription,
@@ -64,9 +68,9 @@ pub fn write_bmodes(
 ) -> Result<BmodesFiles, BmodesWriteError> {
     let mut notes = Vec::new();
     let sections_file = deck::quoted(&options.sections_file)?;
-    let hub = support::hub_connection(tower)?;
-    let is_offshore = support::is_offshore(tower, hub);
-    let ends = support::ends_m(tower, is_offshore);
+    let hub = base::hub_connection(tower)?;
+    let is_offshore = base::is_offshore(tower, hub);
+    let ends = base::ends_m(tower, is_offshore);
     let layout = layout::Layout::new(tower, description, is_offshore, &mut notes);
     let multiplier = section::side_side_multiplier(tower, &layout)?;
     let rows = sections::rows(tower, &layout, &mut notes);
@@ -74,7 +78,7 @@ pub fn write_bmodes(
     let offshore = is_offshore.then_some(ends);
     let support = support::support(tower, description, &layout, (hub, offshore), &mut notes)?;
     let tip = tip::body(description, &layout, &mut notes);
-    said_of_the_whole(tower, description, multiplier, &mut notes);
+    note_whole(tower, description, multiplier, &mut notes);
     let deck = deck::Deck {
         title: tower.name(),
         sections_file: &sections_file,
@@ -94,8 +98,8 @@ pub fn write_bmodes(
     })
 }
 
-/// What BModes computes without, and where it reads its own files wrongly.
-fn said_of_the_whole(
+/// Notes on what BModes does not model, and where it misreads its own files.
+fn note_whole(
     tower: &Tower,
     description: &TowerDescription,
     multiplier: f64,
@@ -103,13 +107,12 @@ fn said_of_the_whole(
 ) {
     let gravity = tower.gravity_m_per_s2();
     if gravity != 0.0 && !tower.base().floats {
-        notes.push(Note::new(format!(
-            "BModes has no gravity: the weights ({gravity} m/s2) are left out"
-        )));
+        let message = format!("BModes has no gravity: {gravity} m/s2 is left out");
+        notes.push(Note::left_out(message));
     }
     if let Some(rotor) = tower.rotor() {
-        notes.push(Note::new(format!(
-            "a tower's deck has no rotor: its {} blades and its speeds ({} to {} rpm) are left out",
+        notes.push(Note::left_out(format!(
+            "a tower deck has no rotor: its {} blades and its speeds ({} to {} rpm) are left out",
             rotor.blades, rotor.lowest_rpm, rotor.highest_rpm
         )));
     }
@@ -119,14 +122,14 @@ fn said_of_the_whole(
             Shear::Coefficient(_) => "the shear coefficient",
             _ => "Cowper's shear coefficient",
         };
-        notes.push(Note::new(format!(
+        notes.push(Note::left_out(format!(
             "BModes has no shear deformation: {model} is left out"
         )));
     }
     if multiplier != 1.0 {
-        notes.push(Note::new(format!(
+        notes.push(Note::compatibility(format!(
             "the side-side bending stiffness is {multiplier} times the fore-aft one and is written as edge_stff_mult: \
-             BModes 3.00 swaps flp_stff_mult and edge_stff_mult of a tower, and would make fore-aft what is side-side"
+             BModes 3.00 swaps flp_stff_mult and edge_stff_mult of a tower and would exchange fore-aft and side-side"
         )));
     }
 }

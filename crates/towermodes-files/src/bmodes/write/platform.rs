@@ -1,5 +1,4 @@
-//! The block of what stands in the sea or on springs: the base's matrices, and the tables along the
-//! tower.
+//! The offshore block: the matrices of the base, and the tables along the tower.
 
 use towermodes::space::{SpatialMatrix, add_scaled, transform_matrix};
 use towermodes::tower::mass_integrals;
@@ -7,16 +6,16 @@ use towermodes::{
     FloatingPlatform, Foundation, Inertia, ReferredMatrix, RigidBody, Tower, TowerDescription,
 };
 
+use super::base::{Ends, Hub};
 use super::error::BmodesWriteError;
 use super::layout::Layout;
 use super::loads::{Loads, loads};
 use super::number::significant;
-use super::support::{Ends, Hub};
-use crate::input::Note;
+use crate::note::Note;
 
 const NONE: SpatialMatrix = [[0.0; 6]; 6];
 
-/// What the block holds. Its matrices are for the motion (x, y, z, rotation about x, y, z) of a
+/// The content of the block. Its matrices are for the motion (x, y, z, rotation about x, y, z) of a
 /// point on the axis.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Platform {
@@ -44,12 +43,12 @@ pub(super) fn platform(
     let mut block = match &description.foundation {
         Foundation::Floating(platform) => {
             let mut block = floating(platform, loads, ends, notes);
-            add_weights(&mut block, tower, description, notes);
+            add_geometric_stiffness(&mut block, tower, description, notes);
             block
         }
         _ => on_springs(tower, loads, ends),
     };
-    add_what_is_at_the_base(&mut block, description, layout, (hub, ends), notes);
+    add_masses_and_wires_at_the_base(&mut block, description, layout, (hub, ends), notes);
     let (vertical, torsion) = (block.loads.vertical_n_per_m, block.loads.torsion_n_m);
     block.mooring[2][2] += vertical;
     block.mooring[5][5] += torsion;
@@ -100,16 +99,16 @@ fn floating(
         matrix
     });
     if !moved.is_empty() {
-        notes.push(Note::new(format!(
-            "BModes has one reference point: the matrix of {} is written as it is about the height {} m",
+        notes.push(Note::approximation(format!(
+            "BModes has one reference point: the matrix of {} is transformed to the height {} m",
             moved.join(" and of "),
             significant(reference_m)
         )));
     }
     let [x, y, z] = platform.center_m;
     if x != 0.0 || y != 0.0 {
-        notes.push(Note::new(format!(
-            "BModes has the platform's centre of mass on the axis: what its offset of {} m and {} m changes is written into hydro_M",
+        notes.push(Note::approximation(format!(
+            "BModes has the platform's centre of mass on the axis: the effect of its offset of {} m and {} m is added to hydro_M",
             significant(x),
             significant(y)
         )));
@@ -160,9 +159,10 @@ fn inertia_about_axis(platform: &FloatingPlatform, center_m: [f64; 3]) -> Spatia
     matrix
 }
 
-/// Without its weights a platform capsizes, and BModes has none: they become part of the mooring,
-/// as decks in public have it, for the motion of the tower as a rigid body on its platform.
-fn add_weights(
+/// Adds the geometric stiffness of the self-weight to the mooring stiffness, as public decks do:
+/// BModes has no gravity, and a platform capsizes without it. It holds for the motion of the tower as
+/// a rigid body on its platform.
+fn add_geometric_stiffness(
     block: &mut Platform,
     tower: &Tower,
     description: &TowerDescription,
@@ -187,15 +187,15 @@ fn add_weights(
     let stiffness_n_m = 0.0 - gravity * overturning_kg_m;
     block.mooring[3][3] += stiffness_n_m;
     block.mooring[4][4] += stiffness_n_m;
-    notes.push(Note::new(format!(
-        "BModes has no gravity: what the weights of platform, tower and machine ({gravity} m/s2) do to the rotations of the whole, {} N m, \
-         is written into mooring_K; what they do to the bending of the tower is left out",
+    notes.push(Note::approximation(format!(
+        "BModes has no gravity ({gravity} m/s2): the geometric stiffness of platform, tower and RNA in rigid-body rotation, {} N m, \
+         is added to mooring_K; its effect on the bending of the tower is left out",
         significant(stiffness_n_m)
     )));
 }
 
 /// Point masses and wires at the base move with it.
-fn add_what_is_at_the_base(
+fn add_masses_and_wires_at_the_base(
     block: &mut Platform,
     description: &TowerDescription,
     layout: &Layout,
@@ -204,8 +204,9 @@ fn add_what_is_at_the_base(
 ) {
     if hub == Hub::Clamped {
         if !layout.masses_at_the_base.is_empty() || !layout.wires_at_the_base.is_empty() {
-            let message = "masses and wires at the clamped base move nothing and are left out";
-            notes.push(Note::new(message));
+            let message =
+                "masses and guy wires at the clamped base have no effect and are left out";
+            notes.push(Note::left_out(message));
         }
         return;
     }

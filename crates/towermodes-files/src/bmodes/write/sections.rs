@@ -6,7 +6,8 @@ use super::super::out::one_line;
 use super::layout::Layout;
 use super::number::{number, rounded, significant};
 use super::section::{DeckSection, MadeUp, deck_section};
-use crate::input::Note;
+use crate::bmodes::parameters::COLUMNS;
+use crate::note::Note;
 
 /// Between rows a line may differ from the tower by this share.
 const OFF: f64 = 1e-5;
@@ -46,7 +47,7 @@ pub(super) fn rows(tower: &Tower, layout: &Layout, notes: &mut Vec<Note>) -> Vec
         divide((from, first), (to, last), &mut at, &mut rows);
         rows.push((to, last));
     }
-    said_of_sections(&made_up, notes);
+    note_sections(&made_up, notes);
     rows
 }
 
@@ -68,23 +69,26 @@ fn divide(from: Row, to: Row, at: &mut impl FnMut(f64) -> DeckSection, rows: &mu
     }
 }
 
-fn said_of_sections(made_up: &MadeUp, notes: &mut Vec<Note>) {
-    let mut note = |message: String| notes.push(Note::new(message));
+fn note_sections(made_up: &MadeUp, notes: &mut Vec<Note>) {
+    let mut note = |message: String| notes.push(Note::approximation(message));
     if made_up.twist {
-        note("the tower does not twist, which BModes cannot say: GJ is written as 10000 EI".into());
+        note("the tower is rigid in torsion, which BModes does not support: GJ is written as 10000 EI".into());
     }
     if made_up.stretch {
         note(
-            "the tower does not stretch, which BModes cannot say: EA is written as 10000 EI per m2"
+            "the tower is axially rigid, which BModes does not support: EA is written as 10000 EI per m2"
                 .into(),
         );
     }
     if made_up.polar_inertia {
-        note("without polar inertia BModes finds no frequency at all: that of a thin steel tube of the same EI is written".into());
+        note(
+            "BModes needs polar inertia: that of a thin steel tube of the same EI is written"
+                .into(),
+        );
     }
     if made_up.rotary_off > ROTARY_OFF {
         note(format!(
-            "the rotary inertia differs from half the polar one by up to {} %: a deck holds the polar one alone, as BModes has no rotary \
+            "the rotary inertia differs from half the polar inertia by up to {} %: a deck holds only the polar inertia, as BModes has no rotary \
              inertia in bending",
             significant(100.0 * made_up.rotary_off)
         ));
@@ -93,24 +97,9 @@ fn said_of_sections(made_up: &MadeUp, notes: &mut Vec<Note>) {
 
 /// The text of the file.
 pub(super) fn text(title: &str, rows: &[Row]) -> String {
-    let heads = [
-        ("sec_loc", "(-)"),
-        ("str_tw", "(deg)"),
-        ("tw_iner", "(deg)"),
-        ("mass_den", "(kg/m)"),
-        ("flp_iner", "(kg-m)"),
-        ("edge_iner", "(kg-m)"),
-        ("flp_stff", "(Nm^2)"),
-        ("edge_stff", "(Nm^2)"),
-        ("tor_stff", "(Nm^2)"),
-        ("axial_stff", "(N)"),
-        ("cg_offst", "(m)"),
-        ("sc_offst", "(m)"),
-        ("tc_offst", "(m)"),
-    ];
     let mut cells = vec![
-        heads.map(|(name, _)| name.to_owned()),
-        heads.map(|(_, unit)| unit.to_owned()),
+        COLUMNS.map(|(name, _)| name.to_owned()),
+        COLUMNS.map(|(_, unit)| unit.to_owned()),
     ];
     cells.extend(rows.iter().map(cells_of));
     let widths: [usize; 13] =
@@ -132,7 +121,7 @@ pub(super) fn text(title: &str, rows: &[Row]) -> String {
     text
 }
 
-/// A title on one line, or what stands for it.
+/// A title on one line, or a default.
 pub(super) fn name_or(title: &str, without: &str) -> String {
     let title = one_line(title);
     match title.trim() {
@@ -167,7 +156,7 @@ fn cells_of((share, section): &Row) -> [String; 13] {
     ]
 }
 
-/// A share of the length to twelve decimals.
+/// A fraction of the length to twelve decimals.
 fn location(share: f64) -> String {
     let text = format!("{share:.12}");
     let short = text.trim_end_matches('0');

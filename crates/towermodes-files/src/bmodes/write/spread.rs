@@ -1,15 +1,14 @@
-//! What sits at a height of the tower and has no place in a deck but spread over a short part of
-//! the tower.
+//! Point masses and guy wires that a deck can hold only distributed over a short part of the tower.
 
 use towermodes::{TowerDescription, Wires};
 
 use super::layout::Layout;
 use super::number::significant;
-use crate::input::Note;
+use crate::note::Note;
 
-/// How much of the tower's length something is spread over.
+/// The fraction of the tower's length that a mass or a set of wires is distributed over.
 const WIDTH: f64 = 0.005;
-/// What is nearer to an end than this share of the length is at that end.
+/// A mass nearer to an end than this fraction of the length is at that end.
 const AT_THE_END: f64 = 1e-5;
 
 /// A mass, or the springs of wires, between two heights.
@@ -57,7 +56,7 @@ pub(super) fn spreads(
     }
 }
 
-/// A mass spread evenly to both sides, so that its centre stays where it is.
+/// A mass distributed evenly to both sides, so that its centre does not move.
 fn mass_at(
     layout: &Layout,
     description: &TowerDescription,
@@ -70,12 +69,12 @@ fn mass_at(
     let inertia = &mass.inertia_kg_m2;
     let lost = [inertia.xx, inertia.yy, inertia.xy, inertia.xz, inertia.yz];
     let lost = if lost.iter().any(|entry| *entry != 0.0) {
-        "; of its inertia only zz is kept"
+        "; only zz of its inertia is kept"
     } else {
         ""
     };
-    notes.push(Note::new(format!(
-        "BModes has no point masses: the {} kg at {} m are spread over {} m of the tower{lost}",
+    notes.push(Note::approximation(format!(
+        "BModes has no point masses: {} kg at {} m is distributed over {} m of the tower{lost}",
         significant(mass.mass_kg),
         significant(mass.height_m),
         significant(2.0 * half_m)
@@ -90,13 +89,13 @@ fn mass_at(
     }
 }
 
-/// The springs of wires as if they were soil; at the top just below it.
+/// The springs of guy wires as soil springs; at the top just below it.
 fn wires_at(layout: &Layout, index: usize, wires: &Wires, notes: &mut Vec<Note>) -> Spread {
     let width_m = WIDTH * layout.length_m();
     let from_m = (wires.height_m - 0.5 * width_m).clamp(layout.base_m, layout.top_m - width_m);
-    notes.push(Note::new(format!(
-        "BModes has wires or what stands in the sea or on springs, not both: the horizontal stiffness of set {} of wires, {} N/m, is \
-         spread over {} m of the tower as if it were soil",
+    notes.push(Note::approximation(format!(
+        "BModes has either guy wires or an offshore block: the horizontal stiffness of set {} of guy wires, {} N/m, is \
+         distributed over {} m of the tower as soil springs",
         index + 1,
         significant(wires.horizontal_n_per_m()),
         significant(width_m)

@@ -3,30 +3,18 @@
 use towermodes::{FloatingPlatform, Foundation, ReferredMatrix};
 
 use super::{Kind, at};
-use crate::diagnostic::Diagnostic;
+use crate::diagnostic::{Diagnostic, DiagnosticKind};
 use crate::toml::Reading;
 use crate::toml::body::{center, inertia};
 use crate::toml::matrix::matrix;
-use crate::toml::table::{Keys, Table};
+use crate::toml::schema;
+use crate::toml::table::Table;
 use crate::toml::values::{number, number_or_infinity};
 
 pub(super) const KIND: Kind = Kind {
     name: "floating",
-    keys: Keys {
-        known: &[
-            "type",
-            "mass",
-            "center",
-            "inertia",
-            "added_mass",
-            "added_mass_height",
-            "hydrostatic",
-            "hydrostatic_height",
-            "mooring",
-            "mooring_height",
-        ],
-    },
-    nature: "a floating platform is not rigidly held, but by its matrices hydrostatic and mooring",
+    schema: &schema::FLOATING,
+    nature: "a floating platform is held by its matrices hydrostatic and mooring",
     read,
 };
 
@@ -68,9 +56,9 @@ fn referred(
         return without_matrix(table, key, height_key, reading);
     };
     reading.remember(at(key), value.span());
-    // Infinity goes on to the tower's checks, which say what it would mean.
+    // The checks of the tower explain infinity.
     let matrix = matrix(value, key, reading, number_or_infinity);
-    let hint = "height in m, in the datum of the stations, of the point that the matrix is about";
+    let hint = "height in m, in the datum of the stations, of the reference point of the matrix";
     let height = table
         .require(height_key, hint, reading)
         .and_then(|value| number(value, height_key, reading));
@@ -86,11 +74,14 @@ fn without_matrix(
     height_key: &str,
     reading: &mut Reading,
 ) -> Option<ReferredMatrix> {
-    // A misspelled matrix was said already.
+    // A misspelled matrix is reported as an unknown key.
     if let Some(height) = table.get(height_key).filter(|_| !table.has_misspelled(key)) {
-        let message = format!("`{height_key}` means nothing without `{key}`");
-        let hint = "give the matrix too, or leave its height out";
-        reading.mistake(Diagnostic::new(height.span(), message).with_hint(hint));
+        let kind = DiagnosticKind::UnusedKey {
+            key: height_key.to_owned(),
+            because: format!("without `{key}`"),
+        };
+        let hint = "add the matrix, or remove its height";
+        reading.mistake(Diagnostic::new(height.span(), kind).with_hint(hint));
         return None;
     }
     Some(ReferredMatrix::default())

@@ -4,20 +4,13 @@ use towermodes::{Foundation, HalfSpace};
 
 use super::{Kind, at};
 use crate::toml::Reading;
-use crate::toml::table::{Keys, Table};
+use crate::toml::schema;
+use crate::toml::table::Table;
 
 pub(super) const KIND: Kind = Kind {
     name: "half-space",
-    keys: Keys {
-        known: &[
-            "type",
-            "radius",
-            "embedment",
-            "soil_shear_modulus",
-            "soil_poissons_ratio",
-        ],
-    },
-    nature: "the springs of a half-space follow from the footing and the soil",
+    schema: &schema::HALF_SPACE,
+    nature: "the stiffness of a half-space follows from the footing and the soil",
     read,
 };
 

@@ -4,17 +4,14 @@ use towermodes::{Foundation, FoundationSprings};
 
 use super::{Kind, at};
 use crate::toml::Reading;
-use crate::toml::table::{Keys, Table};
+use crate::toml::schema;
+use crate::toml::table::Table;
 use crate::toml::values::number_or_infinity;
 
 pub(super) const KIND: Kind = Kind {
     name: "springs",
-    keys: Keys {
-        known: &[
-            "type", "lateral", "rocking", "vertical", "torsion", "coupling",
-        ],
-    },
-    nature: "springs are given one by one",
+    schema: &schema::SPRINGS,
+    nature: "each motion has its own spring",
     read,
 };
 

@@ -5,15 +5,14 @@ use towermodes::{Foundation, StiffnessFoundation};
 use super::{Kind, at};
 use crate::toml::Reading;
 use crate::toml::matrix::matrix;
-use crate::toml::table::{Keys, Table};
+use crate::toml::schema;
+use crate::toml::table::Table;
 use crate::toml::values::{Value, infinity, number};
 
 pub(super) const KIND: Kind = Kind {
     name: "stiffness",
-    keys: Keys {
-        known: &["type", "matrix", "mass"],
-    },
-    nature: "here the matrix says all",
+    schema: &schema::STIFFNESS,
+    nature: "the matrix holds the whole stiffness",
     read,
 };
 
@@ -33,8 +32,8 @@ fn read(table: &Table<'_>, reading: &mut Reading) -> Option<Foundation> {
     })))
 }
 
-/// A finite number, or an infinite one for a motion that is rigidly held; where in the matrix that
-/// may stand the tower knows.
+/// A finite number, or an infinite one for a motion that is rigidly held; the checks of the tower
+/// limit where it may be.
 fn stiffness_entry(value: &Value<'_>, what: &str, reading: &mut Reading) -> Option<f64> {
     infinity(value).or_else(|| number(value, what, reading))
 }

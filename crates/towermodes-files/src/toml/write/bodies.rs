@@ -4,17 +4,17 @@ use towermodes::{Inertia, PointMass, Rna, Rotor};
 
 use super::Writing;
 use super::text::number;
+use crate::toml::schema;
 
 /// With the zeros of one that is meant to have no inertia.
 pub(super) fn rna(rna: &Rna, is_point: bool, writing: &mut Writing) {
     if *rna == Rna::default() {
         return;
     }
-    writing.section("[rna]");
-    writing.number("mass", rna.mass_kg, "kg");
+    writing.section(&schema::RNA);
+    writing.number("mass", rna.mass_kg);
     if rna.center_m != [0.0; 3] {
-        let comment = "of mass from the tower top, m: fore-aft (downwind), side-side, up";
-        writing.value("center", &triple(rna.center_m), comment);
+        writing.value("center", &triple(rna.center_m));
     }
     if is_point && rna.inertia_kg_m2 == Inertia::default() {
         inertia_with(&rna.inertia_kg_m2, &["xx", "yy", "zz"], writing);
@@ -27,23 +27,23 @@ pub(super) fn rotor(rotor: Option<&Rotor>, writing: &mut Writing) {
     let Some(rotor) = rotor else {
         return;
     };
-    writing.section("[rotor]");
-    writing.value("blades", &rotor.blades.to_string(), "");
+    writing.section(&schema::ROTOR);
+    writing.value("blades", &rotor.blades.to_string());
     let (lowest, highest) = (rotor.lowest_rpm, rotor.highest_rpm);
     if lowest == highest {
-        writing.number("rpm", highest, "constant");
+        writing.commented("rpm", &number(highest), "constant");
     } else {
         let range = format!("[{}, {}]", number(lowest), number(highest));
-        writing.value("rpm", &range, "lowest and highest in operation");
+        writing.commented("rpm", &range, "lowest and highest operating speed");
     }
 }
 
 pub(super) fn point_masses(masses: &[PointMass], names: &[String], writing: &mut Writing) {
     for (index, mass) in masses.iter().enumerate() {
-        writing.section("[[point_mass]]");
+        writing.section(&schema::POINT_MASS);
         writing.name(names.get(index));
-        writing.number("height", mass.height_m, "m");
-        writing.number("mass", mass.mass_kg, "kg");
+        writing.number("height", mass.height_m);
+        writing.number("mass", mass.mass_kg);
         inertia(&mass.inertia_kg_m2, writing);
     }
 }
@@ -71,7 +71,7 @@ pub(super) fn inertia_with(inertia: &Inertia, required: &[&str], writing: &mut W
         .map(|(key, value)| format!("{key} = {}", number(value)))
         .collect();
     let table = format!("{{ {} }}", written.join(", "));
-    writing.value("inertia", &table, "about the centre of mass, kg m2");
+    writing.value("inertia", &table);
 }
 
 /// `[x, y, z]`.

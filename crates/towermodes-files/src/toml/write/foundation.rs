@@ -8,9 +8,9 @@ use towermodes::{
 use super::Writing;
 use super::bodies::{inertia_with, triple};
 use super::text::number_rows;
+use crate::toml::schema::{self, TableSchema};
 
 const NONE: SpatialMatrix = [[0.0; 6]; 6];
-const MOTION: &str = "x, y, z, rotation about x, y, z";
 
 /// Left out where the base is clamped.
 pub(super) fn foundation(foundation: &Foundation, writing: &mut Writing) {
@@ -23,74 +23,60 @@ pub(super) fn foundation(foundation: &Foundation, writing: &mut Writing) {
     }
 }
 
-fn kind(kind: &str, writing: &mut Writing) {
-    writing.section("[foundation]");
-    writing.value("type", &format!("\"{kind}\""), "");
+fn kind(kind: &str, table: &'static TableSchema, writing: &mut Writing) {
+    writing.section_called("[foundation]", table);
+    writing.commented("type", &format!("\"{kind}\""), "");
 }
 
-fn matrix(key: &str, matrix: &SpatialMatrix, comment: &str, writing: &mut Writing) {
-    writing.line(format!("{key} = [  # {comment}"));
+fn matrix(key: &str, matrix: &SpatialMatrix, writing: &mut Writing) {
+    writing.open_rows(key);
     number_rows(matrix, 6, writing);
     writing.line("]");
 }
 
 fn stiffness(foundation: &StiffnessFoundation, writing: &mut Writing) {
-    kind("stiffness", writing);
-    let comment = format!("{MOTION}, of the base: N/m, N, N m");
-    matrix("matrix", &foundation.stiffness, &comment, writing);
+    kind("stiffness", &schema::STIFFNESS, writing);
+    matrix("matrix", &foundation.stiffness, writing);
     if foundation.inertia != NONE {
-        let comment = "what moves with it: kg, kg m, kg m2";
-        matrix("mass", &foundation.inertia, comment, writing);
+        matrix("mass", &foundation.inertia, writing);
     }
 }
 
 fn springs(springs: &FoundationSprings, writing: &mut Writing) {
-    kind("springs", writing);
-    writing.number("lateral", springs.lateral_n_per_m, "N/m; inf is rigid");
-    writing.number("rocking", springs.rocking_n_m, "N m");
-    writing.number("vertical", springs.vertical_n_per_m, "N/m");
-    writing.number("torsion", springs.torsion_n_m, "N m");
+    kind("springs", &schema::SPRINGS, writing);
+    writing.number("lateral", springs.lateral_n_per_m);
+    writing.number("rocking", springs.rocking_n_m);
+    writing.number("vertical", springs.vertical_n_per_m);
+    writing.number("torsion", springs.torsion_n_m);
     if springs.coupling_n != 0.0 {
-        let comment = "N, between x and rotation about y";
-        writing.number("coupling", springs.coupling_n, comment);
+        writing.number("coupling", springs.coupling_n);
     }
 }
 
 fn half_space(footing: &HalfSpace, writing: &mut Writing) {
-    kind("half-space", writing);
-    writing.number("radius", footing.radius_m, "m");
+    kind("half-space", &schema::HALF_SPACE, writing);
+    writing.number("radius", footing.radius_m);
     if footing.embedment_m != 0.0 {
-        writing.number("embedment", footing.embedment_m, "m");
+        writing.number("embedment", footing.embedment_m);
     }
-    writing.number("soil_shear_modulus", footing.shear_modulus_pa, "Pa");
-    writing.number("soil_poissons_ratio", footing.poissons_ratio, "");
+    writing.number("soil_shear_modulus", footing.shear_modulus_pa);
+    writing.number("soil_poissons_ratio", footing.poissons_ratio);
 }
 
 fn floating(platform: &FloatingPlatform, writing: &mut Writing) {
-    kind("floating", writing);
-    writing.number("mass", platform.mass_kg, "with ballast, kg");
-    let comment = "of mass, m: x and y from the tower's axis, z in the datum of the stations";
-    writing.value("center", &triple(platform.center_m), comment);
+    kind("floating", &schema::FLOATING, writing);
+    writing.number("mass", platform.mass_kg);
+    writing.value("center", &triple(platform.center_m));
     inertia_with(&platform.inertia_kg_m2, &["xx", "yy", "zz"], writing);
     let matrices = [
-        ("added_mass", &platform.added_mass, "kg, kg m, kg m2"),
-        (
-            "hydrostatic",
-            &platform.hydrostatic,
-            "of water plane and buoyancy: N/m, N, N m",
-        ),
-        ("mooring", &platform.mooring, "N/m, N, N m"),
+        ("added_mass", &platform.added_mass),
+        ("hydrostatic", &platform.hydrostatic),
+        ("mooring", &platform.mooring),
     ];
-    for (key, referred, units) in matrices {
+    for (key, referred) in matrices {
         if *referred != ReferredMatrix::default() {
-            let comment = "m, of the point that the matrix is about";
-            writing.number(&format!("{key}_height"), referred.height_m, comment);
-            matrix(
-                key,
-                &referred.matrix,
-                &format!("{MOTION}: {units}"),
-                writing,
-            );
+            writing.number(&format!("{key}_height"), referred.height_m);
+            matrix(key, &referred.matrix, writing);
         }
     }
 }

@@ -5,6 +5,7 @@ use towermodes::{Material, TowerDescription};
 use super::super::materials::NUMBERED;
 use super::Writing;
 use super::text::quoted;
+use crate::toml::schema;
 
 /// What the materials are called: by their own names, where a file can have these, or by numbers.
 pub(super) struct MaterialNames {
@@ -60,13 +61,14 @@ pub(super) fn materials(materials: &[Material], names: &MaterialNames, writing: 
     for (index, material) in materials.iter().enumerate() {
         let name = names.name(index);
         if name.is_empty() || !names.are_needed() {
-            writing.section("[material]");
+            writing.section(&schema::MATERIAL);
         } else {
-            writing.section(&format!("[materials.{}]", key(&name)));
+            let head = format!("[materials.{}]", key(&name));
+            writing.section_called(&head, &schema::MATERIAL);
         }
-        writing.number("density", material.density_kg_per_m3, "kg/m3");
-        writing.number("youngs_modulus", material.youngs_modulus_pa, "Pa");
-        writing.number("shear_modulus", material.shear_modulus_pa, "Pa");
+        writing.number("density", material.density_kg_per_m3);
+        writing.number("youngs_modulus", material.youngs_modulus_pa);
+        writing.number("shear_modulus", material.shear_modulus_pa);
     }
 }
 

@@ -9,15 +9,18 @@ mod text;
 
 use towermodes::{Shear, Station, TowerDescription};
 
-use crate::input::Note;
+use super::schema::{self, KeySchema, TableSchema};
+use crate::note::Note;
 use materials::MaterialNames;
 use text::{number, quoted, rows};
 
-/// What is written: the text so far, and what the user should know of it.
+/// The text so far and its notes.
 #[derive(Debug, Default)]
 struct Writing {
     text: String,
     notes: Vec<Note>,
+    /// The table that is being written, which has the comments of its keys.
+    table: Option<&'static TableSchema>,
 }
 
 impl Writing {
@@ -27,14 +30,33 @@ impl Writing {
         self.text.push('\n');
     }
 
-    /// An empty line and the head of a section.
-    fn section(&mut self, head: &str) {
+    /// A blank line and the head of a table.
+    fn section(&mut self, table: &'static TableSchema) {
+        self.section_called(table.name, table);
+    }
+
+    /// The same under another head.
+    fn section_called(&mut self, head: &str, table: &'static TableSchema) {
+        self.table = Some(table);
         self.line("");
         self.line(head);
     }
 
-    /// `key = value`, and if there is something to say of it, that in a column of comments.
-    fn value(&mut self, key: &str, value: &str, comment: &str) {
+    /// The comment of a key in the schema.
+    fn comment(&self, key: &str) -> String {
+        let key = self.table.and_then(|table| table.key(key));
+        debug_assert!(key.is_some());
+        key.map(KeySchema::comment).unwrap_or_default()
+    }
+
+    /// `key = value` with the comment of the schema.
+    fn value(&mut self, key: &str, value: &str) {
+        let comment = self.comment(key);
+        self.commented(key, value, &comment);
+    }
+
+    /// `key = value` with a comment, if there is one.
+    fn commented(&mut self, key: &str, value: &str, comment: &str) {
         let line = format!("{key} = {value}");
         if comment.is_empty() {
             self.line(line);
@@ -46,28 +68,34 @@ impl Writing {
     /// The name of a part that has one.
     fn name(&mut self, name: Option<&String>) {
         if let Some(name) = name.filter(|name| !name.is_empty()) {
-            self.value("name", &quoted(name), "");
+            self.commented("name", &quoted(name), "");
         }
     }
 
-    fn number(&mut self, key: &str, value: f64, comment: &str) {
-        self.value(key, &number(value), comment);
+    fn number(&mut self, key: &str, value: f64) {
+        self.value(key, &number(value));
+    }
+
+    /// The beginning of a list of rows with the comment of the schema.
+    fn open_rows(&mut self, key: &str) {
+        let comment = self.comment(key);
+        self.line(format!("{key} = [  # {comment}"));
     }
 
     fn note(&mut self, message: impl Into<String>) {
-        self.notes.push(Note::new(message));
+        self.notes.push(Note::left_out(message));
     }
 }
 
 /// Writes a description as a TOML file that is read back as the same description, number by number.
 ///
-/// The notes say what such a file cannot hold, or what its reader will refuse.
+/// The notes list what such a file cannot hold, and what its reader will refuse.
 pub fn write_toml(description: &TowerDescription) -> (String, Vec<Note>) {
     let mut writing = Writing::default();
     writing.line("# A tower for towermodes. Lengths in m, masses in kg, forces in N; z is up, x fore-aft (downwind), y side-side.");
     if !description.name.is_empty() {
         writing.line("");
-        writing.value("name", &quoted(&description.name), "");
+        writing.commented("name", &quoted(&description.name), "");
     }
     tower(description, &mut writing);
     bodies::rna(&description.rna, description.rna_is_point, &mut writing);
@@ -88,33 +116,33 @@ fn tower(description: &TowerDescription, writing: &mut Writing) {
     } else {
         unused_beside_properties(description, writing);
     }
-    writing.section("[tower]");
+    writing.section(&schema::TOWER);
     if has_stations {
         stations(&description.stations, &names, writing);
         shear(description.shear, writing);
     }
     if description.outfitting_factor != 1.0 {
-        let comment = "multiplies the tower's masses per length";
-        writing.number("outfitting_factor", description.outfitting_factor, comment);
+        writing.number("outfitting_factor", description.outfitting_factor);
     }
     if !description.properties.is_empty() {
         if has_stations {
-            writing.note("the description has stations and a table of properties: no tower has both, and the file is refused for it");
+            writing.note("the description has both stations and a table of properties: the file will be refused");
         }
         properties::properties(&description.properties, writing);
     }
 }
 
-/// A file refuses beside a table of properties what would change nothing there.
+/// Materials and the shear model have no effect beside a table of properties, where a file may not have
+/// them.
 fn unused_beside_properties(description: &TowerDescription, writing: &mut Writing) {
     let count = description.materials.len();
     if count > 0 {
         writing.note(format!(
-            "materials left out ({count}): nothing is made of them, the table of properties has masses and stiffnesses"
+            "{count} materials are left out: the table of properties has the masses and the stiffness"
         ));
     }
     if description.shear != Shear::Rigid {
-        let message = "the shear model is left out: it is one of stations, the table of properties has its own shear stiffness or none";
+        let message = "the shear model is left out: it is for stations; the table of properties has its own shear stiffness or none";
         writing.note(message);
     }
 }
@@ -132,12 +160,9 @@ fn stations(stations: &[Station], names: &MaterialNames, writing: &mut Writing) 
             .collect::<Vec<_>>()
     };
     let cells: Vec<_> = stations.iter().map(row).collect();
-    let comment = "height, outer diameter, wall thickness, all in m";
-    if names.are_needed() {
-        writing.line(format!("stations = [  # {comment}; material"));
-    } else {
-        writing.line(format!("stations = [  # {comment}"));
-    }
+    let material = if names.are_needed() { "; material" } else { "" };
+    let comment = writing.comment("stations");
+    writing.line(format!("stations = [  # {comment}{material}"));
     rows(&cells, writing);
     writing.line("]");
 }
@@ -145,7 +170,11 @@ fn stations(stations: &[Station], names: &MaterialNames, writing: &mut Writing) 
 fn shear(shear: Shear, writing: &mut Writing) {
     match shear {
         Shear::Rigid => {}
-        Shear::Cowper => writing.value("shear", "true", "Timoshenko, Cowper's coefficient"),
-        Shear::Coefficient(kappa) => writing.number("shear", kappa, "Timoshenko, this coefficient"),
+        Shear::Cowper => {
+            writing.commented("shear", "true", "Timoshenko, Cowper's coefficient");
+        }
+        Shear::Coefficient(kappa) => {
+            writing.commented("shear", &number(kappa), "Timoshenko, this coefficient");
+        }
     }
 }

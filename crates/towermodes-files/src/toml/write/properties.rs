@@ -5,9 +5,10 @@ use towermodes::{Planes, Properties, PropertyStation};
 use super::Writing;
 use super::text::list;
 use crate::toml::properties::shared_out;
+use crate::toml::schema;
 
 pub(super) fn properties(rows: &[PropertyStation], writing: &mut Writing) {
-    writing.section("[tower.properties]");
+    writing.section(&schema::PROPERTIES);
     let sections = || rows.iter().map(|row| &row.properties);
     let column = |key: &str, value: fn(&Properties) -> f64, writing: &mut Writing| {
         list(key, sections().map(value), writing);
@@ -20,7 +21,7 @@ pub(super) fn properties(rows: &[PropertyStation], writing: &mut Writing) {
     let keys = ["ei_fore_aft_n_m2", "ei_side_side_n_m2"];
     let bending: Vec<_> = sections().map(|p| p.bending_n_m2).collect();
     pair(keys, &bending, writing);
-    writing.line("# Torsional stiffness GJ, N m2, and axial stiffness EA, N; inf where the tower does not twist or stretch.");
+    writing.line("# Torsional stiffness GJ, N m2, and axial stiffness EA, N; inf is rigid.");
     column("gj_n_m2", |p| p.torsion_n_m2, writing);
     column("ea_n", |p| p.axial_n, writing);
     writing.line("# Inertia per length about the tower's axis, kg m.");
@@ -63,7 +64,7 @@ fn shear_stiffness(rows: &[PropertyStation], writing: &mut Writing) {
     }
     if given < rows.len() {
         let message = format!(
-            "{given} of {} rows have a shear stiffness: the others' is written as nan, which is refused",
+            "{given} of {} rows have a shear stiffness: that of the others is written as nan, which the reader refuses",
             rows.len()
         );
         writing.note(message);

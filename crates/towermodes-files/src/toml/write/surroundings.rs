@@ -4,6 +4,7 @@ use towermodes::{AddedMassRow, SoilRow, TowerDescription, Water, Wires};
 
 use super::Writing;
 use super::text::number_rows;
+use crate::toml::schema;
 
 /// A file with more wires in a set is refused.
 const MOST_WIRES: usize = 1_000_000_000;
@@ -23,8 +24,8 @@ pub(super) fn surroundings(description: &TowerDescription, writing: &mut Writing
         self::wires(wires, names.wires.get(index), writing);
     }
     if description.gravity_m_per_s2 != 0.0 {
-        writing.section("[gravity]");
-        writing.number("acceleration", description.gravity_m_per_s2, "m/s2");
+        writing.section(&schema::GRAVITY);
+        writing.number("acceleration", description.gravity_m_per_s2);
     }
 }
 
@@ -47,7 +48,7 @@ fn soil(layer: &[SoilRow], name: Option<&String>, writing: &mut Writing) {
         (true, false) => (4, ", in z (N/m2)"),
         (false, false) => (3, ""),
     };
-    writing.section("[[soil]]");
+    writing.section(&schema::SOIL);
     writing.name(name);
     writing.line(format!(
         "rows = [  # height in m, springs in x, in y (N/m2){more}"
@@ -61,36 +62,36 @@ fn added_mass(table: &[AddedMassRow], name: Option<&String>, writing: &mut Writi
         .iter()
         .map(|r| [r.height_m, r.mass_kg_per_m])
         .collect();
-    writing.section("[[added_mass]]");
+    writing.section(&schema::ADDED_MASS);
     writing.name(name);
-    writing.line("rows = [  # height in m, mass that moves with the tower in x and y in kg/m");
+    writing.open_rows("rows");
     number_rows(&rows, 2, writing);
     writing.line("]");
 }
 
 fn water(water: &Water, writing: &mut Writing) {
-    writing.section("[water]");
-    writing.number("level", water.level_m, "m");
+    writing.section(&schema::WATER);
+    writing.number("level", water.level_m);
     if let Some(bed_m) = water.bed_m {
-        writing.number("bed", bed_m, "m");
+        writing.number("bed", bed_m);
     }
-    writing.number("density", water.density_kg_per_m3, "kg/m3");
-    writing.number("added_mass_coefficient", water.added_mass_coefficient, "");
-    writing.value("flooded", if water.flooded { "true" } else { "false" }, "");
+    writing.number("density", water.density_kg_per_m3);
+    writing.number("added_mass_coefficient", water.added_mass_coefficient);
+    writing.value("flooded", if water.flooded { "true" } else { "false" });
 }
 
 fn wires(wires: &Wires, name: Option<&String>, writing: &mut Writing) {
     if !(1..=MOST_WIRES).contains(&wires.count) {
         let message = format!(
-            "a set of {} wires is refused when the file is read",
+            "a set of {} guy wires will be refused by the reader",
             wires.count
         );
         writing.note(message);
     }
-    writing.section("[[wires]]");
+    writing.section(&schema::WIRES);
     writing.name(name);
-    writing.number("height", wires.height_m, "of their upper ends, m");
-    writing.value("count", &wires.count.to_string(), "");
-    writing.number("stiffness", wires.stiffness_n_per_m, "EA/L of each, N/m");
-    writing.number("angle_deg", wires.angle_deg, "from the horizontal");
+    writing.number("height", wires.height_m);
+    writing.value("count", &wires.count.to_string());
+    writing.number("stiffness", wires.stiffness_n_per_m);
+    writing.number("angle_deg", wires.angle_deg);
 }

@@ -1,53 +1,53 @@
-//! What windIO cannot hold of a tower.
+//! The properties of a tower that windIO cannot hold.
 
 use towermodes::{Foundation, Inertia, Rna, Shear, TowerDescription};
 
-use crate::input::Note;
+use crate::note::Note;
 
-/// A note on each thing that is left out or written differently.
+/// A note on each property that is left out or written differently.
 pub(super) fn notes(description: &TowerDescription) -> Vec<Note> {
     let d = description;
     let is_heavy = |mass: &towermodes::PointMass| mass.inertia_kg_m2 != Inertia::default();
     let left_out = [
         (
             d.foundation != Foundation::Clamped,
-            "the foundation is left out: windIO has no ground under the tower",
+            "the foundation is left out: windIO has no soil or foundation",
         ),
         (!d.soil.is_empty(), "the soil is left out"),
         (d.water.is_some(), "the water is left out"),
         (!d.added_mass.is_empty(), "the added mass is left out"),
-        (!d.wires.is_empty(), "the wires are left out"),
+        (!d.wires.is_empty(), "the guy wires are left out"),
         (
             d.gravity_m_per_s2 != 0.0,
-            "gravity is left out: windIO does not say whether weights soften the tower",
+            "gravity is left out: windIO does not specify it",
         ),
         (
             d.shear != Shear::Rigid && !d.stations.is_empty(),
-            "the shear model is left out: windIO does not say whether tubes deform in shear",
+            "the shear model is left out: windIO does not specify it",
         ),
         (
             d.point_masses.iter().any(is_heavy),
-            "the inertias of point masses are left out: the format has their masses alone",
+            "the inertias of point masses are left out: the format has only their masses",
         ),
         (
             d.rna != Rna::default(),
-            "the whole rotor-nacelle assembly is written as components.drivetrain: hub and blades are in it",
+            "the whole rotor-nacelle assembly is written as components.drivetrain, which includes hub and blades",
         ),
         (
             !(1.0..=2.0).contains(&d.outfitting_factor) && !d.stations.is_empty(),
-            "the outfitting factor is not between 1 and 2, as the schema of windIO wants",
+            "the outfitting factor is not between 1 and 2, as the schema of windIO requires",
         ),
         (
             !d.properties.is_empty(),
-            "the tower has no tubes: its outer diameter is not known and written as 0",
+            "the tower has no tubes: its outer diameter is unknown and written as 0",
         ),
         (
             d.stations.first().is_some_and(|s| s.height_m < 0.0)
                 || d.properties.first().is_some_and(|p| p.height_m < 0.0),
-            "all is written as the tower, also what is below z = 0 and may be a monopile",
+            "the part below z = 0, which may be a monopile, is written as a part of the tower",
         ),
-        (true, "the drag coefficient is not known and written as 0"),
+        (true, "the drag coefficient is unknown and written as 0"),
     ];
     let found = left_out.into_iter().filter(|(is_so, _)| *is_so);
-    found.map(|(_, message)| Note::new(message)).collect()
+    found.map(|(_, message)| Note::left_out(message)).collect()
 }

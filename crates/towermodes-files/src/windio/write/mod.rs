@@ -8,7 +8,7 @@ use thiserror::Error;
 use towermodes::{PointMass, Rna, Rotor, Tower, TowerDescription};
 
 use super::rna::WHOLE_ASSEMBLY;
-use crate::input::Note;
+use crate::note::Note;
 use sections::{Axis, tables, walls};
 use yaml_text::Yaml;
 
@@ -55,7 +55,7 @@ pub fn write_windio(
         tables(description, &axis)
     };
     if axis.has_steps() {
-        notes.push(Note::new("steps are written as positions that are there twice: the schema of windIO wants different ones, 1 mm apart for instance"));
+        notes.push(Note::approximation("steps are written as two equal positions: the schema of windIO requires different ones, for instance 1 mm apart"));
     }
     if let Some(masses) = point_masses(&description.point_masses, &axis) {
         add_point_masses(&mut structure, masses);
@@ -107,7 +107,7 @@ fn straight() -> Yaml {
     curve(vec![0.0, 1.0], vec![0.0, 0.0])
 }
 
-/// The rated speed is the highest in operation; above it is only the limit of protection.
+/// The rated speed is the highest operating speed; only the protection limit is above it.
 fn control(rotor: &Rotor) -> Yaml {
     Yaml::Map(vec![
         ("min_rotor_speed", Yaml::Number(rotor.lowest_rpm)),

@@ -1,42 +1,43 @@
-//! Numbers as a list-directed read of Fortran takes them from a record: repeats, values left out,
+//! The values of a record as a list-directed read of Fortran takes them: repeats, empty values,
 //! an early end.
 
-use crate::diagnostic::Diagnostic;
-use crate::records::{Line, Token};
+use super::line::Line;
+use super::token::Token;
+use crate::diagnostic::{Diagnostic, DiagnosticKind};
 
 /// No list of a deck is longer than this.
-pub(super) const MAX_COUNT: usize = 100_000;
-/// What stands on a line beyond so many values is not looked at: a line may be as long as a file.
+pub(crate) const MAX_COUNT: usize = 100_000;
+/// Values beyond so many on a line are not read: a line may be as long as a file.
 const MAX_TOKENS: usize = 2 * MAX_COUNT;
 
-/// A value of a record, how often it is meant, and what stands between it and the value before.
+/// A value of a record, its repeats, and the commas between it and the value before.
 #[derive(Debug, Clone)]
-pub(super) struct Item<'a> {
+pub(crate) struct Item<'a> {
     /// The value.
-    pub(super) token: Token<'a>,
+    pub(crate) token: Token<'a>,
     /// How often it is repeated: `3*0.0` is three zeros.
-    pub(super) repeats: usize,
+    pub(crate) repeats: usize,
     /// Commas since the value before it, or since the record's start.
-    pub(super) commas: usize,
+    pub(crate) commas: usize,
 }
 
-/// The values of a record one after the other, with what stands between them.
+/// The values of a record one after the other, with the text between them.
 #[derive(Debug)]
-pub(super) struct Items<'a> {
+pub(crate) struct Items<'a> {
     line: Line<'a>,
     tokens: Vec<Token<'a>>,
     next: usize,
 }
 
 impl<'a> Items<'a> {
-    pub(super) fn new(line: Line<'a>) -> Self {
+    pub(crate) fn new(line: Line<'a>) -> Self {
         let tokens = line.tokens().take(MAX_TOKENS).collect();
         let next = 0;
         Self { line, tokens, next }
     }
 
     /// The next value, if there is one before the record's end or a `/`.
-    pub(super) fn next_item(&mut self) -> Result<Option<Item<'a>>, Diagnostic> {
+    pub(crate) fn next_item(&mut self) -> Result<Option<Item<'a>>, Diagnostic> {
         let Some(token) = self.tokens.get(self.next).cloned() else {
             return Ok(None);
         };
@@ -50,32 +51,32 @@ impl<'a> Items<'a> {
         }))
     }
 
-    /// The next value as it stands, without taking it.
-    pub(super) fn peek(&self) -> Option<&Token<'a>> {
+    /// The next value without taking it.
+    pub(crate) fn peek(&self) -> Option<&Token<'a>> {
         self.tokens.get(self.next)
     }
 
     /// The first of what is still to come, beyond so many values, that is a word and no number.
-    pub(super) fn label_after(&self, values: usize) -> Option<&Token<'a>> {
+    pub(crate) fn label_after(&self, values: usize) -> Option<&Token<'a>> {
         let from = (self.next + values).min(self.tokens.len());
         let mut rest = self.tokens[from..].iter();
-        rest.find(|token| token.text.contains(char::is_alphanumeric) && !is_number(token))
+        rest.find(|token| token.text.contains(char::is_alphanumeric) && !token.is_number())
     }
 
     /// Whether the next value is a number that follows by a comma and nothing else.
-    pub(super) fn is_joined_number_next(&self) -> bool {
-        let is_number = self.peek().is_some_and(|token| is_number(token));
+    pub(crate) fn is_joined_number_next(&self) -> bool {
+        let is_number = self.peek().is_some_and(|token| token.is_number());
         self.next > 0 && is_number && self.gap_before(self.next) == ","
     }
 
     /// How many numbers are still to come before anything else.
-    pub(super) fn numbers_left(&self) -> usize {
+    pub(crate) fn numbers_left(&self) -> usize {
         let rest = self.tokens[self.next.min(self.tokens.len())..].iter();
-        rest.take_while(|token| is_number(token)).count()
+        rest.take_while(|token| token.is_number()).count()
     }
 
     /// Commas after the last value.
-    pub(super) fn commas_left(&self) -> usize {
+    pub(crate) fn commas_left(&self) -> usize {
         commas(
             self.gap_before(self.tokens.len())
                 .split('/')
@@ -85,13 +86,13 @@ impl<'a> Items<'a> {
     }
 
     /// Whether a `/` ends the values.
-    pub(super) fn ends_by_slash(&self) -> bool {
+    pub(crate) fn ends_by_slash(&self) -> bool {
         let gap = self.gap_before(self.tokens.len());
         gap.trim_start_matches(|c: char| c.is_whitespace() || c == ',')
             .starts_with('/')
     }
 
-    /// What stands between a value, or the record's end, and the value before.
+    /// The text between a value, or the end of the record, and the value before.
     fn gap_before(&self, index: usize) -> &'a str {
         let base = self.line.start;
         let from = match index.checked_sub(1) {
@@ -110,11 +111,6 @@ fn commas(gap: &str) -> usize {
     gap.matches(',').count()
 }
 
-/// Whether a value is a plain number.
-pub(super) fn is_number(token: &Token<'_>) -> bool {
-    token.number("").is_ok()
-}
-
 /// `r*c` as r and c.
 fn repeated(token: Token<'_>) -> Result<(usize, Token<'_>), Diagnostic> {
     let Some((count, value)) = token.text.split_once('*').filter(|_| !token.is_quoted) else {
@@ -124,11 +120,11 @@ fn repeated(token: Token<'_>) -> Result<(usize, Token<'_>), Diagnostic> {
         return Ok((1, token));
     };
     if value.is_empty() {
-        let message = format!(
-            "`{}` leaves values out, which then are whatever they were",
-            token.text
-        );
-        return Err(Diagnostic::new(token.span, message).with_hint("write each value"));
+        let kind = DiagnosticKind::NoValue {
+            what: format!("`{}`", token.text),
+            reason: "there is no number after the `*`",
+        };
+        return Err(token.wrong(kind).with_hint("write each value"));
     }
     let start = token.span.end - value.len();
     let value = Token {

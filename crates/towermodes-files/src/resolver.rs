@@ -1,36 +1,36 @@
-//! Where the files come from that a file names.
+//! Finds the files that a main file names.
 
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
-use crate::source::{ReadError, Source};
+use crate::source::{FileError, Source};
 
 /// Gives the text of the files that a main file names: section tables of BModes decks, tower and
-/// blade files of ElastoDyn.
-pub trait Companions {
+/// blade files of ElastoDyn, station tables of tower files.
+pub trait FileResolver {
     /// The file that the main file calls `path`; either kind of slash separates folders.
     ///
     /// # Errors
-    /// [`ReadError`].
-    fn read(&self, path: &str) -> Result<Source, ReadError>;
+    /// [`FileError`].
+    fn read(&self, path: &str) -> Result<Source, FileError>;
 }
 
-/// Regular files on disk, relative to the folder of the main file, or else to the current folder.
+/// Regular files on disk, relative to the folder of the main file or to the current folder.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Beside {
+pub struct SiblingFiles {
     folder: PathBuf,
 }
 
-impl Beside {
+impl SiblingFiles {
     /// The files beside a main file.
-    pub fn file(main: &Path) -> Self {
+    pub fn of(main: &Path) -> Self {
         let folder = main.parent().map(Path::to_path_buf).unwrap_or_default();
         Self { folder }
     }
 
-    /// Where a companion is: where its path leads from the folder of the main file; or else right
-    /// beside that, whatever folder the path names, because decks are often copied flat; or else
-    /// where it leads from the current folder.
+    /// Where a file is that the main file calls `path`. Three places are tried: the path relative
+    /// to the folder of the main file; the file name alone in that folder, because decks are often
+    /// copied without their subfolders; the path relative to the current folder.
     pub fn path(&self, path: &str) -> PathBuf {
         let relative: PathBuf = path.split(['/', '\\']).collect();
         let relative = if path.starts_with('/') {
@@ -46,29 +46,24 @@ impl Beside {
     }
 }
 
-impl Companions for Beside {
-    fn read(&self, path: &str) -> Result<Source, ReadError> {
+impl FileResolver for SiblingFiles {
+    fn read(&self, path: &str) -> Result<Source, FileError> {
         Source::from_regular_file(&self.path(path))
     }
 }
 
-/// Files in memory by name, for tests and for programs that have no disk.
+/// Files in memory by name, for tests and for programs without a disk.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub struct InMemory {
     /// The text of each file.
     pub files: BTreeMap<String, String>,
 }
 
-impl Companions for InMemory {
-    fn read(&self, path: &str) -> Result<Source, ReadError> {
-        match self.files.get(path) {
-            Some(text) => Ok(Source {
-                name: path.to_owned(),
-                text: text.clone(),
-            }),
-            None => Err(ReadError::Missing {
-                name: path.to_owned(),
-            }),
-        }
+impl FileResolver for InMemory {
+    fn read(&self, path: &str) -> Result<Source, FileError> {
+        let missing = || FileError::Missing { name: path.into() };
+        let text = self.files.get(path).cloned().ok_or_else(missing)?;
+        let name = path.to_owned();
+        Ok(Source { name, text })
     }
 }

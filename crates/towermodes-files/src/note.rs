@@ -1,0 +1,130 @@
+//! Notes: what a reader or writer decided, left out or changed.
+
+use std::fmt;
+
+use crate::diagnostic::line_and_column;
+use crate::source::Source;
+
+/// What a note is about.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum NoteKind {
+    /// How the file was read or written.
+    Information,
+    /// A value that the file does not give, or a choice that it leaves open.
+    Assumption,
+    /// Content that is not used, because it has no effect or is not modelled.
+    LeftOut,
+    /// Content that is used in another form than it is given.
+    Approximation,
+    /// A part of the turbine that the model lacks: the result may be that of another tower than
+    /// the user expects.
+    MissingPart,
+    /// A value that the program of this format treats in another way, by an error of that program
+    /// or by its assumptions.
+    Compatibility,
+    /// A value that looks wrong.
+    Suspicious,
+}
+
+/// What a reader or writer decided, left out or changed.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Note {
+    /// What it is about.
+    pub kind: NoteKind,
+    /// The sentence, with the numbers.
+    pub message: String,
+    /// The file and the line (from 1), if the note is on one.
+    pub place: Option<(String, usize)>,
+}
+
+impl Note {
+    /// Information on the whole file.
+    pub fn new(message: impl Into<String>) -> Self {
+        Self::of(NoteKind::Information, message)
+    }
+
+    /// A note of any kind on the whole file.
+    pub fn of(kind: NoteKind, message: impl Into<String>) -> Self {
+        Self {
+            kind,
+            message: message.into(),
+            place: None,
+        }
+    }
+
+    /// [`NoteKind::Assumption`].
+    pub fn assumption(message: impl Into<String>) -> Self {
+        Self::of(NoteKind::Assumption, message)
+    }
+
+    /// [`NoteKind::LeftOut`].
+    pub fn left_out(message: impl Into<String>) -> Self {
+        Self::of(NoteKind::LeftOut, message)
+    }
+
+    /// [`NoteKind::Approximation`].
+    pub fn approximation(message: impl Into<String>) -> Self {
+        Self::of(NoteKind::Approximation, message)
+    }
+
+    /// [`NoteKind::MissingPart`].
+    pub fn missing_part(message: impl Into<String>) -> Self {
+        Self::of(NoteKind::MissingPart, message)
+    }
+
+    /// [`NoteKind::Compatibility`].
+    pub fn compatibility(message: impl Into<String>) -> Self {
+        Self::of(NoteKind::Compatibility, message)
+    }
+
+    /// [`NoteKind::Suspicious`].
+    pub fn suspicious(message: impl Into<String>) -> Self {
+        Self::of(NoteKind::Suspicious, message)
+    }
+
+    /// The same note on a byte of a file.
+    #[must_use]
+    pub fn at(mut self, source: &Source, byte: usize) -> Self {
+        let (line, _) = line_and_column(&source.text, byte);
+        self.place = Some((source.name.clone(), line));
+        self
+    }
+
+    /// Whether it is on a part of the turbine that the model lacks.
+    pub fn is_on_missing_part(&self) -> bool {
+        self.kind == NoteKind::MissingPart
+    }
+}
+
+impl fmt::Display for Note {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        if let Some((file, line)) = &self.place {
+            write!(f, "{file}:{line}: ")?;
+        }
+        write!(f, "{}", self.message)
+    }
+}
+
+/// Notes on a rotor and its blades.
+#[derive(Debug, Clone, Default, PartialEq, Eq)]
+pub struct RotorNotes {
+    /// On its operating speeds: not relevant where other speeds are given.
+    pub speeds: Vec<Note>,
+    /// On the number of its blades: not relevant where another number is given.
+    pub blades: Vec<Note>,
+    /// All others.
+    pub others: Vec<Note>,
+}
+
+impl RotorNotes {
+    /// All notes, those on speeds first.
+    pub fn iter(&self) -> impl Iterator<Item = &Note> {
+        self.of_rotor().chain(&self.others)
+    }
+
+    /// Notes on its speeds and the number of its blades, which hold wherever the rotor is used.
+    pub fn of_rotor(&self) -> impl Iterator<Item = &Note> {
+        self.speeds.iter().chain(&self.blades)
+    }
+}

@@ -1,0 +1,210 @@
+//! Explains what the parser of TOML cannot read: numbers with units, decimal commas, numbers without a
+//! digit beside the point, texts without quotation marks.
+
+use std::ops::Range;
+
+use super::schema::tower_file_schema;
+use crate::diagnostic::{Diagnostic, DiagnosticKind, quoted};
+
+/// The mistake behind an error of the parser.
+pub(super) fn syntax_mistake(error: &::toml::de::Error, text: &str) -> Diagnostic {
+    let span = error.span().unwrap_or(text.len()..text.len());
+    let ends_early = span.start >= text.trim_end().len();
+    let explained = value_at(span.start.min(text.len()), text).and_then(|value| value.explained());
+    if let Some(mistake) = explained.filter(|_| !ends_early) {
+        return mistake;
+    }
+    let reason = error.message().lines().collect::<Vec<_>>().join("; ");
+    let format = "TOML";
+    let mistake = Diagnostic::new(span, DiagnosticKind::Syntax { format, reason });
+    match ends_early {
+        true => mistake.with_hint("the file ends here; is it complete?"),
+        false => mistake,
+    }
+}
+
+/// A value without brackets or quotation marks, as written.
+struct Written<'a> {
+    /// Its key; none within a list.
+    key: Option<&'a str>,
+    text: &'a str,
+    span: Range<usize>,
+}
+
+/// The value at or just before a byte: that of a `key = value`, or an entry of a list.
+fn value_at(byte: usize, text: &str) -> Option<Written<'_>> {
+    let start = text
+        .get(..byte)?
+        .rfind('\n')
+        .map_or(0, |newline| newline + 1);
+    let line = text[start..].lines().next()?;
+    if let Some((key, value)) = line.split_once('=') {
+        let value = value.split('#').next().unwrap_or_default();
+        let is_list = value.contains(['[', '{', '"', '\'']);
+        let from = start + key.len() + 1 + (value.len() - value.trim_start().len());
+        let text = value.trim();
+        if !is_list && !text.is_empty() {
+            let (key, span) = (Some(key.trim()), from..from + text.len());
+            return Some(Written { key, text, span });
+        }
+    }
+    let is_end = |c: char| c.is_whitespace() || ",[]{}=#\"'".contains(c);
+    let from = text[..byte]
+        .rfind(is_end)
+        .map_or(0, |end| end + 1)
+        .max(start);
+    let word = text[from..].split(is_end).next()?;
+    let (key, span) = (None, from..from + word.len());
+    (!word.is_empty()).then_some(Written {
+        key,
+        text: word,
+        span,
+    })
+}
+
+impl Written<'_> {
+    /// The mistake, if its cause is known.
+    fn explained(&self) -> Option<Diagnostic> {
+        let is_of_number = |c: char| c.is_ascii_digit() || "+-.,eE_".contains(c);
+        let length = self
+            .text
+            .find(|c| !is_of_number(c))
+            .unwrap_or(self.text.len());
+        let (mut number, mut tail) = self.text.split_at(length);
+        // The `e` of a unit or a word is no exponent.
+        if !number.ends_with(|c: char| c.is_ascii_digit() || c == '.') {
+            let end = number
+                .rfind(|c: char| c.is_ascii_digit())
+                .map_or(0, |at| at + 1);
+            (number, tail) = self.text.split_at(end);
+        }
+        let tail = tail.trim();
+        if !number.contains(|c: char| c.is_ascii_digit()) {
+            return self.without_quotes();
+        }
+        let value = number.replace(',', ".").replace('_', "").parse::<f64>();
+        let value = value.ok().filter(|value| value.is_finite())?;
+        let hint = if number.contains(',') {
+            format!("write a decimal point: {value}")
+        } else if !tail.is_empty() {
+            self.without_unit(number, value, tail)?
+        } else if number.starts_with('0') && !number.contains('.') && number.len() > 1 {
+            // The rest of a number with a decimal comma in a list.
+            format!("write a decimal point, as 0.{number}, or the number without zeros before it")
+        } else {
+            format!("write a digit before and after the point: {value:?}")
+        };
+        Some(self.mistake("a number").with_hint(hint))
+    }
+
+    fn mistake(&self, expected: &str) -> Diagnostic {
+        let what = self.key.unwrap_or("a value");
+        let kind = DiagnosticKind::wrong_type(what, expected, quoted(self.text));
+        Diagnostic::new(self.span.clone(), kind)
+    }
+
+    /// A number with a unit: what to write in the unit of the key.
+    fn without_unit(&self, number: &str, value: f64, unit: &str) -> Option<String> {
+        if !unit.starts_with(char::is_alphabetic) {
+            return None;
+        }
+        let keys = || {
+            tower_file_schema()
+                .iter()
+                .filter_map(|table| table.key(self.key?))
+        };
+        let base = keys().map(|key| key.unit).find(|unit| !unit.is_empty());
+        let factor = UNITS
+            .iter()
+            .find(|(name, _, of)| *name == unit && Some(*of) == base);
+        Some(match (factor, base) {
+            (Some((_, factor, base)), _) => {
+                format!("write {} ({base}), without a unit", value * factor)
+            }
+            (None, Some(base)) => format!("write {number} without a unit; it is in {base}"),
+            (None, None) => format!("write {number} without a unit: units are m, kg, N and Pa"),
+        })
+    }
+
+    /// A text without quotation marks.
+    fn without_quotes(&self) -> Option<Diagnostic> {
+        let is_text = self.text.starts_with(char::is_alphabetic) && self.key.is_some();
+        let hint = match self.text {
+            "True" | "TRUE" | "False" | "FALSE" => {
+                format!("write {}, in small letters", self.text.to_lowercase())
+            }
+            text => format!("write \"{text}\""),
+        };
+        let expected = "a number, true, false or a text in quotation marks";
+        is_text.then(|| self.mistake(expected).with_hint(hint))
+    }
+}
+
+/// Units that people write, what they are in the unit of a key, and that unit.
+const UNITS: [(&str, f64, &str); 14] = [
+    ("t", 1e3, "kg"),
+    ("kg", 1.0, "kg"),
+    ("m", 1.0, "m"),
+    ("km", 1e3, "m"),
+    ("Pa", 1.0, "Pa"),
+    ("kPa", 1e3, "Pa"),
+    ("MPa", 1e6, "Pa"),
+    ("GPa", 1e9, "Pa"),
+    ("N/m", 1.0, "N/m"),
+    ("kN/m", 1e3, "N/m"),
+    ("MN/m", 1e6, "N/m"),
+    ("kg/m3", 1.0, "kg/m3"),
+    ("t/m3", 1e3, "kg/m3"),
+    ("m/s2", 1.0, "m/s2"),
+];
+
+#[cfg(test)]
+mod tests {
+    use crate::tower_from_toml;
+
+    #[test]
+    fn slips_of_pen_are_explained() {
+        for (text, message, hint) in [
+            (
+                "[rna]\nmass = 3 t\n",
+                "mass must be a number, found `3 t`",
+                "write 3000 (kg), without a unit",
+            ),
+            (
+                "[rna]\nmass = 350e3 kg # x\n",
+                "mass must be a number, found `350e3 kg`",
+                "write 350000 (kg), without a unit",
+            ),
+            (
+                "[rna]\nmass = 0,027\n",
+                "mass must be a number, found `0,027`",
+                "write a decimal point: 0.027",
+            ),
+            (
+                "[rna]\nmass = .027\n",
+                "mass must be a number, found `.027`",
+                "write a digit before and after the point: 0.027",
+            ),
+            (
+                "[rna]\nmass = 5.\n",
+                "mass must be a number, found `5.`",
+                "write a digit before and after the point: 5.0",
+            ),
+            (
+                "[tower]\nstations = [[0.0, 6.0, .027]]\n",
+                "a value must be a number, found `.027`",
+                "write a digit before and after the point: 0.027",
+            ),
+            (
+                "name = My tower\n",
+                "name must be a number, true, false or a text in quotation marks, found `My tower`",
+                "write \"My tower\"",
+            ),
+        ] {
+            let mistakes = tower_from_toml(text).expect_err("a mistake");
+            assert_eq!(mistakes.len(), 1, "{text}");
+            assert_eq!(mistakes[0].message(), message);
+            assert_eq!(mistakes[0].hint.as_deref(), Some(hint), "{text}");
+        }
+    }
+}
