@@ -116,10 +116,12 @@ pub enum DiagnosticKind {
         rule: String,
     },
     /// A number that is infinite or NaN.
-    #[error("{what} is not a finite number")]
+    #[error("{what} is {value}, not a finite number")]
     NotFinite {
         /// The quantity.
         what: String,
+        /// Its value.
+        value: Exact,
     },
     /// A product of values that double precision cannot hold.
     #[error("{what} is too large or too small for a double-precision number")]
@@ -127,8 +129,8 @@ pub enum DiagnosticKind {
         /// The product.
         what: String,
     },
-    /// Values that must increase along the file and do not.
-    #[error("{what} must not decrease: {} follows {}", value.show(unit), previous.show(unit))]
+    /// Values that must increase along the file but do not.
+    #[error("{what} is not in increasing order: {} follows {}", value.show(unit), previous.show(unit))]
     NotRising {
         /// The quantity.
         what: String,
@@ -140,12 +142,14 @@ pub enum DiagnosticKind {
         unit: &'static str,
     },
     /// A list or row of the wrong length.
-    #[error("{what} has {found} values instead of {expected}")]
+    #[error("{what} has {found} {items} instead of {expected}")]
     WrongCount {
-        /// The list or row.
+        /// The list, table or row.
         what: String,
-        /// The number of its values.
+        /// The number of its items.
         found: usize,
+        /// Its items: `values`, `rows` or `columns`.
+        items: &'static str,
         /// The number that is expected, such as `3 or 4`.
         expected: String,
     },
@@ -271,10 +275,29 @@ impl DiagnosticKind {
         found: usize,
         expected: impl ToString,
     ) -> Self {
+        Self::wrong_count_of("values", what, found, expected)
+    }
+
+    /// [`Self::WrongCount`] of other items than values.
+    pub(crate) fn wrong_count_of(
+        items: &'static str,
+        what: impl Into<String>,
+        found: usize,
+        expected: impl ToString,
+    ) -> Self {
         Self::WrongCount {
             what: what.into(),
             found,
+            items,
             expected: expected.to_string(),
+        }
+    }
+
+    /// [`Self::NotFinite`].
+    pub(crate) fn not_finite(what: impl Into<String>, value: f64) -> Self {
+        Self::NotFinite {
+            what: what.into(),
+            value: Exact(value),
         }
     }
 

@@ -116,7 +116,7 @@ fn factors_scale_their_columns() {
     noted(
         &input.notes,
         37,
-        &["swaps", "flp_stff_mult = 4", "--bmodes-quirks does as"],
+        &["swaps", "flp_stff_mult = 4", "--bmodes-quirks: as in"],
     );
     let quirks = decks::tower(&main, SECTIONS, true);
     let row = &quirks.description.properties[0].properties;
@@ -124,14 +124,14 @@ fn factors_scale_their_columns() {
         (row.bending_n_m2.fore_aft, row.bending_n_m2.side_side),
         (2.5e12, 2e12)
     );
-    noted(&quirks.notes, 37, &["swaps", "so it is done here"]);
+    noted(&quirks.notes, 37, &["swaps", "as in BModes 3.00 (--bmodes-quirks)"]);
 }
 
 #[test]
 fn quirks_take_the_axial_offset_for_the_lateral_one() {
     let input = decks::tower(&tower_file(ALONE), SECTIONS, true);
     assert_eq!(input.description.rna.center_m, [2.5, 0.0, 0.0]);
-    noted(&input.notes, 21, &["so it is done here"]);
+    noted(&input.notes, 21, &["as in BModes 3.00 (--bmodes-quirks)"]);
     let none = [
         ("-1.5      cm_loc", "0. cm_loc"),
         ("2.5       cm_axial", "0. cm_axial"),
@@ -340,7 +340,7 @@ fn columns_that_towers_do_not_have_may_be_anything() {
     let input = decks::tower(&tower_file(ALONE), &with(SECTIONS, &[(row, other)]), false);
     let plain = decks::tower(&tower_file(ALONE), SECTIONS, false);
     assert_eq!(input.description, plain.description);
-    noted(&input.notes, 8, &["edge_stff = 0e0", "not read for towers"]);
+    noted(&input.notes, 8, &["edge_stff = 0e0", "not used for towers"]);
     noted(&input.notes, 8, &["cg_offst", "not all 0"]);
     noted(&input.notes, 8, &["more than 13 numbers"]);
 }

@@ -191,8 +191,8 @@ fn the_tower_of_a_deck_has_the_frequencies_of_the_tower() {
         assert_near(deck, own, 1e-5);
     }
     deck.says("point masses at the top (1) are part of the tip mass, 355000 kg");
-    deck.says("20000 kg at 50 m are spread over 0.435 m");
-    deck.says("reads cm_axial in place of cm_loc");
+    deck.says("20000 kg at 50 m is distributed over 0.435 m");
+    deck.says("reads cm_axial as cm_loc");
 }
 
 #[test]
@@ -283,7 +283,7 @@ fn masses_keep_their_mass_their_centre_and_their_inertia_about_the_axis() {
             .fold(1.0, f64::min);
         assert!(nearest < 1e-12, "{end}: {borders:?}");
     }
-    with.says("of its inertia only zz is kept");
+    with.says("only zz of its inertia is kept");
 }
 
 #[test]
@@ -331,7 +331,7 @@ fn what_bmodes_leaves_out_is_said() {
     description.gravity_m_per_s2 = 9.81;
     let deck = written(&description);
     deck.says("BModes has no shear deformation: Cowper's shear coefficient is left out");
-    deck.says("BModes has no gravity: the weights (9.81 m/s2) are left out");
+    deck.says("BModes has no gravity: 9.81 m/s2 is left out");
 }
 
 #[test]
@@ -354,14 +354,14 @@ fn no_more_elements_than_bmodes_takes_and_no_heights_too_close() {
     description.stations = steps(150, 1.0);
     let deck = written(&description);
     assert_eq!(deck.value("nselt"), 60.0);
-    deck.says("would need 150 elements, and BModes 3.00 takes 111");
+    deck.says("need 150 elements, but BModes 3.00 has at most 111");
     description.stations = steps(20, 1e-8);
     description
         .stations
         .push(Station::new(20.0 * 1e-8, 6.0, 0.03));
     description.stations.push(Station::new(100.0, 6.0, 0.03));
     let deck = written(&description);
-    deck.says("heights are written as those beside them");
+    deck.says("heights are merged with neighbours");
     let tower = Tower::new(tubes()).expect("a tower");
     let options = |elements| BmodesWriteOptions {
         elements,

@@ -49,8 +49,8 @@ fn masses_at_the_ends_are_part_of_what_is_there() {
     assert_near(deck.value("ixx_tip"), 10.0 + 3480.0, 1e-12);
     assert_near(deck.value("iyy_tip"), 20.0 + 3120.0, 1e-12);
     assert_near(deck.value("izz_tip"), 30.0 + 600.0, 1e-12);
-    deck.says("side-side offset of the tip mass: the 0.6 m are left out");
-    let mass = deck.matrix("(hydro_M", 6);
+    deck.says("side-side offset of the tip mass: 0.6 m is left out");
+    let mass = deck.matrix("hydro_M (", 6);
     let diagonal: Vec<f64> = (0..6).map(|i| mass[i][i]).collect();
     assert_eq!(diagonal, [1000.0, 1000.0, 1000.0, 10.0, 20.0, 30.0]);
     assert_eq!(
@@ -65,7 +65,7 @@ fn masses_at_the_ends_are_part_of_what_is_there() {
         ),
         (0.0, 0.0, 0.0)
     );
-    let springs = deck.matrix("(mooring_K", 6);
+    let springs = deck.matrix("mooring_K (", 6);
     assert_eq!(springs[0], [1e9, 0.0, 0.0, 0.0, -3e9, 0.0]);
     assert_eq!(springs[1], [0.0, 1e9, 0.0, 3e9, 0.0, 0.0]);
     assert_eq!(
@@ -97,7 +97,7 @@ fn bases_are_held_as_bmodes_can_say_it() {
         (3.0, 20.0, 80.0)
     );
     assert_eq!(deck.value("ref_msl"), 20.0);
-    let matrix = deck.matrix("(mooring_K", 6);
+    let matrix = deck.matrix("mooring_K (", 6);
     assert_eq!((matrix[1][1], matrix[2][2], matrix[5][5]), (1e9, 0.0, 0.0));
     let clamped = written(&springs(rigid, rigid, rigid, rigid));
     assert_eq!(
@@ -141,18 +141,18 @@ fn matrices_and_footings_are_the_moorings_of_the_base() {
         (-10.0, -10.0, 0.0)
     );
     assert_eq!(
-        deck.matrix("(mooring_K", 6),
+        deck.matrix("mooring_K (", 6),
         stiffness.map(|row| row.to_vec())
     );
-    assert_eq!(deck.matrix("(hydro_M", 6), inertia.map(|row| row.to_vec()));
-    assert_eq!(deck.matrix("(hydro_K", 6), vec![vec![0.0; 6]; 6]);
+    assert_eq!(deck.matrix("hydro_M (", 6), inertia.map(|row| row.to_vec()));
+    assert_eq!(deck.matrix("hydro_K (", 6), vec![vec![0.0; 6]; 6]);
     description.foundation = Foundation::HalfSpace(HalfSpace {
         radius_m: 8.0,
         embedment_m: 0.0,
         shear_modulus_pa: 5e7,
         poissons_ratio: 0.5,
     });
-    let matrix = written(&description).matrix("(mooring_K", 6);
+    let matrix = written(&description).matrix("mooring_K (", 6);
     // 4GR/(1−ν) and 16GR³/3.
     assert_near(matrix[2][2], 3.2e9, 1e-14);
     assert_near(matrix[5][5], 16.0 * 5e7 * 512.0 / 3.0, 1e-14);
@@ -203,25 +203,25 @@ fn a_floating_platform_is_the_platform_of_the_deck() {
         (90.0, 7.5e6)
     );
     assert_eq!(deck.value("ref_msl"), 0.0);
-    let inertia = deck.matrix("(i_matrix_pform", 3);
+    let inertia = deck.matrix("i_matrix_pform (", 3);
     assert_eq!(
         inertia,
         [[4e9, 0.0, 2e6], [0.0, 4.1e9, 0.0], [2e6, 0.0, 1.6e8]]
     );
     assert_eq!(
-        deck.matrix("(hydro_M", 6)[0],
+        deck.matrix("hydro_M (", 6)[0],
         [8e6, 0.0, 0.0, 0.0, 0.0, 0.0]
     );
-    assert_eq!(deck.matrix("(hydro_K", 6)[3][3], -5e9);
+    assert_eq!(deck.matrix("hydro_K (", 6)[3][3], -5e9);
     // 70 m below the reference point: -k h and k h², with the sign of rotation about y and about x.
-    let mooring = deck.matrix("(mooring_K", 6);
+    let mooring = deck.matrix("mooring_K (", 6);
     assert_eq!(mooring[0], [4e4, 0.0, 0.0, 0.0, -2.8e6, 0.0]);
     assert_eq!(mooring[1], [0.0, 5e4, 0.0, 3.5e6, 0.0, 0.0]);
     assert_eq!(
         (mooring[3][3], mooring[4][4]),
         (3e8 + 5e4 * 4900.0, 3e8 + 4e4 * 4900.0)
     );
-    deck.says("the matrix of mooring is written as it is about the height 0 m");
+    deck.says("the matrix of mooring is transformed to the height 0 m");
 }
 
 #[test]
@@ -239,10 +239,10 @@ fn the_weights_hold_a_platform_upright() {
     let deck = written(&description);
     let tower_kg = 8500.0 * PI * 0.027 * (6.0 - 0.027) * 80.0;
     let weights = -10.0 * (7.5e6 * -90.0 + tower_kg * 50.0 + 350e3 * 92.0);
-    let mooring = deck.matrix("(mooring_K", 6);
+    let mooring = deck.matrix("mooring_K (", 6);
     assert_near(mooring[3][3], 3e8 + 5e4 * 4900.0 + weights, 1e-12);
     assert_near(mooring[4][4], 3e8 + 4e4 * 4900.0 + weights, 1e-12);
-    deck.says("what the weights of platform, tower and machine (10 m/s2)");
+    deck.says("BModes has no gravity (10 m/s2): the geometric stiffness of platform, tower and RNA");
 }
 
 #[test]
@@ -255,7 +255,7 @@ fn a_platform_beside_the_axis_keeps_its_inertia() {
         ..platform()
     };
     description.foundation = Foundation::Floating(Box::new(beside));
-    let added = written(&description).matrix("(hydro_M", 6);
+    let added = written(&description).matrix("hydro_M (", 6);
     let m = 7.5e6;
     // What the offset changes of the inertia about the reference point: moments m x, m y, and m
     // (y², x², x² + y²), -m x y, -m x z, -m y z.
@@ -303,7 +303,7 @@ fn soil_is_the_table_of_stiffness() {
     }
     assert!(deck.table("m").is_empty());
     // 15 m of 2e6 N/m².
-    deck.says("3e7 N/m and 0 N m in all, are left out");
+    deck.says("3e7 N/m and 0 N m, are left out");
     assert!(
         deck.borders()
             .iter()
@@ -317,7 +317,7 @@ fn soil_is_the_table_of_stiffness() {
         torsion_n_m: 1e9,
     });
     let deck = written(&description);
-    assert_near(deck.matrix("(mooring_K", 6)[2][2], 1.03e9, 1e-12);
+    assert_near(deck.matrix("mooring_K (", 6)[2][2], 1.03e9, 1e-12);
     deck.says("are written as springs of the base");
     description.soil[0][1].stiffness.y_n_per_m2 = 2e8;
     let error = try_to_write(&description).expect_err("soil that is not round");
@@ -397,7 +397,7 @@ fn wires_on_land_are_at_nodes() {
         .into_iter()
         .map(|node| borders[node as usize - 1]);
     assert_eq!(nodes.collect::<Vec<f64>>(), [0.33, 0.71, 1.0]);
-    deck.says("twice as much, and nothing vertically");
+    deck.says("twice as much, and no vertical spring");
 }
 
 #[test]
@@ -429,11 +429,11 @@ fn wires_beside_springs_are_spread_like_soil() {
         assert_near(row.0, expected.0, 1e-13);
         assert!((row.1 - expected.1).abs() <= 1e-9 * top, "{row:?}");
     }
-    let mooring = deck.matrix("(mooring_K", 6);
+    let mooring = deck.matrix("mooring_K (", 6);
     assert_eq!(mooring[0][0], 1e8 + 3e6);
     // n k sin² of the first set.
     assert_near(mooring[2][2], 1e9 + 4.0 * 1.5e6 * 0.75, 1e-12);
-    deck.says("the horizontal stiffness of set 1 of wires");
+    deck.says("the horizontal stiffness of set 1 of guy wires");
 }
 
 #[test]
@@ -446,7 +446,7 @@ fn a_tower_below_its_datum_is_moved_up() {
     let deck = written(&description);
     assert_eq!((deck.value("radius"), deck.value("draft")), (100.0, 0.0));
     assert_eq!(deck.table("k"), [(0.0, 1e8), (20.0, 1e8)]);
-    deck.says("heights are written from its base, 120 m higher");
+    deck.says("heights are written from the base, shifted by 120 m");
 }
 
 fn any_tower() -> BoxedStrategy<TowerDescription> {

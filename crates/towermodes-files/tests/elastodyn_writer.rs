@@ -138,7 +138,7 @@ fn every_rule_of_openfast_is_kept() {
         ),
         (
             |c| c.fore_aft_tuners[0] = 0.0,
-            "FAStTunr(1) is 0; it must be above 0",
+            "FAStTunr(1) is 0; it must be greater than 0",
         ),
         (|c| c.side_side_tuners[1] = f64::NAN, "SSStTunr(2) is NaN"),
         (|c| c.mass_factor = f64::INFINITY, "AdjTwMa is inf"),

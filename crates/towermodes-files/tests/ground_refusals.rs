@@ -119,7 +119,7 @@ fn matrices_of_another_size() {
         "[0, 0, 5e9, 0, 0, 0]",
         "5e9",
         "12:3",
-        "row 3 of matrix must be a list in brackets, not a number",
+        "row 3 of matrix must be a list in brackets, found a number",
         "",
     );
     refused(
@@ -127,7 +127,7 @@ fn matrices_of_another_size() {
         "5e9",
         "\"5e9\"",
         "12:10",
-        "row 3 of matrix, column 3, must be a number, not a text",
+        "row 3 of matrix, column 3, must be a number, found a text",
         "without quotation marks",
     );
     refused(
@@ -135,7 +135,7 @@ fn matrices_of_another_size() {
         "5e9",
         "nan",
         "12:10",
-        "row 3 of matrix, column 3, is nan",
+        "row 3 of matrix, column 3, is NaN",
         "",
     );
 }
@@ -210,7 +210,7 @@ fn springs_that_no_base_has() {
         "= inf",
         "= 1e999",
         "12:11",
-        "torsion is infinite or too large",
+        "torsion is inf",
         "",
     );
     refused(
@@ -218,7 +218,7 @@ fn springs_that_no_base_has() {
         "= -4e8",
         "= inf",
         "13:12",
-        "coupling is infinite",
+        "coupling is inf",
         "",
     );
     refused(
@@ -226,7 +226,7 @@ fn springs_that_no_base_has() {
         "= 1e8",
         "= inf",
         "13:12",
-        "a coupling spring means nothing",
+        "a coupling spring has no effect",
         "leave coupling out",
     );
     refused(
@@ -303,7 +303,7 @@ fn footings_that_cannot_be() {
         "5e7",
         "inf",
         "10:22",
-        "soil_shear_modulus is infinite",
+        "soil_shear_modulus is inf",
         "",
     );
 }
@@ -323,7 +323,7 @@ fn platforms_that_do_not_float() {
         "3.3e5",
         "1e999",
         "16:10",
-        "row 3 of hydrostatic, column 3, is infinite or too large",
+        "row 3 of hydrostatic, column 3, is inf",
         "",
     );
     refused(
@@ -332,7 +332,7 @@ fn platforms_that_do_not_float() {
         "lateral = inf\nmass = 7.5e6",
         "9:1",
         "`lateral` is not a key of [foundation] of type \"floating\"",
-        "it belongs to type = \"springs\"; a floating platform is not rigidly held",
+        "it belongs to type = \"springs\"; a floating platform is held by",
     );
     refused(
         FLOATING,
@@ -340,15 +340,15 @@ fn platforms_that_do_not_float() {
         "",
         "7:1",
         "has no `hydrostatic_height`",
-        "of the point that the matrix is about",
+        "of the reference point of the matrix",
     );
     refused(
         FLOATING,
         "hydrostatic_height",
         "mooring_height = -70.0\nhydrostatic_height",
         "12:18",
-        "`mooring_height` means nothing without `mooring`",
-        "give the matrix too",
+        "`mooring_height` has no effect without `mooring`",
+        "add the matrix",
     );
     refused(
         FLOATING,
@@ -416,7 +416,7 @@ fn types_and_their_keys() {
         "\"jelly\"",
         "8:8",
         "there is no foundation of type `jelly`",
-        "there are clamped, stiffness, springs, half-space, floating",
+        "types: clamped, stiffness, springs, half-space, floating",
     );
     refused(
         SPRINGS,
@@ -485,7 +485,7 @@ fn soil_that_cannot_be() {
         "[-10.0, 0, 0]",
         "[-10.0, 0, 0, 0]",
         "11:3",
-        "row 2 of the soil has 4 values, but the first row has 3",
+        "row 2 of the soil has 4 values instead of 3 as the first row",
         "",
     );
     refused(
@@ -493,7 +493,7 @@ fn soil_that_cannot_be() {
         "[-10.0, 0, 0]",
         "-10.0",
         "11:3",
-        "row 2 of the soil must be a list in brackets, not a number",
+        "row 2 of the soil must be a list in brackets, found a number",
         "",
     );
     refused(
@@ -509,7 +509,7 @@ fn soil_that_cannot_be() {
         "2e7",
         "inf",
         "10:11",
-        "the soil spring in x is infinite",
+        "the soil spring in x is inf",
         "",
     );
     refused(
@@ -603,7 +603,7 @@ fn water_that_cannot_be() {
         "= true",
         "= 1",
         "12:11",
-        "flooded must be true or false, not a number",
+        "flooded must be true or false, found a number",
         "",
     );
     refused(
@@ -630,9 +630,9 @@ fn wires_that_cannot_be() {
         ("0", "count is 0"),
         ("-3", "count is -3"),
         ("3.5", "count is 3.5"),
-        ("1e300", "count is 1e300, not a number of wires"),
+        ("1e300", "count is 1e300"),
     ] {
-        let hint = "a whole number of at least 3";
+        let hint = "";
         let to = format!("count = {count}");
         refused(WIRES, "count = 3", &to, "10:9", said, hint);
     }

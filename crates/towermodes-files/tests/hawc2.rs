@@ -99,8 +99,8 @@ fn what_was_chosen_and_left_out_is_said() {
                   not read: set 1, subset 2 (Stiff; E 2e17 Pa, G 8e17 Pa)";
     assert!(has_note(&input, chosen), "{:?}", input.notes);
     assert!(has_note(&input, "deform in shear"));
-    assert!(has_note(&input, "clamped at 0 m, reaches to 80 m"));
-    assert!(!has_note(&input, "rigid on purpose"));
+    assert!(has_note(&input, "from 0 m, where it is clamped, to 80 m"));
+    assert!(!has_note(&input, "intended to be rigid"));
     assert_eq!(input.notes.len(), 3);
 
     let stiff = ReadOptions {
@@ -111,13 +111,13 @@ fn what_was_chosen_and_left_out_is_said() {
     let input = read(GOOD, &stiff);
     assert_eq!(input.description.properties.len(), 2);
     assert!(has_note(&input, "set 1, subset 2 (Stiff"));
-    assert!(has_note(&input, "rigid on purpose"));
-    assert!(has_note(&input, "would need a base at 20 m"));
+    assert!(has_note(&input, "intended to be rigid"));
+    assert!(has_note(&input, "needs a base at 20 m"));
 
     let cut = GOOD.replacen("$2 2", "$2 3", 1);
     let error = read_hawc2(source(&cut), &stiff).expect_err("cut off");
-    let words = "set 1, subset 2 announces 3 rows, but 2 follow (the file ends after them; is it complete?)";
-    assert_eq!(error.to_string(), format!("tower_st.dat: {words}"));
+    let words = "set 1, subset 2 has 2 rows instead of 3 (the file ends after them: is it complete?)";
+    assert_eq!(error.to_string(), format!("tower_st.dat:10:1: {words}"));
 }
 
 #[test]
@@ -128,7 +128,7 @@ fn a_subset_that_is_not_there_is_answered_with_those_that_are() {
     };
     let error = read_hawc2(source(GOOD), &options).expect_err("no such set");
     let words =
-        "tower_st.dat: there is no set 2, subset 1 (the file has set 1, subset 1; set 1, subset 2)";
+        "tower_st.dat:3:1: set 2, subset 1 is missing (the file has set 1, subset 1; set 1, subset 2)";
     assert_eq!(error.to_string(), words);
 }
 
@@ -141,7 +141,7 @@ fn zero_shear_factors_and_radii_are_a_beam_without() {
     assert_eq!(section.rotary_inertia_kg_m.fore_aft, 0.0);
     assert_eq!(section.torsion_n_m2, f64::INFINITY);
     assert!(has_note(&input, "k_x and k_y are 0"));
-    assert!(has_note(&input, "does not twist"));
+    assert!(has_note(&input, "rigid in torsion"));
 }
 
 #[test]
@@ -158,7 +158,7 @@ fn offsets_turns_and_directions_are_noted() {
     // ½ (4 − 3)/4 sin 1° = 0.2 %.
     let text = GOOD.replacen("1.0 0 0 0", "1.0 0.5 0 0", 1);
     let input = read(&text, &ReadOptions::default());
-    assert!(has_note(&input, "turn of the principal axes"));
+    assert!(has_note(&input, "rotation of the principal axes"));
 
     let text = GOOD.replacen("2.0 1.0 3.0", "5.0 4.0 9.0", 1);
     let input = read(&text, &ReadOptions::default());
@@ -170,7 +170,7 @@ fn rows_that_hawc2_does_not_read_are_noted() {
     let text = GOOD.replacen("$1 4", "$1 2", 1);
     let input = read(&text, &ReadOptions::default());
     assert_eq!(input.description.properties.len(), 2);
-    assert!(has_note(&input, "tower_st.dat:8: 2 more rows follow the 2"));
+    assert!(has_note(&input, "tower_st.dat:8: 2 rows after the 2 rows"));
 }
 
 #[test]
@@ -189,7 +189,7 @@ fn counts_are_bounded_by_the_rows_that_are_there() {
         "$1 4",
         "$1 1000000000000",
         (10, 1),
-        "row 5 of the 1000000000000 of set 1, subset 1 is expected here; found `r`",
+        "expected row 5 of the 1000000000000 of set 1, subset 1 here, found `r`",
         "",
     );
     refused(
@@ -208,21 +208,21 @@ fn counts_are_bounded_by_the_rows_that_are_there() {
     );
     refused("$1 4", "$1 0", (5, 4), "must be at least 1", "`$1 20 name`");
     refused("$1 4", "$1 -4", (5, 4), "must be at least 1", "");
-    refused("$1 4", "$1", (5, 4), "a whole number; found `Flexible`", "");
-    refused("$1 4 Flexible", "$1", (5, 3), "the line ends where", "");
-    refused("$1 4", "$1 1", (5, 1), "one row has no length", "");
+    refused("$1 4", "$1", (5, 4), "a whole number, found `Flexible`", "");
+    refused("$1 4 Flexible", "$1", (5, 3), "the number of the subset is missing", "");
+    refused("$1 4", "$1 1", (5, 1), "the subset has 1 rows instead of at least 2", "");
     refused(
         "$2 2",
         "$1 2",
         (11, 1),
-        "set 1, subset 1 is there a second time",
+        "set 1, subset 1 occurs 2 times",
         "",
     );
     refused(
         "#1 Test",
         "# Test",
         (1, 1),
-        "no structural file of HAWC2",
+        "not a structural file of HAWC2",
         "`#1 name`",
     );
 }
@@ -247,21 +247,21 @@ fn mistakes_in_rows_have_their_place() {
         "5000 0 0 2.0",
         "5000 0 0 -2",
         (6, 15),
-        "cannot be negative",
+        "non-negative",
         "",
     );
     refused(
         "4500 0 0",
         "4500 x 0",
         (7, 11),
-        "column 3, x_cg, is expected here, a number; found `x`",
+        "column 3, x_cg, must be a number, found `x`",
         "",
     );
     refused(
         "0.9 0 0 0",
         "0.9 0 0",
         (7, 68),
-        "18 columns instead of 19; column 19, y_e",
+        "18 columns instead of 19",
         "r m x_cg",
     );
     refused(
@@ -276,28 +276,28 @@ fn mistakes_in_rows_have_their_place() {
         "0.9 0 0 0",
         &full,
         (7, 71),
-        "the rows have 30 columns: they give the sections as full 6x6 stiffness matrices",
+        "the rows have 30 columns: full 6x6 stiffness matrices",
         "classic 19",
     );
     refused(
         "80.0 3000",
         "20.0 3000",
         (9, 1),
-        "r is 20 m, less than in the row before (30 m)",
-        "rises",
+        "r is not in increasing order: 20 m follows 30 m",
+        "distance from the first node",
     );
     refused(
         "0.5 0.6 0.9",
         "0.5 0 0.9",
         (7, 57),
-        "k_y, shear factor, is 0, but other shear factors",
+        "k_y, shear factor is 0, but must be positive as the other shear factors",
         "all 0",
     );
     refused(
         "2.0e11",
         "1.0e308",
         (6, 1),
-        "E I_x, the bending stiffness is inf",
+        "E I_x, the bending stiffness, in this row is too large",
         "",
     );
     refused(
@@ -311,14 +311,14 @@ fn mistakes_in_rows_have_their_place() {
         "1.0 0 0 0",
         "1.0 30 0 0",
         (6, 65),
-        "turned by 30 degrees",
+        "rotated by 30 degrees",
         "",
     );
     refused(
         "1.0 0 0 0",
         "1.0 90 0 0",
         (6, 65),
-        "turned by 90 degrees",
+        "rotated by 90 degrees",
         "",
     );
 }
@@ -348,7 +348,7 @@ fn notes_have_no_more_digits_than_a_reader_needs() {
     let text = GOOD.replacen("80.0 3000", "80.00139662865123 3000", 1);
     let input = read(&text, &ReadOptions::default());
     assert!(
-        has_note(&input, "reaches to 80.0014 m"),
+        has_note(&input, "to 80.0014 m"),
         "{:?}",
         input.notes
     );

@@ -23,6 +23,7 @@ mod refused;
 mod round_trips;
 mod station_tables;
 mod toml_write;
+mod tower_file_schema;
 mod windio;
 mod windio_files;
 mod windio_slips;

@@ -231,56 +231,56 @@ fn headers_that_say_too_little_or_too_much_are_refused() {
         "wall [mm]",
         "wall",
         (1, 55),
-        &["the wall has no unit", "`wall [mm]` or `wall_m`"],
+        &["the unit of the wall is missing", "`wall [mm]` or `wall_m`"],
     );
     refused_with(
         "wall [mm]",
         "wall [kN]",
         (1, 55),
-        &["`kn` is no unit of length", "m, cm, mm, ft and in"],
+        &["there is no unit of length `kn`", "m, cm, mm, ft and in"],
     );
     refused_with(
         "wall [mm]",
         "wal [mm]",
         (1, 55),
-        &["`wal [mm]` is no column", "did you mean `wall`?"],
+        &["expected a column of cans or stations here, found `wal [mm]`", "did you mean `wall`?"],
     );
     refused_with(
         "top diameter [mm]",
         "inner diameter [mm]",
         (1, 37),
-        &["is no column", "give the outer diameter"],
+        &["expected a column", "give the outer diameter"],
     );
     refused_with(
         "top diameter [mm]",
         "ID [mm]",
         (1, 37),
-        &["is no column", "give the outer diameter"],
+        &["expected a column", "give the outer diameter"],
     );
     refused_with(
         "material\n",
         "mass [t]\n",
         (1, 65),
-        &["`mass [t]` is no column", "columns are"],
+        &["expected a column of cans or stations here, found `mass [t]`", "columns are"],
     );
     refused_with(
         "top diameter [mm]",
         "bottom diameter [m]",
         (1, 37),
-        &["a second column is the bottom diameter"],
+        &["the column bottom diameter occurs 2 times"],
     );
     refused_with(
         "top diameter [mm]",
         "remark",
         (1, 1),
-        &["no column is the top diameter", "for cans"],
+        &["the column top diameter is missing", "for cans"],
     );
-    refused_with("bottom_m", "height_m", (1, 1), &["a height beside"]);
+    refused_with("bottom_m", "height_m", (1, 1), &["both a height and"]);
     refused_with(
         "bottom diameter",
         "diameter",
         (1, 1),
-        &["a diameter beside"],
+        &["both a diameter and"],
     );
     let bare: String = CANS
         .lines()
@@ -291,12 +291,12 @@ fn headers_that_say_too_little_or_too_much_are_refused() {
     refused(
         &bare,
         (1, 1),
-        &["no row above says what they are", "write a header as"],
+        &["expected a header with names of columns here, found numbers", "write a header as"],
     );
-    refused("", (1, 1), &["the file has no rows"]);
-    refused("\n# nothing\n", (1, 1), &["the file has no rows"]);
+    refused("", (1, 1), &["the file is empty"]);
+    refused("\n# nothing\n", (1, 1), &["the file is empty"]);
     let header = CANS.lines().next().expect("a header");
-    refused(header, (1, 73), &["no row below the header"]);
+    refused(header, (1, 73), &["a row after the header is expected"]);
 }
 
 #[test]
@@ -305,7 +305,7 @@ fn cells_that_are_no_numbers_are_refused() {
         ",8500,500,concrete",
         "",
         (2, 1),
-        &["the row has 3 cells, but the header names 6 columns"],
+        &["the row has 3 cells instead of 6"],
     );
     refused_with(
         "8500,500,concrete",
@@ -317,20 +317,20 @@ fn cells_that_are_no_numbers_are_refused() {
         "8500,500",
         "8500,500mm",
         (2, 18),
-        &["wall must be a number; found `500mm`", "unit in the header"],
+        &["wall must be a number, found `500mm`", "unit in the header"],
     );
     refused_with(
         "8500,500",
         "8500,nan",
         (2, 18),
-        &["wall is nan, which is not a finite number"],
+        &["wall is NaN, not a finite number"],
     );
     refused_with("8500,500", "8500,1e999", (2, 18), &["not a finite number"]);
     refused_with(
         "8500,500",
         "8500,x",
         (2, 18),
-        &["wall must be a number; found `x`"],
+        &["wall must be a number, found `x`"],
     );
     refused_with(
         "9000",
@@ -348,7 +348,7 @@ fn cells_that_are_no_numbers_are_refused() {
         "24.7,",
         "24.7,,7",
         (5, 23),
-        &["the row has 7 cells, but the header names 6 columns"],
+        &["the row has 7 cells instead of 6"],
     );
     refused_with("9000", "\"9000", (2, 8), &["quotation mark is not closed"]);
     let semicolons = CANS.replace(',', ";");
@@ -387,7 +387,7 @@ fn cans_that_do_not_join_are_refused_with_both_rows() {
         "40,70",
         "70,40",
         (4, 4),
-        &["top of the can, 40 m, is not above its bottom, 70 m"],
+        &["top of the can is 40 m, but must be above its bottom, 70 m"],
     );
     // Conversions leave a few last digits.
     let nearly = CANS.replace("\n40,70", "\n40.0000001,70");
@@ -423,7 +423,7 @@ fn materials_of_a_table_are_those_of_the_tower_file() {
     let (line, _, said) = &mistakes[0];
     assert_eq!((*line, mistakes.len()), (4, 2), "{said}");
     assert!(
-        said.contains("the row names no material") && said.contains("\"concrete\" or \"steel\""),
+        said.contains("the material of the row (the file has no [material]) is missing") && said.contains("\"concrete\" or \"steel\""),
         "{said}"
     );
 }
@@ -465,7 +465,7 @@ fn a_table_that_cannot_be_read_is_shown_where_it_is_named() {
     assert!(said.contains("other.csv: no such file"), "{said}");
     let alone = tower_from_toml(TOWER).expect_err("a text has no files beside it");
     assert!(
-        alone[0].message().contains("in another file"),
+        alone[0].message().contains("a text has no files beside it"),
         "{}",
         alone[0]
     );
@@ -487,7 +487,7 @@ fn a_table_with_too_many_rows_is_refused() {
     let row = |i: usize| format!("{i},5,0.03\n");
     let rows: String = (0..100_002).map(row).collect();
     let table = format!("height_m,diameter_m,wall_m\n{rows}");
-    refused(&table, (100_002, 1), &["more than 100000 rows"]);
+    refused(&table, (100_002, 1), &["100001 rows are more than the limit of 100000"]);
 }
 
 #[test]

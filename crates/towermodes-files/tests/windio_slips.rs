@@ -136,7 +136,7 @@ fn angles_in_the_other_unit_are_noted() {
         assert_eq!(noted(VERSION_1, key, "0.36").len(), 1);
         let said = noted(VERSION_1, key, "6");
         assert!(
-            said[0].1.contains("6 degrees would be 0.10472 rad"),
+            said[0].1.contains("6 degrees are 0.10472 rad"),
             "{said:?}"
         );
     }
@@ -151,7 +151,7 @@ fn angles_in_the_other_unit_are_noted() {
     for good in ["6.0", "0.0", "0.2", "20", "-5"] {
         assert!(later(good).is_empty(), "{good}");
     }
-    assert!(later("0.1047")[0].1.contains("would be 5.99887 degrees"));
+    assert!(later("0.1047")[0].1.contains("are 5.99887 degrees"));
     assert_eq!(later("20.1").len(), 1);
 }
 

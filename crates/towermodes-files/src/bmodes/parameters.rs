@@ -46,7 +46,10 @@ const MOST_ATTACHMENTS: f64 = 100.0;
 const ANY: Kind = number(|_| true, "a number");
 const POSITIVE: Kind = number(|value| value > 0.0, "positive");
 const NOT_NEGATIVE: Kind = number(|value| value >= 0.0, "non-negative");
-const ROWS: Kind = whole(|value| (0.0..=MOST).contains(&value), "from 0 to 100000");
+const ROWS: Kind = whole(
+    |value| (0.0..=MOST).contains(&value),
+    "at least 0 and at most 100000",
+);
 
 const fn number(is_met: fn(f64) -> bool, words: &'static str) -> Kind {
     Kind::Number(Rule { is_met, words })
@@ -154,12 +157,12 @@ parameters! {
     CG_OFFST_MULT: "cg_offst_mult", "factor of cg_offst", "", ANY;
     SC_OFFST_MULT: "sc_offst_mult", "factor of sc_offst", "", ANY;
     TC_OFFST_MULT: "tc_offst_mult", "factor of tc_offst", "", ANY;
-    NSELT: "nselt", "number of elements", "", whole(|v| (1.0..=MOST).contains(&v), "from 1 to 100000");
+    NSELT: "nselt", "number of elements", "", whole(|v| (1.0..=MOST).contains(&v), "at least 1 and at most 100000");
     EL_LOC: "el_loc", "element borders as fractions of the length, 0 to 1", "", ANY;
     TOW_SUPPORT: "tow_support", "tower support, 0: none, 1: guy wires, 2: platform, monopile or springs", "", whole(|v| (0.0..=2.0).contains(&v), "0, 1 or 2");
-    N_ATTACHMENTS: "n_attachments", "number of sets of guy wires", "", whole(|v| (0.0..=MOST_ATTACHMENTS).contains(&v), "from 0 to 100");
-    N_WIRES: "n_wires", "number of wires in each set", "", whole(|v| (3.0..=1e6).contains(&v), "at least 3, which hold a tower in every direction, and at most 1000000");
-    NODE_ATTACH: "node_attach", "node of each set, 1 at the base", "", whole(|v| v >= 2.0, "from 2, the first node above the base, to nselt + 1, the top");
+    N_ATTACHMENTS: "n_attachments", "number of sets of guy wires", "", whole(|v| (0.0..=MOST_ATTACHMENTS).contains(&v), "at least 0 and at most 100");
+    N_WIRES: "n_wires", "number of wires in each set", "", whole(|v| (3.0..=1e6).contains(&v), "at least three, to hold the tower in every direction, and at most 1000000");
+    NODE_ATTACH: "node_attach", "node of each set, 1 at the base", "", whole(|v| v >= 2.0, "at least 2, the first node above the base, and at most nselt + 1, the top");
     WIRE_STFNESS: "wire_stfness", "EA/L of each wire", "N/m", POSITIVE, ["wire_stiffness"];
     TH_WIRE: "th_wire", "angle of the wires from the horizontal", "degrees", number(|v| (0.0..=90.0).contains(&v), "from 0 to 90");
     DRAFT: "draft", "depth of the tower's base below mean sea level", "m", ANY;
@@ -176,7 +179,7 @@ parameters! {
     N_SECS_K_DISTR: "n_secs_k_distr", "number of heights with distributed stiffness", "", ROWS;
     Z_DISTR_K: "z_distr_k", "heights above the flexible base", "m", ANY;
     DISTR_K: "distr_k", "stiffness per length, equal in x and y", "N/m2", NOT_NEGATIVE;
-    N_SECS: "n_secs", "number of rows of the section file", "", whole(|v| (2.0..=MOST).contains(&v), "from 2 to 100000");
+    N_SECS: "n_secs", "number of rows of the section file", "", whole(|v| (2.0..=MOST).contains(&v), "at least 2 and at most 100000");
 }
 
 /// The records of the general parameters.

@@ -237,7 +237,10 @@ fn value_of(token: &Token<'_>, parameter: &Parameter, what: &str) -> Result<f64,
     let value = value.map_err(|mistake| explained(mistake, token))?;
     match rule.filter(|rule| !(rule.is_met)(value)) {
         None => Ok(value),
-        Some(rule) => Err(token.wrong(DiagnosticKind::out_of_range(what, value, rule.words))),
+        Some(rule) => {
+            let kind = DiagnosticKind::out_of_range(parameter.name, value, rule.words);
+            Err(token.wrong(kind).with_hint(parameter.comment()))
+        }
     }
 }
 

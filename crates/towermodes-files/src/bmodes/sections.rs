@@ -116,7 +116,7 @@ fn row(
     }
     let extra = values.get(COLUMNS.len()).map(|value| value.span.start);
     if extra.is_some() && has_joined_numbers(&first) {
-        let kind = DiagnosticKind::wrong_count(what, values.len(), COLUMNS.len());
+        let kind = DiagnosticKind::wrong_count_of("numbers", what, values.len(), COLUMNS.len());
         let hint = "write decimal points, as 0.5, and blanks between numbers";
         return Err(Diagnostic::new(first.span(), kind).with_hint(hint));
     }
@@ -141,7 +141,7 @@ fn no_row(line: &Line<'_>, what: &str, index: usize) -> Diagnostic {
 }
 
 fn too_few(line: &Line<'_>, what: &str, found: usize) -> Diagnostic {
-    let kind = DiagnosticKind::wrong_count(what, found, COLUMNS.len());
+    let kind = DiagnosticKind::wrong_count_of("numbers", what, found, COLUMNS.len());
     let names = COLUMNS.map(|(name, _)| name);
     let missing = names.get(found).copied().unwrap_or_default();
     let hint = format!("`{missing}` is missing; a row is {}", names.join(" "));
@@ -213,7 +213,7 @@ fn check_end(reader: &Reader<'_>, count: &Value<usize>) -> Result<(), Diagnostic
         return Ok(());
     }
     let found = count.value + more;
-    let kind = DiagnosticKind::wrong_count("the section file", found, count.value);
+    let kind = DiagnosticKind::wrong_count_of("rows", "the section file", found, count.value);
     let hint = format!("write n_secs = {}", count.value + more);
     Err(count.wrong(kind).with_hint(hint))
 }

@@ -215,7 +215,7 @@ fn cell<'t, 'a>(
     match tokens.get(column) {
         Some(token) => Ok((token.number(name)?, token)),
         None => {
-            let kind = DiagnosticKind::wrong_count("the row", tokens.len(), "5 or 6");
+            let kind = DiagnosticKind::wrong_count_of("numbers", "the row", tokens.len(), "5 or 6");
             let hint = format!("{name} is number {}", column + 1);
             Err(Diagnostic::new(line.span(), kind).with_hint(hint))
         }

@@ -272,7 +272,7 @@ pub(super) fn numbers<'a, const N: usize>(
     columns: [&str; N],
 ) -> Result<[(f64, Token<'a>); N], Diagnostic> {
     let too_few = |found: usize| {
-        let kind = DiagnosticKind::wrong_count(row, found, N);
+        let kind = DiagnosticKind::wrong_count_of("numbers", row, found, N);
         let (missing, all) = (columns[found.min(N - 1)], columns.join(", "));
         Diagnostic::new(line.span(), kind)
             .with_hint(format!("{missing} is missing; a row has {all}"))

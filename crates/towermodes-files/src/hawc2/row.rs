@@ -164,7 +164,7 @@ fn number(token: &Token<'_>, column: usize) -> Result<f64, Diagnostic> {
 
 fn too_few(line: &Line<'_>, found: usize) -> Diagnostic {
     let end = line.start + line.text.trim_end().len();
-    let kind = DiagnosticKind::wrong_count("the row", found, COLUMNS);
+    let kind = DiagnosticKind::wrong_count_of("columns", "the row", found, COLUMNS);
     let hint = format!(
         "column {}, {}, is expected here; the columns are r m x_cg y_cg ri_x ri_y x_sh y_sh E G I_x I_y K k_x k_y A pitch x_e y_e",
         found + 1,
@@ -174,7 +174,7 @@ fn too_few(line: &Line<'_>, found: usize) -> Diagnostic {
 }
 
 fn too_many(first: &Token<'_>, found: usize) -> Diagnostic {
-    let kind = DiagnosticKind::wrong_count("the row", found, COLUMNS);
+    let kind = DiagnosticKind::wrong_count_of("columns", "the row", found, COLUMNS);
     first
         .wrong(kind)
         .with_hint("is a blank missing or one too many?")

@@ -43,7 +43,7 @@ pub(super) fn read_rows<'a>(subset: &Subset<'a>) -> Result<Table<'a>, Vec<Diagno
     }
     mistakes.extend(falling(&rows));
     if mistakes.is_empty() && rows.len() < 2 {
-        let kind = DiagnosticKind::wrong_count("the subset", rows.len(), "at least 2 (rows)");
+        let kind = DiagnosticKind::wrong_count_of("rows", "the subset", rows.len(), "at least 2");
         mistakes.push(Diagnostic::new(subset.span.clone(), kind));
     }
     if !mistakes.is_empty() {
@@ -87,8 +87,8 @@ fn no_row(subset: &Subset<'_>, found: &Token<'_>, number: usize) -> Diagnostic {
 }
 
 fn too_few_rows(subset: &Subset<'_>, lines: &Lines<'_>, found: usize) -> Diagnostic {
-    let what = format!("{}, counted in rows,", subset.label());
-    let kind = DiagnosticKind::wrong_count(what, found, subset.announced);
+    let what = subset.label();
+    let kind = DiagnosticKind::wrong_count_of("rows", what, found, subset.announced);
     let hint = match lines.peek() {
         Some(_) => format!("write {found} here, or add the missing rows"),
         None => "the file ends after them: is it complete?".to_owned(),

@@ -26,10 +26,7 @@ impl Token<'_> {
         };
         match parsed {
             Some(value) if value.is_finite() => Ok(value),
-            Some(_) => {
-                let what = format!("{what} = {}", self.text);
-                Err(self.wrong(DiagnosticKind::NotFinite { what }))
-            }
+            Some(value) => Err(self.wrong(DiagnosticKind::not_finite(what, value))),
             None => Err(self.wrong_type(what, "a number")),
         }
     }

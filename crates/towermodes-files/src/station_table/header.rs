@@ -96,13 +96,13 @@ impl Header {
         let filled = filled.map_or(0, |last| last + 1);
         let found = record.cells.len();
         if filled > self.columns {
-            let kind = DiagnosticKind::wrong_count("the row", filled, self.columns);
+            let kind = DiagnosticKind::wrong_count_of("cells", "the row", filled, self.columns);
             let hint = "if a decimal comma is meant, separate the columns by semicolons";
             let span = record.cells[self.columns].span.clone();
             return Err(Diagnostic::new(span, kind).with_hint(hint));
         }
         if found < self.needed {
-            let kind = DiagnosticKind::wrong_count("the row", found, self.columns);
+            let kind = DiagnosticKind::wrong_count_of("cells", "the row", found, self.columns);
             return Err(Diagnostic::new(record.span.clone(), kind));
         }
         Ok(())

@@ -43,8 +43,7 @@ impl<'a> Numbers<'a> {
             return Err(explained(wrong(cell, what), text));
         };
         if !number.is_finite() {
-            let what = format!("{what} = {text}");
-            let kind = DiagnosticKind::NotFinite { what };
+            let kind = DiagnosticKind::not_finite(what, number);
             return Err(Diagnostic::new(cell.span.clone(), kind));
         }
         self.check_sign(cell, sign)?;

@@ -18,7 +18,7 @@ pub(super) fn matrix(
 ) -> Option<SpatialMatrix> {
     let rows = list(value, what, reading)?;
     if rows.len() != 6 {
-        let kind = DiagnosticKind::wrong_count(format!("{what}, counted in rows,"), rows.len(), 6);
+        let kind = DiagnosticKind::wrong_count_of("rows", what, rows.len(), 6);
         reading.mistake(Diagnostic::new(value.span(), kind).with_hint(HINT));
         return None;
     }

@@ -10,8 +10,9 @@ use crate::diagnostic::{Diagnostic, DiagnosticKind, quoted};
 pub(super) fn syntax_mistake(error: &::toml::de::Error, text: &str) -> Diagnostic {
     let span = error.span().unwrap_or(text.len()..text.len());
     let ends_early = span.start >= text.trim_end().len();
-    let explained = value_at(span.start.min(text.len()), text).and_then(|value| value.explained());
-    if let Some(mistake) = explained.filter(|_| !ends_early) {
+    let value = value_at(span.start.min(text.len()), text);
+    let value = value.filter(|value| value.key.is_some() || !ends_early);
+    if let Some(mistake) = value.and_then(|value| value.explained()) {
         return mistake;
     }
     let reason = error.message().lines().collect::<Vec<_>>().join("; ");

@@ -29,12 +29,7 @@ pub(super) fn number(value: &Value<'_>, what: &str, reading: &mut Reading) -> Op
     };
     let finite = parsed.filter(|number: &f64| number.is_finite());
     if finite.is_none() {
-        let what = match parsed {
-            Some(number) if number.is_nan() => format!("{what} = nan"),
-            Some(number) => format!("{what} = {number}"),
-            None => what.to_owned(),
-        };
-        let kind = DiagnosticKind::NotFinite { what };
+        let kind = DiagnosticKind::not_finite(what, parsed.unwrap_or(f64::INFINITY));
         reading.mistake(Diagnostic::new(value.span(), kind));
     }
     finite

@@ -49,8 +49,7 @@ impl Node {
         if number.is_finite() {
             return Ok(number);
         }
-        let what = format!("{what} = {number}");
-        let kind = DiagnosticKind::NotFinite { what };
+        let kind = DiagnosticKind::not_finite(what, number);
         Err(Diagnostic::new(self.span.clone(), kind))
     }
 

@@ -40,7 +40,7 @@ fn the_speed_at_the_start_is_the_only_one() {
     assert_eq!(deck.input.description.rotor, Some(expected));
     let said = notes(&deck);
     assert_eq!(said.len(), 1, "{said:?}");
-    assert!(said[0].contains("RotSpeed = 17.5 rpm is taken as the only speed"));
+    assert!(said[0].contains("RotSpeed = 17.5 rpm is the only operating speed"));
     // It matters for what it excites, and for nothing else.
     let others = deck.input.notes.iter().map(ToString::to_string);
     assert!(others.into_iter().all(|note| !note.contains("RotSpeed")));
@@ -74,7 +74,7 @@ fn the_first_blade_bends_only() {
     let deck = deck(&changes);
     let said = notes(&deck);
     assert_eq!(said.len(), 1, "{said:?}");
-    assert!(said[0].contains("BlPitch(1) = 5 degrees, where a simulation begins"));
+    assert!(said[0].contains("BlPitch(1) = 5 degrees, the initial pitch"));
     let blade = deck.input.blade.expect("a blade");
     assert_eq!((blade.hub_radius_m, blade.tip_radius_m), (1.0, 11.0));
     assert_eq!(blade.tip, RigidBody::point(3.0, [0.0; 3]));
@@ -134,7 +134,7 @@ fn what_is_left_out_of_the_blade_is_said() {
         ("BlPitch(3)", "90"),
     ]));
     assert_eq!(said.len(), 3, "{said:?}");
-    assert!(said[0].contains("PreCone(1) = -2.5 degrees is left out"));
+    assert!(said[0].contains("PreCone(1) = -2.5 degrees is ignored"));
     assert!(said[1].contains("blade 2 has another file, tip mass or pitch"));
     assert!(said[2].contains("blade 3 has another file, tip mass or pitch"));
 }

@@ -35,7 +35,7 @@ fn masses_that_are_not_listed_are_spread_over_an_element() {
     let said = written
         .notes
         .iter()
-        .any(|note| note.message.contains("3 point masses are spread over 1/20"));
+        .any(|note| note.message.contains("3 point masses are distributed over 1/20"));
     assert!(said, "{:?}", written.notes);
     let input = written.read();
     assert!(input.description.point_masses.is_empty());

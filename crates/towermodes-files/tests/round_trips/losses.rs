@@ -132,7 +132,7 @@ fn masses() -> Vec<Case> {
             with_masses(),
             "inertia of a mass",
             [
-                Said("of its inertia only zz is kept"),
+                Said("only zz of its inertia is kept"),
                 Said("the inertias of point masses"),
                 Said("the inertias of point masses"),
             ],
@@ -176,7 +176,7 @@ fn tables() -> Vec<Case> {
         }
     };
     let rotary_said = [
-        Said("the rotary inertia differs from half the polar one"),
+        Said("the rotary inertia differs from half the polar inertia"),
         AlwaysSaid("rotary inertia"),
         Kept,
     ];
@@ -215,13 +215,13 @@ fn tables() -> Vec<Case> {
         of(
             table(),
             "no twist",
-            [Said("does not twist"), AlwaysSaid("torsion"), Kept],
+            [Said("rigid in torsion"), AlwaysSaid("torsion"), Kept],
             each(|p| p.torsion_n_m2 = f64::INFINITY),
         ),
         of(
             table(),
             "no stretch",
-            [Said("does not stretch"), AlwaysSaid("stretch"), Kept],
+            [Said("axially rigid"), AlwaysSaid("axial motion"), Kept],
             each(|p| p.axial_n = f64::INFINITY),
         ),
     ]
@@ -409,7 +409,7 @@ fn a_rotor_comes_back_or_is_said() {
                     assert_eq!(read, description.rotor, "{target:?}");
                     continue;
                 }
-                Target::Bmodes => "a tower's deck has no rotor: its 2 blades",
+                Target::Bmodes => "a tower deck has no rotor: its 2 blades",
                 Target::ElastoDyn => "the rotor, which is in the main file",
             };
             assert_eq!(read, None, "{target:?}");
