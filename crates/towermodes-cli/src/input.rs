@@ -3,7 +3,9 @@
 use std::path::Path;
 
 use towermodes::Tower;
-use towermodes_files::{Input, ReadError, SiblingFiles, Source, TowerInput, read, read_source};
+use towermodes_files::{
+    Input, ReadError, Reading, SiblingFiles, Source, TowerInput, read, read_source,
+};
 
 use crate::args::{InputArguments, ReadingArguments};
 use crate::failure::Failure;

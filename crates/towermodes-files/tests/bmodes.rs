@@ -124,7 +124,11 @@ fn factors_scale_their_columns() {
         (row.bending_n_m2.fore_aft, row.bending_n_m2.side_side),
         (2.5e12, 2e12)
     );
-    noted(&quirks.notes, 37, &["swaps", "as in BModes 3.00 (--bmodes-quirks)"]);
+    noted(
+        &quirks.notes,
+        37,
+        &["swaps", "as in BModes 3.00 (--bmodes-quirks)"],
+    );
 }
 
 #[test]
@@ -298,7 +302,7 @@ fn a_later_bmodes_has_wires_after_the_platform() {
     assert_eq!(input.description.wires.len(), 2);
     // Node 3 of 5 between −10 and 80 m.
     assert_eq!(input.description.wires[0].height_m, 35.0);
-    noted(&input.notes, 21, &["later BModes"]);
+    noted(&input.notes, 21, &["later version of BModes"]);
     let third = with(&later, &[("1 tow_support", "2 tow_support")]);
     let input = decks::tower(&tower_file(&third), SECTIONS, false);
     assert!(input.description.wires.is_empty());

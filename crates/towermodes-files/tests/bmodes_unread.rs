@@ -76,7 +76,11 @@ fn wires_that_a_count_of_zero_drops_are_noted() {
         &tower_file(WIRES),
         &[("2         n_attachments", "0         n_attachments")],
     );
-    let words = ["n_attachments is 0", "no guy wires", "wire_stfness is 1e8 N/m"];
+    let words = [
+        "n_attachments is 0",
+        "no guy wires",
+        "wire_stfness is 1e8 N/m",
+    ];
     has_note(&dropped, 53, &words);
     assert!(first_hz(&tower_file(WIRES)) > 1.1 * first_hz(&dropped));
     let without = with(
@@ -98,7 +102,11 @@ fn sets_of_wires_beyond_the_count_are_noted() {
     has_note(
         &one,
         53,
-        &["n_attachments is 1", "2 sets of guy wires", "only the first 1"],
+        &[
+            "n_attachments is 1",
+            "2 sets of guy wires",
+            "only the first 1",
+        ],
     );
     // A template that leaves a second number on one line gives no second set.
     let template = with(

@@ -106,7 +106,7 @@ fn bases_are_held_as_bmodes_can_say_it() {
     );
     let error = try_to_write(&springs(1e9, 1e11, rigid, 1e10)).expect_err("no hub_conn");
     assert!(
-        error.to_string().contains("rigidly held against z only"),
+        error.to_string().contains("rigidly held only in z"),
         "{error}"
     );
     let error = try_to_write(&springs(rigid, 1e11, rigid, rigid)).expect_err("no hub_conn");
@@ -242,7 +242,9 @@ fn the_weights_hold_a_platform_upright() {
     let mooring = deck.matrix("mooring_K (", 6);
     assert_near(mooring[3][3], 3e8 + 5e4 * 4900.0 + weights, 1e-12);
     assert_near(mooring[4][4], 3e8 + 4e4 * 4900.0 + weights, 1e-12);
-    deck.says("BModes has no gravity (10 m/s2): the geometric stiffness of platform, tower and RNA");
+    deck.says(
+        "BModes has no gravity (10 m/s2): the geometric stiffness of platform, tower and RNA",
+    );
 }
 
 #[test]

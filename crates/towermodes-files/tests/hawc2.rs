@@ -116,8 +116,9 @@ fn what_was_chosen_and_left_out_is_said() {
 
     let cut = GOOD.replacen("$2 2", "$2 3", 1);
     let error = read_hawc2(source(&cut), &stiff).expect_err("cut off");
-    let words = "set 1, subset 2 has 2 rows instead of 3 (the file ends after them: is it complete?)";
-    assert_eq!(error.to_string(), format!("tower_st.dat:10:1: {words}"));
+    let words =
+        "set 1, subset 2 has 2 rows instead of 3 (the file ends after them: is it complete?)";
+    assert_eq!(error.to_string(), format!("tower_st.dat:11:1: {words}"));
 }
 
 #[test]
@@ -127,8 +128,7 @@ fn a_subset_that_is_not_there_is_answered_with_those_that_are() {
         ..ReadOptions::default()
     };
     let error = read_hawc2(source(GOOD), &options).expect_err("no such set");
-    let words =
-        "tower_st.dat:3:1: set 2, subset 1 is missing (the file has set 1, subset 1; set 1, subset 2)";
+    let words = "tower_st.dat:3:1: set 2, subset 1 is missing (the file has set 1, subset 1; set 1, subset 2)";
     assert_eq!(error.to_string(), words);
 }
 
@@ -209,8 +209,20 @@ fn counts_are_bounded_by_the_rows_that_are_there() {
     refused("$1 4", "$1 0", (5, 4), "must be at least 1", "`$1 20 name`");
     refused("$1 4", "$1 -4", (5, 4), "must be at least 1", "");
     refused("$1 4", "$1", (5, 4), "a whole number, found `Flexible`", "");
-    refused("$1 4 Flexible", "$1", (5, 3), "the number of the subset is missing", "");
-    refused("$1 4", "$1 1", (5, 1), "the subset has 1 rows instead of at least 2", "");
+    refused(
+        "$1 4 Flexible",
+        "$1",
+        (5, 3),
+        "the number of rows of the subset is missing",
+        "",
+    );
+    refused(
+        "$1 4",
+        "$1 1",
+        (5, 1),
+        "the subset has 1 rows instead of at least 2",
+        "",
+    );
     refused(
         "$2 2",
         "$1 2",
@@ -243,13 +255,7 @@ fn mistakes_in_rows_have_their_place() {
         "not a finite number",
         "",
     );
-    refused(
-        "5000 0 0 2.0",
-        "5000 0 0 -2",
-        (6, 15),
-        "non-negative",
-        "",
-    );
+    refused("5000 0 0 2.0", "5000 0 0 -2", (6, 15), "non-negative", "");
     refused(
         "4500 0 0",
         "4500 x 0",
@@ -347,11 +353,7 @@ fn full_matrices_are_refused_once() {
 fn notes_have_no_more_digits_than_a_reader_needs() {
     let text = GOOD.replacen("80.0 3000", "80.00139662865123 3000", 1);
     let input = read(&text, &ReadOptions::default());
-    assert!(
-        has_note(&input, "to 80.0014 m"),
-        "{:?}",
-        input.notes
-    );
+    assert!(has_note(&input, "to 80.0014 m"), "{:?}", input.notes);
 }
 
 #[test]

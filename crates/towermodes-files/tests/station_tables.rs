@@ -243,7 +243,10 @@ fn headers_that_say_too_little_or_too_much_are_refused() {
         "wall [mm]",
         "wal [mm]",
         (1, 55),
-        &["expected a column of cans or stations here, found `wal [mm]`", "did you mean `wall`?"],
+        &[
+            "expected a column of cans or stations here, found `wal [mm]`",
+            "did you mean `wall`?",
+        ],
     );
     refused_with(
         "top diameter [mm]",
@@ -261,7 +264,10 @@ fn headers_that_say_too_little_or_too_much_are_refused() {
         "material\n",
         "mass [t]\n",
         (1, 65),
-        &["expected a column of cans or stations here, found `mass [t]`", "columns are"],
+        &[
+            "expected a column of cans or stations here, found `mass [t]`",
+            "columns are",
+        ],
     );
     refused_with(
         "top diameter [mm]",
@@ -291,7 +297,10 @@ fn headers_that_say_too_little_or_too_much_are_refused() {
     refused(
         &bare,
         (1, 1),
-        &["expected a header with names of columns here, found numbers", "write a header as"],
+        &[
+            "expected a header with names of columns here, found numbers",
+            "write a header as",
+        ],
     );
     refused("", (1, 1), &["the file is empty"]);
     refused("\n# nothing\n", (1, 1), &["the file is empty"]);
@@ -423,7 +432,8 @@ fn materials_of_a_table_are_those_of_the_tower_file() {
     let (line, _, said) = &mistakes[0];
     assert_eq!((*line, mistakes.len()), (4, 2), "{said}");
     assert!(
-        said.contains("the material of the row (the file has no [material]) is missing") && said.contains("\"concrete\" or \"steel\""),
+        said.contains("the material of the row (the file has no [material]) is missing")
+            && said.contains("\"concrete\" or \"steel\""),
         "{said}"
     );
 }
@@ -487,7 +497,11 @@ fn a_table_with_too_many_rows_is_refused() {
     let row = |i: usize| format!("{i},5,0.03\n");
     let rows: String = (0..100_002).map(row).collect();
     let table = format!("height_m,diameter_m,wall_m\n{rows}");
-    refused(&table, (100_002, 1), &["100001 rows are more than the limit of 100000"]);
+    refused(
+        &table,
+        (100_002, 1),
+        &["100001 rows are more than the limit of 100000"],
+    );
 }
 
 #[test]

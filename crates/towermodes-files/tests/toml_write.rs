@@ -454,7 +454,7 @@ fn added_mass_is_read_with_its_mistakes() {
         "[height in m",
         (8, 9),
     );
-    refused("rows = [[0, nan]]", "added mass is nan", "", (8, 13));
+    refused("rows = [[0, nan]]", "added mass is NaN", "", (8, 13));
     refused(
         "rows = [[\"0\", 1]]",
         "height must be a number",
@@ -483,7 +483,7 @@ fn what_a_file_cannot_hold_is_said() {
         materials: tubes().materials,
         ..table()
     };
-    let text = said(&unused, "materials left out (1)");
+    let text = said(&unused, "the materials (1) are left out");
     assert_eq!(description_from_toml(&text).expect("a table"), table());
     let sheared = TowerDescription {
         shear: Shear::Cowper,
@@ -494,7 +494,7 @@ fn what_a_file_cannot_hold_is_said() {
         stations: tubes().stations,
         ..unused
     };
-    let text = said(&both, "no tower has both");
+    let text = said(&both, "has both stations and a table");
     assert!(description_from_toml(&text).is_err());
     let mut some = table();
     some.properties[1].properties.shear_n = Some(Planes::both(1e10));

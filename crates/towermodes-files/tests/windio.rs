@@ -518,7 +518,13 @@ fn mistakes_are_shown_where_they_are() {
         0,
         "outfitting factor",
     );
-    check("mass: 100000", "mass: -1", "-1\n", 0, "must be non-negative");
+    check(
+        "mass: 100000",
+        "mass: -1",
+        "-1\n",
+        0,
+        "must be non-negative",
+    );
     check(
         "transition_piece_mass: 5e4",
         "transition_piece_mass: -5",
@@ -877,7 +883,10 @@ fn speeds_of_version_1_are_in_the_unit_that_the_tips_allow() {
         [1.0, 1.26],
     );
     let notes = assert_rotor(&with("", radians), 3, [0.5 * factor, 0.8 * factor]);
-    assert!(notes[0].contains("rotor_diameter, which would show it, is missing"), "{notes:?}");
+    assert!(
+        notes[0].contains("rotor_diameter, which would show it, is missing"),
+        "{notes:?}"
+    );
     // So do files that say version 2 and have the older keys.
     let newer = format!(
         "{VERSION_2}assembly: {{number_of_blades: 3, rotor_diameter: 240}}\ncontrol: {{torque: {turns}}}\n"

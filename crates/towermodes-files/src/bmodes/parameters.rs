@@ -158,7 +158,7 @@ parameters! {
     SC_OFFST_MULT: "sc_offst_mult", "factor of sc_offst", "", ANY;
     TC_OFFST_MULT: "tc_offst_mult", "factor of tc_offst", "", ANY;
     NSELT: "nselt", "number of elements", "", whole(|v| (1.0..=MOST).contains(&v), "at least 1 and at most 100000");
-    EL_LOC: "el_loc", "element borders as fractions of the length, 0 to 1", "", ANY;
+    EL_LOC: "el_loc", "element borders as fractions of the length, from root to tip", "", ANY;
     TOW_SUPPORT: "tow_support", "tower support, 0: none, 1: guy wires, 2: platform, monopile or springs", "", whole(|v| (0.0..=2.0).contains(&v), "0, 1 or 2");
     N_ATTACHMENTS: "n_attachments", "number of sets of guy wires", "", whole(|v| (0.0..=MOST_ATTACHMENTS).contains(&v), "at least 0 and at most 100");
     N_WIRES: "n_wires", "number of wires in each set", "", whole(|v| (3.0..=1e6).contains(&v), "at least three, to hold the tower in every direction, and at most 1000000");

@@ -85,7 +85,10 @@ fn a_free_rotor_is_balanced() {
     ] {
         assembly(changes, Locked).expect("it may be held");
         let refused = assembly(changes, Free).expect_err("it would swing");
-        assert!(refused.contains("the free rotor is not balanced"), "{refused}");
+        assert!(
+            refused.contains("the free rotor is not balanced"),
+            "{refused}"
+        );
     }
     let pair = [("NumBl", "2"), ("HubIner_Teeter", "600")];
     assembly(&pair, Free).expect("two blades alike");
@@ -200,13 +203,13 @@ fn blades_have_five_six_or_seventeen_columns() {
             " 0.9 0.25 0 50",
             "BlFract of the last row is 0.9",
         ),
-        (" 1 0.25 0 50 1e9 1e9", " 1 0.25 0", "3 numbers instead of 5 or 6"),
-        ("2 NBlInpSt", "9999999999 NBlInpSt", "is 9999999999"),
         (
-            " 2 AdjBlMs\n",
-            "",
-            "expected AdjBlMs here, found AdjFlSt",
+            " 1 0.25 0 50 1e9 1e9",
+            " 1 0.25 0",
+            "3 numbers instead of 5 or 6",
         ),
+        ("2 NBlInpSt", "9999999999 NBlInpSt", "is 9999999999"),
+        (" 2 AdjBlMs\n", "", "expected AdjBlMs here, found AdjFlSt"),
     ] {
         let mistake = mass(&BLADE.replacen(from, to, 1)).expect_err(to);
         assert!(mistake.message().contains(says), "{mistake}");

@@ -102,7 +102,7 @@ fn gravity_is_that_of_the_fst_file_then_of_the_main_file_then_the_standard() {
     assert_eq!(both, 9.7);
     assert_eq!(
         said,
-        ["Gravity is 9.7 m/s2 in a.fst and 9.81 m/s2 in main.dat; the first is taken"]
+        ["Gravity is 9.7 m/s2 in a.fst and 9.81 m/s2 in main.dat: the first is used"]
     );
     let (standard, said) = of("", 5);
     assert_eq!(standard, 9.80665);
@@ -169,8 +169,8 @@ fn modules_under_the_tower_are_left_out_with_a_note() {
     assert_eq!(
         left_out,
         [
-            "a.fst:4: CompHydro is on, and its file (hd.dat) is not read: the water's mass and stiffness are left out",
-            "a.fst:6: CompMooring is on, and its file (moor.dat) is not read: the mooring lines are left out",
+            "a.fst:4: CompHydro is switched on, but its file (hd.dat) is not read: the mass and stiffness of the water are left out",
+            "a.fst:6: CompMooring is switched on, but its file (moor.dat) is not read: the mooring lines are left out",
         ]
     );
     assert!(
@@ -261,11 +261,7 @@ fn a_tower_of_one_row_is_uniform() {
     };
     assert_eq!(&source_file.text[mistakes[0].span.clone()], "1.0D3");
     let error = read(&one_row.replace(" 0.0 1.0D3", " 1.0 1.0D3")).expect_err("it begins at 0");
-    assert!(
-        error
-            .to_string()
-            .contains("HtFract of the first row is 1")
-    );
+    assert!(error.to_string().contains("HtFract of the first row is 1"));
 }
 
 #[test]

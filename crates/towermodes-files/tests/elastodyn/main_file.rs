@@ -51,10 +51,7 @@ fn every_block_of_lines_may_be_missing_on_its_own() {
     }
     let mistake =
         read_main_file(&source("m", without(&["NacMass"]))).expect_err("a line is missing");
-    assert_eq!(
-        mistake.message(),
-        "expected NacMass here, found NacYIner"
-    );
+    assert_eq!(mistake.message(), "expected NacMass here, found NacYIner");
     let mistake =
         read_main_file(&source("m", without(&["BlPIner(2)"]))).expect_err("one of a block");
     assert_eq!(
@@ -67,9 +64,21 @@ fn every_block_of_lines_may_be_missing_on_its_own() {
 fn the_rules_of_the_main_file_have_their_places() {
     for (key, value, says) in [
         ("NumBl", "4", "NumBl (number of blades) is 4"),
-        ("TipRad", "0.5", "TipRad is 0.5 m, but must be greater than HubRad, 1 m"),
-        ("TowerBsHt", "50", "TowerHt is 40 m, but must be above TowerBsHt, 50 m"),
-        ("TowerHt", "0", "TowerHt is 0 m, but must be above TowerBsHt, 0 m"),
+        (
+            "TipRad",
+            "0.5",
+            "TipRad is 0.5 m, but must be greater than HubRad, 1 m",
+        ),
+        (
+            "TowerBsHt",
+            "50",
+            "TowerHt is 40 m, but must be above TowerBsHt, 50 m",
+        ),
+        (
+            "TowerHt",
+            "0",
+            "TowerHt is 0 m, but must be above TowerBsHt, 0 m",
+        ),
         ("ShftTilt", "95", "is 95"),
         ("HubMass", "-1", "is -1"),
         ("NacYIner", "2499", "NacYIner is 2499 kg m2"),

@@ -55,12 +55,7 @@ fn a_sum_far_from_one_is_a_note() {
 #[test]
 fn the_rules_of_openfast_have_their_lines() {
     for (from, to, line, says) in [
-        (
-            "3 NTwInpSt",
-            "1000000000000 NTwInpSt",
-            4,
-            "is 1e12",
-        ),
+        ("3 NTwInpSt", "1000000000000 NTwInpSt", 4, "is 1e12"),
         ("3 NTwInpSt", "-1 NTwInpSt", 4, "is -1"),
         ("3 NTwInpSt", "3.5 NTwInpSt", 4, "whole number"),
         (
@@ -75,12 +70,7 @@ fn the_rules_of_openfast_have_their_lines() {
             21,
             "HtFract of the last row is 0.25",
         ),
-        (
-            "3 NTwInpSt",
-            "1 NTwInpSt",
-            21,
-            "after the rows, here",
-        ),
+        ("3 NTwInpSt", "1 NTwInpSt", 21, "after the rows, here"),
         ("3 NTwInpSt", "0 NTwInpSt", 4, "is 0"),
         ("1 TwrFADmp(1)", "-1 TwrFADmp(1)", 5, "is -1"),
         ("4 TwrSSDmp(2)", "101 TwrSSDmp(2)", 8, "is 101"),
@@ -91,7 +81,12 @@ fn the_rules_of_openfast_have_their_lines() {
         (" 0.25 900", " 1.25 900", 22, "1 follows 1.25"),
         (" 1.0 800", " 0.99 800", 22, "last row is 0.99"),
         (" 0.25 900", " 0.25 0", 21, "TMassDen of row 2 is 0"),
-        ("9e9 1.8e10", "-9e9 1.8e10", 21, "TwFAStif of row 2 is -9000000000"),
+        (
+            "9e9 1.8e10",
+            "-9e9 1.8e10",
+            21,
+            "TwFAStif of row 2 is -9000000000",
+        ),
         ("9e9 1.8e10", "9e9 0", 21, "TwSSStif of row 2 is 0"),
         ("9e9 1.8e10", "9e9", 21, "3 numbers instead of 4"),
         ("9e9 1.8e10", "NaN 1.8e10", 21, "not a finite number"),

@@ -32,10 +32,10 @@ fn bending_frequencies_of_the_clamped_tower_alone_are_kept_to_a_millionth() {
 fn masses_that_are_not_listed_are_spread_over_an_element() {
     let description = towers::with_masses();
     let written = elastodyn(&description, &MakeOptions::default());
-    let said = written
-        .notes
-        .iter()
-        .any(|note| note.message.contains("3 point masses are distributed over 1/20"));
+    let said = written.notes.iter().any(|note| {
+        note.message
+            .contains("3 point masses are distributed over 1/20")
+    });
     assert!(said, "{:?}", written.notes);
     let input = written.read();
     assert!(input.description.point_masses.is_empty());

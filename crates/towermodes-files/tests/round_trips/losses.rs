@@ -326,9 +326,13 @@ fn surroundings() -> Vec<Case> {
             [Kept, Said("the water's mass"), Said("the added mass")],
             |d| d.added_mass = vec![vec![growth(10.0), growth(80.0)]],
         ),
-        plain_with("wires", [Kept, Said("the wires"), Said("the wires")], |d| {
-            d.wires = wired().wires;
-        }),
+        plain_with(
+            "wires",
+            [Kept, Said("the guy wires"), Said("the guy wires")],
+            |d| {
+                d.wires = wired().wires;
+            },
+        ),
     ]
 }
 

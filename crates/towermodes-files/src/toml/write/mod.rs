@@ -138,7 +138,7 @@ fn unused_beside_properties(description: &TowerDescription, writing: &mut Writin
     let count = description.materials.len();
     if count > 0 {
         writing.note(format!(
-            "{count} materials are left out: the table of properties has the masses and the stiffness"
+            "the materials ({count}) are left out: the table of properties has the masses and the stiffness"
         ));
     }
     if description.shear != Shear::Rigid {
