@@ -12,8 +12,8 @@ use crate::output::{check_not_input, check_not_inputs, deliver};
 use crate::progress::solve;
 use crate::table;
 
-/// Reads the tower, solves it, sets its frequencies against the rotor's excitations; a pair that
-/// fails is exit code 1.
+/// Reads and solves the tower, and compares its frequencies with the excitations of the rotor; the
+/// exit code is 1 if a pair fails.
 pub(crate) fn run(arguments: &CampbellArguments) -> Result<(), Failure> {
     let output = arguments.destination.output();
     check_not_input(&arguments.input.file, output)?;
@@ -22,7 +22,7 @@ pub(crate) fn run(arguments: &CampbellArguments) -> Result<(), Failure> {
     let mut input = tower_input(&arguments.input)?;
     check_not_inputs(input.files(), output)?;
     let tower = input.tower().map_err(Failure::Input)?;
-    // Said before a long solve.
+    // Reported before a long solve.
     rotor_of(&input, &arguments.rotor)?;
     let prescribed = Prescribed::of(&mut input);
     let mut options = arguments.options(prescribed).map_err(Failure::Usage)?;
@@ -104,7 +104,7 @@ pub(crate) fn campbell_of(
     Ok((campbell, notes))
 }
 
-/// What the reader and the program decided of the rotor.
+/// The notes of the reader and the program about the rotor.
 fn notes_on(input: &TowerInput, chosen: &ChosenRotor) -> Vec<Note> {
     let RotorNotes {
         speeds,
@@ -115,7 +115,7 @@ fn notes_on(input: &TowerInput, chosen: &ChosenRotor) -> Vec<Note> {
     let blades = blades.iter().filter(|_| !chosen.blades_are_given);
     let assumed = chosen.blades_are_assumed.then(|| {
         Note::new(format!(
-            "nobody says how many blades the rotor has; {} are assumed (--blades)",
+            "the number of blades is not given; {} are assumed (--blades)",
             chosen.rotor.blades
         ))
     });
@@ -123,7 +123,7 @@ fn notes_on(input: &TowerInput, chosen: &ChosenRotor) -> Vec<Note> {
     notes.chain(assumed).collect()
 }
 
-/// Whether the rotor may run as it does.
+/// An error if a pair fails.
 fn judged(campbell: &Campbell) -> Result<(), Failure> {
     let fails = |verdict: &Verdict| *verdict == Verdict::Fail;
     let verdicts = campbell.margins.iter().map(|margin| margin.verdict);
@@ -146,8 +146,7 @@ mod tests {
     use crate::input::tower_input;
     use crate::progress::solve;
 
-    /// i_f > i_e, and soft in torsion: the propeller moment turns it over where it turns fast
-    /// enough.
+    /// i_f > i_e, and soft in torsion: at high rotor speed the propeller moment makes it unstable.
     fn unstable_blade() -> BladeDescription {
         let root = BladeSection {
             mass_kg_per_m: 1.0,
@@ -169,7 +168,7 @@ mod tests {
         }
     }
 
-    /// A blade that turns over, and one that is none, take nothing from the tower's margins.
+    /// An unstable or invalid blade does not change the margins of the tower.
     #[test]
     fn a_blade_without_modes_leaves_the_tower() {
         let file = "../../examples/nrel-5mw.toml";
@@ -199,7 +198,7 @@ mod tests {
             (without.lines.len(), without.margins.len(), notes.len()),
             (2, 8, 1)
         );
-        // Two modes are fewer than 90 rpm excite.
+        // At 90 rpm the excitations reach higher than two modes.
         assert!(notes[0].to_string().contains("are not assessed"));
         let backwards = BladeDescription {
             hub_radius_m: 2.0,

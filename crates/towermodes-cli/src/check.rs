@@ -13,7 +13,7 @@ use crate::input::{input_of, tower_input};
 use crate::output::deliver;
 use crate::table;
 
-/// Compares two descriptions of one tower, or says what one describes.
+/// Compares two models of the same tower, or summarises one.
 pub(crate) fn run(arguments: &CheckArguments) -> Result<(), Failure> {
     match &arguments.other {
         None => of_one(arguments),
@@ -37,7 +37,7 @@ fn of_one(arguments: &CheckArguments) -> Result<(), Failure> {
     deliver(&result, None)
 }
 
-/// Whether a note says that there was nothing to leave out.
+/// Whether a note reports that there was no data to omit.
 fn is_on_nothing(note: &Note) -> bool {
     note.message == NOTHING_LEFT_OUT
 }
@@ -52,7 +52,7 @@ fn of_two(arguments: &CheckArguments, other: &Path) -> Result<(), Failure> {
     leave_lone_gravity_out(&mut first, &mut second);
     let useless = [&first, &second].map(|input| input.notes.iter().any(is_on_nothing));
     if useless.contains(&false) {
-        // What is left out of one of two is left out.
+        // Data omitted from one of the two files are omitted data.
         for input in [&mut first, &mut second] {
             input.notes.retain(|note| !is_on_nothing(note));
         }
@@ -65,7 +65,7 @@ fn of_two(arguments: &CheckArguments, other: &Path) -> Result<(), Failure> {
     notes.extend(more.cloned());
     note(&notes);
     for input in [&first, &second] {
-        // Mistakes have their place in the file.
+        // Errors have a position in the file.
         input.tower().map_err(Failure::Input)?;
     }
     let limits = AgreementLimits::default();
@@ -86,7 +86,7 @@ fn of_two(arguments: &CheckArguments, other: &Path) -> Result<(), Failure> {
     }
 }
 
-/// A machine that only one of two files has says nothing about their towers.
+/// Omits an RNA that only one of the two files has: the towers are compared without it.
 fn leave_lone_machine_out(first: &mut TowerInput, second: &mut TowerInput) {
     let has_machine = |input: &TowerInput| input.description.rna != Rna::default();
     let which = match (has_machine(first), has_machine(second)) {
@@ -95,15 +95,14 @@ fn leave_lone_machine_out(first: &mut TowerInput, second: &mut TowerInput) {
         _ => return,
     };
     let message = format!(
-        "only the {which} file has a rotor-nacelle assembly: it is left out, and the frequencies are those of the towers alone"
+        "only the {which} file has a rotor-nacelle assembly; it is omitted, and the towers are compared without RNA"
     );
     first.notes.push(Note::new(message));
     first.description.rna = Rna::default();
     second.description.rna = Rna::default();
 }
 
-/// The gravity that every ElastoDyn model has says nothing about its tower where the other file has
-/// none, as most formats do.
+/// Omits the gravity of an ElastoDyn model, which always has gravity, if the other file has none.
 fn leave_lone_gravity_out(first: &mut TowerInput, second: &mut TowerInput) {
     let has_gravity = |input: &TowerInput| input.description.gravity_m_per_s2 != 0.0;
     let (which, lone) = match (has_gravity(first), has_gravity(second)) {
@@ -116,7 +115,7 @@ fn leave_lone_gravity_out(first: &mut TowerInput, second: &mut TowerInput) {
     }
     lone.description.gravity_m_per_s2 = 0.0;
     let message = format!(
-        "only the {which} file has gravity: it is left out, and the frequencies are those of towers without weights"
+        "only the {which} file has gravity; it is omitted, and the towers are compared without gravity"
     );
     first.notes.push(Note::new(message));
 }

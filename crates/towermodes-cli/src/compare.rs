@@ -14,14 +14,14 @@ use crate::progress::Progress;
 use crate::side_by_side::columns_in_words;
 use crate::table;
 
-/// A column is timed until this much time has gone by …
+/// A column is timed for at least this time …
 const TIMING: Duration = Duration::from_millis(20);
-/// … and so often …
+/// … and at least this number of times …
 const FEWEST_TIMINGS: usize = 3;
-/// … unless it takes this long.
+/// … unless this time is exceeded.
 const LONG: Duration = Duration::from_secs(1);
 
-/// Reads the tower, solves it by every method, prints what each makes of it.
+/// Reads the tower, solves it with every method and prints the results.
 pub(crate) fn run(arguments: &CompareArguments) -> Result<(), Failure> {
     let output = arguments.destination.output();
     check_not_input(&arguments.input.file, output)?;
@@ -55,7 +55,7 @@ pub(crate) fn run(arguments: &CompareArguments) -> Result<(), Failure> {
     deliver(&result, output)
 }
 
-/// The fastest of several solves in memory that is reused.
+/// The time of the fastest of several solves with reused memory.
 fn time_of(tower: &Tower, options: &Options) -> Duration {
     let mut workspace = Workspace::default();
     let mut fastest = Duration::MAX;
@@ -63,7 +63,7 @@ fn time_of(tower: &Tower, options: &Options) -> Duration {
     let mut timings = 0;
     while (timings < FEWEST_TIMINGS && started.elapsed() < LONG) || started.elapsed() < TIMING {
         let start = Instant::now();
-        // It was solved before, so it is solved again.
+        // The same solve has succeeded before.
         let _ = solve_with(tower, options, &mut workspace);
         fastest = fastest.min(start.elapsed());
         timings += 1;

@@ -10,7 +10,7 @@ use crate::output::{check_not_input, check_not_inputs, deliver};
 use crate::progress::Progress;
 use crate::{table, terminal};
 
-/// Reads the tower, solves it more and more finely, prints the errors.
+/// Reads the tower, solves it on finer and finer meshes and prints the errors.
 pub(crate) fn run(arguments: &ConvergeArguments) -> Result<(), Failure> {
     let fineness = arguments.fineness().map_err(Failure::Usage)?;
     let output = arguments.destination.output();
@@ -42,7 +42,7 @@ pub(crate) fn run(arguments: &ConvergeArguments) -> Result<(), Failure> {
     deliver(&result, output)
 }
 
-/// "80 segments", and how long these take beside others.
+/// The label of a level, "80 segments", and its relative cost.
 fn said(fineness: Fineness) -> (String, f64) {
     let text = match fineness {
         Fineness::Segments(segments) => format!("{segments} segments"),

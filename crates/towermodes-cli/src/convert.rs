@@ -21,7 +21,8 @@ struct Converted {
     notes: Vec<Note>,
 }
 
-/// Reads any tower, writes it in another format; what that cannot hold goes to standard error.
+/// Reads any tower and writes it in another format; data that the format cannot store are reported
+/// on standard error.
 pub(crate) fn run(arguments: &ConvertArguments) -> Result<(), Failure> {
     let output = arguments.output();
     check_not_input(&arguments.input.file, output)?;
@@ -57,12 +58,12 @@ pub(crate) fn run(arguments: &ConvertArguments) -> Result<(), Failure> {
     deliver(converted.text.as_bytes(), output)
 }
 
-/// Neither the option nor the ending says what to write.
+/// Neither the option nor the file extension gives a format.
 const NO_FORMAT: &str =
-    "the output has no ending that says its format: give --to toml, bmodes, elastodyn or windio";
+    "the format of the output is not known: give --to toml, bmodes, elastodyn or windio";
 
-/// Refuses to overwrite a file of sections whose deck is not there, unless this program wrote it:
-/// then its deck is lost, as when a conversion was broken off, and nothing else is.
+/// Refuses to overwrite a section file without its deck, unless this program wrote it: then only an
+/// interrupted conversion of this program can be lost.
 fn check_is_own(companion: &Path, deck: &Path) -> Result<(), Failure> {
     if !companion.exists() || deck.exists() {
         return Ok(());
@@ -72,12 +73,12 @@ fn check_is_own(companion: &Path, deck: &Path) -> Result<(), Failure> {
         return Ok(());
     }
     Err(Failure::Refused(format!(
-        "{}, where the sections would go, is there already and is not of this program; give --output another name or move that file",
+        "the section file {} already exists and was not written by this program; give --output another name or move that file",
         companion.display()
     )))
 }
 
-/// Whether a file of sections has the beginning that [`write_bmodes`] gives it.
+/// Whether a section file begins like those of [`write_bmodes`].
 fn is_own_sections(text: &str) -> bool {
     let mut lines = text.lines();
     let title = lines.next().unwrap_or_default();
@@ -85,8 +86,7 @@ fn is_own_sections(text: &str) -> bool {
     title.starts_with("Sections of ") && count.ends_with("n_secs: number of sections (-)")
 }
 
-/// How the reader found the rotor, where the format has one: there it stands as if somebody had
-/// said so.
+/// The notes of the reader about the rotor, if the target format stores a rotor.
 fn rotor_notes(input: &TowerInput, to: Target) -> Vec<Note> {
     let is_written = matches!(to, Target::Toml | Target::WindIo);
     match input.description.rotor {
@@ -96,7 +96,7 @@ fn rotor_notes(input: &TowerInput, to: Target) -> Vec<Note> {
 }
 
 fn to_toml(input: &TowerInput) -> Result<Converted, Failure> {
-    // What no tower can have is not handed on.
+    // An invalid tower is not converted.
     input.tower().map_err(Failure::Input)?;
     let (text, notes) = write_toml(&input.description);
     Ok(Converted {
@@ -109,7 +109,7 @@ fn to_toml(input: &TowerInput) -> Result<Converted, Failure> {
 fn to_bmodes(input: &TowerInput, output: Option<&Path>) -> Result<Converted, Failure> {
     let Some(stem) = output.and_then(Path::file_stem) else {
         return Err(Failure::Usage(
-            "a BModes deck is two files: give --output PATH for the first",
+            "a BModes deck consists of two files: give --output PATH for the main file",
         ));
     };
     let tower = input.tower().map_err(Failure::Input)?;
@@ -143,7 +143,7 @@ fn to_elastodyn(input: &TowerInput, arguments: &ConvertArguments) -> Result<Conv
     notes.extend(left_out(&input.description_for_shapes()));
     if has_masses {
         notes.push(Note::new(
-            "concentrated masses are read by OpenFAST 4.2 and newer",
+            "the file contains concentrated masses, which need OpenFAST 4.2 or newer",
         ));
     }
     Ok(Converted {

@@ -1,4 +1,4 @@
-//! What is said, and with which exit code, when something fails.
+//! Errors of the program: message, hint and exit code.
 
 use std::io::{self, Write as _};
 use std::process::ExitCode;
@@ -16,56 +16,56 @@ use towermodes_report::wording::printable;
 use crate::args::EndingError;
 use crate::terminal::NOT_SHOWN;
 
-/// Why the program ends without a result.
+/// The errors that end the program without a result.
 #[derive(Debug)]
 pub(crate) enum Failure {
-    /// A file cannot be read, or is no tower.
+    /// A file cannot be read or does not describe a tower.
     Input(ReadError),
-    /// The request is impossible or the computation failed.
+    /// The options are impossible or the computation failed.
     Unsolved(SolveError),
-    /// The file is no blade.
+    /// The description is not a valid blade.
     Blade(BladeError),
-    /// The description is no tower.
+    /// The description is not a valid tower.
     Tower(TowerError),
-    /// The tower has no tower file of ElastoDyn.
+    /// The ElastoDyn tower file cannot be created.
     TowerFile(MakeError),
-    /// What was asked for cannot be written, and why.
+    /// The result cannot be written; the reason.
     Refused(String),
-    /// Shapes of a deck are not those of its tower.
+    /// Mode shapes of a deck do not match its tower.
     Unfit {
         /// How many.
         failures: usize,
     },
-    /// Nobody says how fast the rotor runs.
+    /// The rotor speed is not given.
     NoRotor {
-        /// What kind of file it is that does not.
+        /// The format of the input file.
         format: FileFormat,
     },
-    /// There is no diagram of excitations.
+    /// The Campbell diagram cannot be computed.
     Campbell(CampbellError),
-    /// The rotor excites modes in operation.
+    /// An excitation is within the margin of a tower mode.
     Resonant {
-        /// How many pairs of a mode and an excitation.
+        /// The number of pairs of mode and excitation.
         failures: usize,
-        /// The margin asked for, as a share.
+        /// The required margin, as a fraction.
         margin: f64,
     },
-    /// The picture cannot have the size asked for.
+    /// The picture cannot have the requested size.
     Picture(RasterError),
-    /// Two descriptions do not agree.
+    /// Two models do not agree.
     Disagree,
-    /// The arguments do not go together.
+    /// The arguments contradict each other.
     Usage(&'static str),
-    /// It is not known how the output is to be written.
+    /// The format of the output is not known.
     Ending(EndingError),
-    /// The result would be poured on a terminal, where nobody reads it.
+    /// The result cannot be displayed on a terminal.
     ForNoTerminal {
-        /// What it is.
+        /// The kind of result.
         what: &'static str,
-        /// The name of a file for it.
+        /// An example of a file name.
         example: &'static str,
     },
-    /// Values of the manual did not come out.
+    /// Reference values are not reproduced.
     Unverified {
         /// How many.
         failures: usize,
@@ -79,7 +79,7 @@ pub(crate) enum Failure {
 }
 
 impl Failure {
-    /// Says what went wrong on standard error and gives the exit code.
+    /// Prints the error on standard error and returns the exit code.
     pub(crate) fn report(&self) -> ExitCode {
         match self {
             Self::Input(ReadError::Mistakes {
@@ -101,12 +101,13 @@ impl Failure {
             Self::TowerFile(error) => say(&message(Level::ERROR, &error.to_string(), None)),
             Self::Refused(text) => say(&message(Level::ERROR, text, None)),
             Self::Unfit { failures } => {
-                let text = format!("{failures} of 4 shapes are not those of the tower");
-                let hint = "towermodes elastodyn patch puts the tower's own in their place";
+                let text =
+                    format!("{failures} of 4 mode shapes in the file do not match the tower");
+                let hint = "towermodes elastodyn patch replaces them by the computed shapes";
                 say(&message(Level::ERROR, &text, Some(hint)));
             }
             Self::NoRotor { format } => {
-                let text = "nobody says how fast the rotor runs";
+                let text = "the rotor speed is not given";
                 let hint = match format {
                     FileFormat::Toml => NO_ROTOR,
                     _ => "give --rpm LOWEST,HIGHEST",
@@ -122,34 +123,41 @@ impl Failure {
             }
             Self::Resonant { failures, margin } => {
                 let text = resonant_text(*failures, *margin);
-                let hint = "look for FAIL above; other speeds ([rotor] rpm, or --rpm), a stiffer or softer tower, or less mass on top move them apart";
+                let hint = "see the lines with FAIL above; change the operating speeds ([rotor] rpm or --rpm), the stiffness of the tower or the RNA mass";
                 say(&message(Level::ERROR, &text, Some(hint)));
             }
             Self::Picture(error) => say(&message(Level::ERROR, &error.to_string(), None)),
             Self::Disagree => {
-                let text = "the two descriptions do not agree";
-                say(&message(Level::ERROR, text, Some("look for fail above")));
+                let text = "the two models do not agree";
+                say(&message(
+                    Level::ERROR,
+                    text,
+                    Some("see the lines with fail above"),
+                ));
             }
             Self::Usage(text) => say(&message(Level::ERROR, text, None)),
             Self::Ending(error) => say(&message(Level::ERROR, &error.to_string(), None)),
             Self::ForNoTerminal { what, example } => {
-                let text =
-                    format!("standard output is a terminal, and {what} is not to be read there");
+                let text = format!("standard output is a terminal, which cannot display {what}");
                 let hint = format!(
-                    "give --output {example}, a pipe or a redirection; --output - prints it all the same"
+                    "give --output {example}, a pipe or a redirection; --output - writes to the terminal anyway"
                 );
                 say(&message(Level::ERROR, &text, Some(&hint)));
             }
             Self::Unverified { failures, values } => {
-                let text = format!("{failures} of {values} values did not come out");
-                say(&message(Level::ERROR, &text, Some("look for FAIL above")));
-            }
-            Self::OverwritesInput(path) => {
-                let text = format!("{path} is read as input; the result would overwrite it");
+                let text = format!("{failures} of {values} values are outside their tolerance");
                 say(&message(
                     Level::ERROR,
                     &text,
-                    Some("give --output another path"),
+                    Some("see the lines with FAIL above"),
+                ));
+            }
+            Self::OverwritesInput(path) => {
+                let text = format!("{path} is an input file; the result would overwrite it");
+                say(&message(
+                    Level::ERROR,
+                    &text,
+                    Some("give another path with --output"),
                 ));
             }
             Self::Unwritable(name, error) => {
@@ -159,7 +167,7 @@ impl Failure {
         ExitCode::from(self.code())
     }
 
-    /// What a tower file cannot hold.
+    /// The error of data that a tower file cannot store.
     pub(crate) fn tower_file(error: &TowerFileError) -> Self {
         Self::Refused(error.to_string())
     }
@@ -183,17 +191,21 @@ impl Failure {
     }
 }
 
-/// What a file of this program needs for a diagram of excitations.
-const NO_ROTOR: &str = "give --rpm LOWEST,HIGHEST, or add to the tower's file:
+/// The rotor data of a tower file.
+const NO_ROTOR: &str = "give --rpm LOWEST,HIGHEST, or add to the tower file:
   [rotor]
   blades = 3
-  rpm = [6.9, 12.1]  # lowest and highest speed of operation";
+  rpm = [6.9, 12.1]  # lowest and highest operating speed";
 
 fn resonant_text(failures: usize, margin: f64) -> String {
     let percent = number::percent(margin);
     match failures {
-        1 => format!("1 excitation is within {percent} % of a natural frequency in operation"),
-        n => format!("{n} excitations are within {percent} % of natural frequencies in operation"),
+        1 => format!(
+            "1 pair of excitation and natural frequency is within the {percent} % margin in operation"
+        ),
+        n => format!(
+            "{n} pairs of excitation and natural frequency are within the {percent} % margin in operation"
+        ),
     }
 }
 
@@ -203,19 +215,19 @@ impl From<ResultError> for Failure {
     }
 }
 
-/// Says what belongs to a result but not into it.
+/// Prints text that accompanies a result.
 pub(crate) fn report(text: &str) {
     say(&printable(text, NOT_SHOWN));
 }
 
-/// Says what the reader of a file decided or left out.
+/// Prints the notes of a reader.
 pub(crate) fn note(notes: &[Note]) {
     for note in notes {
         say(&message(Level::WARNING, &note.to_string(), None));
     }
 }
 
-/// Says what looks like a slip, with the line of the input where it stands.
+/// Prints warnings, with file and line of the input if they are known.
 pub(crate) fn warn(warnings: &[Warning], input: &TowerInput) {
     for warning in warnings {
         let line = warning.place().and_then(|place| input.line_of(place));
@@ -227,7 +239,7 @@ pub(crate) fn warn(warnings: &[Warning], input: &TowerInput) {
     }
 }
 
-/// Standard error may be closed; there is nobody left to tell then.
+/// If standard error is closed, the message is lost.
 fn say(text: &str) {
     let _ = anstream::stderr().lock().write_all(text.as_bytes());
 }
@@ -235,32 +247,30 @@ fn say(text: &str) {
 fn hint(error: &SolveError) -> Option<&'static str> {
     match error {
         SolveError::TooManyModes { .. } => {
-            Some("raise --segments (of --method spectral --degree) or lower --modes")
+            Some("increase --segments (for --method spectral: --degree) or reduce --modes")
         }
         SolveError::TooLarge { .. } | SolveError::TooSlow { .. } => Some(
-            "ask for fewer modes (--modes) or fewer segments (--segments), an even number of which needs no finer ones for the errors; --no-limits tries all the same",
+            "reduce --modes or --segments (an even number of segments needs no finer mesh for the error estimate), or use --no-limits",
         ),
         SolveError::Buckles { .. } => Some(
-            "carry less, widen the tower or thicken its wall; --no-gravity solves the tower without its weights",
+            "reduce the mass, increase the diameter or the wall thickness, or use --no-gravity to omit gravity",
         ),
-        SolveError::Eigen(EigenError::TooStiff) => {
-            Some("no soil or wire is a million times as stiff as a tower: look at the units")
-        }
+        SolveError::Eigen(EigenError::TooStiff) => Some(
+            "check the units: foundation, soil and guy wires are not a million times stiffer than the tower",
+        ),
         SolveError::Unstable {
             motion: Family::Roll | Family::Pitch,
         } => Some(
-            "a hydrostatic stiffness is buoyancy alone: [gravity] adds what the weights do; look at g and the height of the centre of mass too",
+            "hydrostatic must not contain the gravity terms of the masses, which [gravity] adds; check also the acceleration and the height of the centre of mass",
         ),
         SolveError::Unstable { .. } => Some(
-            "look at the signs of the hydrostatic and mooring stiffness there, and at the weights",
+            "check the signs of the hydrostatic and mooring stiffness for this motion, and the masses",
         ),
         SolveError::UnstableBlade { .. } => Some(
-            "look at the rotor's speed (rot_rpm in rpm, rpm_mult), at GJ and at the offsets of the sections",
+            "check the rotor speed (rot_rpm in rpm, rpm_mult), GJ and the offsets of the sections",
         ),
-        SolveError::Eigen(EigenError::NotFinite) => Some("look for a value with the wrong unit"),
-        SolveError::Eigen(_) => {
-            Some("ask for fewer modes, or look for a value with the wrong unit")
-        }
+        SolveError::Eigen(EigenError::NotFinite) => Some("check the units of all values"),
+        SolveError::Eigen(_) => Some("reduce --modes, or check the units of all values"),
         _ => None,
     }
 }
@@ -272,7 +282,7 @@ fn message(level: Level<'_>, text: &str, hint: Option<&str>) -> String {
     title + &hint.unwrap_or_default()
 }
 
-/// Every mistake with its line, as compilers show them, with a blank line between two.
+/// All errors with their source lines, separated by blank lines.
 fn mistakes_text(source: &Source, mistakes: &[Diagnostic]) -> String {
     let mut text = String::new();
     let name = printable(&source.name, NOT_SHOWN);
@@ -297,8 +307,7 @@ fn mistakes_text(source: &Source, mistakes: &[Diagnostic]) -> String {
     text
 }
 
-/// The part of a mistake's span that is on its first line, so that a long table is not printed
-/// whole.
+/// The first line of the span of an error, so that a long table is not printed completely.
 fn visible(text: &str, mistake: &Diagnostic) -> std::ops::Range<usize> {
     let start = mistake.span.start.min(text.len());
     let end = mistake.span.end.clamp(start, text.len());

@@ -1,4 +1,4 @@
-//! Where towers come from.
+//! Reading of the input files.
 
 use std::path::Path;
 
@@ -10,7 +10,7 @@ use towermodes_files::{
 use crate::args::{InputArguments, ReadingArguments};
 use crate::failure::Failure;
 
-/// Reads what a file, or standard input, describes.
+/// Reads a tower or blade from a file or from standard input.
 pub(crate) fn input(file: &Path, reading: &ReadingArguments) -> Result<Input, Failure> {
     let options = reading.options();
     let input = if file == Path::new("-") {
@@ -23,7 +23,7 @@ pub(crate) fn input(file: &Path, reading: &ReadingArguments) -> Result<Input, Fa
     input.map_err(Failure::Input)
 }
 
-/// Reads the tower of a file, or of standard input; a rotating blade is none.
+/// Reads a tower from a file or from standard input; a rotating blade is an error.
 pub(crate) fn tower_input(arguments: &InputArguments) -> Result<TowerInput, Failure> {
     let input = input_of(&arguments.file, &arguments.reading)?;
     let checked = arguments.reading.check(&[input.format]);
@@ -31,17 +31,17 @@ pub(crate) fn tower_input(arguments: &InputArguments) -> Result<TowerInput, Fail
     Ok(input)
 }
 
-/// The same of any path, whatever the options.
+/// The same for any path, without a check of the options.
 pub(crate) fn input_of(file: &Path, reading: &ReadingArguments) -> Result<TowerInput, Failure> {
     match input(file, reading)? {
         Input::Tower(tower) => Ok(*tower),
         Input::Blade(_) => Err(Failure::Usage(
-            "this is a deck of a rotating blade; only solve reads these",
+            "this is a deck of a rotating blade; it can be used only with solve",
         )),
     }
 }
 
-/// The tower of a file, and what its reader made of it.
+/// The tower of a file with the data of its reader.
 pub(crate) fn tower(arguments: &InputArguments) -> Result<(Tower, TowerInput), Failure> {
     let input = tower_input(arguments)?;
     let Reading { tower, input } = input.check().map_err(Failure::Input)?;

@@ -1,8 +1,7 @@
-//! The program `towermodes`: a wind turbine tower's natural frequencies and mode shapes from its
-//! drawing.
+//! The program `towermodes`: natural frequencies and mode shapes of wind turbine towers.
 //!
-//! Results go to standard output, everything else to standard error. Exit codes: 0 done; 1 the
-//! computation failed; 2 wrong usage or wrong input.
+//! Results go to standard output, messages to standard error. Exit codes: 0 done; 1 the
+//! computation, a check or the output failed; 2 wrong usage or wrong input.
 
 mod args;
 mod campbell;

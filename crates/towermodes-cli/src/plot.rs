@@ -17,7 +17,7 @@ use crate::progress::solve;
 
 use heading::{Words, computed_by, titled};
 
-/// Reads the tower, solves it if the picture needs that, draws, writes SVG or PNG.
+/// Reads the tower, solves it if necessary, and writes the picture as SVG or PNG.
 pub(crate) fn run(arguments: &PlotArguments) -> Result<(), Failure> {
     arguments.check().map_err(Failure::Usage)?;
     let format = arguments.format().map_err(Failure::Usage)?;
@@ -51,12 +51,12 @@ pub(crate) fn run(arguments: &PlotArguments) -> Result<(), Failure> {
     deliver_bytes(&picture, output)
 }
 
-/// A picture, and what the user should know of how it came about.
+/// A picture with its notes and warnings.
 struct Drawn {
     figure: Figure,
-    /// How what it shows was computed: "rmje-exact, 100 segments".
+    /// The method: "rmje-exact, 100 segments".
     computed: Option<String>,
-    /// What follows from it, in sentences.
+    /// The conclusion in sentences.
     conclusion: Vec<String>,
     notes: Vec<Note>,
     warnings: Vec<Warning>,
@@ -117,7 +117,7 @@ fn campbell(
     tower: &Tower,
     arguments: &PlotArguments,
 ) -> Result<Drawn, Failure> {
-    // Said before a long solve.
+    // Reported before a long solve.
     rotor_of(input, &arguments.rotor)?;
     let mut options = options(input, arguments)?;
     let is_given = arguments.has_modes();

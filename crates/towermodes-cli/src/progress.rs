@@ -1,5 +1,5 @@
-//! How far long work is, on the last line of a terminal: standard error only, after half a second,
-//! and gone when the work is done.
+//! Progress of long computations on the last line of the terminal (standard error), shown after
+//! half a second and removed at the end.
 
 use std::fmt::Write;
 use std::io::IsTerminal;
@@ -14,33 +14,32 @@ use towermodes_report::wording::printable;
 
 use crate::terminal::NOT_SHOWN;
 
-/// Work that takes no longer than this is done without a word.
+/// Shorter computations show no progress.
 const QUIET: Duration = Duration::from_millis(500);
-/// From one look at the work to the next.
+/// Time between two updates.
 const TICK: Duration = Duration::from_millis(100);
 /// Steps of the bar.
 const STEPS: u64 = 1000;
-/// Below this share of the work nobody knows how long the rest takes.
+/// Below this fraction the remaining time is not estimated.
 const KNOWN: f64 = 0.03;
 
-/// A line that says how much is done; nothing where nobody sees it.
+/// The progress line; nothing if standard error is not a terminal.
 pub(crate) struct Progress {
     line: Option<Line>,
 }
 
 impl Progress {
-    /// Of one piece of work that tells how far it is.
+    /// Progress of one computation.
     pub(crate) fn of_one() -> Self {
         Self::of([String::new()])
     }
 
-    /// Of equal pieces of work that are done one after the other, by their names.
+    /// Progress of several computations of equal cost, by their names.
     pub(crate) fn of(names: impl IntoIterator<Item = String>) -> Self {
         Self::of_weighted(names.into_iter().map(|name| (name, 1.0)))
     }
 
-    /// Of pieces of work that are done one after the other, by their names and how long they take
-    /// beside each other.
+    /// Progress of several computations, by their names and relative costs.
     pub(crate) fn of_weighted(pieces: impl IntoIterator<Item = (String, f64)>) -> Self {
         let now = Now::new(pieces.into_iter().collect());
         let is_seen = std::io::stderr().is_terminal();
@@ -49,14 +48,14 @@ impl Progress {
         }
     }
 
-    /// One more piece is done, and the next one begins.
+    /// One more computation is finished, and the next one begins.
     pub(crate) fn done(&self) {
         if let Some(line) = &self.line {
             locked(&line.now).next();
         }
     }
 
-    /// Memory for solves of the piece at hand, which tell how far they are.
+    /// A workspace for the current computation that reports its progress.
     pub(crate) fn workspace(&self) -> Workspace {
         let Some(line) = &self.line else {
             return Workspace::default();
@@ -66,7 +65,7 @@ impl Progress {
     }
 }
 
-/// Solves a tower, and says how far that is if it takes long.
+/// Solves a tower with a progress line.
 ///
 /// # Errors
 /// As [`solve_certain`].
@@ -75,14 +74,14 @@ pub(crate) fn solve(tower: &Tower, options: &Options) -> Result<Solution, SolveE
     solve_certain(tower, options, &mut progress.workspace())
 }
 
-/// What is at hand, and how much is done.
+/// The state of the progress.
 #[derive(Debug, Clone)]
 struct Now {
-    /// Names and weights; the name of a single piece is empty.
+    /// Names and relative costs; the name of a single computation is empty.
     pieces: Vec<(String, f64)>,
-    /// Which of them is at hand.
+    /// The index of the current computation.
     at: usize,
-    /// Share of it that is done.
+    /// The finished fraction of the current computation.
     share: f64,
     stage: Option<Stage>,
 }
@@ -103,13 +102,13 @@ impl Now {
         self.stage = None;
     }
 
-    /// A piece may solve more than once: what was done stays done.
+    /// A computation may solve more than once; the progress never decreases.
     fn hear(&mut self, progress: towermodes::Progress) {
         self.share = self.share.max(progress.fraction);
         self.stage = Some(progress.stage);
     }
 
-    /// Share of all that is done, 0 to 1.
+    /// The finished fraction of all computations, 0 to 1.
     fn fraction(&self) -> f64 {
         let weight =
             |pieces: &[(String, f64)]| pieces.iter().map(|(_, weight)| weight).sum::<f64>();
@@ -119,7 +118,7 @@ impl Now {
         if fraction.is_finite() { fraction } else { 0.0 }
     }
 
-    /// "2 of 7, rmje 60", or what a single solve is at.
+    /// "2 of 7, rmje 60", or the stage of a single solve.
     fn what(&self) -> String {
         match (self.pieces.get(self.at), self.stage) {
             (Some((name, _)), stage) if name.is_empty() => {
@@ -141,7 +140,7 @@ fn locked(now: &Mutex<Now>) -> std::sync::MutexGuard<'_, Now> {
     now.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
-/// A line of the terminal, drawn by a thread of its own from [`QUIET`] on; dropped it is gone.
+/// The line on the terminal, drawn by its own thread after [`QUIET`] and removed on drop.
 struct Line {
     bar: ProgressBar,
     now: Arc<Mutex<Now>>,
@@ -176,7 +175,7 @@ impl Line {
             bar,
             now,
             stop: Some(stop),
-            // Without a thread there is no line, and all else is as it would be.
+            // Without a thread there is no progress line.
             drawer: drawer.ok(),
         }
     }
@@ -186,20 +185,20 @@ impl Drop for Line {
     fn drop(&mut self) {
         drop(self.stop.take());
         if let Some(drawer) = self.drawer.take() {
-            // One that panicked has nothing to say any more.
+            // A panic of the drawing thread is ignored.
             let _ = drawer.join();
         }
         self.bar.finish_and_clear();
     }
 }
 
-/// A bar, and the words behind it.
+/// A bar and the text after it.
 fn style(now: Arc<Mutex<Now>>) -> ProgressStyle {
     let words = move |state: &ProgressState, out: &mut dyn Write| {
         let now = locked(&now).clone();
         let _ = out.write_str(&line(&now, state.elapsed().as_secs_f64()));
     };
-    // The template is right: another style would be a fault of this file.
+    // The template is a constant and valid.
     let style = ProgressStyle::with_template("[{bar:10}] {words}");
     let style = style.unwrap_or_else(|_| ProgressStyle::default_bar());
     style.with_key("words", words).progress_chars("=> ")
@@ -227,7 +226,7 @@ fn duration(seconds: f64) -> String {
     }
 }
 
-/// A name is cut after so many characters, so that a line stays one.
+/// Names are cut to this number of characters, so that the text fits on one line.
 const LONGEST: usize = 28;
 
 fn shortened(name: &str) -> String {
@@ -248,9 +247,9 @@ fn said(stage: Stage) -> String {
             segments,
             degree: Some(degree),
         } => format!("modes on {segments} elements of degree {degree}"),
-        Stage::Certificate => "proof that none is missing".to_owned(),
-        Stage::Buckling => "load that buckles it".to_owned(),
-        Stage::Shapes => "names of the modes".to_owned(),
+        Stage::Certificate => "mode count".to_owned(),
+        Stage::Buckling => "buckling load".to_owned(),
+        Stage::Shapes => "mode shapes".to_owned(),
         Stage::Errors {
             mesh,
             meshes,
@@ -290,7 +289,7 @@ mod tests {
             line(&at(modes, 0.25), 12.0),
             "25 %, 12 s, 36 s left: modes on 1000000 segments"
         );
-        // Nothing is known at the beginning.
+        // At the beginning no time is known.
         assert_eq!(
             line(&at(modes, 0.0), 1.0),
             "0 %, 1 s: modes on 1000000 segments"
@@ -298,7 +297,7 @@ mod tests {
         assert_eq!(line(&pieces(&[""]), 1.0), "0 %, 1 s: solving");
         assert_eq!(
             line(&at(Stage::Shapes, 0.5), 240.0),
-            "50 %, 4 min, 4 min left: names of the modes"
+            "50 %, 4 min, 4 min left: mode shapes"
         );
     }
 
@@ -313,7 +312,7 @@ mod tests {
             fraction,
         };
         now.hear(progress(0.8));
-        // A second solve of the same piece takes nothing back.
+        // A second solve of the same computation does not reduce the progress.
         now.hear(progress(0.1));
         assert_eq!(line(&now, 9.0), "45 %, 9 s, 11 s left: 2 of 4, lumped 60");
         (0..3).for_each(|_| now.next());

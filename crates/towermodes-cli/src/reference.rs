@@ -1,5 +1,5 @@
-//! The whole command line as a chapter of the book, from clap's own definitions, so that the book
-//! cannot say anything else.
+//! The command line as a chapter of the book, generated from the definitions of clap, so that both
+//! always agree.
 
 use clap::builder::StyledStr;
 use clap::{Arg, Command, CommandFactory};
@@ -8,7 +8,7 @@ use crate::args::Arguments;
 use crate::failure::Failure;
 use crate::output::deliver;
 
-/// What stands above the commands.
+/// The introduction of the chapter.
 const INTRODUCTION: &str = "# The command line
 
 Every command with its arguments and options. This chapter is printed by `towermodes reference`; a test compares the two. `towermodes COMMAND
@@ -39,7 +39,7 @@ fn chapter(program: &Command) -> String {
     text
 }
 
-/// All that can be called, each with its full name, a command before those below it.
+/// All commands with their full names; each command is before its subcommands.
 fn commands_of<'a>(parent: &'a Command, name: &str) -> Vec<(String, &'a Command)> {
     let shown = parent
         .get_subcommands()
@@ -54,7 +54,7 @@ fn commands_of<'a>(parent: &'a Command, name: &str) -> Vec<(String, &'a Command)
     commands
 }
 
-/// One command: what it does, how it is called, what it takes, examples.
+/// The section of one command: description, usage, arguments, examples.
 fn section(name: &str, command: &Command) -> String {
     let about = command.get_about().map(plain).unwrap_or_default();
     let usage = command.clone().render_usage().to_string();
@@ -70,7 +70,7 @@ fn section(name: &str, command: &Command) -> String {
     text
 }
 
-/// The table of what is given by its place.
+/// The table of positional arguments.
 fn arguments(command: &Command) -> String {
     let rows: Vec<String> = command
         .get_positionals()
@@ -80,7 +80,7 @@ fn arguments(command: &Command) -> String {
     table("argument", &rows)
 }
 
-/// The headings that options stand under, in order; the first is none.
+/// The headings of the options, in order; the first is none.
 fn headings(command: &Command) -> Vec<Option<&str>> {
     let mut headings = vec![None];
     for option in command.get_opts().chain(command.get_arguments()) {
@@ -123,7 +123,7 @@ fn table(first: &str, rows: &[String]) -> String {
     format!("\n| {first} | |\n|---|---|\n{}", rows.concat())
 }
 
-/// A line of a table: the name, what it is, its values and what holds without it.
+/// A table row: name, description, possible values, default.
 fn row(name: &str, argument: &Arg) -> String {
     let help = argument.get_help().map(plain).unwrap_or_default();
     let help = help.trim_end_matches('.');
@@ -134,7 +134,7 @@ fn row(name: &str, argument: &Arg) -> String {
     )
 }
 
-/// The values to choose from, each with what it means if that is said.
+/// The possible values with their descriptions.
 fn values(argument: &Arg) -> String {
     if !argument.get_action().takes_values() {
         return String::new();
@@ -169,7 +169,7 @@ fn default(argument: &Arg) -> String {
     format!(" [default: `{}`]", values.join(","))
 }
 
-/// What stands below the options: examples as a block that can be copied, sentences as paragraphs.
+/// The text after the options: examples as a code block, sentences as paragraphs.
 fn after_help(text: &str) -> String {
     let mut markdown = String::new();
     for paragraph in text.trim().split("\n\n") {
@@ -192,7 +192,7 @@ fn plain(text: &StyledStr) -> String {
     escaped(&words.join(" ")).replace('|', "\\|")
 }
 
-/// Text whose signs mean themselves in Markdown; what is between backticks is code already.
+/// Escapes Markdown characters; text between backticks is code and unchanged.
 fn escaped(text: &str) -> String {
     let parts = text.split('`').enumerate().map(|(index, part)| {
         if index % 2 == 1 {
@@ -221,7 +221,7 @@ mod tests {
         );
     }
 
-    /// A default that the help says in words is not said again.
+    /// A default that the help text describes is not repeated.
     #[test]
     fn a_default_is_said_once() {
         let hidden = Arg::new("title")

@@ -20,7 +20,7 @@ use crate::input::tower_input;
 use crate::output::{check_not_input, check_not_inputs, check_terminal, deliver};
 use crate::side_by_side::all_methods;
 
-/// Reads the tower, computes all that there is to say, writes it down.
+/// Reads the tower, computes all results and writes the report.
 pub(crate) fn run(arguments: &ReportArguments) -> Result<(), Failure> {
     let output = arguments.output();
     check_not_input(&arguments.input.file, output)?;
@@ -43,7 +43,7 @@ pub(crate) fn run(arguments: &ReportArguments) -> Result<(), Failure> {
     deliver(text.as_bytes(), output)
 }
 
-/// Everything that the report says; the input's notes with those on the rotor.
+/// The content of the report; the notes of the input include those about the rotor.
 fn content(
     input: &mut TowerInput,
     tower: Tower,
@@ -54,7 +54,7 @@ fn content(
     let is_given = arguments.has_modes();
     let solution = solved_to_reach(input, &tower, &arguments.rotor, &mut options, is_given)?;
     let campbell = resonance(input, &tower, &solution, arguments)?;
-    // On a monopile ElastoDyn's tower is what stands above it.
+    // On a monopile the ElastoDyn tower is the part above it.
     let shapes_from_m = input.joint_m.unwrap_or(tower.base_m());
     input.notes.extend(input.note_on_shapes());
     let of_model = input.notes.iter().filter(|note| note.is_on_missing_part());
@@ -82,7 +82,7 @@ fn content(
     })
 }
 
-/// What `towermodes elastodyn tower` writes of the tower.
+/// The tower file that `towermodes elastodyn tower` writes.
 fn elastodyn(tower: &Tower, from_m: f64) -> Result<ElastoDynShapes, String> {
     let options = MakeOptions {
         from_m: Some(from_m),
@@ -99,7 +99,7 @@ fn elastodyn(tower: &Tower, from_m: f64) -> Result<ElastoDynShapes, String> {
     })
 }
 
-/// The margins, or nothing where nobody says how fast a rotor runs.
+/// The resonance check; none if the rotor speed is not given.
 fn resonance(
     input: &mut TowerInput,
     tower: &Tower,
@@ -139,7 +139,7 @@ fn input_file(source: &Source) -> InputFile {
     }
 }
 
-/// The bytes that the text was read from; none if they are no file, or another one by now.
+/// The bytes of an input file; none if it is not a file or has changed.
 fn bytes_on_disk(source: &Source) -> Option<Vec<u8>> {
     let path = Path::new(&source.name);
     if !fs::metadata(path).is_ok_and(|of| of.is_file()) {

@@ -1,5 +1,4 @@
-//! Completion scripts, the manual pages and the JSON schema, made from the command line's own
-//! description.
+//! Completion scripts, manual pages and JSON schemas.
 
 use clap::CommandFactory;
 use clap_complete::Shell;
@@ -17,7 +16,7 @@ pub(crate) fn completions(shell: Shell) -> Result<(), Failure> {
     deliver(&script, None)
 }
 
-/// `towermodes schema [COMMAND]`.
+/// `towermodes schema [RESULT]`.
 pub(crate) fn schema(of: &str) -> Result<(), Failure> {
     let mut schema = Vec::new();
     if of == "verify" {

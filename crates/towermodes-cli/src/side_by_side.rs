@@ -21,8 +21,8 @@ pub(crate) fn all_methods(
     })
 }
 
-/// What is at work while columns are solved one after the other: before the first the spectral
-/// beam, the measure of all.
+/// The names of the computations for the progress line; the reference solution is computed before
+/// the first column.
 pub(crate) fn columns_in_words(columns: &[ColumnSpec]) -> Vec<String> {
     let name = |spec: &ColumnSpec| match spec.segments {
         Some(segments) => format!("{} {segments}", spec.method.name()),

@@ -17,7 +17,7 @@ use crate::progress::solve;
 use crate::table;
 use crate::terminal;
 
-/// Reads the tower, or the blade, solves it, prints the result; warnings go to standard error.
+/// Reads and solves the tower or the blade and prints the result; warnings go to standard error.
 pub(crate) fn run(arguments: &SolveArguments) -> Result<(), Failure> {
     let file = &arguments.input.file;
     check_not_input(file, arguments.output())?;
@@ -81,7 +81,7 @@ fn of_blade(
     };
     let modes = arguments.modes().unwrap_or(input.modes);
     let solution = solve_blade(&blade, modes, &radii_m).map_err(Failure::Unsolved)?;
-    let of_tip = |warning: &Warning| Note::new(format!("the body at the tip: {warning}"));
+    let of_tip = |warning: &Warning| Note::new(format!("tip body: {warning}"));
     let mut notes = input.notes.clone();
     notes.extend(blade.warnings().iter().map(of_tip));
     let mut result = Vec::new();
@@ -108,7 +108,7 @@ fn blade_text(blade: &Blade, solution: &BladeSolution, arguments: &SolveArgument
     with_picture(table, draw, arguments)
 }
 
-/// A table, and the mode shapes below it if they are wanted and there is room.
+/// A table, with the mode shapes below it if they are requested and the terminal is wide enough.
 fn with_picture(
     table: String,
     draw: impl Fn(usize) -> String,
@@ -125,10 +125,10 @@ fn with_picture(
     }
 }
 
-/// Errors of the elements above this share of a frequency are worth a word.
+/// A relative error above this value gives a note.
 const COARSE: f64 = 0.01;
 
-/// That the elements of a deck are too coarse for its modes, if they are.
+/// A note if the elements of a deck are too few for its modes.
 fn coarse(solution: &BladeSolution) -> Vec<Note> {
     let share = |mode: &BladeMode| mode.discretization_error_hz / mode.frequency_hz;
     let coarse: Vec<&BladeMode> = solution
@@ -143,7 +143,7 @@ fn coarse(solution: &BladeSolution) -> Vec<Note> {
         .iter()
         .fold(0.0_f64, |most, mode| most.max(share(mode)));
     vec![Note::new(format!(
-        "the {} elements of the deck leave errors of up to {:.1} % in mode {} and {} more; el_loc with more elements has less",
+        "the {} elements of the deck are too few: the errors are up to {:.1} % (mode {} and {} more); add elements in el_loc",
         solution.elements,
         100.0 * largest,
         first.number,

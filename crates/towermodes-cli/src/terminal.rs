@@ -1,9 +1,9 @@
-//! How wide the terminal is.
+//! The width of the terminal.
 
-/// Columns of what goes to a file or a pipe.
+/// Columns of text in a file or a pipe.
 pub(crate) const WIDTH_OF_FILES: usize = 100;
 
-/// Columns of the terminal that standard output is, or of a file if it is none.
+/// Columns of the terminal, or of a file if standard output is not a terminal.
 pub(crate) fn width() -> usize {
     let size = terminal_size::terminal_size_of(std::io::stdout());
     size.map_or(WIDTH_OF_FILES, |(width, _)| usize::from(width.0))

@@ -9,7 +9,7 @@ use crate::output::deliver;
 use crate::progress::Progress;
 use crate::table;
 
-/// Runs the manual, prints it, and fails if a value does not come out.
+/// Runs the verification manual and prints it; an error if a value is outside its tolerance.
 pub(crate) fn run(arguments: &VerifyArguments) -> Result<(), Failure> {
     let format = arguments.format().map_err(Failure::Ending)?;
     let mut cases = manual();

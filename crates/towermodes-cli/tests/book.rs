@@ -306,3 +306,17 @@ fn the_command_line_is_that_of_the_program() {
         "run: towermodes reference > {REFERENCE}"
     );
 }
+
+/// Help, report and book describe a method in the same words.
+#[test]
+fn the_methods_are_those_of_the_library() {
+    let readme = fs::read_to_string(root().join("README.md")).expect("the page");
+    let command_line = fs::read_to_string(root().join(REFERENCE)).expect("the page");
+    for method in towermodes::Method::ALL {
+        let (name, description) = (method.name(), method.description());
+        let row = format!("| `{name}` | {description} |");
+        assert!(readme.contains(&row), "README.md: {row}");
+        let value = format!("`{name}` ({description})");
+        assert!(command_line.contains(&value), "{REFERENCE}: {value}");
+    }
+}

@@ -171,7 +171,7 @@ fn a_deck_of_two_files_is_written_together() {
     assert_eq!(folder.text("out_sections.dat"), "mine");
     refused(
         &["convert", TOWER, "--to", "bmodes", "--output", "-"],
-        "is two files",
+        "consists of two files",
     );
     let output = run(&["convert", TOWER, "--to", "bmodes", "--output", "/dev/null"]);
     assert_eq!(output.status.code(), Some(1), "{output:?}");
@@ -308,26 +308,30 @@ fn the_ending_of_an_output_is_its_format() {
     assert!(written(&["convert", TOWER], "t.toml").contains("[tower]"));
     assert!(written(&["convert", TOWER], "t.yaml").contains("windIO"));
     for (arguments, name, words) in [
-        (&solve[..], "m.pdf", "use .json, .csv, .txt, or --format"),
+        (
+            &solve[..],
+            "m.pdf",
+            "use .json, .csv, .txt, or give --format",
+        ),
         (
             &["solve", TOWER, "--format", "csv"],
             "x.json",
-            "--format csv does not go with",
+            "--format csv contradicts",
         ),
         (
             &["report", TOWER],
             "r.pdf",
-            "use .html, .htm, .md, .markdown, or --format",
+            "use .html, .htm, .md, .markdown, or give --format",
         ),
         (
             &["report", TOWER, "--format", "md"],
             "r.html",
-            "which is for html",
+            "which means html",
         ),
         (
             &["convert", TOWER, "--to", "toml"],
             "t.bmi",
-            "which is for bmodes",
+            "which means bmodes",
         ),
         (&["convert", TOWER], "t", "give --to toml"),
     ] {
@@ -341,30 +345,33 @@ fn the_ending_of_an_output_is_its_format() {
 fn options_that_would_do_nothing_are_refused() {
     let deck = "examples/nrel-5mw.bmi";
     for (arguments, words) in [
-        (&["solve", TOWER, "--points", "5"][..], "--points is for"),
+        (
+            &["solve", TOWER, "--points", "5"][..],
+            "--points applies only to",
+        ),
         (
             &["solve", TOWER, "--points", "5", "--format", "csv"],
-            "--points is for",
+            "--points applies only to",
         ),
         (
             &["solve", deck, "--points", "5", "--format", "bmodes"],
-            "own elements are the heights",
+            "element boundaries of the deck",
         ),
         (
             &["compare", TOWER, "--methods", "rmje", "--hinges", "0.2"],
-            "--hinges is for",
+            "--hinges applies only to",
         ),
         (
             &["compare", TOWER, "--methods", "spectral", "--segments", "9"],
-            "--segments is for",
+            "--segments does not apply to",
         ),
         (
             &["convert", TOWER, "--to", "toml", "--from-height", "5"],
-            "--from-height is for",
+            "--from-height applies only to",
         ),
         (
             &["plot", TOWER, "--what", "tower", "--no-limits"],
-            "solves nothing",
+            "does not solve the tower",
         ),
     ] {
         refused(arguments, words);

@@ -238,7 +238,7 @@ fn every_picture_says_what_it_is_of() {
             1,
             "Shapes of the lowest 8 modes \u{b7} rmje-exact, 100 segments",
         ),
-        (2, "against the spectral beam"),
+        (2, "relative to the reference solution"),
         (3, "rmje-exact, 100 segments"),
         (4, "60 segments"),
     ];
@@ -295,5 +295,5 @@ fn hints_fit_the_file() {
     let deck = "examples/small-turbine/";
     let (main, blade) = (format!("{deck}ElastoDyn.dat"), format!("{deck}Blade.dat"));
     let refused = said(&["campbell", &main, "-f", "csv", "-o", &blade]);
-    assert!(refused.contains("Blade.dat is read as input"), "{refused}");
+    assert!(refused.contains("Blade.dat is an input file"), "{refused}");
 }

@@ -156,7 +156,7 @@ fn matrices_that_no_foundation_has() {
         "2e9",
         "2e9",
         "9:10",
-        "the stiffness has the negative eigenvalue -1.20465e9",
+        "the stiffness has a negative eigenvalue, -1.20465e9",
         "signs of the coupling",
     );
     refused(
@@ -173,7 +173,7 @@ fn matrices_that_no_foundation_has() {
         "mass = [[0, ",
         "mass = [[-1, ",
         "17:8",
-        "the mass matrix has the negative eigenvalue -1",
+        "the mass matrix has a negative eigenvalue, -1",
         "",
     );
     refused(&masses, "mass = [", "mass = [[0], ", "17:8", "7 rows", "");
@@ -194,7 +194,7 @@ fn springs_that_no_base_has() {
         "= 1e8",
         "= -1e8",
         "9:11",
-        "the lateral spring is -1e8 N/m, but cannot be negative",
+        "the lateral spring is -1e8 N/m; it must not be negative",
         "",
     );
     refused(
@@ -203,7 +203,7 @@ fn springs_that_no_base_has() {
         "= -inf",
         "11:12",
         "the vertical spring is -inf",
-        "ordinary number",
+        "finite number",
     );
     refused(SPRINGS, "= inf", "= 1e999", "12:11", "torsion is inf", "");
     refused(SPRINGS, "= -4e8", "= inf", "13:12", "coupling is inf", "");
@@ -212,15 +212,15 @@ fn springs_that_no_base_has() {
         "= 1e8",
         "= inf",
         "13:12",
-        "a coupling spring means nothing",
-        "leave coupling out",
+        "a coupling spring cannot be combined",
+        "omit coupling",
     );
     refused(
         SPRINGS,
         "= -4e8",
         "= -4e9",
         "13:12",
-        "coupling and rocking springs has the negative eigenvalue",
+        "coupling and rocking springs has a negative eigenvalue",
         "signs",
     );
     refused(
@@ -241,7 +241,7 @@ fn towers_that_nothing_holds() {
         "= 1e8",
         "= 0",
         "8:8",
-        "nothing holds the tower against translation in x and translation in y",
+        "nothing prevents translation in x and translation in y",
         "soil",
     );
     refused(
@@ -249,7 +249,7 @@ fn towers_that_nothing_holds() {
         "= inf",
         "= 0.0",
         "8:8",
-        "nothing holds the tower against rotation about z",
+        "nothing prevents rotation about z",
         "type = \"floating\"",
     );
     // Wires hold it laterally.
@@ -273,7 +273,7 @@ fn footings_that_cannot_be() {
         "0.35",
         "0.6",
         "11:23",
-        "Poisson's ratio is 0.6, outside 0 to 0.5",
+        "Poisson's ratio of the soil is 0.6; it must be from 0 to 0.5",
         "clay 0.5",
     );
     refused(
@@ -301,7 +301,7 @@ fn platforms_that_do_not_float() {
         "3.3e5",
         "inf",
         "13:15",
-        "the hydrostatic stiffness has an infinite entry, but a floating platform is not rigidly held",
+        "the hydrostatic stiffness has an infinite entry, but a floating platform cannot be rigidly supported",
         "type = \"springs\", where inf is allowed",
     );
     refused(
@@ -447,8 +447,8 @@ fn soil_that_cannot_be() {
         "[-10.0,",
         "[90.0,",
         "11:4",
-        "the soil reaches from -30 m to 90 m, but the tower from -20 m to 80 m",
-        "a depth below it is negative",
+        "the soil extends from -30 m to 90 m, but the tower from -20 m to 80 m",
+        "heights below it are negative",
     );
     refused(
         SOIL,
@@ -487,7 +487,7 @@ fn soil_that_cannot_be() {
         "3e7",
         "-3e7",
         "10:16",
-        "the soil spring in y is -3e7 N/m2, but cannot be negative",
+        "the soil spring in y is -3e7 N/m2; it must not be negative",
         "",
     );
     refused(
@@ -503,7 +503,7 @@ fn soil_that_cannot_be() {
         "[-10.0,",
         "[-40.0,",
         "11:4",
-        "height -40 m is below the row before it (-30 m)",
+        "height -40 m is below the previous row at -30 m",
         "from the bottom to the surface",
     );
     refused(
@@ -511,7 +511,7 @@ fn soil_that_cannot_be() {
         "  [-10.0, 0, 0],\n",
         "",
         "9:8",
-        "the soil needs at least two rows, got 1",
+        "the soil needs at least two rows, but has 1",
         "",
     );
     refused(
@@ -519,7 +519,7 @@ fn soil_that_cannot_be() {
         "[-30.0,",
         "[-10.0,",
         "11:4",
-        "the soil has no depth: every row is at -10 m",
+        "the soil has no depth: all rows are at -10 m",
         "",
     );
     refused(
@@ -549,7 +549,7 @@ fn water_that_cannot_be() {
         "10.0",
         "-30.0",
         "8:9",
-        "no tower stands in the water",
+        "the water does not touch the tower",
         "datum",
     );
     refused(
@@ -557,7 +557,7 @@ fn water_that_cannot_be() {
         "-15.0",
         "12.0",
         "9:7",
-        "the bed at 12 m is not below the water level 10 m",
+        "the seabed at 12 m is not below the water level at 10 m",
         "lowest station",
     );
     refused(
@@ -609,7 +609,7 @@ fn wires_that_cannot_be() {
         "count = 3",
         "count = 2",
         "10:9",
-        "at least three equally spaced wires are needed to hold in every direction, got 2",
+        "at least three equally spaced guy wires are needed, but the set has 2",
         "equally spaced",
     );
     for (count, said) in [
@@ -635,7 +635,7 @@ fn wires_that_cannot_be() {
         "45.0",
         "120",
         "12:13",
-        "the angle of the wires from the horizontal is 120 degrees, outside 0 to 90",
+        "the angle of the guy wires from the horizontal is 120 degrees; it must be from 0 to 90",
         "angle_deg = 45",
     );
     refused(
@@ -688,7 +688,7 @@ fn gravity_that_cannot_be() {
         "9.81",
         "-9.81",
         "8:16",
-        "the acceleration of gravity is -9.81 m/s2, but cannot be negative",
+        "the acceleration of gravity is -9.81 m/s2; it must not be negative",
         "",
     );
     refused(

@@ -369,7 +369,7 @@ fn what_only_the_tower_shows_has_its_place() {
     assert!(
         mistakes[0]
             .message()
-            .contains("a third station at height 30 m")
+            .contains("three stations at height 30 m")
     );
 }
 

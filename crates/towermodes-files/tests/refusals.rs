@@ -62,7 +62,7 @@ fn nan_infinite_zero_and_negative_properties() {
         "8500.0",
         "0",
         "3:11",
-        "density is 0 kg/m3, but must be positive",
+        "density is 0 kg/m3; it must be positive",
         "",
     );
     refused("2.1e11", "-2.1e11", "4:18", "must be positive", "");
@@ -91,7 +91,7 @@ fn nan_infinite_zero_and_negative_properties() {
         "mass = 350e3",
         "mass = -1",
         "20:8",
-        "cannot be negative",
+        "must not be negative",
         "",
     );
     refused(
@@ -105,7 +105,7 @@ fn nan_infinite_zero_and_negative_properties() {
         "mass = 5000.0",
         "mass = -5",
         "25:8",
-        "cannot be negative",
+        "must not be negative",
         "",
     );
     refused("= 1.05", "= 0", "11:21", "outfitting factor is 0", "");
@@ -113,7 +113,7 @@ fn nan_infinite_zero_and_negative_properties() {
         "shear = true",
         "shear = 1.5",
         "12:9",
-        "outside (0, 1]",
+        "it must be greater than 0 and at most 1",
         "0.53",
     );
 }
@@ -124,7 +124,7 @@ fn a_wall_thicker_than_the_radius() {
         "3.87, 0.019",
         "3.87, 19.0",
         "17:16",
-        "less than twice the wall 19 m at z = 87.6 m",
+        "less than twice the wall thickness 19 m at z = 87.6 m",
         "0.027",
     );
 }
@@ -135,24 +135,24 @@ fn heights_and_their_order() {
         "[87.6,",
         "[39.0,",
         "17:4",
-        "height 39 m is below the station before it (40 m)",
+        "height 39 m is below the previous station at 40 m",
         "from the base",
     );
     refused(
         "[87.6,",
         "[40.0,",
         "17:4",
-        "third station at height 40 m",
+        "three stations at height 40 m",
         "",
     );
     let flat = GOOD.replace("[87.6,", "[0.0,").replace("[40.0,", "[0.0,");
     refused_text(&flat, "13:12", "no height", "");
     let one = "[material]\ndensity=1\nyoungs_modulus=1\nshear_modulus=0.4\n[tower]\nstations = [[0.0, 1.0, 0.1]]\n";
-    refused_text(one, "6:12", "at least two stations, got 1", "");
+    refused_text(one, "6:12", "at least two stations, but has 1", "");
     refused_text(
         &one.replace("[[0.0, 1.0, 0.1]]", "[]"),
         "6:12",
-        "at least two stations, got 0",
+        "at least two stations, but has 0",
         "",
     );
 }
@@ -381,7 +381,13 @@ fn shear_modulus_and_poissons_ratio() {
         "-1, but must be between -1 and 0.5",
         "",
     );
-    refused("8.08e10", "8.08e4", "5:17", "outside (-1, 0.5)", "Pa");
+    refused(
+        "8.08e10",
+        "8.08e4",
+        "5:17",
+        "outside the range -1 to 0.5",
+        "Pa",
+    );
 }
 
 #[test]
@@ -470,7 +476,7 @@ fn machines_and_masses_that_cannot_be() {
         "zz = 2.5e7",
         "zz = 2.5e7, xy = 6e7",
         "22:11",
-        "moments of inertia are -3.08276e7, 2.5e7 and 9.08276e7 kg m2; none can be negative",
+        "moments of inertia are -3.08276e7, 2.5e7 and 9.08276e7 kg m2; they must not be negative",
         "minus the integral of x y dm",
     );
     refused(
@@ -525,10 +531,10 @@ fn a_rotor_has_blades_and_speeds() {
     };
     blades(
         "0",
-        "0 blades, but rotors have 1 to 10",
-        "leave [rotor] out",
+        "0 blades; the number must be from 1 to 10",
+        "omit [rotor]",
     );
-    blades("11", "11 blades, but rotors have 1 to 10", "");
+    blades("11", "11 blades; the number must be from 1 to 10", "");
     blades("2.5", "blades is 2.5, but must be a whole number", "");
     blades("-3", "blades is -3", "");
     blades("1e300", "blades is 1e300", "");
@@ -539,7 +545,7 @@ fn a_rotor_has_blades_and_speeds() {
     rpm(
         "[12.1, 6.9]",
         "28:7",
-        "12.1 rpm is above its highest, 6.9 rpm",
+        "12.1 rpm, is above the highest, 6.9 rpm",
         "[lowest, highest]",
     );
     rpm(
@@ -564,8 +570,8 @@ fn a_rotor_has_blades_and_speeds() {
     rpm(
         "1.1e5",
         "28:7",
-        "110000 rpm, but the most is 100000 rpm",
-        "turns per minute",
+        "110000 rpm; it must be at most 100000 rpm",
+        "revolutions per minute",
     );
 }
 
@@ -695,7 +701,7 @@ fn tables_of_properties_with_a_mistake() {
         "[0.0, 40.0, 40.0, 90.0]",
         "[40.0, 40.0, 40.0, 90.0]",
         "5:20",
-        "third station",
+        "three stations",
         "",
     );
     refused_table(

@@ -445,7 +445,7 @@ fn what_only_the_tower_shows_is_shown_in_the_table() {
         "6000,5000,3000",
         (4, 17),
         &[
-            "outer diameter 5 m is less than twice the wall 3 m",
+            "outer diameter 5 m is less than twice the wall thickness 3 m",
             "the column's header",
         ],
     );
@@ -453,7 +453,7 @@ fn what_only_the_tower_shows_is_shown_in_the_table() {
     refused(
         falling,
         (4, 1),
-        &["height 40 m is below the station before it"],
+        &["height 40 m is below the previous station"],
     );
 }
 

@@ -906,7 +906,7 @@ fn speeds_that_no_rotor_has_are_refused_where_they_stand() {
         (
             "{min_rotor_speed: 9, rated_rotor_speed: 7.5}",
             "7.5}",
-            "lowest speed 9 rpm is above its highest, 7.5 rpm",
+            "lowest rotor speed, 9 rpm, is above the highest, 7.5 rpm",
         ),
         ("{rated_rotor_speed: -7.5}", "-7.5", "highest speed"),
         ("{rated_rotor_speed: fast}", "fast", "highest rotor speed"),

@@ -8,14 +8,14 @@ use crate::row::Row;
 pub fn markdown(rows: &[Row]) -> String {
     let mut text = String::from(
         "# Verification\n\n\
-         Every line is a value that is known from elsewhere and what the program gives for it. This chapter is printed by\n\
-         `towermodes verify --format markdown`; a test compares the two. A tolerance is what the last digit of the\n\
-         expected value leaves open, and an allowance for the method or the reference, stated with the case.\n\n",
+         Every line contains a reference value (published, analytical or computed independently) and the result of the program.\n\
+         This chapter is the output of `towermodes verify --format markdown`; a test compares both. The tolerance is the rounding of\n\
+         the last digit of the reference value plus an allowance for the method or the reference, which the case describes.\n\n",
     );
     let failures = rows.iter().filter(|row| !row.passes()).count();
     let _ = writeln!(
         text,
-        "{} values, {} come out.",
+        "{} values, {} of them within their tolerance.",
         rows.len(),
         rows.len() - failures
     );
@@ -27,7 +27,7 @@ pub fn markdown(rows: &[Row]) -> String {
         );
         for case in chapter.chunk_by(Row::is_of_the_case_of) {
             let _ = write!(text, "\n**{}** ({})\n\n", case[0].case, case[0].source);
-            text.push_str("| method | mode | expected | got | difference | tolerance | |\n|---|---|---|---|---|---|---|\n");
+            text.push_str("| method | mode | expected | computed | difference | tolerance | |\n|---|---|---|---|---|---|---|\n");
             for row in case {
                 let _ = writeln!(text, "| {} |", cells(row).join(" | "));
             }

@@ -14,7 +14,7 @@ fn study(fineness: Fineness) -> Vec<(Method, Vec<Sample>)> {
     for class in Class::ALL {
         for number in 0..SEEDS {
             let solved = samples(class, number, fineness, &Method::ALL, &mut workspace);
-            let solved = solved.expect("the beam itself is solved");
+            let solved = solved.expect("the reference solution is computed");
             for ((_, all), solved) in by_method.iter_mut().zip(solved) {
                 // Near buckling few segments can buckle where the beam stands; that is an error,
                 // and no claim.

@@ -1,13 +1,15 @@
-//! The methods by name, and the orders of their errors.
+//! The methods: name, description, physics, order of convergence.
 
-/// A discretization of a tower.
+/// A method that turns a tower into an eigenvalue problem.
 ///
 /// # Example
 /// ```
 /// use towermodes::Method;
 ///
-/// assert_eq!(Method::named("rmje"), Some(Method::Rmje));
-/// assert_eq!(Method::Rmje.bending_powers(false), [2]);
+/// let method = Method::named("rmje-exact").expect("a method");
+/// assert_eq!(method, Method::default());
+/// assert_eq!(method.unit(), "segment");
+/// assert!(!Method::Bmodes.has_rotary_inertia());
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
@@ -30,8 +32,9 @@ pub enum Method {
     Lumped,
     /// The 15-dof finite element of BModes: Euler-Bernoulli, sections constant over an element.
     Bmodes,
-    /// Spectral elements: one per linear piece, or more where it is steep, with polynomials of a
-    /// degree that increases until the modes converge. The reference beam solution.
+    /// Spectral elements, the reference solution of the beam equations: one element per linear
+    /// piece, or more where the piece is steep; the polynomial degree is raised until the
+    /// frequencies converge.
     Spectral,
 }
 
@@ -47,7 +50,7 @@ impl Method {
         Self::Spectral,
     ];
 
-    /// Its name on the command line and in results.
+    /// The name on the command line and in results.
     pub fn name(self) -> &'static str {
         match self {
             Self::RmjeExact => "rmje-exact",
@@ -60,19 +63,66 @@ impl Method {
         }
     }
 
-    /// The method with a [name](Self::name), if there is one.
+    /// What the method is, in one line: for help texts, tables and reports.
+    pub fn description(self) -> &'static str {
+        match self {
+            Self::RmjeExact => {
+                "rigid segments with one joint at the elastic centre, exact section integrals"
+            }
+            Self::Rmje => {
+                "rigid multibody joint element as published (Nikolić & Šalinić), prismatic segments"
+            }
+            Self::CardanicExact => {
+                "rigid segments with two hinges at the Gauss points, exact section integrals"
+            }
+            Self::Cardanic => {
+                "cardanic joint element (after Zhao, Maißer & Wu), prismatic segments"
+            }
+            Self::Lumped => {
+                "rigid half-segments joined by massless beam springs, as in Adams, prismatic segments"
+            }
+            Self::Bmodes => {
+                "finite element of BModes (NREL): Euler-Bernoulli, no shear, no rotary inertia"
+            }
+            Self::Spectral => {
+                "spectral elements, accurate to about ten digits: the reference solution"
+            }
+        }
+    }
+
+    /// What the method divides the tower into, `"segment"` (rigid bodies) or `"element"`
+    /// (flexible).
+    pub fn unit(self) -> &'static str {
+        match self {
+            Self::Bmodes | Self::Spectral => "element",
+            _ => "segment",
+        }
+    }
+
+    /// Whether the rotary inertia of the sections in bending is part of the method.
+    pub fn has_rotary_inertia(self) -> bool {
+        self != Self::Bmodes
+    }
+
+    /// Whether shear deformation is part of the method.
+    pub fn has_shear(self) -> bool {
+        self != Self::Bmodes
+    }
+
+    /// The method with this name, if there is one.
     pub fn named(name: &str) -> Option<Self> {
         Self::ALL.into_iter().find(|method| method.name() == name)
     }
 
-    /// The leading powers p of its error n⁻ᵖ in bending with n segments; none for the spectral
-    /// method, whose error decreases exponentially with the degree.
+    /// The leading powers p of the error n⁻ᵖ in bending; none for `spectral`, whose error decreases
+    /// exponentially with the degree.
     ///
-    /// 2 where there is one joint in a segment. 1 and 2 for the published element of a tower with
-    /// shear deformation: its translational joint is at L/4; without shear the deflection of that
-    /// joint is O(n⁻³) and its place does not matter, but shear makes it O(n⁻¹), and its place an
-    /// error of first order. 2 and 4 for two hinges and for BModes: 4 from the hinges or the cubics, 2 from
-    /// prismatic sections or from rotary inertia, small enough that neither can be left out.
+    /// With one joint per segment p is 2. With two hinges, and with BModes, p is 2 and 4: the
+    /// hinges or the cubics give 4; prismatic sections or rotary inertia give 2, with a coefficient
+    /// so small that both terms matter. With the published element of a tower with shear
+    /// deformation p is 1 and 2: the translational joint is at L/4. Without shear the translation
+    /// in a segment is O(n⁻³) and its position does not matter; shear makes it O(n⁻¹), so that the
+    /// position causes an error of first order.
     pub fn bending_powers(self, shears: bool) -> &'static [i32] {
         match self {
             Self::Rmje if shears => &[1, 2],
@@ -82,9 +132,9 @@ impl Method {
         }
     }
 
-    /// The leading powers p of its error n⁻ᵖ in torsion and axially: 2, with BModes 2 and 4, but 1
-    /// and 2 for the published element, whose joint for both sits at L/4. The two can cancel on
-    /// usual meshes, so both are needed for the estimate of the error.
+    /// The leading powers p of the error n⁻ᵖ in torsion and axial motion: 2, with BModes 2 and 4,
+    /// and 1 and 2 with the published element, whose joint for both is at L/4. On usual meshes the
+    /// two terms can cancel, so both are needed to estimate the error.
     pub fn axial_powers(self) -> &'static [i32] {
         match self {
             Self::Rmje => &[1, 2],

@@ -1,4 +1,4 @@
-//! Inputs and results that are possible but look like a slip.
+//! Warnings: inputs and results that are possible but probably a mistake.
 
 mod ineffective;
 mod quantity;
@@ -25,7 +25,7 @@ use crate::tower::Place;
 pub enum Warning {
     /// A diameter over 30 m.
     #[error(
-        "outer diameter {} m at z = {} m is over 30 m; lengths are in metres, not millimetres",
+        "outer diameter {} m at z = {} m is larger than 30 m; lengths are in m, not mm",
         Plain(*.outer_diameter_m), Plain(*.height_m)
     )]
     LargeDiameter {
@@ -35,14 +35,14 @@ pub enum Warning {
         height_m: f64,
     },
     /// A tower over 1 km.
-    #[error("the tower is {} m tall, over 1 km; lengths are in metres, not millimetres", Plain(*.height_m))]
+    #[error("the tower is {} m high, more than 1 km; lengths are in m, not mm", Plain(*.height_m))]
     TallTower {
         /// Base to top, m.
         height_m: f64,
     },
     /// A wall that is too thin or too thick for the diameter.
     #[error(
-        "{}wall {} m at z = {} m is 1/{} of the diameter {} m; expected 1/{:.0} to 1/{:.0}: look at the unit and the decimal point of both",
+        "{}wall thickness {} m at z = {} m is 1/{} of the diameter {} m; expected 1/{:.0} to 1/{:.0}: check unit and decimal point of both",
         .site.before(),
         Plain(*.wall_thickness_m),
         Plain(.site.height_m.unwrap_or_default()),
@@ -88,7 +88,7 @@ pub enum Warning {
     },
     /// A value of one row that does not go with those of the rows beside it.
     #[error(
-        "{}{column}{} is {}{unit}, {} times what the rows beside it make expect ({}{unit}): look at its decimal point and its exponent",
+        "{}{column}{} is {}{unit}, {} times the value expected from the adjacent rows ({}{unit}): check decimal point and exponent",
         .site.before(),
         .site.after(),
         Plain(significant(*.value)),
@@ -116,20 +116,20 @@ pub enum Warning {
         what: Ineffective,
     },
     /// A row below a step at the base, or above a step at the top, has no length.
-    #[error("the end row at z = {} m has no length beyond the step there and changes nothing", Plain(*.height_m))]
+    #[error("the first or last row at z = {} m defines a step at the end of the tower and has no effect", Plain(*.height_m))]
     UselessStation {
         /// Its height, m.
         height_m: f64,
     },
     /// The last row names another material than the row below it.
     #[error(
-        "the material of the last row holds for nothing: a row's material reaches up to the next row; \
-         to change it at a height, write two rows there"
+        "the material of the last row has no effect: the material of a row is used up to the next row; \
+         to change the material at a height, give two rows at this height"
     )]
     UselessMaterial,
     /// A rotor-nacelle assembly heavier than five towers.
     #[error(
-        "the rotor-nacelle assembly ({} kg) is heavier than five towers (one is {} kg)",
+        "the mass of the rotor-nacelle assembly, {} kg, is more than five times the mass of the tower, {} kg",
         Plain(.rna_kg.round()), Plain(.tower_kg.round())
     )]
     HeavyRna {
@@ -140,8 +140,8 @@ pub enum Warning {
     },
     /// A heavy rotor-nacelle assembly without inertia.
     #[error(
-        "{}its mass is {} kg, but it has no inertia: second bending comes out tens of percent too high, and torsion several times; \
-         give its inertia about its centre of mass in kg m2, or say with zeros that a point mass is meant",
+        "{}the mass is {} kg, but no inertia is given: the second bending frequencies can be tens of percent too high and the torsional \
+         frequency several times too high; give the inertia about the centre of mass in kg m2, or zeros for a point mass",
         .site.before(), Plain(*.mass_kg)
     )]
     RnaWithoutInertia {
@@ -151,7 +151,7 @@ pub enum Warning {
         mass_kg: f64,
     },
     /// A point mass with inertia and no mass.
-    #[error("{}it has an inertia but no mass; give the mass in kg", .site.before())]
+    #[error("{}an inertia is given but no mass; give the mass in kg", .site.before())]
     InertiaWithoutMass {
         /// The point mass.
         site: Site,
@@ -159,8 +159,8 @@ pub enum Warning {
     /// Couplings of translation and rotation that have one sign where they should have opposite
     /// ones.
     #[error(
-        "the {what} couples x with rotation about y and y with rotation about x with the same sign ({} and {}); what is the same in both \
-         planes has opposite signs",
+        "the {what} has the same sign in the coupling of x with rotation about y ({}) and of y with rotation about x ({}); for equal \
+         properties in both planes the signs are opposite",
         Plain(*.fore_aft), Plain(*.side_side)
     )]
     CouplingSigns {
@@ -175,8 +175,8 @@ pub enum Warning {
     },
     /// A coupling of a translation with the rotation about the same axis.
     #[error(
-        "the {what} couples translation and rotation about one axis (row {row}, column {column} is {}); bending couples x with rotation \
-         about y and y with rotation about x: row 1, column 5 and row 2, column 4",
+        "the {what} couples translation and rotation about the same axis (row {row}, column {column} is {}); bending couples x with \
+         rotation about y and y with rotation about x: row 1, column 5 and row 2, column 4",
         Plain(*.value)
     )]
     CouplingAlongAxis {
@@ -193,8 +193,8 @@ pub enum Warning {
     },
     /// A foundation or a platform that acts above the tower's base.
     #[error(
-        "the coupling of the {what} puts it {} m above the tower's base{}; what is below has a negative entry in row 1, column 5 and a \
-         positive one in row 2, column 4: look at the sign",
+        "the coupling terms of the {what} place it {} m above the tower base{}; below the base, row 1, column 5 is negative and row 2, \
+         column 4 is positive: check the signs",
         Plain(significant(*.above_m)), .site.after()
     )]
     ActsAbove {
@@ -207,7 +207,7 @@ pub enum Warning {
     },
     /// A tower that is under water.
     #[error(
-        "{}the level {} m is above the tower's top at {} m; heights are in the datum of the stations, in m",
+        "{}the water level {} m is above the tower top at {} m; all heights use the datum of the stations, in m",
         .site.before(), Plain(*.level_m), Plain(*.top_m)
     )]
     UnderWater {
@@ -220,7 +220,7 @@ pub enum Warning {
     },
     /// Soil too stiff for the segments.
     #[error(
-        "soil lets motions in by {} m only, less than a segment there ({} m): errors do not show what happens between; use more segments",
+        "the Winkler decay length of the soil, {} m, is smaller than the segment length there, {} m: the error estimate does not cover this; use more segments",
         Plain(significant(*.penetration_m)), Plain(significant(*.segment_m))
     )]
     SoilUnresolved {
@@ -231,12 +231,12 @@ pub enum Warning {
     },
     /// Soil around a tower whose base is clamped all the same.
     #[error(
-        "the base is clamped below soil: the soil holds what the clamp leaves; a pile has type = \"springs\" at its tip"
+        "the base is clamped although soil springs are given; for a pile in soil give [foundation] with type = \"springs\" for the pile tip"
     )]
     SoilAndClamp,
     /// A matrix of a floating platform was not symmetric.
     #[error(
-        "the {what} of the platform is not symmetric (entries differ by up to {:.2} %); the mean of both halves is used",
+        "the {what} of the platform is not symmetric (entries differ by up to {:.2} %); the mean of both triangles is used",
         100.0 * .difference
     )]
     Symmetrized {
@@ -260,7 +260,7 @@ pub enum Warning {
     },
     /// The lowest frequency is not that of a tower.
     #[error(
-        "the lowest frequency, {frequency_hz:.4e} Hz, is outside 0.01 to 100 Hz, where towers are; check the units"
+        "the lowest frequency, {frequency_hz:.4e} Hz, is outside the usual range of towers, 0.01 to 100 Hz; check the units"
     )]
     UnusualFrequency {
         /// The lowest frequency, Hz.
@@ -268,7 +268,7 @@ pub enum Warning {
     },
     /// The number of modes asked for cuts a repeated pair.
     #[error(
-        "{label} at {:.6} Hz equals the last mode and was cut off; ask for one mode more to see the pair",
+        "{label} at {:.6} Hz has the same frequency as the last listed mode and is not listed; request one more mode to list the pair",
         Plain(*.frequency_hz)
     )]
     CutPair {
@@ -279,7 +279,7 @@ pub enum Warning {
     },
     /// More segments were needed than asked for, one for each piece of the tower.
     #[error(
-        "{used} segments are used, not {asked}: each part of the tower between steps, kinks and masses needs one"
+        "{used} segments are used instead of {asked}: each part of the tower between steps, changes of taper and point masses needs at least one"
     )]
     MoreSegments {
         /// Asked for.
@@ -290,7 +290,7 @@ pub enum Warning {
     /// The number of modes below the end of the list is another on another mesh, or the
     /// extrapolated frequencies say so.
     #[error(
-        "with more segments another mode may come into the list or leave it: it ends at {:.4} Hz, and errors reach beyond that",
+        "the list of modes may change with more segments: the errors are larger than the gap at its upper end, {:.4} Hz",
         Plain(*.below_hz)
     )]
     UncertainEnd {
@@ -299,7 +299,7 @@ pub enum Warning {
     },
     /// Modes of the measure that a method does not have near it.
     #[error(
-        "{} with {segments} segments has no mode like {missing} of those compared below {} Hz, and none is looked for above; more segments may have it, or the method leaves out what makes it",
+        "{} with {segments} segments has no mode that corresponds to {missing} of the reference modes below {} Hz; use more segments, or the method does not model the effect that causes the mode",
         .method.name(), Plain(significant(*.below_hz))
     )]
     NotFound {
@@ -314,13 +314,13 @@ pub enum Warning {
     },
     /// A tower that shears, solved as one that does not.
     #[error(
-        "BModes has no shear deformation: it is left out, and the frequencies are too high for it; other methods have it"
+        "the method bmodes neglects shear deformation, so the frequencies are too high; use another method"
     )]
     ShearLeftOut,
     /// Weights that are nearly as much as the tower bears.
     #[error(
-        "the tower is on the verge of buckling: weights larger by {} % buckle it (buckling load factor 1 + {:.1e}); its lowest frequencies fall \
-         to zero there, and small changes of the input change them much",
+        "the tower is close to buckling: it buckles if gravity increases by {} % (buckling load factor 1 + {:.1e}); near buckling the lowest \
+         frequencies go to zero and depend strongly on the input",
         significant(100.0 * (.load_factor - 1.0)), .load_factor - 1.0
     )]
     VergeOfBuckling {
@@ -330,9 +330,9 @@ pub enum Warning {
     },
     /// Given elements of BModes that reach over rows of the tower.
     #[error(
-        "the element from z = {} to {} m reaches over rows of the tower, and misses most of the {quantity} there, which differs by {:.0} % from \
-         its value at the element's middle; the errors given say by how much the frequencies are off for it; give the element a border \
-         there, or use another method",
+        "the element from z = {} to {} m extends over several rows of the tower; the {quantity} of these rows differs by up to {:.0} % from \
+         the value at the middle of the element, which is used; the error estimates include this; add element boundaries at the rows or use \
+         another method",
         significant(*.base_m), significant(*.top_m), 100.0 * .change
     )]
     RowsMissed {
@@ -348,9 +348,9 @@ pub enum Warning {
     },
     /// Modes whose frequencies do not fall with the segments as the order of the method says.
     #[error(
-        "{} not resolved: with more segments the frequency does not yet converge as it should (error up to {:.1} %); use more segments, or the \
+        "{} not resolved: the frequency does not yet converge at the order of the method (error up to {:.1} %); use more segments or the \
          method spectral",
-        if *.others == 0 { format!("mode {number} is") } else { format!("mode {number} and {others} more are") },
+        Modes(*.number, *.others),
         100.0 * .worst
     )]
     Irregular {
@@ -363,8 +363,8 @@ pub enum Warning {
     },
     /// Modes that the segments do not resolve.
     #[error(
-        "{} not resolved (error up to {:.0} %); use more segments, or a higher degree",
-        if *.others == 0 { format!("mode {number} is") } else { format!("mode {number} and {others} more are") },
+        "{} not resolved (error up to {:.0} %); use more segments or a higher degree",
+        Modes(*.number, *.others),
         100.0 * .worst
     )]
     Unresolved {
@@ -377,8 +377,8 @@ pub enum Warning {
     },
     /// Fewer modes than were asked for can be told from rounding.
     #[error(
-        "only the lowest {listed} of the {wanted} modes asked for are listed: the next ones are so stiff beside them that rounding hides \
-         them; a tower with hardly any mass is like that"
+        "only the lowest {listed} of the {wanted} requested modes are listed: the higher ones cannot be resolved in double precision; \
+         check whether the tower has almost no mass"
     )]
     OnlyCertain {
         /// How many modes are listed.
@@ -386,6 +386,21 @@ pub enum Warning {
         /// How many were asked for.
         wanted: usize,
     },
+}
+
+/// "mode 3 is", or "5 modes (the first is mode 3) are": the number of the first mode in the list
+/// and how many others there are.
+struct Modes(usize, usize);
+
+impl fmt::Display for Modes {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match *self {
+            Self(number, 0) => write!(f, "mode {number} is"),
+            Self(number, others) => {
+                write!(f, "{} modes (the first is mode {number}) are", others + 1)
+            }
+        }
+    }
 }
 
 impl Warning {

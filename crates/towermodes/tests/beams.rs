@@ -165,12 +165,9 @@ fn every_method_has_the_limit_of_a_table_with_two_planes_steps_and_shear() {
         ..Options::default()
     };
     let truth = solved(&elliptic(), &with(Method::Spectral, None));
-    let segmented = [
-        Method::RmjeExact,
-        Method::CardanicExact,
-        Method::Cardanic,
-        Method::Lumped,
-    ];
+    // The published element is of first order in torsion, so 400 segments are not enough.
+    let methods = Method::ALL.into_iter();
+    let segmented = methods.filter(|m| m.unit() == "segment" && *m != Method::Rmje);
     for method in segmented {
         let got = solved(&elliptic(), &with(method, Some(400)));
         for (got, truth) in got.modes.iter().zip(&truth.modes) {

@@ -1,4 +1,4 @@
-//! Towers on the verge of buckling are answered with the factor that says so, on both sides.
+//! Towers on the close to the buckling limit are answered with the factor that says so, on both sides.
 
 use crate::towers;
 
@@ -67,7 +67,7 @@ fn a_tower_that_just_buckles_is_told_by_how_much() {
         };
         assert!((1.0 - load_factor - beyond).abs() < 1e-2 * beyond);
         let text = error.to_string();
-        assert!(text.contains("close to buckling"), "{text}");
+        assert!(text.contains("close to the buckling limit"), "{text}");
         let shown = if beyond == 1e-6 {
             "0.9999990"
         } else {

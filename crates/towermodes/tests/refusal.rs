@@ -69,7 +69,8 @@ fn station_values_must_be_positive_and_finite() {
 #[test]
 fn a_wall_fits_into_its_tube() {
     let error = refused(|d| d.stations[0].wall_thickness_m = 3.2);
-    let said = "station 1: outer diameter 6 m is less than twice the wall 3.2 m at z = 0 m";
+    let said =
+        "station 1: outer diameter 6 m is less than twice the wall thickness 3.2 m at z = 0 m";
     assert_eq!(error.to_string(), said);
     assert!(
         Tower::new({

@@ -153,10 +153,10 @@ fn added_mass_that_cannot_be_is_refused() {
         let error: TowerError = Tower::new(description).expect_err("no tower");
         error.problem.to_string()
     };
-    assert!(refused(&[(0.0, 1.0)]).contains("at least two rows, got 1"));
+    assert!(refused(&[(0.0, 1.0)]).contains("at least two rows, but has 1"));
     assert!(refused(&[(0.0, -1.0), (10.0, 1.0)]).contains("negative"));
-    assert!(refused(&[(10.0, 1.0), (0.0, 1.0)]).contains("below the row before"));
-    assert!(refused(&[(0.0, 1.0), (500.0, 1.0)]).contains("reaches from 0 m to 500 m"));
+    assert!(refused(&[(10.0, 1.0), (0.0, 1.0)]).contains("below the previous row"));
+    assert!(refused(&[(0.0, 1.0), (500.0, 1.0)]).contains("extends from 0 m to 500 m"));
     assert!(refused(&[(0.0, f64::NAN), (10.0, 1.0)]).contains("NaN"));
 }
 

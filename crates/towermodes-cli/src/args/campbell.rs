@@ -15,10 +15,13 @@ const EXAMPLES: &str = "Examples:
   towermodes campbell tower.toml --rpm 7.5,12.1 --margin 10
   towermodes campbell NREL5MW_ElastoDyn.dat --rpm 12.1 --multiples 1,3,6 --format csv
 
-Unless --modes says how many, modes are looked for as high as excitations count, 40 at most.
-An excitation is a multiple n of the rotor's speed: nP. PASS, WARN or FAIL: 1P and the passing of the blades fail within the margin of a
-mode of the tower and are warned of within twice the margin; higher multiples, and modes of blades, are warned of within the margin.
-Exit codes: 0 nothing fails, 1 something does, 2 wrong usage or wrong input.";
+An excitation nP is n times the rotor speed. The distance is the smallest separation from a natural frequency in the operating range, in percent of the natural frequency.
+
+FAIL: 1P or the blade passing frequency is closer to a tower mode than the margin. WARN: 1P or the blade passing frequency is closer to a tower mode than twice the margin, or a higher multiple is closer to a tower mode than the margin, or any excitation is closer to a blade mode than the margin.
+
+Default of --modes: at least 8, and up to 40 if needed to cover the highest excitation frequency with its margin.
+
+Exit codes: 0 no pair fails, 1 at least one pair fails, 2 wrong usage or wrong input.";
 
 /// The arguments of `campbell`.
 #[derive(Debug, Args)]
@@ -27,11 +30,11 @@ pub(crate) struct CampbellArguments {
     #[command(flatten)]
     pub(crate) input: InputArguments,
 
-    /// The method of the tower's frequencies [default: rmje-exact; bmodes for BModes decks]
+    /// Method of computation for the tower [default: rmje-exact; bmodes for BModes decks]
     #[arg(long, value_parser = method_parser())]
     method: Option<Method>,
 
-    /// Segments, or elements [default: as of solve]
+    /// Number of segments (bmodes and spectral: elements) [default: same as solve]
     #[arg(long, value_name = "N", value_parser = number_parser(1, MAX_SEGMENTS))]
     segments: Option<usize>,
 
@@ -41,7 +44,8 @@ pub(crate) struct CampbellArguments {
     #[command(flatten)]
     pub(crate) rotor: RotorArguments,
 
-    /// Show every pair in the table, those too that are further apart than a factor 2
+    /// Show every pair of mode and excitation in the table, including pairs that differ by more than
+    /// a factor of 2
     #[arg(long)]
     pub(crate) all: bool,
 
@@ -50,13 +54,13 @@ pub(crate) struct CampbellArguments {
 }
 
 impl CampbellArguments {
-    /// How the tower is solved: as the command line says, as its file prescribes, or by default.
+    /// The solver options: from the command line, else from the file, else the default.
     ///
     /// # Errors
-    /// What is wrong if an option means nothing to the method.
+    /// The message for an option that does not apply to the method.
     pub(crate) fn options(&self, prescribed: Prescribed) -> Result<Options, &'static str> {
         let options = prescribed.options(self.method, self.segments, &self.model)?;
-        // Nobody sees a shape.
+        // Mode shapes are not shown.
         Ok(Options {
             points: 2,
             ..options
@@ -68,13 +72,13 @@ impl CampbellArguments {
         self.model.has_modes()
     }
 
-    /// Refuses what would do nothing.
+    /// Checks that the options have an effect.
     ///
     /// # Errors
-    /// What is wrong.
+    /// The message for an option that has none.
     pub(crate) fn check(&self, format: Format) -> Result<(), &'static str> {
         if self.all && format != Format::Table {
-            return Err("--all is for the table; JSON and CSV have every pair");
+            return Err("--all applies only to the table; JSON and CSV contain all pairs");
         }
         Ok(())
     }

@@ -12,8 +12,9 @@ const EXAMPLES: &str = "Examples:
   towermodes check IEA-15-240-RWT.yaml IEA_15MW_RWT_Tower_st.dat --part tower --tower-base 15
   towermodes check tower.toml Tower.dat --format json
 
-Limits: mass 0.5 %, EI 1 %, frequencies 0.5 %; from half of that on a difference is warned of. Exit codes: 0 the descriptions agree, 1 they
-do not, 2 wrong input.";
+With two files: FAIL if masses differ by more than 0.5 %, EI by more than 1 % or frequencies by more than 0.5 %; WARN above half of these limits.
+
+Exit codes: 0 no difference fails, 1 at least one fails, 2 wrong usage or wrong input.";
 
 /// The arguments of `check`.
 #[derive(Debug, Args)]
@@ -22,10 +23,10 @@ pub(crate) struct CheckArguments {
     #[command(flatten)]
     pub(crate) input: InputArguments,
 
-    /// Another description of the same tower, in any format
+    /// Second model of the same tower, in any format; without it the first is summarised
     pub(crate) other: Option<PathBuf>,
 
-    /// How the result is printed
+    /// Format of the result
     #[arg(long, short, value_enum, default_value_t = ReportFormat::Table)]
     pub(crate) format: ReportFormat,
 }

@@ -14,10 +14,9 @@ const EXAMPLES: &str = "Examples:
   towermodes compare tower.toml --segments 20,40,60 --methods rmje,cardanic,bmodes
   towermodes compare tower.toml --no-rotary-inertia --format csv
 
-The differences are to the spectral beam, which is exact to ten digits. BModes has no rotary inertia and no shear: with
---no-rotary-inertia the others have none either.";
+Differences are relative differences from the reference solution (method spectral, accurate to about ten digits). The bmodes element has neither rotary inertia nor shear deformation; --no-rotary-inertia removes the rotary inertia from the other methods too, while shear remains if the tower has it.";
 
-/// Segments, or elements, unless told.
+/// Default numbers of segments or elements.
 const DEFAULT_SEGMENTS: [usize; 1] = [60];
 
 /// The arguments of `compare`.
@@ -27,12 +26,11 @@ pub(crate) struct CompareArguments {
     #[command(flatten)]
     pub(crate) input: InputArguments,
 
-    /// The methods, with commas between them [default: all]
+    /// Methods, comma-separated [default: all]
     #[arg(long, value_name = "LIST", value_delimiter = ',', value_parser = method_parser())]
     methods: Vec<Method>,
 
-    /// Numbers of segments or elements, with commas between them; the spectral beam has its own
-    /// [default: 60]
+    /// Numbers of segments or elements, comma-separated; not used by spectral [default: 60]
     #[arg(long, value_name = "LIST", value_delimiter = ',', value_parser = number_parser(1, MAX_SEGMENTS))]
     segments: Vec<usize>,
 
@@ -44,15 +42,15 @@ pub(crate) struct CompareArguments {
 }
 
 impl CompareArguments {
-    /// What holds for all methods.
+    /// The options for all methods.
     pub(crate) fn options(&self) -> Options {
         self.model.options()
     }
 
-    /// Refuses what would mean nothing to any of the methods.
+    /// Checks that each option applies to at least one of the methods.
     ///
     /// # Errors
-    /// What is wrong.
+    /// The message for an option that does not.
     pub(crate) fn check(&self) -> Result<(), &'static str> {
         let has = |method: Method| self.methods.is_empty() || self.methods.contains(&method);
         if !has(Method::Cardanic) {
@@ -65,13 +63,13 @@ impl CompareArguments {
                 .all(|method| *method == Method::Spectral);
         if is_spectral_alone && !self.segments.is_empty() {
             return Err(
-                "--segments is for the other methods; the spectral beam has its own elements",
+                "--segments does not apply to --methods spectral, which chooses its own elements",
             );
         }
         Ok(())
     }
 
-    /// The columns: each method with each number of segments, the spectral beam once.
+    /// The columns: each method with each number of segments, `spectral` once.
     pub(crate) fn columns(&self) -> Vec<ColumnSpec> {
         let methods = if self.methods.is_empty() {
             &Method::ALL[..]

@@ -14,11 +14,11 @@ const EXAMPLES: &str = "Examples:
   towermodes converge tower.toml --method cardanic-exact --segments 10,20,40,80 --no-rotary-inertia
   towermodes converge tower.toml --method spectral --degrees 4,6,8,10
 
-Errors are relative ones, against the spectral beam: as it is, or without rotary inertia for BModes, which has none.";
+Errors are relative to the reference solution (method spectral); for bmodes the reference has no rotary inertia, as the element has none.";
 
-/// Numbers of segments unless others are given.
+/// Default numbers of segments.
 pub(crate) const DEFAULT_SEGMENTS: [usize; 6] = [10, 20, 40, 80, 160, 320];
-/// Degrees of the spectral beam unless others are given.
+/// Default degrees of the method `spectral`.
 pub(crate) const DEFAULT_DEGREES: [usize; 6] = [4, 6, 8, 10, 12, 14];
 
 /// The arguments of `converge`.
@@ -28,15 +28,15 @@ pub(crate) struct ConvergeArguments {
     #[command(flatten)]
     pub(crate) input: InputArguments,
 
-    /// The method
+    /// Method of computation
     #[arg(long, default_value = Method::RmjeExact.name(), value_parser = method_parser())]
     method: Method,
 
-    /// Numbers of segments or elements, with commas between them [default: 10,20,40,80,160,320]
+    /// Numbers of segments or elements, comma-separated [default: 10,20,40,80,160,320]
     #[arg(long, value_name = "LIST", value_delimiter = ',', value_parser = number_parser(1, MAX_SEGMENTS))]
     segments: Vec<usize>,
 
-    /// Degrees of --method spectral, with commas between them [default: 4,6,8,10,12,14]
+    /// Polynomial degrees of --method spectral, comma-separated [default: 4,6,8,10,12,14]
     #[arg(long, value_name = "LIST", value_delimiter = ',', value_parser = number_parser(2, MAX_DEGREE))]
     degrees: Vec<usize>,
 
@@ -48,7 +48,7 @@ pub(crate) struct ConvergeArguments {
 }
 
 impl ConvergeArguments {
-    /// The method, and what it is asked for.
+    /// The solver options.
     pub(crate) fn options(&self) -> Options {
         Options {
             method: self.method,
@@ -56,10 +56,10 @@ impl ConvergeArguments {
         }
     }
 
-    /// The numbers of segments, or the degrees of the spectral beam.
+    /// The numbers of segments, or the degrees of the method `spectral`.
     ///
     /// # Errors
-    /// What is wrong if the list is not one of the method.
+    /// The message if the list does not apply to the method.
     pub(crate) fn fineness(&self) -> Result<Vec<Fineness>, &'static str> {
         self.model.check(self.method)?;
         let is_spectral = self.method == Method::Spectral;
@@ -68,12 +68,12 @@ impl ConvergeArguments {
             self.segments.is_empty(),
             self.degrees.is_empty(),
         ) {
-            (true, false, _) => Err(
-                "--method spectral converges with its degree: use --degrees instead of --segments",
-            ),
-            (false, _, false) => {
-                Err("--degrees is for --method spectral; the others have --segments")
+            (true, false, _) => {
+                Err("--segments does not apply to --method spectral; use --degrees")
             }
+            (false, _, false) => Err(
+                "--degrees applies only to --method spectral; use --segments for the other methods",
+            ),
             (true, ..) => Ok(listed(&self.degrees, &DEFAULT_DEGREES, Fineness::Degree)),
             (false, ..) => Ok(listed(
                 &self.segments,
@@ -84,7 +84,7 @@ impl ConvergeArguments {
     }
 }
 
-/// What was given, or the default.
+/// The given numbers, or the default.
 fn listed(given: &[usize], default: &[usize], kind: fn(usize) -> Fineness) -> Vec<Fineness> {
     let numbers = if given.is_empty() { default } else { given };
     numbers.iter().map(|&number| kind(number)).collect()

@@ -15,7 +15,9 @@ const EXAMPLES: &str = "Examples:
   towermodes convert IEA-15-240-RWT.yaml --to elastodyn --output Tower.dat
   towermodes convert tower.toml --to windio
 
-What the target cannot hold is said on standard error. A BModes deck is two files: the second one, of sections, stands beside the first.";
+Data that the target format cannot store are reported on standard error. A BModes deck consists of two files: the section file is written to the same folder.
+
+Exit codes: 0 done, 1 the tower cannot be written in this format, 2 wrong usage or wrong input.";
 
 /// The arguments of `convert`.
 #[derive(Debug, Args)]
@@ -24,17 +26,17 @@ pub(crate) struct ConvertArguments {
     #[command(flatten)]
     pub(crate) input: InputArguments,
 
-    /// The format to write
-    /// [default: as the ending of --output says: .toml, .bmi, .dat for a tower file of ElastoDyn,
-    /// .yaml]
+    /// Format to write
+    /// [default: from the extension of --output: .toml, .bmi, .dat (ElastoDyn tower file), .yaml]
     #[arg(long, value_enum, required_unless_present = "output")]
     to: Option<Target>,
 
-    /// Height at which the flexible tower of --to elastodyn begins, m [default: the tower's base]
+    /// Height at which the flexible tower begins, m; only for --to elastodyn
+    /// [default: the tower base]
     #[arg(long, value_name = "M", value_parser = height_parser)]
     pub(crate) from_height: Option<f64>,
 
-    /// Write the result to a file instead of standard output (-); --to bmodes needs one
+    /// Write the result to a file instead of standard output (-); required for --to bmodes
     #[arg(long, short, value_name = "PATH")]
     output: Option<PathBuf>,
 }
@@ -51,43 +53,44 @@ impl Ending for Target {
 }
 
 impl ConvertArguments {
-    /// The format to write: as told, or as the ending of the file says; none if neither says one.
+    /// The format to write: the option, or else the extension of the output file; none if neither
+    /// gives one.
     ///
     /// # Errors
-    /// The two do not go together, or the ending says nothing.
+    /// The option and the extension contradict each other, or the extension is unknown.
     pub(crate) fn to(&self) -> Result<Option<Target>, EndingError> {
         Target::asked(self.to, self.output())
     }
 
-    /// Refuses what would do nothing to the format.
+    /// Checks that the options apply to the format.
     ///
     /// # Errors
-    /// What is wrong.
+    /// The message for an option that does not.
     pub(crate) fn check(&self, to: Target) -> Result<(), &'static str> {
         if self.from_height.is_some() && to != Target::Elastodyn {
             return Err(
-                "--from-height is for --to elastodyn; the other formats have the whole tower",
+                "--from-height applies only to --to elastodyn; the other formats contain the whole tower",
             );
         }
         Ok(())
     }
 
-    /// The file the result goes to, if not to standard output.
+    /// The file that the result is written to; none for standard output.
     pub(crate) fn output(&self) -> Option<&Path> {
         file_of(self.output.as_deref())
     }
 }
 
-/// A format that towers are written in.
+/// A format to write towers in.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
 pub(crate) enum Target {
-    /// This program's own: holds everything.
+    /// The tower file of this program; stores all data.
     Toml,
-    /// A deck of BModes 3.00.
+    /// BModes 3.00 deck.
     Bmodes,
-    /// A tower file of ElastoDyn.
+    /// ElastoDyn tower file.
     Elastodyn,
-    /// A turbine in windIO 2.0 with nothing but its tower and machine.
+    /// windIO 2.0 turbine that contains only tower and RNA.
     #[value(name = "windio")]
     WindIo,
 }

@@ -23,14 +23,17 @@ pub(crate) struct ElastoDynArguments {
     pub(crate) command: ElastoDynCommand,
 }
 
-/// What is done for ElastoDyn.
+/// The subcommands.
 #[derive(Debug, Subcommand)]
 pub(crate) enum ElastoDynCommand {
-    /// Write a complete tower file of any tower: rows, damping, the polynomials of its mode shapes.
+    /// Create a complete ElastoDyn tower file: distributed properties, damping, mode-shape
+    /// polynomials.
     Tower(TowerArguments),
-    /// Put the polynomials of a deck's own modes into its tower file; every other byte stays.
+    /// Replace the mode-shape coefficients in the tower file of a deck by those of the computed modes;
+    /// nothing else changes.
     Patch(PatchArguments),
-    /// Judge the polynomials of a deck by the tower's own modes; exit code 1 if they fail.
+    /// Compare the mode-shape polynomials of a deck with the computed modes; exit code 1 if they
+    /// fail.
     Validate(ValidateArguments),
 }
 
@@ -39,8 +42,7 @@ const TOWER_EXAMPLES: &str = "Examples:
   towermodes elastodyn tower tower.toml --damping 1.0 --openfast 4.2
   towermodes elastodyn tower IEA-15-240-RWT.yaml --from-height 15
 
-What OpenFAST moves the tower by: φ(x) = Σ c_k x^k, k = 2 to 6, fitted to the modes of the tower with what it carries and stands on, the
-motion of its base taken off. The fits and ElastoDyn's frequencies go to standard error.";
+The shape functions of OpenFAST are φ(x) = Σ c_k x^k, k = 2 to 6. They are fitted to the modes of the tower with RNA and foundation, after subtracting translation and rotation of the base. The quality of the fits and the frequencies that ElastoDyn gets are printed on standard error.";
 
 /// The arguments of `elastodyn tower`.
 #[derive(Debug, Args)]
@@ -49,40 +51,41 @@ pub(crate) struct TowerArguments {
     #[command(flatten)]
     pub(crate) input: InputArguments,
 
-    /// Height at which the flexible tower begins, m: TowerBsHt [default: its base]
+    /// Height at which the flexible tower begins, m (TowerBsHt) [default: the tower base]
     #[arg(long, value_name = "M", value_parser = height_parser)]
     from_height: Option<f64>,
 
-    /// About so many rows [default: as many as keep mass and stiffness between rows right to 1e-6]
+    /// Approximate number of rows
+    /// [default: enough for a relative interpolation error of 1e-6 in mass and stiffness]
     #[arg(long, value_name = "N", value_parser = number_parser(2, MAX_STATIONS))]
     stations: Option<usize>,
 
-    /// Damping wanted of the tower with what it carries, percent of critical: what is written makes
-    /// ElastoDyn have it [default: 1 is written]
+    /// Target damping ratio of the tower with its RNA, percent of critical; the values in the file
+    /// are scaled so that ElastoDyn reaches it [default: 1 % is written without scaling]
     #[arg(long, value_name = "PERCENT", value_parser = damping_parser)]
     damping: Option<f64>,
 
-    /// Version of OpenFAST; 4.2 and newer list concentrated masses
+    /// Version of OpenFAST that will read the file; 4.2 and newer accept concentrated masses
     #[arg(long, value_name = "VERSION", default_value = "4.0", value_parser = openfast_parser)]
     openfast: (u32, u32),
 
-    /// Elements of ElastoDyn's tower, TwrNodes, for its frequencies and for masses that are spread
-    /// over one
+    /// Number of ElastoDyn tower elements (TwrNodes), used for the frequencies and to distribute
+    /// each point mass over one element
     #[arg(long, value_name = "N", default_value_t = 20, value_parser = number_parser(1, 100_000))]
     nodes: usize,
 
-    /// Write the file here instead of to standard output (-)
+    /// Write the result to a file instead of standard output (-)
     #[arg(long, short, value_name = "PATH")]
     output: Option<PathBuf>,
 }
 
 impl TowerArguments {
-    /// The file the result goes to, if not to standard output.
+    /// The file that the result is written to; none for standard output.
     pub(crate) fn output(&self) -> Option<&Path> {
         file_of(self.output.as_deref())
     }
 
-    /// How the file is made.
+    /// The options of the tower file.
     pub(crate) fn options(&self) -> MakeOptions {
         MakeOptions {
             from_m: self.from_height,
@@ -95,14 +98,14 @@ impl TowerArguments {
     }
 }
 
-/// A deck, and where the modes come from.
+/// A deck and the source of the modes.
 #[derive(Debug, Args)]
 pub(crate) struct DeckArguments {
-    /// The main file of ElastoDyn, or the .fst that names it
+    /// ElastoDyn main file, or the .fst that refers to it
     pub(crate) deck: PathBuf,
 
-    /// Take the modes from this description of the same tower (any format, with its foundation)
-    /// instead of the deck, whose tower is clamped at TowerBsHt
+    /// Compute the modes from this file (any format, with foundation) instead of the deck, whose
+    /// tower is clamped at TowerBsHt
     #[arg(long, value_name = "FILE")]
     pub(crate) from: Option<PathBuf>,
 
@@ -122,15 +125,15 @@ pub(crate) struct PatchArguments {
     #[command(flatten)]
     pub(crate) deck: DeckArguments,
 
-    /// Say what would change, and change nothing
+    /// Print the changes without writing them
     #[arg(long)]
     pub(crate) dry_run: bool,
 
-    /// Print the change as a unified diff, and change nothing
+    /// Print the changes as a unified diff without writing them
     #[arg(long, conflicts_with = "dry_run")]
     pub(crate) diff: bool,
 
-    /// Keep the tower file as it was beside the new one, with .bak at the end of its name
+    /// Save a copy of the old tower file with .bak appended to its name
     #[arg(long, conflicts_with_all = ["dry_run", "diff"])]
     pub(crate) backup: bool,
 }
@@ -139,9 +142,9 @@ const VALIDATE_EXAMPLES: &str = "Examples:
   towermodes elastodyn validate NREL5MW_ElastoDyn.dat
   towermodes elastodyn validate OC3_ElastoDyn.dat --from OC3Hywind.bmi --format json
 
-A shape passes if it differs from the mode by no more than 1 % of its largest deflection (rms), MAC is at least 0.999 and ElastoDyn's
-frequency of it is within 1 %; five times the difference, MAC 0.99 and 5 % are warned of, what is worse fails. Exit codes: 0 no shape
-fails, 1 one fails, 2 wrong input.";
+A shape passes if its rms difference from the mode is at most 1 % of the largest deflection, its MAC is at least 0.999, and the frequency that ElastoDyn gets with it is within 1 %. The limits for WARN are 5 %, MAC 0.99 and 5 %; otherwise the shape fails.
+
+Exit codes: 0 no shape fails, 1 at least one fails, 2 wrong usage or wrong input.";
 
 /// The arguments of `elastodyn validate`.
 #[derive(Debug, Args)]
@@ -150,16 +153,16 @@ pub(crate) struct ValidateArguments {
     #[command(flatten)]
     pub(crate) deck: DeckArguments,
 
-    /// How the result is printed
+    /// Format of the result
     #[arg(long, short, value_enum, default_value_t = ReportFormat::Table)]
     pub(crate) format: ReportFormat,
 }
 
-/// How a judgement is printed.
+/// The format of the result.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
 pub(crate) enum ReportFormat {
-    /// For people.
+    /// Human-readable table.
     Table,
-    /// For programs.
+    /// All results.
     Json,
 }

@@ -1,22 +1,21 @@
-//! How an output is written: as an option says, or as the ending of its name does.
+//! The format of an output: given by an option or by the file extension.
 
 use std::fmt;
 use std::path::Path;
 
 use clap::ValueEnum;
 
-/// A format of outputs that files have endings for.
+/// An output format that can be selected by the file extension.
 pub(crate) trait Ending: ValueEnum + Copy + PartialEq + 'static {
-    /// The endings that say a format, without the dot.
+    /// File extensions, without the dot, and their formats.
     const ENDINGS: &'static [(&'static str, Self)];
-    /// The option that says it.
+    /// The option that selects the format.
     const OPTION: &'static str = "--format";
 
-    /// The format asked for: by the option, else by the ending of the file; none if neither says
-    /// one.
+    /// The selected format: the option, else the file extension; none if neither is given.
     ///
     /// # Errors
-    /// The two say different formats, or the ending is of none.
+    /// The option and the extension contradict each other, or the extension is unknown.
     fn asked(option: Option<Self>, output: Option<&Path>) -> Result<Option<Self>, EndingError> {
         let Some(ending) = ending_of(output) else {
             return Ok(option);
@@ -40,25 +39,25 @@ pub(crate) trait Ending: ValueEnum + Copy + PartialEq + 'static {
     }
 }
 
-/// Why it is not known how an output is to be written.
+/// Why the format of an output is not known.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(crate) enum EndingError {
-    /// No format has this ending.
+    /// Unknown file extension.
     Unknown {
-        /// The ending.
+        /// The extension.
         ending: String,
-        /// Those that say a format.
+        /// The known extensions.
         known: Vec<&'static str>,
-        /// The option that says it too.
+        /// The option that selects the format.
         option: &'static str,
     },
-    /// The option says another format than the ending.
+    /// The option and the extension contradict each other.
     Differ {
         /// The option with its value.
         said: String,
-        /// The ending.
+        /// The extension.
         ending: String,
-        /// The format that it says.
+        /// The format of the extension.
         of: String,
     },
 }
@@ -72,18 +71,18 @@ impl fmt::Display for EndingError {
                 option,
             } => write!(
                 f,
-                "the ending .{ending} of --output says no format of this command: use .{}, or {option} with any ending",
+                "unknown file extension .{ending} of --output; use .{}, or give {option}",
                 known.join(", .")
             ),
             Self::Differ { said, ending, of } => write!(
                 f,
-                "{said} does not go with an --output that ends in .{ending}, which is for {of}; change one of them"
+                "{said} contradicts the file extension .{ending} of --output, which means {of}; change one of them"
             ),
         }
     }
 }
 
-/// The ending of a file's name in small letters; what is no file, as `/dev/null`, has none.
+/// The file extension in lower case; none for a path without one, such as `/dev/null`.
 fn ending_of(output: Option<&Path>) -> Option<String> {
     let ending = output?.extension()?.to_string_lossy();
     Some(ending.to_ascii_lowercase())
@@ -125,7 +124,7 @@ mod tests {
         let error = asked(Some(Format::Csv), "m.json").expect_err("refused");
         assert_eq!(
             error.to_string(),
-            "--format csv does not go with an --output that ends in .json, which is for json; change one of them"
+            "--format csv contradicts the file extension .json of --output, which means json; change one of them"
         );
         assert!(asked(Some(Target::Toml), "t.bmi").is_err());
     }
@@ -135,7 +134,7 @@ mod tests {
         let error = asked::<PageFormat>(None, "r.pdf").expect_err("refused");
         assert_eq!(
             error.to_string(),
-            "the ending .pdf of --output says no format of this command: use .html, .htm, .md, .markdown, or --format with any ending"
+            "unknown file extension .pdf of --output; use .html, .htm, .md, .markdown, or give --format"
         );
     }
 }

@@ -1,4 +1,4 @@
-//! Which file is read, and how where its format leaves a choice.
+//! The input file, and options for formats that do not define everything.
 
 use std::path::PathBuf;
 
@@ -7,54 +7,56 @@ use towermodes_files::{FileFormat, ReadOptions, RotorLock, TowerPart};
 
 use super::parsers::{height_parser, subset_parser};
 
-/// The heading of what is about them.
+/// Heading of these options in the help.
 const OTHERS: &str = "Files of other programs";
 
-/// The file and how it is read.
+/// The input file and its reading options.
 #[derive(Debug, Args)]
 pub(crate) struct InputArguments {
-    /// A tower in TOML, a BModes deck (.bmi), an ElastoDyn main or tower file (.dat, or the .fst
-    /// that names it), a turbine in windIO (.yaml) or a HAWC2 _st.dat, known by content and name; -
-    /// is standard input
+    /// Tower file (.toml), BModes deck (.bmi), ElastoDyn main or tower file (.dat, or the .fst that
+    /// refers to it), windIO turbine (.yaml) or HAWC2 _st.dat; the format is detected from content
+    /// and name; use - for standard input
     pub(crate) file: PathBuf,
 
     #[command(flatten)]
     pub(crate) reading: ReadingArguments,
 }
 
-/// What files of other programs leave open.
+/// Options for files of other programs.
 #[derive(Debug, Clone, Copy, Args)]
 pub(crate) struct ReadingArguments {
-    /// Leave the rotor-nacelle assembly out: the tower alone
+    /// Omit the rotor-nacelle assembly
     #[arg(help_heading = OTHERS, long)]
     pub(crate) no_rna: bool,
 
-    /// Leave gravity out: the frequencies of a tower without weights
+    /// Omit gravity (no geometric stiffness)
     #[arg(help_heading = OTHERS, long)]
     no_gravity: bool,
 
-    /// How the rotor of an ElastoDyn model is held on its shaft
+    /// Rotation of the rotor about its shaft in an ElastoDyn model
     #[arg(help_heading = OTHERS, long, value_enum, default_value_t = Rotor::Locked, conflicts_with = "no_rna")]
     rotor: Rotor,
 
-    /// Understand a BModes deck as BModes 3.00 does, its faults included
+    /// Interpret a BModes deck exactly as BModes 3.00 does, including the known errors of that
+    /// program
     #[arg(help_heading = OTHERS, long)]
     bmodes_quirks: bool,
 
-    /// Part of a windIO turbine
+    /// Part of a windIO turbine to read
     #[arg(help_heading = OTHERS, long, value_enum, default_value_t = Part::All)]
     part: Part,
 
-    /// Height of the tower's top above ground or sea level, m, for an ElastoDyn tower file alone
+    /// Height of the tower top above ground or sea level, m; only for an ElastoDyn tower file that
+    /// is read without its main file
     #[arg(help_heading = OTHERS, long, value_name = "M", value_parser = height_parser)]
     tower_height: Option<f64>,
 
-    /// Height of the tower's base above ground or sea level, m, for an ElastoDyn tower file or a
-    /// HAWC2 file [default: 0]
+    /// Height of the tower base above ground or sea level, m; only for an ElastoDyn tower file that
+    /// is read without its main file, or a HAWC2 file [default: 0]
     #[arg(help_heading = OTHERS, long, value_name = "M", value_parser = height_parser)]
     tower_base: Option<f64>,
 
-    /// Set and subset of a HAWC2 file, as 1,2 [default: the first of each]
+    /// Set and subset of a HAWC2 file, for example 1,2 [default: the first of each]
     #[arg(help_heading = OTHERS, long, value_name = "SET,SUBSET", value_parser = subset_parser)]
     subset: Option<(usize, usize)>,
 }
@@ -62,28 +64,28 @@ pub(crate) struct ReadingArguments {
 /// Part of a turbine.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
 enum Part {
-    /// The tower, on its monopile if there is one.
+    /// The tower, with its monopile if there is one.
     All,
-    /// The tower alone, clamped at its own base.
+    /// Only the tower, clamped at its base.
     Tower,
-    /// The monopile alone.
+    /// Only the monopile.
     Monopile,
 }
 
-/// How a rotor is held.
+/// Whether the rotor can rotate about its shaft.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
 enum Rotor {
-    /// By a brake: rotor and generator roll with the nacelle.
+    /// Locked by the brake: rotor and generator move with the nacelle.
     Locked,
-    /// Not at all: no torque acts on the shaft.
+    /// Free to rotate: no torque acts on the shaft.
     Free,
 }
 
 impl ReadingArguments {
-    /// Refuses what means nothing to any of the files.
+    /// Checks that each option applies to at least one of the files.
     ///
     /// # Errors
-    /// What is wrong.
+    /// The message for the first option that does not.
     pub(crate) fn check(&self, formats: &[FileFormat]) -> Result<(), &'static str> {
         let is_one_of = |own: &[FileFormat]| formats.iter().any(|format| own.contains(format));
         let without_heights = [FileFormat::ElastoDynTower, FileFormat::Hawc2];
@@ -91,32 +93,32 @@ impl ReadingArguments {
             (
                 self.bmodes_quirks,
                 &[FileFormat::Bmodes][..],
-                "--bmodes-quirks is for decks of BModes",
+                "--bmodes-quirks applies only to BModes decks",
             ),
             (
                 self.rotor != Rotor::Locked,
                 &[FileFormat::ElastoDyn],
-                "--rotor is for models of ElastoDyn, whose files say what rotor and generator are",
+                "--rotor applies only to ElastoDyn models, which contain rotor and generator data",
             ),
             (
                 self.part != Part::All,
                 &[FileFormat::WindIo],
-                "--part is for turbines in windIO",
+                "--part applies only to windIO turbines",
             ),
             (
                 self.subset.is_some(),
                 &[FileFormat::Hawc2],
-                "--subset is for files of HAWC2",
+                "--subset applies only to HAWC2 files",
             ),
             (
                 self.tower_height.is_some(),
                 &without_heights,
-                "--tower-height is for a tower file of ElastoDyn alone; this file says how high the tower is",
+                "--tower-height applies only to an ElastoDyn tower file; this file contains the height of the tower",
             ),
             (
                 self.tower_base.is_some(),
                 &without_heights,
-                "--tower-base is for a tower file of ElastoDyn alone and for files of HAWC2; this file says where the tower begins",
+                "--tower-base applies only to an ElastoDyn tower file or a HAWC2 file; this file contains the height of the tower base",
             ),
         ];
         let ignored = options
@@ -125,7 +127,7 @@ impl ReadingArguments {
         ignored.map_or(Ok(()), |(.., message)| Err(message))
     }
 
-    /// These options as they are typed.
+    /// These options as text for a command line.
     pub(crate) fn typed(&self) -> String {
         let part = self.part.to_possible_value();
         let part = part.filter(|_| self.part != Part::All);
@@ -144,7 +146,7 @@ impl ReadingArguments {
         words.into_iter().flatten().collect::<Vec<_>>().join(" ")
     }
 
-    /// What the readers are told.
+    /// The options of the readers.
     pub(crate) fn options(&self) -> ReadOptions {
         ReadOptions {
             bmodes_quirks: self.bmodes_quirks,

@@ -41,7 +41,10 @@ use std::process::ExitCode;
 use clap::error::ErrorKind;
 use clap::{Args, Parser, Subcommand, ValueEnum};
 
-/// Natural frequencies and mode shapes of wind turbine towers, certified.
+use parsers::schema_parser;
+
+/// Natural frequencies and mode shapes of wind turbine towers, with error estimates and a proof
+/// that no mode is missing.
 #[derive(Debug, Parser)]
 #[command(
     name = "towermodes",
@@ -53,31 +56,30 @@ pub(crate) struct Arguments {
     pub(crate) command: Command,
 }
 
-/// What the program does.
+/// The commands of the program.
 #[derive(Debug, Subcommand)]
 pub(crate) enum Command {
-    /// Find the lowest natural frequencies and mode shapes of a tower.
+    /// Compute the lowest natural frequencies and mode shapes of a tower or of a rotating blade.
     Solve(SolveArguments),
-    /// Put several methods side by side, with their differences to the exact beam, sizes and times.
+    /// Compare methods: frequencies, differences from the reference solution, degrees of freedom, run
+    /// time.
     Compare(CompareArguments),
-    /// Show how the error of a method falls as its segments get more.
+    /// Show how the error of a method decreases as the number of segments increases.
     Converge(ConvergeArguments),
-    /// Say how far the rotor's excitations stay from the natural frequencies: the Campbell diagram
-    /// as a table.
+    /// Check resonance margins (Campbell diagram).
     Campbell(CampbellArguments),
-    /// Draw the tower, its mode shapes, its resonance diagram, or the errors of methods, as SVG or
-    /// PNG.
+    /// Draw the tower, its mode shapes, its Campbell diagram or the errors of methods as SVG or PNG.
     Plot(PlotArguments),
-    /// Write the report that is handed over: input, assumptions, frequencies with errors, shapes
-    /// that move, margins, as one HTML page or Markdown.
+    /// Write a report for review, as one HTML page or as Markdown: input, assumptions, frequencies
+    /// with errors, mode shapes, resonance margins.
     Report(ReportArguments),
-    /// Write a tower in another format: TOML, BModes, ElastoDyn, windIO.
+    /// Convert a tower to another format: TOML, BModes, ElastoDyn, windIO.
     Convert(ConvertArguments),
-    /// Compare two descriptions of one tower by height, or say what one describes.
+    /// Compare two models of the same tower along its height, or summarise one model.
     Check(CheckArguments),
-    /// Make, mend and judge the tower files of ElastoDyn (OpenFAST).
+    /// Create, update and validate tower files of ElastoDyn (OpenFAST).
     Elastodyn(ElastoDynArguments),
-    /// Check the program against the values that are known from elsewhere.
+    /// Check the program against published, analytical and independently computed values.
     Verify(VerifyArguments),
     /// Print a completion script for a shell.
     #[command(
@@ -87,19 +89,18 @@ pub(crate) enum Command {
         /// The shell.
         shell: clap_complete::Shell,
     },
-    /// Print the JSON schema of the result of a command with `--format json` (blade: of solve for a
-    /// rotating blade; check-one: of check for one file; validate: of elastodyn validate).
+    /// Print the JSON schema of the result that a command writes with `--format json`.
     #[command(after_help = "Example:\n  towermodes schema solve > solve.schema.json")]
     Schema {
-        /// The command.
-        #[arg(default_value = "solve", value_parser = ["solve", "blade", "compare", "converge", "campbell", "check", "check-one", "validate", "verify"])]
+        /// Which result
+        #[arg(value_name = "RESULT", default_value = "solve", value_parser = schema_parser())]
         of: String,
     },
-    /// Print the manual page, of the program or of one of its commands.
+    /// Print the manual page of the program or of one of its commands.
     #[command(after_help = "Example:\n  towermodes man solve | man -l -")]
     Man {
-        /// The command.
-        #[arg(value_parser = ["solve", "compare", "converge", "campbell", "plot", "report", "convert", "check", "elastodyn", "verify", "completions", "schema", "man"])]
+        /// The command [default: the program].
+        #[arg(value_name = "COMMAND", value_parser = ["solve", "compare", "converge", "campbell", "plot", "report", "convert", "check", "elastodyn", "verify", "completions", "schema", "man"])]
         of: Option<String>,
     },
     /// Print every command with its arguments and options as a chapter of the book.
@@ -110,22 +111,22 @@ pub(crate) enum Command {
     Reference,
 }
 
-/// How a result is printed.
+/// The format of a result.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
 pub(crate) enum Format {
-    /// For people.
+    /// Human-readable table.
     Table,
-    /// Everything there is, of solve the shapes too.
+    /// All results.
     Json,
-    /// One line a mode, of campbell one a pair.
+    /// One line per mode (campbell: one line per mode and excitation).
     Csv,
 }
 
-/// How and where a result goes.
+/// The format of a result and the file it is written to.
 #[derive(Debug, Args)]
 pub(crate) struct Destination {
-    /// How the result is written
-    /// [default: as the ending of --output says: .json, .csv or .txt for the table; else the table]
+    /// Format of the result
+    /// [default: from the extension of --output: .json, .csv or .txt (table); otherwise the table]
     #[arg(long, short, value_enum)]
     format: Option<Format>,
 
@@ -143,28 +144,28 @@ impl Ending for Format {
 }
 
 impl Destination {
-    /// How the result is written: as told, or as the ending of the file says.
+    /// The format of the result: the option, or else the extension of the output file.
     ///
     /// # Errors
-    /// The two do not go together, or the ending says nothing.
+    /// The option and the extension contradict each other, or the extension is unknown.
     pub(crate) fn format(&self) -> Result<Format, EndingError> {
         let asked = Format::asked(self.format, self.output())?;
         Ok(asked.unwrap_or(Format::Table))
     }
 
-    /// The file the result goes to, if not to standard output.
+    /// The file that the result is written to; none for standard output.
     pub(crate) fn output(&self) -> Option<&Path> {
         file_of(self.output.as_deref())
     }
 }
 
-/// A path that is not `-`, which is standard output.
+/// The path of a file; none for `-`, which is standard output.
 fn file_of(path: Option<&Path>) -> Option<&Path> {
     path.filter(|path| *path != Path::new("-"))
 }
 
-/// Prints help, or what is wrong with the command line; a file in place of a command gets the
-/// command it needs.
+/// Prints the help or the error of the command line. If a file is given instead of a command, the
+/// message shows the `solve` command for it.
 pub(crate) fn report(error: &clap::Error) -> ExitCode {
     let _ = error.print();
     let file = std::env::args_os()

@@ -1,4 +1,4 @@
-//! What is asked of every method, by each command that solves.
+//! Options that hold for all methods and for each command that solves.
 
 use clap::Args;
 use towermodes::elements::GAUSS_HINGE_POSITION;
@@ -6,30 +6,31 @@ use towermodes::{DEFAULT_MODES, Method, Options};
 
 use super::parsers::{hinge_parser, number_parser};
 
-/// What holds whatever the method.
+/// Options that hold for all methods.
 #[derive(Debug, Args)]
 pub(super) struct ModelArguments {
-    /// How many modes, from the lowest [default: 8; of BModes decks what they ask for]
+    /// Number of modes, from the lowest [default: 8; BModes decks: the number in the deck]
     #[arg(long, value_name = "K", value_parser = number_parser(1, usize::MAX))]
     pub(super) modes: Option<usize>,
 
-    /// Leave the rotary inertia of the sections out of bending: an Euler-Bernoulli beam
+    /// Neglect the rotary inertia of the sections in bending (with shear = false this is an
+    /// Euler-Bernoulli beam)
     #[arg(long)]
     no_rotary_inertia: bool,
 
-    /// Where the hinges of the method cardanic sit, as a share of the segment from each end
-    /// [default: 0.2113249, the Gauss points]
-    #[arg(long, value_name = "SHARE", value_parser = hinge_parser)]
+    /// Hinge position of --method cardanic: distance from each end as a fraction of the segment
+    /// length [default: 0.2113249, the Gauss points]
+    #[arg(long, value_name = "FRACTION", value_parser = hinge_parser)]
     hinges: Option<f64>,
 
-    /// Solve what would take more than 4 GiB of memory or ten minutes too, as estimated before it
-    /// begins; memory may run out then
+    /// Also solve models whose estimated cost is more than 4 GiB of memory or ten minutes; memory
+    /// may run out
     #[arg(long)]
     no_limits: bool,
 }
 
 impl ModelArguments {
-    /// Whether anything is not as it is by default.
+    /// Whether any of these options is given.
     pub(super) fn is_given(&self) -> bool {
         self.modes.is_some() || self.no_rotary_inertia || self.hinges.is_some() || self.no_limits
     }
@@ -39,31 +40,31 @@ impl ModelArguments {
         self.modes.is_some()
     }
 
-    /// Refuses what would mean nothing to the only method there is.
+    /// Checks that the options apply to the method.
     ///
     /// # Errors
-    /// What is wrong.
+    /// The message for an option that does not.
     pub(super) fn check(&self, method: Method) -> Result<(), &'static str> {
         if self.hinges.is_some() && method != Method::Cardanic {
             return Err(
-                "--hinges is for --method cardanic; the others have their hinges where they are exact",
+                "--hinges applies only to --method cardanic; the joint positions of the other methods are fixed",
             );
         }
         Ok(())
     }
 
-    /// Refuses what would mean nothing to a rotating blade.
+    /// Checks that the options apply to a rotating blade.
     ///
     /// # Errors
-    /// What is wrong.
+    /// The message for an option that does not.
     pub(super) fn check_for_blade(&self) -> Result<(), &'static str> {
         if self.no_rotary_inertia {
             return Err(
-                "--no-rotary-inertia is for towers; the sections of a rotating blade keep theirs",
+                "--no-rotary-inertia applies only to towers; the blade model includes rotary inertia",
             );
         }
         if self.no_limits {
-            return Err("--no-limits is for towers; a rotating blade is solved within its limits");
+            return Err("--no-limits applies only to towers");
         }
         self.check(Method::Bmodes)
     }

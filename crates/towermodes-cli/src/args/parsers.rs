@@ -1,22 +1,40 @@
-//! How values on the command line are read.
+//! Parsers of option values.
 
-use clap::builder::{PossibleValuesParser, TypedValueParser};
+use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 use towermodes::Method;
 use towermodes::tower::FASTEST_RPM;
 
-/// A method by its name.
+/// A method by its name, with its one-line description in the help.
 pub(super) fn method_parser() -> impl TypedValueParser<Value = Method> {
-    PossibleValuesParser::new(Method::ALL.map(Method::name))
+    let value = |method: Method| PossibleValue::new(method.name()).help(method.description());
+    PossibleValuesParser::new(Method::ALL.map(value))
         .map(|name| Method::named(&name).unwrap_or_default())
 }
 
-/// The place of a hinge.
-pub(super) fn hinge_parser(text: &str) -> Result<f64, String> {
-    let position = text.parse().ok().filter(|k: &f64| *k > 0.0 && *k < 0.5);
-    position.ok_or_else(|| "must be more than 0 and less than 0.5, the middle of a segment".into())
+/// A result that has a JSON schema.
+pub(super) fn schema_parser() -> PossibleValuesParser {
+    PossibleValuesParser::new([
+        PossibleValue::new("solve"),
+        PossibleValue::new("blade").help("solve for a rotating blade"),
+        PossibleValue::new("compare"),
+        PossibleValue::new("converge"),
+        PossibleValue::new("campbell"),
+        PossibleValue::new("check").help("check for two files"),
+        PossibleValue::new("check-one").help("check for one file"),
+        PossibleValue::new("validate").help("elastodyn validate"),
+        PossibleValue::new("verify"),
+    ])
 }
 
-/// A whole number from `least` to `most`, with both in the message.
+/// The position of a hinge as a fraction of the segment length.
+pub(super) fn hinge_parser(text: &str) -> Result<f64, String> {
+    let position = text.parse().ok().filter(|k: &f64| *k > 0.0 && *k < 0.5);
+    position.ok_or_else(|| {
+        "must be greater than 0 and less than 0.5 (the middle of the segment)".into()
+    })
+}
+
+/// A whole number from `least` to `most`; the message gives both limits.
 pub(super) fn number_parser(
     least: usize,
     most: usize,
@@ -37,22 +55,22 @@ pub(super) fn height_parser(text: &str) -> Result<f64, String> {
     height_m.ok_or_else(|| "must be a number, in m".into())
 }
 
-/// A percentage that damping can have.
+/// A damping ratio in percent of critical.
 pub(super) fn damping_parser(text: &str) -> Result<f64, String> {
     let percent = text.parse().ok().filter(|p| (0.0..=100.0).contains(p));
-    percent.ok_or_else(|| "must be a number from 0 to 100, in percent of critical".into())
+    percent.ok_or_else(|| "must be a number from 0 to 100 (percent of critical damping)".into())
 }
 
-/// A set and a subset of it, from 1.
+/// A set and a subset, both counted from 1.
 pub(super) fn subset_parser(text: &str) -> Result<(usize, usize), String> {
     let parsed = text.split_once(',').and_then(|(set, subset)| {
         let number = |text: &str| text.trim().parse().ok().filter(|n: &usize| *n > 0);
         Some((number(set)?, number(subset)?))
     });
-    parsed.ok_or_else(|| "must be two whole numbers from 1, as 1,2".into())
+    parsed.ok_or_else(|| "must be two whole numbers greater than 0, for example 1,2".into())
 }
 
-/// A version of OpenFAST, as 4.2.
+/// A version of OpenFAST, for example 4.2.
 pub(super) fn openfast_parser(text: &str) -> Result<(u32, u32), String> {
     let text = text.strip_prefix('v').unwrap_or(text);
     let mut parts = text.split('.').map(|part| part.parse::<u32>().ok());
@@ -65,45 +83,54 @@ pub(super) fn openfast_parser(text: &str) -> Result<(u32, u32), String> {
         // FAST 7 and 8 came before OpenFAST 1.
         Some((7 | 8, _)) => Ok((0, 0)),
         Some(version) if (1..=6).contains(&version.0) => Ok(version),
-        _ => Err("must be a version of OpenFAST, as 4.2, or 8 for FAST 8".into()),
+        _ => Err("must be a version of OpenFAST, for example 4.2, or 8 for FAST 8".into()),
     }
 }
 
-/// Pixels a unit of a drawing.
+/// Pixels per unit of the drawing.
 pub(super) fn scale_parser(text: &str) -> Result<f64, String> {
     let scale = text.parse().ok();
     let scale = scale.filter(|scale: &f64| scale.is_finite() && *scale > 0.0);
-    scale.ok_or_else(|| "must be a number above 0, as 2".into())
+    scale.ok_or_else(|| "must be a number greater than 0, for example 2".into())
 }
 
 /// A margin in percent.
 pub(super) fn margin_parser(text: &str) -> Result<f64, String> {
     let percent = text.parse().ok().filter(|p: &f64| *p > 0.0 && *p < 100.0);
-    percent.ok_or_else(|| "must be a number above 0 and below 100, in percent, as 5".into())
+    percent.ok_or_else(|| "must be a number between 0 and 100 (percent), for example 5".into())
 }
 
-/// The lowest and the highest speed of a rotor, or its only one, rpm.
+/// The lowest and the highest rotor speed, or one constant speed, in rpm.
 pub(super) fn speeds_parser(text: &str) -> Result<(f64, f64), String> {
     let speed = |text: &str| {
         let rpm = text.trim().parse().ok();
         rpm.filter(|rpm| (0.0..=FASTEST_RPM).contains(rpm))
             .ok_or_else(|| {
                 format!(
-                    "`{}` must be a speed from 0 to {FASTEST_RPM} rpm",
+                    "`{}` is not a rotor speed from 0 to {FASTEST_RPM} rpm; give LOWEST,HIGHEST or one speed",
                     text.trim()
                 )
             })
     };
+    let count = text.split(',').count();
+    if count > 2 {
+        return Err(format!(
+            "{count} speeds are given; give LOWEST,HIGHEST or one speed, for example 6.9,12.1"
+        ));
+    }
     let (lowest, highest) = match text.split_once(',') {
         Some((lowest, highest)) => (speed(lowest)?, speed(highest)?),
         None => (speed(text)?, speed(text)?),
     };
     if lowest > highest {
-        return Err(format!("the lowest speed comes first: {highest},{lowest}"));
+        return Err(format!(
+            "the lowest speed must come first: {highest},{lowest}"
+        ));
     }
     if highest == 0.0 {
         return Err(
-            "a rotor that stands still excites nothing; the highest speed must be above 0".into(),
+            "the highest speed must be greater than 0: a rotor at standstill has no excitation"
+                .into(),
         );
     }
     Ok((lowest, highest))

@@ -20,7 +20,7 @@ const EXAMPLES: &str = "Examples:
   towermodes plot tower.toml --what convergence --method rmje --segments 10,20,40,80 --dark --output rmje.svg
   towermodes plot tower.toml --what error --png > error.png
 
-An SVG follows the reader's choice of light or dark; with --dark it is dark everywhere. For pictures in the terminal: solve --plot.";
+An SVG follows the light or dark setting of the viewer; --dark makes it always dark. For mode shapes in the terminal use solve --plot.";
 
 /// The arguments of `plot`.
 #[derive(Debug, Args)]
@@ -29,16 +29,18 @@ pub(crate) struct PlotArguments {
     #[command(flatten)]
     pub(crate) input: InputArguments,
 
-    /// What the picture is of
+    /// Type of picture
     #[arg(long, value_enum, default_value_t = What::Shapes)]
     pub(crate) what: What,
 
-    /// The method whose modes or whose convergence is shown [default: as of solve, and of converge]
+    /// Method of computation, for shapes, campbell and convergence
+    /// [default: rmje-exact; bmodes for BModes decks, except for convergence]
     #[arg(long, value_parser = method_parser())]
     method: Option<Method>,
 
-    /// Segments, or elements; of convergence several numbers with commas between them
-    /// [default: as of solve, of converge, and of compare]
+    /// Number of segments (bmodes and spectral: elements); for convergence a comma-separated list
+    /// [default: same as solve for shapes and campbell, same as converge for convergence, 60 for
+    /// error]
     #[arg(long, value_name = "N", value_delimiter = ',', value_parser = number_parser(1, MAX_SEGMENTS))]
     segments: Vec<usize>,
 
@@ -48,96 +50,98 @@ pub(crate) struct PlotArguments {
     #[command(flatten)]
     pub(crate) rotor: RotorArguments,
 
-    /// The title above the picture, '' for none
-    /// [default: the tower's name, what is shown, and how it was computed]
+    /// Title above the picture, '' for none
+    /// [default: name of the tower, type of picture, method]
     #[arg(long, value_name = "TEXT")]
     pub(crate) title: Option<String>,
 
-    /// Write the picture to a file, as SVG or PNG by its ending, instead of standard output, which
-    /// must be no terminal unless - is given here
+    /// Write the picture to a file, as SVG or PNG depending on the extension; without this option
+    /// it goes to standard output, which must not be a terminal; - always means standard output
     #[arg(long, short, value_name = "PATH")]
     output: Option<PathBuf>,
 
-    /// Write PNG whatever the ending
+    /// Write PNG regardless of the file extension
     #[arg(long)]
     png: bool,
 
-    /// Light on dark
+    /// Dark background
     #[arg(long)]
     dark: bool,
 
-    /// Pixels of a PNG for each unit of the drawing, which is about 900 wide [default: 2]
+    /// Scale of a PNG; at 1 the picture is about 900 pixels wide [default: 2]
     #[arg(long, value_parser = scale_parser)]
     scale: Option<f64>,
 }
 
-/// What a picture is of.
+/// The type of a picture.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
 pub(crate) enum What {
-    /// The tower to scale, with what is on it, under it and around it.
+    /// The tower to scale, with RNA, point masses, foundation, soil and water.
     Tower,
     /// The mode shapes, side by side.
     Shapes,
-    /// How the error of a method falls as its segments get more.
+    /// Error of a method over the number of segments.
     Convergence,
-    /// Natural frequencies and the rotor's excitations over its speed.
+    /// Campbell diagram: natural frequencies and excitations over rotor speed.
     Campbell,
-    /// How far each method is from the exact beam, mode by mode.
+    /// Difference of each method from the reference solution, mode by mode.
     Error,
 }
 
-/// How a picture is written.
+/// The format of a picture.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) enum PictureFormat {
     /// As SVG.
     Svg(Look),
-    /// As PNG, with so many pixels a unit.
+    /// As PNG, with this number of pixels per unit.
     Png(Theme, f64),
 }
 
 impl PlotArguments {
-    /// What was given as output, `-` too.
+    /// The given output, including `-`.
     pub(crate) fn asked_output(&self) -> Option<&Path> {
         self.output.as_deref()
     }
 
-    /// The file the picture goes to, if not to standard output.
+    /// The file that the picture is written to; none for standard output.
     pub(crate) fn output(&self) -> Option<&Path> {
         file_of(self.output.as_deref())
     }
 
-    /// Refuses what would do nothing to this picture.
+    /// Checks that the options apply to this type of picture.
     ///
     /// # Errors
-    /// What is wrong.
+    /// The message for an option that does not.
     pub(crate) fn check(&self) -> Result<(), &'static str> {
         let solves = self.what != What::Tower;
         let has_method = solves && self.what != What::Error;
         if !has_method && self.method.is_some() {
             return Err(
-                "--method is for --what shapes, campbell and convergence; error is of all methods, and tower of none",
+                "--method applies only to --what shapes, campbell and convergence; --what error shows all methods",
             );
         }
         if !solves && (self.model.is_given() || !self.segments.is_empty()) {
             return Err(
-                "--what tower solves nothing; --modes, --segments, --no-rotary-inertia and --hinges are for the others",
+                "--what tower does not solve the tower; --modes, --segments, --no-rotary-inertia, --hinges and --no-limits apply to the other pictures",
             );
         }
         if self.what == What::Convergence {
             self.model.check(self.method.unwrap_or_default())?;
         }
         if self.what != What::Campbell && self.rotor.is_given() {
-            return Err("--rpm, --blades, --multiples and --margin are for --what campbell");
+            return Err("--rpm, --blades, --multiples and --margin apply only to --what campbell");
         }
         if self.what != What::Convergence && self.segments.len() > 1 {
-            return Err("several numbers of segments are for --what convergence");
+            return Err(
+                "a list of numbers of segments applies only to --what convergence; give one number",
+            );
         }
         if self.what == What::Convergence
             && self.method == Some(Method::Spectral)
             && !self.segments.is_empty()
         {
             return Err(
-                "the spectral beam converges with its degree, here from 4 to 14; leave --segments out",
+                "--segments does not apply to --method spectral, whose degree is varied from 4 to 14; omit it",
             );
         }
         Ok(())
@@ -146,11 +150,11 @@ impl PlotArguments {
     /// How the picture is written.
     ///
     /// # Errors
-    /// What is wrong if the ending of the file says nothing, or something else.
+    /// The message if the file extension is unknown or contradicts an option.
     pub(crate) fn format(&self) -> Result<PictureFormat, &'static str> {
         if self.output().is_some_and(Path::is_dir) {
             return Err(
-                "the output is a folder; give the path of a file in it, as FOLDER/picture.svg",
+                "the output is a folder; give the path of a file in it, for example FOLDER/picture.svg",
             );
         }
         let ending = self.output().map(|path| {
@@ -158,17 +162,19 @@ impl PlotArguments {
             ending.to_string_lossy().to_ascii_lowercase()
         });
         let is_png = match (ending.as_deref(), self.png) {
-            (Some("svg"), true) => return Err("--png does not go with a file that ends in .svg"),
+            (Some("svg"), true) => {
+                return Err("--png contradicts the file extension .svg; change one of them");
+            }
             (Some("svg") | None, false) => false,
             (Some("png"), _) | (_, true) => true,
             _ => {
                 return Err(
-                    "the file must end in .svg or .png, which says how the picture is written; --png writes PNG whatever the ending",
+                    "unknown file extension for a picture; use .svg or .png, or --png to write PNG to any file",
                 );
             }
         };
         if !is_png && self.scale.is_some() {
-            return Err("--scale is for PNG; an SVG has no pixels");
+            return Err("--scale applies only to PNG");
         }
         Ok(match (is_png, self.dark) {
             (true, false) => PictureFormat::Png(Theme::Light, self.scale.unwrap_or(2.0)),
@@ -183,15 +189,15 @@ impl PlotArguments {
         self.model.has_modes()
     }
 
-    /// How the modes of shapes, or of the resonance diagram, are found.
+    /// The solver options for mode shapes and the Campbell diagram.
     ///
     /// # Errors
-    /// What is wrong if an option means nothing to the method.
+    /// The message for an option that does not apply to the method.
     pub(crate) fn options(&self, prescribed: Prescribed) -> Result<Options, &'static str> {
         prescribed.options(self.method, self.segments.first().copied(), &self.model)
     }
 
-    /// What convergence, or the comparison of methods, is asked for.
+    /// The options of a convergence study or a comparison of methods.
     pub(crate) fn study_options(&self) -> Options {
         Options {
             method: self.method.unwrap_or_default(),
@@ -199,7 +205,7 @@ impl PlotArguments {
         }
     }
 
-    /// The numbers of segments whose errors are shown, if they were said.
+    /// The given numbers of segments.
     pub(crate) fn segments(&self) -> &[usize] {
         &self.segments
     }

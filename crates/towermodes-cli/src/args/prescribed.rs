@@ -1,23 +1,23 @@
-//! How a tower is solved: as the command line says, as its file prescribes, or by default.
+//! Solver options: from the command line, else from the file, else the default.
 
 use towermodes::{DEFAULT_POINTS, Method, Options};
 use towermodes_files::TowerInput;
 
 use super::model::ModelArguments;
 
-/// What a file prescribes for its solution.
+/// Solver options that a file contains.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Prescribed {
-    /// The method it is made for.
+    /// The method of the format.
     pub(crate) method: Option<Method>,
-    /// How many modes it asks for.
+    /// The number of modes.
     pub(crate) modes: Option<usize>,
-    /// The borders of its finite elements, m.
+    /// The boundaries of its finite elements, m.
     pub(crate) borders_m: Option<Vec<f64>>,
 }
 
 impl Prescribed {
-    /// Of what was read; its borders are taken out of it.
+    /// The options in an input; takes the element boundaries out of it.
     pub(crate) fn of(input: &mut TowerInput) -> Self {
         Self {
             method: input.method,
@@ -26,10 +26,10 @@ impl Prescribed {
         }
     }
 
-    /// What the library is asked for, with what the command line says first.
+    /// The options of the library; the command line has priority.
     ///
     /// # Errors
-    /// What is wrong if an option means nothing to the method.
+    /// The message for an option that does not apply to the method.
     pub(super) fn options(
         self,
         method: Option<Method>,

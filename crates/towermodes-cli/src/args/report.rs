@@ -20,8 +20,8 @@ const EXAMPLES: &str = "Examples:
   towermodes report tower.toml --document T-17-003 --revision C --author \"J. Doe\" --checker \"R. Roe\" --output report.html
   towermodes report tower.toml --output report.md
 
-One file that needs nothing beside it and asks nothing of any network. The same files and command give the same bytes.
-A margin that fails is in the report; that it fails is the exit code of campbell.
+The report is one self-contained file and needs no network. The same input and command give the same file, byte for byte. If a resonance margin fails, report still returns 0; use campbell for an exit code.
+
 Exit codes: 0 done, 1 the computation or the output failed, 2 wrong usage or wrong input.";
 
 /// The arguments of `report`.
@@ -31,20 +31,20 @@ pub(crate) struct ReportArguments {
     #[command(flatten)]
     pub(crate) input: InputArguments,
 
-    /// What the report is of [default: the tower's name]
+    /// Title of the report [default: name of the tower]
     #[arg(long, value_name = "TEXT")]
     pub(crate) title: Option<String>,
 
     #[command(flatten)]
     title_block: TitleBlockArguments,
 
-    /// The method of the frequencies [default: rmje-exact; bmodes for BModes decks]; all are
-    /// compared
+    /// Method of computation; one section of the report compares all methods
+    /// [default: rmje-exact; bmodes for BModes decks]
     #[arg(long, value_parser = method_parser())]
     method: Option<Method>,
 
-    /// Segments, or elements, of that method and of those compared with it
-    /// [default: as of solve, and 60 of those compared]
+    /// Number of segments (bmodes and spectral: elements), also for the comparison of methods
+    /// [default: same as solve; 60 for the comparison]
     #[arg(long, value_name = "N", value_parser = number_parser(1, MAX_SEGMENTS))]
     pub(crate) segments: Option<usize>,
 
@@ -54,20 +54,20 @@ pub(crate) struct ReportArguments {
     #[command(flatten)]
     pub(crate) rotor: RotorArguments,
 
-    /// How the report is written [default: as the ending of --output says: .html or .md; else html]
+    /// Format of the report [default: from the extension of --output: .html or .md; otherwise html]
     #[arg(long, short, value_enum)]
     format: Option<PageFormat>,
 
-    /// Write the report to a file instead of standard output, which must be no terminal unless - is
-    /// given here
+    /// Write the report to a file; without this option it goes to standard output, which must not
+    /// be a terminal; - always means standard output
     #[arg(long, short, value_name = "PATH")]
     output: Option<PathBuf>,
 }
 
-/// The heading of what is about the document.
+/// Heading of these options in the help.
 const DOCUMENT: &str = "Document";
 
-/// What stands below the title; what is not given is left out.
+/// The title block; entries that are not given are omitted.
 #[derive(Debug, Args)]
 struct TitleBlockArguments {
     /// Project or site
@@ -82,25 +82,25 @@ struct TitleBlockArguments {
     #[arg(help_heading = DOCUMENT, long, value_name = "TEXT")]
     revision: Option<String>,
 
-    /// Who made the report
+    /// Author of the report
     #[arg(help_heading = DOCUMENT, long, value_name = "TEXT")]
     author: Option<String>,
 
-    /// Who checked it
+    /// Checker of the report
     #[arg(help_heading = DOCUMENT, long, value_name = "TEXT")]
     checker: Option<String>,
 
-    /// Date of the report, as it is to be read; the report has no clock and shows none by itself
+    /// Date of the report, printed as given; without it the report shows no date
     #[arg(help_heading = DOCUMENT, long, value_name = "TEXT")]
     date: Option<String>,
 }
 
-/// How a report is written.
+/// The format of a report.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
 pub(crate) enum PageFormat {
-    /// A page with pictures and moving shapes.
+    /// One page with pictures and animated mode shapes.
     Html,
-    /// Markdown with the tables of GitHub, and the commands that draw the pictures.
+    /// GitHub-flavoured Markdown; pictures are replaced by the commands that create them.
     Md,
 }
 
@@ -114,34 +114,34 @@ impl Ending for PageFormat {
 }
 
 impl ReportArguments {
-    /// What was given as output, `-` too.
+    /// The given output, including `-`.
     pub(crate) fn asked_output(&self) -> Option<&Path> {
         self.output.as_deref()
     }
 
-    /// The file the report goes to, if not to standard output.
+    /// The file that the report is written to; none for standard output.
     pub(crate) fn output(&self) -> Option<&Path> {
         file_of(self.output.as_deref())
     }
 
-    /// How the report is written: as told, or as the ending of the file says.
+    /// The format of the report: the option, or else the extension of the output file.
     ///
     /// # Errors
-    /// The two do not go together, or the ending says nothing.
+    /// The option and the extension contradict each other, or the extension is unknown.
     pub(crate) fn format(&self) -> Result<PageFormat, EndingError> {
         let asked = PageFormat::asked(self.format, self.output())?;
         Ok(asked.unwrap_or(PageFormat::Html))
     }
 
-    /// How the modes are found.
+    /// The solver options.
     ///
     /// # Errors
-    /// What is wrong if an option means nothing to the method.
+    /// The message for an option that does not apply to the method.
     pub(crate) fn options(&self, prescribed: Prescribed) -> Result<Options, &'static str> {
         prescribed.options(self.method, self.segments, &self.model)
     }
 
-    /// What stands below the title.
+    /// The title block.
     pub(crate) fn title_block(&self) -> TitleBlock {
         let given = &self.title_block;
         let text = |field: &Option<String>| field.clone().unwrap_or_default();

@@ -1,4 +1,4 @@
-//! What the rotor is taken for: its speeds, its blades, the margin asked for.
+//! Options of the rotor: speeds, blades, multiples, required margin.
 
 use clap::Args;
 use towermodes::Rotor;
@@ -7,54 +7,53 @@ use towermodes_analysis::resonance::{CampbellOptions, DEFAULT_MARGIN};
 
 use super::parsers::{margin_parser, number_parser, speeds_parser};
 
-/// The heading of what is about the rotor.
+/// Heading of these options in the help.
 const ROTOR: &str = "Rotor";
 
-/// Blades of a rotor whose file does not say how many.
+/// Number of blades if the file does not give it.
 const USUAL_BLADES: usize = 3;
 
-/// Highest multiple of the rotor's speed: nothing excites at more.
+/// Highest multiple of the rotor speed.
 const MAX_MULTIPLE: usize = 100;
 
-/// The rotor, as far as it is not as the file says.
+/// Rotor data that replace those of the file.
 #[derive(Debug, Args)]
 pub(crate) struct RotorArguments {
-    /// Least distance of an excitation to a natural frequency, percent of the frequency
+    /// Required separation of excitation and natural frequency, percent of the natural frequency
     /// [default: 5]
     #[arg(help_heading = ROTOR, long, value_name = "PERCENT", value_parser = margin_parser)]
     margin: Option<f64>,
 
-    /// Lowest and highest rotor speed of operation, as 6.9,12.1, or the only one, rpm
-    /// [default: what the file says]
+    /// Lowest and highest operating speed of the rotor, rpm, for example 6.9,12.1; or one constant
+    /// speed [default: from the file]
     #[arg(help_heading = ROTOR, long, value_name = "LOWEST,HIGHEST", allow_hyphen_values = true, value_parser = speeds_parser)]
     rpm: Option<(f64, f64)>,
 
-    /// Number of blades [default: what the file says, else 3]
+    /// Number of blades B [default: from the file, otherwise 3]
     #[arg(help_heading = ROTOR, long, value_name = "N", value_parser = number_parser(1, MOST_BLADES))]
     blades: Option<usize>,
 
-    /// Multiples of the rotor's speed, with commas between them
-    /// [default: 1 and one, two and three times the number of blades]
+    /// Multiples of the rotor speed to check, comma-separated [default: 1, B, 2B, 3B]
     #[arg(help_heading = ROTOR, long, value_name = "LIST", value_delimiter = ',', value_parser = number_parser(1, MAX_MULTIPLE))]
     multiples: Vec<usize>,
 }
 
-/// A rotor, and where its numbers are from.
+/// A rotor and the source of its data.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct ChosenRotor {
     /// The rotor.
     pub(crate) rotor: Rotor,
-    /// Whether nobody said how many blades it has.
+    /// Whether the number of blades is the default.
     pub(crate) blades_are_assumed: bool,
-    /// Whether that is said on the command line.
+    /// Whether the number of blades is given on the command line.
     pub(crate) blades_are_given: bool,
-    /// Whether its speeds are those of the command line.
+    /// Whether the speeds are given on the command line.
     pub(crate) speeds_are_given: bool,
 }
 
 impl RotorArguments {
-    /// The file's rotor with what was said here in place of its own; none if nobody said how fast
-    /// it runs. A file may say how many blades it has and not how fast it runs.
+    /// The rotor of the file, with the options of the command line in place of its data; none if
+    /// the rotor speed is unknown. A file may give the number of blades without the speed.
     pub(crate) fn rotor(
         &self,
         of_file: Option<Rotor>,
@@ -76,7 +75,7 @@ impl RotorArguments {
         })
     }
 
-    /// Whether anything is not as the file says.
+    /// Whether any of these options is given.
     pub(crate) fn is_given(&self) -> bool {
         self.margin.is_some()
             || self.rpm.is_some()
@@ -84,7 +83,7 @@ impl RotorArguments {
             || !self.multiples.is_empty()
     }
 
-    /// What the library is asked for.
+    /// The options of the library.
     pub(crate) fn options(&self) -> CampbellOptions {
         CampbellOptions {
             margin: self

@@ -28,7 +28,7 @@ Exit codes: 0 done, 1 the computation or the output failed, 2 wrong usage or wro
     };
 }
 
-/// The examples after the file format in short, for those who have nothing but the program.
+/// The tower file format in short, then the examples.
 const LONG_HELP: &str = concat!(include_str!("tower-file.txt"), "\n", examples!());
 
 /// The arguments of `solve`.
@@ -38,39 +38,36 @@ pub(crate) struct SolveArguments {
     #[command(flatten)]
     pub(crate) input: InputArguments,
 
-    /// Chains of rigid bodies: rmje and cardanic, as published or with exact tapered sections, and
-    /// lumped as Adams models beams; bmodes, the finite element of BModes; spectral, the beam
-    /// itself, exact to ten digits, for reference values, steep cones and towers that nearly buckle
-    /// [default: rmje-exact, a chain with errors from other meshes; bmodes for BModes decks]
+    /// Method of computation [default: rmje-exact; bmodes for BModes decks]
     #[arg(long, value_parser = method_parser())]
     method: Option<Method>,
 
-    /// Segments, or elements
-    /// [default: 100, and two for each short span between steps, kinks and masses; spectral: one a
-    /// piece; BModes decks: their own elements]
+    /// Number of segments (bmodes and spectral: elements)
+    /// [default: 100, plus 2 for each short part between steps, changes of taper and point masses;
+    /// spectral: one per part; BModes decks: the elements of the deck]
     #[arg(long, value_name = "N", value_parser = number_parser(1, MAX_SEGMENTS))]
     segments: Option<usize>,
 
     /// Polynomial degree of the elements of --method spectral
-    /// [default: raised until the modes stand still]
+    /// [default: raised until the frequencies converge]
     #[arg(long, value_name = "P", value_parser = number_parser(2, MAX_DEGREE))]
     degree: Option<usize>,
 
     #[command(flatten)]
     model: ModelArguments,
 
-    /// At how many equal heights the JSON and the layout of BModes give shapes
-    /// [default: 101; BModes decks: the borders of their elements]
+    /// Number of equally spaced heights for mode shapes in JSON and BModes output
+    /// [default: 101; BModes output for a BModes deck: the element boundaries of the deck]
     #[arg(long, value_name = "COUNT", value_parser = number_parser(2, MAX_POINTS))]
     points: Option<usize>,
 
-    /// Draw the mode shapes in dots below the table, as wide as the terminal; 100 columns where
-    /// there is none
+    /// Draw the mode shapes as text graphics below the table, as wide as the terminal, or 100
+    /// columns if the output is not a terminal
     #[arg(long)]
     pub(crate) plot: bool,
 
-    /// How the result is written
-    /// [default: as the ending of --output says: .json, .csv or .txt for the table; else the table]
+    /// Format of the result
+    /// [default: from the extension of --output: .json, .csv or .txt (table); otherwise the table]
     #[arg(long, short, value_enum)]
     format: Option<SolveFormat>,
 
@@ -79,16 +76,16 @@ pub(crate) struct SolveArguments {
     output: Option<PathBuf>,
 }
 
-/// How the modes are printed.
+/// The format of the modes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
 pub(crate) enum SolveFormat {
-    /// For people.
+    /// Human-readable table.
     Table,
-    /// Everything there is, the shapes too.
+    /// All results, including mode shapes.
     Json,
-    /// One line a mode.
+    /// One line per mode.
     Csv,
-    /// The layout of an output file of BModes, for scripts that read these.
+    /// The layout of a BModes output file.
     Bmodes,
 }
 
@@ -115,24 +112,24 @@ impl SolveArguments {
         file_of(self.output.as_deref())
     }
 
-    /// Refuses pictures where there is no table, and numbers of heights where there are no shapes.
+    /// Checks that --plot and --points apply to the format.
     ///
     /// # Errors
     /// What is wrong.
     pub(crate) fn check(&self, format: SolveFormat) -> Result<(), &'static str> {
         let has_shapes = matches!(format, SolveFormat::Json | SolveFormat::Bmodes);
         if self.plot && format != SolveFormat::Table {
-            return Err("--plot is for the table; towermodes plot draws files");
+            return Err("--plot applies only to the table; use towermodes plot for a picture file");
         }
         if self.points.is_some() && !has_shapes {
             return Err(
-                "--points is for --format json and bmodes; the table and CSV have no shapes",
+                "--points applies only to --format json and bmodes; the table and CSV contain no mode shapes",
             );
         }
         Ok(())
     }
 
-    /// Refuses a number of heights where the elements of the file are the heights.
+    /// Checks that --points is not given where the elements of the file fix the heights.
     ///
     /// # Errors
     /// What is wrong.
@@ -143,46 +140,48 @@ impl SolveArguments {
     ) -> Result<(), &'static str> {
         if self.points.is_some() && has_own && format == SolveFormat::Bmodes {
             return Err(
-                "--points does not go with --format bmodes here: the deck's own elements are the heights; --format json gives shapes at others",
+                "--points does not apply to --format bmodes with a BModes deck: the mode shapes are at the element boundaries of the deck; use --format json for other heights",
             );
         }
         Ok(())
     }
 
-    /// How many modes are wanted, if it was said here.
+    /// The number of modes, if it is given.
     pub(crate) fn modes(&self) -> Option<usize> {
         self.model.modes
     }
 
-    /// Refuses what means nothing to a rotating blade, which has one method and the elements of its
-    /// deck.
+    /// Checks that the options apply to a rotating blade, which has one method and the elements of
+    /// its deck.
     ///
     /// # Errors
     /// What is wrong.
     pub(crate) fn check_for_blade(&self) -> Result<(), &'static str> {
         if self.method.is_some_and(|method| method != Method::Bmodes) {
-            return Err("a rotating blade is solved by --method bmodes alone");
+            return Err("a rotating blade can be solved only with --method bmodes");
         }
         if self.segments.is_some() || self.degree.is_some() {
-            return Err("a rotating blade has the elements of its deck");
+            return Err(
+                "--segments and --degree do not apply to a rotating blade: its elements are given in the deck",
+            );
         }
         if self.points.is_some() {
             return Err(
-                "--points is for towers; a rotating blade is given at the borders of its elements",
+                "--points applies only to towers; mode shapes of a blade are at its element boundaries",
             );
         }
         if self.input.reading.no_rna {
             return Err(
-                "a rotating blade has no rotor-nacelle assembly; the body at its tip is in its deck",
+                "--no-rna does not apply to a rotating blade; its tip body is given in the deck",
             );
         }
         self.model.check_for_blade()
     }
 
-    /// What the library is asked for.
+    /// The options of the library.
     ///
     /// # Errors
-    /// What is wrong if an option means nothing to the method.
+    /// The message for an option that does not apply to the method.
     pub(crate) fn options(
         &self,
         prescribed: Prescribed,
@@ -190,11 +189,13 @@ impl SolveArguments {
     ) -> Result<Options, &'static str> {
         let options = prescribed.options(self.method, self.segments, &self.model)?;
         if self.degree.is_some() && options.method != Method::Spectral {
-            return Err("--degree is for --method spectral; the others have --segments");
+            return Err(
+                "--degree applies only to --method spectral; use --segments for the other methods",
+            );
         }
         Ok(Options {
             degree: self.degree,
-            // Only the JSON and the pictures have shapes.
+            // Only JSON and the pictures contain mode shapes.
             points: match (format, self.plot) {
                 (SolveFormat::Json, _) => self.points(),
                 (_, true) => DEFAULT_POINTS,
@@ -204,7 +205,7 @@ impl SolveArguments {
         })
     }
 
-    /// At how many equal heights shapes are wanted.
+    /// Number of equally spaced heights of the mode shapes.
     pub(crate) fn points(&self) -> usize {
         self.points.unwrap_or(DEFAULT_POINTS)
     }

@@ -14,37 +14,37 @@ const EXAMPLES: &str = "Examples:
   towermodes verify paper bmodes
   towermodes verify --output verification.json
 
-Exit codes: 0 every value comes out, 1 one does not, 2 wrong usage.";
+Exit codes: 0 all values are within their tolerance, 1 at least one is not, 2 wrong usage.";
 
 /// The arguments of `verify`.
 #[derive(Debug, Args)]
 #[command(after_help = EXAMPLES)]
 pub(crate) struct VerifyArguments {
-    /// Chapters of the manual [default: all]
+    /// Chapters of the verification manual [default: all]
     #[arg(value_parser = chapter_parser())]
     chapters: Vec<String>,
 
-    /// How the manual is written
-    /// [default: as the ending of --output says: .json, .csv, .md or .txt for the table; else the
+    /// Format of the verification results
+    /// [default: from the extension of --output: .json, .csv, .md or .txt (table); otherwise the
     /// table]
     #[arg(long, short, value_enum)]
     format: Option<VerifyFormat>,
 
-    /// Write the manual to a file instead of standard output (-)
+    /// Write the results to a file instead of standard output (-)
     #[arg(long, short, value_name = "PATH")]
     output: Option<PathBuf>,
 }
 
-/// How the manual is printed.
+/// The format of the verification results.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
 pub(crate) enum VerifyFormat {
-    /// For people.
+    /// Human-readable table.
     Table,
-    /// Everything, for programs.
+    /// All results.
     Json,
-    /// One line a value.
+    /// One line per value.
     Csv,
-    /// As the chapter of the book.
+    /// The verification chapter of the book.
     Markdown,
 }
 
@@ -58,21 +58,21 @@ impl Ending for VerifyFormat {
 }
 
 impl VerifyArguments {
-    /// How the manual is written: as told, or as the ending of the file says.
+    /// The format of the results: the option, or else the extension of the output file.
     ///
     /// # Errors
-    /// The two do not go together, or the ending says nothing.
+    /// The option and the extension contradict each other, or the extension is unknown.
     pub(crate) fn format(&self) -> Result<VerifyFormat, EndingError> {
         let asked = VerifyFormat::asked(self.format, self.output())?;
         Ok(asked.unwrap_or(VerifyFormat::Table))
     }
 
-    /// Whether a chapter was asked for.
+    /// Whether a chapter is selected.
     pub(crate) fn has(&self, chapter: &str) -> bool {
         self.chapters.is_empty() || self.chapters.iter().any(|name| name == chapter)
     }
 
-    /// The file the manual goes to, if not to standard output.
+    /// The file that the results are written to; none for standard output.
     pub(crate) fn output(&self) -> Option<&Path> {
         file_of(self.output.as_deref())
     }

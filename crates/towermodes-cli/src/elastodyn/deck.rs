@@ -1,4 +1,4 @@
-//! A deck of ElastoDyn with the tower that its modes are taken from.
+//! An ElastoDyn deck and the tower from which the modes are computed.
 
 use std::path::Path;
 
@@ -13,7 +13,7 @@ use crate::args::{DeckArguments, ReadingArguments};
 use crate::failure::{Failure, note};
 use crate::input::input_of;
 
-/// A deck and the shapes that its tower has.
+/// A deck and the mode shapes of its tower.
 pub(super) struct Judged {
     pub(super) deck: ElastoDynDeck,
     pub(super) tower: Tower,
@@ -22,7 +22,7 @@ pub(super) struct Judged {
     pub(super) shapes: TowerShapes,
 }
 
-/// Reads a deck and finds the shapes of its tower, or of the description that was given instead.
+/// Reads a deck and computes the mode shapes of its tower, or of the file given by `--from`.
 pub(super) fn judged(arguments: &DeckArguments) -> Result<Judged, Failure> {
     let deck = read_deck(arguments)?;
     let (tower, notes) = match &arguments.from {
@@ -62,14 +62,14 @@ fn of_description(from: &Path, reading: &ReadingArguments) -> Result<(Tower, Vec
     Ok((tower, notes_for_shapes(&input)))
 }
 
-/// What the user should know of a description whose modes become shapes.
+/// The notes of an input whose modes are fitted by polynomials.
 pub(super) fn notes_for_shapes(input: &TowerInput) -> Vec<Note> {
     let mut notes = input.notes.clone();
     notes.extend(input.note_on_shapes());
     notes
 }
 
-/// The deck; where the modes come from another description, files of its machine need not be there.
+/// The deck; with `--from` the files of its RNA are not needed.
 fn read_deck(arguments: &DeckArguments) -> Result<ElastoDynDeck, Failure> {
     let own = arguments.reading.options();
     let options = ReadOptions {
@@ -92,11 +92,11 @@ fn flexible_base(deck: &ElastoDynDeck, tower: &Tower, from: &Path) -> Result<f64
         .model(deck.main.tower_length_m(), deck.main.tower_nodes, 0.0);
     let same = same_tower(&model, tower).map_err(|error| match error {
         OtherTower::Rows(error) => Failure::TowerFile(MakeError::Rows(error)),
-        error => Failure::Refused(format!("{name} is not the deck's tower: {error}")),
+        error => Failure::Refused(format!("{name} is not the tower of the deck: {error}")),
     })?;
     if same.is_noticeable() {
         note(&[Note::new(format!(
-            "{name} is not quite the deck's tower: {}",
+            "{name} differs from the tower of the deck: {}",
             same.difference
         ))]);
     }

@@ -8,7 +8,7 @@ mod validate;
 use crate::args::{ElastoDynArguments, ElastoDynCommand};
 use crate::failure::Failure;
 
-/// Runs what was asked for.
+/// Runs the subcommand.
 pub(crate) fn run(arguments: &ElastoDynArguments) -> Result<(), Failure> {
     match &arguments.command {
         ElastoDynCommand::Tower(arguments) => tower::run(arguments),

@@ -11,7 +11,7 @@ use crate::failure::{Failure, report};
 use crate::output::{back_up, deliver, replace};
 use crate::table;
 
-/// Puts the coefficients of the tower's own modes into the deck's tower file.
+/// Writes the coefficients of the computed modes into the tower file of the deck.
 pub(crate) fn run(arguments: &PatchArguments) -> Result<(), Failure> {
     let judged = judged(&arguments.deck)?;
     let Judged { deck, shapes, .. } = &judged;
@@ -28,14 +28,17 @@ pub(crate) fn run(arguments: &PatchArguments) -> Result<(), Failure> {
     }
     report(&changes);
     if new == old.text {
-        report(&format!("{}: nothing to change\n", old.name));
+        report(&format!(
+            "{}: unchanged, the coefficients are already those of the computed modes\n",
+            old.name
+        ));
         return Ok(());
     }
     let path = Path::new(&old.name);
     let bytes = std::fs::read(path).map_err(|e| Failure::Unwritable(old.name.clone(), e))?;
     if arguments.backup {
         let backup = back_up(path, &bytes)?;
-        report(&format!("{}: kept as it was\n", backup.display()));
+        report(&format!("{}: backup written\n", backup.display()));
     }
     replace(path, &encoded_as(&new, &bytes))?;
     report(&format!("{}: written\n", old.name));

@@ -10,14 +10,14 @@ use crate::input::tower_input;
 use crate::output::{check_not_input, check_not_inputs, deliver};
 use crate::table;
 
-/// Reads any tower, writes the tower file; how well it fits goes to standard error.
+/// Reads any tower and writes the tower file; the quality of the fits goes to standard error.
 pub(crate) fn run(arguments: &TowerArguments) -> Result<(), Failure> {
     check_not_input(&arguments.input.file, arguments.output())?;
     let input = tower_input(&arguments.input)?;
     check_not_inputs(input.files(), arguments.output())?;
     let tower = input.tower_for_shapes().map_err(Failure::Input)?;
     let mut options = arguments.options();
-    // On a monopile ElastoDyn's tower is what stands above it.
+    // On a monopile the ElastoDyn tower is the part above it.
     options.from_m = options.from_m.or(input.joint_m);
     let made = make_tower_file(&tower, &options).map_err(Failure::TowerFile)?;
     let text = write_tower_file(&made.content, options.has_concentrated_masses)
@@ -29,7 +29,7 @@ pub(crate) fn run(arguments: &TowerArguments) -> Result<(), Failure> {
     deliver(text.as_bytes(), arguments.output())
 }
 
-/// That ElastoDyn's tower hardly begins where soil and water are.
+/// A note if the tower begins in soil or water, which is unlikely for ElastoDyn.
 fn surrounded_base(input: &TowerInput, from_m: Option<f64>) -> Vec<Note> {
     let d = &input.description;
     let is_surrounded = !d.soil.is_empty() || d.water.is_some() || !d.added_mass.is_empty();
@@ -37,6 +37,6 @@ fn surrounded_base(input: &TowerInput, from_m: Option<f64>) -> Vec<Note> {
         return Vec::new();
     }
     vec![Note::new(
-        "the flexible tower begins at the lowest height, in soil or water; --from-height says where ElastoDyn's tower begins",
+        "the flexible tower begins at the lowest height, in soil or water; give the tower base of ElastoDyn with --from-height",
     )]
 }

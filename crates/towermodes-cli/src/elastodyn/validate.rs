@@ -11,7 +11,7 @@ use crate::failure::Failure;
 use crate::output::deliver;
 use crate::table;
 
-/// Judges the shapes of a deck by its tower's own.
+/// Compares the mode shapes of a deck with the computed modes of its tower.
 pub(crate) fn run(arguments: &ValidateArguments) -> Result<(), Failure> {
     let judged = judged(&arguments.deck)?;
     let (main, file) = (&judged.deck.main, &judged.deck.tower);

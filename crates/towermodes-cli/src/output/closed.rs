@@ -1,10 +1,11 @@
-//! Whether there is a standard output at all.
+//! Detection of a closed standard output.
 
-/// Whether a shell closed standard output, as by `>&-`: a result would be lost without a word.
+/// Whether a shell closed standard output with `>&-`, so that a result would be lost without a
+/// message.
 ///
-/// Before the program begins Rust's runtime opens `/dev/null`, for reading and writing, in place of
-/// what is closed. Shells open it for writing alone when they are told to; other programs open it
-/// for both, and theirs counts as open, as does what the shell itself has.
+/// Before the program begins, the Rust runtime opens `/dev/null` for reading and writing in place
+/// of a closed stream. A shell that redirects to `/dev/null` opens it for writing only. If another
+/// program, or the shell itself, has opened it for both, it counts as open.
 #[cfg(target_os = "linux")]
 pub(super) fn is_closed() -> bool {
     use std::fs::{read_link, read_to_string};

@@ -1,4 +1,4 @@
-//! Where results go.
+//! Output of the results.
 
 mod closed;
 mod place;
@@ -13,8 +13,8 @@ use towermodes_report::wording::printable;
 use crate::failure::Failure;
 use crate::terminal::NOT_SHOWN;
 
-/// Writes a finished result to a file, or to standard output. A terminal gets no sign that would
-/// disturb it.
+/// Writes a finished result to a file or to standard output. For a terminal control characters are
+/// replaced.
 pub(crate) fn deliver(result: &[u8], output: Option<&Path>) -> Result<(), Failure> {
     match std::str::from_utf8(result) {
         Ok(text) if output.is_none() && std::io::stdout().is_terminal() => write(
@@ -26,12 +26,12 @@ pub(crate) fn deliver(result: &[u8], output: Option<&Path>) -> Result<(), Failur
     }
 }
 
-/// The same for what is no text: it goes to standard output byte by byte.
+/// The same for binary data, which go to standard output unchanged.
 pub(crate) fn deliver_bytes(result: &[u8], output: Option<&Path>) -> Result<(), Failure> {
     write(result, output, std::io::stdout().lock())
 }
 
-/// Writes a result of two files that belong together: both, or neither.
+/// Writes a result of two files: both or neither.
 pub(crate) fn deliver_both(first: (&Path, &[u8]), second: (&Path, &[u8])) -> Result<(), Failure> {
     let names = format!("{} and {}", first.0.display(), second.0.display());
     whole::write_both(first, second).map_err(|error| Failure::Unwritable(names, error))
@@ -41,7 +41,7 @@ fn write(result: &[u8], output: Option<&Path>, mut stdout: impl Write) -> Result
     let (name, done) = match output {
         Some(path) => (path.display().to_string(), whole::write(path, result)),
         None if closed::is_closed() => {
-            let error = std::io::Error::other("it is closed; give --output PATH or leave it open");
+            let error = std::io::Error::other("it is closed; give --output PATH");
             ("standard output".into(), Err(error))
         }
         None => {
@@ -50,13 +50,13 @@ fn write(result: &[u8], output: Option<&Path>, mut stdout: impl Write) -> Result
         }
     };
     match done {
-        // The reader of a pipe has seen enough: nothing is wrong, and what was judged still counts.
+        // The reader of a pipe has closed it; this is not an error.
         Err(error) if error.kind() == ErrorKind::BrokenPipe => Ok(()),
         done => done.map_err(|error| Failure::Unwritable(name, error)),
     }
 }
 
-/// Refuses to pour on a terminal what nobody reads there, unless `--output -` asks for it.
+/// Refuses to write pictures and pages to a terminal, unless `--output -` is given.
 pub(crate) fn check_terminal(
     output: Option<&Path>,
     what: &'static str,
@@ -68,14 +68,14 @@ pub(crate) fn check_terminal(
     }
 }
 
-/// Writes a file anew, whole or not at all.
+/// Replaces a file, completely or not at all.
 pub(crate) fn replace(path: &Path, content: &[u8]) -> Result<(), Failure> {
     let done = whole::write(path, content);
     done.map_err(|error| Failure::Unwritable(path.display().to_string(), error))
 }
 
-/// Keeps a file as it is under a name with `.bak` at its end, or `.bak2` and so on where that is
-/// taken; gives the name.
+/// Copies a file to a name with `.bak` appended, or `.bak2` and so on if it exists; returns the
+/// name.
 pub(crate) fn back_up(path: &Path, content: &[u8]) -> Result<PathBuf, Failure> {
     let named = |ending: String| {
         let mut name = path.as_os_str().to_owned();
@@ -88,10 +88,10 @@ pub(crate) fn back_up(path: &Path, content: &[u8]) -> Result<PathBuf, Failure> {
         .map_err(|error| Failure::Unwritable(named(".bak".to_owned()).display().to_string(), error))
 }
 
-/// Backups of one file.
+/// Maximum number of backups of a file.
 const MOST_BACKUPS: usize = 10_000;
 
-/// Refuses an output that is the input, by whatever name or link.
+/// Refuses an output that is the input file, also through links.
 pub(crate) fn check_not_input(input: &Path, output: Option<&Path>) -> Result<(), Failure> {
     let Some(output) = output else {
         return Ok(());
@@ -109,7 +109,7 @@ pub(crate) fn check_not_input(input: &Path, output: Option<&Path>) -> Result<(),
     }
 }
 
-/// The same for every file that an input was read from.
+/// The same for all files of an input.
 pub(crate) fn check_not_inputs<'a>(
     mut files: impl Iterator<Item = &'a str>,
     output: Option<&Path>,

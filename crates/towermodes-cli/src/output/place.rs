@@ -1,18 +1,18 @@
-//! What the path of an output leads to.
+//! The target of an output path.
 
 use std::fs;
 use std::io::{self, ErrorKind};
 use std::path::{Path, PathBuf};
 
-/// More links in a row than this lead in a circle.
+/// Maximum number of links in a chain.
 const MOST_LINKS: usize = 40;
 
-/// What a path leads to.
+/// The target of a path.
 #[derive(Debug, PartialEq, Eq)]
 pub(super) enum Place {
-    /// A file, or a name that is free yet: the path at the end of all links.
+    /// A file that exists or not: the path at the end of all links.
     File(PathBuf),
-    /// A terminal, a pipe, a device, or something that is open already as `/dev/stdout`.
+    /// A terminal, a pipe, a device, or an open stream such as `/dev/stdout`.
     Stream,
 }
 
@@ -20,14 +20,14 @@ impl Place {
     /// Follows a path.
     ///
     /// # Errors
-    /// It is a folder, or the folder is not there.
+    /// The path is a folder, or its folder does not exist.
     pub(super) fn of(path: &Path) -> io::Result<Self> {
         match fs::metadata(path) {
             Ok(found) if found.is_dir() => return Err(is_folder()),
             Ok(found) if !found.is_file() => return Ok(Self::Stream),
             _ => {}
         }
-        // `results/` is a folder, whether it is there or not.
+        // `results/` is a folder, whether it exists or not.
         if path.as_os_str().as_encoded_bytes().ends_with(b"/") {
             return Err(is_folder());
         }
@@ -35,8 +35,8 @@ impl Place {
         for _ in 0..MOST_LINKS {
             let name = path.file_name().ok_or_else(is_folder)?;
             let folder = folder_of(&path)?;
-            // What a process has open is at its place in a stream: no other file can stand in for
-            // it.
+            // An open file of a process has a position in a stream; it cannot be replaced by
+            // another file.
             if folder.starts_with("/proc") {
                 return Ok(Self::Stream);
             }
@@ -46,11 +46,11 @@ impl Place {
                 Err(_) => return Ok(Self::File(end)),
             }
         }
-        Err(io::Error::other("the link leads in a circle"))
+        Err(io::Error::other("the symbolic link refers to itself"))
     }
 }
 
-/// The folder that a path stands in, without links.
+/// The folder of a path, without links.
 pub(super) fn folder_of(path: &Path) -> io::Result<PathBuf> {
     let folder = path
         .parent()
@@ -58,7 +58,7 @@ pub(super) fn folder_of(path: &Path) -> io::Result<PathBuf> {
     let folder = folder.unwrap_or(Path::new("."));
     fs::canonicalize(folder).map_err(|error| match error.kind() {
         ErrorKind::NotFound => {
-            let text = format!("there is no folder {}", folder.display());
+            let text = format!("the folder {} does not exist", folder.display());
             io::Error::new(ErrorKind::NotFound, text)
         }
         _ => error,

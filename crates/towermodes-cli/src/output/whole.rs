@@ -1,5 +1,5 @@
-//! Files that are written whole or not at all: a new one beside the old one takes its place when
-//! all of it is on the disk.
+//! Files are written completely or not at all: a new file in the same folder replaces the old one
+//! when it is completely on the disk.
 
 use std::fs::{self, File, OpenOptions};
 use std::io::{self, ErrorKind, Write};
@@ -9,14 +9,14 @@ use std::time::Duration;
 
 use super::place::{Place, folder_of};
 
-/// Names that are tried for a new file: each one that is taken is left of a process that was
-/// killed.
+/// Number of names that are tried for a new file; names in use are left over from killed processes.
 const MOST_NAMES: usize = 1000;
-/// Looks at a lock before the work goes on without it, and the time between two of them.
+/// Number of attempts to get a lock before the program continues without it, and the time between
+/// them.
 const LOOKS: usize = 250;
 const BETWEEN_LOOKS: Duration = Duration::from_millis(20);
 
-/// Writes a file, or to what is none.
+/// Writes a file or a stream.
 pub(super) fn write(path: &Path, content: &[u8]) -> io::Result<()> {
     match Place::of(path)? {
         Place::File(target) => Staged::new(target, content)?.take_place(),
@@ -28,24 +28,24 @@ pub(super) fn write(path: &Path, content: &[u8]) -> io::Result<()> {
     }
 }
 
-/// Writes two files that belong together: both, or neither.
+/// Writes two files: both or neither.
 pub(super) fn write_both(first: (&Path, &[u8]), second: (&Path, &[u8])) -> io::Result<()> {
     let staged = |(path, content): (&Path, &[u8])| match Place::of(path)? {
         Place::File(target) => Staged::new(target, content),
         Place::Stream => Err(io::Error::new(
             ErrorKind::InvalidInput,
-            "two files belong together here; give the path of a file",
+            "two files are written; give the path of a file",
         )),
     };
     let (one, other) = (staged(first)?, staged(second)?);
-    // Two writers at once do not mix their files.
+    // Two simultaneous writers do not mix their files.
     let _lock = locked(&folder_of(first.0)?);
     let old = Kept::of(&one.target)?;
     one.take_place()?;
     other.take_place().inspect_err(|_| old.put_back())
 }
 
-/// Writes a file under the first of several names that is free.
+/// Writes a file under the first of several names that does not exist.
 pub(super) fn write_anew(
     names: impl Iterator<Item = PathBuf>,
     content: &[u8],
@@ -69,7 +69,7 @@ pub(super) fn write_anew(
     Err(ErrorKind::AlreadyExists.into())
 }
 
-/// A complete new file beside the one whose place it will take; dropped before that it is gone.
+/// A complete new file in the folder of the file that it will replace; removed on drop.
 struct Staged {
     new: PathBuf,
     target: PathBuf,
@@ -78,7 +78,7 @@ struct Staged {
 impl Staged {
     /// Writes it, down to the disk.
     fn new(target: PathBuf, content: &[u8]) -> io::Result<Self> {
-        // A file that may not be written is not replaced either.
+        // A write-protected file is not replaced.
         match OpenOptions::new().write(true).open(&target) {
             Err(error) if error.kind() != ErrorKind::NotFound => return Err(error),
             _ => {}
@@ -94,13 +94,13 @@ impl Staged {
             keep_owner(&file, &old);
             file.set_permissions(old.permissions())?;
         }
-        // A full disk may be found out here.
+        // A full disk may be detected here.
         file.sync_all()
     }
 
     fn take_place(self) -> io::Result<()> {
         fs::rename(&self.new, &self.target)?;
-        // Done already; that the name outlasts a loss of power is asked for, not needed.
+        // The file is complete; syncing the folder is best effort.
         if let Some(folder) = self.target.parent().and_then(|f| File::open(f).ok()) {
             let _ = folder.sync_all();
         }
@@ -115,7 +115,7 @@ impl Drop for Staged {
     }
 }
 
-/// A file under a name of its own in the folder of another.
+/// A new file with a unique name in the folder of another.
 fn create_beside(target: &Path) -> io::Result<(File, PathBuf)> {
     let process = std::process::id();
     for number in 0..MOST_NAMES {
@@ -128,7 +128,7 @@ fn create_beside(target: &Path) -> io::Result<(File, PathBuf)> {
     Err(ErrorKind::AlreadyExists.into())
 }
 
-/// Gives a new file to the owner and the group of the old one, as far as that is allowed.
+/// Sets owner and group of the old file on the new one, if permitted.
 #[cfg(unix)]
 fn keep_owner(file: &File, old: &fs::Metadata) {
     use std::os::unix::fs::{MetadataExt, fchown};
@@ -142,10 +142,10 @@ fn keep_owner(file: &File, old: &fs::Metadata) {
 #[cfg(not(unix))]
 fn keep_owner(_: &File, _: &fs::Metadata) {}
 
-/// An old file under a second name, until it is certain that it is not needed any more.
+/// The old file under a second name until it is no longer needed.
 struct Kept {
     name: PathBuf,
-    /// None if there was none.
+    /// None if there was no old file.
     second: Option<PathBuf>,
 }
 
@@ -161,7 +161,7 @@ impl Kept {
         Ok(Self { name, second })
     }
 
-    /// Makes all as it was.
+    /// Restores the old file.
     fn put_back(&self) {
         let _ = match &self.second {
             Some(second) => fs::rename(second, &self.name),
@@ -178,8 +178,8 @@ impl Drop for Kept {
     }
 }
 
-/// A lock of a folder, where the system has such: one writer of two files at a time. Who waits too
-/// long goes on.
+/// A lock of a folder, if the system supports it: one writer of two files at a time. After a
+/// timeout the program continues without the lock.
 fn locked(folder: &Path) -> Option<File> {
     let folder = File::open(folder).ok()?;
     for _ in 0..LOOKS {

@@ -1,20 +1,19 @@
-//! The title of a picture, in its file and visible above it.
+//! The title of a picture, in its file and above the drawing.
 
 use towermodes::{Solution, Tower};
 use towermodes_report::svg::{Figure, Heading};
 
-/// What is written above a picture.
+/// The texts above a picture.
 pub(super) struct Words<'a> {
-    /// A title of the user's own, empty for none.
+    /// The title given by the user; empty for none.
     pub(super) title: Option<&'a str>,
-    /// How what it shows was computed.
+    /// The method.
     pub(super) computed: Option<&'a str>,
-    /// What follows from it, in sentences.
+    /// The conclusion in sentences.
     pub(super) conclusion: &'a [String],
 }
 
-/// The picture with its title: the user's, or the tower's name with what is shown and how it was
-/// computed.
+/// The picture with its title: that of the user, or name of the tower, type of picture and method.
 pub(super) fn titled(mut figure: Figure, tower: &Tower, words: &Words<'_>) -> Figure {
     let name = tower.name();
     let own = words.title.map(str::trim);
@@ -51,7 +50,7 @@ fn default_heading(name: &str, subject: &str, words: &Words<'_>) -> Heading {
     }
 }
 
-/// The title of a picture without the tower's name at its end.
+/// The title of a picture without the name of the tower at its end.
 fn subject<'a>(title: &'a str, name: &str) -> &'a str {
     match name {
         "" => title,

@@ -1,4 +1,4 @@
-//! The pictures of methods: as their segments get more, and side by side.
+//! Pictures of the convergence of a method and of the comparison of methods.
 
 use towermodes::{MAX_SEGMENTS, Method, Options, Tower};
 use towermodes_analysis::study::{Comparison, Convergence, Fineness, Level, converge_with};
@@ -10,13 +10,13 @@ use crate::failure::Failure;
 use crate::progress::Progress;
 use crate::side_by_side::all_methods;
 
-/// A line through fewer numbers of segments shows no order.
+/// Minimum number of levels that show an order.
 const FEWEST_LEVELS: usize = 4;
 
-/// How the error of a method falls.
+/// The error of a method over the number of segments.
 pub(super) fn convergence(tower: &Tower, arguments: &PlotArguments) -> Result<Drawn, Failure> {
     let options = arguments.study_options();
-    // A line has one direction, and each place once.
+    // The numbers must increase, each only once.
     let mut given = arguments.segments().to_vec();
     given.sort_unstable();
     given.dedup();
@@ -37,8 +37,8 @@ fn listed(segments: &[usize]) -> Vec<Fineness> {
     segments.iter().copied().map(Fineness::Segments).collect()
 }
 
-/// With the segments that `converge` has, or with the fewest that the tower can have and twice as
-/// many again and again.
+/// With the numbers of segments of `converge`, or with the minimum number of the tower and its
+/// doubles.
 fn by_default(tower: &Tower, options: &Options) -> Result<Convergence, Failure> {
     let mut convergence = solved(tower, options, &listed(&DEFAULT_SEGMENTS))?;
     each_once(&mut convergence);
@@ -54,8 +54,7 @@ fn by_default(tower: &Tower, options: &Options) -> Result<Convergence, Failure> 
     solved(tower, options, &listed(&doubled))
 }
 
-/// A tower of many pieces has a fewest number of segments: whatever is below it is the same, and is
-/// shown as what it is.
+/// Removes levels with equal meshes: a tower with many parts has a minimum number of segments.
 fn each_once(convergence: &mut Convergence) {
     for level in &mut convergence.levels {
         level.asked = Fineness::Segments(level.segments);
@@ -73,7 +72,7 @@ fn solved(tower: &Tower, options: &Options, fineness: &[Fineness]) -> Result<Con
     convergence.map_err(Failure::Unsolved)
 }
 
-/// How far each method is from the exact beam.
+/// The difference of each method from the reference solution.
 pub(super) fn error(tower: &Tower, arguments: &PlotArguments) -> Result<Drawn, Failure> {
     let segments = arguments.segments().first().copied();
     let comparison = all_methods(tower, &arguments.study_options(), segments);
@@ -83,7 +82,7 @@ pub(super) fn error(tower: &Tower, arguments: &PlotArguments) -> Result<Drawn, F
     Ok(drawn.computed(segments_in_words(&comparison)))
 }
 
-/// "10 to 320 segments, against the spectral beam".
+/// "10 to 320 segments, relative to the reference solution".
 fn levels_in_words(convergence: &Convergence) -> String {
     let numbers = convergence.levels.iter().map(|level| level.asked.number());
     let is_degree = |level: &Level| matches!(level.asked, Fineness::Degree(_));
@@ -95,10 +94,10 @@ fn levels_in_words(convergence: &Convergence) -> String {
         true => "",
         false => " without rotary inertia",
     };
-    format!("{levels}, against the spectral beam{rotary}")
+    format!("{levels}, relative to the reference solution{rotary}")
 }
 
-/// "60 segments", of all methods but the spectral beam.
+/// "60 segments", of all methods except `spectral`.
 fn segments_in_words(comparison: &Comparison) -> String {
     let columns = comparison.columns.iter();
     let others = columns.filter(|column| column.method != Method::Spectral);

@@ -1,9 +1,9 @@
-//! Modes in the layout of BModes: at the borders of elements, scaled as BModes scales.
+//! Modes in the layout of BModes: at the element boundaries, scaled as in BModes.
 
 use towermodes::{Blade, BladeSolution, ShapePoint, Solution, Tower};
 use towermodes_files::{OutHeader, OutLayout, OutMode, euclidean, write_bmodes_out};
 
-/// Heights between two nodes, as shares of the element: where BModes has unknowns of its own.
+/// Relative positions of the internal unknowns of a BModes element.
 const INTERIOR: [f64; 3] = [1.0 / 3.0, 0.5, 2.0 / 3.0];
 
 /// The nodes at which modes are printed.
@@ -15,7 +15,7 @@ pub(super) struct Nodes {
 }
 
 impl Nodes {
-    /// The borders of the elements that the file prescribes, or else so many equal heights.
+    /// The element boundaries of the file, or equally spaced heights.
     pub(super) fn of_tower(
         tower: &Tower,
         borders_m: Option<Vec<f64>>,
@@ -36,7 +36,7 @@ impl Nodes {
         }
     }
 
-    /// The borders of a blade's elements.
+    /// The element boundaries of a blade.
     pub(super) fn of_blade(blade: &Blade, layout: OutLayout) -> Self {
         let description = blade.description();
         let borders = description.borders.iter();
@@ -52,7 +52,7 @@ impl Nodes {
         &self.borders_m
     }
 
-    /// The nodes, and three heights between each two, m.
+    /// The nodes and three heights between each two, m.
     pub(super) fn heights_m(&self) -> Vec<f64> {
         let mut heights_m = Vec::with_capacity(4 * self.borders_m.len());
         for pair in self.borders_m.windows(2) {
@@ -101,7 +101,8 @@ impl Nodes {
         OutMode::new(frequency_hz, &spans, &nodes, &interiors)
     }
 
-    /// u/R, v/R, v′, w/R, w′ and the twist; v is fore-aft or lag, w side-side or flap.
+    /// u/R, v/R, v′, w/R, w′ and the torsional rotation; v is fore-aft or edgewise, w side-side or
+    /// flapwise.
     fn unknowns(&self, point: &ShapePoint) -> [f64; 6] {
         let [v, w, u] = point.translation.map(|x| x / self.radius_m);
         let [turn_x, turn_y, twist] = point.rotation;

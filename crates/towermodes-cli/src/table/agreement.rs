@@ -1,4 +1,4 @@
-//! Two descriptions of one tower for people, and what one describes.
+//! The comparison of two models of the same tower as text, and the summary of one model.
 
 use towermodes::Tower;
 use towermodes::number::four_digits;
@@ -9,10 +9,10 @@ use towermodes_analysis::agreement::{
 
 use super::text::{align_right, plain_table, title, tonnes};
 
-/// Masses, stiffnesses and frequencies of two towers, by height.
+/// Masses, stiffnesses and frequencies of two towers, in total and along the height.
 pub(crate) fn agreement(names: &[String; 2], agreement: &Agreement) -> String {
     format!(
-        "first:  {}\nsecond: {}\n{}\n{}\n\n{}\n\nby height: means over {:.2} m; mass below is from z = {} m, its difference a share of the whole mass\nverdict: {}\n",
+        "first:  {}\nsecond: {}\n{}\n{}\n\n{}\n\nvalues along the height are averages over {:.2} m; the mass below a height is cumulative from z = {} m, its difference is relative to the total mass\nverdict: {}\n",
         names[0],
         names[1],
         ranges(agreement),
@@ -32,7 +32,7 @@ fn ranges(agreement: &Agreement) -> String {
     let shift = agreement.shift_m.map(|shift_m| {
         let direction = if shift_m > 0.0 { "lower" } else { "higher" };
         format!(
-            "; they are equally long: the datum of the second is {:.3} m {direction}",
+            "; they have the same length: the datum of the second is {:.3} m {direction}",
             shift_m.abs()
         )
     });
@@ -79,8 +79,9 @@ fn whole(agreement: &Agreement) -> String {
         &tip.side_side,
         &exponent,
     );
-    let largest =
-        |what: &str, l: &LargestDifference| format!("{what}, most apart at {:.2} m", l.height_m);
+    let largest = |what: &str, l: &LargestDifference| {
+        format!("{what}, largest difference at {:.2} m", l.height_m)
+    };
     let bending = &agreement.largest_bending;
     add(
         largest("mass kg/m", &agreement.largest_mass),
@@ -98,8 +99,8 @@ fn whole(agreement: &Agreement) -> String {
         &exponent,
     );
     let groups = [
-        ("clamped, bare", &agreement.frequencies_bare),
-        ("as given", &agreement.frequencies_as_given),
+        ("clamped, no RNA", &agreement.frequencies_bare),
+        ("complete model", &agreement.frequencies_as_given),
     ];
     for (which, frequencies) in groups {
         for frequency in frequencies {
@@ -173,7 +174,7 @@ fn marked(compared: &Compared) -> String {
     }
 }
 
-/// What one description says of a tower.
+/// The summary of one model.
 pub(crate) fn examination(tower: &Tower, examination: &Examination) -> String {
     let mut table = plain_table();
     table.set_header([
@@ -197,10 +198,10 @@ pub(crate) fn examination(tower: &Tower, examination: &Examination) -> String {
     let about = examination.inertia_about_base;
     let points = match examination.point_masses_kg {
         0.0 => String::new(),
-        kg => format!(", {} of it point masses", tonnes(kg)),
+        kg => format!(" including {} of point masses", tonnes(kg)),
     };
     format!(
-        "{}{}\n\nfrom {} m to {} m, {}{points} | centre of mass at {:.4} m | inertia about the base {:.5e} kg m2, about the axis {:.5e} kg m2\ntip flexibility from bending {:.5e} m/N fore-aft, {:.5e} m/N side-side; without the machine and what stands around\n",
+        "{}{}\n\nfrom {} m to {} m, {}{points} | centre of mass at {:.4} m | inertia about the base {:.5e} kg m2, about the axis {:.5e} kg m2\ntip flexibility in bending {:.5e} m/N fore-aft, {:.5e} m/N side-side; tower only, clamped, without RNA, soil and water\n",
         title(tower),
         table.trim_fmt(),
         range.base_m,

@@ -1,4 +1,4 @@
-//! The modes of a rotating blade for people.
+//! The modes of a rotating blade as text.
 
 use towermodes::number::{four_digits, with_error};
 use towermodes::{Blade, BladeMode, BladeSolution};
@@ -6,7 +6,7 @@ use towermodes_report::wording::{blade_mode_shape, completeness, counted};
 
 use super::text::{align_right, aligned, name_line, plain_table};
 
-/// The modes as a table, and one line on what they are of.
+/// The modes as a table, and a line with mass, speed, method and certificate.
 pub(crate) fn blade(blade: &Blade, solution: &BladeSolution) -> String {
     let description = blade.description();
     let mut table = plain_table();
@@ -35,8 +35,8 @@ pub(crate) fn blade(blade: &Blade, solution: &BladeSolution) -> String {
     }
     align_right(&mut table, [0, 2, 3, 4]);
     let tip = match description.tip.mass_kg {
-        0.0 => "nothing at its tip".to_owned(),
-        kg => format!("{} kg at its tip", four_digits(kg)),
+        0.0 => "no tip mass".to_owned(),
+        kg => format!("tip mass {} kg", four_digits(kg)),
     };
     format!(
         "{}{}\n\nblade of {} kg from radius {} m to {} m, {tip} | {} rpm | bmodes, {} | {}\n",
@@ -59,7 +59,7 @@ fn per_revolution(frequency_hz: f64, rotor_hz: f64) -> String {
     format!("{:.2} P", frequency_hz / rotor_hz)
 }
 
-/// A speed as it was given, without what rounding to rad/s and back left.
+/// A rotor speed without the rounding of the conversion to rad/s and back.
 fn rounded(rpm: f64) -> f64 {
     (rpm * 1e9).round() / 1e9
 }

@@ -1,5 +1,4 @@
-//! A Campbell diagram for people: which excitation comes how near to which mode, and where the
-//! tower stands among them.
+//! The resonance check as text: conclusion, margins, rotor.
 
 use towermodes::Tower;
 use towermodes::number::{percent, with_error};
@@ -9,8 +8,8 @@ use towermodes_report::wording::{counted, operation, verdict_counts, verdict_wor
 
 use super::text::{align_right, plain_table, title, wrapped};
 
-/// The conclusion in words first; then the pairs that come near each other, or all, and the rotor.
-/// `has_blade` is whether the files have a blade.
+/// The conclusion, then the pairs within a factor of 2, or all, and the rotor.
+/// `has_blade` is whether the input contains a blade.
 pub(crate) fn campbell(tower: &Tower, campbell: &Campbell, has_blade: bool, all: bool) -> String {
     let is_strong = |multiple| multiple == 1 || multiple == campbell.rotor.blades;
     let is_shown = |margin: &&Margin| {
@@ -42,7 +41,7 @@ fn pairs(campbell: &Campbell, shown: &[&Margin]) -> String {
         "mode",
         "frequency Hz",
         "excitation",
-        "nearest at rpm",
+        "rotor rpm",
         "excitation Hz",
         "distance",
         "verdict",
@@ -50,7 +49,7 @@ fn pairs(campbell: &Campbell, shown: &[&Margin]) -> String {
     let mut before = None;
     for margin in shown {
         let line = &campbell.lines[margin.line];
-        // A mode is named once.
+        // The name of a mode is printed once.
         let is_named = before == Some(margin.line);
         before = Some(margin.line);
         table.add_row([
@@ -71,10 +70,10 @@ fn pairs(campbell: &Campbell, shown: &[&Margin]) -> String {
     table.trim_fmt()
 }
 
-/// "+12.3 %", or "met".
+/// "+12.3 %", or "crossing".
 fn distance(campbell: &Campbell, margin: &Margin) -> String {
     match margin.distance {
-        0.0 => "met".to_owned(),
+        0.0 => "crossing".to_owned(),
         share if share.abs() < 9.995 => campbell.distance_percent(margin) + " %",
         share => format!("{:+.0} %", 100.0 * share),
     }
@@ -82,16 +81,22 @@ fn distance(campbell: &Campbell, margin: &Margin) -> String {
 
 fn hidden(count: usize, is_all: bool) -> Option<String> {
     let others = if is_all { "" } else { "other " };
-    let verb = if count == 1 { "is" } else { "are" };
+    let verbs = if count == 1 {
+        ["differs", "is"]
+    } else {
+        ["differ", "are"]
+    };
     (count > 0).then(|| {
         format!(
-            "{} {verb} further apart than a factor 2 (--all shows them)",
-            counted(count, &format!("{others}pair"))
+            "{} {} by more than a factor of 2 and {} not shown (use --all)",
+            counted(count, &format!("{others}pair")),
+            verbs[0],
+            verbs[1]
         )
     })
 }
 
-/// That motions without a frequency are in no pair.
+/// Modes without stiffness, which are not checked.
 fn unresisted(campbell: &Campbell) -> Option<String> {
     let is_free = |line: &&FrequencyLine| line.points.iter().all(|[_, hz]| *hz == 0.0);
     let free: Vec<&str> = campbell
@@ -100,7 +105,7 @@ fn unresisted(campbell: &Campbell) -> Option<String> {
         .filter(is_free)
         .map(|line| line.label.as_str())
         .collect();
-    (!free.is_empty()).then(|| format!("nothing resists, and nothing excites: {}", free.join(", ")))
+    (!free.is_empty()).then(|| format!("no stiffness, not checked: {}", free.join(", ")))
 }
 
 /// The rotor, the margin and how many verdicts of each kind.
@@ -112,8 +117,8 @@ fn summary(campbell: &Campbell, has_blade: bool) -> String {
         percent(campbell.margin),
         match (has_blade, has_blade_lines(campbell)) {
             (_, true) => "",
-            (true, false) => " | without the blade",
-            (false, false) => " | no blade modes",
+            (true, false) => " | blade modes not available",
+            (false, false) => " | no blade in the input",
         },
     )
 }
@@ -175,7 +180,7 @@ mod tests {
     #[test]
     fn numbers_are_as_short_as_they_can_be() {
         let said = |share| distance(&campbell(), &margin(0, 1, share));
-        assert_eq!(said(0.0), "met");
+        assert_eq!(said(0.0), "crossing");
         assert_eq!(said(-0.0376), "-3.8 %");
         assert_eq!(said(0.0498), "+4.98 %");
         assert_eq!(said(12.34), "+1234 %");
@@ -219,7 +224,7 @@ mod tests {
         let text = super::campbell(&tower.expect("a tower"), &campbell, false, false);
         // Two modes with two excitations each; the other 8 of 12 are counted.
         assert_eq!(text.matches("PASS").count(), 4, "{text}");
-        assert!(text.contains("8 other pairs are further apart"), "{text}");
+        assert!(text.contains("8 other pairs differ by more than"), "{text}");
     }
 
     #[test]
@@ -233,9 +238,9 @@ mod tests {
     #[test]
     fn what_is_hidden_is_counted() {
         assert_eq!(hidden(0, false), None);
-        let one = "1 other pair is further apart than a factor 2 (--all shows them)";
+        let one = "1 other pair differs by more than a factor of 2 and is not shown (use --all)";
         assert_eq!(hidden(1, false).as_deref(), Some(one));
-        let all = "8 pairs are further apart than a factor 2 (--all shows them)";
+        let all = "8 pairs differ by more than a factor of 2 and are not shown (use --all)";
         assert_eq!(hidden(8, true).as_deref(), Some(all));
     }
 
@@ -244,13 +249,13 @@ mod tests {
     #[test]
     fn that_there_is_no_blade_is_said_as_it_is() {
         let said = |has_blade| summary(&campbell(), has_blade);
-        assert!(said(false).ends_with("0 fail | no blade modes"));
-        assert!(said(true).ends_with("0 fail | without the blade"));
+        assert!(said(false).ends_with("0 fail | no blade in the input"));
+        assert!(said(true).ends_with("0 fail | blade modes not available"));
     }
 
     #[test]
     fn motions_without_a_frequency_are_named() {
         let text = unresisted(&campbell()).expect("one");
-        assert_eq!(text, "nothing resists, and nothing excites: surge");
+        assert_eq!(text, "no stiffness, not checked: surge");
     }
 }

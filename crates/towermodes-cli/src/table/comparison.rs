@@ -6,7 +6,7 @@ use towermodes_analysis::study::{Column, Comparison};
 
 use super::text::{align_right, plain_table, title};
 
-/// Frequencies, differences to the spectral beam, sizes and times.
+/// Frequencies, differences from the reference solution, degrees of freedom and times.
 pub(crate) fn comparison(tower: &Tower, comparison: &Comparison) -> String {
     let columns = &comparison.columns;
     let mut table = plain_table();
@@ -14,15 +14,17 @@ pub(crate) fn comparison(tower: &Tower, comparison: &Comparison) -> String {
         table.add_row(std::iter::once(first).chain((0..columns.len()).map(cell)));
     };
     add("frequency, Hz".into(), &|i| columns[i].method.name().into());
-    add(String::new(), &|i| fineness(&columns[i]));
+    add("segments or elements".into(), &|i| fineness(&columns[i]));
     for (row, mode) in comparison.modes.iter().enumerate() {
-        let pair = if mode.is_pair { " (twice)" } else { "" };
+        let pair = if mode.is_pair { " (double)" } else { "" };
         add(mode.label.clone() + pair, &|i| {
             frequency(columns[i].frequencies_hz[row])
         });
     }
     add(String::new(), &|_| String::new());
-    add("difference to spectral".into(), &|_| String::new());
+    add("relative difference from spectral".into(), &|_| {
+        String::new()
+    });
     for (row, mode) in comparison.modes.iter().enumerate() {
         let difference = |i: usize| columns[i].relative_differences[row];
         add(mode.label.clone(), &|i| {
@@ -73,7 +75,7 @@ fn shown_time(seconds: f64) -> String {
     }
 }
 
-/// What explains large differences of BModes.
+/// The explanation of large differences of `bmodes`.
 fn note(comparison: &Comparison) -> Option<&'static str> {
     let of = |method| {
         comparison
@@ -86,6 +88,6 @@ fn note(comparison: &Comparison) -> Option<&'static str> {
     let bending = modes.position(|mode| mode.family == Family::ForeAft)?;
     let differs = bmodes.relative_differences[bending]?.abs() > 1e-4;
     differs.then_some(
-        "bmodes has no rotary inertia in bending and no shear: where the other methods have them, that is part of its difference.",
+        "bmodes has no rotary inertia in bending and no shear; if the tower has them, its differences include this effect.",
     )
 }

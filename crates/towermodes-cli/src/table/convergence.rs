@@ -45,7 +45,7 @@ fn named(level: &Level) -> String {
     if asked == used {
         used.to_string()
     } else {
-        format!("{used} (asked: {asked})")
+        format!("{used} (requested {asked})")
     }
 }
 
@@ -64,17 +64,17 @@ fn is_spectral(convergence: &Convergence) -> bool {
 
 fn heading(convergence: &Convergence) -> String {
     let beam = if convergence.rotary_inertia {
-        "the spectral beam"
+        "the reference solution"
     } else {
-        "the spectral beam without rotary inertia"
+        "the reference solution without rotary inertia"
     };
     let order = if is_spectral(convergence) {
-        "decimal digits gained a degree"
+        "correct digits gained per degree"
     } else {
         "observed order p of n^-p"
     };
     format!(
-        "{}: relative error against {beam}, and {order}",
+        "{}: error relative to {beam}, and {order}",
         convergence.method.name()
     )
 }
@@ -121,6 +121,6 @@ mod tests {
         assert_eq!(fineness(&level(Fineness::Segments(10))), 60);
         assert_eq!(fineness(&level(Fineness::Degree(8))), 8);
         let names = [10, 60].map(|asked| named(&level(Fineness::Segments(asked))));
-        assert_eq!(names, ["60 (asked: 10)", "60"]);
+        assert_eq!(names, ["60 (requested 10)", "60"]);
     }
 }

@@ -47,7 +47,7 @@ pub(crate) fn fits(tower: &Tower, made: &MadeTowerFile) -> String {
     }
     align_right(&mut table, 1..=7);
     format!(
-        "{}{}\n\n{} rows | residuals: of the shape's largest deflection, which is so many times that of the top\n",
+        "{}{}\n\n{} rows | residuals are relative to the maximum deflection of the shape; largest / top is this maximum divided by the top deflection\n",
         title(tower),
         table.trim_fmt(),
         content.rows.len()
@@ -57,7 +57,7 @@ pub(crate) fn fits(tower: &Tower, made: &MadeTowerFile) -> String {
 /// The coefficients of a tower file and those of the tower's own modes.
 pub(crate) fn changes(file: &TowerFile, shapes: &TowerShapes) -> String {
     let mut table = plain_table();
-    table.set_header(["coefficient", "in the file", "of the tower", "rms residual"]);
+    table.set_header(["coefficient", "in the file", "computed", "rms residual"]);
     for (index, shape) in shapes.shapes.iter().enumerate() {
         let texts = shape.decimals.texts();
         for (k, (old, new)) in file.coefficients[index].iter().zip(texts).enumerate() {
@@ -129,12 +129,12 @@ pub(crate) fn judgements(
     }
     align_right(&mut table, 1..=8);
     format!(
-        "{file}\n\n{}\n\nmodes: {}, {} on top\nrms off: least difference to the mode, of its largest deflection; both: what both shapes of a plane, which ElastoDyn mixes, cannot follow\nimplied: what ElastoDyn makes of the coefficients, of the tower alone\n",
+        "{file}\n\n{}\n\nmodes: {}, {}\nrms off: rms difference from the mode, relative to its maximum deflection; both: difference that remains if both shapes of the plane are combined, as in ElastoDyn\nimplied: frequency that ElastoDyn gets with the coefficients, for the tower alone\n",
         table.trim_fmt(),
         heights(tower, from_m),
         match tower.rna().mass_kg {
-            0.0 => "nothing".to_owned(),
-            kg => super::text::tonnes(kg),
+            0.0 => "no RNA".to_owned(),
+            kg => format!("RNA {}", super::text::tonnes(kg)),
         },
     )
 }
@@ -145,5 +145,5 @@ fn heights(tower: &Tower, from_m: f64) -> String {
     if from_m <= base_m {
         return format!("of the tower from {base_m} m to {top_m} m");
     }
-    format!("of the tower from {base_m} m to {top_m} m, its part above {from_m} m")
+    format!("of the tower from {base_m} m to {top_m} m, part above {from_m} m")
 }

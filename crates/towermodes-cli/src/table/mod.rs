@@ -1,4 +1,4 @@
-//! Results for people.
+//! Results as text tables.
 
 mod agreement;
 mod blade;

@@ -1,12 +1,12 @@
-//! A solution for people.
+//! The modes of a tower as text.
 
 use towermodes::number::{four_digits, with_error};
-use towermodes::{Method, Mode, Solution, Tower};
+use towermodes::{Mode, Solution, Tower};
 use towermodes_report::wording::{buckling_load_factor, completeness, mesh, mode_shape};
 
 use super::text::{align_right, aligned, plain_table, title, tonnes};
 
-/// The modes as a table, and one line on what they are of.
+/// The modes as a table, and lines with masses, method and certificate.
 pub(crate) fn solution(tower: &Tower, solution: &Solution) -> String {
     let mut text = title(tower);
     text.push_str(&modes(solution));
@@ -54,19 +54,19 @@ fn period(mode: &Mode) -> String {
     }
 }
 
-/// Tower mass, top mass, method, certificate.
+/// Masses of tower and RNA, method, certificate.
 fn summary(tower: &Tower, solution: &Solution) -> String {
-    let top = match tower.rna().mass_kg {
-        0.0 => "no top mass".to_owned(),
-        kg => format!("top {}", tonnes(kg)),
+    let rna = match tower.rna().mass_kg {
+        0.0 => "no RNA".to_owned(),
+        kg => format!("RNA {}", tonnes(kg)),
     };
-    // The error of BModes' method does not show that its beam lacks rotary inertia.
-    let physics = match solution.method {
-        Method::Bmodes => " without rotary inertia",
-        _ => "",
+    // The error of a method does not include the effect of rotary inertia.
+    let physics = match solution.method.has_rotary_inertia() {
+        true => "",
+        false => " without rotary inertia",
     };
     format!(
-        "tower {}, {top} | {}, {}{physics} | {}",
+        "tower {}, {rna} | {}, {}{physics} | {}",
         tonnes(tower.mass_kg()),
         solution.method.name(),
         mesh(solution.method, solution.segments, solution.degree),
@@ -74,10 +74,10 @@ fn summary(tower: &Tower, solution: &Solution) -> String {
     )
 }
 
-/// Which share of the mass the modes move.
+/// The sum of the effective modal masses as a percentage of the total mass.
 fn effective_masses(solution: &Solution) -> String {
     let [x, y, z, ..] = solution
         .effective_mass_shares()
         .map(|share| format!("{:.0} %", 100.0 * share));
-    format!("effective mass of these modes: {x} in x, {y} in y, {z} in z")
+    format!("effective modal mass of these modes: {x} in x, {y} in y, {z} in z")
 }

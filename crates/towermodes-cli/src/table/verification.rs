@@ -15,7 +15,10 @@ pub(crate) fn verification(rows: &[Row]) -> String {
         ));
     }
     let passed = rows.iter().filter(|row| row.passes()).count();
-    text.push_str(&format!("{passed} of {} values come out\n", rows.len()));
+    text.push_str(&format!(
+        "{passed} of {} values are within their tolerance\n",
+        rows.len()
+    ));
     text
 }
 
@@ -27,7 +30,7 @@ fn of_chapter(rows: &[Row]) -> String {
         "method",
         "mode",
         "expected",
-        "got",
+        "computed",
         "difference",
         "tolerance",
         "",

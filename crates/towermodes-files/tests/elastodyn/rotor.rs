@@ -181,7 +181,7 @@ fn speeds_and_pitches_that_cannot_be_are_refused() {
     // What only the tower's checks know is said where it stands.
     let fast = deck(&[("RotSpeed", "2e5")]).input.tower();
     let error = fast.expect_err("no rotor").to_string();
-    assert!(error.contains("the most is 100000 rpm"), "{error}");
+    assert!(error.contains("it must be at most 100000 rpm"), "{error}");
     assert!(error.contains("main.dat:"), "{error}");
 }
 

@@ -144,6 +144,9 @@ fn drawing(comparison: &Comparison, methods: &[&Column]) -> Drawing {
     drawing
 }
 
+/// The methods drawn beside the reference must not share a marker.
+const _: () = assert!(Method::ALL.len() <= Marker::SERIES.len() + 1);
+
 fn marker(index: usize) -> (Marker, Colour) {
     (Marker::of_series(index), Colour::Series(index))
 }

@@ -85,16 +85,19 @@ pub enum Marker {
 }
 
 impl Marker {
-    /// A marker for each member of a series, from 0.
+    /// The markers of a series in their order.
+    pub const SERIES: [Self; 6] = [
+        Self::Disc,
+        Self::Square,
+        Self::Triangle,
+        Self::Diamond,
+        Self::Cross,
+        Self::Ring,
+    ];
+
+    /// The marker of a member of a series, from 0. From the seventh member on markers repeat.
     pub fn of_series(index: usize) -> Self {
-        [
-            Self::Disc,
-            Self::Square,
-            Self::Triangle,
-            Self::Diamond,
-            Self::Cross,
-            Self::Ring,
-        ][index % 6]
+        Self::SERIES[index % Self::SERIES.len()]
     }
 }
 

@@ -5,24 +5,10 @@ use towermodes::number::four_digits;
 
 use super::text::counted;
 
-/// Whether a method is a beam of flexible elements, and not a chain of rigid segments.
-pub fn is_beam(method: Method) -> bool {
-    matches!(method, Method::Bmodes | Method::Spectral)
-}
-
-/// What a method divides a tower into: "element" for beams, "segment" for chains.
-pub fn mesh_unit(method: Method) -> &'static str {
-    if is_beam(method) {
-        "element"
-    } else {
-        "segment"
-    }
-}
-
 /// The mesh of a solution: "100 segments", "1 element of degree 19".
 pub fn mesh(method: Method, segments: usize, degree: Option<usize>) -> String {
     let degree = degree.map(|degree| format!(" of degree {degree}"));
-    counted(segments, mesh_unit(method)) + &degree.unwrap_or_default()
+    counted(segments, method.unit()) + &degree.unwrap_or_default()
 }
 
 /// The factor on gravity at which the tower buckles: four digits, and near 1 six decimals.

@@ -10,10 +10,10 @@ use crate::towers::reference_table;
 pub(super) const CHAPTER: Chapter = Chapter {
     name: "bmodes",
     title: "BModes",
-    introduction: "The frequencies of BModes v3.00 for the reference tower as a table of eleven equal rows, with its own wall and with one 30 % thicker, \
-        with and without 350 t on top. Up to 100 elements they are BModes' own, printed with more digits; its solver loses digits as \
-        elements get more (5e-7 at 100), which the tolerance of 100 elements has in it. BModes cannot solve 200 elements; those values \
-        are of its matrices, assembled and solved independently, and known within 2e-6.",
+    introduction: "The frequencies of BModes v3.00 for the reference tower as a table of eleven equally spaced rows, with the original wall and with a wall that \
+        is 30 % thicker, with and without a point mass of 350 t at the top. Up to 100 elements the values are those of BModes, printed with more \
+        digits. Its solver loses digits as the number of elements increases (5e-7 at 100), which the tolerance for 100 elements includes. BModes \
+        cannot solve 200 elements; those values are from its matrices, assembled and solved independently, with an accuracy of 2e-6.",
 };
 
 /// Elements, and bending 1 to 3, torsion, axial; one element has no third bending mode.
@@ -65,11 +65,11 @@ const TOP_MASS_THICK: [Row; 8] = [
 
 pub(super) fn cases() -> Vec<Case> {
     let towers = [
-        ("no top mass", 1.0, 0.0, NO_MASS),
-        ("no top mass, wall 30 % thicker", 1.3, 0.0, NO_MASS_THICK),
-        ("350 t on top", 1.0, 350e3, TOP_MASS),
+        ("no point mass", 1.0, 0.0, NO_MASS),
+        ("no point mass, wall 30 % thicker", 1.3, 0.0, NO_MASS_THICK),
+        ("350 t point mass", 1.0, 350e3, TOP_MASS),
         (
-            "350 t on top, wall 30 % thicker",
+            "350 t point mass, wall 30 % thicker",
             1.3,
             350e3,
             TOP_MASS_THICK,

@@ -10,13 +10,12 @@ use crate::towers::{reference, reference_350t};
 pub(super) const CHAPTER: Chapter = Chapter {
     name: "elements",
     title: "The elements, more digits",
-    introduction: "The same elements on the same tower against independent solutions with dense matrices, to more digits than the paper \
-        prints.",
+    introduction: "The same elements on the same tower compared with independent solutions by dense matrices, with more digits than in the paper.",
 };
 
 const SOURCE: &str = "independent dense solution";
 
-/// Method, segments, 350 t on top, bending, torsion, axial.
+/// Method, segments, 350 t point mass, bending, torsion, axial.
 type Solution = (
     Method,
     usize,
@@ -97,9 +96,9 @@ pub(super) fn cases() -> Vec<Case> {
 
 fn case((method, segments, has_top_mass, bending, others): Solution) -> Case {
     let (name, tower): (&str, TowerDescription) = if has_top_mass {
-        ("350 t on top", reference_350t())
+        ("350 t point mass", reference_350t())
     } else {
-        ("no top mass", reference())
+        ("no point mass", reference())
     };
     let mut expected = Expected::series(Family::ForeAft, bending);
     if let Some([torsion, axial]) = others {

@@ -11,9 +11,9 @@ use crate::towers::{Uniform, reference_350t, reference_eccentric};
 pub(super) const CHAPTER: Chapter = Chapter {
     name: "gravity",
     title: "Columns under gravity",
-    introduction: "A clamped uniform Euler-Bernoulli column under its own weight α = m g L³/(EI), and under that of a tip mass μ = M/(mL) with \
-        its centre ε = e/L above the tip. Its frequency falls to nothing at the load that buckles it, α = 7.8373 without a tip mass; the \
-        buckling load factor is what all weights must be multiplied by to get there.",
+    introduction: "A clamped uniform Euler-Bernoulli column under its own weight α = m g L³/(EI) and the weight of a tip mass μ = M/(mL) with its centre \
+        ε = e/L above the tip. At the buckling load, α = 7.8373 without tip mass, the frequency is zero; the buckling load factor is the factor \
+        on gravity that leads to this load.",
 };
 
 const COLUMN: [(f64, &[&str]); 7] = [
@@ -87,7 +87,7 @@ fn buckling() -> Vec<Case> {
             "14.887608569",
         ),
         load(
-            "reference tower, 350 t on top",
+            "reference tower, 350 t point mass",
             "Ritz solution",
             gravity(reference_350t()),
             "23.24945367",

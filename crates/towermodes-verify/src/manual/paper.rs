@@ -11,12 +11,11 @@ pub(super) const CHAPTER: Chapter = Chapter {
     name: "paper",
     title: "The tables of the paper",
     introduction: "Nikolić & Šalinić compare their element, RMJE, with the cardanic element of Zhao, Maißer & Wu, with BModes and with \
-        Adams. All their RMJE values come out to the printed digit, both members of each bending pair, with the misprints explained in \
-        the errata: the torsion of Table 1 with 60 segments is printed 11.8834, which is a thin-wall value; two axial values of Table 2 \
-        are 7.101747 and 7.105936 where 7.1018 and 7.1060 are printed; and the labels of its last two rows are swapped. The torsion and \
-        axial values of Zhao's element come out too. Its bending values do not: 0.8857, 4.2929 and 11.0090 Hz are printed for 20 \
-        segments, and the element gives 0.8904, 4.3489 and 11.2329. The BModes column is that of a tower with a wall 30 % thicker, \
-        given by eleven rows.",
+        Adams. All RMJE values are reproduced to the printed digit, for both modes of each bending pair, except for the misprints explained in the errata: \
+        the torsional frequency of Table 1 with 60 segments, 11.8834, is a thin-wall value; two axial values of Table 2 are 7.101747 and 7.105936 \
+        instead of 7.1018 and 7.1060; and the labels of its last two rows are exchanged. The torsional and axial values of Zhao's element are also \
+        reproduced. Its bending values are not: the paper gives 0.8857, 4.2929 and 11.0090 Hz for 20 segments, and the element gives 0.8904, 4.3489 \
+        and 11.2329 Hz. The BModes column is for a tower with a wall that is 30 % thicker, given by eleven rows.",
 };
 
 const TABLE_1: &str = "Nikolić & Šalinić, Table 1";
@@ -87,10 +86,10 @@ const TOP_MASS: [Column; 5] = [
 pub(super) fn cases() -> Vec<Case> {
     let mut cases: Vec<Case> = Vec::new();
     for column in NO_MASS {
-        cases.push(case("no top mass", TABLE_1, reference(), column));
+        cases.push(case("no point mass", TABLE_1, reference(), column));
     }
     for column in TOP_MASS {
-        cases.push(case("350 t on top", TABLE_2, reference_350t(), column));
+        cases.push(case("350 t point mass", TABLE_2, reference_350t(), column));
     }
     let bmodes: Column = (
         Method::Bmodes,
@@ -99,7 +98,7 @@ pub(super) fn cases() -> Vec<Case> {
         "11.9656",
         "16.5217",
     );
-    let name = "no top mass, wall 30 % thicker, eleven rows";
+    let name = "no point mass, wall 30 % thicker, eleven rows";
     cases.push(case(name, TABLE_1, reference_table(1.3, 0.0), bmodes));
     cases
 }

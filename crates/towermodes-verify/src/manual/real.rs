@@ -13,11 +13,11 @@ use crate::towers::{
 pub(super) const CHAPTER: Chapter = Chapter {
     name: "real",
     title: "Towers as they stand",
-    introduction: "The reference tower under gravity, in soil, on springs and on a spar, with a machine of 350 t whose centre is beside the axis \
-        and whose products of inertia are not zero, so that bending, torsion and stretch are coupled: modes are then counted through all \
-        families. Its 4.37e7 kg m² about the shaft are those of the OC3 deck of BModes, which counts the generator with the square of the \
-        gearbox ratio; a turbine whose rotor is locked has 3.85e7. The values compare programs on the same numbers. The chain of rigid \
-        bodies is compared as it is, not extrapolated.",
+    introduction: "The reference tower with gravity, in soil, on springs and on a spar, with an eccentric RNA of 350 t with products of inertia, so that \
+        bending, torsion and axial motion are coupled; the modes are then numbered over all types of motion. The inertia of 4.37e7 kg m² about the \
+        shaft is that of the OC3 deck of BModes, which multiplies the inertia of the generator by the square of the gearbox ratio; with a locked \
+        rotor the turbine has 3.85e7 kg m². The values compare programs with the same input. The results of the chain of rigid bodies are not \
+        extrapolated.",
 };
 
 /// What the segments of the chain leave, n⁻², in the modes listed here.
@@ -110,7 +110,7 @@ fn coupled() -> Vec<Case> {
     ]
 }
 
-/// Modes by family: both members of each bending pair, but for the machine with inertia.
+/// Modes by family: both members of each bending pair, but for the RNA with inertia.
 fn symmetric() -> Vec<Case> {
     let bending = |values: &[&str]| Expected::series(Family::ForeAft, values);
     let mut machine = bending(&["0.28034873", "2.06737908", "4.91600683"]);
@@ -119,13 +119,13 @@ fn symmetric() -> Vec<Case> {
     let euler = runs_without_rotary_inertia;
     vec![
         case(
-            "350 t on top, g = 9.81",
+            "350 t point mass, g = 9.81",
             under(9.81, reference_350t()),
             bending(&["0.29380746", "3.03412617", "9.08434108"]),
             runs(),
         ),
         case(
-            "350 t on top, g = 9.81, soil of 1e5 N/m² over the whole height",
+            "350 t point mass, g = 9.81, soil of 1e5 N/m² over the whole height",
             under(9.81, reference_in_soil()),
             bending(&["0.44758562", "3.17083244", "9.13145409"]),
             runs(),
@@ -137,13 +137,13 @@ fn symmetric() -> Vec<Case> {
             euler(),
         ),
         case(
-            "Euler-Bernoulli, 350 t on top, g = 9.80665",
+            "Euler-Bernoulli, 350 t point mass, g = 9.80665",
             under(9.80665, reference_350t()),
             bending(&["0.29384518", "3.04112951", "9.15897821"]),
             euler(),
         ),
         case(
-            "Euler-Bernoulli, machine with inertia, g = 9.80665",
+            "Euler-Bernoulli, RNA with inertia, g = 9.80665",
             under(9.80665, reference_with_machine()),
             machine,
             euler(),

@@ -8,9 +8,8 @@ use crate::towers::Uniform;
 pub(super) const CHAPTER: Chapter = Chapter {
     name: "springs",
     title: "Uniform beams on springs",
-    introduction: "A uniform Euler-Bernoulli beam on springs k_T = K_T L³/(EI) against translation and k_R = K_R L/(EI) against rotation of \
-        its base, vertically and in torsion clamped. On a rocking spring alone it has the frequencies of a clamped beam with the tip \
-        mass μ = 1/k_R.",
+    introduction: "A uniform Euler-Bernoulli beam with a translational spring k_T = K_T L³/(EI) and a rotational spring k_R = K_R L/(EI) at its base, clamped \
+        vertically and in torsion. With only a rocking spring it has the frequencies of a clamped beam with the tip mass μ = 1/k_R.",
 };
 
 const RIGID: f64 = f64::INFINITY;

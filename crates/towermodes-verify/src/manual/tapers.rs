@@ -10,10 +10,10 @@ use crate::towers::Tapered;
 pub(super) const CHAPTER: Chapter = Chapter {
     name: "tapers",
     title: "Tapered beams",
-    introduction: "Euler-Bernoulli cantilevers, the large end clamped: λ in ω = λ √(EI₀/(m₀L⁴)) of the clamped end. A wedge (A ∝ 1 − cx, \
-        I ∝ (1 − cx)³) is a tube whose diameter tapers and whose wall is a billionth of it; width alone (A, I ∝ 1 − cx) is a table of \
-        two rows, with a side-side plane four times as stiff; the cone (A ∝ (1 − cx)², I ∝ (1 − cx)⁴) is a solid rod. The pointed ones, \
-        c = 1, end in a tip of a billionth.",
+    introduction: "Euler-Bernoulli cantilevers, clamped at the large end: λ in ω = λ √(EI₀/(m₀L⁴)) with the properties of the clamped end. The wedge (A ∝ 1 − cx, \
+        I ∝ (1 − cx)³) is a tapered tube with a wall of 1e-9 times its diameter; the linearly tapered width (A, I ∝ 1 − cx) is a table of two rows, \
+        with four times the stiffness in the side-side plane; the cone (A ∝ (1 − cx)², I ∝ (1 − cx)⁴) is a solid rod. The cone with c = 1 has a tip \
+        of 1e-9 times its base diameter.",
 };
 
 const WEDGE: [(f64, &[&str]); 4] = [

@@ -9,10 +9,10 @@ use crate::towers::Uniform;
 pub(super) const CHAPTER: Chapter = Chapter {
     name: "tips",
     title: "Uniform beams with a mass on top",
-    introduction: "A clamped uniform Euler-Bernoulli beam with a tip mass μ = M/(mL), its inertia j = J/(mL³) about its centre and the \
-        centre ε = e/L above the tip. Frequencies must fall as j rises; a published table of this case has them rise, by a wrong sign, \
-        and is not used. With its centre d = x/L beside the axis, fore-aft, the mass couples side-side bending with torsion, and fore-aft \
-        bending with stretch.",
+    introduction: "A clamped uniform Euler-Bernoulli beam with a tip mass μ = M/(mL), the inertia j = J/(mL³) about its centre, and the \
+        centre ε = e/L above the tip. Frequencies must decrease as j increases; in a published table of this case they increase, because of a wrong \
+        sign, and the table is not used. With the centre at the fore-aft distance d = x/L from the axis the mass couples side-side bending with \
+        torsion, and fore-aft bending with axial motion.",
 };
 
 const TIP_MASS: [(f64, &[&str]); 6] = [
@@ -59,7 +59,7 @@ const TIP_BODY: [([f64; 3], &[&str]); 7] = [
     ),
 ];
 
-const BESIDE_SOURCE: &str = "frequency equations of bending with torsion and of bending with stretch, coupled at the tip, 40 digits";
+const BESIDE_SOURCE: &str = "frequency equations of bending with torsion and of bending with axial motion, coupled at the tip, 40 digits";
 
 /// r, (μ, j, ε), d. All modes, side-side with torsion (the first of each) and fore-aft with
 /// stretch.

@@ -11,8 +11,8 @@ use crate::towers::{reference, reference_350t, reference_with_machine};
 pub(super) const CHAPTER: Chapter = Chapter {
     name: "tower",
     title: "The reference tower as a beam",
-    introduction: "What every method converges to: the reference tower as an Euler-Bernoulli, a Rayleigh and a Timoshenko beam, by \
-        Ritz solutions in 40 digits and more.",
+    introduction: "The limit of all methods: the reference tower as an Euler-Bernoulli, a Rayleigh and a Timoshenko beam, from Ritz solutions with 40 or \
+        more digits.",
 };
 
 pub(super) fn cases() -> Vec<Case> {
@@ -42,7 +42,12 @@ pub(super) fn cases() -> Vec<Case> {
     let cowper = bending(&["0.885502299", "4.214341967", "10.477621612"]);
     vec![
         case("Rayleigh", reference(), rayleigh, runs()),
-        case("Rayleigh, 350 t on top", reference_350t(), heavy, runs()),
+        case(
+            "Rayleigh, 350 t point mass",
+            reference_350t(),
+            heavy,
+            runs(),
+        ),
         case(
             "Euler-Bernoulli",
             reference(),
@@ -50,13 +55,13 @@ pub(super) fn cases() -> Vec<Case> {
             runs_without_rotary_inertia(),
         ),
         case(
-            "Euler-Bernoulli, 350 t on top",
+            "Euler-Bernoulli, 350 t point mass",
             reference_350t(),
             bending(&["0.3002420125", "3.0523001605", "9.1717458683"]),
             runs_without_rotary_inertia(),
         ),
         case(
-            "Euler-Bernoulli, machine with inertia",
+            "Euler-Bernoulli, RNA with inertia",
             reference_with_machine(),
             machine,
             runs_without_rotary_inertia(),

@@ -11,8 +11,8 @@ use crate::towers::Uniform;
 pub(super) const CHAPTER: Chapter = Chapter {
     name: "winkler",
     title: "Uniform beams in soil",
-    introduction: "A clamped uniform Euler-Bernoulli beam in soil k = K L⁴/(EI) per length, against translation across the axis alone: every \
-        λ² grows by k, and torsion and stretch know nothing of it.",
+    introduction: "A clamped uniform Euler-Bernoulli beam in soil with the transverse stiffness k = K L⁴/(EI) per length: every λ² increases by k; torsion and \
+        axial motion do not change.",
 };
 
 /// √(λ₀² + k) for the λ₀ of the clamped beam.

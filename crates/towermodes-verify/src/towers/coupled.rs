@@ -32,7 +32,7 @@ pub fn reference_on_springs() -> TowerDescription {
     }
 }
 
-/// The reference tower with 350 t on top in soil of 1e5 N/m² over its whole height.
+/// The reference tower with 350 t point mass in soil of 1e5 N/m² over its whole height.
 pub fn reference_in_soil() -> TowerDescription {
     let row = |height_m| SoilRow {
         height_m,

@@ -34,7 +34,7 @@ fn reference_steel() -> Material {
     Material::from_shear_modulus(8500.0, 2.1e11, 8.08e10)
 }
 
-/// The same with a point mass of 350 t on top.
+/// The same with a point mass of 350 t point mass.
 pub fn reference_350t() -> TowerDescription {
     TowerDescription {
         rna: Rna::point(350e3),

@@ -17,7 +17,7 @@ pub enum BladeError {
         value: f64,
     },
     /// What must be positive and is not.
-    #[error("{quantity} of section {} is {}, but it must be positive", .section + 1, Plain(*.value))]
+    #[error("{quantity} of section {} is {}; it must be positive", .section + 1, Plain(*.value))]
     NotPositive {
         /// What it is.
         quantity: &'static str,
@@ -28,7 +28,7 @@ pub enum BladeError {
     },
     /// A tension centre so far out that stretching the blade would bend it without resistance.
     #[error(
-        "the tension centre of section {} is {} m off the axis: EA times its square, {:.4e} N m2, is not less than the edge stiffness {:.4e} N m2",
+        "the tension centre of section {} is too far from the axis: EA times its offset of {} m squared, {:.4e} N m2, must be less than the edgewise stiffness, {:.4e} N m2",
         .section + 1, Plain(*.offset_m), axial_n * offset_m * offset_m, edge_n_m2
     )]
     TensionCenter {
@@ -43,8 +43,8 @@ pub enum BladeError {
     },
     /// Infinite in some sections only.
     #[error(
-        "{quantity} is {first:e} in section 1 and {value:e} in section {}: it is infinite in all sections, for a blade that does not move \
-         so, or in none",
+        "{quantity} is {first:e} in section 1 and {value:e} in section {}; it must be infinite in all sections (no such deformation) or in \
+         none",
         .section + 1
     )]
     RigidInSomeSections {
@@ -58,7 +58,7 @@ pub enum BladeError {
         first: f64,
     },
     /// A hub beyond the tip, or a negative one.
-    #[error("the blade reaches from radius {} m to {} m", Plain(*.hub_m), Plain(*.tip_m))]
+    #[error("the blade extends from radius {} m to {} m; the tip radius must be larger than the hub radius, which must not be negative", Plain(*.hub_m), Plain(*.tip_m))]
     NoLength {
         /// Radius of the hub, m.
         hub_m: f64,
@@ -66,7 +66,7 @@ pub enum BladeError {
         tip_m: f64,
     },
     /// Sections or borders of elements that do not go from 0 to 1.
-    #[error("the {what} go from {} to {}, but the span from 0 to 1", Plain(*.first), Plain(*.last))]
+    #[error("the {what} are given from {} to {} of the span; they must be given from 0 to 1", Plain(*.first), Plain(*.last))]
     NotWhole {
         /// Which.
         what: &'static str,
@@ -76,7 +76,7 @@ pub enum BladeError {
         last: f64,
     },
     /// Sections or borders of elements that do not rise.
-    #[error("the {what} do not rise at {}", Plain(*.span))]
+    #[error("the {what} must increase along the span, but do not at {}", Plain(*.span))]
     NotRising {
         /// Which.
         what: &'static str,
@@ -84,13 +84,13 @@ pub enum BladeError {
         span: f64,
     },
     /// A mass at the tip that is negative.
-    #[error("the mass at the tip is {} kg", Plain(*.mass_kg))]
+    #[error("the tip mass is {} kg; it must not be negative", Plain(*.mass_kg))]
     NegativeTip {
         /// The mass, kg.
         mass_kg: f64,
     },
     /// A body at the tip that no body is.
-    #[error("the inertia at the tip has the negative principal moment {} kg m2", Plain(*.moment_kg_m2))]
+    #[error("the tip inertia has a negative principal moment, {} kg m2", Plain(*.moment_kg_m2))]
     NegativeTipInertia {
         /// The moment, kg m².
         moment_kg_m2: f64,

@@ -7,31 +7,31 @@ use thiserror::Error;
 #[non_exhaustive]
 pub enum EigenError {
     /// More eigenvalues than unknowns.
-    #[error("{wanted} modes were requested, but there are only {available}")]
+    #[error("{wanted} modes are requested, but the model has only {available}")]
     TooMany {
         /// Requested.
         wanted: usize,
         /// Unknowns.
         available: usize,
     },
-    /// K has negative eigenvalues: the structure buckles, or nothing holds it.
-    #[error("the stiffness has {negative} negative eigenvalues: the tower is unstable")]
+    /// K has negative eigenvalues: the tower buckles or floats away.
+    #[error("the tower is unstable: the stiffness matrix has {negative} negative eigenvalues")]
     Unstable {
         /// How many.
         negative: usize,
     },
-    /// The terms of the stiffness cancel so much that only rounding errors remain.
+    /// The stiffness cancels so much that rounding hides what is left.
     #[error(
-        "the foundation, soil or guy wires are too stiff relative to the tower: not resolvable in double precision"
+        "the stiffness of foundation, soil or guy wires is too large relative to the tower to be resolved in double precision"
     )]
     TooStiff,
     /// The numbers overflowed.
-    #[error("the numbers of this tower are too large or too small to compute with")]
+    #[error("a quantity of this tower is too large or too small: the computation overflows")]
     NotFinite,
     /// The stiffest modes requested are below the rounding errors of the softest.
     #[error(
-        "only the lowest {resolved} of {wanted} modes of one group of motions are resolvable in double precision: the stiffest part \
-         of the tower is too stiff relative to the softest"
+        "only {resolved} of {wanted} modes of one type of motion can be resolved in double precision: the stiffest part of the tower \
+         is too stiff relative to the softest"
     )]
     Unresolved {
         /// How many were sought.
@@ -41,8 +41,8 @@ pub enum EigenError {
     },
     /// The eigenvalue count never agreed with the list.
     #[error(
-        "{found} modes were found, but the inertia count gives {counted} below {below_hz:.6e} Hz, \
-         and {restarts} restarts did not find the rest"
+        "{found} modes were found, but the eigenvalue count gives {counted} below {below_hz:.6e} Hz; \
+         {restarts} restarts did not find the missing modes"
     )]
     Incomplete {
         /// Modes in the list.

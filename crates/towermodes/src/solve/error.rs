@@ -12,8 +12,7 @@ use crate::number::Plain;
 const ON_THE_VERGE: f64 = 0.99;
 
 /// The consequence of such a factor.
-const VERGE_OF_BUCKLING: &str =
-    "; it is close to buckling: with less weight by the difference from 1 it is stable";
+const VERGE_OF_BUCKLING: &str = ", just below 1: the tower is close to the buckling limit";
 
 /// A buckling load factor with six digits, or as many as distinguish it from 1.
 fn factor(load_factor: f64) -> String {
@@ -31,7 +30,7 @@ fn factor(load_factor: f64) -> String {
 pub enum SolveError {
     /// A blade that is unstable at its rotor speed.
     #[error(
-        "at {} rpm the blade is unstable: with centrifugal forces its stiffness has {negative} negative eigenvalues",
+        "the blade is unstable at {} rpm: the stiffness matrix including centrifugal terms has {negative} negative eigenvalues",
         Plain(*.rotor_speed_rpm)
     )]
     UnstableBlade {
@@ -42,7 +41,7 @@ pub enum SolveError {
     },
     /// Element borders for a method that chooses its own.
     #[error(
-        "element borders can be given for the method bmodes only; the other methods choose their own"
+        "element boundaries can be given only for the method bmodes; the other methods set them at steps and changes of taper"
     )]
     BordersOfOthers,
     /// Borders that a mesh of this tower cannot have.
@@ -57,14 +56,14 @@ pub enum SolveError {
         most: usize,
     },
     /// An impossible degree of spectral elements.
-    #[error("the degree of the elements is {degree}; it must be from 2 to {MAX_DEGREE}")]
+    #[error("the polynomial degree is {degree}; it must be from 2 to {MAX_DEGREE}")]
     Degree {
         /// The degree requested.
         degree: usize,
     },
     /// A method without shear deformation for a tower that has it.
     #[error(
-        "BModes has no shear deformation: it does not converge to the beam of a tower with shear"
+        "the method bmodes has no shear deformation, so it cannot converge to the reference solution of a tower with shear; set shear = false or choose another method"
     )]
     NoShear,
     /// No modes requested.
@@ -72,7 +71,7 @@ pub enum SolveError {
     NoModes,
     /// More modes than degrees of freedom.
     #[error(
-        "{modes} modes were requested, but the model has only {available} degrees of freedom (segments: {segments})"
+        "{modes} modes are requested, but the model has only {available} degrees of freedom ({segments} segments)"
     )]
     TooManyModes {
         /// The number requested.
@@ -83,7 +82,7 @@ pub enum SolveError {
         available: usize,
     },
     /// Shapes that would need too much memory.
-    #[error("shapes of {modes} modes at {points} heights would need more than {} GiB; reduce either number", MAX_BYTES >> 30)]
+    #[error("mode shapes of {modes} modes at {points} heights need more than {} GiB of memory; reduce one of the numbers", MAX_BYTES >> 30)]
     ShapesTooLarge {
         /// Modes requested.
         modes: usize,
@@ -91,14 +90,14 @@ pub enum SolveError {
         points: usize,
     },
     /// Fewer than two output heights, or too many.
-    #[error("the number of output heights is {points}; it must be from 2 to {MAX_POINTS}")]
+    #[error("the number of heights for mode shapes is {points}; it must be from 2 to {MAX_POINTS}")]
     Points {
         /// The number requested.
         points: usize,
     },
     /// Hinges that are not inside the halves of a segment.
     #[error(
-        "the hinge position is {position}; it must be between 0 and 0.5, the middle of a segment"
+        "the hinge position is {position}; it must be greater than 0 and less than 0.5 (the middle of the segment)"
     )]
     HingePosition {
         /// The position requested.
@@ -106,7 +105,7 @@ pub enum SolveError {
     },
     /// A solve that would need too much memory.
     #[error(
-        "{modes} modes of {degrees_of_freedom} degrees of freedom would need about {:.0} GiB of memory; the limit is {} GiB",
+        "{modes} modes with {degrees_of_freedom} degrees of freedom need about {:.0} GiB of memory; the limit is {} GiB",
         .bytes / f64::from(1 << 30),
         MAX_BYTES >> 30
     )]
@@ -120,7 +119,7 @@ pub enum SolveError {
     },
     /// A solve that would take too long.
     #[error(
-        "{modes} modes of {degrees_of_freedom} degrees of freedom would take about {:.0} minutes; the limit is {:.0}",
+        "{modes} modes with {degrees_of_freedom} degrees of freedom take about {:.0} minutes; the limit is {:.0} minutes",
         .seconds / 60.0,
         MAX_SECONDS / 60.0
     )]
@@ -134,7 +133,7 @@ pub enum SolveError {
     },
     /// The tower buckles under its self-weight.
     #[error(
-        "the tower buckles under its own weight: buckling load factor {}{}",
+        "the tower buckles under gravity: the buckling load factor is {}{}",
         factor(*.load_factor), if *.load_factor > ON_THE_VERGE { VERGE_OF_BUCKLING } else { "" }
     )]
     Buckles {
@@ -144,8 +143,8 @@ pub enum SolveError {
     /// The discretized tower buckles under its self-weight, but the reference beam solution does
     /// not.
     #[error(
-        "with {segments} segments the tower buckles under its own weight: buckling load factor {}; that of the reference beam solution is {}, \
-         so the tower is stable but close to buckling; use more segments, or the method spectral",
+        "with {segments} segments the tower buckles under gravity: the buckling load factor is {}; the reference solution gives {}, \
+         so the tower does not buckle, but it is close to the limit; use more segments or the method spectral",
         factor(*.load_factor), factor(*.of_the_beam)
     )]
     BucklesOnSegments {
@@ -157,7 +156,7 @@ pub enum SolveError {
         of_the_beam: f64,
     },
     /// A floating tower that is unstable, as a rigid body or by buckling.
-    #[error("the floating tower is unstable in {}: its stiffness is negative", .motion.noun())]
+    #[error("the floating tower is unstable in {}: the stiffness of this motion is negative", .motion.noun())]
     Unstable {
         /// The motion that grows.
         motion: Family,

@@ -30,25 +30,25 @@ impl fmt::Display for Ineffective {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(match self {
             Self::MassAtClampedBase => {
-                "the base is clamped, so a mass there never moves and has no effect; look at its height"
+                "a mass at the clamped base does not move and has no effect; check its height"
             }
             Self::WiresAtClampedBase => {
-                "the base is clamped, so wires there hold nothing and have no effect; look at their height"
+                "guy wires at the clamped base have no effect; check their height"
             }
-            Self::EmptyPointMass => "it has neither mass nor inertia and has no effect",
+            Self::EmptyPointMass => "neither mass nor inertia is given, so it has no effect",
             Self::CentreOfNothing => {
-                "a centre of mass is given but no mass, so it has no effect; give the mass"
+                "a centre of mass without mass has no effect; give the mass"
             }
             Self::UnusedMaterial => {
-                "no part of the tower is of this material, so it has no effect; name it in the rows that it is for"
+                "this material is not used by any station, so it has no effect; name it in the stations made of it"
             }
-            Self::SoilOfZeros => "every spring is zero, so this soil has no effect",
-            Self::AddedMassOfZeros => "every mass is zero, so this table has no effect",
+            Self::SoilOfZeros => "all springs of this soil layer are zero, so it has no effect",
+            Self::AddedMassOfZeros => "all masses of this table are zero, so it has no effect",
             Self::WaterOfZeros => {
                 "the added mass coefficient is zero and the tower is not flooded, so the water has no effect"
             }
             Self::UprightWires => {
-                "wires at this angle stand upright and hold nothing sideways; the angle is from the horizontal"
+                "vertical guy wires have no horizontal stiffness; the angle is measured from the horizontal"
             }
         })
     }

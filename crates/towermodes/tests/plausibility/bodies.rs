@@ -38,7 +38,7 @@ fn inertias_in_another_unit() {
     assert!(
         said.starts_with(
             "rotor-nacelle assembly: the radius of gyration sqrt(inertia/mass) is 0.2923"
-        ) && said.contains("expected 1.21 to 52.6 m: look at the unit and the exponent"),
+        ) && said.contains("expected 1.21 to 52.6 m: check unit and exponent"),
         "{said}"
     );
     let heaviest = 52.56_f64.powi(2) * 349_606.5 / 42_620_975.3;
@@ -70,7 +70,7 @@ fn machines_without_inertia() {
     let (warning, said) = one(reference_with_machine(), without(50.1e3));
     assert!(matches!(warning, Warning::RnaWithoutInertia { mass_kg, .. } if mass_kg == 50.1e3));
     assert!(
-        said.contains("its mass is 50100 kg, but it has no inertia"),
+        said.contains("the mass is 50100 kg, but no inertia is given"),
         "{said}"
     );
     quiet(reference_with_machine(), |t| {
@@ -224,5 +224,5 @@ fn bodies_at_the_tip_of_a_blade() {
     // 0.6 of 28.5 m are 17.1 m, and 17.1^2 of 40 kg 11 696 kg m2.
     assert!(said(40.0, 11_600.0, 11_600.0, 11_600.0).is_empty());
     assert_eq!(said(40.0, 11_800.0, 11_800.0, 11_800.0).len(), 1);
-    assert!(said(0.0, 1.0, 1.0, 1.0)[0].contains("an inertia but no mass"));
+    assert!(said(0.0, 1.0, 1.0, 1.0)[0].contains("an inertia is given but no mass"));
 }

@@ -45,7 +45,7 @@ fn diameters_over_30_m() {
         }
     };
     assert!(warned(diameter(30.0)).is_empty());
-    assert!(only(diameter(30.1)).contains("30.1 m at z = 0 m is over 30 m"));
+    assert!(only(diameter(30.1)).contains("30.1 m at z = 0 m is larger than 30 m"));
 }
 
 #[test]
@@ -58,7 +58,7 @@ fn towers_over_1_km() {
         }
     };
     assert!(warned(height(1000.0)).is_empty());
-    assert!(only(height(1001.0)).contains("1001 m tall, over 1 km"));
+    assert!(only(height(1001.0)).contains("1001 m high, more than 1 km"));
 }
 
 #[test]
@@ -113,7 +113,9 @@ fn rotors_outside_3_to_100_rpm_on_towers_over_20_m() {
 fn machines_heavier_than_five_towers() {
     // The tower has 267 586 kg.
     assert!(warned(|t| t.rna.mass_kg = 1.337e6).is_empty());
-    assert!(only(|t| t.rna.mass_kg = 1.339e6).contains("heavier than five towers"));
+    assert!(
+        only(|t| t.rna.mass_kg = 1.339e6).contains("more than five times the mass of the tower")
+    );
 }
 
 #[test]
@@ -164,12 +166,12 @@ fn values_in_the_wrong_unit() {
 #[test]
 fn rows_and_materials_that_hold_for_nothing() {
     let step = |t: &mut TowerDescription| t.stations.push(Station::new(87.6, 3.0, 0.02));
-    assert!(only(step).contains("changes nothing"));
+    assert!(only(step).contains("has no effect"));
     let other = |t: &mut TowerDescription| {
         t.materials.push(t.materials[0]);
         t.stations[1].material = 1;
     };
-    assert!(only(other).contains("holds for nothing"));
+    assert!(only(other).contains("the material of the last row has no effect"));
 }
 
 #[test]
@@ -182,7 +184,7 @@ fn more_segments_than_asked_for() {
         };
         t.point_masses = (1..250).map(|k| mass(0.35 * f64::from(k))).collect();
     };
-    assert!(only(masses).contains("250 segments are used, not 200"));
+    assert!(only(masses).contains("250 segments are used instead of 200"));
 }
 
 /// The warnings of a table of properties with every row changed.
@@ -216,7 +218,7 @@ fn tables_in_wrong_units() {
     );
     check(
         table_warned(|p| p.rotary_inertia_kg_m.fore_aft *= 2.0),
-        "flat section",
+        "plane section",
     );
     // None at all is an Euler-Bernoulli beam, not a slip.
     assert_eq!(

@@ -34,7 +34,7 @@ fn walls_of_steel_thicker_than_a_30th_of_the_diameter() {
     // 0.18 for 0.018.
     let said = one(reference(), wall(0.18)).1;
     assert!(
-        said.starts_with("station 1: wall 0.18 m at z = 0 m is 1/22 of the diameter 3.96 m; expected 1/500 to 1/30"),
+        said.starts_with("station 1: wall thickness 0.18 m at z = 0 m is 1/22 of the diameter 3.96 m; expected 1/500 to 1/30"),
         "{said}"
     );
     // A mast of a small turbine is a pipe.

@@ -32,7 +32,7 @@ fn walls_of_nothing() {
     assert_eq!(place, Place::Station { index, key });
     assert_eq!(
         said,
-        "station 1: wall thickness is 1e-300 m, but only sizes from 1e-15 to 1e9 m can be computed with"
+        "station 1: wall thickness is 1e-300 m; its magnitude must be from 1e-15 to 1e9 m"
     );
     refused(wall(0.99e-15));
     let thin = |t| {

@@ -229,14 +229,14 @@ fn the_worst_row_is_named() {
     let said = warnings
         .iter()
         .map(ToString::to_string)
-        .find(|said| said.contains("look at its decimal point"))
+        .find(|said| said.contains("check decimal point"))
         .expect("a row");
     assert!(
         said.starts_with("station 8: EI fore-aft at z = 61.32 m is "),
         "{said}"
     );
     assert!(
-        said.contains(" 30.1 times what the rows beside it make expect"),
+        said.contains(" 30.1 times the value expected from the adjacent rows"),
         "{said}"
     );
 }

@@ -61,31 +61,6 @@ fn reference(content: &ReportContent, comparison: &Comparison) -> String {
     )
 }
 
-/// A method in a few words.
-fn description(method: Method) -> &'static str {
-    match method {
-        Method::RmjeExact => {
-            "rigid segments with one joint at the elastic centre, exact section integrals"
-        }
-        Method::Rmje => {
-            "rigid multibody method as published (Nikolić & Šalinić), prismatic segments"
-        }
-        Method::CardanicExact => {
-            "rigid segments with two hinges at the Gauss points, exact section integrals"
-        }
-        Method::Cardanic => {
-            "cardanic joint element as published (Zhao, Maißer & Wu), prismatic segments"
-        }
-        Method::Lumped => "rigid half-segments joined by massless beam springs",
-        Method::Bmodes => {
-            "finite element of BModes (NREL): Euler-Bernoulli, no shear, no rotary inertia"
-        }
-        Method::Spectral => {
-            "reference beam solution: elements with polynomials of a degree that is increased until the frequencies converge"
-        }
-    }
-}
-
 fn of_methods(content: &ReportContent, comparison: &Comparison) -> Table {
     let mut table = Table::new(
         "The methods compared",
@@ -102,7 +77,7 @@ fn of_methods(content: &ReportContent, comparison: &Comparison) -> Table {
             column.method.name().to_owned(),
             format!(
                 "{}{}",
-                description(column.method),
+                column.method.description(),
                 hinges(column.method, &content.options)
             ),
             column.segments.to_string(),

@@ -37,7 +37,7 @@ pub enum Problem {
     /// A size that no quantity of a tower has, and that would not leave the numbers computed from
     /// it finite.
     #[error(
-        "{quantity} is {}{unit}, but only sizes from {} to {}{unit} can be computed with",
+        "{quantity} is {}{unit}; its magnitude must be from {} to {}{unit}",
         Plain(*.value), Plain(*.least), Plain(*.most)
     )]
     OutOfScale {
@@ -53,7 +53,7 @@ pub enum Problem {
         most: f64,
     },
     /// Zero or negative where only a positive number makes sense.
-    #[error("{quantity} is {}{unit}, but must be positive", Plain(*.value))]
+    #[error("{quantity} is {}{unit}; it must be positive", Plain(*.value))]
     NotPositive {
         /// Name of the quantity.
         quantity: &'static str,
@@ -63,7 +63,7 @@ pub enum Problem {
         unit: &'static str,
     },
     /// Negative where zero is the least.
-    #[error("{quantity} is {}{unit}, but cannot be negative", Plain(*.value))]
+    #[error("{quantity} is {}{unit}; it must not be negative", Plain(*.value))]
     Negative {
         /// Name of the quantity.
         quantity: &'static str,
@@ -74,7 +74,7 @@ pub enum Problem {
     },
     /// E and G that no isotropic material has.
     #[error(
-        "shear modulus {} Pa with Young's modulus {} Pa means Poisson's ratio {}, outside (-1, 0.5)",
+        "shear modulus {} Pa with Young's modulus {} Pa gives Poisson's ratio {}, outside the range -1 to 0.5",
         Plain(*.shear_modulus_pa), Plain(*.youngs_modulus_pa), Plain(rounded(*.poissons_ratio))
     )]
     ImpossibleModuli {
@@ -86,14 +86,14 @@ pub enum Problem {
         poissons_ratio: f64,
     },
     /// Fewer than two stations.
-    #[error("a tower needs at least two stations, got {count}")]
+    #[error("a tower needs at least two stations, but has {count}")]
     TooFewStations {
         /// How many there are.
         count: usize,
     },
     /// Heights that go down.
     #[error(
-        "height {} m is below the station before it ({} m)",
+        "height {} m is below the previous station at {} m",
         Apart(*.height_m, *.previous_m), Apart(*.previous_m, *.height_m)
     )]
     HeightDecreases {
@@ -104,7 +104,7 @@ pub enum Problem {
     },
     /// A third station at one height.
     #[error(
-        "a third station at height {} m: two make a step, a third means nothing",
+        "three stations at height {} m; two define a step, a third has no meaning",
         Plain(*.height_m)
     )]
     HeightThrice {
@@ -112,14 +112,14 @@ pub enum Problem {
         height_m: f64,
     },
     /// All stations at one height.
-    #[error("the tower has no height: every station is at {} m", Plain(*.height_m))]
+    #[error("the tower has no height: all stations are at {} m", Plain(*.height_m))]
     NoHeight {
         /// The height all have, m.
         height_m: f64,
     },
     /// A wall that does not fit into the tube.
     #[error(
-        "outer diameter {} m is less than twice the wall {} m at z = {} m",
+        "outer diameter {} m is less than twice the wall thickness {} m at z = {} m",
         Apart(*.outer_diameter_m, 2.0 * .wall_thickness_m),
         Apart(*.wall_thickness_m, 0.5 * .outer_diameter_m),
         Plain(*.height_m)
@@ -156,11 +156,11 @@ pub enum Problem {
         top_m: f64,
     },
     /// An RNA that has inertia but no mass.
-    #[error("the assembly has an inertia but no mass")]
+    #[error("the rotor-nacelle assembly has an inertia but no mass")]
     InertiaWithoutMass,
     /// A tensor that no body has.
     #[error(
-        "the principal moments of inertia are {}, {} and {} kg m2; none can be negative",
+        "the principal moments of inertia are {}, {} and {} kg m2; they must not be negative",
         Plain(significant(.principal_kg_m2[0])), Plain(significant(.principal_kg_m2[1])), Plain(significant(.principal_kg_m2[2]))
     )]
     NegativeInertia {
@@ -185,7 +185,7 @@ pub enum Problem {
         lower: f64,
     },
     /// A matrix that gives energy back.
-    #[error("the {what} has the negative eigenvalue {}", Plain(significant(*.eigenvalue)))]
+    #[error("the {what} has a negative eigenvalue, {}", Plain(significant(*.eigenvalue)))]
     Indefinite {
         /// Which matrix.
         what: &'static str,
@@ -193,33 +193,35 @@ pub enum Problem {
         eigenvalue: f64,
     },
     /// A tower that can move away.
-    #[error("nothing holds the tower against {motions}")]
+    #[error("the tower is not supported: nothing prevents {motions}")]
     Free {
         /// What it is free to do.
         motions: FreeMotions,
     },
     /// A spring between motions of which one is impossible.
-    #[error("a coupling spring means nothing where the lateral or the rocking spring is infinite")]
+    #[error("a coupling spring cannot be combined with an infinite lateral or rocking spring")]
     CouplingOfRigid,
     /// A soil that no soil is.
-    #[error("the soil's Poisson's ratio is {}, outside 0 to 0.5", Plain(*.value))]
+    #[error("Poisson's ratio of the soil is {}; it must be from 0 to 0.5", Plain(*.value))]
     SoilPoissonsRatio {
         /// The value given.
         value: f64,
     },
     /// A rigid hold for what floats.
-    #[error("the {what} has an infinite entry, but a floating platform is not rigidly held")]
+    #[error(
+        "the {what} has an infinite entry, but a floating platform cannot be rigidly supported"
+    )]
     InfiniteAndFloating {
         /// Which matrix.
         what: &'static str,
     },
     /// A platform that its weights press down and no water holds up.
     #[error(
-        "with gravity a floating platform needs its hydrostatic stiffness, and the height that it is about"
+        "a floating platform with gravity needs the hydrostatic stiffness and its reference height"
     )]
     WeightsWithoutBuoyancy,
     /// Fewer than two rows around the tower.
-    #[error("{what} needs at least two rows, got {count}")]
+    #[error("{what} needs at least two rows, but has {count}")]
     TooFewRows {
         /// Of what.
         what: &'static str,
@@ -228,7 +230,7 @@ pub enum Problem {
     },
     /// Rows around the tower that go down.
     #[error(
-        "height {} m is below the row before it ({} m)",
+        "height {} m is below the previous row at {} m",
         Apart(*.height_m, *.previous_m), Apart(*.previous_m, *.height_m)
     )]
     RowsDecrease {
@@ -239,7 +241,7 @@ pub enum Problem {
     },
     /// Rows where no tower is.
     #[error(
-        "{what} reaches from {} m to {} m, but the tower from {} m to {} m",
+        "{what} extends from {} m to {} m, but the tower from {} m to {} m",
         Plain(*.bottom_m),
         Apart(*.surface_m, nearer(*.surface_m, *.base_m, *.top_m)),
         Apart(*.base_m, *.surface_m),
@@ -258,7 +260,7 @@ pub enum Problem {
         top_m: f64,
     },
     /// All rows at one height.
-    #[error("{what} has no depth: every row is at {} m", Plain(*.height_m))]
+    #[error("{what} has no depth: all rows are at {} m", Plain(*.height_m))]
     RowsWithoutDepth {
         /// Of what.
         what: &'static str,
@@ -266,10 +268,10 @@ pub enum Problem {
         height_m: f64,
     },
     /// Water around a tower whose diameter nobody said.
-    #[error("water needs the diameters of tubes, and a table of properties has none")]
+    #[error("[water] needs stations with diameters; a table of properties has none")]
     WaterAroundTable,
     /// Ground above the water.
-    #[error("the bed at {} m is not below the water level {} m", Plain(*.bed_m), Plain(*.level_m))]
+    #[error("the seabed at {} m is not below the water level at {} m", Plain(*.bed_m), Plain(*.level_m))]
     BedAboveWater {
         /// Height of the bed, m.
         bed_m: f64,
@@ -278,7 +280,7 @@ pub enum Problem {
     },
     /// Water where no tower is.
     #[error(
-        "no tower stands in the water: its surface is at {} m and its bed at {} m, but the tower reaches from {} m to {} m",
+        "the water does not touch the tower: its level is {} m and its bed {} m, but the tower extends from {} m to {} m",
         Plain(*.level_m), Plain(*.bed_m), Plain(*.base_m), Plain(*.top_m)
     )]
     WaterOutsideTower {
@@ -292,39 +294,37 @@ pub enum Problem {
         top_m: f64,
     },
     /// Fewer than three wires.
-    #[error(
-        "at least three equally spaced wires are needed to hold in every direction, got {count}"
-    )]
+    #[error("at least three equally spaced guy wires are needed, but the set has {count}")]
     TooFewWires {
         /// How many there are.
         count: usize,
     },
     /// Wires that go up.
-    #[error("the angle of the wires from the horizontal is {} degrees, outside 0 to 90", Plain(*.angle_deg))]
+    #[error("the angle of the guy wires from the horizontal is {} degrees; it must be from 0 to 90", Plain(*.angle_deg))]
     WireAngle {
         /// The angle, degrees.
         angle_deg: f64,
     },
     /// Tubes and a property table for one tower.
-    #[error("the tower is given twice, by stations and by a table of properties")]
+    #[error("the tower has both stations and a table of properties")]
     StationsAndProperties,
     /// Shear stiffness in some rows of a property table.
-    #[error("some rows have a shear stiffness and some have none")]
+    #[error("some rows have a shear stiffness and others have none")]
     ShearInSomeRows,
     /// An infinite stiffness in some rows of a property table.
-    #[error("some rows of {column} are infinite and some are not")]
+    #[error("some rows of {column} are infinite and others are not")]
     RigidInSomeRows {
         /// The column.
         column: &'static str,
     },
     /// A shear coefficient no section has.
-    #[error("shear coefficient {} is outside (0, 1]", Plain(*.value))]
+    #[error("the shear coefficient is {}; it must be greater than 0 and at most 1", Plain(*.value))]
     ShearCoefficient {
         /// The value given.
         value: f64,
     },
     /// A rotor without blades, or with more than any has.
-    #[error("the rotor has {count} blades, but rotors have 1 to {most}")]
+    #[error("the rotor has {count} blades; the number must be from 1 to {most}")]
     Blades {
         /// How many.
         count: usize,
@@ -333,7 +333,7 @@ pub enum Problem {
     },
     /// A lowest speed above the highest.
     #[error(
-        "the rotor's lowest speed {} rpm is above its highest, {} rpm",
+        "the lowest rotor speed, {} rpm, is above the highest, {} rpm",
         Plain(*.lowest_rpm), Plain(*.highest_rpm)
     )]
     SpeedsFall {
@@ -344,7 +344,7 @@ pub enum Problem {
     },
     /// Faster than any rotor.
     #[error(
-        "the rotor's highest speed is {} rpm, but the most is {} rpm",
+        "the highest rotor speed is {} rpm; it must be at most {} rpm",
         Plain(*.highest_rpm), Plain(*.most_rpm)
     )]
     RotorTooFast {
