@@ -61,7 +61,6 @@ pub mod space;
 pub mod subsystem;
 pub mod symmetric;
 pub mod tower;
-mod warning;
 
 pub use blade::{Blade, BladeDescription, BladeError, BladeSection};
 pub use eigen::{EigenError, Statistics};
@@ -76,10 +75,9 @@ pub use solve::{
     solve_until, solve_with,
 };
 pub use tower::{
-    AddedMassRow, FloatingPlatform, Foundation, FoundationSprings, HalfSpace, Inertia, Material,
-    PartNames, Place, Plane, Planes, PointMass, Problem, Properties, PropertyStation,
-    ReferredMatrix, RigidBody, Rna, Rotor, Shear, SoilRow, SoilStiffness, Station,
-    StiffnessFoundation, Tower, TowerDescription, TowerError, Water, Wires, is_printable,
+    AddedMassRow, FloatingPlatform, Foundation, FoundationSprings, HalfSpace, Ineffective, Inertia,
+    Material, PartNames, Place, Plane, Planes, PointMass, Problem, Properties, PropertyStation,
+    Quantity, ReferredMatrix, RigidBody, Rna, Rotor, Shear, Site, SoilRow, SoilStiffness, Station,
+    StiffnessFoundation, Tower, TowerDescription, TowerError, Warning, Water, Wires, is_printable,
     printable,
 };
-pub use warning::{Ineffective, Quantity, Site, Warning};

@@ -2,6 +2,7 @@
 
 mod allocation;
 mod analytic;
+mod architecture;
 mod beams;
 mod blade;
 mod buckling;

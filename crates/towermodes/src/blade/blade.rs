@@ -2,9 +2,9 @@
 
 use super::description::{BladeDescription, BladeSection};
 use super::error::BladeError;
-use crate::Warning;
+use crate::tower::Site;
+use crate::tower::Warning;
 use crate::tower::{Inertia, inertia_plausibility};
-use crate::warning::Site;
 
 /// The radius of gyration of the body at the tip reaches to this share of the blade's length.
 const TIP_REACH: f64 = 0.6;

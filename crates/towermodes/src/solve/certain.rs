@@ -5,9 +5,9 @@ use super::options::Options;
 use super::solution::Solution;
 use super::tower::solve_with;
 use super::workspace::Workspace;
-use crate::Warning;
 use crate::eigen::EigenError;
 use crate::tower::Tower;
+use crate::tower::Warning;
 
 /// [`solve_with`], but if the stiffest of the modes requested are not resolvable in double
 /// precision, only the lower ones that are, with a [`Warning::OnlyCertain`]. For instance, a tower

@@ -12,11 +12,11 @@ use super::solution::{Certificate, Mode, Solution};
 use super::spectrum::Found;
 use super::stability::{VERGE, begin_below_zero, buckling_load_factor, can_buckle, find_origin};
 use super::workspace::Workspace;
-use crate::Warning;
 use crate::eigen::{EigenError, Statistics};
 use crate::elements::{Mesh, shear_fraction};
 use crate::modes::ModeCurve;
 use crate::space::SpatialMatrix;
+use crate::tower::Warning;
 use crate::tower::{Plane, Tower};
 
 /// Assembles a tower on a mesh and solves it for at least the modes requested.

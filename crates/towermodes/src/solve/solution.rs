@@ -3,10 +3,10 @@
 use super::naming::Identity;
 use super::spectrum::{Found, ModeKey, Proof};
 use crate::Method;
-use crate::Warning;
 use crate::eigen::Statistics;
 use crate::modes::{ByMotion, Energy, Family, ModeCurve, ShapePoint};
 use crate::space::SpatialMatrix;
+use crate::tower::Warning;
 
 /// A natural mode of a tower, one of [`Solution::modes`].
 ///

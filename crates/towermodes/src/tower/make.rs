@@ -13,7 +13,7 @@ use super::plausibility::{self, rotor_plausibility};
 use super::rotor::Rotor;
 use super::weight::Above;
 use super::{rigid_body_modes, validate};
-use crate::Warning;
+use crate::tower::Warning;
 
 impl Tower {
     /// Checks a description and makes the tower of it.

@@ -29,6 +29,7 @@ mod section;
 mod shear;
 mod surroundings;
 mod validate;
+mod warning;
 mod weight;
 
 pub use attachment::Attachment;
@@ -59,5 +60,6 @@ pub use rotor::{FASTEST_RPM, MOST_BLADES, Rotor, Rpm};
 pub use section::{Section, SectionMasses, Tube};
 pub use shear::Shear;
 pub use surroundings::{AddedMassRow, SoilRow, SoilStiffness, Water, Wires};
+pub use warning::{Ineffective, Quantity, Site, Warning};
 
 pub(crate) use plausibility::inertia_plausibility;

@@ -8,7 +8,7 @@ use super::integrals::mass_integrals;
 use super::piece::Piece;
 use super::rotor::Rotor;
 use super::weight::Above;
-use crate::Warning;
+use crate::tower::Warning;
 
 /// A tower that can exist: every property is finite and positive, every wall fits its tube,
 /// something holds it or it floats.

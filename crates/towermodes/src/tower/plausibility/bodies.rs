@@ -4,9 +4,9 @@ use std::f64::consts::PI;
 
 use super::Given;
 use super::usual::Usual;
-use crate::Warning;
+use crate::tower::Warning;
+use crate::tower::{Ineffective, Quantity, Site};
 use crate::tower::{Inertia, Place, PointMass, Tower};
-use crate::warning::{Ineffective, Quantity, Site};
 
 /// A centre of mass is no further from the tower's top along one axis, m: those of the largest
 /// machines are at 15.

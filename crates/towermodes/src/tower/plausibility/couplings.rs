@@ -1,8 +1,8 @@
 //! Signs and places of the couplings in 6×6 matrices.
 
-use crate::Warning;
 use crate::space::SpatialMatrix;
-use crate::warning::Site;
+use crate::tower::Site;
+use crate::tower::Warning;
 
 /// Couplings below this share of the geometric mean of their diagonal entries are noise of the
 /// program that made the matrix.

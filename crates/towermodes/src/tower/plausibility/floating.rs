@@ -3,12 +3,12 @@
 use super::couplings::{self, Named};
 use super::usual::Usual;
 use super::{bodies, frequency_hz};
-use crate::Warning;
 use crate::space::SpatialMatrix;
+use crate::tower::Warning;
 use crate::tower::foundation::{FloatingPlatform, ReferredMatrix};
 use crate::tower::validate::largest_asymmetry;
 use crate::tower::{Place, Tower};
-use crate::warning::{Quantity, Site};
+use crate::tower::{Quantity, Site};
 
 /// A platform weighs at least this share of the turbine on it: tension-leg platforms have about
 /// one.

@@ -4,10 +4,10 @@
 use super::couplings::{self, Named};
 use super::usual::Usual;
 use super::{Given, floating, frequency_hz};
-use crate::Warning;
+use crate::tower::Warning;
 use crate::tower::foundation::{Foundation, HalfSpace};
 use crate::tower::{Place, Tower};
-use crate::warning::{Quantity, Site};
+use crate::tower::{Quantity, Site};
 
 const SOIL_MODULUS: Usual = Usual::new(Quantity::SoilShearModulus, 1e6, 5e10);
 const EMBEDMENT: Usual = Usual::new(Quantity::Embedment, 0.0, 2.0);

@@ -2,9 +2,9 @@
 
 use super::Given;
 use super::out_of_line::{Spike, worst};
-use crate::Warning;
+use crate::tower::Site;
+use crate::tower::Warning;
 use crate::tower::{Material, Place, Station, Tower};
-use crate::warning::Site;
 
 /// Diameters reach to this, m.
 const WIDEST_M: f64 = 30.0;

@@ -2,9 +2,9 @@
 
 use super::Given;
 use super::usual::Usual;
-use crate::Warning;
+use crate::tower::Warning;
+use crate::tower::{Ineffective, Quantity, Site};
 use crate::tower::{Material, Place, Tower};
-use crate::warning::{Ineffective, Quantity, Site};
 
 const DENSITY: Usual = Usual::new(Quantity::Density, 300.0, 25e3);
 const YOUNGS_MODULUS: Usual = Usual::new(Quantity::YoungsModulus, 1e9, 1e12);

@@ -23,9 +23,9 @@ pub(crate) use bodies::inertia as inertia_plausibility;
 use super::foundation::Foundation;
 use super::{AddedMassRow, SoilRow, Tower, Water, Wires};
 use super::{Place, material::Material};
-use crate::Warning;
 use crate::tower::Rotor;
-use crate::warning::{Quantity, Site};
+use crate::tower::Warning;
+use crate::tower::{Quantity, Site};
 use usual::Usual;
 
 /// What a description says and a tower does not keep as it was said.

@@ -2,9 +2,9 @@
 
 use super::Given;
 use super::usual::{Usual, check_worst};
-use crate::Warning;
+use crate::tower::Warning;
+use crate::tower::{Ineffective, Quantity, Site};
 use crate::tower::{Piece, Place, Plane, SoilRow, Tower};
-use crate::warning::{Ineffective, Quantity, Site};
 
 /// The stiffest row of a layer is at least as stiff as very soft clay; no rock is stiffer than the
 /// other.

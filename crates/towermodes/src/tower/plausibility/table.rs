@@ -5,9 +5,9 @@ use std::f64::consts::PI;
 
 use super::out_of_line::{Spike, worst};
 use super::usual::{Usual, check_worst};
-use crate::Warning;
+use crate::tower::Warning;
 use crate::tower::{Place, Plane, Properties, PropertyStation, Tower};
-use crate::warning::{Quantity, Site};
+use crate::tower::{Quantity, Site};
 
 /// Speed of sound in steel, m/s.
 const SOUND_M_PER_S: f64 = 5000.0;

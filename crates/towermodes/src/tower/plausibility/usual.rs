@@ -1,7 +1,7 @@
 //! A quantity with the range in which towers have it.
 
-use crate::Warning;
-use crate::warning::{Quantity, Site};
+use crate::tower::Warning;
+use crate::tower::{Quantity, Site};
 
 /// A quantity with the range in which towers have it; an infinite end is none.
 #[derive(Debug, Clone, Copy)]

@@ -2,9 +2,9 @@
 
 use super::Given;
 use super::usual::Usual;
-use crate::Warning;
+use crate::tower::Warning;
+use crate::tower::{Ineffective, Quantity, Site};
 use crate::tower::{Place, Tower, Water};
-use crate::warning::{Ineffective, Quantity, Site};
 
 const DENSITY: Usual = Usual::new(Quantity::WaterDensity, 900.0, 1100.0);
 const COEFFICIENT: Usual = Usual::new(Quantity::AddedMassCoefficient, 0.0, 2.0);

@@ -3,9 +3,9 @@
 use std::f64::consts::PI;
 
 use super::usual::Usual;
-use crate::Warning;
+use crate::tower::Warning;
+use crate::tower::{Ineffective, Quantity, Site};
 use crate::tower::{Place, Tower, Wires};
-use crate::warning::{Ineffective, Quantity, Site};
 
 /// Stays of small masts are 5 mm thick. There is no upper limit: decks hold towers rigidly with
 /// wires.

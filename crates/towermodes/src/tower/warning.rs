@@ -12,9 +12,9 @@ use std::fmt;
 
 use thiserror::Error;
 
+use super::error::Place;
 use crate::method::Method;
 use crate::number::{Plain, significant};
-use crate::tower::Place;
 
 /// Something a user should look at; the computation goes on.
 ///

@@ -3,7 +3,8 @@
 use std::fmt;
 
 use crate::number::Plain;
-use crate::tower::{Place, Plane};
+use crate::tower::error::Place;
+use crate::tower::planes::Plane;
 
 /// Where the value stands that a warning is about: in the description, and on the tower.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
