@@ -83,8 +83,8 @@ pub(crate) fn rotor_of(
     })
 }
 
-/// The Campbell diagram of a solved tower, and of its blade if the files have one, with the notes on
-/// it.
+/// The Campbell diagram of a solved tower, and of its blade if the files have one, with the notes
+/// on it.
 ///
 /// # Errors
 /// [`Failure::NoRotor`] if neither the file nor the command line gives the rotor speed;

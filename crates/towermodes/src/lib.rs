@@ -26,8 +26,8 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
-//! Each frequency comes with a bound on its algebraic error, an estimate of its discretization error
-//! and an extrapolated value; the list comes with a [`Certificate`] that no mode is missing.
+//! Each frequency comes with a bound on its algebraic error, an estimate of its discretization
+//! error and an extrapolated value; the list comes with a [`Certificate`] that no mode is missing.
 //! Other methods are chosen by [`Options::method`]; rotating blades are solved by [`solve_blade`].
 //!
 //! With the feature `serde` results can be serialized, with `schema` they have JSON schemas.
@@ -36,14 +36,14 @@
 //!
 //! | step | room |
 //! |---|---|
-//! | what a tower or a blade is, exact section integrals, which motions are coupled | [`tower`], [`blade`] |
-//! | the mesh, and the recipes that make bodies and joints of a segment: the paper's is `elements/rmje.rs` | [`elements`] |
-//! | the chain of rigid bodies and elastic joints, the paper's eq. (17), in O(n) without a matrix | [`chain`] |
+//! | towers and blades, exact section integrals, coupled motions | [`tower`], [`blade`] |
+//! | the mesh, and what each segment becomes: the paper's is `elements/rmje.rs` | [`elements`] |
+//! | rigid bodies and elastic joints, the paper's eq. (17) in O(n) | [`chain`] |
 //! | beams of flexible elements: BModes, the spectral method, rotating blades | [`beam`] |
 //! | uncoupled groups of motions, each as an eigenvalue problem | [`subsystem`] |
 //! | Lanczos process for the lowest eigenvalues, error bounds, inertia count | [`eigen`] |
 //! | family, shape, energy, discretization error of a mode | [`modes`] |
-//! | options, the spectrum of the whole tower, certificate, error estimates, warnings | [`solve()`] |
+//! | options, spectrum of the tower, certificate, error estimates, warnings | [`solve()`] |
 //!
 //! Data flows in this order only. SI units throughout; heights are in the user's own datum; x is
 //! fore-aft (downwind), y side-side, z up.

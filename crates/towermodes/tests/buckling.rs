@@ -1,4 +1,5 @@
-//! Towers on the close to the buckling limit are answered with the factor that says so, on both sides.
+//! Towers on the close to the buckling limit are answered with the factor that says so, on both
+//! sides.
 
 use crate::towers;
 

@@ -166,7 +166,8 @@ fn way_to_the_first_step() -> Vec<String> {
     places.filter(is_way).map(str::to_owned).collect()
 }
 
-/// As far as line tables show them: inlined functions count, and without line tables there are none.
+/// As far as line tables show them: inlined functions count, and without line tables there are
+/// none.
 #[test]
 fn from_the_front_door_to_a_lanczos_step_there_are_at_most_eight_functions() {
     let way = way_to_the_first_step();

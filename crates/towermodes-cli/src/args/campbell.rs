@@ -44,8 +44,8 @@ pub(crate) struct CampbellArguments {
     #[command(flatten)]
     pub(crate) rotor: RotorArguments,
 
-    /// Show every pair of mode and excitation in the table, including pairs that differ by more than
-    /// a factor of 2
+    /// Show every pair of mode and excitation in the table, including pairs that differ by more
+    /// than a factor of 2
     #[arg(long)]
     pub(crate) all: bool,
 

@@ -29,8 +29,8 @@ pub(crate) enum ElastoDynCommand {
     /// Create a complete ElastoDyn tower file: distributed properties, damping, mode-shape
     /// polynomials.
     Tower(TowerArguments),
-    /// Replace the mode-shape coefficients in the tower file of a deck by those of the computed modes;
-    /// nothing else changes.
+    /// Replace the mode-shape coefficients in the tower file of a deck by those of the computed
+    /// modes; nothing else changes.
     Patch(PatchArguments),
     /// Compare the mode-shape polynomials of a deck with the computed modes; exit code 1 if they
     /// fail.

@@ -61,14 +61,15 @@ pub(crate) struct Arguments {
 pub(crate) enum Command {
     /// Compute the lowest natural frequencies and mode shapes of a tower or of a rotating blade.
     Solve(SolveArguments),
-    /// Compare methods: frequencies, differences from the reference solution, degrees of freedom, run
-    /// time.
+    /// Compare methods: frequencies, differences from the reference solution, degrees of freedom,
+    /// run time.
     Compare(CompareArguments),
     /// Show how the error of a method decreases as the number of segments increases.
     Converge(ConvergeArguments),
     /// Check resonance margins (Campbell diagram).
     Campbell(CampbellArguments),
-    /// Draw the tower, its mode shapes, its Campbell diagram or the errors of methods as SVG or PNG.
+    /// Draw the tower, its mode shapes, its Campbell diagram or the errors of methods as SVG or
+    /// PNG.
     Plot(PlotArguments),
     /// Write a report for review, as one HTML page or as Markdown: input, assumptions, frequencies
     /// with errors, mode shapes, resonance margins.

@@ -1,7 +1,7 @@
 //! A blade from a deck.
 //!
-//! BModes changes the signs of twist and offsets; the blade of the library has the signs that BModes
-//! computes with.
+//! BModes changes the signs of twist and offsets; the blade of the library has the signs that
+//! BModes computes with.
 
 use std::f64::consts::PI;
 

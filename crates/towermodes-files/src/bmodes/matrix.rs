@@ -11,7 +11,8 @@ const SLIGHTLY: f64 = 0.05;
 /// … or by this fraction of their diagonal entries.
 const NOISE: f64 = 1e-3;
 
-/// The pair of entries of a matrix that should be equal and differ most, as a fraction of the larger.
+/// The pair of entries of a matrix that should be equal and differ most, as a fraction of the
+/// larger.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Asymmetry {
     /// From 1.

@@ -1,8 +1,8 @@
 //! Decks of BModes, the finite-element program of NREL for towers and blades: a main file (.bmi)
 //! and a section file.
 //!
-//! Sources of the records and their meaning: BModes 3.00 (Bir, NREL, 2008), its sample files, and the decks
-//! that later versions and other programs write.
+//! Sources of the records and their meaning: BModes 3.00 (Bir, NREL, 2008), its sample files, and
+//! the decks that later versions and other programs write.
 
 mod blade;
 mod building;

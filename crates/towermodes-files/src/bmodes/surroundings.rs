@@ -95,8 +95,9 @@ impl Building {
         }
     }
 
-    /// A table with heights in the datum of the tower, up to the tower top: as in BModes, rows above
-    /// it have no effect. Empty if no row is along the flexible tower, or all values are zero.
+    /// A table with heights in the datum of the tower, up to the tower top: as in BModes, rows
+    /// above it have no effect. Empty if no row is along the flexible tower, or all values are
+    /// zero.
     fn heights_of(&self, table: &Distribution, notes: &mut Notes) -> Vec<(f64, f64)> {
         let Ends { base_m, top_m } = self.ends;
         let length_m = top_m - base_m;

@@ -1,8 +1,8 @@
 //! Blade files of ElastoDyn and FAST 7: mass, stiffness and twist along the blade.
 //!
 //! OpenFAST reads them by position (`ReadBladeFile` in `ElastoDyn_IO.f90`). The number of columns
-//! changed from seventeen (FAST 7) to six (FAST 8) to five (OpenFAST 5, without `PitchAxis`). The line
-//! of names shows the column of masses; the twist precedes it and both stiffnesses follow it.
+//! changed from seventeen (FAST 7) to six (FAST 8) to five (OpenFAST 5, without `PitchAxis`). The
+//! line of names shows the column of masses; the twist precedes it and both stiffnesses follow it.
 
 use super::names::plain;
 use super::positional::{

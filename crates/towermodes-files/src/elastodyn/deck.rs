@@ -46,8 +46,8 @@ pub struct ElastoDynDeck {
     pub input: TowerInput,
 }
 
-/// Reads an ElastoDyn model from its main file, or from the `.fst` file that names it; `files` gives
-/// the files that it names.
+/// Reads an ElastoDyn model from its main file, or from the `.fst` file that names it; `files`
+/// gives the files that it names.
 ///
 /// # Errors
 /// The first mistake in one of the files, or that one of them cannot be read.

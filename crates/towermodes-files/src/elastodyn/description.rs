@@ -1,7 +1,7 @@
 //! The tower that a tower file of ElastoDyn describes, once its heights are known.
 //!
-//! Towers of floating turbines in a current (MHK) hang: their top is the lower end. The towers of the
-//! library stand, so a hanging tower is solved upside down, with depths as heights. Without
+//! Towers of floating turbines in a current (MHK) hang: their top is the lower end. The towers of
+//! the library stand, so a hanging tower is solved upside down, with depths as heights. Without
 //! self-weight its frequencies are the same.
 
 use std::ops::Range;

@@ -1,5 +1,5 @@
-//! The `.fst` file of OpenFAST: the name of the main file of ElastoDyn, gravity, and the modules that
-//! are not read.
+//! The `.fst` file of OpenFAST: the name of the main file of ElastoDyn, gravity, and the modules
+//! that are not read.
 
 use super::main_file::MainFile;
 use super::names::{is_fst, is_main_file, line_of, plain};
@@ -174,9 +174,9 @@ pub(super) struct Gravity {
     pub(super) note: Option<Note>,
 }
 
-/// The gravity of a model: that of the `.fst` file, as in OpenFAST since 3.0, or else that of the main
-/// file, as before, or else the standard one with a note. A tower that hangs under water has none
-/// here. Files are given by their names.
+/// The gravity of a model: that of the `.fst` file, as in OpenFAST since 3.0, or else that of the
+/// main file, as before, or else the standard one with a note. A tower that hangs under water has
+/// none here. Files are given by their names.
 pub(super) fn gravity(main: &MainFile, main_name: &str, fst: Option<(f64, &str)>) -> Gravity {
     if main.tower_hangs() {
         let (m_per_s2, note) = (0.0, None);

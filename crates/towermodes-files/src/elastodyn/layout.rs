@@ -1,7 +1,7 @@
 //! Recognizes the layout of a main file of ElastoDyn.
 //!
-//! OpenFAST reads the file by position, each version with its own layout. The layouts differ in blocks
-//! of records; a file has the blocks whose names are on its lines.
+//! OpenFAST reads the file by position, each version with its own layout. The layouts differ in
+//! blocks of records; a file has the blocks whose names are on its lines.
 
 use std::collections::{BTreeMap, HashMap};
 
@@ -56,8 +56,8 @@ const LONGEST: usize = 200;
 /// A parameter with its line.
 pub(super) type Placed<'a> = (&'static Record, Line<'a>);
 
-/// The parameters of a main file by their names, up to the name of the tower file. Two free lines come
-/// first; blank lines do not count.
+/// The parameters of a main file by their names, up to the name of the tower file. Two free lines
+/// come first; blank lines do not count.
 pub(super) fn parameters(text: &str) -> Result<BTreeMap<&'static str, Placed<'_>>, Diagnostic> {
     let mut all = Lines::new(text);
     all.expect("the first header line")?;

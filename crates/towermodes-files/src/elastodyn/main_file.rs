@@ -105,8 +105,8 @@ pub struct Platform {
     pub products_kg_m2: [f64; 3],
     /// Its centre of mass, m (`PtfmCMxt`, `PtfmCMyt`, `PtfmCMzt`).
     pub center_m: [f64; 3],
-    /// The reference point of its motion, m (`PtfmRefxt`, `PtfmRefyt`, `PtfmRefzt`; in ElastoDyn 1.00
-    /// z is −`PtfmRef`); x and y are zero where the file has none.
+    /// The reference point of its motion, m (`PtfmRefxt`, `PtfmRefyt`, `PtfmRefzt`; in ElastoDyn
+    /// 1.00 z is −`PtfmRef`); x and y are zero where the file has none.
     pub reference_m: [f64; 3],
 }
 

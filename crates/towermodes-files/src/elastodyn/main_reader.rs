@@ -187,8 +187,8 @@ impl<'a> Values<'a> {
         }
     }
 
-    /// Height of the flexible tower's base, m: under its name since ElastoDyn 1.01, or under the two
-    /// names before.
+    /// Height of the flexible tower's base, m: under its name since ElastoDyn 1.01, or under the
+    /// two names before.
     fn tower_base_m(&self) -> Result<f64, Diagnostic> {
         if self.lines.contains_key("TwrRBHt") {
             return Ok(self.number("TwrRBHt")? - self.number("TwrDraft")?);

@@ -14,7 +14,8 @@ const MOST_ELEMENTS: usize = 400;
 
 /// Number of blades and the speed at which a simulation begins; none of a rotor that does not turn.
 ///
-/// The files of ElastoDyn do not give the range of operating speeds, which depends on the controller.
+/// The files of ElastoDyn do not give the range of operating speeds, which depends on the
+/// controller.
 pub(super) fn rotor(main: &MainFile) -> Option<Rotor> {
     let rpm = main.rotor_speed_rpm;
     (rpm > 0.0).then_some(Rotor {

@@ -1,4 +1,5 @@
-//! A tower from a tower file of ElastoDyn alone, which contains everything but the heights of its ends.
+//! A tower from a tower file of ElastoDyn alone, which contains everything but the heights of its
+//! ends.
 
 use super::description::{
     Ends, ONLY_BENDS, description, hanging_note, hangs, remember, tuner_note,

@@ -51,8 +51,8 @@ impl TowerFile {
         [first, second, third, fourth, mass, fore_aft, side_side]
     }
 
-    /// The rows from the base to the top. A uniform tower has one row (`NTwInpSt` = 1), which holds at
-    /// both ends.
+    /// The rows from the base to the top. A uniform tower has one row (`NTwInpSt` = 1), which holds
+    /// at both ends.
     pub fn rows_to_the_top(&self) -> impl Iterator<Item = TowerRow> + '_ {
         let top = match self.rows.as_slice() {
             [only] => Some(TowerRow {
@@ -87,5 +87,6 @@ pub struct ConcentratedMass {
     pub mass_kg: f64,
 }
 
-/// The bytes of each coefficient in the text of a tower file, in the order of [`TowerFile::coefficients`].
+/// The bytes of each coefficient in the text of a tower file, in the order of
+/// [`TowerFile::coefficients`].
 pub type CoefficientSpans = [[Range<usize>; 5]; 4];

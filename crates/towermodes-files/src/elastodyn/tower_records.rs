@@ -37,8 +37,8 @@ pub(super) const DAMPING: [Record; 4] = [
     ),
 ];
 
-/// Tuners of the modal stiffnesses, in the order of [`DAMPING`], and factors of the columns of mass,
-/// fore-aft and side-side stiffness.
+/// Tuners of the modal stiffnesses, in the order of [`DAMPING`], and factors of the columns of
+/// mass, fore-aft and side-side stiffness.
 pub(super) const FACTORS: [Record; 7] = [
     record(
         "FAStTunr(1)",

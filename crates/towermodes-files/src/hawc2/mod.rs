@@ -1,8 +1,8 @@
 //! The structural files of HAWC2, `…_st.dat`: tables of section properties along a body.
 //!
 //! `#1 name` begins a set, `$1 20 name` a subset of 20 rows of 19 columns, which follow at once;
-//! lines before a `$` are free text. Format and meaning of the columns: *How 2 HAWC2, the user's manual*
-//! (DTU), "Format definition of the structural data file", and the class `StFile` of wetb.
+//! lines before a `$` are free text. Format and meaning of the columns: *How 2 HAWC2, the user's
+//! manual* (DTU), "Format definition of the structural data file", and the class `StFile` of wetb.
 //!
 //! HAWC2's y axis is downwind, x lies sideways and z points down. A tower is modelled in these
 //! axes, so I_x, about the sideways axis, resists fore-aft bending; a fore-aft force acts along y,

@@ -25,8 +25,8 @@ pub(super) struct CampbellDocument<'a> {
     rotor: Rotor,
     /// The required margin, as a fraction of the natural frequency.
     margin: f64,
-    /// The frequency range (from, to), Hz, in which the tower may have modes that are not in the list
-    /// although an excitation comes close to them; null if the list covers all excitations.
+    /// The frequency range (from, to), Hz, in which the tower may have modes that are not in the
+    /// list although an excitation comes close to them; null if the list covers all excitations.
     unjudged_hz: Option<[f64; 2]>,
     /// The multiples of the rotor speed.
     multiples: &'a [usize],
@@ -68,8 +68,8 @@ struct LineJson<'a> {
     frequency_hz: Vec<f64>,
     /// The largest estimated error of the frequencies, Hz.
     error_hz: f64,
-    /// The rotor speed at which a blade mode is no longer found, rpm: its line ends before; null if it
-    /// reaches the highest speed.
+    /// The rotor speed at which a blade mode is no longer found, rpm: its line ends before; null if
+    /// it reaches the highest speed.
     lost_at_rpm: Option<f64>,
 }
 
@@ -99,8 +99,8 @@ struct MarginJson<'a> {
 struct ClassJson {
     /// The plane of the mode: `fore-aft` or `side-side`.
     family: Family,
-    /// `soft-soft`, `soft-stiff`, `stiff-stiff`, or `met` where an excitation coincides with the mode
-    /// in operation.
+    /// `soft-soft`, `soft-stiff`, `stiff-stiff`, or `met` where an excitation coincides with the
+    /// mode in operation.
     class: &'static str,
     /// The multiple that coincides with it; null otherwise.
     met_by_multiple: Option<usize>,

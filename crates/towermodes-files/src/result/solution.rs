@@ -1,4 +1,5 @@
-//! A solution as JSON. Keys are stable: new keys may be added, the meaning of a key does not change.
+//! A solution as JSON. Keys are stable: new keys may be added, the meaning of a key does not
+//! change.
 
 use std::io::Write;
 
@@ -58,8 +59,8 @@ struct TowerSummary<'a> {
     rigid_inertia: [[f64; 6]; 6],
 }
 
-/// Writes a solution as indented JSON with a newline at the end; the notes of the reader come before
-/// the warnings.
+/// Writes a solution as indented JSON with a newline at the end; the notes of the reader come
+/// before the warnings.
 ///
 /// # Errors
 /// [`ResultError`] if the writer refuses.

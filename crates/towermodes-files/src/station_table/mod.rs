@@ -1,9 +1,9 @@
-//! Tables of cans or stations in CSV, as exported from drawings and spreadsheets; a tower file names
-//! one with `stations = "cans.csv"`.
+//! Tables of cans or stations in CSV, as exported from drawings and spreadsheets; a tower file
+//! names one with `stations = "cans.csv"`.
 //!
 //! A can is a row with bottom, top, diameters and wall, a station a row with height, diameter and
-//! wall. The header gives the quantity and the unit of each column. Columns are separated by commas,
-//! semicolons or tabs; with semicolons or tabs a comma may be the decimal sign.
+//! wall. The header gives the quantity and the unit of each column. Columns are separated by
+//! commas, semicolons or tabs; with semicolons or tabs a comma may be the decimal sign.
 
 mod cans;
 mod cells;
@@ -34,8 +34,8 @@ pub(crate) struct Placed {
     pub(crate) spans: [Range<usize>; 3],
 }
 
-/// The index of the material with a name, or of the default material for rows without a name; or what
-/// is wrong, and what would be right.
+/// The index of the material with a name, or of the default material for rows without a name; or
+/// what is wrong, and what would be right.
 pub(crate) type MaterialOf<'m> =
     &'m dyn Fn(Option<&str>) -> Result<usize, (DiagnosticKind, String)>;
 

@@ -25,8 +25,8 @@ pub(super) struct Materials {
 }
 
 impl Materials {
-    /// The index of the material with a name, or of the default material for a row without a name; or
-    /// what is wrong, and what would be right. `row` is the name of the row in messages.
+    /// The index of the material with a name, or of the default material for a row without a name;
+    /// or what is wrong, and what would be right. `row` is the name of the row in messages.
     pub(super) fn find(
         &self,
         name: Option<&str>,

@@ -1,7 +1,7 @@
 //! The schema of the tower file: all tables and keys with their types, units and meanings.
 //!
-//! The reader takes the known keys from it and the writer the comments; tests check that the help of
-//! `solve` and the book name each key.
+//! The reader takes the known keys from it and the writer the comments; tests check that the help
+//! of `solve` and the book name each key.
 
 /// A table of the tower file.
 #[derive(Debug)]
@@ -91,7 +91,8 @@ macro_rules! tables {
         /// ```
         /// use towermodes_files::tower_file_schema;
         ///
-        /// let rna = tower_file_schema().iter().find(|table| table.name == "[rna]").expect("a table");
+        /// let mut tables = tower_file_schema().iter();
+        /// let rna = tables.find(|table| table.name == "[rna]").expect("a table");
         /// assert_eq!(rna.key("mass").expect("a key").unit, "kg");
         /// ```
         pub fn tower_file_schema() -> &'static [&'static TableSchema] {

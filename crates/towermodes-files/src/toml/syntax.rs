@@ -1,5 +1,5 @@
-//! Explains what the parser of TOML cannot read: numbers with units, decimal commas, numbers without a
-//! digit beside the point, texts without quotation marks.
+//! Explains what the parser of TOML cannot read: numbers with units, decimal commas, numbers
+//! without a digit beside the point, texts without quotation marks.
 
 use std::ops::Range;
 

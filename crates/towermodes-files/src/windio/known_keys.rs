@@ -1,7 +1,7 @@
 //! Keys that look like a key that is read: a misspelled key would be ignored without a message.
 //!
-//! Known are the keys of the schemas of windIO 1.0 and 2.x, read or not, and those that WISDEM adds.
-//! They get no note.
+//! Known are the keys of the schemas of windIO 1.0 and 2.x, read or not, and those that WISDEM
+//! adds. They get no note.
 
 use super::outline::{Components, Outline};
 use super::reading::Reading;

@@ -53,8 +53,8 @@ pub(crate) fn is_windio(text: &str, name: &str) -> bool {
 /// Reads the tower of a turbine, on its monopile if there is one, from a file in windIO 1 or 2.
 ///
 /// The base is clamped: at the mudline if the file gives the water depth, or else at the lowest
-/// height. The rotor-nacelle assembly is combined from the bodies in the file; notes list the missing
-/// ones.
+/// height. The rotor-nacelle assembly is combined from the bodies in the file; notes list the
+/// missing ones.
 ///
 /// # Errors
 /// [`ReadError::Mistakes`].

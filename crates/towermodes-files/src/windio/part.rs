@@ -179,8 +179,8 @@ impl Part {
     }
 }
 
-/// Elastic properties that cannot be read are not a mistake of a part with layers: they are left out
-/// with a note.
+/// Elastic properties that cannot be read are not a mistake of a part with layers: they are left
+/// out with a note.
 fn unless_unused(
     elastic: Result<Option<Elastic>, Diagnostic>,
     layers: &[Layer],

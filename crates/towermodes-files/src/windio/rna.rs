@@ -205,8 +205,9 @@ impl Assembly {
     }
 }
 
-/// The key of the nacelle mass: `system_mass` as in the schema, or `above_yaw_mass` as WISDEM writes
-/// it, without the yaw system. If a file has both, the latter is used, because `yaw_mass` is added.
+/// The key of the nacelle mass: `system_mass` as in the schema, or `above_yaw_mass` as WISDEM
+/// writes it, without the yaw system. If a file has both, the latter is used, because `yaw_mass` is
+/// added.
 fn nacelle_keys<'k>(node: &Node, reading: &mut Reading<'_>) -> Result<[&'k str; 3], Diagnostic> {
     let [_, inertia, center] = OLD_KEYS;
     let Some(above) = node.get(ABOVE_YAW) else {

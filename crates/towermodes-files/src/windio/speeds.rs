@@ -98,10 +98,10 @@ impl Limits<'_> {
 /// The rotor, if the file gives a speed; assumptions go to `notes`.
 ///
 /// Version 2 has `control.min_rotor_speed` and `rated_rotor_speed`, rpm; its `max_rotor_speed` is a
-/// limit at which the turbine is shut down, not an operating speed. Version 1, and files of version 2
-/// with the older `control`, have `control.torque.VS_minspd` and `VS_maxspd`, in
-/// rad/s by the schema, but in rpm in many files: which of both it is the speed of the tips shows.
-/// `VS_maxspd` limits the rated speed, which they do not say.
+/// limit at which the turbine is shut down, not an operating speed. Version 1, and files of version
+/// 2 with the older `control`, have `control.torque.VS_minspd` and `VS_maxspd`, in rad/s by the
+/// schema, but in rpm in many files: which of both it is the speed of the tips shows. `VS_maxspd`
+/// limits the rated speed, which they do not say.
 pub(super) fn rotor(
     outline: &Outline,
     places: &mut Places,

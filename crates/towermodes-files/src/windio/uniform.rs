@@ -6,7 +6,8 @@ use super::reading::Reading;
 use super::sections::Placed;
 use crate::note::Note;
 
-/// A motion of a section: its name, its stiffness, whether it is flexible, and how it becomes rigid.
+/// A motion of a section: its name, its stiffness, whether it is flexible, and how it becomes
+/// rigid.
 struct Motion {
     name: &'static str,
     stiffness: &'static str,

@@ -39,10 +39,10 @@ impl Component {
 }
 
 /// The mode shapes of a solution, as wide as a terminal of `width` columns permits: heights
-/// upwards, and to the right the fore-aft or side-side deflection, the rotation of torsion modes, or the
-/// axial motion, each normalised to its maximum. Coupled modes show the two motions with the most
-/// energy, one as a line and one as dots. Equal modes of two equal planes are drawn once. Empty if
-/// not even one shape fits.
+/// upwards, and to the right the fore-aft or side-side deflection, the rotation of torsion modes,
+/// or the axial motion, each normalised to its maximum. Coupled modes show the two motions with the
+/// most energy, one as a line and one as dots. Equal modes of two equal planes are drawn once.
+/// Empty if not even one shape fits.
 pub fn shapes(tower: &Tower, solution: &Solution, width: usize) -> String {
     let panels: Vec<Panel> = drawn_once(tower, solution)
         .into_iter()

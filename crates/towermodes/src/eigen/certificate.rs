@@ -1,8 +1,8 @@
 //! The proof that a list of eigenvalues is complete, and the bound on each.
 //!
 //! The list holds k orthonormal vectors with small residuals, so there are k eigenvalues near it
-//! (Kahan 1967). An inertia count just above the last one that gives k proves that there are no more: the
-//! list is complete.
+//! (Kahan 1967). An inertia count just above the last one that gives k proves that there are no
+//! more: the list is complete.
 
 /// The result of the counts above a list of eigenvalues.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -67,9 +67,9 @@ impl Assembly<'_> {
 
     /// Adds a joint at a height (m).
     ///
-    /// A compression works on the shear deflection times the rotation at its place, which is between
-    /// those below and above the joint. So where shear is large the hinge is halved around the
-    /// shear deflection; either rotation alone would cost an order of convergence.
+    /// A compression works on the shear deflection times the rotation at its place, which is
+    /// between those below and above the joint. So where shear is large the hinge is halved around
+    /// the shear deflection; either rotation alone would cost an order of convergence.
     pub(super) fn add_joint(&mut self, height_m: f64, joint: &JointFlexibility) {
         if self.tower.gravity_m_per_s2() == 0.0 {
             self.chains.add_joint(height_m, joint, 0.0);

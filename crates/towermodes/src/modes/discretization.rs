@@ -20,8 +20,9 @@ pub struct Estimate {
 }
 
 /// If the values extrapolated with and without the finest mesh differ by more than this many
-/// errors, convergence is not regular. A term of the next even power, a thirtieth of the first, makes them
-/// differ by about as much; an error that falls by one power less makes them differ by twice.
+/// errors, convergence is not regular. A term of the next even power, a thirtieth of the first,
+/// makes them differ by about as much; an error that falls by one power less makes them differ by
+/// twice.
 const REGULAR: f64 = 1.5;
 /// Spreads below this fraction of a frequency are rounding errors.
 const ROUNDING: f64 = 1e-10;
@@ -33,8 +34,8 @@ const ROUNDING: f64 = 1e-10;
 /// For each power p in turn: fᵢ ← fᵢ + (fᵢ − fᵢ₊₁)/(2ᵖ − 1). The error is that of `frequency_hz`,
 /// which is one of the meshes', but at least the change by the last power, and at least the spread
 /// (the difference of the values extrapolated with and without the finest mesh) over 2ᵖ of the
-/// lowest power. Where the spread is large the meshes do not converge with these powers yet, and the
-/// error is at least the spread: terms may cancel, or two meshes agree by chance.
+/// lowest power. Where the spread is large the meshes do not converge with these powers yet, and
+/// the error is at least the spread: terms may cancel, or two meshes agree by chance.
 ///
 /// Source: Richardson (1911); Romberg (1955) for several powers.
 ///

@@ -1,4 +1,5 @@
-//! The modes as a user sees them: family and order, shape, modal mass, energy, discretization error.
+//! The modes as a user sees them: family and order, shape, modal mass, energy, discretization
+//! error.
 
 mod discretization;
 mod energy;

@@ -10,8 +10,8 @@ use crate::symmetric::eigenpairs;
 /// More modes of one frequency than this are left as they are.
 const MOST: usize = 6;
 
-/// Mixes the eigenvectors of a subsystem that have one eigenvalue, within a relative distance, so that
-/// each is as much of one motion as can be: bending fore-aft first, then side-side, torsion,
+/// Mixes the eigenvectors of a subsystem that have one eigenvalue, within a relative distance, so
+/// that each is as much of one motion as can be: bending fore-aft first, then side-side, torsion,
 /// stretch.
 pub(super) fn align(
     model: &mut Model,

@@ -1,10 +1,10 @@
 //! Memory and time of a solve, estimated before anything is allocated.
 //!
 //! The Lanczos process keeps all its vectors and orthogonalizes each against all before it: for w
-//! modes of a subsystem with n unknowns about p = 2.5 w + 12 vectors, 8 n p bytes and n p² operations,
-//! and p³ for the projected matrix. The constants are fitted to runs on a processor of 2020 (one
-//! core, 3 GHz). Estimates are 0.8 to 3 times the memory and 0.5 to 3 times the time that was
-//! measured there.
+//! modes of a subsystem with n unknowns about p = 2.5 w + 12 vectors, 8 n p bytes and n p²
+//! operations, and p³ for the projected matrix. The constants are fitted to runs on a processor of
+//! 2020 (one core, 3 GHz). Estimates are 0.8 to 3 times the memory and 0.5 to 3 times the time that
+//! was measured there.
 
 use super::cut::Cut;
 use super::error::SolveError;

@@ -84,8 +84,8 @@ fn identity(model: &Model, found: &Found, forces: &ModalForces, rigid: Option<Fa
     }
 }
 
-/// The family of a mode of an elastic tower: that of the only motion of its subsystem, or of the one
-/// with most of its energy.
+/// The family of a mode of an elastic tower: that of the only motion of its subsystem, or of the
+/// one with most of its energy.
 fn family(model: &Model, found: &Found, energy: &Energy) -> Family {
     let mut motions = model.motions(found.key.subsystem).iter();
     match (motions.next(), motions.next()) {

@@ -44,8 +44,8 @@ pub struct Options {
     pub heights_m: Vec<f64>,
     /// Whether sections have rotary inertia in bending (false: an Euler-Bernoulli beam).
     pub rotary_inertia: bool,
-    /// Position of the hinges of [`Method::Cardanic`], as a fraction k of the segment from each end,
-    /// 0 < k < 1/2; (1 − 1/√3)/2 by default.
+    /// Position of the hinges of [`Method::Cardanic`], as a fraction k of the segment from each
+    /// end, 0 < k < 1/2; (1 − 1/√3)/2 by default.
     pub hinge_position: f64,
     /// Whether a solve whose estimated cost is above [`MAX_BYTES`] or
     /// [`MAX_SECONDS`](crate::MAX_SECONDS) is refused before it begins.

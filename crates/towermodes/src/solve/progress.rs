@@ -110,7 +110,8 @@ impl Monitor {
         }
     }
 
-    /// The fraction that is done after so many products on the present mesh; never less than before.
+    /// The fraction that is done after so many products on the present mesh; never less than
+    /// before.
     fn fraction(&self, products: usize) -> f64 {
         let ([all, of_a_cut], [before, now]) = (self.expected, self.done);
         let least = self.progress.map_or(0.0, |progress| progress.fraction);

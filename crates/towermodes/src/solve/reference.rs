@@ -122,7 +122,8 @@ fn assemble(
     Ok(())
 }
 
-/// The buckling load factor of the reference beam solution; none if it cannot be computed. The model of the workspace is that of the beam afterwards.
+/// The buckling load factor of the reference beam solution; none if it cannot be computed. The
+/// model of the workspace is that of the beam afterwards.
 fn load_factor_of_the_beam(
     tower: &Tower,
     options: &Options,

@@ -8,7 +8,8 @@ use crate::modes::{ByMotion, Energy, Family, RigidTower};
 use crate::subsystem::Eigenproblem;
 use crate::tower::{Motion, Tower};
 
-/// The range of λ, rad²/s², in which the softest rigid-body motion that something resists is sought.
+/// The range of λ, rad²/s², in which the softest rigid-body motion that something resists is
+/// sought.
 const SOFTEST: f64 = 1e-8;
 const STIFFEST: f64 = 1e12;
 /// A motion slower by this than the softest one that something resists is one that nothing resists.

@@ -110,9 +110,9 @@ fn soil_unresolved(tower: &Tower, mesh: &Mesh, degree: Option<usize>) -> Option<
     })
 }
 
-/// Reports where an element of BModes, which has the section at its middle, reaches over rows of the
-/// tower, and which quantity it misses most of there: that which differs most within the element
-/// from what is taken for it.
+/// Reports where an element of BModes, which has the section at its middle, reaches over rows of
+/// the tower, and which quantity it misses most of there: that which differs most within the
+/// element from what is taken for it.
 fn missed(tower: &Tower, mesh: &Mesh) -> Option<Warning> {
     let elements = mesh.borders_m().windows(2);
     let worst = elements.filter_map(|ends| {
@@ -159,8 +159,8 @@ fn difference(a: f64, b: f64) -> f64 {
     if a == b { 0.0 } else { (a - b).abs() / larger }
 }
 
-/// Warns that the frequencies of some modes, at `places` in the list, do not converge with the order
-/// of the method.
+/// Warns that the frequencies of some modes, at `places` in the list, do not converge with the
+/// order of the method.
 pub(super) fn irregular(modes: &[Mode], places: &[usize]) -> Option<Warning> {
     let relative = |mode: &Mode| mode.error_hz() / mode.frequency_hz;
     let listed = places.iter().map(|&place| &modes[place]);

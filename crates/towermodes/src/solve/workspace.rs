@@ -8,7 +8,8 @@ use super::spectrum::Spectrum;
 ///
 /// # Example
 /// ```
-/// use towermodes::{Material, Options, Rna, Station, Tower, TowerDescription, Workspace, solve_with};
+/// use towermodes::{Material, Options, Rna, Station, Tower, TowerDescription};
+/// use towermodes::{Workspace, solve_with};
 ///
 /// let mut workspace = Workspace::default();
 /// for (rna_kg, expected_hz) in [(0.0, 0.892), (350e3, 0.300)] {
@@ -36,7 +37,8 @@ impl Workspace {
     ///
     /// # Example
     /// ```
-    /// use towermodes::{Material, Options, Station, Tower, TowerDescription, Workspace, solve_with};
+    /// use towermodes::{Material, Options, Station, Tower, TowerDescription};
+    /// use towermodes::{Workspace, solve_with};
     ///
     /// let tower = Tower::new(TowerDescription {
     ///     materials: vec![Material::from_shear_modulus(8500.0, 2.1e11, 8.08e10)],

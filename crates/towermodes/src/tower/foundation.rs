@@ -8,9 +8,8 @@ use crate::space::SpatialMatrix;
 /// # Example
 /// A rocking spring of 50 GN m/rad lowers the first frequency.
 /// ```
-/// use towermodes::{
-///     Foundation, FoundationSprings, Material, Options, Rna, Station, Tower, TowerDescription, solve,
-/// };
+/// use towermodes::{Foundation, FoundationSprings, Material, Options, Rna, Station};
+/// use towermodes::{Tower, TowerDescription, solve};
 ///
 /// let tower = Tower::new(TowerDescription {
 ///     materials: vec![Material::from_shear_modulus(8500.0, 2.1e11, 8.08e10)],

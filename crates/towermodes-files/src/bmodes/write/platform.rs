@@ -160,8 +160,8 @@ fn inertia_about_axis(platform: &FloatingPlatform, center_m: [f64; 3]) -> Spatia
 }
 
 /// Adds the geometric stiffness of the self-weight to the mooring stiffness, as public decks do:
-/// BModes has no gravity, and a platform capsizes without it. It holds for the motion of the tower as
-/// a rigid body on its platform.
+/// BModes has no gravity, and a platform capsizes without it. It holds for the motion of the tower
+/// as a rigid body on its platform.
 fn add_geometric_stiffness(
     block: &mut Platform,
     tower: &Tower,

@@ -132,8 +132,8 @@ fn tower(description: &TowerDescription, writing: &mut Writing) {
     }
 }
 
-/// Materials and the shear model have no effect beside a table of properties, where a file may not have
-/// them.
+/// Materials and the shear model have no effect beside a table of properties, where a file may not
+/// have them.
 fn unused_beside_properties(description: &TowerDescription, writing: &mut Writing) {
     let count = description.materials.len();
     if count > 0 {

@@ -4,7 +4,8 @@ use super::scale::{error, finite};
 use crate::tower::error::{Place, Problem, TowerError};
 use crate::tower::inertia::Inertia;
 
-/// A principal moment of inertia may be negative by this fraction of the largest: tensors are rounded.
+/// A principal moment of inertia may be negative by this fraction of the largest: tensors are
+/// rounded.
 const ROUNDED: f64 = 1e-9;
 
 /// Refuses a tensor that no body has: with an infinite entry or a negative principal moment.
