@@ -273,7 +273,7 @@ impl DiagnosticKind {
     pub(crate) fn wrong_count(
         what: impl Into<String>,
         found: usize,
-        expected: impl ToString,
+        expected: impl ToString + Copy,
     ) -> Self {
         Self::wrong_count_of("values", what, found, expected)
     }
@@ -283,7 +283,7 @@ impl DiagnosticKind {
         items: &'static str,
         what: impl Into<String>,
         found: usize,
-        expected: impl ToString,
+        expected: impl ToString + Copy,
     ) -> Self {
         Self::WrongCount {
             what: what.into(),

@@ -35,7 +35,7 @@ pub(crate) fn comparison(tower: &Tower, comparison: &Comparison) -> String {
     add("degrees of freedom".into(), &|i| {
         columns[i].degrees_of_freedom.to_string()
     });
-    add("time a solve".into(), &|i| {
+    add("time per solve".into(), &|i| {
         columns[i].seconds_per_solve.map_or("-".into(), shown_time)
     });
     align_right(&mut table, 1..=columns.len());

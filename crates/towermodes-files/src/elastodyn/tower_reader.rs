@@ -158,15 +158,15 @@ fn coefficients(
     spans: &mut TowerSpans,
 ) -> Result<[[f64; 5]; 4], Diagnostic> {
     let mut coefficients = [[0.0; 5]; 4];
-    for mode in 0..4 {
+    for (mode, coefficients) in coefficients.iter_mut().enumerate() {
         if mode == 0 {
             lines.heading("the heading TOWER FORE-AFT MODE SHAPES, after the rows,")?;
         } else if mode == 2 {
             lines.heading("the heading TOWER SIDE-TO-SIDE MODE SHAPES")?;
         }
-        for power in 0..5 {
+        for (power, coefficient) in coefficients.iter_mut().enumerate() {
             let parameter = lines.parameter(&records::COEFFICIENTS[mode][power])?;
-            coefficients[mode][power] = parameter.number()?;
+            *coefficient = parameter.number()?;
             spans.coefficients[mode][power] = parameter.span();
         }
     }
