@@ -70,7 +70,7 @@ const EXAMPLES: [(&str, &[&str]); 10] = [
         "small-turbine/ElastoDyn.dat",
         &[
             "Torsion and axial deformation are not included",
-            "RotSpeed = 17 rpm is taken as the only speed of operation",
+            "RotSpeed = 17 rpm is the only operating speed",
             "The table of the input has no rotary inertia.",
             ">operating rotor speed (input file, rpm)</th><td class=\"number\">17</td>",
         ],
@@ -347,7 +347,9 @@ fn the_summary_repeats_what_a_reader_could_not_find() {
     let page = text(report(&[path, "-f", "md"], Stdio::null()));
     let summary = page.split("## 2.").next().unwrap_or_default();
     assert!(
-        summary.contains("- **Not in the model**: the tower stands from 0 m to 87.6 m, clamped, with nothing on top"),
+        summary.contains(
+            "- **Not in the model**: the tower extends from 0 m to 87.6 m, clamped, without RNA"
+        ),
         "{summary}"
     );
     let whole = text(report(

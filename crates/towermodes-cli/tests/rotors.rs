@@ -98,7 +98,7 @@ fn blades_are_known_without_a_speed() {
 fn a_number_of_blades_that_is_given_is_not_guessed() {
     let folder = Folder::with_windio("no-blades");
     let file = folder.path("turbine.yaml");
-    let guess = "no number_of_blades: taken as 3";
+    let guess = "no number_of_blades: 3 is assumed";
     let campbell = ["campbell", &file, "--modes", "2", "--multiples", "1"];
     assert!(said(&campbell)[1].contains(guess));
     let given = [&campbell[..], &["--blades", "2"]].concat();
@@ -110,7 +110,7 @@ fn a_number_of_blades_that_is_given_is_not_guessed() {
 fn conversions_say_how_the_rotor_was_found() {
     let folder = Folder::with_deck("converted", &[]);
     let deck = folder.path("ElastoDyn.dat");
-    let start = "RotSpeed = 17 rpm is taken as the only speed of operation";
+    let start = "RotSpeed = 17 rpm is the only operating speed";
     for to in ["toml", "windio"] {
         let [out, err] = said(&["convert", &deck, "--to", to]);
         assert!(out.contains("17") && err.contains(start), "{to}: {err}");
@@ -121,8 +121,8 @@ fn conversions_say_how_the_rotor_was_found() {
     let folder = Folder::with_windio("guessed");
     let [_, err] = said(&["convert", &folder.path("turbine.yaml"), "--to", "toml"]);
     for guess in [
-        "max_rotor_speed = 14 rpm is a limit",
-        "no number_of_blades: taken as 3",
+        "max_rotor_speed = 14 rpm is a protection limit",
+        "no number_of_blades: 3 is assumed",
     ] {
         assert!(err.contains(guess), "{guess}: {err}");
     }
