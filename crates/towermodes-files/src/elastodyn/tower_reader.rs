@@ -158,16 +158,19 @@ fn coefficients(
     spans: &mut TowerSpans,
 ) -> Result<[[f64; 5]; 4], Diagnostic> {
     let mut coefficients = [[0.0; 5]; 4];
-    for mode in 0..4 {
+    for (mode, records) in records::COEFFICIENTS.iter().enumerate() {
         if mode == 0 {
             lines.heading("the heading TOWER FORE-AFT MODE SHAPES, after the rows,")?;
         } else if mode == 2 {
             lines.heading("the heading TOWER SIDE-TO-SIDE MODE SHAPES")?;
         }
-        for power in 0..5 {
-            let parameter = lines.parameter(&records::COEFFICIENTS[mode][power])?;
-            coefficients[mode][power] = parameter.number()?;
-            spans.coefficients[mode][power] = parameter.span();
+        let places = coefficients[mode]
+            .iter_mut()
+            .zip(&mut spans.coefficients[mode]);
+        for (record, (coefficient, span)) in records.iter().zip(places) {
+            let parameter = lines.parameter(record)?;
+            *coefficient = parameter.number()?;
+            *span = parameter.span();
         }
     }
     Ok(coefficients)

@@ -85,7 +85,7 @@ fn properties(content: &TowerFile, lines: &mut Vec<String>) {
         column(&fore_aft),
         column(&side_side),
     ];
-    table(records::COLUMNS, columns, lines);
+    table(records::COLUMNS, &columns, lines);
 }
 
 fn shapes(
@@ -107,13 +107,13 @@ fn concentrated_masses(masses: &[ConcentratedMass], lines: &mut Vec<String>) {
     let heights: Vec<f64> = masses.iter().map(|mass| mass.height_fraction).collect();
     let masses: Vec<f64> = masses.iter().map(|mass| mass.mass_kg).collect();
     let columns = [column(&heights), column(&masses)];
-    table(records::MASS_COLUMNS, columns, lines);
+    table(records::MASS_COLUMNS, &columns, lines);
 }
 
 /// Columns of equal length under their names and units, each as wide as its widest entry.
 fn table<const N: usize>(
     heads: [(&str, &str); N],
-    columns: [Vec<String>; N],
+    columns: &[Vec<String>; N],
     lines: &mut Vec<String>,
 ) {
     let widths: [usize; N] = std::array::from_fn(|k| {
