@@ -273,7 +273,7 @@ impl DiagnosticKind {
     pub(crate) fn wrong_count(
         what: impl Into<String>,
         found: usize,
-        expected: impl ToString + Copy,
+        expected: impl fmt::Display,
     ) -> Self {
         Self::wrong_count_of("values", what, found, expected)
     }
@@ -283,13 +283,13 @@ impl DiagnosticKind {
         items: &'static str,
         what: impl Into<String>,
         found: usize,
-        expected: impl ToString + Copy,
+        expected: impl fmt::Display,
     ) -> Self {
         Self::WrongCount {
             what: what.into(),
             found,
             items,
-            expected: expected.to_string(),
+            expected: format!("{expected}"),
         }
     }
 

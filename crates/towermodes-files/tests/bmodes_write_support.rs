@@ -113,7 +113,7 @@ fn bases_are_held_as_bmodes_can_say_it() {
     assert!(
         error
             .to_string()
-            .contains("rigidly held only in x, y, z, rotation about z"),
+            .contains("only in x, y, z, rotation about z"),
         "{error}"
     );
 }

@@ -158,16 +158,19 @@ fn coefficients(
     spans: &mut TowerSpans,
 ) -> Result<[[f64; 5]; 4], Diagnostic> {
     let mut coefficients = [[0.0; 5]; 4];
-    for (mode, coefficients) in coefficients.iter_mut().enumerate() {
+    for (mode, records) in records::COEFFICIENTS.iter().enumerate() {
         if mode == 0 {
             lines.heading("the heading TOWER FORE-AFT MODE SHAPES, after the rows,")?;
         } else if mode == 2 {
             lines.heading("the heading TOWER SIDE-TO-SIDE MODE SHAPES")?;
         }
-        for (power, coefficient) in coefficients.iter_mut().enumerate() {
-            let parameter = lines.parameter(&records::COEFFICIENTS[mode][power])?;
+        let places = coefficients[mode]
+            .iter_mut()
+            .zip(&mut spans.coefficients[mode]);
+        for (record, (coefficient, span)) in records.iter().zip(places) {
+            let parameter = lines.parameter(record)?;
             *coefficient = parameter.number()?;
-            spans.coefficients[mode][power] = parameter.span();
+            *span = parameter.span();
         }
     }
     Ok(coefficients)

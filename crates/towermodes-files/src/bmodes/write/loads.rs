@@ -166,12 +166,11 @@ fn divide(
     divide(middle, high, fine, at, rows);
 }
 
-/// A height above the base, not higher than the top even where rounding would make it so.
+/// A height above the base, m, never above the top: not even by rounding.
 fn above_base(layout: &Layout, height_m: f64) -> f64 {
     let above_m = rounded(height_m - layout.base_m);
-    if layout.base_m + above_m > layout.top_m {
-        height_m - layout.base_m
-    } else {
-        above_m
-    }
+    let candidates = [above_m, height_m - layout.base_m];
+    let is_inside = |above_m: &f64| layout.base_m + above_m <= layout.top_m;
+    let inside = candidates.into_iter().find(is_inside);
+    inside.unwrap_or((height_m - layout.base_m).next_down())
 }
