@@ -2,9 +2,6 @@
 
 use std::fmt;
 
-use super::error::TowerError;
-use super::validate::check_rotor;
-
 /// The largest number of blades that a rotor may have.
 pub const MOST_BLADES: usize = 10;
 
@@ -32,17 +29,6 @@ pub struct Rotor {
     pub lowest_rpm: f64,
     /// Highest operating speed, rpm; equal to the lowest for a rotor of constant speed.
     pub highest_rpm: f64,
-}
-
-impl Rotor {
-    /// Checks the rotor as [`Tower::new`](super::Tower::new) checks it.
-    ///
-    /// # Errors
-    /// [`TowerError`]: the number of blades is not 1 to [`MOST_BLADES`], a speed is negative or not
-    /// finite, the speeds fall, or the highest is above [`FASTEST_RPM`].
-    pub fn validate(&self) -> Result<(), TowerError> {
-        check_rotor(self)
-    }
 }
 
 /// Displays a rotor speed with at most three decimals and without trailing zeros.

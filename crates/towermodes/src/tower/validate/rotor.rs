@@ -4,7 +4,18 @@ use super::scale::{error, not_negative, positive};
 use crate::tower::error::{Place, Problem, TowerError};
 use crate::tower::rotor::{FASTEST_RPM, MOST_BLADES, Rotor};
 
-/// Everything a rotor must satisfy.
+impl Rotor {
+    /// Checks the rotor as [`Tower::new`](crate::Tower::new) checks it.
+    ///
+    /// # Errors
+    /// [`TowerError`]: the number of blades is not 1 to [`MOST_BLADES`], a speed is negative or not
+    /// finite, the speeds fall, or the highest is above [`FASTEST_RPM`].
+    pub fn validate(&self) -> Result<(), TowerError> {
+        check_rotor(self)
+    }
+}
+
+/// Everything that a rotor must satisfy.
 pub(crate) fn check_rotor(rotor: &Rotor) -> Result<(), TowerError> {
     let (count, most) = (rotor.blades, MOST_BLADES);
     if !(1..=most).contains(&count) {
