@@ -22,7 +22,7 @@ pub struct ChainSubsystem<const D: usize> {
 }
 
 impl<const D: usize> ChainSubsystem<D> {
-    /// A chain for motions whose [`dimension`] is D.
+    /// A chain for motions whose number of components is D.
     pub fn new(motions: Motions, chain: Chain<D>) -> Self {
         Self {
             coordinates: Coordinates::new(motions),

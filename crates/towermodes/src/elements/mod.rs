@@ -19,16 +19,16 @@ use crate::tower::{Piece, Tower};
 /// A way to represent a segment of a tower by rigid bodies and joints.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Element {
-    /// See [`Method::RmjeExact`](crate::Method::RmjeExact).
+    /// See [`Method::RmjeExact`].
     #[default]
     RmjeExact,
-    /// See [`Method::Rmje`](crate::Method::Rmje).
+    /// See [`Method::Rmje`].
     Rmje,
-    /// See [`Method::CardanicExact`](crate::Method::CardanicExact).
+    /// See [`Method::CardanicExact`].
     CardanicExact,
-    /// See [`Method::Cardanic`](crate::Method::Cardanic).
+    /// See [`Method::Cardanic`].
     Cardanic,
-    /// See [`Method::Lumped`](crate::Method::Lumped).
+    /// See [`Method::Lumped`].
     Lumped,
 }
 

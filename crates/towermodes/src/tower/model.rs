@@ -13,7 +13,7 @@ use crate::tower::Warning;
 /// A tower that can exist: every property is finite and positive, every wall fits its tube,
 /// something holds it or it floats.
 ///
-/// Made by [`Tower::new`] from a [`TowerDescription`]; constant afterwards.
+/// Made by [`Tower::new`] from a [`TowerDescription`](super::TowerDescription); constant afterwards.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Tower {
     pub(super) name: String,
@@ -35,7 +35,7 @@ pub struct Tower {
 }
 
 impl Tower {
-    /// What the user calls it; may be empty. What cannot be [shown](printable) is a space.
+    /// What the user calls it; may be empty. What cannot be [shown](super::printable) is a space.
     pub fn name(&self) -> &str {
         &self.name
     }
