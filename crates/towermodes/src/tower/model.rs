@@ -13,7 +13,8 @@ use crate::tower::Warning;
 /// A tower that can exist: every property is finite and positive, every wall fits its tube,
 /// something holds it or it floats.
 ///
-/// Made by [`Tower::new`] from a [`TowerDescription`](super::TowerDescription); constant afterwards.
+/// Made by [`Tower::new`] from a [`TowerDescription`](super::TowerDescription); constant
+/// afterwards.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Tower {
     pub(super) name: String,
