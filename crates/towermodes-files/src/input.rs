@@ -58,9 +58,9 @@ pub struct TowerInput {
     pub blades: Option<usize>,
     /// One of the rotor's blades at standstill, if the files have it.
     pub blade: Option<towermodes::BladeDescription>,
-    /// Height at which the tower stands on its monopile, m, if it does.
+    /// Height of the joint between monopile and tower, m, if there is a monopile.
     pub joint_m: Option<f64>,
-    /// What the file says of the layout of results.
+    /// What the file prescribes for the layout of its results.
     pub layout: OutLayout,
     /// What the user should know.
     pub notes: Vec<Note>,
@@ -159,7 +159,7 @@ impl TowerInput {
     }
 }
 
-/// What a BModes deck says of the layout of its results.
+/// What a BModes deck prescribes for the layout of its results.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct OutLayout {
     /// What deflections are divided by, m: the radius with the draft; none if nothing is
@@ -240,7 +240,7 @@ pub struct BladeInput {
     pub description: towermodes::BladeDescription,
     /// How many modes the file asks for.
     pub modes: usize,
-    /// What the file says of the layout of results.
+    /// What the file prescribes for the layout of its results.
     pub layout: OutLayout,
     /// What the user should know.
     pub notes: Vec<Note>,

@@ -1,4 +1,4 @@
-//! What is expected of a solution: a value, what it is a value of, and how exactly it is known.
+//! An expected value: its quantity, its number and its tolerance.
 
 use towermodes::Family;
 

@@ -223,6 +223,8 @@ mod tests {
         ]
         .map(|value| Rounded(value).to_string());
         assert_eq!(shown, ["98462", "0", "0.00123457", "1.23457e-7", "1e7"]);
+        assert_eq!(Rounded(1.0 / 3.0).to_string(), "0.333333");
+        assert_eq!(Rounded(2.1e11).to_string(), "2.1e11");
     }
 
     #[test]

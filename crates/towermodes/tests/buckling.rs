@@ -1,5 +1,4 @@
-//! Towers on the close to the buckling limit are answered with the factor that says so, on both
-//! sides.
+//! Towers close to the buckling limit, on both sides of it: the result or the error has the factor.
 
 use crate::towers;
 

@@ -128,7 +128,7 @@ impl<'a> Pair<'a> {
         frequencies(towers.each_ref(), false, limit)
     }
 
-    /// With all that is said of them, if it is more.
+    /// With RNA, foundation and environment, if a description has them.
     fn frequencies_as_given(&self, limit: f64) -> Result<Vec<ComparedFrequency>, AgreementError> {
         if !self.descriptions.into_iter().any(is_more_than_bare) {
             return Ok(Vec::new());

@@ -12,7 +12,7 @@ use crate::source::Source;
 const ELEMENTS: usize = 50;
 const MOST_ELEMENTS: usize = 400;
 
-/// Number of blades and the speed at which a simulation begins; none of a rotor that does not turn.
+/// Number of blades and the speed at which a simulation begins; `None` if the rotor does not turn.
 ///
 /// The files of ElastoDyn do not give the range of operating speeds, which depends on the
 /// controller.

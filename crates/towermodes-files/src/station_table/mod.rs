@@ -89,7 +89,7 @@ struct Reading<'a> {
 }
 
 impl<'a> Reading<'a> {
-    /// All rows; reads on after a mistake, so that all are said together.
+    /// All rows; reading continues after a mistake, so that all mistakes are reported together.
     fn rows<T>(
         &mut self,
         records: Records<'a>,

@@ -38,7 +38,7 @@ impl Quantity {
     }
 }
 
-/// What a header says of a unit.
+/// The unit in a header.
 pub(super) enum Said {
     Unit(Unit),
     /// Something in brackets that is none.
@@ -86,7 +86,7 @@ enum Part {
     Filler,
 }
 
-/// The parts of a word; none of a word that is not known.
+/// The parts of a word; `None` if the word is not known.
 fn parts(word: &str) -> Option<&'static [Part]> {
     use Part::{Bottom, Diameter, Filler, Height, Material, Remark, Top, Wall};
     Some(match word {

@@ -127,7 +127,7 @@ impl Curve {
     }
 }
 
-/// Rising numbers from 0 to 1, none of them there more than twice.
+/// Rising numbers from 0 to 1, each at most twice.
 fn grid(node: &Node, what: &str) -> Result<Vec<f64>, Diagnostic> {
     let name = format!("the grid of {what}");
     let list = node.list(&name)?;

@@ -85,7 +85,7 @@ pub fn read_windio(source: Source, options: &ReadOptions) -> Result<TowerInput, 
 /// The description of a tower.
 struct Described {
     description: towermodes::TowerDescription,
-    /// The height at which it stands on its monopile, m.
+    /// Height of the joint between monopile and tower, m.
     joint_m: Option<f64>,
     /// The number of the rotor's blades.
     blades: Option<usize>,

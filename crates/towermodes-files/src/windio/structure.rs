@@ -72,7 +72,7 @@ impl Structure {
         self.parts.first().map_or(0.0, Part::base_m)
     }
 
-    /// Height at which the tower stands on its monopile, m, if both are there.
+    /// Height of the joint between monopile and tower, m, if both are there.
     pub(super) fn joint_m(&self) -> Option<f64> {
         match &self.parts[..] {
             [_, tower] => Some(tower.base_m()),

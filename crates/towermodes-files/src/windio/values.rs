@@ -20,7 +20,7 @@ impl Node {
         path.iter().try_fold(self, |node, key| node.get(key))
     }
 
-    /// The value of a key that must be there; `what` is what it is of.
+    /// The value of a required key; `what` names its parent in messages.
     pub(super) fn require(&self, key: &str, what: &str) -> Result<&Self, Diagnostic> {
         self.get(key).ok_or_else(|| match self.value {
             Value::Map(_) => {

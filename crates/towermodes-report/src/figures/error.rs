@@ -74,7 +74,7 @@ fn hidden(comparison: &Comparison) -> usize {
     comparison.modes.len() - modes(comparison).len()
 }
 
-/// "20 more modes"; none of none.
+/// "20 more modes"; `None` if there are none.
 pub(super) fn hidden_text(hidden: usize) -> Option<String> {
     (hidden > 0).then(|| counted(hidden, "more mode"))
 }

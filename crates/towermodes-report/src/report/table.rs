@@ -163,7 +163,7 @@ impl Table {
             let name = column.name.split(" (").next();
             name.unwrap_or_default().to_owned()
         };
-        // Something must be left to be said of each row.
+        // Each row must keep a value.
         if empty.iter().skip(1).all(|is_empty| *is_empty) {
             return Vec::new();
         }

@@ -1,4 +1,4 @@
-//! One mode of one tower by one method: what its error is claimed to be, and what it is.
+//! One mode of one tower by one method: its claimed error and its true error.
 
 use towermodes::{
     Method, Mode, Options, Shear, Solution, SolveError, Tower, TowerDescription, Warning,

@@ -1,4 +1,4 @@
-//! Towers whose motions are coupled: eccentric machines, and what the tower stands on and in.
+//! Towers whose motions are coupled: eccentric RNAs, foundations, soil and water.
 
 use towermodes::space::SpatialMatrix;
 use towermodes::{

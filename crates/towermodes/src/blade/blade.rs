@@ -1,4 +1,4 @@
-//! A blade that can exist, and what it is between its sections.
+//! A checked blade, and its properties between its sections.
 
 use super::description::{BladeDescription, BladeSection};
 use super::error::BladeError;

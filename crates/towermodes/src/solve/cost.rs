@@ -25,23 +25,23 @@ const DIAGONALIZATION: f64 = 1.5;
 /// Degrees that the spectral method usually needs until the modes converge.
 pub(super) const DEGREES: f64 = 3.0;
 
-/// What a solve takes.
+/// Estimated memory and time of a solve.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Cost {
-    /// Memory at its height, bytes.
+    /// Peak memory, bytes.
     pub(super) bytes: f64,
     /// Time, s.
     pub(super) seconds: f64,
-    /// Unknowns of the whole tower.
+    /// Degrees of freedom of the whole tower.
     pub(super) unknowns: f64,
-    /// Segments of all cuts together that are solved.
+    /// Number of segments of all meshes together.
     pub(super) segments: f64,
-    /// Products with the inertia that each cut takes.
+    /// Number of products with the mass matrix on each mesh.
     pub(super) products: f64,
 }
 
 impl Cost {
-    /// Of a tower that is cut so, with the cuts that the errors need.
+    /// The cost of a tower with this mesh, the meshes of the error estimate included.
     pub(super) fn of(tower: &Tower, cut: &Cut, options: &Options) -> Self {
         let own = cut.mesh.segments() as f64;
         let (finest, all) = match options.method {

@@ -1,4 +1,4 @@
-//! What a tower stands on, as a user says it.
+//! The foundation of a tower as its user describes it.
 
 use super::inertia::Inertia;
 use crate::space::SpatialMatrix;

@@ -98,7 +98,7 @@ impl Motions {
     }
 }
 
-/// The smallest sets of motions that none of the matrices couples with another.
+/// The smallest sets of motions that no matrix couples with each other.
 pub(super) fn independent_motions<'a>(
     matrices: impl Iterator<Item = &'a SpatialMatrix>,
 ) -> Vec<Motions> {

@@ -4,7 +4,7 @@ use super::planes::Planes;
 use super::section::{Section, SectionMasses};
 use super::surroundings::SoilStiffness;
 
-/// What a row of a property table says of the section at its height.
+/// The section properties in a row of a property table.
 ///
 /// Between two rows mass, stiffnesses and squared radii of gyration (inertia over mass) are linear
 /// in height, as BModes interpolates.

@@ -67,8 +67,8 @@ impl SoilStiffness {
     }
 }
 
-/// One row of mass that moves with the tower transversely and is none of it; linear in height
-/// between rows, nothing outside them.
+/// One row of a table of added mass, which moves with the tower transversely but is not part of
+/// it; linear in height between rows, zero outside them.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct AddedMassRow {
     /// Height z in the datum of the stations, m.

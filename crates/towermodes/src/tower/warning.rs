@@ -14,12 +14,12 @@ use thiserror::Error;
 
 use super::error::Place;
 use crate::method::Method;
-use crate::number::{Plain, significant};
+use crate::number::{Plain, Rounded, significant};
 
-/// Something a user should look at; the computation goes on.
+/// A fact that a user should check; the computation continues.
 ///
-/// The variant says of what kind it is, and its fields have the numbers, so that a program need not
-/// read the words. [`site`](Self::site) says where in the description it is.
+/// The variant is its kind and the fields have the numbers, so that a program need not read the
+/// words. [`site`](Self::site) gives the place in the description.
 #[derive(Debug, Clone, PartialEq, Error)]
 #[non_exhaustive]
 pub enum Warning {
@@ -91,9 +91,9 @@ pub enum Warning {
         "{}{column}{} is {}{unit}, {} times the value expected from the adjacent rows ({}{unit}): check decimal point and exponent",
         .site.before(),
         .site.after(),
-        Plain(significant(*.value)),
+        Rounded(*.value),
         Plain(rounded(.value / .expected)),
-        Plain(significant(*.expected))
+        Rounded(*.expected)
     )]
     RowOutOfLine {
         /// The row.
@@ -195,7 +195,7 @@ pub enum Warning {
     #[error(
         "the coupling terms of the {what} place it {} m above the tower base{}; below the base, row 1, column 5 is negative and row 2, \
          column 4 is positive: check the signs",
-        Plain(significant(*.above_m)), .site.after()
+        Rounded(*.above_m), .site.after()
     )]
     ActsAbove {
         /// Which matrix.
@@ -221,7 +221,7 @@ pub enum Warning {
     /// Soil too stiff for the segments.
     #[error(
         "the Winkler decay length of the soil, {} m, is smaller than the segment length there, {} m: the error estimate does not cover this; use more segments",
-        Plain(significant(*.penetration_m)), Plain(significant(*.segment_m))
+        Rounded(*.penetration_m), Rounded(*.segment_m)
     )]
     SoilUnresolved {
         /// How far motions reach into the soil, m.
@@ -248,7 +248,7 @@ pub enum Warning {
     /// Principal moments of inertia that no mass distribution has.
     #[error(
         "{}a principal moment of inertia ({} kg m2) exceeds the sum of the other two ({} kg m2), which no mass distribution has",
-        .site.before(), Plain(significant(*.largest_kg_m2)), Plain(significant(*.others_kg_m2))
+        .site.before(), Rounded(*.largest_kg_m2), Rounded(*.others_kg_m2)
     )]
     TriangleInequality {
         /// The body.
@@ -300,7 +300,7 @@ pub enum Warning {
     /// Modes of the measure that a method does not have near it.
     #[error(
         "{} with {segments} segments has no mode that corresponds to {missing} of the reference modes below {} Hz; use more segments, or the method does not model the effect that causes the mode",
-        .method.name(), Plain(significant(*.below_hz))
+        .method.name(), Rounded(*.below_hz)
     )]
     NotFound {
         /// The method.

@@ -1,8 +1,7 @@
 //! Why a tower cannot be written as a deck.
 
 use thiserror::Error;
-
-use super::number::significant;
+use towermodes::number::Rounded;
 
 /// A property of a tower that a BModes deck cannot represent.
 #[derive(Debug, Clone, PartialEq, Error)]
@@ -21,7 +20,7 @@ pub enum BmodesWriteError {
     #[error(
         "side-side bending stiffness over fore-aft is {} at {} m and {} at {} m: BModes has one stiffness for both planes, and one \
          factor between them for the whole tower",
-        significant(*.ratio), significant(*.height_m), significant(*.other_ratio), significant(*.other_height_m)
+        Rounded(*.ratio), Rounded(*.height_m), Rounded(*.other_ratio), Rounded(*.other_height_m)
     )]
     UnequalPlanes {
         /// The ratio at the base.
@@ -36,7 +35,7 @@ pub enum BmodesWriteError {
     /// The soil has different stiffness in x and y.
     #[error(
         "the soil springs at {} m are {} N/m2 in x and {} N/m2 in y: BModes has one for both",
-        significant(*.height_m), significant(*.x_n_per_m2), significant(*.y_n_per_m2)
+        Rounded(*.height_m), Rounded(*.x_n_per_m2), Rounded(*.y_n_per_m2)
     )]
     UnequalSoil {
         /// Height, m.

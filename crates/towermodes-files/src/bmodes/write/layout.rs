@@ -1,10 +1,10 @@
 //! Where a deck cuts a tower: the heights between which everything is smooth, and those that
 //! elements must end at.
 
+use towermodes::number::Rounded;
 use towermodes::tower::Piece;
 use towermodes::{Tower, TowerDescription};
 
-use super::number::significant;
 use super::spread::{Spread, spreads};
 use crate::note::Note;
 
@@ -160,7 +160,7 @@ impl Layout {
         if joined > 0 {
             let message = format!(
                 "{joined} heights are merged with neighbours nearer than {} m",
-                significant(CLOSEST * self.length_m())
+                Rounded(CLOSEST * self.length_m())
             );
             notes.push(Note::approximation(message));
         }

@@ -1,12 +1,13 @@
 //! The loads along a tower as tables of a deck: mass of water, and springs of soil.
 
 use towermodes::Tower;
+use towermodes::number::Rounded;
 use towermodes::tower::Piece;
 
 use super::base::Hub;
 use super::error::BmodesWriteError;
 use super::layout::Layout;
-use super::number::{rounded, significant};
+use super::number::rounded;
 use super::section::section_of;
 use super::sections::STEP;
 use crate::note::Note;
@@ -54,8 +55,8 @@ pub(super) fn loads(
     }
     let what = format!(
         "BModes has no vertical and no torsional springs along a tower: their sums, {} N/m and {} N m,",
-        significant(vertical_n_per_m),
-        significant(torsion_n_m)
+        Rounded(vertical_n_per_m),
+        Rounded(torsion_n_m)
     );
     if hub == Hub::Free {
         let message = format!("{what} are written as springs of the base");

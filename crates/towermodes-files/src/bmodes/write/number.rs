@@ -24,18 +24,9 @@ pub(super) fn rounded(value: f64) -> f64 {
     format!("{value:.14e}").parse().unwrap_or(value)
 }
 
-/// A number in a message, to six digits.
-pub(super) fn significant(value: f64) -> String {
-    let rounded: f64 = format!("{value:.5e}").parse().unwrap_or(value);
-    match rounded.abs() {
-        size if size == 0.0 || (1e-4..1e7).contains(&size) => rounded.to_string(),
-        _ => format!("{rounded:e}"),
-    }
-}
-
 #[cfg(test)]
 mod tests {
-    use super::{number, rounded, significant};
+    use super::{number, rounded};
 
     #[test]
     fn numbers_have_points() {
@@ -51,12 +42,5 @@ mod tests {
         ];
         assert_eq!(written, expected);
         assert_eq!(rounded(97.6 - 45.1), 52.5);
-        assert_eq!(
-            (
-                significant(1.0 / 3.0).as_str(),
-                significant(2.1e11).as_str()
-            ),
-            ("0.333333", "2.1e11")
-        );
     }
 }

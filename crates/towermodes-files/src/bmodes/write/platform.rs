@@ -1,5 +1,6 @@
 //! The offshore block: the matrices of the base, and the tables along the tower.
 
+use towermodes::number::Rounded;
 use towermodes::space::{SpatialMatrix, add_scaled, transform_matrix};
 use towermodes::tower::mass_integrals;
 use towermodes::{
@@ -10,7 +11,6 @@ use super::base::{Ends, Hub};
 use super::error::BmodesWriteError;
 use super::layout::Layout;
 use super::loads::{Loads, loads};
-use super::number::significant;
 use crate::note::Note;
 
 const NONE: SpatialMatrix = [[0.0; 6]; 6];
@@ -102,15 +102,15 @@ fn floating(
         notes.push(Note::approximation(format!(
             "BModes has one reference point: the matrix of {} is transformed to the height {} m",
             moved.join(" and of "),
-            significant(reference_m)
+            Rounded(reference_m)
         )));
     }
     let [x, y, z] = platform.center_m;
     if x != 0.0 || y != 0.0 {
         notes.push(Note::approximation(format!(
             "BModes has the platform's centre of mass on the axis: the effect of its offset of {} m and {} m is added to hydro_M",
-            significant(x),
-            significant(y)
+            Rounded(x),
+            Rounded(y)
         )));
         add_scaled(
             &mut hydro_mass,
@@ -190,7 +190,7 @@ fn add_geometric_stiffness(
     notes.push(Note::approximation(format!(
         "BModes has no gravity ({gravity} m/s2): the geometric stiffness of platform, tower and RNA in rigid-body rotation, {} N m, \
          is added to mooring_K; its effect on the bending of the tower is left out",
-        significant(stiffness_n_m)
+        Rounded(stiffness_n_m)
     )));
 }
 

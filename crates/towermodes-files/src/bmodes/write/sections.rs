@@ -1,10 +1,11 @@
 //! The file of sections: as many rows as make the lines between them the tower.
 
 use towermodes::Tower;
+use towermodes::number::Rounded;
 
 use super::super::out::one_line;
 use super::layout::Layout;
-use super::number::{number, rounded, significant};
+use super::number::{number, rounded};
 use super::section::{DeckSection, MadeUp, deck_section};
 use crate::bmodes::parameters::COLUMNS;
 use crate::note::Note;
@@ -19,7 +20,7 @@ pub(super) const STEP: f64 = 1e-7;
 const SHORTEST: f64 = 1e-5;
 /// Rows on both sides that differ by no more than rounding are one.
 const ROUNDING: f64 = 1e-11;
-/// Rotary inertia may differ from half the polar one by this share before it is said.
+/// A difference of rotary inertia and half the polar inertia above this fraction gives a note.
 const ROTARY_OFF: f64 = 1e-6;
 
 /// A row: its share of the length, and the section there.
@@ -90,7 +91,7 @@ fn note_sections(made_up: &MadeUp, notes: &mut Vec<Note>) {
         note(format!(
             "the rotary inertia differs from half the polar inertia by up to {} %: a deck holds only the polar inertia, as BModes has no rotary \
              inertia in bending",
-            significant(100.0 * made_up.rotary_off)
+            Rounded(100.0 * made_up.rotary_off)
         ));
     }
 }

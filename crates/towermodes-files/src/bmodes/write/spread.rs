@@ -1,9 +1,9 @@
 //! Point masses and guy wires that a deck can hold only distributed over a short part of the tower.
 
+use towermodes::number::Rounded;
 use towermodes::{TowerDescription, Wires};
 
 use super::layout::Layout;
-use super::number::significant;
 use crate::note::Note;
 
 /// The fraction of the tower's length that a mass or a set of wires is distributed over.
@@ -75,9 +75,9 @@ fn mass_at(
     };
     notes.push(Note::approximation(format!(
         "BModes has no point masses: {} kg at {} m is distributed over {} m of the tower{lost}",
-        significant(mass.mass_kg),
-        significant(mass.height_m),
-        significant(2.0 * half_m)
+        Rounded(mass.mass_kg),
+        Rounded(mass.height_m),
+        Rounded(2.0 * half_m)
     )));
     Spread {
         from_m: mass.height_m - half_m,
@@ -97,8 +97,8 @@ fn wires_at(layout: &Layout, index: usize, wires: &Wires, notes: &mut Vec<Note>)
         "BModes has either guy wires or an offshore block: the horizontal stiffness of set {} of guy wires, {} N/m, is \
          distributed over {} m of the tower as soil springs",
         index + 1,
-        significant(wires.horizontal_n_per_m()),
-        significant(width_m)
+        Rounded(wires.horizontal_n_per_m()),
+        Rounded(width_m)
     )));
     Spread {
         from_m,

@@ -1,11 +1,11 @@
 //! The support of a tower in a deck: only its clamped base, guy wires, or the offshore block.
 
+use towermodes::number::Rounded;
 use towermodes::{Tower, TowerDescription, Wires};
 
 use super::base::{Ends, Hub};
 use super::error::BmodesWriteError;
 use super::layout::Layout;
-use super::number::significant;
 use super::platform::{Platform, platform};
 use crate::note::Note;
 
@@ -28,7 +28,7 @@ pub(super) fn support(
         if ends.shift_m != 0.0 {
             let message = format!(
                 "the tower top is below the datum: heights are written from the base, shifted by {} m",
-                significant(ends.shift_m)
+                Rounded(ends.shift_m)
             );
             notes.push(Note::approximation(message));
         }

@@ -1,9 +1,9 @@
 //! The body on the tower top.
 
+use towermodes::number::Rounded;
 use towermodes::{RigidBody, Rna, TowerDescription};
 
 use super::layout::Layout;
-use super::number::significant;
 use crate::note::Note;
 
 /// The rotor-nacelle assembly with the point masses at the top.
@@ -34,7 +34,7 @@ pub(super) fn body(description: &TowerDescription, layout: &Layout, notes: &mut 
         note(Note::approximation(format!(
             "point masses at the top ({}) are part of the tip mass, {} kg",
             layout.masses_at_the_top.len(),
-            significant(rna.mass_kg)
+            Rounded(rna.mass_kg)
         )));
     }
     let [x, y, z] = rna.center_m;
@@ -42,16 +42,16 @@ pub(super) fn body(description: &TowerDescription, layout: &Layout, notes: &mut 
     if rna.mass_kg != 0.0 && y.abs() > 1e-12 * size_m {
         note(Note::left_out(format!(
             "BModes has no side-side offset of the tip mass: {} m is left out",
-            significant(y)
+            Rounded(y)
         )));
     }
     if rna.mass_kg != 0.0 && (x != 0.0 || z != 0.0) {
         note(Note::compatibility(format!(
             "BModes 3.00 reads cm_axial as cm_loc: it would put the tip mass {} m off the axis at the height of the top; \
              the tower has it {} m off the axis and {} m above the top",
-            significant(z),
-            significant(x),
-            significant(z)
+            Rounded(z),
+            Rounded(x),
+            Rounded(z)
         )));
     }
     rna

@@ -1,4 +1,4 @@
-//! What is said beside the tower, each with a line to what it is about.
+//! Labels beside the tower, each with a line to its part.
 
 use crate::svg::{Colour, Drawing, Stroke, TextStyle, spread, text_width};
 use crate::wording::counted;
@@ -57,7 +57,7 @@ impl LeftOut {
         Self(subjects.map(|subject| count(all, subject) - count(drawn, subject)))
     }
 
-    /// "Masses at 63 more heights, 1 more station."; none if all are said.
+    /// "Masses at 63 more heights, 1 more station."; `None` if all have labels.
     pub fn text(&self) -> Option<String> {
         let [whole, masses, stations] = self.0;
         let parts = [

@@ -1,4 +1,4 @@
-//! What the tower stands on: hatching, springs, a footing.
+//! The foundation: hatching, springs, a footing.
 
 use towermodes::{Foundation, FoundationSprings, HalfSpace, StiffnessFoundation, Tower};
 
@@ -156,7 +156,7 @@ fn draw_footing(drawing: &mut Drawing, view: &View, tower: &Tower, half_space: &
     drawing.rectangle(left_top, size, Colour::Band, Some(&edge));
 }
 
-/// What is to be said of the foundation.
+/// The label of the foundation.
 pub(super) fn callout(view: &View, tower: &Tower, foundation: &Foundation) -> Option<Callout> {
     let (x, y) = (view.axis_x, view.y(tower.base_m()));
     let half = base_radius(view, tower);

@@ -1,4 +1,4 @@
-//! How large the sheet is and where the tower stands on it.
+//! The size of the sheet and the position of the tower on it.
 
 use towermodes::{Tower, TowerDescription};
 

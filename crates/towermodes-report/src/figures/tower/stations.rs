@@ -1,4 +1,4 @@
-//! What is said of each station and each point mass.
+//! The labels of stations and point masses.
 
 use towermodes::{PropertyStation, Station, Tower};
 

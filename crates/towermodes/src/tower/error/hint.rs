@@ -3,7 +3,7 @@
 use super::Problem;
 
 impl Problem {
-    /// What would be right, in one sentence, where more can be said than the message says.
+    /// What would be right, in one sentence, if it is not in the message already.
     pub fn hint(&self) -> Option<&'static str> {
         Some(match self {
             Self::NotFinite { .. } => "write a finite number, for example 6.0 or 2.1e11",

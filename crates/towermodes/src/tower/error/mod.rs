@@ -9,7 +9,7 @@ use std::fmt;
 
 use thiserror::Error;
 
-use crate::number::{Apart, Plain, significant};
+use crate::number::{Apart, Plain, Rounded};
 
 /// A description that no tower can have: where, and what is wrong.
 #[derive(Debug, Clone, PartialEq, Error)]
@@ -161,7 +161,7 @@ pub enum Problem {
     /// A tensor that no body has.
     #[error(
         "the principal moments of inertia are {}, {} and {} kg m2; they must not be negative",
-        Plain(significant(.principal_kg_m2[0])), Plain(significant(.principal_kg_m2[1])), Plain(significant(.principal_kg_m2[2]))
+        Rounded(.principal_kg_m2[0]), Rounded(.principal_kg_m2[1]), Rounded(.principal_kg_m2[2])
     )]
     NegativeInertia {
         /// The principal moments, rising, kg m².
@@ -185,7 +185,7 @@ pub enum Problem {
         lower: f64,
     },
     /// A matrix that gives energy back.
-    #[error("the {what} has a negative eigenvalue, {}", Plain(significant(*.eigenvalue)))]
+    #[error("the {what} has a negative eigenvalue, {}", Rounded(*.eigenvalue))]
     Indefinite {
         /// Which matrix.
         what: &'static str,

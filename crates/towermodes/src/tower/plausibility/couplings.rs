@@ -8,7 +8,7 @@ use crate::tower::Warning;
 /// program that made the matrix.
 const NOISE: f64 = 0.05;
 
-/// A matrix and what it is called.
+/// A matrix and its name.
 pub(super) struct Named<'a> {
     pub(super) what: &'static str,
     pub(super) site: Site,

@@ -1,5 +1,4 @@
-//! What the tower stands on: springs against the tower's own stiffness and mass, footings,
-//! couplings.
+//! The foundation: springs against the tower's own stiffness and mass, footings, couplings.
 
 use super::couplings::{self, Named};
 use super::usual::Usual;

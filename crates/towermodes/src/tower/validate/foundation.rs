@@ -1,4 +1,4 @@
-//! The checks of what the base stands on.
+//! The checks of the foundation.
 
 use super::inertia::check_inertia;
 use super::scale::{coordinate, error, finite, length, not_negative, positive, stiffness};
