@@ -1,39 +1,39 @@
-//! One case: a tower, its known answers, and the methods that should give them.
+//! One case: a tower, its reference values, and the methods that must reproduce them.
 
 use towermodes::solve_until;
 use towermodes::{Method, Mode, Options, Solution, Tower, TowerDescription, Workspace};
 
+use crate::chapter::Chapter;
 use crate::expected::{Digits, Expected, Quantity, families};
-use crate::manual::Chapter;
 use crate::row::Row;
 
-/// A tower with known answers.
+/// A tower with reference values.
 #[derive(Debug, Clone)]
 pub struct Case {
-    /// Where in the manual it stands.
+    /// Its chapter of the manual.
     pub chapter: Chapter,
-    /// What it is.
+    /// Its name.
     pub name: String,
-    /// Where the expected values are from.
+    /// The source of the expected values.
     pub source: &'static str,
     /// The tower.
     pub tower: TowerDescription,
-    /// What the values are multiples of.
+    /// The unit of the values.
     pub unit: Unit,
-    /// What the last digit of an expected value means.
+    /// The uncertainty of the last digit of an expected value.
     pub digits: Digits,
-    /// What is expected.
+    /// The expected values.
     pub expected: Vec<Expected>,
-    /// Who should give it.
+    /// The methods that must reproduce them.
     pub runs: Vec<Run>,
 }
 
-/// What a value is a multiple of.
+/// The unit of a value.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Unit {
     /// Its name: `Hz`, or `1` for a dimensionless frequency.
     pub name: &'static str,
-    /// How much it is, Hz.
+    /// Its size, Hz.
     pub hz: f64,
 }
 
@@ -43,38 +43,37 @@ impl Unit {
         name: "Hz",
         hz: 1.0,
     };
-    /// Values that are no frequencies.
+    /// Values that are not frequencies.
     pub const NONE: Self = Self { name: "1", hz: 1.0 };
 
-    /// Dimensionless values, as the literature has them, each worth so many Hz.
+    /// Dimensionless values, as in the literature, in units of `hz`.
     pub fn dimensionless(hz: f64) -> Self {
         Self { name: "1", hz }
     }
 }
 
-/// Which of a mode's frequencies is compared.
+/// The frequency of a mode that is compared.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Value {
-    /// That of the model itself.
+    /// The frequency of the model.
     Frequency,
-    /// The one extrapolated from several numbers of segments.
+    /// The frequency extrapolated from several numbers of segments.
     Extrapolated,
 }
 
-/// A method that should give the expected values.
+/// A method that must reproduce the expected values.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Run {
-    /// How the tower is solved; the number of modes is set as the case needs it.
+    /// The options of the solve; the number of modes is set as the case requires.
     pub options: Options,
-    /// Which frequency is compared.
+    /// The frequency that is compared.
     pub value: Value,
-    /// What the method promises, relatively: the error that is left to it beside the digits of the
-    /// source.
+    /// The permitted relative error of the method, in addition to the rounding of the source.
     pub allowance: f64,
 }
 
 impl Run {
-    /// A method with so many segments, whose own frequencies are compared.
+    /// A method with a number of segments, without extrapolation.
     pub fn of(method: Method, segments: usize) -> Self {
         Self {
             options: Options {
@@ -87,8 +86,7 @@ impl Run {
         }
     }
 
-    /// BModes with so many equal elements between two heights (m), wherever the rows of the tower
-    /// are.
+    /// BModes with equal elements between two heights (m), independent of the rows of the tower.
     pub fn bmodes(base_m: f64, top_m: f64, elements: usize) -> Self {
         let mut run = Self::of(Method::Bmodes, elements);
         let border = |k: usize| {
@@ -111,7 +109,7 @@ impl Run {
         }
     }
 
-    /// A method extrapolated from so many segments, with an error of n⁻⁴ left.
+    /// A method extrapolated from a number of segments n; the remaining error is of order n⁻⁴.
     pub fn extrapolated(method: Method, segments: usize, allowance: f64) -> Self {
         Self {
             value: Value::Extrapolated,
@@ -120,13 +118,13 @@ impl Run {
         }
     }
 
-    /// The same as an Euler-Bernoulli beam.
+    /// The same for an Euler-Bernoulli beam.
     pub fn without_rotary_inertia(mut self) -> Self {
         self.options.rotary_inertia = false;
         self
     }
 
-    /// The same with more left to the method.
+    /// The same with another allowance.
     pub fn allowing(mut self, allowance: f64) -> Self {
         self.allowance = allowance;
         self
@@ -140,7 +138,7 @@ impl Run {
         }
     }
 
-    /// The method with its segments: "rmje 20", "rmje-exact 400, extrapolated".
+    /// The method with its number of segments: "rmje 20", "rmje-exact 400, extrapolated".
     pub fn name(&self) -> String {
         let method = self.options.method.name();
         let segments = self.options.segments.map(|n| format!(" {n}"));
@@ -153,7 +151,7 @@ impl Run {
 }
 
 impl Case {
-    /// Solves the tower by every method and compares.
+    /// Solves the tower by each method and compares.
     pub fn run(&self) -> Vec<Row> {
         self.runs.iter().flat_map(|run| self.rows(run)).collect()
     }
@@ -182,7 +180,7 @@ impl Case {
         self.expected.iter().map(row).collect()
     }
 
-    /// Solves for all expected modes, or for as many as there are.
+    /// Solves for all expected modes, or for all modes of the tower if it has fewer.
     fn solution(&self, run: &Run, tower: &Tower) -> Result<Solution, String> {
         let options = Options {
             modes: 2 * self.expected.len() + 4,
@@ -205,7 +203,8 @@ impl Case {
             .map_err(|error| error.to_string())
     }
 
-    /// What came out for a value; of a pair that there should be, both members.
+    /// The computed value, or the reason why there is none. Both modes of an expected pair must
+    /// have it.
     fn got(
         &self,
         run: &Run,

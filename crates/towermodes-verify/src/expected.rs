@@ -2,32 +2,32 @@
 
 use towermodes::Family;
 
-/// What the last digit of an expected value means.
+/// The uncertainty of the last digit of an expected value.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Digits {
-    /// It was printed, so it was rounded: half a unit of it is left open.
+    /// The value was rounded for print: half a unit of the last digit.
     Printed,
-    /// It was computed and is known to about one unit.
+    /// The value was computed: about one unit of the last digit.
     Computed,
 }
 
-/// What a value is a value of.
+/// The quantity that a value belongs to.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Quantity {
     /// The frequency of a mode by family and order in it, from 1; fore-aft stands for both members
     /// of a pair where the planes are equal.
     Mode(Family, usize),
-    /// The frequency of the mode at a place, from 1, in the list of all modes: where motions are
-    /// coupled a family is only a name.
+    /// The frequency of the mode at a place, from 1, in the list of all modes, for coupled motions,
+    /// which belong to no single family.
     Lowest(usize),
-    /// The factor that all weights, multiplied by it, buckle the tower with; it has no unit.
+    /// The factor on gravity at which the tower buckles; it has no unit.
     BucklingLoadFactor,
 }
 
 /// A value that is expected of a solution.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Expected {
-    /// What it is a value of.
+    /// The quantity.
     pub quantity: Quantity,
     /// The value, in the case's unit.
     pub value: f64,
@@ -36,29 +36,40 @@ pub struct Expected {
 }
 
 impl Expected {
-    /// The values of the modes of one family from the first on, written as their source has them.
+    /// The values of the modes of one family in rising order, separated by spaces, with the digits
+    /// of the source.
     ///
     /// # Panics
     /// If a text is not a number: the manual itself would be wrong.
-    pub fn series(family: Family, values: &[&str]) -> Vec<Self> {
-        let series = values.iter().enumerate();
+    pub fn series(family: Family, values: &str) -> Vec<Self> {
+        let series = (1..).zip(values.split_whitespace());
         series
-            .map(|(index, text)| Self::of(family, index + 1, text))
+            .map(|(order, text)| Self::of(family, order, text))
             .collect()
     }
 
-    /// The values of the lowest of all modes, written as their source has them.
+    /// The values of both bending planes where these differ, as in [`series`](Self::series).
     ///
     /// # Panics
     /// As [`series`](Self::series).
-    pub fn lowest(values: &[&str]) -> Vec<Self> {
-        let places = values.iter().enumerate();
+    pub fn planes(fore_aft: &str, side_side: &str) -> Vec<Self> {
+        let mut values = Self::series(Family::ForeAft, fore_aft);
+        values.extend(Self::series(Family::SideSide, side_side));
+        values
+    }
+
+    /// The values of the lowest of all modes, separated by spaces, with the digits of the source.
+    ///
+    /// # Panics
+    /// As [`series`](Self::series).
+    pub fn lowest(values: &str) -> Vec<Self> {
+        let places = (1..).zip(values.split_whitespace());
         places
-            .map(|(index, text)| Self::parsed(Quantity::Lowest(index + 1), text))
+            .map(|(place, text)| Self::parsed(Quantity::Lowest(place), text))
             .collect()
     }
 
-    /// One value, written as its source has it.
+    /// One value with the digits of the source.
     ///
     /// # Panics
     /// As [`series`](Self::series).
@@ -66,7 +77,7 @@ impl Expected {
         Self::parsed(Quantity::Mode(family, order), text)
     }
 
-    /// The factor by which weights must grow to buckle the tower, written as its source has it.
+    /// The factor on gravity at which the tower buckles, with the digits of the source.
     ///
     /// # Panics
     /// As [`series`](Self::series).
@@ -82,7 +93,7 @@ impl Expected {
         }
     }
 
-    /// What it is a value of: "bending 2", "mode 2".
+    /// The name of its quantity: "bending 2", "mode 2".
     pub fn what(&self, planes_are_equal: bool) -> String {
         match self.quantity {
             Quantity::Mode(Family::ForeAft, order) if planes_are_equal => {
@@ -94,19 +105,19 @@ impl Expected {
         }
     }
 
-    /// How much the digits given leave open, in the case's unit.
+    /// The uncertainty of the given digits, in the case's unit.
     pub(crate) fn open(&self, digits: Digits) -> f64 {
         let unit = 0.1_f64.powi(self.decimals as i32);
         match digits {
-            // A printed value may lie on the edge of its rounding.
+            // The exact value may lie at the limit of the rounding.
             Digits::Printed => 0.5 * unit * (1.0 + 1e-9),
             Digits::Computed => unit,
         }
     }
 }
 
-/// The families that have a mode that is expected of one: both bending planes if they are equal,
-/// the family itself else.
+/// The families in which an expected mode must occur: both bending planes if they are equal,
+/// otherwise the family itself.
 pub(crate) fn families(family: Family, planes_are_equal: bool) -> [Family; 2] {
     match family {
         Family::ForeAft if planes_are_equal => [Family::ForeAft, Family::SideSide],

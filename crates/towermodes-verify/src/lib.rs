@@ -1,4 +1,4 @@
-//! The verification manual: towers and beams with known answers, and whether they come out.
+//! The verification manual: towers and beams with known frequencies, compared with the solver.
 //!
 //! ```
 //! let case = &towermodes_verify::manual()[0];
@@ -7,11 +7,12 @@
 //! assert_eq!(rows[0].expected.value, 0.8905);
 //! ```
 //!
-//! A [`Case`] is a tower, where its answers are from, and what each method should give. A tolerance
-//! is what the last digit given leaves open, and an allowance for the method or the reference
-//! ([`Run::allowance`]).
+//! A [`Case`] is a tower with reference values, their source, and the methods that must reproduce
+//! them. The tolerance is the rounding of the last given digit plus an allowance for the method or
+//! the reference ([`Run::allowance`]).
 
 mod case;
+mod chapter;
 pub mod coverage;
 mod expected;
 mod manual;
@@ -22,7 +23,8 @@ mod row_keys;
 pub mod towers;
 
 pub use case::{Case, Run, Unit, Value};
+pub use chapter::Chapter;
 pub use expected::{Digits, Expected, Quantity};
-pub use manual::{CHAPTERS, Chapter, manual};
+pub use manual::{CHAPTERS, manual};
 pub use markdown::markdown;
 pub use row::{Row, Verification};

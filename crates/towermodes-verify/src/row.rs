@@ -1,28 +1,28 @@
 //! One line of the manual.
 
+use crate::chapter::Chapter;
 use crate::expected::Expected;
-use crate::manual::Chapter;
 
-/// One line of the manual: an expected value and what came out.
+/// One line of the manual: an expected and a computed value.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Row {
-    /// Where in the manual it stands.
+    /// The chapter of the manual.
     pub chapter: Chapter,
-    /// The case's name.
+    /// The name of the case.
     pub case: String,
-    /// Where the expected value is from.
+    /// The source of the expected value.
     pub source: &'static str,
-    /// What it is a value of: "bending 2".
+    /// The name of the quantity: "bending 2".
     pub what: String,
-    /// The method with its segments.
+    /// The method with its number of segments.
     pub method: String,
-    /// What the values are multiples of: `Hz`, or `1`.
+    /// The unit of the values: `Hz`, or `1`.
     pub unit: &'static str,
     /// The expected value.
     pub expected: Expected,
-    /// What came out, or why nothing did.
+    /// The computed value, or the reason why there is none.
     pub got: Result<f64, String>,
-    /// By how much the two may differ, relatively.
+    /// The permitted relative difference.
     pub tolerance: f64,
 }
 
@@ -33,12 +33,13 @@ impl Row {
         Some(got / self.expected.value - 1.0)
     }
 
-    /// Whether another row, next to this one, is of the same case.
+    /// Whether a neighbouring row belongs to the same case.
     pub fn is_of_the_case_of(&self, other: &Self) -> bool {
         (&self.case, self.source) == (&other.case, other.source)
     }
 
-    /// What came out with one digit more than was expected, or why nothing did.
+    /// The computed value with one digit more than the expected one, or the reason why there is
+    /// none.
     pub fn shown(&self) -> String {
         let decimals = self.expected.decimals + 1;
         match &self.got {
@@ -47,8 +48,8 @@ impl Row {
         }
     }
 
-    /// The relative difference with one digit; below 1e-12 only that, because the last bits depend
-    /// on the machine.
+    /// The relative difference with one digit, or `<1e-12`, because the last bits depend on the
+    /// processor.
     pub fn shown_difference(&self) -> String {
         match self.relative_difference() {
             None => String::new(),
@@ -95,7 +96,7 @@ impl Row {
         if self.passes() { "PASS" } else { "FAIL" }
     }
 
-    /// Whether it came out.
+    /// Whether the difference is within the tolerance.
     pub fn passes(&self) -> bool {
         self.relative_difference()
             .is_some_and(|difference| difference.abs() <= self.tolerance)
@@ -109,7 +110,7 @@ impl Row {
 pub struct Verification {
     /// Number of values compared.
     pub values: usize,
-    /// How many of them do not agree.
+    /// Number of values outside their tolerance.
     pub failures: usize,
     /// Every value.
     pub rows: Vec<Row>,

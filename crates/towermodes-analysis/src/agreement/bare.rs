@@ -1,5 +1,4 @@
-//! A tower without all that is not its own: what its wall and its point masses are over a part of
-//! its height.
+//! The wall and the point masses of a tower over a part of its height, without everything else.
 
 use super::columns::HeightRange;
 use towermodes::tower::{
@@ -7,8 +6,8 @@ use towermodes::tower::{
     TowerDescription, Tube,
 };
 
-/// The part of a tower between two heights, clamped at its base: no machine, foundation, soil,
-/// water, wires, weights, shear deformation.
+/// The part of a tower between two heights, clamped at its base, without RNA, foundation, soil,
+/// water, guy wires, gravity and shear deformation.
 pub(super) fn bare(
     tower: &Tower,
     point_masses: &[PointMass],
@@ -36,8 +35,7 @@ pub(super) fn bare(
     bare
 }
 
-/// Two rows for a part of a piece; what is equal where pieces meet is joined again when the tower
-/// is made.
+/// Adds two rows for a part of a piece; equal rows of neighbouring pieces are merged by the tower.
 fn add(piece: &Piece, part: HeightRange, bare: &mut TowerDescription) {
     let ends_m = [part.base_m, part.top_m];
     match piece.profile {
@@ -47,7 +45,7 @@ fn add(piece: &Piece, part: HeightRange, bare: &mut TowerDescription) {
             material,
             ..
         } => {
-            // The density has the outfitting in it.
+            // The density includes the outfitting.
             if bare.materials.last() != Some(&material) {
                 bare.materials.push(material);
             }
@@ -72,8 +70,8 @@ fn add(piece: &Piece, part: HeightRange, bare: &mut TowerDescription) {
     }
 }
 
-/// The value at a height of what is linear over a piece: exact at both ends, and infinite where
-/// both are.
+/// The value at a height of a quantity that is linear over a piece: exact at both ends, infinite if
+/// both end values are.
 fn linear(piece: &Piece, base: f64, top: f64, height_m: f64) -> f64 {
     if height_m == piece.base_m || base == top {
         base

@@ -57,23 +57,30 @@ pub(super) fn frequencies(
     };
     let first = solved(towers[0], WhichTower::First)?;
     let second = solved(towers[1], WhichTower::Second)?;
-    let compared = |(family, order): (Family, usize)| {
-        let frequency = |solution: &Solution| Some(solution.mode(family, order)?.frequency_hz);
-        let (first_hz, second_hz) = (frequency(&first), frequency(&second));
-        let both = first_hz.zip(second_hz);
-        let compared = both.map(|(first, second)| Compared::ratio(first, second, limit));
-        ComparedFrequency {
-            label: family.label(order),
-            first_hz,
-            second_hz,
-            difference: compared.map(|compared| compared.difference),
-            verdict: compared.map_or(Verdict::Warn, |compared| compared.verdict),
-        }
-    };
-    let modes = WANTED.into_iter().map(compared);
+    let modes = WANTED.into_iter().map(|mode| {
+        let hz = |solution: &Solution| Some(solution.mode(mode.0, mode.1)?.frequency_hz);
+        compared(mode, hz(&first), hz(&second), limit)
+    });
     Ok(modes
         .filter(|mode| mode.first_hz.is_some() || mode.second_hz.is_some())
         .collect())
+}
+
+fn compared(
+    (family, order): (Family, usize),
+    first_hz: Option<f64>,
+    second_hz: Option<f64>,
+    limit: f64,
+) -> ComparedFrequency {
+    let both = first_hz.zip(second_hz);
+    let compared = both.map(|(first, second)| Compared::ratio(first, second, limit));
+    ComparedFrequency {
+        label: family.label(order),
+        first_hz,
+        second_hz,
+        difference: compared.map(|compared| compared.difference),
+        verdict: compared.map_or(Verdict::Warn, |compared| compared.verdict),
+    }
 }
 
 fn has_all(solution: &Solution) -> bool {

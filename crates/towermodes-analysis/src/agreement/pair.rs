@@ -7,7 +7,7 @@ use super::frequencies::{ComparedFrequency, frequencies};
 use super::heights::Heights;
 use super::{Agreement, AgreementError, WhichTower};
 use crate::verdict::Verdict;
-use towermodes::tower::{Foundation, PointMass, Tower, TowerDescription};
+use towermodes::tower::{Foundation, Planes, PointMass, Tower, TowerDescription};
 
 /// Compares two descriptions that should be of the same tower.
 ///
@@ -26,57 +26,42 @@ pub fn agree(
     limits: &AgreementLimits,
 ) -> Result<Agreement, AgreementError> {
     let pair = Pair::new([first, second])?;
-    let (towers, overlap) = (&pair.towers, pair.overlap);
-    let masses = pair.point_masses();
-    let columns = [0, 1].map(|i| Columns::new(&towers[i], masses[i], overlap.base_m));
+    let columns = pair.columns();
     let heights = Heights {
         columns: columns.each_ref(),
-        overlap,
+        overlap: pair.overlap,
         limits: *limits,
     };
-    let stations_m: Vec<f64> = towers.iter().flat_map(Tower::station_heights_m).collect();
-    let (largest_mass, largest_bending) = heights.largest(&stations_m);
+    let stations_m = pair.towers.iter().flat_map(Tower::station_heights_m);
+    let (largest_mass, largest_bending) = heights.largest(&stations_m.collect::<Vec<_>>());
     let (fore_aft, side_side) = (largest_bending.fore_aft, largest_bending.side_side);
     let furthest_m = [largest_mass, fore_aft, side_side].map(|largest| largest.height_m);
-    let [[kg, other_kg], [center_m, other_center_m]] = masses_and_centers(&columns, overlap);
-    let [attached_kg, other_attached_kg] = pair.point_masses_kg();
-    let share_of = |first, second, scale| Compared::on_scale(first, second, scale, limits.mass);
-    let [tip, other_tip] = towers
-        .each_ref()
-        .map(|tower| tip_flexibility(tower, overlap));
+    let [mass_kg, point_masses_kg, center_of_mass_m] = pair.masses(&columns, limits.mass);
     let [first_range, second_range] = pair.ranges;
     let agreement = Agreement {
         verdict: Verdict::Pass,
         first_range,
         second_range,
-        overlap,
+        overlap: pair.overlap,
         shift_m: pair.shift_m(),
         window_m: heights.window_m(),
-        mass_kg: Compared::ratio(kg, other_kg, limits.mass),
-        point_masses_kg: share_of(attached_kg, other_attached_kg, kg),
-        center_of_mass_m: share_of(center_m, other_center_m, overlap.length_m()),
-        tip_flexibility_m_per_n: tip.zip(other_tip, |a, b| Compared::ratio(a, b, limits.stiffness)),
+        mass_kg,
+        point_masses_kg,
+        center_of_mass_m,
+        tip_flexibility_m_per_n: pair.tip_flexibility(limits.stiffness),
         largest_mass,
         largest_bending,
         rows: heights.rows(&furthest_m),
         frequencies_bare: pair.frequencies_bare(limits.frequency)?,
         frequencies_as_given: pair.frequencies_as_given(limits.frequency)?,
     };
-    let verdict = agreement.worst();
     Ok(Agreement {
-        verdict,
+        verdict: agreement.worst(),
         ..agreement
     })
 }
 
-/// The masses of both, kg, and the heights of their centres, m.
-fn masses_and_centers(columns: &[Columns<'_>; 2], overlap: HeightRange) -> [[f64; 2]; 2] {
-    let sums = columns.each_ref().map(|columns| columns.mass(overlap));
-    let center_m = |(kg, kg_m): (f64, f64)| overlap.base_m + kg_m / kg;
-    [sums.map(|(kg, _)| kg), sums.map(center_m)]
-}
-
-/// Two towers and what they share.
+/// Two towers and their common heights.
 struct Pair<'a> {
     descriptions: [&'a TowerDescription; 2],
     towers: [Tower; 2],
@@ -105,6 +90,33 @@ impl<'a> Pair<'a> {
             .map(|description| description.point_masses.as_slice())
     }
 
+    fn columns(&self) -> [Columns<'_>; 2] {
+        let masses = self.point_masses();
+        [0, 1].map(|i| Columns::new(&self.towers[i], masses[i], self.overlap.base_m))
+    }
+
+    /// Over the overlap: mass; point masses as fractions of the first mass; height of the centre of
+    /// mass as a fraction of the length.
+    fn masses(&self, columns: &[Columns<'_>; 2], limit: f64) -> [Compared; 3] {
+        let sums = columns.each_ref().map(|columns| columns.mass(self.overlap));
+        let [kg, other_kg] = sums.map(|(kg, _)| kg);
+        let [center_m, other_center_m] = sums.map(|(kg, kg_m)| self.overlap.base_m + kg_m / kg);
+        let [attached_kg, other_attached_kg] = self.point_masses_kg();
+        [
+            Compared::ratio(kg, other_kg, limit),
+            Compared::on_scale(attached_kg, other_attached_kg, kg, limit),
+            Compared::on_scale(center_m, other_center_m, self.overlap.length_m(), limit),
+        ]
+    }
+
+    fn tip_flexibility(&self, limit: f64) -> Planes<Compared> {
+        let towers = self.towers.each_ref();
+        let [first, second] = towers.map(|tower| tip_flexibility(tower, self.overlap));
+        first.zip(second, |first, second| {
+            Compared::ratio(first, second, limit)
+        })
+    }
+
     /// The point masses of each on the overlap, kg.
     fn point_masses_kg(&self) -> [f64; 2] {
         self.point_masses().map(|masses| {
@@ -113,7 +125,7 @@ impl<'a> Pair<'a> {
         })
     }
 
-    /// How much higher the second is, if both are equally long.
+    /// The distance of the second above the first, if both are equally long.
     fn shift_m(&self) -> Option<f64> {
         let [first, second] = &self.ranges;
         let shift_m = second.base_m - first.base_m;
@@ -121,7 +133,7 @@ impl<'a> Pair<'a> {
         (is_as_long && !is_same_height(shift_m, 0.0)).then_some(shift_m)
     }
 
-    /// Without all that some programs' files do not have.
+    /// Without the quantities that the files of some programs lack.
     fn frequencies_bare(&self, limit: f64) -> Result<Vec<ComparedFrequency>, AgreementError> {
         let masses = self.point_masses();
         let towers = both([0, 1].map(|i| bare(&self.towers[i], masses[i], self.overlap)))?;

@@ -1,9 +1,9 @@
-//! What no tower or shape of ElastoDyn can have.
+//! The limits of the values of ElastoDyn's tower model and its modes.
 
 use super::model::{MAX_NODES, ModelError, PlaneModes, TowerModel};
 
 impl TowerModel {
-    /// Refuses what ElastoDyn refuses, and what its formulas cannot take.
+    /// Refuses models that ElastoDyn refuses, or that its formulas cannot represent.
     pub(super) fn check(&self) -> Result<(), ModelError> {
         let nodes = self.nodes;
         if !(1..=MAX_NODES).contains(&nodes) {
@@ -55,7 +55,7 @@ impl TowerModel {
     }
 }
 
-/// Refuses shapes, tuners and damping that cannot be.
+/// Refuses shapes, tuners and damping out of range.
 pub(super) fn check_modes(modes: &PlaneModes) -> Result<(), ModelError> {
     for (shape, (tuner, damping)) in
         (modes.shapes.iter()).zip(modes.tuners.into_iter().zip(modes.damping_percent))

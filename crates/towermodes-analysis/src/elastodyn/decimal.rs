@@ -11,7 +11,7 @@ pub const COEFFICIENT_DECIMALS: u32 = 8;
 pub const MAX_DECIMALS: u32 = 15;
 /// OpenFAST refuses coefficients whose sum differs from 1 by more than this.
 pub const SUM_TOLERANCE: f64 = 0.0015;
-/// A coefficient of this size is no shape of a tower, whose largest known ones are some hundreds.
+/// Larger coefficients do not describe a mode shape of a tower; known ones reach some hundreds.
 const MAX_COEFFICIENT: f64 = 1e12;
 
 /// A polynomial in whole units of its last decimal, whose coefficients sum to 1 exactly.
@@ -49,25 +49,27 @@ pub enum RoundingError {
     },
 }
 
-impl DecimalPolynomial {
-    /// The rounded polynomial. The coefficients are first divided by their sum, which scales the
-    /// shape only; the remainder of the rounding goes to the largest coefficient, which changes
-    /// relatively least.
-    pub(super) fn nearest(
-        polynomial: &TowerPolynomial,
-        decimals: u32,
-    ) -> Result<Self, RoundingError> {
+impl TowerPolynomial {
+    /// The coefficients rounded to decimals that sum to 1 exactly.
+    ///
+    /// They are first divided by their sum, which scales the shape only; the remainder of the
+    /// rounding is added to the largest coefficient, which changes relatively least.
+    ///
+    /// # Errors
+    /// [`RoundingError`]: the number of decimals or a coefficient is out of range, or the sum is
+    /// not 1.
+    pub fn rounded(&self, decimals: u32) -> Result<DecimalPolynomial, RoundingError> {
         if !(1..=MAX_DECIMALS).contains(&decimals) {
             return Err(RoundingError::Decimals { decimals });
         }
-        let coefficients = polynomial.coefficients;
+        let coefficients = self.coefficients;
         for (power, value) in (2..).zip(coefficients) {
             if value.is_nan() || value.abs() > MAX_COEFFICIENT {
                 return Err(RoundingError::Coefficient { power, value });
             }
         }
-        let sum = polynomial.sum();
-        // Numbers so bounded have a finite sum.
+        // The coefficients are bounded, so their sum is finite.
+        let sum = self.sum();
         if (sum - 1.0).abs() > SUM_TOLERANCE {
             return Err(RoundingError::Sum { sum });
         }
@@ -77,9 +79,11 @@ impl DecimalPolynomial {
         if let Some(largest) = units.iter_mut().max_by_key(|units| units.abs()) {
             *largest += left;
         }
-        Ok(Self { units, decimals })
+        Ok(DecimalPolynomial { units, decimals })
     }
+}
 
+impl DecimalPolynomial {
     /// The polynomial with the decimals as numbers, as a program reads them.
     pub fn polynomial(&self) -> TowerPolynomial {
         TowerPolynomial {

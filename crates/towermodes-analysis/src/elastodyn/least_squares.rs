@@ -2,8 +2,7 @@
 
 use towermodes::symmetric::eigenpairs;
 
-/// A column whose part beyond the columns before it is smaller than this, of itself, says nothing
-/// of its own.
+/// A column is dependent on those before it if the rest is smaller than this fraction of it.
 const DEPENDENT: f64 = 1e-10;
 
 /// The solution of a least-squares problem.
@@ -15,8 +14,7 @@ pub(super) struct LeastSquares<const N: usize> {
     pub(super) condition: f64,
 }
 
-/// The x for which |A x − b| is least, A given by its columns; none if they are not independent of
-/// each other.
+/// The x that minimizes |A x − b| for A given by its columns; none if these are linearly dependent.
 ///
 /// Golub & Van Loan 2013, ch. 5.3.2. The singular values are those of R: the roots of the
 /// eigenvalues of RᵀR.
@@ -42,11 +40,7 @@ pub(super) fn least_squares<const N: usize>(
         mirror.reflect(&mut b[k..]);
         r[k][k] = mirror.diagonal;
     }
-    let mut solution = [0.0; N];
-    for i in (0..N).rev() {
-        let known: f64 = (i + 1..N).map(|j| r[i][j] * solution[j]).sum();
-        solution[i] = (b[i] - known) / r[i][i];
-    }
+    let mut solution = back_substitution(&r, &b);
     for (x, length) in solution.iter_mut().zip(lengths) {
         *x /= length;
     }
@@ -57,15 +51,25 @@ pub(super) fn least_squares<const N: usize>(
     })
 }
 
-/// The reflection that leaves of a column only its first entry.
+/// The x with R x = b for an upper triangular R.
+fn back_substitution<const N: usize>(r: &[[f64; N]; N], b: &[f64]) -> [f64; N] {
+    let mut x = [0.0; N];
+    for i in (0..N).rev() {
+        let known: f64 = (i + 1..N).map(|j| r[i][j] * x[j]).sum();
+        x[i] = (b[i] - known) / r[i][i];
+    }
+    x
+}
+
+/// The reflection that makes all entries of a column zero except the first.
 struct Mirror {
     normal: Vec<f64>,
-    /// That entry.
+    /// The first entry after the reflection.
     diagonal: f64,
 }
 
 impl Mirror {
-    /// None if the column, once of length 1, has nothing left.
+    /// None if the rest of a column of length 1 is nearly zero.
     fn of(column: &[f64]) -> Option<Self> {
         let length = norm(column);
         if length.is_nan() || length <= DEPENDENT {

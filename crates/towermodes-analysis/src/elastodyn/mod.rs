@@ -12,6 +12,7 @@ mod check;
 mod damping;
 mod decimal;
 mod fit;
+mod generalized;
 mod least_squares;
 mod model;
 mod model_difference;
@@ -29,9 +30,8 @@ pub use decimal::{
     COEFFICIENT_DECIMALS, DecimalPolynomial, MAX_DECIMALS, RoundingError, SUM_TOLERANCE,
 };
 pub use fit::{FitError, PolynomialFit, SMALLEST_TIP_SHARE, fit};
-pub use model::{
-    ConcentratedMass, Generalized, MAX_NODES, ModelError, PlaneModes, TowerModel, TowerStation,
-};
+pub use generalized::Generalized;
+pub use model::{ConcentratedMass, MAX_NODES, ModelError, PlaneModes, TowerModel, TowerStation};
 pub use model_difference::ModelDifference;
 pub use polynomial::TowerPolynomial;
 pub use same_tower::{OtherTower, SameTower, same_tower};

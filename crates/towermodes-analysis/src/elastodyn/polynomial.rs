@@ -1,7 +1,5 @@
 //! The polynomials that ElastoDyn uses for mode shapes.
 
-use super::decimal::{DecimalPolynomial, RoundingError};
-
 /// A mode shape φ(x) = Σ cₖ xᵏ, k = 2 to 6. The height x is a fraction of the flexible tower, 0 at
 /// its base and 1 at its top.
 ///
@@ -31,15 +29,6 @@ impl TowerPolynomial {
     /// Σ cₖ = φ(1).
     pub fn sum(&self) -> f64 {
         self.coefficients.iter().sum()
-    }
-
-    /// The coefficients rounded to decimals that sum to 1 exactly.
-    ///
-    /// # Errors
-    /// [`RoundingError`]: the number of decimals or a coefficient is out of range, or the sum is
-    /// not 1.
-    pub fn rounded(&self, decimals: u32) -> Result<DecimalPolynomial, RoundingError> {
-        DecimalPolynomial::nearest(self, decimals)
     }
 
     /// Σ cₖ factor(k) xᵏ⁻².

@@ -85,21 +85,18 @@ pub fn validate_shapes(
     own: &TowerShapes,
     limits: &ValidationLimits,
 ) -> Result<ShapeValidation, ModelError> {
-    let implied = |plane: Plane| -> Result<_, ModelError> {
+    let implied_hz = |plane: Plane| -> Result<_, ModelError> {
         let modes = shipped.of(plane);
         let best = PlaneModes {
             shapes: own.polynomials(plane),
             ..modes
         };
-        let frequencies = |modes: &PlaneModes| {
-            let of_modes = model.generalized(plane, modes);
-            of_modes.map(|quantities| quantities.frequency_alone_hz)
-        };
-        Ok((frequencies(&modes)?, frequencies(&best)?))
+        let alone_hz = |modes| Ok(model.generalized(plane, modes)?.frequency_alone_hz);
+        Ok((alone_hz(&modes)?, alone_hz(&best)?))
     };
-    let implied = [implied(Plane::ForeAft)?, implied(Plane::SideSide)?];
+    let implied_hz = [implied_hz(Plane::ForeAft)?, implied_hz(Plane::SideSide)?];
     let shapes: [ValidatedShape; 4] = std::array::from_fn(|i| {
-        let (shape, (shipped_hz, best_hz)) = (&own.shapes[i], implied[i / 2]);
+        let (shape, (shipped_hz, best_hz)) = (&own.shapes[i], implied_hz[i / 2]);
         let shapes = shipped.of(shape.plane).shapes;
         let mut validated = compared(shape, &shapes, i % 2);
         validated.implied_hz = shipped_hz[i % 2];
@@ -125,7 +122,7 @@ fn compared(shape: &TowerShape, shapes: &[TowerPolynomial; 2], number: usize) ->
     let best = sampled(&shape.fit.polynomial);
     let weights = trapezoidal(&points);
     let size = (shape.fit.largest_deflection * shape.fit.tip_deflection).abs();
-    let left = |basis: &[&[f64]]| what_is_left(&mode, basis, &weights).sqrt() / size;
+    let left = |basis: &[&[f64]]| orthogonal_mean_square(&mode, basis, &weights).sqrt() / size;
     let (rms, best_rms) = (left(&[&file[number]]), left(&[&best]));
     ValidatedShape {
         plane: shape.plane,
@@ -143,14 +140,14 @@ fn compared(shape: &TowerShape, shapes: &[TowerPolynomial; 2], number: usize) ->
     }
 }
 
-/// The mean square of what is left of a vector without its parts along others, by Gram and Schmidt.
-fn what_is_left(vector: &[f64], basis: &[&[f64]], weights: &[f64]) -> f64 {
+/// The mean square of the component of a vector orthogonal to others, by the Gram-Schmidt process.
+fn orthogonal_mean_square(vector: &[f64], basis: &[&[f64]], weights: &[f64]) -> f64 {
     let dot = |a: &[f64], b: &[f64]| -> f64 {
         let terms = a.iter().zip(b).zip(weights);
         terms.map(|((a, b), weight)| weight * a * b).sum()
     };
     let without = |mut vector: Vec<f64>, others: &[Vec<f64>]| {
-        // Twice is enough.
+        // Two passes are orthogonal to working precision.
         for other in others.iter().chain(others) {
             let share = dot(&vector, other) / dot(other, other);
             if share.is_finite() {

@@ -5,7 +5,8 @@ use thiserror::Error;
 use super::decimal::{COEFFICIENT_DECIMALS, DecimalPolynomial, RoundingError};
 use super::fit::{FitError, PolynomialFit, fit};
 use super::selection::{
-    DEFAULT_TORSION_LIMIT, PassedOver, SelectionError, sample_heights_m, select_bending_modes,
+    BendingModes, DEFAULT_TORSION_LIMIT, PassedOver, SelectionError, sample_heights_m,
+    select_bending_modes,
 };
 use super::shape_samples::ShapeSamples;
 use towermodes::Plain;
@@ -122,25 +123,27 @@ pub fn tower_shapes(
             Err(SelectionError::TooFewModes { .. }) if options.modes < MOST_MODES => {
                 options.modes *= 2;
             }
-            Err(error) => return Err(error.into()),
-            Ok(bending) => {
-                let shape = |plane, number: usize| {
-                    let mode = bending.modes.of(plane)[number - 1];
-                    let samples = bending.samples(plane, number - 1);
-                    shape(plane, number, mode, samples)
-                };
-                return Ok(TowerShapes {
-                    shapes: [
-                        shape(Plane::ForeAft, 1)?,
-                        shape(Plane::ForeAft, 2)?,
-                        shape(Plane::SideSide, 1)?,
-                        shape(Plane::SideSide, 2)?,
-                    ],
-                    passed_over: bending.passed_over,
-                });
-            }
+            selected => return fitted(selected?),
         }
     }
+}
+
+/// The shapes fitted to the selected modes.
+fn fitted(bending: BendingModes<'_>) -> Result<TowerShapes, ShapesError> {
+    let shape = |plane, number: usize| {
+        let mode = bending.modes.of(plane)[number - 1];
+        let samples = bending.samples(plane, number - 1);
+        shape(plane, number, mode, samples)
+    };
+    Ok(TowerShapes {
+        shapes: [
+            shape(Plane::ForeAft, 1)?,
+            shape(Plane::ForeAft, 2)?,
+            shape(Plane::SideSide, 1)?,
+            shape(Plane::SideSide, 2)?,
+        ],
+        passed_over: bending.passed_over,
+    })
 }
 
 fn shape(

@@ -34,6 +34,31 @@ pub struct CampbellOptions {
     pub speeds: usize,
 }
 
+impl Default for CampbellOptions {
+    fn default() -> Self {
+        Self {
+            margin: DEFAULT_MARGIN,
+            multiples: Vec::new(),
+            blade_modes: 6,
+            speeds: 25,
+        }
+    }
+}
+
+impl CampbellOptions {
+    /// The multiples of the rotor speed, rising, each once.
+    pub(super) fn multiples_of(&self, rotor: &Rotor) -> Vec<usize> {
+        let blades = rotor.blades;
+        let mut multiples = match &self.multiples[..] {
+            [] => vec![1, blades, 2 * blades, 3 * blades],
+            asked => asked.to_vec(),
+        };
+        multiples.sort_unstable();
+        multiples.dedup();
+        multiples
+    }
+}
+
 /// The mode that a natural frequency belongs to.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Excited {

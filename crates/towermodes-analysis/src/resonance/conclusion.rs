@@ -87,29 +87,27 @@ fn sentence(campbell: &Campbell, firsts: &[First]) -> String {
     };
     let mut firsts = firsts.to_vec();
     firsts.sort_by(|a, b| hz(a).total_cmp(&hz(b)));
-    let text = |first: &First| four_digits(hz(first));
-    let subject = match &firsts[..] {
-        [a, b] if text(a) == text(b) => format!("frequencies, both {} Hz, lie", text(a)),
-        [a, b] => format!(
-            "frequencies, {} Hz ({}) and {} Hz ({}), lie",
-            text(a),
-            a.family.name(),
-            text(b),
-            b.family.name()
-        ),
-        firsts => format!(
-            "frequency, {} Hz, lies",
-            firsts.iter().map(text).collect::<String>()
-        ),
-    };
-    let plane = match &firsts[..] {
-        [first] => format!("{} ", first.family.name()),
-        _ => String::new(),
-    };
+    let named: Vec<_> = firsts
+        .iter()
+        .map(|first| (first.family.name(), four_digits(hz(first))))
+        .collect();
+    let subject = subject(&named);
     let class = firsts.first().map(|first| first.class);
     let (place, class) = class.map_or_else(Default::default, |class| place(class, &campbell.rotor));
     let margin = least_margin(campbell, &firsts).unwrap_or_default();
-    format!("The first {plane}bending {subject} {place}{margin}: {class}.")
+    format!("The first {subject} {place}{margin}: {class}.")
+}
+
+/// The subject of the sentence with its verb, from the planes and their frequencies.
+fn subject(named: &[(&str, String)]) -> String {
+    match named {
+        [(_, a), (_, b)] if a == b => format!("bending frequencies, both {a} Hz, lie"),
+        [(plane, a), (other, b)] => {
+            format!("bending frequencies, {a} Hz ({plane}) and {b} Hz ({other}), lie")
+        }
+        [(plane, hz)] => format!("{plane} bending frequency, {hz} Hz, lies"),
+        _ => "bending frequency lies".to_owned(),
+    }
 }
 
 /// The frequency range of a class in words, and its name.

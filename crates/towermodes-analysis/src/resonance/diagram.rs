@@ -1,8 +1,7 @@
 //! The Campbell diagram: lines of tower and blade, margins, classes.
 
 use super::campbell::{
-    BEYOND_OPERATION, Campbell, CampbellError, CampbellOptions, DEFAULT_MARGIN, Excited,
-    FrequencyLine,
+    BEYOND_OPERATION, Campbell, CampbellError, CampbellOptions, Excited, FrequencyLine, Margin,
 };
 use super::class::class;
 use super::margin::margin;
@@ -19,17 +18,6 @@ const GOOD_PART: f64 = 0.2;
 
 /// The largest number of speeds at which a blade is solved.
 const MOST_SPEEDS: usize = 1000;
-
-impl Default for CampbellOptions {
-    fn default() -> Self {
-        Self {
-            margin: DEFAULT_MARGIN,
-            multiples: Vec::new(),
-            blade_modes: 6,
-            speeds: 25,
-        }
-    }
-}
 
 /// The Campbell diagram of a tower, and of a blade if given: natural frequencies against the
 /// multiples of the rotor speed, with margins and verdicts.
@@ -84,38 +72,40 @@ pub fn campbell(
     options: &CampbellOptions,
 ) -> Result<Campbell, CampbellError> {
     check(tower, solution, rotor, options)?;
-    let speeds_rpm = speeds_rpm(rotor, options.speeds);
     let last_rpm = BEYOND_OPERATION * rotor.highest_rpm;
-    let mut lines: Vec<FrequencyLine> = solution
-        .modes
-        .iter()
-        .map(|mode| tower_line(mode, last_rpm))
-        .collect();
+    let modes = solution.modes.iter();
+    let mut lines: Vec<FrequencyLine> = modes.map(|mode| tower_line(mode, last_rpm)).collect();
     if let Some(blade) = blade {
+        let speeds_rpm = speeds_rpm(rotor, options.speeds);
         lines.extend(blade_lines(blade, options.blade_modes, &speeds_rpm)?);
     }
-    let multiples = multiples(rotor, options);
-    let pairs = lines
-        .iter()
-        .enumerate()
-        .flat_map(|line| multiples.iter().map(move |multiple| (line, *multiple)));
-    let margins = pairs
-        .filter_map(|(line, multiple)| margin(line, multiple, rotor, options.margin))
-        .collect();
     let first = first_bending_modes(solution);
+    let class_of = |index: usize| class(solution.modes[index].frequency_hz, rotor);
     Ok(Campbell {
         rotor: *rotor,
         margin: options.margin,
         classes: first
             .iter()
-            .map(|(plane, index)| (*plane, class(solution.modes[*index].frequency_hz, rotor)))
+            .map(|(plane, index)| (*plane, class_of(*index)))
             .collect(),
         first_bending: first.iter().map(|(_, index)| *index).collect(),
         known_to_hz: known_to_hz(solution),
-        multiples,
+        multiples: options.multiples_of(rotor),
+        margins: margins(&lines, rotor, options),
         lines,
-        margins,
     })
+}
+
+/// The margins of all lines, for each line in the order of the multiples.
+fn margins(lines: &[FrequencyLine], rotor: &Rotor, options: &CampbellOptions) -> Vec<Margin> {
+    let multiples = options.multiples_of(rotor);
+    let pairs = lines
+        .iter()
+        .enumerate()
+        .flat_map(|line| multiples.iter().map(move |multiple| (line, *multiple)));
+    pairs
+        .filter_map(|(line, multiple)| margin(line, multiple, rotor, options.margin))
+        .collect()
 }
 
 fn check(
@@ -144,18 +134,6 @@ fn check(
         return Ok(());
     }
     Err(CampbellError::OtherTower)
-}
-
-/// The multiples asked for, each once, rising.
-pub(super) fn multiples(rotor: &Rotor, options: &CampbellOptions) -> Vec<usize> {
-    let blades = rotor.blades;
-    let mut multiples = match &options.multiples[..] {
-        [] => vec![1, blades, 2 * blades, 3 * blades],
-        asked => asked.to_vec(),
-    };
-    multiples.sort_unstable();
-    multiples.dedup();
-    multiples
 }
 
 fn tower_line(mode: &Mode, last_rpm: f64) -> FrequencyLine {

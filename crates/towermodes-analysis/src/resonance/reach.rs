@@ -1,7 +1,6 @@
 //! How high the excitations of a rotor reach, and whether the list of modes reaches as high.
 
 use super::campbell::{Campbell, CampbellOptions};
-use super::diagram::multiples;
 use super::margin::is_strong;
 use crate::verdict::Verdict;
 use towermodes::tower::Rotor;
@@ -45,12 +44,12 @@ pub fn reach_hz(rotor: &Rotor, options: &CampbellOptions) -> f64 {
     let reach = |multiple: usize| {
         let warned = match is_strong(multiple, rotor) && options.margin < 0.5 {
             true => 2.0 * options.margin,
-            // Within 50 % nothing is above all of it.
+            // With 50 % or more no frequency is 2 m above the excitation.
             false => options.margin,
         };
         multiple as f64 * rotor.highest_rpm / 60.0 / (1.0 - warned)
     };
-    let reaches = multiples(rotor, options).into_iter().map(reach);
+    let reaches = options.multiples_of(rotor).into_iter().map(reach);
     reaches.fold(0.0, f64::max)
 }
 

@@ -1,6 +1,6 @@
 //! Methods compared on one tower.
 
-use super::follow::{FollowedMode, followed, not_found, solve_for};
+use super::follow::{FollowedMode, compared, followed, not_found, solve_for};
 use towermodes::Method;
 use towermodes::Warning;
 use towermodes::tower::Tower;
@@ -13,6 +13,19 @@ pub struct ColumnSpec {
     pub method: Method,
     /// Number of segments or elements; none for the default of the method.
     pub segments: Option<usize>,
+}
+
+impl ColumnSpec {
+    /// The options of the solves of this column.
+    fn applied_to(self, options: &Options) -> Options {
+        Options {
+            method: self.method,
+            segments: self.segments,
+            degree: None,
+            points: 2,
+            ..options.clone()
+        }
+    }
 }
 
 /// The frequencies of a tower by one method.
@@ -71,11 +84,11 @@ pub fn compare(
     compare_with(tower, options, columns, &mut Workspace::default(), done)
 }
 
-/// Segments, or elements, of each method in a comparison of all methods unless told.
+/// The default number of segments or elements in a comparison of all methods.
 pub const COMPARED_SEGMENTS: usize = 60;
 
-/// A column for every method with the same number of segments or elements; the spectral beam has
-/// its own number.
+/// A column for every method with the same number of segments or elements; the spectral beam
+/// chooses its own number.
 pub fn all_methods(segments: usize) -> Vec<ColumnSpec> {
     let column = |method| ColumnSpec {
         method,
@@ -114,50 +127,40 @@ pub fn compare_with(
     workspace: &mut Workspace,
     mut done: impl FnMut(&mut Column, &Options),
 ) -> Result<Comparison, SolveError> {
-    let with = |spec: &ColumnSpec| Options {
-        method: spec.method,
-        segments: spec.segments,
-        degree: None,
-        points: 2,
-        ..options.clone()
-    };
-    let spectral = with(&ColumnSpec {
+    let spectral = ColumnSpec {
         method: Method::Spectral,
         segments: None,
-    });
-    let truth = solve_with(tower, &spectral, workspace)?;
-    let mut comparison = Comparison {
-        modes: followed(tower, &truth),
-        columns: Vec::with_capacity(columns.len()),
-        warnings: truth.warnings,
     };
+    let reference = solve_with(tower, &spectral.applied_to(options), workspace)?;
+    let modes = followed(tower, &reference);
+    let mut warnings = reference.warnings;
+    let mut solved = Vec::with_capacity(columns.len());
     for spec in columns {
-        let options = with(spec);
-        let solution = solve_for(tower, &options, &comparison.modes, workspace)?;
-        let mut column = column(&solution, &comparison.modes);
-        comparison
-            .warnings
-            .extend(not_found(&comparison.modes, &solution));
+        let options = spec.applied_to(options);
+        let solution = solve_for(tower, &options, &modes, workspace)?;
+        warnings.extend(not_found(&modes, &solution));
+        let mut column = column(&solution, &modes);
         let modes = solution.modes.len();
         done(&mut column, &Options { modes, ..options });
-        comparison.columns.push(column);
+        solved.push(column);
     }
-    Ok(comparison)
+    Ok(Comparison {
+        modes,
+        columns: solved,
+        warnings,
+    })
 }
 
 /// The column of a solution.
 fn column(solution: &Solution, modes: &[FollowedMode]) -> Column {
-    let frequency = |mode: &FollowedMode| mode.frequency_in(solution);
+    let (frequencies_hz, relative_differences) = compared(modes, solution);
     Column {
         method: solution.method,
         segments: solution.segments,
         degree: solution.degree,
         degrees_of_freedom: solution.degrees_of_freedom,
         seconds_per_solve: None,
-        frequencies_hz: modes.iter().map(frequency).collect(),
-        relative_differences: modes
-            .iter()
-            .map(|mode| mode.relative_difference(frequency(mode)))
-            .collect(),
+        frequencies_hz,
+        relative_differences,
     }
 }

@@ -1,6 +1,6 @@
 //! The convergence of one method as its number of segments, or its degree, increases.
 
-use super::follow::{FollowedMode, followed, not_found, solve_for};
+use super::follow::{FollowedMode, compared, followed, not_found, solve_for};
 use towermodes::Method;
 use towermodes::Warning;
 use towermodes::tower::Tower;
@@ -22,15 +22,23 @@ impl Fineness {
             Self::Segments(number) | Self::Degree(number) => number,
         }
     }
-}
 
-impl Fineness {
     /// The polynomial degree, if that is refined.
     pub fn degree(self) -> Option<usize> {
         match self {
             Self::Segments(_) => None,
             Self::Degree(degree) => Some(degree),
         }
+    }
+
+    /// The options with this refinement.
+    fn applied_to(self, options: &Options) -> Options {
+        let mut options = options.clone();
+        match self {
+            Self::Segments(segments) => options.segments = Some(segments),
+            Self::Degree(degree) => options.degree = Some(degree),
+        }
+        options
     }
 }
 
@@ -148,22 +156,9 @@ pub fn converge_with(
     let modes = followed(tower, &beam);
     let mut levels: Vec<Level> = Vec::with_capacity(fineness.len());
     for &asked in fineness {
-        let options = match asked {
-            Fineness::Segments(segments) => Options {
-                segments: Some(segments),
-                ..options.clone()
-            },
-            Fineness::Degree(degree) => Options {
-                degree: Some(degree),
-                ..options.clone()
-            },
-        };
-        let solution = solve_for(tower, &options, &modes, workspace)?;
+        let solution = solve_for(tower, &asked.applied_to(options), &modes, workspace)?;
         warnings.extend(not_found(&modes, &solution));
-        let frequency = |mode: &FollowedMode| mode.frequency_in(&solution);
-        let frequencies_hz: Vec<_> = modes.iter().map(frequency).collect();
-        let error = |(f, mode): (&Option<f64>, &FollowedMode)| mode.relative_difference(*f);
-        let errors = frequencies_hz.iter().zip(&modes).map(error).collect();
+        let (frequencies_hz, errors) = compared(&modes, &solution);
         let mut level = Level {
             asked,
             segments: solution.segments,

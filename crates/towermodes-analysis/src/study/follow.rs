@@ -30,7 +30,7 @@ pub struct FollowedMode {
 
 impl FollowedMode {
     /// The relative difference f/f_reference − 1 of a frequency (Hz); 0 if both are 0.
-    pub(super) fn relative_difference(&self, frequency_hz: Option<f64>) -> Option<f64> {
+    fn relative_difference(&self, frequency_hz: Option<f64>) -> Option<f64> {
         match (frequency_hz?, self.frequency_hz) {
             (f, limit) if f == limit => Some(0.0),
             (_, 0.0) => None,
@@ -39,10 +39,23 @@ impl FollowedMode {
     }
 
     /// Its frequency in a solution, Hz, if the solution has the mode.
-    pub(super) fn frequency_in(&self, solution: &Solution) -> Option<f64> {
+    fn frequency_in(&self, solution: &Solution) -> Option<f64> {
         let mode = solution.modes.iter().find(|mode| mode.key() == self.key)?;
         Some(mode.frequency_hz)
     }
+}
+
+/// The frequency (Hz) of each followed mode in a solution, and its relative difference from the
+/// reference; none where the solution lacks the mode.
+pub(super) fn compared(
+    modes: &[FollowedMode],
+    solution: &Solution,
+) -> (Vec<Option<f64>>, Vec<Option<f64>>) {
+    let pair = |mode: &FollowedMode| {
+        let frequency_hz = mode.frequency_in(solution);
+        (frequency_hz, mode.relative_difference(frequency_hz))
+    };
+    modes.iter().map(pair).unzip()
 }
 
 /// The modes of a solution; a repeated pair once.

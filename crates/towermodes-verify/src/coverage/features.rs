@@ -1,12 +1,12 @@
-//! What surrounds random towers, and what is narrow in them.
+//! Soil, water and narrow features of random towers.
 
 use towermodes::{
-    AddedMassRow, Foundation, FoundationSprings, Properties, PropertyStation, SoilRow,
+    AddedMassRow, Foundation, FoundationSprings, Planes, Properties, PropertyStation, SoilRow,
     SoilStiffness, Station, TowerDescription, Water,
 };
 
-use super::class::{plain, steel};
 use super::seed::Seed;
+use super::tubes::{plain, steel};
 
 /// Puts the lower 10 to 40 m of a tower into soil.
 pub(super) fn in_soil(mut tower: TowerDescription, seed: &mut Seed) -> TowerDescription {
@@ -79,7 +79,7 @@ pub(super) fn in_water(tower: TowerDescription, seed: &mut Seed) -> TowerDescrip
     }
 }
 
-/// What can be narrow.
+/// The number of quantities that can have a narrow feature.
 const NARROW: usize = 9;
 
 /// A tower where one quantity differs much over a small part of the height.
@@ -90,39 +90,30 @@ pub(super) fn with_something_narrow(seed: &mut Seed) -> TowerDescription {
     let middle_m = seed.between(0.05 * height_m, 0.95 * height_m);
     let heights_m = [middle_m - half_m, middle_m, middle_m + half_m];
     let is_step = seed.chance(0.5);
+    // The value at these heights as a fraction of the largest: a step, or a triangle.
+    let ends = if is_step { 1.0 } else { 0.0 };
+    let profile = heights_m.into_iter().zip([ends, 1.0, ends]);
     match seed.whole(1, NARROW) {
         1 => {
-            // 0.1 to 30 t in all.
-            let mass_kg_per_m = seed.log_between(1e2, 3e4) / half_m;
-            let row = |height_m, share: f64| AddedMassRow {
+            // 0.1 to 30 t in total.
+            let largest = seed.log_between(1e2, 3e4) / half_m;
+            let row = |(height_m, fraction)| AddedMassRow {
                 height_m,
-                mass_kg_per_m: share * mass_kg_per_m,
+                mass_kg_per_m: fraction * largest,
             };
-            let ends = if is_step { 1.0 } else { 0.0 };
-            let rows = [
-                row(heights_m[0], ends),
-                row(middle_m, 1.0),
-                row(heights_m[2], ends),
-            ];
             TowerDescription {
-                added_mass: vec![rows.to_vec()],
+                added_mass: vec![profile.map(row).collect()],
                 ..tower
             }
         }
         2 => {
-            let k = seed.log_between(1e4, 1e7) / half_m;
-            let row = |height_m, share: f64| SoilRow {
+            let largest = seed.log_between(1e4, 1e7) / half_m;
+            let row = |(height_m, fraction)| SoilRow {
                 height_m,
-                stiffness: stiffness(share * k),
+                stiffness: stiffness(fraction * largest),
             };
-            let ends = if is_step { 1.0 } else { 0.0 };
-            let rows = [
-                row(heights_m[0], ends),
-                row(middle_m, 1.0),
-                row(heights_m[2], ends),
-            ];
             TowerDescription {
-                soil: vec![rows.to_vec()],
+                soil: vec![profile.map(row).collect()],
                 ..tower
             }
         }
@@ -131,7 +122,7 @@ pub(super) fn with_something_narrow(seed: &mut Seed) -> TowerDescription {
     }
 }
 
-/// A wall so many times as thick around a height.
+/// A wall that is thicker by a factor around a height.
 fn narrow_wall(
     tower: TowerDescription,
     [lower_m, middle_m, upper_m]: [f64; 3],
@@ -166,33 +157,11 @@ fn narrow_row(
     is_step: bool,
     seed: &mut Seed,
 ) -> TowerDescription {
-    let base = tower.stations[0];
     let top_m = tower.stations[1].height_m;
-    let (d, t) = (base.outer_diameter_m, base.wall_thickness_m);
-    let area_m2 = std::f64::consts::PI * t * (d - t);
-    let second_m4 = area_m2 * d * d / 8.0;
-    let steel = steel();
-    let both = towermodes::Planes::both;
-    let usual = Properties {
-        mass_kg_per_m: steel.density_kg_per_m3 * area_m2,
-        rotary_inertia_kg_m: both(steel.density_kg_per_m3 * second_m4),
-        polar_inertia_kg_m: 2.0 * steel.density_kg_per_m3 * second_m4,
-        bending_n_m2: both(steel.youngs_modulus_pa * second_m4),
-        torsion_n_m2: 2.0 * steel.shear_modulus_pa * second_m4,
-        axial_n: steel.youngs_modulus_pa * area_m2,
-        shear_n: None,
-    };
-    let mut odd = usual;
+    let usual = thin_tube(&tower.stations[0]);
     let more = 1.0 + seed.log_between(0.1, 100.0) / (upper_m - lower_m).min(1.0);
     let less = seed.log_between(1e-3, 0.5);
-    match quantity {
-        4 => odd.mass_kg_per_m *= more,
-        5 => odd.bending_n_m2 = both(less * usual.bending_n_m2.fore_aft),
-        6 => odd.torsion_n_m2 *= less,
-        7 => odd.polar_inertia_kg_m *= 10.0 * more,
-        8 => odd.rotary_inertia_kg_m = both(10.0 * more * usual.rotary_inertia_kg_m.fore_aft),
-        _ => odd.axial_n *= less,
-    }
+    let odd = changed(usual, quantity, more, less);
     let row = |height_m, properties| PropertyStation {
         height_m,
         properties,
@@ -210,4 +179,38 @@ fn narrow_row(
         materials: Vec::new(),
         ..tower.clone()
     }
+}
+
+/// The properties of a thin steel tube.
+fn thin_tube(tube: &Station) -> Properties {
+    let (d, t) = (tube.outer_diameter_m, tube.wall_thickness_m);
+    let area_m2 = std::f64::consts::PI * t * (d - t);
+    let second_m4 = area_m2 * d * d / 8.0;
+    let steel = steel();
+    Properties {
+        mass_kg_per_m: steel.density_kg_per_m3 * area_m2,
+        rotary_inertia_kg_m: Planes::both(steel.density_kg_per_m3 * second_m4),
+        polar_inertia_kg_m: 2.0 * steel.density_kg_per_m3 * second_m4,
+        bending_n_m2: Planes::both(steel.youngs_modulus_pa * second_m4),
+        torsion_n_m2: 2.0 * steel.shear_modulus_pa * second_m4,
+        axial_n: steel.youngs_modulus_pa * area_m2,
+        shear_n: None,
+    }
+}
+
+/// The properties with one quantity increased or decreased by a factor.
+fn changed(usual: Properties, quantity: usize, more: f64, less: f64) -> Properties {
+    let mut odd = usual;
+    match quantity {
+        4 => odd.mass_kg_per_m *= more,
+        5 => odd.bending_n_m2 = Planes::both(less * usual.bending_n_m2.fore_aft),
+        6 => odd.torsion_n_m2 *= less,
+        7 => odd.polar_inertia_kg_m *= 10.0 * more,
+        8 => {
+            odd.rotary_inertia_kg_m =
+                Planes::both(10.0 * more * usual.rotary_inertia_kg_m.fore_aft);
+        }
+        _ => odd.axial_n *= less,
+    }
+    odd
 }

@@ -1,8 +1,8 @@
-//! How often the errors that are claimed hold: random towers of many classes by every method,
-//! against the beam itself.
+//! How often the estimated errors hold: random towers of many classes, each method compared with
+//! the reference beam solution.
 //!
-//! An error is *covered* if it is at most three times the claimed one. The reference is the
-//! spectral beam with its degree raised by four, of the physics of the method: without shear
+//! An error is *covered* if it is at most three times the estimated one. The reference is the
+//! spectral beam with a degree increased by four and the beam theory of the method: without shear
 //! deformation and rotary inertia for BModes.
 //! `cargo run --release -p towermodes-verify --example random_study` prints the tables of the book.
 
@@ -12,6 +12,7 @@ mod sample;
 mod seed;
 mod table;
 mod tally;
+mod tubes;
 
 pub use class::Class;
 pub use sample::{Fineness, Sample, samples};

@@ -1,9 +1,9 @@
-//! BModes itself, on tables of eleven rows, from one element to two hundred.
+//! Results of BModes for tables of eleven rows with 1 to 200 elements.
 
 use towermodes::Family;
 
-use super::Chapter;
 use crate::case::{Case, Run, Unit};
+use crate::chapter::Chapter;
 use crate::expected::{Digits, Expected};
 use crate::towers::reference_table;
 
@@ -112,7 +112,7 @@ fn expected(values: &str) -> Vec<Expected> {
         .collect()
 }
 
-/// The error of the reference values themselves, relatively.
+/// The relative error of the reference values.
 fn noise(elements: usize) -> f64 {
     match elements {
         0..=50 => 0.0,

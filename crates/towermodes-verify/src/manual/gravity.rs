@@ -1,10 +1,10 @@
-//! Uniform columns under their own weight, and the load that buckles them.
+//! Uniform columns under gravity, and their buckling loads.
 
 use towermodes::{Method, TowerDescription};
 
-use super::Chapter;
 use super::uniform::{bending_case, runs_without_rotary_inertia};
 use crate::case::{Case, Run, Unit};
+use crate::chapter::Chapter;
 use crate::expected::{Digits, Expected};
 use crate::towers::{Uniform, reference_350t, reference_eccentric};
 
@@ -16,21 +16,20 @@ pub(super) const CHAPTER: Chapter = Chapter {
         on gravity that leads to this load.",
 };
 
-const COLUMN: [(f64, &[&str]); 7] = [
-    (0.5, &["3.40246006", "21.93615108", "61.59600931"]),
-    (1.0, &["3.28492338", "21.83734378", "61.49460759"]),
-    (2.0, &["3.03603660", "21.63830299", "61.29121007"]),
-    (4.0, &["2.46296720", "21.23432817", "60.88200906"]),
-    (6.0, &["1.70527448", "20.82211274", "60.46954209"]),
-    (7.0, &["1.15155323", "20.61276058", "60.26206154"]),
-    (7.8, &["0.243259605", "20.44366115", "60.09547016"]),
+const COLUMN: [(f64, &str); 7] = [
+    (0.5, "3.40246006 21.93615108 61.59600931"),
+    (1.0, "3.28492338 21.83734378 61.49460759"),
+    (2.0, "3.03603660 21.63830299 61.29121007"),
+    (4.0, "2.46296720 21.23432817 60.88200906"),
+    (6.0, "1.70527448 20.82211274 60.46954209"),
+    (7.0, "1.15155323 20.61276058 60.26206154"),
+    (7.8, "0.243259605 20.44366115 60.09547016"),
 ];
 
 const SOURCE: &str = "power series of the column's equation, 40 digits";
 
-/// Near buckling λ² is the small difference of elastic and geometric stiffness, 1/(1 − α/7.84)
-/// times as sensitive as either: an error that extrapolation leaves of them grows with that, and
-/// one that is squared in it with its square.
+/// Near buckling λ² is the small difference of elastic and geometric stiffness. It is
+/// 1/(1 − α/7.84) times as sensitive as either, and so is the error after extrapolation.
 const NEAR_BUCKLING: f64 = 1e-6;
 
 pub(super) fn cases() -> Vec<Case> {
@@ -46,7 +45,7 @@ pub(super) fn cases() -> Vec<Case> {
         "α = 0.1, μ = 1.3, ε = 0.0224".into(),
         SOURCE,
         tipped(),
-        &["1.31276038", "15.33192959", "48.44664495"],
+        "1.31276038 15.33192959 48.44664495",
         runs_without_rotary_inertia(),
     );
     column
@@ -64,7 +63,7 @@ fn sensitive(run: Run) -> Run {
     run.allowing(allowance)
 }
 
-/// A column that presses little itself and carries more than it weighs.
+/// A column with little self-weight and a heavier tip mass.
 fn tipped() -> Uniform {
     Uniform::new(0.01, None)
         .with_tip(1.3, 0.0, 0.0224)
@@ -111,9 +110,9 @@ fn load(name: &str, source: &'static str, tower: TowerDescription, factor: &str)
         digits: Digits::Computed,
         expected: vec![Expected::buckling_load_factor(factor)],
         runs: vec![
-            // The degree is raised until the frequencies stand still, not this.
+            // The degree is raised until the frequencies converge, not the load factor.
             Run::spectral().allowing(1e-9),
-            // Joints instead of curvature: (κl)²/12 of the load with κ ≈ 2/L, and a taper beside.
+            // Joints instead of curvature: error (κl)²/12 with κ ≈ 2/L, and that of a taper.
             Run::of(Method::RmjeExact, 800).allowing(5e-6),
         ],
     }

@@ -1,4 +1,4 @@
-//! The manual: every case, one chapter a file.
+//! The cases of the manual, one file per chapter.
 
 mod bmodes;
 mod elements;
@@ -13,17 +13,7 @@ mod uniform;
 mod winkler;
 
 use crate::case::Case;
-
-/// A part of the manual.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Chapter {
-    /// Its name on the command line.
-    pub name: &'static str,
-    /// Its title.
-    pub title: &'static str,
-    /// What it is about, in a paragraph.
-    pub introduction: &'static str,
-}
+use crate::chapter::Chapter;
 
 /// The chapters in their order.
 pub const CHAPTERS: [Chapter; 11] = [

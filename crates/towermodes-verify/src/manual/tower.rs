@@ -2,9 +2,9 @@
 
 use towermodes::{Family, Shear, TowerDescription};
 
-use super::Chapter;
 use super::uniform::{runs, runs_without_rotary_inertia};
 use crate::case::{Case, Run, Unit};
+use crate::chapter::Chapter;
 use crate::expected::{Digits, Expected};
 use crate::towers::{reference, reference_350t, reference_with_machine};
 
@@ -16,63 +16,54 @@ pub(super) const CHAPTER: Chapter = Chapter {
 };
 
 pub(super) fn cases() -> Vec<Case> {
-    let bending = |values: &[&str]| Expected::series(Family::ForeAft, values);
-    let mut rayleigh = bending(&["0.89126241", "4.35371186", "11.24619532", "21.33701097"]);
-    rayleigh.push(Expected::of(Family::Torsion, 1, "11.9613216"));
-    rayleigh.push(Expected::of(Family::Axial, 1, "16.5228378"));
-    let mut heavy = bending(&["0.30020574", "3.0452761", "9.0970095"]);
-    heavy.push(Expected::of(Family::Axial, 1, "7.1141451"));
-    let mut machine = bending(&["0.28678522", "2.07484399", "4.92265"]);
-    let side_side = ["0.28425472", "1.73461203", "4.58349"];
-    machine.extend(Expected::series(Family::SideSide, &side_side));
-    let euler = bending(&[
-        "0.8921691544",
-        "4.3781396436",
-        "11.4006474352",
-        "21.8835803280",
-        "35.8568026965",
-    ]);
-    let half = bending(&[
-        "0.885153338",
-        "4.206221834",
-        "10.435474971",
-        "18.846211207",
-        "28.866082698",
-    ]);
-    let cowper = bending(&["0.885502299", "4.214341967", "10.477621612"]);
-    vec![
-        case("Rayleigh", reference(), rayleigh, runs()),
-        case(
-            "Rayleigh, 350 t point mass",
-            reference_350t(),
-            heavy,
-            runs(),
-        ),
-        case(
-            "Euler-Bernoulli",
-            reference(),
-            euler,
-            runs_without_rotary_inertia(),
-        ),
-        case(
-            "Euler-Bernoulli, 350 t point mass",
-            reference_350t(),
-            bending(&["0.3002420125", "3.0523001605", "9.1717458683"]),
-            runs_without_rotary_inertia(),
-        ),
-        case(
-            "Euler-Bernoulli, RNA with inertia",
-            reference_with_machine(),
-            machine,
-            runs_without_rotary_inertia(),
-        ),
+    let mut cases = rayleigh().to_vec();
+    cases.extend(euler_bernoulli());
+    cases.extend(timoshenko());
+    cases
+}
+
+fn bending(values: &str) -> Vec<Expected> {
+    Expected::series(Family::ForeAft, values)
+}
+
+fn rayleigh() -> [Case; 2] {
+    let mut alone = bending("0.89126241 4.35371186 11.24619532 21.33701097");
+    alone.push(Expected::of(Family::Torsion, 1, "11.9613216"));
+    alone.push(Expected::of(Family::Axial, 1, "16.5228378"));
+    let mut loaded = bending("0.30020574 3.0452761 9.0970095");
+    loaded.push(Expected::of(Family::Axial, 1, "7.1141451"));
+    let name = "Rayleigh, 350 t point mass";
+    [
+        case("Rayleigh", reference(), alone, runs()),
+        case(name, reference_350t(), loaded, runs()),
+    ]
+}
+
+fn euler_bernoulli() -> [Case; 3] {
+    let alone = "0.8921691544 4.3781396436 11.4006474352 21.8835803280 35.8568026965";
+    let loaded = "0.3002420125 3.0523001605 9.1717458683";
+    let with_rna = Expected::planes(
+        "0.28678522 2.07484399 4.92265",
+        "0.28425472 1.73461203 4.58349",
+    );
+    [
+        ("", reference(), bending(alone)),
+        (", 350 t point mass", reference_350t(), bending(loaded)),
+        (", RNA with inertia", reference_with_machine(), with_rna),
+    ]
+    .map(|(top, tower, expected)| {
+        let name = format!("Euler-Bernoulli{top}");
+        case(&name, tower, expected, runs_without_rotary_inertia())
+    })
+}
+
+fn timoshenko() -> [Case; 2] {
+    let half = bending("0.885153338 4.206221834 10.435474971 18.846211207 28.866082698");
+    let cowper = bending("0.885502299 4.214341967 10.477621612");
+    let name = "Timoshenko, κ of a thin tube";
+    [
         case("Timoshenko, κ = 0.5", sheared(0.5), half, runs()),
-        case(
-            "Timoshenko, κ of a thin tube",
-            sheared(thin_tube()),
-            cowper,
-            runs(),
-        ),
+        case(name, sheared(thin_tube()), cowper, runs()),
     ]
 }
 

@@ -2,9 +2,9 @@
 
 use towermodes::Family;
 
-use super::Chapter;
 use super::uniform::{bending_case, runs_without_rotary_inertia};
 use crate::case::{Case, Unit};
+use crate::chapter::Chapter;
 use crate::expected::Expected;
 use crate::towers::Uniform;
 
@@ -16,13 +16,10 @@ pub(super) const CHAPTER: Chapter = Chapter {
 };
 
 /// √(λ₀² + k) for the λ₀ of the clamped beam.
-const VALUES: [(f64, &[&str]); 3] = [
-    (1.0, &["3.65545666", "22.05717159", "61.70531798"]),
-    (
-        100.0,
-        &["10.60011148", "24.19749612", "62.50237009", "121.31476953"],
-    ),
-    (1e4, &["100.06179273", "102.39882235", "117.50126070"]),
+const VALUES: [(f64, &str); 3] = [
+    (1.0, "3.65545666 22.05717159 61.70531798"),
+    (100.0, "10.60011148 24.19749612 62.50237009 121.31476953"),
+    (1e4, "100.06179273 102.39882235 117.50126070"),
 ];
 
 pub(super) fn cases() -> Vec<Case> {
@@ -35,7 +32,7 @@ pub(super) fn cases() -> Vec<Case> {
     bending.into_iter().chain([rods()]).collect()
 }
 
-/// Torsion and stretch of the beam in soil: β of both rods, as of the beam in the air.
+/// Torsion and axial motion of the beam in soil: β of both rods, as without soil.
 fn rods() -> Case {
     let beam = Uniform::new(0.02, None).in_soil(100.0);
     let wave_m_per_s = (Uniform::YOUNGS_MODULUS_PA / Uniform::DENSITY_KG_PER_M3).sqrt();
@@ -44,15 +41,15 @@ fn rods() -> Case {
         "rods, k = 100".into(),
         "β = (2k − 1) π/2, with √(G/E) in torsion",
         beam,
-        &[],
+        "",
         runs_without_rotary_inertia(),
     );
     case.unit = Unit::dimensionless(wave_m_per_s / Uniform::LENGTH_M / std::f64::consts::TAU);
-    case.expected = Expected::series(Family::Axial, &["1.5707963268", "4.7123889804"]);
+    case.expected = Expected::series(Family::Axial, "1.5707963268 4.7123889804");
     // √0.4 of these.
     case.expected.extend(Expected::series(
         Family::Torsion,
-        &["0.9934588266", "2.9803764797"],
+        "0.9934588266 2.9803764797",
     ));
     case
 }

@@ -8,7 +8,7 @@ use towermodes::{
 
 use super::{reference, reference_350t};
 
-/// The reference tower with a machine of 350 t whose centre is beside the axis.
+/// The reference tower with a rotor-nacelle assembly of 350 t whose centre is beside the axis.
 pub fn reference_eccentric() -> TowerDescription {
     TowerDescription {
         name: "reference, eccentric machine".into(),
@@ -17,7 +17,7 @@ pub fn reference_eccentric() -> TowerDescription {
     }
 }
 
-/// The same on springs under its base.
+/// The same on foundation springs.
 pub fn reference_on_springs() -> TowerDescription {
     TowerDescription {
         name: "reference, eccentric machine, springs".into(),
@@ -49,8 +49,8 @@ pub fn reference_in_soil() -> TowerDescription {
     }
 }
 
-/// The machine of the OC3 deck of BModes. Its xx counts the generator as J_g q², though a locked
-/// rotor has J_g; the reference values of this manual are of these numbers.
+/// The rotor-nacelle assembly of the OC3 deck of BModes. Its xx includes the generator as J_g q²,
+/// although a locked rotor has J_g; the reference values of this manual are for these numbers.
 fn eccentric_machine() -> Rna {
     Rna {
         mass_kg: 350e3,
@@ -65,24 +65,15 @@ fn eccentric_machine() -> Rna {
     }
 }
 
-/// A tower on a monopile in two layers of soil and 20 m of water that also stands in it, with a
-/// piece of concrete, wires, a transformer and an eccentric machine under gravity: everything that
-/// a tower on the ground can have.
+/// A tower under gravity on a flooded monopile in two layers of soil and 20 m of water, with a
+/// concrete section, guy wires, a transformer and an eccentric rotor-nacelle assembly: everything
+/// that a bottom-fixed tower can have.
 pub fn monopile() -> TowerDescription {
     let steel = Material::from_poissons_ratio(8500.0, 2.1e11, 0.3);
     let concrete = Material::from_poissons_ratio(2500.0, 3.6e10, 0.2);
     let station = |z, d, t, material| Station {
         material,
         ..Station::new(z, d, t)
-    };
-    let row = |height_m, x_n_per_m2, z_n_per_m2, torsion_n| SoilRow {
-        height_m,
-        stiffness: SoilStiffness {
-            x_n_per_m2,
-            y_n_per_m2: x_n_per_m2,
-            z_n_per_m2,
-            torsion_n,
-        },
     };
     TowerDescription {
         name: "monopile".into(),
@@ -97,17 +88,7 @@ pub fn monopile() -> TowerDescription {
         ],
         outfitting_factor: 1.03,
         rna: eccentric_machine(),
-        point_masses: vec![PointMass {
-            height_m: 12.0,
-            mass_kg: 30e3,
-            inertia_kg_m2: Inertia {
-                xx: 3e5,
-                yy: 2e5,
-                zz: 4e5,
-                xy: 5e4,
-                ..Inertia::default()
-            },
-        }],
+        point_masses: vec![transformer()],
         foundation: Foundation::Springs(FoundationSprings {
             lateral_n_per_m: 8e8,
             rocking_n_m: 6e9,
@@ -115,15 +96,7 @@ pub fn monopile() -> TowerDescription {
             vertical_n_per_m: 2e9,
             torsion_n_m: 5e9,
         }),
-        soil: vec![
-            vec![
-                row(-50.0, 1.2e8, 4e7, 3e8),
-                row(-35.0, 6e7, 3e7, 2e8),
-                row(-20.0, 4e6, 1e7, 5e7),
-            ],
-            // A firmer layer between them.
-            vec![row(-40.0, 3e7, 0.0, 0.0), row(-30.0, 2e7, 0.0, 0.0)],
-        ],
+        soil: soil_with_a_firm_layer(),
         water: Some(Water {
             level_m: 0.0,
             bed_m: Some(-20.0),
@@ -142,7 +115,41 @@ pub fn monopile() -> TowerDescription {
     }
 }
 
-/// A tower on a spar: slender, ballasted and moored.
+fn transformer() -> PointMass {
+    PointMass {
+        height_m: 12.0,
+        mass_kg: 30e3,
+        inertia_kg_m2: Inertia {
+            xx: 3e5,
+            yy: 2e5,
+            zz: 4e5,
+            xy: 5e4,
+            ..Inertia::default()
+        },
+    }
+}
+
+fn soil_with_a_firm_layer() -> Vec<Vec<SoilRow>> {
+    let row = |height_m, x_n_per_m2, z_n_per_m2, torsion_n| SoilRow {
+        height_m,
+        stiffness: SoilStiffness {
+            x_n_per_m2,
+            y_n_per_m2: x_n_per_m2,
+            z_n_per_m2,
+            torsion_n,
+        },
+    };
+    vec![
+        vec![
+            row(-50.0, 1.2e8, 4e7, 3e8),
+            row(-35.0, 6e7, 3e7, 2e8),
+            row(-20.0, 4e6, 1e7, 5e7),
+        ],
+        vec![row(-40.0, 3e7, 0.0, 0.0), row(-30.0, 2e7, 0.0, 0.0)],
+    ]
+}
+
+/// A tower on a spar: a slender, ballasted and moored floating platform.
 pub fn floater() -> TowerDescription {
     let platform = FloatingPlatform {
         mass_kg: 7.5e6,
@@ -170,8 +177,8 @@ pub fn floater() -> TowerDescription {
     }
 }
 
-/// A matrix about the water's surface that is the same in both planes, of its entries 11, 15, 33,
-/// 44 and 66: 22, 24 and 55 follow.
+/// A matrix referred to the water surface with equal planes, from its entries 11, 15, 33, 44 and
+/// 66, which determine 22, 24 and 55.
 fn axisymmetric([surge, surge_pitch, heave, pitch, yaw]: [f64; 5]) -> ReferredMatrix {
     let mut matrix: SpatialMatrix = [[0.0; 6]; 6];
     for (i, value) in [surge, surge, heave, pitch, pitch, yaw]

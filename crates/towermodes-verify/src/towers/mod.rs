@@ -1,4 +1,4 @@
-//! The towers and beams of the manual, one library for all methods and tests.
+//! The towers and beams of the manual, shared by all methods and tests.
 
 mod beams;
 mod coupled;
@@ -34,7 +34,7 @@ fn reference_steel() -> Material {
     Material::from_shear_modulus(8500.0, 2.1e11, 8.08e10)
 }
 
-/// The same with a point mass of 350 t point mass.
+/// The same with a point mass of 350 t on top.
 pub fn reference_350t() -> TowerDescription {
     TowerDescription {
         rna: Rna::point(350e3),
@@ -46,26 +46,36 @@ pub fn reference_350t() -> TowerDescription {
 /// The same with the rotor-nacelle assembly of the NREL 5 MW turbine, centred on the axis.
 pub fn reference_with_machine() -> TowerDescription {
     TowerDescription {
-        rna: Rna {
-            mass_kg: 349_606.5,
-            center_m: [0.0, 0.0, 1.966427],
-            inertia_kg_m2: Inertia {
-                xx: 42_620_975.3,
-                yy: 24_376_664.3,
-                zz: 22_652_099.0,
-                ..Inertia::default()
-            },
-        },
+        rna: centred_rna(
+            349_606.5,
+            1.966427,
+            [42_620_975.3, 24_376_664.3, 22_652_099.0],
+        ),
         ..reference()
     }
 }
 
-/// The reference tower with its wall so many times as thick, as a table of eleven equal rows, with
-/// a point mass (kg) on top.
+/// A rotor-nacelle assembly with its centre of mass on the axis and its principal moments of
+/// inertia.
+fn centred_rna(mass_kg: f64, above_m: f64, [xx, yy, zz]: [f64; 3]) -> Rna {
+    Rna {
+        mass_kg,
+        center_m: [0.0, 0.0, above_m],
+        inertia_kg_m2: Inertia {
+            xx,
+            yy,
+            zz,
+            ..Inertia::default()
+        },
+    }
+}
+
+/// The reference tower with its wall thickness multiplied by a factor, as a table of eleven equally
+/// spaced rows, with a point mass (kg) on top.
 pub fn reference_table(wall: f64, top_kg: f64) -> TowerDescription {
     let steel = reference_steel();
-    let row = |k: usize| {
-        let s = k as f64 / 10.0;
+    let row = |k: u8| {
+        let s = f64::from(k) / 10.0;
         let (d, t) = (6.0 - 2.13 * s, wall * (0.027 - 0.008 * s));
         let area = PI * t * (d - t);
         let second_moment = area * (d * d + (d - 2.0 * t).powi(2)) / 16.0;
@@ -117,16 +127,7 @@ pub fn rich() -> TowerDescription {
         ],
         outfitting_factor: 1.05,
         shear: Shear::Cowper,
-        rna: Rna {
-            mass_kg: 400e3,
-            center_m: [0.0, 0.0, 2.1],
-            inertia_kg_m2: Inertia {
-                xx: 4.4e7,
-                yy: 2.4e7,
-                zz: 2.5e7,
-                ..Inertia::default()
-            },
-        },
+        rna: centred_rna(400e3, 2.1, [4.4e7, 2.4e7, 2.5e7]),
         point_masses: vec![mass(50.0, 20e3), mass(95.0, 8e3)],
         ..TowerDescription::default()
     }
@@ -163,16 +164,7 @@ pub fn elliptic() -> TowerDescription {
             row(40.0, 1.0),
             row(95.0, 0.6),
         ],
-        rna: Rna {
-            mass_kg: 300e3,
-            center_m: [0.0, 0.0, 1.8],
-            inertia_kg_m2: Inertia {
-                xx: 4e7,
-                yy: 2e7,
-                zz: 2e7,
-                ..Inertia::default()
-            },
-        },
+        rna: centred_rna(300e3, 1.8, [4e7, 2e7, 2e7]),
         ..TowerDescription::default()
     }
 }
