@@ -2,10 +2,12 @@
 
 use towermodes::{Options, Solution, Tower};
 use towermodes_analysis::Verdict;
-use towermodes_analysis::resonance::{Assessment, Campbell, assess, reach_hz, solve_to_reach};
+use towermodes_analysis::resonance::{
+    Assessment, Campbell, ChosenRotor, assess, reach_hz, solve_to_reach,
+};
 use towermodes_files::{Note, RotorNotes, TowerInput, write_campbell_csv, write_campbell_json};
 
-use crate::args::{CampbellArguments, ChosenRotor, Format, Prescribed, RotorArguments};
+use crate::args::{CampbellArguments, Format, Prescribed, RotorArguments};
 use crate::failure::{Failure, note, warn};
 use crate::input::tower_input;
 use crate::output::{check_not_input, check_not_inputs, deliver};
@@ -33,10 +35,9 @@ pub(crate) fn run(arguments: &CampbellArguments) -> Result<(), Failure> {
     let mut result = Vec::new();
     match format {
         Format::Table => {
-            result.extend(
-                table::campbell(&tower, &campbell, input.blade.is_some(), arguments.all)
-                    .into_bytes(),
-            );
+            let has_blade = input.blade.is_some();
+            let text = table::campbell(&tower, &campbell, has_blade, arguments.all);
+            result.extend(text.into_bytes());
         }
         Format::Json => {
             write_campbell_json(&tower, &campbell, &notes, &solution.warnings, &mut result)?;
@@ -61,7 +62,7 @@ pub(crate) fn solved_to_reach(
     options: &mut Options,
     is_given: bool,
 ) -> Result<Solution, Failure> {
-    let rotor = arguments.rotor(input.description.rotor, input.blades);
+    let rotor = arguments.rotor(input);
     let solution = match rotor.filter(|_| !is_given) {
         Some(chosen) => {
             let reach_hz = reach_hz(&chosen.rotor, &arguments.options());
@@ -77,7 +78,7 @@ pub(crate) fn rotor_of(
     input: &TowerInput,
     arguments: &RotorArguments,
 ) -> Result<ChosenRotor, Failure> {
-    let rotor = arguments.rotor(input.description.rotor, input.blades);
+    let rotor = arguments.rotor(input);
     rotor.ok_or(Failure::NoRotor {
         format: input.format,
     })
@@ -125,95 +126,15 @@ fn notes_on(input: &TowerInput, chosen: &ChosenRotor) -> Vec<Note> {
 
 /// An error if a pair fails.
 fn judged(campbell: &Campbell) -> Result<(), Failure> {
-    let fails = |verdict: &Verdict| *verdict == Verdict::Fail;
-    let verdicts = campbell.margins.iter().map(|margin| margin.verdict);
-    match verdicts.filter(fails).count() {
+    let margins = campbell.margins.iter();
+    match margins
+        .filter(|margin| margin.verdict == Verdict::Fail)
+        .count()
+    {
         0 => Ok(()),
         failures => Err(Failure::Resonant {
             failures,
             margin: campbell.margin,
         }),
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use clap::Parser;
-    use towermodes::{BladeDescription, BladeSection};
-
-    use super::campbell_of;
-    use crate::args::{Arguments, Command, Prescribed};
-    use crate::input::tower_input;
-    use crate::progress::solve;
-
-    /// i_f > i_e, and soft in torsion: at high rotor speed the propeller moment makes it unstable.
-    fn unstable_blade() -> BladeDescription {
-        let root = BladeSection {
-            mass_kg_per_m: 1.0,
-            flap_inertia_kg_m: 1e-2,
-            edge_inertia_kg_m: 1e-6,
-            flap_n_m2: 1.0,
-            edge_n_m2: 1.5,
-            torsion_n_m2: 1e-4,
-            axial_n: 1e7,
-            ..BladeSection::default()
-        };
-        let tip = BladeSection { span: 1.0, ..root };
-        BladeDescription {
-            tip_radius_m: 1.0,
-            sections: vec![root, tip],
-            borders: vec![0.0, 0.25, 0.5, 0.75, 1.0],
-            tip_is_pulled: true,
-            ..BladeDescription::default()
-        }
-    }
-
-    /// An unstable or invalid blade does not change the margins of the tower.
-    #[test]
-    fn a_blade_without_modes_leaves_the_tower() {
-        let file = "../../examples/nrel-5mw.toml";
-        let line = [
-            "towermodes",
-            "campbell",
-            file,
-            "--rpm",
-            "90",
-            "--modes",
-            "2",
-        ];
-        let Command::Campbell(arguments) = Arguments::parse_from(line).command else {
-            panic!("another command");
-        };
-        let mut input = tower_input(&arguments.input).expect("a tower");
-        let tower = input.tower().expect("a tower");
-        let prescribed = Prescribed::of(&mut input);
-        let options = arguments.options(prescribed).expect("options");
-        let solution = solve(&tower, &options).expect("modes");
-        let mut of_blade = |blade: Option<BladeDescription>| {
-            input.blade = blade;
-            campbell_of(&input, &tower, &solution, &arguments.rotor).expect("a diagram")
-        };
-        let (without, notes) = of_blade(None);
-        assert_eq!(
-            (without.lines.len(), without.margins.len(), notes.len()),
-            (2, 8, 1)
-        );
-        // At 90 rpm the excitations reach higher than two modes.
-        assert!(notes[0].to_string().contains("are not assessed"));
-        let backwards = BladeDescription {
-            hub_radius_m: 2.0,
-            ..unstable_blade()
-        };
-        for (blade, why) in [
-            (unstable_blade(), "the blade at "),
-            (backwards, "the blade: "),
-        ] {
-            let (campbell, notes) = of_blade(Some(blade));
-            assert_eq!(campbell, without);
-            assert_eq!(notes.len(), 2, "{notes:?}");
-            let said = notes[0].to_string();
-            let expected = format!("the diagram has no blade modes: {why}");
-            assert!(said.starts_with(&expected), "{said}");
-        }
     }
 }

@@ -2,9 +2,8 @@
 
 use std::path::Path;
 
-use towermodes::Rna;
 use towermodes_analysis::Verdict;
-use towermodes_analysis::agreement::{AgreementLimits, agree, examine};
+use towermodes_analysis::agreement::{AgreementLimits, agree, examine, omit_one_sided};
 use towermodes_files::{FileFormat, NOTHING_LEFT_OUT, Note, TowerInput, write_result_json};
 
 use crate::args::{CheckArguments, ReportFormat};
@@ -37,33 +36,18 @@ fn of_one(arguments: &CheckArguments) -> Result<(), Failure> {
     deliver(&result, None)
 }
 
-/// Whether a note reports that there was no data to omit.
-fn is_on_nothing(note: &Note) -> bool {
-    note.message == NOTHING_LEFT_OUT
-}
-
 fn of_two(arguments: &CheckArguments, other: &Path) -> Result<(), Failure> {
     let reading = &arguments.input.reading;
     let mut first = input_of(&arguments.input.file, reading)?;
     let mut second = input_of(other, reading)?;
     let checked = reading.check(&[first.format, second.format]);
     checked.map_err(Failure::Usage)?;
-    leave_lone_machine_out(&mut first, &mut second);
-    leave_lone_gravity_out(&mut first, &mut second);
-    let useless = [&first, &second].map(|input| input.notes.iter().any(is_on_nothing));
-    if useless.contains(&false) {
-        // Data omitted from one of the two files are omitted data.
-        for input in [&mut first, &mut second] {
-            input.notes.retain(|note| !is_on_nothing(note));
-        }
-    }
-    let mut notes = first.notes.clone();
-    let more = second
-        .notes
-        .iter()
-        .filter(|note| !first.notes.contains(note));
-    notes.extend(more.cloned());
-    note(&notes);
+    let gravity_is_implied = [&first, &second].map(|input| input.format == FileFormat::ElastoDyn);
+    let descriptions = [&mut first.description, &mut second.description];
+    let omitted = omit_one_sided(descriptions, gravity_is_implied);
+    let omitted = omitted.iter().map(|omitted| Note::new(omitted.to_string()));
+    first.notes.extend(omitted);
+    note(&notes_of_both(&first, &second));
     for input in [&first, &second] {
         // Errors have a position in the file.
         input.tower().map_err(Failure::Input)?;
@@ -86,36 +70,20 @@ fn of_two(arguments: &CheckArguments, other: &Path) -> Result<(), Failure> {
     }
 }
 
-/// Omits an RNA that only one of the two files has: the towers are compared without it.
-fn leave_lone_machine_out(first: &mut TowerInput, second: &mut TowerInput) {
-    let has_machine = |input: &TowerInput| input.description.rna != Rna::default();
-    let which = match (has_machine(first), has_machine(second)) {
-        (true, false) => "first",
-        (false, true) => "second",
-        _ => return,
-    };
-    let message = format!(
-        "only the {which} file has a rotor-nacelle assembly; it is omitted, and the towers are compared without RNA"
-    );
-    first.notes.push(Note::new(message));
-    first.description.rna = Rna::default();
-    second.description.rna = Rna::default();
-}
-
-/// Omits the gravity of an ElastoDyn model, which always has gravity, if the other file has none.
-fn leave_lone_gravity_out(first: &mut TowerInput, second: &mut TowerInput) {
-    let has_gravity = |input: &TowerInput| input.description.gravity_m_per_s2 != 0.0;
-    let (which, lone) = match (has_gravity(first), has_gravity(second)) {
-        (true, false) => ("first", &mut *first),
-        (false, true) => ("second", &mut *second),
-        _ => return,
-    };
-    if lone.format != FileFormat::ElastoDyn {
-        return;
-    }
-    lone.description.gravity_m_per_s2 = 0.0;
-    let message = format!(
-        "only the {which} file has gravity; it is omitted, and the towers are compared without gravity"
-    );
-    first.notes.push(Note::new(message));
+/// The notes of two files, each once. That a file has no data to omit is reported only if neither
+/// file has.
+fn notes_of_both(first: &TowerInput, second: &TowerInput) -> Vec<Note> {
+    let is_on_nothing = |note: &&Note| note.message == NOTHING_LEFT_OUT;
+    let neither_has = [first, second]
+        .iter()
+        .all(|input| input.notes.iter().any(|n| is_on_nothing(&n)));
+    let more = second
+        .notes
+        .iter()
+        .filter(|note| !first.notes.contains(note));
+    let notes = first.notes.iter().chain(more);
+    notes
+        .filter(|note| neither_has || !is_on_nothing(note))
+        .cloned()
+        .collect()
 }

@@ -1,9 +1,11 @@
 //! Errors of the program: message, hint and exit code.
 
+use std::borrow::Cow;
 use std::io::{self, Write as _};
 use std::process::ExitCode;
 
 use annotate_snippets::{AnnotationKind, Group, Level, Renderer, Snippet};
+use thiserror::Error;
 use towermodes::number;
 use towermodes::{BladeError, EigenError, Family, SolveError, TowerError, Warning};
 use towermodes_analysis::elastodyn::ShapesError;
@@ -17,33 +19,46 @@ use crate::args::EndingError;
 use crate::terminal::NOT_SHOWN;
 
 /// The errors that end the program without a result.
-#[derive(Debug)]
+#[derive(Debug, Error)]
 pub(crate) enum Failure {
     /// A file cannot be read or does not describe a tower.
+    #[error("{0}")]
     Input(ReadError),
     /// The options are impossible or the computation failed.
+    #[error("{0}")]
     Unsolved(SolveError),
     /// The description is not a valid blade.
+    #[error("{0}")]
     Blade(BladeError),
     /// The description is not a valid tower.
+    #[error("{}: {}", .0.place, .0.problem)]
     Tower(TowerError),
     /// The ElastoDyn tower file cannot be created.
+    #[error("{0}")]
     TowerFile(MakeError),
     /// The result cannot be written; the reason.
+    #[error("{0}")]
     Refused(String),
     /// Mode shapes of a deck do not match its tower.
+    #[error("{failures} of 4 mode shapes in the file do not match the tower")]
     Unfit {
         /// How many.
         failures: usize,
     },
     /// The rotor speed is not given.
+    #[error("the rotor speed is not given")]
     NoRotor {
         /// The format of the input file.
         format: FileFormat,
     },
     /// The Campbell diagram cannot be computed.
+    #[error("{0}")]
     Campbell(CampbellError),
     /// An excitation is within the margin of a tower mode.
+    #[error(
+        "{} within the {} % margin in operation",
+        pairs(*.failures), number::percent(*.margin)
+    )]
     Resonant {
         /// The number of pairs of mode and excitation.
         failures: usize,
@@ -51,14 +66,19 @@ pub(crate) enum Failure {
         margin: f64,
     },
     /// The picture cannot have the requested size.
+    #[error("{0}")]
     Picture(RasterError),
     /// Two models do not agree.
+    #[error("the two models do not agree")]
     Disagree,
     /// The arguments contradict each other.
+    #[error("{0}")]
     Usage(&'static str),
     /// The format of the output is not known.
+    #[error("{0}")]
     Ending(EndingError),
     /// The result cannot be displayed on a terminal.
+    #[error("standard output is a terminal, which cannot display {what}")]
     ForNoTerminal {
         /// The kind of result.
         what: &'static str,
@@ -66,6 +86,7 @@ pub(crate) enum Failure {
         example: &'static str,
     },
     /// Reference values are not reproduced.
+    #[error("{failures} of {values} values are outside their tolerance")]
     Unverified {
         /// How many.
         failures: usize,
@@ -73,9 +94,19 @@ pub(crate) enum Failure {
         values: usize,
     },
     /// The result would overwrite the input.
+    #[error("{0} is an input file; the result would overwrite it")]
     OverwritesInput(String),
     /// The result could not be written.
+    #[error("{0}: {1}")]
     Unwritable(String, io::Error),
+}
+
+/// "1 pair of excitation and natural frequency is".
+fn pairs(count: usize) -> String {
+    match count {
+        1 => "1 pair of excitation and natural frequency is".to_owned(),
+        n => format!("{n} pairs of excitation and natural frequency are"),
+    }
 }
 
 impl Failure {
@@ -86,85 +117,44 @@ impl Failure {
                 source_file,
                 mistakes,
             }) => say(&mistakes_text(source_file, mistakes)),
-            Self::Input(error) => say(&message(Level::ERROR, &error.to_string(), None)),
-            Self::Unsolved(error) => {
-                say(&message(Level::ERROR, &error.to_string(), hint(error)));
-            }
-            Self::Blade(error) => say(&message(Level::ERROR, &error.to_string(), None)),
-            Self::Tower(error) => {
-                let text = format!("{}: {}", error.place, error.problem);
-                say(&message(Level::ERROR, &text, error.problem.hint()));
-            }
-            Self::TowerFile(MakeError::Shapes(ShapesError::Solve(error))) => {
-                say(&message(Level::ERROR, &error.to_string(), hint(error)));
-            }
-            Self::TowerFile(error) => say(&message(Level::ERROR, &error.to_string(), None)),
-            Self::Refused(text) => say(&message(Level::ERROR, text, None)),
-            Self::Unfit { failures } => {
-                let text =
-                    format!("{failures} of 4 mode shapes in the file do not match the tower");
-                let hint = "towermodes elastodyn patch replaces them by the computed shapes";
-                say(&message(Level::ERROR, &text, Some(hint)));
-            }
-            Self::NoRotor { format } => {
-                let text = "the rotor speed is not given";
-                let hint = match format {
-                    FileFormat::Toml => NO_ROTOR,
-                    _ => "give --rpm LOWEST,HIGHEST",
-                };
-                say(&message(Level::ERROR, text, Some(hint)));
-            }
-            Self::Campbell(error) => {
-                let hint = match error {
-                    CampbellError::Blade { error, .. } => hint(error),
-                    _ => None,
-                };
-                say(&message(Level::ERROR, &error.to_string(), hint));
-            }
-            Self::Resonant { failures, margin } => {
-                let text = resonant_text(*failures, *margin);
-                let hint = "see the lines with FAIL above; change the operating speeds ([rotor] rpm or --rpm), the stiffness of the tower or the RNA mass";
-                say(&message(Level::ERROR, &text, Some(hint)));
-            }
-            Self::Picture(error) => say(&message(Level::ERROR, &error.to_string(), None)),
-            Self::Disagree => {
-                let text = "the two models do not agree";
+            failure => {
+                let hint = failure.hint();
                 say(&message(
                     Level::ERROR,
-                    text,
-                    Some("see the lines with fail above"),
+                    &failure.to_string(),
+                    hint.as_deref(),
                 ));
-            }
-            Self::Usage(text) => say(&message(Level::ERROR, text, None)),
-            Self::Ending(error) => say(&message(Level::ERROR, &error.to_string(), None)),
-            Self::ForNoTerminal { what, example } => {
-                let text = format!("standard output is a terminal, which cannot display {what}");
-                let hint = format!(
-                    "give --output {example}, a pipe or a redirection; --output - writes to the terminal anyway"
-                );
-                say(&message(Level::ERROR, &text, Some(&hint)));
-            }
-            Self::Unverified { failures, values } => {
-                let text = format!("{failures} of {values} values are outside their tolerance");
-                say(&message(
-                    Level::ERROR,
-                    &text,
-                    Some("see the lines with FAIL above"),
-                ));
-            }
-            Self::OverwritesInput(path) => {
-                let text = format!("{path} is an input file; the result would overwrite it");
-                say(&message(
-                    Level::ERROR,
-                    &text,
-                    Some("give another path with --output"),
-                ));
-            }
-            Self::Unwritable(name, error) => {
-                say(&message(Level::ERROR, &format!("{name}: {error}"), None));
             }
         }
         ExitCode::from(self.code())
+    }
+
+    /// What the user can do about it.
+    fn hint(&self) -> Option<Cow<'static, str>> {
+        let hint = match self {
+            Self::Unsolved(error)
+            | Self::TowerFile(MakeError::Shapes(ShapesError::Solve(error)))
+            | Self::Campbell(CampbellError::Blade { error, .. }) => hint(error)?,
+            Self::Tower(error) => error.problem.hint()?,
+            Self::Unfit { .. } => "towermodes elastodyn patch replaces them by the computed shapes",
+            Self::NoRotor {
+                format: FileFormat::Toml,
+            } => NO_ROTOR,
+            Self::NoRotor { .. } => "give --rpm LOWEST,HIGHEST",
+            Self::Resonant { .. } => {
+                "see the lines with FAIL above; change the operating speeds ([rotor] rpm or --rpm), the stiffness of the tower or the RNA mass"
+            }
+            Self::Disagree => "see the lines with fail above",
+            Self::ForNoTerminal { example, .. } => {
+                return Some(Cow::Owned(format!(
+                    "give --output {example}, a pipe or a redirection; --output - writes to the terminal anyway"
+                )));
+            }
+            Self::Unverified { .. } => "see the lines with FAIL above",
+            Self::OverwritesInput(_) => "give another path with --output",
+            _ => return None,
+        };
+        Some(Cow::Borrowed(hint))
     }
 
     /// The error of data that a tower file cannot store.
@@ -196,18 +186,6 @@ const NO_ROTOR: &str = "give --rpm LOWEST,HIGHEST, or add to the tower file:
   [rotor]
   blades = 3
   rpm = [6.9, 12.1]  # lowest and highest operating speed";
-
-fn resonant_text(failures: usize, margin: f64) -> String {
-    let percent = number::percent(margin);
-    match failures {
-        1 => format!(
-            "1 pair of excitation and natural frequency is within the {percent} % margin in operation"
-        ),
-        n => format!(
-            "{n} pairs of excitation and natural frequency are within the {percent} % margin in operation"
-        ),
-    }
-}
 
 impl From<ResultError> for Failure {
     fn from(error: ResultError) -> Self {

@@ -1,11 +1,12 @@
 //! `towermodes plot`.
 
-mod heading;
 mod study;
 
 use towermodes::{Options, Tower, Warning};
 use towermodes_files::{Note, TowerInput};
+use towermodes_report::figures::{TitleWords, titled};
 use towermodes_report::svg::Figure;
+use towermodes_report::wording::computed_by;
 use towermodes_report::{figures, raster};
 
 use crate::args::{PictureFormat, PlotArguments, Prescribed, What};
@@ -14,8 +15,6 @@ use crate::failure::{Failure, note, warn};
 use crate::input::tower_input;
 use crate::output::{check_not_input, check_not_inputs, check_terminal, deliver_bytes};
 use crate::progress::solve;
-
-use heading::{Words, computed_by, titled};
 
 /// Reads the tower, solves it if necessary, and writes the picture as SVG or PNG.
 pub(crate) fn run(arguments: &PlotArguments) -> Result<(), Failure> {
@@ -33,7 +32,7 @@ pub(crate) fn run(arguments: &PlotArguments) -> Result<(), Failure> {
     let tower = input.tower().map_err(Failure::Input)?;
     let drawn = drawn(&mut input, &tower, arguments)?;
     let (notes, warnings) = (drawn.notes, drawn.warnings);
-    let words = Words {
+    let words = TitleWords {
         title: arguments.title.as_deref(),
         computed: drawn.computed.as_deref(),
         conclusion: &drawn.conclusion,

@@ -48,6 +48,11 @@ pub(crate) fn given(value: f64) -> String {
     })
 }
 
+/// A number rounded to five significant digits, for coordinates.
+pub(crate) fn five_digits(value: f64) -> f64 {
+    format!("{value:.4e}").parse().unwrap_or(value)
+}
+
 /// A length of the input, m: as it was given if it has at most six significant digits, else to the
 /// millimetre.
 pub(crate) fn length(value_m: f64) -> String {
@@ -164,9 +169,16 @@ pub(crate) fn stiffness(value: f64, unit: &str) -> String {
 #[cfg(test)]
 mod tests {
     use super::{
-        digits, four_digits, frequency, given, length, mass, percent, short, signed_percent,
-        stiffness, wall,
+        digits, five_digits, four_digits, frequency, given, length, mass, percent, short,
+        signed_percent, stiffness, wall,
     };
+
+    #[test]
+    fn coordinates_have_five_digits() {
+        assert_eq!(five_digits(0.322_126_8), 0.322_13);
+        assert_eq!(five_digits(-123_456.0), -123_460.0);
+        assert_eq!(five_digits(0.0), 0.0);
+    }
 
     #[test]
     fn values_are_shown_as_they_were_given() {

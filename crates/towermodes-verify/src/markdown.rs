@@ -36,16 +36,11 @@ pub fn markdown(rows: &[Row]) -> String {
     text
 }
 
+/// The cells of a row with the unit of its values.
 fn cells(row: &Row) -> [String; 7] {
-    let unit = if row.unit == "Hz" { " Hz" } else { "" };
-    let decimals = row.expected.decimals;
-    [
-        row.method.clone(),
-        row.what.clone(),
-        format!("{:.decimals$}{unit}", row.expected.value),
-        row.shown(),
-        row.shown_difference(),
-        format!("{:.0e}", row.tolerance),
-        row.verdict().into(),
-    ]
+    let mut cells = row.cells();
+    if row.unit == "Hz" {
+        cells[2].push_str(" Hz");
+    }
+    cells
 }

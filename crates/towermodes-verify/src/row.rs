@@ -58,6 +58,21 @@ impl Row {
         }
     }
 
+    /// The cells of a table of rows: method, mode, expected, computed, difference, tolerance,
+    /// verdict.
+    pub fn cells(&self) -> [String; 7] {
+        let decimals = self.expected.decimals;
+        [
+            self.method.clone(),
+            self.what.clone(),
+            format!("{:.decimals$}", self.expected.value),
+            self.shown(),
+            self.shown_difference(),
+            format!("{:.0e}", self.tolerance),
+            self.verdict().to_owned(),
+        ]
+    }
+
     /// The names of the columns of [`record`](Self::record).
     pub const COLUMNS: [&'static str; 11] = [
         "chapter",

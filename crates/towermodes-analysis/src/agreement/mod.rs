@@ -6,6 +6,7 @@
 
 mod bare;
 mod columns;
+mod comparable;
 mod compared;
 mod examination;
 mod frequencies;
@@ -16,6 +17,7 @@ mod tests;
 
 use crate::verdict::Verdict;
 pub use columns::HeightRange;
+pub use comparable::{Omitted, omit_one_sided};
 pub use compared::{AgreementLimits, Compared};
 pub use examination::{Examination, ExaminationRow, examine};
 pub use frequencies::ComparedFrequency;

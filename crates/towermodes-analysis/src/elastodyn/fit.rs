@@ -38,6 +38,18 @@ pub struct PolynomialFit {
     pub condition: f64,
 }
 
+impl PolynomialFit {
+    /// Root mean square of the residual as a fraction of the largest deflection.
+    pub fn relative_rms_residual(&self) -> f64 {
+        self.rms_residual / self.largest_deflection
+    }
+
+    /// Largest residual as a fraction of the largest deflection.
+    pub fn relative_largest_residual(&self) -> f64 {
+        self.largest_residual / self.largest_deflection
+    }
+}
+
 /// Why a polynomial cannot be fitted.
 #[derive(Debug, Clone, Copy, PartialEq, Error)]
 #[non_exhaustive]

@@ -41,5 +41,5 @@ pub use selection::{
 };
 pub use shape_samples::ShapeSamples;
 pub use shape_validation::{ShapeValidation, ValidatedShape, ValidationLimits, validate_shapes};
-pub use shapes::{ShapesError, TowerShape, TowerShapes, tower_shapes};
+pub use shapes::{ShapesError, TowerShape, TowerShapes, shape_name, tower_shapes};
 pub use stations::{MAX_STATIONS, PointMasses, Rows, RowsError, TowerRows, tower_rows};

@@ -174,6 +174,15 @@ fn shape(
     })
 }
 
+/// The name of the coefficients of a shape in a tower file, without the power of x: `TwFAM1Sh`.
+pub fn shape_name(plane: Plane, number: usize) -> String {
+    let plane = match plane {
+        Plane::ForeAft => "FA",
+        Plane::SideSide => "SS",
+    };
+    format!("Tw{plane}M{number}Sh")
+}
+
 impl TowerShapes {
     /// The rounded polynomials of both modes of a plane.
     pub fn polynomials(&self, plane: Plane) -> [super::TowerPolynomial; 2] {

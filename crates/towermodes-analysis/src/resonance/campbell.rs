@@ -97,6 +97,13 @@ pub struct FrequencyLine {
     pub lost: Option<LineEnd>,
 }
 
+impl FrequencyLine {
+    /// Whether it belongs to a blade mode.
+    pub fn is_of_blade(&self) -> bool {
+        matches!(self.of, Excited::Blade { .. })
+    }
+}
+
 /// The end of the line of a blade mode that was lost: no mode at the next speed has a similar
 /// shape.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -10,6 +10,7 @@ mod margin;
 mod percent;
 mod reach;
 mod remark;
+mod rotor;
 mod sweep;
 mod track;
 
@@ -20,3 +21,4 @@ pub use campbell::{
 pub use diagram::campbell;
 pub use reach::{MOST_MODES, reach_hz, solve_to_reach};
 pub use remark::{Assessment, Covered, Remark, assess};
+pub use rotor::{ChosenRotor, GivenRotor};

@@ -146,10 +146,66 @@ fn mode_lost(line: &FrequencyLine, rotor: &Rotor) -> Option<Remark> {
 
 #[cfg(test)]
 mod tests {
-    use towermodes::BladeFamily;
+    use towermodes::{BladeFamily, Options, solve};
+    use towermodes_verify::towers::reference_350t;
 
     use super::super::campbell::{Excited, LineEnd};
+    use super::super::sweep::tests::blade;
     use super::*;
+
+    /// i_f > i_e, and soft in torsion: at high rotor speed the propeller moment makes it unstable.
+    fn unstable_blade() -> BladeDescription {
+        let mut blade = blade(0.0);
+        for section in &mut blade.sections {
+            section.flap_inertia_kg_m = 1e-2;
+            section.edge_inertia_kg_m = 1e-6;
+            section.torsion_n_m2 = 1e-4;
+            section.axial_n = 1e7;
+        }
+        blade
+    }
+
+    /// An unstable or invalid blade does not change the margins of the tower.
+    #[test]
+    fn a_blade_without_modes_leaves_the_tower() {
+        let tower = Tower::new(reference_350t()).expect("a tower");
+        let options = Options {
+            modes: 2,
+            ..Options::default()
+        };
+        let solution = solve(&tower, &options).expect("modes");
+        let rotor = Rotor {
+            blades: 3,
+            lowest_rpm: 90.0,
+            highest_rpm: 90.0,
+        };
+        let assessed = |blade: Option<&BladeDescription>| {
+            let options = CampbellOptions::default();
+            let Assessment { campbell, remarks } =
+                assess(&tower, &solution, blade, &rotor, &options).expect("a diagram");
+            let remarks: Vec<String> = remarks.iter().map(ToString::to_string).collect();
+            (campbell, remarks)
+        };
+        let (without, remarks) = assessed(None);
+        assert_eq!((without.lines.len(), without.margins.len()), (2, 8));
+        // At 90 rpm the excitations reach higher than two modes.
+        assert_eq!(remarks.len(), 1, "{remarks:?}");
+        assert!(remarks[0].contains("are not assessed"));
+        let backwards = BladeDescription {
+            hub_radius_m: 2.0,
+            ..unstable_blade()
+        };
+        for (blade, why) in [
+            (unstable_blade(), "the blade at "),
+            (backwards, "the blade: "),
+        ] {
+            let (campbell, remarks) = assessed(Some(&blade));
+            assert_eq!(campbell, without);
+            assert_eq!(remarks.len(), 2, "{remarks:?}");
+            let expected = format!("the diagram has no blade modes: {why}");
+            assert!(remarks[0].starts_with(&expected), "{}", remarks[0]);
+        }
+    }
 
     #[test]
     fn a_lost_mode_is_reported_with_its_numbers() {

@@ -50,7 +50,7 @@ pub(super) fn blade_lines(
     let mut sweep = Sweep::new(description)?;
     let mut tracks = None;
     for (index, &rpm) in speeds_rpm.iter().enumerate() {
-        // Errors change little with the speed: the ends tell.
+        // Errors change little with the speed and are estimated at the ends.
         let is_end = index == 0 || index + 1 == speeds_rpm.len();
         tracks = Some(match tracks {
             None => Tracks::begin(&sweep.solve(rpm, modes, is_end)?),
@@ -65,8 +65,7 @@ fn lines(tracks: Tracks, modes: usize, speeds_rpm: &[f64]) -> Vec<FrequencyLine>
     let mut families: Vec<BladeFamily> = Vec::new();
     let followed = tracks.modes.into_iter().take(modes);
     let line = followed.map(|mode| {
-        // Only a pair that stays one at all speeds has no family: of a blade as stiff in both
-        // directions that does not turn.
+        // A pair at all speeds has no family: equal stiffness in both directions, no rotation.
         let family = mode.family.unwrap_or(BladeFamily::Flap);
         families.push(family);
         let order = families.iter().filter(|f| **f == family).count();
@@ -144,7 +143,7 @@ impl Sweep {
         Ok(tracks)
     }
 
-    /// The lowest modes at a speed, more than asked for.
+    /// The lowest modes at a speed, and some more.
     fn solve(
         &mut self,
         rpm: f64,
@@ -152,7 +151,7 @@ impl Sweep {
         with_errors: bool,
     ) -> Result<Vec<Seen>, CampbellError> {
         let more = modes.saturating_add(MORE_MODES).min(self.available);
-        // More than there are is refused in the solver's own words.
+        // The solver refuses more modes than the blade has.
         let modes = more.max(modes.min(self.available + 1));
         self.description.rotor_speed_rad_per_s = rpm * PI / 30.0;
         let blade = Blade::new(self.description.clone())?;
@@ -173,8 +172,8 @@ impl Sweep {
         Ok(solution.modes.iter().map(seen).collect())
     }
 
-    /// Translations and the twist, each times the root of what moves so, which makes modes at one
-    /// speed nearly orthogonal.
+    /// Translations and the twist, each times the square root of its mass or inertia, which makes
+    /// modes at one speed nearly orthogonal.
     fn weighted(&self, shape: &[ShapePoint]) -> Vec<f64> {
         let points = shape.iter().zip(&self.weights);
         let motions = points.flat_map(|(point, [mass, polar])| {
@@ -186,14 +185,14 @@ impl Sweep {
 }
 
 #[cfg(test)]
-mod tests {
+pub(super) mod tests {
     use super::{MORE_MODES, Sweep};
     use crate::resonance::track::{Seen, Tracks};
     use towermodes::BladeFamily;
     use towermodes::blade::{BladeDescription, BladeSection};
 
     /// A straight blade that does not stretch: nothing in it moves along the span.
-    fn blade(inertia_kg_m: f64) -> BladeDescription {
+    pub(in crate::resonance) fn blade(inertia_kg_m: f64) -> BladeDescription {
         let root = BladeSection {
             mass_kg_per_m: 1.0,
             flap_inertia_kg_m: inertia_kg_m,
@@ -214,8 +213,8 @@ mod tests {
         }
     }
 
-    /// A mode along the span is in no list of such a blade, however long: it is looked for among
-    /// all there are, and then its line ends.
+    /// A mode along the span is in no list of such a blade: all modes are searched, and then its
+    /// line ends.
     #[test]
     fn a_mode_that_is_nowhere_ends_its_line() {
         let mut sweep = Sweep::new(&blade(0.0)).expect("a blade");

@@ -4,7 +4,7 @@ use super::follow::{FollowedMode, compared, followed, not_found, solve_for};
 use towermodes::Method;
 use towermodes::Warning;
 use towermodes::tower::Tower;
-use towermodes::{Options, SolveError, Workspace, solve_with};
+use towermodes::{MAX_SEGMENTS, Options, SolveError, Workspace, solve_with};
 
 /// The refinement of a method.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -99,6 +99,13 @@ pub struct Convergence {
     pub warnings: Vec<Warning>,
 }
 
+/// Default numbers of segments of a study.
+pub const STUDY_SEGMENTS: [usize; 6] = [10, 20, 40, 80, 160, 320];
+/// Default polynomial degrees of a study of the spectral beam.
+pub const STUDY_DEGREES: [usize; 6] = [4, 6, 8, 10, 12, 14];
+/// The smallest number of levels that show an order.
+const FEWEST_LEVELS: usize = 4;
+
 /// Errors below this are rounding errors and errors of the reference, and have no order.
 const ROUNDING: f64 = 1e-11;
 
@@ -178,6 +185,42 @@ pub fn converge_with(
         levels,
         warnings,
     })
+}
+
+impl Convergence {
+    /// Removes levels with equal meshes: a tower with many parts has a minimum number of segments.
+    pub fn remove_equal_meshes(&mut self) {
+        for level in &mut self.levels {
+            level.asked = Fineness::Segments(level.segments);
+        }
+        self.levels.dedup_by_key(|level| level.segments);
+    }
+}
+
+/// A study with [`STUDY_SEGMENTS`], each mesh once; if these are fewer than four meshes, with the
+/// minimum number of segments of the tower and its doubles.
+///
+/// The study is an argument, so that a program can report its progress.
+///
+/// # Errors
+/// Those of `converge`.
+pub fn converge_by_default<E>(
+    mut converge: impl FnMut(&[Fineness]) -> Result<Convergence, E>,
+) -> Result<Convergence, E> {
+    let mut convergence = converge(&STUDY_SEGMENTS.map(Fineness::Segments))?;
+    convergence.remove_equal_meshes();
+    if convergence.levels.len() >= FEWEST_LEVELS {
+        return Ok(convergence);
+    }
+    let fewest = convergence.levels.first().map_or(1, |level| level.segments);
+    let doubled = std::iter::successors(Some(fewest), |segments| Some(2 * segments));
+    let doubled = doubled
+        .take(FEWEST_LEVELS)
+        .take_while(|segments| *segments <= MAX_SEGMENTS)
+        .map(Fineness::Segments);
+    let mut convergence = converge(&doubled.collect::<Vec<_>>())?;
+    convergence.remove_equal_meshes();
+    Ok(convergence)
 }
 
 /// The observed order of each mode between two levels.

@@ -2,7 +2,7 @@
 
 use clap::Args;
 use towermodes::{MAX_DEGREE, MAX_SEGMENTS, Method, Options};
-use towermodes_analysis::study::Fineness;
+use towermodes_analysis::study::{Fineness, STUDY_DEGREES, STUDY_SEGMENTS};
 
 use super::Destination;
 use super::input::InputArguments;
@@ -15,11 +15,6 @@ const EXAMPLES: &str = "Examples:
   towermodes converge tower.toml --method spectral --degrees 4,6,8,10
 
 Errors are relative to the reference solution (method spectral); for bmodes the reference has no rotary inertia, as the element has none.";
-
-/// Default numbers of segments.
-pub(crate) const DEFAULT_SEGMENTS: [usize; 6] = [10, 20, 40, 80, 160, 320];
-/// Default degrees of the method `spectral`.
-pub(crate) const DEFAULT_DEGREES: [usize; 6] = [4, 6, 8, 10, 12, 14];
 
 /// The arguments of `converge`.
 #[derive(Debug, Args)]
@@ -74,12 +69,8 @@ impl ConvergeArguments {
             (false, _, false) => Err(
                 "--degrees applies only to --method spectral; use --segments for the other methods",
             ),
-            (true, ..) => Ok(listed(&self.degrees, &DEFAULT_DEGREES, Fineness::Degree)),
-            (false, ..) => Ok(listed(
-                &self.segments,
-                &DEFAULT_SEGMENTS,
-                Fineness::Segments,
-            )),
+            (true, ..) => Ok(listed(&self.degrees, &STUDY_DEGREES, Fineness::Degree)),
+            (false, ..) => Ok(listed(&self.segments, &STUDY_SEGMENTS, Fineness::Segments)),
         }
     }
 }

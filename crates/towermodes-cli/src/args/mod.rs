@@ -20,7 +20,7 @@ mod verify;
 pub(crate) use campbell::CampbellArguments;
 pub(crate) use check::CheckArguments;
 pub(crate) use compare::CompareArguments;
-pub(crate) use converge::{ConvergeArguments, DEFAULT_DEGREES, DEFAULT_SEGMENTS};
+pub(crate) use converge::ConvergeArguments;
 pub(crate) use convert::{ConvertArguments, Target};
 pub(crate) use elastodyn::{
     DeckArguments, ElastoDynArguments, ElastoDynCommand, PatchArguments, ReportFormat,
@@ -31,7 +31,7 @@ pub(crate) use input::{InputArguments, ReadingArguments};
 pub(crate) use plot::{PictureFormat, PlotArguments, What};
 pub(crate) use prescribed::Prescribed;
 pub(crate) use report::{PageFormat, ReportArguments};
-pub(crate) use rotor::{ChosenRotor, RotorArguments};
+pub(crate) use rotor::RotorArguments;
 pub(crate) use solve::{SolveArguments, SolveFormat};
 pub(crate) use verify::{VerifyArguments, VerifyFormat};
 

@@ -1,17 +1,17 @@
 //! Pictures of the convergence of a method and of the comparison of methods.
 
-use towermodes::{MAX_SEGMENTS, Method, Options, Tower};
-use towermodes_analysis::study::{Comparison, Convergence, Fineness, Level, converge_with};
+use towermodes::{Method, Options, Tower};
+use towermodes_analysis::study::{
+    Convergence, Fineness, STUDY_DEGREES, converge_by_default, converge_with,
+};
 use towermodes_report::figures;
+use towermodes_report::wording::{compared_segments, levels};
 
 use super::Drawn;
-use crate::args::{DEFAULT_DEGREES, DEFAULT_SEGMENTS, PlotArguments};
+use crate::args::PlotArguments;
 use crate::failure::Failure;
 use crate::progress::Progress;
 use crate::side_by_side::all_methods;
-
-/// Minimum number of levels that show an order.
-const FEWEST_LEVELS: usize = 4;
 
 /// The error of a method over the number of segments.
 pub(super) fn convergence(tower: &Tower, arguments: &PlotArguments) -> Result<Drawn, Failure> {
@@ -20,46 +20,20 @@ pub(super) fn convergence(tower: &Tower, arguments: &PlotArguments) -> Result<Dr
     let mut given = arguments.segments().to_vec();
     given.sort_unstable();
     given.dedup();
-    let mut convergence = match (options.method, &given[..]) {
-        (Method::Spectral, _) => solved(tower, &options, &DEFAULT_DEGREES.map(Fineness::Degree))?,
-        (_, []) => by_default(tower, &options)?,
-        _ => solved(tower, &options, &listed(&given))?,
+    let study = |fineness: &[Fineness]| solved(tower, &options, fineness);
+    let convergence = match (options.method, &given[..]) {
+        (Method::Spectral, _) => study(&STUDY_DEGREES.map(Fineness::Degree))?,
+        (_, []) => converge_by_default(study)?,
+        _ => {
+            let given: Vec<Fineness> = given.into_iter().map(Fineness::Segments).collect();
+            let mut convergence = study(&given)?;
+            convergence.remove_equal_meshes();
+            convergence
+        }
     };
-    if options.method != Method::Spectral {
-        each_once(&mut convergence);
-    }
     let figure = figures::convergence(&convergence);
     let drawn = Drawn::new(figure, &convergence.warnings);
-    Ok(drawn.computed(levels_in_words(&convergence)))
-}
-
-fn listed(segments: &[usize]) -> Vec<Fineness> {
-    segments.iter().copied().map(Fineness::Segments).collect()
-}
-
-/// With the numbers of segments of `converge`, or with the minimum number of the tower and its
-/// doubles.
-fn by_default(tower: &Tower, options: &Options) -> Result<Convergence, Failure> {
-    let mut convergence = solved(tower, options, &listed(&DEFAULT_SEGMENTS))?;
-    each_once(&mut convergence);
-    let fewest = convergence.levels.first().map_or(1, |level| level.segments);
-    if convergence.levels.len() >= FEWEST_LEVELS {
-        return Ok(convergence);
-    }
-    let doubled = std::iter::successors(Some(fewest), |segments| Some(2 * segments));
-    let doubled: Vec<usize> = doubled
-        .take(FEWEST_LEVELS)
-        .take_while(|segments| *segments <= MAX_SEGMENTS)
-        .collect();
-    solved(tower, options, &listed(&doubled))
-}
-
-/// Removes levels with equal meshes: a tower with many parts has a minimum number of segments.
-fn each_once(convergence: &mut Convergence) {
-    for level in &mut convergence.levels {
-        level.asked = Fineness::Segments(level.segments);
-    }
-    convergence.levels.dedup_by_key(|level| level.segments);
+    Ok(drawn.computed(levels(&convergence)))
 }
 
 fn solved(tower: &Tower, options: &Options, fineness: &[Fineness]) -> Result<Convergence, Failure> {
@@ -79,35 +53,5 @@ pub(super) fn error(tower: &Tower, arguments: &PlotArguments) -> Result<Drawn, F
     let comparison = comparison.map_err(Failure::Unsolved)?;
     let figure = figures::error(&comparison);
     let drawn = Drawn::new(figure, &comparison.warnings);
-    Ok(drawn.computed(segments_in_words(&comparison)))
-}
-
-/// "10 to 320 segments, relative to the reference solution".
-fn levels_in_words(convergence: &Convergence) -> String {
-    let numbers = convergence.levels.iter().map(|level| level.asked.number());
-    let is_degree = |level: &Level| matches!(level.asked, Fineness::Degree(_));
-    let levels = match convergence.levels.first().is_some_and(is_degree) {
-        true => format!("degrees {}", range(numbers)),
-        false => format!("{} segments", range(numbers)),
-    };
-    let rotary = match convergence.rotary_inertia {
-        true => "",
-        false => " without rotary inertia",
-    };
-    format!("{levels}, relative to the reference solution{rotary}")
-}
-
-/// "60 segments", of all methods except `spectral`.
-fn segments_in_words(comparison: &Comparison) -> String {
-    let columns = comparison.columns.iter();
-    let others = columns.filter(|column| column.method != Method::Spectral);
-    format!("{} segments", range(others.map(|column| column.segments)))
-}
-
-/// "60", "10 to 320".
-fn range(numbers: impl Iterator<Item = usize> + Clone) -> String {
-    match (numbers.clone().min(), numbers.max()) {
-        (Some(least), Some(most)) if least < most => format!("{least} to {most}"),
-        (least, _) => least.unwrap_or(0).to_string(),
-    }
+    Ok(drawn.computed(compared_segments(&comparison)))
 }

@@ -1,13 +1,13 @@
 //! The comparison of two models of the same tower as text, and the summary of one model.
 
-use towermodes::Tower;
 use towermodes::number::four_digits;
+use towermodes::{Planes, Tower};
 use towermodes_analysis::Verdict;
 use towermodes_analysis::agreement::{
     Agreement, Compared, ComparedFrequency, Examination, LargestDifference,
 };
 
-use super::text::{align_right, plain_table, title, tonnes};
+use super::text::{text_table, title, tonnes};
 
 /// Masses, stiffnesses and frequencies of two towers, in total and along the height.
 pub(crate) fn agreement(names: &[String; 2], agreement: &Agreement) -> String {
@@ -49,84 +49,87 @@ fn ranges(agreement: &Agreement) -> String {
 }
 
 fn whole(agreement: &Agreement) -> String {
-    let mut table = plain_table();
-    table.set_header(["", "first", "second", "difference", "verdict"]);
-    let mut add = |what: String, compared: &Compared, shown: &dyn Fn(f64) -> String| {
-        table.add_row([
-            what,
-            shown(compared.first),
-            shown(compared.second),
-            percent(compared.difference),
-            compared.verdict.name().to_owned(),
-        ]);
-    };
-    let metres = |z: f64| format!("{z:.3} m");
-    let exponent = |x: f64| format!("{x:.5e}");
-    add("mass".into(), &agreement.mass_kg, &tonnes);
-    add(
-        "centre of mass".into(),
-        &agreement.center_of_mass_m,
-        &metres,
-    );
-    let tip = &agreement.tip_flexibility_m_per_n;
-    add(
-        "tip flexibility fore-aft, m/N".into(),
-        &tip.fore_aft,
-        &exponent,
-    );
-    add(
-        "tip flexibility side-side, m/N".into(),
-        &tip.side_side,
-        &exponent,
-    );
-    let largest = |what: &str, l: &LargestDifference| {
-        format!("{what}, largest difference at {:.2} m", l.height_m)
-    };
-    let bending = &agreement.largest_bending;
-    add(
-        largest("mass kg/m", &agreement.largest_mass),
-        &agreement.largest_mass.compared,
-        &four_digits,
-    );
-    add(
-        largest("EI fore-aft N m2", &bending.fore_aft),
-        &bending.fore_aft.compared,
-        &exponent,
-    );
-    add(
-        largest("EI side-side N m2", &bending.side_side),
-        &bending.side_side.compared,
-        &exponent,
-    );
-    let groups = [
-        ("clamped, no RNA", &agreement.frequencies_bare),
-        ("complete model", &agreement.frequencies_as_given),
-    ];
-    for (which, frequencies) in groups {
-        for frequency in frequencies {
-            add_frequency(&mut table, which, frequency);
-        }
-    }
-    align_right(&mut table, 1..=3);
-    table.trim_fmt()
+    let totals = totals(agreement)
+        .into_iter()
+        .map(|(name, compared, shown)| {
+            [
+                name,
+                shown(compared.first),
+                shown(compared.second),
+                percent(compared.difference),
+                compared.verdict.name().to_owned(),
+            ]
+        });
+    let bare = agreement.frequencies_bare.iter();
+    let bare = bare.map(|mode| frequency("clamped, no RNA", mode));
+    let as_given = agreement.frequencies_as_given.iter();
+    let as_given = as_given.map(|mode| frequency("complete model", mode));
+    let header = ["", "first", "second", "difference", "verdict"];
+    text_table(header, totals.chain(bare).chain(as_given), 1..=3)
 }
 
-fn add_frequency(table: &mut comfy_table::Table, which: &str, frequency: &ComparedFrequency) {
+/// The compared quantities of the whole towers with their names and formats.
+fn totals(agreement: &Agreement) -> [(String, &Compared, fn(f64) -> String); 7] {
+    let largest = |name: &str, largest: &LargestDifference| {
+        format!("{name}, largest difference at {:.2} m", largest.height_m)
+    };
+    let Planes {
+        fore_aft: tip_fore_aft,
+        side_side: tip_side_side,
+    } = &agreement.tip_flexibility_m_per_n;
+    let mass = &agreement.largest_mass;
+    let Planes {
+        fore_aft,
+        side_side,
+    } = &agreement.largest_bending;
+    [
+        ("mass".into(), &agreement.mass_kg, tonnes),
+        ("centre of mass".into(), &agreement.center_of_mass_m, |z| {
+            format!("{z:.3} m")
+        }),
+        (
+            "tip flexibility fore-aft, m/N".into(),
+            tip_fore_aft,
+            exponent,
+        ),
+        (
+            "tip flexibility side-side, m/N".into(),
+            tip_side_side,
+            exponent,
+        ),
+        (largest("mass kg/m", mass), &mass.compared, four_digits),
+        (
+            largest("EI fore-aft N m2", fore_aft),
+            &fore_aft.compared,
+            exponent,
+        ),
+        (
+            largest("EI side-side N m2", side_side),
+            &side_side.compared,
+            exponent,
+        ),
+    ]
+}
+
+fn exponent(value: f64) -> String {
+    format!("{value:.5e}")
+}
+
+fn frequency(model: &str, frequency: &ComparedFrequency) -> [String; 5] {
     let [first, second] = [frequency.first_hz, frequency.second_hz]
         .map(|hz| hz.map_or("-".to_owned(), |hz| format!("{hz:.5} Hz")));
     let difference = frequency.difference.map(percent);
-    table.add_row([
-        format!("{} ({which})", frequency.label),
+    [
+        format!("{} ({model})", frequency.label),
         first,
         second,
         difference.unwrap_or("-".to_owned()),
         frequency.verdict.name().to_owned(),
-    ]);
+    ]
 }
 
 fn by_height(agreement: &Agreement) -> String {
-    let mut table = plain_table();
-    table.set_header([
+    let header = [
         "z m",
         "kg/m",
         "",
@@ -137,14 +140,12 @@ fn by_height(agreement: &Agreement) -> String {
         "mass below",
         "",
         "diff",
-    ]);
-    for row in &agreement.rows {
-        let (mass, bending, below) = (
-            &row.mass_kg_per_m,
-            &row.bending_n_m2.fore_aft,
-            &row.mass_below_kg,
-        );
-        table.add_row([
+    ];
+    let rows = agreement.rows.iter().map(|row| {
+        let mass = &row.mass_kg_per_m;
+        let bending = &row.bending_n_m2.fore_aft;
+        let below = &row.mass_below_kg;
+        [
             format!("{:.2}", row.height_m),
             format!("{:.1}", mass.first),
             format!("{:.1}", mass.second),
@@ -155,10 +156,9 @@ fn by_height(agreement: &Agreement) -> String {
             tonnes(below.first),
             tonnes(below.second),
             marked(below),
-        ]);
-    }
-    align_right(&mut table, 0..=9);
-    table.trim_fmt()
+        ]
+    });
+    text_table(header, rows, 0..=9)
 }
 
 fn percent(difference: f64) -> String {
@@ -176,24 +176,32 @@ fn marked(compared: &Compared) -> String {
 
 /// The summary of one model.
 pub(crate) fn examination(tower: &Tower, examination: &Examination) -> String {
-    let mut table = plain_table();
-    table.set_header([
+    let header = [
         "z m",
         "kg/m",
         "EI fore-aft N m2",
         "EI side-side N m2",
         "mass below",
-    ]);
-    for row in &examination.rows {
-        table.add_row([
+    ];
+    let rows = examination.rows.iter().map(|row| {
+        [
             format!("{:.2}", row.height_m),
             format!("{:.2}", row.mass_kg_per_m),
-            format!("{:.5e}", row.bending_n_m2.fore_aft),
-            format!("{:.5e}", row.bending_n_m2.side_side),
+            exponent(row.bending_n_m2.fore_aft),
+            exponent(row.bending_n_m2.side_side),
             tonnes(row.mass_below_kg),
-        ]);
-    }
-    align_right(&mut table, 0..=4);
+        ]
+    });
+    format!(
+        "{}{}\n\n{}\n",
+        title(tower),
+        text_table(header, rows, 0..=4),
+        whole_tower(examination)
+    )
+}
+
+/// The values of the whole tower in two lines.
+fn whole_tower(examination: &Examination) -> String {
     let range = &examination.range;
     let about = examination.inertia_about_base;
     let points = match examination.point_masses_kg {
@@ -201,9 +209,7 @@ pub(crate) fn examination(tower: &Tower, examination: &Examination) -> String {
         kg => format!(" including {} of point masses", tonnes(kg)),
     };
     format!(
-        "{}{}\n\nfrom {} m to {} m, {}{points} | centre of mass at {:.4} m | inertia about the base {:.5e} kg m2, about the axis {:.5e} kg m2\ntip flexibility in bending {:.5e} m/N fore-aft, {:.5e} m/N side-side; tower only, clamped, without RNA, soil and water\n",
-        title(tower),
-        table.trim_fmt(),
+        "from {} m to {} m, {}{points} | centre of mass at {:.4} m | inertia about the base {:.5e} kg m2, about the axis {:.5e} kg m2\ntip flexibility in bending {:.5e} m/N fore-aft, {:.5e} m/N side-side; tower only, clamped, without RNA, soil and water",
         range.base_m,
         range.top_m,
         tonnes(examination.mass_kg),

@@ -4,36 +4,12 @@ use towermodes::number::{four_digits, with_error};
 use towermodes::{Blade, BladeMode, BladeSolution};
 use towermodes_report::wording::{blade_mode_shape, completeness, counted};
 
-use super::text::{align_right, aligned, name_line, plain_table};
+use super::text::{aligned, name_line, text_table};
 
 /// The modes as a table, and a line with mass, speed, method and certificate.
 pub(crate) fn blade(blade: &Blade, solution: &BladeSolution) -> String {
     let description = blade.description();
-    let mut table = plain_table();
-    table.set_header([
-        "mode",
-        "mode shape",
-        "frequency Hz",
-        "± error",
-        "per revolution",
-    ]);
-    let modes = || solution.modes.iter();
-    let error_hz = |mode: &BladeMode| mode.discretization_error_hz + mode.algebraic_error_hz;
-    let shown =
-        |value_hz: f64, mode: &BladeMode| with_error(value_hz, mode.frequency_hz, error_hz(mode));
-    let frequencies = aligned(modes().map(|mode| shown(mode.frequency_hz, mode)));
-    let errors = aligned(modes().map(|mode| shown(error_hz(mode), mode)));
     let rotor_hz = description.rotor_speed_rad_per_s.abs() / std::f64::consts::TAU;
-    for (mode, (frequency, error)) in modes().zip(frequencies.iter().zip(&errors)) {
-        table.add_row([
-            mode.number.to_string(),
-            blade_mode_shape(mode),
-            frequency.clone(),
-            error.clone(),
-            per_revolution(mode.frequency_hz, rotor_hz),
-        ]);
-    }
-    align_right(&mut table, [0, 2, 3, 4]);
     let tip = match description.tip.mass_kg {
         0.0 => "no tip mass".to_owned(),
         kg => format!("tip mass {} kg", four_digits(kg)),
@@ -41,7 +17,7 @@ pub(crate) fn blade(blade: &Blade, solution: &BladeSolution) -> String {
     format!(
         "{}{}\n\nblade of {} kg from radius {} m to {} m, {tip} | {} rpm | bmodes, {} | {}\n",
         name_line(&description.name),
-        table.trim_fmt(),
+        modes(&solution.modes, rotor_hz),
         four_digits(blade.mass_kg()),
         description.hub_radius_m,
         description.tip_radius_m,
@@ -49,6 +25,32 @@ pub(crate) fn blade(blade: &Blade, solution: &BladeSolution) -> String {
         counted(solution.elements, "element"),
         completeness(&solution.certificate, solution.modes.len()),
     )
+}
+
+fn modes(modes: &[BladeMode], rotor_hz: f64) -> String {
+    let error_hz = |mode: &BladeMode| mode.discretization_error_hz + mode.algebraic_error_hz;
+    let shown =
+        |value_hz: f64, mode: &BladeMode| with_error(value_hz, mode.frequency_hz, error_hz(mode));
+    let frequencies = aligned(modes.iter().map(|mode| shown(mode.frequency_hz, mode)));
+    let errors = aligned(modes.iter().map(|mode| shown(error_hz(mode), mode)));
+    let rows = modes.iter().zip(frequencies.into_iter().zip(errors));
+    let rows = rows.map(|(mode, (frequency, error))| {
+        [
+            mode.number.to_string(),
+            blade_mode_shape(mode),
+            frequency,
+            error,
+            per_revolution(mode.frequency_hz, rotor_hz),
+        ]
+    });
+    let header = [
+        "mode",
+        "mode shape",
+        "frequency Hz",
+        "± error",
+        "per revolution",
+    ];
+    text_table(header, rows, [0, 2, 3, 4])
 }
 
 /// "3.62 P".

@@ -3,10 +3,10 @@
 use towermodes::Tower;
 use towermodes::number::{percent, with_error};
 use towermodes::tower::Rpm;
-use towermodes_analysis::resonance::{Campbell, Excited, FrequencyLine, Margin};
+use towermodes_analysis::resonance::{Campbell, FrequencyLine, Margin};
 use towermodes_report::wording::{counted, operation, verdict_counts, verdict_word};
 
-use super::text::{align_right, plain_table, title, wrapped};
+use super::text::{text_table, title, wrapped};
 
 /// The conclusion, then the pairs within a factor of 2, or all, and the rotor.
 /// `has_blade` is whether the input contains a blade.
@@ -36,8 +36,25 @@ pub(crate) fn campbell(tower: &Tower, campbell: &Campbell, has_blade: bool, all:
 }
 
 fn pairs(campbell: &Campbell, shown: &[&Margin]) -> String {
-    let mut table = plain_table();
-    table.set_header([
+    let mut before = None;
+    let rows = shown.iter().map(|margin| {
+        let line = &campbell.lines[margin.line];
+        // The name of a mode is printed once.
+        let label = match before.replace(margin.line) == Some(margin.line) {
+            true => String::new(),
+            false => line.label.clone(),
+        };
+        [
+            label,
+            with_error(margin.natural_hz, margin.natural_hz, line.error_hz),
+            format!("{}P", margin.multiple),
+            Rpm(margin.nearest_rpm).to_string(),
+            format!("{:.4}", margin.excitation_hz),
+            distance(campbell, margin),
+            verdict_word(margin.verdict).to_owned(),
+        ]
+    });
+    let header = [
         "mode",
         "frequency Hz",
         "excitation",
@@ -45,29 +62,8 @@ fn pairs(campbell: &Campbell, shown: &[&Margin]) -> String {
         "excitation Hz",
         "distance",
         "verdict",
-    ]);
-    let mut before = None;
-    for margin in shown {
-        let line = &campbell.lines[margin.line];
-        // The name of a mode is printed once.
-        let is_named = before == Some(margin.line);
-        before = Some(margin.line);
-        table.add_row([
-            if is_named {
-                String::new()
-            } else {
-                line.label.clone()
-            },
-            with_error(margin.natural_hz, margin.natural_hz, line.error_hz),
-            format!("{}P", margin.multiple),
-            Rpm(margin.nearest_rpm).to_string(),
-            format!("{:.4}", margin.excitation_hz),
-            distance(campbell, margin),
-            verdict_word(margin.verdict).to_owned(),
-        ]);
-    }
-    align_right(&mut table, 1..=5);
-    table.trim_fmt()
+    ];
+    text_table(header, rows, 1..=5)
 }
 
 /// "+12.3 %", or "crossing".
@@ -115,17 +111,15 @@ fn summary(campbell: &Campbell, has_blade: bool) -> String {
         "{} | margin {} % | {pass} pass, {warn} warn, {fail} fail{}",
         operation(&campbell.rotor),
         percent(campbell.margin),
-        match (has_blade, has_blade_lines(campbell)) {
+        match (
+            has_blade,
+            campbell.lines.iter().any(FrequencyLine::is_of_blade)
+        ) {
             (_, true) => "",
             (true, false) => " | blade modes not available",
             (false, false) => " | no blade in the input",
         },
     )
-}
-
-fn has_blade_lines(campbell: &Campbell) -> bool {
-    let mut lines = campbell.lines.iter();
-    lines.any(|line| matches!(line.of, Excited::Blade { .. }))
 }
 
 #[cfg(test)]

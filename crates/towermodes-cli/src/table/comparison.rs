@@ -1,5 +1,5 @@
-//! A comparison of methods for people, in the layout of the paper's tables: modes down, methods
-//! across.
+//! A comparison of methods as text, in the layout of the paper's tables: a row per mode, a column
+//! per method.
 
 use towermodes::{Family, Method, Tower};
 use towermodes_analysis::study::{Column, Comparison};

@@ -1,4 +1,4 @@
-//! How a method converges, for people: errors, observed orders, and a picture of both.
+//! The convergence of a method as text: errors, observed orders, and a picture of both.
 
 use towermodes::Tower;
 use towermodes_analysis::study::{Convergence, Fineness, Level};
@@ -6,12 +6,28 @@ use towermodes_report::terminal;
 
 use super::text::{align_right, plain_table, title};
 
-/// The errors and orders of each mode, and their picture in so many columns.
+/// The errors and orders of each mode, and their picture, which is `width` characters wide.
 pub(crate) fn convergence(tower: &Tower, convergence: &Convergence, width: usize) -> String {
+    let text = format!(
+        "{}{}\n\n{}\n{}\n",
+        title(tower),
+        heading(convergence),
+        legend(convergence),
+        errors(convergence),
+    );
+    match terminal::convergence(convergence, (0..).map(mark), width).as_str() {
+        "" => text,
+        picture => format!("{text}\n{picture}"),
+    }
+}
+
+/// A row per level with error and order of each mode.
+fn errors(convergence: &Convergence) -> String {
     let mut table = plain_table();
-    let is_spectral = is_spectral(convergence);
-    let name = if is_spectral { "degree" } else { "n" };
-    let order = if is_spectral { "digits" } else { "order" };
+    let (name, order) = match is_spectral(convergence) {
+        true => ("degree", "digits"),
+        false => ("n", "order"),
+    };
     let mut header = vec![name.to_owned()];
     for index in 0..convergence.modes.len() {
         header.extend([mark(index).to_string(), order.into()]);
@@ -26,20 +42,10 @@ pub(crate) fn convergence(tower: &Tower, convergence: &Convergence, width: usize
         table.add_row(row);
     }
     align_right(&mut table, 0..=2 * convergence.modes.len());
-    let text = format!(
-        "{}{}\n\n{}\n{}\n",
-        title(tower),
-        heading(convergence),
-        legend(convergence),
-        table.trim_fmt(),
-    );
-    match terminal::convergence(convergence, (0..).map(mark), width).as_str() {
-        "" => text,
-        picture => format!("{text}\n{picture}"),
-    }
+    table.trim_fmt()
 }
 
-/// The number of a row, with what was asked for where that is another.
+/// The number of a row, with the requested number if that differs.
 fn named(level: &Level) -> String {
     let (asked, used) = (level.asked.number(), fineness(level));
     if asked == used {
@@ -49,7 +55,7 @@ fn named(level: &Level) -> String {
     }
 }
 
-/// The degree, or the segments that were used: towers of many pieces take more than were asked for.
+/// The degree, or the number of segments used: a tower of many parts has a minimum number.
 fn fineness(level: &Level) -> usize {
     match level.asked {
         Fineness::Degree(degree) => degree,
@@ -79,7 +85,7 @@ fn heading(convergence: &Convergence) -> String {
     )
 }
 
-/// What each mark is, with the frequency it converges to.
+/// The mode of each mark, with the frequency it converges to.
 fn legend(convergence: &Convergence) -> String {
     let modes = convergence.modes.iter().enumerate();
     modes
@@ -94,7 +100,7 @@ fn legend(convergence: &Convergence) -> String {
         .collect()
 }
 
-/// The character a mode has in the table and in the picture: 1 to 9, then letters.
+/// The character of a mode in the table and in the picture: 1 to 9, then letters.
 fn mark(index: usize) -> char {
     let marks = ('1'..='9').chain('a'..='z');
     marks

@@ -1,17 +1,16 @@
-//! Shapes for ElastoDyn for people: how well they fit, how they change, how they are judged.
+//! Shapes for ElastoDyn as text: quality of the fit, changes of coefficients, validation.
 
+use towermodes::Tower;
 use towermodes::number::four_digits;
-use towermodes::{Plane, Tower};
-use towermodes_analysis::elastodyn::{TowerShape, TowerShapes, ValidatedShape};
+use towermodes_analysis::elastodyn::{TowerShape, TowerShapes, ValidatedShape, shape_name};
 use towermodes_files::elastodyn::{MadeTowerFile, TowerFile};
 use towermodes_report::wording::verdict_word;
 
-use super::text::{align_right, plain_table, title};
+use super::text::{rna, text_table, title};
 
-/// How well the polynomials of a made tower file fit, and what ElastoDyn makes of them.
+/// The quality of the polynomials of a tower file, and their frequencies and damping in ElastoDyn.
 pub(crate) fn fits(tower: &Tower, made: &MadeTowerFile) -> String {
-    let mut table = plain_table();
-    table.set_header([
+    let header = [
         "shape",
         "mode Hz",
         "rms residual",
@@ -20,84 +19,67 @@ pub(crate) fn fits(tower: &Tower, made: &MadeTowerFile) -> String {
         "condition",
         "ElastoDyn Hz (alone)",
         "damping %",
-    ]);
+    ];
     let content = &made.content;
     let damping = [
         content.fore_aft_damping_percent,
         content.side_side_damping_percent,
     ];
-    for (index, shape) in made.shapes.shapes.iter().enumerate() {
+    let row = |(index, shape): (usize, &TowerShape)| {
         let alone_hz = made.quantities.of(shape.plane).frequency_alone_hz[index % 2];
-        table.add_row([
+        [
             shape.label.clone(),
             format!("{:.5}", shape.frequency_hz),
-            format!(
-                "{:.1e}",
-                shape.fit.rms_residual / shape.fit.largest_deflection
-            ),
-            format!(
-                "{:.1e}",
-                shape.fit.largest_residual / shape.fit.largest_deflection
-            ),
+            format!("{:.1e}", shape.fit.relative_rms_residual()),
+            format!("{:.1e}", shape.fit.relative_largest_residual()),
             four_digits(shape.fit.largest_deflection),
             format!("{:.0}", shape.fit.condition),
             format!("{alone_hz:.5}"),
             four_digits(damping[index / 2][index % 2]),
-        ]);
-    }
-    align_right(&mut table, 1..=7);
+        ]
+    };
     format!(
         "{}{}\n\n{} rows | residuals are relative to the maximum deflection of the shape; largest / top is this maximum divided by the top deflection\n",
         title(tower),
-        table.trim_fmt(),
+        text_table(
+            header,
+            made.shapes.shapes.iter().enumerate().map(row),
+            1..=7
+        ),
         content.rows.len()
     )
 }
 
-/// The coefficients of a tower file and those of the tower's own modes.
+/// The coefficients of a tower file and those of the computed modes.
 pub(crate) fn changes(file: &TowerFile, shapes: &TowerShapes) -> String {
-    let mut table = plain_table();
-    table.set_header(["coefficient", "in the file", "computed", "rms residual"]);
-    for (index, shape) in shapes.shapes.iter().enumerate() {
-        let texts = shape.decimals.texts();
-        for (k, (old, new)) in file.coefficients[index].iter().zip(texts).enumerate() {
+    let mut rows = Vec::new();
+    for (shape, old) in shapes.shapes.iter().zip(&file.coefficients) {
+        let name = shape_name(shape.plane, shape.number);
+        for (k, (old, new)) in old.iter().zip(shape.decimals.texts()).enumerate() {
             let residual = match k {
-                0 => format!(
-                    "{:.1e}",
-                    shape.fit.rms_residual / shape.fit.largest_deflection
-                ),
+                0 => format!("{:.1e}", shape.fit.relative_rms_residual()),
                 _ => String::new(),
             };
-            table.add_row([
-                format!("{}({})", name(shape), k + 2),
+            rows.push([
+                format!("{name}({})", k + 2),
                 format!("{old:.8}"),
                 new,
                 residual,
             ]);
         }
     }
-    align_right(&mut table, 1..=3);
-    format!("{}\n", table.trim_fmt())
+    let header = ["coefficient", "in the file", "computed", "rms residual"];
+    format!("{}\n", text_table(header, rows, 1..=3))
 }
 
-/// The name that a shape's coefficients have in the file, without their power.
-fn name(shape: &TowerShape) -> String {
-    let plane = match shape.plane {
-        Plane::ForeAft => "FA",
-        Plane::SideSide => "SS",
-    };
-    format!("Tw{plane}M{}Sh", shape.number)
-}
-
-/// How far the shapes of a tower file are from the tower's own modes.
+/// The differences of the shapes of a tower file from the modes of the tower.
 pub(crate) fn judgements(
     file: &str,
     tower: &Tower,
     from_m: f64,
     judgements: &[ValidatedShape; 4],
 ) -> String {
-    let mut table = plain_table();
-    table.set_header([
+    let header = [
         "shape",
         "mode Hz",
         "rms off",
@@ -108,38 +90,31 @@ pub(crate) fn judgements(
         "implied Hz",
         "best Hz",
         "verdict",
-    ]);
-    for judgement in judgements {
-        let plane = match judgement.plane {
-            Plane::ForeAft => "FA",
-            Plane::SideSide => "SS",
-        };
-        table.add_row([
-            format!("Tw{plane}M{}Sh", judgement.number),
-            format!("{:.4}", judgement.mode_hz),
-            format!("{:.2} %", 100.0 * judgement.rms),
-            four_digits(judgement.rms_ratio),
-            format!("{:.2} %", 100.0 * judgement.rms_of_both),
-            format!("{:.5}", judgement.mac),
-            format!("{:.6}", judgement.sum),
-            format!("{:.4}", judgement.implied_hz),
-            format!("{:.4}", judgement.best_implied_hz),
-            verdict_word(judgement.verdict).to_owned(),
-        ]);
-    }
-    align_right(&mut table, 1..=8);
+    ];
     format!(
         "{file}\n\n{}\n\nmodes: {}, {}\nrms off: rms difference from the mode, relative to its maximum deflection; both: difference that remains if both shapes of the plane are combined, as in ElastoDyn\nimplied: frequency that ElastoDyn gets with the coefficients, for the tower alone\n",
-        table.trim_fmt(),
+        text_table(header, judgements.iter().map(judgement), 1..=8),
         heights(tower, from_m),
-        match tower.rna().mass_kg {
-            0.0 => "no RNA".to_owned(),
-            kg => format!("RNA {}", super::text::tonnes(kg)),
-        },
+        rna(tower),
     )
 }
 
-/// "of the tower from 0 m to 87.6 m", or what of a longer one.
+fn judgement(shape: &ValidatedShape) -> [String; 10] {
+    [
+        shape_name(shape.plane, shape.number),
+        format!("{:.4}", shape.mode_hz),
+        format!("{:.2} %", 100.0 * shape.rms),
+        four_digits(shape.rms_ratio),
+        format!("{:.2} %", 100.0 * shape.rms_of_both),
+        format!("{:.5}", shape.mac),
+        format!("{:.6}", shape.sum),
+        format!("{:.4}", shape.implied_hz),
+        format!("{:.4}", shape.best_implied_hz),
+        verdict_word(shape.verdict).to_owned(),
+    ]
+}
+
+/// "of the tower from 0 m to 87.6 m", and the part of a longer tower.
 fn heights(tower: &Tower, from_m: f64) -> String {
     let (base_m, top_m) = (tower.base_m(), tower.top_m());
     if from_m <= base_m {

@@ -4,7 +4,7 @@ use towermodes::number::{four_digits, with_error};
 use towermodes::{Mode, Solution, Tower};
 use towermodes_report::wording::{buckling_load_factor, completeness, mesh, mode_shape};
 
-use super::text::{align_right, aligned, plain_table, title, tonnes};
+use super::text::{aligned, rna, text_table, title, tonnes};
 
 /// The modes as a table, and lines with masses, method and certificate.
 pub(crate) fn solution(tower: &Tower, solution: &Solution) -> String {
@@ -26,23 +26,22 @@ pub(crate) fn solution(tower: &Tower, solution: &Solution) -> String {
 }
 
 fn modes(solution: &Solution) -> String {
-    let mut table = plain_table();
-    table.set_header(["mode", "mode shape", "frequency Hz", "± error", "period s"]);
     let modes = || solution.modes.iter();
     let frequencies =
         aligned(modes().map(|m| with_error(m.frequency_hz, m.frequency_hz, m.error_hz())));
     let errors = aligned(modes().map(|m| with_error(m.error_hz(), m.frequency_hz, m.error_hz())));
-    for (mode, (frequency, error)) in modes().zip(frequencies.iter().zip(&errors)) {
-        table.add_row([
+    let rows = modes().zip(frequencies.into_iter().zip(errors));
+    let rows = rows.map(|(mode, (frequency, error))| {
+        [
             mode.number.to_string(),
             mode_shape(mode),
-            frequency.clone(),
-            error.clone(),
+            frequency,
+            error,
             period(mode),
-        ]);
-    }
-    align_right(&mut table, [0, 2, 3, 4]);
-    table.trim_fmt()
+        ]
+    });
+    let header = ["mode", "mode shape", "frequency Hz", "± error", "period s"];
+    text_table(header, rows, [0, 2, 3, 4])
 }
 
 /// The period, if the mode has one.
@@ -56,18 +55,15 @@ fn period(mode: &Mode) -> String {
 
 /// Masses of tower and RNA, method, certificate.
 fn summary(tower: &Tower, solution: &Solution) -> String {
-    let rna = match tower.rna().mass_kg {
-        0.0 => "no RNA".to_owned(),
-        kg => format!("RNA {}", tonnes(kg)),
-    };
     // The error of a method does not include the effect of rotary inertia.
     let physics = match solution.method.has_rotary_inertia() {
         true => "",
         false => " without rotary inertia",
     };
     format!(
-        "tower {}, {rna} | {}, {}{physics} | {}",
+        "tower {}, {} | {}, {}{physics} | {}",
         tonnes(tower.mass_kg()),
+        rna(tower),
         solution.method.name(),
         mesh(solution.method, solution.segments, solution.degree),
         completeness(&solution.certificate, solution.modes.len()),

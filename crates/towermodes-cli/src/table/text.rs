@@ -21,6 +21,19 @@ pub(super) fn align_right(table: &mut Table, columns: impl IntoIterator<Item = u
     }
 }
 
+/// A table without lines; the given columns are flush right.
+pub(super) fn text_table<const N: usize>(
+    header: [&str; N],
+    rows: impl IntoIterator<Item = [String; N]>,
+    right: impl IntoIterator<Item = usize>,
+) -> String {
+    let mut table = plain_table();
+    table.set_header(header);
+    table.add_rows(rows);
+    align_right(&mut table, right);
+    table.trim_fmt()
+}
+
 /// The tower's name and an empty line, if it has one.
 pub(super) fn title(tower: &Tower) -> String {
     name_line(tower.name())
@@ -75,6 +88,14 @@ pub(super) fn wrapped(text: &str) -> String {
         }
     }
     lines.join("\n")
+}
+
+/// "RNA 350.000 t", "no RNA".
+pub(super) fn rna(tower: &Tower) -> String {
+    match tower.rna().mass_kg {
+        0.0 => "no RNA".to_owned(),
+        kg => format!("RNA {}", tonnes(kg)),
+    }
 }
 
 /// A mass in tonnes.

@@ -1,10 +1,10 @@
-//! The verification manual for people.
+//! The verification manual as text.
 
 use towermodes_verify::Row;
 
 use super::text::{align_right, plain_table};
 
-/// All rows, chapter by chapter and case by case, and how many come out.
+/// All rows, chapter by chapter and case by case, and the number of values within their tolerance.
 pub(crate) fn verification(rows: &[Row]) -> String {
     let mut text = String::new();
     for chapter in rows.chunk_by(|a, b| a.chapter == b.chapter) {
@@ -22,8 +22,8 @@ pub(crate) fn verification(rows: &[Row]) -> String {
     text
 }
 
-/// One table, so that all columns of a chapter stand in line, with each case's name and source
-/// above its rows.
+/// One table, so that all columns of a chapter are aligned, with the name and the source of each
+/// case above its rows.
 fn of_chapter(rows: &[Row]) -> String {
     let mut table = plain_table();
     table.set_header([
@@ -35,18 +35,7 @@ fn of_chapter(rows: &[Row]) -> String {
         "tolerance",
         "",
     ]);
-    for row in rows {
-        let decimals = row.expected.decimals;
-        table.add_row([
-            row.method.clone(),
-            row.what.clone(),
-            format!("{:.decimals$}", row.expected.value),
-            row.shown(),
-            row.shown_difference(),
-            format!("{:.0e}", row.tolerance),
-            row.verdict().to_owned(),
-        ]);
-    }
+    table.add_rows(rows.iter().map(Row::cells));
     align_right(&mut table, 2..=5);
     let mut lines = table.lines();
     let mut text = lines.next().unwrap_or_default().trim_end().to_owned();

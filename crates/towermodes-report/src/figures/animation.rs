@@ -1,12 +1,13 @@
-//! What a script needs to move a tower in its modes.
+//! The data of a script that animates a tower in its modes.
 
 use serde::Serialize;
 use towermodes::{Mode, ShapePoint, Solution, Tower, TowerDescription};
 
 use super::outline::{is_nominal, outer_diameter_m};
 use super::scene::{Body, scene};
+use crate::number::five_digits;
 
-/// Most heights of a moving tower.
+/// The largest number of heights of an animated tower.
 const MOST_HEIGHTS: usize = 60;
 
 /// A tower and its modes at a few heights, with five significant digits.
@@ -19,13 +20,13 @@ pub struct AnimationData {
     pub radius_m: Vec<f64>,
     /// Whether the radius is such a nominal one.
     pub is_nominal: bool,
-    /// What is on the tower, under it and around it.
+    /// RNA, foundation and surroundings.
     pub bodies: Vec<Body>,
     /// The modes by frequency.
     pub modes: Vec<AnimatedMode>,
 }
 
-/// One mode of a moving tower.
+/// One mode of an animated tower.
 ///
 /// The largest translation (for torsion and yaw the largest rotation) is about 1; rotations of
 /// other modes are per metre.
@@ -33,7 +34,7 @@ pub struct AnimationData {
 pub struct AnimatedMode {
     /// Place in the list of modes, from 1.
     pub number: usize,
-    /// What it is: "1st fore-aft bending".
+    /// Its name: "1st fore-aft bending".
     pub label: String,
     /// The name of its family: `fore-aft`.
     pub family: &'static str,
@@ -53,7 +54,7 @@ pub struct AnimatedMode {
     pub rotation_z: Vec<f64>,
 }
 
-/// What a script needs to move the tower in these modes, from their shapes at equal heights.
+/// The data of an animation of these modes, from their shapes at equally spaced heights.
 pub fn animation_data(
     description: &TowerDescription,
     tower: &Tower,
@@ -63,13 +64,13 @@ pub fn animation_data(
     let heights_m: Vec<f64> = few(points).map(|point| point.height_m).collect();
     let radius_m = heights_m
         .iter()
-        .map(|height_m| rounded(0.5 * outer_diameter_m(tower, *height_m)));
+        .map(|height_m| five_digits(0.5 * outer_diameter_m(tower, *height_m)));
     AnimationData {
         radius_m: radius_m.collect(),
         is_nominal: is_nominal(tower),
         bodies: scene(description, tower),
         modes: solution.modes.iter().map(animated).collect(),
-        height_m: heights_m.into_iter().map(rounded).collect(),
+        height_m: heights_m.into_iter().map(five_digits).collect(),
     }
 }
 
@@ -77,18 +78,20 @@ fn animated(mode: &Mode) -> AnimatedMode {
     let translation = |axis: usize| {
         let points = few(&mode.shape);
         points
-            .map(|point| rounded(point.translation[axis]))
+            .map(|point| five_digits(point.translation[axis]))
             .collect()
     };
     let rotation = |axis: usize| {
         let points = few(&mode.shape);
-        points.map(|point| rounded(point.rotation[axis])).collect()
+        points
+            .map(|point| five_digits(point.rotation[axis]))
+            .collect()
     };
     AnimatedMode {
         number: mode.number,
         label: mode.label(),
         family: mode.family.name(),
-        frequency_hz: rounded(mode.frequency_hz),
+        frequency_hz: five_digits(mode.frequency_hz),
         x: translation(0),
         y: translation(1),
         z: translation(2),
@@ -106,23 +109,11 @@ fn few(points: &[ShapePoint]) -> impl Iterator<Item = &ShapePoint> {
     between.chain(points.last())
 }
 
-/// A number with five significant digits.
-pub(super) fn rounded(value: f64) -> f64 {
-    format!("{value:.4e}").parse().unwrap_or(value)
-}
-
 #[cfg(test)]
 mod tests {
     use towermodes::ShapePoint;
 
-    use super::{few, rounded};
-
-    #[test]
-    fn numbers_have_five_digits() {
-        assert_eq!(rounded(0.322_126_8), 0.322_13);
-        assert_eq!(rounded(-123_456.0), -123_460.0);
-        assert_eq!(rounded(0.0), 0.0);
-    }
+    use super::few;
 
     #[test]
     fn heights_are_few_and_reach_both_ends() {

@@ -14,6 +14,7 @@ mod scene;
 mod shapes;
 mod slope;
 mod symbols;
+mod title;
 mod tower;
 
 pub use animation::{AnimatedMode, AnimationData, animation_data};
@@ -23,4 +24,5 @@ pub use error::error;
 pub use first_frequencies::first_frequencies;
 pub use scene::{Body, Form, Substance};
 pub use shapes::shapes;
+pub use title::{TitleWords, titled};
 pub use tower::tower;

@@ -1,13 +1,12 @@
 //! The content of a report, independent of HTML and Markdown.
 
 use serde::Serialize;
-use towermodes_analysis::Verdict;
 
 use super::embedded::EmbeddedFile;
+use super::mark::Mark;
 use super::table::Table;
 use crate::figures::AnimationData;
 use crate::svg::Figure;
-use crate::wording;
 
 /// A report.
 pub(super) struct Document {
@@ -76,25 +75,6 @@ pub(super) struct Picture {
     pub is_tabulated: bool,
 }
 
-/// A verdict as a class of the style sheet and as a word for the reader.
-#[derive(Serialize, Clone, Copy, PartialEq, Eq)]
-pub(super) struct Mark {
-    /// `pass`, `warn`, `fail`.
-    pub name: &'static str,
-    /// `PASS`, `WARN`, `FAIL`.
-    pub word: &'static str,
-}
-
-impl Mark {
-    /// The mark of a verdict.
-    pub(super) fn of(verdict: Verdict) -> Self {
-        Self {
-            name: verdict.name(),
-            word: wording::verdict_word(verdict),
-        }
-    }
-}
-
 impl Document {
     /// The sections, each with its number, or its letter if it is an appendix.
     pub(super) fn marked_sections(self) -> Vec<(String, Section)> {
@@ -128,9 +108,4 @@ impl Document {
         }
         self
     }
-}
-
-/// Text with a space for each character that could hide or forge what a page shows.
-pub(super) fn printable(text: &str) -> String {
-    wording::printable(text, ' ').into_owned()
 }

@@ -1,7 +1,7 @@
 //! Input files as the report includes them.
 
 use super::content::InputFile;
-use super::document::printable;
+use super::mark::printable;
 use crate::wording::counted;
 
 /// Longer files are cut to so many bytes.

@@ -5,8 +5,9 @@ use minijinja::value::Serde;
 use minijinja::{Environment, Value};
 
 use super::content::ReportContent;
-use super::document::{Document, printable};
+use super::document::Document;
 use super::error::ReportError;
+use super::mark::printable;
 use super::sections::document;
 use super::view::{PageView, sections};
 use crate::svg::{Colour, Theme, stylesheet};

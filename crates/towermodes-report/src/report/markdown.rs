@@ -1,8 +1,9 @@
 //! The report as Markdown, with the tables of GitHub.
 
 use super::content::ReportContent;
-use super::document::{Block, Mark, Picture, Statement, printable};
+use super::document::{Block, Picture, Statement};
 use super::embedded::EmbeddedFile;
+use super::mark::{Mark, printable};
 use super::plot_command::plot_command;
 use super::sections::document;
 use super::table::{Cell, Table};

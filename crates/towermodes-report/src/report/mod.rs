@@ -9,6 +9,7 @@ mod document;
 mod embedded;
 mod error;
 mod html;
+mod mark;
 mod markdown;
 mod plot_command;
 mod sections;

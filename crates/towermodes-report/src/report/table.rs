@@ -3,7 +3,7 @@
 use serde::Serialize;
 use towermodes_analysis::Verdict;
 
-use super::document::Mark;
+use super::mark::Mark;
 use crate::number::NOTHING;
 
 /// Longer tables are shortened in the middle.

@@ -3,9 +3,10 @@
 use serde::Serialize;
 
 use super::animation_view::AnimationView;
-use super::document::{Block, Document, Picture, Section, Statement, printable};
+use super::document::{Block, Document, Picture, Section, Statement};
 use super::embedded::EmbeddedFile;
 use super::error::ReportError;
+use super::mark::printable;
 use super::table::{Cell, Column, MOST_ROWS, Table};
 use crate::svg::{DataTable, Look};
 use crate::wording::counted;

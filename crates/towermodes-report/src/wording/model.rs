@@ -1,7 +1,8 @@
-//! The computed model in words: its mesh, and when it buckles.
+//! The computed model in words: method, mesh, buckling load factor.
 
-use towermodes::Method;
 use towermodes::number::four_digits;
+use towermodes::{Method, Solution};
+use towermodes_analysis::study::{Comparison, Convergence, Fineness, Level};
 
 use super::text::counted;
 
@@ -9,6 +10,45 @@ use super::text::counted;
 pub fn mesh(method: Method, segments: usize, degree: Option<usize>) -> String {
     let degree = degree.map(|degree| format!(" of degree {degree}"));
     counted(segments, method.unit()) + &degree.unwrap_or_default()
+}
+
+/// The method and the mesh of a solution: "rmje-exact, 100 segments", "spectral, degree 17".
+pub fn computed_by(solution: &Solution) -> String {
+    let method = solution.method.name();
+    match solution.degree {
+        Some(degree) => format!("{method}, degree {degree}"),
+        None => format!("{method}, {}", counted(solution.segments, "segment")),
+    }
+}
+
+/// The levels of a convergence study: "10 to 320 segments, relative to the reference solution".
+pub fn levels(convergence: &Convergence) -> String {
+    let numbers = convergence.levels.iter().map(|level| level.asked.number());
+    let is_degree = |level: &Level| matches!(level.asked, Fineness::Degree(_));
+    let levels = match convergence.levels.first().is_some_and(is_degree) {
+        true => format!("degrees {}", range(numbers)),
+        false => format!("{} segments", range(numbers)),
+    };
+    let rotary = match convergence.rotary_inertia {
+        true => "",
+        false => " without rotary inertia",
+    };
+    format!("{levels}, relative to the reference solution{rotary}")
+}
+
+/// The segments of all methods of a comparison except `spectral`: "60 segments".
+pub fn compared_segments(comparison: &Comparison) -> String {
+    let columns = comparison.columns.iter();
+    let others = columns.filter(|column| column.method != Method::Spectral);
+    format!("{} segments", range(others.map(|column| column.segments)))
+}
+
+/// "60", "10 to 320".
+fn range(numbers: impl Iterator<Item = usize> + Clone) -> String {
+    match (numbers.clone().min(), numbers.max()) {
+        (Some(least), Some(most)) if least < most => format!("{least} to {most}"),
+        (least, _) => least.unwrap_or(0).to_string(),
+    }
 }
 
 /// The factor on gravity at which the tower buckles: four digits, and near 1 six decimals.

@@ -77,6 +77,11 @@ impl Rna {
             ..Self::default()
         }
     }
+
+    /// Whether there is no rotor-nacelle assembly: all its values are 0.
+    pub fn is_absent(&self) -> bool {
+        *self == Self::default()
+    }
 }
 
 /// A mass on the tower's axis: a flange, a platform, a transformer.

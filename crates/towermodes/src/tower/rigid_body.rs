@@ -142,10 +142,31 @@ impl RigidBody {
 
 impl From<RigidBody> for Rna {
     fn from(body: RigidBody) -> Self {
+        let RigidBody {
+            mass_kg,
+            center_m,
+            inertia_kg_m2,
+        } = body;
         Self {
-            mass_kg: body.mass_kg,
-            center_m: body.center_m,
-            inertia_kg_m2: body.inertia_kg_m2,
+            mass_kg,
+            center_m,
+            inertia_kg_m2,
+        }
+    }
+}
+
+/// The centre is relative to the tower top.
+impl From<Rna> for RigidBody {
+    fn from(rna: Rna) -> Self {
+        let Rna {
+            mass_kg,
+            center_m,
+            inertia_kg_m2,
+        } = rna;
+        Self {
+            mass_kg,
+            center_m,
+            inertia_kg_m2,
         }
     }
 }

@@ -4,8 +4,6 @@
 use towermodes_analysis::Verdict;
 use towermodes_analysis::resonance::{BEYOND_OPERATION, Campbell, StiffnessClass};
 
-use super::lines::is_blade;
-
 /// So many tower modes are shown even if they are above the excitations …
 const TOWER_MODES: usize = 5;
 /// … up to so many times the highest excitation in operation.
@@ -100,7 +98,7 @@ fn highest_hz(campbell: &Campbell, multiples: &[usize], last_rpm: f64) -> f64 {
 
 /// The frequencies of the tower's modes, Hz.
 fn tower_hz(campbell: &Campbell) -> impl Iterator<Item = f64> {
-    let tower = campbell.lines.iter().filter(|line| !is_blade(line));
+    let tower = campbell.lines.iter().filter(|line| !line.is_of_blade());
     tower.filter_map(|line| line.points.first().map(|[_, hz]| *hz))
 }
 

@@ -7,7 +7,6 @@ use towermodes_analysis::resonance::Campbell;
 use super::lines::{Group, Shown};
 use super::rays::{self, strong};
 use super::shades::{ribbon_edge, window_edge, window_hz};
-use super::speeds_of;
 use crate::figures::legend::{Entry, Sample, words};
 use crate::number::four_digits;
 use crate::svg::{Colour, Dash, Marker, Stroke};
@@ -148,4 +147,13 @@ fn unlabelled([modes, excitations]: [usize; 2]) -> impl Iterator<Item = String> 
     ];
     let without = without.into_iter().filter(|(count, ..)| *count > 0);
     without.map(|(count, noun, of)| format!("{}{of} without label", counted(count, noun)))
+}
+
+/// " in operation", if the rotor has more than one speed.
+fn speeds_of(campbell: &Campbell) -> &'static str {
+    let rotor = &campbell.rotor;
+    match rotor.lowest_rpm < rotor.highest_rpm {
+        true => " in operation",
+        false => "",
+    }
 }

@@ -1,6 +1,6 @@
 //! The lines of a Campbell diagram that are drawn, and their labels.
 
-use towermodes_analysis::resonance::{Campbell, Excited, FrequencyLine};
+use towermodes_analysis::resonance::{Campbell, FrequencyLine};
 
 use super::extent::{ends_hz, last_rpm};
 use crate::number::four_digits;
@@ -107,16 +107,12 @@ pub(super) fn shown(campbell: &Campbell) -> Shown {
     }
 }
 
-pub(super) fn is_blade(line: &FrequencyLine) -> bool {
-    matches!(line.of, Excited::Blade { .. })
-}
-
 /// The lines; coinciding tower lines form one group.
 fn groups(campbell: &Campbell) -> Vec<Group> {
     let first_hz = |line: &FrequencyLine| line.points.first().map_or(f64::NAN, |[_, hz]| *hz);
     let are_one = |a: &FrequencyLine, b: &FrequencyLine| {
         let (a_hz, b_hz) = (first_hz(a), first_hz(b));
-        !is_blade(a) && !is_blade(b) && (b_hz - a_hz).abs() <= ONE_LINE * a_hz
+        !a.is_of_blade() && !b.is_of_blade() && (b_hz - a_hz).abs() <= ONE_LINE * a_hz
     };
     let mut groups: Vec<Vec<usize>> = Vec::new();
     for (index, line) in campbell.lines.iter().enumerate() {
@@ -131,7 +127,7 @@ fn groups(campbell: &Campbell) -> Vec<Group> {
             members.iter().map(|line| &campbell.lines[*line]).collect();
         Group {
             label: label(&lines),
-            is_blade: is_blade(lines[0]),
+            is_blade: lines[0].is_of_blade(),
             points: lines[0].points.clone(),
             members,
         }

@@ -66,15 +66,6 @@ fn excitations(multiples: &[usize]) -> String {
     }
 }
 
-/// " in operation", if the rotor has more than one speed.
-fn speeds_of(campbell: &Campbell) -> &'static str {
-    let rotor = &campbell.rotor;
-    match rotor.lowest_rpm < rotor.highest_rpm {
-        true => " in operation",
-        false => "",
-    }
-}
-
 /// The lines with their points, then the excitations in operation. The frequency of a tower mode is
 /// the same at every speed.
 fn table(campbell: &Campbell) -> DataTable {

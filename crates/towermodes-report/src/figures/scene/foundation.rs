@@ -5,8 +5,8 @@ use towermodes::{
     FloatingPlatform, Foundation, FoundationSprings, HalfSpace, Tower, TowerDescription,
 };
 
-use super::solids::{ball, block, link, ring, solid};
-use super::{Body, FAR, Form, HALF_SIDE, MASS, Substance, directions};
+use super::solids::{ball, block, circle, link, ring, solid};
+use super::{Body, FAR, Form, HALF_SIDE, MASS, Substance};
 use crate::figures::outline::outer_diameter_m;
 use crate::figures::tower::{keel_m, on_diagonal};
 
@@ -45,7 +45,7 @@ fn springs(tower: &Tower, springs: &FoundationSprings) -> Vec<Body> {
     let mut bodies = vec![solid(Some(base_m), Substance::Foundation, rims.collect())];
     let gives_way = |stiffness: f64| stiffness.is_finite() && stiffness > 0.0;
     if gives_way(springs.lateral_n_per_m) {
-        for (x, y) in directions(4) {
+        for (x, y) in circle(4) {
             let at = |r: f64| [x * r, y * r, base_m];
             let ends = [at(radius_m), at(radius_m + length_m)];
             bodies.push(link(base_m, Form::Spring, ends));
@@ -109,7 +109,7 @@ fn floating(tower: &Tower, platform: &FloatingPlatform) -> Vec<Body> {
     }
     if platform.mooring.matrix != SpatialMatrix::default() {
         let fairlead_m = platform.mooring.height_m.clamp(keel_m, shoulder_m);
-        for (x, y) in directions(3) {
+        for (x, y) in circle(3) {
             let start = [x * half_m, y * half_m, fairlead_m];
             let reach_m = ANCHORS * height_m;
             let end = [x * reach_m, y * reach_m, keel_m - 0.1 * height_m];

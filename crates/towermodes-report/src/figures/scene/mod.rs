@@ -1,14 +1,17 @@
 //! Tower, RNA, foundation and surroundings as bodies in space that a script animates.
 
+mod body;
 mod foundation;
 mod rna;
 mod solids;
 mod surroundings;
 
-use serde::Serialize;
 use towermodes::{Tower, TowerDescription};
 
-use solids::{ball, link};
+pub use body::{Body, Form, Substance};
+
+use crate::number::five_digits;
+use solids::{ball, circle, link};
 
 /// Half the side of soil, water and ground as fractions of the tower's height.
 const HALF_SIDE: f64 = 0.22;
@@ -21,62 +24,6 @@ const MOST_WIRES: usize = 12;
 const MASS: [f64; 2] = [0.008, 0.012];
 /// Larger heights or distances are not drawn, in heights of the tower.
 const FAR: f64 = 4.0;
-
-/// A body of the scene at rest: x fore-aft (downwind), y side-side, z up in the datum of the
-/// stations, m.
-#[derive(Debug, Clone, PartialEq, Serialize)]
-pub struct Body {
-    /// The height at which it is fixed to the tower axis, m: it moves with the section there. None
-    /// if it does not move.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub follows_m: Option<f64>,
-    /// Its substance.
-    pub of: Substance,
-    /// Its form.
-    pub form: Form,
-    /// Its points.
-    pub points: Vec<[f64; 3]>,
-    /// Radius of a ball, m.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub radius_m: Option<f64>,
-}
-
-/// The substance of a body, which gives its colour.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
-#[serde(rename_all = "snake_case")]
-pub enum Substance {
-    /// The nacelle.
-    Rna,
-    /// Hub and blades.
-    Rotor,
-    /// A mass of its own.
-    Mass,
-    /// A footing, a plate, a platform.
-    Foundation,
-    /// Ground without stiffness, and everything that does not move.
-    Ground,
-    /// Soil with springs.
-    Soil,
-    /// Water.
-    Water,
-    /// Springs, guy wires, moorings.
-    Link,
-}
-
-/// How the points of a body define its form.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
-#[serde(rename_all = "snake_case")]
-pub enum Form {
-    /// The smallest convex body around its points.
-    Solid,
-    /// A ball around its only point.
-    Ball,
-    /// A straight line from its first point, which follows the tower, to its second, which does
-    /// not.
-    Line,
-    /// The same as a spring.
-    Spring,
-}
 
 /// The bodies of a description, those behind first: ground, soil, foundation, wires, masses,
 /// RNA, water.
@@ -121,7 +68,7 @@ fn wires(description: &TowerDescription, tower: &Tower) -> Vec<Body> {
         let down_m = wires.height_m - ground_m;
         let reach_m = down_m / wires.angle_deg.to_radians().tan();
         let drawn = (FAR * tower.height_m() / reach_m).min(1.0);
-        for (x, y) in directions(wires.count.min(MOST_WIRES)) {
+        for (x, y) in circle(wires.count.min(MOST_WIRES)) {
             let start = [0.0, 0.0, wires.height_m];
             let (reach_m, down_m) = (drawn * reach_m, drawn * down_m);
             let end = [x * reach_m, y * reach_m, wires.height_m - down_m];
@@ -131,16 +78,10 @@ fn wires(description: &TowerDescription, tower: &Tower) -> Vec<Body> {
     bodies
 }
 
-/// So many directions at equal angles, the first of them x.
-fn directions(count: usize) -> impl Iterator<Item = (f64, f64)> {
-    let angle = move |k: usize| std::f64::consts::TAU * k as f64 / count as f64;
-    (0..count).map(move |k| (angle(k).cos(), angle(k).sin()))
-}
-
 /// Five significant digits are enough for a picture.
 fn round(body: &mut Body) {
     let numbers = body.points.iter_mut().flatten();
     for value in numbers.chain(&mut body.radius_m).chain(&mut body.follows_m) {
-        *value = super::animation::rounded(*value);
+        *value = five_digits(*value);
     }
 }

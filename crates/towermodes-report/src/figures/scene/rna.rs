@@ -8,7 +8,7 @@ use towermodes::{Tower, TowerDescription};
 use super::solids::{ball, circle, solid};
 use super::{Body, FAR, MASS, Substance};
 use crate::figures::outline::outer_diameter_m;
-use crate::figures::tower::{RnaForm, ground_m, has_rna, water_m};
+use crate::figures::tower::{RnaForm, ground_m, water_m};
 
 /// Length of a blade as a fraction of the tower's height above water or ground; 0.6 to 0.8 for most
 /// turbines.
@@ -30,7 +30,7 @@ const OUTLINE: [(f64, [f64; 2]); 4] = [
 /// Nacelle, hub, blades and the centre of mass; nothing without an RNA.
 pub(super) fn rna(description: &TowerDescription, tower: &Tower) -> Vec<Body> {
     let rna = tower.rna();
-    if !has_rna(rna) {
+    if rna.is_absent() {
         return Vec::new();
     }
     let (top_m, height_m) = (tower.top_m(), tower.height_m());

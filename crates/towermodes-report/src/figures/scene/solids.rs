@@ -2,9 +2,9 @@
 
 use std::f64::consts::TAU;
 
-use super::{Body, Form, Substance};
+use super::body::{Body, Form, Substance};
 
-/// Corners of what is round.
+/// Number of corners that represent a circle.
 const CORNERS: usize = 24;
 
 /// A block around the tower's axis that stands still, `half_m` to each side, from one height to
@@ -32,7 +32,7 @@ pub(super) fn ring(radius_m: f64, height_m: f64) -> impl Iterator<Item = [f64; 3
     circle(CORNERS).map(move |(a, b)| [radius_m * a, radius_m * b, height_m])
 }
 
-/// Points of the unit circle.
+/// Points of the unit circle at equal angles, the first on the x axis.
 pub(super) fn circle(corners: usize) -> impl Iterator<Item = (f64, f64)> {
     let angle = move |k: usize| TAU * k as f64 / corners as f64;
     (0..corners).map(move |k| (angle(k).cos(), angle(k).sin()))

@@ -26,7 +26,7 @@ const NEAR: f64 = 1.0;
 /// A sheet for a tower: what is where, and how high it is.
 pub(super) fn sheet(description: &TowerDescription, tower: &Tower) -> (View, f64) {
     let (low_m, high_m) = extent_m(description, tower);
-    let above = if rna::is_there(tower.rna()) {
+    let above = if !tower.rna().is_absent() {
         rna::ABOVE
     } else {
         20.0
@@ -70,7 +70,7 @@ fn extent_m(description: &TowerDescription, tower: &Tower) -> (f64, f64) {
     if let Some(water) = &description.water {
         include(water.level_m);
     }
-    if rna::is_there(tower.rna()) {
+    if !tower.rna().is_absent() {
         include(top_m + tower.rna().center_m[2] - 0.05 * tower.height_m());
     }
     let mut low_m = base_m;

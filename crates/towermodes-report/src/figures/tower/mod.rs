@@ -15,7 +15,7 @@ mod wires;
 
 pub(super) use foundation::on_diagonal;
 pub(super) use platform::{keel_m, platform, surface_m};
-pub(super) use rna::{RnaForm, is_there as has_rna};
+pub(super) use rna::RnaForm;
 pub(super) use small::{draw_small, levels, small_view};
 pub(super) use surroundings::{ground_m, water_m};
 pub(super) use view::View;
@@ -30,7 +30,7 @@ use body::{draw_body, draw_masses};
 use callouts::{Callout, Column, draw_callouts};
 use foundation::draw_foundation;
 use layout::{TICKS, WIDTH, sheet};
-use rna::{draw_rna, is_there};
+use rna::draw_rna;
 use surroundings::draw_water_and_ground;
 
 /// A tower with RNA, foundation and surroundings, from its description.
@@ -110,7 +110,7 @@ fn draw_note(drawing: &mut Drawing, view: &View, tower: &Tower, left_out: Option
         let wall = factor(view.wall_factor);
         format!("Heights to scale, diameters {width}, walls {wall}.")
     };
-    if is_there(tower.rna()) {
+    if !tower.rna().is_absent() {
         note.push_str(" x, downwind, to the right.");
     }
     if let Some(left_out) = left_out {

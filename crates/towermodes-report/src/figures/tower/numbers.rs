@@ -2,7 +2,6 @@
 
 use towermodes::{Foundation, Tower, TowerDescription};
 
-use super::rna;
 use crate::number::{length, mass, short, stiffness};
 use crate::svg::DataTable;
 
@@ -44,7 +43,7 @@ fn bodies(tower: &Tower) -> Vec<String> {
         count => parts.push(format!("{count} point masses, {} in total", mass(sum_kg))),
     }
     let rna = tower.rna();
-    if rna::is_there(rna) {
+    if !rna.is_absent() {
         parts.push(format!("rotor-nacelle assembly of {}", mass(rna.mass_kg)));
     }
     parts
@@ -153,7 +152,7 @@ fn masses(tower: &Tower) -> Vec<Vec<String>> {
         let what = "point mass".to_owned();
         row(what, mass.height_m, tonnes(mass.mass_kg))
     });
-    let rna = Some(tower.rna()).filter(|rna| rna::is_there(rna));
+    let rna = Some(tower.rna()).filter(|rna| !rna.is_absent());
     let rna = rna.map(|rna| {
         let height_m = tower.top_m() + rna.center_m[2];
         let what = "RNA (centre of mass)".to_owned();

@@ -1,6 +1,6 @@
 //! The rotor-nacelle assembly: a nominal silhouette, its centre of mass to scale.
 
-use towermodes::{Rna, Tower};
+use towermodes::Tower;
 
 use super::callouts::{Callout, Subject};
 use super::view::View;
@@ -12,16 +12,11 @@ use crate::svg::{Colour, Dash, Drawing, Stroke};
 /// Room that the silhouette needs above the tower.
 pub(super) const ABOVE: f64 = 62.0;
 
-/// Whether there is an RNA.
-pub(in crate::figures) fn is_there(rna: &Rna) -> bool {
-    *rna != Rna::default()
-}
-
 /// Draws the RNA, if there is one; `scale` is the size of the silhouette, 1 in the picture of
 /// the tower.
 pub(super) fn draw_rna(drawing: &mut Drawing, view: &View, tower: &Tower, scale: f64) {
     let rna = tower.rna();
-    if !is_there(rna) {
+    if rna.is_absent() {
         return;
     }
     let silhouette = Silhouette::new(view, tower, scale);
@@ -39,7 +34,7 @@ pub(super) fn draw_rna(drawing: &mut Drawing, view: &View, tower: &Tower, scale:
 /// The label of the RNA, if there is one.
 pub(super) fn callout(view: &View, tower: &Tower) -> Option<Callout> {
     let rna = tower.rna();
-    if !is_there(rna) {
+    if rna.is_absent() {
         return None;
     }
     let [x, y, z] = rna.center_m.map(length);

@@ -33,7 +33,7 @@ pub(in crate::figures) fn small_view(
     (description, tower): (&TowerDescription, &Tower),
     widest: f64,
 ) -> View {
-    let above = if rna::is_there(tower.rna()) {
+    let above = if !tower.rna().is_absent() {
         rna::ABOVE * RNA_SCALE
     } else {
         ABOVE

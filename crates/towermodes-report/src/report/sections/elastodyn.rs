@@ -1,14 +1,13 @@
 //! Polynomial mode shapes for ElastoDyn and the quality of their fit.
 
-use towermodes::Plane;
-use towermodes_analysis::elastodyn::{PassedOver, TowerShape};
+use towermodes_analysis::elastodyn::{PassedOver, PolynomialFit, TowerShape, shape_name};
 
 use super::super::content::{ElastoDynShapes, ReportContent};
 use super::super::document::Block;
 use super::super::plot_command::command;
 use super::super::table::Table;
 use super::{paragraph, table};
-use crate::number::{digits, four_digits, length, percent, superscript};
+use crate::number::{digits, four_digits, length, percent, typeset};
 use crate::wording::listed;
 
 pub(super) fn blocks(content: &ReportContent) -> Vec<Block> {
@@ -113,69 +112,55 @@ fn left_out(mode: &PassedOver) -> String {
     )
 }
 
-/// The name of the coefficients of a shape in a tower file, without the power.
-fn name(shape: &TowerShape) -> String {
-    let plane = match shape.plane {
-        Plane::ForeAft => "FA",
-        Plane::SideSide => "SS",
-    };
-    format!("Tw{plane}M{}Sh", shape.number)
-}
-
 /// With the decimals of the command that writes the tower file.
 fn hertz(value: f64) -> String {
     format!("{value:.5}")
 }
 
 fn coefficients(made: &ElastoDynShapes) -> Table {
-    let shapes = &made.shapes;
-    let names = shapes.shapes.each_ref().map(|s| format!("#{}", name(s)));
+    let shapes = &made.shapes.shapes;
+    let names = shapes.each_ref();
+    let names = names.map(|shape| format!("#{}", shape_name(shape.plane, shape.number)));
     let header = ["quantity"].into_iter();
     let mut table = Table::new(
         "Polynomial coefficients of the mode shapes and quality of the fit",
         header.chain(names.iter().map(String::as_str)),
     );
     let mut row = |quantity: &str, value: &dyn Fn(&TowerShape) -> String| {
-        let mut cells = vec![quantity.to_owned()];
-        cells.extend(shapes.shapes.iter().map(value));
-        table.push(cells);
+        let cells = std::iter::once(quantity.to_owned());
+        table.push(cells.chain(shapes.iter().map(value)));
     };
-    row("mode", &|shape| shape.label.clone());
-    row("frequency of the mode (Hz)", &|shape| {
-        hertz(shape.frequency_hz)
-    });
-    for power in 2..=6 {
-        let quantity = format!(
-            "({power}), coefficient of x{}",
-            superscript(&power.to_string())
-        );
-        row(&quantity, &|shape| {
-            shape.decimals.texts()[power - 2].replace('-', "\u{2212}")
-        });
+    row("mode", &|s| s.label.clone());
+    row("frequency of the mode (Hz)", &|s| hertz(s.frequency_hz));
+    for (index, power) in ["²", "³", "⁴", "⁵", "⁶"].into_iter().enumerate() {
+        let quantity = format!("({}), coefficient of x{power}", index + 2);
+        row(&quantity, &|s| typeset(&s.decimals.texts()[index]));
     }
-    row("root mean square residual (%)", &|shape| {
-        digits(
-            100.0 * shape.fit.rms_residual / shape.fit.largest_deflection,
-            2,
-        )
+    for (quantity, value) in fit_quality() {
+        row(quantity, &|shape| value(&shape.fit));
+    }
+    row("ElastoDyn frequency (Hz)", &|s| {
+        hertz(made.frequency_alone_hz.of(s.plane)[s.number - 1])
     });
-    row("largest residual (%)", &|shape| {
-        digits(
-            100.0 * shape.fit.largest_residual / shape.fit.largest_deflection,
-            2,
-        )
-    });
-    row("largest deflection / top deflection (−)", &|shape| {
-        digits(shape.fit.largest_deflection, 4)
-    });
-    row("condition number of the fit", &|shape| {
-        digits(shape.fit.condition, 3)
-    });
-    row("ElastoDyn frequency (Hz)", &|shape| {
-        hertz(made.frequency_alone_hz.of(shape.plane)[shape.number - 1])
-    });
-    row("torsion fraction of the mode's energy (%)", &|shape| {
-        percent(shape.torsion_share)
-    });
+    let torsion = "torsion fraction of the mode's energy (%)";
+    row(torsion, &|s| percent(s.torsion_share));
     table
+}
+
+/// The measures of the quality of a fit, each with its name.
+fn fit_quality() -> [(&'static str, fn(&PolynomialFit) -> String); 4] {
+    [
+        ("root mean square residual (%)", |fit| {
+            digits(100.0 * fit.relative_rms_residual(), 2)
+        }),
+        ("largest residual (%)", |fit| {
+            digits(100.0 * fit.relative_largest_residual(), 2)
+        }),
+        ("largest deflection / top deflection (−)", |fit| {
+            digits(fit.largest_deflection, 4)
+        }),
+        ("condition number of the fit", |fit| {
+            digits(fit.condition, 3)
+        }),
+    ]
 }

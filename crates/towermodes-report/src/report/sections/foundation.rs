@@ -7,7 +7,7 @@ use towermodes::{
 
 use super::super::document::Block;
 use super::super::table::Table;
-use super::input::inertia;
+use super::bodies::inertia;
 use super::{paragraph, table};
 use crate::number::{digits, given, length};
 

@@ -1,7 +1,7 @@
 //! Frequencies with their errors, the proof of completeness, energies and effective masses.
 
 use towermodes::elements::GAUSS_HINGE_POSITION;
-use towermodes::{ByMotion, Foundation, Method, Mode, Options, Rna, Solution};
+use towermodes::{ByMotion, Foundation, Method, Mode, Options, Solution};
 
 use super::super::content::ReportContent;
 use super::super::document::Block;
@@ -74,7 +74,7 @@ fn total(content: &ReportContent) -> String {
     let parts = [
         (!d.point_masses.is_empty(), "its point masses"),
         (
-            *content.tower.rna() != Rna::default(),
+            !content.tower.rna().is_absent(),
             "the rotor-nacelle assembly",
         ),
         (content.tower.base().floats, "the platform"),

@@ -1,10 +1,11 @@
 //! The input as a drawing and in tables.
 
-use towermodes::{Inertia, Rna, TowerDescription};
+use towermodes::TowerDescription;
 
 use super::super::content::ReportContent;
 use super::super::document::Block;
 use super::super::table::Table;
+use super::bodies::{point_masses, rna};
 use super::foundation::foundation;
 use super::surroundings::surroundings;
 use super::{paragraph, table, tabulated_picture};
@@ -32,7 +33,7 @@ pub(super) fn blocks(content: &ReportContent) -> Vec<Block> {
     if !description.point_masses.is_empty() {
         blocks.push(table(point_masses(description)));
     }
-    if description.rna != Rna::default() {
+    if !description.rna.is_absent() {
         blocks.push(Block::Heading("Rotor-nacelle assembly".to_owned()));
         blocks.push(table(rna(&description.rna)));
     }
@@ -174,54 +175,4 @@ fn properties(description: &TowerDescription) -> Table {
         ]);
     }
     table.without_empty_columns().shortened()
-}
-
-fn point_masses(description: &TowerDescription) -> Table {
-    let mut table = Table::new(
-        "Point masses on the tower axis; moments of inertia about their centres of mass",
-        [
-            "#height z (m)",
-            "#mass of each (kg)",
-            "#Ixx (kg m²)",
-            "#Iyy (kg m²)",
-            "#Izz (kg m²)",
-            "#Ixy (kg m²)",
-            "#Ixz (kg m²)",
-            "#Iyz (kg m²)",
-        ],
-    );
-    for mass in &description.point_masses {
-        let mut row = vec![length(mass.height_m), given(mass.mass_kg)];
-        row.extend(inertia(&mass.inertia_kg_m2).map(|(_, value)| value));
-        table.push(row);
-    }
-    let names = &description.part_names.point_masses;
-    table.without_empty_columns().named(names).shortened()
-}
-
-/// The entries of an inertia tensor with their names.
-pub(super) fn inertia(inertia: &Inertia) -> [(&'static str, String); 6] {
-    [
-        ("Ixx (kg m²)", given(inertia.xx)),
-        ("Iyy (kg m²)", given(inertia.yy)),
-        ("Izz (kg m²)", given(inertia.zz)),
-        ("Ixy (kg m²)", given(inertia.xy)),
-        ("Ixz (kg m²)", given(inertia.xz)),
-        ("Iyz (kg m²)", given(inertia.yz)),
-    ]
-}
-
-fn rna(rna: &Rna) -> Table {
-    let [x, y, z] = rna.center_m;
-    let mut facts = vec![
-        ("mass (kg)", given(rna.mass_kg)),
-        ("centre of mass relative to the tower top, x (m)", length(x)),
-        ("centre of mass relative to the tower top, y (m)", length(y)),
-        ("centre of mass relative to the tower top, z (m)", length(z)),
-    ];
-    facts.extend(inertia(&rna.inertia_kg_m2));
-    Table::of_facts(
-        "Rotor-nacelle assembly; moments of inertia about its centre of mass",
-        facts,
-    )
 }

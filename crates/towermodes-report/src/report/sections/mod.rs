@@ -1,6 +1,7 @@
 //! The sections of a report, one per file.
 
 mod assumptions;
+mod bodies;
 mod elastodyn;
 mod files;
 mod foundation;

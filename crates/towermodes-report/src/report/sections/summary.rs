@@ -3,7 +3,8 @@
 use towermodes::{Family, Mode};
 
 use super::super::content::ReportContent;
-use super::super::document::{Block, Mark, Statement};
+use super::super::document::{Block, Statement};
+use super::super::mark::Mark;
 use super::own_picture;
 use crate::figures;
 use crate::number::{digits, four_digits, margin_percent};

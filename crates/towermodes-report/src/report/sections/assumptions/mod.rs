@@ -3,7 +3,7 @@
 mod base;
 mod beam;
 
-use towermodes::{Properties, Rna, Station, TowerDescription};
+use towermodes::{Properties, Station, TowerDescription};
 
 use super::super::content::ReportContent;
 use super::super::document::Block;
@@ -106,7 +106,7 @@ fn gravity(content: &ReportContent) -> String {
 /// The rotor-nacelle assembly, or what is in its place.
 fn rna(content: &ReportContent) -> String {
     let tower = &content.tower;
-    if *tower.rna() != Rna::default() {
+    if !tower.rna().is_absent() {
         return "The rotor-nacelle assembly is one rigid body fixed to the tower top. Blade flexibility, gyroscopic moments and aerodynamic \
                 stiffness of the rotating rotor are neglected."
             .to_owned();

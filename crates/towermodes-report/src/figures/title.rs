@@ -1,20 +1,22 @@
 //! The title of a picture, in its file and above the drawing.
 
-use towermodes::{Solution, Tower};
-use towermodes_report::svg::{Figure, Heading};
+use towermodes::Tower;
+
+use crate::svg::{Figure, Heading};
 
 /// The texts above a picture.
-pub(super) struct Words<'a> {
-    /// The title given by the user; empty for none.
-    pub(super) title: Option<&'a str>,
-    /// The method.
-    pub(super) computed: Option<&'a str>,
+#[derive(Debug, Clone, Copy)]
+pub struct TitleWords<'a> {
+    /// The title given by the user; an empty one for a picture without title, none for the default.
+    pub title: Option<&'a str>,
+    /// The method and the mesh: [`computed_by`](crate::wording::computed_by).
+    pub computed: Option<&'a str>,
     /// The conclusion in sentences.
-    pub(super) conclusion: &'a [String],
+    pub conclusion: &'a [String],
 }
 
 /// The picture with its title: that of the user, or name of the tower, type of picture and method.
-pub(super) fn titled(mut figure: Figure, tower: &Tower, words: &Words<'_>) -> Figure {
+pub fn titled(mut figure: Figure, tower: &Tower, words: &TitleWords<'_>) -> Figure {
     let name = tower.name();
     let own = words.title.map(str::trim);
     let subject = subject(&figure.title, name).to_owned();
@@ -33,7 +35,7 @@ pub(super) fn titled(mut figure: Figure, tower: &Tower, words: &Words<'_>) -> Fi
     figure.headed(&heading)
 }
 
-fn default_heading(name: &str, subject: &str, words: &Words<'_>) -> Heading {
+fn default_heading(name: &str, subject: &str, words: &TitleWords<'_>) -> Heading {
     let computed = words.computed.map(str::to_owned);
     let (title, first) = match name {
         "" => (subject, computed),
@@ -58,22 +60,12 @@ fn subject<'a>(title: &'a str, name: &str) -> &'a str {
     }
 }
 
-/// "rmje-exact, 100 segments", "spectral, degree 17".
-pub(super) fn computed_by(solution: &Solution) -> String {
-    let method = solution.method.name();
-    match solution.degree {
-        Some(degree) => format!("{method}, degree {degree}"),
-        None if solution.segments == 1 => format!("{method}, 1 segment"),
-        None => format!("{method}, {} segments", solution.segments),
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use towermodes::{Material, Station, Tower, TowerDescription};
-    use towermodes_report::figures;
 
-    use super::{Words, titled};
+    use super::{TitleWords, titled};
+    use crate::figures;
 
     fn tower(name: &str) -> (TowerDescription, Tower) {
         let description = TowerDescription {
@@ -90,7 +82,7 @@ mod tests {
     fn said(name: &str, title: Option<&str>) -> (Vec<String>, String) {
         let (description, tower) = tower(name);
         let plain = figures::tower(&description, &tower);
-        let words = Words {
+        let words = TitleWords {
             title,
             computed: Some("rmje, 10 segments"),
             conclusion: &["It stands.".to_owned(), "It does.".to_owned()],
