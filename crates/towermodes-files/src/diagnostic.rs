@@ -325,6 +325,13 @@ impl DiagnosticKind {
     }
 
     /// [`Self::MissingKey`].
+    pub(crate) fn unreadable(what: impl Into<String>, reason: &impl fmt::Display) -> Self {
+        Self::UnreadableFile {
+            what: what.into(),
+            reason: reason.to_string(),
+        }
+    }
+
     pub(crate) fn missing_key(what: impl Into<String>, key: impl Into<String>) -> Self {
         Self::MissingKey {
             what: what.into(),

@@ -74,8 +74,12 @@ pub struct TowerInput {
 }
 
 impl TowerInput {
-    /// A description from a file, with nothing else said of it.
-    pub(crate) fn new(format: FileFormat, description: TowerDescription, source: Source) -> Self {
+    /// A description from its files, which prescribe nothing for its solution.
+    pub(crate) fn new(
+        format: FileFormat,
+        description: TowerDescription,
+        sources: Vec<Source>,
+    ) -> Self {
         Self {
             format,
             blades: description.rotor.map(|rotor| rotor.blades),
@@ -88,7 +92,7 @@ impl TowerInput {
             layout: OutLayout::default(),
             notes: Vec::new(),
             rotor_notes: RotorNotes::default(),
-            sources: vec![source],
+            sources,
             places: Places::default(),
         }
     }

@@ -8,9 +8,9 @@ use std::f64::consts::PI;
 use towermodes::{BladeDescription, BladeSection, Inertia, RigidBody};
 
 use super::Sources;
-use super::deck::scaled;
-use super::deck::{Deck, HubConnection, Section};
+use super::deck::{Deck, HubConnection, Section, scaled};
 use super::notes::{Notes, choice, dialect, extra_columns, modes};
+use super::parameters::Column;
 use crate::diagnostic::{Diagnostic, DiagnosticKind};
 use crate::error::ReadError;
 use crate::input::BladeInput;
@@ -112,39 +112,44 @@ fn tip_center(deck: &Deck, compatible: bool) -> [f64; 3] {
 /// stiffnesses.
 fn section(row: &Section, deck: &Deck) -> Result<BladeSection, Diagnostic> {
     let factors = &deck.multipliers;
-    let flap = scaled(&row.flap_inertia_kg_m, &factors.flap_inertia)?;
-    let edge = scaled(&row.edge_inertia_kg_m, &factors.edge_inertia)?;
-    if flap + edge <= 0.0 {
-        let rule = "positive: it is the section's inertia in torsion";
-        let what = "the sum of flp_iner and edge_iner with their factors";
-        let kind = DiagnosticKind::out_of_range(what, flap + edge, rule);
-        return Err(row.flap_inertia_kg_m.wrong(kind));
-    }
-    let turned = (row.twist_deg.value - row.inertia_twist_deg.value).to_radians();
-    let (mean, half) = (0.5 * (edge + flap), 0.5 * (edge - flap));
-    let half = half * (2.0 * turned).cos();
-    let offset_m = row.tension_center_m.value - row.shear_center_m.value;
+    let [flap_inertia_kg_m, edge_inertia_kg_m] = inertias(row, deck)?;
+    let offset_m = row[Column::TensionCenter].value - row[Column::ShearCenter].value;
     let offset_factor = factors.tension_center.value * factors.shear_center.value;
     let section = BladeSection {
-        span: row.location.value,
-        twist_rad: 0.0 - row.twist_deg.value.to_radians(),
-        mass_kg_per_m: scaled(&row.mass_kg_per_m, &factors.mass)?,
-        flap_inertia_kg_m: mean - half,
-        edge_inertia_kg_m: mean + half,
-        flap_n_m2: scaled(&row.flap_n_m2, &factors.flap)?,
-        edge_n_m2: scaled(&row.edge_n_m2, &factors.edge)?,
-        torsion_n_m2: scaled(&row.torsion_n_m2, &factors.torsion)?,
-        axial_n: scaled(&row.axial_n, &factors.axial)?,
-        center_of_mass_m: 0.0 - row.center_of_mass_m.value * factors.center_of_mass.value,
+        span: row[Column::Location].value,
+        twist_rad: 0.0 - row[Column::Twist].value.to_radians(),
+        mass_kg_per_m: scaled(&row[Column::Mass], &factors.mass)?,
+        flap_inertia_kg_m,
+        edge_inertia_kg_m,
+        flap_n_m2: scaled(&row[Column::Flap], &factors.flap)?,
+        edge_n_m2: scaled(&row[Column::Edge], &factors.edge)?,
+        torsion_n_m2: scaled(&row[Column::Torsion], &factors.torsion)?,
+        axial_n: scaled(&row[Column::Axial], &factors.axial)?,
+        center_of_mass_m: 0.0 - row[Column::CenterOfMass].value * factors.center_of_mass.value,
         tension_center_m: 0.0 - offset_m * offset_factor,
     };
     if section.center_of_mass_m.is_finite() && section.tension_center_m.is_finite() {
         return Ok(section);
     }
     let what = "an offset of this row times its factor".to_owned();
-    Err(row
-        .center_of_mass_m
-        .wrong(DiagnosticKind::Overflow { what }))
+    Err(row[Column::CenterOfMass].wrong(DiagnosticKind::Overflow { what }))
+}
+
+/// The flapwise and edgewise inertia of a row in the axes of its stiffnesses, kg m.
+fn inertias(row: &Section, deck: &Deck) -> Result<[f64; 2], Diagnostic> {
+    let factors = &deck.multipliers;
+    let flap = scaled(&row[Column::FlapInertia], &factors.flap_inertia)?;
+    let edge = scaled(&row[Column::EdgeInertia], &factors.edge_inertia)?;
+    if flap + edge <= 0.0 {
+        let rule = "positive: it is the section's inertia in torsion";
+        let what = "the sum of flp_iner and edge_iner with their factors";
+        let kind = DiagnosticKind::out_of_range(what, flap + edge, rule);
+        return Err(row[Column::FlapInertia].wrong(kind));
+    }
+    let turned = (row[Column::Twist].value - row[Column::InertiaTwist].value).to_radians();
+    let (mean, half) = (0.5 * (edge + flap), 0.5 * (edge - flap));
+    let half = half * (2.0 * turned).cos();
+    Ok([mean - half, mean + half])
 }
 
 fn blade_notes(deck: &Deck, compatible: bool, notes: &mut Notes) -> usize {
@@ -166,16 +171,26 @@ fn blade_notes(deck: &Deck, compatible: bool, notes: &mut Notes) -> usize {
         );
         notes.on(&general.precone_deg, Note::left_out(message));
     }
-    let turned = |row: &&Section| (row.twist_deg.value - row.inertia_twist_deg.value).abs() > 45.0;
-    if let Some(row) = deck.sections.iter().find(turned) {
-        let message = format!(
-            "at sec_loc {} the principal axes of inertia (tw_iner = {}) are rotated by more than 45 degrees from those of stiffness (str_tw = {})",
-            row.location.value, row.inertia_twist_deg.value, row.twist_deg.value
-        );
-        notes.at_sections(row.inertia_twist_deg.span.start, Note::suspicious(message));
-    }
+    turned_inertias(deck, notes);
     extra_columns(deck, notes);
     modes(deck, notes)
+}
+
+/// The first section whose principal axes of inertia are far from those of stiffness.
+fn turned_inertias(deck: &Deck, notes: &mut Notes) {
+    let degrees = |row: &Section| (row[Column::Twist].value, row[Column::InertiaTwist].value);
+    let mut rows = deck.sections.iter().map(|row| (row, degrees(row)));
+    let is_turned = |(_, (twist, inertia)): &(&Section, (f64, f64))| (twist - inertia).abs() > 45.0;
+    if let Some((row, (twist, inertia))) = rows.find(is_turned) {
+        let message = format!(
+            "at sec_loc {} the principal axes of inertia (tw_iner = {inertia}) are rotated by more than 45 degrees from those of stiffness (str_tw = {twist})",
+            row[Column::Location].value
+        );
+        notes.at_sections(
+            row[Column::InertiaTwist].span.start,
+            Note::suspicious(message),
+        );
+    }
 }
 
 /// The centrifugal force of the tip mass stiffens the blade.

@@ -17,6 +17,21 @@ pub(super) struct Building {
     pub(super) ends: Ends,
 }
 
+impl Building {
+    /// A tower of which only the name and the ends are known yet.
+    pub(super) fn of(deck: &Deck) -> Result<Self, Diagnostic> {
+        let description = TowerDescription {
+            name: deck.title.clone(),
+            ..TowerDescription::default()
+        };
+        Ok(Self {
+            description,
+            places: Places::default(),
+            ends: Ends::of(deck)?,
+        })
+    }
+}
+
 /// Heights of a tower's flexible base and its top above ground or sea level, m.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Ends {
@@ -25,7 +40,7 @@ pub(super) struct Ends {
 }
 
 impl Ends {
-    pub(super) fn of(deck: &Deck) -> Result<Self, Diagnostic> {
+    fn of(deck: &Deck) -> Result<Self, Diagnostic> {
         let general = &deck.general;
         let draft = deck.support.offshore.as_ref().map(|block| &block.draft_m);
         let ends = Self {

@@ -1,11 +1,12 @@
 //! The content of a BModes deck: every value as it is written, with its place.
 
-use crate::input::OutLayout;
-use std::ops::Range;
+use std::ops::{Index, Range};
 
+use super::parameters::{COLUMNS, Column};
 use super::reader::Value;
 use super::unread::Unread;
 use crate::diagnostic::{Diagnostic, DiagnosticKind};
+use crate::input::OutLayout;
 
 /// A main input file with its section file.
 #[derive(Debug, Clone)]
@@ -107,22 +108,16 @@ pub(super) struct Multipliers {
     pub(super) tension_center: Value<f64>,
 }
 
-/// A row of the section file.
+/// A row of the section file: the value of each [`Column`].
 #[derive(Debug, Clone)]
-pub(super) struct Section {
-    pub(super) location: Value<f64>,
-    pub(super) twist_deg: Value<f64>,
-    pub(super) inertia_twist_deg: Value<f64>,
-    pub(super) mass_kg_per_m: Value<f64>,
-    pub(super) flap_inertia_kg_m: Value<f64>,
-    pub(super) edge_inertia_kg_m: Value<f64>,
-    pub(super) flap_n_m2: Value<f64>,
-    pub(super) edge_n_m2: Value<f64>,
-    pub(super) torsion_n_m2: Value<f64>,
-    pub(super) axial_n: Value<f64>,
-    pub(super) center_of_mass_m: Value<f64>,
-    pub(super) shear_center_m: Value<f64>,
-    pub(super) tension_center_m: Value<f64>,
+pub(super) struct Section(pub(super) [Value<f64>; COLUMNS.len()]);
+
+impl Index<Column> for Section {
+    type Output = Value<f64>;
+
+    fn index(&self, column: Column) -> &Value<f64> {
+        &self.0[column as usize]
+    }
 }
 
 /// What supports a tower apart from its base.
@@ -157,6 +152,17 @@ pub(super) struct Offshore {
     pub(super) mooring_stiffness: MatrixValue<6>,
     pub(super) added_mass: Distribution,
     pub(super) stiffness: Distribution,
+}
+
+impl Offshore {
+    /// Whether the platform has a mass or a matrix.
+    pub(super) fn has_platform(&self) -> bool {
+        self.mass_kg.value != 0.0
+            || !self.inertia_kg_m2.is_zero()
+            || !self.hydro_mass.is_zero()
+            || !self.hydro_stiffness.is_zero()
+            || !self.mooring_stiffness.is_zero()
+    }
 }
 
 /// A matrix and the bytes of its rows.

@@ -1,6 +1,6 @@
 //! Reads the main file of a deck up to the elements, which blades and towers have in common.
 
-use super::deck::{Beam, Dialect, General, HubConnection, Multipliers, Tip};
+use super::deck::{Beam, Deck, Dialect, General, HubConnection, Multipliers, Support, Tip};
 use super::diagnose::After;
 use super::parameters::{self as p, Parameter};
 use super::reader::{Reader, Value};
@@ -8,21 +8,9 @@ use crate::diagnostic::{Diagnostic, DiagnosticKind};
 use crate::input::OutLayout;
 use crate::records::Line;
 
-/// The content of the main file before the support of a tower.
-#[derive(Debug, Clone)]
-pub(super) struct MainFile<'a> {
-    pub(super) dialect: Dialect,
-    pub(super) title: String,
-    pub(super) beam: Beam,
-    pub(super) general: General,
-    pub(super) tip: Tip,
-    pub(super) sections_file: Value<&'a str>,
-    pub(super) multipliers: Multipliers,
-    pub(super) borders: Vec<Value<f64>>,
-}
-
-/// The main file up to and with the element borders.
-pub(super) fn main_file<'a>(reader: &mut Reader<'a>) -> Result<MainFile<'a>, Diagnostic> {
+/// The main file up to and with the element borders: the deck without the support of a tower and
+/// without sections, and the name of its section file.
+pub(super) fn main_file<'a>(reader: &mut Reader<'a>) -> Result<(Deck, Value<&'a str>), Diagnostic> {
     reader.comment("the first line, a comment,")?;
     // A title is free text, whatever it looks like.
     let title = reader.lines.expect("the title")?.text.trim().to_owned();
@@ -34,72 +22,64 @@ pub(super) fn main_file<'a>(reader: &mut Reader<'a>) -> Result<MainFile<'a>, Dia
     reader.heading("the heading of the factors")?;
     let multipliers = multipliers(reader)?;
     reader.heading("the heading of the elements")?;
-    let borders = borders(reader)?;
-    Ok(MainFile {
+    let deck = Deck {
         dialect,
         title,
         beam,
         general,
         tip,
-        sections_file,
         multipliers,
-        borders,
-    })
+        borders: borders(reader)?,
+        support: Support::default(),
+        sections: Vec::new(),
+        extra_columns: None,
+    };
+    Ok((deck, sections_file))
 }
 
 fn general(reader: &mut Reader<'_>) -> Result<(Beam, General), Diagnostic> {
     reader.heading("the heading of the general parameters")?;
-    let block = reader.block(p::GENERAL).map_err(hint_on_pinned_base)?;
-    let [
-        _,
-        kind,
-        rot_rpm,
-        rpm_mult,
-        radius_m,
-        root_m,
-        precone_deg,
-        pitch_deg,
-        hub,
-        modes,
-        tabs,
-        mid,
-    ] = block;
-    let beam = if kind.value == 1.0 {
-        Beam::Blade
-    } else {
-        Beam::Tower
+    reader.value(&p::ECHO)?;
+    let beam = match reader.value(&p::BEAM_TYPE)?.value {
+        1.0 => Beam::Blade,
+        _ => Beam::Tower,
     };
-    if root_m.value >= radius_m.value {
-        let rule = format!("below radius, {} m", radius_m.value);
-        let kind = DiagnosticKind::out_of_range_in("hub_rad", root_m.value, "m", rule);
-        let hint = "the beam extends from hub_rad to radius";
-        return Err(root_m.wrong(kind).with_hint(hint));
-    }
-    let layout = OutLayout {
-        radius_m: Some(radius_m.value),
-        tab_delimited: tabs.value != 0.0,
-        mid_node_twist: mid.value != 0.0,
+    let hub = |reader: &mut Reader<'_>| reader.value(&p::HUB_CONN).map_err(hint_on_pinned_base);
+    let mut general = General {
+        rot_rpm: reader.value(&p::ROT_RPM)?,
+        rpm_mult: reader.value(&p::RPM_MULT)?,
+        radius_m: reader.value(&p::RADIUS)?,
+        root_m: reader.value(&p::HUB_RAD)?,
+        precone_deg: reader.value(&p::PRECONE)?,
+        pitch_deg: reader.value(&p::BL_THP)?,
+        hub: hub(reader)?.map(HubConnection::of_number),
+        modes: reader.count(&p::MODEPR)?,
+        layout: OutLayout {
+            radius_m: None,
+            tab_delimited: reader.value(&p::TAB_DELIM)?.value != 0.0,
+            mid_node_twist: reader.value(&p::MID_NODE_TW)?.value != 0.0,
+        },
     };
-    let general = General {
-        rot_rpm,
-        rpm_mult,
-        radius_m,
-        root_m,
-        precone_deg,
-        pitch_deg,
-        hub: hub.map(HubConnection::of_number),
-        modes: modes.map(|modes| modes as usize),
-        layout,
-    };
+    general.layout.radius_m = Some(general.radius_m.value);
+    check_root(&general)?;
     Ok((beam, general))
+}
+
+fn check_root(general: &General) -> Result<(), Diagnostic> {
+    let (root_m, radius_m) = (&general.root_m, general.radius_m.value);
+    if root_m.value < radius_m {
+        return Ok(());
+    }
+    let rule = format!("below radius, {radius_m} m");
+    let kind = DiagnosticKind::out_of_range_in("hub_rad", root_m.value, "m", rule);
+    let hint = "the beam extends from hub_rad to radius";
+    Err(root_m.wrong(kind).with_hint(hint))
 }
 
 /// Explains `hub_conn = 4`, which another program writes for a pinned base.
 fn hint_on_pinned_base(mistake: Diagnostic) -> Diagnostic {
     match &mistake.kind {
-        DiagnosticKind::OutOfRange { what, value, .. }
-            if what.starts_with(p::HUB_CONN.name) && value.0 == 4.0 =>
-        {
+        DiagnosticKind::OutOfRange { value, .. } if value.0 == 4.0 => {
             mistake.with_hint("BModes has no 4 (in pyBmodes a pinned base); springs are 3")
         }
         _ => mistake,
@@ -131,53 +111,37 @@ fn tip(reader: &mut Reader<'_>, beam: Beam) -> Result<(Dialect, Tip), Diagnostic
 /// show it: the six inertias come first, and a tower's file has no `tow_support`.
 fn lacks_cm_axial(reader: &Reader<'_>, beam: Beam) -> bool {
     let mut rest = reader.lines.clone().filter(|line| !line.is_blank());
-    if rest.clone().next().and_then(named) == Some(&p::CM_AXIAL) {
+    if rest.clone().next().and_then(Parameter::after_value) == Some(&p::CM_AXIAL) {
         return false;
     }
     let has_number = |line: &Line<'_>| line.first().is_some_and(|token| token.is_number());
     let values = rest.by_ref().take_while(has_number).take(8).count();
     let mut lines = reader.lines.clone();
-    let has_support = lines.any(|line| named(line) == Some(&p::TOW_SUPPORT));
+    let has_support = lines.any(|line| Parameter::after_value(line) == Some(&p::TOW_SUPPORT));
     values == 6 && !(beam == Beam::Tower && has_support)
 }
 
-/// The parameter whose name follows the first value of a line.
-pub(super) fn named(line: Line<'_>) -> Option<&'static Parameter> {
-    let label = line.tokens().nth(1)?;
-    Parameter::called(label.text)
-}
-
 fn multipliers(reader: &mut Reader<'_>) -> Result<Multipliers, Diagnostic> {
-    let [
-        mass,
-        flap_inertia,
-        edge_inertia,
-        flap,
-        edge,
-        torsion,
-        axial,
-        center_of_mass,
-        shear_center,
-        tension_center,
-    ] = reader.block(p::FACTORS)?;
-    if flap_inertia.value == 0.0 && edge_inertia.value == 0.0 {
+    let factors = Multipliers {
+        mass: reader.value(&p::SEC_MASS_MULT)?,
+        flap_inertia: reader.value(&p::FLP_INER_MULT)?,
+        edge_inertia: reader.value(&p::LAG_INER_MULT)?,
+        flap: reader.value(&p::FLP_STFF_MULT)?,
+        edge: reader.value(&p::EDGE_STFF_MULT)?,
+        torsion: reader.value(&p::TOR_STFF_MULT)?,
+        axial: reader.value(&p::AXIAL_STFF_MULT)?,
+        center_of_mass: reader.value(&p::CG_OFFST_MULT)?,
+        shear_center: reader.value(&p::SC_OFFST_MULT)?,
+        tension_center: reader.value(&p::TC_OFFST_MULT)?,
+    };
+    let (flap, edge) = (&factors.flap_inertia, &factors.edge_inertia);
+    if flap.value == 0.0 && edge.value == 0.0 {
         let message =
             "flp_iner_mult and lag_iner_mult are both 0, so the beam has no inertia in torsion";
         let kind = DiagnosticKind::Contradiction(message.to_owned());
-        return Err(edge_inertia.wrong(kind).with_hint("write 1"));
+        return Err(edge.wrong(kind).with_hint("write 1"));
     }
-    Ok(Multipliers {
-        mass,
-        flap_inertia,
-        edge_inertia,
-        flap,
-        edge,
-        torsion,
-        axial,
-        center_of_mass,
-        shear_center,
-        tension_center,
-    })
+    Ok(factors)
 }
 
 fn borders(reader: &mut Reader<'_>) -> Result<Vec<Value<f64>>, Diagnostic> {

@@ -29,13 +29,13 @@ pub use norm::euclidean;
 pub use out::{OutHeader, OutMode, OutRow, write_bmodes_out};
 pub use write::{BmodesFiles, BmodesWriteError, BmodesWriteOptions, write_bmodes};
 
-use crate::diagnostic::{Diagnostic, DiagnosticKind};
+use crate::diagnostic::DiagnosticKind;
 use crate::error::ReadError;
 use crate::input::{BladeInput, ReadOptions, TowerInput};
 use crate::records::{Line, Lines};
 use crate::resolver::FileResolver;
 use crate::source::Source;
-use deck::{Beam, Deck, Support};
+use deck::{Beam, Deck};
 use parameters::{Kind, Parameter};
 use reader::Reader;
 
@@ -81,35 +81,20 @@ pub fn read_bmodes(
 fn read_deck(source: Source, files: &dyn FileResolver) -> Result<(Deck, Sources), ReadError> {
     let mut reader = Reader::new(&source.text);
     let in_main = |mistake| ReadError::mistake(&source, mistake);
-    let main = main_file::main_file(&mut reader).map_err(in_main)?;
-    let (dialect, support) = match main.beam {
-        Beam::Blade => (main.dialect, Support::default()),
-        Beam::Tower => {
-            support::support(&mut reader, main.dialect, main.borders.len()).map_err(in_main)?
-        }
-    };
-    let file = files.read(main.sections_file.value).map_err(|error| {
-        let kind = DiagnosticKind::UnreadableFile {
-            what: "the section file".to_owned(),
-            reason: error.to_string(),
-        };
+    let (mut deck, sections_file) = main_file::main_file(&mut reader).map_err(in_main)?;
+    if deck.beam == Beam::Tower {
+        let nodes = deck.borders.len();
+        let support = support::support(&mut reader, deck.dialect, nodes);
+        (deck.dialect, deck.support) = support.map_err(in_main)?;
+    }
+    let file = files.read(sections_file.value).map_err(|error| {
+        let kind = DiagnosticKind::unreadable("the section file", &error);
         let hint = "it is searched beside the .bmi file; names may be case-sensitive";
-        in_main(Diagnostic::new(main.sections_file.span.clone(), kind).with_hint(hint))
+        in_main(sections_file.wrong(kind).with_hint(hint))
     })?;
-    let sections = sections::sections(&file.text, main.beam)
-        .map_err(|mistakes| ReadError::mistakes(&file, mistakes))?;
-    let deck = Deck {
-        dialect,
-        title: main.title,
-        beam: main.beam,
-        general: main.general,
-        tip: main.tip,
-        multipliers: main.multipliers,
-        borders: main.borders,
-        support,
-        sections: sections.rows,
-        extra_columns: sections.extra_columns,
-    };
+    let sections = sections::sections(&file.text, deck.beam);
+    let sections = sections.map_err(|mistakes| ReadError::mistakes(&file, mistakes))?;
+    (deck.sections, deck.extra_columns) = (sections.rows, sections.extra_columns);
     let sources = Sources {
         main: source,
         sections: file,

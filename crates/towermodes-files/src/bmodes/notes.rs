@@ -2,7 +2,8 @@
 //! reader decided.
 
 use super::Sources;
-use super::deck::{Beam, Deck, Dialect, HubConnection, Section, WireSet};
+use super::deck::{Deck, Dialect, HubConnection, Section, WireSet};
+use super::parameters::Column;
 use super::reader::Value;
 use crate::diagnostic::{Diagnostic, DiagnosticKind};
 use crate::note::Note;
@@ -62,7 +63,8 @@ pub(super) fn tower_notes(
     for set in &deck.support.wires {
         wires(set, compatible, notes);
     }
-    rotation(deck, compatible, notes)?;
+    rotor_speed(deck, notes);
+    pitch(deck, compatible, notes)?;
     unread_columns(deck, notes);
     extra_columns(deck, notes);
     support(deck, notes);
@@ -165,18 +167,21 @@ fn wires(set: &WireSet, compatible: bool, notes: &mut Notes) {
     notes.on(&set.stiffness_n_per_m, Note::compatibility(message));
 }
 
-/// Rotor speed and pitch, which have no meaning for a tower.
-fn rotation(deck: &Deck, compatible: bool, notes: &mut Notes) -> Result<(), Diagnostic> {
-    let general = &deck.general;
-    let rpm = &general.rot_rpm;
-    if rpm.value * general.rpm_mult.value != 0.0 {
+/// A rotor speed, which has no meaning for a tower.
+fn rotor_speed(deck: &Deck, notes: &mut Notes) {
+    let (rpm, factor) = (&deck.general.rot_rpm, &deck.general.rpm_mult);
+    if rpm.value * factor.value != 0.0 {
         let message = format!(
             "rot_rpm is {}; a tower does not rotate: 0 is used, as in BModes",
             rpm.value
         );
         notes.on(rpm, Note::left_out(message));
     }
-    let pitch = &general.pitch_deg;
+}
+
+/// A pitch, which has no meaning for a tower.
+fn pitch(deck: &Deck, compatible: bool, notes: &mut Notes) -> Result<(), Diagnostic> {
+    let pitch = &deck.general.pitch_deg;
     if pitch.value == 0.0 {
         return Ok(());
     }
@@ -194,14 +199,12 @@ fn rotation(deck: &Deck, compatible: bool, notes: &mut Notes) -> Result<(), Diag
         pitch.value
     );
     if compatible {
-        return Err(pitch
-            .wrong(DiagnosticKind::Unsupported(message))
-            .with_hint("a tower has no pitch: write 0, or omit --bmodes-quirks"));
+        let kind = DiagnosticKind::Unsupported(message);
+        let hint = "a tower has no pitch: write 0, or omit --bmodes-quirks";
+        return Err(pitch.wrong(kind).with_hint(hint));
     }
-    notes.on(
-        pitch,
-        Note::compatibility(format!("{message}; here 0 is used")),
-    );
+    let message = format!("{message}; here 0 is used");
+    notes.on(pitch, Note::compatibility(message));
     Ok(())
 }
 
@@ -213,35 +216,39 @@ fn unread_columns(deck: &Deck, notes: &mut Notes) {
     let differs =
         |a: &Value<f64>, b: &Value<f64>| (a.value - b.value).abs() > EQUAL * b.value.abs();
     let is_unequal = |row: &&Section| {
-        differs(&row.edge_n_m2, &row.flap_n_m2)
-            || differs(&row.edge_inertia_kg_m, &row.flap_inertia_kg_m)
+        differs(&row[Column::Edge], &row[Column::Flap])
+            || differs(&row[Column::EdgeInertia], &row[Column::FlapInertia])
     };
     if let Some(row) = deck.sections.iter().find(is_unequal) {
+        let value = |column| row[column].value;
         let message = format!(
             "edge_stff = {:e} N m2 and edge_iner = {:e} kg m at sec_loc {} differ from flp_stff = {:e} N m2 and flp_iner = {:e} kg m; \
              they are not used for towers, as in BModes",
-            row.edge_n_m2.value,
-            row.edge_inertia_kg_m.value,
-            row.location.value,
-            row.flap_n_m2.value,
-            row.flap_inertia_kg_m.value
+            value(Column::Edge),
+            value(Column::EdgeInertia),
+            value(Column::Location),
+            value(Column::Flap),
+            value(Column::FlapInertia)
         );
-        notes.at_sections(row.edge_n_m2.span.start, Note::left_out(message));
+        notes.at_sections(row[Column::Edge].span.start, Note::left_out(message));
     }
-    let zeroed = |row: &Section| {
-        let columns = [
-            &row.twist_deg,
-            &row.inertia_twist_deg,
-            &row.center_of_mass_m,
-            &row.shear_center_m,
-            &row.tension_center_m,
-        ];
-        let given = columns.into_iter().find(|value| value.value != 0.0);
-        given.map(|value| value.span.start)
-    };
-    if let Some(byte) = deck.sections.iter().find_map(zeroed) {
+    offsets(deck, notes);
+}
+
+/// Twist and offsets of centres, which are not used for towers either.
+fn offsets(deck: &Deck, notes: &mut Notes) {
+    let unread = [
+        Column::Twist,
+        Column::InertiaTwist,
+        Column::CenterOfMass,
+        Column::ShearCenter,
+        Column::TensionCenter,
+    ];
+    let rows = deck.sections.iter();
+    let mut values = rows.flat_map(|row| unread.map(|column| &row[column]));
+    if let Some(value) = values.find(|value| value.value != 0.0) {
         let message = "str_tw, tw_iner, cg_offst, sc_offst and tc_offst are not all 0; they are not used for towers, as in BModes";
-        notes.at_sections(byte, Note::left_out(message));
+        notes.at_sections(value.span.start, Note::left_out(message));
     }
 }
 
@@ -262,13 +269,7 @@ fn support(deck: &Deck, notes: &mut Notes) {
             notes.on(&table.count, Note::left_out(message));
         }
     }
-    let has_platform = offshore.mass_kg.value != 0.0
-        || !offshore.inertia_kg_m2.is_zero()
-        || !offshore.hydro_mass.is_zero()
-        || !offshore.hydro_stiffness.is_zero()
-        || !offshore.mooring_stiffness.is_zero();
-    let is_clamped = deck.beam == Beam::Tower && deck.general.hub.value == HubConnection::Clamped;
-    if has_platform && is_clamped {
+    if offshore.has_platform() && deck.general.hub.value == HubConnection::Clamped {
         let message = "hub_conn is 1, so the base does not move: the mass and matrices of the platform have no effect";
         notes.on(&deck.general.hub, Note::left_out(message));
     }

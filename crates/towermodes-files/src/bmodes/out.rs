@@ -68,16 +68,7 @@ impl OutMode {
     ) -> Self {
         let mut rows = Vec::with_capacity(nodes.len() + interiors.len());
         for (index, (&span_loc, node)) in borders.iter().zip(nodes).enumerate() {
-            let [_, fa_disp, fa_slope, ss_disp, ss_slope, twist] = *node;
-            rows.push(OutRow {
-                span_loc,
-                ss_disp,
-                ss_slope,
-                fa_disp,
-                fa_slope,
-                twist,
-                is_mid_node: false,
-            });
+            rows.push(OutRow::of_node(span_loc, node));
             if let (Some(next), Some(interior)) = (borders.get(index + 1), interiors.get(index)) {
                 rows.push(OutRow {
                     span_loc: 0.5 * (span_loc + next),
@@ -91,47 +82,61 @@ impl OutMode {
     }
 }
 
+impl OutRow {
+    fn of_node(span_loc: f64, node: &[f64; 6]) -> Self {
+        let [_, fa_disp, fa_slope, ss_disp, ss_slope, twist] = *node;
+        Self {
+            span_loc,
+            ss_disp,
+            ss_slope,
+            fa_disp,
+            fa_slope,
+            twist,
+            is_mid_node: false,
+        }
+    }
+}
+
 /// Writes modes as BModes does.
 pub fn write_bmodes_out(header: &OutHeader, modes: &[OutMode]) -> String {
     let rule = "=".repeat(RULE_LENGTH);
-    let mut text = String::new();
-    let mut line = |line: &str| {
-        text.push_str(line);
-        text.push('\n');
-    };
-    line(&banner(header));
-    line(&format!("{:<TITLE_LENGTH$}", title(&header.title)));
-    line(&rule);
-    line("");
     let what = if header.is_blade {
         "rotating blade"
     } else {
         "tower"
     };
-    line(&format!("{:12}{what} frequencies & mode shapes", ""));
-    line(&format!(
-        "{:12}--- only first{} modes printed",
-        "",
-        integer(modes.len(), 4)
-    ));
+    let count = integer(modes.len(), 4);
+    let mut lines = vec![
+        banner(header),
+        format!("{:<TITLE_LENGTH$}", title(&header.title)),
+        rule.clone(),
+        String::new(),
+        format!("{:12}{what} frequencies & mode shapes", ""),
+        format!("{:12}--- only first{count} modes printed", ""),
+    ];
     for (index, mode) in modes.iter().enumerate() {
-        line("");
-        line("");
-        let number = integer(index + 1, 4);
-        let frequency = exponential(mode.frequency_hz, 12, 5);
-        line(&format!(
-            " -------- Mode No.{number}  (freq ={frequency} Hz)"
-        ));
-        line("");
-        line(&column_titles(header));
-        line("");
-        let is_printed = |row: &&OutRow| header.mid_node_twist || !row.is_mid_node;
-        for row in mode.rows.iter().filter(is_printed) {
-            line(&row_text(row, header.tab_delimited));
-        }
+        lines.extend(mode_lines(index + 1, mode, header));
     }
-    line(&rule);
-    text
+    lines.push(rule);
+    lines.join("\n") + "\n"
+}
+
+/// The lines of a mode: its number and frequency, the titles of the columns, the rows.
+fn mode_lines(number: usize, mode: &OutMode, header: &OutHeader) -> Vec<String> {
+    let number = integer(number, 4);
+    let frequency = exponential(mode.frequency_hz, 12, 5);
+    let mut lines = vec![
+        String::new(),
+        String::new(),
+        format!(" -------- Mode No.{number}  (freq ={frequency} Hz)"),
+        String::new(),
+        column_titles(header),
+        String::new(),
+    ];
+    let is_printed = |row: &&OutRow| header.mid_node_twist || !row.is_mid_node;
+    let rows = mode.rows.iter().filter(is_printed);
+    lines.extend(rows.map(|row| row_text(row, header.tab_delimited)));
+    lines
 }
 
 fn banner(header: &OutHeader) -> String {

@@ -3,6 +3,8 @@
 //!
 //! Names: the sample files of BModes 3.00 (NREL, 2008) and the decks that other programs write.
 
+use crate::records::{Line, MAX_COUNT};
+
 /// A parameter of a deck.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Parameter {
@@ -39,7 +41,7 @@ pub(super) struct Rule {
 }
 
 /// A whole number, and no list, is longer than this.
-const MOST: f64 = crate::records::MAX_COUNT as f64;
+const MOST: f64 = MAX_COUNT as f64;
 /// BModes allows two places for guy wires; no tower has more than so many.
 const MOST_ATTACHMENTS: f64 = 100.0;
 
@@ -99,6 +101,16 @@ impl Parameter {
         ALL.iter()
             .copied()
             .find(|parameter| parameter.is_called(name))
+    }
+
+    /// The parameter whose name follows the first value of a line.
+    pub(super) fn after_value(line: Line<'_>) -> Option<&'static Parameter> {
+        Self::called(line.tokens().nth(1)?.text)
+    }
+
+    /// The parameter whose name follows the numbers of a line.
+    pub(super) fn after_numbers(line: Line<'_>) -> Option<&'static Parameter> {
+        Self::called(line.tokens().find(|token| !token.is_number())?.text)
     }
 }
 
@@ -227,6 +239,31 @@ pub(super) type Table = [&'static Parameter; 3];
 pub(super) const ADDED_MASS: Table = [&N_SECS_M_DISTR, &Z_DISTR_M, &DISTR_M];
 /// The table of distributed stiffness.
 pub(super) const STIFFNESS: Table = [&N_SECS_K_DISTR, &Z_DISTR_K, &DISTR_K];
+
+/// A column of the section file, in the order of [`COLUMNS`].
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Column {
+    Location,
+    Twist,
+    InertiaTwist,
+    Mass,
+    FlapInertia,
+    EdgeInertia,
+    Flap,
+    Edge,
+    Torsion,
+    Axial,
+    CenterOfMass,
+    ShearCenter,
+    TensionCenter,
+}
+
+impl Column {
+    /// Its name in the section file.
+    pub(super) fn name(self) -> &'static str {
+        COLUMNS[self as usize].0
+    }
+}
 
 /// The columns of the section file with their units.
 pub(super) const COLUMNS: [(&str, &str); 13] = [

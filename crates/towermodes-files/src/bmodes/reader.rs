@@ -1,6 +1,7 @@
 //! Reads a deck record by record, each value with its place, and notices missing and surplus lines
 //! early.
 
+use std::iter::repeat_n;
 use std::ops::Range;
 
 use super::diagnose::{After, check_label, check_rest, explained, left_out};
@@ -170,11 +171,7 @@ impl<'a> Reader<'a> {
                 return Ok(list.values);
             }
             if items.ends_by_slash() {
-                let kind = DiagnosticKind::NoValue {
-                    what: list.next_name(),
-                    reason: "a `/` ends the values",
-                };
-                return Err(Diagnostic::new(line.span(), kind).with_hint("remove it"));
+                return Err(list.ended_by_slash(&line));
             }
             list.commas += items.commas_left();
         }
@@ -203,6 +200,14 @@ impl List<'_> {
         }
     }
 
+    fn ended_by_slash(&self, line: &Line<'_>) -> Diagnostic {
+        let kind = DiagnosticKind::NoValue {
+            what: self.next_name(),
+            reason: "a `/` ends the values",
+        };
+        Diagnostic::new(line.span(), kind).with_hint("remove it")
+    }
+
     /// Takes values from a record until it ends or the list is complete.
     fn take(&mut self, items: &mut Items<'_>) -> Result<(), Diagnostic> {
         while self.values.len() < self.count {
@@ -217,10 +222,7 @@ impl List<'_> {
             let value = value_of(&item.token, self.parameter, &what)?;
             let repeats = item.repeats.min(self.count - self.values.len());
             let span = item.token.span;
-            self.values.extend((0..repeats).map(|_| Value {
-                value,
-                span: span.clone(),
-            }));
+            self.values.extend(repeat_n(Value { value, span }, repeats));
         }
         Ok(())
     }

@@ -1,74 +1,76 @@
 //! The rules for the rows of a section file.
 
-use super::deck::Beam;
+use super::deck::{Beam, Section};
 use super::main_file::END;
-use super::parameters::COLUMNS;
+use super::parameters::Column;
 use super::reader::Value;
 use crate::diagnostic::{Diagnostic, DiagnosticKind};
 
-/// A row as it is written.
-pub(super) type Row = [Value<f64>; COLUMNS.len()];
-
 /// The values that no section of such a beam can have.
-pub(super) fn wrong(row: &Row, beam: Beam) -> Vec<Diagnostic> {
+pub(super) fn wrong(row: &Section, beam: Beam) -> Vec<Diagnostic> {
     let is_blade = beam == Beam::Blade;
-    // Column, whether zero is allowed, whether the beam uses it.
+    // The column, and whether zero is allowed.
     let rules = [
-        (3, false, true),
-        (6, false, true),
-        (7, false, is_blade),
-        (8, false, true),
-        (9, false, true),
-        (4, true, true),
-        (5, true, is_blade),
+        (Column::Mass, false),
+        (Column::Flap, false),
+        (Column::Edge, false),
+        (Column::Torsion, false),
+        (Column::Axial, false),
+        (Column::FlapInertia, true),
+        (Column::EdgeInertia, true),
     ];
-    let mut mistakes = Vec::new();
-    for (column, may_be_zero, is_used) in rules {
+    let is_used =
+        |column: Column| is_blade || !matches!(column, Column::Edge | Column::EdgeInertia);
+    let mistake = |(column, may_be_zero): (Column, bool)| {
         let value = &row[column];
         let is_right = value.value > 0.0 || (may_be_zero && value.value == 0.0);
-        if is_used && !is_right {
-            let rule = if may_be_zero {
-                "non-negative"
-            } else {
-                "positive"
-            };
-            let (name, _) = COLUMNS[column];
-            mistakes.push(value.wrong(DiagnosticKind::out_of_range(name, value.value, rule)));
-        }
+        let rule = if may_be_zero {
+            "non-negative"
+        } else {
+            "positive"
+        };
+        let kind = || DiagnosticKind::out_of_range(column.name(), value.value, rule);
+        (is_used(column) && !is_right).then(|| value.wrong(kind()))
+    };
+    let mistakes = rules.into_iter().filter_map(mistake);
+    mistakes.chain(without_inertia(row, is_blade)).collect()
+}
+
+/// The mistake of a section without inertia in torsion.
+fn without_inertia(row: &Section, is_blade: bool) -> Option<Diagnostic> {
+    let flap = &row[Column::FlapInertia];
+    if flap.value != 0.0 || (is_blade && row[Column::EdgeInertia].value != 0.0) {
+        return None;
     }
-    let no_inertia = row[4].value == 0.0 && !(is_blade && row[5].value != 0.0);
-    if no_inertia {
-        let rule = "positive: it is the section's inertia in torsion";
-        let kind = DiagnosticKind::out_of_range("flp_iner", 0.0, rule);
-        let hint =
-            "mass_den times the squared radius of gyration; a tube has mass_den (D^2 + d^2)/16";
-        mistakes.push(row[4].wrong(kind).with_hint(hint));
-    }
-    mistakes
+    let rule = "positive: it is the section's inertia in torsion";
+    let kind = DiagnosticKind::out_of_range("flp_iner", 0.0, rule);
+    let hint = "mass_den times the squared radius of gyration; a tube has mass_den (D^2 + d^2)/16";
+    Some(flap.wrong(kind).with_hint(hint))
 }
 
 /// Checks that `sec_loc` increases from 0 to 1, with steps; its ends are set to exactly these.
-pub(super) fn check_locations(rows: &mut [Row]) -> Result<(), Diagnostic> {
+pub(super) fn check_locations(rows: &mut [Section]) -> Result<(), Diagnostic> {
     let last = rows.len() - 1;
     for (index, end, name) in [(0, 0.0, "first"), (last, 1.0, "last")] {
-        let location = &mut rows[index][0];
+        let location = &mut rows[index].0[Column::Location as usize];
         if (location.value - end).abs() > END {
             return Err(wrong_end(location, end, name));
         }
         location.value = end;
     }
+    let location = |index: usize| &rows[index][Column::Location];
     for index in 1..rows.len() {
-        let (location, before) = (&rows[index][0], rows[index - 1][0].value);
-        if location.value < before {
-            let kind = DiagnosticKind::not_rising("sec_loc", location.value, before, "");
+        let (here, before) = (location(index), location(index - 1).value);
+        if here.value < before {
+            let kind = DiagnosticKind::not_rising("sec_loc", here.value, before, "");
             let hint = "rows go from the root to the tip; two rows at one sec_loc are a step";
-            return Err(location.wrong(kind).with_hint(hint));
+            return Err(here.wrong(kind).with_hint(hint));
         }
-        if index > 1 && location.value == rows[index - 2][0].value {
-            let what = format!("sec_loc {}", location.value);
+        if index > 1 && here.value == location(index - 2).value {
+            let what = format!("sec_loc {}", here.value);
             let kind = DiagnosticKind::Repeated { what, times: 3 };
             let hint = "two rows make a step: keep the one below it and the one above it";
-            return Err(location.wrong(kind).with_hint(hint));
+            return Err(here.wrong(kind).with_hint(hint));
         }
     }
     Ok(())

@@ -1,10 +1,12 @@
 //! Reads the section file of a deck.
 
+use std::iter::repeat_n;
+
 use super::deck::{Beam, Section};
 use super::diagnose::left_out;
 use super::parameters::{COLUMNS, N_SECS};
 use super::reader::{Reader, Value};
-use super::section_checks::{Row, check_locations, wrong};
+use super::section_checks::{check_locations, wrong};
 use crate::diagnostic::{Diagnostic, DiagnosticKind, quoted};
 use crate::records::{Items, Line, Token};
 
@@ -30,47 +32,13 @@ pub(super) fn sections(text: &str, beam: Beam) -> Result<Sections, Vec<Diagnosti
         mistakes.truncate(MAX_MISTAKES);
         return Err(mistakes);
     }
-    let rows = rows.into_iter().map(section).collect();
     Ok(Sections {
         rows,
         extra_columns,
     })
 }
 
-fn section(row: Row) -> Section {
-    let [
-        location,
-        twist_deg,
-        inertia_twist_deg,
-        mass_kg_per_m,
-        flap_inertia_kg_m,
-        edge_inertia_kg_m,
-        flap_n_m2,
-        edge_n_m2,
-        torsion_n_m2,
-        axial_n,
-        center_of_mass_m,
-        shear_center_m,
-        tension_center_m,
-    ] = row;
-    Section {
-        location,
-        twist_deg,
-        inertia_twist_deg,
-        mass_kg_per_m,
-        flap_inertia_kg_m,
-        edge_inertia_kg_m,
-        flap_n_m2,
-        edge_n_m2,
-        torsion_n_m2,
-        axial_n,
-        center_of_mass_m,
-        shear_center_m,
-        tension_center_m,
-    }
-}
-
-fn rows(text: &str) -> Result<(Vec<Row>, Option<usize>), Diagnostic> {
+fn rows(text: &str) -> Result<(Vec<Section>, Option<usize>), Diagnostic> {
     let mut reader = Reader::new(text);
     reader.comment("the first line of the section file, a comment,")?;
     let count = reader.count(&N_SECS)?;
@@ -92,28 +60,15 @@ fn rows(text: &str) -> Result<(Vec<Row>, Option<usize>), Diagnostic> {
     Ok((rows, extra_columns))
 }
 
-/// A row of the table, on one record or on several that together have exactly its numbers.
+/// A row of the table, and the byte of its first number beyond the columns.
 fn row(
     reader: &mut Reader<'_>,
     index: usize,
     count: usize,
-) -> Result<(Row, Option<usize>), Diagnostic> {
+) -> Result<(Section, Option<usize>), Diagnostic> {
     let what = format!("row {} of n_secs = {count}", index + 1);
     let first = reader.lines.expect_filled(&what)?;
-    let mut values = numbers(&first)?;
-    if values.is_empty() {
-        return Err(no_row(&first, &what, index));
-    }
-    let on_first = values.len();
-    while values.len() < COLUMNS.len() {
-        let next = reader.lines.clone().find(|line| !line.is_blank());
-        let more = next.map_or(Ok(Vec::new()), |line| numbers(&line))?;
-        if more.is_empty() || values.len() + more.len() > COLUMNS.len() {
-            return Err(too_few(&first, &what, on_first));
-        }
-        reader.lines.expect_filled(&what)?;
-        values.extend(more);
-    }
+    let values = values_of_row(reader, &first, &what, index)?;
     let extra = values.get(COLUMNS.len()).map(|value| value.span.start);
     if extra.is_some() && has_joined_numbers(&first) {
         let kind = DiagnosticKind::wrong_count_of("numbers", what, values.len(), COLUMNS.len());
@@ -126,7 +81,31 @@ fn row(
         span: first.span(),
     };
     let row = std::array::from_fn(|_| values.next().unwrap_or_else(empty));
-    Ok((row, extra))
+    Ok((Section(row), extra))
+}
+
+/// The numbers of a row, on one record or on several that together have exactly its numbers.
+fn values_of_row(
+    reader: &mut Reader<'_>,
+    first: &Line<'_>,
+    what: &str,
+    index: usize,
+) -> Result<Vec<Value<f64>>, Diagnostic> {
+    let mut values = numbers(first)?;
+    if values.is_empty() {
+        return Err(no_row(first, what, index));
+    }
+    let on_first = values.len();
+    while values.len() < COLUMNS.len() {
+        let next = reader.lines.clone().find(|line| !line.is_blank());
+        let more = next.map_or(Ok(Vec::new()), |line| numbers(&line))?;
+        if more.is_empty() || values.len() + more.len() > COLUMNS.len() {
+            return Err(too_few(first, what, on_first));
+        }
+        reader.lines.expect_filled(what)?;
+        values.extend(more);
+    }
+    Ok(values)
 }
 
 fn no_row(line: &Line<'_>, what: &str, index: usize) -> Diagnostic {
@@ -162,10 +141,7 @@ fn numbers(line: &Line<'_>) -> Result<Vec<Value<f64>>, Diagnostic> {
             Ok(value) => {
                 let span = item.token.span;
                 let repeats = item.repeats.min(COLUMNS.len());
-                values.extend((0..repeats).map(|_| Value {
-                    value,
-                    span: span.clone(),
-                }));
+                values.extend(repeat_n(Value { value, span }, repeats));
             }
             Err(mistake) if !values.is_empty() && column.is_some() => {
                 return Err(unreadable(mistake, &item.token));

@@ -2,7 +2,6 @@
 
 use super::deck::{Dialect, Distribution, MatrixValue, Offshore, Support, WireSet};
 use super::diagnose::After;
-use super::main_file::named;
 use super::parameters::{self as p, Parameter};
 use super::reader::{Reader, Value};
 use super::unread::{self, Unread};
@@ -16,33 +15,33 @@ pub(super) fn support(
 ) -> Result<(Dialect, Support), Diagnostic> {
     reader.heading("the heading of the tower's support")?;
     let mut support = Support::default();
+    let Support {
+        wires,
+        offshore,
+        unread,
+    } = &mut support;
     if dialect == Dialect::V1 {
-        let count = attachments(reader)?;
-        support.wires = wires(reader, &count, nodes, &mut support.unread)?;
+        *wires = wires_at_all_heights(reader, nodes, unread)?;
         return Ok((dialect, support));
     }
     let kind = reader.count(&p::TOW_SUPPORT)?;
     match kind.value {
-        0 => {
-            let unread = unread::after_no_support(reader, &kind);
-            support.unread.extend(unread);
-        }
+        0 => unread.extend(unread::after_no_support(reader, &kind)),
         1 if reader.number_follows() => {
-            support.offshore = Some(Box::new(offshore(reader, &mut support.unread)?));
-            support.wires = wires_if_any(reader, nodes, &mut support.unread)?;
+            *offshore = Some(Box::new(offshore_block(reader, unread)?));
+            *wires = wires_if_any(reader, nodes, unread)?;
             return Ok((Dialect::Later, support));
         }
         1 => {
             reader.comment("the heading of the wires")?;
-            let count = attachments(reader)?;
-            if count.value == 0 {
-                support.unread.push(unread::no_attachments(reader, &count));
-            }
-            support.wires = wires(reader, &count, nodes, &mut support.unread)?;
+            let count = reader.count(&p::N_ATTACHMENTS)?;
+            let none = (count.value == 0).then(|| unread::no_attachments(reader, &count));
+            unread.extend(none);
+            *wires = sets_of_wires(reader, &count, nodes, unread)?;
         }
         _ => {
-            support.offshore = Some(Box::new(offshore(reader, &mut support.unread)?));
-            support.unread.extend(unread_wires(reader));
+            *offshore = Some(Box::new(offshore_block(reader, unread)?));
+            unread.extend(unread_wires(reader));
         }
     }
     Ok((dialect, support))
@@ -62,25 +61,29 @@ fn wires_if_any(
         return Ok(Vec::new());
     }
     reader.heading("the heading of the wires")?;
-    let count = attachments(reader)?;
-    wires(reader, &count, nodes, unread)
+    wires_at_all_heights(reader, nodes, unread)
+}
+
+/// The number of heights at which wires are attached, and the wires.
+fn wires_at_all_heights(
+    reader: &mut Reader<'_>,
+    nodes: usize,
+    unread: &mut Vec<Unread>,
+) -> Result<Vec<WireSet>, Diagnostic> {
+    let count = reader.count(&p::N_ATTACHMENTS)?;
+    sets_of_wires(reader, &count, nodes, unread)
 }
 
 /// Where version 3.00's deck goes on with wires after an offshore block, which it does not read.
 fn unread_wires(reader: &Reader<'_>) -> Option<Unread> {
     let mut lines = reader.lines.clone();
-    let wires = lines.find(|line| named(*line) == Some(&p::N_ATTACHMENTS))?;
+    let wires = lines.find(|line| Parameter::after_value(*line) == Some(&p::N_ATTACHMENTS))?;
     let count = wires.first()?.integer("").ok()?;
     let message = "guy wires after the offshore block are not read, as in BModes 3.00; with tow_support = 1 they are read, as in later versions";
     (count > 0).then(|| Unread::new(wires.start, message))
 }
 
-/// At how many heights wires are attached.
-fn attachments(reader: &mut Reader<'_>) -> Result<Value<usize>, Diagnostic> {
-    reader.count(&p::N_ATTACHMENTS)
-}
-
-fn wires(
+fn sets_of_wires(
     reader: &mut Reader<'_>,
     attachments: &Value<usize>,
     nodes: usize,
@@ -91,31 +94,37 @@ fn wires(
         return Ok(Vec::new());
     }
     unread.extend(unread::sets_of_wires(reader, attachments));
-    let mut lists = Vec::new();
-    for parameter in p::WIRES {
-        lists.push(reader.list(parameter, count, After::Anything)?.into_iter());
-    }
-    let [counts, places, stiffnesses, angles] = &mut lists[..] else {
-        return Ok(Vec::new());
+    let [counts, places, stiffnesses, angles] = p::WIRES;
+    let mut list = |parameter| reader.list(parameter, count, After::Anything);
+    let (counts, places) = (list(counts)?, list(places)?);
+    let sets = counts.into_iter().zip(places);
+    let sets = sets.zip(list(stiffnesses)?).zip(list(angles)?);
+    let set = |(((count, node), stiffness_n_per_m), angle_deg)| WireSet {
+        count: Value::map(count, |count: f64| count as usize),
+        node: Value::map(node, |node: f64| node as usize),
+        stiffness_n_per_m,
+        angle_deg,
     };
-    let mut sets = Vec::new();
-    for (((count, node), stiffness), angle) in counts.zip(places).zip(stiffnesses).zip(angles) {
-        if node.value > nodes as f64 {
-            let rule = format!("at most {nodes}: nselt + 1, the top");
-            let kind = DiagnosticKind::out_of_range("node_attach", node.value, rule);
-            return Err(node.wrong(kind));
-        }
-        sets.push(WireSet {
-            count: count.map(|count| count as usize),
-            node: node.map(|node| node as usize),
-            stiffness_n_per_m: stiffness,
-            angle_deg: angle,
-        });
+    let sets: Vec<WireSet> = sets.map(set).collect();
+    match sets.iter().find(|set| set.node.value > nodes) {
+        Some(set) => Err(beyond_the_top(&set.node, nodes)),
+        None => Ok(sets),
     }
-    Ok(sets)
 }
 
-fn offshore(reader: &mut Reader<'_>, unread: &mut Vec<Unread>) -> Result<Offshore, Diagnostic> {
+fn beyond_the_top(node: &Value<usize>, nodes: usize) -> Diagnostic {
+    let rule = format!("at most {nodes}: nselt + 1, the top");
+    node.wrong(DiagnosticKind::out_of_range(
+        "node_attach",
+        node.value as f64,
+        rule,
+    ))
+}
+
+fn offshore_block(
+    reader: &mut Reader<'_>,
+    unread: &mut Vec<Unread>,
+) -> Result<Offshore, Diagnostic> {
     let [draft_m, cm_depth_m, mass_kg] = reader.block(p::PLATFORM)?;
     let inertia_kg_m2 = matrix(reader, &p::I_MATRIX_PFORM)?;
     let reference_depth_m = reader.value(&p::REF_MSL)?;
@@ -175,13 +184,13 @@ fn distribution(
     unread: &mut Vec<Unread>,
 ) -> Result<Distribution, Diagnostic> {
     let count = reader.count(count)?;
+    let mut rows = Vec::new();
     if count.value == 0 {
         let at = count.span.start;
         unread.extend(unread::table_of_no_rows(&reader.lines, table, at));
         // Fortran reads a record even for an empty list.
         reader.skipped(heights)?;
         reader.skipped(values)?;
-        let rows = Vec::new();
         return Ok(Distribution { count, rows });
     }
     let after = match count.value {
@@ -190,16 +199,19 @@ fn distribution(
     };
     let heights = reader.list(heights, count.value, after)?;
     let values = reader.list(values, count.value, after)?;
-    if count.value == 1 {
-        let rows = Vec::new();
-        return Ok(Distribution { count, rows });
+    check_rising(&heights)?;
+    if count.value > 1 {
+        rows.extend(heights.into_iter().zip(values));
     }
-    let falls = |pair: &&[Value<f64>]| pair[1].value < pair[0].value;
-    if let Some(pair) = heights.windows(2).find(falls) {
-        let kind = DiagnosticKind::not_rising("height", pair[1].value, pair[0].value, "m");
-        let hint = "heights are listed from the flexible base upwards";
-        return Err(pair[1].wrong(kind).with_hint(hint));
-    }
-    let rows = heights.into_iter().zip(values).collect();
     Ok(Distribution { count, rows })
+}
+
+fn check_rising(heights: &[Value<f64>]) -> Result<(), Diagnostic> {
+    let falls = |pair: &&[Value<f64>]| pair[1].value < pair[0].value;
+    let Some(pair) = heights.windows(2).find(falls) else {
+        return Ok(());
+    };
+    let kind = DiagnosticKind::not_rising("height", pair[1].value, pair[0].value, "m");
+    let hint = "heights are listed from the flexible base upwards";
+    Err(pair[1].wrong(kind).with_hint(hint))
 }

@@ -5,7 +5,6 @@ use towermodes::{AddedMassRow, Place, SoilRow, SoilStiffness, Wires};
 use super::building::{Building, Ends, MAIN};
 use super::deck::{Deck, Distribution, WireSet};
 use super::notes::Notes;
-use crate::diagnostic::Diagnostic;
 use crate::note::Note;
 use crate::number::Rounded;
 use crate::places::TABLE;
@@ -32,56 +31,21 @@ impl Building {
         }
     }
 
-    pub(super) fn surroundings(
-        &mut self,
-        deck: &Deck,
-        notes: &mut Notes,
-    ) -> Result<(), Diagnostic> {
+    pub(super) fn surroundings(&mut self, deck: &Deck, notes: &mut Notes) {
         let Some(offshore) = &deck.support.offshore else {
-            return Ok(());
+            return;
         };
-        let added_mass = self.heights_of(&offshore.added_mass, notes);
-        for row in 0..added_mass.len() {
-            let (height, value) = &offshore.added_mass.rows[row];
-            let spans = [
-                ("height", height),
-                ("mass", value),
-                (TABLE, height),
-                ("rows", height),
-            ];
-            for (key, value) in spans {
-                let place = Place::AddedMass { table: 0, row, key };
-                self.places.remember(place, MAIN, value.span.clone());
-            }
-        }
+        let place = |row, key| Place::AddedMass { table: 0, row, key };
+        let rows = self.rows_of(&offshore.added_mass, place, &["mass"], notes);
         let row = |(height_m, mass_kg_per_m)| AddedMassRow {
             height_m,
             mass_kg_per_m,
         };
-        if !added_mass.is_empty() {
-            self.description.added_mass = vec![added_mass.into_iter().map(row).collect()];
+        if !rows.is_empty() {
+            self.description.added_mass = vec![rows.into_iter().map(row).collect()];
         }
-        self.soil(&offshore.stiffness, notes);
-        Ok(())
-    }
-
-    fn soil(&mut self, stiffness: &Distribution, notes: &mut Notes) {
-        let soil = self.heights_of(stiffness, notes);
-        for row in 0..soil.len() {
-            let (height, value) = &stiffness.rows[row];
-            let layer = 0;
-            let spans = [
-                ("height", height),
-                ("x", value),
-                ("y", value),
-                (TABLE, height),
-                ("rows", height),
-            ];
-            for (key, value) in spans {
-                let place = Place::Soil { layer, row, key };
-                self.places.remember(place, MAIN, value.span.clone());
-            }
-        }
+        let place = |row, key| Place::Soil { layer: 0, row, key };
+        let rows = self.rows_of(&offshore.stiffness, place, &["x", "y"], notes);
         let row = |(height_m, per_length)| SoilRow {
             height_m,
             stiffness: SoilStiffness {
@@ -90,59 +54,85 @@ impl Building {
                 ..SoilStiffness::default()
             },
         };
-        if !soil.is_empty() {
-            self.description.soil = vec![soil.into_iter().map(row).collect()];
+        if !rows.is_empty() {
+            self.description.soil = vec![rows.into_iter().map(row).collect()];
         }
     }
 
-    /// A table with heights in the datum of the tower, up to the tower top: as in BModes, rows
-    /// above it have no effect. Empty if no row is along the flexible tower, or all values are
-    /// zero.
-    fn heights_of(&self, table: &Distribution, notes: &mut Notes) -> Vec<(f64, f64)> {
-        let Ends { base_m, top_m } = self.ends;
-        let length_m = top_m - base_m;
-        let rows: Vec<(f64, f64)> = table.rows.iter().map(|(z, v)| (z.value, v.value)).collect();
-        let (Some(first), Some(last)) = (rows.first(), rows.last()) else {
-            return Vec::new();
-        };
-        if rows.iter().all(|(_, value)| *value == 0.0) {
-            return Vec::new();
-        }
-        let height = &table.rows[0].0;
-        if last.0 <= 0.0 || first.0 >= length_m {
-            let message = format!(
-                "this table covers {} m to {} m above the flexible base, outside the flexible tower: it has no effect",
-                Rounded(first.0),
-                Rounded(last.0)
-            );
-            notes.on(height, Note::left_out(message));
-            return Vec::new();
-        }
-        let mut within: Vec<(f64, f64)> = Vec::with_capacity(rows.len());
-        for &(z, value) in &rows {
-            let is_beyond = z > length_m * (1.0 + 1e-9);
-            let reaches_top = z >= length_m * (1.0 - 1e-9);
-            match within.last() {
-                Some((below, at_below)) if is_beyond => {
-                    let s = (length_m - below) / (z - below);
-                    let at_top = at_below + s * (value - at_below);
-                    let message = format!(
-                        "the table extends {} m above the tower top, where it has no effect",
-                        Rounded(last.0 - length_m)
-                    );
-                    notes.on(height, Note::left_out(message));
-                    within.push((length_m, at_top));
-                    break;
-                }
-                _ => within.push((if reaches_top { length_m } else { z }, value)),
+    /// The rows of a table in the datum of the tower. The places of their heights and values are
+    /// remembered; `keys` are the names of the value.
+    fn rows_of(
+        &mut self,
+        table: &Distribution,
+        place: impl Fn(usize, &'static str) -> Place,
+        keys: &[&'static str],
+        notes: &mut Notes,
+    ) -> Vec<(f64, f64)> {
+        let rows = in_datum(table, self.ends, notes);
+        for (row, (height, value)) in table.rows.iter().enumerate().take(rows.len()) {
+            let heights = ["height", TABLE, "rows"].map(|key| (key, height));
+            let values = keys.iter().map(|key| (*key, value));
+            for (key, value) in heights.into_iter().chain(values) {
+                self.places
+                    .remember(place(row, key), MAIN, value.span.clone());
             }
         }
-        let in_datum = |(z, value): (f64, f64)| match z == length_m {
-            true => (top_m, value),
-            false => (base_m + z, value),
-        };
-        within.into_iter().map(in_datum).collect()
+        rows
     }
+}
+
+/// The rows of a table with heights in the datum of the tower, up to the tower top: as in BModes,
+/// rows above it have no effect. Empty if no row is along the flexible tower, or all values are
+/// zero.
+fn in_datum(table: &Distribution, ends: Ends, notes: &mut Notes) -> Vec<(f64, f64)> {
+    let Ends { base_m, top_m } = ends;
+    let length_m = top_m - base_m;
+    let rows: Vec<(f64, f64)> = table.rows.iter().map(|(z, v)| (z.value, v.value)).collect();
+    let (Some(&(first_m, _)), Some(&(last_m, _))) = (rows.first(), rows.last()) else {
+        return Vec::new();
+    };
+    if rows.iter().all(|(_, value)| *value == 0.0) {
+        return Vec::new();
+    }
+    let mut left_out = |message| notes.on(&table.rows[0].0, Note::left_out(message));
+    if last_m <= 0.0 || first_m >= length_m {
+        left_out(format!(
+            "this table covers {} m to {} m above the flexible base, outside the flexible tower: it has no effect",
+            Rounded(first_m),
+            Rounded(last_m)
+        ));
+        return Vec::new();
+    }
+    let (within, is_cut) = up_to(length_m, &rows);
+    if is_cut {
+        left_out(format!(
+            "the table extends {} m above the tower top, where it has no effect",
+            Rounded(last_m - length_m)
+        ));
+    }
+    let in_datum = |(z, value): (f64, f64)| match z == length_m {
+        true => (top_m, value),
+        false => (base_m + z, value),
+    };
+    within.into_iter().map(in_datum).collect()
+}
+
+/// The rows up to a length, the last one interpolated there, and whether rows beyond are cut off.
+fn up_to(length_m: f64, rows: &[(f64, f64)]) -> (Vec<(f64, f64)>, bool) {
+    let mut within: Vec<(f64, f64)> = Vec::with_capacity(rows.len());
+    for &(z, value) in rows {
+        let is_beyond = z > length_m * (1.0 + 1e-9);
+        let reaches_end = z >= length_m * (1.0 - 1e-9);
+        match within.last() {
+            Some((below, at_below)) if is_beyond => {
+                let s = (length_m - below) / (z - below);
+                within.push((length_m, at_below + s * (value - at_below)));
+                return (within, true);
+            }
+            _ => within.push((if reaches_end { length_m } else { z }, value)),
+        }
+    }
+    (within, false)
 }
 
 /// Wires in the library's terms; with `compatible` they are springs of n k cos² horizontally and

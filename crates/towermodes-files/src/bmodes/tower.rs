@@ -1,19 +1,17 @@
 //! The tower of a deck.
 
-use towermodes::{
-    Inertia, Method, Place, Planes, Properties, PropertyStation, Rna, TowerDescription,
-};
+use towermodes::{Inertia, Method, Place, Planes, Properties, PropertyStation, Rna};
 
 use super::Sources;
-use super::building::{Building, Ends, MAIN, SECTIONS};
+use super::building::{Building, MAIN, SECTIONS};
 use super::deck::{Deck, Section, scaled};
 use super::foundation::foundation;
 use super::notes::{Notes, tower_notes};
+use super::parameters::Column;
 use crate::diagnostic::Diagnostic;
 use crate::error::ReadError;
 use crate::input::{FileFormat, OutLayout, TowerInput};
-use crate::note::RotorNotes;
-use crate::places::{Places, TABLE};
+use crate::places::TABLE;
 
 /// The tower of a deck; with `compatible` as BModes 3.00 understands it.
 pub(super) fn tower(
@@ -22,67 +20,53 @@ pub(super) fn tower(
     compatible: bool,
 ) -> Result<TowerInput, ReadError> {
     let in_main = |mistake| ReadError::mistake(&sources.main, mistake);
-    let ends = Ends::of(deck).map_err(in_main)?;
+    let in_sections = |mistake| ReadError::mistake(&sources.sections, mistake);
+    let mut building = Building::of(deck).map_err(in_main)?;
     let mut notes = Notes::default();
-    let mut building = Building {
-        description: TowerDescription {
-            name: deck.title.clone(),
-            ..TowerDescription::default()
-        },
-        places: Places::default(),
-        ends,
-    };
-    building
-        .stations(deck, compatible)
-        .map_err(|mistake| ReadError::mistake(&sources.sections, mistake))?;
+    building.stations(deck, compatible).map_err(in_sections)?;
     building.top_body(deck, compatible);
-    let borders_m: Vec<f64> = deck
-        .borders
-        .iter()
-        .map(|border| ends.at(border.value))
+    let borders = deck.borders.iter();
+    let borders_m: Vec<f64> = borders
+        .map(|border| building.ends.at(border.value))
         .collect();
     building.wires(&deck.support.wires, &borders_m, compatible);
-    building.surroundings(deck, &mut notes).map_err(in_main)?;
+    building.surroundings(deck, &mut notes);
     foundation(deck, &mut building, &mut notes).map_err(in_main)?;
     let modes = tower_notes(deck, compatible, &mut notes).map_err(in_main)?;
-    let offshore = deck.support.offshore.as_ref();
-    let draft_m = offshore.map_or(0.0, |block| block.draft_m.value);
-    let Building {
-        description,
-        places,
-        ..
-    } = building;
     Ok(TowerInput {
-        format: FileFormat::Bmodes,
-        description,
         borders_m: Some(borders_m),
         method: Some(Method::Bmodes),
         modes: Some(modes),
-        blades: None,
-        blade: None,
-        joint_m: None,
-        layout: OutLayout {
-            radius_m: Some(deck.general.radius_m.value + draft_m),
-            ..deck.general.layout
-        },
+        layout: out_layout(deck),
         notes: notes.of(&sources),
-        rotor_notes: RotorNotes::default(),
-        sources: sources.into_list(),
-        places,
+        places: building.places,
+        ..TowerInput::new(
+            FileFormat::Bmodes,
+            building.description,
+            sources.into_list(),
+        )
     })
+}
+
+/// The layout of the results: BModes divides deflections by the radius plus the draft.
+fn out_layout(deck: &Deck) -> OutLayout {
+    let offshore = deck.support.offshore.as_ref();
+    let draft_m = offshore.map_or(0.0, |block| block.draft_m.value);
+    OutLayout {
+        radius_m: Some(deck.general.radius_m.value + draft_m),
+        ..deck.general.layout
+    }
 }
 
 impl Building {
     fn stations(&mut self, deck: &Deck, compatible: bool) -> Result<(), Diagnostic> {
-        let first = deck
-            .sections
-            .first()
-            .map_or(0..0, |row| row.location.span.clone());
+        let first = deck.sections.first();
+        let first = first.map_or(0..0, |row| row[Column::Location].span.clone());
         self.places.remember(Place::Stations, SECTIONS, first);
         for (index, section) in deck.sections.iter().enumerate() {
             self.remember_station(index, section);
             let row = PropertyStation {
-                height_m: self.ends.at(section.location.value),
+                height_m: self.ends.at(section[Column::Location].value),
                 properties: properties(section, deck, compatible)?,
             };
             self.description.properties.push(row);
@@ -92,16 +76,22 @@ impl Building {
 
     fn remember_station(&mut self, index: usize, section: &Section) {
         let columns = [
-            ("height", &section.location),
-            ("mass_kg_per_m", &section.mass_kg_per_m),
-            ("ei_fore_aft_n_m2", &section.flap_n_m2),
-            ("ei_side_side_n_m2", &section.flap_n_m2),
-            ("gj_n_m2", &section.torsion_n_m2),
-            ("ea_n", &section.axial_n),
-            ("polar_inertia_kg_m", &section.flap_inertia_kg_m),
-            ("rotary_inertia_fore_aft_kg_m", &section.flap_inertia_kg_m),
-            ("rotary_inertia_side_side_kg_m", &section.flap_inertia_kg_m),
-            (TABLE, &section.location),
+            ("height", &section[Column::Location]),
+            ("mass_kg_per_m", &section[Column::Mass]),
+            ("ei_fore_aft_n_m2", &section[Column::Flap]),
+            ("ei_side_side_n_m2", &section[Column::Flap]),
+            ("gj_n_m2", &section[Column::Torsion]),
+            ("ea_n", &section[Column::Axial]),
+            ("polar_inertia_kg_m", &section[Column::FlapInertia]),
+            (
+                "rotary_inertia_fore_aft_kg_m",
+                &section[Column::FlapInertia],
+            ),
+            (
+                "rotary_inertia_side_side_kg_m",
+                &section[Column::FlapInertia],
+            ),
+            (TABLE, &section[Column::Location]),
         ];
         for (key, value) in columns {
             let place = Place::Station { index, key };
@@ -164,19 +154,19 @@ fn properties(section: &Section, deck: &Deck, compatible: bool) -> Result<Proper
         named
     };
     let rotary = Planes {
-        fore_aft: scaled(&section.flap_inertia_kg_m, &factors.flap_inertia)?,
-        side_side: scaled(&section.flap_inertia_kg_m, &factors.edge_inertia)?,
+        fore_aft: scaled(&section[Column::FlapInertia], &factors.flap_inertia)?,
+        side_side: scaled(&section[Column::FlapInertia], &factors.edge_inertia)?,
     };
     Ok(Properties {
-        mass_kg_per_m: scaled(&section.mass_kg_per_m, &factors.mass)?,
+        mass_kg_per_m: scaled(&section[Column::Mass], &factors.mass)?,
         rotary_inertia_kg_m: rotary,
         polar_inertia_kg_m: rotary.fore_aft + rotary.side_side,
         bending_n_m2: Planes {
-            fore_aft: scaled(&section.flap_n_m2, bending.fore_aft)?,
-            side_side: scaled(&section.flap_n_m2, bending.side_side)?,
+            fore_aft: scaled(&section[Column::Flap], bending.fore_aft)?,
+            side_side: scaled(&section[Column::Flap], bending.side_side)?,
         },
-        torsion_n_m2: scaled(&section.torsion_n_m2, &factors.torsion)?,
-        axial_n: scaled(&section.axial_n, &factors.axial)?,
+        torsion_n_m2: scaled(&section[Column::Torsion], &factors.torsion)?,
+        axial_n: scaled(&section[Column::Axial], &factors.axial)?,
         shear_n: None,
     })
 }

@@ -1,7 +1,6 @@
 //! Values of a deck that are not read because of a count or a switch before them: BModes ignores
 //! them without a message.
 
-use super::main_file::named;
 use super::parameters::{self as p, Parameter};
 use super::reader::{Reader, Value};
 use crate::records::{Items, Line, Lines, MAX_COUNT};
@@ -34,7 +33,8 @@ pub(super) fn after_no_support(reader: &Reader<'_>, tow_support: &Value<usize>) 
         &p::N_SECS_K_DISTR,
     ];
     let given = |line: Line<'_>| {
-        let parameter = named(line).filter(|parameter| shows.contains(parameter))?;
+        let parameter =
+            Parameter::after_value(line).filter(|parameter| shows.contains(parameter))?;
         let value = line
             .first()?
             .number("")
@@ -53,7 +53,7 @@ pub(super) fn after_no_support(reader: &Reader<'_>, tow_support: &Value<usize>) 
 /// The wires after `n_attachments = 0` in a deck whose `tow_support` announces wires.
 pub(super) fn no_attachments(reader: &Reader<'_>, n_attachments: &Value<usize>) -> Unread {
     let stiffness = |line: Line<'_>| {
-        let is_stiffness = named_anywhere(line) == Some(&p::WIRE_STFNESS);
+        let is_stiffness = Parameter::after_numbers(line) == Some(&p::WIRE_STFNESS);
         let stiffness = line.first().filter(|_| is_stiffness)?.number("").ok()?;
         (stiffness != 0.0).then_some(stiffness)
     };
@@ -119,10 +119,4 @@ fn values_of(line: Line<'_>) -> Vec<f64> {
         values.extend(std::iter::repeat_n(value, item.repeats.min(room)));
     }
     values
-}
-
-/// The parameter whose name follows the numbers of a line.
-fn named_anywhere(line: Line<'_>) -> Option<&'static Parameter> {
-    let label = line.tokens().find(|token| !token.is_number())?;
-    Parameter::called(label.text)
 }

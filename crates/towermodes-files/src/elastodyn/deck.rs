@@ -157,10 +157,7 @@ impl Named<'_> {
         self.files
             .read(&beside(self.folder, path))
             .map_err(|error| {
-                let kind = DiagnosticKind::UnreadableFile {
-                    what: key.to_owned(),
-                    reason: error.to_string(),
-                };
+                let kind = DiagnosticKind::unreadable(key, &error);
                 let hint = match key.starts_with("Bld") {
                     true => "files are searched beside the main file; without the rotor-nacelle assembly (--no-rna) blade files are not needed",
                     false => "files are searched beside the main file",

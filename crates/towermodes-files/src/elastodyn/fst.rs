@@ -43,10 +43,7 @@ pub(super) fn main_source(source: Source, files: &dyn FileResolver) -> Result<Ma
     let gravity_m_per_s2 = gravity_of_fst(&source).map_err(mistake)?;
     let path = parameter.token.text.trim().to_owned();
     let main = files.read(&path).map_err(|error| {
-        let kind = DiagnosticKind::UnreadableFile {
-            what: "EDFile".to_owned(),
-            reason: error.to_string(),
-        };
+        let kind = DiagnosticKind::unreadable("EDFile", &error);
         let mistake = Diagnostic::new(parameter.span(), kind);
         let hint = "files are searched beside the .fst file";
         ReadError::mistake(&source, mistake.with_hint(hint))

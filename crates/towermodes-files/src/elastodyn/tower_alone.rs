@@ -35,7 +35,7 @@ pub fn read_elastodyn_tower(
     };
     let title = without_heights(&reading.file.header[1]);
     let description = description(&reading.file, ends, title);
-    let mut input = TowerInput::new(FileFormat::ElastoDynTower, description, source);
+    let mut input = TowerInput::new(FileFormat::ElastoDynTower, description, vec![source]);
     remember(&mut input.places, 0, &reading.spans);
     input.notes = reading.notes;
     input.notes.extend(tuner_note(&reading.file));

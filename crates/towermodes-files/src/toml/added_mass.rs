@@ -3,10 +3,11 @@
 use toml::de::DeArray;
 use towermodes::{AddedMassRow, Place};
 
+use super::reading::Reading;
+use super::schema;
 use super::table::{Table, every_table, with_names};
-use super::values::{Value, every_row, list, number, wrong_kind};
-use super::{Reading, TABLE, schema};
-use crate::diagnostic::{Diagnostic, DiagnosticKind};
+use super::values::{Value, every_row, list, number, row_of};
+use crate::places::TABLE;
 
 const ROW: &str = "a row is [height in m, mass per length in kg/m]";
 
@@ -42,29 +43,12 @@ fn table(
     reading.remember(of_row(0, "rows"), rows.span());
     let rows = list(rows, "rows", reading)?;
     let rows = every_row(rows, |row, value| {
-        let values = values_of(value, row, reading)?;
+        let what = format!("row {} of the added mass", row + 1);
+        let expected = |count| (count != 2).then(|| "2".to_owned());
+        let values = row_of(value, &what, ROW, expected, reading)?;
         added_mass_row(values, |key| of_row(row, key), reading)
     });
     Some((rows?, name?))
-}
-
-/// The values of a row, if it has as many as a row has.
-fn values_of<'a>(
-    value: &'a Value<'a>,
-    row: usize,
-    reading: &mut Reading,
-) -> Option<&'a DeArray<'a>> {
-    let what = format!("row {} of the added mass", row + 1);
-    let Some(values) = value.get_ref().as_array() else {
-        reading.mistake(wrong_kind(value, &what, "a list in brackets").with_hint(ROW));
-        return None;
-    };
-    if values.len() == 2 {
-        return Some(values);
-    }
-    let kind = DiagnosticKind::wrong_count(what, values.len(), 2);
-    reading.mistake(Diagnostic::new(value.span(), kind).with_hint(ROW));
-    None
 }
 
 fn added_mass_row(

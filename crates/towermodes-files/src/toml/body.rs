@@ -2,9 +2,10 @@
 
 use towermodes::{Inertia, Place};
 
+use super::reading::Reading;
+use super::schema;
 use super::table::Table;
 use super::values::{Value, list, number};
-use super::{Reading, schema};
 use crate::diagnostic::{Diagnostic, DiagnosticKind};
 
 /// `[x, y, z]`; the hint says from where.
@@ -18,8 +19,7 @@ pub(super) fn center(
     let values = list(value, "center", reading)?;
     if values.len() != 3 {
         let kind = DiagnosticKind::wrong_count("center", values.len(), 3);
-        reading.mistake(Diagnostic::new(value.span(), kind).with_hint(hint));
-        return None;
+        return reading.refuse(Diagnostic::new(value.span(), kind).with_hint(hint));
     }
     let mut coordinate =
         |index: usize| number(&values[index], "a coordinate of the centre", reading);
@@ -36,18 +36,16 @@ pub(super) fn inertia(
 ) -> Option<Inertia> {
     reading.remember(place, value.span());
     let table = Table::of(value, "inertia", &schema::INERTIA, reading)?;
-    let mut entry = |key: &str| {
-        let value = if required.contains(&key) {
-            Some(table.require(key, "kg m2, about the centre of mass", reading)?)
-        } else {
-            table.get(key)
+    let entry = |key: &str| {
+        let value = match required.contains(&key) {
+            true => Some(table.require(key, "kg m2, about the centre of mass", reading)?),
+            false => table.get(key),
         };
         value.map_or(Some(0.0), |value| {
             number(value, &format!("inertia {key}"), reading)
         })
     };
-    let (xx, yy, zz) = (entry("xx"), entry("yy"), entry("zz"));
-    let (xy, xz, yz) = (entry("xy"), entry("xz"), entry("yz"));
+    let [xx, yy, zz, xy, xz, yz] = ["xx", "yy", "zz", "xy", "xz", "yz"].map(entry);
     Some(Inertia {
         xx: xx?,
         yy: yy?,

@@ -8,36 +8,27 @@ use super::gravity::gravity;
 use super::masses::{point_masses, rna, says_point};
 use super::materials::{Materials, materials};
 use super::properties::properties;
+use super::reading::Reading;
 use super::rotor::rotor;
+use super::schema;
 use super::soil::soil;
 use super::stations::{outfitting_factor, shear, stations};
 use super::table::Table;
 use super::values::text;
 use super::water::water;
 use super::wires::wires;
-use super::{Reading, schema};
 use crate::diagnostic::{Diagnostic, DiagnosticKind};
 
 /// The whole file.
 pub(super) fn description(root: &Table<'_>, reading: &mut Reading) -> Option<TowerDescription> {
-    let name = root
-        .get("name")
-        .and_then(|v| text(v, "name", reading))
-        .unwrap_or_default();
+    let name = root.get("name").and_then(|v| text(v, "name", reading));
     let has_properties = root
         .get("tower")
         .and_then(|tower| tower.get_ref().as_table())
         .is_some_and(|tower| tower.contains_key("properties"));
     // A table of properties needs no material.
     let materials = (!has_properties).then(|| materials(root, reading));
-    let (foundation, soil) = (foundation(root, reading), soil(root, reading));
-    let added_mass = added_mass(root, reading);
-    let (water, wires) = (water(root, reading), wires(root, reading));
-    let gravity = gravity(root, reading);
-    let rotor = rotor(root, reading);
-    let rna = root.get("rna").and_then(|value| rna(value, reading));
-    let rna_is_point = says_point(root, rna.as_ref());
-    let point_masses = point_masses(root, reading);
+    let around = around(root, reading);
     let hint = "add [tower] with stations = [[height, diameter, wall], ...]";
     let value = root.require("tower", hint, reading)?;
     let tower = Table::of(value, "[tower]", &schema::TOWER, reading)?;
@@ -45,13 +36,34 @@ pub(super) fn description(root: &Table<'_>, reading: &mut Reading) -> Option<Tow
         Some(materials) => of_tubes(&tower, materials, reading),
         None => of_properties(root, &tower, reading),
     };
-    let (point_masses, point_mass_names) = point_masses?;
-    let (soil, soil_names) = soil?;
-    let (added_mass, added_mass_names) = added_mass?;
-    let (wires, wires_names) = wires?;
-    let body = body?;
+    let (around, body) = (around?, body?);
     Some(TowerDescription {
-        name: name.to_owned(),
+        name: name.unwrap_or_default().to_owned(),
+        stations: body.stations,
+        properties: body.properties,
+        materials: body.materials,
+        shear: body.shear,
+        outfitting_factor: outfitting_factor(&tower, reading)?,
+        part_names: PartNames {
+            materials: body.part_names.materials,
+            ..around.part_names
+        },
+        ..around
+    })
+}
+
+/// Everything but the tower itself: its foundation and surroundings, the bodies on it, gravity.
+fn around(root: &Table<'_>, reading: &mut Reading) -> Option<TowerDescription> {
+    let (foundation, soil) = (foundation(root, reading), soil(root, reading));
+    let added_mass = added_mass(root, reading);
+    let (water, wires) = (water(root, reading), wires(root, reading));
+    let (gravity, rotor) = (gravity(root, reading), rotor(root, reading));
+    let rna = root.get("rna").and_then(|value| rna(value, reading));
+    let rna_is_point = says_point(root, rna.as_ref());
+    let (point_masses, point_mass_names) = point_masses(root, reading)?;
+    let ((soil, soil_names), (wires, wires_names)) = (soil?, wires?);
+    let (added_mass, added_mass_names) = added_mass?;
+    Some(TowerDescription {
         rna: rna.unwrap_or_default(),
         rna_is_point,
         point_masses,
@@ -62,15 +74,14 @@ pub(super) fn description(root: &Table<'_>, reading: &mut Reading) -> Option<Tow
         wires,
         gravity_m_per_s2: gravity?,
         rotor: rotor?,
-        outfitting_factor: outfitting_factor(&tower, reading)?,
         part_names: PartNames {
-            materials: body.part_names.materials.clone(),
             point_masses: point_mass_names,
             soil: soil_names,
             added_mass: added_mass_names,
             wires: wires_names,
+            ..PartNames::default()
         },
-        ..body
+        ..TowerDescription::default()
     })
 }
 
@@ -95,6 +106,10 @@ fn of_tubes(
     })
 }
 
+/// Hints on keys of tubes beside a table of properties.
+const NOT_NEEDED: &str = "remove it: the table has the masses and the stiffness";
+const SHEAR_COLUMNS: &str = "give the table the columns shear_stiffness_fore_aft_n and shear_stiffness_side_side_n (kappa GA, N)";
+
 /// A tower with a table of properties; keys of tubes are refused.
 fn of_properties(
     root: &Table<'_>,
@@ -102,23 +117,16 @@ fn of_properties(
     reading: &mut Reading,
 ) -> Option<TowerDescription> {
     let of_tubes = [
-        (root, "material"),
-        (root, "materials"),
-        (tower, "stations"),
-        (tower, "shear"),
+        (root, "material", NOT_NEEDED),
+        (root, "materials", NOT_NEEDED),
+        (tower, "stations", "keep one of the two"),
+        (tower, "shear", SHEAR_COLUMNS),
     ];
-    for (table, key) in of_tubes {
+    for (table, key, hint) in of_tubes {
         if let Some(value) = table.get(key) {
             let kind = DiagnosticKind::UnusedKey {
                 key: key.to_owned(),
                 because: "beside [tower.properties]".to_owned(),
-            };
-            let hint = match key {
-                "stations" => "keep one of the two",
-                "shear" => {
-                    "give the table the columns shear_stiffness_fore_aft_n and shear_stiffness_side_side_n (kappa GA, N)"
-                }
-                _ => "remove it: the table has the masses and the stiffness",
             };
             reading.mistake(Diagnostic::new(value.span(), kind).with_hint(hint));
         }

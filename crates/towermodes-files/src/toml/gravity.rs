@@ -2,8 +2,9 @@
 
 use towermodes::Place;
 
+use super::reading::Reading;
+use super::schema;
 use super::table::Table;
-use super::{Reading, schema};
 
 /// Standard acceleration of gravity, m/s².
 ///

@@ -3,9 +3,11 @@
 use towermodes::{Inertia, Place, PointMass, Rna};
 
 use super::body::{center, inertia_if_any};
+use super::reading::Reading;
+use super::schema;
 use super::table::{Table, every_table, with_names};
 use super::values::Value;
-use super::{Reading, TABLE, schema};
+use crate::places::TABLE;
 
 /// The rotor-nacelle assembly.
 pub(super) fn rna(value: &Value<'_>, reading: &mut Reading) -> Option<Rna> {

@@ -4,9 +4,10 @@ use std::collections::HashMap;
 
 use towermodes::{Material, Place};
 
+use super::reading::Reading;
+use super::schema;
 use super::table::{Table, all_but_empty, listed, suggestion};
 use super::values::{Value, number};
-use super::{Reading, schema};
 use crate::diagnostic::{Diagnostic, DiagnosticKind};
 
 /// The beginning of generated names of materials, before their numbers.
@@ -15,6 +16,7 @@ pub(super) const NUMBERED: &str = "material_";
 const MODULI_TOLERANCE: f64 = 5e-3;
 
 /// The materials of a file, and the names by which stations call them.
+#[derive(Default)]
 pub(super) struct Materials {
     pub(super) list: Vec<Material>,
     pub(super) names: Vec<String>,
@@ -54,6 +56,18 @@ impl Materials {
         })
     }
 
+    /// Adds a material; false after a mistake. `label` is the name of its table in messages.
+    fn add(&mut self, name: &str, label: String, value: &Value<'_>, reading: &mut Reading) -> bool {
+        let index = self.list.len();
+        let Some(material) = material(value, label, index, reading) else {
+            return false;
+        };
+        self.by_name.insert(name.to_owned(), index);
+        self.list.push(material);
+        self.names.push(name.to_owned());
+        true
+    }
+
     /// Their names; empty if all names are generated.
     pub(super) fn own_names(&self) -> Vec<String> {
         let is_number = |name: &String| {
@@ -69,47 +83,31 @@ impl Materials {
 
 /// `[material]` first, then `[materials.NAME]`.
 pub(super) fn materials(root: &Table<'_>, reading: &mut Reading) -> Option<Materials> {
+    let unnamed = root.get("material");
     let mut materials = Materials {
-        list: Vec::new(),
-        names: Vec::new(),
-        by_name: HashMap::new(),
-        has_default: root.get("material").is_some(),
+        has_default: unnamed.is_some(),
+        ..Materials::default()
     };
-    let mut complete = true;
-    let mut add = |name: &str, label: String, value, reading: &mut Reading| match material(
-        value,
-        label,
-        materials.list.len(),
-        reading,
-    ) {
-        Some(material) => {
-            materials
-                .by_name
-                .insert(name.to_owned(), materials.list.len());
-            materials.list.push(material);
-            materials.names.push(name.to_owned());
-        }
-        None => complete = false,
-    };
-    if let Some(value) = root.get("material") {
-        add("", "[material]".into(), value, reading);
+    let mut is_complete = true;
+    if let Some(value) = unnamed {
+        is_complete &= materials.add("", "[material]".into(), value, reading);
     }
     if let Some(value) = root.get("materials") {
         let named = Table::with_any_keys(value, "[materials]", reading)?;
         for (name, value) in named.entries() {
-            add(name, format!("[materials.{name}]"), value, reading);
+            is_complete &= materials.add(name, format!("[materials.{name}]"), value, reading);
         }
     }
-    if complete && materials.list.is_empty() {
-        let hint = "add [material] with density, youngs_modulus and shear_modulus";
-        // A misspelled `[material]` is reported as an unknown key.
-        if !root.has_misspelled("material") && !root.has_misspelled("materials") {
-            let kind = DiagnosticKind::missing_key("the file", "material");
-            reading.mistake(Diagnostic::new(root.span.clone(), kind).with_hint(hint));
-        }
+    if !is_complete || !materials.list.is_empty() {
+        return is_complete.then_some(materials);
+    }
+    // A misspelled `[material]` is reported as an unknown key.
+    if root.has_misspelled("material") || root.has_misspelled("materials") {
         return None;
     }
-    complete.then_some(materials)
+    let hint = "add [material] with density, youngs_modulus and shear_modulus";
+    let kind = DiagnosticKind::missing_key("the file", "material");
+    reading.refuse(Diagnostic::new(root.span.clone(), kind).with_hint(hint))
 }
 
 fn material(
@@ -155,15 +153,7 @@ fn shear_modulus(
         (None, Some(derived)) => derived.map(|(_, modulus)| modulus),
         (Some(given), Some(derived)) => {
             let (given, (value, derived)) = (given?, derived?);
-            if (given - derived).abs() <= MODULI_TOLERANCE * given.abs() {
-                return Some(given);
-            }
-            let kind = DiagnosticKind::Contradiction(format!(
-                "shear modulus {given:e} Pa and Poisson's ratio disagree: E/(2(1+nu)) is {derived:.4e} Pa"
-            ));
-            let hint = "give only one of them";
-            reading.mistake(Diagnostic::new(value.span(), kind).with_hint(hint));
-            None
+            check_moduli(given, derived, value, reading).then_some(given)
         }
         // A misspelled key is reported as unknown.
         (None, None) if table.has_misspelled("poissons_ratio") || table.has_misspelled(key) => None,
@@ -171,10 +161,22 @@ fn shear_modulus(
             let kind =
                 DiagnosticKind::missing_key(table.name(), "shear_modulus` or `poissons_ratio");
             let hint = "shear_modulus = 8.08e10 (Pa) or poissons_ratio = 0.3, for steel";
-            reading.mistake(Diagnostic::new(table.span.clone(), kind).with_hint(hint));
-            None
+            reading.refuse(Diagnostic::new(table.span.clone(), kind).with_hint(hint))
         }
     }
+}
+
+/// Whether a shear modulus and the one from Poisson's ratio agree; reports if not.
+fn check_moduli(given: f64, derived: f64, ratio: &Value<'_>, reading: &mut Reading) -> bool {
+    let agree = (given - derived).abs() <= MODULI_TOLERANCE * given.abs();
+    if !agree {
+        let kind = DiagnosticKind::Contradiction(format!(
+            "shear modulus {given:e} Pa and Poisson's ratio disagree: E/(2(1+nu)) is {derived:.4e} Pa"
+        ));
+        let hint = "give only one of them";
+        reading.mistake(Diagnostic::new(ratio.span(), kind).with_hint(hint));
+    }
+    agree
 }
 
 fn from_poissons_ratio(value: &Value<'_>, youngs: f64, reading: &mut Reading) -> Option<f64> {
@@ -184,6 +186,5 @@ fn from_poissons_ratio(value: &Value<'_>, youngs: f64, reading: &mut Reading) ->
     }
     let rule = "between -1 and 0.5";
     let kind = DiagnosticKind::out_of_range("Poisson's ratio", ratio, rule);
-    reading.mistake(Diagnostic::new(value.span(), kind).with_hint("steel has 0.3, concrete 0.2"));
-    None
+    reading.refuse(Diagnostic::new(value.span(), kind).with_hint("steel has 0.3, concrete 0.2"))
 }

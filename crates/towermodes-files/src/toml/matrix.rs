@@ -2,7 +2,7 @@
 
 use towermodes::space::SpatialMatrix;
 
-use super::Reading;
+use super::reading::Reading;
 use super::values::{Value, every_row, list};
 use crate::diagnostic::{Diagnostic, DiagnosticKind};
 
@@ -19,8 +19,7 @@ pub(super) fn matrix(
     let rows = list(value, what, reading)?;
     if rows.len() != 6 {
         let kind = DiagnosticKind::wrong_count_of("rows", what, rows.len(), 6);
-        reading.mistake(Diagnostic::new(value.span(), kind).with_hint(HINT));
-        return None;
+        return reading.refuse(Diagnostic::new(value.span(), kind).with_hint(HINT));
     }
     let rows = every_row(rows, |index, row| {
         let what = format!("row {} of {what}", index + 1);
@@ -38,8 +37,7 @@ fn row(
     let entries = list(value, what, reading)?;
     if entries.len() != 6 {
         let kind = DiagnosticKind::wrong_count(what, entries.len(), 6);
-        reading.mistake(Diagnostic::new(value.span(), kind).with_hint(HINT));
-        return None;
+        return reading.refuse(Diagnostic::new(value.span(), kind).with_hint(HINT));
     }
     let entries = every_row(entries, |index, value| {
         entry(value, &format!("{what}, column {},", index + 1), reading)

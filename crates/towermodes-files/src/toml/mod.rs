@@ -10,6 +10,7 @@ mod materials;
 mod matrix;
 mod numbers;
 mod properties;
+mod reading;
 mod rotor;
 mod schema;
 mod soil;
@@ -22,67 +23,23 @@ mod water;
 mod wires;
 mod write;
 
-use std::ops::Range;
-
 use ::toml::de::DeTable;
-use towermodes::{Place, Tower, TowerDescription};
+use towermodes::{Tower, TowerDescription};
 
 use crate::diagnostic::{Diagnostic, DiagnosticKind};
 use crate::error::ReadError;
 use crate::input::{FileFormat, TowerInput};
 use crate::note::Note;
-use crate::places::{Places, TABLE};
+use crate::places::Places;
 use crate::resolver::FileResolver;
 use crate::source::{FileError, Source};
+use reading::Reading;
 use schema::FILE;
 use syntax::syntax_mistake;
 use table::Table;
 
 pub use schema::{KeySchema, TableSchema, ValueKind, tower_file_schema};
 pub use write::write_toml;
-
-/// Mistakes beyond this number are not collected: each may list many names.
-const MAX_MISTAKES: usize = 100;
-
-/// Mistakes, notes and the place of each value, collected while a file is read.
-#[derive(Debug, Default)]
-struct Reading {
-    mistakes: Vec<Diagnostic>,
-    places: Places,
-    /// The file with the stations that the tower file names, until its rows are read.
-    station_file: Option<Result<Source, FileError>>,
-    /// That file, if it has mistakes, and these.
-    in_station_file: Option<(Source, Vec<Diagnostic>)>,
-    /// The files beside the tower file that were read.
-    others: Vec<Source>,
-    /// Notes with their bytes in the file.
-    notes: Vec<(usize, &'static str)>,
-}
-
-/// The place of the file with the stations among a tower's files.
-const STATION_FILE: usize = 1;
-
-impl Reading {
-    fn mistake(&mut self, diagnostic: Diagnostic) {
-        if !self.is_full() {
-            self.mistakes.push(diagnostic);
-        }
-    }
-
-    /// Whether the list of mistakes is full.
-    fn is_full(&self) -> bool {
-        self.mistakes.len() >= MAX_MISTAKES
-    }
-
-    fn note(&mut self, at: usize, message: &'static str) {
-        self.notes.push((at, message));
-    }
-
-    /// Remembers the place of a value for the checks of the whole tower.
-    fn remember(&mut self, place: Place, span: Range<usize>) {
-        self.places.remember(place, 0, span);
-    }
-}
 
 /// Reads a tower from the text of a TOML file.
 ///
@@ -113,7 +70,7 @@ pub fn description_from_toml(text: &str) -> Result<TowerDescription, Vec<Diagnos
 pub(crate) fn read_toml(source: Source, files: &dyn FileResolver) -> Result<TowerInput, ReadError> {
     match describe(&source.text, Some(files)) {
         Ok(described) => {
-            let mut input = TowerInput::new(FileFormat::Toml, described.description, source);
+            let mut input = TowerInput::new(FileFormat::Toml, described.description, vec![source]);
             let notes = described.notes.iter();
             let notes =
                 notes.map(|(at, message)| Note::left_out(*message).at(&input.sources[0], *at));
@@ -170,9 +127,8 @@ fn station_file(
 fn describe(text: &str, files: Option<&dyn FileResolver>) -> Result<Described, Refused> {
     if text.trim().is_empty() {
         let hint = "a tower needs at least [material] and [tower] with its stations";
-        return Err(Diagnostic::new(0..0, DiagnosticKind::EmptyFile)
-            .with_hint(hint)
-            .into());
+        let mistake = Diagnostic::new(0..0, DiagnosticKind::EmptyFile);
+        return Err(mistake.with_hint(hint).into());
     }
     let document = DeTable::parse(text).map_err(|error| syntax_mistake(&error, text))?;
     let mut reading = Reading {

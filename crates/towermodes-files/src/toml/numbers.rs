@@ -2,7 +2,7 @@
 
 use towermodes::Place;
 
-use super::Reading;
+use super::reading::Reading;
 use super::table::Table;
 use super::values::{number, text};
 

@@ -3,13 +3,32 @@
 
 use towermodes::{Place, Planes, Properties, PropertyStation};
 
+use super::reading::Reading;
+use super::schema;
 use super::table::Table;
 use super::values::{Value, check_pieces, every_row, list, number, number_or_infinity};
-use super::{Reading, schema};
 use crate::diagnostic::{Diagnostic, DiagnosticKind};
 
 /// The columns that may be infinite, for a tower that does not twist or does not stretch.
 const MAY_BE_INFINITE: [&str; 2] = ["gj_n_m2", "ea_n"];
+
+/// The columns that a table must have, with hints.
+const REQUIRED: [(&str, &str); 5] = [
+    ("mass_kg_per_m", "mass per length, kg/m"),
+    ("ei_fore_aft_n_m2", "EI against fore-aft bending, N m2"),
+    ("gj_n_m2", "torsional stiffness GJ, N m2"),
+    ("ea_n", "axial stiffness EA, N"),
+    (
+        "polar_inertia_kg_m",
+        "inertia per length about the tower's axis, kg m; density times J for a tube",
+    ),
+];
+/// Columns of both planes that may be missing.
+const ROTARY_INERTIA: [&str; 2] = [
+    "rotary_inertia_fore_aft_kg_m",
+    "rotary_inertia_side_side_kg_m",
+];
+const SHEAR_STIFFNESS: [&str; 2] = ["shear_stiffness_fore_aft_n", "shear_stiffness_side_side_n"];
 
 /// All rows of the table.
 pub(super) fn properties(value: &Value<'_>, reading: &mut Reading) -> Option<Vec<PropertyStation>> {
@@ -43,66 +62,52 @@ impl Columns<'_> {
     }
 
     fn rows(&self, reading: &mut Reading) -> Option<Vec<PropertyStation>> {
-        let mass = self.required("mass_kg_per_m", "mass per length, kg/m", reading);
-        let fore_aft = self.required(
-            "ei_fore_aft_n_m2",
-            "EI against fore-aft bending, N m2",
-            reading,
-        );
+        let required = REQUIRED.map(|(key, hint)| self.required(key, hint, reading));
         let side_side = self.optional("ei_side_side_n_m2", reading);
-        let torsion = self.required("gj_n_m2", "torsional stiffness GJ, N m2", reading);
-        let axial = self.required("ea_n", "axial stiffness EA, N", reading);
-        let hint = "inertia per length about the tower's axis, kg m; density times J for a tube";
-        let polar = self.required("polar_inertia_kg_m", hint, reading);
-        let rotary = self.pair(
-            "rotary_inertia_fore_aft_kg_m",
-            "rotary_inertia_side_side_kg_m",
-            reading,
-        );
-        let shear = self.pair(
-            "shear_stiffness_fore_aft_n",
-            "shear_stiffness_side_side_n",
-            reading,
-        );
+        let rotary = self.pair(ROTARY_INERTIA, reading);
+        let shear = self.pair(SHEAR_STIFFNESS, reading);
+        let [mass, fore_aft, torsion, axial, polar] = required;
         let (mass, fore_aft, torsion, axial, polar) = (mass?, fore_aft?, torsion?, axial?, polar?);
         let side_side = side_side?.unwrap_or_else(|| fore_aft.clone());
         let (rotary, shear) = (rotary?, shear?);
-        let row = |i: usize| {
+        let properties = |i: usize| {
             let bending_n_m2 = Planes {
                 fore_aft: fore_aft[i],
                 side_side: side_side[i],
             };
-            PropertyStation {
-                height_m: self.heights_m[i],
-                properties: Properties {
-                    mass_kg_per_m: mass[i],
-                    rotary_inertia_kg_m: match &rotary {
-                        Some(rotary) => rotary[i],
-                        None => shared_out(polar[i], bending_n_m2),
-                    },
-                    polar_inertia_kg_m: polar[i],
-                    bending_n_m2,
-                    torsion_n_m2: torsion[i],
-                    axial_n: axial[i],
-                    shear_n: shear.as_ref().map(|shear| shear[i]),
+            Properties {
+                mass_kg_per_m: mass[i],
+                rotary_inertia_kg_m: match &rotary {
+                    Some(rotary) => rotary[i],
+                    None => shared_out(polar[i], bending_n_m2),
                 },
+                polar_inertia_kg_m: polar[i],
+                bending_n_m2,
+                torsion_n_m2: torsion[i],
+                axial_n: axial[i],
+                shear_n: shear.as_ref().map(|shear| shear[i]),
             }
         };
-        Some((0..self.heights_m.len()).map(row).collect())
+        let rows = self
+            .heights_m
+            .iter()
+            .enumerate()
+            .map(|(i, height_m)| PropertyStation {
+                height_m: *height_m,
+                properties: properties(i),
+            });
+        Some(rows.collect())
     }
 
     /// A quantity of both planes that may be there; where only the fore-aft column is, both planes
     /// have it.
     fn pair(
         &self,
-        fore_aft: &'static str,
-        side_side: &'static str,
+        [fore_aft, side_side]: [&'static str; 2],
         reading: &mut Reading,
     ) -> Option<Option<Vec<Planes<f64>>>> {
-        let (first, second) = (
-            self.optional(fore_aft, reading),
-            self.optional(side_side, reading),
-        );
+        let first = self.optional(fore_aft, reading);
+        let second = self.optional(side_side, reading);
         let planes = |(&fore_aft, &side_side): (&f64, &f64)| Planes {
             fore_aft,
             side_side,
@@ -143,8 +148,7 @@ fn column(
         let expected = format!("{rows} as z_m");
         let kind = DiagnosticKind::wrong_count(key, values.len(), expected);
         let hint = "every column has one value for each height";
-        reading.mistake(Diagnostic::new(value.span(), kind).with_hint(hint));
-        return None;
+        return reading.refuse(Diagnostic::new(value.span(), kind).with_hint(hint));
     }
     let entry = if MAY_BE_INFINITE.contains(&key) {
         number_or_infinity

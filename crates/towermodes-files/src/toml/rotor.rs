@@ -2,10 +2,12 @@
 
 use towermodes::{Place, Rotor};
 
+use super::reading::Reading;
+use super::schema;
 use super::table::Table;
 use super::values::{Value, list, number, wrong_kind};
-use super::{Reading, TABLE, schema};
 use crate::diagnostic::{Diagnostic, DiagnosticKind};
+use crate::places::TABLE;
 
 const HINT: &str =
     "lowest and highest operating speed, rpm = [6.9, 12.1], or one number for a constant speed";
@@ -43,8 +45,7 @@ fn blades(value: &Value<'_>, reading: &mut Reading) -> Option<usize> {
         return Some(count as usize);
     }
     let kind = DiagnosticKind::out_of_range("blades", count, "a whole number of at least 1");
-    reading.mistake(Diagnostic::new(value.span(), kind));
-    None
+    reading.refuse(Diagnostic::new(value.span(), kind))
 }
 
 /// One number, or a list of the lowest and the highest.
@@ -52,16 +53,14 @@ fn speeds_rpm(value: &Value<'_>, reading: &mut Reading) -> Option<[f64; 2]> {
     if value.get_ref().as_array().is_none() {
         if value.get_ref().is_table() {
             let diagnostic = wrong_kind(value, "rpm", "a number or a list of two");
-            reading.mistake(diagnostic.with_hint(HINT));
-            return None;
+            return reading.refuse(diagnostic.with_hint(HINT));
         }
         return number(value, "rpm", reading).map(|rpm| [rpm, rpm]);
     }
     let speeds = list(value, "rpm", reading)?;
     let [lowest, highest] = &speeds[..] else {
         let kind = DiagnosticKind::wrong_count("rpm", speeds.len(), 2);
-        reading.mistake(Diagnostic::new(value.span(), kind).with_hint(HINT));
-        return None;
+        return reading.refuse(Diagnostic::new(value.span(), kind).with_hint(HINT));
     };
     let lowest = number(lowest, "the lowest rpm", reading);
     let highest = number(highest, "the highest rpm", reading);

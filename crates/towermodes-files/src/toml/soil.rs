@@ -3,10 +3,11 @@
 use toml::de::DeArray;
 use towermodes::{Place, SoilRow, SoilStiffness};
 
+use super::reading::Reading;
+use super::schema;
 use super::table::{Table, every_table, with_names};
-use super::values::{Value, every_row, list, number, wrong_kind};
-use super::{Reading, TABLE, schema};
-use crate::diagnostic::{Diagnostic, DiagnosticKind};
+use super::values::{Value, every_row, list, number, row_of};
+use crate::places::TABLE;
 
 const ROW: &str = "a row is [height in m, spring in x, spring in y] in N/m2, then, if wanted, in z (N/m2) and in torsion (N)";
 
@@ -41,7 +42,8 @@ fn layer(index: usize, value: &Value<'_>, reading: &mut Reading) -> Option<(Vec<
     let first = rows.iter().next().and_then(|row| row.get_ref().as_array());
     let length = first.map(|row| row.len()).filter(|&length| is_row(length));
     let rows = every_row(rows, |row, value| {
-        let values = values_of(value, row, length, reading)?;
+        let what = format!("row {} of the soil", row + 1);
+        let values = row_of(value, &what, ROW, |count| expected(count, length), reading)?;
         soil_row(values, |key| Place::Soil { layer, row, key }, reading)
     });
     Some((rows?, name?))
@@ -51,27 +53,13 @@ fn is_row(length: usize) -> bool {
     (3..=COLUMNS.len()).contains(&length)
 }
 
-/// The values of a row, if it has as many as a row has and as the first has.
-fn values_of<'a>(
-    value: &'a Value<'a>,
-    row: usize,
-    length: Option<usize>,
-    reading: &mut Reading,
-) -> Option<&'a DeArray<'a>> {
-    let what = format!("row {} of the soil", row + 1);
-    let Some(values) = value.get_ref().as_array() else {
-        reading.mistake(wrong_kind(value, &what, "a list in brackets").with_hint(ROW));
-        return None;
-    };
-    let count = values.len();
-    let expected = match length {
-        _ if !is_row(count) => "3 to 5".to_owned(),
-        Some(length) if length != count => format!("{length} as the first row"),
-        _ => return Some(values),
-    };
-    let kind = DiagnosticKind::wrong_count(what, count, expected);
-    reading.mistake(Diagnostic::new(value.span(), kind).with_hint(ROW));
-    None
+/// How many values a row should have, if a number of values is wrong: as many as the first row.
+fn expected(count: usize, length: Option<usize>) -> Option<String> {
+    match length {
+        _ if !is_row(count) => Some("3 to 5".to_owned()),
+        Some(length) if length != count => Some(format!("{length} as the first row")),
+        _ => None,
+    }
 }
 
 /// A row of its values; what is not given is zero.

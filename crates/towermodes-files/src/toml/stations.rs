@@ -1,14 +1,16 @@
 //! `[tower]`: the stations, the outfitting factor and the shear model.
 
+use std::fmt::Display;
+
 use toml::de::DeValue;
 use towermodes::{Place, Shear, Station};
 
 use super::materials::Materials;
+use super::reading::{Reading, STATION_FILE};
 use super::table::Table;
-use super::values::{Value, check_pieces, every_row, list, number, text, wrong_kind};
-use super::{Reading, STATION_FILE};
+use super::values::{Value, check_pieces, every_row, list, number, row_of, text, wrong_kind};
 use crate::diagnostic::{Diagnostic, DiagnosticKind};
-use crate::station_table;
+use crate::station_table::{self, Placed};
 
 /// `stations`: the rows, or the name of a file with them. Names of materials are not checked if the
 /// materials have mistakes.
@@ -35,18 +37,10 @@ fn station(
     materials: Option<&Materials>,
     reading: &mut Reading,
 ) -> Option<Station> {
+    let what = format!("station {}", index + 1);
     let hint = "a row is [height, outer diameter, wall thickness] in m, and a material's name where there are several";
-    let Some(values) = row.get_ref().as_array() else {
-        let what = format!("station {}", index + 1);
-        reading.mistake(wrong_kind(row, &what, "a list in brackets").with_hint(hint));
-        return None;
-    };
-    if !(3..=4).contains(&values.len()) {
-        let what = format!("station {}", index + 1);
-        let kind = DiagnosticKind::wrong_count(what, values.len(), "3 or 4");
-        reading.mistake(Diagnostic::new(row.span(), kind).with_hint(hint));
-        return None;
-    }
+    let expected = |count| (!(3..=4).contains(&count)).then(|| "3 or 4".to_owned());
+    let values = row_of(row, &what, hint, expected, reading)?;
     let mut value = |column: usize, key: &'static str, what: &str| {
         let value = &values[column];
         reading.remember(Place::Station { index, key }, value.span());
@@ -74,16 +68,11 @@ fn station_material(
     let Some(materials) = materials else {
         return Some(0);
     };
-    let (span, name) = match name {
-        Some(value) => {
-            let name = text(
-                value,
-                "the fourth value of a station, its material,",
-                reading,
-            )?;
-            (value.span(), Some(name))
-        }
-        None => (row.span(), None),
+    let span = name.unwrap_or(row).span();
+    let what = "the fourth value of a station, its material,";
+    let name = match name {
+        Some(value) => Some(text(value, what, reading)?),
+        None => None,
     };
     // Listing the names takes time, and not all of many mistakes are shown.
     if reading.is_full() {
@@ -91,10 +80,7 @@ fn station_material(
     }
     match materials.find(name, &format!("station {}", index + 1)) {
         Ok(material) => Some(material),
-        Err((kind, hint)) => {
-            reading.mistake(Diagnostic::new(span, kind).with_hint(hint));
-            None
-        }
+        Err((kind, hint)) => reading.refuse(Diagnostic::new(span, kind).with_hint(hint)),
     }
 }
 
@@ -107,37 +93,39 @@ fn stations_of_file(
     let file = match reading.station_file.take() {
         Some(Ok(file)) => file,
         Some(Err(error)) => {
-            let kind = DiagnosticKind::UnreadableFile {
-                what: "the file of the stations".to_owned(),
-                reason: error.to_string(),
-            };
             let hint = "it is searched beside the tower file; names may be case-sensitive";
-            reading.mistake(Diagnostic::new(value.span(), kind).with_hint(hint));
-            return None;
+            return reading.refuse(no_station_file(value, &error).with_hint(hint));
         }
         None => {
-            let kind = DiagnosticKind::UnreadableFile {
-                what: "the file of the stations".to_owned(),
-                reason: "a text has no files beside it".to_owned(),
-            };
             let hint =
                 "write them here: stations = [[height, outer diameter, wall thickness], ...]";
-            reading.mistake(Diagnostic::new(value.span(), kind).with_hint(hint));
-            return None;
+            let mistake = no_station_file(value, &"a text has no files beside it");
+            return reading.refuse(mistake.with_hint(hint));
         }
     };
     let material_of = |name: Option<&str>| match materials {
         Some(materials) => materials.find(name, "the row"),
         None => Ok(0),
     };
-    let read = station_table::stations(&file.text, &material_of);
-    let stations = match read {
+    let stations = match station_table::stations(&file.text, &material_of) {
         Ok(stations) => stations,
         Err(mistakes) => {
             reading.in_station_file = Some((file, mistakes));
             return None;
         }
     };
+    remember(&stations, reading);
+    reading.others.push(file);
+    Some(stations.into_iter().map(|placed| placed.station).collect())
+}
+
+fn no_station_file(value: &Value<'_>, reason: &impl Display) -> Diagnostic {
+    let kind = DiagnosticKind::unreadable("the file of the stations", reason);
+    Diagnostic::new(value.span(), kind)
+}
+
+/// Remembers the places of stations in their own file.
+fn remember(stations: &[Placed], reading: &mut Reading) {
     for (index, placed) in stations.iter().enumerate() {
         for (key, span) in ["height", "diameter", "wall"]
             .into_iter()
@@ -147,8 +135,6 @@ fn stations_of_file(
             reading.places.remember(place, STATION_FILE, span.clone());
         }
     }
-    reading.others.push(file);
-    Some(stations.into_iter().map(|placed| placed.station).collect())
 }
 
 pub(super) fn outfitting_factor(tower: &Table<'_>, reading: &mut Reading) -> Option<f64> {
@@ -172,8 +158,7 @@ pub(super) fn shear(tower: &Table<'_>, reading: &mut Reading) -> Option<Shear> {
         }
         _ => {
             let expected = "true, false or a shear coefficient";
-            reading.mistake(wrong_kind(value, "shear", expected));
-            None
+            reading.refuse(wrong_kind(value, "shear", expected))
         }
     }
 }

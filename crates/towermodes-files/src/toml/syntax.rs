@@ -34,52 +34,39 @@ struct Written<'a> {
 
 /// The value at or just before a byte: that of a `key = value`, or an entry of a list.
 fn value_at(byte: usize, text: &str) -> Option<Written<'_>> {
-    let start = text
-        .get(..byte)?
-        .rfind('\n')
-        .map_or(0, |newline| newline + 1);
+    let newline = text.get(..byte)?.rfind('\n');
+    let start = newline.map_or(0, |newline| newline + 1);
+    value_of_key(start, text).or_else(|| entry_at(byte, start, text))
+}
+
+/// The value of the `key = value` in the line that begins at a byte, if it is not a list or a text.
+fn value_of_key(start: usize, text: &str) -> Option<Written<'_>> {
     let line = text[start..].lines().next()?;
-    if let Some((key, value)) = line.split_once('=') {
-        let value = value.split('#').next().unwrap_or_default();
-        let is_list = value.contains(['[', '{', '"', '\'']);
-        let from = start + key.len() + 1 + (value.len() - value.trim_start().len());
-        let text = value.trim();
-        if !is_list && !text.is_empty() {
-            let (key, span) = (Some(key.trim()), from..from + text.len());
-            return Some(Written { key, text, span });
-        }
+    let (key, value) = line.split_once('=')?;
+    let value = value.split('#').next().unwrap_or_default();
+    let from = start + key.len() + 1 + (value.len() - value.trim_start().len());
+    let text = value.trim();
+    if text.is_empty() || text.contains(['[', '{', '"', '\'']) {
+        return None;
     }
+    let (key, span) = (Some(key.trim()), from..from + text.len());
+    Some(Written { key, text, span })
+}
+
+/// The entry of a list at or just before a byte of the line that begins at `start`.
+fn entry_at(byte: usize, start: usize, text: &str) -> Option<Written<'_>> {
     let is_end = |c: char| c.is_whitespace() || ",[]{}=#\"'".contains(c);
-    let from = text[..byte]
-        .rfind(is_end)
-        .map_or(0, |end| end + 1)
-        .max(start);
-    let word = text[from..].split(is_end).next()?;
-    let (key, span) = (None, from..from + word.len());
-    (!word.is_empty()).then_some(Written {
-        key,
-        text: word,
-        span,
-    })
+    let end = text[..byte].rfind(is_end);
+    let from = end.map_or(0, |end| end + 1).max(start);
+    let text = text[from..].split(is_end).next()?;
+    let (key, span) = (None, from..from + text.len());
+    (!text.is_empty()).then_some(Written { key, text, span })
 }
 
 impl Written<'_> {
     /// The mistake, if its cause is known.
     fn explained(&self) -> Option<Diagnostic> {
-        let is_of_number = |c: char| c.is_ascii_digit() || "+-.,eE_".contains(c);
-        let length = self
-            .text
-            .find(|c| !is_of_number(c))
-            .unwrap_or(self.text.len());
-        let (mut number, mut tail) = self.text.split_at(length);
-        // The `e` of a unit or a word is no exponent.
-        if !number.ends_with(|c: char| c.is_ascii_digit() || c == '.') {
-            let end = number
-                .rfind(|c: char| c.is_ascii_digit())
-                .map_or(0, |at| at + 1);
-            (number, tail) = self.text.split_at(end);
-        }
-        let tail = tail.trim();
+        let (number, unit) = self.number_and_unit();
         if !number.contains(|c: char| c.is_ascii_digit()) {
             return self.without_quotes();
         }
@@ -87,8 +74,8 @@ impl Written<'_> {
         let value = value.ok().filter(|value| value.is_finite())?;
         let hint = if number.contains(',') {
             format!("write a decimal point: {value}")
-        } else if !tail.is_empty() {
-            self.without_unit(number, value, tail)?
+        } else if !unit.is_empty() {
+            self.without_unit(number, value, unit)?
         } else if number.starts_with('0') && !number.contains('.') && number.len() > 1 {
             // The rest of a number with a decimal comma in a list.
             format!("write a decimal point, as 0.{number}, or the number without zeros before it")
@@ -96,6 +83,19 @@ impl Written<'_> {
             format!("write a digit before and after the point: {value:?}")
         };
         Some(self.mistake("a number").with_hint(hint))
+    }
+
+    /// The number that the text begins with, which may be empty, and the rest.
+    fn number_and_unit(&self) -> (&str, &str) {
+        let is_of_number = |c: char| c.is_ascii_digit() || "+-.,eE_".contains(c);
+        let length = self.text.find(|c| !is_of_number(c));
+        let (mut number, mut unit) = self.text.split_at(length.unwrap_or(self.text.len()));
+        // The `e` of a unit or a word is no exponent.
+        if !number.ends_with(|c: char| c.is_ascii_digit() || c == '.') {
+            let last = number.rfind(|c: char| c.is_ascii_digit());
+            (number, unit) = self.text.split_at(last.map_or(0, |at| at + 1));
+        }
+        (number, unit.trim())
     }
 
     fn mistake(&self, expected: &str) -> Diagnostic {

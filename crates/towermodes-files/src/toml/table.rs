@@ -4,7 +4,7 @@ use std::ops::Range;
 
 use toml::de::{DeTable, DeValue};
 
-use super::Reading;
+use super::reading::Reading;
 use super::schema::TableSchema;
 use super::synonyms::meant;
 use super::values::{Value, every_row, wrong_kind};
@@ -92,10 +92,7 @@ impl<'a> Table<'a> {
                 name,
                 known: Vec::new(),
             }),
-            _ => {
-                reading.mistake(wrong_kind(value, &name, "a table"));
-                None
-            }
+            _ => reading.refuse(wrong_kind(value, &name, "a table")),
         }
     }
 
@@ -170,8 +167,7 @@ pub(super) fn every_table<T>(
     };
     let Some(rows) = value.get_ref().as_array() else {
         let hint = format!("write [[{key}]] in double brackets, once for each {one}");
-        reading.mistake(wrong_kind(value, key, "a list of tables").with_hint(hint));
-        return None;
+        return reading.refuse(wrong_kind(value, key, "a list of tables").with_hint(hint));
     };
     every_row(rows, |index, row| read(index, row, reading))
 }

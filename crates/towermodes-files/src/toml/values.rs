@@ -4,7 +4,7 @@ use serde_spanned::Spanned;
 use toml::de::{DeArray, DeValue};
 use towermodes::MAX_SEGMENTS;
 
-use super::Reading;
+use super::reading::Reading;
 use crate::diagnostic::{Diagnostic, DiagnosticKind};
 
 /// A TOML value and its place.
@@ -19,12 +19,10 @@ pub(super) fn number(value: &Value<'_>, what: &str, reading: &mut Reading) -> Op
             let diagnostic = wrong_kind(value, what, "a number");
             let is_quoted =
                 matches!(other, DeValue::String(text) if text.trim().parse::<f64>().is_ok());
-            reading.mistake(if is_quoted {
-                diagnostic.with_hint("write the number without quotation marks")
-            } else {
-                diagnostic
+            return reading.refuse(match is_quoted {
+                true => diagnostic.with_hint("write the number without quotation marks"),
+                false => diagnostic,
             });
-            return None;
         }
     };
     let finite = parsed.filter(|number: &f64| number.is_finite());
@@ -96,6 +94,26 @@ pub(super) fn list<'a>(
     list
 }
 
+/// The values of a row; `expected` is how many there should be, if a number of values is wrong.
+pub(super) fn row_of<'a>(
+    row: &'a Value<'a>,
+    what: &str,
+    hint: &str,
+    expected: impl Fn(usize) -> Option<String>,
+    reading: &mut Reading,
+) -> Option<&'a DeArray<'a>> {
+    let Some(values) = row.get_ref().as_array() else {
+        return reading.refuse(wrong_kind(row, what, "a list in brackets").with_hint(hint));
+    };
+    match expected(values.len()) {
+        None => Some(values),
+        Some(expected) => {
+            let kind = DiagnosticKind::wrong_count(what, values.len(), expected);
+            reading.refuse(Diagnostic::new(row.span(), kind).with_hint(hint))
+        }
+    }
+}
+
 /// Refuses heights with more pieces between them than a tower can have segments.
 pub(super) fn check_pieces(
     value: &Value<'_>,
@@ -115,8 +133,7 @@ pub(super) fn check_pieces(
     };
     let start = value.span().start;
     let mistake = Diagnostic::new(start..start + 1, kind);
-    reading.mistake(mistake.with_hint("keep every second row, or fewer"));
-    None
+    reading.refuse(mistake.with_hint("keep every second row, or fewer"))
 }
 
 /// Every row of a list, made by `read` of its index and value; goes on after a mistake, so that all

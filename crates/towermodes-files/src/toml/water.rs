@@ -2,9 +2,11 @@
 
 use towermodes::{Place, Water};
 
+use super::reading::Reading;
+use super::schema;
 use super::table::Table;
 use super::values::truth;
-use super::{Reading, TABLE, schema};
+use crate::places::TABLE;
 
 /// Density of sea water, kg/m³.
 const SEA_KG_PER_M3: f64 = 1025.0;

@@ -2,10 +2,12 @@
 
 use towermodes::{Place, Wires};
 
+use super::reading::Reading;
+use super::schema;
 use super::table::{Table, every_table, with_names};
 use super::values::{Value, number};
-use super::{Reading, TABLE, schema};
 use crate::diagnostic::{Diagnostic, DiagnosticKind};
+use crate::places::TABLE;
 
 /// All `[[wires]]` with their names.
 pub(super) fn wires(root: &Table<'_>, reading: &mut Reading) -> Option<(Vec<Wires>, Vec<String>)> {
@@ -27,19 +29,13 @@ fn set_of_wires(index: usize, value: &Value<'_>, reading: &mut Reading) -> Optio
     let height = table.required_number("height", hint, at("height"), reading);
     let count = table
         .require("count", "number of equally spaced wires", reading)
-        .and_then(|value| {
-            reading.remember(at("count"), value.span());
-            count(value, reading)
-        });
+        .and_then(|value| count(value, at("count"), reading));
     let hint = "EA/L of each wire in N/m";
     let stiffness = table.required_number("stiffness", hint, at("stiffness"), reading);
     let hint = "angle from the horizontal in degrees";
     let angle = table.required_number("angle_deg", hint, at("angle"), reading);
     // The stiffness of three or more equally spaced wires does not depend on their azimuth.
-    let azimuth = table
-        .get("azimuth_deg")
-        .map_or(Some(0.0), |value| number(value, "azimuth_deg", reading));
-    azimuth?;
+    table.number_or(0.0, "azimuth_deg", at("azimuth"), reading)?;
     let wires = Wires {
         height_m: height?,
         count: count?,
@@ -50,12 +46,12 @@ fn set_of_wires(index: usize, value: &Value<'_>, reading: &mut Reading) -> Optio
 }
 
 /// A number of wires; the checks of the tower limit it.
-fn count(value: &Value<'_>, reading: &mut Reading) -> Option<usize> {
+fn count(value: &Value<'_>, place: Place, reading: &mut Reading) -> Option<usize> {
+    reading.remember(place, value.span());
     let count = number(value, "count", reading)?;
     if count.fract() == 0.0 && (1.0..=1e9).contains(&count) {
         return Some(count as usize);
     }
     let kind = DiagnosticKind::out_of_range("count", count, "a whole number of at least 3");
-    reading.mistake(Diagnostic::new(value.span(), kind));
-    None
+    reading.refuse(Diagnostic::new(value.span(), kind))
 }

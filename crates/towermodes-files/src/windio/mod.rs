@@ -73,7 +73,7 @@ pub fn read_windio(source: Source, options: &ReadOptions) -> Result<TowerInput, 
         return Err(ReadError::mistakes(&source, mistakes));
     };
     let notes = reading.notes;
-    let mut input = TowerInput::new(FileFormat::WindIo, description, source);
+    let mut input = TowerInput::new(FileFormat::WindIo, description, vec![source]);
     input.joint_m = joint_m;
     input.blades = blades;
     input.places = places;

@@ -160,18 +160,10 @@ fn platform(platform: &Platform, lines: &mut Lines) {
         lines.comment(&format!("{}:", parameter.what()));
         lines.matrix(matrix);
     }
-    let tables = [
-        (
-            "Distributed added mass",
-            p::ADDED_MASS,
-            &platform.loads.added_mass,
-        ),
-        (
-            "Distributed springs along the tower",
-            p::STIFFNESS,
-            &platform.loads.stiffness,
-        ),
-    ];
+    let loads = &platform.loads;
+    let added_mass = ("Distributed added mass", p::ADDED_MASS, &loads.added_mass);
+    let heading = "Distributed springs along the tower";
+    let tables = [added_mass, (heading, p::STIFFNESS, &loads.stiffness)];
     for (heading, [count, heights, values], rows) in tables {
         lines.comment("");
         lines.comment(heading);

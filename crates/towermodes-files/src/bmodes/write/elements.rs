@@ -1,6 +1,6 @@
 //! The element borders of a deck.
 
-use super::layout::{Cut, Layout, Need};
+use super::layout::{Layout, Need};
 use crate::note::Note;
 
 /// The borders as fractions of the length, from 0 to 1: at least `wanted` elements and at most
@@ -11,21 +11,14 @@ pub(super) fn borders(
     wanted: usize,
     notes: &mut Vec<Note>,
 ) -> Vec<f64> {
-    let needed = |need: Need| {
-        let is_needed = |cut: &&Cut| cut.need >= need;
-        let heights = layout.cuts.iter().filter(is_needed);
-        heights
-            .map(|cut| layout.share(cut.height_m))
-            .collect::<Vec<f64>>()
-    };
-    let mut ends = needed(Need::Wanted);
+    let mut ends = ends(layout, Need::Wanted);
     let mut note = |message: String| notes.push(Note::approximation(message));
     if ends.len() - 1 > most {
         note(format!(
             "element borders at every step need {} elements, but BModes 3.00 has at most {most}: some steps are within elements",
             ends.len() - 1
         ));
-        ends = needed(Need::Essential);
+        ends = self::ends(layout, Need::Essential);
     }
     let spans = ends.len() - 1;
     if spans > most {
@@ -40,13 +33,19 @@ pub(super) fn borders(
     divided(&ends, wanted.min(most).max(spans))
 }
 
+/// Where elements must end by this need, as fractions of the length.
+fn ends(layout: &Layout, need: Need) -> Vec<f64> {
+    let needed = layout.cuts.iter().filter(|cut| cut.need >= need);
+    needed.map(|cut| layout.fraction(cut.height_m)).collect()
+}
+
 /// The nodes of the wires, from 1 at the base.
 pub(super) fn wire_nodes(layout: &Layout, borders: &[f64]) -> Vec<usize> {
     let node = |(_, height_m): &(usize, f64)| {
-        let share = layout.share(*height_m);
+        let share = layout.fraction(*height_m);
         borders.partition_point(|border| *border < share) + 1
     };
-    layout.wires_at_nodes.iter().map(node).collect()
+    layout.attached.wires_at_nodes.iter().map(node).collect()
 }
 
 /// So many elements in total, each added where elements are longest.

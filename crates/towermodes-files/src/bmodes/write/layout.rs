@@ -5,7 +5,7 @@ use towermodes::number::Rounded;
 use towermodes::tower::Piece;
 use towermodes::{Tower, TowerDescription};
 
-use super::spread::{Spread, spreads};
+use super::spread::Attached;
 use crate::note::Note;
 
 /// Heights closer than this fraction of the tower's length are merged: a step takes 1e-7 of it, so
@@ -17,6 +17,13 @@ pub(super) const CLOSEST: f64 = 1e-6;
 pub(super) struct Cut {
     pub(super) height_m: f64,
     pub(super) need: Need,
+}
+
+impl Cut {
+    fn essential(height_m: f64) -> Self {
+        let need = Need::Essential;
+        Self { height_m, need }
+    }
 }
 
 /// How much an element must end at a cut.
@@ -45,18 +52,10 @@ pub(super) struct Layout {
     pub(super) top_m: f64,
     /// From the base to the top.
     pub(super) cuts: Vec<Cut>,
-    /// Masses, and wires of a tower that is offshore, each between two cuts.
-    pub(super) spreads: Vec<Spread>,
-    /// What they are between neighbouring cuts.
+    /// Point masses and guy wires; all that is spread begins and ends at cuts.
+    pub(super) attached: Attached,
+    /// What is spread between neighbouring cuts.
     per_metre: Vec<PerMetre>,
-    /// Masses that are at the top: their indices in the description.
-    pub(super) masses_at_the_top: Vec<usize>,
-    /// Masses at the base.
-    pub(super) masses_at_the_base: Vec<usize>,
-    /// Wires at the base.
-    pub(super) wires_at_the_base: Vec<usize>,
-    /// Wires at nodes: each index and the height of its node, m.
-    pub(super) wires_at_nodes: Vec<(usize, f64)>,
 }
 
 impl Layout {
@@ -70,14 +69,9 @@ impl Layout {
             base_m: tower.base_m(),
             top_m: tower.top_m(),
             cuts: Vec::new(),
-            spreads: Vec::new(),
+            attached: Attached::of(tower, description, is_offshore, notes),
             per_metre: Vec::new(),
-            masses_at_the_top: Vec::new(),
-            masses_at_the_base: Vec::new(),
-            wires_at_the_base: Vec::new(),
-            wires_at_nodes: Vec::new(),
         };
-        spreads(&mut layout, description, is_offshore, notes);
         layout.cut(tower, notes);
         layout.snap();
         layout.add_up();
@@ -88,8 +82,8 @@ impl Layout {
         self.top_m - self.base_m
     }
 
-    /// A height as a share of the tower's length.
-    pub(super) fn share(&self, height_m: f64) -> f64 {
+    /// A height as a fraction of the tower's length.
+    pub(super) fn fraction(&self, height_m: f64) -> f64 {
         (height_m - self.base_m) / self.length_m()
     }
 
@@ -113,7 +107,7 @@ impl Layout {
     fn add_up(&mut self) {
         self.per_metre = vec![PerMetre::default(); self.cuts.len() - 1];
         let index = |height_m: f64| self.cuts.partition_point(|cut| cut.height_m < height_m);
-        for spread in &self.spreads {
+        for spread in &self.attached.spreads {
             let over_m = spread.to_m - spread.from_m;
             for sum in &mut self.per_metre[index(spread.from_m)..index(spread.to_m)] {
                 sum.mass_kg_per_m += spread.mass_kg / over_m;
@@ -124,50 +118,54 @@ impl Layout {
     }
 
     fn cut(&mut self, tower: &Tower, notes: &mut Vec<Note>) {
-        let mut wanted = vec![Cut {
-            height_m: self.top_m,
-            need: Need::Essential,
-        }];
-        let closest_m = CLOSEST * self.length_m();
-        // Rows so close together are a step, as it stands in decks; what is spread begins and ends
-        // so too.
-        let is_step = |pair: &[Piece]| {
-            !pair[0].meets(&pair[1]) || pair.iter().any(|piece| piece.length_m() < closest_m)
-        };
-        wanted.extend(tower.pieces().windows(2).map(|pair| Cut {
-            height_m: pair[0].top_m,
-            need: if is_step(pair) {
-                Need::Wanted
-            } else {
-                Need::None
-            },
-        }));
-        let ends = self.spreads.iter().flat_map(|s| [s.from_m, s.to_m]);
-        let nodes = self.wires_at_nodes.iter().map(|(_, height_m)| *height_m);
-        wanted.extend(ends.chain(nodes).map(|height_m| Cut {
-            height_m,
-            need: Need::Essential,
-        }));
+        let mut wanted = self.wanted_cuts(tower);
         wanted.sort_by(|a, b| a.height_m.total_cmp(&b.height_m));
-        self.cuts = vec![Cut {
-            height_m: self.base_m,
-            need: Need::Essential,
-        }];
-        let mut joined = 0;
+        self.cuts = vec![Cut::essential(self.base_m)];
+        let mut merged = 0;
         for cut in wanted {
-            joined += usize::from(self.add(cut));
+            merged += usize::from(self.add(cut));
         }
-        if joined > 0 {
+        if merged > 0 {
             let message = format!(
-                "{joined} heights are merged with neighbours nearer than {} m",
+                "{merged} heights are merged with neighbours nearer than {} m",
                 Rounded(CLOSEST * self.length_m())
             );
             notes.push(Note::approximation(message));
         }
     }
 
-    /// Adds a cut, or joins it with the last one if that is too close; says whether two heights
-    /// that differ became one.
+    /// All cuts above the base: those of the tower's sections, of what is spread, of wires.
+    fn wanted_cuts(&self, tower: &Tower) -> Vec<Cut> {
+        let closest_m = CLOSEST * self.length_m();
+        // Rows so close together are a step, as decks have it; what is spread begins and ends so.
+        let is_step = |pair: &[Piece]| {
+            !pair[0].meets(&pair[1]) || pair.iter().any(|piece| piece.length_m() < closest_m)
+        };
+        let between = |pair: &[Piece]| Cut {
+            height_m: pair[0].top_m,
+            need: match is_step(pair) {
+                true => Need::Wanted,
+                false => Need::None,
+            },
+        };
+        let ends = self
+            .attached
+            .spreads
+            .iter()
+            .flat_map(|s| [s.from_m, s.to_m]);
+        let nodes = self
+            .attached
+            .wires_at_nodes
+            .iter()
+            .map(|(_, height_m)| *height_m);
+        let mut cuts = vec![Cut::essential(self.top_m)];
+        cuts.extend(tower.pieces().windows(2).map(between));
+        cuts.extend(ends.chain(nodes).map(Cut::essential));
+        cuts
+    }
+
+    /// Adds a cut, or merges it with the last one if that is too close; whether two different heights
+    /// became one.
     fn add(&mut self, cut: Cut) -> bool {
         let closest_m = CLOSEST * self.length_m();
         let is_first = self.cuts.len() == 1;
@@ -191,11 +189,11 @@ impl Layout {
     /// Lets all that is spread begin and end at cuts.
     fn snap(&mut self) {
         let cuts = &self.cuts;
-        for spread in &mut self.spreads {
+        for spread in &mut self.attached.spreads {
             spread.from_m = nearest(cuts, spread.from_m);
             spread.to_m = nearest(cuts, spread.to_m);
         }
-        for (_, height_m) in &mut self.wires_at_nodes {
+        for (_, height_m) in &mut self.attached.wires_at_nodes {
             *height_m = nearest(cuts, *height_m);
         }
     }

@@ -1,5 +1,7 @@
 //! The loads along a tower as tables of a deck: mass of water, and springs of soil.
 
+use std::ops::Range;
+
 use towermodes::Tower;
 use towermodes::number::Rounded;
 use towermodes::tower::Piece;
@@ -53,19 +55,25 @@ pub(super) fn loads(
     if vertical_n_per_m == 0.0 && torsion_n_m == 0.0 {
         return Ok(loads);
     }
+    let is_free = hub == Hub::Free;
+    if is_free {
+        (loads.vertical_n_per_m, loads.torsion_n_m) = (vertical_n_per_m, torsion_n_m);
+    }
+    notes.push(axial_note(vertical_n_per_m, torsion_n_m, is_free));
+    Ok(loads)
+}
+
+/// The note on vertical and torsional springs along a tower, which become springs of a free base.
+fn axial_note(vertical_n_per_m: f64, torsion_n_m: f64, is_free: bool) -> Note {
     let what = format!(
         "BModes has no vertical and no torsional springs along a tower: their sums, {} N/m and {} N m,",
         Rounded(vertical_n_per_m),
         Rounded(torsion_n_m)
     );
-    if hub == Hub::Free {
-        let message = format!("{what} are written as springs of the base");
-        notes.push(Note::approximation(message));
-        (loads.vertical_n_per_m, loads.torsion_n_m) = (vertical_n_per_m, torsion_n_m);
-    } else {
-        notes.push(Note::left_out(format!("{what} are left out")));
+    match is_free {
+        true => Note::approximation(format!("{what} are written as springs of the base")),
+        false => Note::left_out(format!("{what} are left out")),
     }
-    Ok(loads)
 }
 
 fn check_round(tower: &Tower, layout: &Layout) -> Result<(), BmodesWriteError> {
@@ -97,6 +105,7 @@ fn axial_springs(tower: &Tower, layout: &Layout) -> (f64, f64) {
         sum.1 += mean * (ends[0].torsion_n + ends[1].torsion_n);
     }
     sum.0 += layout
+        .attached
         .spreads
         .iter()
         .map(|s| s.vertical_n_per_m)
@@ -118,21 +127,11 @@ fn table(
         [at(from_m), at(middle_m), at(to_m)]
     };
     let parts: Vec<_> = layout.intervals_m().map(between).collect();
-    let largest = parts
-        .iter()
-        .flatten()
-        .fold(0.0_f64, |largest, row| largest.max(row.1));
-    let is_used = |part: &[(f64, f64); 3]| part.iter().any(|row| row.1 != 0.0);
-    let (first, last) = (
-        parts.iter().position(is_used),
-        parts.iter().rposition(is_used),
-    );
-    let used = first
-        .zip(last)
-        .map_or(0..0, |(first, last)| first..last + 1);
+    let values = parts.iter().flatten().map(|row| row.1);
+    let largest = values.fold(0.0_f64, f64::max);
     let fine = (SHORTEST * layout.length_m(), OFF * largest);
     let mut rows: Vec<(f64, f64)> = Vec::new();
-    for [low, middle, high] in &parts[used] {
+    for [low, middle, high] in &parts[used(&parts)] {
         let piece = tower.piece_at(middle.0);
         match rows.last() {
             Some(before) if before.1 == low.1 => {}
@@ -145,6 +144,16 @@ fn table(
     }
     let row = |(height_m, value)| (above_base(layout, height_m), rounded(value));
     rows.into_iter().map(row).collect()
+}
+
+/// The parts from the first to the last one that is not zero everywhere.
+fn used(parts: &[[(f64, f64); 3]]) -> Range<usize> {
+    let is_used = |part: &[(f64, f64); 3]| part.iter().any(|row| row.1 != 0.0);
+    let first = parts.iter().position(is_used);
+    let last = parts.iter().rposition(is_used);
+    first
+        .zip(last)
+        .map_or(0..0, |(first, last)| first..last + 1)
 }
 
 /// Adds the rows between two that the line between them needs, down to a length and a difference

@@ -117,14 +117,7 @@ fn note_whole(
         )));
     }
     if tower.shears() {
-        let model = match description.shear {
-            _ if description.stations.is_empty() => "the table's shear stiffness",
-            Shear::Coefficient(_) => "the shear coefficient",
-            _ => "Cowper's shear coefficient",
-        };
-        notes.push(Note::left_out(format!(
-            "BModes has no shear deformation: {model} is left out"
-        )));
+        notes.push(shear_note(description));
     }
     if multiplier != 1.0 {
         notes.push(Note::compatibility(format!(
@@ -132,4 +125,15 @@ fn note_whole(
              BModes 3.00 swaps flp_stff_mult and edge_stff_mult of a tower and would exchange fore-aft and side-side"
         )));
     }
+}
+
+fn shear_note(description: &TowerDescription) -> Note {
+    let model = match description.shear {
+        _ if description.stations.is_empty() => "the table's shear stiffness",
+        Shear::Coefficient(_) => "the shear coefficient",
+        _ => "Cowper's shear coefficient",
+    };
+    Note::left_out(format!(
+        "BModes has no shear deformation: {model} is left out"
+    ))
 }

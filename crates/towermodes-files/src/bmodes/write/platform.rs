@@ -4,7 +4,7 @@ use towermodes::number::Rounded;
 use towermodes::space::{SpatialMatrix, add_scaled, transform_matrix};
 use towermodes::tower::mass_integrals;
 use towermodes::{
-    FloatingPlatform, Foundation, Inertia, ReferredMatrix, RigidBody, Tower, TowerDescription,
+    FloatingPlatform, Foundation, Inertia, PointMass, RigidBody, Tower, TowerDescription, Wires,
 };
 
 use super::base::{Ends, Hub};
@@ -77,23 +77,42 @@ fn floating(
     ends: Ends,
     notes: &mut Vec<Note>,
 ) -> Platform {
+    let (reference_m, matrices) = about_one_point(platform, notes);
+    let [hydro_stiffness, mooring, mut hydro_mass] = matrices;
+    add_offset_of_center(&mut hydro_mass, platform, reference_m, notes);
+    Platform {
+        draft_m: ends.draft_m,
+        cm_pform_m: 0.0 - (platform.center_m[2] + ends.shift_m),
+        mass_kg: platform.mass_kg,
+        inertia_kg_m2: platform.inertia_kg_m2,
+        ref_msl_m: 0.0 - (reference_m + ends.shift_m),
+        hydro_mass,
+        hydro_stiffness,
+        mooring,
+        loads,
+    }
+}
+
+/// The hydrostatic, mooring and added-mass matrices about the reference point of the first one, and
+/// its height, m.
+fn about_one_point(
+    platform: &FloatingPlatform,
+    notes: &mut Vec<Note>,
+) -> (f64, [SpatialMatrix; 3]) {
     let matrices = [
         ("hydrostatic", &platform.hydrostatic),
         ("mooring", &platform.mooring),
         ("added mass", &platform.added_mass),
     ];
-    let reference_m = matrices
+    let first = matrices
         .iter()
-        .find(|(_, m)| m.matrix != NONE)
-        .map_or(0.0, |(_, m)| m.height_m);
+        .find(|(_, referred)| referred.matrix != NONE);
+    let reference_m = first.map_or(0.0, |(_, referred)| referred.height_m);
     let mut moved = Vec::new();
-    let [hydro_stiffness, mooring, mut hydro_mass] = matrices.map(|(name, referred)| {
-        let ReferredMatrix {
-            mut matrix,
-            height_m,
-        } = *referred;
-        if matrix != NONE && height_m != reference_m {
-            transform_matrix(&mut matrix, height_m - reference_m);
+    let matrices = matrices.map(|(name, referred)| {
+        let mut matrix = referred.matrix;
+        if matrix != NONE && referred.height_m != reference_m {
+            transform_matrix(&mut matrix, referred.height_m - reference_m);
             moved.push(name);
         }
         matrix
@@ -105,35 +124,32 @@ fn floating(
             Rounded(reference_m)
         )));
     }
+    (reference_m, matrices)
+}
+
+/// Adds the effect of a centre of mass off the axis, for which a deck has no parameter.
+fn add_offset_of_center(
+    hydro_mass: &mut SpatialMatrix,
+    platform: &FloatingPlatform,
+    reference_m: f64,
+    notes: &mut Vec<Note>,
+) {
     let [x, y, z] = platform.center_m;
-    if x != 0.0 || y != 0.0 {
-        notes.push(Note::approximation(format!(
-            "BModes has the platform's centre of mass on the axis: the effect of its offset of {} m and {} m is added to hydro_M",
-            Rounded(x),
-            Rounded(y)
-        )));
-        add_scaled(
-            &mut hydro_mass,
-            1.0,
-            &inertia_about_axis(platform, [x, y, z - reference_m]),
-        );
-        add_scaled(
-            &mut hydro_mass,
-            -1.0,
-            &inertia_about_axis(platform, [0.0, 0.0, z - reference_m]),
-        );
+    if x == 0.0 && y == 0.0 {
+        return;
     }
-    Platform {
-        draft_m: ends.draft_m,
-        cm_pform_m: 0.0 - (z + ends.shift_m),
-        mass_kg: platform.mass_kg,
-        inertia_kg_m2: platform.inertia_kg_m2,
-        ref_msl_m: 0.0 - (reference_m + ends.shift_m),
+    notes.push(Note::approximation(format!(
+        "BModes has the platform's centre of mass on the axis: the effect of its offset of {} m and {} m is added to hydro_M",
+        Rounded(x),
+        Rounded(y)
+    )));
+    let up_m = z - reference_m;
+    add_scaled(hydro_mass, 1.0, &inertia_about_axis(platform, [x, y, up_m]));
+    add_scaled(
         hydro_mass,
-        hydro_stiffness,
-        mooring,
-        loads,
-    }
+        -1.0,
+        &inertia_about_axis(platform, [0.0, 0.0, up_m]),
+    );
 }
 
 /// The inertia of the platform with its centre at `center_m` from a point:
@@ -172,19 +188,7 @@ fn add_geometric_stiffness(
     if gravity == 0.0 {
         return;
     }
-    let base_m = tower.base_m();
-    let of_piece = |p: &towermodes::tower::Piece| mass_integrals(p, p.base_m, p.top_m, base_m);
-    let of_tower: f64 = tower
-        .pieces()
-        .iter()
-        .map(|p| of_piece(p).structural_moment_kg_m)
-        .sum();
-    let masses = description.point_masses.iter();
-    let of_masses: f64 = masses.map(|m| m.mass_kg * (m.height_m - base_m)).sum();
-    let rna = &description.rna;
-    let of_rna = rna.mass_kg * (tower.height_m() + rna.center_m[2]);
-    let overturning_kg_m = tower.base().overturning_kg_m + of_tower + of_masses + of_rna;
-    let stiffness_n_m = 0.0 - gravity * overturning_kg_m;
+    let stiffness_n_m = 0.0 - gravity * overturning_kg_m(tower, description);
     block.mooring[3][3] += stiffness_n_m;
     block.mooring[4][4] += stiffness_n_m;
     notes.push(Note::approximation(format!(
@@ -192,6 +196,19 @@ fn add_geometric_stiffness(
          is added to mooring_K; its effect on the bending of the tower is left out",
         Rounded(stiffness_n_m)
     )));
+}
+
+/// The sum of all masses times their heights above the base, kg m.
+fn overturning_kg_m(tower: &Tower, description: &TowerDescription) -> f64 {
+    let base_m = tower.base_m();
+    let of_piece = |p: &towermodes::tower::Piece| mass_integrals(p, p.base_m, p.top_m, base_m);
+    let pieces = tower.pieces().iter();
+    let of_tower: f64 = pieces.map(|p| of_piece(p).structural_moment_kg_m).sum();
+    let masses = description.point_masses.iter();
+    let of_masses: f64 = masses.map(|m| m.mass_kg * (m.height_m - base_m)).sum();
+    let rna = &description.rna;
+    let of_rna = rna.mass_kg * (tower.height_m() + rna.center_m[2]);
+    tower.base().overturning_kg_m + of_tower + of_masses + of_rna
 }
 
 /// Point masses and wires at the base move with it.
@@ -202,8 +219,9 @@ fn add_masses_and_wires_at_the_base(
     (hub, ends): (Hub, Ends),
     notes: &mut Vec<Note>,
 ) {
+    let attached = &layout.attached;
     if hub == Hub::Clamped {
-        if !layout.masses_at_the_base.is_empty() || !layout.wires_at_the_base.is_empty() {
+        if !attached.masses_at_the_base.is_empty() || !attached.wires_at_the_base.is_empty() {
             let message =
                 "masses and guy wires at the clamped base have no effect and are left out";
             notes.push(Note::left_out(message));
@@ -212,24 +230,35 @@ fn add_masses_and_wires_at_the_base(
     }
     // From the base to the reference point.
     let rise_m = block.ref_msl_m - ends.draft_m;
-    for &index in &layout.masses_at_the_base {
-        let mass = &description.point_masses[index];
-        let mut matrix = NONE;
-        let tensor = mass.inertia_kg_m2.tensor();
-        for i in 0..3 {
-            matrix[i][i] = mass.mass_kg;
-            matrix[3 + i][3..].copy_from_slice(&tensor[i]);
-        }
+    let add = |sum: &mut SpatialMatrix, mut matrix: SpatialMatrix| {
         transform_matrix(&mut matrix, rise_m);
-        add_scaled(&mut block.hydro_mass, 1.0, &matrix);
+        add_scaled(sum, 1.0, &matrix);
+    };
+    for &index in &attached.masses_at_the_base {
+        add(
+            &mut block.hydro_mass,
+            inertia_of(&description.point_masses[index]),
+        );
     }
-    for &index in &layout.wires_at_the_base {
-        let wires = &description.wires[index];
-        let mut matrix = NONE;
-        matrix[0][0] = wires.horizontal_n_per_m();
-        matrix[1][1] = wires.horizontal_n_per_m();
-        matrix[2][2] = wires.vertical_n_per_m();
-        transform_matrix(&mut matrix, rise_m);
-        add_scaled(&mut block.mooring, 1.0, &matrix);
+    for &index in &attached.wires_at_the_base {
+        add(&mut block.mooring, stiffness_of(&description.wires[index]));
     }
+}
+
+fn inertia_of(mass: &PointMass) -> SpatialMatrix {
+    let tensor = mass.inertia_kg_m2.tensor();
+    let mut matrix = NONE;
+    for i in 0..3 {
+        matrix[i][i] = mass.mass_kg;
+        matrix[3 + i][3..].copy_from_slice(&tensor[i]);
+    }
+    matrix
+}
+
+fn stiffness_of(wires: &Wires) -> SpatialMatrix {
+    let mut matrix = NONE;
+    matrix[0][0] = wires.horizontal_n_per_m();
+    matrix[1][1] = wires.horizontal_n_per_m();
+    matrix[2][2] = wires.vertical_n_per_m();
+    matrix
 }

@@ -85,37 +85,37 @@ pub(super) fn deck_section(
     made_up: &mut MadeUp,
 ) -> DeckSection {
     let section = section_of(piece, height_m);
-    let masses = &section.masses;
-    let bending = section.bending_n_m2.fore_aft;
-    let own_kg_per_m = masses.mass_kg_per_m;
-    let mut torsion_n_m2 = section.torsion_n_m2;
-    if !torsion_n_m2.is_finite() {
-        made_up.twist = true;
-        torsion_n_m2 = RIGID * bending;
-    }
-    let mut axial_n = section.axial_n;
-    if !axial_n.is_finite() {
-        made_up.stretch = true;
-        axial_n = RIGID * bending;
-    }
-    let mut flp_iner_kg_m = 0.5 * masses.polar_inertia_kg_m;
-    if flp_iner_kg_m == 0.0 {
-        made_up.polar_inertia = true;
-        flp_iner_kg_m = STEEL * bending;
-    } else {
-        let rotary = masses.rotary_inertia_kg_m;
-        for rotary in [rotary.fore_aft, rotary.side_side] {
-            let off = (rotary - flp_iner_kg_m).abs() / flp_iner_kg_m;
-            made_up.rotary_off = made_up.rotary_off.max(off);
+    let bending_n_m2 = section.bending_n_m2.fore_aft;
+    let finite = |stiffness: f64, is_made_up: &mut bool| {
+        if stiffness.is_finite() {
+            return stiffness;
         }
-    }
+        *is_made_up = true;
+        RIGID * bending_n_m2
+    };
+    let inertia_kg_m = half_polar_inertia_kg_m(&section, made_up);
     DeckSection {
-        mass_kg_per_m: own_kg_per_m + spread.mass_kg_per_m,
-        flp_iner_kg_m: flp_iner_kg_m + 0.5 * spread.polar_inertia_kg_m,
-        bending_n_m2: bending,
-        torsion_n_m2,
-        axial_n,
+        mass_kg_per_m: section.masses.mass_kg_per_m + spread.mass_kg_per_m,
+        flp_iner_kg_m: inertia_kg_m + 0.5 * spread.polar_inertia_kg_m,
+        bending_n_m2,
+        torsion_n_m2: finite(section.torsion_n_m2, &mut made_up.twist),
+        axial_n: finite(section.axial_n, &mut made_up.stretch),
     }
+}
+
+/// Half the polar inertia, or the inertia of a thin steel tube of the same bending stiffness where
+/// there is none.
+fn half_polar_inertia_kg_m(section: &Section, made_up: &mut MadeUp) -> f64 {
+    let half = 0.5 * section.masses.polar_inertia_kg_m;
+    if half == 0.0 {
+        made_up.polar_inertia = true;
+        return STEEL * section.bending_n_m2.fore_aft;
+    }
+    let rotary = section.masses.rotary_inertia_kg_m;
+    for rotary in [rotary.fore_aft, rotary.side_side] {
+        made_up.rotary_off = made_up.rotary_off.max((rotary - half).abs() / half);
+    }
+    half
 }
 
 /// Side-side over fore-aft bending stiffness, which must be the same everywhere.

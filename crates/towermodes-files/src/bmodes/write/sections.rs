@@ -38,7 +38,7 @@ pub(super) fn rows(tower: &Tower, layout: &Layout, notes: &mut Vec<Note>) -> Vec
             let height_m = layout.base_m + share * layout.length_m();
             deck_section(piece, height_m, spread, &mut made_up)
         };
-        let (from, to) = (layout.share(from_m), layout.share(to_m));
+        let (from, to) = (layout.fraction(from_m), layout.fraction(to_m));
         let (first, last) = (at(from), at(to));
         match rows.last() {
             Some((_, before)) if before.is_near(&first, ROUNDING) => {}

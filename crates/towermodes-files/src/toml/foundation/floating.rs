@@ -4,9 +4,9 @@ use towermodes::{FloatingPlatform, Foundation, ReferredMatrix};
 
 use super::{Kind, at};
 use crate::diagnostic::{Diagnostic, DiagnosticKind};
-use crate::toml::Reading;
 use crate::toml::body::{center, inertia};
 use crate::toml::matrix::matrix;
+use crate::toml::reading::Reading;
 use crate::toml::schema;
 use crate::toml::table::Table;
 use crate::toml::values::{number, number_or_infinity};
@@ -81,8 +81,7 @@ fn without_matrix(
             because: format!("without `{key}`"),
         };
         let hint = "add the matrix, or remove its height";
-        reading.mistake(Diagnostic::new(height.span(), kind).with_hint(hint));
-        return None;
+        return reading.refuse(Diagnostic::new(height.span(), kind).with_hint(hint));
     }
     Some(ReferredMatrix::default())
 }

@@ -3,7 +3,7 @@
 use towermodes::{Foundation, HalfSpace};
 
 use super::{Kind, at};
-use crate::toml::Reading;
+use crate::toml::reading::Reading;
 use crate::toml::schema;
 use crate::toml::table::Table;
 

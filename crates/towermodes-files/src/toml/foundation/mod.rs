@@ -7,11 +7,12 @@ mod stiffness;
 
 use towermodes::{Foundation, Place};
 
+use super::reading::Reading;
 use super::schema::{self, FOUNDATIONS, TableSchema};
 use super::table::{Table, suggestion};
 use super::values::{Value, text};
-use super::{Reading, TABLE};
 use crate::diagnostic::{Diagnostic, DiagnosticKind};
+use crate::places::TABLE;
 
 /// A type of foundation.
 struct Kind {
@@ -73,14 +74,12 @@ fn kind(value: &Value<'_>, reading: &mut Reading) -> Option<&'static Kind> {
     let value = table.require("type", &hint, reading)?;
     reading.remember(at("type"), value.span());
     let name = text(value, "the foundation's type", reading)?;
-    let found = KINDS.iter().find(|kind| kind.name == name);
-    if found.is_none() {
+    KINDS.iter().find(|kind| kind.name == name).or_else(|| {
         let hint = suggestion(name, &names, "types:");
         let (what, name) = ("foundation of type", name.to_owned());
         let kind = DiagnosticKind::UnknownName { what, name };
-        reading.mistake(Diagnostic::new(value.span(), kind).with_hint(hint));
-    }
-    found
+        reading.refuse(Diagnostic::new(value.span(), kind).with_hint(hint))
+    })
 }
 
 /// The hint on a key that belongs to foundations of other types.

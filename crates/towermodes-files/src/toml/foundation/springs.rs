@@ -3,7 +3,7 @@
 use towermodes::{Foundation, FoundationSprings};
 
 use super::{Kind, at};
-use crate::toml::Reading;
+use crate::toml::reading::Reading;
 use crate::toml::schema;
 use crate::toml::table::Table;
 use crate::toml::values::number_or_infinity;

@@ -3,8 +3,8 @@
 use towermodes::{Foundation, StiffnessFoundation};
 
 use super::{Kind, at};
-use crate::toml::Reading;
 use crate::toml::matrix::matrix;
+use crate::toml::reading::Reading;
 use crate::toml::schema;
 use crate::toml::table::Table;
 use crate::toml::values::{Value, infinity, number};

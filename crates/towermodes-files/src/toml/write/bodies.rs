@@ -2,8 +2,8 @@
 
 use towermodes::{Inertia, PointMass, Rna, Rotor};
 
-use super::Writing;
 use super::text::number;
+use super::writing::Writing;
 use crate::toml::schema;
 
 /// With the zeros of one that is meant to have no inertia.

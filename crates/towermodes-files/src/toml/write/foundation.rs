@@ -5,9 +5,8 @@ use towermodes::{
     FloatingPlatform, Foundation, FoundationSprings, HalfSpace, ReferredMatrix, StiffnessFoundation,
 };
 
-use super::Writing;
 use super::bodies::{inertia_with, triple};
-use super::text::number_rows;
+use super::writing::Writing;
 use crate::toml::schema::{self, TableSchema};
 
 const NONE: SpatialMatrix = [[0.0; 6]; 6];
@@ -30,7 +29,7 @@ fn kind(kind: &str, table: &'static TableSchema, writing: &mut Writing) {
 
 fn matrix(key: &str, matrix: &SpatialMatrix, writing: &mut Writing) {
     writing.open_rows(key);
-    number_rows(matrix, 6, writing);
+    writing.number_rows(matrix, 6);
     writing.line("]");
 }
 

@@ -3,8 +3,8 @@
 use towermodes::{Material, TowerDescription};
 
 use super::super::materials::NUMBERED;
-use super::Writing;
 use super::text::quoted;
+use super::writing::Writing;
 use crate::toml::schema;
 
 /// What the materials are called: by their own names, where a file can have these, or by numbers.

@@ -6,86 +6,15 @@ mod materials;
 mod properties;
 mod surroundings;
 mod text;
+mod writing;
 
 use towermodes::{Shear, Station, TowerDescription};
 
-use super::schema::{self, KeySchema, TableSchema};
+use super::schema;
 use crate::note::Note;
 use materials::MaterialNames;
-use text::{number, quoted, rows};
-
-/// The text so far and its notes.
-#[derive(Debug, Default)]
-struct Writing {
-    text: String,
-    notes: Vec<Note>,
-    /// The table that is being written, which has the comments of its keys.
-    table: Option<&'static TableSchema>,
-}
-
-impl Writing {
-    /// A line.
-    fn line(&mut self, line: impl AsRef<str>) {
-        self.text.push_str(line.as_ref());
-        self.text.push('\n');
-    }
-
-    /// A blank line and the head of a table.
-    fn section(&mut self, table: &'static TableSchema) {
-        self.section_called(table.name, table);
-    }
-
-    /// The same under another head.
-    fn section_called(&mut self, head: &str, table: &'static TableSchema) {
-        self.table = Some(table);
-        self.line("");
-        self.line(head);
-    }
-
-    /// The comment of a key in the schema.
-    fn comment(&self, key: &str) -> String {
-        let key = self.table.and_then(|table| table.key(key));
-        debug_assert!(key.is_some());
-        key.map(KeySchema::comment).unwrap_or_default()
-    }
-
-    /// `key = value` with the comment of the schema.
-    fn value(&mut self, key: &str, value: &str) {
-        let comment = self.comment(key);
-        self.commented(key, value, &comment);
-    }
-
-    /// `key = value` with a comment, if there is one.
-    fn commented(&mut self, key: &str, value: &str, comment: &str) {
-        let line = format!("{key} = {value}");
-        if comment.is_empty() {
-            self.line(line);
-        } else {
-            self.line(format!("{line:<30} # {comment}"));
-        }
-    }
-
-    /// The name of a part that has one.
-    fn name(&mut self, name: Option<&String>) {
-        if let Some(name) = name.filter(|name| !name.is_empty()) {
-            self.commented("name", &quoted(name), "");
-        }
-    }
-
-    fn number(&mut self, key: &str, value: f64) {
-        self.value(key, &number(value));
-    }
-
-    /// The beginning of a list of rows with the comment of the schema.
-    fn open_rows(&mut self, key: &str) {
-        let comment = self.comment(key);
-        self.line(format!("{key} = [  # {comment}"));
-    }
-
-    fn note(&mut self, message: impl Into<String>) {
-        self.notes.push(Note::left_out(message));
-    }
-}
+use text::{number, quoted};
+use writing::Writing;
 
 /// Writes a description as a TOML file that is read back as the same description, number by number.
 ///
@@ -163,7 +92,7 @@ fn stations(stations: &[Station], names: &MaterialNames, writing: &mut Writing) 
     let material = if names.are_needed() { "; material" } else { "" };
     let comment = writing.comment("stations");
     writing.line(format!("stations = [  # {comment}{material}"));
-    rows(&cells, writing);
+    writing.rows(&cells);
     writing.line("]");
 }
 

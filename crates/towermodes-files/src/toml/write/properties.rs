@@ -2,8 +2,7 @@
 
 use towermodes::{Planes, Properties, PropertyStation};
 
-use super::Writing;
-use super::text::list;
+use super::writing::Writing;
 use crate::toml::properties::shared_out;
 use crate::toml::schema;
 
@@ -11,10 +10,10 @@ pub(super) fn properties(rows: &[PropertyStation], writing: &mut Writing) {
     writing.section(&schema::PROPERTIES);
     let sections = || rows.iter().map(|row| &row.properties);
     let column = |key: &str, value: fn(&Properties) -> f64, writing: &mut Writing| {
-        list(key, sections().map(value), writing);
+        writing.list(key, sections().map(value));
     };
     writing.line("# Heights of the rows, m; between them mass, stiffnesses and inertia over mass are linear.");
-    list("z_m", rows.iter().map(|row| row.height_m), writing);
+    writing.list("z_m", rows.iter().map(|row| row.height_m));
     writing.line("# Mass per length, kg/m.");
     column("mass_kg_per_m", |p| p.mass_kg_per_m, writing);
     writing.line("# Bending stiffness EI, N m2.");
@@ -32,9 +31,9 @@ pub(super) fn properties(rows: &[PropertyStation], writing: &mut Writing) {
 
 /// Both planes' columns, or one that is meant for both.
 fn pair([fore_aft, side_side]: [&str; 2], values: &[Planes<f64>], writing: &mut Writing) {
-    list(fore_aft, values.iter().map(|v| v.fore_aft), writing);
+    writing.list(fore_aft, values.iter().map(|v| v.fore_aft));
     if !values.iter().all(Planes::are_equal) {
-        list(side_side, values.iter().map(|v| v.side_side), writing);
+        writing.list(side_side, values.iter().map(|v| v.side_side));
     }
 }
 

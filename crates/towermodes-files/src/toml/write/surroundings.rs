@@ -2,8 +2,7 @@
 
 use towermodes::{AddedMassRow, SoilRow, TowerDescription, Water, Wires};
 
-use super::Writing;
-use super::text::number_rows;
+use super::writing::Writing;
 use crate::toml::schema;
 
 /// A file with more wires in a set is refused.
@@ -53,7 +52,7 @@ fn soil(layer: &[SoilRow], name: Option<&String>, writing: &mut Writing) {
     writing.line(format!(
         "rows = [  # height in m, springs in x, in y (N/m2){more}"
     ));
-    number_rows(&rows, columns, writing);
+    writing.number_rows(&rows, columns);
     writing.line("]");
 }
 
@@ -65,7 +64,7 @@ fn added_mass(table: &[AddedMassRow], name: Option<&String>, writing: &mut Writi
     writing.section(&schema::ADDED_MASS);
     writing.name(name);
     writing.open_rows("rows");
-    number_rows(&rows, 2, writing);
+    writing.number_rows(&rows, 2);
     writing.line("]");
 }
 

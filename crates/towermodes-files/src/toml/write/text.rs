@@ -1,9 +1,4 @@
-//! Numbers, texts and rows as TOML.
-
-use super::Writing;
-
-/// Values in a line of a column of properties.
-const VALUES_IN_A_LINE: usize = 5;
+//! Numbers and texts as TOML.
 
 /// The fewest digits that are read back as the same number.
 pub(super) fn number(value: f64) -> String {
@@ -33,44 +28,6 @@ pub(super) fn quoted(text: &str) -> String {
     }
     quoted.push('"');
     quoted
-}
-
-/// Rows in brackets, one a line, their columns below each other.
-pub(super) fn rows(cells: &[Vec<String>], writing: &mut Writing) {
-    let columns = cells.iter().map(Vec::len).max().unwrap_or(0);
-    let width = |column: usize| {
-        let of_column = cells.iter().filter_map(|row| row.get(column));
-        of_column.map(|cell| cell.chars().count()).max()
-    };
-    let widths: Vec<usize> = (0..columns).filter_map(width).collect();
-    for row in cells {
-        let aligned = row.iter().zip(&widths);
-        let aligned: Vec<String> = aligned.map(|(cell, &w)| format!("{cell:>w$}")).collect();
-        writing.line(format!("  [{}],", aligned.join(", ")));
-    }
-}
-
-/// Rows of numbers.
-pub(super) fn number_rows<const N: usize>(
-    values: &[[f64; N]],
-    columns: usize,
-    writing: &mut Writing,
-) {
-    let row = |row: &[f64; N]| row.iter().take(columns).copied().map(number).collect();
-    let cells: Vec<Vec<String>> = values.iter().map(row).collect();
-    rows(&cells, writing);
-}
-
-/// A list of numbers over as many lines as it needs.
-pub(super) fn list(key: &str, values: impl Iterator<Item = f64>, writing: &mut Writing) {
-    let cells: Vec<String> = values.map(number).collect();
-    let width = cells.iter().map(String::len).max().unwrap_or(0);
-    writing.line(format!("{key} = ["));
-    for line in cells.chunks(VALUES_IN_A_LINE) {
-        let aligned: Vec<String> = line.iter().map(|cell| format!("{cell:>width$}")).collect();
-        writing.line(format!("  {},", aligned.join(", ")));
-    }
-    writing.line("]");
 }
 
 #[cfg(test)]
