@@ -24,41 +24,25 @@ pub(super) fn body(
     what: &str,
     reading: &mut Reading<'_>,
 ) -> Result<RigidBody, Diagnostic> {
-    let mass_node = node.require(mass, what)?;
-    let mass_kg = mass_node.number(&format!("mass of the {what}"))?;
+    let mass = node.require(mass, what)?;
+    let name = format!("mass of the {what}");
+    let mass_kg = mass.number(&name)?;
     if mass_kg < 0.0 {
-        let what = format!("mass of the {what}");
-        let kind = DiagnosticKind::out_of_range_in(what, mass_kg, "kg", "non-negative");
-        return Err(Diagnostic::new(mass_node.span.clone(), kind));
+        let kind = DiagnosticKind::out_of_range_in(name, mass_kg, "kg", "non-negative");
+        return Err(Diagnostic::new(mass.span.clone(), kind));
     }
-    let list = |key: &str, what: String, most: usize| {
-        let Some(list) = node.get(key) else {
-            return Ok(vec![0.0; most]);
-        };
-        let mut numbers = list.numbers(&what)?;
-        // One number is along x, three are the diagonal.
-        if ![1, 3, most].contains(&numbers.len()) {
-            let kind = DiagnosticKind::wrong_count(what, numbers.len(), most);
-            return Err(Diagnostic::new(list.span.clone(), kind));
-        }
-        numbers.resize(most, 0.0);
-        Ok(numbers)
+    let moments = list(node, inertia, format!("inertia of the {what}"))?;
+    let center_m = list(node, center, format!("location of the {what}"))?;
+    let [xx, yy, zz, xy, xz, yz] = moments;
+    let mut inertia_kg_m2 = Inertia {
+        xx,
+        yy,
+        zz,
+        xy,
+        xz,
+        yz,
     };
-    let moments = list(inertia, format!("inertia of the {what}"), 6)?;
-    let place = list(center, format!("location of the {what}"), 3)?;
-    let mut body = RigidBody {
-        mass_kg,
-        center_m: [place[0], place[1], place[2]],
-        inertia_kg_m2: Inertia {
-            xx: moments[0],
-            yy: moments[1],
-            zz: moments[2],
-            xy: moments[3],
-            xz: moments[4],
-            yz: moments[5],
-        },
-    };
-    let principal = body.inertia_kg_m2.principal_kg_m2();
+    let principal = inertia_kg_m2.principal_kg_m2();
     if principal[0] < -ROUNDED * principal[2].max(-principal[0]) {
         let at = node.get(inertia).unwrap_or(node).span.start;
         let message = format!(
@@ -66,7 +50,28 @@ pub(super) fn body(
             principal[0]
         );
         reading.note_at(at, Note::suspicious(message));
-        body.inertia_kg_m2 = Inertia::default();
+        inertia_kg_m2 = Inertia::default();
     }
-    Ok(body)
+    Ok(RigidBody {
+        mass_kg,
+        center_m,
+        inertia_kg_m2,
+    })
+}
+
+/// So many numbers of a key, zero without it: one number is along x, three are the diagonal.
+fn list<const N: usize>(node: &Node, key: &str, what: String) -> Result<[f64; N], Diagnostic> {
+    let mut values = [0.0; N];
+    let Some(list) = node.get(key) else {
+        return Ok(values);
+    };
+    let numbers = list.numbers(&what)?;
+    if ![1, 3, N].contains(&numbers.len()) {
+        let kind = DiagnosticKind::wrong_count(what, numbers.len(), N);
+        return Err(Diagnostic::new(list.span.clone(), kind));
+    }
+    for (value, number) in values.iter_mut().zip(numbers) {
+        *value = number;
+    }
+    Ok(values)
 }

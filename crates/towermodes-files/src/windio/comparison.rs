@@ -2,6 +2,7 @@
 
 use towermodes::Material;
 
+use super::curve::Curve;
 use super::part::Part;
 use super::reading::Reading;
 use super::structure::Structure;
@@ -28,8 +29,8 @@ fn compare_part(part: &Part, materials: &[Material], reading: &mut Reading<'_>) 
     for (base, top) in part.stretches() {
         let (low, high) = (base.position.to, top.position.from);
         let walls = [
-            part.mass_above(low, materials),
-            part.mass_below(high, materials),
+            part.mass_at(|curve| curve.above(low), materials),
+            part.mass_at(|curve| curve.below(high), materials),
         ];
         let table = [elastic.mass.above(low), elastic.mass.below(high)];
         let length_m = top.height_m - base.height_m;
@@ -42,52 +43,32 @@ fn compare_part(part: &Part, materials: &[Material], reading: &mut Reading<'_>) 
             totals[1] += 0.5 * length_m * walls[end];
         }
     }
-    let total_error = (totals[0] / totals[1] - 1.0).abs();
-    if worst.0 > TOLERANCE || total_error > TOLERANCE {
-        let (_, z, [table, walls]) = worst;
-        let message = format!(
-            "elastic properties and layers of the {} disagree: at z = {} m {} and {} kg/m, in total {} and {} kg; the layers are used",
-            part.what,
-            Rounded(z),
-            Rounded(table),
-            Rounded(walls),
-            Rounded(totals[0]),
-            Rounded(totals[1])
-        );
-        reading.note_at(
-            elastic.mass.0[0].spans()[0].start,
-            Note::suspicious(message),
-        );
+    let (error, height_m, masses) = worst;
+    if error > TOLERANCE || (totals[0] / totals[1] - 1.0).abs() > TOLERANCE {
+        let at = elastic.mass.0[0].spans()[0].start;
+        let message = disagreement(part.what, height_m, masses, totals);
+        reading.note_at(at, Note::suspicious(message));
     }
 }
 
+fn disagreement(what: &str, height_m: f64, masses: [f64; 2], totals: [f64; 2]) -> String {
+    let ([table, walls], [all_table, all_walls]) = (masses.map(Rounded), totals.map(Rounded));
+    let z = Rounded(height_m);
+    format!(
+        "elastic properties and layers of the {what} disagree: at z = {z} m {table} and {walls} kg/m, in total {all_table} and {all_walls} kg; the layers are used"
+    )
+}
+
 impl Part {
-    fn mass_above(&self, s: f64, materials: &[Material]) -> f64 {
-        let walls = self.layers.iter();
-        let walls = walls.map(|layer| (layer.thickness.above(s), layer.material));
-        let diameter_m = self.diameter.as_ref().map_or(0.0, |d| d.above(s));
-        self.mass(diameter_m, walls, materials)
-    }
-
-    fn mass_below(&self, s: f64, materials: &[Material]) -> f64 {
-        let walls = self.layers.iter();
-        let walls = walls.map(|layer| (layer.thickness.below(s), layer.material));
-        let diameter_m = self.diameter.as_ref().map_or(0.0, |d| d.below(s));
-        self.mass(diameter_m, walls, materials)
-    }
-
-    /// Mass per length of concentric walls with their outfitting, kg/m.
-    fn mass(
-        &self,
-        diameter_m: f64,
-        walls: impl Iterator<Item = (f64, usize)>,
-        materials: &[Material],
-    ) -> f64 {
-        let mut outer_m = diameter_m;
+    /// Mass per length of the concentric walls with their outfitting, kg/m, where curves have these
+    /// values.
+    fn mass_at(&self, value: impl Fn(&Curve) -> f64, materials: &[Material]) -> f64 {
+        let mut outer_m = self.diameter.as_ref().map_or(0.0, &value);
         let mut mass = 0.0;
-        for (wall_m, material) in walls {
+        for layer in &self.layers {
+            let wall_m = value(&layer.thickness);
             let area = std::f64::consts::PI * wall_m * (outer_m - wall_m);
-            mass += materials[material].density_kg_per_m3 * area;
+            mass += materials[layer.material].density_kg_per_m3 * area;
             outer_m -= 2.0 * wall_m;
         }
         self.outfitting.0 * mass

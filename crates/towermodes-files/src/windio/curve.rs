@@ -147,18 +147,24 @@ fn grid(node: &Node, what: &str) -> Result<Vec<f64>, Diagnostic> {
         }
     }
     (grid[0], grid[last]) = (0.0, 1.0);
-    for i in 1..grid.len() {
+    match falling(&grid, &name) {
+        Some((i, kind)) => Err(wrong(i, kind)),
+        None => Ok(grid),
+    }
+}
+
+/// The first number that is not above the one before it, unless both make a step.
+fn falling(grid: &[f64], name: &str) -> Option<(usize, DiagnosticKind)> {
+    (1..grid.len()).find_map(|i| {
         let (before, now) = (grid[i - 1], grid[i]);
         if now < before {
-            return Err(wrong(i, DiagnosticKind::not_rising(name, now, before, "")));
+            return Some((i, DiagnosticKind::not_rising(name, now, before, "")));
         }
-        if i > 1 && now == grid[i - 2] {
+        (i > 1 && now == grid[i - 2]).then(|| {
             let what = format!("{now} in {name}");
-            let mistake = wrong(i, DiagnosticKind::Repeated { what, times: 3 });
-            return Err(mistake.with_hint("two equal positions are a step"));
-        }
-    }
-    Ok(grid)
+            (i, DiagnosticKind::Repeated { what, times: 3 })
+        })
+    })
 }
 
 /// A position where some quantity bends or steps: the range of the grids' values that are this

@@ -145,22 +145,28 @@ fn matrices(beam: &Node, what: &str, reading: &mut Reading<'_>) -> Result<Elasti
             optional(inertia, "i_plr")?,
         ],
     );
+    note_left_out(beam, &what, couplings(stiffness, inertia), reading);
+    Ok(elastic)
+}
+
+/// The couplings and offsets that are not noise.
+fn couplings<'n>(stiffness: &'n Node, inertia: &'n Node) -> impl Iterator<Item = &'static str> {
+    const COUPLINGS: [&str; 15] = [
+        "K12", "K13", "K14", "K15", "K16", "K23", "K24", "K25", "K26", "K34", "K35", "K36", "K45",
+        "K46", "K56",
+    ];
     let largest = |of: &Node, key: &str| {
         let numbers = of.get(key).map_or(Ok(Vec::new()), |n| n.numbers(key));
         numbers.map_or(0.0, |n| n.iter().fold(0.0_f64, |a, b| a.max(b.abs())))
     };
     let limit = NOISE * largest(stiffness, "K44");
-    let couplings = [
-        "K12", "K13", "K14", "K15", "K16", "K23", "K24", "K25", "K26", "K34", "K35", "K36", "K45",
-        "K46", "K56",
-    ];
-    let coupled = couplings
-        .iter()
-        .filter(|key| largest(stiffness, key) > limit);
-    let offset = ["cm_x", "cm_y"];
-    let offset = offset.iter().filter(|key| largest(inertia, key) > NOISE);
-    note_left_out(beam, &what, coupled.chain(offset).copied(), reading);
-    Ok(elastic)
+    let coupled = COUPLINGS
+        .into_iter()
+        .filter(move |key| largest(stiffness, key) > limit);
+    let offset = ["cm_x", "cm_y"]
+        .into_iter()
+        .filter(move |key| largest(inertia, key) > NOISE);
+    coupled.chain(offset)
 }
 
 fn note_left_out<'k>(
@@ -179,6 +185,9 @@ fn note_left_out<'k>(
     }
 }
 
+/// The places of the diagonal entries in the upper triangle of a 6x6 matrix, row by row.
+const DIAGONAL: [usize; 6] = [0, 6, 11, 15, 18, 20];
+
 /// Version 1: the upper triangles of both matrices row by row, 21 values for each position.
 fn six_by_six(beam: &Node, what: &str, reading: &mut Reading<'_>) -> Result<Elastic, Diagnostic> {
     let what = format!("six_x_six of the {what}");
@@ -190,15 +199,16 @@ fn six_by_six(beam: &Node, what: &str, reading: &mut Reading<'_>) -> Result<Elas
     };
     let of_stiffness = |at: usize, key: &str| column(stiffness, at, key);
     let side_side = of_stiffness(15, "K44")?;
-    let limit = NOISE
-        * side_side.0[0]
+    let largest = |of: &Quantity| {
+        of.0[0]
             .values()
             .iter()
-            .fold(0.0, |a: f64, b| a.max(b.abs()));
+            .fold(0.0, |a: f64, b| a.max(b.abs()))
+    };
+    let limit = NOISE * largest(&side_side);
     let mut coupled = false;
-    for at in (0..21).filter(|at| ![0, 6, 11, 15, 18, 20].contains(at)) {
-        let entry = of_stiffness(at, "a coupling")?;
-        coupled |= entry.0[0].values().iter().any(|v| v.abs() > limit);
+    for at in (0..21).filter(|at| !DIAGONAL.contains(at)) {
+        coupled |= largest(&of_stiffness(at, "a coupling")?) > limit;
     }
     let elastic = Elastic::new(
         column(inertia, 0, "mass")?,

@@ -1,5 +1,7 @@
 //! The joint of monopile and tower.
 
+use std::ops::Range;
+
 use super::part::{Part, SAME_M};
 use super::reading::Reading;
 use crate::diagnostic::{Diagnostic, DiagnosticKind};
@@ -21,14 +23,7 @@ pub(super) fn join_monopile(
     let span = tower.z.spans()[0].clone();
     let gap_m = base_m - top_m;
     if !(-SAME_M..=SMALL_GAP_M).contains(&gap_m) {
-        let side = if gap_m > 0.0 { "above" } else { "below" };
-        let kind = DiagnosticKind::Contradiction(format!(
-            "the tower begins at z = {base_m} m, {} m {side} the top of the monopile at z = {top_m} m",
-            Rounded(gap_m.abs())
-        ));
-        let hint =
-            "they must be adjacent; or read only one of them (--part tower or --part monopile)";
-        return Err(Diagnostic::new(span, kind).with_hint(hint));
+        return Err(apart(top_m, base_m, span));
     }
     if gap_m > SAME_M {
         let message = format!(
@@ -43,4 +38,16 @@ pub(super) fn join_monopile(
         last.height_m = base_m;
     }
     Ok(())
+}
+
+/// The mistake of a tower that does not begin at the top of the monopile.
+fn apart(top_m: f64, base_m: f64, span: Range<usize>) -> Diagnostic {
+    let gap_m = base_m - top_m;
+    let side = if gap_m > 0.0 { "above" } else { "below" };
+    let kind = DiagnosticKind::Contradiction(format!(
+        "the tower begins at z = {base_m} m, {} m {side} the top of the monopile at z = {top_m} m",
+        Rounded(gap_m.abs())
+    ));
+    let hint = "they must be adjacent; or read only one of them (--part tower or --part monopile)";
+    Diagnostic::new(span, kind).with_hint(hint)
 }

@@ -11,6 +11,7 @@ mod elastic;
 mod fields;
 mod joint;
 mod known_keys;
+mod layers;
 mod materials;
 mod outline;
 mod part;
@@ -19,6 +20,7 @@ mod reading;
 mod rna;
 mod rotor;
 mod sections;
+mod shaft;
 mod speeds;
 mod structure;
 mod uniform;
@@ -28,11 +30,12 @@ mod water;
 mod write;
 mod yaml;
 
+use towermodes::{Rna, TowerDescription};
+
 use crate::diagnostic::{Diagnostic, DiagnosticKind};
 use crate::error::ReadError;
 use crate::input::{FileFormat, ReadOptions, TowerInput, TowerPart};
-use crate::note::{Note, RotorNotes};
-use crate::places::Places;
+use crate::note::Note;
 use crate::source::Source;
 use airfoils::without_airfoils;
 use outline::Outline;
@@ -60,86 +63,86 @@ pub(crate) fn is_windio(text: &str, name: &str) -> bool {
 /// [`ReadError::Mistakes`].
 pub fn read_windio(source: Source, options: &ReadOptions) -> Result<TowerInput, ReadError> {
     let mut reading = Reading::new(&source);
-    let mut places = Places::default();
-    let mut rotor_notes = RotorNotes::default();
-    let found = describe(options, &mut places, &mut reading, &mut rotor_notes);
-    let Some(Described {
-        description,
-        joint_m,
-        blades,
-    }) = found
-    else {
-        let mistakes = reading.mistakes;
+    let found = describe(options, &mut reading);
+    let Reading {
+        notes,
+        rotor_notes,
+        mistakes,
+        places,
+        ..
+    } = reading;
+    let Some(described) = found else {
         return Err(ReadError::mistakes(&source, mistakes));
     };
-    let notes = reading.notes;
-    let mut input = TowerInput::new(FileFormat::WindIo, description, vec![source]);
-    input.joint_m = joint_m;
-    input.blades = blades;
-    input.places = places;
-    input.notes = notes;
-    input.rotor_notes = rotor_notes;
-    Ok(input)
+    Ok(TowerInput {
+        joint_m: described.joint_m,
+        blades: described.blades,
+        notes,
+        rotor_notes,
+        places,
+        ..TowerInput::new(FileFormat::WindIo, described.description, vec![source])
+    })
 }
 
 /// The description of a tower.
 struct Described {
-    description: towermodes::TowerDescription,
+    description: TowerDescription,
     /// Height of the joint between monopile and tower, m.
     joint_m: Option<f64>,
     /// The number of the rotor's blades.
     blades: Option<usize>,
 }
 
-fn describe(
-    options: &ReadOptions,
-    places: &mut Places,
-    reading: &mut Reading<'_>,
-    rotor_notes: &mut RotorNotes,
-) -> Option<Described> {
-    if reading.source.text.trim().is_empty() {
-        let hint = "windIO has at least components and materials";
-        let mistake = Diagnostic::new(0..0, DiagnosticKind::EmptyFile).with_hint(hint);
-        reading.mistakes.push(mistake);
-        return None;
-    }
-    let outline: Outline = reading.keep(yaml::parse(&without_airfoils(&reading.source.text)))?;
+fn describe(options: &ReadOptions, reading: &mut Reading<'_>) -> Option<Described> {
+    let found = outline(reading);
+    let outline = reading.keep(found)?;
     let version = outline.version(&reading.source.text);
     known_keys::note_lookalikes(&outline, options.part, reading);
-    let rna = match options.part {
-        _ if options.without_rna => Ok(towermodes::Rna::default()),
-        TowerPart::Monopile => Ok(towermodes::Rna::default()),
-        _ => rna::rna(&outline, version, places, reading),
+    let has_top = options.part != TowerPart::Monopile;
+    let rna = match has_top && !options.without_rna {
+        true => rna::rna(&outline, version, reading),
+        false => Ok(Rna::default()),
     };
     let rna = reading.keep(rna);
-    let (blades, rotor) = match options.part {
-        TowerPart::Monopile => (None, Ok(None)),
-        _ => (
-            // A mistake in it is reported where it matters.
-            speeds::blade_count(&outline).ok().flatten(),
-            speeds::rotor(&outline, places, reading, rotor_notes),
-        ),
+    let rotor = match has_top {
+        true => speeds::rotor(&outline, reading),
+        false => Ok(None),
     };
     let rotor = reading.keep(rotor);
-    let structure = Structure::read(&outline, version, options.part, places, reading);
+    let structure = Structure::read(&outline, version, options.part, reading);
     let (rna, mut structure) = (rna?, structure?);
     note_platform(&outline, reading);
     let mudline = water::stand(&mut structure, &outline, options.part, reading);
     reading.keep(mudline)?;
     comparison::compare(&structure, reading);
     let joint_m = structure.joint_m();
-    let description = structure.describe(places, reading);
-    let mut description = reading.keep(description)?;
+    let description = structure.describe(reading);
     let name = outline.name.as_ref();
     let name = name.map(|name| name.name(&reading.source.text));
-    description.name = name.unwrap_or_default().to_owned();
-    description.rna = rna;
-    description.rotor = rotor?;
     Some(Described {
-        description,
+        description: TowerDescription {
+            name: name.unwrap_or_default().to_owned(),
+            rna,
+            rotor: rotor?,
+            ..reading.keep(description)?
+        },
         joint_m,
-        blades,
+        // A mistake in it is reported where it matters.
+        blades: speeds::blade_count(&outline)
+            .ok()
+            .flatten()
+            .filter(|_| has_top),
     })
+}
+
+/// What of the file is read.
+fn outline(reading: &Reading<'_>) -> Result<Outline, Diagnostic> {
+    let text = &reading.source.text;
+    if text.trim().is_empty() {
+        let hint = "windIO has at least components and materials";
+        return Err(Diagnostic::new(0..0, DiagnosticKind::EmptyFile).with_hint(hint));
+    }
+    yaml::parse(&without_airfoils(text))
 }
 
 fn note_platform(outline: &Outline, reading: &mut Reading<'_>) {

@@ -4,6 +4,7 @@ use std::ops::Range;
 
 use super::curve::{Curve, Position, positions};
 use super::elastic::Elastic;
+use super::layers::{Layer, layers};
 use super::materials::Materials;
 use super::outline::Version;
 use super::reading::Reading;
@@ -14,9 +15,6 @@ use crate::number::Rounded;
 
 /// An axis that leaves the vertical by less than this, m, is straight.
 const STRAIGHT_M: f64 = 1e-6;
-
-/// No wall has more layers than this; every row sums them up.
-const MAX_LAYERS: usize = 50;
 
 /// Heights nearer than this, m, are the same.
 pub(super) const SAME_M: f64 = 1e-6;
@@ -42,16 +40,6 @@ pub(super) struct Part {
     pub(super) stops: Vec<Stop>,
 }
 
-/// A layer of the wall.
-#[derive(Debug)]
-pub(super) struct Layer {
-    /// Thickness, m.
-    pub(super) thickness: Curve,
-    /// Which of the materials used.
-    pub(super) material: usize,
-    pub(super) material_span: Range<usize>,
-}
-
 /// A position with its height.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Stop {
@@ -71,11 +59,7 @@ impl Part {
             Version::One => ("outer_shape_bem", "internal_structure_2d_fem"),
             Version::Two => ("outer_shape", "structure"),
         };
-        let axis = axis(node, what, version)?;
-        let z = axis.require("z", &format!("reference axis of the {what}"))?;
-        let z = Curve::read(z, &format!("height of the {what}"))?;
-        check_heights(&z)?;
-        note_lean(axis, what, reading);
+        let z = heights(node, what, version, reading)?;
         let diameter = node.find(&[shape, "outer_diameter"]);
         let name = format!("outer diameter of the {what}");
         let diameter = diameter.map(|d| Curve::read(d, &name)).transpose()?;
@@ -200,6 +184,21 @@ fn unless_unused(
     }
 }
 
+/// The heights along the axis.
+fn heights(
+    node: &Node,
+    what: &str,
+    version: Version,
+    reading: &mut Reading<'_>,
+) -> Result<Curve, Diagnostic> {
+    let axis = axis(node, what, version)?;
+    let z = axis.require("z", &format!("reference axis of the {what}"))?;
+    let z = Curve::read(z, &format!("height of the {what}"))?;
+    check_heights(&z)?;
+    note_lean(axis, what, reading);
+    Ok(z)
+}
+
 fn axis<'a>(node: &'a Node, what: &str, version: Version) -> Result<&'a Node, Diagnostic> {
     let paths: &[&[&str]] = match version {
         Version::One => &[
@@ -253,45 +252,6 @@ fn note_lean(axis: &Node, what: &str, reading: &mut Reading<'_>) {
             reading.note_at(values.span.start, Note::approximation(message));
         }
     }
-}
-
-fn layers(
-    structure: Option<&Node>,
-    what: &str,
-    materials: &mut Materials<'_>,
-    reading: &mut Reading<'_>,
-) -> Result<Vec<Layer>, Diagnostic> {
-    let Some(list) = structure.and_then(|structure| structure.get("layers")) else {
-        return Ok(Vec::new());
-    };
-    let list = list.list(&format!("layers of the {what}"))?;
-    if list.len() > MAX_LAYERS {
-        let kind = DiagnosticKind::TooMany {
-            what: format!("layers of the {what}"),
-            found: list.len(),
-            limit: MAX_LAYERS,
-        };
-        return Err(Diagnostic::new(list[MAX_LAYERS].span.clone(), kind));
-    }
-    let mut layers = Vec::new();
-    for (i, node) in list.iter().enumerate() {
-        let name = format!("layer {} of the {what}", i + 1);
-        let thickness = node.require("thickness", &name)?;
-        let thickness = Curve::read(thickness, &format!("thickness of {name}"))?;
-        let negative = thickness.values().iter().position(|&t| t < 0.0);
-        if let Some(at) = negative {
-            let (what, value) = (format!("thickness of {name}"), thickness.values()[at]);
-            let kind = DiagnosticKind::out_of_range_in(what, value, "m", "non-negative");
-            return Err(Diagnostic::new(thickness.spans()[at].clone(), kind));
-        }
-        let material = node.require("material", &name)?;
-        layers.push(Layer {
-            thickness,
-            material: materials.index_of(material, reading)?,
-            material_span: material.span.clone(),
-        });
-    }
-    Ok(layers)
 }
 
 fn outfitting(structure: Option<&Node>, what: &str) -> Result<(f64, Range<usize>), Diagnostic> {

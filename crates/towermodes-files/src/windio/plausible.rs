@@ -27,14 +27,12 @@ pub(super) fn angle(
     reading: &mut Reading<'_>,
 ) -> Result<f64, Diagnostic> {
     let written = node.number(key)?;
-    let radians = version.radians(written);
     let (unit, degrees) = match version {
         Version::One => ("rad", written.to_degrees()),
         Version::Two => ("degrees", written),
     };
-    let size = degrees.abs();
     // In degrees whatever the version says.
-    if size > IMPOSSIBLE_DEG && written.abs() > IMPOSSIBLE_DEG {
+    if degrees.abs() > IMPOSSIBLE_DEG && written.abs() > IMPOSSIBLE_DEG {
         let rule = "at most 90 degrees";
         let kind = DiagnosticKind::out_of_range_in(key, written, unit, rule);
         let hint = match version {
@@ -43,7 +41,16 @@ pub(super) fn angle(
         };
         return Err(Diagnostic::new(node.span.clone(), kind).with_hint(hint));
     }
-    let message = match version {
+    if let Some(message) = doubt(key, written, degrees, version) {
+        reading.note_at(node.span.start, Note::suspicious(message));
+    }
+    Ok(version.radians(written))
+}
+
+/// Why an angle is likely in the other unit, if it is.
+fn doubt(key: &str, written: f64, degrees: f64, version: Version) -> Option<String> {
+    let size = degrees.abs();
+    Some(match version {
         Version::One if size > LARGEST_DEG => format!(
             "{key} is {written} rad, which is {} degrees: in windIO 1 it is in radians; {written} degrees are {} rad",
             Rounded(degrees),
@@ -56,10 +63,8 @@ pub(super) fn angle(
             "{key} is {written} degrees: in windIO 2 it is in degrees; {written} rad are {} degrees",
             Rounded(written.to_degrees())
         ),
-        _ => return Ok(radians),
-    };
-    reading.note_at(node.span.start, Note::suspicious(message));
-    Ok(radians)
+        _ => return None,
+    })
 }
 
 /// A distance from the tower's top to the hub, m; one that is likely in millimetres is noted.

@@ -1,15 +1,23 @@
-//! Notes and mistakes, collected while a file is read.
+//! Notes, mistakes and the place of each value, collected while a file is read.
+
+use std::ops::Range;
+
+use towermodes::Place;
 
 use crate::diagnostic::Diagnostic;
-use crate::note::Note;
+use crate::note::{Note, RotorNotes};
+use crate::places::Places;
 use crate::source::Source;
 
-/// The file, and the notes and mistakes that were found so far.
+/// The file, and what was collected so far.
 #[derive(Debug)]
 pub(super) struct Reading<'a> {
     pub(super) source: &'a Source,
     pub(super) notes: Vec<Note>,
+    /// Notes that matter only where the rotor does.
+    pub(super) rotor_notes: RotorNotes,
     pub(super) mistakes: Vec<Diagnostic>,
+    pub(super) places: Places,
 }
 
 impl<'a> Reading<'a> {
@@ -17,7 +25,9 @@ impl<'a> Reading<'a> {
         Self {
             source,
             notes: Vec::new(),
+            rotor_notes: RotorNotes::default(),
             mistakes: Vec::new(),
+            places: Places::default(),
         }
     }
 
@@ -27,6 +37,11 @@ impl<'a> Reading<'a> {
 
     pub(super) fn note_at(&mut self, byte: usize, note: Note) {
         self.notes.push(note.at(self.source, byte));
+    }
+
+    /// Remembers the place of a value for the checks of the whole tower.
+    pub(super) fn remember(&mut self, place: Place, span: &Range<usize>) {
+        self.places.remember(place, 0, span.clone());
     }
 
     /// What was read, or nothing and the mistake kept.

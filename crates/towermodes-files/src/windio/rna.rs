@@ -6,15 +6,16 @@ use towermodes::{Place, RigidBody, Rna};
 
 use super::body::{NEW_KEYS, OLD_KEYS, body};
 use super::outline::{Outline, Version};
-use super::plausible::{angle, length_m};
+use super::plausible::angle;
 use super::reading::Reading;
 use super::rotor::{Hub, rotor};
+use super::shaft::{is_upwind, shaft};
 use super::speeds::{USUAL_BLADES, blade_count};
 use super::yaml::Node;
 use crate::diagnostic::{Diagnostic, DiagnosticKind};
 use crate::note::Note;
 use crate::number::Rounded;
-use crate::places::{Places, TABLE};
+use crate::places::TABLE;
 
 /// The comment of written files whose drive train is the whole rotor-nacelle assembly.
 pub(super) const WHOLE_ASSEMBLY: &str =
@@ -30,17 +31,10 @@ struct Assembly {
     span: Range<usize>,
 }
 
-/// Where the rotor's apex is and how the shaft lies.
-struct Shaft {
-    tilt_rad: f64,
-    apex_m: [f64; 3],
-}
-
 /// The bodies of the assembly combined; a note lists them and the missing ones.
 pub(super) fn rna(
     outline: &Outline,
     version: Version,
-    places: &mut Places,
     reading: &mut Reading<'_>,
 ) -> Result<Rna, Diagnostic> {
     let mut assembly = Assembly {
@@ -55,7 +49,7 @@ pub(super) fn rna(
     assembly.read_rotor(outline, version, reading)?;
     assembly.note(reading);
     for key in [TABLE, "mass", "center", "inertia"] {
-        places.remember(Place::Rna { key }, 0, assembly.span.clone());
+        reading.remember(Place::Rna { key }, &assembly.span);
     }
     let bodies: Vec<RigidBody> = assembly.bodies.into_iter().map(|(_, body)| body).collect();
     Ok(match bodies[..] {
@@ -124,46 +118,17 @@ impl Assembly {
         version: Version,
         reading: &mut Reading<'_>,
     ) -> Result<(), Diagnostic> {
-        let components = outline.components.as_ref();
         let is_upwind = is_upwind(outline, reading);
-        let hub = components.and_then(|c| c.hub.as_ref());
-        let (key, keys) = match version {
-            Version::One => ("elastic_properties_mb", OLD_KEYS),
-            Version::Two => ("elastic_properties", NEW_KEYS),
-        };
-        let mut found = Vec::new();
-        match hub.and_then(|hub| hub.get(key)) {
-            Some(node) => found.push((
-                "hub".to_owned(),
-                body(node, keys, "hub", reading)?,
-                node.span.clone(),
-            )),
-            None => self.missing.push("hub"),
-        }
-        let blade = components.and_then(|c| c.blade.as_ref());
-        let blade = match (blade, hub) {
-            (Some(blade), Some(hub)) => {
-                let hub = hub_of(hub, outline, version, is_upwind, reading)?;
-                let span = blade.inertia_matrix().map(|node| node.span.clone());
-                let body = rotor(blade, &hub)?;
-                if body.is_some() && hub.blades < 3.0 {
-                    let message = "the rotor has fewer than three blades: its inertia is the mean over a revolution";
-                    reading.note(Note::approximation(message));
-                }
-                body.zip(span)
-                    .map(|(body, span)| (format!("{} blades", hub.blades), body, span))
-            }
-            _ => None,
-        };
-        if blade.is_none() {
-            self.missing.push("blades");
-        }
-        found.extend(blade);
-        if found.is_empty() {
+        let hub = hub(outline, version, reading)?;
+        let blades = blades(outline, version, is_upwind, reading)?;
+        let missing = [("hub", hub.is_none()), ("blades", blades.is_none())];
+        let missing = missing.into_iter().filter(|(_, is_missing)| *is_missing);
+        self.missing.extend(missing.map(|(what, _)| what));
+        if hub.is_none() && blades.is_none() {
             return Ok(());
         }
         let shaft = shaft(outline, version, is_upwind, reading)?;
-        for (what, body, span) in found {
+        for (what, body, span) in hub.into_iter().chain(blades) {
             let placed = body.turned_about_y(shaft.tilt_rad).moved(shaft.apex_m);
             self.add(what, placed, &span);
         }
@@ -181,27 +146,18 @@ impl Assembly {
             true => String::new(),
             false => self.missing.join(", "),
         };
-        let message = if bodies.is_empty() {
-            "NO ROTOR-NACELLE ASSEMBLY: the file has no mass of it, so the frequencies are those of the bare tower; add [rna] after `convert --to toml`".to_owned()
-        } else if missing.is_empty() {
-            format!(
-                "rotor-nacelle assembly: {total:.0} kg ({})",
-                bodies.join(", ")
-            )
-        } else {
-            format!(
-                "INCOMPLETE ROTOR-NACELLE ASSEMBLY: {total:.0} kg ({}); the file has no mass of {missing}, so the frequencies are too high unless the other masses include it; give the whole [rna] after `convert --to toml`",
-                bodies.join(", ")
-            )
-        };
-        let note = match self.bodies.is_empty() || !missing.is_empty() {
-            true => Note::missing_part(message),
-            false => Note::new(message),
-        };
-        match self.bodies.is_empty() {
-            true => reading.note(note),
-            false => reading.note_at(self.span.start, note),
+        let bodies = bodies.join(", ");
+        if self.bodies.is_empty() {
+            reading.note(Note::missing_part("NO ROTOR-NACELLE ASSEMBLY: the file has no mass of it, so the frequencies are those of the bare tower; add [rna] after `convert --to toml`"));
+            return;
         }
+        let note = match missing.is_empty() {
+            true => Note::new(format!("rotor-nacelle assembly: {total:.0} kg ({bodies})")),
+            false => Note::missing_part(format!(
+                "INCOMPLETE ROTOR-NACELLE ASSEMBLY: {total:.0} kg ({bodies}); the file has no mass of {missing}, so the frequencies are too high unless the other masses include it; give the whole [rna] after `convert --to toml`"
+            )),
+        };
+        reading.note_at(self.span.start, note);
     }
 }
 
@@ -229,11 +185,48 @@ fn nacelle_keys<'k>(node: &Node, reading: &mut Reading<'_>) -> Result<[&'k str; 
     Ok([ABOVE_YAW, inertia, center])
 }
 
-fn is_upwind(outline: &Outline, reading: &Reading<'_>) -> bool {
-    let node = outline.assembly.as_ref();
-    let node = node.and_then(|node| node.get("rotor_orientation"));
-    let name = node.map(|node| node.name(&reading.source.text));
-    !name.is_some_and(|name| name.trim().eq_ignore_ascii_case("downwind"))
+/// A body of the rotor in axes at its apex along the shaft: its name, the body, its place.
+type RotorBody = (String, RigidBody, Range<usize>);
+
+fn hub(
+    outline: &Outline,
+    version: Version,
+    reading: &mut Reading<'_>,
+) -> Result<Option<RotorBody>, Diagnostic> {
+    let hub = outline.components.as_ref().and_then(|c| c.hub.as_ref());
+    let (key, keys) = match version {
+        Version::One => ("elastic_properties_mb", OLD_KEYS),
+        Version::Two => ("elastic_properties", NEW_KEYS),
+    };
+    let Some(node) = hub.and_then(|hub| hub.get(key)) else {
+        return Ok(None);
+    };
+    let body = body(node, keys, "hub", reading)?;
+    Ok(Some(("hub".to_owned(), body, node.span.clone())))
+}
+
+fn blades(
+    outline: &Outline,
+    version: Version,
+    is_upwind: bool,
+    reading: &mut Reading<'_>,
+) -> Result<Option<RotorBody>, Diagnostic> {
+    let components = outline.components.as_ref();
+    let both = components.and_then(|c| c.blade.as_ref().zip(c.hub.as_ref()));
+    let Some((blade, hub)) = both else {
+        return Ok(None);
+    };
+    let hub = hub_of(hub, outline, version, is_upwind, reading)?;
+    let span = blade.inertia_matrix().map(|node| node.span.clone());
+    let Some((body, span)) = rotor(blade, &hub)?.zip(span) else {
+        return Ok(None);
+    };
+    if hub.blades < 3.0 {
+        let message =
+            "the rotor has fewer than three blades: its inertia is the mean over a revolution";
+        reading.note(Note::approximation(message));
+    }
+    Ok(Some((format!("{} blades", hub.blades), body, span)))
 }
 
 fn hub_of(
@@ -260,46 +253,5 @@ fn hub_of(
         cone_rad,
         blades: blades as f64,
         is_upwind,
-    })
-}
-
-/// Tilt, overhang and height of the apex; missing ones are zero, with a note.
-fn shaft(
-    outline: &Outline,
-    version: Version,
-    is_upwind: bool,
-    reading: &mut Reading<'_>,
-) -> Result<Shaft, Diagnostic> {
-    let components = outline.components.as_ref();
-    let shape = match version {
-        Version::One => components.and_then(|c| c.nacelle.as_ref()?.get("drivetrain")),
-        Version::Two => components.and_then(|c| c.drivetrain.as_ref()?.get("outer_shape")),
-    };
-    let mut absent = Vec::new();
-    let mut value = |key: &'static str| {
-        let node = shape.and_then(|shape| shape.get(key));
-        let Some(node) = node else {
-            absent.push(key);
-            return Ok(0.0);
-        };
-        match key {
-            "uptilt" => angle(node, key, version, reading),
-            _ => length_m(node, key, reading),
-        }
-    };
-    let tilt_rad = value("uptilt")?;
-    let (overhang_m, height_m) = (value("overhang")?, value("distance_tt_hub")?);
-    if !absent.is_empty() {
-        let message = format!(
-            "the file has no {}: 0 is assumed for the position of hub and blades",
-            absent.join(", ")
-        );
-        reading.note(Note::assumption(message));
-    }
-    // The end of the shaft that carries the rotor is the higher one.
-    let side = if is_upwind { 1.0 } else { -1.0 };
-    Ok(Shaft {
-        tilt_rad: side * tilt_rad,
-        apex_m: [-side * overhang_m, 0.0, height_m],
     })
 }

@@ -54,30 +54,9 @@ impl Span {
         [0, 1, 2].map(|i| self.axis[i].as_ref().map_or(0.0, |curve| curve.above(s)))
     }
 
-    /// The sums of all blades. Between grid points mass per length and axis are linear, and
-    /// Simpson's rule exact.
+    /// All blades together.
     fn rotor(&self, hub: &Hub) -> RigidBody {
-        let axes = self.axis.iter().flatten();
-        let positions = positions(axes.chain([&self.mass]));
-        let [mut mass, mut moment, mut axial, mut polar] = [0.0; 4];
-        for pair in positions.windows(2) {
-            let [Position { to: low, .. }, Position { from: high, .. }] = [pair[0], pair[1]];
-            let (base, tip) = (self.point(low), self.point(high));
-            let length = (0..3)
-                .map(|i| (tip[i] - base[i]).powi(2))
-                .sum::<f64>()
-                .sqrt();
-            let ends = [self.mass.above(low), self.mass.below(high)];
-            for (share, weight) in [(0.0, 1.0), (0.5, 4.0), (1.0, 1.0)] {
-                let dm = (ends[0] + share * (ends[1] - ends[0])) * length * weight / 6.0;
-                let point: [f64; 3] = std::array::from_fn(|i| base[i] + share * (tip[i] - base[i]));
-                let (downwind, radius_squared) = hub.place(point);
-                mass += dm;
-                moment += dm * downwind;
-                axial += dm * downwind * downwind;
-                polar += dm * radius_squared;
-            }
-        }
+        let [mass, moment, axial, polar] = self.sums(hub);
         let center = if mass > 0.0 { moment / mass } else { 0.0 };
         let diametral = 0.5 * polar + axial - mass * center * center;
         let n = hub.blades;
@@ -91,6 +70,32 @@ impl Span {
                 ..Inertia::default()
             },
         }
+    }
+
+    /// Of one blade: its mass, its first and second moment about the plane of the rotor's apex, its
+    /// second moment about the shaft. Between grid points mass per length and axis are linear, and
+    /// Simpson's rule exact.
+    fn sums(&self, hub: &Hub) -> [f64; 4] {
+        let axes = self.axis.iter().flatten();
+        let positions = positions(axes.chain([&self.mass]));
+        let [mut mass, mut moment, mut axial, mut polar] = [0.0; 4];
+        for pair in positions.windows(2) {
+            let [Position { to: low, .. }, Position { from: high, .. }] = [pair[0], pair[1]];
+            let (base, tip) = (self.point(low), self.point(high));
+            let squares = (0..3).map(|i| (tip[i] - base[i]).powi(2));
+            let length = squares.sum::<f64>().sqrt();
+            let ends = [self.mass.above(low), self.mass.below(high)];
+            for (share, weight) in [(0.0, 1.0), (0.5, 4.0), (1.0, 1.0)] {
+                let dm = (ends[0] + share * (ends[1] - ends[0])) * length * weight / 6.0;
+                let point: [f64; 3] = std::array::from_fn(|i| base[i] + share * (tip[i] - base[i]));
+                let (downwind, radius_squared) = hub.place(point);
+                mass += dm;
+                moment += dm * downwind;
+                axial += dm * downwind * downwind;
+                polar += dm * radius_squared;
+            }
+        }
+        [mass, moment, axial, polar]
     }
 }
 

@@ -5,9 +5,10 @@ use std::ops::Range;
 use towermodes::{Material, Planes, Properties, PropertyStation, Station};
 
 use super::elastic::{Elastic, Quantity};
-use super::part::{Layer, Part, Stop};
+use super::layers::Layer;
+use super::part::{Part, Stop};
 use super::wall::Wall;
-use crate::diagnostic::{Diagnostic, DiagnosticKind};
+use crate::diagnostic::Diagnostic;
 use crate::places::TABLE;
 
 /// No more rows than this between two stops, and all in all.
@@ -28,16 +29,8 @@ impl Part {
         let mut rows: Vec<Placed<Station>> = Vec::new();
         for (base, top) in self.stretches() {
             let (low, high) = (base.position.to, top.position.from);
-            let is_there = |layer: &&Layer| {
-                layer.thickness.above(low) > 0.0 || layer.thickness.below(high) > 0.0
-            };
-            let mut layers = self.layers.iter().filter(is_there);
-            let layer = match (layers.next(), layers.next()) {
-                (Some(layer), None) => layer,
-                (None, _) if self.layers.len() == 1 => &self.layers[0],
-                _ => return None,
-            };
-            let diameter = self.diameter.as_ref()?;
+            let layer = self.only_layer(low, high)?;
+            let (diameter, wall) = (self.diameter.as_ref()?, &layer.thickness);
             let station = |stop: Stop, s: f64, d: f64, t: f64| Placed {
                 row: Station {
                     height_m: stop.height_m,
@@ -48,18 +41,27 @@ impl Part {
                 spans: vec![
                     (TABLE, self.z.span_at(s)),
                     ("diameter", diameter.span_at(s)),
-                    ("wall", layer.thickness.span_at(s)),
+                    ("wall", wall.span_at(s)),
                     ("material", layer.material_span.clone()),
                 ],
             };
-            let wall = &layer.thickness;
-            push_station(
-                &mut rows,
-                station(base, low, diameter.above(low), wall.above(low)),
-            );
+            let bottom = station(base, low, diameter.above(low), wall.above(low));
+            push_station(&mut rows, bottom);
             rows.push(station(top, high, diameter.below(high), wall.below(high)));
         }
         Some(rows)
+    }
+
+    /// The layer of a stretch that has only one.
+    fn only_layer(&self, low: f64, high: f64) -> Option<&Layer> {
+        let is_there =
+            |layer: &&Layer| layer.thickness.above(low) > 0.0 || layer.thickness.below(high) > 0.0;
+        let mut layers = self.layers.iter().filter(is_there);
+        match (layers.next(), layers.next()) {
+            (Some(layer), None) => Some(layer),
+            (None, _) if self.layers.len() == 1 => self.layers.first(),
+            _ => None,
+        }
     }
 
     /// Its walls, or else its table, as rows of properties.
@@ -108,41 +110,29 @@ impl Part {
     fn wall(&self, base: Stop, top: Stop) -> Result<Wall, Diagnostic> {
         let (low, high) = (base.position.to, top.position.from);
         let diameter = self.diameter.as_ref();
-        let ends = |s: f64| diameter.map_or(0..0, |d| d.span_at(s));
         let thickness = |layer: &Layer| {
             let t = &layer.thickness;
             ([t.above(low), t.below(high)], layer.material)
         };
-        let stretch = Wall {
+        let wall = Wall {
             diameter_m: diameter.map_or([0.0; 2], |d| [d.above(low), d.below(high)]),
             layers: self.layers.iter().map(thickness).collect(),
             span: self.layers[0].thickness.span_at(low),
         };
         for (end, (stop, s)) in [(base, low), (top, high)].into_iter().enumerate() {
-            let d = stretch.diameter_m[end];
-            let t: f64 = stretch.layers.iter().map(|(t, _)| t[end]).sum();
-            let z = stop.height_m;
-            let at = format!("of the {} at z = {z} m", self.what);
-            let wall = format!("the wall thickness {at}");
-            let kind = if d <= 0.0 || d.is_nan() {
-                let what = format!("the outer diameter {at}");
-                DiagnosticKind::out_of_range_in(what, d, "m", "positive")
-            } else if t <= 0.0 || t.is_nan() {
-                DiagnosticKind::out_of_range_in(wall, t, "m", "positive")
-            } else if 2.0 * t > d {
-                let rule = format!("at most half the outer diameter, {d} m");
-                DiagnosticKind::out_of_range_in(wall, t, "m", rule)
-            } else {
-                continue;
-            };
-            let span = if d > 0.0 {
-                stretch.span.clone()
-            } else {
-                ends(s)
-            };
-            return Err(Diagnostic::new(span, kind));
+            let at = format!("of the {} at z = {} m", self.what, stop.height_m);
+            wall.check(end, &at).map_err(|kind| {
+                let is_of_wall = wall.diameter_m[end] > 0.0;
+                let of_diameter = diameter.map_or(0..0, |d| d.span_at(s));
+                let span = if is_of_wall {
+                    wall.span.clone()
+                } else {
+                    of_diameter
+                };
+                Diagnostic::new(span, kind)
+            })?;
         }
-        Ok(stretch)
+        Ok(wall)
     }
 
     fn rows_of_table(&self, elastic: &Elastic) -> Vec<Placed<PropertyStation>> {

@@ -9,8 +9,8 @@ use super::outline::Outline;
 use super::reading::Reading;
 use super::yaml::Node;
 use crate::diagnostic::{Diagnostic, DiagnosticKind};
-use crate::note::{Note, RotorNotes};
-use crate::places::{Places, TABLE};
+use crate::note::Note;
+use crate::places::TABLE;
 
 /// No blade's tip is faster in operation, m/s; those of large rotors reach 70 to 110.
 const FASTEST_TIP_M_PER_S: f64 = 150.0;
@@ -95,7 +95,7 @@ impl Limits<'_> {
     }
 }
 
-/// The rotor, if the file gives a speed; assumptions go to `notes`.
+/// The rotor, if the file gives a speed; assumptions go to the notes on the rotor.
 ///
 /// Version 2 has `control.min_rotor_speed` and `rated_rotor_speed`, rpm; its `max_rotor_speed` is a
 /// limit at which the turbine is shut down, not an operating speed. Version 1, and files of version
@@ -104,9 +104,7 @@ impl Limits<'_> {
 /// limits the rated speed, which they do not say.
 pub(super) fn rotor(
     outline: &Outline,
-    places: &mut Places,
-    reading: &Reading<'_>,
-    notes: &mut RotorNotes,
+    reading: &mut Reading<'_>,
 ) -> Result<Option<Rotor>, Diagnostic> {
     let Some(limits) = limits(outline) else {
         return Ok(None);
@@ -116,10 +114,12 @@ pub(super) fn rotor(
         return Ok(None);
     }
     for key in [TABLE, "blades", "rpm"] {
-        places.remember(Place::Rotor { key }, 0, limits.highest.span.clone());
+        reading.remember(Place::Rotor { key }, &limits.highest.span);
     }
+    let source = reading.source;
     let mut note = |node: &Node, note: Note| {
-        notes.speeds.push(note.at(reading.source, node.span.start));
+        let note = note.at(source, node.span.start);
+        reading.rotor_notes.speeds.push(note);
     };
     let lowest = limits.lowest(highest, &mut note)?;
     let factor = limits.rpm_of_unit(outline, highest, &mut note)?;
@@ -127,9 +127,8 @@ pub(super) fn rotor(
     let blades = blade_count(outline)?;
     if blades.is_none() {
         let message = format!("the file has no number_of_blades: {USUAL_BLADES} is assumed");
-        let at = limits.highest.span.start;
-        let note = Note::assumption(message).at(reading.source, at);
-        notes.blades.push(note);
+        let note = Note::assumption(message).at(source, limits.highest.span.start);
+        reading.rotor_notes.blades.push(note);
     }
     Ok(Some(Rotor {
         blades: blades.unwrap_or(USUAL_BLADES),

@@ -1,5 +1,7 @@
 //! Tower and monopile combined: their ends, sections and materials.
 
+use std::ops::Range;
+
 use towermodes::{Material, Place, PointMass, TowerDescription};
 
 use super::joint::join_monopile;
@@ -14,7 +16,11 @@ use crate::diagnostic::{Diagnostic, DiagnosticKind};
 use crate::input::TowerPart;
 use crate::note::Note;
 use crate::number::Rounded;
-use crate::places::{Places, TABLE};
+use crate::places::TABLE;
+
+/// Point masses of a monopile: their keys and names.
+const TRANSITION_PIECE: [&str; 2] = ["transition_piece_mass", "mass of the transition piece"];
+const GRAVITY_FOUNDATION: [&str; 2] = ["gravity_foundation_mass", "mass of the gravity foundation"];
 
 /// The parts from below: the monopile, the tower.
 pub(super) struct Structure {
@@ -29,7 +35,6 @@ impl Structure {
         outline: &Outline,
         version: Version,
         wanted: TowerPart,
-        places: &mut Places,
         reading: &mut Reading<'_>,
     ) -> Option<Self> {
         let components = outline.components.as_ref();
@@ -51,17 +56,15 @@ impl Structure {
         if !reading.mistakes.is_empty() {
             return None;
         }
-        if let Err(mistake) = join_monopile(&mut parts, reading) {
-            reading.mistakes.push(mistake);
-            return None;
-        }
+        let joined = join_monopile(&mut parts, reading);
+        reading.keep(joined)?;
         let mut structure = Self {
             parts,
             materials: materials.used,
             point_masses: Vec::new(),
         };
         if let Some(monopile) = monopile {
-            let masses = structure.monopile_masses(monopile, places, reading);
+            let masses = structure.monopile_masses(monopile, reading);
             reading.keep(masses)?;
         }
         Some(structure)
@@ -105,40 +108,26 @@ impl Structure {
     fn monopile_masses(
         &mut self,
         node: &Node,
-        places: &mut Places,
         reading: &mut Reading<'_>,
     ) -> Result<(), Diagnostic> {
         let Some((base_m, top_m)) = self.parts.first().map(|p| (p.base_m(), p.top_m())) else {
             return Ok(());
         };
-        let masses = [
-            (
-                "transition_piece_mass",
-                "mass of the transition piece",
-                top_m,
-            ),
-            (
-                "gravity_foundation_mass",
-                "mass of the gravity foundation",
-                base_m,
-            ),
-        ];
-        for (key, what, height_m) in masses {
-            let mass_kg = node.number_or(key, what, 0.0)?;
-            let span = node.get(key).map_or(0..0, |node| node.span.clone());
+        let masses = [(TRANSITION_PIECE, top_m), (GRAVITY_FOUNDATION, base_m)];
+        for ([key, what], height_m) in masses {
+            let Some(node) = node.get(key) else { continue };
+            let mass_kg = node.number(what)?;
             if mass_kg == 0.0 {
                 continue;
             }
             let (kg, z) = (Rounded(mass_kg), Rounded(height_m));
-            let place = match key {
-                "transition_piece_mass" => {
-                    format!("{kg} kg at z = {z} m, the top of the monopile")
-                }
-                _ => format!("{kg} kg at the base, effective only if the base moves"),
+            let place = match key == TRANSITION_PIECE[0] {
+                true => format!("{kg} kg at z = {z} m, the top of the monopile"),
+                false => format!("{kg} kg at the base, effective only if the base moves"),
             };
             let message = format!("{what}: {place}, as a point mass");
-            reading.note_at(span.start, Note::approximation(message));
-            self.add_mass(height_m, mass_kg, span, places);
+            reading.note_at(node.span.start, Note::approximation(message));
+            self.add_mass(height_m, mass_kg, &node.span, reading);
         }
         Ok(())
     }
@@ -147,12 +136,12 @@ impl Structure {
         &mut self,
         height_m: f64,
         mass_kg: f64,
-        span: std::ops::Range<usize>,
-        places: &mut Places,
+        span: &Range<usize>,
+        reading: &mut Reading<'_>,
     ) {
         let index = self.point_masses.len();
         for key in ["height", "mass"] {
-            places.remember(Place::PointMass { index, key }, 0, span.clone());
+            reading.remember(Place::PointMass { index, key }, span);
         }
         self.point_masses.push(PointMass {
             height_m,
@@ -164,7 +153,6 @@ impl Structure {
     /// The sections as tubes if they all are, or else as rows of properties.
     pub(super) fn describe(
         mut self,
-        places: &mut Places,
         reading: &mut Reading<'_>,
     ) -> Result<TowerDescription, Diagnostic> {
         let listed: Vec<_> = self
@@ -173,16 +161,16 @@ impl Structure {
             .map(|p| std::mem::take(&mut p.point_masses))
             .collect();
         for (height_m, mass_kg, span) in listed.into_iter().flatten() {
-            self.add_mass(height_m, mass_kg, span, places);
+            self.add_mass(height_m, mass_kg, &span, reading);
         }
         for part in &self.parts {
-            places.remember(Place::Stations, 0, part.z.spans()[0].clone());
+            reading.remember(Place::Stations, &part.z.spans()[0]);
         }
         let tubes: Option<Vec<_>> = self.parts.iter().map(Part::tubes).collect();
         let mut description =
             match tubes.filter(|_| self.parts.iter().all(|p| !p.layers.is_empty())) {
-                Some(tubes) => self.of_tubes(tubes, places),
-                None => self.of_table(places, reading)?,
+                Some(tubes) => self.of_tubes(tubes, reading),
+                None => self.of_table(reading)?,
             };
         description.point_masses = self.point_masses;
         Ok(description)
@@ -192,18 +180,18 @@ impl Structure {
     fn of_tubes(
         &self,
         tubes: Vec<Vec<Placed<towermodes::Station>>>,
-        places: &mut Places,
+        reading: &mut Reading<'_>,
     ) -> TowerDescription {
         let factors: Vec<f64> = self.parts.iter().map(|part| part.outfitting.0).collect();
         let is_one = factors.iter().all(|factor| *factor == factors[0]);
         let mut description = TowerDescription::default();
         let mut rows = Vec::new();
         for (part, tubes) in self.parts.iter().zip(tubes) {
-            places.remember(Place::OutfittingFactor, 0, part.outfitting.1.clone());
+            reading.remember(Place::OutfittingFactor, &part.outfitting.1);
             let first = description.materials.len();
             let factor = if is_one { 1.0 } else { part.outfitting.0 };
             if first == 0 || !is_one {
-                self.add_materials(factor, &mut description.materials, places);
+                self.add_materials(factor, &mut description.materials, reading);
             }
             for mut tube in tubes {
                 tube.row.material += if is_one { 0 } else { first };
@@ -211,17 +199,17 @@ impl Structure {
             }
         }
         description.outfitting_factor = if is_one { factors[0] } else { 1.0 };
-        remember(&rows, places);
+        remember(&rows, reading);
         description.stations = rows.into_iter().map(|placed| placed.row).collect();
         description
     }
 
-    fn add_materials(&self, factor: f64, materials: &mut Vec<Material>, places: &mut Places) {
+    fn add_materials(&self, factor: f64, materials: &mut Vec<Material>, reading: &mut Reading<'_>) {
         for used in &self.materials {
             let index = materials.len();
             let keys = ["density", "youngs_modulus", "shear_modulus"];
             for (key, span) in keys.into_iter().zip(&used.spans) {
-                places.remember(Place::Material { index, key }, 0, span.clone());
+                reading.remember(Place::Material { index, key }, span);
             }
             materials.push(Material {
                 density_kg_per_m3: factor * used.material.density_kg_per_m3,
@@ -230,11 +218,7 @@ impl Structure {
         }
     }
 
-    fn of_table(
-        &self,
-        places: &mut Places,
-        reading: &mut Reading<'_>,
-    ) -> Result<TowerDescription, Diagnostic> {
+    fn of_table(&self, reading: &mut Reading<'_>) -> Result<TowerDescription, Diagnostic> {
         let materials: Vec<Material> = self.materials.iter().map(|used| used.material).collect();
         let mut rows = Vec::new();
         for part in &self.parts {
@@ -244,7 +228,7 @@ impl Structure {
             note_sections(part, reading);
         }
         unify_stiffness(&mut rows, reading);
-        remember(&rows, places);
+        remember(&rows, reading);
         Ok(TowerDescription {
             properties: rows.into_iter().map(|placed| placed.row).collect(),
             ..TowerDescription::default()
@@ -282,11 +266,11 @@ fn nothing_to_read(wanted: TowerPart) -> Diagnostic {
         .with_hint(format!("windIO has it under components.{key}"))
 }
 
-fn remember<T>(rows: &[Placed<T>], places: &mut Places) {
+fn remember<T>(rows: &[Placed<T>], reading: &mut Reading<'_>) {
     for (index, row) in rows.iter().enumerate() {
         for (key, span) in &row.spans {
             debug_assert!(*key == TABLE || !key.is_empty());
-            places.remember(Place::Station { index, key }, 0, span.clone());
+            reading.remember(Place::Station { index, key }, span);
         }
     }
 }

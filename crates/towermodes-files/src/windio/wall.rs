@@ -5,6 +5,8 @@ use std::ops::Range;
 
 use towermodes::{Material, Planes, Properties};
 
+use crate::diagnostic::DiagnosticKind;
+
 /// Largest relative error of mass and stiffness between rows that stand for walls.
 const ROW_ERROR: f64 = 1e-5;
 
@@ -18,6 +20,24 @@ pub(super) struct Wall {
 }
 
 impl Wall {
+    /// Checks that there is a tube at the base (0) or the top (1); `at` is where that is.
+    pub(super) fn check(&self, end: usize, at: &str) -> Result<(), DiagnosticKind> {
+        let d = self.diameter_m[end];
+        let t: f64 = self.layers.iter().map(|(t, _)| t[end]).sum();
+        let wall = format!("the wall thickness {at}");
+        Err(if d <= 0.0 || d.is_nan() {
+            let what = format!("the outer diameter {at}");
+            DiagnosticKind::out_of_range_in(what, d, "m", "positive")
+        } else if t <= 0.0 || t.is_nan() {
+            DiagnosticKind::out_of_range_in(wall, t, "m", "positive")
+        } else if 2.0 * t > d {
+            let rule = format!("at most half the outer diameter, {d} m");
+            DiagnosticKind::out_of_range_in(wall, t, "m", rule)
+        } else {
+            return Ok(());
+        })
+    }
+
     /// The section a share of the way up: the sums of its concentric tubes.
     pub(super) fn properties(
         &self,

@@ -33,29 +33,36 @@ pub(super) fn stand(
     };
     let mudline_m = mudline(structure, depth)?;
     if base_m < mudline_m - SAME_M {
-        let (embedded, mudline) = (Rounded(mudline_m - base_m), Rounded(mudline_m));
         structure.cut_below(mudline_m);
-        let message = format!(
-            "the {embedded} m of the monopile below the mudline at z = {mudline} m are left out and the tower is clamped there: flexible soil lowers the frequencies; add [[soil]] after `convert --to toml`{}",
-            soil(environment)
-        );
-        reading.note_at(depth.span.start, Note::missing_part(message));
-    } else if base_m > mudline_m + SAME_M {
-        let message = format!(
-            "the monopile ends at z = {} m, {} m above the mudline at z = {} m: it is clamped at its end",
-            Rounded(base_m),
-            Rounded(base_m - mudline_m),
-            Rounded(mudline_m)
-        );
-        reading.note_at(depth.span.start, Note::suspicious(message));
     }
-    if mudline_m < -SAME_M {
-        let message = format!(
-            "the frequencies are those in air: for the mass of the water add [water] with level = 0.0 and bed = {mudline_m:?} after `convert --to toml`"
-        );
-        reading.note_at(depth.span.start, Note::left_out(message));
+    for note in mudline_notes(base_m, mudline_m, environment) {
+        reading.note_at(depth.span.start, note);
     }
     Ok(())
+}
+
+/// The notes on a base below or above the mudline, and on the water above it.
+fn mudline_notes(base_m: f64, mudline_m: f64, environment: Option<&Node>) -> Vec<Note> {
+    let mut notes = Vec::new();
+    let (base, mudline) = (Rounded(base_m), Rounded(mudline_m));
+    if base_m < mudline_m - SAME_M {
+        notes.push(Note::missing_part(format!(
+            "the {} m of the monopile below the mudline at z = {mudline} m are left out and the tower is clamped there: flexible soil lowers the frequencies; add [[soil]] after `convert --to toml`{}",
+            Rounded(mudline_m - base_m),
+            soil(environment)
+        )));
+    } else if base_m > mudline_m + SAME_M {
+        notes.push(Note::suspicious(format!(
+            "the monopile ends at z = {base} m, {} m above the mudline at z = {mudline} m: it is clamped at its end",
+            Rounded(base_m - mudline_m)
+        )));
+    }
+    if mudline_m < -SAME_M {
+        notes.push(Note::left_out(format!(
+            "the frequencies are those in air: for the mass of the water add [water] with level = 0.0 and bed = {mudline_m:?} after `convert --to toml`"
+        )));
+    }
+    notes
 }
 
 /// Height of the mudline, m: sea level is at 0.

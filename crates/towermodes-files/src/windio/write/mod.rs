@@ -1,10 +1,10 @@
 //! A tower written as a turbine in windIO 2.
 
+mod error;
 mod left_out;
 mod sections;
 mod yaml_text;
 
-use thiserror::Error;
 use towermodes::{PointMass, Rna, Rotor, Tower, TowerDescription};
 
 use super::rna::WHOLE_ASSEMBLY;
@@ -12,26 +12,7 @@ use crate::note::Note;
 use sections::{Axis, tables, walls};
 use yaml_text::Yaml;
 
-/// Why a tower cannot be written in windIO.
-#[derive(Debug, Clone, PartialEq, Error)]
-#[non_exhaustive]
-pub enum WindIoWriteError {
-    /// Two heights are the same position of the axis but for rounding.
-    #[error(
-        "the heights {below_m} m and {above_m} m are too close together for positions from 0 to 1 along {length_m} m"
-    )]
-    TooClose {
-        /// The lower height, m.
-        below_m: f64,
-        /// The higher height, m.
-        above_m: f64,
-        /// Length of the tower, m.
-        length_m: f64,
-    },
-    /// The tower is not the one of the description.
-    #[error("the description has neither stations nor properties")]
-    NoSections,
-}
+pub use error::WindIoWriteError;
 
 /// Writes a tower as windIO 2: `description` is what `tower` was made of. The notes say what the
 /// format cannot hold.
@@ -47,64 +28,52 @@ pub fn write_windio(
 ) -> Result<(String, Vec<Note>), WindIoWriteError> {
     let mut notes = left_out::notes(description);
     let axis = Axis::new(tower.base_m(), tower.top_m(), &tower.station_heights_m())?;
-    let (diameter, mut structure, materials) = if !description.stations.is_empty() {
-        walls(description, &axis)
-    } else if description.properties.is_empty() {
-        return Err(WindIoWriteError::NoSections);
-    } else {
-        tables(description, &axis)
-    };
+    let (tower, materials) = self::tower(description, &axis)?;
     if axis.has_steps() {
         notes.push(Note::approximation("steps are written as two equal positions: the schema of windIO requires different ones, for instance 1 mm apart"));
     }
-    if let Some(masses) = point_masses(&description.point_masses, &axis) {
-        add_point_masses(&mut structure, masses);
-    }
-    let reference_axis = vec![
-        ("x", straight()),
-        ("y", straight()),
-        ("z", curve(axis.grid.clone(), axis.heights_m.clone())),
-    ];
-    let tower = vec![
-        (
-            "outer_shape",
-            Yaml::Map(vec![("outer_diameter", diameter), ("cd", straight())]),
-        ),
-        ("structure", Yaml::Map(structure)),
-        ("reference_axis", Yaml::Map(reference_axis)),
-    ];
-    let mut components = vec![("tower", Yaml::Map(tower))];
-    if description.rna != Rna::default() {
-        components.push(("drivetrain", drivetrain(&description.rna)));
-    }
+    let has_rna = description.rna != Rna::default();
+    let mut components = vec![("tower", tower)];
+    components.extend(has_rna.then(|| ("drivetrain", drivetrain(&description.rna))));
     let rotor = description.rotor.as_ref();
-    let assembly = rotor.map(|rotor| ("number_of_blades", Yaml::Count(rotor.blades)));
-    let assembly = assembly.into_iter().collect();
+    let blades = rotor.map(|rotor| ("number_of_blades", Yaml::Count(rotor.blades)));
     let mut file = vec![
         ("windIO_version", Yaml::Text("2.0".to_owned())),
         ("name", Yaml::Text(description.name.clone())),
-        ("assembly", Yaml::Map(assembly)),
+        ("assembly", Yaml::Map(blades.into_iter().collect())),
         ("components", Yaml::Map(components)),
         ("materials", materials),
     ];
     file.extend(rotor.map(|rotor| ("control", control(rotor))));
     let text = yaml_text::text(&file);
-    let text = match description.rna == Rna::default() {
-        true => text,
-        false => format!("{WHOLE_ASSEMBLY}\n{text}"),
+    let text = match has_rna {
+        true => format!("{WHOLE_ASSEMBLY}\n{text}"),
+        false => text,
     };
     Ok((text, notes))
 }
 
-fn curve(grid: Vec<f64>, values: Vec<f64>) -> Yaml {
-    Yaml::Map(vec![
-        ("grid", Yaml::Numbers(grid)),
-        ("values", Yaml::Numbers(values)),
-    ])
-}
-
-fn straight() -> Yaml {
-    curve(vec![0.0, 1.0], vec![0.0, 0.0])
+/// The component `tower`, and the materials that it uses.
+fn tower(description: &TowerDescription, axis: &Axis) -> Result<(Yaml, Yaml), WindIoWriteError> {
+    let (diameter, mut structure, materials) = if !description.stations.is_empty() {
+        walls(description, axis)
+    } else if description.properties.is_empty() {
+        return Err(WindIoWriteError::NoSections);
+    } else {
+        tables(description, axis)
+    };
+    if let Some(masses) = point_masses(&description.point_masses, axis) {
+        add_point_masses(&mut structure, masses);
+    }
+    let outer_shape = vec![("outer_diameter", diameter), ("cd", Yaml::zero())];
+    let z = Yaml::curve(axis.grid.clone(), axis.heights_m.clone());
+    let reference_axis = vec![("x", Yaml::zero()), ("y", Yaml::zero()), ("z", z)];
+    let tower = vec![
+        ("outer_shape", Yaml::Map(outer_shape)),
+        ("structure", Yaml::Map(structure)),
+        ("reference_axis", Yaml::Map(reference_axis)),
+    ];
+    Ok((Yaml::Map(tower), materials))
 }
 
 /// The rated speed is the highest operating speed; only the protection limit is above it.
@@ -145,13 +114,12 @@ fn point_masses(masses: &[PointMass], axis: &Axis) -> Option<Yaml> {
         }
         is_same
     });
-    if let [only] = masses[..] {
-        masses.push(if only.0 == 1.0 {
-            (0.0, 0.0)
-        } else {
-            (1.0, 0.0)
-        });
-        masses.sort_by(|a, b| a.0.total_cmp(&b.0));
+    if let [(only, _)] = masses[..] {
+        // The other one has no mass.
+        match only == 1.0 {
+            true => masses.insert(0, (0.0, 0.0)),
+            false => masses.push((1.0, 0.0)),
+        }
     }
     let (grid, masses) = masses.into_iter().unzip();
     Some(Yaml::Map(vec![

@@ -4,8 +4,8 @@ use std::f64::consts::PI;
 
 use towermodes::{Material, Properties, Station, TowerDescription};
 
+use super::error::WindIoWriteError;
 use super::yaml_text::Yaml;
-use super::{WindIoWriteError, curve};
 
 /// Positions nearer than this are the same to the reader.
 const SAME: f64 = 1e-12;
@@ -62,42 +62,14 @@ impl Axis {
 pub(super) fn walls(description: &TowerDescription, axis: &Axis) -> (Yaml, Entries, Yaml) {
     let pairs = description.stations.windows(2);
     let pieces: Vec<&[Station]> = pairs.filter(|p| p[0].height_m < p[1].height_m).collect();
-    let ends = |value: &dyn Fn(&Station, usize) -> f64| {
-        let mut points: Vec<(f64, f64)> = Vec::new();
-        for piece in &pieces {
-            for end in *piece {
-                let point = (axis.position(end.height_m), value(end, piece[0].material));
-                if points.last() != Some(&point) {
-                    points.push(point);
-                }
-            }
-        }
-        let (grid, values) = points.into_iter().unzip();
-        curve(grid, values)
-    };
-    let diameter = ends(&|station, _| station.outer_diameter_m);
+    let diameter = along(&pieces, axis, |station, _| station.outer_diameter_m);
     let is_used = |index: &usize| pieces.iter().any(|piece| piece[0].material == *index);
     let used: Vec<usize> = (0..description.materials.len()).filter(is_used).collect();
-    let layer = |&index: &usize| {
-        let wall = ends(&|station, material| {
-            if material == index {
-                station.wall_thickness_m
-            } else {
-                0.0
-            }
-        });
-        Yaml::Map(vec![
-            ("name", Yaml::Text(format!("wall_{}", index + 1))),
-            ("material", Yaml::Text(material_name(index))),
-            ("thickness", wall),
-        ])
-    };
+    let layers = used.iter().map(|index| layer(*index, &pieces, axis));
+    let factor = Yaml::Number(description.outfitting_factor);
     let mut structure = vec![
-        (
-            "outfitting_factor",
-            Yaml::Number(description.outfitting_factor),
-        ),
-        ("layers", Yaml::List(used.iter().map(layer).collect())),
+        ("outfitting_factor", factor),
+        ("layers", Yaml::List(layers.collect())),
     ];
     if !description.point_masses.is_empty() {
         let rows = tube_rows(&pieces, description, axis);
@@ -107,6 +79,37 @@ pub(super) fn walls(description: &TowerDescription, axis: &Axis) -> (Yaml, Entri
         .iter()
         .map(|&index| material(index, &description.materials[index]));
     (diameter, structure, Yaml::List(materials.collect()))
+}
+
+/// The tubes of a material as a layer, which has no thickness where the tower is of another one.
+fn layer(index: usize, pieces: &[&[Station]], axis: &Axis) -> Yaml {
+    let thickness = along(pieces, axis, |station, material| {
+        if material == index {
+            station.wall_thickness_m
+        } else {
+            0.0
+        }
+    });
+    Yaml::Map(vec![
+        ("name", Yaml::Text(format!("wall_{}", index + 1))),
+        ("material", Yaml::Text(material_name(index))),
+        ("thickness", thickness),
+    ])
+}
+
+/// A value of the stations and of the material between them along the axis, with its steps.
+fn along(pieces: &[&[Station]], axis: &Axis, value: impl Fn(&Station, usize) -> f64) -> Yaml {
+    let mut points: Vec<(f64, f64)> = Vec::new();
+    for piece in pieces {
+        for end in *piece {
+            let point = (axis.position(end.height_m), value(end, piece[0].material));
+            if points.last() != Some(&point) {
+                points.push(point);
+            }
+        }
+    }
+    let (grid, values) = points.into_iter().unzip();
+    Yaml::curve(grid, values)
 }
 
 /// A table of properties as a beam.
@@ -124,7 +127,7 @@ pub(super) fn tables(description: &TowerDescription, axis: &Axis) -> (Yaml, Entr
     };
     let rows: Vec<_> = description.properties.iter().map(row).collect();
     (
-        super::straight(),
+        Yaml::zero(),
         vec![("elastic_properties", beam(&rows))],
         Yaml::List(Vec::new()),
     )
@@ -182,41 +185,53 @@ fn tube(station: &Station, material: &Material, outfitting: f64) -> Properties {
     }
 }
 
-/// Stiffness and inertia matrices; entries that are infinite are left out, which is how the reader
-/// knows them.
+/// Stiffness and inertia matrices.
 fn beam(rows: &[(f64, Properties)]) -> Yaml {
-    let column = |value: &dyn Fn(&Properties) -> f64| {
-        Yaml::Numbers(rows.iter().map(|(_, p)| value(p)).collect())
-    };
-    let all = |is: fn(&Properties) -> bool| rows.iter().all(|(_, p)| is(p));
-    let grid = || Yaml::Numbers(rows.iter().map(|(s, _)| *s).collect());
-    let mut stiffness = vec![
-        ("grid", grid()),
-        ("K44", column(&|p| p.bending_n_m2.side_side)),
-        ("K55", column(&|p| p.bending_n_m2.fore_aft)),
-    ];
-    if all(|p| p.torsion_n_m2.is_finite()) {
-        stiffness.push(("K66", column(&|p| p.torsion_n_m2)));
-    }
-    if all(|p| p.axial_n.is_finite()) {
-        stiffness.push(("K33", column(&|p| p.axial_n)));
-    }
-    if all(|p| p.shear_n.is_some()) {
-        let shear = |p: &Properties| p.shear_n.unwrap_or_default();
-        stiffness.push(("K11", column(&|p| shear(p).fore_aft)));
-        stiffness.push(("K22", column(&|p| shear(p).side_side)));
-    }
     let inertia = vec![
-        ("grid", grid()),
-        ("mass", column(&|p| p.mass_kg_per_m)),
-        ("i_edge", column(&|p| p.rotary_inertia_kg_m.fore_aft)),
-        ("i_flap", column(&|p| p.rotary_inertia_kg_m.side_side)),
-        ("i_plr", column(&|p| p.polar_inertia_kg_m)),
+        grid(rows),
+        ("mass", column(rows, |p| p.mass_kg_per_m)),
+        ("i_edge", column(rows, |p| p.rotary_inertia_kg_m.fore_aft)),
+        ("i_flap", column(rows, |p| p.rotary_inertia_kg_m.side_side)),
+        ("i_plr", column(rows, |p| p.polar_inertia_kg_m)),
     ];
     let damping = vec![("mu", Yaml::Numbers(vec![0.0; 6]))];
     Yaml::Map(vec![
-        ("stiffness_matrix", Yaml::Map(stiffness)),
+        ("stiffness_matrix", Yaml::Map(stiffness(rows))),
         ("inertia_matrix", Yaml::Map(inertia)),
         ("structural_damping", Yaml::Map(damping)),
     ])
+}
+
+/// The stiffness matrix; entries that are infinite are left out, which is how the reader knows
+/// them.
+fn stiffness(rows: &[(f64, Properties)]) -> Entries {
+    let all = |is: fn(&Properties) -> bool| rows.iter().all(|(_, p)| is(p));
+    let mut stiffness = vec![
+        grid(rows),
+        ("K44", column(rows, |p| p.bending_n_m2.side_side)),
+        ("K55", column(rows, |p| p.bending_n_m2.fore_aft)),
+    ];
+    if all(|p| p.torsion_n_m2.is_finite()) {
+        stiffness.push(("K66", column(rows, |p| p.torsion_n_m2)));
+    }
+    if all(|p| p.axial_n.is_finite()) {
+        stiffness.push(("K33", column(rows, |p| p.axial_n)));
+    }
+    if all(|p| p.shear_n.is_some()) {
+        let shear = |p: &Properties| p.shear_n.unwrap_or_default();
+        stiffness.push(("K11", column(rows, |p| shear(p).fore_aft)));
+        stiffness.push(("K22", column(rows, |p| shear(p).side_side)));
+    }
+    stiffness
+}
+
+fn grid(rows: &[(f64, Properties)]) -> (&'static str, Yaml) {
+    (
+        "grid",
+        Yaml::Numbers(rows.iter().map(|(s, _)| *s).collect()),
+    )
+}
+
+fn column(rows: &[(f64, Properties)], value: impl Fn(&Properties) -> f64) -> Yaml {
+    Yaml::Numbers(rows.iter().map(|(_, p)| value(p)).collect())
 }

@@ -13,6 +13,21 @@ pub(super) enum Yaml {
     List(Vec<Yaml>),
 }
 
+impl Yaml {
+    /// Values at positions along an axis.
+    pub(super) fn curve(grid: Vec<f64>, values: Vec<f64>) -> Self {
+        Self::Map(vec![
+            ("grid", Self::Numbers(grid)),
+            ("values", Self::Numbers(values)),
+        ])
+    }
+
+    /// Zero along the whole axis.
+    pub(super) fn zero() -> Self {
+        Self::curve(vec![0.0, 1.0], vec![0.0, 0.0])
+    }
+}
+
 /// The text of a map.
 pub(super) fn text(entries: &[(&'static str, Yaml)]) -> String {
     let mut out = String::new();
@@ -34,20 +49,14 @@ fn write_map(out: &mut String, entries: &[(&'static str, Yaml)], indent: usize) 
 
 fn write_value(out: &mut String, value: &Yaml, indent: usize) {
     match value {
-        Yaml::Number(value) => {
-            let _ = writeln!(out, " {}", number(*value));
-        }
-        Yaml::Count(count) => {
-            let _ = writeln!(out, " {count}");
-        }
+        Yaml::Number(value) => line(out, &number(*value)),
+        Yaml::Count(count) => line(out, &count.to_string()),
         Yaml::Numbers(values) => {
             let values: Vec<String> = values.iter().map(|v| number(*v)).collect();
-            let _ = writeln!(out, " [{}]", values.join(", "));
+            line(out, &format!("[{}]", values.join(", ")));
         }
-        Yaml::Text(text) => {
-            let _ = writeln!(out, " {}", quoted(text));
-        }
-        Yaml::Map(entries) if entries.is_empty() => out.push_str(" {}\n"),
+        Yaml::Text(text) => line(out, &quoted(text)),
+        Yaml::Map(entries) if entries.is_empty() => line(out, "{}"),
         Yaml::Map(entries) => {
             out.push('\n');
             write_map(out, entries, indent);
@@ -63,6 +72,13 @@ fn write_value(out: &mut String, value: &Yaml, indent: usize) {
             }
         }
     }
+}
+
+/// The rest of the line of a key.
+fn line(out: &mut String, value: &str) {
+    out.push(' ');
+    out.push_str(value);
+    out.push('\n');
 }
 
 /// The fewest digits that give the number again; always with a point and a signed exponent, which

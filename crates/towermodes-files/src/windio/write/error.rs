@@ -1,0 +1,24 @@
+//! Why a tower cannot be written in windIO.
+
+use thiserror::Error;
+
+/// Why a tower cannot be written in windIO.
+#[derive(Debug, Clone, PartialEq, Error)]
+#[non_exhaustive]
+pub enum WindIoWriteError {
+    /// Two heights are the same position of the axis but for rounding.
+    #[error(
+        "the heights {below_m} m and {above_m} m are too close together for positions from 0 to 1 along {length_m} m"
+    )]
+    TooClose {
+        /// The lower height, m.
+        below_m: f64,
+        /// The higher height, m.
+        above_m: f64,
+        /// Length of the tower, m.
+        length_m: f64,
+    },
+    /// The tower is not the one of the description.
+    #[error("the description has neither stations nor properties")]
+    NoSections,
+}
