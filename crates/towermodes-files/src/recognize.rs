@@ -6,6 +6,14 @@ use crate::input::FileFormat;
 use crate::source::Source;
 use crate::{bmodes, elastodyn, hawc2, windio};
 
+/// The endings of names that show the format.
+const ENDINGS: [(&str, FileFormat); 4] = [
+    (".toml", FileFormat::Toml),
+    (".bmi", FileFormat::Bmodes),
+    (".yaml", FileFormat::WindIo),
+    (".yml", FileFormat::WindIo),
+];
+
 /// The format of a file, if it is one that describes a tower or a blade.
 pub fn recognize(source: &Source) -> Option<FileFormat> {
     let (name, text) = (source.name.as_str(), source.text.as_str());
@@ -14,13 +22,7 @@ pub fn recognize(source: &Source) -> Option<FileFormat> {
         from.and_then(|from| name.get(from..))
             .is_some_and(|end| end.eq_ignore_ascii_case(ending))
     };
-    let by_name = [
-        (".toml", FileFormat::Toml),
-        (".bmi", FileFormat::Bmodes),
-        (".yaml", FileFormat::WindIo),
-        (".yml", FileFormat::WindIo),
-    ];
-    let named = by_name.into_iter().find(|(ending, _)| ends_with(ending));
+    let named = ENDINGS.into_iter().find(|(ending, _)| ends_with(ending));
     if let Some((_, format)) = named {
         return Some(format);
     }

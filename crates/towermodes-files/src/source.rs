@@ -10,6 +10,16 @@ use thiserror::Error;
 /// memory.
 pub const MAX_FILE_BYTES: u64 = 64 << 20;
 
+/// How pointers to files that are stored elsewhere begin, what stores the files, and how to get them.
+const POINTERS: [(&str, &str, &str); 2] = [
+    (
+        "version https://git-lfs.github.com/spec/",
+        "Git LFS",
+        "run `git lfs pull` in the repository it is from",
+    ),
+    ("/annex/objects/", "git-annex", "run `git annex get` for it"),
+];
+
 /// The text of a file and its name.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Source {
@@ -156,16 +166,8 @@ impl Source {
     pub(crate) fn check_is_itself(&self) -> Result<(), FileError> {
         let name = self.name.clone();
         let start = self.text.trim_start_matches('\u{feff}').trim_start();
-        if start.starts_with("version https://git-lfs.github.com/spec/") {
-            let (system, remedy) = ("Git LFS", "run `git lfs pull` in the repository it is from");
-            return Err(FileError::Pointer {
-                name,
-                system,
-                remedy,
-            });
-        }
-        if start.starts_with("/annex/objects/") {
-            let (system, remedy) = ("git-annex", "run `git annex get` for it");
+        let mut pointers = POINTERS.into_iter();
+        if let Some((_, system, remedy)) = pointers.find(|(mark, ..)| start.starts_with(mark)) {
             return Err(FileError::Pointer {
                 name,
                 system,

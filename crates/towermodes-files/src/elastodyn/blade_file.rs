@@ -4,6 +4,8 @@
 //! changed from seventeen (FAST 7) to six (FAST 8) to five (OpenFAST 5, without `PitchAxis`). The
 //! line of names shows the column of masses; the twist precedes it and both stiffnesses follow it.
 
+use std::ops::Range;
+
 use super::names::plain;
 use super::positional::{
     Kind, POSITIVE, Parameter, Positional, Record, check_cell, last_fraction, next_fraction, record,
@@ -121,15 +123,11 @@ pub fn read_blade_file(source: &Source) -> Result<BladeFile, Diagnostic> {
     for record in &TUNERS {
         lines.parameter(record)?;
     }
-    let [mass_factor, flap_factor, edge_factor] = {
-        let [mass, flap, edge] = &FACTORS;
-        let mut factor = |record| lines.parameter(record)?.number();
-        [factor(mass)?, factor(flap)?, factor(edge)?]
-    };
+    let mut factor = |record| lines.parameter(record)?.number();
     Ok(BladeFile {
-        mass_factor,
-        flap_factor,
-        edge_factor,
+        mass_factor: factor(&FACTORS[0])?,
+        flap_factor: factor(&FACTORS[1])?,
+        edge_factor: factor(&FACTORS[2])?,
         rows: rows(&mut lines, &count, wanted)?,
     })
 }
@@ -147,24 +145,10 @@ fn rows(
     let mut last = 0..0;
     while rows.len() < wanted {
         let line = lines.row("the distributed properties", rows.len(), count)?;
-        let tokens: Vec<Token<'_>> = line.tokens().take(MOST_COLUMNS).collect();
-        let (fraction, token) = cell(&line, &tokens, 0, "BlFract")?;
-        let mass = mass_column(&names, tokens.len());
-        let positive = |column, name| positive_cell(&line, &tokens, column, name, rows.len());
-        let mass_kg_per_m = positive(mass, "BMassDen")?;
-        let flap_n_m2 = positive(mass + 1, "FlpStff")?;
-        let edge_n_m2 = positive(mass + 2, "EdgStff")?;
-        let (twist_deg, _) = cell(&line, &tokens, mass.saturating_sub(1), "StrcTwst")?;
-        let previous = rows.last().map(|row| row.length_fraction);
-        let length_fraction = next_fraction(fraction, token, previous, "BlFract")?;
-        last = token.span.clone();
-        rows.push(BladeRow {
-            length_fraction,
-            mass_kg_per_m,
-            twist_deg,
-            flap_n_m2,
-            edge_n_m2,
-        });
+        let before = rows.last().map(|row| row.length_fraction);
+        let (row, span) = row(&line, &names, rows.len(), before)?;
+        rows.push(row);
+        last = span;
     }
     match rows.as_mut_slice() {
         // A single row is that of a uniform blade.
@@ -179,6 +163,31 @@ fn rows(
         [] => {}
     }
     Ok(rows)
+}
+
+/// A row, and the place of its fraction of the length; `names` are those of the columns.
+fn row(
+    line: &Line<'_>,
+    names: &Line<'_>,
+    index: usize,
+    before: Option<f64>,
+) -> Result<(BladeRow, Range<usize>), Diagnostic> {
+    let tokens: Vec<Token<'_>> = line.tokens().take(MOST_COLUMNS).collect();
+    let (fraction, token) = cell(line, &tokens, 0, "BlFract")?;
+    let mass = mass_column(names, tokens.len());
+    let positive = |column, name| positive_cell(line, &tokens, column, name, index);
+    let mass_kg_per_m = positive(mass, "BMassDen")?;
+    let flap_n_m2 = positive(mass + 1, "FlpStff")?;
+    let edge_n_m2 = positive(mass + 2, "EdgStff")?;
+    let (twist_deg, _) = cell(line, &tokens, mass.saturating_sub(1), "StrcTwst")?;
+    let row = BladeRow {
+        length_fraction: next_fraction(fraction, token, before, "BlFract")?,
+        mass_kg_per_m,
+        twist_deg,
+        flap_n_m2,
+        edge_n_m2,
+    };
+    Ok((row, token.span.clone()))
 }
 
 /// Columns beyond those of FAST 7 are not looked at.

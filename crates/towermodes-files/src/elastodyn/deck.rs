@@ -3,7 +3,7 @@
 use std::collections::HashMap;
 use std::ops::Range;
 
-use towermodes::{Foundation, Place, RigidBody};
+use towermodes::{Place, RigidBody};
 
 use super::blade_file::{BladeFile, BladeMasses, read_blade_file};
 use super::description::{
@@ -12,15 +12,15 @@ use super::description::{
 use super::fst::{Gravity, Main, gravity, main_source};
 use super::lump;
 use super::main_file::MainFile;
-use super::main_reader::read_main_file;
+use super::main_reader::{BLADES, read_main_file};
 use super::names::{is_blade_file, is_main_file, is_tower_file};
 use super::rotor;
 use super::tower_file::{CoefficientSpans, TowerFile};
 use super::tower_reader::{TowerReading, read_with_places};
 use crate::diagnostic::{Diagnostic, DiagnosticKind};
 use crate::error::ReadError;
-use crate::input::{FileFormat, OutLayout, ReadOptions, RotorLock, TowerInput};
-use crate::note::{Note, RotorNotes};
+use crate::input::{FileFormat, ReadOptions, RotorLock, TowerInput};
+use crate::note::Note;
 use crate::places::{Places, TABLE};
 use crate::resolver::FileResolver;
 use crate::source::Source;
@@ -57,77 +57,147 @@ pub fn read_elastodyn(
     options: &ReadOptions,
 ) -> Result<ElastoDynDeck, ReadError> {
     refuse_parts(&source)?;
-    let Main {
-        source: main_source,
-        fst,
-        folder,
-        gravity_m_per_s2,
-        notes,
-    } = main_source(source, files)?;
-    let main = read_main_file(&main_source).map_err(|m| ReadError::mistake(&main_source, m))?;
-    let named = Named {
-        source: &main_source,
-        folder: &folder,
-        files,
-    };
-    let tower_source = named.read(&main.tower_file, "TwrFile", main.place("TwrFile"))?;
-    let reading =
-        read_with_places(&tower_source).map_err(|m| ReadError::mistake(&tower_source, m))?;
-    let blades = match options.without_rna {
-        true => Blades::default(),
-        false => blades(&main, &named)?,
-    };
-    let rna = rna(&main, &main_source, &blades.masses, options)?;
-    let mut sources: Vec<Source> = fst.into_iter().collect();
-    sources.extend([main_source.clone(), tower_source.clone()]);
-    let tower_index = sources.len() - 1;
-    sources.extend(blades.sources);
-    let fst_name = sources[0].name.clone();
-    let mut input = input(&main, &reading, rna, sources, tower_index);
-    if !options.without_rna {
-        let notes = lump::notes(&main, &main_source, &blades.masses, options.rotor);
-        input.notes.extend(notes);
-    }
-    if !options.without_gravity {
-        let of_fst = gravity_m_per_s2.map(|value| (value, fst_name.as_str()));
-        let Gravity { m_per_s2, note } = gravity(&main, &main_source.name, of_fst);
-        input.description.gravity_m_per_s2 = m_per_s2;
-        input.notes.extend(note);
-    }
-    input.notes.splice(0..0, notes);
-    input.blade = blades.first.map(|file| rotor::blade(&main, &file));
-    input.rotor_notes = rotor::notes(&main, &main_source, input.blade.is_some());
+    let model = Model::read(source, files, options)?;
+    let rna = model.rna(options)?;
+    let input = model.input(rna, options);
     Ok(ElastoDynDeck {
-        main,
-        main_source,
-        tower: reading.file,
-        coefficient_spans: reading.spans.coefficients,
-        tower_source,
-        blades: blades.masses,
+        main: model.main,
+        main_source: model.found.source,
+        tower: model.reading.file,
+        coefficient_spans: model.reading.spans.coefficients,
+        tower_source: model.tower_source,
+        blades: model.blades.masses,
         rna,
         input,
     })
 }
 
-/// Everything above the tower top as one body, if it is wanted.
-fn rna(
-    main: &MainFile,
-    source: &Source,
-    blades: &[BladeMasses],
-    options: &ReadOptions,
-) -> Result<RigidBody, ReadError> {
-    if options.without_rna {
-        return Ok(RigidBody::default());
+/// The files of a model and their content.
+struct Model {
+    found: Main,
+    main: MainFile,
+    tower_source: Source,
+    reading: TowerReading,
+    blades: Blades,
+}
+
+impl Model {
+    fn read(
+        source: Source,
+        files: &dyn FileResolver,
+        options: &ReadOptions,
+    ) -> Result<Self, ReadError> {
+        let found = main_source(source, files)?;
+        let main = read_main_file(&found.source);
+        let main = main.map_err(|mistake| ReadError::mistake(&found.source, mistake))?;
+        let named = Named {
+            source: &found.source,
+            folder: &found.folder,
+            files,
+        };
+        let tower_source = named.read(&main.tower_file, "TwrFile", main.place("TwrFile"))?;
+        let reading = read_with_places(&tower_source);
+        let reading = reading.map_err(|mistake| ReadError::mistake(&tower_source, mistake))?;
+        let blades = match options.without_rna {
+            true => Blades::default(),
+            false => blades(&main, &named)?,
+        };
+        Ok(Self {
+            found,
+            main,
+            tower_source,
+            reading,
+            blades,
+        })
     }
-    if options.rotor == RotorLock::Free {
-        let checked = lump::check_free_rotor(main, blades);
-        checked.map_err(|mistake| ReadError::mistake(source, mistake))?;
+
+    /// Everything above the tower top as one body, if it is wanted.
+    fn rna(&self, options: &ReadOptions) -> Result<RigidBody, ReadError> {
+        if options.without_rna {
+            return Ok(RigidBody::default());
+        }
+        let (main, blades) = (&self.main, &self.blades.masses);
+        if options.rotor == RotorLock::Free {
+            let checked = lump::check_free_rotor(main, blades);
+            checked.map_err(|mistake| ReadError::mistake(&self.found.source, mistake))?;
+        }
+        let rna = lump::lump_rna(main, blades, options.rotor);
+        Ok(match main.tower_hangs() {
+            true => upside_down(&rna),
+            false => rna,
+        })
     }
-    let rna = lump::lump_rna(main, blades, options.rotor);
-    Ok(match main.tower_hangs() {
-        true => upside_down(&rna),
-        false => rna,
-    })
+
+    /// The tower, clamped, with its notes.
+    fn input(&self, rna: RigidBody, options: &ReadOptions) -> TowerInput {
+        let main = &self.main;
+        let ends = Ends::of(main.tower_base_m, main.tower_top_m);
+        let mut notes = self.notes(ends, options);
+        let mut description = description(&self.reading.file, ends, &main.header[1]);
+        description.rna = rna.into();
+        description.rotor = rotor::rotor(main);
+        if !options.without_gravity {
+            let fst = self.found.fst.as_ref().map(|fst| fst.name.as_str());
+            let of_fst = self.found.gravity_m_per_s2.zip(fst);
+            let Gravity { m_per_s2, note } = gravity(main, &self.found.source.name, of_fst);
+            description.gravity_m_per_s2 = m_per_s2;
+            notes.extend(note);
+        }
+        let blade = self.blades.first.as_ref();
+        let blade = blade.map(|file| rotor::blade(main, file));
+        TowerInput {
+            blades: Some(main.blade_count),
+            rotor_notes: rotor::notes(main, &self.found.source, blade.is_some()),
+            blade,
+            notes,
+            places: self.places(),
+            ..TowerInput::new(FileFormat::ElastoDyn, description, self.sources())
+        }
+    }
+
+    /// The notes on the files, on the tower and on what it carries.
+    fn notes(&self, ends: Ends, options: &ReadOptions) -> Vec<Note> {
+        let main = &self.main;
+        let mut notes = self.found.notes.clone();
+        notes.extend_from_slice(&self.reading.notes);
+        notes.extend(tuner_note(&self.reading.file));
+        notes.push(Note::new(ONLY_BENDS));
+        notes.extend(foundation_note(main));
+        notes.extend(main.tower_hangs().then(|| hanging_note(ends)));
+        if !options.without_rna {
+            let masses = &self.blades.masses;
+            notes.extend(lump::notes(main, &self.found.source, masses, options.rotor));
+        }
+        notes
+    }
+
+    /// The `.fst` file if there is one, the main file, the tower file, the blade files.
+    fn sources(&self) -> Vec<Source> {
+        let mut sources: Vec<Source> = self.found.fst.iter().cloned().collect();
+        sources.extend([self.found.source.clone(), self.tower_source.clone()]);
+        sources.extend_from_slice(&self.blades.sources);
+        sources
+    }
+
+    /// Where each value stands, in the order of [`Self::sources`].
+    fn places(&self) -> Places {
+        let in_main = [
+            (Place::Rna { key: "mass" }, "NacMass"),
+            (Place::Rna { key: "center" }, "NacCMxn"),
+            (Place::Rna { key: "inertia" }, "NacYIner"),
+            (Place::Rna { key: TABLE }, "NacMass"),
+            (Place::Gravity, "Gravity"),
+            (Place::Rotor { key: "blades" }, "NumBl"),
+            (Place::Rotor { key: "rpm" }, "RotSpeed"),
+        ];
+        let main = usize::from(self.found.fst.is_some());
+        let mut places = Places::default();
+        remember(&mut places, main + 1, &self.reading.spans);
+        for (place, name) in in_main {
+            places.remember(place, main, self.main.place(name));
+        }
+        places
+    }
 }
 
 /// Refuses files that are only a part of a model.
@@ -190,11 +260,7 @@ struct Blades {
 fn blades(main: &MainFile, named: &Named<'_>) -> Result<Blades, ReadError> {
     let mut blades = Blades::default();
     let mut read: HashMap<&str, BladeFile> = HashMap::new();
-    for (path, key) in main
-        .blade_files
-        .iter()
-        .zip(["BldFile(1)", "BldFile(2)", "BldFile(3)"])
-    {
+    for (path, key) in main.blade_files.iter().zip(BLADES) {
         if !read.contains_key(path.as_str()) {
             let source = named.read(path, key, main.place(key))?;
             let blade = read_blade_file(&source).map_err(|m| ReadError::mistake(&source, m))?;
@@ -202,63 +268,12 @@ fn blades(main: &MainFile, named: &Named<'_>) -> Result<Blades, ReadError> {
             blades.first.get_or_insert_with(|| blade.clone());
             read.insert(path, blade);
         }
-        blades.masses.extend(
-            read.get(path.as_str())
-                .map(|blade| blade.masses(main.blade_length_m())),
-        );
+        let masses = read
+            .get(path.as_str())
+            .map(|blade| blade.masses(main.blade_length_m()));
+        blades.masses.extend(masses);
     }
     Ok(blades)
-}
-
-/// The tower of a model with its notes.
-fn input(
-    main: &MainFile,
-    reading: &TowerReading,
-    rna: RigidBody,
-    sources: Vec<Source>,
-    tower_index: usize,
-) -> TowerInput {
-    let ends = Ends::of(main.tower_base_m, main.tower_top_m);
-    let mut description = description(&reading.file, ends, &main.header[1]);
-    description.rna = rna.into();
-    description.foundation = Foundation::Clamped;
-    description.rotor = rotor::rotor(main);
-    let mut places = Places::default();
-    remember(&mut places, tower_index, &reading.spans);
-    for (key, name) in [
-        ("mass", "NacMass"),
-        ("center", "NacCMxn"),
-        ("inertia", "NacYIner"),
-        (TABLE, "NacMass"),
-    ] {
-        places.remember(Place::Rna { key }, tower_index - 1, main.place(name));
-    }
-    places.remember(Place::Gravity, tower_index - 1, main.place("Gravity"));
-    for (key, name) in [("blades", "NumBl"), ("rpm", "RotSpeed")] {
-        places.remember(Place::Rotor { key }, tower_index - 1, main.place(name));
-    }
-    let mut notes = reading.notes.clone();
-    notes.extend(tuner_note(&reading.file));
-    notes.push(Note::new(ONLY_BENDS));
-    notes.extend(foundation_note(main));
-    if main.tower_hangs() {
-        notes.push(hanging_note(ends));
-    }
-    TowerInput {
-        format: FileFormat::ElastoDyn,
-        description,
-        borders_m: None,
-        method: None,
-        modes: None,
-        blades: Some(main.blade_count),
-        blade: None,
-        joint_m: None,
-        layout: OutLayout::default(),
-        notes,
-        rotor_notes: RotorNotes::default(),
-        sources,
-        places,
-    }
 }
 
 /// The note on a foundation that is not in these files.

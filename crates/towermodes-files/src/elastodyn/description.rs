@@ -119,6 +119,14 @@ fn station(file: &TowerFile, row: &TowerRow, ends: Ends) -> PropertyStation {
     }
 }
 
+/// The names of a row's values in the checks of the tower.
+const STATION_KEYS: [&str; 4] = [
+    "height",
+    "mass_kg_per_m",
+    "ei_fore_aft_n_m2",
+    "ei_side_side_n_m2",
+];
+
 /// Remembers where the values of the tower file stand, which is one of the tower's files.
 pub(super) fn remember(places: &mut Places, file: usize, spans: &TowerSpans) {
     places.remember(Place::Stations, file, spans.count.clone());
@@ -127,35 +135,15 @@ pub(super) fn remember(places: &mut Places, file: usize, spans: &TowerSpans) {
     let is_uniform = spans.rows.len() == 1;
     let end = spans.rows.iter().filter(|_| is_uniform);
     for (index, row) in spans.rows.iter().chain(end).enumerate() {
-        let keys = [
-            "height",
-            "mass_kg_per_m",
-            "ei_fore_aft_n_m2",
-            "ei_side_side_n_m2",
-        ];
-        for (key, span) in keys.into_iter().zip(row) {
-            at(Place::Station { index, key }, span);
+        let station = |key| Place::Station { index, key };
+        for (key, span) in STATION_KEYS.into_iter().zip(row) {
+            at(station(key), span);
         }
-        at(
-            Place::Station { index, key: TABLE },
-            &(row[0].start..row[3].end),
-        );
+        at(station(TABLE), &(row[0].start..row[3].end));
     }
     for (index, [height, mass]) in spans.masses.iter().enumerate() {
-        at(
-            Place::PointMass {
-                index,
-                key: "height",
-            },
-            height,
-        );
-        at(Place::PointMass { index, key: "mass" }, mass);
-        at(
-            Place::PointMass {
-                index,
-                key: "inertia",
-            },
-            mass,
-        );
+        for (key, span) in [("height", height), ("mass", mass), ("inertia", mass)] {
+            at(Place::PointMass { index, key }, span);
+        }
     }
 }

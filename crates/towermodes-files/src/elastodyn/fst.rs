@@ -14,6 +14,7 @@ const GRAVITY: Record = record("Gravity", "acceleration of gravity, m/s2", NON_N
 const ED_FILE: Record = record("EDFile", "name of the main file of ElastoDyn", Kind::Other);
 
 /// A main file of ElastoDyn, and how it was found.
+#[derive(Debug)]
 pub(super) struct Main {
     /// The main file.
     pub(super) source: Source,
@@ -28,37 +29,36 @@ pub(super) struct Main {
 
 /// The main file itself, or the one that an `.fst` file names.
 pub(super) fn main_source(source: Source, files: &dyn FileResolver) -> Result<Main, ReadError> {
-    if is_main_file(&source.text) || !is_fst(&source.text) {
-        let (fst, folder, notes) = (None, String::new(), Vec::new());
-        return Ok(Main {
-            source,
-            fst,
-            folder,
-            gravity_m_per_s2: None,
-            notes,
-        });
+    if !is_main_file(&source.text) && is_fst(&source.text) {
+        return named_by(source, files);
     }
-    let mistake = |mistake| ReadError::mistake(&source, mistake);
-    let parameter = ed_file(&source).map_err(mistake)?;
-    let gravity_m_per_s2 = gravity_of_fst(&source).map_err(mistake)?;
-    let path = parameter.token.text.trim().to_owned();
-    let main = files.read(&path).map_err(|error| {
-        let kind = DiagnosticKind::unreadable("EDFile", &error);
-        let mistake = Diagnostic::new(parameter.span(), kind);
-        let hint = "files are searched beside the .fst file";
-        ReadError::mistake(&source, mistake.with_hint(hint))
-    })?;
-    let folder = path
-        .rfind(['/', '\\'])
-        .map_or("", |slash| &path[..slash])
-        .to_owned();
-    let notes = notes(&source);
     Ok(Main {
-        source: main,
-        fst: Some(source),
-        folder,
+        source,
+        fst: None,
+        folder: String::new(),
+        gravity_m_per_s2: None,
+        notes: Vec::new(),
+    })
+}
+
+/// The main file that an `.fst` file names.
+fn named_by(fst: Source, files: &dyn FileResolver) -> Result<Main, ReadError> {
+    let mistake = |mistake| ReadError::mistake(&fst, mistake);
+    let parameter = ed_file(&fst).map_err(mistake)?;
+    let gravity_m_per_s2 = gravity_of_fst(&fst).map_err(mistake)?;
+    let path = parameter.token.text.trim();
+    let source = files.read(path).map_err(|error| {
+        let kind = DiagnosticKind::unreadable("EDFile", &error);
+        let hint = "files are searched beside the .fst file";
+        mistake(Diagnostic::new(parameter.span(), kind).with_hint(hint))
+    })?;
+    let folder = path.rfind(['/', '\\']).map_or("", |slash| &path[..slash]);
+    Ok(Main {
+        source,
+        folder: folder.to_owned(),
         gravity_m_per_s2,
-        notes,
+        notes: notes(&fst),
+        fst: Some(fst),
     })
 }
 

@@ -11,7 +11,16 @@ use crate::diagnostic::{Diagnostic, DiagnosticKind};
 use crate::records::Lines;
 use crate::source::Source;
 
-const BLADES: [&str; 3] = ["BldFile(1)", "BldFile(2)", "BldFile(3)"];
+const TOWER_DOFS: [&str; 4] = ["TwFADOF1", "TwFADOF2", "TwSSDOF1", "TwSSDOF2"];
+const PLATFORM_DOFS: [&str; 6] = [
+    "PtfmSgDOF",
+    "PtfmSwDOF",
+    "PtfmHvDOF",
+    "PtfmRDOF",
+    "PtfmPDOF",
+    "PtfmYDOF",
+];
+pub(super) const BLADES: [&str; 3] = ["BldFile(1)", "BldFile(2)", "BldFile(3)"];
 const PITCH: [&str; 3] = ["BlPitch(1)", "BlPitch(2)", "BlPitch(3)"];
 const PRECONE: [&str; 3] = ["PreCone(1)", "PreCone(2)", "PreCone(3)"];
 const TIP_MASS: [&str; 3] = ["TipMass(1)", "TipMass(2)", "TipMass(3)"];
@@ -21,30 +30,14 @@ const TIP_MASS: [&str; 3] = ["TipMass(1)", "TipMass(2)", "TipMass(3)"];
 /// # Errors
 /// The first mistake in it.
 pub fn read_main_file(source: &Source) -> Result<MainFile, Diagnostic> {
-    let values = Values {
-        lines: parameters(&source.text)?,
-    };
-    let mut lines = Lines::new(&source.text);
-    let mut header = || {
-        lines
-            .next()
-            .map(|line| line.text.to_owned())
-            .unwrap_or_default()
-    };
-    let header = [header(), header()];
+    let lines = parameters(&source.text)?;
+    let values = Values { lines };
     let blade_count = values.blade_count()?;
     let file = MainFile {
-        header,
+        header: header(&source.text),
         gravity_m_per_s2: values.optional("Gravity")?,
-        tower_dofs: values.flags(["TwFADOF1", "TwFADOF2", "TwSSDOF1", "TwSSDOF2"])?,
-        platform_dofs: values.flags([
-            "PtfmSgDOF",
-            "PtfmSwDOF",
-            "PtfmHvDOF",
-            "PtfmRDOF",
-            "PtfmPDOF",
-            "PtfmYDOF",
-        ])?,
+        tower_dofs: values.flags(TOWER_DOFS)?,
+        platform_dofs: values.flags(PLATFORM_DOFS)?,
         blade_pitch_deg: values.of_blades(PITCH, blade_count)?,
         rotor_speed_rpm: values.number("RotSpeed")?,
         blade_count,
@@ -81,6 +74,16 @@ pub fn read_main_file(source: &Source) -> Result<MainFile, Diagnostic> {
     Ok(file)
 }
 
+/// The two free lines at the beginning.
+fn header(text: &str) -> [String; 2] {
+    let mut lines = Lines::new(text);
+    [(); 2].map(|()| {
+        lines
+            .next()
+            .map_or_else(String::new, |line| line.text.to_owned())
+    })
+}
+
 /// The checks of OpenFAST on several values together (`ValidatePrimaryData`, `Coeff`).
 fn check(file: &MainFile) -> Result<(), Diagnostic> {
     let range = |name, value, unit, rule: String| {
@@ -103,14 +106,21 @@ fn check(file: &MainFile) -> Result<(), Diagnostic> {
         let kind = DiagnosticKind::Overflow { what };
         return Err(Diagnostic::new(file.place("TowerHt"), kind).with_hint("heights are in m"));
     }
+    check_nacelle(file)?;
+    check_hub(file)
+}
+
+/// The inertia of the nacelle about the yaw axis includes that of its mass at its offset.
+fn check_nacelle(file: &MainFile) -> Result<(), Diagnostic> {
     let [x, y, _] = file.nacelle_center_m;
     let least = file.nacelle_mass_kg * (x * x + y * y);
-    let inertia = file.nacelle_yaw_inertia_kg_m2;
+    let (name, inertia) = ("NacYIner", file.nacelle_yaw_inertia_kg_m2);
     if inertia < least {
         let rule = format!("at least NacMass (NacCMxn^2 + NacCMyn^2) = {least} kg m2");
-        return Err(range("NacYIner", inertia, "kg m2", rule));
+        let kind = DiagnosticKind::out_of_range_in(name, inertia, "kg m2", rule);
+        return Err(Diagnostic::new(file.place(name), kind));
     }
-    check_hub(file)
+    Ok(())
 }
 
 /// The inertia of the hub about the teeter axis includes that of its mass at its offset.

@@ -4,6 +4,7 @@ use towermodes::{BladeDescription, BladeSection, RigidBody, Rotor};
 
 use super::blade_file::BladeFile;
 use super::main_file::MainFile;
+use super::main_reader::BLADES;
 use crate::note::{Note, RotorNotes};
 use crate::source::Source;
 
@@ -66,35 +67,45 @@ pub(super) fn notes(main: &MainFile, source: &Source, has_blade: bool) -> RotorN
         );
         notes.speeds.push(at("RotSpeed", Note::assumption(message)));
     }
-    if !has_blade {
-        return notes;
+    if has_blade {
+        let others = blade_notes(main).into_iter();
+        notes.others = others.map(|(key, note)| at(key, note)).collect();
     }
+    notes
+}
+
+/// What was decided of the blade, with the parameters that the notes are on.
+fn blade_notes(main: &MainFile) -> Vec<(&'static str, Note)> {
+    let mut notes = Vec::new();
     let precone_deg = main.precone_deg[0];
     if precone_deg != 0.0 {
         let message = format!(
             "PreCone(1) = {precone_deg} degrees is ignored in the modes of the blade, which rotates in the rotor plane"
         );
-        notes.others.push(at("PreCone(1)", Note::left_out(message)));
+        notes.push(("PreCone(1)", Note::left_out(message)));
     }
     let pitch_deg = main.blade_pitch_deg[0];
     if pitch_deg != 0.0 {
         let message = format!(
             "BlPitch(1) = {pitch_deg} degrees, the initial pitch, is used for the modes of the blade at all speeds"
         );
-        notes
-            .others
-            .push(at("BlPitch(1)", Note::assumption(message)));
+        notes.push(("BlPitch(1)", Note::assumption(message)));
     }
-    for (blade, number) in (1..main.blade_count.min(3)).zip(2..) {
+    for (blade, key) in BLADES
+        .into_iter()
+        .enumerate()
+        .take(main.blade_count)
+        .skip(1)
+    {
         let is_other = main.blade_files[blade] != main.blade_files[0]
             || main.tip_masses_kg[blade] != main.tip_masses_kg[0]
             || main.blade_pitch_deg[blade] != main.blade_pitch_deg[0];
         if is_other {
-            let key = ["BldFile(1)", "BldFile(2)", "BldFile(3)"][blade];
             let message = format!(
-                "blade {number} has another file, tip mass or pitch than the first; the modes are those of the first"
+                "blade {} has another file, tip mass or pitch than the first; the modes are those of the first",
+                blade + 1
             );
-            notes.others.push(at(key, Note::assumption(message)));
+            notes.push((key, Note::assumption(message)));
         }
     }
     notes

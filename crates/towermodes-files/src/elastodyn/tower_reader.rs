@@ -13,6 +13,7 @@ use super::tower_file::{CoefficientSpans, ConcentratedMass, TowerFile, TowerRow}
 use super::tower_records::{self as records, COLUMNS, MASS_COLUMNS};
 use crate::diagnostic::Diagnostic;
 use crate::note::Note;
+use crate::records::Line;
 use crate::source::Source;
 
 /// The modes whose coefficients a file has.
@@ -125,31 +126,37 @@ fn rows(
     while rows.len() < wanted {
         let line = lines.row("the distributed properties", rows.len(), count)?;
         let name = format!("row {}", rows.len() + 1);
-        let columns = COLUMNS.map(|(column, _)| column);
-        let values = numbers(&line, &name, columns)?;
-        for ((value, token), column) in values.iter().zip(columns).skip(1) {
-            check_cell(token, format!("{column} of {name}"), *value, POSITIVE)?;
-        }
-        let [
-            (height, token),
-            (mass_kg_per_m, _),
-            (fore_aft_n_m2, _),
-            (side_side_n_m2, _),
-        ] = &values;
-        let previous = rows.last().map(|row| row.height_fraction);
-        rows.push(TowerRow {
-            height_fraction: next_fraction(*height, token, previous, "HtFract")?,
-            mass_kg_per_m: *mass_kg_per_m,
-            fore_aft_n_m2: *fore_aft_n_m2,
-            side_side_n_m2: *side_side_n_m2,
-        });
-        spans.rows.push(values.map(|(_, token)| token.span));
+        let (row, span) = row(&line, &name, rows.last())?;
+        rows.push(row);
+        spans.rows.push(span);
     }
     // A single row, at 0, is that of a uniform tower.
     if let ([_, .., row], Some([span, ..])) = (rows.as_mut_slice(), spans.rows.last()) {
         row.height_fraction = last_fraction(row.height_fraction, span.clone(), "HtFract")?;
     }
     Ok(rows)
+}
+
+/// A row and the places of its values; its name is for messages.
+fn row(
+    line: &Line<'_>,
+    name: &str,
+    before: Option<&TowerRow>,
+) -> Result<(TowerRow, [Range<usize>; 4]), Diagnostic> {
+    let columns = COLUMNS.map(|(column, _)| column);
+    let values = numbers(line, name, columns)?;
+    for ((value, token), column) in values.iter().zip(columns).skip(1) {
+        check_cell(token, format!("{column} of {name}"), *value, POSITIVE)?;
+    }
+    let previous = before.map(|row| row.height_fraction);
+    let height_fraction = next_fraction(values[0].0, &values[0].1, previous, "HtFract")?;
+    let row = TowerRow {
+        height_fraction,
+        mass_kg_per_m: values[1].0,
+        fore_aft_n_m2: values[2].0,
+        side_side_n_m2: values[3].0,
+    };
+    Ok((row, values.map(|(_, token)| token.span)))
 }
 
 /// The coefficients of the four mode shapes.
@@ -181,30 +188,28 @@ fn concentrated_masses(
     lines: &mut Positional<'_>,
     spans: &mut TowerSpans,
 ) -> Result<Vec<ConcentratedMass>, Diagnostic> {
-    lines.skip_blank();
-    let is_there = lines.peek().is_some_and(|line| {
-        let start = line.text.chars().take(200).collect::<String>();
-        start.to_ascii_uppercase().contains("CONCENTRATED")
-    });
     let mut masses = Vec::new();
-    if !is_there {
+    if !has_masses(lines) {
         return Ok(masses);
     }
     lines.heading("the heading TOWER CONCENTRATED MASSES")?;
     let count = lines.parameter(&records::MASSES)?;
     let wanted = count.count()?;
-    if wanted == 0 {
-        return Ok(masses);
+    if wanted > 0 {
+        lines.heading("the names of the columns")?;
+        lines.heading("the units of the columns")?;
     }
-    lines.heading("the names of the columns")?;
-    lines.heading("the units of the columns")?;
     while masses.len() < wanted {
         let line = lines.row("the concentrated masses", masses.len(), &count)?;
         let name = format!("concentrated mass {}", masses.len() + 1);
         let values = numbers(&line, &name, MASS_COLUMNS.map(|(column, _)| column))?;
         let [(height_fraction, height), (mass_kg, mass)] = &values;
-        let what = format!("HtFract of {name}");
-        check_cell(height, what, *height_fraction, FRACTION)?;
+        check_cell(
+            height,
+            format!("HtFract of {name}"),
+            *height_fraction,
+            FRACTION,
+        )?;
         check_cell(mass, format!("TwCMass of {name}"), *mass_kg, NON_NEGATIVE)?;
         masses.push(ConcentratedMass {
             height_fraction: *height_fraction,
@@ -213,6 +218,15 @@ fn concentrated_masses(
         spans.masses.push(values.map(|(_, token)| token.span));
     }
     Ok(masses)
+}
+
+/// Whether the next line that is not blank is the heading of the concentrated masses.
+fn has_masses(lines: &mut Positional<'_>) -> bool {
+    lines.skip_blank();
+    lines.peek().is_some_and(|line| {
+        let start: String = line.text.chars().take(200).collect();
+        start.to_ascii_uppercase().contains("CONCENTRATED")
+    })
 }
 
 /// The notes on sums of coefficients that OpenFAST refuses.

@@ -63,10 +63,7 @@ impl<'a> Layout<'a> {
             } else if line.text.trim_start().starts_with('$') {
                 let subset = layout.subset(&line, lines.clone())?;
                 if !numbers.insert((subset.set, subset.number)) {
-                    let (what, times) = (subset.label(), 2);
-                    let kind = DiagnosticKind::Repeated { what, times };
-                    return Err(Diagnostic::new(line.span(), kind)
-                        .with_hint("give each subset of a set its own number"));
+                    return Err(repeated(&subset));
                 }
                 layout.subsets.push(subset);
             }
@@ -86,38 +83,20 @@ impl<'a> Layout<'a> {
 
     /// The subset that a line `$1 20 name` begins.
     fn subset(&self, line: &Line<'a>, after: Lines<'a>) -> Result<Subset<'a>, Diagnostic> {
-        let hint = "a subset begins with `$1 20 name`: its number and its number of rows";
         let set = self.sets.last().ok_or_else(|| {
             let kind = DiagnosticKind::misplaced("a set", "a subset");
             Diagnostic::new(line.span(), kind).with_hint("a set begins with a line `#1 name`")
         })?;
+        let hint = "a subset begins with `$1 20 name`: its number and its number of rows";
         let mut tokens = header_tokens(line, '$');
         let mut count = |what: &str| {
-            let token = tokens.next().ok_or_else(|| {
-                let end = line.span().end;
-                let what = what.to_owned();
-                Diagnostic::new(end..end, DiagnosticKind::Missing { what }).with_hint(hint)
-            })?;
-            let value = token
-                .integer(what)
-                .map_err(|mistake| mistake.with_hint(hint))?;
-            match usize::try_from(value) {
-                Ok(positive) if positive > 0 => Ok(positive),
-                _ => Err(token
-                    .wrong(DiagnosticKind::out_of_range(
-                        what,
-                        value as f64,
-                        "at least 1",
-                    ))
-                    .with_hint(hint)),
-            }
+            let found = header_count(tokens.next(), line, what);
+            found.map_err(|mistake| mistake.with_hint(hint))
         };
-        let number = count("the number of the subset")?;
-        let announced = count("the number of rows of the subset")?;
         Ok(Subset {
             set: set.number,
-            number,
-            announced,
+            number: count("the number of the subset")?,
+            announced: count("the number of rows of the subset")?,
             name: rest_after(line, '$', 2),
             span: line.span(),
             after,
@@ -155,6 +134,12 @@ impl<'a> Layout<'a> {
     }
 }
 
+fn repeated(subset: &Subset<'_>) -> Diagnostic {
+    let (what, times) = (subset.label(), 2);
+    let kind = DiagnosticKind::Repeated { what, times };
+    Diagnostic::new(subset.span.clone(), kind).with_hint("give each subset of a set its own number")
+}
+
 /// The set that a line `#1 name` begins; a `#` without a number is a comment.
 fn set_of<'a>(line: &Line<'a>) -> Option<Set<'a>> {
     if !line.text.trim_start().starts_with('#') {
@@ -165,6 +150,27 @@ fn set_of<'a>(line: &Line<'a>) -> Option<Set<'a>> {
         number,
         name: rest_after(line, '#', 1),
         span: line.span(),
+    })
+}
+
+/// A count in a header, at least 1.
+fn header_count(
+    token: Option<Token<'_>>,
+    line: &Line<'_>,
+    what: &str,
+) -> Result<usize, Diagnostic> {
+    let Some(token) = token else {
+        let (end, what) = (line.span().end, what.to_owned());
+        return Err(Diagnostic::new(end..end, DiagnosticKind::Missing { what }));
+    };
+    let value = token.integer(what)?;
+    let count = usize::try_from(value).ok().filter(|count| *count > 0);
+    count.ok_or_else(|| {
+        token.wrong(DiagnosticKind::out_of_range(
+            what,
+            value as f64,
+            "at least 1",
+        ))
     })
 }
 
@@ -196,14 +202,8 @@ pub(super) fn headers(text: &str) -> (bool, bool) {
     for line in Lines::new(text) {
         has_set = has_set || set_of(&line).is_some();
         let begins = has_set && line.text.trim_start().starts_with('$');
-        let is_count = |token: Token<'_>| token.integer("").is_ok();
-        if begins
-            && header_tokens(&line, '$')
-                .take(2)
-                .filter(|t| is_count(t.clone()))
-                .count()
-                == 2
-        {
+        let is_count = |token: &Token<'_>| token.integer("").is_ok();
+        if begins && header_tokens(&line, '$').take(2).filter(is_count).count() == 2 {
             return (true, true);
         }
     }

@@ -31,20 +31,13 @@ pub(super) fn notes(
         notes.push(at(start, Note::assumption(which(layout, subset))));
     }
     if let Some((line, count)) = &table.unread {
-        let message = format!(
-            "{count} rows after the {} rows that {} announces are not read, as in HAWC2",
-            subset.announced,
-            subset.label()
-        );
-        notes.push(at(line.start, Note::left_out(message)));
+        notes.push(at(line.start, Note::left_out(unread(subset, *count))));
     }
     notes.extend(rigid(&table.rows).map(|message| at(start, Note::suspicious(message))));
     notes.push(at(start, Note::new(shear(found.shears))));
-    notes.extend(
-        left_out(&table.rows, found)
-            .into_iter()
-            .map(|(row, message)| at(table.rows[row].line.start, Note::left_out(message))),
-    );
+    for (row, message) in left_out(&table.rows, found) {
+        notes.push(at(table.rows[row].line.start, Note::left_out(message)));
+    }
     if !found.has_gyration {
         let message =
             "the radii of gyration are 0: the tower has no rotary inertia and is rigid in torsion";
@@ -53,6 +46,14 @@ pub(super) fn notes(
     notes.extend(direction(&table.rows).map(|message| at(start, Note::suspicious(message))));
     notes.push(Note::missing_part(ends(&table.rows, options)));
     notes
+}
+
+fn unread(subset: &Subset<'_>, count: usize) -> String {
+    format!(
+        "{count} rows after the {} rows that {} announces are not read, as in HAWC2",
+        subset.announced,
+        subset.label()
+    )
 }
 
 /// Which subset was read, and what the others are.

@@ -49,12 +49,18 @@ pub(super) fn read_rows<'a>(subset: &Subset<'a>) -> Result<Table<'a>, Vec<Diagno
     if !mistakes.is_empty() {
         return Err(mistakes);
     }
-    let first = next_row(&mut lines).filter(row::begins_with_number);
-    let unread = first.map(|line| {
-        let others = std::iter::from_fn(|| next_row(&mut lines));
-        (line, 1 + others.take_while(row::begins_with_number).count())
-    });
+    let unread = unread(lines);
     Ok(Table { rows, unread })
+}
+
+/// The first row of these lines, and how many there are.
+fn unread(mut lines: Lines<'_>) -> Option<(Line<'_>, usize)> {
+    let first = next_row(&mut lines).filter(row::begins_with_number)?;
+    let others = std::iter::from_fn(|| next_row(&mut lines));
+    Some((
+        first,
+        1 + others.take_while(row::begins_with_number).count(),
+    ))
 }
 
 /// The next line that is not blank; none where a set or subset begins.

@@ -75,22 +75,7 @@ fn axis(index: usize, row: &Row<'_>, found: &mut Found) -> Result<(), Diagnostic
     let [i_x, i_y] = row.pair(row::SECOND_MOMENT);
     // A thin tube of radius R has I/A = R²/2.
     let radius_m = (2.0 * i_x.max(i_y) / row.of(row::AREA)).sqrt();
-    let columns = [row::CG, row::SHEAR_CENTRE, row::ELASTIC_CENTRE];
-    for column in columns.into_iter().flatten() {
-        let fraction = row.of(column).abs() / radius_m;
-        if row.of(column) == 0.0 {
-            continue;
-        }
-        if fraction > LARGEST_OFFSET {
-            return Err(off_axis(row, column, fraction));
-        }
-        if found
-            .offset
-            .is_none_or(|(_, _, largest)| fraction > largest)
-        {
-            found.offset = Some((index, column, fraction));
-        }
-    }
+    offsets(index, row, radius_m, found)?;
     let pitch = row.of(row::PITCH).to_radians();
     let coupling = (0.5 * (i_x - i_y) * (2.0 * pitch).sin()).abs() / i_x.max(i_y);
     let is_swapped =
@@ -100,6 +85,30 @@ fn axis(index: usize, row: &Row<'_>, found: &mut Found) -> Result<(), Diagnostic
     }
     if row.of(row::PITCH) != 0.0 && i_x != i_y {
         found.turned.get_or_insert(index);
+    }
+    Ok(())
+}
+
+/// Finds the largest offset of a centre from the axis; refuses one that is too large.
+fn offsets(
+    index: usize,
+    row: &Row<'_>,
+    radius_m: f64,
+    found: &mut Found,
+) -> Result<(), Diagnostic> {
+    let columns = [row::CG, row::SHEAR_CENTRE, row::ELASTIC_CENTRE];
+    for column in columns.into_iter().flatten() {
+        let fraction = row.of(column).abs() / radius_m;
+        if row.of(column) == 0.0 {
+            continue;
+        }
+        if fraction > LARGEST_OFFSET {
+            return Err(off_axis(row, column, fraction));
+        }
+        let largest = found.offset.map(|(_, _, largest)| largest);
+        if largest.is_none_or(|largest| fraction > largest) {
+            found.offset = Some((index, column, fraction));
+        }
     }
     Ok(())
 }
@@ -144,46 +153,41 @@ fn properties(row: &Row<'_>, found: &Found) -> Result<Properties, Diagnostic> {
     let shear = found
         .shears
         .then(|| row.pair(row::SHEAR_FACTOR).map(|k| k * g * area));
-    let bending = row.pair(row::SECOND_MOMENT).map(|i| e * i);
-    let rotary = squares.map(|square| mass * square);
-    let polar = mass * (squares[0] + squares[1]);
-    let torsion = g * row.of(row::TORSION);
-    let mut products = vec![
-        ("E I_x, the bending stiffness", bending[0]),
-        ("E I_y, the bending stiffness", bending[1]),
-        ("G K, the torsional stiffness", torsion),
-        ("E A, the axial stiffness", e * area),
-    ];
-    if let Some([x, y]) = shear {
-        products.extend([
-            ("k_x G A, the shear stiffness", x),
-            ("k_y G A, the shear stiffness", y),
-        ]);
-    }
-    if found.has_gyration {
-        products.push(("m ri_x^2, the rotary inertia", rotary[0]));
-        products.push(("m ri_y^2, the rotary inertia", rotary[1]));
-        products.push(("m (ri_x^2 + ri_y^2), the polar inertia", polar));
-    }
-    in_range(row, &products)?;
-    Ok(Properties {
+    let mut properties = Properties {
         mass_kg_per_m: mass,
-        rotary_inertia_kg_m: about(rotary),
-        polar_inertia_kg_m: polar,
-        bending_n_m2: about(bending),
-        // Without inertia about the axis a torsional mode has no frequency.
-        torsion_n_m2: if found.has_gyration {
-            torsion
-        } else {
-            f64::INFINITY
-        },
+        rotary_inertia_kg_m: about(squares.map(|square| mass * square)),
+        polar_inertia_kg_m: mass * (squares[0] + squares[1]),
+        bending_n_m2: about(row.pair(row::SECOND_MOMENT).map(|i| e * i)),
+        torsion_n_m2: g * row.of(row::TORSION),
         axial_n: e * area,
         shear_n: shear.map(along),
-    })
+    };
+    check_range(row, &properties, found.has_gyration)?;
+    // Without inertia about the axis a torsional mode has no frequency.
+    if !found.has_gyration {
+        properties.torsion_n_m2 = f64::INFINITY;
+    }
+    Ok(properties)
 }
 
 /// A product of values that each are possible may be too large or too small for a number.
-fn in_range(row: &Row<'_>, products: &[(&str, f64)]) -> Result<(), Diagnostic> {
+fn check_range(row: &Row<'_>, p: &Properties, has_gyration: bool) -> Result<(), Diagnostic> {
+    let mut products = vec![
+        ("E I_x, the bending stiffness", p.bending_n_m2.fore_aft),
+        ("E I_y, the bending stiffness", p.bending_n_m2.side_side),
+        ("G K, the torsional stiffness", p.torsion_n_m2),
+        ("E A, the axial stiffness", p.axial_n),
+    ];
+    if let Some(shear) = p.shear_n {
+        products.push(("k_x G A, the shear stiffness", shear.side_side));
+        products.push(("k_y G A, the shear stiffness", shear.fore_aft));
+    }
+    if has_gyration {
+        let (rotary, polar) = (p.rotary_inertia_kg_m, p.polar_inertia_kg_m);
+        products.push(("m ri_x^2, the rotary inertia", rotary.fore_aft));
+        products.push(("m ri_y^2, the rotary inertia", rotary.side_side));
+        products.push(("m (ri_x^2 + ri_y^2), the polar inertia", polar));
+    }
     let Some((what, _)) = products.iter().find(|(_, v)| !(v.is_finite() && *v > 0.0)) else {
         return Ok(());
     };

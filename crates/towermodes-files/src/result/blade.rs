@@ -6,7 +6,7 @@ use schemars::JsonSchema;
 use serde::Serialize;
 use towermodes::{Blade, BladeMode, BladeSolution, Certificate, Method};
 
-use super::{ResultError, write_result_json};
+use super::{ResultError, write_records_csv, write_result_json};
 use crate::input::Note;
 
 /// The result of `towermodes solve` for a rotating blade.
@@ -75,42 +75,42 @@ pub fn write_blade_json(
     write_result_json(&document, writer)
 }
 
-/// Writes the modes of a blade as CSV with a header: the keys of the JSON, with a dot
-/// before the keys of an object.
+/// The keys of a mode in the JSON, with a dot before the keys of an object.
+const HEADER: [&str; 11] = [
+    "number",
+    "family",
+    "order",
+    "frequency_hz",
+    "algebraic_error_hz",
+    "discretization_error_hz",
+    "extrapolated_hz",
+    "kinetic.flap",
+    "kinetic.lag",
+    "kinetic.torsion",
+    "kinetic.axial",
+];
+
+/// Writes the modes of a blade as CSV with a header.
 ///
 /// # Errors
 /// [`ResultError`] if the writer refuses.
 pub fn write_blade_csv(solution: &BladeSolution, writer: impl Write) -> Result<(), ResultError> {
-    let mut csv = ::csv::Writer::from_writer(writer);
-    csv.write_record([
-        "number",
-        "family",
-        "order",
-        "frequency_hz",
-        "algebraic_error_hz",
-        "discretization_error_hz",
-        "extrapolated_hz",
-        "kinetic.flap",
-        "kinetic.lag",
-        "kinetic.torsion",
-        "kinetic.axial",
-    ])?;
-    for mode in &solution.modes {
-        let kinetic = &mode.kinetic;
-        csv.write_record([
-            mode.number.to_string(),
-            mode.family.name().to_owned(),
-            mode.order.to_string(),
-            mode.frequency_hz.to_string(),
-            format!("{:e}", mode.algebraic_error_hz),
-            format!("{:e}", mode.discretization_error_hz),
-            mode.extrapolated_hz.to_string(),
-            format!("{:e}", kinetic.side_side),
-            format!("{:e}", kinetic.fore_aft),
-            format!("{:e}", kinetic.torsion),
-            format!("{:e}", kinetic.axial),
-        ])?;
-    }
-    csv.flush()?;
-    Ok(())
+    write_records_csv(HEADER, solution.modes.iter().map(record), writer)
+}
+
+fn record(mode: &BladeMode) -> [String; 11] {
+    let kinetic = &mode.kinetic;
+    [
+        mode.number.to_string(),
+        mode.family.name().to_owned(),
+        mode.order.to_string(),
+        mode.frequency_hz.to_string(),
+        format!("{:e}", mode.algebraic_error_hz),
+        format!("{:e}", mode.discretization_error_hz),
+        mode.extrapolated_hz.to_string(),
+        format!("{:e}", kinetic.side_side),
+        format!("{:e}", kinetic.fore_aft),
+        format!("{:e}", kinetic.torsion),
+        format!("{:e}", kinetic.axial),
+    ]
 }

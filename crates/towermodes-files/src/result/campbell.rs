@@ -8,7 +8,7 @@ use towermodes::{Family, Rotor, Tower, Warning};
 use towermodes_analysis::Verdict;
 use towermodes_analysis::resonance::{Campbell, Excited, FrequencyLine, Margin, StiffnessClass};
 
-use super::{ResultError, write_result_json};
+use super::{ResultError, write_records_csv, write_result_json};
 use crate::input::Note;
 
 /// The result of `towermodes campbell`: the diagram with the tower and the notes of the reader.
@@ -120,6 +120,7 @@ pub fn write_campbell_json(
 ) -> Result<(), ResultError> {
     let notes = notes.iter().map(ToString::to_string);
     let warnings = warnings.iter().map(ToString::to_string);
+    let margins = campbell.margins.iter();
     let document = CampbellDocument {
         verdict: campbell.verdict(),
         tower: NamedJson { name: tower.name() },
@@ -128,9 +129,7 @@ pub fn write_campbell_json(
         unjudged_hz: campbell.uncovered_range_hz(),
         multiples: &campbell.multiples,
         lines: campbell.lines.iter().map(line_json).collect(),
-        margins: campbell
-            .margins
-            .iter()
+        margins: margins
             .map(|margin| margin_json(campbell, margin))
             .collect(),
         classes: campbell.classes.iter().map(class_json).collect(),
@@ -190,42 +189,42 @@ fn class_json((family, class): &(Family, StiffnessClass)) -> ClassJson {
     }
 }
 
+/// The columns of the CSV.
+const HEADER: [&str; 11] = [
+    "of",
+    "number",
+    "family",
+    "order",
+    "label",
+    "multiple",
+    "nearest_rpm",
+    "excitation_hz",
+    "natural_hz",
+    "distance",
+    "verdict",
+];
+
 /// Writes a Campbell diagram as CSV: one line per pair of a natural frequency and an excitation.
 ///
 /// # Errors
 /// [`ResultError`] if the writer refuses.
 pub fn write_campbell_csv(campbell: &Campbell, writer: impl Write) -> Result<(), ResultError> {
-    let mut csv = ::csv::Writer::from_writer(writer);
-    csv.write_record([
-        "of",
-        "number",
-        "family",
-        "order",
-        "label",
-        "multiple",
-        "nearest_rpm",
-        "excitation_hz",
-        "natural_hz",
-        "distance",
-        "verdict",
-    ])?;
-    for margin in &campbell.margins {
+    let row = |margin: &Margin| {
         let line = &campbell.lines[margin.line];
         let (of, number, family, order) = named(line.of);
-        csv.write_record([
-            of,
-            &number.map_or_else(String::new, |number| number.to_string()),
-            family,
-            &order.to_string(),
-            &line.label,
-            &margin.multiple.to_string(),
-            &margin.nearest_rpm.to_string(),
-            &margin.excitation_hz.to_string(),
-            &margin.natural_hz.to_string(),
-            &margin.distance.to_string(),
-            margin.verdict.name(),
-        ])?;
-    }
-    csv.flush()?;
-    Ok(())
+        [
+            of.to_owned(),
+            number.map_or_else(String::new, |number| number.to_string()),
+            family.to_owned(),
+            order.to_string(),
+            line.label.clone(),
+            margin.multiple.to_string(),
+            margin.nearest_rpm.to_string(),
+            margin.excitation_hz.to_string(),
+            margin.natural_hz.to_string(),
+            margin.distance.to_string(),
+            margin.verdict.name().to_owned(),
+        ]
+    };
+    write_records_csv(HEADER, campbell.margins.iter().map(row), writer)
 }

@@ -5,19 +5,17 @@
 
 mod blade;
 mod campbell;
-mod comparison_csv;
-mod convergence_csv;
 mod schema;
 mod solution;
 mod solution_csv;
+mod study_csv;
 
 pub use blade::{write_blade_csv, write_blade_json};
 pub use campbell::{write_campbell_csv, write_campbell_json};
-pub use comparison_csv::write_comparison_csv;
-pub use convergence_csv::write_convergence_csv;
 pub use schema::{ResultKind, write_json_schema, write_schema_of};
 pub use solution::write_json;
 pub use solution_csv::write_csv;
+pub use study_csv::{write_comparison_csv, write_convergence_csv};
 
 use std::io::Write;
 

@@ -66,29 +66,34 @@ pub(super) fn stations(
     {
         cans.reverse();
     }
-    for above in 1..cans.len() {
-        let (below, rest) = cans.split_at_mut(above);
-        let (below, can) = (&below[above - 1], &mut rest[0]);
-        match joint(below, can, text) {
-            Ok(()) => can.ends_m[0] = below.ends_m[1],
-            Err(mistake) if is_complete && mistakes.len() < super::MAX_MISTAKES => {
-                mistakes.push(mistake);
-            }
-            Err(_) => {}
-        }
+    let gaps = join(&mut cans, text);
+    if is_complete {
+        mistakes.extend(gaps.into_iter().take(super::MAX_MISTAKES));
     }
     let mut stations: Vec<Placed> = Vec::with_capacity(2 * cans.len());
     for can in &cans {
         let bottom = can.station(0);
-        if stations
-            .last()
-            .is_none_or(|last| last.station != bottom.station)
-        {
+        let last = stations.last().map(|last| &last.station);
+        if last != Some(&bottom.station) {
             stations.push(bottom);
         }
         stations.push(can.station(1));
     }
     stations
+}
+
+/// Lets each can begin exactly where the one below it ends; the mistakes where it does not.
+fn join(cans: &mut [Can], text: &str) -> Vec<Diagnostic> {
+    let mut mistakes = Vec::new();
+    for above in 1..cans.len() {
+        let (below, rest) = cans.split_at_mut(above);
+        let (below, can) = (&below[above - 1], &mut rest[0]);
+        match joint(below, can, text) {
+            Ok(()) => can.ends_m[0] = below.ends_m[1],
+            Err(mistake) => mistakes.push(mistake),
+        }
+    }
+    mistakes
 }
 
 /// Whether a can begins where the one below it ends.

@@ -84,36 +84,33 @@ impl<'a> Records<'a> {
         let rest = &self.text[self.next..];
         let is_blank = |c: char| c != self.delimiter && c != '\n' && c.is_whitespace();
         let start = self.next + (rest.len() - rest.trim_start_matches(is_blank).len());
-        let (text, end, after) = match self.text[start..].starts_with('"') {
-            true => {
-                let (text, end) = self.quoted(start)?;
-                (text, end, end)
-            }
-            false => {
-                let rest = &self.text[start..];
-                let length = rest.find([self.delimiter, '\n']).unwrap_or(rest.len());
-                let text = rest[..length].trim_end();
-                (Cow::Borrowed(text), start + text.len(), start + length)
-            }
+        let (text, end) = match self.text[start..].starts_with('"') {
+            true => self.quoted(start)?,
+            false => self.plain(start),
         };
-        let rest = &self.text[after..];
-        let gap = rest.len() - rest.trim_start_matches(is_blank).len();
-        let next = self.text[after + gap..].chars().next();
-        let cell = Cell {
-            text,
-            span: start..end,
-        };
+        let rest = &self.text[end..];
+        let after = end + (rest.len() - rest.trim_start_matches(is_blank).len());
+        let next = self.text[after..].chars().next();
         match next {
             None => self.next = self.text.len(),
-            Some(c) if c == '\n' || c == self.delimiter => self.next = after + gap + c.len_utf8(),
-            Some(_) => {
-                let span = after + gap..after + gap + next.map_or(0, char::len_utf8);
+            Some(c) if c == '\n' || c == self.delimiter => self.next = after + c.len_utf8(),
+            Some(c) => {
                 let kind = syntax("text follows the closing quotation mark of a cell");
                 let hint = "write a quotation mark within a cell twice";
+                let span = after..after + c.len_utf8();
                 return Err(Diagnostic::new(span, kind).with_hint(hint));
             }
         }
-        Ok((cell, next != Some(self.delimiter)))
+        let span = start..end;
+        Ok((Cell { text, span }, next != Some(self.delimiter)))
+    }
+
+    /// The text of a cell without quotation marks that begins at a byte, and where it ends.
+    fn plain(&self, start: usize) -> (Cow<'a, str>, usize) {
+        let rest = &self.text[start..];
+        let length = rest.find([self.delimiter, '\n']).unwrap_or(rest.len());
+        let text = rest[..length].trim_end();
+        (Cow::Borrowed(text), start + text.len())
     }
 
     /// The text of a cell whose opening quotation mark is at a byte, and where its closing one

@@ -80,7 +80,9 @@ impl Header {
         if !mistakes.is_empty() {
             return Err(mistakes);
         }
-        let layout = layout(&columns, record).map_err(|mistake| vec![mistake])?;
+        let layout = Columns(&columns)
+            .layout()
+            .map_err(|kind| vec![Diagnostic::new(record.span.clone(), kind).with_hint(EXAMPLE)])?;
         let lengths = columns.iter().filter(|column| column.quantity.is_length());
         let last = lengths.map(|column| column.index).max();
         Ok(Self {
@@ -127,91 +129,110 @@ fn column(index: usize, cell: &Cell<'_>, before: &[Column]) -> Result<Option<Col
         let (what, times) = (format!("the column {}", quantity.name()), 2);
         return Err(wrong(DiagnosticKind::Repeated { what, times }));
     }
-    if !quantity.is_length() {
-        return Ok(Some(Column {
-            index,
-            quantity,
-            unit: None,
-        }));
-    }
-    let unit = match unit {
-        Said::Unit(unit) => unit,
-        Said::Other(other) => {
-            let (what, name) = ("unit of length", other);
-            let kind = DiagnosticKind::UnknownName { what, name };
-            return Err(wrong(kind).with_hint("units are m, cm, mm, ft and in"));
-        }
-        Said::Nothing => {
-            let name = quantity.name();
-            let hint = format!(
-                "write `{name} [mm]` or `{}_m`; units are m, cm, mm, ft and in",
-                name.replace(' ', "_")
-            );
-            let what = format!("the unit of the {name}");
-            return Err(wrong(DiagnosticKind::Missing { what }).with_hint(hint));
-        }
+    let unit = match quantity.is_length() {
+        true => Some(unit_of(quantity, unit).map_err(|(kind, hint)| wrong(kind).with_hint(hint))?),
+        false => None,
     };
     Ok(Some(Column {
         index,
         quantity,
-        unit: Some(unit),
+        unit,
     }))
 }
 
-/// The table that the columns make.
-fn layout(columns: &[Column], record: &Record<'_>) -> Result<Layout, Diagnostic> {
-    let of = |quantity: Quantity| columns.iter().find(|column| column.quantity == quantity);
-    let wrong = |kind| Diagnostic::new(record.span.clone(), kind).with_hint(EXAMPLE);
-    let length = |quantity: Quantity| {
-        let column = of(quantity)?;
-        let what = quantity.name();
+/// The unit of a length, or what is wrong with a hint.
+fn unit_of(quantity: Quantity, unit: Said) -> Result<Unit, (DiagnosticKind, String)> {
+    match unit {
+        Said::Unit(unit) => Ok(unit),
+        Said::Other(name) => {
+            let what = "unit of length";
+            let hint = "units are m, cm, mm, ft and in".to_owned();
+            Err((DiagnosticKind::UnknownName { what, name }, hint))
+        }
+        Said::Nothing => {
+            let name = quantity.name();
+            let what = format!("the unit of the {name}");
+            let key = name.replace(' ', "_");
+            let hint = format!("write `{name} [mm]` or `{key}_m`; units are m, cm, mm, ft and in");
+            Err((DiagnosticKind::Missing { what }, hint))
+        }
+    }
+}
+
+/// The columns of a header by their quantities.
+struct Columns<'a>(&'a [Column]);
+
+impl Columns<'_> {
+    fn of(&self, quantity: Quantity) -> Option<&Column> {
+        self.0.iter().find(|column| column.quantity == quantity)
+    }
+
+    fn has(&self, quantity: Quantity) -> bool {
+        self.of(quantity).is_some()
+    }
+
+    fn length(&self, quantity: Quantity) -> Option<Length> {
+        let column = self.of(quantity)?;
         Some(Length {
-            what,
+            what: quantity.name(),
             index: column.index,
             unit: column.unit?,
         })
-    };
-    let required = |quantity: Quantity| {
+    }
+
+    fn required(&self, quantity: Quantity) -> Result<Length, DiagnosticKind> {
         let missing = || {
             let what = format!("the column {}", quantity.name());
-            wrong(DiagnosticKind::Missing { what })
+            DiagnosticKind::Missing { what }
         };
-        length(quantity).ok_or_else(missing)
-    };
-    let material = of(Quantity::Material).map(|column| column.index);
-    let is_of_cans = of(Quantity::Bottom).or(of(Quantity::Top)).is_some();
-    if is_of_cans && of(Quantity::Height).is_some() {
-        let message = "the header has both a height and the bottom or top of a can";
-        return Err(wrong(DiagnosticKind::Contradiction(message.to_owned())));
+        self.length(quantity).ok_or_else(missing)
     }
-    if !is_of_cans {
-        let lengths = [
-            required(Quantity::Height)?,
-            required(Quantity::Diameter)?,
-            required(Quantity::Wall)?,
-        ];
-        return Ok(Layout::Stations(Stations { lengths, material }));
+
+    fn material(&self) -> Option<usize> {
+        self.of(Quantity::Material).map(|column| column.index)
     }
-    let (bottom, top) = (required(Quantity::Bottom)?, required(Quantity::Top)?);
-    let one = length(Quantity::Diameter);
-    let both = [Quantity::BottomDiameter, Quantity::TopDiameter].map(length);
-    let [bottom_diameter, top_diameter] = match (one, both) {
-        (Some(one), [None, None]) => [one; 2],
-        (None, _) => [
-            required(Quantity::BottomDiameter)?,
-            required(Quantity::TopDiameter)?,
-        ],
-        (Some(_), _) => {
-            let message = "the header has both a diameter and that of the bottom or top";
-            return Err(wrong(DiagnosticKind::Contradiction(message.to_owned())));
+
+    /// The table that the columns make.
+    fn layout(&self) -> Result<Layout, DiagnosticKind> {
+        let is_of_cans = self.has(Quantity::Bottom) || self.has(Quantity::Top);
+        if is_of_cans && self.has(Quantity::Height) {
+            let message = "the header has both a height and the bottom or top of a can";
+            return Err(DiagnosticKind::Contradiction(message.to_owned()));
         }
-    };
-    Ok(Layout::Cans(Cans {
-        bottom,
-        top,
-        bottom_diameter,
-        top_diameter,
-        wall: required(Quantity::Wall)?,
-        material,
-    }))
+        if is_of_cans {
+            return self.cans().map(Layout::Cans);
+        }
+        Ok(Layout::Stations(Stations {
+            lengths: [
+                self.required(Quantity::Height)?,
+                self.required(Quantity::Diameter)?,
+                self.required(Quantity::Wall)?,
+            ],
+            material: self.material(),
+        }))
+    }
+
+    fn cans(&self) -> Result<Cans, DiagnosticKind> {
+        let (bottom, top) = (
+            self.required(Quantity::Bottom)?,
+            self.required(Quantity::Top)?,
+        );
+        let ends = [Quantity::BottomDiameter, Quantity::TopDiameter];
+        let [bottom_diameter, top_diameter] = match self.length(Quantity::Diameter) {
+            Some(one) if !ends.into_iter().any(|end| self.has(end)) => [one; 2],
+            Some(_) => {
+                let message = "the header has both a diameter and that of the bottom or top";
+                return Err(DiagnosticKind::Contradiction(message.to_owned()));
+            }
+            None => [self.required(ends[0])?, self.required(ends[1])?],
+        };
+        Ok(Cans {
+            bottom,
+            top,
+            bottom_diameter,
+            top_diameter,
+            wall: self.required(Quantity::Wall)?,
+            material: self.material(),
+        })
+    }
 }

@@ -68,16 +68,16 @@ pub(crate) fn stations(
             reading.rows(records, |reading, record| reading.station(columns, record))
         }
     };
-    match reading.mistakes.is_empty() {
-        true if stations.is_empty() => {
-            let end = text.trim_end().len();
-            let expected = "a row after the header".to_owned();
-            let kind = DiagnosticKind::EndOfFile { expected };
-            Err(vec![Diagnostic::new(end..end, kind)])
-        }
-        true => Ok(stations),
-        false => Err(reading.mistakes),
+    if !reading.mistakes.is_empty() {
+        return Err(reading.mistakes);
     }
+    if stations.is_empty() {
+        let end = text.trim_end().len();
+        let expected = "a row after the header".to_owned();
+        let kind = DiagnosticKind::EndOfFile { expected };
+        return Err(vec![Diagnostic::new(end..end, kind)]);
+    }
+    Ok(stations)
 }
 
 /// What is collected while rows are read.

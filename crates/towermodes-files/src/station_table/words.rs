@@ -137,32 +137,42 @@ pub(super) fn quantity(words: &[String]) -> Option<Quantity> {
     })
 }
 
+/// Names that a misspelled word is compared with.
+const NAMES: [&str; 8] = [
+    "height",
+    "bottom",
+    "top",
+    "diameter",
+    "wall",
+    "material",
+    "thickness",
+    "remark",
+];
+const ALL_COLUMNS: &str = "columns are bottom, top, bottom diameter, top diameter (or diameter), wall, material of cans; height, diameter, wall, material of stations; and remark, which is not read";
+/// Quantities that are not read, and what is read instead.
+const OTHERS: [(&[&str], &str); 2] = [
+    (
+        &[
+            "radius",
+            "r",
+            "inner",
+            "inside",
+            "id",
+            "mean",
+            "middle",
+            "centreline",
+            "centerline",
+        ],
+        "give the outer diameter",
+    ),
+    (&["length"], "give the heights of bottom and top"),
+];
+
 /// What would be right in place of words that are not known.
 pub(super) fn unknown(words: &[String]) -> String {
-    const NAMES: [&str; 8] = [
-        "height",
-        "bottom",
-        "top",
-        "diameter",
-        "wall",
-        "material",
-        "thickness",
-        "remark",
-    ];
-    let all = "columns are bottom, top, bottom diameter, top diameter (or diameter), wall, material of cans; height, diameter, wall, material of stations; and remark, which is not read";
-    let others = [
-        (&["radius", "r"][..], "give the outer diameter"),
-        (&["inner", "inside", "id"], "give the outer diameter"),
-        (
-            &["mean", "middle", "centreline", "centerline"],
-            "give the outer diameter",
-        ),
-        (&["length"], "give the heights of bottom and top"),
-    ];
-    for (known, hint) in others {
-        if words.iter().any(|word| known.contains(&&**word)) {
-            return hint.to_owned();
-        }
+    let has = |known: &[&str]| words.iter().any(|word| known.contains(&&**word));
+    if let Some((_, hint)) = OTHERS.iter().find(|(known, _)| has(known)) {
+        return (*hint).to_owned();
     }
     let is_near = |word: &str, name: &str| {
         let allowed = if name.len() <= 5 { 1 } else { 2 };
@@ -174,7 +184,7 @@ pub(super) fn unknown(words: &[String]) -> String {
             return format!("did you mean `{name}`?");
         }
     }
-    all.to_owned()
+    ALL_COLUMNS.to_owned()
 }
 
 #[cfg(test)]

@@ -148,6 +148,9 @@ fn grid(node: &Node, what: &str) -> Result<Vec<f64>, Diagnostic> {
     }
     (grid[0], grid[last]) = (0.0, 1.0);
     match falling(&grid, &name) {
+        Some((i, kind @ DiagnosticKind::Repeated { .. })) => {
+            Err(wrong(i, kind).with_hint("two equal positions are a step"))
+        }
         Some((i, kind)) => Err(wrong(i, kind)),
         None => Ok(grid),
     }

@@ -117,6 +117,7 @@ fn describe(options: &ReadOptions, reading: &mut Reading<'_>) -> Option<Describe
     comparison::compare(&structure, reading);
     let joint_m = structure.joint_m();
     let description = structure.describe(reading);
+    let description = reading.keep(description)?;
     let name = outline.name.as_ref();
     let name = name.map(|name| name.name(&reading.source.text));
     Some(Described {
@@ -124,7 +125,7 @@ fn describe(options: &ReadOptions, reading: &mut Reading<'_>) -> Option<Describe
             name: name.unwrap_or_default().to_owned(),
             rna,
             rotor: rotor?,
-            ..reading.keep(description)?
+            ..description
         },
         joint_m,
         // A mistake in it is reported where it matters.
