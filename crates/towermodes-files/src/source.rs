@@ -10,7 +10,8 @@ use thiserror::Error;
 /// memory.
 pub const MAX_FILE_BYTES: u64 = 64 << 20;
 
-/// How pointers to files that are stored elsewhere begin, what stores the files, and how to get them.
+/// The beginning of a pointer to a file that is stored elsewhere, what stores the file, and how to
+/// get it.
 const POINTERS: [(&str, &str, &str); 2] = [
     (
         "version https://git-lfs.github.com/spec/",

@@ -164,7 +164,7 @@ impl Layout {
         cuts
     }
 
-    /// Adds a cut, or merges it with the last one if that is too close; whether two different heights
+    /// Adds a cut, or merges it with the last one if that is too close; whether two heights that differ
     /// became one.
     fn add(&mut self, cut: Cut) -> bool {
         let closest_m = CLOSEST * self.length_m();
