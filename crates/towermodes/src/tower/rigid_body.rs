@@ -171,21 +171,6 @@ impl From<Rna> for RigidBody {
     }
 }
 
-impl From<Rna> for RigidBody {
-    fn from(rna: Rna) -> Self {
-        let Rna {
-            mass_kg,
-            center_m,
-            inertia_kg_m2,
-        } = rna;
-        Self {
-            mass_kg,
-            center_m,
-            inertia_kg_m2,
-        }
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;

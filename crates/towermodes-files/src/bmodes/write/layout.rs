@@ -164,8 +164,8 @@ impl Layout {
         cuts
     }
 
-    /// Adds a cut, or merges it with the last one if that is too close; whether two heights that differ
-    /// became one.
+    /// Adds a cut, or merges it with the last one if that is too close; whether two heights that
+    /// differ became one.
     fn add(&mut self, cut: Cut) -> bool {
         let closest_m = CLOSEST * self.length_m();
         let is_first = self.cuts.len() == 1;
