@@ -106,7 +106,7 @@ pub(crate) fn campbell_of(
 }
 
 /// The notes of the reader and the program about the rotor.
-fn notes_on(input: &TowerInput, chosen: &ChosenRotor) -> Vec<Note> {
+pub(crate) fn notes_on(input: &TowerInput, chosen: &ChosenRotor) -> Vec<Note> {
     let RotorNotes {
         speeds,
         blades,

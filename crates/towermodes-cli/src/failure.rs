@@ -200,8 +200,14 @@ pub(crate) fn report(text: &str) {
 
 /// Prints the notes of a reader.
 pub(crate) fn note(notes: &[Note]) {
+    let texts: Vec<String> = notes.iter().map(Note::to_string).collect();
+    note_texts(&texts);
+}
+
+/// Prints notes.
+pub(crate) fn note_texts(notes: &[String]) {
     for note in notes {
-        say(&message(Level::WARNING, &note.to_string(), None));
+        say(&message(Level::WARNING, note, None));
     }
 }
 

@@ -3,21 +3,22 @@
 use std::fs;
 use std::path::Path;
 
-use sha2::{Digest, Sha256};
-use towermodes::Planes;
-use towermodes::{Solution, Tower};
-use towermodes_analysis::resonance::Campbell;
+use towermodes::{Options, Planes, Solution, SolveError, Tower};
+use towermodes_analysis::resonance::ChosenRotor;
+use towermodes_analysis::study::{COMPARED_SEGMENTS, Comparison};
 use towermodes_files::elastodyn::{MakeOptions, make_tower_file};
 use towermodes_files::{FileFormat, Note, Source, TowerInput, encoded_as};
 use towermodes_report::report::{
-    ElastoDynShapes, InputFile, ReportContent, html, markdown, quoted,
+    Circumstances, Computation, ContentError, ElastoDynShapes, InputFile, ReportContent,
+    ReportRequest, html, markdown, quoted,
 };
 
 use crate::args::{PageFormat, Prescribed, ReportArguments};
-use crate::campbell::{campbell_of, solved_to_reach};
-use crate::failure::{Failure, note, warn};
+use crate::campbell::{notes_on, rotor_of};
+use crate::failure::{Failure, note_texts, warn};
 use crate::input::tower_input;
 use crate::output::{check_not_input, check_not_inputs, check_terminal, deliver};
+use crate::progress::solve;
 use crate::side_by_side::all_methods;
 
 /// Reads the tower, computes all results and writes the report.
@@ -38,48 +39,95 @@ pub(crate) fn run(arguments: &ReportArguments) -> Result<(), Failure> {
         PageFormat::Html => html(&content).map_err(|error| Failure::Refused(error.to_string()))?,
         PageFormat::Md => markdown(&content),
     };
-    note(&input.notes);
+    note_texts(&content.circumstances.notes);
     warn(&content.solution.warnings, &input);
     deliver(text.as_bytes(), output)
 }
 
-/// The content of the report; the notes of the input include those about the rotor.
+/// The content of the report.
 fn content(
     input: &mut TowerInput,
     tower: Tower,
     arguments: &ReportArguments,
 ) -> Result<ReportContent, Failure> {
     let prescribed = Prescribed::of(input);
-    let mut options = arguments.options(prescribed).map_err(Failure::Usage)?;
-    let is_given = arguments.has_modes();
-    let solution = solved_to_reach(input, &tower, &arguments.rotor, &mut options, is_given)?;
-    let campbell = resonance(input, &tower, &solution, arguments)?;
+    let options = arguments.options(prescribed).map_err(Failure::Usage)?;
+    let rotor = chosen_rotor(input, arguments)?;
     // On a monopile the ElastoDyn tower is the part above it.
     let shapes_from_m = input.joint_m.unwrap_or(tower.base_m());
-    input.notes.extend(input.note_on_shapes());
-    let of_model = input.notes.iter().filter(|note| note.is_on_missing_part());
-    Ok(ReportContent {
-        title: arguments.title.clone().unwrap_or_default(),
-        title_block: arguments.title_block(),
+    let shapes_tower = input.tower_for_shapes().map_err(Failure::Input)?;
+    let notes_on_shapes = input.note_on_shapes();
+    let request = ReportRequest {
         description: input.description.clone(),
-        comparison: all_methods(&tower, &options, arguments.segments),
-        elastodyn: elastodyn(
-            &input.tower_for_shapes().map_err(Failure::Input)?,
-            shapes_from_m,
-        ),
-        shapes_from_m,
-        campbell: campbell.map(Ok),
         tower,
         options,
-        solution,
-        notes: input.notes.iter().map(Note::to_string).collect(),
+        covers_excitations: !arguments.has_modes(),
+        rotor: rotor.map(|chosen| chosen.rotor),
+        blade: input.blade.clone(),
+        campbell: arguments.rotor.options(),
+        compared_segments: arguments.segments.unwrap_or(COMPARED_SEGMENTS),
+        elastodyn: elastodyn(&shapes_tower, shapes_from_m),
+        shapes_from_m,
+        circumstances: circumstances(input, rotor.as_ref(), arguments),
+        notes_on_shapes: notes_on_shapes.iter().map(Note::to_string).collect(),
+    };
+    ReportContent::compute(request, &mut WithProgress).map_err(|error| match error {
+        ContentError::Solve(error) => Failure::Unsolved(error),
+        ContentError::Campbell(error) => Failure::Campbell(error),
+        error => Failure::Refused(error.to_string()),
+    })
+}
+
+/// The rotor; none if neither the file nor the command line has rotor data.
+fn chosen_rotor(
+    input: &TowerInput,
+    arguments: &ReportArguments,
+) -> Result<Option<ChosenRotor>, Failure> {
+    match rotor_of(input, &arguments.rotor) {
+        Err(Failure::NoRotor { .. }) if !arguments.rotor.is_given() => Ok(None),
+        rotor => rotor.map(Some),
+    }
+}
+
+/// Title block, notes, command and files.
+fn circumstances(
+    input: &TowerInput,
+    rotor: Option<&ChosenRotor>,
+    arguments: &ReportArguments,
+) -> Circumstances {
+    let of_rotor = rotor.map(|rotor| notes_on(input, rotor));
+    let notes = input.notes.iter().cloned();
+    let notes: Vec<Note> = notes.chain(of_rotor.into_iter().flatten()).collect();
+    let of_model = notes.iter().filter(|note| note.is_on_missing_part());
+    Circumstances {
+        title: arguments.title.clone().unwrap_or_default(),
+        title_block: arguments.title_block(),
         model_notes: of_model.map(|note| note.message.clone()).collect(),
+        notes: notes.iter().map(Note::to_string).collect(),
         version: env!("CARGO_PKG_VERSION").to_owned(),
         command_line: command_line(),
         reading: arguments.input.reading.typed(),
         is_own_format: input.format == FileFormat::Toml,
         files: input.sources().iter().map(input_file).collect(),
-    })
+    }
+}
+
+/// The computations of a report with a progress line.
+struct WithProgress;
+
+impl Computation for WithProgress {
+    fn solve(&mut self, tower: &Tower, options: &Options) -> Result<Solution, SolveError> {
+        solve(tower, options)
+    }
+
+    fn compare(
+        &mut self,
+        tower: &Tower,
+        options: &Options,
+        segments: usize,
+    ) -> Result<Comparison, SolveError> {
+        all_methods(tower, options, Some(segments))
+    }
 }
 
 /// The tower file that `towermodes elastodyn tower` writes.
@@ -99,23 +147,6 @@ fn elastodyn(tower: &Tower, from_m: f64) -> Result<ElastoDynShapes, String> {
     })
 }
 
-/// The resonance check; none if the rotor speed is not given.
-fn resonance(
-    input: &mut TowerInput,
-    tower: &Tower,
-    solution: &Solution,
-    arguments: &ReportArguments,
-) -> Result<Option<Campbell>, Failure> {
-    match campbell_of(input, tower, solution, &arguments.rotor) {
-        Ok((campbell, notes)) => {
-            input.notes.extend(notes);
-            Ok(Some(campbell))
-        }
-        Err(Failure::NoRotor { .. }) if !arguments.rotor.is_given() => Ok(None),
-        Err(failure) => Err(failure),
-    }
-}
-
 /// The command as it was typed.
 fn command_line() -> String {
     let arguments = std::env::args_os().skip(1);
@@ -127,16 +158,8 @@ fn command_line() -> String {
 }
 
 fn input_file(source: &Source) -> InputFile {
-    let on_disk = bytes_on_disk(source);
-    let is_of_text = on_disk.is_none();
-    let bytes = on_disk.unwrap_or_else(|| source.text.clone().into_bytes());
-    InputFile {
-        name: source.name.clone(),
-        is_of_text,
-        bytes: bytes.len() as u64,
-        sha256: hexadecimal(&Sha256::digest(&bytes)),
-        text: source.text.clone(),
-    }
+    let bytes = bytes_on_disk(source);
+    InputFile::new(source.name.clone(), source.text.clone(), bytes.as_deref())
 }
 
 /// The bytes of an input file; none if it is not a file or has changed.
@@ -147,31 +170,4 @@ fn bytes_on_disk(source: &Source) -> Option<Vec<u8>> {
     }
     let bytes = fs::read(path).ok()?;
     (encoded_as(&source.text, &bytes) == bytes).then_some(bytes)
-}
-
-fn hexadecimal(bytes: &[u8]) -> String {
-    bytes.iter().map(|byte| format!("{byte:02x}")).collect()
-}
-
-#[cfg(test)]
-mod tests {
-    use towermodes_files::Source;
-
-    use super::input_file;
-
-    #[test]
-    fn a_text_that_is_no_file_has_the_sum_of_its_bytes() {
-        // FIPS 180-4's example "abc".
-        let source = Source {
-            name: "<standard input>".into(),
-            text: "abc".into(),
-        };
-        let file = input_file(&source);
-        assert!(file.is_of_text);
-        assert_eq!(file.bytes, 3);
-        assert_eq!(
-            file.sha256,
-            "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad"
-        );
-    }
 }

@@ -6,9 +6,9 @@ use towermodes::number;
 /// The content of a cell that has no value.
 pub(crate) const NOTHING: &str = "\u{2013}";
 
-/// Values of the input with at most so many significant digits are shown as they were given.
+/// Values of the input with at most this number of significant digits are shown as given.
 const TYPED: usize = 6;
-/// Values of the input with more digits come from some arithmetic, and are shown with so many.
+/// The number of digits of other values of the input, which are results of some arithmetic.
 const DERIVED: usize = 4;
 
 /// Typesets a number: `-1.5e-7` becomes `−1.5·10⁻⁷`.
@@ -91,7 +91,7 @@ fn significant(value: f64) -> usize {
     mantissa.chars().filter(char::is_ascii_digit).count()
 }
 
-/// A computed value with so many significant digits.
+/// A computed value with a number of significant digits.
 pub(crate) fn digits(value: f64, count: usize) -> String {
     if value == f64::INFINITY {
         return "rigid".to_owned();

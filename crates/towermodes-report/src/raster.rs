@@ -40,7 +40,7 @@ pub enum RasterError {
     Encoding(String),
 }
 
-/// The largest scale at which a drawing is not refused, rounded down to what is shown of it.
+/// The largest scale at which a drawing is not refused, rounded down to its shown digits.
 fn largest_scale(width: f64, height: f64) -> f64 {
     (100.0 * f64::from(MAX_PIXELS) / width.max(height)).floor() / 100.0
 }

@@ -18,7 +18,7 @@ struct RowKeys {
     source: &'static str,
     /// The method with its segments.
     method: String,
-    /// What the value belongs to, as "bending 2".
+    /// The quantity of the value, for example "bending 2".
     #[serde(rename = "mode")]
     what: String,
     /// `Hz`, or `1` for dimensionless frequencies.

@@ -104,8 +104,8 @@ impl Integral {
     }
 }
 
-/// What a tower has along its height, summed so that any part of it is a sum of few terms, none of
-/// which is subtracted.
+/// The quantities of a tower along its height, summed in advance so that any part of the height is
+/// a sum of few terms without subtraction.
 pub(super) struct Columns<'a> {
     tower: &'a Tower,
     point_masses: &'a [PointMass],

@@ -57,7 +57,7 @@ impl Heights<'_> {
     fn window(&self, height_m: f64) -> HeightRange {
         let HeightRange { base_m, top_m } = self.overlap;
         let half_m = 0.5 * self.window_m();
-        // The ends are in order: the window is a hundredth of what is between them.
+        // The ends are in order: the window is a hundredth of the distance between them.
         let middle_m = height_m.max(base_m + half_m).min(top_m - half_m);
         HeightRange {
             base_m: (middle_m - half_m).max(base_m),

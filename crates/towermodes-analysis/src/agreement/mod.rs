@@ -59,7 +59,7 @@ pub enum AgreementError {
     Tower {
         /// Which of the two.
         which: WhichTower,
-        /// What is wrong.
+        /// The invalid value.
         #[source]
         error: TowerError,
     },

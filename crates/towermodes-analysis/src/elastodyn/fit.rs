@@ -143,7 +143,7 @@ pub fn fit(samples: &ShapeSamples) -> Result<PolynomialFit, FitError> {
     })
 }
 
-/// The samples without the base's motion, the top's deflection being 1, and what it was.
+/// The samples without the motion of the base, scaled to a top deflection of 1, and the divisor.
 fn normalized(samples: &ShapeSamples) -> Result<(Vec<(f64, f64)>, f64), FitError> {
     let mut points: Vec<_> = samples.bent().collect();
     check_heights(&points)?;

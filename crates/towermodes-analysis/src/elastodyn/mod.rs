@@ -6,7 +6,7 @@
 //! the user must provide. [`select_bending_modes()`] selects the modes of a
 //! [`Solution`](towermodes::Solution), [`fit()`] fits the polynomials,
 //! [`TowerPolynomial::rounded`] rounds them to the decimals of the file, and [`TowerModel`] gives
-//! what ElastoDyn computes from them. [`tower_shapes`] does all of it.
+//! the quantities that ElastoDyn computes from them. [`tower_shapes`] does these steps in one call.
 
 mod check;
 mod damping;

@@ -119,8 +119,8 @@ fn first_two(
         found: taken.len(),
         passed_over: passed_over.len(),
         solved,
-        // Two modes in each plane, torsion and stretch among them, and six rigid ones if it floats;
-        // else twice as many.
+        // 12: two modes in each plane, torsion, axial motion, and six rigid-body modes of a
+        // floating platform.
         ask_for: (2 * solved).max(12),
     })
 }

@@ -70,14 +70,14 @@ pub enum RowsError {
     },
 }
 
-/// A part of the tower over which mass and stiffness are smooth, with what is spread over it.
+/// A part of the tower over which mass and stiffness are smooth, with its distributed mass.
 struct Part<'a> {
     piece: &'a Piece,
     base_m: f64,
     top_m: f64,
-    /// Mass of what is spread over it, kg/m.
+    /// Mass per length of the point masses that are distributed over it, kg/m.
     spread_kg_per_m: f64,
-    /// Into how many intervals it is cut.
+    /// The number of intervals between its rows.
     intervals: usize,
 }
 
@@ -103,12 +103,12 @@ pub fn tower_rows(
     let above = tower.point_masses().iter();
     let point_masses: Vec<&PointMass> = above.filter(|m| m.height_m >= from_m).collect();
     let fraction = |height_m: f64| (height_m - from_m) / (top_m - from_m);
-    let concentrated = |mass: &&PointMass| ConcentratedMass {
+    let concentrated = |mass: &PointMass| ConcentratedMass {
         height_fraction: fraction(mass.height_m),
         mass_kg: mass.mass_kg,
     };
     let (listed, spread) = match masses {
-        PointMasses::Listed => (point_masses.iter().map(concentrated).collect(), Vec::new()),
+        PointMasses::Listed => (point_masses, Vec::new()),
         PointMasses::Spread { parts } => {
             (Vec::new(), spread_over(&point_masses, from_m, top_m, parts))
         }
@@ -117,7 +117,7 @@ pub fn tower_rows(
     share_out(&mut parts, rows)?;
     Ok(TowerRows {
         stations: stations(&parts, fraction),
-        concentrated_masses: listed,
+        concentrated_masses: listed.into_iter().map(concentrated).collect(),
     })
 }
 
@@ -128,8 +128,8 @@ struct Spread {
     mass_kg: f64,
 }
 
-/// Each mass over a part of the height with it in the middle, or at an end of the tower as near as
-/// can be.
+/// Each mass over a part of the height with the mass in its middle, or as near as possible at an
+/// end of the tower.
 fn spread_over(masses: &[&PointMass], from_m: f64, top_m: f64, parts: usize) -> Vec<Spread> {
     let whole_m = top_m - from_m;
     let length_m = whole_m / parts.max(1) as f64;
@@ -146,9 +146,9 @@ fn spread_over(masses: &[&PointMass], from_m: f64, top_m: f64, parts: usize) -> 
     spread.collect()
 }
 
-/// Where mass or stiffness bends or jumps, m: the ends of pieces, and of what is spread. What is
-/// closer together than rows can be is one, in the middle, so that each part is longer than a step
-/// is wide and a step that was read from two rows stays where it was.
+/// The heights of kinks and steps, m: the ends of pieces and of distributed masses. Heights that
+/// are closer together than rows can be are merged in their middle, so that each part is longer
+/// than a step is wide and a step that was read from two rows does not move.
 fn cuts(tower: &Tower, from_m: f64, spread: &[Spread]) -> Vec<f64> {
     let top_m = tower.top_m();
     let closest_m = CLOSEST * (top_m - from_m);
@@ -171,8 +171,8 @@ fn cuts(tower: &Tower, from_m: f64, spread: &[Spread]) -> Vec<f64> {
     cuts_m
 }
 
-/// The parts between the cuts, with what is spread over each: all of it, whatever rounding made of
-/// its ends.
+/// The parts between the cuts with the masses distributed over them, whose sum is exact although
+/// the ends of the masses are rounded.
 fn parts_of<'a>(tower: &'a Tower, from_m: f64, spread: &[Spread]) -> Vec<Part<'a>> {
     let cuts_m = cuts(tower, from_m, spread);
     let nearest = |height_m: f64| {
@@ -181,7 +181,7 @@ fn parts_of<'a>(tower: &'a Tower, from_m: f64, spread: &[Spread]) -> Vec<Part<'a
         let is_below = height_m - cuts_m[above - 1] < cuts_m[above] - height_m;
         if is_below { above - 1 } else { above }
     };
-    // What begins and ends at each cut, kg/m.
+    // The change of the distributed mass per length at each cut, kg/m.
     let mut changes = vec![0.0; cuts_m.len()];
     for mass in spread {
         let first = nearest(mass.base_m).min(cuts_m.len() - 2);
@@ -199,7 +199,7 @@ fn parts_of<'a>(tower: &'a Tower, from_m: f64, spread: &[Spread]) -> Vec<Part<'a
                 piece: tower.piece_at(0.5 * (pair[0] + pair[1])),
                 base_m: pair[0],
                 top_m: pair[1],
-                // What was added and taken away leaves rounding.
+                // Sums and differences leave a rounding error.
                 spread_kg_per_m: f64::max(spread_kg_per_m, 0.0),
                 intervals: 1,
             }
@@ -229,6 +229,24 @@ fn share_out(parts: &mut [Part<'_>], rows: Rows) -> Result<(), RowsError> {
 }
 
 impl Part<'_> {
+    /// Rows at equal distances from the base to the top of the part.
+    fn stations(&self, fraction: impl Fn(f64) -> f64) -> Vec<TowerStation> {
+        let station = |k: usize| {
+            let s = k as f64 / self.intervals as f64;
+            let height_m = self.base_m * (1.0 - s) + self.top_m * s;
+            let [mass_kg_per_m, fore_aft, side_side] = self.values_at(height_m);
+            TowerStation {
+                height_fraction: fraction(height_m),
+                mass_kg_per_m,
+                bending_n_m2: Planes {
+                    fore_aft,
+                    side_side,
+                },
+            }
+        };
+        (0..=self.intervals).map(station).collect()
+    }
+
     fn values_at(&self, height_m: f64) -> [f64; 3] {
         let Section {
             masses,
@@ -241,14 +259,13 @@ impl Part<'_> {
         [mass, bending_n_m2.fore_aft, bending_n_m2.side_side]
     }
 
-    /// So many intervals that what is linear over each is right in the mean: a straight line over
-    /// an interval h is off by h² f″/12 in the mean, and a frequency goes with the root of
-    /// stiffness over mass.
+    /// The number of intervals for [`ACCURACY`]: linear interpolation over an interval h has the
+    /// mean error h² f″/12, and a frequency is the square root of stiffness over mass.
     fn accurate_intervals(&self) -> usize {
         let [mass, fore_aft, side_side] = self.bends();
         let frequency = 0.5 * (mass + fore_aft.max(side_side));
         let relative = frequency.max(mass) / 12.0;
-        // What is linear is so but for rounding.
+        // Linear except for rounding.
         if relative < 1e-9 {
             1
         } else {
@@ -256,8 +273,8 @@ impl Part<'_> {
         }
     }
 
-    /// h² f″ over the whole part as a share of f, where it is most: by quarters, since a curve can
-    /// turn, and bend most where it is least.
+    /// The largest h² f″/f over the whole part, from the curvature of each quarter, because it can
+    /// vary over the part.
     fn bends(&self) -> [f64; 3] {
         let values: [[f64; 3]; 5] = std::array::from_fn(|k| {
             let s = k as f64 / 4.0;
@@ -273,34 +290,20 @@ impl Part<'_> {
     }
 }
 
-/// Where parts meet there is one row, or two a little apart if it is a step.
+/// The rows of all parts: one row between two parts, or two a little apart at a step.
 fn stations(parts: &[Part<'_>], fraction: impl Fn(f64) -> f64) -> Vec<TowerStation> {
     let mut stations: Vec<TowerStation> = Vec::new();
-    for (index, part) in parts.iter().enumerate() {
-        for k in 0..=part.intervals {
-            let s = k as f64 / part.intervals as f64;
-            let height_m = part.base_m * (1.0 - s) + part.top_m * s;
-            let [mass_kg_per_m, fore_aft, side_side] = part.values_at(height_m);
-            let mut station = TowerStation {
-                height_fraction: fraction(height_m),
-                mass_kg_per_m,
-                bending_n_m2: Planes {
-                    fore_aft,
-                    side_side,
-                },
-            };
-            if k == 0
-                && index > 0
-                && let Some(below) = stations.last_mut()
-            {
-                if is_same(below, &station) {
-                    continue;
-                }
+    for part in parts {
+        let mut own = part.stations(&fraction);
+        if let (Some(below), Some(above)) = (stations.last_mut(), own.first_mut()) {
+            if is_same(below, above) {
+                own.remove(0);
+            } else {
                 below.height_fraction -= 0.5 * STEP;
-                station.height_fraction += 0.5 * STEP;
+                above.height_fraction += 0.5 * STEP;
             }
-            stations.push(station);
         }
+        stations.extend(own);
     }
     stations
 }

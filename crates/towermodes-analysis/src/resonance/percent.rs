@@ -1,4 +1,4 @@
-//! Distances in percent, with enough digits to tell them from the margin.
+//! Distances in percent, with enough digits to distinguish them from the margin.
 
 use super::campbell::{Campbell, Margin};
 
@@ -6,9 +6,9 @@ use super::campbell::{Campbell, Margin};
 const MOST_DIGITS: usize = 6;
 
 impl Campbell {
-    /// A distance in percent, with its sign and a digit after the point: "+12.3"; with more where
-    /// it would seem to be at the margin, or at twice the margin, or on the other side of it:
-    /// "+4.96" where the margin is 5 %.
+    /// A distance in percent with its sign and one decimal: "+12.3"; with more decimals where
+    /// rounding would move it to or across the margin or twice the margin: "+4.96" for a margin of
+    /// 5 %.
     #[must_use]
     pub fn distance_percent(&self, margin: &Margin) -> String {
         signed_percent(margin.distance, self.margin)
@@ -21,7 +21,7 @@ fn signed_percent(distance: f64, margin: f64) -> String {
     let limits = [1.0, 2.0].map(|times| times * 100.0 * margin);
     let is_telling = |text: &String| {
         let shown = text.parse::<f64>().unwrap_or(percent).abs();
-        // Of what is at the limit itself nothing more can be told.
+        // A distance exactly at the limit needs no more digits.
         let tells = |limit: &f64| {
             let (seen, real) = (shown - limit, percent.abs() - limit);
             real.abs() < 1e-9 || (seen.abs() > 1e-9 && seen.signum() == real.signum())

@@ -1,4 +1,4 @@
-//! A Campbell diagram with remarks: what a reader must know to use it.
+//! A Campbell diagram with remarks on its limits.
 
 use std::fmt;
 
@@ -14,11 +14,11 @@ use super::diagram::campbell;
 pub struct Assessment {
     /// The diagram.
     pub campbell: Campbell,
-    /// What a reader must know to use it.
+    /// Its limits.
     pub remarks: Vec<Remark>,
 }
 
-/// What a reader of a Campbell diagram must know.
+/// A limit of a Campbell diagram.
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub enum Remark {

@@ -98,7 +98,7 @@ impl Assignment {
 }
 
 impl Tracks {
-    /// Begins with what is seen at standstill.
+    /// Begins with the modes at standstill.
     pub(super) fn begin(seen: &[Seen]) -> Self {
         let mut tracks = Self {
             modes: seen.iter().map(Followed::new).collect(),
@@ -137,7 +137,7 @@ impl Tracks {
         Assignment { chosen, mac }
     }
 
-    /// Goes on to the modes that were assigned; those that are not among the ones seen end before.
+    /// Continues with the assigned modes; lines without an assigned mode end before this speed.
     pub(super) fn take(&mut self, seen: &[Seen], assignment: &Assignment) {
         for (index, mode) in self.modes.iter_mut().enumerate() {
             if mode.lost.is_some() {

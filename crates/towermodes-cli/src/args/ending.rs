@@ -112,7 +112,7 @@ mod tests {
         assert_eq!(asked(None, "v.md"), Ok(Some(VerifyFormat::Markdown)));
         assert_eq!(asked(None, "r.htm"), Ok(Some(PageFormat::Html)));
         assert_eq!(asked(None, "t.yml"), Ok(Some(Target::WindIo)));
-        // Neither the option nor the ending says one.
+        // Neither the option nor the extension gives a format.
         assert_eq!(asked::<Format>(None, "/dev/null"), Ok(None));
         assert_eq!(Format::asked(None, None), Ok(None));
     }

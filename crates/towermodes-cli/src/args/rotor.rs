@@ -70,7 +70,7 @@ impl RotorArguments {
 mod tests {
     use super::RotorArguments;
 
-    /// As the help says.
+    /// As the help states.
     #[test]
     fn the_default_margin_is_five_percent() {
         let asked = RotorArguments {

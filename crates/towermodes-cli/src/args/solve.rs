@@ -98,16 +98,16 @@ impl Ending for SolveFormat {
 }
 
 impl SolveArguments {
-    /// How the result is written: as told, or as the ending of the file says.
+    /// The format of the result: the option, or else the extension of the output file.
     ///
     /// # Errors
-    /// The two do not go together, or the ending says nothing.
+    /// The option and the extension contradict each other, or the extension is unknown.
     pub(crate) fn format(&self) -> Result<SolveFormat, EndingError> {
         let asked = SolveFormat::asked(self.format, self.output())?;
         Ok(asked.unwrap_or(SolveFormat::Table))
     }
 
-    /// The file the result goes to, if not to standard output.
+    /// The output file; none for standard output.
     pub(crate) fn output(&self) -> Option<&Path> {
         file_of(self.output.as_deref())
     }
@@ -115,7 +115,7 @@ impl SolveArguments {
     /// Checks that --plot and --points apply to the format.
     ///
     /// # Errors
-    /// What is wrong.
+    /// The message for an option that does not apply.
     pub(crate) fn check(&self, format: SolveFormat) -> Result<(), &'static str> {
         let has_shapes = matches!(format, SolveFormat::Json | SolveFormat::Bmodes);
         if self.plot && format != SolveFormat::Table {
@@ -132,7 +132,7 @@ impl SolveArguments {
     /// Checks that --points is not given where the elements of the file fix the heights.
     ///
     /// # Errors
-    /// What is wrong.
+    /// The message for an option that does not apply.
     pub(crate) fn check_heights(
         &self,
         format: SolveFormat,
@@ -155,7 +155,7 @@ impl SolveArguments {
     /// its deck.
     ///
     /// # Errors
-    /// What is wrong.
+    /// The message for an option that does not apply.
     pub(crate) fn check_for_blade(&self) -> Result<(), &'static str> {
         if self.method.is_some_and(|method| method != Method::Bmodes) {
             return Err("a rotating blade can be solved only with --method bmodes");

@@ -110,7 +110,7 @@ impl Staged {
 
 impl Drop for Staged {
     fn drop(&mut self) {
-        // After it took its place there is none.
+        // The temporary file no longer exists after the rename.
         let _ = fs::remove_file(&self.new);
     }
 }

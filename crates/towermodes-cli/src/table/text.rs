@@ -47,7 +47,7 @@ pub(super) fn name_line(name: &str) -> String {
     }
 }
 
-/// Pads numbers on the right so that their decimal points stand in one column.
+/// Pads numbers on the right so that their decimal points are aligned.
 pub(super) fn aligned(numbers: impl Iterator<Item = String>) -> Vec<String> {
     let numbers: Vec<String> = numbers.collect();
     let decimals = |number: &String| number.find('.').map_or(0, |point| number.len() - point);

@@ -66,7 +66,7 @@ fn series(convergence: &Convergence) -> Vec<Series> {
         };
         let mut points: Vec<[f64; 2]> = convergence.levels.iter().filter_map(point).collect();
         points.sort_by(|a, b| a[0].total_cmp(&b[0]));
-        // Where only rounding is left, its first point says so.
+        // Of the levels with rounding errors only, the first is shown.
         let last = points.iter().rposition(|[_, error]| *error >= ROUNDING);
         points.truncate(last.map_or(1, |last| last + 2));
         Series {

@@ -5,7 +5,7 @@ use crate::svg::{Scale, power_of_ten};
 /// Errors below this are rounding errors and are drawn at the lower end.
 pub(crate) const ROUNDING: f64 = 1e-12;
 
-/// About so many numbers along the axis.
+/// The approximate number of numbers along the axis.
 const TICKS: usize = 9;
 
 /// An axis of errors.

@@ -4,17 +4,17 @@ use crate::svg::{Anchor, Axes, Colour, Drawing, Stroke, TextStyle, power_of_ten,
 
 /// Orders that have a triangle.
 const ORDERS: [i32; 3] = [1, 2, 4];
-/// An order is shown if what was observed is as near to it.
+/// An order is shown if the observed one differs by less than this.
 const NEAR: f64 = 0.25;
 /// Between the triangle and the edges of the field.
 const AWAY: f64 = 16.0;
-/// Share of the field's width and height that it may take.
+/// The largest fraction of the width and the height of the field that it takes.
 const SHARE: f64 = 0.3;
 /// Size of its letters.
 const SIZE: f64 = 11.0;
 
-/// Draws the slope of the order that most modes have, in the lower left corner where falling lines
-/// begin above; nothing if there is none, or if lines pass there.
+/// Draws the slope of the order that most modes have, in the lower left corner, where falling lines
+/// are high above; nothing without such an order, or if lines pass there.
 pub(super) fn draw(drawing: &mut Drawing, axes: &Axes, orders: &[f64], lines: &[Vec<(f64, f64)>]) {
     let Some(order) = most(orders) else { return };
     let text = format!(
@@ -22,16 +22,7 @@ pub(super) fn draw(drawing: &mut Drawing, axes: &Axes, orders: &[f64], lines: &[
         &power_of_ten(10.0_f64.powi(10 + order))["10\u{b9}".len()..]
     );
     let frame = axes.frame;
-    let decade = |scale: &crate::svg::Scale| {
-        (scale.to - scale.from).abs() / (scale.high / scale.low).log10()
-    };
-    let steepness = f64::from(order) * decade(&axes.y) / decade(&axes.x);
-    let (wide, high) = (
-        SHARE * (frame.right - frame.left),
-        SHARE * (frame.bottom - frame.top),
-    );
-    let width = wide.min(high / steepness).min(90.0);
-    let height = width * steepness;
+    let [width, height] = size(axes, order);
     let label = text_width(&text, SIZE, false);
     let left = frame.left + AWAY + label + 6.0;
     let bottom = frame.bottom - AWAY;
@@ -59,6 +50,21 @@ pub(super) fn draw(drawing: &mut Drawing, axes: &Axes, orders: &[f64], lines: &[
         &text,
         &style,
     );
+}
+
+/// Width and height of the triangle of an order.
+fn size(axes: &Axes, order: i32) -> [f64; 2] {
+    let frame = axes.frame;
+    let decade = |scale: &crate::svg::Scale| {
+        (scale.to - scale.from).abs() / (scale.high / scale.low).log10()
+    };
+    let steepness = f64::from(order) * decade(&axes.y) / decade(&axes.x);
+    let (wide, high) = (
+        SHARE * (frame.right - frame.left),
+        SHARE * (frame.bottom - frame.top),
+    );
+    let width = wide.min(high / steepness).min(90.0);
+    [width, width * steepness]
 }
 
 /// The order that most are near to.

@@ -1,17 +1,14 @@
-//! The input of a report.
+//! The content of a report.
 
+use sha2::{Digest, Sha256};
 use towermodes::{Options, Planes, Solution, SolveError, Tower, TowerDescription};
 use towermodes_analysis::elastodyn::TowerShapes;
 use towermodes_analysis::resonance::{Campbell, CampbellError};
 use towermodes_analysis::study::Comparison;
 
-/// Results and circumstances: everything that a report contains.
+/// Everything that a report contains.
 #[derive(Debug, Clone)]
 pub struct ReportContent {
-    /// The title; empty for a title made from the name of the tower.
-    pub title: String,
-    /// Who made it, who checked it, and under which number it is filed.
-    pub title_block: TitleBlock,
     /// The input.
     pub description: TowerDescription,
     /// The validated tower.
@@ -20,7 +17,7 @@ pub struct ReportContent {
     pub options: Options,
     /// Its modes, with shapes at many heights ([`Options::points`]).
     pub solution: Solution,
-    /// The comparison of all methods, or why there is none.
+    /// The comparison of all methods, or the reason why there is none.
     pub comparison: Result<Comparison, SolveError>,
     /// The resonance check, or why a blade could not be solved; none without a rotor.
     pub campbell: Option<Result<Campbell, CampbellError>>,
@@ -28,7 +25,19 @@ pub struct ReportContent {
     pub elastodyn: Result<ElastoDynShapes, String>,
     /// Height from which the shapes for ElastoDyn are taken, m.
     pub shapes_from_m: f64,
-    /// The notes of the reader: what it assumed, left out or could not import.
+    /// The data that are not results.
+    pub circumstances: Circumstances,
+}
+
+/// The data of a report that are not results.
+#[derive(Debug, Clone, PartialEq, Eq, Default)]
+pub struct Circumstances {
+    /// The title; empty for a title made from the name of the tower.
+    pub title: String,
+    /// Author, checker and number of the document.
+    pub title_block: TitleBlock,
+    /// The notes: assumptions of the reader, data that it omitted or could not import, limits of
+    /// the resonance check.
     pub notes: Vec<String>,
     /// The notes on parts of the turbine that are missing in the model; the summary repeats them.
     pub model_notes: Vec<String>,
@@ -89,6 +98,21 @@ pub struct InputFile {
     pub text: String,
 }
 
+impl InputFile {
+    /// A file with its text and, if they are still available, its bytes.
+    pub fn new(name: String, text: String, bytes: Option<&[u8]>) -> Self {
+        let of = bytes.unwrap_or(text.as_bytes());
+        let sum = Sha256::digest(of);
+        Self {
+            name,
+            is_of_text: bytes.is_none(),
+            bytes: of.len() as u64,
+            sha256: sum.iter().map(|byte| format!("{byte:02x}")).collect(),
+            text,
+        }
+    }
+}
+
 impl TitleBlock {
     /// The fields that were given, each with its name.
     pub(super) fn given(&self) -> Vec<(&'static str, &str)> {
@@ -110,7 +134,7 @@ impl ReportContent {
     /// The title, or one made from the name of the tower.
     pub(super) fn heading(&self) -> String {
         let name = self.description.name.trim();
-        match (self.title.trim(), name) {
+        match (self.circumstances.title.trim(), name) {
             ("", "") => "Natural frequencies and mode shapes of a tower".to_owned(),
             ("", name) => format!("Natural frequencies and mode shapes: {name}"),
             (title, _) => title.to_owned(),
@@ -119,10 +143,33 @@ impl ReportContent {
 
     /// The file name in commands; `-` for standard input.
     pub(super) fn main_file(&self) -> &str {
-        let name = self.files.first().map(|file| file.name.as_str());
+        let name = self
+            .circumstances
+            .files
+            .first()
+            .map(|file| file.name.as_str());
         match name {
             Some("<standard input>") => "-",
             name => name.unwrap_or("tower.toml"),
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::InputFile;
+
+    #[test]
+    fn a_text_without_bytes_has_the_sum_of_its_own() {
+        // FIPS 180-4's example "abc".
+        let sum = "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad";
+        let file = |bytes| InputFile::new("<standard input>".into(), "abc".into(), bytes);
+        let of_text = file(None);
+        assert!(of_text.is_of_text);
+        assert_eq!((of_text.bytes, of_text.sha256.as_str()), (3, sum));
+        let of_bytes = file(Some(&b"\xef\xbb\xbfabc"[..]));
+        assert!(!of_bytes.is_of_text);
+        assert_eq!(of_bytes.bytes, 6);
+        assert_ne!(of_bytes.sha256, sum);
     }
 }

@@ -4,9 +4,9 @@ use super::content::InputFile;
 use super::mark::printable;
 use crate::wording::counted;
 
-/// Longer files are cut to so many bytes.
+/// Longer files are cut to this number of bytes.
 const MOST_OF_A_FILE: usize = 256 * 1024;
-/// All files together are cut to so many bytes.
+/// All files together are cut to this number of bytes.
 const MOST_OF_ALL: usize = 1024 * 1024;
 
 /// An input file, as far as the report includes it.
@@ -66,7 +66,7 @@ impl EmbeddedFile {
     }
 }
 
-/// The whole text if it is not longer, else its whole lines within so many bytes.
+/// The whole text if it is not longer than `most` bytes, else its whole lines within these.
 fn beginning(text: &str, most: usize) -> &str {
     if text.len() <= most {
         return text;
@@ -74,7 +74,7 @@ fn beginning(text: &str, most: usize) -> &str {
     let end = text.as_bytes()[..most]
         .iter()
         .rposition(|byte| *byte == b'\n');
-    // A line feed is one byte, so what it ends is whole.
+    // A line feed is one byte, so no character is cut.
     &text[..end.map_or(0, |end| end + 1)]
 }
 

@@ -80,7 +80,7 @@ fn marked(mark: Mark) -> String {
     format!("**{}**", mark.word)
 }
 
-/// The description of a picture, and the command that draws it, or its numbers if there is none.
+/// The description of a picture, and the command that draws it, otherwise its numbers.
 fn of_picture(picture: &Picture, content: &ReportContent) -> String {
     let figure = &picture.figure;
     let heading = format!(

@@ -1,9 +1,10 @@
-//! The report of a designer: the input, the assumptions, the results with their errors, and what is
-//! needed to check them.
+//! The report of a designer: the input, the assumptions, the results with their errors, and the
+//! data that a checker needs.
 //!
-//! The content is made once, as a document of sections; [`html()`] and [`markdown()`] render it.
+//! [`ReportContent::compute`] computes the content; [`html()`] and [`markdown()`] render it.
 
 mod animation_view;
+mod compute;
 mod content;
 mod document;
 mod embedded;
@@ -17,7 +18,8 @@ mod shell;
 mod table;
 mod view;
 
-pub use content::{ElastoDynShapes, InputFile, ReportContent, TitleBlock};
+pub use compute::{Computation, ContentError, ReportRequest, SilentComputation};
+pub use content::{Circumstances, ElastoDynShapes, InputFile, ReportContent, TitleBlock};
 pub use error::ReportError;
 pub use html::html;
 pub use markdown::markdown;

@@ -1,4 +1,4 @@
-//! The commands that reproduce what is in a report.
+//! The commands that reproduce the pictures and results of a report.
 
 use towermodes::Options;
 use towermodes::elements::GAUSS_HINGE_POSITION;
@@ -36,7 +36,11 @@ pub(super) fn command(content: &ReportContent, name: &str, options: &[String]) -
         true => (String::new(), format!("-- {file}")),
         false => (file, String::new()),
     };
-    let start = [format!("towermodes {name}"), first, content.reading.clone()];
+    let start = [
+        format!("towermodes {name}"),
+        first,
+        content.circumstances.reading.clone(),
+    ];
     let words = start.iter().chain(options).chain([&last]);
     let words: Vec<&str> = words.map(String::as_str).collect();
     let words: Vec<&str> = words.into_iter().filter(|word| !word.is_empty()).collect();

@@ -68,7 +68,7 @@ pub(super) struct Table {
     pub rows: Vec<Vec<Cell>>,
     /// How many rows are not among these, from their middle.
     pub left_out: usize,
-    /// What is shown at first, if not all.
+    /// The rows that are shown at first, if not all.
     pub brief: Option<Brief>,
 }
 
@@ -138,7 +138,7 @@ impl Table {
     }
 
     /// The same without the columns whose every cell is 0 or rigid, which the caption then names.
-    /// The first column stays: it says what a row is of.
+    /// The first column stays, because it names the row.
     pub(super) fn without_empty_columns(mut self) -> Self {
         for (cell, said) in [("0", "zero"), ("rigid", "rigid")] {
             let names = self.drop_columns_of(cell);
@@ -198,8 +198,8 @@ impl Table {
         self
     }
 
-    /// The same with only those rows shown at first that `is_shown` picks, if that leaves some out;
-    /// `which` says what they are. Of a huge table these alone are there, or the first of them.
+    /// The same with only those rows shown at first that `is_shown` picks, and that `which` names.
+    /// A huge table contains only these rows, or the first of them.
     pub(super) fn with_only(mut self, which: &str, is_shown: impl Fn(usize) -> bool) -> Self {
         let count = self.rows.len();
         let shown: Vec<usize> = (0..count).filter(|row| is_shown(*row)).collect();
@@ -224,7 +224,7 @@ impl Table {
     }
 }
 
-/// Leaves out what is empty.
+/// Removes empty columns.
 fn keep<T>(list: &mut Vec<T>, is_empty: &[bool]) {
     let mut is_empty = is_empty.iter();
     list.retain(|_| !is_empty.next().copied().unwrap_or(false));

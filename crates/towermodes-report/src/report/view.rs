@@ -11,7 +11,7 @@ use super::table::{Cell, Column, MOST_ROWS, Table};
 use crate::svg::{DataTable, Look};
 use crate::wording::counted;
 
-/// Tables with at most so many rows are not broken across printed pages.
+/// Tables with at most this number of rows are not broken across printed pages.
 const SHORT: usize = 24;
 
 /// A report's page.

@@ -71,7 +71,7 @@ impl Axes {
         widest(ticks) + NUMBERS + 2.2 * NAME
     }
 
-    /// Draws the grid and the axis below, with about so many numbers and its name, unit included:
+    /// Draws the grid and the axis below, with about `ticks` numbers and its name, unit included:
     /// "rotor speed (rpm)".
     pub fn draw_x(&self, drawing: &mut Drawing, name: &str, ticks: usize) {
         self.draw_x_at(drawing, name, &tick_texts(&self.x, ticks));
@@ -106,7 +106,7 @@ impl Axes {
         );
     }
 
-    /// Draws the grid and the axis on the left, with about so many numbers and its name, unit
+    /// Draws the grid and the axis on the left, with about `ticks` numbers and its name, unit
     /// included.
     pub fn draw_y(&self, drawing: &mut Drawing, name: &str, ticks: usize) {
         self.draw_y_at(drawing, name, &tick_texts(&self.y, ticks));

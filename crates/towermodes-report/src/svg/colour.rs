@@ -135,8 +135,8 @@ impl Colour {
 }
 
 /// The rules of a style sheet that give the classes of drawings, `s-NAME` for strokes and `f-NAME`
-/// for fills, their colours: `value` says what stands for each, a colour or a variable. `scope`
-/// stands before each class.
+/// for fills, their colours: `value` gives a colour or a variable for each. `scope` is written
+/// before each class.
 pub fn stylesheet(scope: &str, value: impl Fn(Colour) -> String) -> String {
     let rule = |colour: Colour| {
         let (name, value) = (colour.name(), value(colour));

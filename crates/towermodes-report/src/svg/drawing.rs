@@ -55,7 +55,7 @@ impl Drawing {
         }
     }
 
-    /// What was drawn, as elements of SVG.
+    /// The elements of SVG.
     pub fn body(&self) -> &str {
         &self.body
     }

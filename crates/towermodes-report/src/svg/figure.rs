@@ -59,7 +59,7 @@ impl Figure {
             _ => format!("<rect class=\"f-paper\" width=\"{width}\" height=\"{height}\"/>\n"),
         };
         let size = match look {
-            // A page says how wide it is.
+            // The page determines the width.
             Look::Inline => String::new(),
             _ => format!(r#" width="{width}" height="{height}""#),
         };

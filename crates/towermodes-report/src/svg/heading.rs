@@ -13,7 +13,7 @@ const LINES: f64 = 12.0;
 const MARGIN: f64 = 12.0;
 /// Below the heading.
 const BELOW: f64 = 10.0;
-/// A text takes at most so many lines; the rest is cut.
+/// The largest number of lines of a text; the rest is cut.
 const MOST_LINES: [usize; 2] = [2, 5];
 
 /// The heading of a picture.
@@ -70,8 +70,8 @@ impl Figure {
     }
 }
 
-/// A text in lines no wider than `room`, broken between words, and within words that are wider; at
-/// most so many lines, cut with "…".
+/// A text in at most `most` lines no wider than `room`, broken between words, and within words that
+/// are wider; the rest is cut with "…".
 fn broken(text: &str, room: f64, style: &TextStyle, most: usize) -> Vec<String> {
     let width = |text: &str| text_width(text, style.size, style.is_bold);
     let mut lines: Vec<String> = Vec::new();

@@ -1,4 +1,4 @@
-//! Text as outlines of its letters: what a renderer without fonts needs.
+//! Text as outlines of its letters, for a renderer without fonts.
 
 use std::fmt::Write;
 

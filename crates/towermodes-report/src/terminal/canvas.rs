@@ -18,7 +18,7 @@ pub(super) struct Canvas {
 }
 
 impl Canvas {
-    /// An empty sheet of so many characters.
+    /// An empty sheet with a size in characters.
     pub(super) fn new(columns: usize, rows: usize) -> Self {
         Self {
             columns,
@@ -26,7 +26,7 @@ impl Canvas {
         }
     }
 
-    /// Sets the dot so many from the left and from the top.
+    /// Sets a dot, counted from the left and from the top.
     pub(super) fn dot(&mut self, x: usize, y: usize) {
         if x >= self.columns * ACROSS {
             return;
@@ -84,7 +84,7 @@ mod tests {
         // Dots 1 and 8 of the first character: U+2881.
         canvas.dot(0, 0);
         canvas.dot(1, 3);
-        // Dots 3 and 6 of the second: U+2824; what is outside is left out.
+        // Dots 3 and 6 of the second: U+2824; dots outside are left out.
         canvas.across(2, 9, 2);
         canvas.dot(0, 4);
         let lines: Vec<String> = canvas.lines().collect();

@@ -5,7 +5,7 @@ use super::canvas::{ACROSS, Canvas, DOWN};
 use crate::svg::spread;
 use crate::wording::counted;
 
-/// About so many rows, whatever the powers of ten.
+/// The approximate number of rows, independent of the powers of ten.
 const ROWS: usize = 16;
 /// The largest number of columns of the field: wider ones show nothing more.
 const WIDEST: usize = 72;

@@ -97,7 +97,7 @@ fn row_of_panels(panels: &[Panel], axis: &[String], heights_m: [f64; 2]) -> Stri
     lines.concat()
 }
 
-/// A line: what is on the left, then a text for each diagram, its middle below the diagram's.
+/// A line: a text on the left, then a text for each diagram, centred below it.
 fn in_columns<'a>(left: &str, texts: impl Iterator<Item = &'a String>) -> String {
     let mut line = left.to_owned();
     for (index, text) in texts.enumerate() {
@@ -120,7 +120,7 @@ fn drawn(curves: &[Curve], [low_m, high_m]: [f64; 2]) -> Vec<String> {
         let at = |y: usize| {
             let share = y as f64 / (DOTS - 1) as f64;
             let value = value_at(&curve.points, high_m + share * (low_m - high_m));
-            // Beyond 1 nothing is drawn, and no number is none.
+            // Values beyond ±1 and NaN are not drawn.
             let x = REACH as f64 * (1.0 + value.clamp(-1.0, 1.0));
             if x.is_finite() {
                 x.round() as usize
@@ -136,7 +136,7 @@ fn drawn(curves: &[Curve], [low_m, high_m]: [f64; 2]) -> Vec<String> {
     canvas.lines().collect()
 }
 
-/// Dots in every row, so many that the rows are connected.
+/// Dots in every row, as many as connect the rows.
 fn draw_whole(canvas: &mut Canvas, at: impl Fn(usize) -> usize) {
     canvas.dot(at(0), 0);
     for y in 1..DOTS {

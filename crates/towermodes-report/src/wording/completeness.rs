@@ -8,7 +8,7 @@ use super::text::counted;
 /// The certificate in one line, for a list of `listed` modes: "complete: exactly 8 modes below
 /// 8.323 Hz".
 ///
-/// A list may end between two modes of equal frequency; then the line says so.
+/// A list may end between two modes of equal frequency; then the line states it.
 pub fn completeness(certificate: &Certificate, listed: usize) -> String {
     let except = match certificate.count > listed {
         true => " except for a repeat of the last mode",
@@ -21,7 +21,7 @@ pub fn completeness(certificate: &Certificate, listed: usize) -> String {
     )
 }
 
-/// The certificate as a report explains it: the theorem, the count, and what it proves.
+/// The certificate as a report explains it: the theorem, the count, and the conclusion.
 pub fn proof_of_completeness(certificate: &Certificate, listed: usize) -> String {
     let count = match certificate.count {
         1 => "1 natural frequency".to_owned(),

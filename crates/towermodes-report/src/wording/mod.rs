@@ -1,7 +1,6 @@
 //! Words and sentences that several surfaces share: tables on a terminal, reports, pictures.
 //!
-//! A sentence that stands here is written once, so that every surface uses the same words for the
-//! same result.
+//! Each sentence is written once, so that all surfaces use the same words for the same result.
 
 mod completeness;
 mod mode;

@@ -70,7 +70,7 @@ fn what_is_said_is_true_of_the_tower() {
     let mut wrong = Vec::new();
     for row in rows() {
         let mut content = content_by(row.description, None, row.options);
-        content.reading = row.reading.to_owned();
+        content.circumstances.reading = row.reading.to_owned();
         let text = section(&page_of(&content), row.section);
         let lacks = row.said.iter().filter(|said| !text.contains(**said));
         wrong.extend(lacks.map(|said| format!("{}: not said: {said}", row.name)));

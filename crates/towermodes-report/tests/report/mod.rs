@@ -16,7 +16,8 @@ use towermodes_analysis::elastodyn::tower_shapes;
 use towermodes_analysis::resonance::{CampbellError, CampbellOptions, campbell};
 use towermodes_analysis::study::{ColumnSpec, compare};
 use towermodes_report::report::{
-    ElastoDynShapes, InputFile, ReportContent, TitleBlock, html, markdown,
+    Circumstances, ContentError, ElastoDynShapes, InputFile, ReportContent, ReportRequest,
+    SilentComputation, TitleBlock, html, markdown,
 };
 
 use page::{Piece, attribute, pieces, read};
@@ -86,8 +87,6 @@ fn content_by(
         campbell(&tower, &solution, None, &rotor, &options)
     };
     ReportContent {
-        title: String::new(),
-        title_block: TitleBlock::default(),
         comparison: compare(&tower, &options, &columns, |_, _| {}),
         elastodyn: elastodyn(&tower),
         shapes_from_m: tower.base_m(),
@@ -96,20 +95,83 @@ fn content_by(
         tower,
         options,
         solution,
-        notes: vec!["a note on line 7".to_owned()],
-        model_notes: Vec::new(),
-        version: "1.2.3".to_owned(),
-        command_line: "towermodes report pole.toml".to_owned(),
-        reading: String::new(),
-        is_own_format: true,
-        files: vec![InputFile {
-            name: "pole.toml".to_owned(),
-            bytes: 123,
-            sha256: "ba7816bf".repeat(8),
-            is_of_text: false,
-            text: POLE.to_owned(),
-        }],
+        circumstances: Circumstances {
+            notes: vec!["a note on line 7".to_owned()],
+            version: "1.2.3".to_owned(),
+            command_line: "towermodes report pole.toml".to_owned(),
+            is_own_format: true,
+            files: vec![InputFile {
+                name: "pole.toml".to_owned(),
+                bytes: 123,
+                sha256: "ba7816bf".repeat(8),
+                is_of_text: false,
+                text: POLE.to_owned(),
+            }],
+            ..Circumstances::default()
+        },
     }
+}
+
+fn request(covers_excitations: bool) -> ReportRequest {
+    let description = pole();
+    let tower = Tower::new(description.clone()).expect("a valid tower");
+    ReportRequest {
+        elastodyn: elastodyn(&tower),
+        shapes_from_m: tower.base_m(),
+        options: Options {
+            modes: 2,
+            ..Options::default()
+        },
+        covers_excitations,
+        rotor: Some(ROTOR),
+        blade: None,
+        campbell: CampbellOptions::default(),
+        compared_segments: 20,
+        circumstances: Circumstances {
+            notes: vec!["of the reader".to_owned()],
+            ..Circumstances::default()
+        },
+        notes_on_shapes: vec!["of the shapes".to_owned()],
+        description,
+        tower,
+    }
+}
+
+/// The excitations of the rotor reach 9 · 12.1/60/0.95 = 1.91 Hz, above the two modes at 0.64 Hz;
+/// the next ones are at 4 Hz.
+#[test]
+fn a_report_is_computed_in_one_call() {
+    let compute = |request| ReportContent::compute(request, &mut SilentComputation);
+    let content = compute(request(false)).expect("a report");
+    assert_eq!(
+        (content.options.modes, content.solution.modes.len()),
+        (2, 2)
+    );
+    let [reader, uncovered, shapes] = &content.circumstances.notes[..] else {
+        panic!("{:?}", content.circumstances.notes)
+    };
+    assert_eq!((&**reader, &**shapes), ("of the reader", "of the shapes"));
+    assert!(uncovered.contains("are not assessed"), "{uncovered}");
+    let columns = content.comparison.expect("a comparison").columns;
+    assert_eq!(columns.len(), Method::ALL.len());
+    let content = compute(request(true)).expect("a report");
+    assert_eq!(
+        (content.options.modes, content.solution.modes.len()),
+        (4, 4)
+    );
+    assert_eq!(
+        content.circumstances.notes,
+        ["of the reader", "of the shapes"]
+    );
+    let nowhere = Options {
+        modes: usize::MAX,
+        ..Options::default()
+    };
+    let refused = compute(ReportRequest {
+        options: nowhere,
+        ..request(false)
+    });
+    assert!(matches!(refused, Err(ContentError::Solve(_))));
 }
 
 fn page_of(content: &ReportContent) -> String {
@@ -171,7 +233,7 @@ fn the_title_block_has_the_fields_that_were_given() {
         markdown(&content)
             .starts_with("# Natural frequencies and mode shapes: pole\n\n## 1. Summary")
     );
-    content.title_block = TitleBlock {
+    content.circumstances.title_block = TitleBlock {
         document: "T-17-003".to_owned(),
         revision: " C ".to_owned(),
         author: "A <b> & Co".to_owned(),
@@ -239,7 +301,7 @@ fn the_input_file_is_in_the_report() {
     let said = "The text differs from the file";
     // Its size is said to be 123 bytes, so it is another one.
     assert!(section(&page, "files").contains(said));
-    content.files[0].bytes = POLE.len() as u64;
+    content.circumstances.files[0].bytes = POLE.len() as u64;
     assert!(!section(&page_of(&content), "files").contains(said));
     let fenced = format!("**pole.toml**\n\n```text\n{POLE}```\n");
     assert!(
@@ -247,8 +309,8 @@ fn the_input_file_is_in_the_report() {
         "{}",
         markdown(&content)
     );
-    content.files[0].text = format!("{HOSTILE}\n</pre>");
-    content.files[0].name = "a/b \"c\".toml".to_owned();
+    content.circumstances.files[0].text = format!("{HOSTILE}\n</pre>");
+    content.circumstances.files[0].name = "a/b \"c\".toml".to_owned();
     let page = page_of(&content);
     nested(&pieces(&page));
     assert!(section(&page, "files").contains(HOSTILE));
@@ -280,7 +342,7 @@ fn the_summary_names_what_the_model_lacks() {
         let mut description = pole();
         description.rna = Rna::point(1.0);
         let mut content = content(description, Some(ROTOR));
-        content.model_notes = notes.iter().map(|&note| note.to_owned()).collect();
+        content.circumstances.model_notes = notes.iter().map(|&note| note.to_owned()).collect();
         section(&page_of(&content), "summary")
     };
     let whole = with_rna(&[]);
@@ -505,12 +567,12 @@ fn a_report_can_be_reproduced() {
 #[test]
 fn hostile_names_stay_text() {
     let mut content = content(pole(), Some(ROTOR));
-    content.title = format!("title {HOSTILE}");
+    content.circumstances.title = format!("title {HOSTILE}");
     content.description.name = format!("name {HOSTILE}");
     content.tower = Tower::new(content.description.clone()).expect("a tower");
-    content.notes = vec![format!("note {HOSTILE}")];
-    content.command_line = format!("command {HOSTILE}");
-    content.files[0].name = format!("file {HOSTILE}");
+    content.circumstances.notes = vec![format!("note {HOSTILE}")];
+    content.circumstances.command_line = format!("command {HOSTILE}");
+    content.circumstances.files[0].name = format!("file {HOSTILE}");
     let page = page_of(&content);
     let pieces = pieces(&page);
     let of = |name: &str| {
@@ -986,7 +1048,7 @@ fn markdown_shortens_tables_of_more_than_a_hundred_rows() {
 #[test]
 fn markdown_has_sound_tables_and_commands() {
     let mut content = content(pole(), Some(ROTOR));
-    content.reading = "--part tower".to_owned();
+    content.circumstances.reading = "--part tower".to_owned();
     content.options.modes = 8;
     let text = markdown(&content);
     let mut columns = None;
@@ -1007,7 +1069,7 @@ fn markdown_has_sound_tables_and_commands() {
     ] {
         assert!(text.contains(command), "{command}\n{text}");
     }
-    content.files[0].name = "-dash.toml".to_owned();
+    content.circumstances.files[0].name = "-dash.toml".to_owned();
     let text = markdown(&content);
     for command in [
         "towermodes plot --part tower --what tower --output tower.svg -- -dash.toml",

@@ -30,9 +30,9 @@ pub struct Sample {
     pub frequency_hz: f64,
     /// The error that is claimed, Hz.
     pub claimed_hz: f64,
-    /// Its difference from the reference, less what the reference itself is known to, Hz.
+    /// Its difference from the reference minus the uncertainty of the reference, Hz.
     pub true_hz: f64,
-    /// Whether a warning says that it is not resolved.
+    /// Whether a warning reports that it is not resolved.
     pub is_warned: bool,
 }
 
@@ -86,18 +86,15 @@ pub fn samples(
         Fineness::Coarse => Some(segments.whole(10, 60)),
     };
     let truth = reference(&tower, true, workspace)?;
-    let mut slender = None;
-    let mut all = Vec::new();
-    for &method in methods {
-        let truth = if method == Method::Bmodes {
-            if slender.is_none() {
-                let unsheared = of(without_shear(description.clone()));
-                slender = Some(reference(&unsheared, false, workspace)?);
-            }
-            slender.as_ref().unwrap_or(&truth)
-        } else {
-            &truth
-        };
+    // BModes has neither shear deformation nor rotary inertia.
+    let slender = match methods.contains(&Method::Bmodes) {
+        true => {
+            let unsheared = of(without_shear(description.clone()));
+            Some(reference(&unsheared, false, workspace)?)
+        }
+        false => None,
+    };
+    let sample = |&method: &Method| {
         let options = Options {
             method,
             segments: segments.filter(|_| method != Method::Spectral),
@@ -105,10 +102,11 @@ pub fn samples(
             points: 2,
             ..Options::default()
         };
-        let solution = solve_with(&tower, &options, workspace);
-        all.push(solution.map(|solution| compared(number, &solution, truth)));
-    }
-    Ok(all)
+        let slender = slender.as_ref().filter(|_| method == Method::Bmodes);
+        let solution = solve_with(&tower, &options, workspace)?;
+        Ok(compared(number, &solution, slender.unwrap_or(&truth)))
+    };
+    Ok(methods.iter().map(sample).collect())
 }
 
 /// The tower as a beam that does not shear.
@@ -120,7 +118,7 @@ fn without_shear(mut description: TowerDescription) -> TowerDescription {
     description
 }
 
-/// The spectral beam of a degree that is raised beyond what it needs.
+/// The spectral beam with a degree above the converged one.
 fn reference(
     tower: &Tower,
     rotary_inertia: bool,
@@ -149,7 +147,7 @@ fn compared(tower: u64, solution: &Solution, truth: &Solution) -> Vec<Sample> {
             let known_hz = other.error_hz().max(ROUNDING * other.frequency_hz);
             ((mode.frequency_hz - other.frequency_hz).abs() - known_hz).max(0.0)
         });
-        // A mode that is not even among so many of the reference is nowhere.
+        // A mode that the reference does not have is wrong by its whole frequency.
         let true_hz = difference_hz.unwrap_or(mode.frequency_hz);
         Sample {
             tower,

@@ -2,7 +2,7 @@
 
 use super::sample::Sample;
 
-/// What the modes of a class by a method sum up to.
+/// The coverage of the errors of all modes of a class by one method.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Tally {
     ratios: Vec<f64>,

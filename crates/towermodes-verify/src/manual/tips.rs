@@ -85,22 +85,15 @@ const BESIDE: [(f64, [f64; 3], f64, &str); 4] = [
 pub(super) fn cases() -> Vec<Case> {
     let source = "frequency equation, 40 digits";
     let mut cases = Vec::new();
-    for (mu, values) in TIP_MASS {
-        let beam = Uniform::new(0.01, None).with_tip(mu, 0.0, 0.0);
-        let (name, runs) = (format!("μ = {mu}"), runs_without_rotary_inertia());
-        cases.push(bending_case(CHAPTER, name, source, beam, values, runs));
-    }
-    for ([mu, j, eps], values) in TIP_BODY {
+    let tip_mass = TIP_MASS.map(|(mu, values)| ([mu, 0.0, 0.0], format!("μ = {mu}"), values));
+    let tip_body = TIP_BODY.map(|(tip, values)| {
+        let [mu, j, eps] = tip;
+        (tip, format!("μ = {mu}, j = {j}, ε = {eps}"), values)
+    });
+    for ([mu, j, eps], name, values) in tip_mass.into_iter().chain(tip_body) {
         let beam = Uniform::new(0.01, None).with_tip(mu, j, eps);
-        let name = format!("μ = {mu}, j = {j}, ε = {eps}");
-        cases.push(bending_case(
-            CHAPTER,
-            name,
-            source,
-            beam,
-            values,
-            runs_without_rotary_inertia(),
-        ));
+        let runs = runs_without_rotary_inertia();
+        cases.push(bending_case(CHAPTER, name, source, beam, values, runs));
     }
     let beam = Uniform::new(0.02, Some(5.2)).with_tip(1.3, 0.02, 0.0224);
     cases.push(bending_case(
@@ -111,13 +104,17 @@ pub(super) fn cases() -> Vec<Case> {
         "1.33615395 10.9082116 27.3074008 58.6488251",
         runs(),
     ));
-    for (r, [mu, j, eps], d, values) in BESIDE {
-        let beam = Uniform::new(r, None).with_tip(mu, j, eps).with_offset(d);
-        let name = format!("r = {r}, μ = {mu}, j = {j}, ε = {eps}, d = {d}");
-        let runs = runs_without_rotary_inertia();
-        let mut case = bending_case(CHAPTER, name, BESIDE_SOURCE, beam, "", runs);
-        case.expected = Expected::lowest(values);
-        cases.push(case);
-    }
+    cases.extend(BESIDE.map(beside));
     cases
+}
+
+/// A tip mass beside the axis, which couples the motions.
+fn beside((r, [mu, j, eps], d, values): (f64, [f64; 3], f64, &str)) -> Case {
+    let beam = Uniform::new(r, None).with_tip(mu, j, eps).with_offset(d);
+    let name = format!("r = {r}, μ = {mu}, j = {j}, ε = {eps}, d = {d}");
+    let runs = runs_without_rotary_inertia();
+    Case {
+        expected: Expected::lowest(values),
+        ..bending_case(CHAPTER, name, BESIDE_SOURCE, beam, "", runs)
+    }
 }

@@ -89,13 +89,7 @@ pub fn monopile() -> TowerDescription {
         outfitting_factor: 1.03,
         rna: eccentric_machine(),
         point_masses: vec![transformer()],
-        foundation: Foundation::Springs(FoundationSprings {
-            lateral_n_per_m: 8e8,
-            rocking_n_m: 6e9,
-            coupling_n: -5e8,
-            vertical_n_per_m: 2e9,
-            torsion_n_m: 5e9,
-        }),
+        foundation: Foundation::Springs(pile_tip()),
         soil: soil_with_a_firm_layer(),
         water: Some(Water {
             level_m: 0.0,
@@ -126,6 +120,16 @@ fn transformer() -> PointMass {
             xy: 5e4,
             ..Inertia::default()
         },
+    }
+}
+
+fn pile_tip() -> FoundationSprings {
+    FoundationSprings {
+        lateral_n_per_m: 8e8,
+        rocking_n_m: 6e9,
+        coupling_n: -5e8,
+        vertical_n_per_m: 2e9,
+        torsion_n_m: 5e9,
     }
 }
 

@@ -4,17 +4,17 @@
 use towermodes_analysis::Verdict;
 use towermodes_analysis::resonance::{BEYOND_OPERATION, Campbell, StiffnessClass};
 
-/// So many tower modes are shown even if they are above the excitations …
+/// The number of tower modes that are shown even if they are above the excitations …
 const TOWER_MODES: usize = 5;
-/// … up to so many times the highest excitation in operation.
+/// … up to this multiple of the highest excitation in operation.
 const WORTH: f64 = 2.0;
-/// Pairs that fail or warn are shown up to so many times the highest excitation.
+/// Pairs that fail or warn are shown up to this multiple of the highest excitation.
 const FAR: f64 = 6.0;
-/// The diagram ends so much above its highest line.
+/// The diagram ends at this multiple of its highest line.
 const ABOVE: f64 = 1.06;
-/// The main field ends so much above the first bending modes …
+/// The main field ends at this multiple of the first bending modes …
 const ABOVE_FIRST: f64 = 1.3;
-/// … and so much above the end of the ray of the blade passing frequency.
+/// … and at this multiple of the end of the ray of the blade passing frequency.
 const ABOVE_RAY: f64 = 1.03;
 /// Higher modes get the upper field if they would take more than this fraction of the height.
 const SQUEEZED: f64 = 1.35;

@@ -19,7 +19,7 @@ use crate::wording::speed_range;
 const BELOW: f64 = 46.0;
 /// Below the legend.
 const FOOT: f64 = 6.0;
-/// About so many numbers along the axis of the upper field.
+/// The approximate number of numbers along the axis of the upper field.
 const UPPER_TICKS: usize = 4;
 
 pub(super) fn drawing(campbell: &Campbell, shown: &Shown) -> Drawing {

@@ -20,7 +20,7 @@ const UPPER: [f64; 2] = [130.0, 240.0];
 const BETWEEN: f64 = 14.0;
 /// Above the fields: the operating speeds, and excitations that end there.
 const TOP: f64 = 52.0;
-/// About so many numbers along an axis.
+/// The approximate number of numbers along an axis.
 pub(super) const TICKS: usize = 8;
 /// Size of the texts beside the fields.
 pub(super) const SIZE: f64 = 11.0;
@@ -62,7 +62,7 @@ impl<'a> Layout<'a> {
             0,
             shown,
         );
-        // What the labels say does not depend on where they are.
+        // The texts of the labels do not depend on their places.
         let widths = labels.iter().map(|labels| {
             end_labels::column_width(&end_labels(campbell, labels, shown, &somewhere))
         });

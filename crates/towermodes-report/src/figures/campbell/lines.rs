@@ -74,7 +74,7 @@ impl Group {
     }
 }
 
-/// Chooses what is drawn.
+/// Chooses the drawn lines and excitations.
 pub(super) fn shown(campbell: &Campbell) -> Shown {
     let last_rpm = last_rpm(campbell);
     let multiples: Vec<usize> = campbell

@@ -131,7 +131,7 @@ fn apart(pairs: impl Iterator<Item = Cluster>) -> Vec<Cluster> {
     let mut clusters: Vec<Cluster> = Vec::new();
     for pair in pairs {
         let mut joined = pair;
-        // What a joined one touches joins too; each time there is one less.
+        // A joined mark may touch others, which are joined too.
         while let Some(index) = clusters.iter().position(|c| c.touches(&joined)) {
             joined = clusters.swap_remove(index).with(joined);
         }

@@ -18,7 +18,7 @@ const HALF_SPACE: f64 = 0.12;
 /// Where moorings end, as a fraction of the tower's height to the side.
 const ANCHORS: f64 = 0.45;
 
-/// The bodies of a foundation; a clamped base stands on the ground alone.
+/// The bodies of a foundation; none for a clamped base.
 pub(super) fn foundation(description: &TowerDescription, tower: &Tower) -> Vec<Body> {
     match &description.foundation {
         Foundation::Clamped => Vec::new(),

@@ -19,8 +19,8 @@ const HALF_SIDE: f64 = 0.22;
 const MOST_MASSES: usize = 40;
 /// More sets of wires than this are not drawn.
 const MOST_WIRES: usize = 12;
-/// Radius of the lightest mass and what the heaviest has in addition, as fractions of the tower's
-/// height.
+/// Radius of the lightest mass and the additional radius of the heaviest, as fractions of the
+/// tower's height.
 const MASS: [f64; 2] = [0.008, 0.012];
 /// Larger heights or distances are not drawn, in heights of the tower.
 const FAR: f64 = 4.0;

@@ -7,7 +7,7 @@ use super::body::{Body, Form, Substance};
 /// Number of corners that represent a circle.
 const CORNERS: usize = 24;
 
-/// A block around the tower's axis that stands still, `half_m` to each side, from one height to
+/// A block around the tower's axis that does not move, `half_m` to each side, from one height to
 /// another.
 pub(super) fn block(of: Substance, half_m: f64, [low_m, high_m]: [f64; 2]) -> Body {
     let sides = [-half_m, half_m];
@@ -49,7 +49,7 @@ pub(super) fn ball(follows_m: f64, center: [f64; 3], radius_m: f64) -> Body {
     }
 }
 
-/// From a point that follows the tower's axis at a height to one that stands still.
+/// From a point that follows the tower's axis at a height to one that does not move.
 pub(super) fn link(follows_m: f64, form: Form, ends: [[f64; 3]; 2]) -> Body {
     Body {
         follows_m: Some(follows_m),

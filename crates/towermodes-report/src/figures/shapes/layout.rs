@@ -106,7 +106,7 @@ pub(super) fn rows(panels: &[Panel], column: [f64; 2]) -> Vec<&[Panel]> {
     panels.chunks(size.unwrap_or(1)).collect()
 }
 
-/// The height of a sheet with so many rows.
+/// The height of a sheet with a number of rows.
 pub(super) fn sheet_height(rows: usize) -> f64 {
     match rows {
         0 | 1 => HEIGHT,
@@ -128,7 +128,7 @@ pub(super) fn strips<'a>(rows: &[&'a [Panel]], height: f64, column: [f64; 2]) ->
     (0..count).map(strip).collect()
 }
 
-/// Each panel has what it needs, and all share what remains.
+/// Each panel has the width that it needs, and all share the remaining width.
 fn placed(row: &[Panel], from: f64) -> Vec<Placed<'_>> {
     let room = RIGHT - from - GAP * row.len().saturating_sub(1) as f64;
     let needed: f64 = row.iter().map(needed_width).sum();

@@ -70,7 +70,7 @@ fn rows(mode: &Mode, chosen: &[usize]) -> Vec<Vec<String>> {
                 part.name().to_owned(),
             ];
             let points = chosen.iter().map(|index| mode.shape.get(*index));
-            // What is nothing beside the largest, 1, is zero; a rotation per metre has no largest.
+            // Values far below the largest, 1, are zero; a rotation per metre has no such scale.
             let is_share = mode.family != Family::Coupled || *part != Part::RotationZ;
             let value = |value: f64| {
                 if is_share && value.abs() < 5e-4 {

@@ -6,7 +6,7 @@ use super::view::View;
 use crate::figures::outline::{Shell, is_nominal, shells};
 use crate::svg::{Colour, Dash, Drawing, Stroke};
 
-/// More shells than this are drawn as so many: they would be thinner than a pixel.
+/// The largest number of drawn shells: more would be thinner than a pixel.
 const MOST_SHELLS: usize = 1000;
 /// More lines across the tower than this would be a grey surface.
 const MOST_BORDERS: usize = 80;
@@ -37,22 +37,31 @@ pub(super) fn draw_body(
         draw_axis(drawing, view, tower);
         return;
     }
-    let inner = surface(|end| end.2);
-    drawing.polygon(&inner, Colour::Paper, None);
+    draw_inside(drawing, view, &surface(|end| end.2), flooded_to_m);
+    draw_borders(drawing, view, &shells);
+    draw_axis(drawing, view, tower);
+}
+
+/// The inside of the wall, with water up to a height, m.
+fn draw_inside(
+    drawing: &mut Drawing,
+    view: &View,
+    inner: &[(f64, f64)],
+    flooded_to_m: Option<f64>,
+) {
+    drawing.polygon(inner, Colour::Paper, None);
     if let Some(level_m) = flooded_to_m {
         let level = view.y(level_m);
         let (left, right) = (view.frame.left, view.frame.right);
         let size = (right - left, (view.frame.bottom - level).max(0.0));
         drawing.clipped("flooded", (left, level), size, |drawing| {
-            drawing.polygon(&inner, Colour::Water, None);
+            drawing.polygon(inner, Colour::Water, None);
         });
     }
     let fine = Stroke::new(Colour::Ink, 0.6);
     let (right, left) = inner.split_at(inner.len() / 2);
     drawing.polyline(right, &fine);
     drawing.polyline(left, &fine);
-    draw_borders(drawing, view, &shells);
-    draw_axis(drawing, view, tower);
 }
 
 fn draw_axis(drawing: &mut Drawing, view: &View, tower: &Tower) {

@@ -8,10 +8,11 @@ const TEXT: f64 = 11.0;
 /// From line to line.
 const GAP: f64 = 15.0;
 
-/// What a callout is about, which says what is left out first where there is no room.
+/// The subject of a callout, which determines the order in which callouts are left out where there
+/// is no room.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Subject {
-    /// What there are few of: stays.
+    /// A single part of the tower: never left out if possible.
     Whole,
     /// A point mass: some stay, evenly chosen.
     Mass,
@@ -19,18 +20,18 @@ pub(super) enum Subject {
     Station,
 }
 
-/// Lines of text and where the thing is that they are about.
+/// Lines of text and the place of their subject.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Callout {
     /// The place on the sheet.
     pub at: (f64, f64),
     /// The text.
     pub lines: Vec<String>,
-    /// What it is about.
+    /// Its subject.
     pub subject: Subject,
 }
 
-/// The column that they stand in.
+/// The column of the texts.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Column {
     /// Where lines to things leave the drawing.
@@ -43,7 +44,7 @@ pub(super) struct Column {
     pub range: [f64; 2],
 }
 
-/// What there was no room for: how many callouts of whole subjects, of masses and of stations.
+/// The numbers of callouts without room: of single parts, of masses and of stations.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) struct LeftOut([usize; 3]);
 
@@ -76,7 +77,7 @@ impl LeftOut {
     }
 }
 
-/// Writes those that there is room for. Gives what was left out.
+/// Draws the callouts that there is room for. Returns the numbers of the others.
 pub(super) fn draw_callouts(
     drawing: &mut Drawing,
     column: &Column,
@@ -90,35 +91,39 @@ pub(super) fn draw_callouts(
     let mut callouts = fitting(&wrapped, room);
     let left_out = LeftOut::new(&wrapped, &callouts);
     callouts.sort_by(|a, b| a.at.1.total_cmp(&b.at.1));
-    // Lines of one callout have equal places, whose order is kept; the first must not rise above
-    // what it is about more than the last sinks.
+    // Lines of one callout have equal places, whose order is kept, and move up and down equally.
     let places: Vec<f64> = callouts
         .iter()
         .flat_map(|callout| callout.lines.iter().map(|_| callout.at.1 + 0.35 * TEXT))
         .collect();
     let range = [column.range[0] + TEXT, column.range[1] - 3.0];
-    let mut places = spread(&places, GAP, range).into_iter();
-    let style = TextStyle::new(TEXT);
-    let leader = Stroke::new(Colour::Muted, 0.7);
+    let mut places = &spread(&places, GAP, range)[..];
     for callout in &callouts {
-        let (x, y) = callout.at;
-        let mut ends = Vec::new();
-        for line in &callout.lines {
-            let place = places.next().unwrap_or(y);
-            drawing.text((column.left, place), line, &style);
-            ends.push(place - 0.35 * TEXT);
-        }
-        let Some((first, last)) = ends.first().zip(ends.last()) else {
-            continue;
-        };
-        let end = (column.left - 5.0, 0.5 * (first + last));
-        drawing.polyline(&[(x, y), (column.elbow_x.max(x), y), end], &leader);
-        if ends.len() > 1 {
-            let bracket = [(end.0, first - 4.0), (end.0, last + 4.0)];
-            drawing.polyline(&bracket, &leader);
-        }
+        let (own, others) = places.split_at(callout.lines.len());
+        draw_callout(drawing, column, callout, own);
+        places = others;
     }
     left_out
+}
+
+/// Writes the lines of a callout at their places and draws the leader to its subject.
+fn draw_callout(drawing: &mut Drawing, column: &Column, callout: &Callout, places: &[f64]) {
+    let style = TextStyle::new(TEXT);
+    for (line, place) in callout.lines.iter().zip(places) {
+        drawing.text((column.left, *place), line, &style);
+    }
+    let Some((first, last)) = places.first().zip(places.last()) else {
+        return;
+    };
+    let (first, last) = (first - 0.35 * TEXT, last - 0.35 * TEXT);
+    let (x, y) = callout.at;
+    let leader = Stroke::new(Colour::Muted, 0.7);
+    let end = (column.left - 5.0, 0.5 * (first + last));
+    drawing.polyline(&[(x, y), (column.elbow_x.max(x), y), end], &leader);
+    if places.len() > 1 {
+        let bracket = [(end.0, first - 4.0), (end.0, last + 4.0)];
+        drawing.polyline(&bracket, &leader);
+    }
 }
 
 /// The callout with lines that are too long for the column broken between words.
@@ -143,8 +148,8 @@ fn wrapped(callout: &Callout, column: &Column) -> Callout {
     }
 }
 
-/// As many as fill so many lines, whole subjects first, then masses up to half of what remains,
-/// then stations.
+/// The callouts that fit into `room` lines: single parts first, then masses in up to half of the
+/// remaining lines, then stations.
 fn fitting(callouts: &[Callout], room: usize) -> Vec<Callout> {
     let lines = |callouts: &[Callout]| callouts.iter().map(|c| c.lines.len()).sum::<usize>();
     let of = |subject: Subject| -> Vec<Callout> {

@@ -18,7 +18,7 @@ pub(super) fn below(foundation: &Foundation) -> f64 {
     }
 }
 
-/// Draws what holds the base, unless it floats.
+/// Draws the foundation at the base, except for a floating platform.
 pub(super) fn draw_foundation(
     drawing: &mut Drawing,
     view: &View,

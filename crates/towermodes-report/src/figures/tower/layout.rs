@@ -20,10 +20,10 @@ const MARGINS: [f64; 2] = [12.0, 34.0];
 const WIDEST: f64 = 120.0;
 /// Numbers along the axis of heights.
 pub(super) const TICKS: usize = 8;
-/// What is farther from the tower than this share of its height is not drawn.
+/// Parts farther from the tower than this fraction of its height are not drawn.
 const NEAR: f64 = 1.0;
 
-/// A sheet for a tower: what is where, and how high it is.
+/// The view of a tower on a sheet, and the height of the sheet.
 pub(super) fn sheet(description: &TowerDescription, tower: &Tower) -> (View, f64) {
     let (low_m, high_m) = extent_m(description, tower);
     let above = if !tower.rna().is_absent() {
@@ -57,7 +57,7 @@ pub(super) fn sheet(description: &TowerDescription, tower: &Tower) -> (View, f64
     (View::new(tower, frame, axis_x, scale, WIDEST), height)
 }
 
-/// The lowest and the highest height that must be seen, m: of the tower and of what is near it.
+/// The lowest and the highest height in the picture, m: of the tower and of parts near it.
 fn extent_m(description: &TowerDescription, tower: &Tower) -> (f64, f64) {
     let (base_m, top_m) = (tower.base_m(), tower.top_m());
     let most_m = top_m + NEAR * tower.height_m();

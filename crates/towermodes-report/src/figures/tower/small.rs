@@ -10,7 +10,7 @@ use crate::svg::{Axes, Colour, Drawing, Frame};
 const RNA_SCALE: f64 = 0.6;
 /// Room above the tower without an RNA.
 const ABOVE: f64 = 14.0;
-/// Room below the water that a tower floats in.
+/// Room below the water of a floating tower.
 const BELOW_FLOATING: f64 = 36.0;
 /// Water deeper below the base than this share of the tower's height is not shown.
 const NEAR: f64 = 0.5;
@@ -20,14 +20,14 @@ const NEAR: f64 = 0.5;
 pub(in crate::figures) struct Level {
     /// The height, m.
     pub height_m: f64,
-    /// What is there.
+    /// Its name.
     pub name: &'static str,
     /// Its colour.
     pub colour: Colour,
 }
 
-/// A view of the small tower in a column: from below its base to its RNA; tubes at most
-/// so many pixels wide.
+/// A view of the small tower in a column: from below its base to its RNA; the widest tube has at
+/// most `widest` pixels.
 pub(in crate::figures) fn small_view(
     frame: Frame,
     (description, tower): (&TowerDescription, &Tower),

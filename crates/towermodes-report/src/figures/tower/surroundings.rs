@@ -19,7 +19,7 @@ const SPRING: f64 = 34.0;
 const BASE: f64 = 15.0;
 /// From spring to spring.
 const SPRING_GAP: f64 = 22.0;
-/// At most so many layers of soil are hatched.
+/// The largest number of hatched layers of soil.
 const MOST_LAYERS: usize = 12;
 
 /// The height of the ground around the tower, m, if there is any: the seabed, or the surface of the
@@ -35,7 +35,7 @@ pub(in crate::figures) fn ground_m(description: &TowerDescription, tower: &Tower
     }
 }
 
-/// The height of the water's surface, m: around the tower, or that which its platform floats in.
+/// The height of the water surface, m: around the tower or its floating platform.
 pub(in crate::figures) fn water_m(description: &TowerDescription) -> Option<f64> {
     let around_m = description.water.map(|water| water.level_m);
     around_m.or_else(|| platform(description).and_then(surface_m))

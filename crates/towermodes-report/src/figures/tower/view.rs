@@ -96,7 +96,7 @@ impl View {
     }
 }
 
-/// How many times wider tubes are drawn whose widest would be so many pixels.
+/// The factor on the widths of tubes whose widest would have `width` pixels.
 fn diameter_factor(width: f64, widest: f64) -> f64 {
     let [low, high] = READABLE;
     if width < low {
@@ -158,7 +158,7 @@ mod tests {
         };
         // 0.03 m at 5 pixels a metre are 0.15 pixels; 20 times are 3.
         assert_eq!(wall_factor(&[shell(6.0, 0.03)], 5.0, 1.0), 20.0);
-        // A solid rod stays what it is.
+        // A solid rod keeps its diameter.
         assert_eq!(wall_factor(&[shell(1.0, 0.5)], 5.0, 5.0), 5.0);
         // The thin end of a mast allows no more than 0.45 · 0.05/0.01 = 2.25.
         let shells = [shell(6.0, 0.03), shell(0.1, 0.01)];

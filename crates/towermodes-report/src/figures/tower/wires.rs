@@ -41,7 +41,7 @@ impl Drawn {
         }
     }
 
-    /// How much of it is in the picture, as a share of its length.
+    /// The fraction of its length that is in the picture.
     fn share(&self, view: &View) -> f64 {
         let room = view.frame.right - self.start.0;
         if self.anchor.0 <= room {

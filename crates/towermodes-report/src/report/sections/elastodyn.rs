@@ -46,7 +46,7 @@ pub(super) fn blocks(content: &ReportContent) -> Vec<Block> {
     blocks
 }
 
-/// What the coefficients are and how they are made.
+/// The meaning of the coefficients, and how they are computed.
 fn introduction(content: &ReportContent) -> String {
     format!(
         "ElastoDyn describes the tower from {} m to {} m by two mode shapes in each plane: polynomials of degree 2 to 6 in the normalised \

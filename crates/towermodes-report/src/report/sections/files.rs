@@ -10,6 +10,10 @@ pub(super) fn blocks(content: &ReportContent) -> Vec<Block> {
         "These are the files that the input was read from, so that the report can be checked and reproduced without other documents. Their \
          sizes and checksums are in the section on reproduction; a text saved from here has the same checksum unless a difference is stated.",
     )];
-    blocks.extend(embedded(&content.files).into_iter().map(Block::File));
+    blocks.extend(
+        embedded(&content.circumstances.files)
+            .into_iter()
+            .map(Block::File),
+    );
     blocks
 }

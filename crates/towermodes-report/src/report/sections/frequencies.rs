@@ -60,7 +60,7 @@ fn buckling(content: &ReportContent) -> Vec<Block> {
     vec![Block::Heading("Buckling".to_owned()), paragraph(text)]
 }
 
-/// What the total mass includes.
+/// The masses that the total includes.
 fn total(content: &ReportContent) -> String {
     let d = &content.description;
     let platform_water = match &d.foundation {
@@ -118,7 +118,7 @@ pub(super) fn hinges(method: Method, options: &Options) -> String {
     )
 }
 
-/// How the errors are estimated or bounded, and what they do not include.
+/// The estimates and bounds of the errors, and their limits.
 fn errors(solution: &Solution) -> String {
     let discretization = if solution.method == Method::Spectral {
         "The discretization error is estimated from the change of the frequency from one polynomial degree, or from one element length, to \

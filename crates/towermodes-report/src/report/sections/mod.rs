@@ -23,7 +23,7 @@ use crate::svg::Figure;
 /// The whole report: the results that decide, then what they are based on, and at the end the
 /// details for a checker.
 pub(super) fn document(content: &ReportContent) -> Document {
-    let title_block = content.title_block.given().into_iter();
+    let title_block = content.circumstances.title_block.given().into_iter();
     let document = Document {
         title: content.heading(),
         title_block: title_block

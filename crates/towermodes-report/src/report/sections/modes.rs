@@ -5,7 +5,7 @@ use super::super::document::Block;
 use super::{paragraph, picture};
 use crate::figures;
 
-/// At most so many modes are animated, so that a page is not megabytes.
+/// The largest number of animated modes, so that a page does not have megabytes.
 const MOST_ANIMATED: usize = 100;
 
 pub(super) fn blocks(content: &ReportContent) -> Vec<Block> {

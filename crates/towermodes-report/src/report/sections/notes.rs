@@ -7,11 +7,11 @@ use super::paragraph;
 pub(super) fn blocks(content: &ReportContent) -> Vec<Block> {
     let mut blocks = Vec::new();
     let warnings = &content.solution.warnings;
-    if !content.notes.is_empty() {
+    if !content.circumstances.notes.is_empty() {
         blocks.push(paragraph(
             "Notes of the reader: what was assumed, left out or could not be imported:",
         ));
-        blocks.push(Block::List(content.notes.clone()));
+        blocks.push(Block::List(content.circumstances.notes.clone()));
     }
     if !warnings.is_empty() {
         blocks.push(paragraph(

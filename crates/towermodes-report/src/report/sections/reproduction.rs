@@ -1,4 +1,4 @@
-//! What is needed to produce the same report again.
+//! The data that reproduce the report: version, command, files.
 
 use super::super::content::{InputFile, ReportContent};
 use super::super::document::Block;
@@ -18,16 +18,16 @@ pub(super) fn blocks(content: &ReportContent) -> Vec<Block> {
         "Files read, with the SHA-256 of their bytes",
         ["file", "#bytes", "SHA-256"],
     );
-    for file in &content.files {
+    for file in &content.circumstances.files {
         files.push([name(file), file.bytes.to_string(), file.sha256.clone()]);
     }
     vec![
         paragraph(format!(
             "Produced by towermodes {}. The same version, command and files give the same report byte by byte: it contains nothing random and no \
              date except that of --date.",
-            content.version
+            content.circumstances.version
         )),
-        Block::Code(content.command_line.clone()),
+        Block::Code(content.circumstances.command_line.clone()),
         table(files),
     ]
 }

@@ -42,7 +42,7 @@ pub(super) fn blocks(content: &ReportContent) -> Vec<Block> {
 }
 
 fn without_rotor(content: &ReportContent) -> Vec<Block> {
-    let how = if content.is_own_format {
+    let how = if content.circumstances.is_own_format {
         "The input has no [rotor], so resonance is not checked. With these lines in the tower file, or with --rpm LOWEST,HIGHEST for one \
          report, this section contains the Campbell diagram and the margin of each excitation:"
     } else {

@@ -12,7 +12,11 @@ use crate::wording::{completeness, counted, verdict_counts};
 
 pub(super) fn blocks(content: &ReportContent) -> Vec<Block> {
     let mut blocks = Vec::new();
-    let missing = content.model_notes.iter().map(|note| missing_part(note));
+    let missing = content
+        .circumstances
+        .model_notes
+        .iter()
+        .map(|note| missing_part(note));
     let missing: Vec<Statement> = missing.collect();
     if !missing.is_empty() {
         blocks.push(Block::Statements(missing));
@@ -74,7 +78,10 @@ fn resonance(content: &ReportContent) -> Statement {
 
 /// What limits the conclusion, where parts are missing that would change it.
 fn caveat(content: &ReportContent) -> &'static str {
-    match (has_rna(content), content.model_notes.is_empty()) {
+    match (
+        has_rna(content),
+        content.circumstances.model_notes.is_empty(),
+    ) {
         (false, _) => {
             "The model has no rotor-nacelle assembly: the class and the margins are not those of the turbine. "
         }
@@ -143,7 +150,7 @@ fn verification(content: &ReportContent) -> Statement {
     let largest = relative
         .filter(|error| error.is_finite())
         .fold(0.0, f64::max);
-    let messages = match content.notes.len() + solution.warnings.len() {
+    let messages = match content.circumstances.notes.len() + solution.warnings.len() {
         0 => "The computation gave no warnings.".to_owned(),
         count => format!(
             "The computation gave {}: see the section on these.",

@@ -7,7 +7,7 @@ use super::super::table::Table;
 use super::table;
 use crate::number::{given, length};
 
-/// At most so many layers of soil and tables of added mass are shown.
+/// The largest number of layers of soil and tables of added mass that are shown.
 const MOST_TABLES: usize = 20;
 
 pub(super) fn surroundings(description: &TowerDescription) -> Vec<Block> {
@@ -32,7 +32,7 @@ pub(super) fn surroundings(description: &TowerDescription) -> Vec<Block> {
         .collect()
 }
 
-/// ", 2 of 3 (clay)"; no number where there is one, no name where there is none.
+/// ", 2 of 3 (clay)"; without number if there is only one, without name if it has none.
 fn which(index: usize, count: usize, names: &[String]) -> String {
     let place = match count {
         1 => String::new(),

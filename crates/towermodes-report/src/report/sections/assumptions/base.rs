@@ -15,7 +15,7 @@ const MOTIONS: [&str; 6] = [
 ];
 const NONE: [[f64; 6]; 6] = [[0.0; 6]; 6];
 
-/// Stiffness and inertia of the foundation, and what they neglect.
+/// Stiffness and inertia of the foundation, and the effects they neglect.
 pub(super) fn foundation(content: &ReportContent) -> String {
     let description: &TowerDescription = &content.description;
     match &description.foundation {

@@ -1,4 +1,4 @@
-//! What the computation assumes and neglects for this tower and this solution.
+//! The assumptions of the computation for this tower and this solution.
 
 mod base;
 mod beam;
@@ -103,7 +103,7 @@ fn gravity(content: &ReportContent) -> String {
     }
 }
 
-/// The rotor-nacelle assembly, or what is in its place.
+/// The rotor-nacelle assembly, or the mass in its place.
 fn rna(content: &ReportContent) -> String {
     let tower = &content.tower;
     if !tower.rna().is_absent() {
@@ -111,7 +111,7 @@ fn rna(content: &ReportContent) -> String {
                 stiffness of the rotating rotor are neglected."
             .to_owned();
     }
-    let mut options = content.reading.split_whitespace();
+    let mut options = content.circumstances.reading.split_whitespace();
     let why = if options.any(|option| option == "--no-rna") {
         " (--no-rna)"
     } else {
@@ -159,7 +159,7 @@ fn surroundings(description: &TowerDescription) -> Vec<String> {
     points
 }
 
-/// What this input lacks, and what no beam model has.
+/// Effects that this input lacks, and effects that no beam model has.
 fn left_out(description: &TowerDescription) -> String {
     let has_water = description.water.is_some() || !description.added_mass.is_empty();
     let kinds = [

@@ -1,0 +1,148 @@
+//! The computation of a report: modes, resonance, methods compared.
+
+use thiserror::Error;
+use towermodes::{
+    BladeDescription, Options, Rotor, Solution, SolveError, Tower, TowerDescription, Workspace,
+    solve_certain,
+};
+use towermodes_analysis::resonance::{
+    Assessment, Campbell, CampbellError, CampbellOptions, assess, reach_hz, solve_to_reach,
+};
+use towermodes_analysis::study::{Comparison, compare_all_methods};
+
+use super::content::{Circumstances, ElastoDynShapes, ReportContent};
+
+/// The input of a report.
+#[derive(Debug, Clone)]
+pub struct ReportRequest {
+    /// The description of the tower.
+    pub description: TowerDescription,
+    /// The validated tower.
+    pub tower: Tower,
+    /// The options of the solution.
+    pub options: Options,
+    /// Whether more modes are solved until they cover the excitations of the rotor.
+    pub covers_excitations: bool,
+    /// The rotor; none if its speed is unknown.
+    pub rotor: Option<Rotor>,
+    /// One of its blades, if the input has it.
+    pub blade: Option<BladeDescription>,
+    /// The options of the resonance check.
+    pub campbell: CampbellOptions,
+    /// Number of segments of each method in the comparison of methods.
+    pub compared_segments: usize,
+    /// The shapes for ElastoDyn, or the reason why there are none.
+    pub elastodyn: Result<ElastoDynShapes, String>,
+    /// Height from which the shapes for ElastoDyn are taken, m.
+    pub shapes_from_m: f64,
+    /// The data that are not results; the remarks of the resonance check are added to its notes.
+    pub circumstances: Circumstances,
+    /// The notes on the shapes for ElastoDyn, which are the last ones.
+    pub notes_on_shapes: Vec<String>,
+}
+
+/// The long computations of a report. A program that reports their progress has its own.
+pub trait Computation {
+    /// Solves a tower.
+    ///
+    /// # Errors
+    /// As [`solve_certain`].
+    fn solve(&mut self, tower: &Tower, options: &Options) -> Result<Solution, SolveError> {
+        solve_certain(tower, options, &mut Workspace::default())
+    }
+
+    /// Compares all methods with a number of segments.
+    ///
+    /// # Errors
+    /// As [`compare_all_methods`].
+    fn compare(
+        &mut self,
+        tower: &Tower,
+        options: &Options,
+        segments: usize,
+    ) -> Result<Comparison, SolveError> {
+        let mut workspace = Workspace::default();
+        compare_all_methods(tower, options, segments, &mut workspace, |_, _| ())
+    }
+}
+
+/// The computations without reports of their progress.
+#[derive(Debug, Clone, Copy, Default)]
+pub struct SilentComputation;
+
+impl Computation for SilentComputation {}
+
+/// A report that cannot be computed.
+#[derive(Debug, Clone, PartialEq, Error)]
+#[non_exhaustive]
+pub enum ContentError {
+    /// The tower cannot be solved.
+    #[error(transparent)]
+    Solve(#[from] SolveError),
+    /// The rotor or its options are invalid.
+    #[error(transparent)]
+    Campbell(#[from] CampbellError),
+}
+
+impl ReportContent {
+    /// Computes the results of a report. The comparison of methods and the shapes for ElastoDyn may
+    /// be missing in it; then it gives the reason.
+    ///
+    /// # Errors
+    /// [`ContentError`]: the tower cannot be solved, or rotor or options are invalid.
+    pub fn compute(
+        mut request: ReportRequest,
+        computation: &mut impl Computation,
+    ) -> Result<Self, ContentError> {
+        let solution = solved(&mut request, computation)?;
+        let (campbell, remarks) = assessed(&request, &solution)?.unzip();
+        let mut circumstances = request.circumstances;
+        let remarks = remarks.into_iter().flatten();
+        let remarks = remarks.chain(request.notes_on_shapes);
+        circumstances.notes.extend(remarks);
+        let (tower, options) = (request.tower, request.options);
+        Ok(Self {
+            comparison: computation.compare(&tower, &options, request.compared_segments),
+            description: request.description,
+            tower,
+            options,
+            solution,
+            campbell: campbell.map(Ok),
+            elastodyn: request.elastodyn,
+            shapes_from_m: request.shapes_from_m,
+            circumstances,
+        })
+    }
+}
+
+/// Solves for the requested modes, and for more until they cover the excitations if requested; the
+/// options are set to the number of modes.
+fn solved(
+    request: &mut ReportRequest,
+    computation: &mut impl Computation,
+) -> Result<Solution, SolveError> {
+    let tower = &request.tower;
+    let mut solve = |options: &Options| computation.solve(tower, options);
+    match request.rotor.filter(|_| request.covers_excitations) {
+        Some(rotor) => {
+            let reach_hz = reach_hz(&rotor, &request.campbell);
+            solve_to_reach(&mut request.options, reach_hz, solve)
+        }
+        None => solve(&request.options),
+    }
+}
+
+/// The Campbell diagram with its remarks; none without a rotor.
+fn assessed(
+    request: &ReportRequest,
+    solution: &Solution,
+) -> Result<Option<(Campbell, Vec<String>)>, CampbellError> {
+    let Some(rotor) = &request.rotor else {
+        return Ok(None);
+    };
+    let blade = request.blade.as_ref();
+    let Assessment { campbell, remarks } =
+        assess(&request.tower, solution, blade, rotor, &request.campbell)?;
+    let remarks = remarks.iter().map(ToString::to_string).collect();
+    Ok(Some((campbell, remarks)))
+}
