@@ -1,4 +1,4 @@
-//! Questions asked of the natural modes of wind turbine towers.
+//! Analyses based on the natural modes of wind turbine towers.
 //!
 //! Every answer is computed from towers and their solutions alone. This crate reads no files and
 //! prints nothing, so a program, a report and a web page ask the same questions in the same way.

@@ -282,7 +282,7 @@ fn classes_have_names() {
     let met = Coincident { multiple: 3 };
     let names = [SoftSoft, SoftStiff, StiffStiff, met].map(StiffnessClass::name);
     assert_eq!(names, ["soft-soft", "soft-stiff", "stiff-stiff", "met"]);
-    assert_eq!(met.to_string(), "coincides with 3P in operation");
+    assert_eq!(met.to_string(), "crossed by 3P in operation");
     assert_eq!(SoftStiff.to_string(), "soft-stiff");
 }
 
@@ -530,7 +530,7 @@ fn a_healthy_tower_is_said_to_be_so_first() {
     assert_eq!(
         conclusion[0],
         "The first bending frequencies, 0.2600 Hz (side-side) and 0.2700 Hz (fore-aft), lie between 1P (up to 0.2017 Hz) and 3P (from \
-         0.3450 Hz) with margins of at least 22.4 %: soft-stiff."
+         0.3450 Hz) at a distance of at least 22.4 %: soft-stiff."
     );
     assert_eq!(conclusion[1], "No warnings.");
     // The list of this tower ends after two modes, and 9P may meet others up to 9 · 12.1/60/0.95
@@ -543,21 +543,21 @@ fn a_healthy_tower_is_said_to_be_so_first() {
     assert_eq!(conclusion.len(), 3);
 }
 
-/// 9P meets 1.5 Hz at 10 rpm: a minor warning, which stands after the class.
+/// 9P crosses 1.5 Hz at 10 rpm: a warning after the class.
 #[test]
-fn a_weak_excitation_is_a_minor_warning() {
+fn a_weak_excitation_is_a_warning_of_other_multiples() {
     let conclusion = said([0.27, 1.5], NREL);
     assert!(
         conclusion[0]
             .starts_with("The first fore-aft bending frequency, 0.2700 Hz, lies between 1P")
     );
-    assert!(conclusion[0].ends_with(" with margins of at least 25.3 %: soft-stiff."));
+    assert!(conclusion[0].ends_with(" at a distance of at least 25.3 %: soft-stiff."));
     assert_eq!(
         conclusion[1],
-        "The first side-side bending frequency, 1.500 Hz, lies above 3P (up to 0.6050 Hz) with margins of at least 59.7 %: stiff-stiff."
+        "The first side-side bending frequency, 1.500 Hz, lies above 3P (up to 0.6050 Hz) at a distance of at least 59.7 %: stiff-stiff."
     );
-    let minor = "1 minor warning: 9P with 1st side-side bending (crossing at 10 rpm).";
-    assert_eq!(conclusion[2], minor);
+    let other = "1 warning (other multiples, blade modes): 9P with 1st side-side bending (crossing at 10 rpm).";
+    assert_eq!(conclusion[2], other);
 }
 
 /// 0.345/0.33 − 1 is 4.5 %, less than the required 5 %; 0.345/0.32 − 1 is 7.8 %, less than twice
@@ -567,7 +567,7 @@ fn what_fails_is_said_before_what_is_near() {
     let conclusion = said([0.33, 0.32], NREL);
     assert!(
         conclusion[0]
-            .ends_with(" with margins of only 4.5 %, less than the required 5 %: soft-stiff."),
+            .ends_with(" at a distance of only 4.5 %, less than the required 5 %: soft-stiff."),
         "{conclusion:?}"
     );
     assert_eq!(
@@ -576,7 +576,7 @@ fn what_fails_is_said_before_what_is_near() {
     );
     assert_eq!(
         conclusion[2],
-        "1 warning: 3P with 1st side-side bending (+7.8 % at 6.9 rpm)."
+        "1 warning (1P, 3P): 3P with 1st side-side bending (+7.8 % at 6.9 rpm)."
     );
 }
 
@@ -594,13 +594,14 @@ fn other_classes_are_said_with_what_bounds_them() {
     );
     let below = &said([0.1, 0.1], NREL)[0];
     assert!(
-        below
-            .ends_with("lie below 1P (from 0.1150 Hz) with margins of at least 15.0 %: soft-soft."),
+        below.ends_with(
+            "lie below 1P (from 0.1150 Hz) at a distance of at least 15.0 %: soft-soft."
+        ),
         "{below}"
     );
 }
 
-/// Of margins that were not asked for nothing is said.
+/// The sentence gives no distance from a multiple that was not requested.
 #[test]
 fn without_1p_the_class_has_no_margin() {
     let (tower, solution) = solved();
@@ -609,7 +610,7 @@ fn without_1p_the_class_has_no_margin() {
         ..CampbellOptions::default()
     };
     let mut diagram = campbell(&tower, &solution, None, &NREL, &options).expect("a diagram");
-    assert!(!diagram.conclusion()[0].contains("margin"));
+    assert!(!diagram.conclusion()[0].contains("distance"));
     diagram.classes.clear();
     let none = "The list has no first bending mode, so no design class is given.";
     assert_eq!(diagram.conclusion()[0], none);

@@ -135,7 +135,7 @@ impl Failure {
             Self::Unsolved(error)
             | Self::TowerFile(MakeError::Shapes(ShapesError::Solve(error)))
             | Self::Campbell(CampbellError::Blade { error, .. }) => hint(error)?,
-            Self::Tower(error) => error.problem.hint()?,
+            Self::Tower(error) => error.hint()?,
             Self::Unfit { .. } => "towermodes elastodyn patch replaces them by the computed shapes",
             Self::NoRotor {
                 format: FileFormat::Toml,

@@ -299,7 +299,9 @@ fn margins_are_said_as_they_were_given() {
             "{page}"
         );
         assert!(
-            page.contains(&format!("The required margin is {margin} %.")),
+            page.contains(&format!(
+                "The margin, the required distance, is {margin} %."
+            )),
             "{page}"
         );
     }

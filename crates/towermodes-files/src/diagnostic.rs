@@ -9,15 +9,15 @@ use towermodes::Problem;
 /// A mistake in a file: where, what, and what would be right.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Diagnostic {
-    /// What is wrong, with the numbers.
+    /// The problem, with its numbers.
     pub kind: DiagnosticKind,
     /// The bytes of the file that are wrong.
     pub span: Range<usize>,
-    /// What would be right.
+    /// A suggestion.
     pub hint: Option<String>,
 }
 
-/// What is wrong in a file. `Display` gives the sentence.
+/// A problem in a file. `Display` gives the sentence.
 ///
 /// `what` is the quantity or part of the file in the words of its format, such as `NacMass (mass,
 /// kg)` or `row 3 of the soil`.
@@ -354,7 +354,7 @@ impl Diagnostic {
         self
     }
 
-    /// What is wrong, as a sentence.
+    /// The problem as a sentence.
     pub fn message(&self) -> String {
         self.kind.to_string()
     }

@@ -1,4 +1,4 @@
-//! What a reader gives: the description of a tower or blade, and where each value stands.
+//! The result of a reader: the description of a tower or blade, and the place of each value.
 
 use towermodes::{Method, Place, Tower, TowerDescription};
 
@@ -26,7 +26,7 @@ pub enum FileFormat {
 }
 
 impl FileFormat {
-    /// What it is called.
+    /// Its name.
     pub fn name(self) -> &'static str {
         match self {
             Self::Toml => "TOML",
@@ -42,9 +42,9 @@ impl FileFormat {
 /// A tower as its files describe it, before the library has checked it.
 #[derive(Debug, Clone)]
 pub struct TowerInput {
-    /// What kind of file it is.
+    /// The format of the file.
     pub format: FileFormat,
-    /// What the files say; may be changed before it is checked.
+    /// The content of the files; may be changed before it is checked.
     pub description: TowerDescription,
     /// The element borders that the file prescribes for the finite elements of BModes, m in the
     /// datum of the stations; none if none.
@@ -53,14 +53,13 @@ pub struct TowerInput {
     pub method: Option<Method>,
     /// How many modes the file asks for, if it does.
     pub modes: Option<usize>,
-    /// How many blades the rotor has, if the files say so, which they may without saying how fast
-    /// it runs.
+    /// Number of blades, if the files give it; they may give it without the rotor speed.
     pub blades: Option<usize>,
     /// One of the rotor's blades at standstill, if the files have it.
     pub blade: Option<towermodes::BladeDescription>,
     /// Height of the joint between monopile and tower, m, if there is a monopile.
     pub joint_m: Option<f64>,
-    /// What the file prescribes for the layout of its results.
+    /// The layout of results that the file prescribes.
     pub layout: OutLayout,
     /// What the user should know.
     pub notes: Vec<Note>,
@@ -69,7 +68,7 @@ pub struct TowerInput {
     pub rotor_notes: RotorNotes,
     /// The files, the main one first.
     pub(crate) sources: Vec<Source>,
-    /// Where in them each value stands.
+    /// The places of the values in these files.
     pub(crate) places: Places,
 }
 
@@ -143,8 +142,7 @@ impl TowerInput {
         })
     }
 
-    /// The file and the line in it, from 1, where a value stands that is named by its place; none
-    /// if no file says it.
+    /// File and line (from 1) of a value; none if no file contains it.
     pub fn line_of(&self, place: Place) -> Option<(&str, usize)> {
         let (file, span) = self.places.own(place)?;
         let source = self.sources.get(*file)?;
@@ -163,7 +161,7 @@ impl TowerInput {
     }
 }
 
-/// What a BModes deck prescribes for the layout of its results.
+/// The layout of results that a BModes deck prescribes.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct OutLayout {
     /// What deflections are divided by, m: the radius with the draft; none if nothing is
@@ -180,22 +178,22 @@ pub struct OutLayout {
 pub struct ReadOptions {
     /// Whether a BModes deck is understood as BModes 3.00 does, its faults included.
     pub bmodes_quirks: bool,
-    /// Height of the tower's top above ground or sea level, m: for files that do not say it.
+    /// Height of the tower's top above ground or sea level, m, for files that do not give it.
     pub tower_height_m: Option<f64>,
-    /// Height of the tower's base above ground or sea level, m: for files that do not say it; 0
-    /// unless told.
+    /// Height of the tower's base above ground or sea level, m, for files that do not give it;
+    /// default 0.
     pub tower_base_m: Option<f64>,
-    /// Whether the rotor-nacelle assembly is left out; files that only say what it is need not be
-    /// there then.
+    /// Whether the rotor-nacelle assembly is omitted; then files that only describe it need not
+    /// exist.
     pub without_rna: bool,
     /// Which part of a turbine.
     pub part: TowerPart,
-    /// Which set and which subset in it of a structural file of HAWC2, by their numbers; the first
-    /// of the file unless told.
+    /// Which set and which subset in it of a structural file of HAWC2, by their numbers; by default
+    /// the first of the file.
     pub hawc2_subset: Option<(usize, usize)>,
     /// How the rotor of an ElastoDyn model is held on its shaft.
     pub rotor: RotorLock,
-    /// Whether gravity is left out, whatever the file says.
+    /// Whether gravity is omitted, even if the file contains it.
     pub without_gravity: bool,
 }
 
@@ -240,11 +238,11 @@ pub enum TowerPart {
 /// A blade as its files describe it.
 #[derive(Debug, Clone)]
 pub struct BladeInput {
-    /// What the files say.
+    /// The content of the files.
     pub description: towermodes::BladeDescription,
     /// How many modes the file asks for.
     pub modes: usize,
-    /// What the file prescribes for the layout of its results.
+    /// The layout of results that the file prescribes.
     pub layout: OutLayout,
     /// What the user should know.
     pub notes: Vec<Note>,

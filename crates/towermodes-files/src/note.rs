@@ -5,7 +5,7 @@ use std::fmt;
 use crate::diagnostic::line_and_column;
 use crate::source::Source;
 
-/// What a note is about.
+/// The kind of a note.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum NoteKind {
@@ -27,10 +27,10 @@ pub enum NoteKind {
     Suspicious,
 }
 
-/// What a reader or writer decided, left out or changed.
+/// An assumption, omission or change by a reader or writer.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Note {
-    /// What it is about.
+    /// Its kind.
     pub kind: NoteKind,
     /// The sentence, with the numbers.
     pub message: String,

@@ -1,4 +1,4 @@
-//! Where in its files each value of a tower came from.
+//! The places of the values of a tower in its files.
 
 use std::collections::HashMap;
 use std::ops::Range;
@@ -7,18 +7,19 @@ use towermodes::{Place, TowerError};
 
 use crate::diagnostic::{Diagnostic, DiagnosticKind};
 
-/// The key under which the span of a whole table is remembered, for values that it leaves out.
+/// The key under which the span of a whole table is remembered, for values that it does not
+/// contain.
 pub(crate) const TABLE: &str = "";
 
-/// Where each value of a tower stands: in which of its files, and there at which bytes.
+/// The place of each value of a tower: file and byte range.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub(crate) struct Places {
     spans: HashMap<Place, (usize, Range<usize>)>,
 }
 
 impl Places {
-    /// Remembers where a value stands: in a file, by its place among the tower's files from 0, at
-    /// these bytes.
+    /// Records the place of a value: index of the file among the files of the tower, from 0, and
+    /// byte range.
     pub(crate) fn remember(&mut self, place: Place, file: usize, span: Range<usize>) {
         self.spans.insert(place, (file, span));
     }
@@ -29,10 +30,7 @@ impl Places {
         let (file, span) = self.find(error.place);
         let diagnostic = Diagnostic::new(span, DiagnosticKind::Tower(error.problem.clone()));
         let of_toml = |hint: &&str| hint.contains(['[', '_', '"']) || hint.contains("datum");
-        let hint = error
-            .problem
-            .hint()
-            .filter(|hint| is_toml || !of_toml(hint));
+        let hint = error.hint().filter(|hint| is_toml || !of_toml(hint));
         // The file beside a tower file is the table of its stations, whose header has the units.
         let hint = match is_toml && file > 0 {
             true => Some("the unit is that of the column's header"),
@@ -45,13 +43,13 @@ impl Places {
         (file, diagnostic)
     }
 
-    /// Where a value stands; one that is left out at its table, or at the stations.
+    /// The place of a value; for a missing value that of its table, or of the stations.
     fn find(&self, place: Place) -> (usize, Range<usize>) {
         let found = self.own(place).or_else(|| self.spans.get(&Place::Stations));
         found.cloned().unwrap_or((0, 0..0))
     }
 
-    /// Where a value stands, or the table that leaves it out.
+    /// The place of a value, or of the table in which it is missing.
     pub(crate) fn own(&self, place: Place) -> Option<&(usize, Range<usize>)> {
         let places = [place, table_of(place)];
         places.iter().find_map(|place| self.spans.get(place))

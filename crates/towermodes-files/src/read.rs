@@ -20,7 +20,7 @@ use crate::windio::read_windio;
 /// The note where the rotor-nacelle assembly is to be left out and there is none.
 pub const NOTHING_LEFT_OUT: &str = "the file has no rotor-nacelle assembly: --no-rna has no effect";
 
-/// What a file describes.
+/// The object that a file describes.
 #[derive(Debug, Clone)]
 pub enum Input {
     /// A tower.

@@ -56,8 +56,10 @@ pub(crate) fn unknown_file(source: &Source) -> ReadError {
     let (found, hint) = match part_of(&source.text) {
         None if is_csv => (
             "a table, which does not describe a tower by itself".to_owned(),
-            "name it in a tower file: [tower] with stations = \"cans.csv\", and [material]"
-                .to_owned(),
+            format!(
+                "refer to it in a tower file (.toml): stations = {:?} in [tower]; the tower file also needs [material]",
+                source.name.rsplit(['/', '\\']).next().unwrap_or_default()
+            ),
         ),
         Some((part, whole)) => (
             format!("{part}, which does not describe a tower by itself"),

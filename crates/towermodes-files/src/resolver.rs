@@ -28,9 +28,9 @@ impl SiblingFiles {
         Self { folder }
     }
 
-    /// Where a file is that the main file calls `path`. Three places are tried: the path relative
-    /// to the folder of the main file; the file name alone in that folder, because decks are often
-    /// copied without their subfolders; the path relative to the current folder.
+    /// The location of the file that the main file refers to as `path`. Three places are tried: the
+    /// path relative to the folder of the main file; the file name alone in that folder, because
+    /// decks are often copied without their subfolders; the path relative to the current folder.
     pub fn path(&self, path: &str) -> PathBuf {
         let relative: PathBuf = path.split(['/', '\\']).collect();
         let relative = if path.starts_with('/') {

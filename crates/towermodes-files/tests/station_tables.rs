@@ -380,9 +380,9 @@ fn cans_that_do_not_join_are_refused_with_both_rows() {
         "40.05,70",
         (4, 1),
         &[
-            "begins at 40.05 m",
+            "the bottom of this can, 40.05 m",
             "0.05 m above",
-            "40 m in line 3",
+            "40 m (line 3)",
             "is a row missing?",
         ],
     );

@@ -104,8 +104,8 @@ pub(crate) fn four_digits(value: f64) -> String {
     digits(value, 4)
 }
 
-/// A value with at most so many significant digits and without zeros at its end, as labels of
-/// pictures have it.
+/// A value with at most this number of significant digits and without trailing zeros, for labels
+/// of pictures.
 pub(crate) fn short(value: f64, count: usize) -> String {
     let text = number::digits(value, count);
     let (mantissa, exponent) = text.split_at(text.find('e').unwrap_or(text.len()));

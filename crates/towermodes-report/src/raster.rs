@@ -16,7 +16,7 @@ pub enum RasterError {
     /// The scale is not a positive number.
     #[error("a scale of {scale} pixels a unit; it must be a number above 0")]
     Scale {
-        /// The scale asked for.
+        /// The requested scale.
         scale: f64,
     },
     /// The picture has too many pixels, or less than one.
@@ -29,7 +29,7 @@ pub enum RasterError {
         width: f64,
         /// The height of the drawing.
         height: f64,
-        /// The scale asked for.
+        /// The requested scale.
         scale: f64,
     },
     /// The drawing is not valid SVG: a defect of the program.

@@ -277,7 +277,10 @@ fn pairs_that_fail_are_marked_and_said() {
     assert!(says(&campbell, "margin not met: FAIL") && says(&campbell, "WARN"));
     let description = figures::campbell(&campbell).description;
     assert!(description.contains("FAIL: 3P with 1st fore-aft bending (+15.0 % at 6.9 rpm)."));
-    assert!(description.contains("1 warning: 3P with 2nd fore-aft bending (+15.0 % at 6.9 rpm)."));
+    assert!(
+        description
+            .contains("1 warning (1P, 3P): 3P with 2nd fore-aft bending (+15.0 % at 6.9 rpm).")
+    );
 }
 
 #[test]
@@ -499,7 +502,7 @@ fn differences_are_readable() {
     }
 }
 
-/// Every method is in the legend but the spectral beam, which is the measure.
+/// Every method is in the legend except the reference solution.
 #[test]
 fn methods_are_named_and_rounding_is_at_the_foot() {
     let mut study = comparison("nrel-5mw.toml", 3);
@@ -507,8 +510,8 @@ fn methods_are_named_and_rounding_is_at_the_foot() {
         let figure = figures::error(study);
         figure.labels().iter().any(|label| label.text == text)
     };
-    assert!(has(&study, "rmje-exact (20)") && has(&study, "bmodes (20)"));
-    let degree = study.columns[6].degree.expect("of the spectral beam");
+    assert!(has(&study, "rmje-exact (20 segments)") && has(&study, "bmodes (20 elements)"));
+    let degree = study.columns[6].degree.expect("of the reference solution");
     assert!(!has(&study, &format!("spectral (degree {degree})")));
     assert!(!has(&study, "< 10⁻¹²"));
     study.columns[0].frequencies_hz[1] = Some(study.modes[1].frequency_hz);

@@ -93,7 +93,7 @@ fn ranges_are_those_of_hand() {
     assert!(
         figure
             .description
-            .contains("the margin of 20 % natural frequencies must stay out of 0.1667 to 0.2500 and 0.5000 to 0.7500 Hz"),
+            .contains("the margin of 20 % natural frequencies must lie outside 0.1667 to 0.2500 and 0.5000 to 0.7500 Hz"),
         "{}",
         figure.description
     );

@@ -97,7 +97,7 @@ impl Run {
         run
     }
 
-    /// The spectral beam, converged to 1e-10.
+    /// The reference solution, converged to 1e-10.
     pub fn spectral() -> Self {
         Self {
             options: Options {

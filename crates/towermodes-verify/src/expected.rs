@@ -14,8 +14,8 @@ pub enum Digits {
 /// The quantity that a value belongs to.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Quantity {
-    /// The frequency of a mode by family and order in it, from 1; fore-aft stands for both members
-    /// of a pair where the planes are equal.
+    /// The frequency of a mode by family and order in it, from 1; fore-aft means both modes of a
+    /// pair if the planes are equal.
     Mode(Family, usize),
     /// The frequency of the mode at a place, from 1, in the list of all modes, for coupled motions,
     /// which belong to no single family.

@@ -16,13 +16,15 @@
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[cfg_attr(feature = "serde", serde(rename_all = "kebab-case"))]
 pub enum Method {
-    /// One joint at the elastic centre of each segment, exact section integrals.
+    /// One joint at the centre of flexibility of each segment; section properties integrated
+    /// exactly.
     #[default]
     RmjeExact,
     /// The element of Nikolić & Šalinić as published, with its misprints corrected: prismatic
     /// segments, joints at L/4 and L/2.
     Rmje,
-    /// Two hinges in each segment at the Gauss points of dz/EI, exact section integrals.
+    /// Two hinges in each segment at the Gauss points of dz/EI; section properties integrated
+    /// exactly.
     CardanicExact,
     /// The cardanic joint element after Zhao, Maißer & Wu: prismatic segments, two hinges at kL and
     /// (1−k)L.
@@ -63,17 +65,17 @@ impl Method {
         }
     }
 
-    /// What the method is, in one line: for help texts, tables and reports.
+    /// Description in one line, for help texts, tables and reports.
     pub fn description(self) -> &'static str {
         match self {
             Self::RmjeExact => {
-                "rigid segments with one joint at the elastic centre, exact section integrals"
+                "rigid segments with one joint at the centre of flexibility, sections integrated exactly"
             }
             Self::Rmje => {
                 "rigid multibody joint element as published (Nikolić & Šalinić), prismatic segments"
             }
             Self::CardanicExact => {
-                "rigid segments with two hinges at the Gauss points, exact section integrals"
+                "rigid segments with two hinges at the Gauss points, sections integrated exactly"
             }
             Self::Cardanic => {
                 "cardanic joint element (after Zhao, Maißer & Wu), prismatic segments"
@@ -90,7 +92,7 @@ impl Method {
         }
     }
 
-    /// What the method divides the tower into, `"segment"` (rigid bodies) or `"element"`
+    /// Name of the parts of the mesh, `"segment"` (rigid bodies) or `"element"`
     /// (flexible).
     pub fn unit(self) -> &'static str {
         match self {

@@ -13,7 +13,7 @@ const DIGITS: usize = 7;
 const ALL_DIGITS: usize = 17;
 
 /// Shows a number in a text: plainly where that is short, with an exponent where it is not, and
-/// never with more than seven significant digits. With a precision it shows so many digits after
+/// never with more than seven significant digits. A precision gives the number of digits after
 /// the point.
 ///
 /// # Example

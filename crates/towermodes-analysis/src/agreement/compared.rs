@@ -47,7 +47,7 @@ impl Compared {
         Self::on_scale(first, second, first, limit)
     }
 
-    /// Two values by their difference as a share of a scale.
+    /// Two values by their difference as a fraction of a scale.
     pub(super) fn on_scale(first: f64, second: f64, scale: f64, limit: f64) -> Self {
         let difference = if first == second {
             0.0

@@ -37,7 +37,7 @@ pub struct ComparedFrequency {
     pub verdict: Verdict,
 }
 
-/// The first two frequencies in each plane by the spectral beam, without modes that neither tower
+/// The first two frequencies in each plane by the method spectral, without modes that neither tower
 /// has.
 pub(super) fn frequencies(
     towers: [&Tower; 2],

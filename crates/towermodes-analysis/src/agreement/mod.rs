@@ -121,7 +121,7 @@ pub struct Agreement {
     pub rows: Vec<AgreementRow>,
     /// The first frequencies of the overlap, clamped, with its point masses only: Euler-Bernoulli
     /// beams without rotary inertia, shear deformation and gravity, because the files of some
-    /// programs have none of these.
+    /// programs do not contain these.
     pub frequencies_bare: Vec<ComparedFrequency>,
     /// The first frequencies of both whole towers as described, with rotor-nacelle assembly,
     /// foundation, surroundings, rotary inertia and shear deformation; empty if neither tower has a

@@ -30,7 +30,7 @@ pub enum RoundingError {
         "coefficients cannot have {decimals} decimals; the number must be from 1 to {MAX_DECIMALS}"
     )]
     Decimals {
-        /// The number asked for.
+        /// The requested number.
         decimals: u32,
     },
     /// A coefficient is not finite or far too large for a mode shape.

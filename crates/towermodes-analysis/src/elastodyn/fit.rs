@@ -185,7 +185,7 @@ fn largest(values: impl Iterator<Item = f64>) -> f64 {
     values.fold(0.0, |largest, value| value.abs().max(largest))
 }
 
-/// The part of the height that each sample stands for.
+/// The weights of the samples: the part of the height that belongs to each (trapezoidal rule).
 pub(super) fn trapezoidal(points: &[(f64, f64)]) -> Vec<f64> {
     let last = points.len() - 1;
     let weight = |i: usize| 0.5 * (points[(i + 1).min(last)].0 - points[i.saturating_sub(1)].0);

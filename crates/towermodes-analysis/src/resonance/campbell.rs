@@ -1,4 +1,5 @@
-//! The Campbell diagram: natural frequencies against the rotor speed, and their margins.
+//! The Campbell diagram: natural frequencies against the rotor speed, and their distances from
+//! the excitations.
 
 use thiserror::Error;
 
@@ -20,8 +21,7 @@ pub const BEYOND_OPERATION: f64 = 1.2;
 /// Options of a Campbell diagram.
 #[derive(Debug, Clone, PartialEq)]
 pub struct CampbellOptions {
-    /// The smallest relative distance |n Ω/f − 1| of an excitation from a natural frequency that
-    /// passes, above 0 and below 1.
+    /// The required distance |d| of an excitation from a natural frequency, above 0 and below 1.
     pub margin: f64,
     /// The multiples n of the rotor speed; if empty, 1 and one, two and three times the number of
     /// blades.
@@ -93,7 +93,7 @@ pub struct FrequencyLine {
     pub points: Vec<[f64; 2]>,
     /// The largest estimated error of the frequencies, Hz.
     pub error_hz: f64,
-    /// Where and why the line ends early; none if it reaches the highest speed.
+    /// The end of a line that does not reach the highest speed, with the reason; none otherwise.
     pub lost: Option<LineEnd>,
 }
 
@@ -115,7 +115,7 @@ pub struct LineEnd {
     pub mac: f64,
 }
 
-/// The distance of an excitation from a natural frequency in operation.
+/// The distance of an excitation from a natural frequency in the operating range.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Margin {
     /// Index of the line in the diagram, from 0.
@@ -129,7 +129,8 @@ pub struct Margin {
     pub excitation_hz: f64,
     /// The natural frequency f there, Hz.
     pub natural_hz: f64,
-    /// n Ω/f − 1 there: negative where the excitation stays below, zero where both coincide.
+    /// d = n Ω/f − 1 there, with the rotor speed Ω in Hz: negative if the excitation is below the
+    /// natural frequency, 0 if it crosses it.
     pub distance: f64,
     /// The verdict on the distance.
     pub verdict: Verdict,
@@ -148,7 +149,7 @@ impl Margin {
 ///
 /// In operation 1P ranges from the lowest to the highest rotor speed, and the blade passing
 /// frequency over the number of blades times that range. Where both ranges overlap (a wide range of
-/// speeds), a frequency in both counts as coincident with 1P, and no tower is soft-stiff. A rotor
+/// speeds), a frequency in both counts as crossed by 1P, and no tower is soft-stiff. A rotor
 /// of one blade has one range: below it a tower is soft-soft, above it stiff-stiff.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum StiffnessClass {
@@ -158,20 +159,19 @@ pub enum StiffnessClass {
     SoftStiff,
     /// Above the blade passing frequency at the highest operating speed.
     StiffStiff,
-    /// Within the operating range of a multiple of the rotor speed: both coincide at some operating
-    /// speed.
+    /// A multiple of the rotor speed crosses the frequency at some operating speed.
     Coincident {
         /// The multiple: 1 or the number of blades.
         multiple: usize,
     },
 }
 
-/// Natural frequencies against the rotor speed, with the margins of all excitations.
+/// Natural frequencies against the rotor speed, with their distances from all excitations.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Campbell {
     /// The rotor.
     pub rotor: Rotor,
-    /// The required margin, a fraction of the natural frequency.
+    /// The required distance, a fraction of the natural frequency.
     pub margin: f64,
     /// The multiples of the rotor speed, rising.
     pub multiples: Vec<usize>,
@@ -180,7 +180,7 @@ pub struct Campbell {
     pub known_to_hz: Option<f64>,
     /// The lines: tower modes by frequency, then blade modes.
     pub lines: Vec<FrequencyLine>,
-    /// The margin of every line against every multiple, by line, then by multiple.
+    /// The distance of every line from every multiple, by line, then by multiple.
     pub margins: Vec<Margin>,
     /// The stiffness class of the lowest fore-aft and of the lowest side-side bending mode, if they
     /// are in the list. One coupled mode may be both.

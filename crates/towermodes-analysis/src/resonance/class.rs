@@ -7,8 +7,8 @@ use super::campbell::StiffnessClass;
 use towermodes::tower::Rotor;
 
 impl StiffnessClass {
-    /// Its name in results: `soft-soft`, `soft-stiff`, `stiff-stiff`, or `met` where an excitation
-    /// coincides with the mode.
+    /// Its name in results: `soft-soft`, `soft-stiff`, `stiff-stiff`, or `met` if 1P or the blade
+    /// passing frequency crosses the mode in operation.
     pub fn name(self) -> &'static str {
         match self {
             Self::SoftSoft => "soft-soft",
@@ -19,18 +19,18 @@ impl StiffnessClass {
     }
 }
 
-/// The name, or "coincides with 3P in operation".
+/// The name, or "crossed by 3P in operation".
 impl fmt::Display for StiffnessClass {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::Coincident { multiple } => write!(f, "coincides with {multiple}P in operation"),
+            Self::Coincident { multiple } => write!(f, "crossed by {multiple}P in operation"),
             _ => f.write_str(self.name()),
         }
     }
 }
 
 /// The stiffness class of a frequency, Hz. Where the ranges of 1P and of the blade passing
-/// frequency overlap, a frequency in both counts as coincident with 1P. A rotor of one blade has
+/// frequency overlap, a frequency in both counts as crossed by 1P. A rotor of one blade has
 /// one range.
 pub(super) fn class(frequency_hz: f64, rotor: &Rotor) -> StiffnessClass {
     let range_hz = |multiple: usize| {

@@ -15,23 +15,27 @@ impl Campbell {
     /// The conclusion in sentences, the most important first.
     ///
     /// The first sentence states where the first bending frequencies lie relative to 1P and the
-    /// blade passing frequency, and their margins: "The first bending frequencies, 0.3187 Hz
-    /// (side-side) and 0.3215 Hz (fore-aft), lie between 1P (up to 0.2017 Hz) and 3P (from 0.3450
-    /// Hz) with margins of at least 7.3 %: soft-stiff." Two planes of different classes have a
-    /// sentence each. Then follow the pairs that fail, the warnings of 1P and of the blade passing
-    /// frequency, the minor warnings (other multiples, blade modes), and the range in which modes
-    /// are [not covered](Self::uncovered_range_hz).
+    /// blade passing frequency, and the smallest distance: "The first bending frequencies, 0.3187
+    /// Hz (side-side) and 0.3215 Hz (fore-aft), lie between 1P (up to 0.2017 Hz) and 3P (from
+    /// 0.3450 Hz) at a distance of at least 7.3 %: soft-stiff." Two planes of different classes
+    /// have a sentence each. Then follow the pairs that fail, the warnings of tower modes with 1P
+    /// or the blade passing frequency, the other warnings (other multiples, blade modes), and the
+    /// range in which modes are [not covered](Self::uncovered_range_hz).
     #[must_use]
     pub fn conclusion(&self) -> Vec<String> {
         let mut sentences = standing(self);
+        let strong = match self.rotor.blades {
+            1 => "1P".to_owned(),
+            blades => format!("1P, {blades}P"),
+        };
         let kinds = [
-            (Verdict::Fail, true, "FAIL"),
-            (Verdict::Warn, true, "warning"),
-            (Verdict::Warn, false, "minor warning"),
+            (Verdict::Fail, true, strong.as_str()),
+            (Verdict::Warn, true, strong.as_str()),
+            (Verdict::Warn, false, "other multiples, blade modes"),
         ];
         let remarks = kinds
             .iter()
-            .filter_map(|(verdict, is_strong, name)| remark(self, *verdict, *is_strong, name));
+            .filter_map(|(verdict, is_strong, of)| remark(self, *verdict, *is_strong, of));
         let remarks: Vec<String> = remarks.collect();
         if remarks.is_empty() && !self.margins.is_empty() {
             sentences.push("No warnings.".to_owned());
@@ -78,7 +82,7 @@ fn standing(campbell: &Campbell) -> Vec<String> {
 }
 
 /// "The first bending frequencies, 0.3187 Hz (side-side) and 0.3215 Hz (fore-aft), lie between …
-/// with margins of at least 7.3 %: soft-stiff."
+/// at a distance of at least 7.3 %: soft-stiff."
 fn sentence(campbell: &Campbell, firsts: &[First]) -> String {
     let hz = |first: &First| {
         let line = campbell.lines.get(first.line);
@@ -94,8 +98,8 @@ fn sentence(campbell: &Campbell, firsts: &[First]) -> String {
     let subject = subject(&named);
     let class = firsts.first().map(|first| first.class);
     let (place, class) = class.map_or_else(Default::default, |class| place(class, &campbell.rotor));
-    let margin = least_margin(campbell, &firsts).unwrap_or_default();
-    format!("The first {subject} {place}{margin}: {class}.")
+    let distance = least_distance(campbell, &firsts).unwrap_or_default();
+    format!("The first {subject} {place}{distance}: {class}.")
 }
 
 /// The subject of the sentence with its verb, from the planes and their frequencies.
@@ -137,9 +141,9 @@ fn place(class: StiffnessClass, rotor: &Rotor) -> (String, &'static str) {
     }
 }
 
-/// " with margins of at least 7.3 %": to the excitations that bound the class; none if the diagram
-/// lacks one of these multiples.
-fn least_margin(campbell: &Campbell, firsts: &[First]) -> Option<String> {
+/// " at a distance of at least 7.3 %" from the excitations that bound the class; none if the
+/// diagram lacks one of these multiples.
+fn least_distance(campbell: &Campbell, firsts: &[First]) -> Option<String> {
     let blades = campbell.rotor.blades;
     let mut least: Option<&Margin> = None;
     for first in firsts {
@@ -161,15 +165,16 @@ fn least_margin(campbell: &Campbell, firsts: &[First]) -> Option<String> {
     let percent = percent.trim_start_matches(['+', '-']);
     Some(match least.verdict {
         Verdict::Fail => format!(
-            " with margins of only {percent} %, less than the required {} %",
+            " at a distance of only {percent} %, less than the required {} %",
             number::percent(campbell.margin)
         ),
-        _ => format!(" with margins of at least {percent} %"),
+        _ => format!(" at a distance of at least {percent} %"),
     })
 }
 
-/// "2 warnings: 3P with 1st side-side bending (+8.2 % at 6.9 rpm) and …"; none if there are none.
-fn remark(campbell: &Campbell, verdict: Verdict, strong: bool, name: &str) -> Option<String> {
+/// "2 warnings (1P, 3P): 3P with 1st side-side bending (+8.2 % at 6.9 rpm) and …"; none if there
+/// are none. `of` names the multiples.
+fn remark(campbell: &Campbell, verdict: Verdict, strong: bool, of: &str) -> Option<String> {
     let is_of_kind = |margin: &&Margin| {
         margin.verdict == verdict
             && (verdict == Verdict::Fail || strong == is_weighty(campbell, margin))
@@ -186,10 +191,10 @@ fn remark(campbell: &Campbell, verdict: Verdict, strong: bool, name: &str) -> Op
         .chunk_by(|a, b| a.multiple == b.multiple)
         .map(|group| group_in_words(campbell, group))
         .collect();
-    let name = match (name, count) {
-        ("FAIL", _) => name.to_owned(),
-        (_, 1) => format!("1 {name}"),
-        _ => format!("{count} {}", name.replacen("warning", "warnings", 1)),
+    let name = match (verdict, count) {
+        (Verdict::Fail, _) => "FAIL".to_owned(),
+        (_, 1) => format!("1 warning ({of})"),
+        _ => format!("{count} warnings ({of})"),
     };
     (count > 0).then(|| format!("{name}: {}{more}.", groups.join("; ")))
 }

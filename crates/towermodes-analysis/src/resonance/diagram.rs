@@ -20,11 +20,11 @@ const GOOD_PART: f64 = 0.2;
 const MOST_SPEEDS: usize = 1000;
 
 /// The Campbell diagram of a tower, and of a blade if given: natural frequencies against the
-/// multiples of the rotor speed, with margins and verdicts.
+/// multiples of the rotor speed, with distances and verdicts.
 ///
-/// The multiple n excites with n Ω/60 Hz at Ω rpm. Its distance from a natural frequency f is
-/// d = n Ω/f − 1 at the operating speed with the smallest |d|; 0 if both coincide. A tower mode has
-/// one frequency at all speeds.
+/// The multiple n excites with n Ω/60 Hz at Ω rpm. Its distance from a natural frequency f (Hz) is
+/// d = n Ω/(60 f) − 1 at the operating speed with the smallest |d|; 0 if it crosses f. A tower mode
+/// has one frequency at all speeds.
 ///
 /// Blade modes are those in the rotating frame. They are solved at [`CampbellOptions::speeds`]
 /// equally spaced speeds from standstill to 1.2 times the highest operating speed, and at the
@@ -32,9 +32,9 @@ const MOST_SPEEDS: usize = 1000;
 /// their shapes: greedy assignment by descending modal assurance criterion (with the masses of the
 /// blade), so that names do not jump where lines cross. Between two speeds f² is linear in Ω²
 /// (Southwell), so distances are exact except where modes veer. A line ends
-/// ([`FrequencyLine::lost`]) if none of eight times as many modes at the next speed has a similar
-/// shape. If it ends below the highest operating speed, its margins cover the speeds before and at
-/// best warn; below the lowest operating speed it has none.
+/// ([`FrequencyLine::lost`]) if no mode at the next speed has a similar shape, among eight times as
+/// many modes. If it ends below the highest operating speed, its distances cover the speeds before
+/// and the verdict is at best WARN; below the lowest operating speed it has no distances.
 ///
 /// With the margin m, and f shifted by its estimated error towards the excitation:
 ///
@@ -48,8 +48,8 @@ const MOST_SPEEDS: usize = 1000;
 ///
 /// An error of 10 to 20 % in a stiffness changes a frequency by 5 to 10 %: a pair that warns could
 /// then be at the limit. Other multiples are weaker; whether they matter depends on loads, which
-/// are not in this model. A frequency of 0 (a rigid-body mode without stiffness) has no margins;
-/// other rigid-body modes of a floating platform have margins as all modes.
+/// are not in this model. A frequency of 0 (a rigid-body mode without stiffness) is not checked;
+/// other rigid-body modes of a floating platform are checked like all modes.
 ///
 /// The error of a line is [`FrequencyLine::error_hz`]; for blade modes it is estimated at the first
 /// and the last speed.

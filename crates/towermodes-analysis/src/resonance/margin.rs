@@ -4,13 +4,13 @@ use super::campbell::{Excited, FrequencyLine, Margin};
 use crate::verdict::Verdict;
 use towermodes::tower::Rotor;
 
-/// The margin of a line against a multiple of the rotor speed, at the operating speed where both
+/// The distance of a line from a multiple of the rotor speed, at the operating speed where both
 /// are closest; none for a frequency of 0, and for a line that ends below the lowest operating
 /// speed. A line that ends within the operating speeds does not pass, because the rest is unknown.
 ///
 /// Between neighbouring points of a line f² is linear in Ω²: constant for a tower mode, Southwell's
 /// rule for a blade mode. So n Ω/f is monotonic between two points and closest to 1 at one of them
-/// or where both coincide, which is solved exactly.
+/// or at a crossing, which is solved exactly.
 pub(super) fn margin(
     (number, line): (usize, &FrequencyLine),
     multiple: usize,

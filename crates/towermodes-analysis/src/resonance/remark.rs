@@ -36,7 +36,7 @@ pub enum Remark {
         mac: f64,
         /// The last speed of its line, rpm.
         last_rpm: f64,
-        /// Which operating speeds its margins cover.
+        /// The operating speeds at which it is checked.
         covered: Covered,
     },
     /// The excitations reach higher than the list of modes.
@@ -48,12 +48,12 @@ pub enum Remark {
     },
 }
 
-/// Which operating speeds the margins of a line cover that ends early.
+/// The operating speeds at which a line that ends early is checked.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Covered {
     /// None: the line ends below the lowest operating speed.
     Nothing,
-    /// Those below the end of the line; none of its margins passes.
+    /// Those below the end of the line; no pair of this line gets PASS.
     Part,
     /// All: the line ends above the highest operating speed.
     All,
@@ -79,14 +79,15 @@ impl fmt::Display for Remark {
                 Rpm(*last_rpm),
                 Rpm(*lost_at_rpm),
                 match covered {
-                    Covered::Nothing => "it has no margins",
-                    Covered::Part => "its margins cover the speeds below, and none passes",
-                    Covered::All => "this is above the operating speeds, and its margins are valid",
+                    Covered::Nothing => "it is not checked",
+                    Covered::Part =>
+                        "it is checked only at lower speeds, and its verdict is at best WARN",
+                    Covered::All => "this is above the operating speeds, so its check is complete",
                 }
             ),
             Self::Uncovered { known_hz, reach_hz } => write!(
                 f,
-                "the list of modes ends at {} Hz, but excitations reach {} Hz: modes in between are not assessed; increase the number of modes",
+                "the list of modes ends at {} Hz, but excitations reach {} Hz: modes in between are not checked; increase the number of modes",
                 four_digits(*known_hz),
                 four_digits(*reach_hz)
             ),
@@ -97,7 +98,7 @@ impl fmt::Display for Remark {
 /// The [Campbell diagram](campbell) of a solved tower and its remarks.
 ///
 /// A blade that is invalid or has no modes at one of the speeds is left out with a remark, because
-/// the margins of the tower modes do not depend on it.
+/// the distances of the tower modes do not depend on it.
 ///
 /// # Errors
 /// As [`campbell`], but for those of the blade.
@@ -190,7 +191,7 @@ mod tests {
         assert_eq!((without.lines.len(), without.margins.len()), (2, 8));
         // At 90 rpm the excitations reach higher than two modes.
         assert_eq!(remarks.len(), 1, "{remarks:?}");
-        assert!(remarks[0].contains("are not assessed"));
+        assert!(remarks[0].contains("are not checked"));
         let backwards = BladeDescription {
             hub_radius_m: 2.0,
             ..unstable_blade()
@@ -231,10 +232,10 @@ mod tests {
         assert_eq!(
             remark(5.0, 12.0),
             "the line of blade 2nd flap ends at 9.5 rpm: at 10 rpm no mode has a similar shape (largest modal assurance criterion 0.12); \
-             its margins cover the speeds below, and none passes"
+             it is checked only at lower speeds, and its verdict is at best WARN"
         );
-        assert!(remark(9.8, 12.0).ends_with("it has no margins"));
-        assert!(remark(5.0, 9.0).ends_with("its margins are valid"));
+        assert!(remark(9.8, 12.0).ends_with("it is not checked"));
+        assert!(remark(5.0, 9.0).ends_with("so its check is complete"));
         let whole = FrequencyLine { lost: None, ..line };
         let rotor = Rotor {
             blades: 3,

@@ -15,7 +15,8 @@ const SAME_SPEED: f64 = 1e-9;
 /// Number of places along the span at which shapes are compared.
 const PLACES: usize = 30;
 
-/// Additional modes to solve, because others may fall below those asked for as the speed rises.
+/// Additional modes to solve, because others may fall below the requested ones as the speed
+/// increases.
 const MORE_MODES: usize = 4;
 
 /// How often the number of modes is doubled at a speed at which a followed mode is missing.

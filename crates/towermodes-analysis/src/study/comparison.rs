@@ -37,7 +37,7 @@ pub struct Column {
     pub method: Method,
     /// Number of segments or elements used.
     pub segments: usize,
-    /// Polynomial degree of the elements of the spectral beam; none for other methods.
+    /// Polynomial degree of the elements of the method spectral; none for other methods.
     pub degree: Option<usize>,
     /// Degrees of freedom of the whole tower.
     pub degrees_of_freedom: usize,
@@ -87,8 +87,8 @@ pub fn compare(
 /// The default number of segments or elements in a comparison of all methods.
 pub const COMPARED_SEGMENTS: usize = 60;
 
-/// A column for every method with the same number of segments or elements; the spectral beam
-/// chooses its own number.
+/// A column for every method with the same number of segments or elements; the method
+/// spectral chooses its own number.
 pub fn all_methods(segments: usize) -> Vec<ColumnSpec> {
     let column = |method| ColumnSpec {
         method,

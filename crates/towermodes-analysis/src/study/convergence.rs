@@ -11,7 +11,7 @@ use towermodes::{MAX_SEGMENTS, Options, SolveError, Workspace, solve_with};
 pub enum Fineness {
     /// A number of segments or elements.
     Segments(usize),
-    /// A polynomial degree of the spectral beam.
+    /// A polynomial degree of the method spectral.
     Degree(usize),
 }
 
@@ -57,8 +57,8 @@ fn serialize_degree<S: serde::Serializer>(
 pub struct Level {
     /// Number of segments or elements used.
     pub segments: usize,
-    /// The refinement asked for. In JSON `degree`: the polynomial degree of the elements of the
-    /// spectral beam; null for other methods.
+    /// The requested refinement. In JSON `degree`: the polynomial degree of the elements of the
+    /// method spectral; null for other methods.
     #[cfg_attr(
         feature = "serde",
         serde(rename = "degree", serialize_with = "serialize_degree")
@@ -72,7 +72,7 @@ pub struct Level {
     /// The relative error f/f_limit − 1 of each mode.
     #[cfg_attr(feature = "serde", serde(rename = "relative_errors"))]
     pub errors: Vec<Option<f64>>,
-    /// The observed order p of the error n⁻ᵖ from the level before; for the spectral beam the
+    /// The observed order p of the error n⁻ᵖ from the level before; for the method spectral the
     /// number of decimal digits gained per degree. None where the error is rounding only.
     #[cfg_attr(feature = "serde", serde(rename = "observed_orders"))]
     pub orders: Vec<Option<f64>>,
@@ -91,7 +91,7 @@ pub struct Convergence {
     /// The modes with the frequencies they converge to: those of the reference beam solution of the
     /// same beam theory.
     pub modes: Vec<FollowedMode>,
-    /// The levels in the order asked for.
+    /// The levels in the requested order.
     pub levels: Vec<Level>,
     /// Warnings of the reference solution: the differences to a mode that it does not resolve are
     /// not errors of the method.
@@ -109,7 +109,7 @@ const FEWEST_LEVELS: usize = 4;
 /// Errors below this are rounding errors and errors of the reference, and have no order.
 const ROUNDING: f64 = 1e-11;
 
-/// The options of the reference beam that a method converges to: the spectral beam, without rotary
+/// The options of the reference solution that a method converges to: spectral, without rotary
 /// inertia if the method has none.
 ///
 /// # Errors

@@ -20,7 +20,7 @@ pub struct FollowedMode {
     /// Whether the side-side mode of the same order has the same frequency; it is not in the list
     /// then.
     pub is_pair: bool,
-    /// The reference frequency, that of the spectral beam, Hz.
+    /// The frequency of the reference solution, Hz.
     pub frequency_hz: f64,
     /// The identity of the mode by any method: its family may differ between methods where motions
     /// are coupled.

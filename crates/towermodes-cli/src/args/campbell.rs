@@ -4,7 +4,7 @@ use clap::Args;
 use towermodes::{MAX_SEGMENTS, Method, Options};
 
 use super::input::InputArguments;
-use super::model::ModelArguments;
+use super::model::{ModelArguments, up_to_excitations};
 use super::parsers::{method_parser, number_parser};
 use super::prescribed::Prescribed;
 use super::rotor::RotorArguments;
@@ -15,17 +15,15 @@ const EXAMPLES: &str = "Examples:
   towermodes campbell tower.toml --rpm 7.5,12.1 --margin 10
   towermodes campbell NREL5MW_ElastoDyn.dat --rpm 12.1 --multiples 1,3,6 --format csv
 
-An excitation nP is n times the rotor speed. The distance is the smallest separation from a natural frequency in the operating range, in percent of the natural frequency.
+An excitation nP is n times the rotor speed. The distance is the difference of excitation and natural frequency in percent of the natural frequency, at the operating speed where it is smallest. The margin is the required distance.
 
-FAIL: 1P or the blade passing frequency is closer to a tower mode than the margin. WARN: 1P or the blade passing frequency is closer to a tower mode than twice the margin, or a higher multiple is closer to a tower mode than the margin, or any excitation is closer to a blade mode than the margin.
+FAIL: 1P or the blade passing frequency is closer to a tower mode than the margin. WARN: 1P or the blade passing frequency is closer to a tower mode than twice the margin; or another multiple is closer to a tower mode than the margin; or any excitation is closer to a blade mode than the margin; or a blade mode could not be followed over all operating speeds. Tower modes are all modes except blade modes, also torsion and rigid-body motions of a floating platform.
 
-Default of --modes: at least 8, and up to 40 if needed to cover the highest excitation frequency with its margin.
-
-Exit codes: 0 no pair fails, 1 at least one pair fails, 2 wrong usage or wrong input.";
+Exit codes: 0 no pair fails; 1 at least one pair fails, or the computation or the output failed; 2 wrong usage or wrong input.";
 
 /// The arguments of `campbell`.
 #[derive(Debug, Args)]
-#[command(allow_negative_numbers = true, after_help = EXAMPLES)]
+#[command(allow_negative_numbers = true, after_help = EXAMPLES, mut_arg("modes", up_to_excitations))]
 pub(crate) struct CampbellArguments {
     #[command(flatten)]
     pub(crate) input: InputArguments,

@@ -12,9 +12,9 @@ const EXAMPLES: &str = "Examples:
   towermodes check IEA-15-240-RWT.yaml IEA_15MW_RWT_Tower_st.dat --part tower --tower-base 15
   towermodes check tower.toml Tower.dat --format json
 
-With two files: FAIL if masses differ by more than 0.5 %, EI by more than 1 % or frequencies by more than 0.5 %; WARN above half of these limits.
+With two files: FAIL if mass, mass per length or a frequency differs by more than 0.5 %, the height of the centre of mass by more than 0.5 % of the common height, or EI or the tower-top flexibility by more than 1 %; WARN above half of these limits. If the towers have different ends: WARN, or FAIL if more than 1 % of the longer tower is not in the other.
 
-Exit codes: 0 no difference fails, 1 at least one fails, 2 wrong usage or wrong input.";
+Exit codes: 0 no difference fails; 1 at least one difference fails, or the computation or the output failed; 2 wrong usage or wrong input.";
 
 /// The arguments of `check`.
 #[derive(Debug, Args)]
@@ -23,7 +23,7 @@ pub(crate) struct CheckArguments {
     #[command(flatten)]
     pub(crate) input: InputArguments,
 
-    /// Second model of the same tower, in any format; without it the first is summarised
+    /// Second model of the same tower, in any format; without it the command summarises the first
     pub(crate) other: Option<PathBuf>,
 
     /// Format of the result

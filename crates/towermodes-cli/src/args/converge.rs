@@ -14,7 +14,7 @@ const EXAMPLES: &str = "Examples:
   towermodes converge tower.toml --method cardanic-exact --segments 10,20,40,80 --no-rotary-inertia
   towermodes converge tower.toml --method spectral --degrees 4,6,8,10
 
-Errors are relative to the reference solution (method spectral); for bmodes the reference has no rotary inertia, as the element has none.";
+Errors are relative to the reference solution (method spectral); for bmodes the reference solution has no rotary inertia, because the element of BModes has none.";
 
 /// The arguments of `converge`.
 #[derive(Debug, Args)]

@@ -17,7 +17,7 @@ const EXAMPLES: &str = "Examples:
 
 Data that the target format cannot store are reported on standard error. A BModes deck consists of two files: the section file is written to the same folder.
 
-Exit codes: 0 done, 1 the tower cannot be written in this format, 2 wrong usage or wrong input.";
+Exit codes: 0 done; 1 the tower cannot be written in this format, or the output failed; 2 wrong usage or wrong input.";
 
 /// The arguments of `convert`.
 #[derive(Debug, Args)]

@@ -42,7 +42,7 @@ const TOWER_EXAMPLES: &str = "Examples:
   towermodes elastodyn tower tower.toml --damping 1.0 --openfast 4.2
   towermodes elastodyn tower IEA-15-240-RWT.yaml --from-height 15
 
-The shape functions of OpenFAST are φ(x) = Σ c_k x^k, k = 2 to 6. They are fitted to the modes of the tower with RNA and foundation, after subtracting translation and rotation of the base. The quality of the fits and the frequencies that ElastoDyn gets are printed on standard error.";
+The shape functions of OpenFAST are φ(x) = Σ c_k x^k, k = 2 to 6. They are fitted to the modes of the tower with RNA and foundation, after subtracting translation and rotation of the base. The quality of the fits and the frequencies that ElastoDyn computes with them are printed on standard error.";
 
 /// The arguments of `elastodyn tower`.
 #[derive(Debug, Args)]
@@ -55,13 +55,14 @@ pub(crate) struct TowerArguments {
     #[arg(long, value_name = "M", value_parser = height_parser)]
     from_height: Option<f64>,
 
-    /// Approximate number of rows
+    /// Approximate number of rows of the table of distributed properties
     /// [default: enough for a relative interpolation error of 1e-6 in mass and stiffness]
     #[arg(long, value_name = "N", value_parser = number_parser(2, MAX_STATIONS))]
     stations: Option<usize>,
 
-    /// Target damping ratio of the tower with its RNA, percent of critical; the values in the file
-    /// are scaled so that ElastoDyn reaches it [default: 1 % is written without scaling]
+    /// Target damping ratio of the tower with its RNA, percent of critical; the damping values in
+    /// the written file are scaled so that ElastoDyn reaches it [default: no target;
+    /// TwrFADmp and TwrSSDmp are 1, and the damping ratio with RNA differs from 1 %]
     #[arg(long, value_name = "PERCENT", value_parser = damping_parser)]
     damping: Option<f64>,
 
@@ -69,8 +70,8 @@ pub(crate) struct TowerArguments {
     #[arg(long, value_name = "VERSION", default_value = "4.0", value_parser = openfast_parser)]
     openfast: (u32, u32),
 
-    /// Number of ElastoDyn tower elements (TwrNodes), used for the frequencies and to distribute
-    /// each point mass over one element
+    /// Number of tower elements in ElastoDyn (TwrNodes); used to compute the printed ElastoDyn
+    /// frequencies and to distribute each point mass over one element
     #[arg(long, value_name = "N", default_value_t = 20, value_parser = number_parser(1, 100_000))]
     nodes: usize,
 
@@ -142,9 +143,9 @@ const VALIDATE_EXAMPLES: &str = "Examples:
   towermodes elastodyn validate NREL5MW_ElastoDyn.dat
   towermodes elastodyn validate OC3_ElastoDyn.dat --from OC3Hywind.bmi --format json
 
-A shape passes if its rms difference from the mode is at most 1 % of the largest deflection, its MAC is at least 0.999, and the frequency that ElastoDyn gets with it is within 1 %. The limits for WARN are 5 %, MAC 0.99 and 5 %; otherwise the shape fails.
+A shape passes if its rms difference from the mode is at most 1 % of the largest deflection, its MAC is at least 0.999, and the tower frequency that ElastoDyn computes with it (without RNA) differs by at most 1 % from that with the fitted polynomial. The limits for WARN are 5 %, MAC 0.99 and 5 %. Otherwise the shape fails, and also if the sum of its coefficients is not 1.
 
-Exit codes: 0 no shape fails, 1 at least one fails, 2 wrong usage or wrong input.";
+Exit codes: 0 no shape fails; 1 at least one shape fails, or the computation or the output failed; 2 wrong usage or wrong input.";
 
 /// The arguments of `elastodyn validate`.
 #[derive(Debug, Args)]

@@ -7,7 +7,9 @@ use towermodes_files::{FileFormat, ReadOptions, RotorLock, TowerPart};
 
 use super::parsers::{height_parser, subset_parser};
 
-/// Heading of these options in the help.
+/// Heading of the options for all input files in the help.
+const MODEL: &str = "Model";
+/// Heading of the options for certain formats in the help.
 const OTHERS: &str = "Files of other programs";
 
 /// The input file and its reading options.
@@ -22,15 +24,15 @@ pub(crate) struct InputArguments {
     pub(crate) reading: ReadingArguments,
 }
 
-/// Options for files of other programs.
+/// Options that change how the input file is read.
 #[derive(Debug, Clone, Copy, Args)]
 pub(crate) struct ReadingArguments {
     /// Omit the rotor-nacelle assembly
-    #[arg(help_heading = OTHERS, long)]
+    #[arg(help_heading = MODEL, long)]
     pub(crate) no_rna: bool,
 
     /// Omit gravity (no geometric stiffness)
-    #[arg(help_heading = OTHERS, long)]
+    #[arg(help_heading = MODEL, long)]
     no_gravity: bool,
 
     /// Rotation of the rotor about its shaft in an ElastoDyn model

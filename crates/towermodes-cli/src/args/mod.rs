@@ -93,7 +93,7 @@ pub(crate) enum Command {
     /// Print the JSON schema of the result that a command writes with `--format json`.
     #[command(after_help = "Example:\n  towermodes schema solve > solve.schema.json")]
     Schema {
-        /// Which result
+        /// Name of the result
         #[arg(value_name = "RESULT", default_value = "solve", value_parser = schema_parser())]
         of: String,
     },
@@ -119,7 +119,8 @@ pub(crate) enum Format {
     Table,
     /// All results.
     Json,
-    /// One line per mode (campbell: one line per mode and excitation).
+    /// One line per mode and excitation (campbell), per mode and column of the table (compare), or
+    /// per mode and mesh (converge).
     Csv,
 }
 

@@ -1,6 +1,6 @@
 //! Options that hold for all methods and for each command that solves.
 
-use clap::Args;
+use clap::{Arg, Args};
 use towermodes::elements::GAUSS_HINGE_POSITION;
 use towermodes::{DEFAULT_MODES, Method, Options};
 
@@ -27,6 +27,14 @@ pub(super) struct ModelArguments {
     /// may run out
     #[arg(long)]
     no_limits: bool,
+}
+
+/// The help of `--modes` for commands that check resonance: the default depends on the rotor.
+pub(super) fn up_to_excitations(modes: Arg) -> Arg {
+    modes.help(
+        "Number of modes, from the lowest [default: 8, or up to 40 if the highest excitation frequency needs more; \
+         BModes decks: at least the number in the deck]",
+    )
 }
 
 impl ModelArguments {

@@ -15,13 +15,13 @@ pub(super) fn method_parser() -> impl TypedValueParser<Value = Method> {
 pub(super) fn schema_parser() -> PossibleValuesParser {
     PossibleValuesParser::new([
         PossibleValue::new("solve"),
-        PossibleValue::new("blade").help("solve for a rotating blade"),
+        PossibleValue::new("blade").help("result of `solve` for a rotating blade"),
         PossibleValue::new("compare"),
         PossibleValue::new("converge"),
         PossibleValue::new("campbell"),
-        PossibleValue::new("check").help("check for two files"),
-        PossibleValue::new("check-one").help("check for one file"),
-        PossibleValue::new("validate").help("elastodyn validate"),
+        PossibleValue::new("check").help("result of `check` for two files"),
+        PossibleValue::new("check-one").help("result of `check` for one file"),
+        PossibleValue::new("validate").help("result of `elastodyn validate`"),
         PossibleValue::new("verify"),
     ])
 }

@@ -2,7 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-use clap::{Args, ValueEnum};
+use clap::{Arg, Args, ValueEnum};
 use towermodes::{MAX_SEGMENTS, Method, Options};
 use towermodes_report::svg::{Look, Theme};
 
@@ -24,7 +24,7 @@ An SVG follows the light or dark setting of the viewer; --dark makes it always d
 
 /// The arguments of `plot`.
 #[derive(Debug, Args)]
-#[command(allow_negative_numbers = true, after_help = EXAMPLES)]
+#[command(allow_negative_numbers = true, after_help = EXAMPLES, mut_arg("modes", for_pictures))]
 pub(crate) struct PlotArguments {
     #[command(flatten)]
     pub(crate) input: InputArguments,
@@ -56,7 +56,7 @@ pub(crate) struct PlotArguments {
     pub(crate) title: Option<String>,
 
     /// Write the picture to a file, as SVG or PNG depending on the extension; without this option
-    /// it goes to standard output, which must not be a terminal; - always means standard output
+    /// to standard output, but not to a terminal; with - to standard output in any case
     #[arg(long, short, value_name = "PATH")]
     output: Option<PathBuf>,
 
@@ -71,6 +71,14 @@ pub(crate) struct PlotArguments {
     /// Scale of a PNG; at 1 the picture is about 900 pixels wide [default: 2]
     #[arg(long, value_parser = scale_parser)]
     scale: Option<f64>,
+}
+
+/// The help of `--modes`: the default depends on the picture.
+fn for_pictures(modes: Arg) -> Arg {
+    modes.help(
+        "Number of modes, from the lowest [default: 8; campbell: up to 40 if the highest excitation frequency needs more; \
+         BModes decks: the number in the deck]",
+    )
 }
 
 /// The type of a picture.

@@ -9,7 +9,7 @@ use towermodes_report::report::TitleBlock;
 use super::ending::{Ending, EndingError};
 use super::file_of;
 use super::input::InputArguments;
-use super::model::ModelArguments;
+use super::model::{ModelArguments, up_to_excitations};
 use super::parsers::{method_parser, number_parser};
 use super::prescribed::Prescribed;
 use super::rotor::RotorArguments;
@@ -20,13 +20,13 @@ const EXAMPLES: &str = "Examples:
   towermodes report tower.toml --document T-17-003 --revision C --author \"J. Doe\" --checker \"R. Roe\" --output report.html
   towermodes report tower.toml --output report.md
 
-The report is one self-contained file and needs no network. The same input and command give the same file, byte for byte. If a resonance margin fails, report still returns 0; use campbell for an exit code.
+The report is one self-contained file and needs no network. The same input and command give the same file, byte for byte. A report with the verdict FAIL has the exit code 0; for an exit code that depends on the verdict use campbell.
 
 Exit codes: 0 done, 1 the computation or the output failed, 2 wrong usage or wrong input.";
 
 /// The arguments of `report`.
 #[derive(Debug, Args)]
-#[command(allow_negative_numbers = true, after_help = EXAMPLES)]
+#[command(allow_negative_numbers = true, after_help = EXAMPLES, mut_arg("modes", up_to_excitations))]
 pub(crate) struct ReportArguments {
     #[command(flatten)]
     pub(crate) input: InputArguments,
@@ -58,8 +58,8 @@ pub(crate) struct ReportArguments {
     #[arg(long, short, value_enum)]
     format: Option<PageFormat>,
 
-    /// Write the report to a file; without this option it goes to standard output, which must not
-    /// be a terminal; - always means standard output
+    /// Write the report to a file; without this option to standard output, but not to a terminal;
+    /// with - to standard output in any case
     #[arg(long, short, value_name = "PATH")]
     output: Option<PathBuf>,
 }

@@ -88,12 +88,12 @@ fn totals(agreement: &Agreement) -> [(String, &Compared, fn(f64) -> String); 7] 
             format!("{z:.3} m")
         }),
         (
-            "tip flexibility fore-aft, m/N".into(),
+            "tower-top flexibility fore-aft, m/N".into(),
             tip_fore_aft,
             exponent,
         ),
         (
-            "tip flexibility side-side, m/N".into(),
+            "tower-top flexibility side-side, m/N".into(),
             tip_side_side,
             exponent,
         ),
@@ -134,7 +134,7 @@ fn by_height(agreement: &Agreement) -> String {
         "kg/m",
         "",
         "diff",
-        "EI N m2",
+        "EI fore-aft N m2",
         "",
         "diff",
         "mass below",
@@ -165,7 +165,7 @@ fn percent(difference: f64) -> String {
     format!("{:+.3} %", 100.0 * difference)
 }
 
-/// A difference, with its verdict where it does not pass.
+/// A difference, with its verdict if it does not pass.
 fn marked(compared: &Compared) -> String {
     let difference = percent(compared.difference);
     match compared.verdict {
@@ -209,7 +209,7 @@ fn whole_tower(examination: &Examination) -> String {
         kg => format!(" including {} of point masses", tonnes(kg)),
     };
     format!(
-        "from {} m to {} m, {}{points} | centre of mass at {:.4} m | inertia about the base {:.5e} kg m2, about the axis {:.5e} kg m2\ntip flexibility in bending {:.5e} m/N fore-aft, {:.5e} m/N side-side; tower only, clamped, without RNA, soil and water",
+        "from {} m to {} m, {}{points} | centre of mass at {:.4} m | inertia about the base {:.5e} kg m2, about the tower axis {:.5e} kg m2\ntower-top flexibility in bending {:.5e} m/N fore-aft, {:.5e} m/N side-side; tower only, clamped, without RNA, soil and water",
         range.base_m,
         range.top_m,
         tonnes(examination.mass_kg),

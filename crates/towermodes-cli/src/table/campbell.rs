@@ -1,4 +1,4 @@
-//! The resonance check as text: conclusion, margins, rotor.
+//! The resonance check as text: conclusion, distances, rotor.
 
 use towermodes::Tower;
 use towermodes::number::{percent, with_error};
@@ -101,7 +101,7 @@ fn unresisted(campbell: &Campbell) -> Option<String> {
         .filter(is_free)
         .map(|line| line.label.as_str())
         .collect();
-    (!free.is_empty()).then(|| format!("no stiffness, not checked: {}", free.join(", ")))
+    (!free.is_empty()).then(|| format!("not checked (no stiffness): {}", free.join(", ")))
 }
 
 /// The rotor, the margin and how many verdicts of each kind.
@@ -116,8 +116,8 @@ fn summary(campbell: &Campbell, has_blade: bool) -> String {
             campbell.lines.iter().any(FrequencyLine::is_of_blade)
         ) {
             (_, true) => "",
-            (true, false) => " | blade modes not available",
-            (false, false) => " | no blade in the input",
+            (true, false) => " | blade modes not checked (the blade could not be solved)",
+            (false, false) => " | blade modes not checked (no blade data in the input)",
         },
     )
 }
@@ -180,7 +180,7 @@ mod tests {
         assert_eq!(said(12.34), "+1234 %");
     }
 
-    /// Of the first bending modes 1P and the passing of the blades are shown however far they are.
+    /// The first bending modes are shown with 1P and the blade passing frequency at any distance.
     #[test]
     fn the_first_bending_modes_are_always_shown() {
         let line = |family: Family, order| FrequencyLine {
@@ -243,13 +243,18 @@ mod tests {
     #[test]
     fn that_there_is_no_blade_is_said_as_it_is() {
         let said = |has_blade| summary(&campbell(), has_blade);
-        assert!(said(false).ends_with("0 fail | no blade in the input"));
-        assert!(said(true).ends_with("0 fail | blade modes not available"));
+        assert!(
+            said(false).ends_with("0 fail | blade modes not checked (no blade data in the input)")
+        );
+        assert!(
+            said(true)
+                .ends_with("0 fail | blade modes not checked (the blade could not be solved)")
+        );
     }
 
     #[test]
     fn motions_without_a_frequency_are_named() {
         let text = unresisted(&campbell()).expect("one");
-        assert_eq!(text, "no stiffness, not checked: surge");
+        assert_eq!(text, "not checked (no stiffness): surge");
     }
 }

@@ -77,7 +77,7 @@ fn heading(convergence: &Convergence) -> String {
     let order = if is_spectral(convergence) {
         "correct digits gained per degree"
     } else {
-        "observed order p of n^-p"
+        "observed order p (the error is proportional to n^-p)"
     };
     format!(
         "{}: error relative to {beam}, and {order}",

@@ -82,9 +82,9 @@ pub(crate) fn judgements(
     let header = [
         "shape",
         "mode Hz",
-        "rms off",
-        "times the best",
-        "rms off both",
+        "rms error",
+        "error/best",
+        "rms error both",
         "MAC",
         "sum",
         "implied Hz",
@@ -92,7 +92,7 @@ pub(crate) fn judgements(
         "verdict",
     ];
     format!(
-        "{file}\n\n{}\n\nmodes: {}, {}\nrms off: rms difference from the mode, relative to its maximum deflection; both: difference that remains if both shapes of the plane are combined, as in ElastoDyn\nimplied: frequency that ElastoDyn gets with the coefficients, for the tower alone\n",
+        "{file}\n\n{}\n\nmodes: {}, {}\nrms error: rms difference from the mode, relative to its maximum deflection; error/best: divided by the rms error of the fitted polynomial; both: rms error if both shapes of the plane are combined, as in ElastoDyn\nimplied: frequency of the tower without RNA that ElastoDyn computes with these coefficients; best: with the fitted polynomial\n",
         text_table(header, judgements.iter().map(judgement), 1..=8),
         heights(tower, from_m),
         rna(tower),

@@ -1,6 +1,7 @@
 //! The modes of a tower as text.
 
 use towermodes::number::{four_digits, with_error};
+use towermodes::tower::{Environment, Piece};
 use towermodes::{Mode, Solution, Tower};
 use towermodes_report::wording::{buckling_load_factor, completeness, mesh, mode_shape};
 
@@ -18,11 +19,35 @@ pub(crate) fn solution(tower: &Tower, solution: &Solution) -> String {
         let factor = buckling_load_factor(factor);
         text.push_str(&format!(" | buckling load factor {factor}"));
     }
-    if tower.gravity_m_per_s2() == 0.0 {
-        text.push_str(" | without gravity");
-    }
+    text.push_str(
+        match (tower.gravity_m_per_s2(), solution.buckling_load_factor) {
+            (0.0, _) => " | without gravity",
+            (_, None) => " | with gravity",
+            _ => "",
+        },
+    );
     text.push('\n');
+    if solution.modes.iter().any(names_other_motions) {
+        text.push_str("in parentheses: other motions, percent of the energy of the mode\n");
+    }
     text
+}
+
+/// Whether the table gives the energy of other motions in parentheses.
+fn names_other_motions(mode: &Mode) -> bool {
+    mode_shape(mode) != mode.label()
+}
+
+/// The structure that the mass of the tower belongs to.
+fn structure(tower: &Tower) -> &'static str {
+    let is_surrounded = |piece: &Piece| piece.environment != Environment::default();
+    let has_substructure = tower.pieces().iter().any(is_surrounded);
+    match (has_substructure, tower.point_masses().is_empty()) {
+        (false, true) => "tower",
+        (false, false) => "tower with point masses",
+        (true, true) => "tower and substructure",
+        (true, false) => "tower and substructure with point masses",
+    }
 }
 
 fn modes(solution: &Solution) -> String {
@@ -61,7 +86,8 @@ fn summary(tower: &Tower, solution: &Solution) -> String {
         false => " without rotary inertia",
     };
     format!(
-        "tower {}, {} | {}, {}{physics} | {}",
+        "{} {}, {} | {}, {}{physics} | {}",
+        structure(tower),
         tonnes(tower.mass_kg()),
         rna(tower),
         solution.method.name(),

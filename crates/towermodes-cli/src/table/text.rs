@@ -1,4 +1,4 @@
-//! Numbers and names as people read them.
+//! Numbers and names in tables.
 
 use comfy_table::{CellAlignment, Table, presets};
 use towermodes::{Tower, printable};

@@ -12,7 +12,7 @@ const COLUMNS: [usize; 5] = [12, 27, 42, 57, 72];
 const TITLE_LENGTH: usize = 99;
 const RULE_LENGTH: usize = 81;
 
-/// What stands above the modes, and how they are laid out.
+/// The header of the output and the layout of the modes.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
 pub struct OutHeader {
     /// The title of the deck.
@@ -23,8 +23,7 @@ pub struct OutHeader {
     pub tab_delimited: bool,
     /// Whether the rows of mid nodes, which have a twist only, are printed.
     pub mid_node_twist: bool,
-    /// When it was computed, as it shall stand in the first line; none if the file shall not depend
-    /// on it.
+    /// Date and time for the first line; none for a file that does not depend on the time.
     pub timestamp: Option<String>,
 }
 
@@ -37,11 +36,11 @@ pub struct OutMode {
     pub rows: Vec<OutRow>,
 }
 
-/// What a mode does at a height. Displacements and slopes are side-side and fore-aft; of a blade,
-/// flap and lag.
+/// The motion of a mode at a height. Displacements and slopes are side-side and fore-aft; of a
+/// blade, flap and lag.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct OutRow {
-    /// Height as a share of the flexible length, 0 at the base and 1 at the top.
+    /// Height as a fraction of the flexible length, 0 at the base and 1 at the top.
     pub span_loc: f64,
     /// Side-side displacement over the length R.
     pub ss_disp: f64,

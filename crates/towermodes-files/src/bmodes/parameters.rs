@@ -42,7 +42,7 @@ pub(super) struct Rule {
 
 /// A whole number, and no list, is longer than this.
 const MOST: f64 = MAX_COUNT as f64;
-/// BModes allows two places for guy wires; no tower has more than so many.
+/// BModes allows two places for guy wires; no tower has more than this number.
 const MOST_ATTACHMENTS: f64 = 100.0;
 
 const ANY: Kind = number(|_| true, "a number");

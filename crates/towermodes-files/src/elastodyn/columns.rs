@@ -4,7 +4,7 @@
 const LEAST_DIGITS: usize = 9;
 /// Digits that give back any number exactly.
 const ALL_DIGITS: usize = 17;
-/// Digits are added until they change no number by more than this share.
+/// Digits are added until they change no number by more than this fraction.
 const TOLERANCE: f64 = 1e-13;
 
 /// A column of numbers with as many digits as all of them need, the same for each.
@@ -39,7 +39,7 @@ fn in_fewest_digits(values: &[f64], is_enough: impl Fn(&[f64]) -> bool) -> Vec<S
     printed(ALL_DIGITS)
 }
 
-/// A number with so many digits as Fortran's programs print it: `1.00474549E-01`.
+/// A number with this number of digits in the format of Fortran programs: `1.00474549E-01`.
 fn scientific(value: f64, digits: usize) -> String {
     let decimals = digits - 1;
     let text = format!("{value:.decimals$e}");

@@ -12,22 +12,22 @@ use super::tower_file::{ConcentratedMass, TowerFile, TowerRow};
 use super::writer::header_with_heights;
 use crate::note::Note;
 
-/// Elements of ElastoDyn's towers unless told, `TwrNodes`.
+/// Default number of elements of ElastoDyn towers, `TwrNodes`.
 pub const DEFAULT_NODES: usize = 20;
 
 /// The damping of a tower file.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Damping {
-    /// This ratio as it stands, percent of critical.
+    /// This ratio without scaling, percent of critical.
     Written(f64),
-    /// What makes this ratio of the tower with what it carries, percent of critical.
+    /// The values for which the tower with its RNA has this ratio, percent of critical.
     Wanted(f64),
 }
 
 /// How a tower file is made.
 #[derive(Debug, Clone, PartialEq)]
 pub struct MakeOptions {
-    /// Height at which the flexible tower begins, m; the tower's base unless told.
+    /// Height at which the flexible tower begins, m; by default the tower base.
     pub from_m: Option<f64>,
     /// How many rows.
     pub rows: Rows,
@@ -61,13 +61,13 @@ impl Default for MakeOptions {
 /// A tower file, and what it was made of.
 #[derive(Debug, Clone, PartialEq)]
 pub struct MadeTowerFile {
-    /// What goes into the file.
+    /// The content of the file.
     pub content: TowerFile,
     /// The shapes with their fits.
     pub shapes: TowerShapes,
-    /// What ElastoDyn makes of it.
+    /// The quantities that ElastoDyn computes from it.
     pub quantities: Planes<Generalized>,
-    /// What the user should know.
+    /// Notes for the user.
     pub notes: Vec<Note>,
 }
 
@@ -288,8 +288,8 @@ impl TowerFile {
         }
     }
 
-    /// The tower as ElastoDyn knows it: of a flexible length (m) in so many elements, with a mass
-    /// (kg) on top, without gravity.
+    /// The tower model of ElastoDyn: flexible length (m), number of elements, mass (kg) on top,
+    /// without gravity.
     pub fn model(
         &self,
         flexible_length_m: f64,

@@ -1,4 +1,4 @@
-//! Puts new coefficients into the text of a tower file and leaves every other byte as it is.
+//! Puts new coefficients into the text of a tower file and changes no other byte.
 
 use std::ops::Range;
 

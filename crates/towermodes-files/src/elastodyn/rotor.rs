@@ -8,7 +8,7 @@ use super::main_reader::BLADES;
 use crate::note::{Note, RotorNotes};
 use crate::source::Source;
 
-/// A blade is cut into so many elements, or into as many as its table has intervals, up to
+/// Number of elements of a blade; more if its table has more intervals, up to
 /// [`MOST_ELEMENTS`].
 const ELEMENTS: usize = 50;
 const MOST_ELEMENTS: usize = 400;
@@ -80,14 +80,14 @@ fn blade_notes(main: &MainFile) -> Vec<(&'static str, Note)> {
     let precone_deg = main.precone_deg[0];
     if precone_deg != 0.0 {
         let message = format!(
-            "PreCone(1) = {precone_deg} degrees is ignored in the modes of the blade, which rotates in the rotor plane"
+            "PreCone(1) = {precone_deg} degrees is ignored: the blade modes are computed without cone angle"
         );
         notes.push(("PreCone(1)", Note::left_out(message)));
     }
     let pitch_deg = main.blade_pitch_deg[0];
     if pitch_deg != 0.0 {
         let message = format!(
-            "BlPitch(1) = {pitch_deg} degrees, the initial pitch, is used for the modes of the blade at all speeds"
+            "BlPitch(1) = {pitch_deg} degrees, the initial pitch, is used for the blade modes at all speeds"
         );
         notes.push(("BlPitch(1)", Note::assumption(message)));
     }

@@ -25,7 +25,7 @@ use towermodes::RigidBody;
 use super::main_file::MainFile;
 use crate::input::RotorLock;
 
-/// A rotor whose centre of mass or principal axis is further off its shaft, as a share of its own
+/// A rotor whose centre of mass or principal axis is further off its shaft, as a fraction of its
 /// size, is not balanced.
 const BALANCED: f64 = 1e-6;
 

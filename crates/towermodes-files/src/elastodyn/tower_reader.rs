@@ -30,7 +30,7 @@ const FRACTION: Kind = Kind::Number(|value| (0.0..=1.0).contains(&value), "from 
 /// OpenFAST refuses coefficients whose sum differs from 1 by more.
 const SUM_TOLERANCE: f64 = 0.0015;
 
-/// Where the values of a tower file stand, bytes.
+/// The byte ranges of the values in a tower file.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub(super) struct TowerSpans {
     /// The number of rows.

@@ -188,7 +188,7 @@ fn after_sign<'a>(line: &Line<'a>, sign: char) -> Line<'a> {
     }
 }
 
-/// The text after so many values of a header.
+/// The text after the first `values` values of a header.
 fn rest_after<'a>(line: &Line<'a>, sign: char, values: usize) -> &'a str {
     let rest = after_sign(line, sign);
     let last = rest.tokens().take(values).last();

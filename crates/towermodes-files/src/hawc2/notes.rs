@@ -149,7 +149,7 @@ fn direction(rows: &[Row<'_>]) -> Option<String> {
     })
 }
 
-/// Where the tower stands and what the file does not say.
+/// The heights of the tower, which the file does not contain.
 fn ends(rows: &[Row<'_>], options: &ReadOptions) -> String {
     let base_m = options.tower_base_m.unwrap_or(0.0);
     let of = |row: Option<&Row<'_>>| base_m + row.map_or(0.0, |row| row.of(row::R));

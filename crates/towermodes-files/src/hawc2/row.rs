@@ -125,7 +125,7 @@ pub(super) fn begins_with_number(line: &Line<'_>) -> bool {
     line.first().is_some_and(|token| token.is_number())
 }
 
-/// Whether a line has so many numbers that it gives the section as a full stiffness matrix.
+/// Whether a line has enough numbers for a full stiffness matrix of the section.
 pub(super) fn is_full_matrix(line: &Line<'_>) -> bool {
     let numbers = line.tokens().take_while(Token::is_number);
     numbers.take(FULL_MATRIX_COLUMNS).count() == FULL_MATRIX_COLUMNS

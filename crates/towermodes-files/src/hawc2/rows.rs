@@ -5,7 +5,7 @@ use super::row::{self, Row};
 use crate::diagnostic::{Diagnostic, DiagnosticKind, quoted};
 use crate::records::{Line, Lines, Token};
 
-/// More mistakes than these are not collected: the first ones say what is wrong with all.
+/// Largest number of mistakes that are collected; further ones have the same cause.
 const MAX_MISTAKES: usize = 20;
 
 /// The rows of a subset.

@@ -5,10 +5,10 @@ use towermodes::{Planes, Properties, PropertyStation};
 use super::row::{self, Row};
 use crate::diagnostic::{Diagnostic, DiagnosticKind};
 
-/// An offset of more than this share of the tube's radius is refused: it couples bending with
+/// An offset of more than this fraction of the tube's radius is refused: it couples bending with
 /// torsion.
 const LARGEST_OFFSET: f64 = 0.05;
-/// Turned principal axes are refused where they couple the planes by more than this share of EI.
+/// Turned principal axes are refused where they couple the planes by more than this fraction of EI.
 const LARGEST_COUPLING: f64 = 0.01;
 
 /// Properties of the rows that the sections do not show, for the notes.
@@ -18,7 +18,7 @@ pub(super) struct Found {
     pub(super) shears: bool,
     /// Whether the rows have radii of gyration.
     pub(super) has_gyration: bool,
-    /// The largest offset: row, column, share of the tube's radius.
+    /// The largest offset: row, column, fraction of the tube's radius.
     pub(super) offset: Option<(usize, usize, f64)>,
     /// The first row whose axes are turned.
     pub(super) turned: Option<usize>,

@@ -7,7 +7,7 @@ use crate::diagnostic::{Diagnostic, DiagnosticKind};
 
 /// No list of a deck is longer than this.
 pub(crate) const MAX_COUNT: usize = 100_000;
-/// Values beyond so many on a line are not read: a line may be as long as a file.
+/// Largest number of values that are read from a line, because a line may be as long as a file.
 const MAX_TOKENS: usize = 2 * MAX_COUNT;
 
 /// A value of a record, its repeats, and the commas between it and the value before.
@@ -56,7 +56,7 @@ impl<'a> Items<'a> {
         self.tokens.get(self.next)
     }
 
-    /// The first of what is still to come, beyond so many values, that is a word and no number.
+    /// The first word that is not a number after the next `values` values.
     pub(crate) fn label_after(&self, values: usize) -> Option<&Token<'a>> {
         let from = (self.next + values).min(self.tokens.len());
         let mut rest = self.tokens[from..].iter();

@@ -24,7 +24,7 @@ pub(super) struct BladeDocument<'a> {
     modes: &'a [BladeMode],
     /// The proof that no mode is missing.
     certificate: Certificate,
-    /// What the reader of the file decided or left out.
+    /// Assumptions of the reader and data that it omits.
     warnings: Vec<String>,
 }
 

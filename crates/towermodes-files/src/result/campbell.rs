@@ -13,8 +13,8 @@ use crate::input::Note;
 
 /// The result of `towermodes campbell`: the diagram with the tower and the notes of the reader.
 ///
-/// The rows of margins repeat the label of their line, and the multiple that coincides with a mode
-/// is a key of its own, so lines, margins and classes have their own structures here.
+/// The rows of `margins` repeat the label of their line, and the multiple that crosses a mode is a
+/// key of its own, so lines, distances and classes have their own structures here.
 #[derive(Serialize, JsonSchema)]
 pub(super) struct CampbellDocument<'a> {
     /// The worst verdict; at best `warn` where the list of modes does not cover all excitations.
@@ -23,7 +23,7 @@ pub(super) struct CampbellDocument<'a> {
     tower: NamedJson<'a>,
     /// The rotor.
     rotor: Rotor,
-    /// The required margin, as a fraction of the natural frequency.
+    /// The required distance, as a fraction of the natural frequency.
     margin: f64,
     /// The frequency range (from, to), Hz, in which the tower may have modes that are not in the
     /// list although an excitation comes close to them; null if the list covers all excitations.
@@ -32,12 +32,12 @@ pub(super) struct CampbellDocument<'a> {
     multiples: &'a [usize],
     /// Natural frequencies: tower modes by frequency, then blade modes.
     lines: Vec<LineJson<'a>>,
-    /// Every line against every multiple, except rigid-body modes without stiffness.
+    /// The distance of every line from every multiple, except rigid-body modes without stiffness.
     margins: Vec<MarginJson<'a>>,
     /// The stiffness class of the lowest fore-aft and of the lowest side-side bending mode; one
     /// coupled mode may be both.
     classes: Vec<ClassJson>,
-    /// What the reader of the file decided or left out, and possible input mistakes.
+    /// Assumptions of the reader, data that it omits, and possible input mistakes.
     warnings: Vec<String>,
 }
 
@@ -73,7 +73,7 @@ struct LineJson<'a> {
     lost_at_rpm: Option<f64>,
 }
 
-/// The distance of an excitation from a natural frequency in operation.
+/// The distance of an excitation from a natural frequency in the operating range.
 #[derive(Serialize, JsonSchema)]
 struct MarginJson<'a> {
     /// Index of the line, from 0.
@@ -88,7 +88,7 @@ struct MarginJson<'a> {
     excitation_hz: f64,
     /// The natural frequency there, Hz.
     natural_hz: f64,
-    /// excitation/natural − 1 there; 0 where both coincide.
+    /// excitation/natural − 1 there; 0 if the excitation crosses the natural frequency.
     distance: f64,
     /// The verdict on the distance.
     verdict: Verdict,
@@ -99,10 +99,10 @@ struct MarginJson<'a> {
 struct ClassJson {
     /// The plane of the mode: `fore-aft` or `side-side`.
     family: Family,
-    /// `soft-soft`, `soft-stiff`, `stiff-stiff`, or `met` where an excitation coincides with the
-    /// mode in operation.
+    /// `soft-soft`, `soft-stiff`, `stiff-stiff`, or `met` if 1P or the blade passing frequency
+    /// crosses the mode in operation.
     class: &'static str,
-    /// The multiple that coincides with it; null otherwise.
+    /// The multiple that crosses it; null otherwise.
     met_by_multiple: Option<usize>,
 }
 

@@ -18,7 +18,7 @@ pub(super) struct SolutionDocument<'a> {
     method: Method,
     /// Number of segments, or of elements.
     segments: usize,
-    /// Polynomial degree of the elements of the spectral beam; null for other methods.
+    /// Polynomial degree of the elements of the method spectral; null for other methods.
     degree: Option<usize>,
     /// Degrees of freedom of the whole tower.
     degrees_of_freedom: usize,
@@ -37,7 +37,7 @@ pub(super) struct SolutionDocument<'a> {
     effective_mass_shares: [f64; 6],
     /// The cost of the solution.
     solver: Statistics,
-    /// What the reader of the file decided or left out, and possible input mistakes.
+    /// Assumptions of the reader, data that it omits, and possible input mistakes.
     warnings: Vec<String>,
 }
 

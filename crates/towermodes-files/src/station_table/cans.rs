@@ -21,7 +21,7 @@ pub(super) struct Can {
     pub(super) diameters_m: [f64; 2],
     pub(super) wall_m: f64,
     pub(super) material: usize,
-    /// Where bottom, top, both diameters and the wall stand.
+    /// The places of bottom, top, both diameters and the wall.
     pub(super) spans: [Range<usize>; 5],
 }
 
@@ -106,7 +106,7 @@ fn joint(below: &Can, can: &Can, text: &str) -> Result<(), Diagnostic> {
     let (line, _) = line_and_column(text, below.spans[1].start);
     let side = if gap_m > 0.0 { "above" } else { "below" };
     let kind = DiagnosticKind::Contradiction(format!(
-        "this can begins at {} m, which is {} m {side} the top of the can below it, {} m in line {line}",
+        "the bottom of this can, {} m, is {} m {side} the top of the can below it, {} m (line {line})",
         Rounded(bottom_m),
         Rounded(gap_m.abs()),
         Rounded(top_m)

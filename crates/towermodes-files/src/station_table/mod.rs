@@ -23,14 +23,14 @@ use number::Numbers;
 
 /// More rows than these are refused: no tower has them, and each takes memory in the solution.
 const MAX_ROWS: usize = 100_000;
-/// More mistakes than these are not collected: the first ones say what is wrong with all.
+/// Largest number of mistakes that are collected; further ones have the same cause.
 const MAX_MISTAKES: usize = 20;
 
 /// A station with the places of its values.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Placed {
     pub(crate) station: Station,
-    /// Where height, diameter and wall stand.
+    /// The places of height, diameter and wall.
     pub(crate) spans: [Range<usize>; 3],
 }
 

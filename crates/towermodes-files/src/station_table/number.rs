@@ -8,7 +8,7 @@ use crate::diagnostic::{Diagnostic, DiagnosticKind, line_and_column, quoted};
 pub(super) struct Numbers<'a> {
     text: &'a str,
     delimiter: char,
-    /// Where the first number with a decimal sign stands, and the sign.
+    /// The place of the first number with a decimal sign, and the sign.
     first: Option<(usize, char)>,
 }
 

@@ -2,7 +2,7 @@
 
 use super::unit::Unit;
 
-/// What a column holds.
+/// The content of a column.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Quantity {
     Height,
@@ -13,12 +13,12 @@ pub(super) enum Quantity {
     TopDiameter,
     Wall,
     Material,
-    /// Something for people, which is not read.
+    /// A remark, which is not used.
     Remark,
 }
 
 impl Quantity {
-    /// What it is called in messages.
+    /// Its name in messages.
     pub(super) fn name(self) -> &'static str {
         match self {
             Self::Height => "height",

@@ -8,7 +8,7 @@ use super::table::Table;
 use super::values::{Value, list, number};
 use crate::diagnostic::{Diagnostic, DiagnosticKind};
 
-/// `[x, y, z]`; the hint says from where.
+/// `[x, y, z]`; the hint gives the reference point.
 pub(super) fn center(
     value: &Value<'_>,
     hint: &str,

@@ -29,8 +29,8 @@ pub(super) fn rna(value: &Value<'_>, reading: &mut Reading) -> Option<Rna> {
     })
 }
 
-/// Whether the file says with zeros that the rotor-nacelle assembly has no inertia; one that is
-/// left out may have been forgotten.
+/// Whether the file gives the inertia of the rotor-nacelle assembly as zeros; a missing inertia may
+/// have been forgotten.
 pub(super) fn says_point(root: &Table<'_>, rna: Option<&Rna>) -> bool {
     let table = root.get("rna").and_then(|rna| rna.get_ref().as_table());
     let says_inertia = table.is_some_and(|table| table.contains_key("inertia"));

@@ -46,8 +46,7 @@ impl Table<'_> {
         Some(number.unwrap_or(default))
     }
 
-    /// The `name`, which may be there for people: nothing is computed from it. Empty if there is
-    /// none.
+    /// The `name`, which is used only in messages and reports; empty if there is none.
     pub(super) fn name_of(&self, what: &str, reading: &mut Reading) -> Option<String> {
         match self.get("name") {
             Some(name) => text(name, what, reading).map(str::to_owned),

@@ -23,7 +23,7 @@ pub struct KeySchema {
     pub is_required: bool,
     /// The unit of its numbers; empty for none.
     pub unit: &'static str,
-    /// What it is.
+    /// Its meaning.
     pub meaning: &'static str,
 }
 

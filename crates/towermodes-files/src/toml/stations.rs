@@ -38,7 +38,7 @@ fn station(
     reading: &mut Reading,
 ) -> Option<Station> {
     let what = format!("station {}", index + 1);
-    let hint = "a row is [height, outer diameter, wall thickness] in m, and a material's name where there are several";
+    let hint = "a row is [height, outer diameter, wall thickness] in m, followed by the name of the material if the file has several materials";
     let expected = |count| (!(3..=4).contains(&count)).then(|| "3 or 4".to_owned());
     let values = row_of(row, &what, hint, expected, reading)?;
     let mut value = |column: usize, key: &'static str, what: &str| {

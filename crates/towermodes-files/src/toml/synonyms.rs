@@ -1,4 +1,4 @@
-//! What people call the keys of a tower file in other programs and on drawings.
+//! Names of the keys of a tower file in other programs and on drawings.
 
 /// Names and the keys that they may mean, the likeliest first, each separated by blanks. Names are
 /// in small letters and without a unit at their end. The types of a foundation are here too.
@@ -119,7 +119,7 @@ const SYNONYMS: [(&str, &str); 54] = [
     ("footing half_space halfspace gravity_base", "half-space"),
 ];
 
-/// Units that people write at the end of a key.
+/// Units at the end of a key.
 const UNITS: [&str; 14] = [
     "_kg_per_m3",
     "_kg_m2",

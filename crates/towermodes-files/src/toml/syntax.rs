@@ -141,7 +141,7 @@ impl Written<'_> {
     }
 }
 
-/// Units that people write, what they are in the unit of a key, and that unit.
+/// Units after a number, their factor to the unit of the key, and this unit.
 const UNITS: [(&str, f64, &str); 14] = [
     ("t", 1e3, "kg"),
     ("kg", 1.0, "kg"),

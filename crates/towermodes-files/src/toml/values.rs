@@ -42,7 +42,7 @@ pub(super) fn number_or_infinity(
     infinity(value).or_else(|| number(value, what, reading))
 }
 
-/// Infinity that is meant: `inf` and not a number too large.
+/// Infinity as the word `inf`, not as a number that is too large.
 pub(super) fn infinity(value: &Value<'_>) -> Option<f64> {
     let DeValue::Float(float) = value.get_ref() else {
         return None;

@@ -25,7 +25,7 @@ pub(super) fn without_airfoils(text: &str) -> Cow<'_, str> {
     Cow::Owned(blank)
 }
 
-/// What stands between the line `airfoils:` and the next key at the margin.
+/// The text between the line `airfoils:` and the next key without indentation.
 fn section(text: &str) -> Option<std::ops::Range<usize>> {
     let key = "\nairfoils:";
     let start = text.find(key)? + key.len();

@@ -84,7 +84,7 @@ impl Curve {
         &self.values
     }
 
-    /// Where each value stands in the file.
+    /// The place of each value in the file.
     pub(super) fn spans(&self) -> &[Range<usize>] {
         &self.spans
     }

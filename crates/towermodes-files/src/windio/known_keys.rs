@@ -204,7 +204,7 @@ fn lookalike(key: &str, keys: Keys) -> Option<&'static str> {
     (found <= allowed && other.is_none_or(|other| found < other)).then_some(nearest)
 }
 
-/// Where a key stands that has its value at a byte: the nearest place before it, or the first in
+/// The place of the key whose value begins at a byte: the nearest one before it, or the first in
 /// the file.
 fn place_of(key: &str, value_at: usize, text: &str) -> usize {
     let before = text.get(..value_at).unwrap_or(text);

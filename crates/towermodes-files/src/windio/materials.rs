@@ -18,7 +18,7 @@ const MODULI_TOLERANCE: f64 = 0.01;
 pub(super) struct Used {
     name: String,
     pub(super) material: Material,
-    /// Where density, E and G stand.
+    /// The places of density, E and G.
     pub(super) spans: [Range<usize>; 3],
 }
 

@@ -38,7 +38,7 @@ pub(super) struct Components {
     pub(super) unknown: Vec<String>,
 }
 
-/// What of a blade says its mass.
+/// The part of a blade that gives its mass.
 #[derive(Debug, Default, Deserialize)]
 pub(super) struct Blade {
     /// Version 2.
@@ -107,7 +107,7 @@ impl Version {
 }
 
 impl Outline {
-    /// Its version, or that of its keys if it does not say one.
+    /// Its version, or that of its keys if it is not given.
     pub(super) fn version(&self, text: &str) -> Version {
         let said = self.version.as_ref().map(|node| node.name(text));
         match said.and_then(|version| version.trim().chars().next()) {

@@ -119,7 +119,7 @@ impl Part {
         stops
     }
 
-    /// Height at a position; exactly as it is in the file where the file gives it.
+    /// Height at a position; exactly the value of the file if it is given.
     fn height_at(&self, position: Position) -> f64 {
         let at = self.z.grid().partition_point(|&g| g < position.from);
         match self.z.grid().get(at) {

@@ -29,7 +29,7 @@ struct Span {
 /// The blades together: mass, centre on the shaft, inertia; x along the shaft downwind, from the
 /// apex.
 ///
-/// None if the file does not say their mass.
+/// None if the file does not give their mass.
 pub(super) fn rotor(blade: &Blade, hub: &Hub) -> Result<Option<RigidBody>, Diagnostic> {
     let (Some(axis), Some(inertia)) = (blade.axis(), blade.inertia_matrix()) else {
         return Ok(None);

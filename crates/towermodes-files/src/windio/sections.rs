@@ -15,7 +15,7 @@ use crate::places::TABLE;
 const MAX_ROWS_BETWEEN: usize = 200;
 const MAX_ROWS: usize = 200_000;
 
-/// A row of the tower and where in the file its values stand, by their keys.
+/// A row of the tower and the places of its values in the file, by key.
 #[derive(Debug, Clone)]
 pub(super) struct Placed<T> {
     pub(super) row: T,
@@ -24,7 +24,7 @@ pub(super) struct Placed<T> {
 
 impl Part {
     /// Its walls as tubes, if there is one layer everywhere; one that is the only one may be too
-    /// thin, and the tower's checks say so.
+    /// thin, which the checks of the tower report.
     pub(super) fn tubes(&self) -> Option<Vec<Placed<Station>>> {
         let mut rows: Vec<Placed<Station>> = Vec::new();
         for (base, top) in self.stretches() {

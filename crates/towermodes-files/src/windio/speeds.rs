@@ -15,10 +15,10 @@ use crate::places::TABLE;
 /// No blade's tip is faster in operation, m/s; those of large rotors reach 70 to 110.
 const FASTEST_TIP_M_PER_S: f64 = 150.0;
 
-/// Blades of a rotor whose file does not say how many.
+/// Number of blades if the file does not give it.
 pub(super) const USUAL_BLADES: usize = 3;
 
-/// Where the limits of the speed stand.
+/// The places of the speed limits.
 struct Limits<'a> {
     lowest: Option<&'a Node>,
     highest: &'a Node,
@@ -101,7 +101,7 @@ impl Limits<'_> {
 /// limit at which the turbine is shut down, not an operating speed. Version 1, and files of version
 /// 2 with the older `control`, have `control.torque.VS_minspd` and `VS_maxspd`, in rad/s by the
 /// schema, but in rpm in many files: which of both it is the speed of the tips shows. `VS_maxspd`
-/// limits the rated speed, which they do not say.
+/// limits the rated speed, which these files do not contain.
 pub(super) fn rotor(
     outline: &Outline,
     reading: &mut Reading<'_>,
@@ -155,7 +155,7 @@ fn limits(outline: &Outline) -> Option<Limits<'_>> {
     })
 }
 
-/// The number of blades, if the file says it.
+/// The number of blades, if the file gives it.
 pub(super) fn blade_count(outline: &Outline) -> Result<Option<usize>, Diagnostic> {
     let assembly = outline.assembly.as_ref();
     let Some(node) = assembly.and_then(|assembly| assembly.get("number_of_blades")) else {

@@ -7,7 +7,7 @@ use towermodes::{Material, Planes, Properties};
 
 use crate::diagnostic::DiagnosticKind;
 
-/// Largest relative error of mass and stiffness between rows that stand for walls.
+/// Largest relative error of mass and stiffness between rows that represent walls.
 const ROW_ERROR: f64 = 1e-5;
 
 /// A stretch of wall: diameter and thicknesses at its base and top, linear between them.
@@ -38,7 +38,7 @@ impl Wall {
         })
     }
 
-    /// The section a share of the way up: the sums of its concentric tubes.
+    /// The section at a fraction of the height: the sums of its concentric tubes.
     pub(super) fn properties(
         &self,
         share: f64,

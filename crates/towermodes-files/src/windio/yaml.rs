@@ -9,8 +9,8 @@ use serde_saphyr::{Location, Spanned};
 
 use crate::diagnostic::{Diagnostic, DiagnosticKind};
 
-/// A value and the bytes of the file it takes; of a list or a map, where it begins. What an alias
-/// stands for is where it was defined.
+/// A value and the bytes of the file it takes; of a list or a map, where it begins. The place of an
+/// alias is that of its definition.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Node {
     pub(super) value: Value,

@@ -37,9 +37,8 @@ fn a_deck_is_a_clamped_tower() {
             .any(|note| note.contains("rigid in torsion and axially"))
     );
     assert!(
-        notes
-            .iter()
-            .any(|note| note.starts_with("main.dat:") && note.contains("GenIner counts once")),
+        notes.iter().any(|note| note.starts_with("main.dat:")
+            && note.contains("GenIner is used without the factor GBRatio^2")),
         "{notes:?}"
     );
     let files: Vec<&str> = deck.input.files().collect();

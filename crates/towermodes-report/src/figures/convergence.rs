@@ -28,7 +28,7 @@ struct Series {
 }
 
 /// The relative errors of the modes against the number of segments on logarithmic axes; for the
-/// spectral beam against its degree.
+/// method spectral against its degree.
 pub fn convergence(convergence: &Convergence) -> Figure {
     let series = series(convergence);
     let title = format!(
@@ -100,9 +100,9 @@ fn label(convergence: &Convergence, mode: usize) -> String {
 
 fn beam(convergence: &Convergence) -> &'static str {
     if convergence.rotary_inertia {
-        "the converged spectral beam"
+        "the reference solution"
     } else {
-        "the converged spectral beam without rotary inertia"
+        "the reference solution without rotary inertia"
     }
 }
 

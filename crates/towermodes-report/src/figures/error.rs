@@ -19,25 +19,25 @@ const SPACE: f64 = 10.0;
 const SIZE: f64 = 11.0;
 /// More modes have no room for their names.
 const MODES: usize = 40;
-/// More methods cannot be told apart.
+/// More methods cannot be distinguished.
 const METHODS: usize = 12;
 /// Neighbouring dots of a mode are so far apart where there is room.
 const APART: f64 = 9.0;
 
-/// The relative frequency differences of the methods from the spectral beam, a group of dots per
-/// mode.
+/// The relative frequency differences of the methods from the reference solution, a group of dots
+/// per mode.
 pub fn error(comparison: &Comparison) -> Figure {
     let methods = drawn(comparison);
     Figure {
         name: "error".to_owned(),
-        title: "Frequency differences of the methods from the reference beam solution".to_owned(),
+        title: "Frequency differences of the methods from the reference solution".to_owned(),
         description: description(comparison, &methods),
         drawing: drawing(comparison, &methods),
         table: table(comparison),
     }
 }
 
-/// The columns that are drawn. The spectral beam is the reference and is drawn only if it is alone.
+/// The columns that are drawn. The reference solution is drawn only if it is alone.
 fn drawn(comparison: &Comparison) -> Vec<&Column> {
     let others = comparison
         .columns
@@ -57,11 +57,15 @@ fn difference(column: &Column, mode: usize) -> Option<f64> {
     difference.is_finite().then_some(difference)
 }
 
-/// "rmje-exact (60)", "spectral (degree 17)".
+/// "rmje-exact (60 segments)", "spectral (degree 17)".
 fn name(column: &Column) -> String {
     match column.degree {
         Some(degree) => format!("{} (degree {degree})", column.method.name()),
-        None => format!("{} ({})", column.method.name(), column.segments),
+        None => format!(
+            "{} ({})",
+            column.method.name(),
+            counted(column.segments, column.method.unit())
+        ),
     }
 }
 
@@ -82,7 +86,7 @@ pub(super) fn hidden_text(hidden: usize) -> Option<String> {
 fn description(comparison: &Comparison, methods: &[&Column]) -> String {
     let names: Vec<String> = methods.iter().map(|column| name(column)).collect();
     let mut text = format!(
-        "Relative frequency differences of {} from the spectral beam, for {}, on a logarithmic axis.",
+        "Relative frequency differences of {} from the reference solution, for {}, on a logarithmic axis.",
         names.join(", "),
         counted(comparison.modes.len(), "mode")
     );

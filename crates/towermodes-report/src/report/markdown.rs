@@ -90,7 +90,10 @@ fn of_picture(picture: &Picture, content: &ReportContent) -> String {
         line(&figure.description)
     );
     let below = match picture.what {
-        Some(what) => fenced(&plot_command(content, what)),
+        Some(what) => {
+            let command = fenced(&plot_command(content, what));
+            format!("This command draws the figure:\n\n{command}")
+        }
         None => of_data(&figure.table),
     };
     format!("{heading}\n\n{below}")

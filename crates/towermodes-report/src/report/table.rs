@@ -140,11 +140,13 @@ impl Table {
     /// The same without the columns whose every cell is 0 or rigid, which the caption then names.
     /// The first column stays, because it names the row.
     pub(super) fn without_empty_columns(mut self) -> Self {
-        for (cell, said) in [("0", "zero"), ("rigid", "rigid")] {
+        for (cell, value) in [("0", "zero"), ("rigid", "rigid")] {
             let names = self.drop_columns_of(cell);
             if !names.is_empty() {
-                self.caption
-                    .push_str(&format!("; {said}: {}", names.join(", ")));
+                self.caption.push_str(&format!(
+                    "; columns not shown because all values are {value}: {}",
+                    names.join(", ")
+                ));
             }
         }
         self
@@ -251,7 +253,10 @@ mod tests {
         };
         let dropped = table(&[["0", "7", "0", "rigid"], ["0", "0", "0", "rigid"]]);
         assert_eq!(columns(&dropped), ["height z (m)", "mass (kg)"]);
-        assert_eq!(dropped.caption, "Parts; zero: Ixx; rigid: κGA");
+        assert_eq!(
+            dropped.caption,
+            "Parts; columns not shown because all values are zero: Ixx; columns not shown because all values are rigid: κGA"
+        );
         assert!(dropped.rows.iter().all(|row| row.len() == 2));
         let kept = table(&[["0", "7", "0", "rigid"], ["0", "0", "1", "2"]]);
         assert_eq!((columns(&kept).len(), &*kept.caption), (4, "Parts"));

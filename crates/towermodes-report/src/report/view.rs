@@ -90,7 +90,7 @@ pub(super) struct TableView {
 /// A row of a table of the page.
 #[derive(Serialize)]
 pub(super) struct RowView {
-    /// Whether the row stands for left out rows.
+    /// Whether the row represents omitted rows.
     pub is_gap: bool,
     pub cells: Vec<Cell>,
 }

@@ -1,4 +1,4 @@
-//! A visible heading above a picture that stands alone, for instance as an attachment.
+//! A visible heading above a standalone picture, for instance as an attachment.
 
 use super::figure::Figure;
 use super::style::TextStyle;

@@ -6,8 +6,8 @@ use super::chart::{Series, XAxis, chart};
 use crate::figures::error_axis::ROUNDING;
 
 /// The relative errors of the modes against the number of segments on logarithmic axes (for the
-/// spectral beam against its degree), as wide as a terminal of `width` columns permits. `marks` are
-/// the characters of the modes in the table beside it. Empty if there is no room or no error.
+/// method spectral against its degree), as wide as a terminal of `width` columns permits. `marks`
+/// are the characters of the modes in the table beside it. Empty if there is no room or no error.
 pub fn convergence(
     convergence: &Convergence,
     marks: impl Iterator<Item = char>,

@@ -11,7 +11,7 @@ use super::text::counted;
 /// A list may end between two modes of equal frequency; then the line states it.
 pub fn completeness(certificate: &Certificate, listed: usize) -> String {
     let except = match certificate.count > listed {
-        true => " except for a repeat of the last mode",
+        true => " except for the other mode of the last pair",
         false => "",
     };
     format!(
@@ -29,8 +29,10 @@ pub fn proof_of_completeness(certificate: &Certificate, listed: usize) -> String
     };
     let all = match (certificate.count > listed, listed) {
         (false, _) => "all of them are listed".to_owned(),
-        (true, 1) => "1 of them is listed; the others repeat it".to_owned(),
-        (true, _) => format!("{listed} of them are listed; the others repeat the last one"),
+        (true, 1) => "1 of them is listed; the others have the same frequency".to_owned(),
+        (true, _) => {
+            format!("{listed} of them are listed; the others have the frequency of the last one")
+        }
     };
     format!(
         "The number of negative pivots of K − ω²M (Sylvester's law of inertia) proves that the computed model has exactly {count} below {} Hz; \
@@ -54,7 +56,8 @@ mod tests {
         };
         let all = "complete: exactly 9 modes below 8.323 Hz";
         assert_eq!(completeness(&certificate, 9), all);
-        let cut = "complete except for a repeat of the last mode: exactly 9 modes below 8.323 Hz";
+        let cut =
+            "complete except for the other mode of the last pair: exactly 9 modes below 8.323 Hz";
         assert_eq!(completeness(&certificate, 8), cut);
         let proof = proof_of_completeness(&certificate, 8);
         assert!(proof.contains("exactly 9 natural frequencies below 8.32340 Hz; 8 of them are"));

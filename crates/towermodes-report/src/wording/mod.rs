@@ -1,4 +1,4 @@
-//! Words and sentences that several surfaces share: tables on a terminal, reports, pictures.
+//! Words and sentences that occur in several outputs: tables on a terminal, reports, pictures.
 //!
 //! Each sentence is written once, so that all surfaces use the same words for the same result.
 

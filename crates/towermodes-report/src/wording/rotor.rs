@@ -23,7 +23,7 @@ pub fn operation(rotor: &Rotor) -> String {
     format!("{blades} at {} rpm", speed_range(rotor))
 }
 
-/// A verdict as people read it: `PASS`, `WARN`, `FAIL`.
+/// The verdict in upper case: `PASS`, `WARN`, `FAIL`.
 pub fn verdict_word(verdict: Verdict) -> &'static str {
     match verdict {
         Verdict::Pass => "PASS",

@@ -17,8 +17,8 @@ pub fn listed(items: &[String]) -> String {
     }
 }
 
-/// A text in which `replacement` stands for every control character, every mark that turns the
-/// direction of writing, and both noncharacters U+FFFE and U+FFFF. Line feeds and tabs stay.
+/// A text in which `replacement` replaces every control character, every mark that changes the
+/// writing direction, and both noncharacters U+FFFE and U+FFFF. Line feeds and tabs stay.
 ///
 /// Names come from files: without this they could hide or forge what a terminal or a page shows.
 pub fn printable(text: &str, replacement: char) -> Cow<'_, str> {

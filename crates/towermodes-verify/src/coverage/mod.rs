@@ -1,8 +1,8 @@
 //! How often the estimated errors hold: random towers of many classes, each method compared with
-//! the reference beam solution.
+//! the reference solution.
 //!
 //! An error is *covered* if it is at most three times the estimated one. The reference is the
-//! spectral beam with a degree increased by four and the beam theory of the method: without shear
+//! method spectral with a degree increased by four and the beam theory of the method: without shear
 //! deformation and rotary inertia for BModes.
 //! `cargo run --release -p towermodes-verify --example random_study` prints the tables of the book.
 

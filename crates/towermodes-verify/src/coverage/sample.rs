@@ -1,4 +1,4 @@
-//! One mode of one tower by one method: its claimed error and its true error.
+//! One mode of one tower by one method: its estimated error and its true error.
 
 use towermodes::{
     Method, Mode, Options, Shear, Solution, SolveError, Tower, TowerDescription, Warning,
@@ -11,13 +11,13 @@ use super::seed::Seed;
 /// How finely the towers are cut.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Fineness {
-    /// As many segments as a method takes unless told.
+    /// The default number of segments of the method.
     Default,
     /// A random number from 10 to 60.
     Coarse,
 }
 
-/// The claimed and the true error of a mode.
+/// The estimated and the true error of a mode.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Sample {
     /// Number of the tower.
@@ -28,7 +28,7 @@ pub struct Sample {
     pub segments: usize,
     /// Its frequency, Hz.
     pub frequency_hz: f64,
-    /// The error that is claimed, Hz.
+    /// The estimated error, Hz.
     pub claimed_hz: f64,
     /// Its difference from the reference minus the uncertainty of the reference, Hz.
     pub true_hz: f64,
@@ -36,13 +36,13 @@ pub struct Sample {
     pub is_warned: bool,
 }
 
-/// The claimed error may be too small by this factor.
+/// The estimated error may be too small by this factor.
 const ALLOWED: f64 = 3.0;
 
-/// Errors below this share of a frequency are rounding.
+/// Errors below this fraction of a frequency are rounding errors.
 const ROUNDING: f64 = 1e-9;
 
-/// Modes asked for.
+/// Number of modes.
 const MODES: usize = 8;
 
 /// More modes of the reference than of the method, for those that the method's errors bring into
@@ -53,12 +53,12 @@ const MORE: usize = 8;
 const RAISED: usize = 4;
 
 impl Sample {
-    /// Whether the error is at most three times the claimed one.
+    /// Whether the error is at most three times the estimate.
     pub fn is_covered(&self) -> bool {
         self.true_hz <= ALLOWED * self.claimed_hz
     }
 
-    /// claimed/true, unless rounding is all there is.
+    /// estimated/true error; none if both are rounding errors.
     pub fn ratio(&self) -> Option<f64> {
         let is_more = self.true_hz > ROUNDING * self.frequency_hz;
         is_more.then_some(self.claimed_hz / self.true_hz)

@@ -7,8 +7,8 @@ use towermodes::Method;
 use super::class::Class;
 use super::tally::Tally;
 
-/// A table of the share of modes that are covered, in percent, and the median of claimed/true, for
-/// each class and method.
+/// A table of the percentage of covered modes and the median of estimated/true error, for each
+/// class and method.
 pub fn table(methods: &[Method], rows: &[(Class, Vec<Tally>)]) -> String {
     let mut text = String::from("| class | modes |");
     for method in methods {

@@ -41,12 +41,12 @@ impl Tally {
         self.warned
     }
 
-    /// The share of modes whose error is at most three times the claimed one.
+    /// The fraction of modes whose error is at most three times the estimate.
     pub fn coverage(&self) -> f64 {
         self.covered as f64 / self.modes.max(1) as f64
     }
 
-    /// The median of claimed/true; none where rounding is all there is.
+    /// The median of estimated/true error; none if all errors are rounding errors.
     pub fn median_ratio(&self) -> Option<f64> {
         let mut ratios = self.ratios.clone();
         ratios.sort_by(f64::total_cmp);

@@ -40,7 +40,7 @@ pub struct Stencil {
 }
 
 impl Stencil {
-    /// Makes it for so many points and polynomials, unless it is already.
+    /// Allocates the tables for this number of points and polynomials, if they do not exist yet.
     pub(super) fn prepare(&mut self, points: usize, count: usize) {
         if self.points.len() == points && self.count == count {
             return;

@@ -6,7 +6,7 @@ use crate::tower::Site;
 use crate::tower::Warning;
 use crate::tower::{Inertia, inertia_plausibility};
 
-/// The radius of gyration of the body at the tip reaches to this share of the blade's length.
+/// The radius of gyration of the body at the tip is at most this fraction of the blade length.
 const TIP_REACH: f64 = 0.6;
 
 /// A blade that can exist: every property is finite, and positive where it must be; constant
@@ -55,7 +55,7 @@ impl Blade {
         &self.description
     }
 
-    /// What looks like a slip in the body at the tip, though it is possible.
+    /// Possible input mistakes in the body at the tip.
     pub fn warnings(&self) -> Vec<Warning> {
         let (tip, site) = (&self.description.tip, Site::default());
         let mut warnings = Vec::new();
@@ -78,7 +78,7 @@ impl Blade {
         self.description.tip_radius_m - self.description.hub_radius_m
     }
 
-    /// Distance from the rotor's axis at a share of the span, m.
+    /// Distance from the rotor axis at a fraction of the span, m.
     pub fn radius_m(&self, span: f64) -> f64 {
         self.description.hub_radius_m + span * self.length_m()
     }
@@ -94,7 +94,7 @@ impl Blade {
         masses.sum()
     }
 
-    /// The section at a share of the span: mass, stiffnesses, squared radii of gyration (inertia
+    /// The section at a fraction of the span: mass, stiffnesses, squared radii of gyration (inertia
     /// over mass), offsets and twist are linear between the sections given, as BModes interpolates.
     pub fn section_at(&self, span: f64) -> BladeSection {
         let sections = &self.description.sections;

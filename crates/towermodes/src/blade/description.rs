@@ -1,4 +1,4 @@
-//! What a rotating blade is, as BModes models it.
+//! The description of a rotating blade, as in BModes.
 
 use crate::tower::RigidBody;
 
@@ -10,13 +10,13 @@ use crate::tower::RigidBody;
 /// twist + pitch, positive from X towards Y.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct BladeDescription {
-    /// What the user calls it.
+    /// Name given by the user.
     pub name: String,
     /// Radius of the hub, where the blade begins, m.
     pub hub_radius_m: f64,
     /// Radius of the tip, m.
     pub tip_radius_m: f64,
-    /// Sections by rising share of the span; linear between them.
+    /// Sections by increasing span; linear between them.
     pub sections: Vec<BladeSection>,
     /// Borders of the elements from the root to the tip, as shares of the span, 0 to 1.
     pub borders: Vec<f64>,
@@ -33,7 +33,7 @@ pub struct BladeDescription {
 /// A section of a blade.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct BladeSection {
-    /// Where it is, as a share of the span: 0 at the root, 1 at the tip.
+    /// Position as a fraction of the span: 0 at the root, 1 at the tip.
     pub span: f64,
     /// Structural twist, rad.
     pub twist_rad: f64,

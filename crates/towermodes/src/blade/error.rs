@@ -4,22 +4,22 @@ use thiserror::Error;
 
 use crate::number::Plain;
 
-/// What no blade can have. Indices count from 0.
+/// An impossible value in the description of a blade. Indices count from 0.
 #[derive(Debug, Clone, Copy, PartialEq, Error)]
 #[non_exhaustive]
 pub enum BladeError {
     /// A number that is none.
     #[error("{quantity} is {value}, which is not a finite number")]
     NotFinite {
-        /// What it is.
+        /// The quantity.
         quantity: &'static str,
         /// The value given.
         value: f64,
     },
-    /// What must be positive and is not.
+    /// A value is not positive.
     #[error("{quantity} of section {} is {}; it must be positive", .section + 1, Plain(*.value))]
     NotPositive {
-        /// What it is.
+        /// The quantity.
         quantity: &'static str,
         /// Of which section.
         section: usize,
@@ -48,7 +48,7 @@ pub enum BladeError {
         .section + 1
     )]
     RigidInSomeSections {
-        /// What it is.
+        /// The quantity.
         quantity: &'static str,
         /// Of which section.
         section: usize,
@@ -70,9 +70,9 @@ pub enum BladeError {
     NotWhole {
         /// Which.
         what: &'static str,
-        /// The first, as a share of the span.
+        /// The first, as a fraction of the span.
         first: f64,
-        /// The last, as a share of the span.
+        /// The last, as a fraction of the span.
         last: f64,
     },
     /// Sections or borders of elements that do not rise.
@@ -80,7 +80,7 @@ pub enum BladeError {
     NotRising {
         /// Which.
         what: &'static str,
-        /// Where, as a share of the span.
+        /// Position, as a fraction of the span.
         span: f64,
     },
     /// A mass at the tip that is negative.

@@ -1,4 +1,4 @@
-//! What a rotating blade is: sections with twist and offsets, a rotor's speed, a body at the tip;
+//! The rotating blade: sections with twist and offsets, rotor speed, a body at the tip;
 //! validated once, constant afterwards.
 
 #[allow(clippy::module_inception, reason = "the file is about the type")]

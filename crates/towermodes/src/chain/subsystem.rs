@@ -121,7 +121,7 @@ impl<const D: usize> Subsystem for ChainSubsystem<D> {
 
 /// How a subsystem is made of rigid bodies and joints.
 pub trait ChainAssembly: Subsystem {
-    /// Reserves memory for so many joints.
+    /// Reserves memory for `joints` joints.
     fn reserve(&mut self, joints: usize);
 
     /// Adds a joint at a height (m) under a compression (N), with the flexibility of each component
@@ -144,7 +144,7 @@ impl<const D: usize> ChainAssembly for ChainSubsystem<D> {
 pub type Chains = Subsystems<dyn ChainAssembly>;
 
 impl Chains {
-    /// Begins with the base of a tower, and with memory for so many joints.
+    /// Begins with the base of a tower, and with memory for `joints` joints.
     pub(crate) fn begin(&mut self, tower: &Tower, joints: usize) {
         self.restart(tower, |motions| match dimension(motions) {
             1 => Box::new(ChainSubsystem::<1>::new(motions, Chain::default())),

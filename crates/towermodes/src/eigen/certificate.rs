@@ -63,8 +63,8 @@ pub(super) fn residual_bound(eigenvalues: &[f64], index: usize, residual: f64, m
     residual.min(residual * residual / below.min(above))
 }
 
-/// What rounding adds to the bound, relatively, for so many unknowns and a stiffness whose terms
-/// cancel by so much.
+/// The relative contribution of rounding to the bound, for a number of unknowns and a factor by
+/// which the terms of the stiffness cancel.
 ///
 /// A relative error η of the motions J u changes uᵀJᵀMJu by at most 2 η ‖M^½ J u‖ ‖M^½ |J| |u|‖,
 /// relative to it by about η √(θ₁/θ), the ratio of this frequency to the lowest; and uᵀKu by η

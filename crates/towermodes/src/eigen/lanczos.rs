@@ -178,7 +178,7 @@ impl Lanczos {
     }
 
     /// Orthonormalizes `next` against the basis and appends it; if it lies in the basis's span,
-    /// random ones are tried. False if none of them has a part outside it.
+    /// random ones are tried. False if none of these has a component outside the span.
     fn append_orthonormalized(&mut self, pencil: &mut dyn Pencil, seed: usize) -> bool {
         for attempt in 0..4 {
             pencil.stiffness_times(&self.next, &mut self.stiff);
@@ -239,8 +239,8 @@ impl Lanczos {
         self.diagonalize_fully() && self.are_small(wanted, beta, self.used)
     }
 
-    /// Whether the residual estimates are small, from so many of the last rows of the eigenvectors
-    /// of the projected matrix.
+    /// Whether the residual estimates are small, from the last `rows` rows of the eigenvectors of
+    /// the projected matrix.
     fn are_small(&self, wanted: usize, beta: f64, rows: usize) -> bool {
         let largest = self.values[self.order[0]];
         self.order.iter().take(wanted).all(|&i| {
@@ -254,7 +254,7 @@ impl Lanczos {
         self.diagonalize_rows(self.used)
     }
 
-    /// Ritz values and so many of the last rows of the eigenvectors of the projected matrix; false
+    /// Ritz values and the last `rows` rows of the eigenvectors of the projected matrix; false
     /// if they are not numbers.
     fn diagonalize_rows(&mut self, rows: usize) -> bool {
         let size = self.used;

@@ -46,7 +46,7 @@ pub(super) fn add_prismatic_segment(
 }
 
 /// Adds one segment between two heights (m) with exact integrals; the joint between the hinges sits
-/// at the elastic centre.
+/// at the centre of flexibility.
 pub(super) fn add_exact_segment(
     assembly: &mut Assembly<'_>,
     piece: &Piece,

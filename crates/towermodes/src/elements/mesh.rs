@@ -20,7 +20,7 @@ const ROUNDED: f64 = 1e-9;
 /// Why given heights cannot be the segment borders of a tower.
 #[derive(Debug, Clone, Copy, PartialEq, Error)]
 pub enum BorderError {
-    /// An attachment, or an end of the tower, is at none of them.
+    /// An attachment, or an end of the tower, is not at an element boundary.
     #[error("no element border is at {} m, where the tower ends or something is attached", Plain(*.height_m))]
     Missing {
         /// The height, m.
@@ -124,7 +124,7 @@ impl Mesh {
     /// attachment must be at one of them, up to rounding.
     ///
     /// # Errors
-    /// [`BorderError`]: the first condition that is not met.
+    /// [`BorderError`]: the first condition that is violated.
     pub fn with_borders(tower: &Tower, heights_m: &[f64]) -> Result<Self, BorderError> {
         let mut borders_m = heights_m.to_vec();
         // What is no number rises over nothing.
@@ -160,7 +160,7 @@ impl Mesh {
         Self::distribute(spans, pairs, 2)
     }
 
-    /// Distributes `shares` by length, each of so many segments.
+    /// Distributes `shares` by length, each of `segments_each` segments.
     fn distribute(mut spans: Vec<Span>, shares: usize, segments_each: usize) -> Self {
         let lengths: Vec<f64> = spans.iter().map(Span::length_m).collect();
         let counts = shared_by_length(&lengths, shares);

@@ -72,8 +72,8 @@ pub struct Recipe {
     /// Whether sections have rotary inertia in bending (false: an Euler-Bernoulli beam); torsion
     /// and the rotor-nacelle assembly keep theirs.
     pub rotary_inertia: bool,
-    /// Where the hinges of [`Element::Cardanic`] sit, as a fraction k of the segment from each end,
-    /// 0 < k < 1/2.
+    /// The position of the hinges of [`Element::Cardanic`], as a fraction k of the segment from
+    /// each end, 0 < k < 1/2.
     pub hinge_position: f64,
 }
 

@@ -18,7 +18,7 @@ pub(super) fn prismatic(section: &Section, length: f64) -> JointFlexibility {
     }
 }
 
-/// Of any segment, about the elastic centre of each plane.
+/// Of any segment, about the centre of flexibility of each plane.
 #[inline]
 pub(super) fn exact(compliance: &Compliance) -> JointFlexibility {
     let bending = compliance.bending;

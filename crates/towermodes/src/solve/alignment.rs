@@ -38,7 +38,7 @@ pub(super) fn align(
     }
 }
 
-/// How to mix so many vectors from `first` on: one row for each new one.
+/// The coefficients that combine the vectors from `first` on: one row per new vector.
 fn axes(
     model: &mut Model,
     subsystem: usize,

@@ -300,8 +300,8 @@ fn estimate_errors(
 }
 
 /// `steps` meshes beside the blade's own elements, each with half the elements of the one before.
-/// Elements with sections inside are cut at these first, and are none of the meshes: halving alone
-/// would not show what they miss.
+/// Elements with sections inside are cut at these first, and are not one of the meshes: halving
+/// alone would not show what they miss.
 fn ladder(blade: &Blade, steps: usize) -> Ladder<Vec<f64>> {
     let borders = &blade.description().borders;
     let cut = with_sections(blade, borders);

@@ -1,4 +1,4 @@
-//! Refusals that towers and blades share.
+//! Checks common to towers and blades.
 
 use super::error::SolveError;
 
@@ -18,7 +18,7 @@ pub(super) fn check_segments(segments: usize, most: usize) -> Result<(), SolveEr
     }
 }
 
-/// Refuses more modes than a model of so many degrees of freedom has.
+/// Refuses more modes than the model has degrees of freedom.
 pub(super) fn check_size(
     modes: usize,
     segments: usize,

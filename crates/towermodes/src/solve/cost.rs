@@ -66,7 +66,7 @@ impl Cost {
         }
     }
 
-    /// Of one mesh of a blade with so many unknowns; its time is not estimated.
+    /// The cost of one mesh of a blade; its time is not estimated.
     pub(super) fn of_blade(unknowns: usize, segments: usize, modes: usize) -> Self {
         // Vectors per mode as of a tower's elements of BModes, and the mode itself.
         let vectors = (6 * modes + 20).min(2 * unknowns) as f64;
@@ -115,7 +115,7 @@ fn ladder(cut: &Cut, others: usize) -> (f64, f64) {
     (own as f64 * f64::from(1 << finer), own as f64 + others)
 }
 
-/// What work on so many segments takes.
+/// The cost of work on a number of segments.
 struct Work {
     bytes: f64,
     seconds: f64,
@@ -180,7 +180,7 @@ impl Costs {
         subsystems.map(|s| s.multiplicity * s.unknowns).sum()
     }
 
-    /// Vectors of the process that finds so many modes.
+    /// Number of Lanczos vectors for this number of modes.
     fn vectors(&self, modes: f64) -> f64 {
         let [a, b, c] = self.vectors;
         a + modes * (b + modes * c)

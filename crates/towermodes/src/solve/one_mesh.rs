@@ -159,7 +159,7 @@ pub(super) fn describe(
     })
 }
 
-/// The modes asked for with their shapes; the discretization error is not known yet.
+/// The requested modes with their shapes; the discretization error is not known yet.
 fn shapes(
     tower: &Tower,
     mesh: &Mesh,

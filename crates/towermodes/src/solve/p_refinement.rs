@@ -13,9 +13,9 @@ use super::workspace::Workspace;
 use crate::eigen::Statistics;
 use crate::tower::Tower;
 
-/// What is tried beside the first two cuts: so many times what these take, and so many seconds.
-/// Modes that do not stand still by then, as where a few numbers of a file are nine digits off, are
-/// given with the change that they still make.
+/// Limit of the work beyond the first two meshes, as a multiple of their work and in seconds. Modes
+/// that have not converged by then, for example if a few numbers of a file are wrong by nine orders
+/// of magnitude, are given with their last change as error.
 const PATIENCE: f64 = 3.0;
 const PATIENCE_S: f64 = 1.0;
 
@@ -106,8 +106,8 @@ fn raise(
     }
 }
 
-/// How far each mode is from what it is on another cut, Hz; all of its frequency if it is not
-/// there.
+/// The change of each frequency from one mesh to another, Hz; the whole frequency if the mode is
+/// missing there.
 fn changes(modes: &[Found], others: &[Found]) -> Vec<f64> {
     let change = |found: &Found| {
         let other = others.iter().find(|other| other.key == found.key);

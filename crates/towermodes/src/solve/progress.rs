@@ -82,7 +82,7 @@ impl Monitor {
         self.done = [0.0; 2];
     }
 
-    /// Announces so many segments, all meshes together, with so many products for each mesh.
+    /// Announces the number of segments of all meshes and the expected number of products per mesh.
     pub(super) fn expect(&mut self, segments: f64, products: f64) {
         self.expected = [segments, products];
     }
@@ -110,8 +110,7 @@ impl Monitor {
         }
     }
 
-    /// The fraction that is done after so many products on the present mesh; never less than
-    /// before.
+    /// The fraction that is done after `products` products on the present mesh; it never decreases.
     fn fraction(&self, products: usize) -> f64 {
         let ([all, of_a_cut], [before, now]) = (self.expected, self.done);
         let least = self.progress.map_or(0.0, |progress| progress.fraction);
@@ -125,7 +124,7 @@ impl Monitor {
         }
     }
 
-    /// Itself as an observer of products, if somebody observes it.
+    /// This object as an observer of products, if there is a progress observer.
     pub(super) fn observer(&mut self) -> Option<&mut dyn ProductObserver> {
         match self.observer {
             None => None,

@@ -19,7 +19,7 @@ use crate::tower::Tower;
 /// The degree increases until its change is below this fraction of the error that it shows.
 const BESIDE_THE_ERROR: f64 = 0.1;
 
-/// The degree increases at most so many times; a change that remains is added to the error.
+/// The largest number of increases of the degree; a remaining change is added to the error.
 const MOST_RAISES: usize = 6;
 
 /// A reference that is estimated to take longer, s, is not made: the estimate of the meshes stays,
@@ -36,7 +36,7 @@ pub(super) struct Reference {
 
 impl Reference {
     /// Solves for the modes `keys`, whose frequencies by the method are `found_hz`, until the
-    /// reference is known well enough to say how far these are off. The model of the workspace is
+    /// reference is known well enough to determine their errors. The model of the workspace is
     /// that of the beam afterwards.
     ///
     /// # Errors
@@ -75,7 +75,8 @@ impl Reference {
     }
 }
 
-/// The spectral beam with as many modes; without rotary inertia where the method has none.
+/// The reference solution with the same number of modes, without rotary inertia if the method has
+/// none.
 fn options_of_the_beam(options: &Options) -> Options {
     Options {
         method: Method::Spectral,

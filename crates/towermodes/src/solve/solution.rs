@@ -214,8 +214,8 @@ pub struct Certificate {
     /// Whether the inertia count and the list agree; a solution that is not complete is never
     /// returned.
     pub complete: bool,
-    /// Number of modes below `below_hz` by the inertia count: as many as are listed, or more if the
-    /// number asked for cuts a repeated pair.
+    /// Number of modes below `below_hz` by the inertia count: the number of listed modes, or more
+    /// if the number asked for cuts a repeated pair.
     pub count: usize,
     /// A frequency in the gap above the last mode, Hz.
     pub below_hz: f64,

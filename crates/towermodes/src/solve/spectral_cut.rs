@@ -41,7 +41,7 @@ pub(super) fn first_cut(tower: &Tower, options: &Options) -> Result<Cut, SolveEr
     })
 }
 
-/// A degree at which so many modes of so many elements are nearly there.
+/// A degree at which `modes` modes of `elements` elements are nearly converged.
 fn first_degree(modes: usize, elements: usize) -> usize {
     // Half of the modes are in each bending plane, and a half wave takes about a degree and a half;
     // an element that sees a part of a half wave alone needs few.

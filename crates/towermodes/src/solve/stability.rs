@@ -90,7 +90,7 @@ pub(super) fn can_buckle(tower: &Tower) -> bool {
     tower.gravity_m_per_s2() != 0.0 && !tower.base().floats
 }
 
-/// Both planes buckle at nearly the same load: so many modes may be near zero.
+/// Both planes buckle at nearly the same load: this number of modes may be near zero.
 const NEAR_ZERO: usize = 4;
 
 /// Sets where the spectrum of a tower on the verge of buckling begins: so far below zero that the

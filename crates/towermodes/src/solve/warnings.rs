@@ -44,7 +44,7 @@ pub(super) fn warnings(
     if options.borders_m.is_some() && modes.iter().any(misses) {
         warnings.extend(missed(tower, mesh));
     }
-    // The spectral beam takes more elements when it needs them.
+    // The method spectral uses more elements if it needs them.
     let asked = options
         .segments
         .filter(|_| options.method != Method::Spectral);

@@ -1,24 +1,24 @@
-//! What sits on a tower at a height: point masses, wires, the rotor-nacelle assembly.
+//! Bodies and springs at a height of a tower: point masses, guy wires, rotor-nacelle assembly.
 
 use super::description::{PointMass, Rna};
 use super::inertia::Inertia;
 use super::surroundings::Wires;
 use crate::space::SpatialMatrix;
 
-/// What sits at a height of the tower, for the motion (x, y, z, rotation about x, y, z) of the
-/// tower there.
+/// A body or spring at a height of the tower, for the motion (x, y, z, rotation about x, y, z) of
+/// the tower there.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Attachment {
     /// Height, m.
     pub height_m: f64,
-    /// Its weight pulls on the tower below, N per m/s² of gravity: its mass, kg.
+    /// Mass whose weight compresses the tower below, kg.
     pub mass_kg: f64,
     /// Inertia: kg, kg m, kg m².
     pub inertia: SpatialMatrix,
     /// Stiffness to the ground: N/m, N, N m.
     pub stiffness: SpatialMatrix,
-    /// Mass times the height of its centre above the tower there, kg m: times g what its weight
-    /// takes from the stiffness against rotation about x and y.
+    /// Mass times the height of its centre above this height, kg m: times g the geometric stiffness
+    /// against rotation about x and y, with negative sign.
     pub overturning_kg_m: f64,
 }
 
@@ -49,8 +49,8 @@ impl Attachment {
         }
     }
 
-    /// The assembly on the tower's top: its weight at the height c_z of its centre turns the top
-    /// over with m g c_z per radian; what its lateral offset adds is neglected.
+    /// The assembly on the tower's top: its weight at the height c_z of its centre gives the
+    /// geometric stiffness −m g c_z; the effect of its lateral offset is neglected.
     pub(super) fn of_rna(rna: &Rna, top_m: f64) -> Self {
         Self {
             height_m: top_m,

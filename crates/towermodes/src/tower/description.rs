@@ -113,7 +113,7 @@ pub struct PointMass {
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct TowerDescription {
-    /// What the user calls it.
+    /// Name given by the user.
     pub name: String,
     /// The materials that stations refer to.
     pub materials: Vec<Material>,
@@ -121,19 +121,19 @@ pub struct TowerDescription {
     pub stations: Vec<Station>,
     /// Instead of `stations`: the properties of the sections from the base to the top.
     pub properties: Vec<PropertyStation>,
-    /// Multiplies the density of the tower (paint, bolts, platforms); 1 unless told.
+    /// Multiplies the density of the tower (paint, bolts, platforms); default 1.
     pub outfitting_factor: f64,
-    /// Shear deformation of `stations`; none unless told. `properties` have their own shear
+    /// Shear deformation of `stations`; none by default. `properties` have their own shear
     /// stiffness.
     pub shear: Shear,
-    /// The rotor-nacelle assembly; none unless told.
+    /// The rotor-nacelle assembly; none by default.
     pub rna: Rna,
-    /// Whether the assembly has no inertia on purpose, as in models that the literature has: nobody
-    /// is warned of it then.
+    /// Whether the assembly is a point mass on purpose, as in models of the literature: then there
+    /// is no warning about missing inertia.
     pub rna_is_point: bool,
     /// Masses along the tower, in any order.
     pub point_masses: Vec<PointMass>,
-    /// What holds the base; clamped unless told.
+    /// The support of the base; clamped by default.
     pub foundation: Foundation,
     /// Layers of soil around the tower, each rows by rising height; where layers overlap their
     /// springs add up.
@@ -141,16 +141,15 @@ pub struct TowerDescription {
     /// Tables of mass that moves with the tower transversely, as water does, each rows by rising
     /// height; where they overlap they add up.
     pub added_mass: Vec<Vec<AddedMassRow>>,
-    /// Water around the tower; none unless told.
+    /// Water around the tower; none by default.
     pub water: Option<Water>,
     /// Wires that hold the tower.
     pub wires: Vec<Wires>,
-    /// Acceleration of gravity g, m/s²; 0, which is so unless told, leaves the weights' part of the
-    /// stiffness out.
+    /// Acceleration of gravity g, m/s²; with 0, the default, the stiffness has no geometric part.
     pub gravity_m_per_s2: f64,
-    /// The rotor, for what it excites; none unless told.
+    /// The rotor, for the resonance check; none by default.
     pub rotor: Option<Rotor>,
-    /// What its parts are called; nothing unless told.
+    /// The names of its parts; none by default.
     pub part_names: PartNames,
 }
 

@@ -3,7 +3,7 @@
 use super::inertia::Inertia;
 use crate::space::SpatialMatrix;
 
-/// What holds the lowest station.
+/// The support of the lowest station.
 ///
 /// # Example
 /// A rocking spring of 50 GN m/rad lowers the first frequency.
@@ -45,7 +45,7 @@ pub enum Foundation {
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct StiffnessFoundation {
     /// Stiffness about the base, symmetric; infinite on the diagonal where the base is rigidly
-    /// held, whatever else that row and column say.
+    /// held; then the other entries of this row and column are ignored.
     pub stiffness: SpatialMatrix,
     /// Inertia about the base, symmetric; zero for none.
     pub inertia: SpatialMatrix,

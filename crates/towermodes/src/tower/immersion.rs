@@ -1,4 +1,4 @@
-//! Where soil and water begin and end along a tower.
+//! The extent of soil and water along a tower.
 
 use super::description::TowerDescription;
 use super::environment::Environment;

@@ -64,7 +64,7 @@ pub struct BendingCompliance {
     pub bending_per_n_m: f64,
     /// Elastic centre z_c = ∫ z dz/EI ÷ ∫ dz/EI, m: a force there does not rotate the end.
     pub elastic_centre_m: f64,
-    /// ∫ (z − z_c)² dz/EI, m/N: deflection of the elastic centre by a unit force there, from
+    /// ∫ (z − z_c)² dz/EI, m/N: deflection of the centre of flexibility by a unit force there, from
     /// bending.
     pub deflection_m_per_n: f64,
     /// ∫ dz/(κGA), m/N: the same from shear.
@@ -140,8 +140,8 @@ pub fn soil_integrals(
     Some(sum)
 }
 
-/// Moments of 1/EI of one plane about the middle of a part: the elastic centre is near it, so
-/// nothing cancels.
+/// Moments of 1/EI of one plane about the middle of a part: the centre of flexibility is near it,
+/// so nothing cancels.
 #[derive(Default)]
 struct Moments {
     zeroth: f64,
@@ -220,8 +220,8 @@ pub struct Hinge {
 /// and deflections under end forces and moments, and under any load that varies no faster than
 /// linearly, as the beam itself.
 ///
-/// With mₖ = ∫ xᵏ dz/EI about the elastic centre (m₁ = 0) the points are the roots of x² − (m₃/m₂)
-/// x − m₂/m₀, the weights m₀ x₂/(x₂ − x₁) and −m₀ x₁/(x₂ − x₁) (Golub & Welsch 1969). For a
+/// With mₖ = ∫ xᵏ dz/EI about the centre of flexibility (m₁ = 0) the points are the roots of x² −
+/// (m₃/m₂) x − m₂/m₀, the weights m₀ x₂/(x₂ − x₁) and −m₀ x₁/(x₂ − x₁) (Golub & Welsch 1969). For a
 /// prismatic part: (1 ∓ 1/√3)/2 of the length, half each.
 pub fn gauss_hinges(
     piece: &Piece,

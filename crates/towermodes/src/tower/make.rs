@@ -1,4 +1,4 @@
-//! A description becomes a tower: checked, cut into pieces, its motions told apart.
+//! Makes a tower from a description: checks, linear pieces, independent motions.
 
 use super::attachment::Attachment;
 use super::base::Base;
@@ -74,8 +74,8 @@ impl Tower {
         Ok(tower)
     }
 
-    /// What looks like a slip in a rotor on this tower. It matters where its excitations are asked
-    /// for, and so it is not among [`warnings`](Self::warnings).
+    /// Possible input mistakes in a rotor on this tower. They matter only for the resonance check,
+    /// so [`warnings`](Self::warnings) does not contain them.
     pub fn rotor_warnings(&self, rotor: &Rotor) -> Vec<Warning> {
         rotor_plausibility(self, rotor)
     }

@@ -1,4 +1,4 @@
-//! What a section is made of.
+//! Materials.
 
 /// An isotropic, linearly elastic material.
 ///

@@ -1,4 +1,4 @@
-//! What a tower is: geometry, materials, masses, what holds and surrounds it; validated once,
+//! The tower: geometry, materials, masses, foundation and surroundings; validated once,
 //! constant afterwards.
 
 mod attachment;

@@ -10,8 +10,8 @@ use super::rotor::Rotor;
 use super::weight::Above;
 use crate::tower::Warning;
 
-/// A tower that can exist: every property is finite and positive, every wall fits its tube,
-/// something holds it or it floats.
+/// A valid tower: every property is finite and positive, every wall fits its tube, and the tower is
+/// supported or floats.
 ///
 /// Made by [`Tower::new`] from a [`TowerDescription`](super::TowerDescription); constant
 /// afterwards.
@@ -36,7 +36,8 @@ pub struct Tower {
 }
 
 impl Tower {
-    /// What the user calls it; may be empty. What cannot be [shown](super::printable) is a space.
+    /// Name given by the user; may be empty. Characters that are not
+    /// [printable](super::printable) are replaced by spaces.
     pub fn name(&self) -> &str {
         &self.name
     }
@@ -99,7 +100,7 @@ impl Tower {
         &self.independent
     }
 
-    /// What the density of the tower was multiplied by.
+    /// The factor by which the density of the tower was multiplied.
     pub fn outfitting_factor(&self) -> f64 {
         self.outfitting_factor
     }
@@ -186,7 +187,7 @@ impl Tower {
         self.planes_are_equal
     }
 
-    /// What looks like a slip in the input, though it is possible.
+    /// Possible input mistakes.
     pub fn warnings(&self) -> &[Warning] {
         &self.warnings
     }

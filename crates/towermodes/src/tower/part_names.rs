@@ -1,6 +1,6 @@
-//! What the parts of a tower are called.
+//! The names of the parts of a tower.
 
-/// The names of a tower's parts, for people: nothing is computed from them.
+/// The names of the parts of a tower, for messages and reports only.
 ///
 /// Each list goes with the list of the same name in the
 /// [`TowerDescription`](super::TowerDescription); a part beyond its end has no name, and neither

@@ -112,7 +112,7 @@ impl Piece {
         section
     }
 
-    /// Mass that moves with a tube of it transversely, a share `s` of the way up, kg/m.
+    /// Mass that moves with a tube of it transversely, at the fraction `s` of its length, kg/m.
     #[inline]
     fn water_kg_per_m(&self, tube: &Tube, s: f64) -> f64 {
         self.environment.water_kg_per_m(tube) + self.environment.added_kg_per_m_at(s)

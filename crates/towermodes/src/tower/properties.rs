@@ -1,4 +1,4 @@
-//! Section properties per length, given where no tube says them, and how they vary between rows.
+//! Section properties per length for towers that are not tubes, and their variation between rows.
 
 use super::planes::Planes;
 use super::section::{Section, SectionMasses};
@@ -28,7 +28,7 @@ pub struct Properties {
 }
 
 impl Properties {
-    /// The section a share `s` of the way from this row to `top`.
+    /// The section at the fraction `s` of the way from this row to `top`.
     #[inline]
     pub(super) fn blend(&self, top: &Self, s: f64) -> Section {
         // Infinite is infinite all the way.
@@ -58,7 +58,7 @@ impl Properties {
         }
     }
 
-    /// The row a share `s` of the way from this row to `top`.
+    /// The row at the fraction `s` of the way from this row to `top`.
     pub(super) fn row_at(&self, top: &Self, s: f64) -> Self {
         let section = self.blend(top, s);
         Self {

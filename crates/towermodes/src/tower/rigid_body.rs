@@ -3,7 +3,7 @@
 use super::description::Rna;
 use super::inertia::Inertia;
 
-/// What is smaller than this share of its like is rounding.
+/// Relative size below which an entry is a rounding error.
 const ROUNDING: f64 = 1e-14;
 
 /// A rigid body: its mass, where its centre is, and its inertia about the centre.
@@ -66,8 +66,8 @@ impl RigidBody {
         .without_rounding()
     }
 
-    /// The same with zeros where only rounding is left of terms that cancel, as of the blades of a
-    /// rotor: what is not quite zero would couple motions that are none of each other's.
+    /// The same with zeros in place of rounding errors of terms that cancel, for example of the
+    /// blades of a rotor: such rounding errors would couple independent motions.
     fn without_rounding(mut self) -> Self {
         let size_m = self.center_m.iter().fold(0.0_f64, |a, x| a.max(x.abs()));
         for center_m in &mut self.center_m {

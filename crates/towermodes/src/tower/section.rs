@@ -53,7 +53,7 @@ impl Tube {
         6.0 * (1.0 + nu) * q / ((7.0 + 6.0 * nu) * q + (20.0 + 12.0 * nu) * m2)
     }
 
-    /// The tube a share `s` of the way from this one to `top`.
+    /// The tube at the fraction `s` of the way from this one to `top`.
     #[inline]
     pub(super) fn blend(&self, top: &Self, s: f64) -> Self {
         let blend = |a: f64, b: f64| a + s * (b - a);
@@ -91,7 +91,7 @@ impl SectionMasses {
     }
 }
 
-/// What a beam feels of a section: masses per length, stiffnesses and shear flexibilities.
+/// The properties of a section in a beam: masses per length, stiffnesses and shear flexibilities.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Section {
     /// Masses per length.
@@ -154,7 +154,8 @@ impl Section {
         ]
     }
 
-    /// What an Euler-Bernoulli beam without rotary inertia has of it, with names for messages.
+    /// The properties used by an Euler-Bernoulli beam without rotary inertia, with names for
+    /// messages.
     pub(crate) fn quantities(&self) -> [(&'static str, f64); 10] {
         let (masses, bending, soil) = (&self.masses, self.bending_n_m2, &self.soil);
         [

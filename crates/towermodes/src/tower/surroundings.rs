@@ -1,4 +1,4 @@
-//! What stands around a tower, as a user says it: soil, water, wires.
+//! The surroundings of a tower as given by the user: soil, water, guy wires.
 
 use super::planes::Planes;
 
@@ -53,7 +53,7 @@ impl SoilStiffness {
         }
     }
 
-    /// The springs a share `s` of the way from these to `top`.
+    /// The springs at the fraction `s` of the way from these to `top`.
     #[inline]
     pub(super) fn blend(&self, top: &Self, s: f64) -> Self {
         let (a, b) = (self.values(), top.values());
@@ -89,8 +89,8 @@ pub struct Water {
     /// Added mass coefficient C_a: the water outside moves with the mass ρ C_a π D²/4 per length,
     /// between bed and level.
     pub added_mass_coefficient: f64,
-    /// Whether water stands inside too: ρ π (D − 2t)²/4 per length, from the lowest station to the
-    /// level.
+    /// Whether there is water inside too: ρ π (D − 2t)²/4 per length, from the lowest station to
+    /// the level.
     pub flooded: bool,
 }
 

@@ -25,18 +25,20 @@ use crate::number::{Plain, Rounded, significant};
 pub enum Warning {
     /// A diameter over 30 m.
     #[error(
-        "outer diameter {} m at z = {} m is larger than 30 m; lengths are in m, not mm",
-        Plain(*.outer_diameter_m), Plain(*.height_m)
+        "{}outer diameter {} m{} is larger than 30 m; lengths are in m, not mm",
+        .site.before(), Plain(*.outer_diameter_m), .site.after()
     )]
     LargeDiameter {
+        /// The station and its height.
+        site: Site,
         /// The diameter, m.
         outer_diameter_m: f64,
-        /// Where, m.
-        height_m: f64,
     },
     /// A tower over 1 km.
     #[error("the tower is {} m high, more than 1 km; lengths are in m, not mm", Plain(*.height_m))]
     TallTower {
+        /// The highest station.
+        site: Site,
         /// Base to top, m.
         height_m: f64,
     },
@@ -65,7 +67,7 @@ pub enum Warning {
     },
     /// A value outside the range in which towers have the quantity.
     #[error(
-        "{}{}{} is {}{}; expected {}: {}",
+        "{}{}{} is {}{}; expected {}; {}",
         .site.before(),
         .quantity.name(),
         .site.after(),
@@ -77,7 +79,7 @@ pub enum Warning {
     Unusual {
         /// The quantity.
         quantity: Quantity,
-        /// What it is of; where rows have it, the row that is furthest off.
+        /// The site of the value; of several rows the one that is furthest outside.
         site: Site,
         /// The value.
         value: f64,
@@ -86,7 +88,7 @@ pub enum Warning {
         /// The most that towers have; infinity if there is none.
         most: f64,
     },
-    /// A value of one row that does not go with those of the rows beside it.
+    /// A value of one row that does not fit those of the adjacent rows.
     #[error(
         "{}{column}{} is {}{unit}, {} times the value expected from the adjacent rows ({}{unit}): check decimal point and exponent",
         .site.before(),
@@ -107,32 +109,38 @@ pub enum Warning {
         /// The value between those of the rows beside it.
         expected: f64,
     },
-    /// Something that was given and changes nothing.
+    /// A given value without effect.
     #[error("{}{what}", .site.before())]
     NoEffect {
-        /// Where it is given.
+        /// The site of the value.
         site: Site,
         /// What it is.
         what: Ineffective,
     },
     /// A row below a step at the base, or above a step at the top, has no length.
-    #[error("the first or last row at z = {} m defines a step at the end of the tower and has no effect", Plain(*.height_m))]
+    #[error("{}this row defines a step at the end of the tower{} and has no effect", .site.before(), .site.after())]
     UselessStation {
-        /// Its height, m.
-        height_m: f64,
+        /// The station and its height.
+        site: Site,
     },
     /// The last row names another material than the row below it.
     #[error(
-        "the material of the last row has no effect: the material of a row is used up to the next row; \
-         to change the material at a height, give two rows at this height"
+        "{}the material of the last row has no effect: the material of a row is used up to the next row; \
+         to change the material at a height, give two rows at this height",
+        .site.before()
     )]
-    UselessMaterial,
+    UselessMaterial {
+        /// The last station.
+        site: Site,
+    },
     /// A rotor-nacelle assembly heavier than five towers.
     #[error(
-        "the mass of the rotor-nacelle assembly, {} kg, is more than five times the mass of the tower, {} kg",
-        Plain(.rna_kg.round()), Plain(.tower_kg.round())
+        "{}the mass, {} kg, is more than five times the mass of the tower, {} kg",
+        .site.before(), Plain(.rna_kg.round()), Plain(.tower_kg.round())
     )]
     HeavyRna {
+        /// The assembly.
+        site: Site,
         /// Mass of the assembly, kg.
         rna_kg: f64,
         /// Mass of the tower, kg.
@@ -229,7 +237,7 @@ pub enum Warning {
         /// Length that the segments resolve there, m.
         segment_m: f64,
     },
-    /// Soil around a tower whose base is clamped all the same.
+    /// Soil around a tower with a clamped base.
     #[error(
         "the base is clamped although soil springs are given; for a pile in soil give [foundation] with type = \"springs\" for the pile tip"
     )]
@@ -242,7 +250,7 @@ pub enum Warning {
     Symmetrized {
         /// Which matrix.
         what: &'static str,
-        /// The largest difference of two entries that should be equal, as a share of the larger.
+        /// The largest difference of two entries that should be equal, as a fraction of the larger.
         difference: f64,
     },
     /// Principal moments of inertia that no mass distribution has.
@@ -266,7 +274,7 @@ pub enum Warning {
         /// The lowest frequency, Hz.
         frequency_hz: f64,
     },
-    /// The number of modes asked for cuts a repeated pair.
+    /// The list of modes ends between two modes of equal frequency.
     #[error(
         "{label} at {:.6} Hz has the same frequency as the last listed mode and is not listed; request one more mode to list the pair",
         Plain(*.frequency_hz)
@@ -277,7 +285,7 @@ pub enum Warning {
         /// Its frequency, Hz.
         frequency_hz: f64,
     },
-    /// More segments were needed than asked for, one for each piece of the tower.
+    /// More segments than requested are needed, one for each piece of the tower.
     #[error(
         "{used} segments are used instead of {asked}: each part of the tower between steps, changes of taper and point masses needs at least one"
     )]
@@ -287,8 +295,8 @@ pub enum Warning {
         /// Used.
         used: usize,
     },
-    /// The number of modes below the end of the list is another on another mesh, or the
-    /// extrapolated frequencies say so.
+    /// The number of modes below the end of the list is different on another mesh, or for the
+    /// extrapolated frequencies.
     #[error(
         "the list of modes may change with more segments: the errors are larger than the gap at its upper end, {:.4} Hz",
         Plain(*.below_hz)
@@ -297,7 +305,7 @@ pub enum Warning {
         /// Where the list was certified to end, Hz.
         below_hz: f64,
     },
-    /// Modes of the measure that a method does not have near it.
+    /// Modes of the reference solution that a method does not have.
     #[error(
         "{} with {segments} segments has no mode that corresponds to {missing} of the reference modes below {} Hz; use more segments, or the method does not model the effect that causes the mode",
         .method.name(), Rounded(*.below_hz)
@@ -312,23 +320,22 @@ pub enum Warning {
         /// How high was looked, Hz.
         below_hz: f64,
     },
-    /// A tower that shears, solved as one that does not.
+    /// A tower with shear deformation, solved by a method without it.
     #[error(
         "the method bmodes neglects shear deformation, so the frequencies are too high; use another method"
     )]
     ShearLeftOut,
-    /// Weights that are nearly as much as the tower bears.
+    /// Gravity near the buckling load.
     #[error(
         "the tower is close to buckling: it buckles if gravity increases by {} % (buckling load factor 1 + {:.1e}); near buckling the lowest \
          frequencies go to zero and depend strongly on the input",
         significant(100.0 * (.load_factor - 1.0)), .load_factor - 1.0
     )]
     VergeOfBuckling {
-        /// The factor by which all weights must be multiplied for the tower to buckle, little
-        /// above 1.
+        /// The buckling load factor, little above 1.
         load_factor: f64,
     },
-    /// Given elements of BModes that reach over rows of the tower.
+    /// Elements of a BModes deck that extend over several rows of the tower.
     #[error(
         "the element from z = {} to {} m extends over several rows of the tower; the {quantity} of these rows differs by up to {:.0} % from \
          the value at the middle of the element, which is used; the error estimates include this; add element boundaries at the rows or use \
@@ -342,11 +349,10 @@ pub enum Warning {
         base_m: f64,
         /// Upper end of the element, m.
         top_m: f64,
-        /// By how much it differs from its value at the middle of the element, as a share of the
-        /// larger.
+        /// Difference from its value at the middle of the element, as a fraction of the larger.
         change: f64,
     },
-    /// Modes whose frequencies do not fall with the segments as the order of the method says.
+    /// Modes whose frequencies do not converge at the order of the method.
     #[error(
         "{} not resolved: the frequency does not yet converge at the order of the method (error up to {:.1} %); use more segments or the \
          method spectral",
@@ -375,7 +381,7 @@ pub enum Warning {
         /// The largest of their errors over their frequencies.
         worst: f64,
     },
-    /// Fewer modes than were asked for can be told from rounding.
+    /// Fewer modes than requested are above the rounding error.
     #[error(
         "only the lowest {listed} of the {wanted} requested modes are listed: the higher ones cannot be resolved in double precision; \
          check whether the tower has almost no mass"
@@ -383,7 +389,7 @@ pub enum Warning {
     OnlyCertain {
         /// How many modes are listed.
         listed: usize,
-        /// How many were asked for.
+        /// Number of requested modes.
         wanted: usize,
     },
 }
@@ -404,11 +410,15 @@ impl fmt::Display for Modes {
 }
 
 impl Warning {
-    /// Where in the description the value stands that it is about; none for what only the result
-    /// shows.
+    /// The site of the value that the warning is about; none if the warning is about the result.
     pub fn site(&self) -> Option<&Site> {
         match self {
-            Self::UnusualWall { site, .. }
+            Self::LargeDiameter { site, .. }
+            | Self::TallTower { site, .. }
+            | Self::UselessStation { site }
+            | Self::UselessMaterial { site }
+            | Self::HeavyRna { site, .. }
+            | Self::UnusualWall { site, .. }
             | Self::Unusual { site, .. }
             | Self::RowOutOfLine { site, .. }
             | Self::NoEffect { site, .. }
@@ -423,7 +433,7 @@ impl Warning {
         }
     }
 
-    /// The place of that value, for those who know where in a file it is.
+    /// The place of this value in the description.
     pub fn place(&self) -> Option<Place> {
         self.site().and_then(|site| site.place)
     }

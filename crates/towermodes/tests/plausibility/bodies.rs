@@ -38,7 +38,7 @@ fn inertias_in_another_unit() {
     assert!(
         said.starts_with(
             "rotor-nacelle assembly: the radius of gyration sqrt(inertia/mass) is 0.2923"
-        ) && said.contains("expected 1.21 to 52.6 m: check unit and exponent"),
+        ) && said.contains("expected 1.21 to 52.6 m; check unit and exponent"),
         "{said}"
     );
     let heaviest = 52.56_f64.powi(2) * 349_606.5 / 42_620_975.3;

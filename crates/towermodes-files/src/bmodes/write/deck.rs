@@ -11,9 +11,9 @@ use super::sections::name_or;
 use super::support::Support;
 use crate::bmodes::parameters as p;
 
-/// BModes keeps so many characters of a title.
+/// Number of characters of a title that BModes reads.
 const TITLE_LENGTH: usize = 99;
-/// BModes keeps so many characters of a file's name.
+/// Number of characters of a file name that BModes reads.
 const NAME_LENGTH: usize = 200;
 
 /// The content of the main file.

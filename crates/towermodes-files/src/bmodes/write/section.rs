@@ -6,9 +6,9 @@ use towermodes::tower::{Piece, Section};
 use super::error::BmodesWriteError;
 use super::layout::{Layout, PerMetre};
 
-/// The ratio of both planes may change by this share of it.
+/// The ratio of both planes may change by this fraction.
 const CONSTANT: f64 = 1e-6;
-/// A stiffness that stands for an infinite one, over that of a steel tube of the same bending
+/// A stiffness that represents an infinite one, divided by that of a steel tube of the same bending
 /// stiffness.
 const RIGID: f64 = 1e4;
 /// Steel: density over Young's modulus, kg/m³ per Pa. Of a thin tube of it the rotary inertia is EI
@@ -52,7 +52,7 @@ impl DeckSection {
         }
     }
 
-    /// Whether no value differs by more than a share of it.
+    /// Whether no value differs by more than the fraction `share`.
     pub(super) fn is_near(&self, other: &Self, share: f64) -> bool {
         let near = |(a, b): (f64, f64)| (a - b).abs() <= share * b.abs();
         self.values().into_iter().zip(other.values()).all(near)
@@ -68,7 +68,8 @@ pub(super) struct MadeUp {
     pub(super) stretch: bool,
     /// Where there is no polar inertia.
     pub(super) polar_inertia: bool,
-    /// The largest difference of rotary inertia and half the polar one, as a share of the latter.
+    /// The largest difference of rotary inertia and half the polar one, as a fraction of the
+    /// latter.
     pub(super) rotary_off: f64,
 }
 

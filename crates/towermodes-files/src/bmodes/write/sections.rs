@@ -10,9 +10,9 @@ use super::section::{DeckSection, MadeUp, deck_section};
 use crate::bmodes::parameters::COLUMNS;
 use crate::note::Note;
 
-/// Between rows a line may differ from the tower by this share.
+/// Between rows a line may differ from the tower by this fraction.
 const OFF: f64 = 1e-5;
-/// Rows on both sides of a step are this share of the length apart, as decks in public have it
+/// Rows on both sides of a step are this fraction of the length apart, as in published decks
 /// (0.27881 and 0.27882): BModes takes the first interval that the middle of an element lies in,
 /// and no element has its middle in so short a one.
 pub(super) const STEP: f64 = 1e-7;
@@ -23,7 +23,7 @@ const ROUNDING: f64 = 1e-11;
 /// A difference of rotary inertia and half the polar inertia above this fraction gives a note.
 const ROTARY_OFF: f64 = 1e-6;
 
-/// A row: its share of the length, and the section there.
+/// A row: its position as a fraction of the length, and the section there.
 pub(super) type Row = (f64, DeckSection);
 
 /// All rows from the base to the top.

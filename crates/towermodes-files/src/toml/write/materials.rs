@@ -31,7 +31,7 @@ impl MaterialNames {
         }
     }
 
-    /// Whether stations say what they are made of.
+    /// Whether stations name their material.
     pub(super) fn are_needed(&self) -> bool {
         self.count > 1 || self.own.is_some()
     }
@@ -49,8 +49,7 @@ impl MaterialNames {
         )
     }
 
-    /// What stands in the row of a station; an index that no material has is a name that no
-    /// material has.
+    /// The material in the row of a station; an invalid index becomes a name that no material has.
     pub(super) fn in_row(&self, index: usize) -> Option<String> {
         let name = self.name(index);
         (!name.is_empty() && (self.are_needed() || index > 0)).then(|| quoted(&name))

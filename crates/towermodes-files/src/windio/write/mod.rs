@@ -14,8 +14,8 @@ use yaml_text::Yaml;
 
 pub use error::WindIoWriteError;
 
-/// Writes a tower as windIO 2: `description` is what `tower` was made of. The notes say what the
-/// format cannot hold.
+/// Writes a tower as windIO 2: `description` is what `tower` was made of. The notes list
+/// the data that the format cannot store.
 ///
 /// Everything from base to top is written as `components.tower`, and the rotor-nacelle assembly as
 /// `components.drivetrain`.

@@ -67,7 +67,7 @@ impl Cluster {
         (half(self.fails) + half(self.warns) + 3.0).max(2.0 * PAPER)
     }
 
-    /// Whether some of its marks stand for several pairs.
+    /// Whether one of its marks represents several pairs.
     fn is_counted(&self) -> bool {
         self.fails > 1 || self.warns > 1
     }
@@ -140,12 +140,12 @@ fn apart(pairs: impl Iterator<Item = Cluster>) -> Vec<Cluster> {
     clusters
 }
 
-/// Whether some marks stand for several pairs.
+/// Whether a mark represents several pairs.
 pub(super) fn are_counted(clusters: &[Cluster]) -> bool {
     clusters.iter().any(Cluster::is_counted)
 }
 
-/// Draws the marks, with a number above those that stand for several pairs.
+/// Draws the marks, with a number above those that represent several pairs.
 pub(super) fn draw(drawing: &mut Drawing, clusters: &[Cluster]) {
     let marks: Vec<_> = clusters.iter().flat_map(Cluster::marks).collect();
     // Below all marks, so that none hides its neighbour.

@@ -71,8 +71,8 @@ pub(super) fn draw(drawing: &mut Drawing, campbell: &Campbell, shown: &Shown, ax
     }
 }
 
-/// Around the ray of a multiple, in operation: the frequencies f with |n Ω/f − 1| below the margin,
-/// or below twice the margin.
+/// Around the ray of a multiple, in operation: the frequencies whose distance |d| is below the
+/// margin, or below twice the margin.
 fn ribbon(
     drawing: &mut Drawing,
     campbell: &Campbell,

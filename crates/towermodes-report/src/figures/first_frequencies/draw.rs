@@ -1,9 +1,9 @@
-//! Draws the bar: shaded ranges, and a lane for each mode with its separations.
+//! Draws the bar: shaded ranges, and a lane for each mode with its distances.
 
 use towermodes_analysis::Verdict;
 
 use super::Bar;
-use super::numbers::separation;
+use super::numbers::distance;
 use super::ranges::{Lane, Range};
 use crate::number::four_digits;
 use crate::svg::{
@@ -118,7 +118,7 @@ fn beside(
     spread(wished, widest + 10.0, range)
 }
 
-/// The label, mark, separations and verdict of a mode; `place` is its number and the middle of its
+/// The label, mark, distances and verdict of a mode; `place` is its number and the middle of its
 /// lane.
 fn draw_lane(drawing: &mut Drawing, axes: &Axes, lane: &Lane, place: (usize, f64)) {
     let (index, y) = place;
@@ -138,7 +138,7 @@ fn draw_lane(drawing: &mut Drawing, axes: &Axes, lane: &Lane, place: (usize, f64
         Colour::Series(index),
     );
     write_frequency(drawing, axes, lane, (x, y));
-    write_separations(drawing, axes, lane, (x, y));
+    write_distances(drawing, axes, lane, (x, y));
     if let Some(verdict) = lane.verdict() {
         let style = TextStyle::new(SIZE).bold().colour(colour(verdict));
         drawing.text(
@@ -184,9 +184,9 @@ fn write_frequency(drawing: &mut Drawing, axes: &Axes, lane: &Lane, (x, y): (f64
     }
 }
 
-/// Each separation in percent below the middle of its line.
-fn write_separations(drawing: &mut Drawing, axes: &Axes, lane: &Lane, (x, y): (f64, f64)) {
-    let texts: Vec<String> = lane.separations().map(separation).collect();
+/// Each distance in percent below the middle of its line.
+fn write_distances(drawing: &mut Drawing, axes: &Axes, lane: &Lane, (x, y): (f64, f64)) {
+    let texts: Vec<String> = lane.distances().map(distance).collect();
     let middles = lane.margins.iter();
     let middles = middles.map(|margin| 0.5 * (x + axes.x.at(margin.excitation_hz)));
     let middles: Vec<f64> = middles.collect();
@@ -208,7 +208,7 @@ fn write_on_paper(drawing: &mut Drawing, (x, y): (f64, f64), text: &str, style: 
 }
 
 fn draw_note(drawing: &mut Drawing, height: f64) {
-    let note = "Between solid lines: excitation range in operation. Between dashed lines: the same with the required margin. Percentages: n Ω/f − 1 at the closest speed.";
+    let note = "Between solid lines: excitation range in operation. Between dashed lines: the same with the margin. Percentages: smallest distance of excitation and frequency.";
     let style = TextStyle::new(SMALL).colour(Colour::Muted);
     drawing.text((12.0, height - 10.0), note, &style);
 }

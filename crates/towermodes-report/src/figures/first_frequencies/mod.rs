@@ -1,4 +1,4 @@
-//! The first bending frequencies on one bar, between the strongest excitations of the rotor.
+//! The first bending frequencies on one bar, with the strongest excitations of the rotor.
 
 mod draw;
 mod numbers;
@@ -13,12 +13,12 @@ use ranges::{Lane, Range, lanes, ranges};
 const NAME: &str = "first-frequencies";
 
 /// The first fore-aft and side-side frequencies of a tower (or the lowest coupled ones) on a
-/// frequency axis, with their separation from the rotor speed (1P) and the blade passing frequency.
+/// frequency axis, with their distance from the rotor speed (1P) and the blade passing frequency.
 /// The ranges of both in operation are shaded, and around them the required margin. None if there
 /// is neither a mode nor an excitation to show.
 ///
 /// With the margin m an excitation from a to b Hz keeps natural frequencies out of a/(1 + m) to
-/// b/(1 − m): there |n Ω/f − 1| is below m at some operating speed.
+/// b/(1 − m): there the distance |d| is below m at some operating speed.
 pub fn first_frequencies(campbell: &Campbell) -> Option<Figure> {
     let (ranges, lanes) = (ranges(campbell), lanes(campbell));
     if ranges.is_empty() || lanes.is_empty() {
@@ -31,7 +31,7 @@ pub fn first_frequencies(campbell: &Campbell) -> Option<Figure> {
     };
     Some(Figure {
         name: NAME.to_owned(),
-        title: "First natural frequencies between the rotor's excitations".to_owned(),
+        title: "First bending frequencies and ranges of the rotor excitations".to_owned(),
         description: numbers::description(&bar),
         drawing: draw::drawing(&bar),
         table: numbers::table(&bar),

@@ -15,7 +15,7 @@ pub(super) fn description(bar: &Bar) -> String {
     let kept_free = bar.ranges.iter().map(|range| between(range.kept_free_hz));
     let kept_free: Vec<String> = kept_free.collect();
     format!(
-        "In operation {}; with the margin of {} % natural frequencies must stay out of {} Hz. {}.",
+        "In operation {}; with the margin of {} % natural frequencies must lie outside {} Hz. {}.",
         ranges.join(" and "),
         short(100.0 * bar.margin, 3),
         kept_free.join(" and "),
@@ -38,23 +38,20 @@ fn between([low, high]: [f64; 2]) -> String {
 }
 
 fn lane_text(lane: &Lane) -> String {
-    let separations = lane
-        .separations()
-        .map(separation_text)
-        .collect::<Vec<String>>();
-    let separations = match separations.len() {
+    let distances = lane.distances().map(distance_text).collect::<Vec<String>>();
+    let distances = match distances.len() {
         0 => String::new(),
-        _ => format!(": {}", separations.join(" and ")),
+        _ => format!(": {}", distances.join(" and ")),
     };
     format!(
-        "{} is at {} Hz{separations}",
+        "{} is at {} Hz{distances}",
         lane.label,
         four_digits(lane.frequency_hz)
     )
 }
 
 /// "3P is 6.4 % above it".
-fn separation_text((margin, percent): (&Margin, &str)) -> String {
+fn distance_text((margin, percent): (&Margin, &str)) -> String {
     let side = match margin.distance > 0.0 {
         true => "above",
         false => "below",
@@ -67,7 +64,7 @@ fn separation_text((margin, percent): (&Margin, &str)) -> String {
 }
 
 /// "3P +6.4 %", or that the excitation crosses the mode.
-pub(super) fn separation((margin, percent): (&Margin, &str)) -> String {
+pub(super) fn distance((margin, percent): (&Margin, &str)) -> String {
     match margin.distance == 0.0 {
         true => format!("crossed by {}P", margin.multiple),
         false => format!("{}P {} %", margin.multiple, typeset(percent)),
@@ -83,12 +80,12 @@ pub(super) fn table(bar: &Bar) -> DataTable {
         "excitation",
         "range in operation (Hz)",
         "range with margin (Hz)",
-        "n Ω/f − 1 (%)",
+        "distance (%)",
         "verdict",
     ];
     let rows = bar.lanes.iter().flat_map(|lane| {
-        let separations = lane.separations();
-        separations.filter_map(|separation| row(bar, lane, separation))
+        let distances = lane.distances();
+        distances.filter_map(|distance| row(bar, lane, distance))
     });
     DataTable {
         header: header.map(str::to_owned).to_vec(),

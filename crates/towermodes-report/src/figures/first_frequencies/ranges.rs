@@ -1,4 +1,4 @@
-//! The excitations and modes on the bar, and their separation.
+//! The excitations and modes on the bar, and their distance.
 
 use towermodes::Family;
 use towermodes_analysis::Verdict;
@@ -27,15 +27,15 @@ pub(super) struct Lane {
     pub frequency_hz: f64,
     /// The error of the frequency, Hz.
     pub error_hz: f64,
-    /// The separations from the excitations on the bar, by multiple.
+    /// The distances from the excitations on the bar, by multiple.
     pub margins: Vec<Margin>,
-    /// These separations in percent with their sign: "+6.4".
+    /// These distances in percent with their sign: "+6.4".
     pub percents: Vec<String>,
 }
 
 impl Lane {
-    /// The separations, each as a margin and in percent.
-    pub fn separations(&self) -> impl Iterator<Item = (&Margin, &str)> {
+    /// The distances, each as a margin and in percent.
+    pub fn distances(&self) -> impl Iterator<Item = (&Margin, &str)> {
         self.margins
             .iter()
             .zip(self.percents.iter().map(String::as_str))

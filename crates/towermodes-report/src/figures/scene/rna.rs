@@ -51,7 +51,7 @@ pub(super) fn rna(description: &TowerDescription, tower: &Tower) -> Vec<Body> {
     bodies
 }
 
-/// Where the tower comes out of water or ground, m.
+/// Height at which the tower leaves water or ground, m.
 fn foot_m(description: &TowerDescription, tower: &Tower) -> f64 {
     let (base_m, top_m) = (tower.base_m(), tower.top_m());
     let surfaces = [water_m(description), ground_m(description, tower)];
@@ -87,7 +87,7 @@ fn hub(form: &RnaForm, top_m: f64) -> Body {
     )
 }
 
-/// A blade that is turned about the shaft by an angle; the first stands upright.
+/// A blade rotated about the shaft by an angle; the first points up.
 fn blade(form: &RnaForm, top_m: f64, (length_m, turn): (f64, f64)) -> Body {
     let middle_m = top_m + 0.5 * form.height;
     let (sin, cos) = turn.sin_cos();

@@ -133,7 +133,8 @@ fn ends(view: &View, shell: &Shell) -> [End; 2] {
     [end(0, shell.base_m), end(1, shell.top_m)]
 }
 
-/// At most [`MOST_SHELLS`] shells that reach as far; each stands for its neighbours above it.
+/// At most [`MOST_SHELLS`] shells that cover the same height; each represents its neighbours above
+/// it.
 fn few(shells: &[Shell]) -> Vec<Shell> {
     let step = shells.len().div_ceil(MOST_SHELLS).max(1);
     let of_group = |group: &[Shell]| {

@@ -83,7 +83,7 @@ fn extent_m(description: &TowerDescription, tower: &Tower) -> (f64, f64) {
     (low_m, high_m)
 }
 
-/// How far from the axis the farthest wire meets the ground, m.
+/// Distance of the farthest wire anchor from the axis, m.
 fn reach_m(description: &TowerDescription, tower: &Tower) -> Option<f64> {
     let ground_m = wires_ground_m(description, tower);
     let reach = description

@@ -12,7 +12,7 @@ const RNA_SCALE: f64 = 0.6;
 const ABOVE: f64 = 14.0;
 /// Room below the water of a floating tower.
 const BELOW_FLOATING: f64 = 36.0;
-/// Water deeper below the base than this share of the tower's height is not shown.
+/// Water deeper below the base than this fraction of the tower's height is not shown.
 const NEAR: f64 = 0.5;
 
 /// A height that is worth a line across everything.

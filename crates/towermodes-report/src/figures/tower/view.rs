@@ -1,4 +1,4 @@
-//! Where things are on the sheet: one scale for heights and lengths, another for diameters and a
+//! Positions on the sheet: one scale for heights and lengths, another for diameters and a
 //! third for walls.
 
 use towermodes::Tower;

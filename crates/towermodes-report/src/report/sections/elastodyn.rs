@@ -30,15 +30,15 @@ pub(super) fn blocks(content: &ReportContent) -> Vec<Block> {
     blocks.extend(lacks(content).map(paragraph));
     if begins_in_soil_or_water(content) {
         blocks.push(paragraph(format!(
-            "Warning: the coefficients cover the whole structure from z = {} m, in soil or water. For OpenFAST give the height at which the \
-             ElastoDyn tower begins: --from-height of the command above.",
+            "Warning: the coefficients cover the whole structure from z = {} m, including the part in soil or water. For OpenFAST add \
+             --from-height HEIGHT to the command above, with the height at which the ElastoDyn tower begins.",
             length(content.shapes_from_m)
         )));
     }
     let passed_over = &made.shapes.passed_over;
     if !passed_over.is_empty() {
         blocks.push(paragraph(
-            "Bending modes that were left out because of their torsion, which an ElastoDyn tower does not have:",
+            "Bending modes that were not used, because they contain torsion, which an ElastoDyn tower does not have:",
         ));
         let passed = passed_over.iter();
         blocks.push(Block::List(passed.map(left_out).collect()));
@@ -49,11 +49,11 @@ pub(super) fn blocks(content: &ReportContent) -> Vec<Block> {
 /// The meaning of the coefficients, and how they are computed.
 fn introduction(content: &ReportContent) -> String {
     format!(
-        "ElastoDyn describes the tower from {} m to {} m by two mode shapes in each plane: polynomials of degree 2 to 6 in the normalised \
-         height x, with zero deflection and slope at the base and the value 1 at the top. {}The coefficients are fitted by least squares \
-         to the modes of the spectral beam, including rotor-nacelle assembly and foundation; residuals are relative to the largest \
-         deflection of the shape. The ElastoDyn frequency is computed with ElastoDyn's generalised mass and stiffness for the shape, \
-         without rotor-nacelle assembly and gravity; it is not comparable with the frequency of the mode.",
+        "ElastoDyn describes the tower from {} m to {} m by two mode shapes in each plane: polynomials with the powers 2 to 6 of the \
+         normalised height η, with zero deflection and slope at the base and the value 1 at the top. {}The coefficients are fitted by least squares \
+         to the modes of the reference solution (method spectral), including rotor-nacelle assembly and foundation; residuals are relative to the largest \
+         deflection of the shape. The ElastoDyn frequency is computed from ElastoDyn's generalised mass and stiffness of the shape, \
+         without rotor-nacelle assembly and gravity; do not compare it with the frequency of the mode.",
         length(content.shapes_from_m),
         length(content.tower.top_m()),
         base(content)
@@ -133,7 +133,7 @@ fn coefficients(made: &ElastoDynShapes) -> Table {
     row("mode", &|s| s.label.clone());
     row("frequency of the mode (Hz)", &|s| hertz(s.frequency_hz));
     for (index, power) in ["²", "³", "⁴", "⁵", "⁶"].into_iter().enumerate() {
-        let quantity = format!("({}), coefficient of x{power}", index + 2);
+        let quantity = format!("({}), coefficient of η{power}", index + 2);
         row(&quantity, &|s| typeset(&s.decimals.texts()[index]));
     }
     for (quantity, value) in fit_quality() {

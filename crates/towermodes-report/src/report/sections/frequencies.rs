@@ -18,7 +18,8 @@ pub(super) fn blocks(content: &ReportContent) -> Vec<Block> {
         paragraph(how(content)),
         table(of_modes(solution)),
         paragraph(
-            "Frequencies are given to two digits of their error. The error is the sum of the discretization error and the algebraic error.",
+            "Frequencies are rounded to the second significant digit of their error. The error is the sum of the discretization error and the \
+             algebraic error. Percentages in parentheses are the fractions of the energy in other motions, if at least 1 %.",
         ),
         Block::Heading("Errors".to_owned()),
         paragraph(errors(solution)),
@@ -33,7 +34,7 @@ pub(super) fn blocks(content: &ReportContent) -> Vec<Block> {
         table(energy(solution)),
         Block::Heading("Effective modal masses".to_owned()),
         paragraph(format!(
-            "Effective modal mass for base excitation along an axis, or effective moment of inertia about it: (uᵀMr)²/(uᵀMu) with the mode \
+            "Effective modal mass for base excitation along an axis, or effective moment of inertia about the axis through the base: (uᵀMr)²/(uᵀMu) with the mode \
              shape u and the rigid-body motion r, as a fraction of the total rᵀMr. {}",
             total(content)
         )),
@@ -122,7 +123,7 @@ pub(super) fn hinges(method: Method, options: &Options) -> String {
 fn errors(solution: &Solution) -> String {
     let discretization = if solution.method == Method::Spectral {
         "The discretization error is estimated from the change of the frequency from one polynomial degree, or from one element length, to \
-         the next. The frequency is not extrapolated: the extrapolated frequency is the frequency itself."
+         the next. The frequency is not extrapolated; the table repeats it as the extrapolated frequency."
     } else {
         "The discretization error is estimated from coarser or finer meshes. The extrapolated frequency is the Richardson extrapolation to \
          zero segment length."

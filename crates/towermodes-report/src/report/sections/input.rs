@@ -61,7 +61,7 @@ fn overview(content: &ReportContent) -> Table {
             mass(description.rna.mass_kg),
         ),
         (
-            "secondary-mass factor, outfitting_factor (−)",
+            "outfitting factor (−)",
             given(description.outfitting_factor),
         ),
         ("gravity (m/s²)", given(description.gravity_m_per_s2)),

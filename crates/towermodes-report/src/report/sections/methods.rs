@@ -33,16 +33,16 @@ pub(super) fn blocks(content: &ReportContent) -> Vec<Block> {
     let warnings = warnings.filter(|warning| !of_input.contains(warning));
     let warnings: Vec<String> = warnings.map(ToString::to_string).collect();
     if !warnings.is_empty() {
-        blocks.push(paragraph("Warnings from the spectral beam:"));
+        blocks.push(paragraph("Warnings on the reference solution:"));
         blocks.push(Block::List(warnings));
     }
     blocks
 }
 
-/// The reference of the differences, and which of them do not converge to zero.
+/// The reference of the differences, and the differences that do not converge to zero.
 fn reference(content: &ReportContent, comparison: &Comparison) -> String {
-    let text = "All methods of the program for the same tower. The spectral beam converges exponentially and is the reference. The differences of \
-                the other methods are discretization errors at the given number of segments; they decrease with more segments.";
+    let text = "All methods of the program for the same tower. The method spectral converges exponentially; its result is the reference solution. The \
+                differences of the other methods are discretization errors at the given number of segments; they decrease with more segments.";
     let tower = &content.tower;
     let rotates = content.options.rotary_inertia && tower.has_rotary_inertia();
     let lacks = match (rotates, tower.shears()) {
@@ -101,7 +101,7 @@ fn differences(comparison: &Comparison) -> Table {
         .collect();
     let header = ["mode", "#spectral (Hz)"].into_iter();
     let mut table = Table::new(
-        "Relative differences of the frequencies from the spectral beam",
+        "Relative differences of the frequencies from the reference solution",
         header.chain(names.iter().map(String::as_str)),
     );
     for (index, mode) in comparison.modes.iter().enumerate() {

@@ -9,19 +9,24 @@ pub(super) fn blocks(content: &ReportContent) -> Vec<Block> {
     let warnings = &content.solution.warnings;
     if !content.circumstances.notes.is_empty() {
         blocks.push(paragraph(
-            "Notes of the reader: what was assumed, left out or could not be imported:",
+            "Notes of the reader: assumptions, and data that were omitted or could not be imported:",
         ));
         blocks.push(Block::List(content.circumstances.notes.clone()));
     }
     if !warnings.is_empty() {
         blocks.push(paragraph(
-            "Warnings: possible input errors, and limits of the results:",
+            "Warnings of the solver: possible input errors, and limits of the results:",
         ));
         let warnings = warnings.iter();
         blocks.push(Block::List(warnings.map(ToString::to_string).collect()));
     }
     if blocks.is_empty() {
-        blocks.push(paragraph("The computation gave no notes or warnings. The section on resonance has the verdicts on resonance."));
+        blocks.push(paragraph(
+            "The reader and the solver gave no notes or warnings.",
+        ));
     }
+    blocks.push(paragraph(
+        "The warnings of the resonance check, on the shapes for ElastoDyn and on the comparison of methods are in their sections.",
+    ));
     blocks
 }

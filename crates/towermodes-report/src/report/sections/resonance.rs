@@ -1,4 +1,4 @@
-//! The separation of the rotor's excitations from the natural frequencies.
+//! The distances of the rotor excitations from the natural frequencies.
 
 use towermodes::Family;
 use towermodes_analysis::resonance::{Campbell, Margin, StiffnessClass};
@@ -19,7 +19,7 @@ pub(super) fn blocks(content: &ReportContent) -> Vec<Block> {
         None => return without_rotor(content),
         Some(Err(error)) => {
             let text = format!(
-                "The rotor's excitations were not compared with the natural frequencies: {error}."
+                "The rotor excitations were not compared with the natural frequencies: {error}."
             );
             return vec![paragraph(text)];
         }
@@ -36,7 +36,7 @@ pub(super) fn blocks(content: &ReportContent) -> Vec<Block> {
     blocks.push(Block::List(verdicts(campbell)));
     blocks.push(paragraph(
         "The verdicts include the numerical error of the frequency: f is shifted by its error towards the excitation. The table gives the \
-         separation without this shift.",
+         distance without this shift.",
     ));
     blocks
 }
@@ -44,10 +44,10 @@ pub(super) fn blocks(content: &ReportContent) -> Vec<Block> {
 fn without_rotor(content: &ReportContent) -> Vec<Block> {
     let how = if content.circumstances.is_own_format {
         "The input has no [rotor], so resonance is not checked. With these lines in the tower file, or with --rpm LOWEST,HIGHEST for one \
-         report, this section contains the Campbell diagram and the margin of each excitation:"
+         report, this section contains the Campbell diagram and the distance of each excitation:"
     } else {
         "The input gives no rotor speed, so resonance is not checked. Give --rpm LOWEST,HIGHEST (and --blades), or convert the tower to \
-         TOML and add these lines; then this section contains the Campbell diagram and the margin of each excitation:"
+         TOML and add these lines; then this section contains the Campbell diagram and the distance of each excitation:"
     };
     vec![paragraph(how), Block::Code(ROTOR.to_owned())]
 }
@@ -55,8 +55,8 @@ fn without_rotor(content: &ReportContent) -> Vec<Block> {
 fn question(campbell: &Campbell) -> String {
     let multiples: Vec<String> = campbell.multiples.iter().map(|n| format!("{n}P")).collect();
     format!(
-        "The rotor has {} in operation. Its excitations n Ω are the multiples {} of the rotor speed. The separation of an excitation from a \
-         natural frequency f is n Ω/f − 1, at the operating speed where it is smallest. The required margin is {} %.",
+        "The rotor has {} in operation. Its excitations are the multiples {} of the rotor speed. The distance of an excitation from a natural \
+         frequency f is (excitation frequency)/f − 1, at the operating speed where it is smallest. The margin, the required distance, is {} %.",
         operation(&campbell.rotor),
         multiples.join(", "),
         margin_percent(campbell.margin)
@@ -68,7 +68,7 @@ fn classes(campbell: &Campbell) -> String {
     let class = |(family, class): &(Family, StiffnessClass)| {
         let class = match class {
             StiffnessClass::Coincident { multiple } => {
-                format!("none, {multiple}P crosses it in operation")
+                format!("no class, because {multiple}P crosses it in operation")
             }
             class => class.name().to_owned(),
         };
@@ -85,14 +85,14 @@ fn classes(campbell: &Campbell) -> String {
 
 fn margins(campbell: &Campbell) -> Table {
     let mut table = Table::new(
-        "Separation of every natural frequency from every excitation",
+        "Distance of every excitation from every natural frequency",
         [
             "natural frequency",
             "#excitation",
             "#rotor speed (rpm)",
             "#f (Hz)",
-            "#n Ω (Hz)",
-            "#n Ω/f − 1 (%)",
+            "#excitation (Hz)",
+            "#distance (%)",
             "verdict",
         ],
     );
@@ -104,7 +104,7 @@ fn margins(campbell: &Campbell) -> Table {
             four_digits(margin.nearest_rpm),
             four_digits(margin.natural_hz),
             four_digits(margin.excitation_hz),
-            separation(campbell, margin),
+            distance(campbell, margin),
         ];
         let mut row: Vec<Cell> = texts.into_iter().map(Cell::from).collect();
         row.push(margin.verdict.into());
@@ -114,15 +114,15 @@ fn margins(campbell: &Campbell) -> Table {
     table.with_only(which, |row| campbell.margins[row].is_near())
 }
 
-/// In percent; 0 where the excitation crosses the frequency.
-fn separation(campbell: &Campbell, margin: &Margin) -> String {
+/// In percent; 0 if the excitation crosses the natural frequency.
+fn distance(campbell: &Campbell, margin: &Margin) -> String {
     match margin.distance {
         0.0 => "0".to_owned(),
         _ => typeset(&campbell.distance_percent(margin)),
     }
 }
 
-/// What each verdict means, with the number of pairs.
+/// The meaning of each verdict, with the number of pairs.
 fn verdicts(campbell: &Campbell) -> Vec<String> {
     let [pass, warn, fail] = verdict_counts(campbell);
     let strong = match campbell.rotor.blades {
@@ -130,10 +130,10 @@ fn verdicts(campbell: &Campbell) -> Vec<String> {
         blades => format!("1P or {blades}P"),
     };
     vec![
-        format!("FAIL ({fail}): {strong} is within the margin of a tower mode."),
+        format!("FAIL ({fail}): {strong} is closer to a tower mode than the margin."),
         format!(
-            "WARN ({warn}): {strong} is within twice the margin of a tower mode; or another multiple is within the margin of a tower mode; or \
-             any multiple is within the margin of a blade mode; or the mode is not known in the whole operating range."
+            "WARN ({warn}): {strong} is closer to a tower mode than twice the margin; or another multiple is closer to a tower mode than the \
+             margin; or any multiple is closer to a blade mode than the margin; or a blade mode could not be followed over all operating speeds."
         ),
         format!("PASS ({pass}): all other pairs."),
     ]

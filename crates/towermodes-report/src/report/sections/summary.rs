@@ -1,4 +1,4 @@
-//! The results that matter most, in a few lines.
+//! The most important results in a few lines.
 
 use towermodes::{Family, Mode};
 
@@ -32,7 +32,7 @@ pub(super) fn blocks(content: &ReportContent) -> Vec<Block> {
     blocks
 }
 
-/// A part of the turbine that the model lacks: it stands before everything that follows from it.
+/// A part of the turbine that the model lacks; the summary begins with it.
 fn missing_part(note: &str) -> Statement {
     Statement {
         lead: "Not in the model",
@@ -76,17 +76,17 @@ fn resonance(content: &ReportContent) -> Statement {
     }
 }
 
-/// What limits the conclusion, where parts are missing that would change it.
+/// A limit of the conclusion: parts that would change it are missing.
 fn caveat(content: &ReportContent) -> &'static str {
     match (
         has_rna(content),
         content.circumstances.model_notes.is_empty(),
     ) {
         (false, _) => {
-            "The model has no rotor-nacelle assembly: the class and the margins are not those of the turbine. "
+            "The model has no rotor-nacelle assembly: the class and the distances are not those of the turbine. "
         }
         (true, false) => {
-            "The class and the margins are those of the model without the missing parts. "
+            "The class and the distances are those of the model without the missing parts. "
         }
         (true, true) => "",
     }
@@ -140,7 +140,7 @@ fn with_period(mode: &Mode) -> String {
     )
 }
 
-/// The certificate, the largest numerical error, and whether there are messages.
+/// The certificate, the largest numerical error, and the number of messages.
 fn verification(content: &ReportContent) -> Statement {
     let solution = &content.solution;
     let relative = solution
@@ -151,9 +151,9 @@ fn verification(content: &ReportContent) -> Statement {
         .filter(|error| error.is_finite())
         .fold(0.0, f64::max);
     let messages = match content.circumstances.notes.len() + solution.warnings.len() {
-        0 => "The computation gave no warnings.".to_owned(),
+        0 => "The reader and the solver gave no notes or warnings.".to_owned(),
         count => format!(
-            "The computation gave {}: see the section on these.",
+            "The reader and the solver gave {}: see the section on these.",
             counted(count, "note or warning").replace("note or warnings", "notes and warnings")
         ),
     };

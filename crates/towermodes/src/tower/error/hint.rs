@@ -1,10 +1,22 @@
-//! What would be right instead of a mistake.
+//! Suggestions for errors.
 
-use super::Problem;
+use super::{Place, Problem, TowerError};
+
+impl TowerError {
+    /// A suggestion in one sentence, unless the message contains it.
+    pub fn hint(&self) -> Option<&'static str> {
+        match (self.place, &self.problem) {
+            (Place::PointMass { .. }, Problem::OutsideTower { .. }) => Some(
+                "all heights use the datum of the stations; a mass on the tower top belongs to [rna]",
+            ),
+            (_, problem) => problem.hint(),
+        }
+    }
+}
 
 impl Problem {
-    /// What would be right, in one sentence, if it is not in the message already.
-    pub fn hint(&self) -> Option<&'static str> {
+    /// The suggestion for this problem at any place.
+    fn hint(&self) -> Option<&'static str> {
         Some(match self {
             Self::NotFinite { .. } => "write a finite number, for example 6.0 or 2.1e11",
             Self::OutOfScale { .. } => "check exponent and unit",
@@ -22,9 +34,7 @@ impl Problem {
             Self::WallTooThick { .. } => {
                 "a row is height, outer diameter, wall thickness, all in m; 27 mm is 0.027"
             }
-            Self::OutsideTower { .. } => {
-                "all heights use the datum of the stations; a mass on the tower top belongs to [rna]"
-            }
+            Self::OutsideTower { .. } => "all heights use the datum of the stations",
             Self::InertiaWithoutMass => "give the mass, or omit the inertia",
             Self::NegativeInertia { .. } => {
                 "give all values in kg m2 about the centre of mass; products of inertia are entries of the tensor: xy is minus the integral of x y dm"

@@ -15,14 +15,14 @@ use crate::number::{Apart, Plain, Rounded};
 #[derive(Debug, Clone, PartialEq, Error)]
 #[error("{place}: {problem}")]
 pub struct TowerError {
-    /// Where it is wrong.
+    /// The place of the value.
     pub place: Place,
-    /// What is wrong, with the numbers.
+    /// The problem, with its numbers.
     #[source]
     pub problem: Problem,
 }
 
-/// What is wrong with a value, with the numbers.
+/// An impossible value, with its numbers.
 #[derive(Debug, Clone, PartialEq, Error)]
 #[non_exhaustive]
 pub enum Problem {
@@ -195,7 +195,7 @@ pub enum Problem {
     /// A tower that can move away.
     #[error("the tower is not supported: nothing prevents {motions}")]
     Free {
-        /// What it is free to do.
+        /// The motion without stiffness.
         motions: FreeMotions,
     },
     /// A spring between motions of which one is impossible.
@@ -267,7 +267,7 @@ pub enum Problem {
         /// The height all have, m.
         height_m: f64,
     },
-    /// Water around a tower whose diameter nobody said.
+    /// Water around a tower without diameters.
     #[error("[water] needs stations with diameters; a table of properties has none")]
     WaterAroundTable,
     /// Ground above the water.

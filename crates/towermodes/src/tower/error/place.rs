@@ -1,8 +1,9 @@
-//! Where in a description something is wrong.
+//! The place of a value in a description.
 
 use std::fmt;
 
-/// Where in a [`TowerDescription`](crate::tower::TowerDescription) something is wrong.
+/// The place of a value in a [`TowerDescription`](crate::tower::TowerDescription), for errors and
+/// warnings.
 ///
 /// Indices count from 0; `key` is the name the quantity has in a TOML file.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]

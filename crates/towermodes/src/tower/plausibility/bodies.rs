@@ -1,4 +1,4 @@
-//! Rigid bodies: machine and point masses, their centres and inertias.
+//! Rigid bodies: RNA and point masses, their centres and inertias.
 
 use std::f64::consts::PI;
 
@@ -11,15 +11,15 @@ use crate::tower::{Inertia, Place, PointMass, Tower};
 /// A centre of mass is no further from the tower's top along one axis, m: those of the largest
 /// machines are at 15.
 const CENTRE: Usual = Usual::at_most(Quantity::CentreDistance, 25.0);
-/// A machine weighs at least this share of its tower: with a wrong unit it has less than a
-/// hundredth.
+/// The RNA has at least this fraction of the mass of the tower: with a wrong unit it has less than
+/// a hundredth.
 const RNA_SHARE: Usual = Usual::at_least(Quantity::RnaShare, 0.01);
-/// A machine is not heavier than so many towers.
+/// The RNA is at most this many times as heavy as the tower.
 const TOWERS: f64 = 5.0;
 /// Machines above this mass have inertias that second bending and torsion feel, kg.
 const HEAVY_KG: f64 = 50e3;
-/// Radii of gyration reach to this share of the tower's height: a rotor's is a third of its radius,
-/// which is less than the height.
+/// Radii of gyration are at most this fraction of the tower height: a rotor's is a third of its
+/// radius, which is less than the height.
 const REACH: f64 = 0.6;
 /// No body is denser throughout than lead, kg/m³.
 const DENSEST_KG_PER_M3: f64 = 12e3;
@@ -49,6 +49,7 @@ fn rna(tower: &Tower, given: &Given<'_>, warnings: &mut Vec<Warning>) {
     CENTRE.check(furthest_m, at("center"), warnings);
     if rna.mass_kg > TOWERS * tower.mass_kg() {
         warnings.push(Warning::HeavyRna {
+            site: at("mass"),
             rna_kg: rna.mass_kg,
             tower_kg: tower.mass_kg(),
         });

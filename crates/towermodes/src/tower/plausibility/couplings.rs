@@ -4,7 +4,7 @@ use crate::space::SpatialMatrix;
 use crate::tower::Site;
 use crate::tower::Warning;
 
-/// Couplings below this share of the geometric mean of their diagonal entries are noise of the
+/// Couplings below this fraction of the geometric mean of their diagonal entries are noise of the
 /// program that made the matrix.
 const NOISE: f64 = 0.05;
 

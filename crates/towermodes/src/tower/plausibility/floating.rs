@@ -10,17 +10,17 @@ use crate::tower::validate::largest_asymmetry;
 use crate::tower::{Place, Tower};
 use crate::tower::{Quantity, Site};
 
-/// A platform weighs at least this share of the turbine on it: tension-leg platforms have about
-/// one.
+/// A platform has at least this fraction of the mass of the turbine on it: tension-leg platforms
+/// have about one.
 const SHARE: Usual = Usual::at_least(Quantity::PlatformShare, 0.05);
 /// Slow spars have 0.03 Hz, tension-leg platforms 1 Hz.
 const HEAVE_HZ: Usual = Usual::new(Quantity::HeaveFrequency, 0.008, 5.0);
 /// Slack moorings give 0.004 Hz.
 const SURGE_HZ: Usual = Usual::new(Quantity::SurgeFrequency, 0.001, 2.0);
-/// Platforms and their moorings reach no further from the tower's base than so many times the
-/// tower's height.
+/// Platforms and their moorings are at most this many tower heights away from the tower
+/// base.
 const DEPTH: f64 = 4.0;
-/// The centre of what is in the water may be above the tower's base by this share of its height:
+/// The centre of what is in the water may be above the tower's base by this fraction of its height:
 /// entries are rounded.
 const ABOVE: f64 = 0.05;
 
@@ -61,7 +61,7 @@ fn at(key: &'static str) -> Site {
     Site::at(Place::Foundation { key })
 }
 
-/// Centre of mass and reference heights that are far from the tower; says whether any is.
+/// Centre of mass and reference heights that are far from the tower; returns whether there are any.
 fn depths(tower: &Tower, platform: &FloatingPlatform, warnings: &mut Vec<Warning>) -> bool {
     let usual = Usual::at_most(Quantity::PlatformDepth, DEPTH * tower.height_m());
     let [x_m, y_m, z_m] = platform.center_m;
@@ -89,7 +89,7 @@ fn body(tower: &Tower, platform: &FloatingPlatform, warnings: &mut Vec<Warning>)
     bodies::inertia(mass_kg, inertia, reach_m, at("inertia"), warnings);
 }
 
-/// The floater as a mass on its springs: heave on water plane and moorings, surge and sway on the
+/// The platform as a mass on its springs: heave on water plane and moorings, surge and sway on the
 /// moorings.
 fn frequencies(tower: &Tower, platform: &FloatingPlatform, warnings: &mut Vec<Warning>) {
     let mass_kg = tower.mass_kg() + tower.rna().mass_kg + platform.mass_kg;

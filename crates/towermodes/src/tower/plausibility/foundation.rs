@@ -18,12 +18,12 @@ const LATERAL: Usual = Usual::at_least(Quantity::LateralStiffness, 30.0);
 const TORSION: Usual = Usual::at_least(Quantity::TorsionStiffness, 0.2);
 const LATERAL_HZ: Usual = Usual::at_least(Quantity::LateralFrequency, 0.8);
 const VERTICAL_HZ: Usual = Usual::at_least(Quantity::VerticalFrequency, 1.5);
-/// The lever of springs is at least this share of the section's radius of gyration: a footing is
+/// The lever of springs is at least this fraction of the section's radius of gyration: a footing is
 /// wider than the tower, a pile as wide.
 const LEVER: f64 = 0.5;
 /// Speed of sound in steel, m/s.
 const SOUND_M_PER_S: f64 = 5000.0;
-/// A foundation's centre may be above the base by this share of the tower's height: entries are
+/// A foundation's centre may be above the base by this fraction of the tower's height: entries are
 /// rounded.
 const ABOVE: f64 = 0.005;
 

@@ -21,7 +21,7 @@ const THICKEST_STEEL: f64 = 30.0;
 const WIDE_M: f64 = 1.5;
 /// Metals have a Young's modulus above this, concrete and wood below, Pa.
 const METAL_PA: f64 = 6e10;
-/// A flange is shorter than this share of its diameter.
+/// A flange is shorter than this fraction of its diameter.
 const FLANGE: f64 = 0.5;
 
 pub(super) fn check(tower: &Tower, given: &Given<'_>, warnings: &mut Vec<Warning>) {
@@ -30,20 +30,23 @@ pub(super) fn check(tower: &Tower, given: &Given<'_>, warnings: &mut Vec<Warning
     walls(tower.stations(), given.materials, warnings);
     useless_rows(tower, warnings);
     if tower.height_m() > TALLEST_M {
+        let (index, key) = (tower.station_heights_m().len() - 1, "height");
         warnings.push(Warning::TallTower {
+            site: Site::at(Place::Station { index, key }),
             height_m: tower.height_m(),
         });
     }
 }
 
 fn widest(stations: &[Station], warnings: &mut Vec<Warning>) {
-    let widest = stations
-        .iter()
-        .max_by(|a, b| a.outer_diameter_m.total_cmp(&b.outer_diameter_m));
-    if let Some(s) = widest.filter(|s| s.outer_diameter_m > WIDEST_M) {
+    let stations = stations.iter().enumerate();
+    let widest =
+        stations.max_by(|(_, a), (_, b)| a.outer_diameter_m.total_cmp(&b.outer_diameter_m));
+    if let Some((index, s)) = widest.filter(|(_, s)| s.outer_diameter_m > WIDEST_M) {
+        let key = "diameter";
         warnings.push(Warning::LargeDiameter {
+            site: Site::at(Place::Station { index, key }).high(s.height_m),
             outer_diameter_m: s.outer_diameter_m,
-            height_m: s.height_m,
         });
     }
 }
@@ -132,10 +135,15 @@ fn lines(stations: &[Station], warnings: &mut Vec<Warning>) {
 /// Rows at the ends that have no length.
 fn useless_rows(tower: &Tower, warnings: &mut Vec<Warning>) {
     let heights_m = tower.station_heights_m();
-    let (first, last) = (&heights_m[..2], &heights_m[heights_m.len() - 2..]);
-    for end in [first, last] {
-        if end[0] == end[1] {
-            warnings.push(Warning::UselessStation { height_m: end[0] });
+    let last = heights_m.len() - 1;
+    for (index, neighbour) in [(0, 1), (last, last - 1)] {
+        if heights_m[index] == heights_m[neighbour] {
+            let site = Site::at(Place::Station {
+                index,
+                key: "height",
+            })
+            .high(heights_m[index]);
+            warnings.push(Warning::UselessStation { site });
         }
     }
 }

@@ -57,7 +57,9 @@ fn useless(tower: &Tower, used: &[bool], warnings: &mut Vec<Warning>) {
         _ => None,
     };
     if last_alone.is_some() {
-        warnings.push(Warning::UselessMaterial);
+        let (index, key) = (stations.len() - 1, "material");
+        let site = Site::at(Place::Station { index, key });
+        warnings.push(Warning::UselessMaterial { site });
     }
     let unused = (0..used.len()).filter(|&index| !used[index] && last_alone != Some(index));
     // Beside a table of properties materials have no meaning at all, and no file can give them.

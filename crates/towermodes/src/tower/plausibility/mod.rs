@@ -1,4 +1,4 @@
-//! Inputs that are possible but look like a slip: a wrong unit, a lost digit, a wrong sign,
+//! Inputs that are possible but look like input mistakes: a wrong unit, a lost digit, a wrong sign,
 //! radians.
 //!
 //! Each quantity is compared with what physics allows or with what every built tower has, never
@@ -28,7 +28,7 @@ use crate::tower::Warning;
 use crate::tower::{Quantity, Site};
 use usual::Usual;
 
-/// What a description says and a tower does not keep as it was said.
+/// The parts of a description that a tower does not keep in their original form.
 pub(super) struct Given<'a> {
     pub(super) materials: &'a [Material],
     pub(super) foundation: &'a Foundation,
@@ -36,7 +36,7 @@ pub(super) struct Given<'a> {
     pub(super) added_mass: &'a [Vec<AddedMassRow>],
     pub(super) water: Option<&'a Water>,
     pub(super) wires: &'a [Wires],
-    /// Whether the user said that the rotor-nacelle assembly is meant to have no inertia.
+    /// Whether the user confirmed that the rotor-nacelle assembly has no inertia.
     pub(super) rna_is_point: bool,
 }
 
@@ -61,10 +61,10 @@ pub(super) fn plausibility(tower: &Tower, given: &Given<'_>) -> Vec<Warning> {
 const GRAVITY: Usual = Usual::new(Quantity::Gravity, 9.7, 9.9);
 /// Of a rotor on a tower of more than 20 m, but for small machines, which turn at hundreds of rpm.
 const ROTOR_SPEED: Usual = Usual::new(Quantity::RotorSpeed, 3.0, 100.0);
-/// A machine is small up to this mass, kg.
+/// The RNA of a small turbine has at most this mass, kg.
 const SMALL_KG: f64 = 5e3;
 
-/// What is odd about the rotor on a tower.
+/// Possible input mistakes in the rotor on a tower.
 pub(super) fn rotor_plausibility(tower: &Tower, rotor: &Rotor) -> Vec<Warning> {
     let mut warnings = Vec::new();
     let mass_kg = tower.rna().mass_kg;

@@ -1,8 +1,7 @@
 //! Rows whose value does not go with those of the rows beside them: a digit, or one of an exponent,
 //! is wrong.
 
-/// No built tower has a row that is so many times as stiff, or as wide, as both rows beside it, or
-/// so many times less.
+/// In built towers no row differs from both adjacent rows by this factor in stiffness or width.
 const SPIKE: f64 = 4.0;
 /// How far from a power of ten a ratio may be, in powers of ten, that a wrong exponent makes: what
 /// is real beside it varies as well.

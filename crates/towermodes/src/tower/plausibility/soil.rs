@@ -10,10 +10,10 @@ use crate::tower::{Piece, Place, Plane, SoilRow, Tower};
 /// other.
 const STIFFEST_ROW: Usual = Usual::new(Quantity::SoilSpring, 5e4, 1e12);
 const PLANES: Usual = Usual::new(Quantity::SoilPlaneRatio, 0.1, 10.0);
-/// A tower that soil holds reaches into it over at least this share of the length over which it
+/// A tower that soil holds reaches into it over at least this fraction of the length over which it
 /// bends there.
 const WINKLER: Usual = Usual::at_least(Quantity::WinklerLengths, 0.5);
-/// A base whose rocking spring is at least so many times EI/H holds the tower without the soil.
+/// A base with a rocking spring of at least this many times EI/H supports the tower without soil.
 const HOLDS: f64 = 5.0;
 
 pub(super) fn check(tower: &Tower, given: &Given<'_>, warnings: &mut Vec<Warning>) {

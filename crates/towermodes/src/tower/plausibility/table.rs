@@ -1,5 +1,5 @@
-//! What the rows of a property table say of their material and shape: speeds of waves and radii of
-//! gyration, row by row and plane by plane.
+//! Checks of the rows of a property table: wave speeds and radii of gyration imply material and
+//! shape, row by row and plane by plane.
 
 use std::f64::consts::PI;
 
@@ -13,10 +13,10 @@ use crate::tower::{Quantity, Site};
 const SOUND_M_PER_S: f64 = 5000.0;
 /// No section is denser than this throughout, kg/m³: steel with all that is fixed to it.
 const DENSEST_KG_PER_M3: f64 = 1e4;
-/// Sections are no wider than this: √(EI/EA), m, and as a share of the tower's height.
+/// Sections are no wider than this: √(EI/EA), m, and as a fraction of the tower's height.
 const WIDEST_M: f64 = 20.0;
 const WIDEST_SHARE: f64 = 0.25;
-/// EI of one plane is at most so many times that of the other.
+/// EI of one plane is at most this many times EI of the other.
 const PLANES_APART: f64 = 5.0;
 
 /// A speed that a material has. One row may carry a mass that is spread over it; half of the rows
@@ -160,7 +160,7 @@ fn radii_of(
     })
 }
 
-/// Values of single rows that do not go with the rows beside them; says whether there are any.
+/// Values of single rows that do not fit the adjacent rows; returns whether there are any.
 fn out_of_line(rows: &[PropertyStation], warnings: &mut Vec<Warning>) -> bool {
     type Column = fn(&Properties) -> f64;
     let columns: [(&'static str, &'static str, Spike, Column); 5] = [

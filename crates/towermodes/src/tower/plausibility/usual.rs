@@ -34,7 +34,7 @@ impl Usual {
         (self.least..=self.most).contains(&value)
     }
 
-    /// Warns if a value is outside the range; says whether it did.
+    /// Warns if a value is outside the range; returns whether it is.
     pub(super) fn check(&self, value: f64, site: Site, warnings: &mut Vec<Warning>) -> bool {
         let is_outside = !self.has(value);
         if is_outside {

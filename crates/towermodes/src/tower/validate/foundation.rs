@@ -11,13 +11,13 @@ use crate::tower::foundation::{
     FloatingPlatform, Foundation, FoundationSprings, HalfSpace, StiffnessFoundation,
 };
 
-/// Entries of a stiffness that should be equal may differ by this share of their diagonal entries:
-/// they are often printed rounded.
+/// Entries of a stiffness that should be equal may differ by this fraction of their diagonal
+/// entries: they are often printed rounded.
 const ROUNDED: f64 = 1e-6;
-/// Entries of a floating platform's matrices may differ by this share of the larger one: they come
-/// from panel codes.
+/// Entries of a floating platform's matrices may differ by this fraction of the larger one: they
+/// come from panel codes.
 const SLIGHTLY: f64 = 0.05;
-/// … or by this share of their diagonal entries.
+/// … or by this fraction of their diagonal entries.
 const NOISE: f64 = 1e-3;
 /// A scaled eigenvalue above minus this is not negative.
 const NEGATIVE: f64 = 1e-9;
@@ -183,8 +183,8 @@ fn check_finite(
     }
 }
 
-/// The first pair of entries that should be equal and are not, by more than a share of the larger
-/// and of their diagonal entries.
+/// The first pair of entries that should be equal and are not, by more than a fraction of the
+/// larger and of their diagonal entries.
 fn asymmetry(
     what: &'static str,
     matrix: &SpatialMatrix,
@@ -207,8 +207,8 @@ fn asymmetry(
     })
 }
 
-/// The largest difference of entries that should be equal, as a share of the larger of the two; 0
-/// if the matrix is symmetric.
+/// The largest difference of entries that should be equal, as a fraction of the larger of the two;
+/// 0 if the matrix is symmetric.
 pub(in crate::tower) fn largest_asymmetry(matrix: &SpatialMatrix) -> f64 {
     let pairs = (0..6).flat_map(|row| (row + 1..6).map(move |column| (row, column)));
     let shares = pairs.map(|(row, column)| {

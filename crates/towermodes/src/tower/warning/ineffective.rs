@@ -1,14 +1,14 @@
-//! What a user gave and what changes nothing.
+//! Input without effect.
 
 use std::fmt;
 
-/// Something that was given and has no effect at all.
+/// A given value without effect.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 #[non_exhaustive]
 pub enum Ineffective {
-    /// A mass at a base that does not move.
+    /// A mass at a clamped base.
     MassAtClampedBase,
-    /// Wires at a base that does not move.
+    /// Guy wires at a clamped base.
     WiresAtClampedBase,
     /// A point mass without mass and inertia.
     EmptyPointMass,
@@ -22,7 +22,7 @@ pub enum Ineffective {
     AddedMassOfZeros,
     /// Water that adds no mass outside and is not inside.
     WaterOfZeros,
-    /// Wires that stand upright, which hold nothing sideways.
+    /// Vertical guy wires, which have no horizontal stiffness.
     UprightWires,
 }
 

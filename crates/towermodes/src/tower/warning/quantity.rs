@@ -53,13 +53,13 @@ pub enum Quantity {
     VerticalFrequency,
     /// √(rocking spring over lateral spring), m.
     SpringLever,
-    /// Mass of a floating platform over what it carries.
+    /// Mass of a floating platform over the mass of tower and RNA.
     PlatformShare,
     /// Distance of a height of a floating platform from the tower's base, m.
     PlatformDepth,
-    /// Frequency of a floater in heave on its water plane and moorings, Hz.
+    /// Heave frequency of a floating platform from water plane and moorings, Hz.
     HeaveFrequency,
-    /// Frequency of a floater in surge or sway on its moorings, Hz.
+    /// Surge or sway frequency of a floating platform from its moorings, Hz.
     SurgeFrequency,
     /// Length of tower in soil over the length (4EI/k)^¼ over which a beam bends in it.
     WinklerLengths,
@@ -84,7 +84,7 @@ pub enum Quantity {
 }
 
 impl Quantity {
-    /// What it is called in a sentence.
+    /// Its name in a sentence.
     pub fn name(self) -> &'static str {
         self.words().0
     }
@@ -94,12 +94,12 @@ impl Quantity {
         self.words().1
     }
 
-    /// What a value outside its range most likely comes from.
+    /// Typical values, and the most likely reason of a value outside the range.
     pub fn likely_slip(self) -> &'static str {
         self.words().2
     }
 
-    /// Name, unit, likely slip.
+    /// Name, unit, typical values and likely mistake.
     #[rustfmt::skip]
     fn words(self) -> (&'static str, &'static str, &'static str) {
         match self {
@@ -140,15 +140,15 @@ impl Quantity {
             Self::FootingRadius => ("the radius of the footing, divided by the radius of the tower,", "",
                 "a footing is wider than the tower; the unit is m"),
             Self::RockingStiffness => ("the rocking stiffness, divided by EI/H of the tower,", "",
-                "usual foundations have 1 to 100; check the unit (N m, not kN m) and that lateral and rocking are not exchanged"),
+                "typical: 1 to 100; check the unit (N m, not kN m) and that lateral and rocking are not exchanged"),
             Self::LateralStiffness => ("the lateral stiffness, divided by EI/H^3 of the tower,", "",
-                "usual foundations have 100 to 1e5; the unit is N/m, not kN/m"),
+                "typical: 100 to 1e5; the unit is N/m, not kN/m"),
             Self::TorsionStiffness => ("the torsion stiffness, divided by GJ/H of the tower,", "",
-                "usual foundations have 1 to 100; the unit is N m, not kN m"),
+                "typical: 1 to 100; the unit is N m, not kN m"),
             Self::LateralFrequency => ("the frequency of the tower's mass on the lateral stiffness", " Hz",
-                "usual foundations have 2 to 20; the unit is N/m, not kN/m"),
+                "typical: 2 to 20 Hz; the unit is N/m, not kN/m"),
             Self::VerticalFrequency => ("the frequency of the tower's mass on the vertical stiffness", " Hz",
-                "usual foundations have 5 to 50; the unit is N/m, not kN/m"),
+                "typical: 5 to 50 Hz; the unit is N/m, not kN/m"),
             Self::SpringLever => ("the lever sqrt(rocking stiffness/lateral stiffness)", " m",
                 "it is about the radius of a footing and larger for a pile; check that lateral and rocking are not exchanged"),
             Self::PlatformShare => ("the mass of the floating platform, divided by the mass of tower and RNA,", "",
@@ -158,7 +158,7 @@ impl Quantity {
             Self::HeaveFrequency => ("the heave frequency from hydrostatic and mooring stiffness", " Hz",
                 "floating platforms have 0.02 to 1; the unit is N/m, not kN/m"),
             Self::SurgeFrequency => ("the surge or sway frequency from the mooring stiffness", " Hz",
-                "floating platforms have 0.004 to 0.05; the unit is N/m, not kN/m"),
+                "typical: 0.004 to 0.05 Hz; the unit is N/m, not kN/m"),
             Self::WinklerLengths => ("the embedded length, divided by the characteristic length (4EI/k)^(1/4) of the pile,", "",
                 "a pile supported by soil has more than 1; the unit of the springs is N/m2, not kN/m2"),
             Self::SoilPlaneRatio => ("the soil spring in y, divided by the soil spring in x,", "",
@@ -166,11 +166,11 @@ impl Quantity {
             Self::SoilSpring => ("the soil spring", " N/m2",
                 "sand has about 1e8, rock 1e10; the unit is N/m2: N/m per metre of tower"),
             Self::WireDiameter => ("the diameter of a steel wire with this stiffness and length", " m",
-                "guy wires have 0.01 to 0.1; the unit of the stiffness EA/L is N/m, not kN/m"),
+                "typical: 0.01 to 0.1 m; the unit of the stiffness EA/L is N/m, not kN/m"),
             Self::WireCount => ("the number of guy wires in the set", "",
-                "usual sets have 3 to 12"),
+                "typical: 3 to 12"),
             Self::WireAngle => ("the angle of the guy wires from the horizontal", " degrees",
-                "guy wires have 20 to 70; the unit is degrees (0.785 rad is 45 degrees)"),
+                "typical: 20 to 70 degrees; the unit is degrees (0.785 rad is 45 degrees)"),
             Self::Gravity => ("the acceleration of gravity", " m/s2",
                 "on Earth it is 9.81"),
             Self::WaterDensity => ("the density of the water", " kg/m3",
@@ -178,7 +178,7 @@ impl Quantity {
             Self::AddedMassCoefficient => ("the added mass coefficient", "",
                 "a cylinder has about 1"),
             Self::RotorSpeed => ("the highest rotor speed", " rpm",
-                "rotors on towers higher than 20 m have 5 to 60 rpm; the unit is revolutions per minute (1 rad/s is 9.55 rpm)"),
+                "typical for towers higher than 20 m: 5 to 60 rpm; the unit is revolutions per minute (1 rad/s is 9.55 rpm)"),
         }
     }
 }

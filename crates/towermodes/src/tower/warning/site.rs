@@ -1,4 +1,4 @@
-//! Where the value stands that a warning is about.
+//! The site of the value that a warning is about.
 
 use std::fmt;
 
@@ -6,7 +6,7 @@ use crate::number::Plain;
 use crate::tower::error::Place;
 use crate::tower::planes::Plane;
 
-/// Where the value stands that a warning is about: in the description, and on the tower.
+/// The site of the value that a warning is about: in the description, and on the tower.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Site {
     /// Its place in the description; none if it is of the tower as a whole.
@@ -50,7 +50,7 @@ impl Site {
         })
     }
 
-    /// " in the side-side plane at z = 45 m", or what of it is known.
+    /// " in the side-side plane at z = 45 m", or the known part of this.
     pub(crate) fn after(self) -> impl fmt::Display {
         Words(move |f: &mut fmt::Formatter<'_>| {
             match self.plane {
@@ -66,7 +66,7 @@ impl Site {
     }
 }
 
-/// Words that are written when they are asked for.
+/// A text that is made by a function.
 struct Words<W>(W);
 
 impl<W: Fn(&mut fmt::Formatter<'_>) -> fmt::Result> fmt::Display for Words<W> {

@@ -47,7 +47,7 @@ fn springs(content: &ReportContent) -> String {
     let what = if base.stiffness == NONE {
         "The free motions of the base have no foundation stiffness."
     } else {
-        "The base rests on linear springs without damping that do not depend on frequency."
+        "The base rests on linear springs, independent of frequency and without damping."
     };
     format!("{what}{rigidly}")
 }

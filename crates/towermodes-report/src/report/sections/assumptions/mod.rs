@@ -28,10 +28,10 @@ pub(super) fn blocks(content: &ReportContent) -> Vec<Block> {
 
 fn sections(description: &TowerDescription) -> String {
     let outfitting = if description.outfitting_factor == 1.0 {
-        "No secondary-mass factor is applied to the mass.".to_owned()
+        "The outfitting factor is 1: no secondary mass is added.".to_owned()
     } else {
         format!(
-            "The mass is multiplied by {} for secondary mass such as paint, bolts and platforms.",
+            "The mass is multiplied by the outfitting factor {} for secondary mass such as paint, bolts and platforms.",
             given(description.outfitting_factor)
         )
     };
@@ -52,7 +52,7 @@ fn sections(description: &TowerDescription) -> String {
     }
     format!(
         "Cross-sections are {} of isotropic, linearly elastic material and do not deform (no ovalization); diameter and wall thickness vary \
-         linearly between stations. {outfitting} Doors, flanges and ladders are included only if they are given as masses.",
+         linearly between stations. {outfitting} Flanges, doors and ladders are included only as far as the density, the outfitting factor or point masses account for them.",
         shape(&description.stations)
     )
 }
