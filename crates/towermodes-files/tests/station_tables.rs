@@ -390,7 +390,7 @@ fn cans_that_do_not_join_are_refused_with_both_rows() {
         "40,70",
         "39.9,70",
         (4, 1),
-        &["begins at 39.9 m", "0.1 m below", "line 3", "overlap"],
+        &["this can, 39.9 m", "0.1 m below", "(line 3)", "overlap"],
     );
     refused_with(
         "40,70",
