@@ -1,7 +1,7 @@
 //! Analyses based on the natural modes of wind turbine towers.
 //!
-//! Every answer is computed from towers and their solutions alone. This crate reads no files and
-//! prints nothing, so a program, a report and a web page ask the same questions in the same way.
+//! All results are computed from towers and their solutions. This crate reads no files and prints
+//! nothing, so that a program, a report and a web page can use the same analyses.
 //!
 //! | question | function | module |
 //! |---|---|---|

@@ -1,13 +1,13 @@
-//! Towers in, results and towers out: the files of towermodes and of other programs.
+//! Reads towers from files of towermodes and of other programs; writes towers and results.
 //!
 //! [`read_tower`] reads the tower of any file: the TOML of this program, decks of BModes, main and
 //! tower files of ElastoDyn, turbines in windIO, structural files of HAWC2. [`read()`] reads
 //! rotating blades too and takes options.
 //!
 //! A mistake in a file is a [`Diagnostic`]: its place, its [kind](DiagnosticKind) with the numbers,
-//! and what would be right. [`ReadError`] holds all of them and is a [`std::error::Error`]. What a
-//! reader decided or left out is a [`Note`]. Writers produce files for other programs and results
-//! for scripts.
+//! and a suggestion. [`ReadError`] contains all of them and is a [`std::error::Error`]. An
+//! assumption of a reader, or omitted data, is a [`Note`]. Writers produce files for other programs
+//! and results for scripts.
 //!
 //! ```
 //! let text = r#"

@@ -80,12 +80,12 @@ const PARTS: [(&str, &str, &str); 6] = [
     (
         "nblinpst",
         "a blade file of ElastoDyn",
-        "the main file that names it",
+        "the main file that refers to it",
     ),
     (
         "sec_loc",
         "a section file of a BModes deck",
-        "the .bmi file that names it",
+        "the .bmi file that refers to it",
     ),
     (
         "subdyn",

@@ -406,7 +406,7 @@ fn cans_that_do_not_join_are_refused_with_both_rows() {
     refused(
         turned,
         (2, 1),
-        &["begins at 50.5 m", "0.5 m above", "50 m in line 3"],
+        &["this can, 50.5 m", "0.5 m above", "50 m (line 3)"],
     );
 }
 

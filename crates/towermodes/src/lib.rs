@@ -27,17 +27,18 @@
 //! ```
 //!
 //! Each frequency comes with a bound on its algebraic error, an estimate of its discretization
-//! error and an extrapolated value; the list comes with a [`Certificate`] that no mode is missing.
-//! Other methods are chosen by [`Options::method`]; rotating blades are solved by [`solve_blade`].
+//! error and an extrapolated value; the list comes with a [`Certificate`], the proof that no mode
+//! is missing. Other methods are selected by [`Options::method`]; rotating blades are solved by
+//! [`solve_blade`].
 //!
 //! With the feature `serde` results can be serialized, with `schema` they have JSON schemas.
 //!
-//! # Where each step is
+//! # The steps and their modules
 //!
-//! | step | room |
+//! | step | module |
 //! |---|---|
-//! | towers and blades, exact section integrals, coupled motions | [`tower`], [`blade`] |
-//! | the mesh, and what each segment becomes: the paper's is `elements/rmje.rs` | [`elements`] |
+//! | towers and blades, integrals of sections, coupled motions | [`tower`], [`blade`] |
+//! | the mesh and the elements; that of the paper is `elements/rmje.rs` | [`elements`] |
 //! | rigid bodies and elastic joints, the paper's eq. (17) in O(n) | [`chain`] |
 //! | beams of flexible elements: BModes, the spectral method, rotating blades | [`beam`] |
 //! | uncoupled groups of motions, each as an eigenvalue problem | [`subsystem`] |
@@ -45,7 +46,7 @@
 //! | family, shape, energy, discretization error of a mode | [`modes`] |
 //! | options, spectrum of the tower, certificate, error estimates, warnings | [`solve()`] |
 //!
-//! Data flows in this order only. SI units throughout; heights are in the user's own datum; x is
+//! Data flows only in this order. SI units throughout; heights use the datum of the user; x is
 //! fore-aft (downwind), y side-side, z up.
 
 pub mod beam;

@@ -159,7 +159,7 @@ pub fn trimmed(text: &str) -> &str {
 }
 
 /// A frequency, or its error, with as many decimals as show two digits of the error; at least 4 and
-/// at most 11, which is what a double holds.
+/// at most 11, the range of a double.
 ///
 /// `value_hz` is the number to write: the frequency, its error, or another estimate of the
 /// frequency. A value that its decimals cannot show is written as "<0.0001". Beyond 1e-4 to 1e6 Hz

@@ -78,7 +78,7 @@ pub struct ShapeValidation {
 /// Validates the shapes of a tower file (`shipped`) against the modes of the tower (`own`).
 ///
 /// # Errors
-/// [`ModelError`] for what ElastoDyn cannot take.
+/// [`ModelError`] for values that ElastoDyn does not accept.
 pub fn validate_shapes(
     model: &TowerModel,
     shipped: &Planes<PlaneModes>,

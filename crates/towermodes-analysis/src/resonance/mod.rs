@@ -1,4 +1,4 @@
-//! Resonance: the multiples of the rotor speed that excite the tower, their margins to natural
+//! Resonance: the multiples of the rotor speed that excite the tower, their distances from natural
 //! frequencies (the Campbell diagram), the stiffness class, and the blade modes against the rotor
 //! speed.
 

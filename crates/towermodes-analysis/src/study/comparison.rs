@@ -43,7 +43,7 @@ pub struct Column {
     pub degrees_of_freedom: usize,
     /// The time of one solve, s; none until the caller of [`compare`] sets it.
     pub seconds_per_solve: Option<f64>,
-    /// The frequency of each mode, Hz; none where so few segments do not have it.
+    /// The frequency of each mode, Hz; none if the mesh does not have this mode.
     pub frequencies_hz: Vec<Option<f64>>,
     /// The relative difference f/f_reference − 1 of each mode; 0 if both frequencies are 0.
     pub relative_differences: Vec<Option<f64>>,

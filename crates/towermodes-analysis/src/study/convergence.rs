@@ -67,7 +67,7 @@ pub struct Level {
     pub asked: Fineness,
     /// Degrees of freedom of the whole tower.
     pub degrees_of_freedom: usize,
-    /// The frequency of each mode, Hz; none where so few segments do not have it.
+    /// The frequency of each mode, Hz; none if the mesh does not have this mode.
     pub frequencies_hz: Vec<Option<f64>>,
     /// The relative error f/f_limit − 1 of each mode.
     #[cfg_attr(feature = "serde", serde(rename = "relative_errors"))]

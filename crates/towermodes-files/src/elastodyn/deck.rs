@@ -46,7 +46,7 @@ pub struct ElastoDynDeck {
     pub input: TowerInput,
 }
 
-/// Reads an ElastoDyn model from its main file, or from the `.fst` file that names it; `files`
+/// Reads an ElastoDyn model from its main file, or from the `.fst` file that refers to it; `files`
 /// gives the files that it names.
 ///
 /// # Errors
@@ -210,7 +210,7 @@ fn refuse_parts(source: &Source) -> Result<(), ReadError> {
     };
     let found = format!("a {part} file of ElastoDyn, not a main file");
     let mistake = Diagnostic::new(0..0, DiagnosticKind::WrongFile { found })
-        .with_hint("give the main file that names it");
+        .with_hint("give the main file that refers to it");
     Err(ReadError::mistake(source, mistake))
 }
 

@@ -18,7 +18,7 @@ const ED_FILE: Record = record("EDFile", "name of the main file of ElastoDyn", K
 pub(super) struct Main {
     /// The main file.
     pub(super) source: Source,
-    /// The `.fst` file that names it, if that was given.
+    /// The `.fst` file that refers to it, if that was given.
     pub(super) fst: Option<Source>,
     /// The main file's folder as seen from the file that was given; empty if it is the same.
     pub(super) folder: String,

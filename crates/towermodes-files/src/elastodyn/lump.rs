@@ -19,9 +19,9 @@ use crate::source::Source;
 /// first blade points up, each next one stands a fraction of a turn further, clockwise as seen from
 /// upwind. Blades are rods: only their mass along their axis counts. `NacYIner` is about the yaw
 /// axis, and the nacelle has no other inertia than what that leaves about its centre. With a locked
-/// rotor the generator adds `GenIner` once about the shaft; with a free one rotor and generator
-/// together add J_r J_g (1 − q)²/(J_r + q² J_g) about it, where J_r is the rotor's inertia, J_g =
-/// `GenIner` and q = `GBRatio`.
+/// rotor the generator adds `GenIner` about the shaft, without the factor `GBRatio`²; with a free
+/// one rotor and generator together add J_r J_g (1 − q)²/(J_r + q² J_g) about it, where J_r is the
+/// rotor's inertia, J_g = `GenIner` and q = `GBRatio`.
 ///
 /// Source: the kinematics of ElastoDyn (OpenFAST 5.0, `SetCoordSy`, `CalculatePositions`, `Coeff`
 /// in `ElastoDyn.f90`).

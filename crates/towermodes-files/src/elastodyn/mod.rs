@@ -1,4 +1,4 @@
-//! The files of ElastoDyn, OpenFAST's model of tower, blades and drive train.
+//! The files of ElastoDyn, the OpenFAST module for tower, blades and drive train.
 
 mod blade_file;
 mod columns;

@@ -12,7 +12,7 @@ use crate::note::Note;
 use crate::source::Source;
 
 const HINT: &str =
-    "give the main file that names it, or --tower-height (and --tower-base if that is not 0)";
+    "give the main file that refers to it, or --tower-height (and --tower-base if that is not 0)";
 
 /// A tower, clamped and without a rotor-nacelle assembly, from a tower file of ElastoDyn alone.
 ///

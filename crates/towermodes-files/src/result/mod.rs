@@ -1,7 +1,7 @@
 //! Results as JSON with their schemas, and as CSV.
 //!
-//! The types of the library serialize themselves. Here are only the documents that put a result
-//! together with its tower and the notes of the reader.
+//! The types of the library serialize themselves. This folder contains only the documents that
+//! combine a result with its tower and the notes of the reader.
 
 mod blade;
 mod campbell;

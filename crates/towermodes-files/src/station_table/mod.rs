@@ -1,5 +1,5 @@
 //! Tables of cans or stations in CSV, as exported from drawings and spreadsheets; a tower file
-//! names one with `stations = "cans.csv"`.
+//! refers to it with `stations = "cans.csv"`.
 //!
 //! A can is a row with bottom, top, diameters and wall, a station a row with height, diameter and
 //! wall. The header gives the quantity and the unit of each column. Columns are separated by

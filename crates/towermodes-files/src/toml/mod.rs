@@ -1,4 +1,4 @@
-//! A tower from TOML, and back into it.
+//! Reads and writes towers in TOML.
 
 mod added_mass;
 mod body;

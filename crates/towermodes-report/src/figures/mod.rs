@@ -1,4 +1,4 @@
-//! The figures, one per file or folder, each made from results of the library alone.
+//! The figures, one per file or folder, each computed from results of the library.
 
 mod animation;
 mod campbell;

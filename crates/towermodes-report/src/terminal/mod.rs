@@ -1,4 +1,4 @@
-//! Pictures in characters, for terminals.
+//! Text graphics for terminals.
 
 mod canvas;
 mod chart;

@@ -43,7 +43,8 @@ pub(super) fn centrifugal_stiffness(
     matrix
 }
 
-/// ∫ |P W ρ|² + ρᵀ P N ρ dm for rotations a and b: what the body's own extent adds, kg m².
+/// ∫ |P W ρ|² + ρᵀ P N ρ dm for rotations a and b: the contribution of the extent of the body, kg
+/// m².
 fn turned(a: usize, b: usize, second_moments: &Tensor) -> f64 {
     let (first, then, second) = (generator(a), generator(b), second_order(a, b));
     let rows = IN_PLANE.into_iter().map(|i| {

@@ -94,7 +94,7 @@ impl Stencil {
         self.shape.resize(D * rows, 0.0);
     }
 
-    /// Ends an element: what its top does is known.
+    /// Ends an element: the motion of its top is known.
     pub(super) fn end_element<const D: usize>(&mut self, beam: &mut Beam<D>) {
         let (m, rows) = (beam.coordinates(), beam.rows());
         let Self { at_top, shape, .. } = self;
@@ -106,7 +106,7 @@ impl Stencil {
         }
     }
 
-    /// Adds to the matrices of the last element what is at one of its points.
+    /// Adds the contribution of one point to the matrices of the last element.
     fn add_point<const D: usize>(
         &mut self,
         beam: &mut Beam<D>,

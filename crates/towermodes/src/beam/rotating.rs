@@ -140,7 +140,7 @@ impl Element<'_> {
         }
     }
 
-    /// The section of the middle with the twist at a radius, and what pulls there.
+    /// The section of the middle with the twist at a radius, and the tension there.
     fn local(&self, radius_m: f64) -> Local {
         let (blade, description) = (self.blade, self.blade.description());
         let section = blade.section_at(0.5 * (self.ends.0 + self.ends.1));

@@ -50,7 +50,7 @@ impl Blade {
         Ok(Self { description })
     }
 
-    /// What it was made of.
+    /// Its description.
     pub fn description(&self) -> &BladeDescription {
         &self.description
     }
@@ -191,7 +191,7 @@ fn check_section(section: usize, values: &BladeSection) -> Result<(), BladeError
     check_tension_center(section, values)
 }
 
-/// What twists must have a polar inertia; what does not may have none, but no negative one.
+/// A section that can twist needs a polar inertia; for others it may be zero, but not negative.
 fn check_polar_inertia(section: usize, values: &BladeSection) -> Result<(), BladeError> {
     let quantity = "the sum of both inertias";
     let value = values.flap_inertia_kg_m + values.edge_inertia_kg_m;

@@ -20,7 +20,7 @@ pub enum EigenError {
         /// How many.
         negative: usize,
     },
-    /// The stiffness cancels so much that rounding hides what is left.
+    /// The terms of the stiffness cancel so much that the result is below the rounding error.
     #[error(
         "the stiffness of foundation, soil or guy wires is too large relative to the tower to be resolved in double precision"
     )]

@@ -223,7 +223,7 @@ impl Lanczos {
             || (self.used - wanted).is_multiple_of(LOOK_ANYWAY)
     }
 
-    /// The residual that a Ritz value θ may have beside the largest one.
+    /// The permitted residual of a Ritz value θ, relative to the largest one.
     fn allowed(&self, theta: f64, largest: f64) -> f64 {
         (TOLERANCE * theta).max(FLOOR * largest)
     }

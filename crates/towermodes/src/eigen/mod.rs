@@ -1,4 +1,5 @@
-//! The lowest eigenvalues of a symmetric pencil, each bounded, the list proved complete.
+//! The lowest eigenvalues of a symmetric pencil, with error bounds and a proof that none is
+//! missing.
 
 mod certificate;
 mod error;
@@ -189,7 +190,7 @@ impl EigenWorkspace {
         }
     }
 
-    /// Keeps the vectors found; what was missed is in their complement.
+    /// Keeps the vectors found; missed modes are in their orthogonal complement.
     fn lock(&mut self, found: usize) {
         self.lanczos.lock(&self.vectors[..found], &self.thetas);
     }

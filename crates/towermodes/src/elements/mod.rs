@@ -1,4 +1,4 @@
-//! Recipes that turn a tower into chains, one per file, and the mesh they work on.
+//! Recipes that make chains of a tower, one per file, and the mesh.
 
 mod bodies;
 mod cardanic;

@@ -1,9 +1,9 @@
 //! The rigid multibody element of a tapered tower: one joint at the centre of flexibility, exact
 //! integrals.
 //!
-//! A segment becomes two rigid bodies, which keep the exact mass, centre and inertia of what they
-//! replace, and one joint at the centre of flexibility z_c = ∫ z dz/EI ÷ ∫ dz/EI, where a force
-//! does not turn it:
+//! A segment becomes two rigid bodies, which have the exact mass, centre and inertia of the parts
+//! they replace, and one joint at the centre of flexibility z_c = ∫ z dz/EI ÷ ∫ dz/EI, where a
+//! force does not turn it:
 //!
 //! 1/k_θ = ∫ dz/EI, 1/k_w = ∫ (z−z_c)² dz/EI + ∫ dz/(κGA), 1/k_axial = ∫ dz/EA, 1/k_torsion = ∫
 //! dz/GJ.

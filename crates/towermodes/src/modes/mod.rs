@@ -1,4 +1,4 @@
-//! The modes as a user sees them: family and order, shape, modal mass, energy, discretization
+//! The modes as results: family and order, shape, modal mass, energy, discretization
 //! error.
 
 mod discretization;

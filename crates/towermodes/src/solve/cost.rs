@@ -79,7 +79,7 @@ impl Cost {
         }
     }
 
-    /// Refuses what takes more than a workstation has to spare.
+    /// Refuses a computation beyond the limits of memory and time.
     pub(super) fn check(&self, modes: usize) -> Result<(), SolveError> {
         let degrees_of_freedom = self.unknowns as usize;
         if self.bytes > MAX_BYTES as f64 {

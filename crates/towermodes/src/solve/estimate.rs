@@ -15,7 +15,7 @@ use super::workspace::Workspace;
 use crate::elements::Mesh;
 use crate::tower::{Motion, Tower};
 
-/// The results of other meshes, or of the reference beam solution, beside the error of each mode.
+/// The results of other meshes, or of the reference solution, and the error of each mode.
 pub(super) struct Estimates {
     /// How many modes another mesh, or the reference, has below the end of the list: if that is
     /// another number than the certificate's, the list ends within the discretization error.

@@ -1,4 +1,4 @@
-//! The front door: a tower or a blade in, its modes out.
+//! The entry points: compute the modes of a tower or a blade.
 //!
 //! In the order of use: [`options`](Options) and limits → cost → model (the assembled subsystems) →
 //! spectrum → stability → naming and solution → one mesh → error estimates → warnings → `tower` and

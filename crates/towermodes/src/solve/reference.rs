@@ -171,7 +171,7 @@ fn changes(before: &Level, after: &Level) -> Vec<f64> {
     before.iter().zip(after).map(change).collect()
 }
 
-/// Whether each change is small beside the error that it shows, or beside the frequency.
+/// Whether each change is small relative to the error that it shows, or to the frequency.
 fn is_known(found_hz: &[f64], beam_hz: &Level, changes_hz: &[f64]) -> bool {
     let mut all = found_hz.iter().zip(beam_hz).zip(changes_hz);
     all.all(|((found_hz, beam_hz), change_hz)| {

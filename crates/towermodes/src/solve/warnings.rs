@@ -18,7 +18,7 @@ const IRREGULAR: f64 = 1e-3;
 /// A smaller relative change of a quantity within an element is negligible.
 const SLIGHT: f64 = 0.05;
 
-/// With larger errors relative to a frequency, what given elements miss matters.
+/// Relative errors above this limit give a warning about features that given elements miss.
 const MISSED: f64 = 5e-3;
 
 /// The warnings of the input and of its modes.

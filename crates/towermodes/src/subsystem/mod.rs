@@ -1,5 +1,4 @@
-//! Uncoupled groups of motions of a model, and each as an eigenvalue problem, whatever it is made
-//! of.
+//! Uncoupled groups of motions of a model, each an eigenvalue problem, for all element types.
 
 mod coefficients;
 mod coordinates;

@@ -1,4 +1,4 @@
-//! The lowest section of a tower: how it may move, what holds it there, what moves with it.
+//! The lowest section of a tower: its free motions, its support, the inertia that moves with it.
 
 use super::attachment::spatial_inertia;
 use super::foundation::{FloatingPlatform, Foundation, FoundationSprings, ReferredMatrix};
@@ -16,8 +16,8 @@ pub struct Base {
     /// Inertia that moves with it: kg, kg m, kg m².
     pub inertia: SpatialMatrix,
     /// Moment of the platform's and the tower's mass about the point that the hydrostatic stiffness
-    /// is about, kg m: times g what weights take from the stiffness against rotation about x and y;
-    /// zero for what does not float.
+    /// is about, kg m: times g the negative geometric stiffness against rotation about x and y;
+    /// zero for a fixed base.
     pub overturning_kg_m: f64,
     /// Whether it floats: rigid-body modes are modes of their own.
     pub floats: bool,

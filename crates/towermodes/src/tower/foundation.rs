@@ -170,7 +170,7 @@ pub struct FloatingPlatform {
     pub inertia_kg_m2: Inertia,
     /// Hydrodynamic added mass: kg, kg m, kg m².
     pub added_mass: ReferredMatrix,
-    /// Hydrostatic stiffness, of the water plane and the buoyancy: N/m, N, N m. The weights' part
+    /// Hydrostatic stiffness of water plane and buoyancy: N/m, N, N m. The gravity part
     /// is that of gravity.
     pub hydrostatic: ReferredMatrix,
     /// Stiffness of the moorings: N/m, N, N m.

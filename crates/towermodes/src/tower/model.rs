@@ -79,12 +79,12 @@ impl Tower {
         &self.attachments
     }
 
-    /// The base and what holds it.
+    /// The base with its support.
     pub fn base(&self) -> &Base {
         &self.base
     }
 
-    /// Acceleration of gravity, m/s²; 0 if weights are left out.
+    /// Acceleration of gravity, m/s²; 0 if gravity is neglected.
     pub fn gravity_m_per_s2(&self) -> f64 {
         self.gravity_m_per_s2
     }

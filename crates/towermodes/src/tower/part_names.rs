@@ -2,7 +2,7 @@
 
 /// The names of the parts of a tower, for messages and reports only.
 ///
-/// Each list goes with the list of the same name in the
+/// Each list belongs to the list of the same name in the
 /// [`TowerDescription`](super::TowerDescription); a part beyond its end has no name, and neither
 /// has one whose name is empty.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]

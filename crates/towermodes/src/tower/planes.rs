@@ -42,7 +42,7 @@ impl<T: Copy> Planes<T> {
         }
     }
 
-    /// Both values changed alike.
+    /// Both values changed in the same way.
     #[inline]
     pub fn map<U>(self, mut change: impl FnMut(T) -> U) -> Planes<U> {
         Planes {

@@ -1,12 +1,12 @@
-//! The whole tower as one rigid body on its base: what resists its motions, and its inertia.
+//! The whole tower as one rigid body on its base: its stiffness and its inertia.
 
 use super::integrals::{mass_integrals, soil_integrals};
 use super::model::Tower;
 use crate::space::{SpatialMatrix, add_scaled, transform_matrix};
 
 impl Tower {
-    /// What resists rigid motions (x, y, z, rotation about x, y, z) of the whole tower about its
-    /// base, weights left out: the foundation, soil and wires; N/m, N, N m.
+    /// Stiffness against rigid motions (x, y, z, rotation about x, y, z) of the whole tower about
+    /// its base, without gravity: foundation, soil and guy wires; N/m, N, N m.
     pub fn rigid_stiffness(&self) -> SpatialMatrix {
         let base_m = self.base_m();
         let mut sum = self.base.stiffness;

@@ -1,4 +1,4 @@
-//! Sections: the circular tube, and what a beam feels of a section.
+//! Sections: the circular tube, and the properties of a section in a beam.
 
 use std::f64::consts::PI;
 

@@ -106,7 +106,7 @@ pub enum Warning {
         unit: &'static str,
         /// The value, in the unit of the column.
         value: f64,
-        /// The value between those of the rows beside it.
+        /// The value expected from the adjacent rows.
         expected: f64,
     },
     /// A given value without effect.

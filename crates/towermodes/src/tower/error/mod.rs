@@ -11,7 +11,7 @@ use thiserror::Error;
 
 use crate::number::{Apart, Plain, Rounded};
 
-/// A description that no tower can have: where, and what is wrong.
+/// An invalid description of a tower: the place and the problem.
 #[derive(Debug, Clone, PartialEq, Error)]
 #[error("{place}: {problem}")]
 pub struct TowerError {
@@ -140,7 +140,7 @@ pub enum Problem {
         /// How many materials there are.
         count: usize,
     },
-    /// A point mass beside the tower.
+    /// A point mass or guy wires at a height outside the tower.
     #[error(
         "height {} m is not on the tower, which reaches from {} m to {} m",
         Apart(*.height_m, nearer(*.height_m, *.base_m, *.top_m)),
@@ -207,7 +207,7 @@ pub enum Problem {
         /// The value given.
         value: f64,
     },
-    /// A rigid hold for what floats.
+    /// An infinite stiffness for a floating platform.
     #[error(
         "the {what} has an infinite entry, but a floating platform cannot be rigidly supported"
     )]
@@ -215,7 +215,7 @@ pub enum Problem {
         /// Which matrix.
         what: &'static str,
     },
-    /// A platform that its weights press down and no water holds up.
+    /// Gravity on a floating platform without hydrostatic stiffness.
     #[error(
         "a floating platform with gravity needs the hydrostatic stiffness and its reference height"
     )]
@@ -223,7 +223,7 @@ pub enum Problem {
     /// Fewer than two rows around the tower.
     #[error("{what} needs at least two rows, but has {count}")]
     TooFewRows {
-        /// Of what.
+        /// The kind of rows.
         what: &'static str,
         /// How many there are.
         count: usize,
@@ -248,7 +248,7 @@ pub enum Problem {
         Apart(*.top_m, *.surface_m)
     )]
     RowsOutsideTower {
-        /// Of what.
+        /// The kind of rows.
         what: &'static str,
         /// Height of the lowest row, m.
         bottom_m: f64,
@@ -262,7 +262,7 @@ pub enum Problem {
     /// All rows at one height.
     #[error("{what} has no depth: all rows are at {} m", Plain(*.height_m))]
     RowsWithoutDepth {
-        /// Of what.
+        /// The kind of rows.
         what: &'static str,
         /// The height all have, m.
         height_m: f64,

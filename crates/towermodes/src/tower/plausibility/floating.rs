@@ -1,4 +1,4 @@
-//! Floating platforms: where they are, what they weigh, how stiff water and moorings are.
+//! Floating platforms: position, mass, stiffness of water plane and moorings.
 
 use super::couplings::{self, Named};
 use super::usual::Usual;
@@ -20,8 +20,8 @@ const SURGE_HZ: Usual = Usual::new(Quantity::SurgeFrequency, 0.001, 2.0);
 /// Platforms and their moorings are at most this many tower heights away from the tower
 /// base.
 const DEPTH: f64 = 4.0;
-/// The centre of what is in the water may be above the tower's base by this fraction of its height:
-/// entries are rounded.
+/// The centre of added mass, hydrostatic or mooring stiffness may be above the tower's base by this
+/// fraction of its height: entries are rounded.
 const ABOVE: f64 = 0.05;
 
 pub(super) fn check(tower: &Tower, platform: &FloatingPlatform, warnings: &mut Vec<Warning>) {

@@ -1,4 +1,4 @@
-//! Heights, diameters and walls.
+//! Heights, diameters and wall thicknesses.
 
 use super::Given;
 use super::out_of_line::{Spike, worst};
@@ -6,9 +6,9 @@ use crate::tower::Site;
 use crate::tower::Warning;
 use crate::tower::{Material, Place, Station, Tower};
 
-/// Diameters reach to this, m.
+/// Largest usual diameter, m.
 const WIDEST_M: f64 = 30.0;
-/// Towers reach to this, m.
+/// Largest usual tower height, m.
 const TALLEST_M: f64 = 1000.0;
 /// No tube has a thinner wall: diameter over wall.
 const THINNEST: f64 = 500.0;

@@ -1,4 +1,4 @@
-//! Materials: what they are, and whether anything is made of them.
+//! Materials: their properties, and whether they are used.
 
 use super::Given;
 use super::usual::Usual;

@@ -1,7 +1,7 @@
 //! Inputs that are possible but look like input mistakes: a wrong unit, a lost digit, a wrong sign,
 //! radians.
 //!
-//! Each quantity is compared with what physics allows or with what every built tower has, never
+//! Each quantity is compared with physical limits or with the range of built towers, never
 //! with a list of words. Limits are generous: a warning that is mostly wrong is not read. Where
 //! rows have a quantity, the row that is furthest off is named.
 

@@ -1,4 +1,4 @@
-//! Rows whose value does not go with those of the rows beside them: a digit, or one of an exponent,
+//! Rows whose value does not fit those of the adjacent rows: a digit, or one of an exponent,
 //! is wrong.
 
 /// In built towers no row differs from both adjacent rows by this factor in stiffness or width.
@@ -10,7 +10,7 @@ const NEAR_A_POWER: f64 = 0.12;
 /// of the next one is foretold.
 const SMOOTH: f64 = 2.0;
 
-/// What a value has to be to be out of line.
+/// The criterion for a value that does not fit.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum Spike {
     /// Any value far from its neighbours': nothing real makes it.
@@ -21,7 +21,7 @@ pub(super) enum Spike {
 }
 
 impl Spike {
-    /// Whether a ratio to what is expected is out of line.
+    /// Whether the ratio to the expected value is too large or too small.
     fn is(self, ratio: f64) -> bool {
         let powers = ratio.log10();
         let is_near_a_power = (powers - powers.round()).abs() < NEAR_A_POWER;
@@ -29,8 +29,8 @@ impl Spike {
     }
 }
 
-/// The value that is furthest out of line of positive values at heights (m): its index, and what
-/// the values beside it make expect.
+/// The value that is furthest out of line of positive values at heights (m): its index, and
+/// the value expected from the adjacent ones.
 pub(super) fn worst(heights_m: &[f64], values: &[f64], spike: Spike) -> Option<(usize, f64)> {
     let out_of_line = (0..values.len()).filter_map(|index| {
         let expected = expected(heights_m, values, index, spike)?;
@@ -40,7 +40,7 @@ pub(super) fn worst(heights_m: &[f64], values: &[f64], spike: Spike) -> Option<(
     out_of_line.max_by(|a, b| powers(a).total_cmp(&powers(b)))
 }
 
-/// What the values beside one make expect, if that one is out of line.
+/// The value expected from the adjacent ones, if this one does not fit.
 fn expected(heights_m: &[f64], values: &[f64], index: usize, spike: Spike) -> Option<f64> {
     let value = values[index];
     let last = values.len() - 1;

@@ -1,9 +1,9 @@
-//! A quantity with the range in which towers have it.
+//! A quantity with the usual range of towers.
 
 use crate::tower::Warning;
 use crate::tower::{Quantity, Site};
 
-/// A quantity with the range in which towers have it; an infinite end is none.
+/// A quantity with the usual range of towers; an infinite limit means no limit.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Usual {
     quantity: Quantity,

@@ -1,4 +1,4 @@
-//! Wires: what steel wire they would be, how many, and at which angle.
+//! Guy wires: diameter of a steel wire with the same stiffness, number, angle.
 
 use std::f64::consts::PI;
 

@@ -1,7 +1,6 @@
-//! Quantities that towers have within a known range.
+//! Quantities of towers with a known usual range.
 
-/// A quantity of a tower, given or computed from what is given, that is known to lie within a
-/// range.
+/// A quantity of a tower, given or computed from given values, with a known usual range.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 #[non_exhaustive]
 pub enum Quantity {
