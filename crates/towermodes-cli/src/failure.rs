@@ -174,7 +174,7 @@ impl Failure {
             }
             Self::TowerFile(_) | Self::Refused(_) | Self::Unfit { .. } | Self::Disagree => 1,
             Self::Campbell(CampbellError::Blade { .. }) | Self::Resonant { .. } => 1,
-            Self::Picture(RasterError::Drawing(_) | RasterError::Encoding(_)) => 1,
+            Self::Picture(RasterError::Encoding(_)) => 1,
             Self::Unwritable(..) | Self::Unverified { .. } => 1,
             _ => 2,
         }

@@ -2,8 +2,7 @@
 
 use clap::CommandFactory;
 use clap_complete::Shell;
-use towermodes_files::{ResultKind, write_json_schema, write_schema_of};
-use towermodes_verify::Verification;
+use towermodes_files::ResultKind;
 
 use crate::args::Arguments;
 use crate::failure::Failure;
@@ -18,23 +17,8 @@ pub(crate) fn completions(shell: Shell) -> Result<(), Failure> {
 
 /// `towermodes schema [RESULT]`.
 pub(crate) fn schema(of: &str) -> Result<(), Failure> {
-    let mut schema = Vec::new();
-    if of == "verify" {
-        write_schema_of::<Verification>("towermodes verification", "verify", &mut schema)?;
-        return deliver(&schema, None);
-    }
-    let kind = match of {
-        "blade" => ResultKind::Blade,
-        "compare" => ResultKind::Comparison,
-        "converge" => ResultKind::Convergence,
-        "campbell" => ResultKind::Campbell,
-        "check" => ResultKind::Agreement,
-        "check-one" => ResultKind::Examination,
-        "validate" => ResultKind::ShapeValidation,
-        _ => ResultKind::Solution,
-    };
-    write_json_schema(kind, &mut schema)?;
-    deliver(&schema, None)
+    let schema = ResultKind::named(of).map_or(towermodes_verify::SCHEMA, ResultKind::json_schema);
+    deliver(schema.as_bytes(), None)
 }
 
 /// `towermodes man [COMMAND]`: the page of the program, or of one of its commands.

@@ -5,6 +5,8 @@ use std::path::PathBuf;
 use std::process::{Command, Output, Stdio};
 
 use serde_json::Value;
+use towermodes_files::{ResultKind, generated_schema, generated_schema_of};
+use towermodes_verify::Verification;
 
 fn root() -> PathBuf {
     PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../..")
@@ -165,16 +167,26 @@ const OTHERS: [(&str, &[&str]); 4] = [
     ),
 ];
 
+/// `TOWERMODES_BLESS=1` writes the files again after a wanted change of a result.
 #[test]
-fn the_schemas_in_the_book_are_the_programs_own() {
-    let others = OTHERS.map(|(name, _)| name);
-    let names = RESULTS.map(|arguments| arguments[0]);
-    for name in names.into_iter().chain(others).chain(["blade"]) {
-        let path = format!("book/src/{name}.schema.json");
-        let in_book = std::fs::read(root().join(&path)).expect("the schema");
+fn the_schemas_are_made_from_the_types_of_the_results() {
+    let files = ResultKind::ALL.map(|kind| {
+        let path = format!("crates/towermodes-files/schemas/{}.json", kind.name());
+        (kind.name(), path, generated_schema(kind))
+    });
+    let verification = generated_schema_of::<Verification>("towermodes verification", "verify");
+    let path = "crates/towermodes-verify/schema.json".to_owned();
+    for (name, path, generated) in files.into_iter().chain([("verify", path, verification)]) {
+        let generated = generated.expect("a schema");
+        if std::env::var_os("TOWERMODES_BLESS").is_some() {
+            std::fs::write(root().join(&path), &generated).expect("the file is written");
+            continue;
+        }
+        let in_file = std::fs::read_to_string(root().join(&path)).expect("the schema");
+        assert!(generated == in_file, "{path}: run with TOWERMODES_BLESS=1");
         assert!(
-            output(&["schema", name]).stdout == in_book,
-            "run: towermodes schema {name} > {path}"
+            output(&["schema", name]).stdout == in_file.as_bytes(),
+            "{name}"
         );
     }
 }

@@ -63,8 +63,10 @@ pub use resolver::{FileResolver, InMemory, SiblingFiles};
 pub use result::{
     ResultError, ResultKind, write_blade_csv, write_blade_json, write_campbell_csv,
     write_campbell_json, write_comparison_csv, write_convergence_csv, write_csv, write_json,
-    write_json_schema, write_records_csv, write_result_json, write_schema_of,
+    write_records_csv, write_result_json,
 };
+#[cfg(feature = "schema")]
+pub use result::{generated_schema, generated_schema_of};
 pub use source::{FileError, MAX_FILE_BYTES, Source, encoded_as};
 pub use toml::{
     KeySchema, TableSchema, ValueKind, description_from_toml, tower_file_schema, tower_from_toml,

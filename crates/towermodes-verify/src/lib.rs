@@ -28,3 +28,7 @@ pub use expected::{Digits, Expected, Quantity};
 pub use manual::{CHAPTERS, manual};
 pub use markdown::markdown;
 pub use row::{Row, Verification};
+
+/// The JSON schema of a [`Verification`] (draft 2020-12), indented, with a newline at the end. A
+/// test compares it with the type.
+pub const SCHEMA: &str = include_str!("../schema.json");

@@ -6,6 +6,7 @@ use clap::{Args, Subcommand, ValueEnum};
 use towermodes_analysis::elastodyn::{MAX_STATIONS, Rows};
 use towermodes_files::elastodyn::{Damping, MakeOptions};
 
+use super::deferred::Deferred;
 use super::file_of;
 use super::input::{InputArguments, ReadingArguments};
 use super::parsers::{damping_parser, height_parser, number_parser, openfast_parser};
@@ -28,13 +29,13 @@ pub(crate) struct ElastoDynArguments {
 pub(crate) enum ElastoDynCommand {
     /// Create a complete ElastoDyn tower file: distributed properties, damping, mode-shape
     /// polynomials.
-    Tower(TowerArguments),
+    Tower(Deferred<TowerArguments>),
     /// Replace the mode-shape coefficients in the tower file of a deck by those of the computed
     /// modes; nothing else changes.
-    Patch(PatchArguments),
+    Patch(Deferred<PatchArguments>),
     /// Compare the mode-shape polynomials of a deck with the computed modes; exit code 1 if they
     /// fail.
-    Validate(ValidateArguments),
+    Validate(Deferred<ValidateArguments>),
 }
 
 const TOWER_EXAMPLES: &str = "Examples:

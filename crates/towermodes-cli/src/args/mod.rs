@@ -5,6 +5,7 @@ mod check;
 mod compare;
 mod converge;
 mod convert;
+mod deferred;
 mod elastodyn;
 mod ending;
 mod input;
@@ -41,6 +42,7 @@ use std::process::ExitCode;
 use clap::error::ErrorKind;
 use clap::{Args, Parser, Subcommand, ValueEnum};
 
+use deferred::Deferred;
 use parsers::schema_parser;
 
 /// Natural frequencies and mode shapes of wind turbine towers, with error estimates and a proof
@@ -60,28 +62,28 @@ pub(crate) struct Arguments {
 #[derive(Debug, Subcommand)]
 pub(crate) enum Command {
     /// Compute the lowest natural frequencies and mode shapes of a tower or of a rotating blade.
-    Solve(SolveArguments),
+    Solve(Deferred<SolveArguments>),
     /// Compare methods: frequencies, differences from the reference solution, degrees of freedom,
     /// run time.
-    Compare(CompareArguments),
+    Compare(Deferred<CompareArguments>),
     /// Show how the error of a method decreases as the number of segments increases.
-    Converge(ConvergeArguments),
+    Converge(Deferred<ConvergeArguments>),
     /// Check resonance margins (Campbell diagram).
-    Campbell(CampbellArguments),
+    Campbell(Deferred<CampbellArguments>),
     /// Draw the tower, its mode shapes, its Campbell diagram or the errors of methods as SVG or
     /// PNG.
-    Plot(PlotArguments),
+    Plot(Deferred<PlotArguments>),
     /// Write a report for review, as one HTML page or as Markdown: input, assumptions, frequencies
     /// with errors, mode shapes, resonance margins.
-    Report(ReportArguments),
+    Report(Deferred<ReportArguments>),
     /// Convert a tower to another format: TOML, BModes, ElastoDyn, windIO.
-    Convert(ConvertArguments),
+    Convert(Deferred<ConvertArguments>),
     /// Compare two models of the same tower along its height, or summarise one model.
-    Check(CheckArguments),
+    Check(Deferred<CheckArguments>),
     /// Create, update and validate tower files of ElastoDyn (OpenFAST).
     Elastodyn(ElastoDynArguments),
     /// Check the program against published, analytical and independently computed values.
-    Verify(VerifyArguments),
+    Verify(Deferred<VerifyArguments>),
     /// Print a completion script for a shell.
     #[command(
         after_help = "Example:\n  towermodes completions bash > ~/.local/share/bash-completion/completions/towermodes"

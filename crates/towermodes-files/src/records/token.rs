@@ -18,11 +18,10 @@ pub(crate) struct Token<'a> {
 impl Token<'_> {
     /// The finite number; exponents may be written with d, as in Fortran.
     pub(crate) fn number(&self, what: &str) -> Result<f64, Diagnostic> {
-        let plain = self.text.replace(['d', 'D'], "e");
+        let with_e = || self.text.replace(['d', 'D'], "e").parse::<f64>().ok();
         let parsed = match self.is_quoted {
             true => None,
-            // `nan` and `inf` have no digit; everything else is read without its letters swapped.
-            false => self.text.parse().ok().or_else(|| plain.parse::<f64>().ok()),
+            false => self.text.parse().ok().or_else(with_e),
         };
         match parsed {
             Some(value) if value.is_finite() => Ok(value),

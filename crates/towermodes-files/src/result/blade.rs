@@ -2,7 +2,6 @@
 
 use std::io::Write;
 
-use schemars::JsonSchema;
 use serde::Serialize;
 use towermodes::{Blade, BladeMode, BladeSolution, Certificate, Method};
 
@@ -10,7 +9,8 @@ use super::{ResultError, write_records_csv, write_result_json};
 use crate::input::Note;
 
 /// The result of `towermodes solve` for a rotating blade.
-#[derive(Serialize, JsonSchema)]
+#[derive(Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub(super) struct BladeDocument<'a> {
     /// The method: always `bmodes`.
     method: Method,
@@ -29,7 +29,8 @@ pub(super) struct BladeDocument<'a> {
 }
 
 /// The blade that was solved.
-#[derive(Serialize, JsonSchema)]
+#[derive(Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 struct BladeSummary<'a> {
     /// The name in the file; may be empty.
     name: &'a str,

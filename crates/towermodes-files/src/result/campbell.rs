@@ -2,7 +2,6 @@
 
 use std::io::Write;
 
-use schemars::JsonSchema;
 use serde::Serialize;
 use towermodes::{Family, Rotor, Tower, Warning};
 use towermodes_analysis::Verdict;
@@ -15,7 +14,8 @@ use crate::input::Note;
 ///
 /// The rows of `margins` repeat the label of their line, and the multiple that crosses a mode is a
 /// key of its own, so lines, distances and classes have their own structures here.
-#[derive(Serialize, JsonSchema)]
+#[derive(Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub(super) struct CampbellDocument<'a> {
     /// The worst verdict; at best `warn` where the list of modes does not cover all excitations.
     verdict: Verdict,
@@ -42,14 +42,16 @@ pub(super) struct CampbellDocument<'a> {
 }
 
 /// The tower that was solved.
-#[derive(Serialize, JsonSchema)]
+#[derive(Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 struct NamedJson<'a> {
     /// The name in the file; may be empty.
     name: &'a str,
 }
 
 /// A natural frequency against the rotor speed.
-#[derive(Serialize, JsonSchema)]
+#[derive(Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 struct LineJson<'a> {
     /// `tower` or `blade`.
     of: &'static str,
@@ -74,7 +76,8 @@ struct LineJson<'a> {
 }
 
 /// The distance of an excitation from a natural frequency in the operating range.
-#[derive(Serialize, JsonSchema)]
+#[derive(Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 struct MarginJson<'a> {
     /// Index of the line, from 0.
     line: usize,
@@ -95,7 +98,8 @@ struct MarginJson<'a> {
 }
 
 /// The stiffness class of a first bending mode.
-#[derive(Serialize, JsonSchema)]
+#[derive(Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 struct ClassJson {
     /// The plane of the mode: `fore-aft` or `side-side`.
     family: Family,

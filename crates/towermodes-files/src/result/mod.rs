@@ -5,6 +5,8 @@
 
 mod blade;
 mod campbell;
+#[cfg(feature = "schema")]
+mod generated;
 mod schema;
 mod solution;
 mod solution_csv;
@@ -12,7 +14,9 @@ mod study_csv;
 
 pub use blade::{write_blade_csv, write_blade_json};
 pub use campbell::{write_campbell_csv, write_campbell_json};
-pub use schema::{ResultKind, write_json_schema, write_schema_of};
+#[cfg(feature = "schema")]
+pub use generated::{generated_schema, generated_schema_of};
+pub use schema::ResultKind;
 pub use solution::write_json;
 pub use solution_csv::write_csv;
 pub use study_csv::{write_comparison_csv, write_convergence_csv};

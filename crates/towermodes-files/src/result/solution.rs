@@ -3,16 +3,16 @@
 
 use std::io::Write;
 
-use schemars::JsonSchema;
 use serde::Serialize;
-use towermodes::modes::serialized::{Directions, directions};
+use towermodes::modes::serialized::directions;
 use towermodes::{Certificate, Method, Mode, Solution, Statistics, Tower};
 
 use super::{ResultError, write_result_json};
 use crate::input::Note;
 
 /// The result of `towermodes solve`: the solution with the tower and the notes of the reader.
-#[derive(Serialize, JsonSchema)]
+#[derive(Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub(super) struct SolutionDocument<'a> {
     /// The method, by its name on the command line.
     method: Method,
@@ -33,7 +33,10 @@ pub(super) struct SolutionDocument<'a> {
     buckling_load_factor: Option<f64>,
     /// Effective masses of the listed modes together, as fractions of those of the whole tower.
     #[serde(serialize_with = "directions")]
-    #[schemars(with = "Directions")]
+    #[cfg_attr(
+        feature = "schema",
+        schemars(with = "towermodes::modes::serialized::Directions")
+    )]
     effective_mass_shares: [f64; 6],
     /// The cost of the solution.
     solver: Statistics,
@@ -42,7 +45,8 @@ pub(super) struct SolutionDocument<'a> {
 }
 
 /// The tower that was solved.
-#[derive(Serialize, JsonSchema)]
+#[derive(Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 struct TowerSummary<'a> {
     /// The name in the file; may be empty.
     name: &'a str,

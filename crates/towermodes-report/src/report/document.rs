@@ -1,7 +1,5 @@
 //! The content of a report, independent of HTML and Markdown.
 
-use serde::Serialize;
-
 use super::embedded::EmbeddedFile;
 use super::mark::Mark;
 use super::table::Table;
@@ -53,7 +51,6 @@ pub(super) enum Block {
 }
 
 /// A sentence with a word before it.
-#[derive(Serialize)]
 pub(super) struct Statement {
     /// The word.
     pub lead: &'static str,
@@ -77,7 +74,7 @@ pub(super) struct Picture {
 
 impl Document {
     /// The sections, each with its number, or its letter if it is an appendix.
-    pub(super) fn marked_sections(self) -> Vec<(String, Section)> {
+    pub(super) fn marked_sections(&self) -> Vec<(String, &Section)> {
         let (mut numbers, mut letters) = (1_u32.., 'A'..='Z');
         let mark = |section: &Section| match section.is_appendix {
             true => letters.next().map(String::from).unwrap_or_default(),
@@ -87,7 +84,7 @@ impl Document {
                 .unwrap_or_default(),
         };
         let marks: Vec<String> = self.sections.iter().map(mark).collect();
-        marks.into_iter().zip(self.sections).collect()
+        marks.into_iter().zip(&self.sections).collect()
     }
 
     /// The document with its pictures and tables numbered.

@@ -1,12 +1,11 @@
 //! Verdicts and texts as a page shows them.
 
-use serde::Serialize;
 use towermodes_analysis::Verdict;
 
 use crate::wording;
 
 /// A verdict as a class of the style sheet and as a word for the reader.
-#[derive(Serialize, Clone, Copy, PartialEq, Eq)]
+#[derive(Clone, Copy, PartialEq, Eq)]
 pub(super) struct Mark {
     /// `pass`, `warn`, `fail`.
     pub name: &'static str,

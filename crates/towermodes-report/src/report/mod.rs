@@ -3,7 +3,6 @@
 //!
 //! [`ReportContent::compute`] computes the content; [`html()`] and [`markdown()`] render it.
 
-mod animation_view;
 mod compute;
 mod content;
 mod document;
@@ -16,7 +15,6 @@ mod plot_command;
 mod sections;
 mod shell;
 mod table;
-mod view;
 
 pub use compute::{Computation, ContentError, ReportRequest, SilentComputation};
 pub use content::{Circumstances, ElastoDynShapes, InputFile, ReportContent, TitleBlock};

@@ -1,6 +1,5 @@
 //! Tables of a report, and the rows of long ones that are shown.
 
-use serde::Serialize;
 use towermodes_analysis::Verdict;
 
 use super::mark::Mark;
@@ -14,7 +13,7 @@ const ENDS: usize = 8;
 pub(super) const MOST_ROWS: usize = 4000;
 
 /// A column of a table.
-#[derive(Serialize, Clone)]
+#[derive(Clone)]
 pub(super) struct Column {
     /// Its name, unit included.
     pub name: String,
@@ -23,7 +22,7 @@ pub(super) struct Column {
 }
 
 /// A cell of a table.
-#[derive(Serialize, Clone)]
+#[derive(Clone)]
 pub(super) struct Cell {
     /// Its text.
     pub text: String,

@@ -111,6 +111,11 @@ impl Colour {
         }
     }
 
+    /// Red, green and blue.
+    pub(crate) fn rgb(self, theme: Theme) -> [u8; 3] {
+        channels(self.hex(theme))
+    }
+
     /// The name that classes and variables of style sheets have.
     pub fn name(self) -> String {
         match self {
@@ -153,18 +158,24 @@ pub fn contrast(a: &str, b: &str) -> f64 {
 }
 
 fn luminance(hex: &str) -> f64 {
-    let channel = |at: usize| {
-        let value = hex
-            .get(at..at + 2)
-            .and_then(|two| u8::from_str_radix(two, 16).ok());
-        let share = f64::from(value.unwrap_or(0)) / 255.0;
-        if share <= 0.04045 {
-            share / 12.92
+    let [red, green, blue] = channels(hex).map(|value| {
+        let fraction = f64::from(value) / 255.0;
+        if fraction <= 0.04045 {
+            fraction / 12.92
         } else {
-            ((share + 0.055) / 1.055).powf(2.4)
+            ((fraction + 0.055) / 1.055).powf(2.4)
         }
-    };
-    0.2126 * channel(1) + 0.7152 * channel(3) + 0.0722 * channel(5)
+    });
+    0.2126 * red + 0.7152 * green + 0.0722 * blue
+}
+
+/// Red, green and blue of a colour `#rrggbb`.
+fn channels(hex: &str) -> [u8; 3] {
+    [1, 3, 5].map(|at| {
+        let two = hex.get(at..at + 2);
+        two.and_then(|two| u8::from_str_radix(two, 16).ok())
+            .unwrap_or(0)
+    })
 }
 
 #[cfg(test)]

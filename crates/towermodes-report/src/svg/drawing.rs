@@ -1,10 +1,7 @@
-//! Shapes and text on a sheet.
-
-use std::fmt::Write;
-
-use towermodes::is_printable;
+//! A sheet on which shapes and texts are drawn.
 
 use super::colour::Colour;
+use super::shape::{Area, Paint, Point, Shape, runs};
 use super::style::{Anchor, Marker, Stroke, TextStyle};
 use super::text::text_width;
 
@@ -40,7 +37,7 @@ pub struct Drawing {
     pub width: f64,
     /// Its height.
     pub height: f64,
-    body: String,
+    shapes: Vec<Shape>,
     labels: Vec<LabelBox>,
 }
 
@@ -50,14 +47,14 @@ impl Drawing {
         Self {
             width,
             height,
-            body: String::new(),
+            shapes: Vec::new(),
             labels: Vec::new(),
         }
     }
 
-    /// The elements of SVG.
-    pub fn body(&self) -> &str {
-        &self.body
+    /// The shapes, the lowest first.
+    pub(crate) fn shapes(&self) -> &[Shape] {
+        &self.shapes
     }
 
     /// The texts that were written.
@@ -66,66 +63,50 @@ impl Drawing {
     }
 
     /// A straight line.
-    pub fn line(&mut self, from: (f64, f64), to: (f64, f64), stroke: &Stroke) {
+    pub fn line(&mut self, from: Point, to: Point, stroke: &Stroke) {
         self.polyline(&[from, to], stroke);
     }
 
     /// A line through points; where a point is not finite it is interrupted.
-    pub fn polyline(&mut self, points: &[(f64, f64)], stroke: &Stroke) {
-        let path = path_through(points);
-        if path.is_empty() {
-            return;
+    pub fn polyline(&mut self, points: &[Point], stroke: &Stroke) {
+        let (runs, stroke) = (runs(points), *stroke);
+        if !runs.is_empty() {
+            self.shapes.push(Shape::Lines { runs, stroke });
         }
-        let attributes = stroke_attributes(stroke);
-        self.put(&format!(
-            r#"<path class="s-{}" fill="none" {attributes} d="{path}"/>"#,
-            stroke.colour.name()
-        ));
     }
 
     /// A closed surface, with an edge if there is a stroke.
-    pub fn polygon(&mut self, points: &[(f64, f64)], fill: Colour, edge: Option<&Stroke>) {
-        let path = path_through(points);
-        if path.is_empty() {
-            return;
+    pub fn polygon(&mut self, points: &[Point], fill: Colour, edge: Option<&Stroke>) {
+        let (runs, paint) = (runs(points), Paint::new(fill, edge));
+        if !runs.is_empty() {
+            self.shapes.push(Shape::Surface { runs, paint });
         }
-        let painted = painted(fill, edge);
-        self.put(&format!(r#"<path {painted} d="{path}Z"/>"#));
     }
 
     /// A rectangle, with an edge if there is a stroke.
     pub fn rectangle(
         &mut self,
-        left_top: (f64, f64),
+        left_top: Point,
         size: (f64, f64),
         fill: Colour,
         edge: Option<&Stroke>,
     ) {
-        let (x, y) = left_top;
-        let (width, height) = size;
-        let painted = painted(fill, edge);
-        self.put(&format!(
-            r#"<rect {painted} x="{}" y="{}" width="{}" height="{}"/>"#,
-            short(x),
-            short(y),
-            short(width.max(0.0)),
-            short(height.max(0.0))
-        ));
+        let (area, paint) = (Area::new(left_top, size), Paint::new(fill, edge));
+        self.shapes.push(Shape::Rectangle { area, paint });
     }
 
     /// A disc, with an edge if there is a stroke.
-    pub fn disc(&mut self, center: (f64, f64), radius: f64, fill: Colour, edge: Option<&Stroke>) {
-        let painted = painted(fill, edge);
-        self.put(&format!(
-            r#"<circle {painted} cx="{}" cy="{}" r="{}"/>"#,
-            short(center.0),
-            short(center.1),
-            short(radius)
-        ));
+    pub fn disc(&mut self, centre: Point, radius: f64, fill: Colour, edge: Option<&Stroke>) {
+        let paint = Paint::new(fill, edge);
+        self.shapes.push(Shape::Disc {
+            centre,
+            radius,
+            paint,
+        });
     }
 
     /// A mark at a point, `radius` from its middle to its edge.
-    pub fn marker(&mut self, marker: Marker, at: (f64, f64), radius: f64, colour: Colour) {
+    pub fn marker(&mut self, marker: Marker, at: Point, radius: f64, colour: Colour) {
         let (x, y) = at;
         if !(x.is_finite() && y.is_finite()) {
             return;
@@ -158,31 +139,12 @@ impl Drawing {
     }
 
     /// A text whose baseline is at the point.
-    pub fn text(&mut self, at: (f64, f64), text: &str, style: &TextStyle) {
-        let (x, y) = at;
-        let anchor = match style.anchor {
-            Anchor::Start => "",
-            Anchor::Middle => r#" text-anchor="middle""#,
-            Anchor::End => r#" text-anchor="end""#,
-        };
-        let weight = if style.is_bold {
-            r#" font-weight="700""#
-        } else {
-            ""
-        };
-        let turn = if style.is_turned {
-            format!(r#" transform="rotate(-90 {} {})""#, short(x), short(y))
-        } else {
-            String::new()
-        };
-        self.put(&format!(
-            r#"<text class="f-{}" x="{}" y="{}" font-size="{}"{anchor}{weight}{turn}>{}</text>"#,
-            style.colour.name(),
-            short(x),
-            short(y),
-            short(style.size),
-            escaped(text)
-        ));
+    pub fn text(&mut self, at: Point, text: &str, style: &TextStyle) {
+        self.shapes.push(Shape::Text {
+            at,
+            text: text.to_owned(),
+            style: *style,
+        });
         self.labels.push(label_box(at, text, style));
     }
 
@@ -190,19 +152,18 @@ impl Drawing {
     pub fn clipped(
         &mut self,
         name: &str,
-        left_top: (f64, f64),
+        left_top: Point,
         size: (f64, f64),
         draw: impl FnOnce(&mut Self),
     ) {
-        self.put(&format!(
-            r#"<clipPath id="{ID}{name}"><rect x="{}" y="{}" width="{}" height="{}"/></clipPath><g clip-path="url(#{ID}{name})">"#,
-            short(left_top.0),
-            short(left_top.1),
-            short(size.0),
-            short(size.1)
-        ));
+        let before = self.shapes.len();
         draw(self);
-        self.put("</g>");
+        let shapes = self.shapes.split_off(before);
+        self.shapes.push(Shape::Clipped {
+            name: name.to_owned(),
+            area: Area::new(left_top, size),
+            shapes,
+        });
     }
 
     /// The same on a sheet that is higher by so much, with the room above it.
@@ -212,28 +173,17 @@ impl Drawing {
             label.top += by;
             label.bottom += by;
         }
+        let shapes = self.shapes;
         Self {
             width: self.width,
             height: self.height + by,
-            body: format!(
-                "<g transform=\"translate(0 {})\">\n{}</g>\n",
-                short(by),
-                self.body
-            ),
+            shapes: vec![Shape::Lowered { by, shapes }],
             labels,
         }
     }
-
-    fn put(&mut self, element: &str) {
-        self.body.push_str(element);
-        self.body.push('\n');
-    }
 }
 
-/// Stands before every id of a drawing; a figure puts its own name there.
-pub(super) const ID: &str = "@id@";
-
-fn label_box(at: (f64, f64), text: &str, style: &TextStyle) -> LabelBox {
+fn label_box(at: Point, text: &str, style: &TextStyle) -> LabelBox {
     let width = text_width(text, style.size, style.is_bold);
     let before = match style.anchor {
         Anchor::Start => 0.0,
@@ -261,97 +211,10 @@ fn label_box(at: (f64, f64), text: &str, style: &TextStyle) -> LabelBox {
     }
 }
 
-fn painted(fill: Colour, edge: Option<&Stroke>) -> String {
-    match edge {
-        None => format!(r#"class="f-{}""#, fill.name()),
-        Some(stroke) => format!(
-            r#"class="f-{} s-{}" {}"#,
-            fill.name(),
-            stroke.colour.name(),
-            stroke_attributes(stroke)
-        ),
-    }
-}
-
-fn stroke_attributes(stroke: &Stroke) -> String {
-    let mut attributes = format!(r#"stroke-width="{}""#, short(stroke.width));
-    if let Some(pattern) = stroke.dash.pattern() {
-        let _ = write!(attributes, r#" stroke-dasharray="{pattern}""#);
-    }
-    attributes.push_str(r#" stroke-linejoin="round""#);
-    attributes
-}
-
-fn path_through(points: &[(f64, f64)]) -> String {
-    let mut path = String::new();
-    let mut is_drawing = false;
-    for (x, y) in points {
-        if !(x.is_finite() && y.is_finite()) {
-            is_drawing = false;
-            continue;
-        }
-        let command = if is_drawing { 'L' } else { 'M' };
-        let _ = write!(path, "{command}{} {}", short(*x), short(*y));
-        is_drawing = true;
-    }
-    path
-}
-
-/// A length in hundredths of a pixel, without zeros at its end.
-pub(super) fn short(value: f64) -> String {
-    let text = format!("{value:.2}");
-    let text = text.trim_end_matches('0').trim_end_matches('.');
-    if text == "-0" {
-        "0".to_owned()
-    } else {
-        text.to_owned()
-    }
-}
-
-/// The text that [`escaped`] wrote.
-pub(super) fn unescaped(text: &str) -> String {
-    let signs = text
-        .replace("&lt;", "<")
-        .replace("&gt;", ">")
-        .replace("&quot;", "\"");
-    signs.replace("&amp;", "&")
-}
-
-/// A text escaped for SVG, without characters that XML forbids.
-pub(super) fn escaped(text: &str) -> String {
-    let mut escaped = String::with_capacity(text.len());
-    for c in text.chars() {
-        match c {
-            '&' => escaped.push_str("&amp;"),
-            '<' => escaped.push_str("&lt;"),
-            '>' => escaped.push_str("&gt;"),
-            '"' => escaped.push_str("&quot;"),
-            // XML has no control characters, and marks of direction would show numbers backwards.
-            c if !is_printable(c) || matches!(c, '\u{fffe}' | '\u{ffff}') => escaped.push(' '),
-            c => escaped.push(c),
-        }
-    }
-    escaped
-}
-
 #[cfg(test)]
 mod tests {
-    use super::{Drawing, escaped, short};
-    use crate::svg::{Anchor, Colour, Stroke, TextStyle};
-
-    #[test]
-    fn lengths_are_short() {
-        assert_eq!(short(1.0), "1");
-        assert_eq!(short(-0.001), "0");
-        assert_eq!(short(120.0), "120");
-        assert_eq!(short(0.126), "0.13");
-    }
-
-    #[test]
-    fn text_cannot_break_out_of_its_element() {
-        assert_eq!(escaped("a<b & \"c\"\u{1}"), "a&lt;b &amp; &quot;c&quot; ");
-        assert_eq!(escaped("\u{202e}0.32 Hz\u{2069}"), " 0.32 Hz ");
-    }
+    use super::Drawing;
+    use crate::svg::{Anchor, TextStyle};
 
     #[test]
     fn boxes_of_turned_text_stand_upright() {
@@ -361,19 +224,5 @@ mod tests {
         let label = &drawing.labels()[0];
         assert!(label.bottom - label.top > label.right - label.left);
         assert!((0.5 * (label.bottom + label.top) - 50.0).abs() < 1e-9);
-    }
-
-    #[test]
-    fn lines_are_interrupted_where_there_is_no_number() {
-        let mut drawing = Drawing::new(10.0, 10.0);
-        let points = [
-            (0.0, 0.0),
-            (1.0, 1.0),
-            (f64::NAN, 0.0),
-            (2.0, 2.0),
-            (3.0, 3.0),
-        ];
-        drawing.polyline(&points, &Stroke::new(Colour::Ink, 1.0));
-        assert!(drawing.body().contains("M0 0L1 1M2 2L3 3"));
     }
 }

@@ -1,7 +1,8 @@
 //! A picture with its title, its description and its numbers.
 
 use super::colour::{Colour, Theme, stylesheet};
-use super::drawing::{Drawing, ID, LabelBox, escaped};
+use super::drawing::{Drawing, LabelBox};
+use super::elements::{elements, escaped};
 
 /// The fonts of a picture: DejaVu Sans, whose widths are measured, or narrower ones.
 const FONTS: &str =
@@ -63,7 +64,7 @@ impl Figure {
             Look::Inline => String::new(),
             _ => format!(r#" width="{width}" height="{height}""#),
         };
-        let body = self.drawing.body().replace(ID, &format!("{name}-"));
+        let body = elements(self.drawing.shapes(), &format!("{name}-"));
         format!(
             "<svg xmlns=\"http://www.w3.org/2000/svg\"{size} viewBox=\"0 0 {width} {height}\" font-family=\"{FONTS}\" role=\"img\" aria-labelledby=\"{name}-title {name}-description\">\n\
              <title id=\"{name}-title\">{title}</title>\n<desc id=\"{name}-description\">{description}</desc>\n{style}{paper}{body}</svg>\n"

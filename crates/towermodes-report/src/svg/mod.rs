@@ -3,10 +3,11 @@
 mod axes;
 mod colour;
 mod drawing;
+mod elements;
 mod figure;
 mod heading;
-mod outlines;
 mod scale;
+mod shape;
 mod style;
 mod text;
 
@@ -15,7 +16,9 @@ pub use colour::{Colour, Theme, contrast, stylesheet};
 pub use drawing::{Drawing, LabelBox};
 pub use figure::{DataTable, Figure, Look};
 pub use heading::Heading;
-pub use outlines::outlined;
 pub use scale::{Scale, number, power_of_ten};
+pub use shape::Point;
+pub(crate) use shape::{Area, Paint, Shape};
 pub use style::{Anchor, Dash, Marker, Stroke, TextStyle};
+pub(crate) use text::face;
 pub use text::{LINE_HEIGHT, text_width};

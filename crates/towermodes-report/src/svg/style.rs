@@ -56,13 +56,14 @@ impl Dash {
         ][index % 5]
     }
 
-    pub(super) fn pattern(self) -> Option<&'static str> {
+    /// The lengths of dashes and gaps in turn; none of a whole line.
+    pub(crate) fn lengths(self) -> &'static [f32] {
         match self {
-            Self::Whole => None,
-            Self::Dashed => Some("6 4"),
-            Self::Dotted => Some("1.5 3"),
-            Self::DashDot => Some("8 3 1.5 3"),
-            Self::Long => Some("14 5"),
+            Self::Whole => &[],
+            Self::Dashed => &[6.0, 4.0],
+            Self::Dotted => &[1.5, 3.0],
+            Self::DashDot => &[8.0, 3.0, 1.5, 3.0],
+            Self::Long => &[14.0, 5.0],
         }
     }
 }

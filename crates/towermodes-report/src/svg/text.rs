@@ -26,7 +26,7 @@ pub fn text_width(text: &str, size: f64, is_bold: bool) -> f64 {
 }
 
 /// The font, regular or bold.
-pub(super) fn face(is_bold: bool) -> Option<&'static Face<'static>> {
+pub(crate) fn face(is_bold: bool) -> Option<&'static Face<'static>> {
     static REGULAR: OnceLock<Option<Face<'static>>> = OnceLock::new();
     static BOLD: OnceLock<Option<Face<'static>>> = OnceLock::new();
     let face = if is_bold {

@@ -1,11 +1,14 @@
-//! A picture as PNG, whose text is drawn with the font of the program, so that it is the same
-//! everywhere.
+//! A picture as PNG, painted from the shapes of its drawing. Its text has the font of the program,
+//! so that it is the same everywhere.
 
-use resvg::tiny_skia::{Pixmap, Transform};
-use resvg::usvg::{Options, Tree};
+mod letters;
+mod painter;
+
 use thiserror::Error;
+use tiny_skia::Pixmap;
 
-use crate::svg::{Figure, Look, Theme, outlined};
+use crate::svg::{Figure, Theme};
+use painter::Painter;
 
 /// Wider or higher pictures, in pixels, are refused: each pixel takes four bytes.
 pub const MAX_PIXELS: u32 = 10_000;
@@ -32,9 +35,6 @@ pub enum RasterError {
         /// The requested scale.
         scale: f64,
     },
-    /// The drawing is not valid SVG: a defect of the program.
-    #[error("the drawing cannot be read: {0}")]
-    Drawing(String),
     /// The pixels could not be written as PNG: a defect of the program.
     #[error("the pixels cannot be written: {0}")]
     Encoding(String),
@@ -56,19 +56,13 @@ pub fn png(figure: &Figure, theme: Theme, scale: f64) -> Result<Vec<u8>, RasterE
 
 fn pixels(figure: &Figure, theme: Theme, scale: f64) -> Result<Pixmap, RasterError> {
     let (width, height) = size(figure, scale)?;
-    let svg = outlined(&figure.to_svg(Look::Fixed(theme)));
-    let tree = Tree::from_str(&svg, &Options::default());
-    let tree = tree.map_err(|error| RasterError::Drawing(error.to_string()))?;
-    let pixmap = Pixmap::new(width, height);
-    let mut pixmap =
-        pixmap.ok_or_else(|| RasterError::Drawing(format!("{width} by {height} pixels")))?;
-    let scale = scale as f32;
-    resvg::render(
-        &tree,
-        Transform::from_scale(scale, scale),
-        &mut pixmap.as_mut(),
-    );
-    Ok(pixmap)
+    let mut painter = Painter::new(width, height, theme, scale).ok_or(RasterError::Size {
+        width: figure.drawing.width,
+        height: figure.drawing.height,
+        scale,
+    })?;
+    painter.paint(figure.drawing.shapes());
+    Ok(painter.pixmap)
 }
 
 /// Width and height in whole pixels.

@@ -1,0 +1,125 @@
+//! Tables of the page.
+
+use super::block::verdict;
+use super::text;
+use crate::report::table::{Cell, Column, MOST_ROWS, Table};
+use crate::svg::DataTable;
+
+/// Tables with at most this number of rows are not broken across printed pages.
+const SHORT: usize = 24;
+/// Numbers with more characters may be broken across lines.
+const LONG_NUMBER: usize = 24;
+/// Texts with more characters have a width of their own.
+const LONG_TEXT: usize = 40;
+
+/// A table of a section; a long one is shown in brief, with all of its rows folded away.
+pub(super) fn of_table(table: &Table) -> String {
+    let caption = format!("Table {}. {}.", table.number, table.caption);
+    let all = table.rows.iter().map(|row| of_row(&table.columns, row));
+    let Some(brief) = &table.brief else {
+        return scrolling(&caption, &table.columns, all.collect(), table.rows.len());
+    };
+    let rows = brief.shown.iter().map(|row| &table.rows[*row]);
+    let mut rows: Vec<String> = rows.map(|row| of_row(&table.columns, row)).collect();
+    if let Some(after) = brief.gap_after {
+        rows.insert(after, of_gap(&table.columns));
+    }
+    let count = rows.len();
+    let shown = scrolling(&caption, &table.columns, rows.concat(), count);
+    let name = all_name(table);
+    let whole = format!("{caption} Here: {name}.");
+    let whole = scrolling(&whole, &table.columns, all.collect(), usize::MAX);
+    format!(
+        "{shown}<p class=\"remark\">Shown: {}.</p>\n\
+         <details class=\"all\">\n<summary>Show {name}</summary>\n{whole}</details>\n",
+        text(&brief.which)
+    )
+}
+
+/// The numbers of a picture.
+pub(super) fn of_data(number: usize, title: &str, data: &DataTable) -> String {
+    let is_number = |index: usize| data.rows.iter().all(|row| is_number(row.get(index)));
+    let column = |(index, name): (usize, &String)| Column {
+        name: name.clone(),
+        is_number: is_number(index),
+    };
+    let columns: Vec<Column> = data.header.iter().enumerate().map(column).collect();
+    let cells = |row: &Vec<String>| -> Vec<Cell> { row.iter().map(|c| c.clone().into()).collect() };
+    let rows = data.rows.iter().take(MOST_ROWS);
+    let rows = rows.map(|row| of_row(&columns, &cells(row))).collect();
+    let note = match data.rows.len().saturating_sub(MOST_ROWS) {
+        0 => String::new(),
+        left_out => format!(" ({left_out} more rows are left out)"),
+    };
+    let caption = format!("Numbers of figure {number}. {title}{note}.");
+    scrolling(&caption, &columns, rows, data.rows.len())
+}
+
+/// A table that can be scrolled sideways; its rows are HTML already.
+fn scrolling(caption: &str, columns: &[Column], rows: String, count: usize) -> String {
+    let caption = text(caption);
+    let short = if count <= SHORT { " short" } else { "" };
+    let head = columns.iter().map(|column| {
+        let class = if column.is_number {
+            " class=\"number\""
+        } else {
+            ""
+        };
+        format!("<th scope=\"col\"{class}>{}</th>", text(&column.name))
+    });
+    let head: String = head.collect();
+    format!(
+        "<div class=\"scroll{short}\" tabindex=\"0\" role=\"region\" aria-label=\"{caption}\">\n\
+         <table>\n<caption><span>{caption}</span></caption>\n\
+         <thead><tr>{head}</tr></thead>\n<tbody>\n{rows}</tbody>\n</table>\n</div>\n"
+    )
+}
+
+/// A row; its first cell is its heading.
+fn of_row(columns: &[Column], cells: &[Cell]) -> String {
+    let cells = columns.iter().zip(cells).enumerate();
+    let cells = cells.map(|(index, (column, cell))| of_cell(column, cell, index == 0));
+    format!("<tr>{}</tr>\n", cells.collect::<String>())
+}
+
+/// The row in place of rows that are not shown.
+fn of_gap(columns: &[Column]) -> String {
+    let cells = vec![Cell::from("\u{2026}"); columns.len()];
+    of_row(columns, &cells).replacen("<tr>", "<tr class=\"gap\">", 1)
+}
+
+fn of_cell(column: &Column, cell: &Cell, is_first: bool) -> String {
+    let length = cell.text.chars().count();
+    let class = match column.is_number {
+        true if length > LONG_NUMBER => " class=\"number long\"",
+        true => " class=\"number\"",
+        false if length > LONG_TEXT && !is_first => " class=\"words\"",
+        false => "",
+    };
+    let content = match cell.verdict {
+        Some(mark) => verdict(mark, &cell.text),
+        None => text(&cell.text),
+    };
+    match is_first {
+        true => format!("<th scope=\"row\"{class}>{content}</th>"),
+        false => format!("<td{class}>{content}</td>"),
+    }
+}
+
+/// "all 41 rows", or how many at each end where there are more than a report has.
+fn all_name(table: &Table) -> String {
+    match table.left_out {
+        0 => format!("all {} rows", table.rows.len()),
+        left_out => format!(
+            "the first and the last {} of {} rows",
+            table.rows.len() / 2,
+            table.rows.len() + left_out
+        ),
+    }
+}
+
+/// Whether a cell is a number, or empty.
+fn is_number(cell: Option<&String>) -> bool {
+    let text = cell.map_or("", |text| text.trim());
+    text.is_empty() || text.replace('\u{2212}', "-").parse::<f64>().is_ok()
+}
