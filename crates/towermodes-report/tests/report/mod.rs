@@ -151,7 +151,7 @@ fn a_report_is_computed_in_one_call() {
         panic!("{:?}", content.circumstances.notes)
     };
     assert_eq!((&**reader, &**shapes), ("of the reader", "of the shapes"));
-    assert!(uncovered.contains("are not assessed"), "{uncovered}");
+    assert!(uncovered.contains("are not checked"), "{uncovered}");
     let columns = content.comparison.expect("a comparison").columns;
     assert_eq!(columns.len(), Method::ALL.len());
     let content = compute(request(true)).expect("a report");
