@@ -3,7 +3,8 @@
 use std::fs;
 use std::path::Path;
 
-use towermodes_files::elastodyn::{MakeOptions, left_out, make_tower_file, write_tower_file};
+use towermodes_analysis::elastodyn::MakeOptions;
+use towermodes_files::elastodyn::{left_out, make_tower_file, write_tower_file};
 use towermodes_files::{
     BmodesWriteOptions, Note, TowerInput, write_bmodes, write_toml, write_windio,
 };

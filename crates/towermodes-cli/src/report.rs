@@ -4,9 +4,9 @@ use std::fs;
 use std::path::Path;
 
 use towermodes::{Options, Planes, Solution, SolveError, Tower};
+use towermodes_analysis::elastodyn::{MakeOptions, make_tower};
 use towermodes_analysis::resonance::ChosenRotor;
 use towermodes_analysis::study::{COMPARED_SEGMENTS, Comparison};
-use towermodes_files::elastodyn::{MakeOptions, make_tower_file};
 use towermodes_files::{FileFormat, Note, Source, TowerInput, encoded_as};
 use towermodes_report::report::{
     Circumstances, Computation, ContentError, ElastoDynShapes, InputFile, ReportContent,
@@ -130,13 +130,13 @@ impl Computation for WithProgress {
     }
 }
 
-/// The tower file that `towermodes elastodyn tower` writes.
+/// The shapes that `towermodes elastodyn tower` writes.
 fn elastodyn(tower: &Tower, from_m: f64) -> Result<ElastoDynShapes, String> {
     let options = MakeOptions {
         from_m: Some(from_m),
         ..MakeOptions::default()
     };
-    let made = make_tower_file(tower, &options).map_err(|error| error.to_string())?;
+    let made = make_tower(tower, &options).map_err(|error| error.to_string())?;
     let quantities = made.quantities;
     Ok(ElastoDynShapes {
         shapes: made.shapes,

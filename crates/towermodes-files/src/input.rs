@@ -42,16 +42,16 @@ impl FileFormat {
 /// A tower as its files describe it, before the library has checked it.
 #[derive(Debug, Clone)]
 pub struct TowerInput {
-    /// The format of the file.
+    /// The kind of file.
     pub format: FileFormat,
-    /// The content of the files; may be changed before it is checked.
+    /// The content of the files; it may be changed before it is checked.
     pub description: TowerDescription,
     /// The element borders that the file prescribes for the finite elements of BModes, m in the
-    /// datum of the stations; none if none.
+    /// datum of the stations, if it does.
     pub borders_m: Option<Vec<f64>>,
     /// The method that the file is made for, if any.
     pub method: Option<Method>,
-    /// How many modes the file asks for, if it does.
+    /// The number of modes that the file requests, if it does.
     pub modes: Option<usize>,
     /// Number of blades, if the files give it; they may give it without the rotor speed.
     pub blades: Option<usize>,
@@ -61,10 +61,9 @@ pub struct TowerInput {
     pub joint_m: Option<f64>,
     /// The layout of results that the file prescribes.
     pub layout: OutLayout,
-    /// What the user should know.
+    /// Notes on what the reader decided, left out or could not take over.
     pub notes: Vec<Note>,
-    /// What the user should know of the rotor and of the blade, which matters for what they excite
-    /// alone.
+    /// Notes on the rotor and the blade, which matter only where these are used.
     pub rotor_notes: RotorNotes,
     /// The files, the main one first.
     pub(crate) sources: Vec<Source>,
@@ -121,11 +120,11 @@ impl TowerInput {
         input.tower()
     }
 
-    /// What is described, for the shapes of ElastoDyn.
+    /// The description for the shapes of ElastoDyn.
     ///
-    /// An ElastoDyn model is without gravity then, as the modes of BModes are, which these shapes
-    /// are usually made of: ElastoDyn takes its shapes for functions that the tower bends by and
-    /// adds the weights to their stiffness itself. Any other tower is as its file describes it.
+    /// An ElastoDyn model is without gravity then, as are the modes of BModes, from which these
+    /// shapes are usually made: ElastoDyn adds the geometric stiffness of the self-weight itself.
+    /// Any other tower is as its file describes it.
     pub fn description_for_shapes(&self) -> TowerDescription {
         let mut description = self.description.clone();
         if self.format == FileFormat::ElastoDyn {
@@ -134,7 +133,7 @@ impl TowerInput {
         description
     }
 
-    /// That these modes are without gravity, if the description is not.
+    /// The note that these modes are without gravity, if the description is not.
     pub fn note_on_shapes(&self) -> Option<Note> {
         let has_gravity = self.description.gravity_m_per_s2 != 0.0;
         (self.format == FileFormat::ElastoDyn && has_gravity).then(|| {
@@ -164,7 +163,7 @@ impl TowerInput {
 /// The layout of results that a BModes deck prescribes.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct OutLayout {
-    /// What deflections are divided by, m: the radius with the draft; none if nothing is
+    /// The length that deflections are divided by, m: the radius with the draft, if it is
     /// prescribed.
     pub radius_m: Option<f64>,
     /// Whether tabs separate the columns (`TabDelim`).
@@ -180,31 +179,31 @@ pub struct ReadOptions {
     pub bmodes_quirks: bool,
     /// Height of the tower's top above ground or sea level, m, for files that do not give it.
     pub tower_height_m: Option<f64>,
-    /// Height of the tower's base above ground or sea level, m, for files that do not give it;
+    /// Height of the tower's base above ground or sea level, m, for files that do not give it; by
     /// default 0.
     pub tower_base_m: Option<f64>,
-    /// Whether the rotor-nacelle assembly is omitted; then files that only describe it need not
-    /// exist.
+    /// Whether the rotor-nacelle assembly is left out; files that only describe it are not needed
+    /// then.
     pub without_rna: bool,
     /// Which part of a turbine.
     pub part: TowerPart,
-    /// Which set and which subset in it of a structural file of HAWC2, by their numbers; by default
-    /// the first of the file.
+    /// Which set and which subset in it of a structural file of HAWC2, by their numbers; the first
+    /// of the file by default.
     pub hawc2_subset: Option<(usize, usize)>,
     /// How the rotor of an ElastoDyn model is held on its shaft.
     pub rotor: RotorLock,
-    /// Whether gravity is omitted, even if the file contains it.
+    /// Whether gravity is left out, even if the file has it.
     pub without_gravity: bool,
 }
 
-/// How a rotor is held on its shaft, which decides what its nacelle feels of rotor and generator
-/// about the shaft.
+/// How a rotor is held on its shaft, which decides how much inertia of rotor and generator acts on
+/// the nacelle about the shaft.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum RotorLock {
     /// It moves with the nacelle, as with a brake on the shaft.
     #[default]
     Locked,
-    /// No torque acts on the shaft, and it turns as it likes.
+    /// It turns freely: no torque acts on the shaft.
     Free,
 }
 
@@ -240,11 +239,11 @@ pub enum TowerPart {
 pub struct BladeInput {
     /// The content of the files.
     pub description: towermodes::BladeDescription,
-    /// How many modes the file asks for.
+    /// The number of modes that the file requests.
     pub modes: usize,
     /// The layout of results that the file prescribes.
     pub layout: OutLayout,
-    /// What the user should know.
+    /// Notes on what the reader decided, left out or could not take over.
     pub notes: Vec<Note>,
     /// The files, the main one first.
     pub(crate) sources: Vec<Source>,

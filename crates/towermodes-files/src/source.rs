@@ -227,8 +227,7 @@ fn special(kind: FileType) -> Option<&'static str> {
     (!kind.is_file()).then_some("a device")
 }
 
-/// The text of bytes in Latin-1, as older programs write degrees and umlauts; none if some bytes
-/// are not text.
+/// The text of bytes in Latin-1, which older programs write; none if some bytes are not text.
 fn latin1(bytes: &[u8]) -> Option<String> {
     let is_text = |byte: &u8| matches!(byte, b'\t' | b'\n' | b'\r' | 0x20..=0x7e | 0xa0..=0xfe);
     let text = || bytes.iter().map(|&byte| char::from(byte)).collect();

@@ -10,7 +10,7 @@ use std::f64::consts::{PI, TAU};
 use super::check::check_modes;
 use super::model::{ModelError, PlaneModes, TowerModel};
 use super::sums::Sums;
-use towermodes::tower::Plane;
+use towermodes::tower::{Plane, Planes};
 
 /// ElastoDyn's generalized quantities of the two modes of a plane, and their frequencies and
 /// damping.
@@ -53,6 +53,20 @@ impl TowerModel {
         } else {
             Err(ModelError::NotFinite)
         }
+    }
+
+    /// The generalized quantities of the modes of both planes.
+    ///
+    /// # Errors
+    /// As [`TowerModel::generalized`].
+    pub fn both_planes(
+        &self,
+        modes: &Planes<PlaneModes>,
+    ) -> Result<Planes<Generalized>, ModelError> {
+        Ok(Planes {
+            fore_aft: self.generalized(Plane::ForeAft, &modes.fore_aft)?,
+            side_side: self.generalized(Plane::SideSide, &modes.side_side)?,
+        })
     }
 
     fn results(&self, sums: &Sums, modes: &PlaneModes) -> Generalized {

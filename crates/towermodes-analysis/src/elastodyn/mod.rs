@@ -6,7 +6,8 @@
 //! the user must provide. [`select_bending_modes()`] selects the modes of a
 //! [`Solution`](towermodes::Solution), [`fit()`] fits the polynomials,
 //! [`TowerPolynomial::rounded`] rounds them to the decimals of the file, and [`TowerModel`] gives
-//! the quantities that ElastoDyn computes from them. [`tower_shapes`] does these steps in one call.
+//! the quantities that ElastoDyn computes from them. [`tower_shapes`] gives the shapes of a tower,
+//! and [`make_tower`] the whole content of its tower file.
 
 mod check;
 mod damping;
@@ -14,6 +15,7 @@ mod decimal;
 mod fit;
 mod generalized;
 mod least_squares;
+mod make;
 mod model;
 mod model_difference;
 mod polynomial;
@@ -31,6 +33,7 @@ pub use decimal::{
 };
 pub use fit::{FitError, PolynomialFit, SMALLEST_TIP_SHARE, fit};
 pub use generalized::Generalized;
+pub use make::{Coarseness, DEFAULT_NODES, Damping, MadeTower, MakeError, MakeOptions, make_tower};
 pub use model::{ConcentratedMass, MAX_NODES, ModelError, PlaneModes, TowerModel, TowerStation};
 pub use model_difference::ModelDifference;
 pub use polynomial::TowerPolynomial;

@@ -183,7 +183,18 @@ pub fn shape_name(plane: Plane, number: usize) -> String {
     format!("Tw{plane}M{number}Sh")
 }
 
+/// The torsion of a shape with a larger fraction of its energy in torsion is worth a note.
+const MUCH_TORSION: f64 = 0.1;
+
 impl TowerShapes {
+    /// The shapes with more than a tenth of their energy in torsion, which ElastoDyn's towers do
+    /// not have.
+    pub fn with_torsion(&self) -> impl Iterator<Item = &TowerShape> {
+        self.shapes
+            .iter()
+            .filter(|shape| shape.torsion_share > MUCH_TORSION)
+    }
+
     /// The rounded polynomials of both modes of a plane.
     pub fn polynomials(&self, plane: Plane) -> [super::TowerPolynomial; 2] {
         let first = match plane {

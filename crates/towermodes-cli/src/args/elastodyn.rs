@@ -3,8 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use clap::{Args, Subcommand, ValueEnum};
-use towermodes_analysis::elastodyn::{MAX_STATIONS, Rows};
-use towermodes_files::elastodyn::{Damping, MakeOptions};
+use towermodes_analysis::elastodyn::{Damping, MAX_STATIONS, MakeOptions, Rows};
 
 use super::deferred::Deferred;
 use super::file_of;

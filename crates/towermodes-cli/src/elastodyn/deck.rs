@@ -3,8 +3,10 @@
 use std::path::Path;
 
 use towermodes::{Method, Options, Tower};
-use towermodes_analysis::elastodyn::{OtherTower, TowerShapes, same_tower, tower_shapes};
-use towermodes_files::elastodyn::{ElastoDynDeck, MakeError, read_elastodyn, torsion_notes};
+use towermodes_analysis::elastodyn::{
+    MakeError, OtherTower, TowerShapes, same_tower, tower_shapes,
+};
+use towermodes_files::elastodyn::{ElastoDynDeck, read_elastodyn, torsion_notes};
 use towermodes_files::{
     FileFormat, Note, ReadError, ReadOptions, SiblingFiles, Source, TowerInput,
 };

@@ -25,7 +25,7 @@ pub(crate) fn run(arguments: &TowerArguments) -> Result<(), Failure> {
     note(&notes_for_shapes(&input));
     note(&made.notes);
     note(&surrounded_base(&input, options.from_m));
-    report(&table::fits(&tower, &made));
+    report(&table::fits(&tower, &made.made));
     deliver(text.as_bytes(), arguments.output())
 }
 

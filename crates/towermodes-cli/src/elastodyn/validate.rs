@@ -1,8 +1,7 @@
 //! `towermodes elastodyn validate`.
 
 use towermodes_analysis::Verdict;
-use towermodes_analysis::elastodyn::{ValidationLimits, validate_shapes};
-use towermodes_files::elastodyn::MakeError;
+use towermodes_analysis::elastodyn::{MakeError, ValidationLimits, validate_shapes};
 use towermodes_files::write_result_json;
 
 use super::deck::judged;

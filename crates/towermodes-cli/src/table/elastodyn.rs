@@ -2,14 +2,16 @@
 
 use towermodes::Tower;
 use towermodes::number::four_digits;
-use towermodes_analysis::elastodyn::{TowerShape, TowerShapes, ValidatedShape, shape_name};
-use towermodes_files::elastodyn::{MadeTowerFile, TowerFile};
+use towermodes_analysis::elastodyn::{
+    MadeTower, TowerShape, TowerShapes, ValidatedShape, shape_name,
+};
+use towermodes_files::elastodyn::TowerFile;
 use towermodes_report::wording::verdict_word;
 
 use super::text::{rna, text_table, title};
 
 /// The quality of the polynomials of a tower file, and their frequencies and damping in ElastoDyn.
-pub(crate) fn fits(tower: &Tower, made: &MadeTowerFile) -> String {
+pub(crate) fn fits(tower: &Tower, made: &MadeTower) -> String {
     let header = [
         "shape",
         "mode Hz",
@@ -20,13 +22,9 @@ pub(crate) fn fits(tower: &Tower, made: &MadeTowerFile) -> String {
         "ElastoDyn Hz (alone)",
         "damping %",
     ];
-    let content = &made.content;
-    let damping = [
-        content.fore_aft_damping_percent,
-        content.side_side_damping_percent,
-    ];
     let row = |(index, shape): (usize, &TowerShape)| {
         let alone_hz = made.quantities.of(shape.plane).frequency_alone_hz[index % 2];
+        let damping_percent = made.modes.of(shape.plane).damping_percent[index % 2];
         [
             shape.label.clone(),
             format!("{:.5}", shape.frequency_hz),
@@ -35,7 +33,7 @@ pub(crate) fn fits(tower: &Tower, made: &MadeTowerFile) -> String {
             four_digits(shape.fit.largest_deflection),
             format!("{:.0}", shape.fit.condition),
             format!("{alone_hz:.5}"),
-            four_digits(damping[index / 2][index % 2]),
+            four_digits(damping_percent),
         ]
     };
     format!(
@@ -46,7 +44,7 @@ pub(crate) fn fits(tower: &Tower, made: &MadeTowerFile) -> String {
             made.shapes.shapes.iter().enumerate().map(row),
             1..=7
         ),
-        content.rows.len()
+        made.model.stations.len()
     )
 }
 

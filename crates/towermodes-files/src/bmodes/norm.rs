@@ -1,12 +1,12 @@
 //! The scale that BModes gives its mode shapes.
 
-/// Scales a mode as BModes does: the Euclidean norm of all its unknowns is 1, its sign stays. Gives
-/// the factor, or none, and changes nothing, where there is nothing to scale.
+/// Scales a mode as BModes does: the Euclidean norm of all its unknowns is 1, its sign stays.
+/// Returns the factor, or `None` for a mode without motion, which stays as it is.
 ///
 /// `nodes` have, from the base to the top, u/R, v/R, v', w/R, w' and the twist: u along the axis, v
 /// fore-aft, w side-side (of a blade lag and flap). `interiors` have for each element from the base
-/// to the top u/R at 1/3 and 2/3 of its length and the twist at 1/2. What is held is zero. R is the
-/// height of the top, plus the draft where there is one.
+/// to the top u/R at 1/3 and 2/3 of its length and the twist at 1/2. Held motions are zero. R is
+/// the height of the top, plus the draft where there is one.
 pub fn euclidean(nodes: &mut [[f64; 6]], interiors: &mut [[f64; 3]]) -> Option<f64> {
     let unknowns = || nodes.iter().flatten().chain(interiors.iter().flatten());
     let largest = unknowns().fold(0.0_f64, |largest, x| largest.max(x.abs()));

@@ -58,7 +58,7 @@ pub struct OutRow {
 
 impl OutMode {
     /// A mode of the motions [`euclidean`](super::euclidean) takes; `borders` are the element
-    /// borders as shares of the flexible length, one for each node.
+    /// borders as fractions of the flexible length, one for each node.
     pub fn new(
         frequency_hz: f64,
         borders: &[f64],
@@ -151,7 +151,7 @@ fn title(title: &str) -> String {
     one_line(title).chars().take(TITLE_LENGTH).collect()
 }
 
-/// Line breaks would move all that follows.
+/// The text on one line: a line break would move all lines after it.
 pub(super) fn one_line(text: &str) -> String {
     text.replace(|c: char| c.is_control(), " ")
 }

@@ -10,7 +10,7 @@ use crate::records::{Line, MAX_COUNT};
 pub(super) struct Parameter {
     /// Its name in the sample files of BModes.
     pub(super) name: &'static str,
-    /// What it is, for messages and for the comments of written decks.
+    /// Its meaning, for messages and for the comments of written decks.
     meaning: &'static str,
     /// Its unit; empty for none.
     unit: &'static str,
@@ -40,7 +40,7 @@ pub(super) struct Rule {
     pub(super) words: &'static str,
 }
 
-/// A whole number, and no list, is longer than this.
+/// The largest count and the longest list.
 const MOST: f64 = MAX_COUNT as f64;
 /// BModes allows two places for guy wires; no tower has more than this number.
 const MOST_ATTACHMENTS: f64 = 100.0;
@@ -87,7 +87,7 @@ impl Parameter {
         names.any(|known| known.eq_ignore_ascii_case(name))
     }
 
-    /// The other parameter whose name a line carries, if it is clearly one.
+    /// The other parameter whose name is on a line, if it is clearly one.
     pub(super) fn mistaken_for(&self, label: &str) -> Option<&'static Parameter> {
         let name = plain(label);
         (!self.is_called(name))

@@ -149,7 +149,7 @@ impl<'a> Reader<'a> {
         check_label(parameter, &Items::new(line), 0)
     }
 
-    /// So many values of a parameter on any number of records.
+    /// A number of values of a parameter on any number of records.
     pub(super) fn list(
         &mut self,
         parameter: &Parameter,

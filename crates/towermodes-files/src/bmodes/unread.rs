@@ -79,7 +79,7 @@ pub(super) fn sets_of_wires(reader: &Reader<'_>, n_attachments: &Value<usize>) -
     (given > read).then(|| Unread::new(n_attachments.span.start, message))
 }
 
-/// The values of a table whose number of rows is 0; none if they are all zero, as in templates.
+/// The values of a table whose number of rows is 0, unless they are all zero, as in templates.
 pub(super) fn table_of_no_rows(
     lines: &Lines<'_>,
     [count, _, values]: p::Table,

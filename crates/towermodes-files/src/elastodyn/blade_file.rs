@@ -77,8 +77,8 @@ impl BladeFile {
     /// The integrals along a blade of this length, m, exact for a mass per length that is linear
     /// between the rows.
     ///
-    /// ElastoDyn itself takes `BldNodes` elements with the mass at their middles, which comes out
-    /// some parts in a thousand differently.
+    /// ElastoDyn itself takes `BldNodes` elements with the mass at their middles, which differs by
+    /// some thousandths.
     pub fn masses(&self, length_m: f64) -> BladeMasses {
         let mut sum = BladeMasses::default();
         for pair in self.rows.windows(2) {

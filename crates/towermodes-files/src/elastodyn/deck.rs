@@ -155,7 +155,7 @@ impl Model {
         }
     }
 
-    /// The notes on the files, on the tower and on what it carries.
+    /// The notes on the files, on the tower and on the rotor-nacelle assembly.
     fn notes(&self, ends: Ends, options: &ReadOptions) -> Vec<Note> {
         let main = &self.main;
         let mut notes = self.found.notes.clone();
@@ -179,7 +179,7 @@ impl Model {
         sources
     }
 
-    /// Where each value stands, in the order of [`Self::sources`].
+    /// The place of each value, in the order of [`Self::sources`].
     fn places(&self) -> Places {
         let in_main = [
             (Place::Rna { key: "mass" }, "NacMass"),

@@ -1,8 +1,8 @@
 //! The tower that a tower file of ElastoDyn describes, once its heights are known.
 //!
-//! Towers of floating turbines in a current (MHK) hang: their top is the lower end. The towers of
-//! the library stand, so a hanging tower is solved upside down, with depths as heights. Without
-//! self-weight its frequencies are the same.
+//! Towers of floating turbines in a current (MHK) hang: their top is the lower end. In the library
+//! the top is the higher end, so a hanging tower is solved upside down, with depths as heights.
+//! Without self-weight its frequencies are the same.
 
 use std::ops::Range;
 
@@ -127,7 +127,7 @@ const STATION_KEYS: [&str; 4] = [
     "ei_side_side_n_m2",
 ];
 
-/// Remembers where the values of the tower file stand, which is one of the tower's files.
+/// Remembers the places of the values of the tower file, which is one of the tower's files.
 pub(super) fn remember(places: &mut Places, file: usize, spans: &TowerSpans) {
     places.remember(Place::Stations, file, spans.count.clone());
     let mut at = |place, span: &Range<usize>| places.remember(place, file, span.clone());

@@ -80,8 +80,7 @@ fn write_hunk(hunk: &[Change], old: &[&str], new: &[&str], diff: &mut String) {
     write_lines(' ', &old[next..old_lines.end], diff);
 }
 
-/// The first line, from 1, and the number of lines; no lines are said to be after the one before
-/// them.
+/// The first line, from 1, and the number of lines; of no lines the line before them.
 fn position(lines: &Range<usize>) -> String {
     let first = lines.start + usize::from(!lines.is_empty());
     format!("{first},{}", lines.len())

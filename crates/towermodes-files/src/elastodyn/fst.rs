@@ -171,8 +171,8 @@ pub(super) struct Gravity {
     pub(super) note: Option<Note>,
 }
 
-/// The gravity of a model: that of the `.fst` file, as in OpenFAST since 3.0, or else that of the
-/// main file, as before, or else the standard one with a note. A tower that hangs under water has
+/// The gravity of a model: from the `.fst` file, as in OpenFAST since 3.0, or else from the main
+/// file, as before, or else the standard one with a note. A tower that hangs under water has
 /// none here. Files are given by their names.
 pub(super) fn gravity(main: &MainFile, main_name: &str, fst: Option<(f64, &str)>) -> Gravity {
     if main.tower_hangs() {

@@ -4,8 +4,8 @@ use towermodes::{Foundation, Inertia, Rna, Shear, TowerDescription};
 
 use crate::note::Note;
 
-/// The note on all properties that a tower file does not contain. Its shapes are those of the tower
-/// with all of them.
+/// The note on all properties that a tower file does not contain. Its shapes include the effect of
+/// all of them.
 pub fn left_out(description: &TowerDescription) -> Vec<Note> {
     let d = description;
     let mut masses = d.point_masses.iter();

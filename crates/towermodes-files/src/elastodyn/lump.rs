@@ -16,7 +16,7 @@ use crate::source::Source;
 /// downwind, y lateral, z up.
 ///
 /// The rotor's apex is at (OverHang cos τ, 0, Twr2Shft + OverHang sin τ) with τ = ShftTilt; the
-/// first blade points up, each next one stands a fraction of a turn further, clockwise as seen from
+/// first blade points up, each next one is a fraction of a turn further, clockwise as seen from
 /// upwind. Blades are rods: only their mass along their axis counts. `NacYIner` is about the yaw
 /// axis, and the nacelle has no other inertia than what that leaves about its centre. With a locked
 /// rotor the generator adds `GenIner` about the shaft, without the factor `GBRatio`²; with a free

@@ -13,6 +13,7 @@ mod main_file;
 mod main_reader;
 mod main_records;
 mod make;
+mod model;
 mod names;
 mod patch;
 mod positional;
@@ -32,10 +33,7 @@ pub use left_out::left_out;
 pub use lump::lump_rna;
 pub use main_file::{MainFile, Platform};
 pub use main_reader::read_main_file;
-pub use make::{
-    DEFAULT_NODES, Damping, MadeTowerFile, MakeError, MakeOptions, make_tower_file, quantities,
-    torsion_notes,
-};
+pub use make::{MadeTowerFile, make_tower_file, torsion_notes};
 pub use patch::{PatchError, patched};
 pub use rules::TowerFileError;
 pub use tower_alone::read_elastodyn_tower;

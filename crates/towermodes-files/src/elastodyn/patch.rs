@@ -68,12 +68,13 @@ fn is_same(old: &str, new: &str) -> bool {
     number(old) == number(new)
 }
 
-/// What Fortran reads.
+/// The number that Fortran reads.
 fn number(text: &str) -> Option<f64> {
     text.replace(['d', 'D'], "e").parse().ok()
 }
 
-/// The bytes of the text that a new number takes, none before `done`, and what is to stand there.
+/// The bytes of the text that a new number replaces, all after `done`, and the text that replaces
+/// them.
 fn fitted(text: &str, span: &Range<usize>, done: usize, new: &str) -> (Range<usize>, String) {
     let blanks_before = blanks(text[done..span.start].bytes().rev());
     let line_starts = text[..span.start - blanks_before].bytes().next_back();

@@ -15,7 +15,7 @@ pub(super) const MAX_ROWS: usize = 100_000;
 pub(super) struct Record {
     /// Its name on the line.
     pub(super) name: &'static str,
-    /// What it is, with its unit.
+    /// Its meaning, with its unit.
     pub(super) meaning: &'static str,
     kind: Kind,
 }
@@ -265,7 +265,7 @@ impl<'a> Parameter<'a> {
     }
 }
 
-/// So many numbers from the beginning of a row as there are columns; further ones are not read.
+/// The numbers at the beginning of a row, one for each column; further ones are not read.
 pub(super) fn numbers<'a, const N: usize>(
     line: &Line<'a>,
     row: &str,

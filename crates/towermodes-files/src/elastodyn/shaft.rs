@@ -107,8 +107,8 @@ mod tests {
         assert!((reversed / by_hand - 9604.0 / 9216.0).abs() < 1e-15);
     }
 
-    /// The least of the kinetic energy over the rate x of the shaft, found by trying rates, is what
-    /// the formula says.
+    /// The minimum of the kinetic energy over the rate x of the shaft, found by trying rates, is
+    /// the value of the formula.
     #[test]
     fn a_free_rotor_turns_so_that_the_energy_is_least() {
         for (rotor, generator, ratio) in [(3.8e7, 534.0, 97.0), (50.0, 2.0, 3.0), (9.0, 4.0, -2.0)]

@@ -103,6 +103,7 @@ mod tests {
             assert_eq!(value_after(line, "TowerHt"), None);
         }
     }
+
     #[test]
     fn the_last_height_counts_and_is_no_part_of_the_name() {
         let line = "once TowerHt = 50 m, TowerBsHt = 1 m; TowerHt = 87.6 m, TowerBsHt = 0 m";

@@ -61,7 +61,7 @@ fn parameters(content: &TowerFile, lines: &mut Vec<String>) {
 }
 
 fn factors(content: &TowerFile, lines: &mut Vec<String>) {
-    // So spelled in every tower file of OpenFAST's examples.
+    // The spelling of every tower file of OpenFAST's examples.
     lines.push(ruler("TOWER ADJUSTMUNT FACTORS"));
     items(content.factors(), &records::FACTORS, lines);
 }
@@ -130,7 +130,7 @@ fn table<const N: usize>(
     lines.extend((0..rows).map(|row| line(&|k| columns[k][row].clone())));
 }
 
-/// A line of a value, its name and its meaning.
+/// A line with a value, its name and its meaning.
 fn item(value: &str, record: &Record) -> String {
     format!("{value:>VALUE$}   {:<11} - {}", record.name, record.meaning)
 }

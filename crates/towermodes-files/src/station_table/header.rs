@@ -11,7 +11,7 @@ pub(super) const EXAMPLE: &str = "write a header as `bottom_m, top_m, bottom dia
 /// A column of lengths.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) struct Length {
-    /// What messages call it.
+    /// Its name in messages.
     pub(super) what: &'static str,
     /// Which column it is.
     pub(super) index: usize,
@@ -48,9 +48,9 @@ pub(super) enum Layout {
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(super) struct Header {
     pub(super) layout: Layout,
-    /// How many columns it names.
+    /// The number of columns.
     columns: usize,
-    /// How many of them must have a cell in each row.
+    /// The number of columns that must have a cell in each row.
     needed: usize,
 }
 
@@ -62,7 +62,7 @@ struct Column {
 }
 
 impl Header {
-    /// The header that a row is.
+    /// The header in a row.
     pub(super) fn of(record: &Record<'_>) -> Result<Self, Vec<Diagnostic>> {
         let is_number = |cell: &Cell<'_>| cell.text.replace(',', ".").parse::<f64>().is_ok();
         if record.cells.iter().all(is_number) {
@@ -111,7 +111,7 @@ impl Header {
     }
 }
 
-/// The column that a cell of the header names; none if it is empty.
+/// The column that a cell of the header names; `None` if the cell is empty.
 fn column(index: usize, cell: &Cell<'_>, before: &[Column]) -> Result<Option<Column>, Diagnostic> {
     if cell.text.is_empty() {
         return Ok(None);

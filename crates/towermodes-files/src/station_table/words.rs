@@ -41,7 +41,7 @@ impl Quantity {
 /// The unit in a header.
 pub(super) enum Said {
     Unit(Unit),
-    /// Something in brackets that is none.
+    /// A text in brackets that is not a unit.
     Other(String),
     Nothing,
 }

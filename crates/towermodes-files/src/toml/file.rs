@@ -5,7 +5,7 @@ use towermodes::{PartNames, TowerDescription};
 use super::added_mass::added_mass;
 use super::foundation::foundation;
 use super::gravity::gravity;
-use super::masses::{point_masses, rna, says_point};
+use super::masses::{is_point_mass, point_masses, rna};
 use super::materials::{Materials, materials};
 use super::properties::properties;
 use super::reading::Reading;
@@ -59,7 +59,7 @@ fn around(root: &Table<'_>, reading: &mut Reading) -> Option<TowerDescription> {
     let (water, wires) = (water(root, reading), wires(root, reading));
     let (gravity, rotor) = (gravity(root, reading), rotor(root, reading));
     let rna = root.get("rna").and_then(|value| rna(value, reading));
-    let rna_is_point = says_point(root, rna.as_ref());
+    let rna_is_point = is_point_mass(root, rna.as_ref());
     let (point_masses, point_mass_names) = point_masses(root, reading)?;
     let ((soil, soil_names), (wires, wires_names)) = (soil?, wires?);
     let (added_mass, added_mass_names) = added_mass?;

@@ -29,12 +29,12 @@ pub(super) fn rna(value: &Value<'_>, reading: &mut Reading) -> Option<Rna> {
     })
 }
 
-/// Whether the file gives the inertia of the rotor-nacelle assembly as zeros; a missing inertia may
-/// have been forgotten.
-pub(super) fn says_point(root: &Table<'_>, rna: Option<&Rna>) -> bool {
+/// Whether the file gives an inertia of zero to the rotor-nacelle assembly; one that is left out
+/// may have been forgotten.
+pub(super) fn is_point_mass(root: &Table<'_>, rna: Option<&Rna>) -> bool {
     let table = root.get("rna").and_then(|rna| rna.get_ref().as_table());
-    let says_inertia = table.is_some_and(|table| table.contains_key("inertia"));
-    says_inertia && rna.is_some_and(|rna| rna.inertia_kg_m2 == Inertia::default())
+    let has_inertia = table.is_some_and(|table| table.contains_key("inertia"));
+    has_inertia && rna.is_some_and(|rna| rna.inertia_kg_m2 == Inertia::default())
 }
 
 /// All `[[point_mass]]` with their names.

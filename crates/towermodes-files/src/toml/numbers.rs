@@ -7,7 +7,7 @@ use super::table::Table;
 use super::values::{number, text};
 
 impl Table<'_> {
-    /// A finite number that must be there.
+    /// A required finite number.
     pub(super) fn required_number(
         &self,
         key: &str,
@@ -20,7 +20,7 @@ impl Table<'_> {
         number(value, key, reading)
     }
 
-    /// A finite number that may be there: `Some(None)` if it is not, `None` after a mistake.
+    /// An optional finite number: `Some(None)` if it is absent, `None` after a mistake.
     pub(super) fn optional_number(
         &self,
         key: &str,

@@ -48,7 +48,7 @@ struct Columns<'a> {
 }
 
 impl Columns<'_> {
-    /// A column that may be there: `Some(None)` if it is not, `None` after a mistake.
+    /// An optional column: `Some(None)` if it is absent, `None` after a mistake.
     fn optional(&self, key: &'static str, reading: &mut Reading) -> Option<Option<Vec<f64>>> {
         let Some(value) = self.table.get(key) else {
             return (!self.table.has_misspelled(key)).then_some(None);
@@ -99,8 +99,7 @@ impl Columns<'_> {
         Some(rows.collect())
     }
 
-    /// A quantity of both planes that may be there; where only the fore-aft column is, both planes
-    /// have it.
+    /// An optional quantity of both planes; a fore-aft column alone is for both planes.
     fn pair(
         &self,
         [fore_aft, side_side]: [&'static str; 2],
@@ -134,8 +133,8 @@ pub(super) fn shared_out(polar_kg_m: f64, bending_n_m2: Planes<f64>) -> Planes<f
     bending_n_m2.map(|ei| polar_kg_m * (ei / sum))
 }
 
-/// A list of numbers of the length of the others; `place` is what the tower's checks call one of
-/// them.
+/// A list of numbers of the length of the others; `place` is the name of its values in the tower's
+/// checks.
 fn column(
     value: &Value<'_>,
     key: &str,

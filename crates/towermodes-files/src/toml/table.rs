@@ -15,7 +15,7 @@ pub(super) struct Table<'a> {
     entries: &'a DeTable<'a>,
     pub(super) span: Range<usize>,
     name: String,
-    /// Its known keys; none if its keys are names.
+    /// Its known keys; empty if its keys are names.
     known: Vec<&'static str>,
 }
 
@@ -119,12 +119,12 @@ impl<'a> Table<'a> {
         }
     }
 
-    /// A value that may be there.
+    /// An optional value.
     pub(super) fn get(&self, key: &str) -> Option<&'a Value<'a>> {
         self.entries.get(key)
     }
 
-    /// A value that must be there. A misspelled key is reported only as unknown.
+    /// A required value. A misspelled key is reported only as unknown.
     pub(super) fn require(
         &self,
         key: &str,
@@ -172,13 +172,13 @@ pub(super) fn every_table<T>(
     every_row(rows, |index, row| read(index, row, reading))
 }
 
-/// The things of [`every_table`] and their names, of which there are none if all are empty.
+/// The values of [`every_table`] and their names; no names if all are empty.
 pub(super) fn with_names<T>(named: Option<Vec<(T, String)>>) -> Option<(Vec<T>, Vec<String>)> {
-    let (things, names): (Vec<T>, Vec<String>) = named?.into_iter().unzip();
-    Some((things, all_but_empty(names)))
+    let (values, names): (Vec<T>, Vec<String>) = named?.into_iter().unzip();
+    Some((values, all_but_empty(names)))
 }
 
-/// Names, or none if all are empty.
+/// The names; no names if all are empty.
 pub(super) fn all_but_empty(mut names: Vec<String>) -> Vec<String> {
     if names.iter().all(String::is_empty) {
         names.clear();

@@ -59,7 +59,7 @@ pub(super) fn body(
     })
 }
 
-/// So many numbers of a key, zero without it: one number is along x, three are the diagonal.
+/// The numbers of a key, zero without it: one number is along x, three are the diagonal.
 fn list<const N: usize>(node: &Node, key: &str, what: String) -> Result<[f64; N], Diagnostic> {
     let mut values = [0.0; N];
     let Some(list) = node.get(key) else {

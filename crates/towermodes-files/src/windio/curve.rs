@@ -170,8 +170,8 @@ fn falling(grid: &[f64], name: &str) -> Option<(usize, DiagnosticKind)> {
     })
 }
 
-/// A position where some quantity bends or steps: the range of the grids' values that are this
-/// position but for rounding.
+/// A position where some quantity bends or steps: the range of the grids' values that differ from
+/// it only by rounding.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Position {
     pub(super) from: f64,

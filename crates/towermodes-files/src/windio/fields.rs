@@ -9,10 +9,10 @@ use super::outline::{Components, Outline};
 
 /// A mapping some of whose keys are read.
 pub(super) trait Fields<'de>: Default {
-    /// Reads the value of a key; false if it is none that is read, and its value is still to come.
+    /// Reads the value of a key; false if the key is not read, and its value is still to come.
     ///
     /// # Errors
-    /// What the value cannot be read for.
+    /// The error of the value.
     fn take<A: MapAccess<'de>>(&mut self, key: &str, map: &mut A) -> Result<bool, A::Error>;
 
     /// Remembers a key that is not read.
@@ -44,7 +44,7 @@ impl<'de, T: Fields<'de>> Visitor<'de> for OfFields<T> {
     }
 }
 
-/// A field and whether it was one.
+/// Reads the value of a field by its key.
 macro_rules! fields {
     ($self:ident, $key:ident, $map:ident, $($name:literal => $field:ident),+ $(,)?) => {
         match $key {

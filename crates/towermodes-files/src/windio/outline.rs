@@ -1,4 +1,4 @@
-//! What of a windIO file is read; all else, such as the tables of airfoils, is passed over.
+//! The parts of a windIO file that are read; all else, such as the tables of airfoils, is skipped.
 
 use serde::Deserialize;
 use serde::de::IgnoredAny;

@@ -18,8 +18,8 @@ const SMALLEST_DEG: f64 = 0.2;
 /// No hub is further from the tower's top, m; those of rotors of 280 m are 14 m.
 const FARTHEST_M: f64 = 50.0;
 
-/// An angle of the rotor in radians; one that is likely in the other unit is noted, and one that is
-/// none in any unit a mistake.
+/// An angle of the rotor in radians. One that is likely in the other unit is noted, and one that is
+/// impossible in both units is a mistake.
 pub(super) fn angle(
     node: &Node,
     key: &str,

@@ -140,7 +140,7 @@ impl Assembly {
         let list = |(what, body): &(String, RigidBody)| format!("{what} {:.0} kg", body.mass_kg);
         let bodies: Vec<String> = self.bodies.iter().map(list).collect();
         let total: f64 = self.bodies.iter().map(|(_, body)| body.mass_kg).sum();
-        // Files of this program have the whole assembly in one place, and say so.
+        // Files written by this program have the whole assembly in one place, and a comment on it.
         let is_whole = reading.source.text.contains(WHOLE_ASSEMBLY);
         let missing = match is_whole {
             true => String::new(),

@@ -15,16 +15,16 @@ use crate::places::TABLE;
 /// No blade's tip is faster in operation, m/s; those of large rotors reach 70 to 110.
 const FASTEST_TIP_M_PER_S: f64 = 150.0;
 
-/// Number of blades if the file does not give it.
+/// The number of blades of a rotor whose file does not give it.
 pub(super) const USUAL_BLADES: usize = 3;
 
-/// The places of the speed limits.
+/// The values that limit the speed.
 struct Limits<'a> {
     lowest: Option<&'a Node>,
     highest: &'a Node,
     /// The name of the lowest, for notes.
     key: &'static str,
-    /// Whether they are those of the controller of torque, whose unit is not sure.
+    /// Whether they are limits of the torque controller, whose unit is not certain.
     of_torque: bool,
 }
 
@@ -40,7 +40,7 @@ impl Limits<'_> {
         Ok(highest)
     }
 
-    /// How many rpm the unit is: of the controller of torque rad/s, unless the tips would be too
+    /// The unit in rpm: limits of the torque controller are in rad/s, unless the tips would be too
     /// fast.
     fn rpm_of_unit(
         &self,
@@ -72,7 +72,7 @@ impl Limits<'_> {
         Ok(1.0)
     }
 
-    /// What the highest speed of operation is, where the file has a limit that is another.
+    /// A note on the highest operating speed, where the file has another limit.
     fn note_range(
         &self,
         outline: &Outline,

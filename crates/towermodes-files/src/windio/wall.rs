@@ -15,7 +15,7 @@ pub(super) struct Wall {
     pub(super) diameter_m: [f64; 2],
     /// Thicknesses from outside in, m, and which of the materials each layer is of.
     pub(super) layers: Vec<([f64; 2], usize)>,
-    /// Where the file gives it.
+    /// Its place in the file.
     pub(super) span: Range<usize>,
 }
 
@@ -41,11 +41,11 @@ impl Wall {
     /// The section at a fraction of the height: the sums of its concentric tubes.
     pub(super) fn properties(
         &self,
-        share: f64,
+        height: f64,
         materials: &[Material],
         outfitting: f64,
     ) -> Properties {
-        let blend = |[a, b]: [f64; 2]| a + share * (b - a);
+        let blend = |[a, b]: [f64; 2]| a + height * (b - a);
         let mut outer = 0.5 * blend(self.diameter_m);
         let (mut mass, mut inertia, mut ei, mut gj, mut ea) = (0.0, 0.0, 0.0, 0.0, 0.0);
         for &(thickness, material) in &self.layers {
@@ -72,8 +72,8 @@ impl Wall {
         }
     }
 
-    /// Into how many rows the stretch is to be cut, so that what is linear between them is near
-    /// enough: the error falls as their square.
+    /// The number of rows that the stretch needs for an accurate linear interpolation: the error
+    /// falls with their square.
     pub(super) fn rows_between(
         &self,
         materials: &[Material],
@@ -93,9 +93,9 @@ impl Wall {
         };
         let (base, top) = (values(0.0), values(1.0));
         let mut error = 0.0_f64;
-        for share in [0.125, 0.25, 0.375, 0.5, 0.625, 0.75, 0.875] {
-            for ((value, a), b) in values(share).into_iter().zip(base).zip(top) {
-                error = error.max(((a + share * (b - a)) / value - 1.0).abs());
+        for height in [0.125, 0.25, 0.375, 0.5, 0.625, 0.75, 0.875] {
+            for ((value, a), b) in values(height).into_iter().zip(base).zip(top) {
+                error = error.max(((a + height * (b - a)) / value - 1.0).abs());
             }
         }
         // Wider where the section is small: the error is relative.

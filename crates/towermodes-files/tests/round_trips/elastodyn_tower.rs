@@ -4,8 +4,8 @@ use std::f64::consts::PI;
 
 use towermodes::{Planes, PointMass, Properties, PropertyStation, Station, TowerDescription};
 use towermodes_analysis::elastodyn::Rows;
+use towermodes_analysis::elastodyn::{DEFAULT_NODES, MakeOptions};
 use towermodes_files::FileFormat;
-use towermodes_files::elastodyn::{DEFAULT_NODES, MakeOptions};
 
 use super::comparison::{alone, assert_near, bending_hz, largest_difference};
 use super::formats::{Target, elastodyn, there_and_back, tower};

@@ -1,7 +1,8 @@
 //! Writing to each format and reading back as a user's program would.
 
 use towermodes::{Tower, TowerDescription};
-use towermodes_files::elastodyn::{MakeOptions, left_out, make_tower_file, write_tower_file};
+use towermodes_analysis::elastodyn::MakeOptions;
+use towermodes_files::elastodyn::{left_out, make_tower_file, write_tower_file};
 use towermodes_files::{
     BmodesWriteError, BmodesWriteOptions, InMemory, Input, Note, ReadOptions, Source, TowerInput,
     read_source, write_bmodes, write_toml, write_windio,

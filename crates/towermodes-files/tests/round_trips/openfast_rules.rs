@@ -3,8 +3,9 @@
 //! the place of each line.
 
 use towermodes::{PointMass, TowerDescription};
+use towermodes_analysis::elastodyn::MakeOptions;
 use towermodes_analysis::elastodyn::TowerShape;
-use towermodes_files::elastodyn::{MakeOptions, make_tower_file, write_tower_file};
+use towermodes_files::elastodyn::{make_tower_file, write_tower_file};
 
 use super::formats::{tower, with_masses_listed};
 use super::towers;
@@ -219,7 +220,7 @@ const BEYOND_POLYNOMIALS: [&str; 4] = ["reference-tower", "nrel-5mw-table", "mon
 fn polynomials_follow_the_shapes_of_every_example() {
     for (name, description) in towers::examples() {
         let made = make_tower_file(&tower(&description), &MakeOptions::default());
-        let shapes = made.expect("a tower file").shapes.shapes;
+        let shapes = made.expect("a tower file").made.shapes.shapes;
         let worst = shapes.iter().map(|shape| {
             assert_best(shape);
             shape.fit.rms_residual / shape.fit.largest_deflection

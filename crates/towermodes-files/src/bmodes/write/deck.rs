@@ -11,9 +11,9 @@ use super::sections::name_or;
 use super::support::Support;
 use crate::bmodes::parameters as p;
 
-/// Number of characters of a title that BModes reads.
+/// The number of characters that BModes keeps of a title.
 const TITLE_LENGTH: usize = 99;
-/// Number of characters of a file name that BModes reads.
+/// The number of characters that BModes keeps of a file's name.
 const NAME_LENGTH: usize = 200;
 
 /// The content of the main file.

@@ -48,7 +48,7 @@ pub(super) fn wire_nodes(layout: &Layout, borders: &[f64]) -> Vec<usize> {
     layout.attached.wires_at_nodes.iter().map(node).collect()
 }
 
-/// So many elements in total, each added where elements are longest.
+/// The borders of `total` elements, each added where elements are longest.
 fn divided(ends: &[f64], total: usize) -> Vec<f64> {
     let lengths: Vec<f64> = ends.windows(2).map(|pair| pair[1] - pair[0]).collect();
     let mut counts = vec![1_usize; lengths.len()];

@@ -4,7 +4,7 @@
 pub(super) fn number(value: f64) -> String {
     let size = value.abs();
     if size == 0.0 {
-        // Nobody means minus zero.
+        // Minus zero is written as zero.
         return "0.0".into();
     }
     if (1e-3..1e7).contains(&size) {
@@ -14,7 +14,7 @@ pub(super) fn number(value: f64) -> String {
     match text.split_once('e') {
         Some((mantissa, exponent)) if mantissa.contains('.') => format!("{mantissa}E{exponent}"),
         Some((mantissa, exponent)) => format!("{mantissa}.0E{exponent}"),
-        // Infinite or none; no tower has such numbers where this is called.
+        // Infinite or NaN; no tower has such numbers where this is called.
         None => text,
     }
 }

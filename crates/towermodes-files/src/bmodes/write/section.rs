@@ -6,13 +6,12 @@ use towermodes::tower::{Piece, Section};
 use super::error::BmodesWriteError;
 use super::layout::{Layout, PerMetre};
 
-/// The ratio of both planes may change by this fraction.
+/// The ratio of both planes may change by this fraction of it.
 const CONSTANT: f64 = 1e-6;
-/// A stiffness that represents an infinite one, divided by that of a steel tube of the same bending
-/// stiffness.
+/// The stiffness in place of an infinite one, as a multiple of the bending stiffness.
 const RIGID: f64 = 1e4;
-/// Steel: density over Young's modulus, kg/m³ per Pa. Of a thin tube of it the rotary inertia is EI
-/// times that.
+/// Steel: density over Young's modulus, kg/m³ per Pa. A thin tube of steel has the rotary inertia
+/// EI times this.
 const STEEL: f64 = 7850.0 / 2.1e11;
 
 /// The columns of the sections that a tower uses.
@@ -52,14 +51,14 @@ impl DeckSection {
         }
     }
 
-    /// Whether no value differs by more than the fraction `share`.
-    pub(super) fn is_near(&self, other: &Self, share: f64) -> bool {
-        let near = |(a, b): (f64, f64)| (a - b).abs() <= share * b.abs();
+    /// Whether no value differs by more than a fraction of it.
+    pub(super) fn is_near(&self, other: &Self, fraction: f64) -> bool {
+        let near = |(a, b): (f64, f64)| (a - b).abs() <= fraction * b.abs();
         self.values().into_iter().zip(other.values()).all(near)
     }
 }
 
-/// What was made up or left out of sections.
+/// Values of the sections that were made up or left out.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub(super) struct MadeUp {
     /// Where GJ is infinite.
@@ -78,7 +77,7 @@ pub(super) fn section_of(piece: &Piece, height_m: f64) -> Section {
     piece.section_at(height_m.clamp(piece.base_m, piece.top_m))
 }
 
-/// The section with what is spread over its height.
+/// The section with the masses that are distributed over its height.
 pub(super) fn deck_section(
     piece: &Piece,
     height_m: f64,

@@ -1,4 +1,4 @@
-//! The file of sections: as many rows as make the lines between them the tower.
+//! The file of sections, with as many rows as the straight lines between them need.
 
 use towermodes::Tower;
 use towermodes::number::Rounded;
@@ -34,8 +34,8 @@ pub(super) fn rows(tower: &Tower, layout: &Layout, notes: &mut Vec<Note>) -> Vec
         let middle_m = 0.5 * (from_m + to_m);
         let piece = tower.piece_at(middle_m);
         let spread = layout.spread_at(middle_m);
-        let mut at = |share: f64| {
-            let height_m = layout.base_m + share * layout.length_m();
+        let mut at = |height: f64| {
+            let height_m = layout.base_m + height * layout.length_m();
             deck_section(piece, height_m, spread, &mut made_up)
         };
         let (from, to) = (layout.fraction(from_m), layout.fraction(to_m));
@@ -131,7 +131,7 @@ pub(super) fn name_or(title: &str, without: &str) -> String {
     }
 }
 
-fn cells_of((share, section): &Row) -> [String; 13] {
+fn cells_of((height, section): &Row) -> [String; 13] {
     let zero = || number(0.0);
     let DeckSection {
         mass_kg_per_m,
@@ -141,7 +141,7 @@ fn cells_of((share, section): &Row) -> [String; 13] {
         axial_n,
     } = *section;
     [
-        location(*share),
+        location(*height),
         zero(),
         zero(),
         number(rounded(mass_kg_per_m)),
@@ -158,8 +158,8 @@ fn cells_of((share, section): &Row) -> [String; 13] {
 }
 
 /// A fraction of the length to twelve decimals.
-fn location(share: f64) -> String {
-    let text = format!("{share:.12}");
+fn location(height: f64) -> String {
+    let text = format!("{height:.12}");
     let short = text.trim_end_matches('0');
     if short.ends_with('.') {
         format!("{short}0")

@@ -7,7 +7,7 @@ use super::text::quoted;
 use super::writing::Writing;
 use crate::toml::schema;
 
-/// What the materials are called: by their own names, where a file can have these, or by numbers.
+/// The names of the materials: their own, where a file can have these, or numbers.
 pub(super) struct MaterialNames {
     count: usize,
     digits: usize,
