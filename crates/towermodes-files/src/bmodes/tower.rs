@@ -1,6 +1,6 @@
 //! The tower of a deck.
 
-use towermodes::{Inertia, Method, Place, Planes, Properties, PropertyStation, Rna};
+use towermodes::{Method, Place, Planes, Properties, PropertyStation, Rna};
 
 use super::Sources;
 use super::building::{Building, MAIN, SECTIONS};
@@ -101,18 +101,11 @@ impl Building {
 
     fn top_body(&mut self, deck: &Deck, compatible: bool) {
         let tip = &deck.tip;
-        let [xx, yy, zz, xy, xz, yz] = tip.inertia_kg_m2.each_ref().map(|entry| entry.value);
+        let inertia = tip.inertia_kg_m2.each_ref().map(|entry| entry.value);
         self.description.rna = Rna {
             mass_kg: tip.mass_kg.value,
             center_m: tip_center(deck, compatible),
-            inertia_kg_m2: Inertia {
-                xx,
-                yy,
-                zz,
-                xy,
-                xz,
-                yz,
-            },
+            inertia_kg_m2: inertia.into(),
         };
         let spans = [
             ("mass", &tip.mass_kg),

@@ -7,9 +7,9 @@
 use std::ops::Range;
 
 use super::names::plain;
-use super::positional::{
-    Kind, POSITIVE, Parameter, Positional, Record, check_cell, last_fraction, next_fraction, record,
-};
+use super::positional::{Parameter, Positional};
+use super::record::{Kind, POSITIVE, Record, record};
+use super::rows::{check_cell, last_fraction, next_fraction};
 use crate::diagnostic::{Diagnostic, DiagnosticKind};
 use crate::records::{Line, Token};
 use crate::source::Source;

@@ -3,7 +3,8 @@
 
 use super::main_file::MainFile;
 use super::names::{is_fst, is_main_file, line_of, plain};
-use super::positional::{Kind, NON_NEGATIVE, Parameter, Record, record};
+use super::positional::Parameter;
+use super::record::{Kind, NON_NEGATIVE, Record, record};
 use crate::diagnostic::{Diagnostic, DiagnosticKind};
 use crate::error::ReadError;
 use crate::note::Note;

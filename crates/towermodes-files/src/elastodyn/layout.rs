@@ -7,7 +7,8 @@ use std::collections::{BTreeMap, HashMap};
 
 use super::main_records::{BLOCKS, Block, Presence};
 use super::names::{is_ruler, name_on, plain};
-use super::positional::{Record, misplaced};
+use super::positional::misplaced;
+use super::record::Record;
 use crate::diagnostic::{Diagnostic, DiagnosticKind};
 use crate::records::{Line, Lines};
 

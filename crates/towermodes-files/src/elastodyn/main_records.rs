@@ -3,7 +3,7 @@
 //!
 //! Source: `ReadPrimaryFile` in `ElastoDyn_IO.f90` from FAST 8 to OpenFAST 5.0.
 
-use super::positional::{ACUTE, ANY, HALF_TURN, Kind, NON_NEGATIVE, Record, record};
+use super::record::{ACUTE, ANY, HALF_TURN, Kind, NON_NEGATIVE, Record, record};
 
 /// Records that follow each other in every layout that has them.
 pub(super) struct Block {

@@ -1,75 +1,11 @@
-//! Files that are read by position: headings, parameters, rows of numbers.
+//! Files that are read by position: headings, parameters, lines of tables.
 
 use std::ops::Range;
 
 use super::names::{is_ruler, name_on, named, plain};
+use super::record::{Kind, MAX_ROWS, Record};
 use crate::diagnostic::{Diagnostic, DiagnosticKind, quoted};
 use crate::records::{Line, Lines, Token};
-
-/// More rows than this are refused: real tables have tens, and a hostile file must not fill the
-/// memory.
-pub(super) const MAX_ROWS: usize = 100_000;
-
-/// A parameter of a file: the row of the tables that reading, writing and messages go by.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct Record {
-    /// Its name on the line.
-    pub(super) name: &'static str,
-    /// Its meaning, with its unit.
-    pub(super) meaning: &'static str,
-    kind: Kind,
-}
-
-/// The type of a parameter and the range of its values.
-#[derive(Debug, Clone, Copy)]
-pub(super) enum Kind {
-    /// True or false, the name of a file, or a value that is not read.
-    Other,
-    /// A whole number from this one to [`MAX_ROWS`].
-    Count(usize),
-    /// A number in a range, and the range in words.
-    Number(fn(f64) -> bool, &'static str),
-}
-
-pub(super) const ANY: Kind = Kind::Number(|_| true, "a number");
-pub(super) const POSITIVE: Kind = Kind::Number(|value| value > 0.0, "greater than 0");
-pub(super) const NON_NEGATIVE: Kind = Kind::Number(|value| value >= 0.0, "non-negative");
-/// An angle of less than a right angle, degrees.
-pub(super) const ACUTE: Kind =
-    Kind::Number(|angle| angle.abs() < 90.0, "between -90 and 90 degrees");
-/// An angle of at most half a turn, degrees.
-pub(super) const HALF_TURN: Kind =
-    Kind::Number(|angle| angle.abs() <= 180.0, "from -180 to 180 degrees");
-/// A damping ratio, percent of critical.
-pub(super) const PERCENT: Kind = Kind::Number(
-    |value| (0.0..=100.0).contains(&value),
-    "from 0 to 100 percent",
-);
-
-/// A row of a table of parameters.
-pub(super) const fn record(name: &'static str, meaning: &'static str, kind: Kind) -> Record {
-    Record {
-        name,
-        meaning,
-        kind,
-    }
-}
-
-impl Record {
-    /// Whether a number is in its range, and the range.
-    pub(super) fn check(&self, value: f64) -> (bool, &'static str) {
-        match self.kind {
-            Kind::Number(is_met, rule) => (is_met(value), rule),
-            _ => (true, ""),
-        }
-    }
-
-    /// Its name in messages.
-    pub(super) fn label(&self) -> String {
-        let meaning = self.meaning.trim_start_matches([' ', ',']);
-        format!("{} ({meaning})", self.name)
-    }
-}
 
 /// The lines of a file that is read by position.
 #[derive(Debug, Clone)]
@@ -263,83 +199,4 @@ impl<'a> Parameter<'a> {
         let kind = DiagnosticKind::out_of_range(what, value, rule);
         self.token.wrong(kind)
     }
-}
-
-/// The numbers at the beginning of a row, one for each column; further ones are not read.
-pub(super) fn numbers<'a, const N: usize>(
-    line: &Line<'a>,
-    row: &str,
-    columns: [&str; N],
-) -> Result<[(f64, Token<'a>); N], Diagnostic> {
-    let too_few = |found: usize| {
-        let kind = DiagnosticKind::wrong_count_of("numbers", row, found, N);
-        let (missing, all) = (columns[found.min(N - 1)], columns.join(", "));
-        Diagnostic::new(line.span(), kind)
-            .with_hint(format!("{missing} is missing; a row has {all}"))
-    };
-    let mut tokens = line.tokens();
-    let mut read = Vec::with_capacity(N);
-    for column in columns {
-        let token = tokens.next().ok_or_else(|| too_few(read.len()))?;
-        read.push((token.number(&format!("{column} of {row}"))?, token));
-    }
-    read.try_into().map_err(|_| too_few(0))
-}
-
-/// Checks a number of a row.
-pub(super) fn check_cell(
-    token: &Token<'_>,
-    what: String,
-    value: f64,
-    kind: Kind,
-) -> Result<(), Diagnostic> {
-    match kind {
-        Kind::Number(is_met, rule) if !is_met(value) => {
-            Err(token.wrong(DiagnosticKind::out_of_range(what, value, rule)))
-        }
-        _ => Ok(()),
-    }
-}
-
-/// Whether two fractions of a length agree as well as OpenFAST requires in double precision.
-fn is_fraction(value: f64, wanted: f64) -> bool {
-    (value - wanted).abs() <= 1e-14
-}
-
-/// Checks the fraction of the length of a row: 0 in the first row, increasing from row to row.
-pub(super) fn next_fraction(
-    value: f64,
-    token: &Token<'_>,
-    previous: Option<f64>,
-    column: &str,
-) -> Result<f64, Diagnostic> {
-    match previous {
-        None if is_fraction(value, 0.0) => Ok(0.0),
-        None => {
-            let what = format!("{column} of the first row");
-            Err(token.wrong(DiagnosticKind::out_of_range(what, value, "0")))
-        }
-        Some(previous) if value > previous => Ok(value),
-        Some(previous) => Err(token
-            .wrong(DiagnosticKind::not_rising(column, value, previous, ""))
-            .with_hint(
-                "it must increase from row to row; a step is two rows close together, such as 0.1 and 0.100001",
-            )),
-    }
-}
-
-/// Checks that the fraction of the length of the last row is 1, and returns it.
-pub(super) fn last_fraction(
-    value: f64,
-    span: Range<usize>,
-    column: &str,
-) -> Result<f64, Diagnostic> {
-    if is_fraction(value, 1.0) {
-        return Ok(1.0);
-    }
-    let what = format!("{column} of the last row");
-    Err(Diagnostic::new(
-        span,
-        DiagnosticKind::out_of_range(what, value, "1"),
-    ))
 }

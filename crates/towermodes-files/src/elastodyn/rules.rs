@@ -104,8 +104,8 @@ fn check_masses(content: &TowerFile) -> Result<(), TowerFileError> {
     for (number, mass) in (1..).zip(&content.concentrated_masses) {
         let of_mass = |name: &str| format!("{name} of concentrated mass {number}");
         let height = mass.height_fraction;
-        let is_share = (0.0..=1.0).contains(&height);
-        demand(is_share, of_mass("HtFract"), height, "from 0 to 1")?;
+        let is_fraction = (0.0..=1.0).contains(&height);
+        demand(is_fraction, of_mass("HtFract"), height, "from 0 to 1")?;
         let is_mass = mass.mass_kg >= 0.0 && mass.mass_kg.is_finite();
         demand(is_mass, of_mass("TwCMass"), mass.mass_kg, "non-negative")?;
     }

@@ -5,10 +5,9 @@
 
 use std::ops::Range;
 
-use super::positional::{
-    Kind, NON_NEGATIVE, POSITIVE, Parameter, Positional, Record, check_cell, last_fraction,
-    next_fraction, numbers,
-};
+use super::positional::{Parameter, Positional};
+use super::record::{Kind, NON_NEGATIVE, POSITIVE, Record};
+use super::rows::{check_cell, last_fraction, next_fraction, numbers};
 use super::tower_file::{CoefficientSpans, ConcentratedMass, TowerFile, TowerRow};
 use super::tower_records::{self as records, COLUMNS, MASS_COLUMNS};
 use crate::diagnostic::Diagnostic;

@@ -1,7 +1,7 @@
 //! The records of a tower file in their order: the one table that reading, writing, names and
 //! messages go by.
 
-use super::positional::{ANY, Kind, PERCENT, POSITIVE, Record, record};
+use super::record::{ANY, Kind, PERCENT, POSITIVE, Record, record};
 
 /// The number of rows.
 pub(super) const ROWS: Record = record(

@@ -1,7 +1,7 @@
 //! Writes tower files of ElastoDyn with the layout and words of OpenFAST's examples.
 
 use super::columns::{column, rising_column};
-use super::positional::Record;
+use super::record::Record;
 use super::rules::{TowerFileError, check, coefficient_texts};
 use super::tower_file::{ConcentratedMass, TowerFile};
 use super::tower_records as records;

@@ -116,10 +116,10 @@ fn shear(shears: bool) -> String {
 /// Offsets and turned axes, with the row they are in.
 fn left_out(rows: &[Row<'_>], found: &Found) -> Vec<(usize, String)> {
     let mut notes = Vec::new();
-    if let Some((index, column, share)) = found.offset {
+    if let Some((index, column, fraction)) = found.offset {
         let (name, unit) = row::name_and_unit(column);
         let value = Rounded(rows[index].of(column));
-        let percent = 100.0 * share;
+        let percent = 100.0 * fraction;
         notes.push((
             index,
             format!(

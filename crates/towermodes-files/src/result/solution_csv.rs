@@ -65,7 +65,7 @@ fn record(mode: &Mode) -> Vec<String> {
         or_empty(mode.modal_inertia_kg_m2()),
     ];
     let energy = [mode.energy.kinetic.values(), mode.energy.strain.values()];
-    let shares = energy.iter().flatten().chain(&mode.effective_mass);
-    record.extend(shares.map(|value| format!("{value:e}")));
+    let fractions = energy.iter().flatten().chain(&mode.effective_mass);
+    record.extend(fractions.map(|value| format!("{value:e}")));
     record
 }

@@ -46,14 +46,7 @@ pub(super) fn inertia(
         })
     };
     let [xx, yy, zz, xy, xz, yz] = ["xx", "yy", "zz", "xy", "xz", "yz"].map(entry);
-    Some(Inertia {
-        xx: xx?,
-        yy: yy?,
-        zz: zz?,
-        xy: xy?,
-        xz: xz?,
-        yz: yz?,
-    })
+    Some([xx?, yy?, zz?, xy?, xz?, yz?].into())
 }
 
 /// The inertia of a table that may have one.

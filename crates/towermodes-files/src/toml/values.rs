@@ -66,19 +66,13 @@ fn integer_value(digits: &str, radix: u32) -> Option<f64> {
 /// `true` or `false`.
 pub(super) fn truth(value: &Value<'_>, what: &str, reading: &mut Reading) -> Option<bool> {
     let truth = value.get_ref().as_bool();
-    if truth.is_none() {
-        reading.mistake(wrong_kind(value, what, "true or false"));
-    }
-    truth
+    truth.or_else(|| reading.refuse(wrong_kind(value, what, "true or false")))
 }
 
 /// A text.
 pub(super) fn text<'a>(value: &'a Value<'_>, what: &str, reading: &mut Reading) -> Option<&'a str> {
     let text = value.get_ref().as_str();
-    if text.is_none() {
-        reading.mistake(wrong_kind(value, what, "a text in quotation marks"));
-    }
-    text
+    text.or_else(|| reading.refuse(wrong_kind(value, what, "a text in quotation marks")))
 }
 
 /// A list.
@@ -88,10 +82,7 @@ pub(super) fn list<'a>(
     reading: &mut Reading,
 ) -> Option<&'a DeArray<'a>> {
     let list = value.get_ref().as_array();
-    if list.is_none() {
-        reading.mistake(wrong_kind(value, what, "a list in brackets"));
-    }
-    list
+    list.or_else(|| reading.refuse(wrong_kind(value, what, "a list in brackets")))
 }
 
 /// The values of a row; `expected` is how many there should be, if a number of values is wrong.

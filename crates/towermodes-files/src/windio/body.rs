@@ -31,24 +31,11 @@ pub(super) fn body(
         let kind = DiagnosticKind::out_of_range_in(name, mass_kg, "kg", "non-negative");
         return Err(Diagnostic::new(mass.span.clone(), kind));
     }
-    let moments = list(node, inertia, format!("inertia of the {what}"))?;
+    let moments: [f64; 6] = list(node, inertia, format!("inertia of the {what}"))?;
     let center_m = list(node, center, format!("location of the {what}"))?;
-    let [xx, yy, zz, xy, xz, yz] = moments;
-    let mut inertia_kg_m2 = Inertia {
-        xx,
-        yy,
-        zz,
-        xy,
-        xz,
-        yz,
-    };
-    let principal = inertia_kg_m2.principal_kg_m2();
-    if principal[0] < -ROUNDED * principal[2].max(-principal[0]) {
+    let mut inertia_kg_m2 = Inertia::from(moments);
+    if let Some(message) = impossible(moments, what) {
         let at = node.get(inertia).unwrap_or(node).span.start;
-        let message = format!(
-            "the inertia {moments:?} kg m2 of the {what} is impossible: a principal moment is {:.4e} kg m2; the inertia is left out (the order is xx, yy, zz, xy, xz, yz)",
-            principal[0]
-        );
         reading.note_at(at, Note::suspicious(message));
         inertia_kg_m2 = Inertia::default();
     }
@@ -56,6 +43,16 @@ pub(super) fn body(
         mass_kg,
         center_m,
         inertia_kg_m2,
+    })
+}
+
+/// Why an inertia is impossible, if it is.
+fn impossible(moments: [f64; 6], what: &str) -> Option<String> {
+    let [least, _, largest] = Inertia::from(moments).principal_kg_m2();
+    (least < -ROUNDED * largest.max(-least)).then(|| {
+        format!(
+            "the inertia {moments:?} kg m2 of the {what} is impossible: a principal moment is {least:.4e} kg m2; the inertia is left out (the order is xx, yy, zz, xy, xz, yz)"
+        )
     })
 }
 

@@ -115,9 +115,9 @@ impl Curve {
         if top == s {
             return self.values[next];
         }
-        let share = (s - self.grid[next - 1]) / (top - self.grid[next - 1]);
+        let fraction = (s - self.grid[next - 1]) / (top - self.grid[next - 1]);
         let base = self.values[next - 1];
-        base + share * (self.values[next] - base)
+        base + fraction * (self.values[next] - base)
     }
 
     /// The value that the file gives at or next below a position: its place in the file.

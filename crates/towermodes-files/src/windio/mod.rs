@@ -30,7 +30,7 @@ mod water;
 mod write;
 mod yaml;
 
-use towermodes::{Rna, TowerDescription};
+use towermodes::{Rna, Rotor, TowerDescription};
 
 use crate::diagnostic::{Diagnostic, DiagnosticKind};
 use crate::error::ReadError;
@@ -38,7 +38,7 @@ use crate::input::{FileFormat, ReadOptions, TowerInput, TowerPart};
 use crate::note::Note;
 use crate::source::Source;
 use airfoils::without_airfoils;
-use outline::Outline;
+use outline::{Outline, Version};
 use reading::Reading;
 use structure::Structure;
 
@@ -98,17 +98,7 @@ fn describe(options: &ReadOptions, reading: &mut Reading<'_>) -> Option<Describe
     let outline = reading.keep(found)?;
     let version = outline.version(&reading.source.text);
     known_keys::note_lookalikes(&outline, options.part, reading);
-    let has_top = options.part != TowerPart::Monopile;
-    let rna = match has_top && !options.without_rna {
-        true => rna::rna(&outline, version, reading),
-        false => Ok(Rna::default()),
-    };
-    let rna = reading.keep(rna);
-    let rotor = match has_top {
-        true => speeds::rotor(&outline, reading),
-        false => Ok(None),
-    };
-    let rotor = reading.keep(rotor);
+    let (rna, rotor) = top(&outline, version, options, reading);
     let structure = Structure::read(&outline, version, options.part, reading);
     let (rna, mut structure) = (rna?, structure?);
     note_platform(&outline, reading);
@@ -116,6 +106,9 @@ fn describe(options: &ReadOptions, reading: &mut Reading<'_>) -> Option<Describe
     reading.keep(mudline)?;
     comparison::compare(&structure, reading);
     let joint_m = structure.joint_m();
+    // A mistake in it is reported where it matters.
+    let blades = speeds::blade_count(&outline).ok().flatten();
+    let blades = blades.filter(|_| options.part != TowerPart::Monopile);
     let description = structure.describe(reading);
     let description = reading.keep(description)?;
     let name = outline.name.as_ref();
@@ -128,15 +121,30 @@ fn describe(options: &ReadOptions, reading: &mut Reading<'_>) -> Option<Describe
             ..description
         },
         joint_m,
-        // A mistake in it is reported where it matters.
-        blades: speeds::blade_count(&outline)
-            .ok()
-            .flatten()
-            .filter(|_| has_top),
+        blades,
     })
 }
 
-/// What of the file is read.
+/// The rotor-nacelle assembly and the rotor, which a monopile alone does not have.
+fn top(
+    outline: &Outline,
+    version: Version,
+    options: &ReadOptions,
+    reading: &mut Reading<'_>,
+) -> (Option<Rna>, Option<Option<Rotor>>) {
+    if options.part == TowerPart::Monopile {
+        return (Some(Rna::default()), Some(None));
+    }
+    let rna = match options.without_rna {
+        true => Ok(Rna::default()),
+        false => rna::rna(outline, version, reading),
+    };
+    let rna = reading.keep(rna);
+    let rotor = speeds::rotor(outline, reading);
+    (rna, reading.keep(rotor))
+}
+
+/// The parts of the file that are read.
 fn outline(reading: &Reading<'_>) -> Result<Outline, Diagnostic> {
     let text = &reading.source.text;
     if text.trim().is_empty() {

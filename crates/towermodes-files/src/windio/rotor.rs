@@ -85,9 +85,9 @@ impl Span {
             let squares = (0..3).map(|i| (tip[i] - base[i]).powi(2));
             let length = squares.sum::<f64>().sqrt();
             let ends = [self.mass.above(low), self.mass.below(high)];
-            for (share, weight) in [(0.0, 1.0), (0.5, 4.0), (1.0, 1.0)] {
-                let dm = (ends[0] + share * (ends[1] - ends[0])) * length * weight / 6.0;
-                let point: [f64; 3] = std::array::from_fn(|i| base[i] + share * (tip[i] - base[i]));
+            for (s, weight) in [(0.0, 1.0), (0.5, 4.0), (1.0, 1.0)] {
+                let dm = (ends[0] + s * (ends[1] - ends[0])) * length * weight / 6.0;
+                let point: [f64; 3] = std::array::from_fn(|i| base[i] + s * (tip[i] - base[i]));
                 let (downwind, radius_squared) = hub.place(point);
                 mass += dm;
                 moment += dm * downwind;

@@ -89,12 +89,12 @@ impl Part {
             let wall = self.wall(base, top)?;
             let rows_between = wall.rows_between(materials, self.outfitting.0, most);
             for i in 0..=rows_between {
-                let share = i as f64 / rows_between as f64;
+                let fraction = i as f64 / rows_between as f64;
                 let height_m = match i {
                     _ if i == rows_between => top.height_m,
-                    _ => base.height_m + share * (top.height_m - base.height_m),
+                    _ => base.height_m + fraction * (top.height_m - base.height_m),
                 };
-                let properties = wall.properties(share, materials, self.outfitting.0);
+                let properties = wall.properties(fraction, materials, self.outfitting.0);
                 let row = PropertyStation {
                     height_m,
                     properties,

@@ -80,8 +80,8 @@ impl Wall {
         outfitting: f64,
         most: usize,
     ) -> usize {
-        let values = |share: f64| {
-            let p = self.properties(share, materials, outfitting);
+        let values = |height: f64| {
+            let p = self.properties(height, materials, outfitting);
             let gyration = p.polar_inertia_kg_m / p.mass_kg_per_m;
             [
                 p.mass_kg_per_m,

@@ -34,6 +34,18 @@ impl Inertia {
     /// The inertia with the entries of a symmetric tensor, kg m².
     pub fn from_tensor(tensor: [[f64; 3]; 3]) -> Self {
         let [[xx, xy, xz], [_, yy, yz], [_, _, zz]] = tensor;
+        Self::from([xx, yy, zz, xy, xz, yz])
+    }
+
+    /// The principal moments of inertia in increasing order, kg m²: the eigenvalues of the tensor.
+    pub fn principal_kg_m2(&self) -> [f64; 3] {
+        eigenpairs(self.tensor()).0
+    }
+}
+
+/// The entries xx, yy, zz, xy, xz, yz, kg m².
+impl From<[f64; 6]> for Inertia {
+    fn from([xx, yy, zz, xy, xz, yz]: [f64; 6]) -> Self {
         Self {
             xx,
             yy,
@@ -42,10 +54,5 @@ impl Inertia {
             xz,
             yz,
         }
-    }
-
-    /// The principal moments of inertia in increasing order, kg m²: the eigenvalues of the tensor.
-    pub fn principal_kg_m2(&self) -> [f64; 3] {
-        eigenpairs(self.tensor()).0
     }
 }

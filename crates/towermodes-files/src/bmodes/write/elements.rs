@@ -42,8 +42,8 @@ fn ends(layout: &Layout, need: Need) -> Vec<f64> {
 /// The nodes of the wires, from 1 at the base.
 pub(super) fn wire_nodes(layout: &Layout, borders: &[f64]) -> Vec<usize> {
     let node = |(_, height_m): &(usize, f64)| {
-        let share = layout.fraction(*height_m);
-        borders.partition_point(|border| *border < share) + 1
+        let fraction = layout.fraction(*height_m);
+        borders.partition_point(|border| *border < fraction) + 1
     };
     layout.attached.wires_at_nodes.iter().map(node).collect()
 }

@@ -1,21 +1,9 @@
-//! A mistake in a file: its place, its kind with the numbers, and what would be right.
+//! The kinds of mistakes in files, with their numbers.
 
 use std::fmt;
-use std::ops::Range;
 
 use thiserror::Error;
 use towermodes::Problem;
-
-/// A mistake in a file: where, what, and what would be right.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Diagnostic {
-    /// The problem, with its numbers.
-    pub kind: DiagnosticKind,
-    /// The bytes of the file that are wrong.
-    pub span: Range<usize>,
-    /// A suggestion.
-    pub hint: Option<String>,
-}
 
 /// A problem in a file. `Display` gives the sentence.
 ///
@@ -324,7 +312,7 @@ impl DiagnosticKind {
         }
     }
 
-    /// [`Self::MissingKey`].
+    /// [`Self::UnreadableFile`].
     pub(crate) fn unreadable(what: impl Into<String>, reason: &impl fmt::Display) -> Self {
         Self::UnreadableFile {
             what: what.into(),
@@ -332,6 +320,7 @@ impl DiagnosticKind {
         }
     }
 
+    /// [`Self::MissingKey`].
     pub(crate) fn missing_key(what: impl Into<String>, key: impl Into<String>) -> Self {
         Self::MissingKey {
             what: what.into(),
@@ -340,72 +329,9 @@ impl DiagnosticKind {
     }
 }
 
-impl Diagnostic {
-    /// A mistake at a place.
-    pub fn new(span: Range<usize>, kind: DiagnosticKind) -> Self {
-        let hint = None;
-        Self { kind, span, hint }
-    }
-
-    /// The same with what would be right.
-    #[must_use]
-    pub fn with_hint(mut self, hint: impl Into<String>) -> Self {
-        self.hint = Some(hint.into());
-        self
-    }
-
-    /// The problem as a sentence.
-    pub fn message(&self) -> String {
-        self.kind.to_string()
-    }
-
-    /// Line and column, both from 1 and the column in characters, of the mistake in its file's
-    /// text.
-    pub fn line_and_column(&self, text: &str) -> (usize, usize) {
-        line_and_column(text, self.span.start)
-    }
-}
-
-/// Line and column, both from 1 and the column in characters, of a byte of a text.
-pub(crate) fn line_and_column(text: &str, byte: usize) -> (usize, usize) {
-    let mut start = byte.min(text.len());
-    while !text.is_char_boundary(start) {
-        start -= 1;
-    }
-    let before = &text[..start];
-    let line_start = before.rfind('\n').map_or(0, |newline| newline + 1);
-    let line = before.matches('\n').count() + 1;
-    (line, before[line_start..].chars().count() + 1)
-}
-
-/// The first 40 characters of a text, in backquotes: what is found in a file.
-pub(crate) fn quoted(text: &str) -> String {
-    let start: String = text.chars().take(40).collect();
-    format!("`{start}`")
-}
-
-impl fmt::Display for Diagnostic {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{}", self.kind)?;
-        match &self.hint {
-            Some(hint) => write!(f, " ({hint})"),
-            None => Ok(()),
-        }
-    }
-}
-
 #[cfg(test)]
 mod tests {
-    use super::{Exact, line_and_column};
-
-    #[test]
-    fn columns_count_characters() {
-        let text = "a = 1\nβ = \"ü\" # x\n";
-        let at = |needle: &str| line_and_column(text, text.find(needle).expect("in the text"));
-        assert_eq!(at("a"), (1, 1));
-        assert_eq!(at("#"), (2, 9));
-        assert_eq!(line_and_column(text, 999), (3, 1));
-    }
+    use super::Exact;
 
     #[test]
     fn numbers_have_all_their_digits() {
