@@ -101,7 +101,7 @@ pub struct Convergence {
 
 /// Default numbers of segments of a study.
 pub const STUDY_SEGMENTS: [usize; 6] = [10, 20, 40, 80, 160, 320];
-/// Default polynomial degrees of a study of the spectral beam.
+/// Default polynomial degrees of a study of the method spectral.
 pub const STUDY_DEGREES: [usize; 6] = [4, 6, 8, 10, 12, 14];
 /// The smallest number of levels that show an order.
 const FEWEST_LEVELS: usize = 4;

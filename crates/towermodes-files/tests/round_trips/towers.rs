@@ -64,7 +64,7 @@ fn by_hand() -> Vec<Named> {
         ("stepped", stepped()),
         ("several materials", several_materials()),
         ("masses along it", with_masses()),
-        ("eccentric machine", eccentric()),
+        ("eccentric RNA", eccentric()),
         ("unequal planes", unequal_planes()),
         ("sheared table", sheared_table()),
         ("on springs in soil", in_soil()),

@@ -65,7 +65,7 @@ impl Class {
             Self::Cans => "many cans",
             Self::Steps => "steps",
             Self::Cones => "cones to 100:1",
-            Self::Eccentric => "eccentric machine",
+            Self::Eccentric => "eccentric RNA",
             Self::Soft => "soft springs",
             Self::Soil => "soil",
             Self::Water => "water",

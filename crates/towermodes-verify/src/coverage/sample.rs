@@ -118,7 +118,7 @@ fn without_shear(mut description: TowerDescription) -> TowerDescription {
     description
 }
 
-/// The spectral beam with a degree above the converged one.
+/// The reference solution with a degree above the converged one.
 fn reference(
     tower: &Tower,
     rotary_inertia: bool,

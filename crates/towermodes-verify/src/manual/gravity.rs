@@ -92,7 +92,7 @@ fn buckling() -> Vec<Case> {
             "23.24945367",
         ),
         load(
-            "reference tower, eccentric machine",
+            "reference tower, eccentric RNA",
             "Ritz solution",
             gravity(reference_eccentric()),
             "22.11544391",

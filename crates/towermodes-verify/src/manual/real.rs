@@ -44,22 +44,22 @@ fn coupled() -> Vec<Case> {
     };
     vec![
         case(
-            "eccentric machine",
+            "eccentric RNA",
             reference_eccentric(),
             "0.28390097 0.28670378 1.30002257 1.71993037 2.09202190 4.56106997 4.93514316 7.12327482",
         ),
         case(
-            "eccentric machine, g = 9.81",
+            "eccentric RNA, g = 9.81",
             under(9.81, reference_eccentric()),
             "0.27750918 0.28026043 1.30001086 1.71420415 2.08445127 4.55404179 4.92852506 7.12326047",
         ),
         case(
-            "eccentric machine, springs under the base",
+            "eccentric RNA, springs under the base",
             reference_on_springs(),
             "0.26990122 0.27233237 1.28868725 1.65749774 1.99511347 4.23425679 4.61944069 6.78325288",
         ),
         case(
-            "spar, eccentric machine, g = 9.81",
+            "spar, eccentric RNA, g = 9.81",
             floater(),
             "0.008031198 0.008031198 0.032229905 0.034838456 0.034853331 0.121916602 0.478595989 0.487809377 1.570319666 2.045508398 2.543901981",
         ),

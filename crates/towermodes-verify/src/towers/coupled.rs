@@ -11,7 +11,7 @@ use super::{reference, reference_350t};
 /// The reference tower with a rotor-nacelle assembly of 350 t whose centre is beside the axis.
 pub fn reference_eccentric() -> TowerDescription {
     TowerDescription {
-        name: "reference, eccentric machine".into(),
+        name: "reference, eccentric RNA".into(),
         rna: eccentric_machine(),
         ..reference()
     }
@@ -20,7 +20,7 @@ pub fn reference_eccentric() -> TowerDescription {
 /// The same on foundation springs.
 pub fn reference_on_springs() -> TowerDescription {
     TowerDescription {
-        name: "reference, eccentric machine, springs".into(),
+        name: "reference, eccentric RNA, springs".into(),
         foundation: Foundation::Springs(FoundationSprings {
             lateral_n_per_m: 2e9,
             rocking_n_m: 1e11,

@@ -8,8 +8,8 @@ use crate::tower::Warning;
 use crate::tower::{Ineffective, Quantity, Site};
 use crate::tower::{Inertia, Place, PointMass, Tower};
 
-/// A centre of mass is no further from the tower's top along one axis, m: those of the largest
-/// machines are at 15.
+/// Largest distance of the centre of mass from the tower top along one axis, m: the largest
+/// turbines have 15.
 const CENTRE: Usual = Usual::at_most(Quantity::CentreDistance, 25.0);
 /// The RNA has at least this fraction of the mass of the tower: with a wrong unit it has less than
 /// a hundredth.

@@ -59,7 +59,7 @@ pub(super) fn plausibility(tower: &Tower, given: &Given<'_>) -> Vec<Warning> {
 }
 
 const GRAVITY: Usual = Usual::new(Quantity::Gravity, 9.7, 9.9);
-/// Of a rotor on a tower of more than 20 m, but for small machines, which turn at hundreds of rpm.
+/// For rotors on towers of more than 20 m, except small turbines, which reach hundreds of rpm.
 const ROTOR_SPEED: Usual = Usual::new(Quantity::RotorSpeed, 3.0, 100.0);
 /// The RNA of a small turbine has at most this mass, kg.
 const SMALL_KG: f64 = 5e3;
