@@ -1,4 +1,4 @@
-//! Reads any file that describes a tower or a blade, in whatever format.
+//! Reads any file that describes a tower or a blade, in any format.
 
 use std::path::Path;
 
@@ -17,7 +17,7 @@ use crate::source::Source;
 use crate::toml::read_toml;
 use crate::windio::read_windio;
 
-/// The note where the rotor-nacelle assembly is to be left out and there is none.
+/// The note that there is no rotor-nacelle assembly to leave out.
 pub const NOTHING_LEFT_OUT: &str = "the file has no rotor-nacelle assembly: --no-rna has no effect";
 
 /// The object that a file describes.

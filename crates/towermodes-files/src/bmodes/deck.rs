@@ -19,7 +19,7 @@ pub(super) struct Deck {
     pub(super) multipliers: Multipliers,
     /// Element borders from the root, as fractions of the flexible length.
     pub(super) borders: Vec<Value<f64>>,
-    /// What supports a tower; empty for a blade.
+    /// The support of a tower; empty for a blade.
     pub(super) support: Support,
     /// The rows of the section file, by increasing `sec_loc`.
     pub(super) sections: Vec<Section>,
@@ -120,7 +120,7 @@ impl Index<Column> for Section {
     }
 }
 
-/// What supports a tower apart from its base.
+/// The support of a tower apart from its base.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Support {
     pub(super) wires: Vec<WireSet>,

@@ -5,7 +5,7 @@ use super::parameters::Parameter;
 use crate::diagnostic::{Diagnostic, DiagnosticKind};
 use crate::records::{Items, Token, decimal_comma};
 
-/// What follows the values of a record.
+/// The text that may follow the values of a record.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum After {
     /// Text; a further number is one too many.
@@ -14,7 +14,7 @@ pub(super) enum After {
     Anything,
 }
 
-/// Checks what follows the last value of a record.
+/// Checks the text after the last value of a record.
 pub(super) fn check_rest(
     parameter: &Parameter,
     items: &Items<'_>,

@@ -42,7 +42,7 @@ impl Notes {
     }
 }
 
-/// What BModes 3.00 does, what is right, and which of the two is done.
+/// The behaviour of BModes 3.00, the correct one, and which of the two is used.
 pub(super) fn choice(compatible: bool, bmodes: &str, right: &str) -> String {
     if compatible {
         format!("as in BModes 3.00 (--bmodes-quirks), which {bmodes}; without that option {right}")

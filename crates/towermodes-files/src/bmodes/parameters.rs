@@ -36,7 +36,7 @@ pub(super) enum Kind {
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Rule {
     pub(super) is_met: fn(f64) -> bool,
-    /// What the value must be.
+    /// The range in words.
     pub(super) words: &'static str,
 }
 

@@ -1,4 +1,4 @@
-//! Reads what supports a tower: wires, or a platform, a monopile and what surrounds it.
+//! Reads the support of a tower: wires, or a platform or monopile with soil and water.
 
 use super::deck::{Dialect, Distribution, MatrixValue, Offshore, Support, WireSet};
 use super::diagnose::After;
@@ -74,7 +74,7 @@ fn wires_at_all_heights(
     sets_of_wires(reader, &count, nodes, unread)
 }
 
-/// Where version 3.00's deck goes on with wires after an offshore block, which it does not read.
+/// The wires after an offshore block, which version 3.00 does not read.
 fn unread_wires(reader: &Reader<'_>) -> Option<Unread> {
     let mut lines = reader.lines.clone();
     let wires = lines.find(|line| Parameter::after_value(*line) == Some(&p::N_ATTACHMENTS))?;

@@ -102,7 +102,7 @@ struct Module {
     switch: &'static str,
     /// The name of the line with its file, in OpenFAST and in FAST 8.
     files: &'static [&'static str],
-    /// What it models, with its verb.
+    /// The part that it models, with its verb.
     what: &'static str,
 }
 

@@ -1,5 +1,5 @@
-//! A complete tower file of a tower: what the analysis makes of the tower, as the content of a file
-//! with notes.
+//! A complete tower file of a tower: the result of the analysis as the content of a file, with
+//! notes.
 
 use towermodes::Tower;
 use towermodes_analysis::elastodyn::{
@@ -11,14 +11,14 @@ use super::tower_file::{ConcentratedMass, TowerFile, TowerRow};
 use super::writer::header_with_heights;
 use crate::note::Note;
 
-/// A tower file, and what it was made of.
+/// A tower file, and the tower that it contains.
 #[derive(Debug, Clone, PartialEq)]
 pub struct MadeTowerFile {
     /// The content of the file.
     pub content: TowerFile,
     /// The tower as ElastoDyn has it.
     pub made: MadeTower,
-    /// What the user should know.
+    /// Notes on what the file does not contain.
     pub notes: Vec<Note>,
 }
 

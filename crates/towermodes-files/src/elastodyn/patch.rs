@@ -28,8 +28,8 @@ pub enum PatchError {
 /// The text with other coefficients, printed as decimals that add up to 1 exactly.
 ///
 /// Numbers keep their width where that is possible: shorter ones are filled with blanks; longer
-/// ones take blanks before them, or after them if one remains, so that what follows stays in its
-/// column. A number that is the same keeps its bytes. Line ends, comments and all else stay.
+/// ones take blanks before them, or after them if one remains, so that the following text stays in
+/// its column. A number that is the same keeps its bytes. Line ends, comments and all else stay.
 ///
 /// # Errors
 /// [`PatchError`].

@@ -56,7 +56,7 @@ pub(super) fn blade(main: &MainFile, file: &BladeFile) -> BladeDescription {
     }
 }
 
-/// What was decided of the rotor; of its blade only if that was read.
+/// The notes on the rotor, and on its blade if that was read.
 pub(super) fn notes(main: &MainFile, source: &Source, has_blade: bool) -> RotorNotes {
     let at = |key: &str, note: Note| note.at(source, main.place(key).start);
     let mut notes = RotorNotes::default();
@@ -74,7 +74,7 @@ pub(super) fn notes(main: &MainFile, source: &Source, has_blade: bool) -> RotorN
     notes
 }
 
-/// What was decided of the blade, with the parameters that the notes are on.
+/// The notes on the blade, each with the parameter that it is on.
 fn blade_notes(main: &MainFile) -> Vec<(&'static str, Note)> {
     let mut notes = Vec::new();
     let precone_deg = main.precone_deg[0];

@@ -1,4 +1,4 @@
-//! What a nacelle feels of its rotor and generator about the shaft.
+//! The inertia of rotor and generator that acts on the nacelle about the shaft.
 //!
 //! The nacelle rolls about the shaft at the rate n. The rotor turns at the rate x against it, and
 //! the generator q times as fast:
@@ -50,7 +50,7 @@ impl Shaft {
         }
     }
 
-    /// What resists a roll of the nacelle, kg m².
+    /// The inertia against a roll of the nacelle, kg m².
     pub(super) fn felt_by_nacelle(&self, lock: RotorLock) -> f64 {
         let Self {
             rotor,

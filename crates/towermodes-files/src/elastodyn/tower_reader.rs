@@ -41,7 +41,7 @@ pub(super) struct TowerSpans {
     pub(super) coefficients: CoefficientSpans,
 }
 
-/// What reading a tower file gives.
+/// A tower file that was read.
 #[derive(Debug, Clone)]
 pub(super) struct TowerReading {
     pub(super) file: TowerFile,

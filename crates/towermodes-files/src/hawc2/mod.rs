@@ -33,9 +33,16 @@ use row::Row;
 /// # Errors
 /// [`ReadError::Mistakes`].
 pub fn read_hawc2(source: Source, options: &ReadOptions) -> Result<TowerInput, ReadError> {
-    read(&source, options).map_err(|mistakes| ReadError::mistakes(&source, mistakes))
+    match read(&source, options) {
+        Ok(input) => Ok(TowerInput {
+            sources: vec![source],
+            ..input
+        }),
+        Err(mistakes) => Err(ReadError::mistakes(&source, mistakes)),
+    }
 }
 
+/// The tower, without its sources yet.
 fn read(source: &Source, options: &ReadOptions) -> Result<TowerInput, Vec<Diagnostic>> {
     if !is_hawc2(&source.text, &source.name) {
         return Err(vec![not_hawc2()]);
@@ -51,7 +58,7 @@ fn read(source: &Source, options: &ReadOptions) -> Result<TowerInput, Vec<Diagno
         properties,
         ..TowerDescription::default()
     };
-    let mut input = TowerInput::new(FileFormat::Hawc2, description, vec![source.clone()]);
+    let mut input = TowerInput::new(FileFormat::Hawc2, description, Vec::new());
     remember(&mut input, &table.rows, subset.span.clone());
     input.notes = notes::notes(source, &layout, subset, &table, &found, options);
     Ok(input)

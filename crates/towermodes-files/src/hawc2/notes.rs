@@ -1,4 +1,4 @@
-//! Notes on what was read from a HAWC2 file and what was not.
+//! Notes on the parts of a HAWC2 file that were read, and on those that were not.
 
 use super::layout::{Layout, Subset};
 use super::row::{self, Row};
@@ -56,7 +56,7 @@ fn unread(subset: &Subset<'_>, count: usize) -> String {
     )
 }
 
-/// Which subset was read, and what the others are.
+/// The subset that was read, and the others.
 fn which(layout: &Layout<'_>, taken: &Subset<'_>) -> String {
     let is_other = |subset: &&Subset<'_>| subset.span != taken.span;
     let others = layout.subsets.iter().filter(is_other);
@@ -92,7 +92,7 @@ fn first_row(mut lines: Lines<'_>) -> Option<Row<'_>> {
     Row::parse(lines.find(|line| !line.is_blank())?).ok()
 }
 
-/// What is rigid on purpose.
+/// The note on a body that is rigid on purpose.
 fn rigid(rows: &[Row<'_>]) -> Option<String> {
     let largest = |column: usize| rows.iter().map(|row| row.of(column)).fold(0.0, f64::max);
     let (e, g) = (largest(row::YOUNG), largest(row::SHEAR_MODULUS));
@@ -134,7 +134,7 @@ fn left_out(rows: &[Row<'_>], found: &Found) -> Vec<(usize, String)> {
     notes
 }
 
-/// A tower that gets stiffer upwards may be written from its top down.
+/// The note on a tower that becomes stiffer upwards: its rows may run from the top down.
 fn direction(rows: &[Row<'_>]) -> Option<String> {
     let stiffness = |row: &Row<'_>| row.of(row::YOUNG) * row.of(row::SECOND_MOMENT[0]);
     let (first, last) = (rows.first()?, rows.last()?);

@@ -131,7 +131,7 @@ pub(super) fn is_full_matrix(line: &Line<'_>) -> bool {
     numbers.take(FULL_MATRIX_COLUMNS).count() == FULL_MATRIX_COLUMNS
 }
 
-/// The mistake of such a line: what is read is the other layout.
+/// The mistake of such a line: only the layout with 19 columns is read.
 pub(super) fn full_matrix(line: &Line<'_>) -> Diagnostic {
     let found = line.tokens().take_while(Token::is_number).count();
     let kind = DiagnosticKind::Unsupported(format!(

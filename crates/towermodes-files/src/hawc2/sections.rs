@@ -24,7 +24,7 @@ pub(super) struct Found {
     pub(super) turned: Option<usize>,
 }
 
-/// The sections at their heights, and what is left out of them.
+/// The sections at their heights, and the properties that are left out of them.
 pub(super) fn sections(
     rows: &[Row<'_>],
     base_m: f64,

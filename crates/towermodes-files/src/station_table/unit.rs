@@ -10,7 +10,7 @@ pub(super) enum Unit {
     Inches,
 }
 
-/// The units by what a header calls them.
+/// The units by their names in a header.
 const UNITS: [(&str, Unit); 16] = [
     ("m", Unit::Metres),
     ("metre", Unit::Metres),

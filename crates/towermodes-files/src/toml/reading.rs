@@ -14,7 +14,7 @@ const MAX_MISTAKES: usize = 100;
 /// The place of the file with the stations among a tower's files.
 pub(super) const STATION_FILE: usize = 1;
 
-/// What is collected while a file is read.
+/// Mistakes, notes and places that were found so far.
 #[derive(Debug, Default)]
 pub(super) struct Reading {
     pub(super) mistakes: Vec<Diagnostic>,

@@ -11,8 +11,7 @@ use crate::places::TABLE;
 
 const ROW: &str = "a row is [height in m, spring in x, spring in y] in N/m2, then, if wanted, in z (N/m2) and in torsion (N)";
 
-/// The values of a row after each other: what the tower's checks call them, and what they are
-/// called in messages.
+/// The values of a row: their names in the tower's checks and in messages.
 const COLUMNS: [(&str, &str); 5] = [
     ("height", "height"),
     ("x", "the soil spring in x"),
@@ -62,7 +61,7 @@ fn expected(count: usize, length: Option<usize>) -> Option<String> {
     }
 }
 
-/// A row of its values; what is not given is zero.
+/// A row of its values; missing values are zero.
 fn soil_row(
     values: &DeArray<'_>,
     at: impl Fn(&'static str) -> Place,

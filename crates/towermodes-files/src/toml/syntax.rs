@@ -1,4 +1,4 @@
-//! Explains what the parser of TOML cannot read: numbers with units, decimal commas, numbers
+//! Explains texts that the parser of TOML cannot read: numbers with units, decimal commas, numbers
 //! without a digit beside the point, texts without quotation marks.
 
 use std::ops::Range;

@@ -147,7 +147,7 @@ pub(super) fn wrong_kind(value: &Value<'_>, what: &str, expected: &str) -> Diagn
     Diagnostic::new(value.span(), kind)
 }
 
-/// What a value is, in words.
+/// The type of a value in words.
 fn kind(value: &DeValue<'_>) -> &'static str {
     match value {
         DeValue::String(_) => "a text",

@@ -37,7 +37,7 @@ pub(super) enum Need {
     Essential,
 }
 
-/// What is spread, for each metre of the tower.
+/// Distributed masses and springs per metre of the tower.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub(super) struct PerMetre {
     pub(super) mass_kg_per_m: f64,
@@ -45,16 +45,16 @@ pub(super) struct PerMetre {
     pub(super) horizontal_n_per_m2: f64,
 }
 
-/// A tower between cuts, and what is spread over parts of it.
+/// A tower between cuts, with its point masses and guy wires.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Layout {
     pub(super) base_m: f64,
     pub(super) top_m: f64,
     /// From the base to the top.
     pub(super) cuts: Vec<Cut>,
-    /// Point masses and guy wires; all that is spread begins and ends at cuts.
+    /// Point masses and guy wires; distributed ones begin and end at cuts.
     pub(super) attached: Attached,
-    /// What is spread between neighbouring cuts.
+    /// The distributed masses and springs between neighbouring cuts.
     per_metre: Vec<PerMetre>,
 }
 
@@ -87,14 +87,14 @@ impl Layout {
         (height_m - self.base_m) / self.length_m()
     }
 
-    /// What lies between neighbouring cuts, m.
+    /// The intervals between neighbouring cuts, m.
     pub(super) fn intervals_m(&self) -> impl Iterator<Item = (f64, f64)> {
         self.cuts
             .windows(2)
             .map(|pair| (pair[0].height_m, pair[1].height_m))
     }
 
-    /// What is spread over a height, per metre.
+    /// The distributed masses and springs at a height.
     pub(super) fn spread_at(&self, height_m: f64) -> PerMetre {
         let above = self.cuts.partition_point(|cut| cut.height_m < height_m);
         let here = above
@@ -103,7 +103,7 @@ impl Layout {
         here.copied().unwrap_or_default()
     }
 
-    /// Adds up what is spread between neighbouring cuts, once for all heights.
+    /// Adds up the distributed masses and springs between neighbouring cuts, once for all heights.
     fn add_up(&mut self) {
         self.per_metre = vec![PerMetre::default(); self.cuts.len() - 1];
         let index = |height_m: f64| self.cuts.partition_point(|cut| cut.height_m < height_m);
@@ -134,10 +134,11 @@ impl Layout {
         }
     }
 
-    /// All cuts above the base: those of the tower's sections, of what is spread, of wires.
+    /// All cuts above the base: at sections of the tower, at ends of distributed masses and
+    /// springs, at wires.
     fn wanted_cuts(&self, tower: &Tower) -> Vec<Cut> {
         let closest_m = CLOSEST * self.length_m();
-        // Rows so close together are a step, as decks have it; what is spread begins and ends so.
+        // Rows so close together are a step, as in decks, also where a distributed mass begins.
         let is_step = |pair: &[Piece]| {
             !pair[0].meets(&pair[1]) || pair.iter().any(|piece| piece.length_m() < closest_m)
         };
@@ -186,7 +187,7 @@ impl Layout {
         }
     }
 
-    /// Lets all that is spread begin and end at cuts.
+    /// Moves the ends of distributed masses and springs to cuts.
     fn snap(&mut self) {
         let cuts = &self.cuts;
         for spread in &mut self.attached.spreads {

@@ -37,7 +37,7 @@ fn pair([fore_aft, side_side]: [&str; 2], values: &[Planes<f64>], writing: &mut 
     }
 }
 
-/// Left out where it is what the polar inertia makes it.
+/// Left out where it follows from the polar inertia.
 fn rotary_inertia(rows: &[PropertyStation], writing: &mut Writing) {
     let follows = |row: &PropertyStation| {
         let p = &row.properties;
