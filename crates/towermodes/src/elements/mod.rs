@@ -54,7 +54,18 @@ impl Element {
         }
     }
 
-    /// Joints of a segment that bend, if the planes are equal.
+    /// Unknowns of a segment in one bending plane. Under gravity a joint that bends and shears is
+    /// three joints: half of the hinge, the shear deflection, the other half.
+    pub(crate) fn bending_unknowns(self, shears: bool, has_gravity: bool) -> usize {
+        match self {
+            Self::RmjeExact | Self::Lumped => 2 + usize::from(shears && has_gravity),
+            Self::Rmje => 2,
+            Self::CardanicExact | Self::Cardanic => 2 + usize::from(shears),
+        }
+    }
+
+    /// Joints of a segment in one bending plane, hinges and sliding joints: memory is reserved for
+    /// this number.
     fn joints(self) -> usize {
         match self {
             Self::RmjeExact | Self::Lumped => 1,
