@@ -1,11 +1,9 @@
 //! `towermodes solve`.
 
-mod bmodes_out;
-
 use towermodes::{Blade, BladeMode, BladeSolution, Solution, Tower, Warning, solve_blade};
 use towermodes_files::{
-    BladeInput, FileFormat, Input, Note, TowerInput, write_blade_csv, write_blade_json, write_csv,
-    write_json,
+    BladeInput, FileFormat, Input, Note, OutNodes, TowerInput, write_blade_csv, write_blade_json,
+    write_csv, write_json,
 };
 use towermodes_report::terminal::{blade_shapes, shapes};
 
@@ -46,7 +44,7 @@ fn of_tower(
     let options = arguments.options(prescribed, format);
     let mut options = options.map_err(Failure::Usage)?;
     let tower = input.tower().map_err(Failure::Input)?;
-    let nodes = bmodes_out::Nodes::of_tower(&tower, borders_m, arguments.points(), input.layout);
+    let nodes = OutNodes::of_tower(&tower, borders_m, arguments.points(), input.layout);
     if format == SolveFormat::Bmodes {
         options.heights_m = nodes.heights_m();
     }
@@ -73,7 +71,7 @@ fn of_blade(
     let checked = arguments.input.reading.check(&[FileFormat::Bmodes]);
     checked.map_err(Failure::Usage)?;
     let blade = Blade::new(input.description.clone()).map_err(Failure::Blade)?;
-    let nodes = bmodes_out::Nodes::of_blade(&blade, input.layout);
+    let nodes = OutNodes::of_blade(&blade, input.layout);
     let radii_m = match format {
         SolveFormat::Bmodes => nodes.heights_m(),
         SolveFormat::Table if arguments.plot => nodes.heights_m(),

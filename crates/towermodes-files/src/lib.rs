@@ -49,8 +49,8 @@ mod windio;
 use towermodes::number;
 
 pub use bmodes::{
-    BmodesFiles, BmodesInput, BmodesWriteError, BmodesWriteOptions, OutHeader, OutMode, OutRow,
-    euclidean, read_bmodes, write_bmodes, write_bmodes_out,
+    BmodesFiles, BmodesInput, BmodesWriteError, BmodesWriteOptions, OutHeader, OutMode, OutNodes,
+    OutRow, euclidean, read_bmodes, write_bmodes, write_bmodes_out,
 };
 pub use diagnostic::{Diagnostic, DiagnosticKind, Exact};
 pub use error::ReadError;

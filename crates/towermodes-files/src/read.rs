@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use towermodes::{Rna, Tower};
+use towermodes::Tower;
 
 use crate::bmodes::{BmodesInput, read_bmodes};
 use crate::diagnostic::{Diagnostic, DiagnosticKind};
@@ -126,7 +126,7 @@ fn remove_rna(tower: &mut TowerInput) {
         tower.format,
         FileFormat::Toml | FileFormat::Bmodes | FileFormat::ElastoDynTower | FileFormat::Hawc2
     );
-    if is_tower_file && rna == Rna::default() {
+    if is_tower_file && rna.is_absent() {
         tower.notes.push(Note::new(NOTHING_LEFT_OUT));
     }
 }

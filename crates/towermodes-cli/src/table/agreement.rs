@@ -68,46 +68,35 @@ fn whole(agreement: &Agreement) -> String {
     text_table(header, totals.chain(bare).chain(as_given), 1..=3)
 }
 
-/// The compared quantities of the whole towers with their names and formats.
-fn totals(agreement: &Agreement) -> [(String, &Compared, fn(f64) -> String); 7] {
+/// A compared quantity of the whole towers with its name and its format.
+type Total<'a> = (String, &'a Compared, fn(f64) -> String);
+
+fn totals(agreement: &Agreement) -> Vec<Total<'_>> {
     let largest = |name: &str, largest: &LargestDifference| {
         format!("{name}, largest difference at {:.2} m", largest.height_m)
     };
-    let Planes {
-        fore_aft: tip_fore_aft,
-        side_side: tip_side_side,
-    } = &agreement.tip_flexibility_m_per_n;
     let mass = &agreement.largest_mass;
-    let Planes {
-        fore_aft,
-        side_side,
-    } = &agreement.largest_bending;
-    [
+    let mut totals: Vec<Total<'_>> = vec![
         ("mass".into(), &agreement.mass_kg, tonnes),
         ("centre of mass".into(), &agreement.center_of_mass_m, |z| {
             format!("{z:.3} m")
         }),
-        (
-            "tower-top flexibility fore-aft, m/N".into(),
-            tip_fore_aft,
-            exponent,
-        ),
-        (
-            "tower-top flexibility side-side, m/N".into(),
-            tip_side_side,
-            exponent,
-        ),
-        (largest("mass kg/m", mass), &mass.compared, four_digits),
-        (
-            largest("EI fore-aft N m2", fore_aft),
-            &fore_aft.compared,
-            exponent,
-        ),
-        (
-            largest("EI side-side N m2", side_side),
-            &side_side.compared,
-            exponent,
-        ),
+    ];
+    for (plane, tip) in by_plane(&agreement.tip_flexibility_m_per_n) {
+        totals.push((format!("tower-top flexibility {plane}, m/N"), tip, exponent));
+    }
+    totals.push((largest("mass kg/m", mass), &mass.compared, four_digits));
+    for (plane, bending) in by_plane(&agreement.largest_bending) {
+        let name = largest(&format!("EI {plane} N m2"), bending);
+        totals.push((name, &bending.compared, exponent));
+    }
+    totals
+}
+
+fn by_plane<T>(values: &Planes<T>) -> [(&'static str, &T); 2] {
+    [
+        ("fore-aft", &values.fore_aft),
+        ("side-side", &values.side_side),
     ]
 }
 

@@ -15,6 +15,7 @@ mod matrix;
 mod norm;
 mod notes;
 mod out;
+mod out_nodes;
 mod parameters;
 mod reader;
 mod section_checks;
@@ -27,6 +28,7 @@ mod write;
 
 pub use norm::euclidean;
 pub use out::{OutHeader, OutMode, OutRow, write_bmodes_out};
+pub use out_nodes::OutNodes;
 pub use write::{BmodesFiles, BmodesWriteError, BmodesWriteOptions, write_bmodes};
 
 use crate::diagnostic::DiagnosticKind;

@@ -1,6 +1,6 @@
 //! The properties of a tower that a tower file of ElastoDyn does not contain.
 
-use towermodes::{Foundation, Inertia, Rna, Shear, TowerDescription};
+use towermodes::{Foundation, Inertia, Shear, TowerDescription};
 
 use crate::note::Note;
 
@@ -17,7 +17,7 @@ pub fn left_out(description: &TowerDescription) -> Vec<Note> {
     };
     let things = [
         (
-            d.rna != Rna::default(),
+            !d.rna.is_absent(),
             "the rotor-nacelle assembly, which is in the main file",
         ),
         (

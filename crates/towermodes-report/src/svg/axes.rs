@@ -85,24 +85,16 @@ impl Axes {
             right,
             bottom,
         } = self.frame;
-        let style = TextStyle::new(NUMBERS)
-            .colour(Colour::Muted)
-            .anchor(Anchor::Middle);
-        for (value, text) in ticks {
-            let x = self.x.at(*value);
-            drawing.line((x, top), (x, bottom), &Stroke::new(Colour::Grid, 1.0));
-            drawing.text((x, bottom + 1.5 * NUMBERS), text, &style);
-        }
-        drawing.line(
-            (left, bottom),
-            (right, bottom),
-            &Stroke::new(Colour::Muted, 1.0),
-        );
+        let grid = |value: f64| [top, bottom].map(|y| (self.x.at(value), y));
+        draw_ticks(drawing, ticks, Anchor::Middle, grid, |[_, (x, _)]| {
+            (x, bottom + 1.5 * NUMBERS)
+        });
+        let name_at = (0.5 * (left + right), bottom + 1.5 * NUMBERS + 1.6 * NAME);
         let style = TextStyle::new(NAME).anchor(Anchor::Middle);
-        drawing.text(
-            (0.5 * (left + right), bottom + 1.5 * NUMBERS + 1.6 * NAME),
-            name,
-            &style,
+        draw_axis(
+            drawing,
+            [(left, bottom), (right, bottom)],
+            (name, name_at, style),
         );
     }
 
@@ -120,29 +112,49 @@ impl Axes {
             right,
             bottom,
         } = self.frame;
-        let style = TextStyle::new(NUMBERS)
-            .colour(Colour::Muted)
-            .anchor(Anchor::End);
-        for (value, text) in ticks {
-            let y = self.y.at(*value);
-            drawing.line((left, y), (right, y), &Stroke::new(Colour::Grid, 1.0));
-            drawing.text((left - 0.6 * NUMBERS, y + 0.35 * NUMBERS), text, &style);
-        }
-        drawing.line(
-            (left, top),
-            (left, bottom),
-            &Stroke::new(Colour::Muted, 1.0),
+        let grid = |value: f64| [left, right].map(|x| (x, self.y.at(value)));
+        draw_ticks(drawing, ticks, Anchor::End, grid, |[(_, y), _]| {
+            (left - 0.6 * NUMBERS, y + 0.35 * NUMBERS)
+        });
+        let name_at = (
+            left - widest(ticks) - 1.2 * NUMBERS - 0.3 * NAME,
+            0.5 * (top + bottom),
         );
         let style = TextStyle::new(NAME).anchor(Anchor::Middle).turned();
-        drawing.text(
-            (
-                left - widest(ticks) - 1.2 * NUMBERS - 0.3 * NAME,
-                0.5 * (top + bottom),
-            ),
-            name,
-            &style,
+        draw_axis(
+            drawing,
+            [(left, top), (left, bottom)],
+            (name, name_at, style),
         );
     }
+}
+
+type Point = (f64, f64);
+
+/// Draws a line of the grid for each value and its number.
+fn draw_ticks(
+    drawing: &mut Drawing,
+    ticks: &[(f64, String)],
+    anchor: Anchor,
+    grid: impl Fn(f64) -> [Point; 2],
+    number_at: impl Fn([Point; 2]) -> Point,
+) {
+    let style = TextStyle::new(NUMBERS).colour(Colour::Muted).anchor(anchor);
+    for (value, text) in ticks {
+        let ends = grid(*value);
+        drawing.line(ends[0], ends[1], &Stroke::new(Colour::Grid, 1.0));
+        drawing.text(number_at(ends), text, &style);
+    }
+}
+
+/// Draws the line of an axis and its name.
+fn draw_axis(
+    drawing: &mut Drawing,
+    [from, to]: [Point; 2],
+    (name, at, style): (&str, Point, TextStyle),
+) {
+    drawing.line(from, to, &Stroke::new(Colour::Muted, 1.0));
+    drawing.text(at, name, &style);
 }
 
 fn widest(ticks: &[(f64, String)]) -> f64 {

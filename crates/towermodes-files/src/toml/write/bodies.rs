@@ -8,7 +8,7 @@ use crate::toml::schema;
 
 /// With the zeros of one that is meant to have no inertia.
 pub(super) fn rna(rna: &Rna, is_point: bool, writing: &mut Writing) {
-    if *rna == Rna::default() {
+    if rna.is_absent() {
         return;
     }
     writing.section(&schema::RNA);

@@ -1,6 +1,6 @@
 //! The properties of a tower that windIO cannot hold.
 
-use towermodes::{Foundation, Inertia, Rna, Shear, TowerDescription};
+use towermodes::{Foundation, Inertia, Shear, TowerDescription};
 
 use crate::note::Note;
 
@@ -30,7 +30,7 @@ pub(super) fn notes(description: &TowerDescription) -> Vec<Note> {
             "the inertias of point masses are left out: the format has only their masses",
         ),
         (
-            d.rna != Rna::default(),
+            !d.rna.is_absent(),
             "the whole rotor-nacelle assembly is written as components.drivetrain, which includes hub and blades",
         ),
         (

@@ -32,7 +32,7 @@ pub fn write_windio(
     if axis.has_steps() {
         notes.push(Note::approximation("steps are written as two equal positions: the schema of windIO requires different ones, for instance 1 mm apart"));
     }
-    let has_rna = description.rna != Rna::default();
+    let has_rna = !description.rna.is_absent();
     let mut components = vec![("tower", tower)];
     components.extend(has_rna.then(|| ("drivetrain", drivetrain(&description.rna))));
     let rotor = description.rotor.as_ref();

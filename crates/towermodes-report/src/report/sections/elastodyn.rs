@@ -147,8 +147,10 @@ fn coefficients(made: &ElastoDynShapes) -> Table {
     table
 }
 
-/// The measures of the quality of a fit, each with its name.
-fn fit_quality() -> [(&'static str, fn(&PolynomialFit) -> String); 4] {
+/// A measure of the quality of a fit with its name.
+type Measure = (&'static str, fn(&PolynomialFit) -> String);
+
+fn fit_quality() -> [Measure; 4] {
     [
         ("root mean square residual (%)", |fit| {
             digits(100.0 * fit.relative_rms_residual(), 2)

@@ -1,22 +1,26 @@
 //! Modes in the layout of BModes: at the element boundaries, scaled as in BModes.
 
 use towermodes::{Blade, BladeSolution, ShapePoint, Solution, Tower};
-use towermodes_files::{OutHeader, OutLayout, OutMode, euclidean, write_bmodes_out};
+
+use super::norm::euclidean;
+use super::out::{OutHeader, OutMode, write_bmodes_out};
+use crate::input::OutLayout;
 
 /// Relative positions of the internal unknowns of a BModes element.
 const INTERIOR: [f64; 3] = [1.0 / 3.0, 0.5, 2.0 / 3.0];
 
-/// The nodes at which modes are printed.
-pub(super) struct Nodes {
+/// The nodes at which modes are printed in the layout of BModes.
+#[derive(Debug, Clone, PartialEq)]
+pub struct OutNodes {
     borders_m: Vec<f64>,
     /// R, m, by which deflections are divided.
     radius_m: f64,
     layout: OutLayout,
 }
 
-impl Nodes {
-    /// The element boundaries of the file, or equally spaced heights.
-    pub(super) fn of_tower(
+impl OutNodes {
+    /// The element boundaries of the file, m, or this number of equally spaced heights, at least 2.
+    pub fn of_tower(
         tower: &Tower,
         borders_m: Option<Vec<f64>>,
         points: usize,
@@ -37,7 +41,7 @@ impl Nodes {
     }
 
     /// The element boundaries of a blade.
-    pub(super) fn of_blade(blade: &Blade, layout: OutLayout) -> Self {
+    pub fn of_blade(blade: &Blade, layout: OutLayout) -> Self {
         let description = blade.description();
         let borders = description.borders.iter();
         Self {
@@ -48,12 +52,12 @@ impl Nodes {
     }
 
     /// The nodes, m.
-    pub(super) fn borders_m(&self) -> &[f64] {
+    pub fn borders_m(&self) -> &[f64] {
         &self.borders_m
     }
 
     /// The nodes and three heights between each two, m.
-    pub(super) fn heights_m(&self) -> Vec<f64> {
+    pub fn heights_m(&self) -> Vec<f64> {
         let mut heights_m = Vec::with_capacity(4 * self.borders_m.len());
         for pair in self.borders_m.windows(2) {
             heights_m.push(pair[0]);
@@ -64,7 +68,7 @@ impl Nodes {
     }
 
     /// The modes of a tower, which have shapes at [`heights_m`](Self::heights_m).
-    pub(super) fn of_solution(&self, tower: &Tower, solution: &Solution) -> String {
+    pub fn of_solution(&self, tower: &Tower, solution: &Solution) -> String {
         let modes = solution.modes.iter();
         let modes: Vec<OutMode> = modes
             .map(|mode| self.mode(mode.frequency_hz, &mode.shape_there))
@@ -73,7 +77,7 @@ impl Nodes {
     }
 
     /// The modes of a blade, which have shapes at [`heights_m`](Self::heights_m).
-    pub(super) fn of_blade_solution(&self, blade: &Blade, solution: &BladeSolution) -> String {
+    pub fn of_blade_solution(&self, blade: &Blade, solution: &BladeSolution) -> String {
         let modes = solution.modes.iter();
         let modes: Vec<OutMode> = modes
             .map(|mode| self.mode(mode.frequency_hz, &mode.shape))
