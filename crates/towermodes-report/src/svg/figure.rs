@@ -20,7 +20,7 @@ pub enum Look {
 }
 
 /// The numbers of a picture as a table, for readers who cannot see it.
-#[derive(Debug, Clone, PartialEq, Default, serde::Serialize)]
+#[derive(Debug, Clone, PartialEq, Default)]
 pub struct DataTable {
     /// The names of the columns, units included.
     pub header: Vec<String>,

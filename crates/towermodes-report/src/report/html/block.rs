@@ -2,11 +2,10 @@
 
 use super::animation::of_animation;
 use super::table::{of_data, of_table};
-use super::{definition, list, text};
+use super::{definition, list, text, verdict};
 use crate::report::document::{Block, Picture, Statement};
 use crate::report::embedded::EmbeddedFile;
 use crate::report::error::ReportError;
-use crate::report::mark::Mark;
 use crate::svg::Look;
 use crate::wording::counted;
 
@@ -47,15 +46,6 @@ fn of_statement(statement: &Statement) -> String {
     let verdict = statement.verdict.map(|mark| verdict(mark, mark.word) + " ");
     let sentence = verdict.unwrap_or_default() + &text(&statement.text);
     definition(statement.lead, &sentence)
-}
-
-/// A text in the colours of a verdict.
-pub(super) fn verdict(mark: Mark, word: &str) -> String {
-    format!(
-        "<span class=\"verdict {}\">{}</span>",
-        mark.name,
-        text(word)
-    )
 }
 
 /// An input file with buttons that copy and save it.

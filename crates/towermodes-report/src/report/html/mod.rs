@@ -10,7 +10,7 @@ mod table;
 use super::content::ReportContent;
 use super::document::{Document, Section};
 use super::error::ReportError;
-use super::mark::printable;
+use super::mark::{Mark, printable};
 use super::sections::document;
 use crate::svg::{Colour, Theme, stylesheet};
 
@@ -72,6 +72,15 @@ fn text(text: &str) -> String {
         }
     }
     escaped
+}
+
+/// A text in the colours of a verdict.
+fn verdict(mark: Mark, word: &str) -> String {
+    format!(
+        "<span class=\"verdict {}\">{}</span>",
+        mark.name,
+        text(word)
+    )
 }
 
 /// The fields below the title, if there are any.

@@ -1,7 +1,6 @@
 //! Tables of the page.
 
-use super::block::verdict;
-use super::text;
+use super::{text, verdict};
 use crate::report::table::{Cell, Column, MOST_ROWS, Table};
 use crate::svg::DataTable;
 
