@@ -2,7 +2,7 @@
 //! that are not read.
 
 use super::main_file::MainFile;
-use super::names::{is_fst, is_main_file, line_of, plain};
+use super::names::{is_fst, is_main_file, line_of};
 use super::positional::Parameter;
 use super::record::{Kind, NON_NEGATIVE, Record, record};
 use crate::diagnostic::{Diagnostic, DiagnosticKind};
@@ -65,7 +65,7 @@ fn named_by(fst: Source, files: &dyn FileResolver) -> Result<Main, ReadError> {
 
 /// The acceleration of gravity in an `.fst` file, since OpenFAST 3.0.
 fn gravity_of_fst(source: &Source) -> Result<Option<f64>, Diagnostic> {
-    let Some(line) = line_of(&source.text, &plain("Gravity")) else {
+    let Some(line) = line_of(&source.text, "Gravity") else {
         return Ok(None);
     };
     Parameter::of(&line, &GRAVITY)?.number().map(Some)
@@ -74,7 +74,7 @@ fn gravity_of_fst(source: &Source) -> Result<Option<f64>, Diagnostic> {
 /// The line that names the main file of ElastoDyn.
 fn ed_file(source: &Source) -> Result<Parameter<'_>, Diagnostic> {
     let missing = || Diagnostic::new(0..0, DiagnosticKind::missing_key("the .fst file", "EDFile"));
-    let line = line_of(&source.text, &plain("EDFile")).ok_or_else(missing)?;
+    let line = line_of(&source.text, "EDFile").ok_or_else(missing)?;
     let parameter = Parameter::of(&line, &ED_FILE)?;
     parameter.file()?;
     Ok(parameter)
@@ -142,7 +142,7 @@ fn left_out(source: &Source, module: &Module) -> Option<Note> {
         return None;
     }
     let mut files = module.files.iter();
-    let file = files.find_map(|name| line_of(&source.text, &plain(name))?.first());
+    let file = files.find_map(|name| line_of(&source.text, name)?.first());
     let file = file.map_or_else(String::new, |token| format!(" ({})", token.text));
     let message = format!(
         "{} is switched on, but its file{file} is not read: {} left out",
@@ -153,7 +153,7 @@ fn left_out(source: &Source, module: &Module) -> Option<Note> {
 
 /// The value of a switch (a number or, in the first versions, true or false) and its byte.
 fn switch(source: &Source, name: &str) -> Option<(i64, usize)> {
-    let token = line_of(&source.text, &plain(name))?.first()?;
+    let token = line_of(&source.text, name)?.first()?;
     let value = match token.integer(name) {
         Ok(value) => value,
         Err(_) => i64::from(token.logical(name).ok()?),

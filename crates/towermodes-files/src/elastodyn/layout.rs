@@ -6,7 +6,7 @@
 use std::collections::{BTreeMap, HashMap};
 
 use super::main_records::{BLOCKS, Block, Presence};
-use super::names::{is_ruler, name_on, plain};
+use super::names::{is_ruler, plain, plain_name_on};
 use super::positional::misplaced;
 use super::record::Record;
 use crate::diagnostic::{Diagnostic, DiagnosticKind};
@@ -95,7 +95,7 @@ fn known_names(lines: &[Line<'_>]) -> Vec<Option<&'static str>> {
     let known: HashMap<String, &'static str> = records
         .map(|record| (plain(record.name), record.name))
         .collect();
-    let name = |line| name_on(line).and_then(|name| known.get(&name).copied());
+    let name = |line| plain_name_on(line).and_then(|name| known.get(&name).copied());
     lines.iter().map(name).collect()
 }
 
@@ -141,7 +141,7 @@ fn not_understood(
 
 /// Refuses a main file of FAST 7, which has most of the names in another order.
 fn refuse_fast_7(lines: &[Line<'_>]) -> Result<(), Diagnostic> {
-    let is_adams_prep = |line: &&Line<'_>| name_on(line).as_deref() == Some("adamsprep");
+    let is_adams_prep = |line: &&Line<'_>| plain_name_on(line).as_deref() == Some("adamsprep");
     let Some(line) = lines.iter().find(is_adams_prep) else {
         return Ok(());
     };

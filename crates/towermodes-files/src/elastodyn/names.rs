@@ -8,25 +8,43 @@ const LONGEST: usize = 40;
 
 /// A name without the differences between files: case, brackets, underscores.
 pub(super) fn plain(name: &str) -> String {
-    let letters = name.chars().take(LONGEST);
-    letters
-        .filter(char::is_ascii_alphanumeric)
-        .map(|letter| letter.to_ascii_lowercase())
-        .collect()
+    letters(name).map(char::from).collect()
 }
 
-/// The name on a line, in plain form: its second value. Titles of sections are not names.
-pub(super) fn name_on(line: &Line<'_>) -> Option<String> {
+fn letters(name: &str) -> impl Iterator<Item = u8> {
+    let letters = name.bytes().take(LONGEST);
+    letters
+        .filter(u8::is_ascii_alphanumeric)
+        .map(|letter| letter.to_ascii_lowercase())
+}
+
+/// Whether two names differ only as names of different files do.
+fn is_same(a: &str, b: &str) -> bool {
+    letters(a).eq(letters(b))
+}
+
+/// The name on a line: its second value. Titles of sections are not names.
+fn name_on<'a>(line: &Line<'a>) -> Option<&'a str> {
     if is_ruler(line) {
         return None;
     }
-    line.tokens().nth(1).map(|token| plain(token.text))
+    line.tokens().nth(1).map(|token| token.text)
+}
+
+/// Whether a line has a name after its value.
+pub(super) fn is_named(line: &Line<'_>, name: &str) -> bool {
+    name_on(line).is_some_and(|found| is_same(found, name))
+}
+
+/// The name on a line in plain form.
+pub(super) fn plain_name_on(line: &Line<'_>) -> Option<String> {
+    name_on(line).map(plain)
 }
 
 /// The one of some names that a line has after its value.
 pub(super) fn named<'k>(line: &Line<'_>, known: &[&'k str]) -> Option<&'k str> {
     let name = name_on(line)?;
-    known.iter().copied().find(|known| plain(known) == name)
+    known.iter().copied().find(|known| is_same(known, name))
 }
 
 /// Whether a line is a ruler with the title of a section.
@@ -40,34 +58,30 @@ const FIRST_LINES: usize = 400;
 
 /// Whether it is a main file of ElastoDyn, or of FAST 7, which is refused with a reason.
 pub(crate) fn is_main_file(text: &str) -> bool {
-    has_all(text, &["twrfile", "numbl", "tiprad"])
+    has_all(text, &["TwrFile", "NumBl", "TipRad"])
 }
 
 /// Whether it is a tower file of ElastoDyn or FAST 7.
 pub(crate) fn is_tower_file(text: &str) -> bool {
     let first: Vec<Line<'_>> = Lines::new(text).take(12).collect();
-    first
-        .iter()
-        .any(|line| name_on(line).as_deref() == Some("ntwinpst"))
+    first.iter().any(|line| is_named(line, "NTwInpSt"))
 }
 
 /// Whether it is a blade file of ElastoDyn or FAST 7.
 pub(super) fn is_blade_file(text: &str) -> bool {
     let first: Vec<Line<'_>> = Lines::new(text).take(12).collect();
-    first
-        .iter()
-        .any(|line| name_on(line).as_deref() == Some("nblinpst"))
+    first.iter().any(|line| is_named(line, "NBlInpSt"))
 }
 
 /// Whether it is the `.fst` file that names the files of all modules of OpenFAST.
 pub(crate) fn is_fst(text: &str) -> bool {
-    has_all(text, &["edfile"])
+    has_all(text, &["EDFile"])
 }
 
 /// The line of a file that has a name.
 pub(super) fn line_of<'a>(text: &'a str, name: &str) -> Option<Line<'a>> {
     let mut lines = Lines::new(text).take(FIRST_LINES);
-    lines.find(|line| name_on(line).as_deref() == Some(name))
+    lines.find(|line| is_named(line, name))
 }
 
 fn has_all(text: &str, names: &[&str]) -> bool {

@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use super::names::{is_ruler, name_on, named, plain};
+use super::names::{is_named, is_ruler, named};
 use super::record::{Kind, MAX_ROWS, Record};
 use crate::diagnostic::{Diagnostic, DiagnosticKind, quoted};
 use crate::records::{Line, Lines, Token};
@@ -25,7 +25,7 @@ impl<'a> Positional<'a> {
     /// The two free lines at the beginning of a file. Files of FAST 7 begin with one more, a ruler:
     /// there the heading and the first parameter, whose name shows it, come a line later.
     pub(super) fn header(&mut self, first: &Record) -> Result<[String; 2], Diagnostic> {
-        let is_first = |line: Line<'a>| name_on(&line) == Some(plain(first.name));
+        let is_first = |line: Line<'a>| is_named(&line, first.name);
         if self.lines.clone().nth(4).is_some_and(is_first) {
             self.lines.next();
         }
@@ -42,7 +42,7 @@ impl<'a> Positional<'a> {
     /// Whether the next line that is not blank has the name of a parameter.
     pub(super) fn is_next(&self, record: &Record) -> bool {
         let next = self.lines.clone().find(|line| !line.is_blank());
-        next.and_then(|line| name_on(&line)) == Some(plain(record.name))
+        next.is_some_and(|line| is_named(&line, record.name))
     }
 
     /// Skips blank lines.
