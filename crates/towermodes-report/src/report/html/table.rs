@@ -14,20 +14,21 @@ const LONG_TEXT: usize = 40;
 /// A table of a section; a long one is shown in brief, with all of its rows folded away.
 pub(super) fn of_table(table: &Table) -> String {
     let caption = format!("Table {}. {}.", table.number, table.caption);
-    let all = table.rows.iter().map(|row| of_row(&table.columns, row));
+    let all: Vec<String> = (table.rows.iter())
+        .map(|row| of_row(&table.columns, row))
+        .collect();
     let Some(brief) = &table.brief else {
-        return scrolling(&caption, &table.columns, all.collect(), table.rows.len());
+        return scrolling(&caption, &table.columns, &all.concat(), all.len());
     };
     let rows = brief.shown.iter().map(|row| &table.rows[*row]);
     let mut rows: Vec<String> = rows.map(|row| of_row(&table.columns, row)).collect();
     if let Some(after) = brief.gap_after {
         rows.insert(after, of_gap(&table.columns));
     }
-    let count = rows.len();
-    let shown = scrolling(&caption, &table.columns, rows.concat(), count);
+    let shown = scrolling(&caption, &table.columns, &rows.concat(), rows.len());
     let name = all_name(table);
     let whole = format!("{caption} Here: {name}.");
-    let whole = scrolling(&whole, &table.columns, all.collect(), usize::MAX);
+    let whole = scrolling(&whole, &table.columns, &all.concat(), usize::MAX);
     format!(
         "{shown}<p class=\"remark\">Shown: {}.</p>\n\
          <details class=\"all\">\n<summary>Show {name}</summary>\n{whole}</details>\n",
@@ -45,17 +46,17 @@ pub(super) fn of_data(number: usize, title: &str, data: &DataTable) -> String {
     let columns: Vec<Column> = data.header.iter().enumerate().map(column).collect();
     let cells = |row: &Vec<String>| -> Vec<Cell> { row.iter().map(|c| c.clone().into()).collect() };
     let rows = data.rows.iter().take(MOST_ROWS);
-    let rows = rows.map(|row| of_row(&columns, &cells(row))).collect();
+    let rows: String = rows.map(|row| of_row(&columns, &cells(row))).collect();
     let note = match data.rows.len().saturating_sub(MOST_ROWS) {
         0 => String::new(),
         left_out => format!(" ({left_out} more rows are left out)"),
     };
     let caption = format!("Numbers of figure {number}. {title}{note}.");
-    scrolling(&caption, &columns, rows, data.rows.len())
+    scrolling(&caption, &columns, &rows, data.rows.len())
 }
 
 /// A table that can be scrolled sideways; its rows are HTML already.
-fn scrolling(caption: &str, columns: &[Column], rows: String, count: usize) -> String {
+fn scrolling(caption: &str, columns: &[Column], rows: &str, count: usize) -> String {
     let caption = text(caption);
     let short = if count <= SHORT { " short" } else { "" };
     let head = columns.iter().map(|column| {
