@@ -38,6 +38,14 @@ fn of_one(arguments: &CheckArguments) -> Result<(), Failure> {
 
 fn of_two(arguments: &CheckArguments, other: &Path) -> Result<(), Failure> {
     let reading = &arguments.input.reading;
+    if [&arguments.input.file, other]
+        .iter()
+        .all(|file| *file == Path::new("-"))
+    {
+        return Err(Failure::Usage(
+            "standard input (-) can be only one of the two files",
+        ));
+    }
     let mut first = input_of(&arguments.input.file, reading)?;
     let mut second = input_of(other, reading)?;
     let checked = reading.check(&[first.format, second.format]);

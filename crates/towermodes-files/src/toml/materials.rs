@@ -39,8 +39,12 @@ impl Materials {
         let Some(name) = name else {
             let missing = || {
                 let what = format!("the material of {row} (the file has no [material])");
-                let names = listed(&names).join("\" or \"");
-                let hint = format!("add [material], or name a material: \"{names}\"");
+                let names = listed(&names).into_iter().map(|name| format!("{name:?}"));
+                let names: Vec<String> = names.collect();
+                let hint = match &names[..] {
+                    [] => "add [material], or name a material in each row".to_owned(),
+                    names => format!("add [material], or name a material: {}", names.join(" or ")),
+                };
                 (DiagnosticKind::Missing { what }, hint)
             };
             return self.has_default.then_some(0).ok_or_else(missing);

@@ -44,7 +44,7 @@ fn blades(value: &Value<'_>, reading: &mut Reading) -> Option<usize> {
     if count.fract() == 0.0 && (0.0..=1e9).contains(&count) {
         return Some(count as usize);
     }
-    let kind = DiagnosticKind::out_of_range("blades", count, "a whole number of at least 1");
+    let kind = DiagnosticKind::out_of_range("blades", count, "a whole number from 1 to 10");
     reading.refuse(Diagnostic::new(value.span(), kind))
 }
 

@@ -12,7 +12,8 @@ pub(super) fn syntax_mistake(error: &::toml::de::Error, text: &str) -> Diagnosti
     let ends_early = span.start >= text.trim_end().len();
     let value = value_at(span.start.min(text.len()), text);
     let value = value.filter(|value| value.key.is_some() || !ends_early);
-    if let Some(mistake) = value.and_then(|value| value.explained()) {
+    let explained = value.and_then(|value| value.explained().or_else(|| value.without_comma(text)));
+    if let Some(mistake) = explained {
         return mistake;
     }
     let reason = error.message().lines().collect::<Vec<_>>().join("; ");
@@ -70,12 +71,16 @@ impl Written<'_> {
         if !number.contains(|c: char| c.is_ascii_digit()) {
             return self.without_quotes();
         }
-        let value = number.replace(',', ".").replace('_', "").parse::<f64>();
+        if number.contains(',') {
+            return Some(self.mistake("a number").with_hint(without_commas(number)?));
+        }
+        let value = number.replace('_', "").parse::<f64>();
         let value = value.ok().filter(|value| value.is_finite())?;
-        let hint = if number.contains(',') {
-            format!("write a decimal point: {value}")
-        } else if !unit.is_empty() {
+        let hint = if !unit.is_empty() {
             self.without_unit(number, value, unit)?
+        } else if is_number_of_toml(number) {
+            // The mistake is elsewhere: a key that is given twice, a missing comma or bracket.
+            return None;
         } else if number.starts_with('0') && !number.contains('.') && number.len() > 1 {
             // The rest of a number with a decimal comma in a list.
             format!("write a decimal point, as 0.{number}, or the number without zeros before it")
@@ -83,6 +88,21 @@ impl Written<'_> {
             format!("write a digit before and after the point: {value:?}")
         };
         Some(self.mistake("a number").with_hint(hint))
+    }
+
+    /// The mistake of a number in a list with another number behind it.
+    fn without_comma(&self, file: &str) -> Option<Diagnostic> {
+        let next = file[self.span.end..].trim_start_matches([' ', '\t']);
+        let is_number = next.starts_with(|c: char| c.is_ascii_digit() || "+-.".contains(c));
+        if self.key.is_some() || !is_number || !is_number_of_toml(self.text) {
+            return None;
+        }
+        let (format, reason) = (
+            "TOML",
+            format!("a comma is missing after {}", quoted(self.text)),
+        );
+        let mistake = Diagnostic::new(self.span.clone(), DiagnosticKind::Syntax { format, reason });
+        Some(mistake.with_hint("the values of a list are separated by commas: [0.0, 6.0, 0.03]"))
     }
 
     /// The number that the text begins with, which may be empty, and the rest.
@@ -141,6 +161,32 @@ impl Written<'_> {
     }
 }
 
+/// Whether a text is a number by the rules of TOML.
+fn is_number_of_toml(text: &str) -> bool {
+    ::toml::from_str::<::toml::Table>(&format!("number = {text}")).is_ok()
+}
+
+/// What to write in place of a number with commas, which may separate thousands.
+fn without_commas(number: &str) -> Option<String> {
+    let is_group = |group: &str| group.len() == 3 && group.bytes().all(|b| b.is_ascii_digit());
+    let (whole, rest) = number.split_once('.').unwrap_or((number, ""));
+    let is_grouped = !whole.starts_with('0') && whole.split(',').skip(1).all(is_group);
+    let plain = number
+        .replace(',', "")
+        .parse::<f64>()
+        .ok()
+        .filter(|_| is_grouped);
+    let decimal = number.replacen(',', ".", 1).parse::<f64>().ok();
+    match (plain, decimal.filter(|_| rest.is_empty())) {
+        (Some(plain), Some(decimal)) => Some(format!(
+            "write {plain} if the comma separates thousands, {decimal:?} if it is a decimal comma"
+        )),
+        (Some(plain), None) => Some(format!("write {plain}, without commas")),
+        (None, Some(decimal)) => Some(format!("write a decimal point: {decimal}")),
+        (None, None) => None,
+    }
+}
+
 /// Units after a number, their factor to the unit of the key, and this unit.
 const UNITS: [(&str, f64, &str); 14] = [
     ("t", 1e3, "kg"),
@@ -182,6 +228,16 @@ mod tests {
                 "write a decimal point: 0.027",
             ),
             (
+                "[rna]\nmass = 350,000\n",
+                "mass must be a number, found `350,000`",
+                "write 350000 if the comma separates thousands, 350.0 if it is a decimal comma",
+            ),
+            (
+                "[rna]\nmass = 1,350,000.5\n",
+                "mass must be a number, found `1,350,000.5`",
+                "write 1350000.5, without commas",
+            ),
+            (
                 "[rna]\nmass = .027\n",
                 "mass must be a number, found `.027`",
                 "write a digit before and after the point: 0.027",
@@ -206,6 +262,24 @@ mod tests {
             assert_eq!(mistakes.len(), 1, "{text}");
             assert_eq!(mistakes[0].message(), message);
             assert_eq!(mistakes[0].hint.as_deref(), Some(hint), "{text}");
+        }
+    }
+
+    /// A number that is right is not blamed for a mistake elsewhere.
+    #[test]
+    fn numbers_beside_a_mistake_are_not_blamed() {
+        for (text, reason) in [
+            ("[rna]\nmass = 350e3\nmass = 350e3\n", "duplicate key"),
+            (
+                "[tower]\nstations = [[0.0 6.0, 0.03]]\n",
+                "a comma is missing after `0.0`",
+            ),
+            ("[rna]\nmass: 350e3\n", "key"),
+        ] {
+            let mistakes = tower_from_toml(text).expect_err("a mistake");
+            let message = mistakes[0].message();
+            assert!(message.starts_with("invalid TOML: "), "{text}: {message}");
+            assert!(message.contains(reason), "{text}: {message}");
         }
     }
 }

@@ -13,18 +13,21 @@ use painter::Painter;
 /// Wider or higher pictures, in pixels, are refused: each pixel takes four bytes.
 pub const MAX_PIXELS: u32 = 10_000;
 
+/// Smaller scales are refused: no picture is wider than ten pixels then.
+pub const MIN_SCALE: f64 = 0.01;
+
 /// Why a picture was not drawn.
 #[derive(Debug, Clone, PartialEq, Error)]
 pub enum RasterError {
-    /// The scale is not a positive number.
-    #[error("a scale of {scale} pixels a unit; it must be a number above 0")]
+    /// The scale is not a number, or too small for a picture.
+    #[error("the scale is {scale}; it must be at least {MIN_SCALE}")]
     Scale {
         /// The requested scale.
         scale: f64,
     },
-    /// The picture has too many pixels, or less than one.
+    /// The picture has too many pixels.
     #[error(
-        "{width} by {height} at scale {scale} gives {} by {} pixels; each must be from 1 to {MAX_PIXELS}, so the scale at most {:.2}",
+        "{width} by {height} at scale {scale} gives {} by {} pixels; each must be at most {MAX_PIXELS}, so the scale at most {:.2}",
         (.width * .scale).ceil(), (.height * .scale).ceil(), largest_scale(*.width, *.height)
     )]
     Size {
@@ -48,7 +51,7 @@ fn largest_scale(width: f64, height: f64) -> f64 {
 /// A picture as PNG, in one theme, with `scale` pixels for each unit of its drawing.
 ///
 /// # Errors
-/// [`RasterError`]: a scale that is no number above 0, or more than [`MAX_PIXELS`] pixels a side.
+/// [`RasterError`]: a scale below [`MIN_SCALE`], or more than [`MAX_PIXELS`] pixels a side.
 pub fn png(figure: &Figure, theme: Theme, scale: f64) -> Result<Vec<u8>, RasterError> {
     let encoded = pixels(figure, theme, scale)?.encode_png();
     encoded.map_err(|error| RasterError::Encoding(error.to_string()))
@@ -67,7 +70,7 @@ fn pixels(figure: &Figure, theme: Theme, scale: f64) -> Result<Pixmap, RasterErr
 
 /// Width and height in whole pixels.
 fn size(figure: &Figure, scale: f64) -> Result<(u32, u32), RasterError> {
-    if !(scale.is_finite() && scale > 0.0) {
+    if !(scale.is_finite() && scale >= MIN_SCALE) {
         return Err(RasterError::Scale { scale });
     }
     let (width, height) = (figure.drawing.width, figure.drawing.height);
@@ -178,10 +181,14 @@ mod tests {
         let figure = figure(900.0, 500.0);
         let scale_error = |scale: f64| png(&figure, Theme::Light, scale).expect_err("refused");
         assert_eq!(scale_error(0.0), RasterError::Scale { scale: 0.0 });
+        assert_eq!(
+            scale_error(1e-9).to_string(),
+            "the scale is 0.000000001; it must be at least 0.01"
+        );
         assert!(matches!(scale_error(f64::NAN), RasterError::Scale { .. }));
         assert_eq!(
             scale_error(11.2).to_string(),
-            "900 by 500 at scale 11.2 gives 10080 by 5600 pixels; each must be from 1 to 10000, so the scale at most 11.11"
+            "900 by 500 at scale 11.2 gives 10080 by 5600 pixels; each must be at most 10000, so the scale at most 11.11"
         );
         assert!(matches!(scale_error(1e300), RasterError::Size { .. }));
         assert_eq!(

@@ -369,7 +369,7 @@ pub enum Warning {
     },
     /// Modes that the segments do not resolve.
     #[error(
-        "{} not resolved (error up to {:.0} %); use more segments or a higher degree",
+        "{} not resolved (error up to {:.0} %); use more segments; for the method spectral, a higher degree",
         Modes(*.number, *.others),
         100.0 * .worst
     )]
