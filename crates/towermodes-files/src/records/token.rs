@@ -84,13 +84,36 @@ impl<'a> Tokens<'a> {
     }
 }
 
+/// Whether a character separates values.
+fn is_gap(c: char) -> bool {
+    c.is_whitespace() || c == ','
+}
+
+/// Bytes before the next value. Almost all gaps are a few spaces, which need no decoding.
+fn gap_length(text: &str) -> usize {
+    let spaces = text.bytes().take_while(|byte| *byte == b' ').count();
+    let rest = &text[spaces..];
+    match rest.as_bytes().first() {
+        Some(byte) if byte.is_ascii_graphic() && *byte != b',' => spaces,
+        _ => spaces + rest.find(|c| !is_gap(c)).unwrap_or(rest.len()),
+    }
+}
+
+/// Bytes of the value that begins a text: up to the next gap or slash.
+fn value_length(text: &str) -> usize {
+    let is_inside = |byte: &u8| byte.is_ascii_graphic() && !matches!(*byte, b',' | b'/');
+    let plain = text.bytes().take_while(is_inside).count();
+    let rest = &text[plain..];
+    let end = rest.find(|c| is_gap(c) || c == '/');
+    plain + end.unwrap_or(rest.len())
+}
+
 impl<'a> Iterator for Tokens<'a> {
     type Item = Token<'a>;
 
     fn next(&mut self) -> Option<Token<'a>> {
-        let is_gap = |c: char| c.is_whitespace() || c == ',';
         let rest = self.text.get(self.next..)?;
-        let from = self.next + (rest.len() - rest.trim_start_matches(is_gap).len());
+        let from = self.next + gap_length(rest);
         let rest = &self.text[from..];
         let first = rest.chars().next().filter(|c| *c != '/')?;
         let is_quote = first == '"' || first == '\'';
@@ -98,11 +121,8 @@ impl<'a> Iterator for Tokens<'a> {
             let inner = rest[1..].split(first).next().unwrap_or_default();
             (inner, (inner.len() + 2).min(rest.len()))
         } else {
-            let inner = rest
-                .split(|c| is_gap(c) || c == '/')
-                .next()
-                .unwrap_or_default();
-            (inner, inner.len())
+            let length = value_length(rest);
+            (&rest[..length], length)
         };
         self.next = from + length;
         let span = self.start + from..self.start + from + length;
