@@ -556,7 +556,7 @@ fn a_weak_excitation_is_a_warning_of_other_multiples() {
         conclusion[1],
         "The first side-side bending frequency, 1.500 Hz, lies above 3P (up to 0.6050 Hz) at a distance of at least 59.7 %: stiff-stiff."
     );
-    let other = "1 warning (other multiples, blade modes): 9P with 1st side-side bending (crossing at 10 rpm).";
+    let other = "1 warning for 9P: 1st side-side bending (crossing at 10 rpm).";
     assert_eq!(conclusion[2], other);
 }
 
@@ -576,7 +576,7 @@ fn what_fails_is_said_before_what_is_near() {
     );
     assert_eq!(
         conclusion[2],
-        "1 warning (1P, 3P): 3P with 1st side-side bending (+7.8 % at 6.9 rpm)."
+        "1 warning for 3P: 1st side-side bending (+7.8 % at 6.9 rpm)."
     );
 }
 

@@ -1,7 +1,7 @@
 //! The conclusion of a Campbell diagram in sentences: the first bending frequencies first, then the
 //! pairs that fail or warn.
 
-use super::campbell::{Campbell, Excited, Margin, StiffnessClass};
+use super::campbell::{Campbell, FrequencyLine, Margin, StiffnessClass};
 use super::margin::is_strong;
 use crate::verdict::Verdict;
 use towermodes::modes::Family;
@@ -18,24 +18,15 @@ impl Campbell {
     /// blade passing frequency, and the smallest distance: "The first bending frequencies, 0.3187
     /// Hz (side-side) and 0.3215 Hz (fore-aft), lie between 1P (up to 0.2017 Hz) and 3P (from
     /// 0.3450 Hz) at a distance of at least 7.3 %: soft-stiff." Two planes of different classes
-    /// have a sentence each. Then follow the pairs that fail, the warnings of tower modes with 1P
-    /// or the blade passing frequency, the other warnings (other multiples, blade modes), and the
-    /// range in which modes are [not covered](Self::uncovered_range_hz).
+    /// have a sentence each. Then follow the pairs that fail; the warnings of tower modes with 1P
+    /// or the blade passing frequency, of tower modes with other multiples, and of blade modes;
+    /// and the range in which modes are [not covered](Self::uncovered_range_hz). A sentence on
+    /// warnings names only what has warnings.
     #[must_use]
     pub fn conclusion(&self) -> Vec<String> {
         let mut sentences = standing(self);
-        let strong = match self.rotor.blades {
-            1 => "1P".to_owned(),
-            blades => format!("1P, {blades}P"),
-        };
-        let kinds = [
-            (Verdict::Fail, true, strong.as_str()),
-            (Verdict::Warn, true, strong.as_str()),
-            (Verdict::Warn, false, "other multiples, blade modes"),
-        ];
-        let remarks = kinds
-            .iter()
-            .filter_map(|(verdict, is_strong, of)| remark(self, *verdict, *is_strong, of));
+        let kinds = [Kind::Fail, Kind::Strong, Kind::Other, Kind::Blade];
+        let remarks = kinds.into_iter().filter_map(|kind| remark(self, kind));
         let remarks: Vec<String> = remarks.collect();
         if remarks.is_empty() && !self.margins.is_empty() {
             sentences.push("No warnings.".to_owned());
@@ -172,42 +163,83 @@ fn least_distance(campbell: &Campbell, firsts: &[First]) -> Option<String> {
     })
 }
 
-/// "2 warnings (1P, 3P): 3P with 1st side-side bending (+8.2 % at 6.9 rpm) and …"; none if there
-/// are none. `of` names the multiples.
-fn remark(campbell: &Campbell, verdict: Verdict, strong: bool, of: &str) -> Option<String> {
-    let is_of_kind = |margin: &&Margin| {
-        margin.verdict == verdict
-            && (verdict == Verdict::Fail || strong == is_weighty(campbell, margin))
-    };
+/// The kinds of pairs that the conclusion names, each in one sentence.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Kind {
+    /// A pair that fails.
+    Fail,
+    /// A warning of a tower mode with 1P or the blade passing frequency.
+    Strong,
+    /// A warning of a tower mode with another multiple.
+    Other,
+    /// A warning of a blade mode.
+    Blade,
+}
+
+impl Kind {
+    /// The kind of a pair; none if it passes.
+    fn of(campbell: &Campbell, margin: &Margin) -> Option<Self> {
+        let line = campbell.lines.get(margin.line);
+        match margin.verdict {
+            Verdict::Pass => None,
+            Verdict::Fail => Some(Self::Fail),
+            Verdict::Warn if line.is_some_and(FrequencyLine::is_of_blade) => Some(Self::Blade),
+            Verdict::Warn if is_strong(margin.multiple, &campbell.rotor) => Some(Self::Strong),
+            Verdict::Warn => Some(Self::Other),
+        }
+    }
+
+    /// "FAIL", "2 warnings for 3P", "3 warnings for 6P and 9P" or "1 warning for blade modes".
+    fn heading(self, count: usize, multiples: &[usize]) -> String {
+        let warnings = match count {
+            1 => "1 warning".to_owned(),
+            _ => format!("{count} warnings"),
+        };
+        let multiples: Vec<String> = multiples.iter().map(|n| format!("{n}P")).collect();
+        match self {
+            Self::Fail => "FAIL".to_owned(),
+            Self::Strong | Self::Other => format!("{warnings} for {}", listed(&multiples)),
+            Self::Blade => format!("{warnings} for blade modes"),
+        }
+    }
+}
+
+/// "2 warnings for 3P: 1st side-side bending (+8.2 % at 6.9 rpm) and …" or "3 warnings for 6P and
+/// 9P: 6P with …"; none if there are none.
+fn remark(campbell: &Campbell, kind: Kind) -> Option<String> {
+    let is_of_kind = |margin: &&Margin| Kind::of(campbell, margin) == Some(kind);
     let mut pairs: Vec<&Margin> = campbell.margins.iter().filter(is_of_kind).collect();
+    let multiples = multiples(&pairs);
+    let heading = kind.heading(pairs.len(), &multiples);
     let more = match pairs.len().saturating_sub(NAMED) {
         0 => String::new(),
         more => format!("; and {more} more"),
     };
-    let count = pairs.len();
     pairs.truncate(NAMED);
     pairs.sort_by_key(|margin| (margin.multiple, margin.line));
+    let names_multiple = matches!(kind, Kind::Strong | Kind::Other) && multiples.len() == 1;
     let groups: Vec<String> = pairs
         .chunk_by(|a, b| a.multiple == b.multiple)
-        .map(|group| group_in_words(campbell, group))
+        .map(|group| match group {
+            [first, ..] if !names_multiple => {
+                format!("{}P with {}", first.multiple, in_words(campbell, group))
+            }
+            _ => in_words(campbell, group),
+        })
         .collect();
-    let name = match (verdict, count) {
-        (Verdict::Fail, _) => "FAIL".to_owned(),
-        (_, 1) => format!("1 warning ({of})"),
-        _ => format!("{count} warnings ({of})"),
-    };
-    (count > 0).then(|| format!("{name}: {}{more}.", groups.join("; ")))
+    (!pairs.is_empty()).then(|| format!("{heading}: {}{more}.", groups.join("; ")))
 }
 
-/// Whether a pair is a tower mode with 1P or the blade passing frequency.
-fn is_weighty(campbell: &Campbell, margin: &Margin) -> bool {
-    let line = campbell.lines.get(margin.line);
-    let is_tower = line.is_some_and(|line| matches!(line.of, Excited::Tower { .. }));
-    is_tower && is_strong(margin.multiple, &campbell.rotor)
+/// The multiples of pairs in ascending order, each once.
+fn multiples(pairs: &[&Margin]) -> Vec<usize> {
+    let mut multiples: Vec<usize> = pairs.iter().map(|margin| margin.multiple).collect();
+    multiples.sort_unstable();
+    multiples.dedup();
+    multiples
 }
 
-/// "9P with 1st torsion (crossing at 10.428 rpm) and 2nd side-side bending (-4.0 % at 12.1 rpm)".
-fn group_in_words(campbell: &Campbell, group: &[&Margin]) -> String {
+/// "1st torsion (crossing at 10.428 rpm) and 2nd side-side bending (-4.0 % at 12.1 rpm)".
+fn in_words(campbell: &Campbell, group: &[&Margin]) -> String {
     let pair = |margin: &&Margin| {
         let label = campbell.lines.get(margin.line).map(|line| &line.label);
         let distance = match margin.distance {
@@ -221,12 +253,15 @@ fn group_in_words(campbell: &Campbell, group: &[&Margin]) -> String {
         )
     };
     let pairs: Vec<String> = group.iter().map(pair).collect();
-    let pairs = match &pairs[..] {
+    listed(&pairs)
+}
+
+/// "a, b and c".
+fn listed(items: &[String]) -> String {
+    match items {
         [first @ .., last] if !first.is_empty() => format!("{} and {last}", first.join(", ")),
-        pairs => pairs.concat(),
-    };
-    let multiple = group.first().map_or(0, |margin| margin.multiple);
-    format!("{multiple}P with {pairs}")
+        items => items.concat(),
+    }
 }
 
 /// A distance with its sign: no digits after the point where it is ten times the frequency.
@@ -234,5 +269,24 @@ fn percent(campbell: &Campbell, margin: &Margin) -> String {
     match margin.distance {
         share if share.abs() < 9.995 => campbell.distance_percent(margin),
         share => format!("{:+.0}", 100.0 * share),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Kind;
+
+    /// A sentence names only what has warnings.
+    #[test]
+    fn the_heading_of_a_sentence_names_what_warns() {
+        assert_eq!(Kind::Fail.heading(2, &[3]), "FAIL");
+        assert_eq!(Kind::Strong.heading(2, &[3]), "2 warnings for 3P");
+        assert_eq!(Kind::Strong.heading(2, &[1, 3]), "2 warnings for 1P and 3P");
+        assert_eq!(Kind::Other.heading(1, &[9]), "1 warning for 9P");
+        assert_eq!(
+            Kind::Other.heading(5, &[6, 9, 12]),
+            "5 warnings for 6P, 9P and 12P"
+        );
+        assert_eq!(Kind::Blade.heading(1, &[6]), "1 warning for blade modes");
     }
 }

@@ -77,17 +77,15 @@ fn distance(campbell: &Campbell, margin: &Margin) -> String {
 
 fn hidden(count: usize, is_all: bool) -> Option<String> {
     let others = if is_all { "" } else { "other " };
-    let verbs = if count == 1 {
-        ["differs", "is"]
+    let rest = if count == 1 {
+        "is not shown because its frequencies differ"
     } else {
-        ["differ", "are"]
+        "are not shown because their frequencies differ"
     };
     (count > 0).then(|| {
         format!(
-            "{} {} by more than a factor of 2 and {} not shown (use --all)",
-            counted(count, &format!("{others}pair")),
-            verbs[0],
-            verbs[1]
+            "{} of mode and excitation {rest} by more than a factor of 2 (use --all)",
+            counted(count, &format!("{others}pair"))
         )
     })
 }
@@ -218,7 +216,10 @@ mod tests {
         let text = super::campbell(&tower.expect("a tower"), &campbell, false, false);
         // Two modes with two excitations each; the other 8 of 12 are counted.
         assert_eq!(text.matches("PASS").count(), 4, "{text}");
-        assert!(text.contains("8 other pairs differ by more than"), "{text}");
+        assert!(
+            text.contains("8 other pairs of mode and excitation are not shown"),
+            "{text}"
+        );
     }
 
     #[test]
@@ -232,9 +233,9 @@ mod tests {
     #[test]
     fn what_is_hidden_is_counted() {
         assert_eq!(hidden(0, false), None);
-        let one = "1 other pair differs by more than a factor of 2 and is not shown (use --all)";
+        let one = "1 other pair of mode and excitation is not shown because its frequencies differ by more than a factor of 2 (use --all)";
         assert_eq!(hidden(1, false).as_deref(), Some(one));
-        let all = "8 pairs differ by more than a factor of 2 and are not shown (use --all)";
+        let all = "8 pairs of mode and excitation are not shown because their frequencies differ by more than a factor of 2 (use --all)";
         assert_eq!(hidden(8, true).as_deref(), Some(all));
     }
 
