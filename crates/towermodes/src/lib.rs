@@ -70,7 +70,7 @@ pub use modes::{ByMotion, Energy, Family, ShapePoint};
 pub use number::Plain;
 pub use solve::{
     BladeFamily, BladeMode, BladeSolution, Certificate, DEFAULT_MODES, DEFAULT_POINTS,
-    DEFAULT_SEGMENTS, MAX_BYTES, MAX_DEGREE, MAX_POINTS, MAX_SECONDS, MAX_SEGMENTS,
+    DEFAULT_SEGMENTS, ErrorBasis, MAX_BYTES, MAX_DEGREE, MAX_POINTS, MAX_SECONDS, MAX_SEGMENTS,
     MAX_SPECTRAL_ELEMENTS, Mode, ModeKey, Options, Progress, Solution, SolveError, Stage,
     Workspace, blade_degrees_of_freedom, solve, solve_blade, solve_blade_once, solve_certain,
     solve_until, solve_with,

@@ -451,14 +451,14 @@ fn others() -> Vec<Row> {
             "spectral",
             pole(),
             &["from one polynomial degree, or from one element length, to the next"],
-            &["finer meshes"],
+            &["between the frequencies with"],
         )
         .by(Method::Spectral)
         .of("frequencies"),
         row(
             "segments",
             pole(),
-            &["coarser or finer meshes"],
+            &["between the frequencies with 100, 50 and 25 segments"],
             &["polynomial degree"],
         )
         .of("frequencies"),

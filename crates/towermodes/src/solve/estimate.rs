@@ -7,7 +7,7 @@ use super::one_mesh::Described;
 use super::options::Options;
 use super::progress::Stage;
 use super::reference::Reference;
-use super::solution::Mode;
+use super::solution::{ErrorBasis, Mode};
 use super::spectrum::{ModeKey, count_below};
 use super::stability::find_origin_again;
 use super::tracking::{Ladder, Levels, MORE, frequencies};
@@ -22,6 +22,17 @@ pub(super) struct Estimates {
     pub(super) elsewhere: usize,
     /// Places in the list, from 0, of modes that do not converge with the powers of the method.
     pub(super) irregular: Vec<usize>,
+    /// Which meshes and modes the errors are from.
+    pub(super) basis: ErrorBasis,
+}
+
+/// The modes on the meshes of a ladder.
+struct Solved {
+    levels: Levels,
+    /// How many modes the mesh next to their own has below the end of the list.
+    elsewhere: usize,
+    /// The numbers of segments of the other meshes.
+    segments: Vec<usize>,
 }
 
 /// Where meshes disagree by less than this fraction of a frequency the larger estimate is enough,
@@ -44,15 +55,19 @@ pub(super) fn estimate_errors(
     let (modes, below) = (&mut result.modes, result.below);
     if options.borders_m.is_some() {
         let all: Vec<usize> = (0..modes.len()).collect();
-        compare(tower, options, modes, &all, workspace);
+        let compared = compare(tower, options, modes, &all, workspace);
         return Ok(Estimates {
             elsewhere: count_below(&mut workspace.model, below),
             irregular: Vec::new(),
+            basis: ErrorBasis {
+                segments: Vec::new(),
+                compared,
+            },
         });
     }
     let powers = powers(tower, options, &workspace.model);
-    let (levels, elsewhere) =
-        solve_meshes(tower, cut, options, (modes, below), &powers, workspace)?;
+    let solved = solve_meshes(tower, cut, options, (modes, below), &powers, workspace)?;
+    let levels = solved.levels;
     // Where a section changes much over one segment meshes can converge regularly to something
     // else.
     let all_are_doubtful = is_steep(tower, &cut.mesh);
@@ -69,12 +84,17 @@ pub(super) fn estimate_errors(
             doubtful.push(index);
         }
     }
-    if !doubtful.is_empty() {
-        compare(tower, options, modes, &doubtful, workspace);
-    }
+    let compared = match doubtful.is_empty() {
+        true => Vec::new(),
+        false => compare(tower, options, modes, &doubtful, workspace),
+    };
     Ok(Estimates {
-        elsewhere,
+        elsewhere: solved.elsewhere,
         irregular,
+        basis: ErrorBasis {
+            segments: solved.segments,
+            compared,
+        },
     })
 }
 
@@ -89,15 +109,17 @@ fn is_steep(tower: &Tower, mesh: &Mesh) -> bool {
     })
 }
 
-/// Takes the errors of some modes from the reference beam solution. Where that cannot be solved,
-/// the estimates stay as they are, or are the whole frequency where there are none.
+/// Takes the errors of some modes from the reference beam solution, and returns the numbers of
+/// these modes. Where that cannot be solved, the estimates stay as they are, or are the whole
+/// frequency where there are none.
 fn compare(
     tower: &Tower,
     options: &Options,
     modes: &mut [Mode],
     which: &[usize],
     workspace: &mut Workspace,
-) {
+) -> Vec<usize> {
+    let mut compared = Vec::with_capacity(which.len());
     let keys: Vec<ModeKey> = which.iter().map(|&index| modes[index].key).collect();
     let found_hz: Vec<f64> = which.iter().map(|&i| modes[i].frequency_hz).collect();
     let reference = Reference::solve(tower, options, &keys, &found_hz, workspace);
@@ -111,6 +133,7 @@ fn compare(
             Some(Some((beam_hz, change_hz))) => {
                 mode.discretization_error_hz = (mode.frequency_hz - beam_hz).abs() + change_hz;
                 mode.extrapolated_hz = beam_hz;
+                compared.push(mode.number);
             }
             // The reference buckles, or nothing is known at all.
             Some(None) => mode.discretization_error_hz = mode.frequency_hz,
@@ -120,10 +143,10 @@ fn compare(
             None => {}
         }
     }
+    compared
 }
 
-/// The frequencies of the modes on all meshes of a ladder, and how many modes the mesh next to
-/// their own has below the end of the list.
+/// The frequencies of the modes on all meshes of a ladder.
 fn solve_meshes(
     tower: &Tower,
     cut: &Cut,
@@ -131,7 +154,7 @@ fn solve_meshes(
     (modes, below): (&[Mode], f64),
     powers: &[&[i32]],
     workspace: &mut Workspace,
-) -> Result<(Levels, usize), SolveError> {
+) -> Result<Solved, SolveError> {
     // Three meshes at least; on a single piece, which converges smoothly, three do for two powers
     // too.
     let is_single = tower.pieces().len() == 1;
@@ -144,7 +167,7 @@ fn solve_meshes(
     let steps = steps.max().unwrap_or(0);
     let ladder = ladder(&cut.mesh, modes, 1, steps, &workspace.model);
     let solved = solve_ladder(tower, &ladder, options, modes, below, workspace)?;
-    if !solved.0.lacks_coarse() {
+    if !solved.levels.lacks_coarse() {
         return Ok(solved);
     }
     // A coarser chain buckles where this one does not: only finer ones give an estimate.
@@ -185,16 +208,16 @@ fn solve_ladder(
     modes: &[Mode],
     below: f64,
     workspace: &mut Workspace,
-) -> Result<(Levels, usize), SolveError> {
+) -> Result<Solved, SolveError> {
     let Workspace { model, spectrum } = workspace;
     let origin = model.origin;
     let keys: Vec<ModeKey> = modes.iter().map(|mode| mode.key).collect();
     let own_hz: Vec<f64> = modes.iter().map(|mode| mode.frequency_hz).collect();
-    let (mut elsewhere, mut others) = (0, 0);
+    let (mut elsewhere, mut segments) = (0, Vec::new());
     let levels = ladder.solve(&own_hz, |index, mesh| {
-        others += 1;
+        segments.push(mesh.segments());
         model.monitor.enter(Stage::Errors {
-            mesh: others,
+            mesh: segments.len(),
             meshes: ladder.meshes.len() - 1,
             segments: mesh.segments(),
         });
@@ -210,7 +233,11 @@ fn solve_ladder(
         }
         Ok(level)
     })?;
-    Ok((levels, elsewhere))
+    Ok(Solved {
+        levels,
+        elsewhere,
+        segments,
+    })
 }
 
 /// The powers of 1/n in the errors of the modes of each subsystem: those of bending, or of torsion

@@ -43,7 +43,7 @@ pub use limits::{
 };
 pub use options::Options;
 pub use progress::{Progress, Stage};
-pub use solution::{Certificate, Mode, Solution};
+pub use solution::{Certificate, ErrorBasis, Mode, Solution};
 pub use spectrum::ModeKey;
 pub use tower::{solve, solve_with};
 pub use until::solve_until;

@@ -8,7 +8,7 @@ use super::naming::{Identity, identify};
 use super::options::Options;
 use super::progress::Stage;
 use super::reference::buckles;
-use super::solution::{Certificate, Mode, Solution};
+use super::solution::{Certificate, ErrorBasis, Mode, Solution};
 use super::spectrum::Found;
 use super::stability::{VERGE, begin_below_zero, buckling_load_factor, can_buckle, find_origin};
 use super::workspace::Workspace;
@@ -115,6 +115,7 @@ impl Described {
             degrees_of_freedom: self.degrees_of_freedom,
             certificate: self.certificate,
             modes: self.modes,
+            error_basis: ErrorBasis::default(),
             rigid_inertia: self.rigid_inertia,
             buckling_load_factor: self.buckling_load_factor,
             warnings,

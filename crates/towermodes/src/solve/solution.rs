@@ -261,6 +261,8 @@ pub struct Solution {
     pub degrees_of_freedom: usize,
     /// The modes by frequency; of a repeated pair the fore-aft one first.
     pub modes: Vec<Mode>,
+    /// What the discretization errors of the modes are estimated from.
+    pub error_basis: ErrorBasis,
     /// The proof that none is missing.
     pub certificate: Certificate,
     /// The inertia of the whole tower, with everything that moves with it, against rigid-body
@@ -274,6 +276,17 @@ pub struct Solution {
     pub warnings: Vec<Warning>,
     /// Number of products and restarts.
     pub statistics: Statistics,
+}
+
+/// What the discretization errors of a [`Solution`] are estimated from. Both lists are empty for
+/// [`Method::Spectral`], whose errors are estimated from its own degrees and elements.
+#[derive(Debug, Clone, PartialEq, Eq, Default)]
+pub struct ErrorBasis {
+    /// The numbers of segments or elements of the other meshes that were solved.
+    pub segments: Vec<usize>,
+    /// The numbers of the modes whose error is instead the difference from the reference solution
+    /// ([`Method::Spectral`]), and whose extrapolated frequency is that of this solution.
+    pub compared: Vec<usize>,
 }
 
 impl Solution {

@@ -79,5 +79,9 @@ fn solve_segments(
     warnings.extend(irregular(&result.modes, &estimates.irregular));
     let elsewhere = estimates.elsewhere;
     warnings.extend(uncertain_end(&result.modes, &result.certificate, elsewhere));
-    Ok(result.into_solution(options, cut.mesh.segments(), warnings, statistics))
+    let solution = result.into_solution(options, cut.mesh.segments(), warnings, statistics);
+    Ok(Solution {
+        error_basis: estimates.basis,
+        ..solution
+    })
 }

@@ -17,10 +17,11 @@ pub(super) fn blocks(content: &ReportContent) -> Vec<Block> {
     let mut blocks = vec![
         paragraph(how(content)),
         table(of_modes(solution)),
-        paragraph(
-            "Frequencies are rounded to the second significant digit of their error. The error is the sum of the discretization error and the \
-             algebraic error. Percentages in parentheses are the fractions of the energy in other motions, if at least 1 %.",
-        ),
+        paragraph(format!(
+            "Frequencies are rounded to the second significant digit of their error. The error is the sum of the discretization error and \
+                 the algebraic error.{}",
+            parentheses(solution)
+        )),
         Block::Heading("Errors".to_owned()),
         paragraph(errors(solution)),
         table(of_errors(solution)),
@@ -42,6 +43,17 @@ pub(super) fn blocks(content: &ReportContent) -> Vec<Block> {
     ];
     blocks.extend(buckling(content));
     blocks
+}
+
+/// The meaning of the parentheses after the mode shapes, if there are any.
+fn parentheses(solution: &Solution) -> &'static str {
+    let has_others = |mode: &Mode| mode_shape(mode) != mode.label();
+    match solution.modes.iter().any(has_others) {
+        true => {
+            " Percentages in parentheses are the fractions of the energy in other motions, if at least 1 %."
+        }
+        false => "",
+    }
 }
 
 /// The buckling load factor, or why a floating structure has none; nothing without gravity.
@@ -121,17 +133,62 @@ pub(super) fn hinges(method: Method, options: &Options) -> String {
 
 /// The estimates and bounds of the errors, and their limits.
 fn errors(solution: &Solution) -> String {
-    let discretization = if solution.method == Method::Spectral {
-        "The discretization error is estimated from the change of the frequency from one polynomial degree, or from one element length, to \
-         the next. The frequency is not extrapolated; the table repeats it as the extrapolated frequency."
-    } else {
-        "The discretization error is estimated from coarser or finer meshes. The extrapolated frequency is the Richardson extrapolation to \
-         zero segment length."
+    let source = match solution.method {
+        Method::Spectral => {
+            "The discretization error is estimated from the change of the frequency from one polynomial degree, or from one element \
+             length, to the next. The frequency is not extrapolated; the table repeats it as the extrapolated frequency."
+                .to_owned()
+        }
+        _ => discretization(solution),
     };
     format!(
-        "{discretization} The algebraic error is an upper bound of the error of the eigenvalue solver. These errors do not include the \
+        "{source} The algebraic error is an upper bound of the error of the eigenvalue solver. These errors do not include the \
          uncertainty of the input data and of the model."
     )
+}
+
+/// How the discretization errors of a method with segments or elements were estimated.
+fn discretization(solution: &Solution) -> String {
+    let parts = [from_meshes(solution), from_reference(solution)];
+    let parts: Vec<String> = parts.into_iter().flatten().collect();
+    match parts.is_empty() {
+        true => "No estimate of the discretization error was possible; the frequency itself is given in its place."
+            .to_owned(),
+        false => parts.join(" "),
+    }
+}
+
+/// The errors that were estimated from other meshes, if there are any.
+fn from_meshes(solution: &Solution) -> Option<String> {
+    let mut segments = solution.error_basis.segments.clone();
+    if segments.is_empty() || solution.error_basis.compared.len() == solution.modes.len() {
+        return None;
+    }
+    segments.push(solution.segments);
+    segments.sort_unstable_by(|a, b| b.cmp(a));
+    let segments: Vec<String> = segments.iter().map(usize::to_string).collect();
+    let unit = solution.method.unit();
+    Some(format!(
+        "The discretization error is estimated from the differences between the frequencies with {} {unit}s. The extrapolated \
+         frequency is the Richardson extrapolation of these frequencies to zero {unit} length.",
+        listed(&segments),
+    ))
+}
+
+/// The errors that are differences from the reference solution, if there are any.
+fn from_reference(solution: &Solution) -> Option<String> {
+    let compared = &solution.error_basis.compared;
+    let numbers: Vec<String> = compared.iter().map(usize::to_string).collect();
+    let of = match numbers.len() {
+        0 => return None,
+        count if count == solution.modes.len() => String::new(),
+        1 => format!(" of mode {}", listed(&numbers)),
+        _ => format!(" of modes {}", listed(&numbers)),
+    };
+    Some(format!(
+        "The discretization error{of} is the difference from the reference solution (method spectral), plus the error of that solution. The \
+         extrapolated frequency{of} is that of the reference solution."
+    ))
 }
 
 /// The rule that names a mode.
