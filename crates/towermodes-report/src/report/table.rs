@@ -78,7 +78,7 @@ pub(super) struct Brief {
     /// After how many of them others are left out that belong between; none if those are here and
     /// there.
     pub gap_after: Option<usize>,
-    /// Their name: "pairs within a factor of 2".
+    /// Their name: "pairs whose frequencies differ by at most a factor of 2".
     pub which: String,
 }
 

@@ -49,8 +49,8 @@ pub(super) fn blocks(content: &ReportContent) -> Vec<Block> {
 /// The meaning of the coefficients, and how they are computed.
 fn introduction(content: &ReportContent) -> String {
     format!(
-        "ElastoDyn describes the tower from {} m to {} m by two mode shapes in each plane: polynomials with the powers 2 to 6 of the \
-         normalised height η, with zero deflection and slope at the base and the value 1 at the top. {}The coefficients are fitted by least squares \
+        "The coefficients below describe the tower from {} m to {} m by two mode shapes in each plane, as ElastoDyn requires: polynomials \
+         with the powers 2 to 6 of the normalised height η, with zero deflection and slope at the base and the value 1 at the top. {}The coefficients are fitted by least squares \
          to the modes of the reference solution (method spectral), including rotor-nacelle assembly and foundation; residuals are relative to the largest \
          deflection of the shape. The ElastoDyn frequency is computed from ElastoDyn's generalised mass and stiffness of the shape, \
          without rotor-nacelle assembly and gravity; do not compare it with the frequency of the mode.",

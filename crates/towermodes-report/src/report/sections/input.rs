@@ -17,8 +17,9 @@ pub(super) fn blocks(content: &ReportContent) -> Vec<Block> {
     let description = &content.description;
     let mut blocks = vec![
         paragraph(
-            "Values with more than six digits are rounded to four, lengths to the millimetre. The input files at the end of the report have all \
-             digits.",
+            "Values with more than six significant digits are rounded: lengths of 1 m and more to the nearest millimetre, other values from \
+             10 000 to 1 000 000 to a whole number, all others to four significant digits. The input files at the end of the report have \
+             all digits.",
         ),
         tabulated_picture(figures::tower(description, &content.tower), "tower"),
         table(overview(content)),

@@ -9,24 +9,24 @@ pub(super) fn blocks(content: &ReportContent) -> Vec<Block> {
     let warnings = &content.solution.warnings;
     if !content.circumstances.notes.is_empty() {
         blocks.push(paragraph(
-            "Notes of the reader: assumptions, and data that were omitted or could not be imported:",
+            "Notes on the input: assumptions, and data that were omitted or could not be imported:",
         ));
         blocks.push(Block::List(content.circumstances.notes.clone()));
     }
     if !warnings.is_empty() {
         blocks.push(paragraph(
-            "Warnings of the solver: possible input errors, and limits of the results:",
+            "Warnings on the computation: possible input errors, and limits of the results:",
         ));
         let warnings = warnings.iter();
         blocks.push(Block::List(warnings.map(ToString::to_string).collect()));
     }
     if blocks.is_empty() {
         blocks.push(paragraph(
-            "The reader and the solver gave no notes or warnings.",
+            "There are no notes or warnings on the input or the computation.",
         ));
     }
     blocks.push(paragraph(
-        "The warnings of the resonance check, on the shapes for ElastoDyn and on the comparison of methods are in their sections.",
+        "Warnings about resonance, the shapes for ElastoDyn and the comparison of methods, if any, are given in the sections on these subjects.",
     ));
     blocks
 }

@@ -1,7 +1,7 @@
 //! The distances of the rotor excitations from the natural frequencies.
 
 use towermodes::Family;
-use towermodes_analysis::resonance::{Campbell, Margin, StiffnessClass};
+use towermodes_analysis::resonance::{Campbell, FrequencyLine, Margin, StiffnessClass};
 
 use super::super::content::ReportContent;
 use super::super::document::Block;
@@ -34,11 +34,19 @@ pub(super) fn blocks(content: &ReportContent) -> Vec<Block> {
     }
     blocks.push(table(margins(campbell)));
     blocks.push(Block::List(verdicts(campbell)));
+    if !has_blade(campbell) {
+        blocks.push(paragraph("Blade modes were not checked."));
+    }
     blocks.push(paragraph(
         "The verdicts include the numerical error of the frequency: f is shifted by its error towards the excitation. The table gives the \
          distance without this shift.",
     ));
     blocks
+}
+
+/// Whether the diagram has blade modes.
+fn has_blade(campbell: &Campbell) -> bool {
+    campbell.lines.iter().any(FrequencyLine::is_of_blade)
 }
 
 fn without_rotor(content: &ReportContent) -> Vec<Block> {
@@ -110,7 +118,7 @@ fn margins(campbell: &Campbell) -> Table {
         row.push(margin.verdict.into());
         table.push(row);
     }
-    let which = "pairs within a factor of 2";
+    let which = "pairs whose frequencies differ by at most a factor of 2";
     table.with_only(which, |row| campbell.margins[row].is_near())
 }
 
@@ -122,18 +130,25 @@ fn distance(campbell: &Campbell, margin: &Margin) -> String {
     }
 }
 
-/// The meaning of each verdict, with the number of pairs.
+/// The meaning of each verdict, with the number of pairs. Blade modes are named only if they were
+/// checked.
 fn verdicts(campbell: &Campbell) -> Vec<String> {
     let [pass, warn, fail] = verdict_counts(campbell);
     let strong = match campbell.rotor.blades {
         1 => "1P".to_owned(),
         blades => format!("1P or {blades}P"),
     };
+    let blades = match has_blade(campbell) {
+        true => {
+            "; or any multiple is closer to a blade mode than the margin; or a blade mode could not be followed over all operating speeds"
+        }
+        false => "",
+    };
     vec![
         format!("FAIL ({fail}): {strong} is closer to a tower mode than the margin."),
         format!(
-            "WARN ({warn}): {strong} is closer to a tower mode than twice the margin; or another multiple is closer to a tower mode than the \
-             margin; or any multiple is closer to a blade mode than the margin; or a blade mode could not be followed over all operating speeds."
+            "WARN ({warn}): {strong} is closer to a tower mode than twice the margin; or another multiple is closer to a tower mode than \
+             the margin{blades}."
         ),
         format!("PASS ({pass}): all other pairs."),
     ]

@@ -1,6 +1,7 @@
 //! The most important results in a few lines.
 
 use towermodes::{Family, Mode};
+use towermodes_analysis::resonance::{Campbell, FrequencyLine};
 
 use super::super::content::ReportContent;
 use super::super::document::{Block, Statement};
@@ -49,7 +50,7 @@ fn has_rna(content: &ReportContent) -> bool {
         || masses.any(|mass| mass.height_m == tower.top_m() && mass.mass_kg > 0.0)
 }
 
-/// The conclusion of the resonance check, and how many pairs pass, warn and fail.
+/// The conclusion of the resonance check, and the number of verdicts.
 fn resonance(content: &ReportContent) -> Statement {
     let lead = "Resonance";
     let not_checked = |why: &str| Statement {
@@ -62,18 +63,30 @@ fn resonance(content: &ReportContent) -> Statement {
         Some(Err(_)) => return not_checked("the rotor blade could not be solved"),
         Some(Ok(campbell)) => campbell,
     };
-    let [pass, warn, fail] = verdict_counts(campbell);
     Statement {
         lead,
         text: format!(
-            "{} {}{} of a natural frequency and an excitation: {pass} PASS, {warn} WARN, {fail} FAIL at a required margin of {} %.",
+            "{} {}{}",
             campbell.conclusion().join(" "),
             caveat(content),
-            counted(campbell.margins.len(), "pair"),
-            margin_percent(campbell.margin)
+            verdicts(campbell)
         ),
         verdict: Some(Mark::of(campbell.verdict())),
     }
+}
+
+/// How many pairs were checked, and how many of them pass, warn and fail.
+fn verdicts(campbell: &Campbell) -> String {
+    let [pass, warn, fail] = verdict_counts(campbell);
+    let (modes, unchecked) = match campbell.lines.iter().any(FrequencyLine::is_of_blade) {
+        true => ("mode", ""),
+        false => ("tower mode", " Blade modes were not checked."),
+    };
+    format!(
+        "{} of {modes} and excitation: {pass} PASS, {warn} WARN, {fail} FAIL at a required margin of {} %.{unchecked}",
+        counted(campbell.margins.len(), "pair"),
+        margin_percent(campbell.margin)
+    )
 }
 
 /// A limit of the conclusion: parts that would change it are missing.
@@ -151,9 +164,9 @@ fn verification(content: &ReportContent) -> Statement {
         .filter(|error| error.is_finite())
         .fold(0.0, f64::max);
     let messages = match content.circumstances.notes.len() + solution.warnings.len() {
-        0 => "The reader and the solver gave no notes or warnings.".to_owned(),
+        0 => "There are no notes or warnings on the input or the computation.".to_owned(),
         count => format!(
-            "The reader and the solver gave {}: see the section on these.",
+            "{} on the input or the computation: see the section Notes and warnings.",
             counted(count, "note or warning").replace("note or warnings", "notes and warnings")
         ),
     };
