@@ -116,7 +116,7 @@ pub(crate) fn notes_on(input: &TowerInput, chosen: &ChosenRotor) -> Vec<Note> {
     let blades = blades.iter().filter(|_| !chosen.blades_are_given);
     let assumed = chosen.blades_are_assumed.then(|| {
         Note::new(format!(
-            "the number of blades is not given; {} are assumed (--blades)",
+            "the number of blades is not given; {} are assumed; --blades sets another number",
             chosen.rotor.blades
         ))
     });

@@ -77,7 +77,9 @@ pub enum FileError {
         name: String,
     },
     /// It is not text.
-    #[error("{name}: not a text file (byte {byte} is neither UTF-8 nor Latin-1); save it as UTF-8")]
+    #[error(
+        "{name}: not a text file (the byte at offset {byte} is not a character in UTF-8 or Latin-1); save it as UTF-8"
+    )]
     NotText {
         /// The path.
         name: String,

@@ -116,7 +116,11 @@ fn factors_scale_their_columns() {
     noted(
         &input.notes,
         37,
-        &["swaps", "flp_stff_mult = 4", "--bmodes-quirks: as in"],
+        &[
+            "swaps",
+            "flp_stff_mult = 4",
+            "use --bmodes-quirks for the behaviour of",
+        ],
     );
     let quirks = decks::tower(&main, SECTIONS, true);
     let row = &quirks.description.properties[0].properties;

@@ -318,7 +318,7 @@ fn platforms_that_do_not_float() {
         "lateral = inf\nmass = 7.5e6",
         "9:1",
         "`lateral` is not a key of [foundation] of type \"floating\"",
-        "it belongs to type = \"springs\"; a floating platform is held by",
+        "it belongs to type = \"springs\"; the stiffness of a floating platform is given by",
     );
     refused(
         FLOATING,

@@ -26,10 +26,10 @@ pub enum Method {
     /// Two hinges in each segment at the Gauss points of dz/EI; section properties integrated
     /// exactly.
     CardanicExact,
-    /// The cardanic joint element after Zhao, Maißer & Wu: prismatic segments, two hinges at kL and
-    /// (1−k)L.
+    /// The cardanic joint element after Zhao, Maißer & Wu: prismatic segments, two hinges at the
+    /// same distance from both ends.
     Cardanic,
-    /// Rigid half-segments joined by massless beam springs, as Adams models a beam: prismatic
+    /// Rigid half-segments joined by massless beam elements (BEAM in Adams): prismatic
     /// segments, all joints at L/2.
     Lumped,
     /// The 15-dof finite element of BModes: Euler-Bernoulli, sections constant over an element.
@@ -69,19 +69,19 @@ impl Method {
     pub fn description(self) -> &'static str {
         match self {
             Self::RmjeExact => {
-                "rigid segments with one joint at the centre of flexibility, sections integrated exactly"
+                "rigid bodies, one joint per segment at the centre of flexibility, sections integrated exactly"
             }
             Self::Rmje => {
                 "rigid multibody joint element as published (Nikolić & Šalinić), prismatic segments"
             }
             Self::CardanicExact => {
-                "rigid segments with two hinges at the Gauss points, sections integrated exactly"
+                "rigid bodies, two hinges per segment at the Gauss points, sections integrated exactly"
             }
             Self::Cardanic => {
                 "cardanic joint element (after Zhao, Maißer & Wu), prismatic segments"
             }
             Self::Lumped => {
-                "rigid half-segments joined by massless beam springs, as in Adams, prismatic segments"
+                "rigid half-segments joined by massless beam elements (BEAM in Adams), prismatic segments"
             }
             Self::Bmodes => {
                 "finite element of BModes (NREL): Euler-Bernoulli, no shear, no rotary inertia"

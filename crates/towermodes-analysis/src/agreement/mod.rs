@@ -72,9 +72,9 @@ pub enum AgreementError {
         #[source]
         error: SolveError,
     },
-    /// The towers have no common height.
+    /// The height ranges of the towers do not overlap.
     #[error(
-        "the towers have no common height: the first reaches from {} m to {} m, the second from {} m to {} m",
+        "the height ranges of the towers do not overlap: the first reaches from {} m to {} m, the second from {} m to {} m",
         ranges[0].base_m, ranges[0].top_m, ranges[1].base_m, ranges[1].top_m
     )]
     NothingShared {

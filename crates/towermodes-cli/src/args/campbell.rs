@@ -8,7 +8,7 @@ use super::model::{ModelArguments, up_to_excitations};
 use super::parsers::{method_parser, number_parser};
 use super::prescribed::Prescribed;
 use super::rotor::RotorArguments;
-use super::{Destination, Format};
+use super::{Destination, Format, csv_lines};
 
 const EXAMPLES: &str = "Examples:
   towermodes campbell examples/nrel-5mw.toml
@@ -17,13 +17,13 @@ const EXAMPLES: &str = "Examples:
 
 An excitation nP is n times the rotor speed. The distance is the difference of excitation and natural frequency in percent of the natural frequency, at the operating speed where it is smallest. The margin is the required distance.
 
-FAIL: 1P or the blade passing frequency is closer to a tower mode than the margin. WARN: 1P or the blade passing frequency is closer to a tower mode than twice the margin; or another multiple is closer to a tower mode than the margin; or any excitation is closer to a blade mode than the margin; or a blade mode could not be followed over all operating speeds. Tower modes are all modes except blade modes, also torsion and rigid-body motions of a floating platform.
+FAIL: 1P or the blade passing frequency is closer to a tower mode than the margin. WARN: 1P or the blade passing frequency is closer to a tower mode than twice the margin; or another multiple is closer to a tower mode than the margin; or any excitation is closer to a blade mode than the margin; or a blade mode could not be followed over all operating speeds. Tower modes are all modes except blade modes; torsion and the rigid-body motions of a floating platform are tower modes too.
 
 Exit codes: 0 no pair fails; 1 at least one pair fails, or the computation or the output failed; 2 wrong usage or wrong input.";
 
 /// The arguments of `campbell`.
 #[derive(Debug, Args)]
-#[command(allow_negative_numbers = true, after_help = EXAMPLES, mut_arg("modes", up_to_excitations))]
+#[command(allow_negative_numbers = true, after_help = EXAMPLES, mut_arg("modes", up_to_excitations), mut_arg("format", |of| csv_lines(of, "One line per mode and excitation")))]
 pub(crate) struct CampbellArguments {
     #[command(flatten)]
     pub(crate) input: InputArguments,
@@ -42,8 +42,8 @@ pub(crate) struct CampbellArguments {
     #[command(flatten)]
     pub(crate) rotor: RotorArguments,
 
-    /// Show every pair of mode and excitation in the table, including pairs that differ by more
-    /// than a factor of 2
+    /// Show every pair of mode and excitation in the table, including pairs whose frequencies
+    /// differ by more than a factor of 2
     #[arg(long)]
     pub(crate) all: bool,
 

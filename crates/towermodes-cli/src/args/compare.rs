@@ -4,10 +4,10 @@ use clap::Args;
 use towermodes::{MAX_SEGMENTS, Method, Options};
 use towermodes_analysis::study::ColumnSpec;
 
-use super::Destination;
 use super::input::InputArguments;
 use super::model::ModelArguments;
 use super::parsers::{method_parser, number_parser};
+use super::{Destination, csv_lines};
 
 const EXAMPLES: &str = "Examples:
   towermodes compare tower.toml
@@ -21,7 +21,7 @@ const DEFAULT_SEGMENTS: [usize; 1] = [60];
 
 /// The arguments of `compare`.
 #[derive(Debug, Args)]
-#[command(allow_negative_numbers = true, after_help = EXAMPLES)]
+#[command(allow_negative_numbers = true, after_help = EXAMPLES, mut_arg("format", |of| csv_lines(of, "One line per mode and column of the table")))]
 pub(crate) struct CompareArguments {
     #[command(flatten)]
     pub(crate) input: InputArguments,

@@ -4,10 +4,10 @@ use clap::Args;
 use towermodes::{MAX_DEGREE, MAX_SEGMENTS, Method, Options};
 use towermodes_analysis::study::{Fineness, STUDY_DEGREES, STUDY_SEGMENTS};
 
-use super::Destination;
 use super::input::InputArguments;
 use super::model::ModelArguments;
 use super::parsers::{method_parser, number_parser};
+use super::{Destination, csv_lines};
 
 const EXAMPLES: &str = "Examples:
   towermodes converge tower.toml --method rmje
@@ -18,7 +18,7 @@ Errors are relative to the reference solution (method spectral); for bmodes the 
 
 /// The arguments of `converge`.
 #[derive(Debug, Args)]
-#[command(allow_negative_numbers = true, after_help = EXAMPLES)]
+#[command(allow_negative_numbers = true, after_help = EXAMPLES, mut_arg("format", |of| csv_lines(of, "One line per mode and mesh")))]
 pub(crate) struct ConvergeArguments {
     #[command(flatten)]
     pub(crate) input: InputArguments,

@@ -39,8 +39,9 @@ pub(crate) use verify::{VerifyArguments, VerifyFormat};
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
+use clap::builder::{PossibleValuesParser, TypedValueParser};
 use clap::error::ErrorKind;
-use clap::{Args, Parser, Subcommand, ValueEnum};
+use clap::{Arg, Args, Parser, Subcommand, ValueEnum};
 
 use deferred::Deferred;
 use parsers::schema_parser;
@@ -121,9 +122,22 @@ pub(crate) enum Format {
     Table,
     /// All results.
     Json,
-    /// One line per mode and excitation (campbell), per mode and column of the table (compare), or
-    /// per mode and mesh (converge).
+    /// One line per value of the table.
     Csv,
+}
+
+/// The option `--format` of a command, with a description of the lines of its CSV.
+pub(super) fn csv_lines(format: Arg, lines: &'static str) -> Arg {
+    let described = |format: &Format| {
+        let value = format.to_possible_value()?;
+        Some(match format {
+            Format::Csv => value.help(lines),
+            _ => value,
+        })
+    };
+    let values = Format::value_variants().iter().filter_map(described);
+    let parser = PossibleValuesParser::new(values.collect::<Vec<_>>());
+    format.value_parser(parser.try_map(|name| Format::from_str(&name, false)))
 }
 
 /// The format of a result and the file it is written to.

@@ -55,8 +55,9 @@ pub(crate) struct PlotArguments {
     #[arg(long, value_name = "TEXT")]
     pub(crate) title: Option<String>,
 
-    /// Write the picture to a file, as SVG or PNG depending on the extension; without this option
-    /// to standard output, but not to a terminal; with - to standard output in any case
+    /// Write the picture to a file, as SVG or PNG depending on the extension. Without this option
+    /// the picture goes to standard output; if that is a terminal, the command stops with an
+    /// error. With - the picture goes to standard output in any case
     #[arg(long, short, value_name = "PATH")]
     output: Option<PathBuf>,
 

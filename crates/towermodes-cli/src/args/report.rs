@@ -58,8 +58,9 @@ pub(crate) struct ReportArguments {
     #[arg(long, short, value_enum)]
     format: Option<PageFormat>,
 
-    /// Write the report to a file; without this option to standard output, but not to a terminal;
-    /// with - to standard output in any case
+    /// Write the report to a file. Without this option the report goes to standard output; if that
+    /// is a terminal, the command stops with an error. With - the report goes to standard output
+    /// in any case
     #[arg(long, short, value_name = "PATH")]
     output: Option<PathBuf>,
 }

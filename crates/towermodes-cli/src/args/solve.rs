@@ -43,7 +43,7 @@ pub(crate) struct SolveArguments {
     method: Option<Method>,
 
     /// Number of segments (bmodes and spectral: elements)
-    /// [default: 100, plus 2 for each part shorter than two average segments; parts lie between
+    /// [default: 100, plus 2 for each part shorter than 1/50 of the tower height; parts lie between
     /// steps, changes of taper or material and point masses; spectral: one per part; BModes decks:
     /// the elements of the deck]
     #[arg(long, value_name = "N", value_parser = number_parser(1, MAX_SEGMENTS))]

@@ -47,7 +47,9 @@ pub(super) fn choice(compatible: bool, bmodes: &str, right: &str) -> String {
     if compatible {
         format!("as in BModes 3.00 (--bmodes-quirks), which {bmodes}; without that option {right}")
     } else {
-        format!("BModes 3.00 {bmodes}; here {right} (--bmodes-quirks: as in BModes 3.00)")
+        format!(
+            "BModes 3.00 {bmodes}; here {right}; use --bmodes-quirks for the behaviour of BModes 3.00"
+        )
     }
 }
 

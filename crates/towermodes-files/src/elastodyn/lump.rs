@@ -175,7 +175,7 @@ fn rotor_message(shaft: &Shaft, lock: RotorLock) -> String {
     });
     match lock {
         RotorLock::Locked => format!(
-            "the rotor is locked to the nacelle: GenIner is used without the factor GBRatio^2, and the inertia about the shaft is {locked} (--rotor free: no torque on the shaft)"
+            "the rotor is locked to the nacelle: GenIner is used without the factor GBRatio^2, and the inertia about the shaft is {locked}; use --rotor free for a rotor that turns freely on its shaft"
         ),
         RotorLock::Free => format!(
             "the rotor is free: the inertia about the shaft is {felt} instead of {locked} of a locked rotor, so the RNA is not one rigid body"

@@ -71,8 +71,8 @@ fn notes(tower: &Tower, made: &MadeTower) -> Vec<Note> {
     let spread = made.spread_masses;
     if spread > 0 {
         notes.push(Note::new(format!(
-            "{spread} point mass{} distributed over 1/{} of the height each: OpenFAST has concentrated masses since 4.2 (--openfast 4.2)",
-            if spread == 1 { " is" } else { "es are" },
+            "{spread} point mass{} distributed over 1/{} of the height; only OpenFAST 4.2 and newer accept concentrated masses (option --openfast 4.2)",
+            if spread == 1 { " is" } else { "es are each" },
             made.model.nodes
         )));
     }

@@ -34,7 +34,7 @@ fn masses_that_are_not_listed_are_spread_over_an_element() {
     let written = elastodyn(&description, &MakeOptions::default());
     let said = written.notes.iter().any(|note| {
         note.message
-            .contains("3 point masses are distributed over 1/20")
+            .contains("3 point masses are each distributed over 1/20")
     });
     assert!(said, "{:?}", written.notes);
     let input = written.read();

@@ -1,4 +1,4 @@
-//! Rigid half-segments joined by massless beam springs, as general multibody programs model beams
+//! Rigid half-segments joined by massless beam elements, as general multibody programs model beams
 //! (Adams).
 //!
 //! A segment of length L is a prismatic beam with the section at its middle. Its two halves are

@@ -14,7 +14,7 @@ use crate::toml::values::{number, number_or_infinity};
 pub(super) const KIND: Kind = Kind {
     name: "floating",
     schema: &schema::FLOATING,
-    nature: "a floating platform is held by its matrices hydrostatic and mooring",
+    nature: "the stiffness of a floating platform is given by its matrices hydrostatic and mooring",
     read,
 };
 

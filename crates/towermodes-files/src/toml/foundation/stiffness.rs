@@ -12,7 +12,7 @@ use crate::toml::values::{Value, infinity, number};
 pub(super) const KIND: Kind = Kind {
     name: "stiffness",
     schema: &schema::STIFFNESS,
-    nature: "the matrix holds the whole stiffness",
+    nature: "the matrix contains the whole stiffness",
     read,
 };
 
