@@ -157,7 +157,7 @@ fn matrices_that_no_foundation_has() {
         "2e9",
         "9:10",
         "the stiffness has a negative eigenvalue, -1.20465e9",
-        "signs of the coupling",
+        "square of a coupling term",
     );
     refused(
         STIFFNESS,
@@ -221,7 +221,7 @@ fn springs_that_no_base_has() {
         "= -4e9",
         "13:12",
         "coupling and rocking springs has a negative eigenvalue",
-        "signs",
+        "square of a coupling term",
     );
     refused(
         SPRINGS,

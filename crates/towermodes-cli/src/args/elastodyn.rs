@@ -143,7 +143,7 @@ const VALIDATE_EXAMPLES: &str = "Examples:
   towermodes elastodyn validate NREL5MW_ElastoDyn.dat
   towermodes elastodyn validate OC3_ElastoDyn.dat --from OC3Hywind.bmi --format json
 
-A shape passes if its rms difference from the mode is at most 1 % of the largest deflection, its MAC is at least 0.999, and the tower frequency that ElastoDyn computes with it (without RNA) differs by at most 1 % from the frequency with the polynomial that this program fits to the mode. The limits for WARN are 5 %, MAC 0.99 and 5 %. Otherwise the shape fails. It also fails if the sum of its coefficients is not 1.
+A shape passes if its rms difference from the mode is at most 1 % of the largest deflection, its MAC is at least 0.999, and ElastoDyn's tower frequency (without RNA) with this shape differs by at most 1 % from ElastoDyn's tower frequency with the polynomial fitted by this program. The limits for WARN are 5 %, MAC 0.99 and 5 %. Otherwise the shape fails. It also fails if the sum of its coefficients is not 1.
 
 Exit codes: 0 no shape fails; 1 at least one shape fails, or the computation or the output failed; 2 wrong usage or wrong input.";
 

@@ -77,8 +77,8 @@ pub(crate) struct PlotArguments {
 /// The help of `--modes`: the default depends on the picture.
 fn for_pictures(modes: Arg) -> Arg {
     modes.help(
-        "Number of modes, from the lowest [default: 8; campbell: up to 40 if the highest excitation frequency needs more; \
-         BModes decks: the number in the deck]",
+        "Number of modes, from the lowest [default: 8; BModes decks: the number in the deck; campbell: more, up to 40, if \
+         the highest excitation frequency needs them]",
     )
 }
 

@@ -451,14 +451,14 @@ fn others() -> Vec<Row> {
             "spectral",
             pole(),
             &["from one polynomial degree, or from one element length, to the next"],
-            &["between the frequencies with"],
+            &["by comparison with those with"],
         )
         .by(Method::Spectral)
         .of("frequencies"),
         row(
             "segments",
             pole(),
-            &["between the frequencies with 100, 50 and 25 segments"],
+            &["by comparison with those with 50 and 25 segments"],
             &["polynomial degree"],
         )
         .of("frequencies"),

@@ -825,14 +825,14 @@ fn sections_turn_as_the_axis_bends() {
 fn masses_are_said_with_their_sum() {
     let input = section(&page_of(&content(surrounded(), None)), "input");
     assert!(input.contains("2 point masses, 7 t in total;"), "{input}");
-    assert!(input.contains("mass of each (kg)"), "{input}");
+    assert!(input.contains("mass (kg)"), "{input}");
 }
 
 #[test]
 fn columns_without_numbers_are_left_out() {
     let text = markdown(&content(surrounded(), None));
     assert!(
-        text.contains("| height z (m) | mass of each (kg) |\n"),
+        text.contains("| height z (m) | mass (kg) |\n"),
         "{text}"
     );
     assert!(

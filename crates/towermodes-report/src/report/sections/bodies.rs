@@ -7,10 +7,10 @@ use crate::number::{given, length};
 
 pub(super) fn point_masses(description: &TowerDescription) -> Table {
     let mut table = Table::new(
-        "Point masses on the tower axis; moments of inertia about their centres of mass",
+        "Point masses on the tower axis; moments of inertia about their centres of mass, Ixz = −∫ x z dm",
         [
             "#height z (m)",
-            "#mass of each (kg)",
+            "#mass (kg)",
             "#Ixx (kg m²)",
             "#Iyy (kg m²)",
             "#Izz (kg m²)",
@@ -50,7 +50,7 @@ pub(super) fn rna(rna: &Rna) -> Table {
     ];
     facts.extend(inertia(&rna.inertia_kg_m2));
     Table::of_facts(
-        "Rotor-nacelle assembly; moments of inertia about its centre of mass",
+        "Rotor-nacelle assembly; moments of inertia about its centre of mass, Ixz = −∫ x z dm",
         facts,
     )
 }

@@ -87,7 +87,7 @@ fn floating(platform: &FloatingPlatform, gravity_m_per_s2: f64) -> Vec<Block> {
         ("centre of mass, height z (m)", length(z)),
     ];
     facts.extend(inertia(&platform.inertia_kg_m2));
-    let body = "Floating platform; moments of inertia about its centre of mass";
+    let body = "Floating platform; moments of inertia about its centre of mass, Ixz = −∫ x z dm";
     let mut blocks = vec![table(Table::of_facts(body, facts))];
     let hydrostatic = if gravity_m_per_s2 == 0.0 {
         "Hydrostatic stiffness as given, without gravity terms (N/m, N, N m)"

@@ -160,18 +160,16 @@ fn discretization(solution: &Solution) -> String {
 
 /// The errors that were estimated from other meshes, if there are any.
 fn from_meshes(solution: &Solution) -> Option<String> {
-    let mut segments = solution.error_basis.segments.clone();
-    if segments.is_empty() || solution.error_basis.compared.len() == solution.modes.len() {
+    let others = &solution.error_basis.segments;
+    if others.is_empty() || solution.error_basis.compared.len() == solution.modes.len() {
         return None;
     }
-    segments.push(solution.segments);
-    segments.sort_unstable_by(|a, b| b.cmp(a));
-    let segments: Vec<String> = segments.iter().map(usize::to_string).collect();
-    let unit = solution.method.unit();
+    let others: Vec<String> = others.iter().map(usize::to_string).collect();
+    let (own, unit) = (solution.segments, solution.method.unit());
     Some(format!(
-        "The discretization error is estimated from the differences between the frequencies with {} {unit}s. The extrapolated \
-         frequency is the Richardson extrapolation of these frequencies to zero {unit} length.",
-        listed(&segments),
+        "The listed frequencies are those with {own} {unit}s. Their discretization error is estimated by comparison with those \
+         with {} {unit}s. The extrapolated frequency is the Richardson extrapolation of these frequencies to zero {unit} length.",
+        listed(&others),
     ))
 }
 

@@ -43,7 +43,7 @@ impl Problem {
                 "the order is x, y, z, rotation about x, y, z; entries (row, column) and (column, row) must be equal"
             }
             Self::Indefinite { .. } => {
-                "check the signs of the coupling terms: x with rotation about y and y with rotation about x have opposite signs"
+                "no diagonal term may be negative, and the square of a coupling term must not exceed the product of its two diagonal terms"
             }
             Self::Free { .. } => {
                 "clamp the base, add springs or soil for this motion, or use type = \"floating\""
