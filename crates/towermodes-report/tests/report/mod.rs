@@ -831,10 +831,7 @@ fn masses_are_said_with_their_sum() {
 #[test]
 fn columns_without_numbers_are_left_out() {
     let text = markdown(&content(surrounded(), None));
-    assert!(
-        text.contains("| height z (m) | mass (kg) |\n"),
-        "{text}"
-    );
+    assert!(text.contains("| height z (m) | mass (kg) |\n"), "{text}");
     assert!(
         text.contains(
             "columns not shown because all values are zero: Ixx, Iyy, Izz, Ixy, Ixz, Iyz."
