@@ -55,6 +55,8 @@ pub(super) fn is_ruler(line: &Line<'_>) -> bool {
 
 /// Names are among the first lines of every file.
 const FIRST_LINES: usize = 400;
+/// The number of rows of a tower or blade file is among its first lines.
+const COUNT_LINES: usize = 12;
 
 /// Whether it is a main file of ElastoDyn, or of FAST 7, which is refused with a reason.
 pub(crate) fn is_main_file(text: &str) -> bool {
@@ -63,14 +65,12 @@ pub(crate) fn is_main_file(text: &str) -> bool {
 
 /// Whether it is a tower file of ElastoDyn or FAST 7.
 pub(crate) fn is_tower_file(text: &str) -> bool {
-    let first: Vec<Line<'_>> = Lines::new(text).take(12).collect();
-    first.iter().any(|line| is_named(line, "NTwInpSt"))
+    line_among(COUNT_LINES, text, "NTwInpSt").is_some()
 }
 
 /// Whether it is a blade file of ElastoDyn or FAST 7.
 pub(super) fn is_blade_file(text: &str) -> bool {
-    let first: Vec<Line<'_>> = Lines::new(text).take(12).collect();
-    first.iter().any(|line| is_named(line, "NBlInpSt"))
+    line_among(COUNT_LINES, text, "NBlInpSt").is_some()
 }
 
 /// Whether it is the `.fst` file that names the files of all modules of OpenFAST.
@@ -80,7 +80,11 @@ pub(crate) fn is_fst(text: &str) -> bool {
 
 /// The line of a file that has a name.
 pub(super) fn line_of<'a>(text: &'a str, name: &str) -> Option<Line<'a>> {
-    let mut lines = Lines::new(text).take(FIRST_LINES);
+    line_among(FIRST_LINES, text, name)
+}
+
+fn line_among<'a>(count: usize, text: &'a str, name: &str) -> Option<Line<'a>> {
+    let mut lines = Lines::new(text).take(count);
     lines.find(|line| is_named(line, name))
 }
 
