@@ -43,6 +43,7 @@ mod resolver;
 mod result;
 mod source;
 mod station_table;
+mod study;
 mod toml;
 mod windio;
 
@@ -68,6 +69,10 @@ pub use result::{
 #[cfg(feature = "schema")]
 pub use result::{generated_schema, generated_schema_of};
 pub use source::{FileError, MAX_FILE_BYTES, Source, encoded_as};
+pub use study::{
+    DEFAULT_SWEEP_MODES, Distribution, MAX_ROWS, MAX_SOBOL_DIMENSIONS, Placed, Sampling,
+    SamplingError, SamplingKind, SweepModes, SweepResults, SweepRows, SweepStudy, Varied,
+};
 pub use toml::{
     KeySchema, TableSchema, ValueKind, description_from_toml, tower_file_schema, tower_from_toml,
     write_toml,

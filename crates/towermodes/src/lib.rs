@@ -66,7 +66,7 @@ pub mod tower;
 pub use blade::{Blade, BladeDescription, BladeError, BladeSection};
 pub use eigen::{EigenError, Statistics};
 pub use method::Method;
-pub use modes::{ByMotion, Energy, Family, ShapePoint};
+pub use modes::{ByMotion, Energy, Family, ModeName, ModeNameError, ShapePoint};
 pub use number::Plain;
 pub use solve::{
     BladeFamily, BladeMode, BladeSolution, Certificate, DEFAULT_MODES, DEFAULT_POINTS,

@@ -4,6 +4,7 @@
 mod discretization;
 mod energy;
 mod family;
+mod mode_name;
 mod rigid;
 mod sampling;
 #[cfg(feature = "serde")]
@@ -13,6 +14,7 @@ mod shape;
 pub use discretization::{Estimate, richardson};
 pub use energy::{ByMotion, Energy};
 pub use family::{Family, Ordinal};
+pub use mode_name::{ModeName, ModeNameError};
 pub(crate) use rigid::{RigidTower, rigid_names};
 pub use sampling::ModeCurve;
 pub use shape::ShapePoint;
