@@ -38,6 +38,7 @@
 //! | step | module |
 //! |---|---|
 //! | towers and blades, integrals of sections, coupled motions | [`tower`], [`blade`] |
+//! | the numbers of a tower by name | [`parameter`] |
 //! | the mesh and the elements; that of the paper is `elements/rmje.rs` | [`elements`] |
 //! | rigid bodies and elastic joints, the paper's eq. (17) in O(n) | [`chain`] |
 //! | beams of flexible elements: BModes, the spectral method, rotating blades | [`beam`] |
@@ -57,6 +58,7 @@ pub mod elements;
 mod method;
 pub mod modes;
 pub mod number;
+pub mod parameter;
 mod solve;
 pub mod space;
 pub mod subsystem;
@@ -68,6 +70,7 @@ pub use eigen::{EigenError, Statistics};
 pub use method::Method;
 pub use modes::{ByMotion, Energy, Family, ModeName, ModeNameError, ShapePoint};
 pub use number::Plain;
+pub use parameter::{Change, Operation, Parameter, ParameterError};
 pub use solve::{
     BladeFamily, BladeMode, BladeSolution, Certificate, DEFAULT_MODES, DEFAULT_POINTS,
     DEFAULT_SEGMENTS, ErrorBasis, MAX_BYTES, MAX_DEGREE, MAX_POINTS, MAX_SECONDS, MAX_SEGMENTS,

@@ -15,6 +15,7 @@ mod ground;
 mod independence;
 mod invariance;
 mod methods;
+mod parameters;
 mod pencils;
 mod plausibility;
 mod real_towers;

@@ -134,7 +134,17 @@ fn material(
     );
     let (density, youngs) = (density?, youngs?);
     let shear = shear_modulus(&table, index, youngs, reading)?;
-    Some(Material::from_shear_modulus(density, youngs, shear))
+    let material = Material::from_shear_modulus(density, youngs, shear.modulus_pa);
+    Some(Material {
+        given_poissons_ratio: shear.given_ratio,
+        ..material
+    })
+}
+
+/// The shear modulus, and Poisson's ratio if it is given instead.
+struct ShearModulus {
+    modulus_pa: f64,
+    given_ratio: Option<f64>,
 }
 
 /// From `shear_modulus`, from `poissons_ratio`, or from both if they agree.
@@ -143,7 +153,7 @@ fn shear_modulus(
     index: usize,
     youngs: f64,
     reading: &mut Reading,
-) -> Option<f64> {
+) -> Option<ShearModulus> {
     let key = "shear_modulus";
     let given = table.get(key);
     let ratio = table.get("poissons_ratio");
@@ -153,11 +163,12 @@ fn shear_modulus(
     let given = given.map(|value| number(value, "shear modulus", reading));
     let derived = ratio.map(|value| Some((value, from_poissons_ratio(value, youngs, reading)?)));
     match (given, derived) {
-        (Some(given), None) => given,
-        (None, Some(derived)) => derived.map(|(_, modulus)| modulus),
+        (Some(given), None) => given.map(ShearModulus::given),
+        (None, Some(derived)) => derived.map(|(_, derived)| derived),
         (Some(given), Some(derived)) => {
             let (given, (value, derived)) = (given?, derived?);
-            check_moduli(given, derived, value, reading).then_some(given)
+            let agree = check_moduli(given, derived.modulus_pa, value, reading);
+            agree.then_some(ShearModulus::given(given))
         }
         // A misspelled key is reported as unknown.
         (None, None) if table.has_misspelled("poissons_ratio") || table.has_misspelled(key) => None,
@@ -183,10 +194,26 @@ fn check_moduli(given: f64, derived: f64, ratio: &Value<'_>, reading: &mut Readi
     agree
 }
 
-fn from_poissons_ratio(value: &Value<'_>, youngs: f64, reading: &mut Reading) -> Option<f64> {
+impl ShearModulus {
+    fn given(modulus_pa: f64) -> Self {
+        Self {
+            modulus_pa,
+            given_ratio: None,
+        }
+    }
+}
+
+fn from_poissons_ratio(
+    value: &Value<'_>,
+    youngs: f64,
+    reading: &mut Reading,
+) -> Option<ShearModulus> {
     let ratio = number(value, "Poisson's ratio", reading)?;
     if ratio > -1.0 && ratio < 0.5 {
-        return Some(youngs / (2.0 * (1.0 + ratio)));
+        return Some(ShearModulus {
+            modulus_pa: youngs / (2.0 * (1.0 + ratio)),
+            given_ratio: Some(ratio),
+        });
     }
     let rule = "between -1 and 0.5";
     let kind = DiagnosticKind::out_of_range("Poisson's ratio", ratio, rule);

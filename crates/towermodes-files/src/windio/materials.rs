@@ -93,11 +93,18 @@ fn material(
     let youngs = value("E", "E")?.ok_or_else(|| missing(node, "E", &what))?;
     let (shear, poisson) = (value("G", "G")?, value("nu", "Poisson's ratio")?);
     let by_poisson = |nu: f64| youngs.0 / (2.0 * (1.0 + nu));
-    let (modulus, span) = match (shear, &poisson) {
-        (Some(shear), _) => shear,
-        (None, Some((nu, span))) => (by_poisson(*nu), span.clone()),
+    let (material, span) = match (shear, &poisson) {
+        (Some((modulus, span)), _) => (
+            Material::from_shear_modulus(density, youngs.0, modulus),
+            span,
+        ),
+        (None, Some((nu, span))) => (
+            Material::from_poissons_ratio(density, youngs.0, *nu),
+            span.clone(),
+        ),
         (None, None) => return Err(missing(node, "G", &what)),
     };
+    let modulus = material.shear_modulus_pa;
     if let Some((nu, _)) = poisson
         && ((by_poisson(nu) - modulus) / modulus).abs() > MODULI_TOLERANCE
     {
@@ -107,7 +114,6 @@ fn material(
         );
         reading.note_at(span.start, Note::suspicious(message));
     }
-    let material = Material::from_shear_modulus(density, youngs.0, modulus);
     Ok((material, [rho.span.clone(), youngs.1, span]))
 }
 

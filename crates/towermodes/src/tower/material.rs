@@ -7,7 +7,7 @@
 /// let steel = towermodes::Material::from_poissons_ratio(7850.0, 2.1e11, 0.3);
 /// assert!((steel.shear_modulus_pa - 8.0769e10).abs() < 1e6);
 /// ```
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy)]
 pub struct Material {
     /// Mass density ρ, kg/m³.
     pub density_kg_per_m3: f64,
@@ -15,6 +15,17 @@ pub struct Material {
     pub youngs_modulus_pa: f64,
     /// Shear modulus G, Pa.
     pub shear_modulus_pa: f64,
+    /// Poisson's ratio ν, if the material is given by it: then a [`Parameter`](crate::Parameter)
+    /// that changes Young's modulus changes the shear modulus too.
+    pub given_poissons_ratio: Option<f64>,
+}
+
+/// The same material, however it is given.
+impl PartialEq for Material {
+    fn eq(&self, other: &Self) -> bool {
+        let moduli = |m: &Self| (m.density_kg_per_m3, m.youngs_modulus_pa, m.shear_modulus_pa);
+        moduli(self) == moduli(other)
+    }
 }
 
 impl Material {
@@ -28,6 +39,7 @@ impl Material {
             density_kg_per_m3,
             youngs_modulus_pa,
             shear_modulus_pa,
+            given_poissons_ratio: None,
         }
     }
 
@@ -39,7 +51,18 @@ impl Material {
         poissons_ratio: f64,
     ) -> Self {
         let shear_modulus_pa = youngs_modulus_pa / (2.0 * (1.0 + poissons_ratio));
-        Self::from_shear_modulus(density_kg_per_m3, youngs_modulus_pa, shear_modulus_pa)
+        Self {
+            given_poissons_ratio: Some(poissons_ratio),
+            ..Self::from_shear_modulus(density_kg_per_m3, youngs_modulus_pa, shear_modulus_pa)
+        }
+    }
+
+    /// Sets Young's modulus E, Pa; the shear modulus follows if Poisson's ratio is given.
+    pub(crate) fn set_youngs_modulus(&mut self, youngs_modulus_pa: f64) {
+        self.youngs_modulus_pa = youngs_modulus_pa;
+        if let Some(ratio) = self.given_poissons_ratio {
+            self.shear_modulus_pa = youngs_modulus_pa / (2.0 * (1.0 + ratio));
+        }
     }
 
     /// Poisson's ratio ν = E / (2 G) − 1.

@@ -1,0 +1,154 @@
+//! Why a name is no number of a tower.
+
+use thiserror::Error;
+
+use super::PARTS;
+use super::name::without_indices;
+use super::part::Part;
+use crate::tower::TowerDescription;
+
+/// Why a name is no number of a tower, or a list of changes contradicts itself.
+#[derive(Debug, Clone, PartialEq, Eq, Error)]
+#[non_exhaustive]
+pub enum ParameterError {
+    /// The name is empty.
+    #[error("a name of a number is missing")]
+    Empty,
+    /// No tower has such a number.
+    #[error("`{name}` is not a number of this tower: {hint}")]
+    Unknown {
+        /// The name.
+        name: String,
+        /// The name that was probably meant, or those that there are.
+        hint: String,
+    },
+    /// Other towers have such a number.
+    #[error("`{name}` is not a number of this tower: it has no {noun}")]
+    Absent {
+        /// The name.
+        name: String,
+        /// The part that this tower does not have.
+        noun: &'static str,
+    },
+    /// A list is shorter.
+    #[error("`{name}` is not a number of this tower: index {index} is too large, its {noun} have {}", range(*count))]
+    OutOfRange {
+        /// The name.
+        name: String,
+        /// The index, from 0.
+        index: usize,
+        /// How many there are.
+        count: usize,
+        /// What they are.
+        noun: &'static str,
+    },
+    /// The brackets contain neither a number nor `*`.
+    #[error("`{name}`: `{found}` is not an index; an index is a number from 0, or * for all")]
+    WrongIndex {
+        /// The name.
+        name: String,
+        /// The text in brackets.
+        found: String,
+    },
+    /// One number is needed.
+    #[error("`{name}` is the name of {count} numbers, but one number is needed")]
+    Several {
+        /// The name.
+        name: String,
+        /// How many numbers have it.
+        count: usize,
+    },
+    /// A change is not written as such.
+    #[error(
+        "`{name}` is not a change: write a name, scale(NAME), add(NAME) or set(NAME, NAME), with a closing parenthesis at the end"
+    )]
+    WrongForm {
+        /// The text.
+        name: String,
+    },
+    /// A later change overwrites an earlier one.
+    #[error("`{second}` sets {parameter}, which `{first}` already changes; remove one of them")]
+    Repeated {
+        /// The number.
+        parameter: String,
+        /// The earlier change.
+        first: String,
+        /// The later change.
+        second: String,
+    },
+}
+
+/// The indices of a list.
+fn range(count: usize) -> String {
+    match count {
+        1 => "only index 0".to_owned(),
+        count => format!("the indices 0 to {}", count - 1),
+    }
+}
+
+impl ParameterError {
+    /// A name that no number has; `plain` is the name without its optional parts.
+    pub(super) fn unknown(written: &str, plain: &str, description: &TowerDescription) -> Self {
+        Self::Unknown {
+            name: written.trim().to_owned(),
+            hint: hint(plain, description),
+        }
+    }
+}
+
+/// The name that was probably meant; else the numbers of the part, or the parts.
+fn hint(name: &str, description: &TowerDescription) -> String {
+    let (pattern, indices) = without_indices(name);
+    let is_there = |part: &&&Part| (part.count)(description) > 0;
+    let parts: Vec<&&Part> = PARTS.iter().filter(is_there).collect();
+    if let Some(nearest) = nearest(&pattern, &parts) {
+        return format!("did you mean `{}`?", filled(&nearest, &indices));
+    }
+    let of = parts.iter().find(|part| starts_with(&pattern, part.name));
+    if let Some(part) = of {
+        let keys = part.keys.iter().map(|key| key.name);
+        let keys: Vec<&str> = keys.filter(|key| !key.is_empty()).collect();
+        return format!("the numbers of {} are {}", part.name, keys.join(", "));
+    }
+    let names: Vec<&str> = parts.iter().map(|part| part.name).collect();
+    format!("its numbers are those of {}", names.join(", "))
+}
+
+/// Whether a name is that of a part or of something in it.
+fn starts_with(name: &str, part: &str) -> bool {
+    name.strip_prefix(part)
+        .is_some_and(|rest| rest.is_empty() || rest.starts_with('.'))
+}
+
+/// The pattern that is spelled most like a name, if it is near.
+fn nearest(name: &str, parts: &[&&Part]) -> Option<String> {
+    /// No pattern is half as long.
+    const LONGEST: usize = 100;
+    if name.len() > LONGEST {
+        return None;
+    }
+    let name = name.to_lowercase();
+    let distance = |pattern: &str| strsim::damerau_levenshtein(&name, pattern);
+    let patterns = parts
+        .iter()
+        .flat_map(|part| part.keys.iter().map(|key| part.pattern(key)));
+    let (pattern, steps) = patterns
+        .map(|pattern| {
+            let steps = distance(&pattern);
+            (pattern, steps)
+        })
+        .min_by_key(|(_, steps)| *steps)?;
+    (steps <= 1 + pattern.len() / 6).then_some(pattern)
+}
+
+/// A pattern with indices; `*` where there are too few.
+fn filled(pattern: &str, indices: &[&str]) -> String {
+    let mut pieces = pattern.split("[]");
+    let mut name = pieces.next().unwrap_or_default().to_owned();
+    let is_index = |index: &&str| *index == "*" || index.parse::<usize>().is_ok();
+    for (place, piece) in pieces.enumerate() {
+        let index = indices.get(place).copied().filter(is_index).unwrap_or("*");
+        name.push_str(&format!("[{index}]{piece}"));
+    }
+    name
+}

@@ -1,0 +1,147 @@
+//! The numbers of the foundation.
+
+use super::part::{Indices, Key, Part, fields};
+use crate::space::SpatialMatrix;
+use crate::tower::{
+    FloatingPlatform, Foundation, FoundationSprings, HalfSpace, Place, StiffnessFoundation,
+    TowerDescription,
+};
+
+/// The foundation of one type, for reading and for writing.
+macro_rules! foundation_of {
+    ($get:ident, $get_mut:ident, $variant:ident, $type:ty) => {
+        fn $get(description: &TowerDescription) -> Option<&$type> {
+            match &description.foundation {
+                Foundation::$variant(foundation) => Some(foundation),
+                _ => None,
+            }
+        }
+
+        fn $get_mut(description: &mut TowerDescription) -> Option<&mut $type> {
+            match &mut description.foundation {
+                Foundation::$variant(foundation) => Some(foundation),
+                _ => None,
+            }
+        }
+    };
+}
+
+foundation_of!(springs, springs_mut, Springs, FoundationSprings);
+foundation_of!(half_space, half_space_mut, HalfSpace, HalfSpace);
+foundation_of!(stiffness, stiffness_mut, Stiffness, StiffnessFoundation);
+foundation_of!(floating, floating_mut, Floating, FloatingPlatform);
+
+/// `[foundation]` of type `springs`.
+pub(super) static SPRINGS: Part = Part {
+    name: "foundation",
+    noun: "foundation of type \"springs\"",
+    count: |d| usize::from(springs(d).is_some()),
+    rows: |_, _| 1,
+    is_symmetric: false,
+    keys: fields! {
+        get |d, _i| springs(d)?;
+        set |d, _i| springs_mut(d)?;
+        place |_i, key| Place::Foundation { key };
+        "lateral" "N/m" "stiffness against x and y", "lateral" lateral_n_per_m;
+        "rocking" "N m" "stiffness against rotation about x and y", "rocking" rocking_n_m;
+        "coupling" "N" "stiffness between x and rotation about y", "coupling" coupling_n;
+        "vertical" "N/m" "stiffness against z", "vertical" vertical_n_per_m;
+        "torsion" "N m" "stiffness against rotation about z", "torsion" torsion_n_m;
+    },
+};
+
+/// `[foundation]` of type `half-space`.
+pub(super) static HALF_SPACE: Part = Part {
+    name: "foundation",
+    noun: "foundation of type \"half-space\"",
+    count: |d| usize::from(half_space(d).is_some()),
+    rows: |_, _| 1,
+    is_symmetric: false,
+    keys: fields! {
+        get |d, _i| half_space(d)?;
+        set |d, _i| half_space_mut(d)?;
+        place |_i, key| Place::Foundation { key };
+        "radius" "m" "radius", "radius" radius_m;
+        "embedment" "m" "depth of embedment", "embedment" embedment_m;
+        "soil_shear_modulus" "Pa" "shear modulus of the soil", "soil_shear_modulus" shear_modulus_pa;
+        "soil_poissons_ratio" "" "Poisson's ratio of the soil", "soil_poissons_ratio" poissons_ratio;
+    },
+};
+
+/// `[foundation]` of type `floating`.
+pub(super) static FLOATING: Part = Part {
+    name: "foundation",
+    noun: "floating platform",
+    count: |d| usize::from(floating(d).is_some()),
+    rows: |_, _| 1,
+    is_symmetric: false,
+    keys: fields! {
+        get |d, _i| floating(d)?;
+        set |d, _i| floating_mut(d)?;
+        place |_i, key| Place::Foundation { key };
+        "mass" "kg" "mass with ballast", "mass" mass_kg;
+        "center[0]" "m" "centre of mass from the tower axis, downwind", "center" center_m[0];
+        "center[1]" "m" "centre of mass from the tower axis, side-side", "center" center_m[1];
+        "center[2]" "m" "height of the centre of mass", "center" center_m[2];
+        "inertia.xx" "kg m2" "inertia about the fore-aft axis", "inertia" inertia_kg_m2.xx;
+        "inertia.yy" "kg m2" "inertia about the side-side axis", "inertia" inertia_kg_m2.yy;
+        "inertia.zz" "kg m2" "inertia about the tower axis", "inertia" inertia_kg_m2.zz;
+        "inertia.xy" "kg m2" "entry xy of the inertia", "inertia" inertia_kg_m2.xy;
+        "inertia.xz" "kg m2" "entry xz of the inertia", "inertia" inertia_kg_m2.xz;
+        "inertia.yz" "kg m2" "entry yz of the inertia", "inertia" inertia_kg_m2.yz;
+        "added_mass_height" "m" "height of the reference point of added_mass", "added_mass" added_mass.height_m;
+        "hydrostatic_height" "m" "height of the reference point of hydrostatic", "hydrostatic" hydrostatic.height_m;
+        "mooring_height" "m" "height of the reference point of mooring", "mooring" mooring.height_m;
+    },
+};
+
+/// A symmetric 6×6 matrix of a foundation.
+macro_rules! matrix {
+    ($($(#[$doc:meta])+ $id:ident = $key:literal $unit:literal $meaning:literal of $noun:literal, $get:ident $get_mut:ident, $($field:ident).+;)+) => {
+        $($(#[$doc])+ pub(super) static $id: Part = Part {
+            name: concat!("foundation.", $key, "[][]"),
+            noun: $noun,
+            count: |d| if $get(d).is_some() { 6 } else { 0 },
+            rows: |_, _| 6,
+            is_symmetric: true,
+            keys: &[Key {
+                name: "",
+                unit: $unit,
+                meaning: $meaning,
+                place: |_| Place::Foundation { key: $key },
+                get: |d, i| entry(&$get(d)?.$($field).+, i),
+                set: |d, i, value| set_entries(&mut $get_mut(d)?.$($field).+, i, value),
+                is_listed: |d, i| $get(d).is_some_and(|of| is_entry(&of.$($field).+, i)),
+            }],
+        };)+
+    };
+}
+
+matrix! {
+    /// `matrix` of `[foundation]` of type `stiffness`.
+    STIFFNESS_MATRIX = "matrix" "N/m, N, N m" "stiffness: x, y, z, rotation about x, y, z" of "foundation of type \"stiffness\"", stiffness stiffness_mut, stiffness;
+    /// Its `mass`.
+    STIFFNESS_MASS = "mass" "kg, kg m, kg m2" "mass at the base" of "foundation of type \"stiffness\"", stiffness stiffness_mut, inertia;
+    /// `added_mass` of a floating platform.
+    FLOATING_ADDED_MASS = "added_mass" "kg, kg m, kg m2" "added mass" of "floating platform", floating floating_mut, added_mass.matrix;
+    /// Its `hydrostatic`.
+    FLOATING_HYDROSTATIC = "hydrostatic" "N/m, N, N m" "hydrostatic stiffness" of "floating platform", floating floating_mut, hydrostatic.matrix;
+    /// Its `mooring`.
+    FLOATING_MOORING = "mooring" "N/m, N, N m" "stiffness of the moorings" of "floating platform", floating floating_mut, mooring.matrix;
+}
+
+fn entry(matrix: &SpatialMatrix, [row, column]: Indices) -> Option<f64> {
+    matrix.get(row)?.get(column).copied()
+}
+
+fn set_entries(matrix: &mut SpatialMatrix, [row, column]: Indices, value: f64) -> Option<()> {
+    *matrix.get_mut(row)?.get_mut(column)? = value;
+    *matrix.get_mut(column)?.get_mut(row)? = value;
+    Some(())
+}
+
+/// Whether an entry is listed: of the upper triangle, and not a zero beside the diagonal.
+fn is_entry(matrix: &SpatialMatrix, indices: Indices) -> bool {
+    let [row, column] = indices;
+    row == column || (row < column && entry(matrix, indices) != Some(0.0))
+}

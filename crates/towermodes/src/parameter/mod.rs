@@ -1,0 +1,185 @@
+//! The numbers of a tower by the names that they have in the tower file.
+//!
+//! A [`Parameter`] is the address of one number of a [`TowerDescription`]: `rna.mass`,
+//! `stations[2].wall`, `foundation.rocking`. Indices count from 0. A [`Change`] sets, multiplies or
+//! adds to one or several of these numbers: `scale(stations[*].wall)`. Both are found by name once;
+//! to read or change a value afterwards costs nanoseconds.
+//!
+//! `part` defines how parts and their numbers are written down; `structure`, `bodies`,
+//! `foundation` and `surroundings` list them; `name` reads names.
+
+mod bodies;
+mod change;
+mod error;
+mod foundation;
+mod name;
+mod part;
+mod structure;
+mod surroundings;
+
+pub use change::{Change, Operation};
+pub use error::ParameterError;
+
+use std::fmt;
+
+use crate::tower::{Place, TowerDescription};
+use name::Name;
+use part::{Key, Part};
+
+/// The parts of a tower in the order of the tower file.
+static PARTS: [&Part; 21] = [
+    &structure::MATERIAL,
+    &structure::MATERIALS,
+    &structure::TOWER,
+    &structure::STATIONS,
+    &structure::PROPERTIES,
+    &bodies::RNA,
+    &bodies::ROTOR,
+    &bodies::POINT_MASSES,
+    &foundation::STIFFNESS_MATRIX,
+    &foundation::STIFFNESS_MASS,
+    &foundation::SPRINGS,
+    &foundation::HALF_SPACE,
+    &foundation::FLOATING,
+    &foundation::FLOATING_ADDED_MASS,
+    &foundation::FLOATING_HYDROSTATIC,
+    &foundation::FLOATING_MOORING,
+    &surroundings::SOIL,
+    &surroundings::ADDED_MASS,
+    &surroundings::WATER,
+    &surroundings::WIRES,
+    &surroundings::GRAVITY,
+];
+
+/// The address of one number of a tower. It is displayed as its name.
+///
+/// # Example
+/// ```
+/// use towermodes::{Material, Parameter, Rna, Station, TowerDescription};
+///
+/// let mut description = TowerDescription {
+///     materials: vec![Material::from_shear_modulus(8500.0, 2.1e11, 8.08e10)],
+///     stations: vec![Station::new(0.0, 6.0, 0.027), Station::new(87.6, 3.87, 0.019)],
+///     rna: Rna::point(350e3),
+///     ..TowerDescription::default()
+/// };
+/// let wall = Parameter::parse("stations[1].wall", &description)?;
+/// assert_eq!((wall.value(&description), wall.unit()), (0.019, "m"));
+/// wall.set(&mut description, 0.021);
+/// assert_eq!(description.stations[1].wall_thickness_m, 0.021);
+///
+/// let error = Parameter::parse("stations[1].wal", &description).expect_err("no such number");
+/// assert!(error.to_string().contains("did you mean `stations[1].wall`?"));
+/// # Ok::<(), towermodes::ParameterError>(())
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub struct Parameter {
+    part: usize,
+    key: usize,
+    indices: [usize; 2],
+}
+
+impl Parameter {
+    /// The numbers of a tower in the order of the tower file. A matrix is symmetric: its upper
+    /// triangle is listed, without zeros beside the diagonal.
+    pub fn all(description: &TowerDescription) -> Vec<Self> {
+        let mut all = Vec::new();
+        for (part, of) in PARTS.iter().enumerate() {
+            for indices in of.every(description) {
+                let keys = of.keys.iter().enumerate();
+                let listed = keys.filter(|(_, key)| (key.is_listed)(description, indices));
+                all.extend(listed.map(|(key, _)| Self { part, key, indices }));
+            }
+        }
+        all
+    }
+
+    /// The number with a name, such as `rna.mass` or `materials.S355.density`.
+    ///
+    /// # Errors
+    /// [`ParameterError`]: the tower has no such number, or the name is one of several numbers.
+    pub fn parse(name: &str, description: &TowerDescription) -> Result<Self, ParameterError> {
+        match Self::parse_every(name, description)?[..] {
+            [one] => Ok(one),
+            ref several => Err(ParameterError::Several {
+                name: name.to_owned(),
+                count: several.len(),
+            }),
+        }
+    }
+
+    /// The numbers with a name in which `*` is every index, such as `stations[*].wall`; at least
+    /// one.
+    ///
+    /// # Errors
+    /// [`ParameterError`]: the tower has no such numbers.
+    pub fn parse_every(
+        name: &str,
+        description: &TowerDescription,
+    ) -> Result<Vec<Self>, ParameterError> {
+        Name::parse(name)?.find(description)
+    }
+
+    /// Its unit, as in the tower file; empty for a number without a unit.
+    pub fn unit(self) -> &'static str {
+        self.key().unit
+    }
+
+    /// What it is, in a few words.
+    pub fn meaning(self) -> &'static str {
+        self.key().meaning
+    }
+
+    /// Its place in the description, which errors and warnings refer to.
+    pub fn place(self) -> Place {
+        (self.key().place)(self.indices)
+    }
+
+    /// Its value in a description that has it; NaN in any other.
+    pub fn value(self, description: &TowerDescription) -> f64 {
+        (self.key().get)(description, self.indices).unwrap_or(f64::NAN)
+    }
+
+    /// Sets its value in a description that has it; any other stays as it is.
+    ///
+    /// The same happens as if the number were changed in the tower file: both entries of a symmetric
+    /// matrix change, and the shear modulus of a material that is given by Poisson's ratio follows
+    /// Young's modulus. [`Tower::new`](crate::Tower::new) checks the new value.
+    pub fn set(self, description: &mut TowerDescription, value: f64) {
+        let done = (self.key().set)(description, self.indices, value);
+        debug_assert!(done.is_some(), "the description has no {self}");
+    }
+
+    /// The number that changes together with this one: Poisson's ratio is another form of the shear
+    /// modulus.
+    fn changed_with(self) -> Self {
+        let keys = self.part().keys;
+        match self.key().name {
+            "poissons_ratio" => keys
+                .iter()
+                .position(|key| key.name == "shear_modulus")
+                .map_or(self, |key| Self { key, ..self }),
+            _ => self,
+        }
+    }
+
+    fn part(self) -> &'static Part {
+        PARTS[self.part]
+    }
+
+    fn key(self) -> &'static Key {
+        &self.part().keys[self.key]
+    }
+}
+
+impl fmt::Display for Parameter {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let pattern = self.part().pattern(self.key());
+        let mut pieces = pattern.split("[]");
+        write!(f, "{}", pieces.next().unwrap_or_default())?;
+        for (piece, index) in pieces.zip(self.indices) {
+            write!(f, "[{index}]{piece}")?;
+        }
+        Ok(())
+    }
+}

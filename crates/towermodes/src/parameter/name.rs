@@ -1,0 +1,196 @@
+//! Reads the name of a number.
+
+use super::error::ParameterError;
+use super::part::{Indices, Part};
+use super::{PARTS, Parameter};
+use crate::tower::TowerDescription;
+
+/// The name of a number as a user writes it.
+pub(super) struct Name<'n> {
+    written: &'n str,
+    /// Without blanks at its ends and without `tower.` before stations and properties.
+    plain: &'n str,
+}
+
+/// What stands in brackets.
+#[derive(Debug, Clone, PartialEq, Eq)]
+enum Index {
+    /// `*`
+    Every,
+    /// A number.
+    One(usize),
+    /// Anything else.
+    Wrong(String),
+}
+
+impl<'n> Name<'n> {
+    /// # Errors
+    /// [`ParameterError::Empty`].
+    pub(super) fn parse(written: &'n str) -> Result<Self, ParameterError> {
+        let plain = written.trim();
+        let inner = plain.strip_prefix("tower.").filter(|inner| {
+            let lists = [&super::structure::STATIONS, &super::structure::PROPERTIES];
+            lists.iter().any(|list| starts_as(inner, list))
+        });
+        match plain {
+            "" => Err(ParameterError::Empty),
+            _ => Ok(Self {
+                written,
+                plain: inner.unwrap_or(plain),
+            }),
+        }
+    }
+
+    /// The numbers of a tower with this name, at least one.
+    pub(super) fn find(
+        &self,
+        description: &TowerDescription,
+    ) -> Result<Vec<Parameter>, ParameterError> {
+        let plain = with_index_of_material(self.plain, description);
+        let mut absent = None;
+        for (part, of) in PARTS.iter().enumerate() {
+            for (key, number) in of.keys.iter().enumerate() {
+                let Some(given) = indices(&plain, &of.pattern(number)) else {
+                    continue;
+                };
+                if (of.count)(description) == 0 {
+                    absent = Some(of.noun);
+                    continue;
+                }
+                let all = self.every(of, &given, description)?;
+                let there = |i: &Indices| (number.get)(description, *i).is_some();
+                if !all.iter().all(there) {
+                    absent = Some(number.meaning);
+                    continue;
+                }
+                let parameter = |indices| Parameter { part, key, indices };
+                return Ok(all.into_iter().map(parameter).collect());
+            }
+        }
+        Err(match absent {
+            Some(noun) => ParameterError::Absent {
+                name: self.written.to_owned(),
+                noun,
+            },
+            None => ParameterError::unknown(self.written, &plain, description),
+        })
+    }
+
+    /// The rows that the indices in brackets select.
+    fn every(
+        &self,
+        part: &Part,
+        given: &[Index],
+        description: &TowerDescription,
+    ) -> Result<Vec<Indices>, ParameterError> {
+        let one = Index::One(0);
+        let (first, second) = (given.first().unwrap_or(&one), given.get(1).unwrap_or(&one));
+        let mut all = Vec::new();
+        for i in self.selected(first, (part.count)(description), part.noun)? {
+            for j in self.selected(second, (part.rows)(description, i), "rows")? {
+                match part.is_symmetric && i > j {
+                    // With both indices free the lower triangle is the upper one again.
+                    true if first == second => {}
+                    true => all.push([j, i]),
+                    false => all.push([i, j]),
+                }
+            }
+        }
+        match all.is_empty() {
+            true => Err(ParameterError::Absent {
+                name: self.written.to_owned(),
+                noun: part.noun,
+            }),
+            false => Ok(all),
+        }
+    }
+
+    fn selected(
+        &self,
+        index: &Index,
+        count: usize,
+        noun: &'static str,
+    ) -> Result<std::ops::Range<usize>, ParameterError> {
+        let name = || self.written.to_owned();
+        match index {
+            Index::Every => Ok(0..count),
+            Index::One(one) if *one < count => Ok(*one..one + 1),
+            Index::One(index) => Err(ParameterError::OutOfRange {
+                name: name(),
+                index: *index,
+                count,
+                noun,
+            }),
+            Index::Wrong(found) => Err(ParameterError::WrongIndex {
+                name: name(),
+                found: found.clone(),
+            }),
+        }
+    }
+}
+
+/// Whether a name begins with that of a list and a bracket.
+fn starts_as(name: &str, list: &Part) -> bool {
+    let head = list.name.strip_suffix(']').unwrap_or(list.name);
+    name.starts_with(head)
+}
+
+/// `materials.S355.density` with the index of the material; the only material has none, and
+/// `material` without a name is that without a name among several.
+fn with_index_of_material(name: &str, description: &TowerDescription) -> String {
+    let names = &description.part_names.materials;
+    let count = description.materials.len();
+    let numbered = |index: usize, key: &str| match count {
+        1 => format!("material.{key}"),
+        _ => format!("materials[{index}].{key}"),
+    };
+    if let Some(key) = name.strip_prefix("materials[0].").filter(|_| count == 1) {
+        return numbered(0, key);
+    }
+    if let Some(key) = name.strip_prefix("material.").filter(|_| count > 1)
+        && let Some(index) = names.iter().position(String::is_empty)
+    {
+        return numbered(index, key);
+    }
+    let named = name.strip_prefix("materials.");
+    if let Some((material, key)) = named.and_then(|rest| rest.rsplit_once('.')) {
+        let material = material.trim_matches('"');
+        if let Some(index) = names.iter().position(|name| name == material) {
+            return numbered(index, key);
+        }
+    }
+    name.to_owned()
+}
+
+/// The indices of a name that has the form of a pattern; none if it has another form.
+fn indices(name: &str, pattern: &str) -> Option<Vec<Index>> {
+    let mut pieces = pattern.split("[]");
+    let mut rest = name.strip_prefix(pieces.next()?)?;
+    let mut indices = Vec::new();
+    for piece in pieces {
+        let (index, after) = rest.strip_prefix('[')?.split_once(']')?;
+        indices.push(match (index.trim(), index.trim().parse()) {
+            ("*", _) => Index::Every,
+            (_, Ok(number)) => Index::One(number),
+            (other, Err(_)) => Index::Wrong(other.to_owned()),
+        });
+        rest = after.strip_prefix(piece)?;
+    }
+    rest.is_empty().then_some(indices)
+}
+
+/// A name with `[]` in place of each index, and the indices.
+pub(super) fn without_indices(name: &str) -> (String, Vec<&str>) {
+    let mut plain = String::new();
+    let mut indices = Vec::new();
+    let mut rest = name;
+    while let Some((before, after)) = rest.split_once('[') {
+        plain.push_str(before);
+        plain.push_str("[]");
+        let (index, after) = after.split_once(']').unwrap_or((after, ""));
+        indices.push(index);
+        rest = after;
+    }
+    plain.push_str(rest);
+    (plain, indices)
+}

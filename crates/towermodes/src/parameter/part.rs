@@ -1,0 +1,86 @@
+//! A part of a tower and its numbers.
+
+use crate::tower::{Place, TowerDescription};
+
+/// The index of a part and of a row in it; 0 where there is none.
+pub(super) type Indices = [usize; 2];
+
+/// A part of a tower that the tower file has once, as a list, or as a list of lists.
+pub(super) struct Part {
+    /// Its name in the tower file with `[]` for each index: `soil[].rows[]`.
+    pub(super) name: &'static str,
+    /// What it is in messages.
+    pub(super) noun: &'static str,
+    /// How many there are.
+    pub(super) count: fn(&TowerDescription) -> usize,
+    /// How many rows one of them has; 1 for a part without rows.
+    pub(super) rows: fn(&TowerDescription, usize) -> usize,
+    /// Whether its two indices may be exchanged: the entries of a symmetric matrix.
+    pub(super) is_symmetric: bool,
+    /// Its numbers.
+    pub(super) keys: &'static [Key],
+}
+
+/// A number of a part.
+pub(super) struct Key {
+    /// Its name in the part; empty if the part is the number.
+    pub(super) name: &'static str,
+    /// Its unit.
+    pub(super) unit: &'static str,
+    /// What it is.
+    pub(super) meaning: &'static str,
+    /// Its place for errors.
+    pub(super) place: fn(Indices) -> Place,
+    /// Its value, if the description has it.
+    pub(super) get: fn(&TowerDescription, Indices) -> Option<f64>,
+    /// Sets its value, if the description has it.
+    pub(super) set: fn(&mut TowerDescription, Indices, f64) -> Option<()>,
+    /// Whether it is in the list of all numbers; others have a name only.
+    pub(super) is_listed: fn(&TowerDescription, Indices) -> bool,
+}
+
+impl Part {
+    /// The indices of all its rows.
+    pub(super) fn every(&self, description: &TowerDescription) -> impl Iterator<Item = Indices> {
+        let rows = |first| (0..(self.rows)(description, first)).map(move |second| [first, second]);
+        (0..(self.count)(description)).flat_map(rows)
+    }
+
+    /// The name of a number with `[]` for each index.
+    pub(super) fn pattern(&self, key: &Key) -> String {
+        match key.name {
+            "" => self.name.to_owned(),
+            name => format!("{}.{name}", self.name),
+        }
+    }
+}
+
+/// A number that the description has where its part has it: listed if it is there.
+pub(super) fn is_there(_: &TowerDescription, _: Indices) -> bool {
+    true
+}
+
+/// The numbers of a part that are fields of one type. The first two lines give the part for
+/// reading and for writing, the third its place for a key; each other line is key, unit, meaning
+/// and field.
+macro_rules! fields {
+    (
+        get |$d:ident, $i:ident| $part:expr;
+        set |$dm:ident, $im:ident| $part_mut:expr;
+        place |$at:ident, $key:ident| $place:expr;
+        $($name:literal $unit:literal $meaning:literal, $place_key:literal $field:ident $(. $inner:ident)? $([$n:literal])?;)+
+    ) => {
+        &[$(
+            crate::parameter::part::Key {
+                name: $name,
+                unit: $unit,
+                meaning: $meaning,
+                place: |$at| { let _ = $at; let $key = $place_key; $place },
+                get: |$d, $i| { let _ = $i; Some($part.$field$(.$inner)?$([$n])?) },
+                set: |$dm, $im, value| { let _ = $im; $part_mut.$field$(.$inner)?$([$n])? = value; Some(()) },
+                is_listed: crate::parameter::part::is_there,
+            }
+        ),+]
+    };
+}
+pub(super) use fields;

@@ -1,0 +1,130 @@
+//! The numbers of soil, added mass, water, guy wires and gravity.
+
+use super::part::{Key, Part, fields, is_there};
+use crate::tower::{Place, TowerDescription};
+
+/// `[[soil]]`.
+pub(super) static SOIL: Part = Part {
+    name: "soil[].rows[]",
+    noun: "soil",
+    count: |d| d.soil.len(),
+    rows: |d, layer| d.soil.get(layer).map_or(0, Vec::len),
+    is_symmetric: false,
+    keys: fields! {
+        get |d, i| d.soil.get(i[0])?.get(i[1])?;
+        set |d, i| d.soil.get_mut(i[0])?.get_mut(i[1])?;
+        place |i, key| Place::Soil { layer: i[0], row: i[1], key };
+        "height" "m" "height", "height" height_m;
+        "x" "N/m2" "spring in x per length", "x" stiffness.x_n_per_m2;
+        "y" "N/m2" "spring in y per length", "y" stiffness.y_n_per_m2;
+        "z" "N/m2" "spring in z per length", "z" stiffness.z_n_per_m2;
+        "torsion" "N" "spring in torsion per length", "torsion" stiffness.torsion_n;
+    },
+};
+
+/// `[[added_mass]]`.
+pub(super) static ADDED_MASS: Part = Part {
+    name: "added_mass[].rows[]",
+    noun: "added mass",
+    count: |d| d.added_mass.len(),
+    rows: |d, table| d.added_mass.get(table).map_or(0, Vec::len),
+    is_symmetric: false,
+    keys: fields! {
+        get |d, i| d.added_mass.get(i[0])?.get(i[1])?;
+        set |d, i| d.added_mass.get_mut(i[0])?.get_mut(i[1])?;
+        place |i, key| Place::AddedMass { table: i[0], row: i[1], key };
+        "height" "m" "height", "height" height_m;
+        "mass" "kg/m" "added mass per length in x and y", "mass" mass_kg_per_m;
+    },
+};
+
+/// `[water]`.
+pub(super) static WATER: Part = Part {
+    name: "water",
+    noun: "water",
+    count: |d| usize::from(d.water.is_some()),
+    rows: |_, _| 1,
+    is_symmetric: false,
+    keys: &WATER_KEYS,
+};
+
+/// A number of the water that is always given.
+macro_rules! water {
+    ($name:literal $unit:literal $meaning:literal, $field:ident) => {
+        Key {
+            name: $name,
+            unit: $unit,
+            meaning: $meaning,
+            place: |_| Place::Water { key: $name },
+            get: |d, _| Some(d.water?.$field),
+            set: |d, _, value| {
+                d.water.as_mut()?.$field = value;
+                Some(())
+            },
+            is_listed: is_there,
+        }
+    };
+}
+
+#[rustfmt::skip]
+static WATER_KEYS: [Key; 4] = [
+    water!("level" "m" "height of the surface", level_m),
+    Key {
+        name: "bed",
+        unit: "m",
+        meaning: "height of the ground",
+        place: |_| Place::Water { key: "bed" },
+        get: |d, _| bed_m(d),
+        set: |d, _, value| {
+            d.water.as_mut()?.bed_m = Some(value);
+            Some(())
+        },
+        is_listed: |d, _| d.water.is_some_and(|water| water.bed_m.is_some()),
+    },
+    water!("density" "kg/m3" "density", density_kg_per_m3),
+    water!("added_mass_coefficient" "" "added mass coefficient", added_mass_coefficient),
+];
+
+/// `[[wires]]`.
+pub(super) static WIRES: Part = Part {
+    name: "wires[]",
+    noun: "guy wires",
+    count: |d| d.wires.len(),
+    rows: |_, _| 1,
+    is_symmetric: false,
+    keys: fields! {
+        get |d, i| d.wires.get(i[0])?;
+        set |d, i| d.wires.get_mut(i[0])?;
+        place |i, key| Place::Wires { index: i[0], key };
+        "height" "m" "height of the upper ends", "height" height_m;
+        "stiffness" "N/m" "EA/L of each wire", "stiffness" stiffness_n_per_m;
+        "angle_deg" "degrees" "angle from the horizontal", "angle" angle_deg;
+    },
+};
+
+/// `[gravity]`.
+pub(super) static GRAVITY: Part = Part {
+    name: "gravity",
+    noun: "gravity",
+    count: |_| 1,
+    rows: |_, _| 1,
+    is_symmetric: false,
+    keys: &[Key {
+        name: "acceleration",
+        unit: "m/s2",
+        meaning: "acceleration of gravity",
+        place: |_| Place::Gravity,
+        get: |d, _| Some(d.gravity_m_per_s2),
+        set: |d, _, value| {
+            d.gravity_m_per_s2 = value;
+            Some(())
+        },
+        is_listed: is_there,
+    }],
+};
+
+/// The height of the ground: that of the lowest station where the file does not give it.
+fn bed_m(description: &TowerDescription) -> Option<f64> {
+    let stations = description.stations.first().map(|station| station.height_m);
+    description.water?.bed_m.or(stations)
+}
