@@ -2,6 +2,8 @@
 
 use std::path::Path;
 
+use ValueKind::{Matrix, Number, Numbers, Rows};
+use towermodes::{Parameter, TowerDescription};
 use towermodes_files::{
     KeySchema, TableSchema, ValueKind, description_from_toml, tower_file_schema,
 };
@@ -129,3 +131,135 @@ fn every_key_is_read() {
     }
     assert!(forgotten.is_empty(), "{}", forgotten.join("\n"));
 }
+
+/// Numbers of the tower file that are no parameters: whole numbers, text for the eye, and what
+/// other numbers stand for.
+const NO_PARAMETERS: [(&str, &str); 3] = [
+    ("[rotor]", "blades"),
+    ("[[wires]]", "count"),
+    ("[[wires]]", "azimuth_deg"),
+];
+
+/// A file with every number of the schema has a parameter with the name and the unit of each.
+#[test]
+fn every_number_of_the_tower_file_is_a_parameter() {
+    let floating = text("examples/floating.toml");
+    let files = [TUBES, TABLE, STIFFNESS, &floating];
+    let towers = files.map(description);
+    for table in tower_file_schema() {
+        for key in table.keys {
+            let is_exempt = NO_PARAMETERS.contains(&(table.name, key.name));
+            if is_exempt || !matches!(key.kind, Number | Numbers | Rows | Matrix) {
+                continue;
+            }
+            let names = names_of_parameters(table, key);
+            for name in names {
+                let found = towers.iter().find_map(|tower| {
+                    let every = Parameter::parse_every(&name, tower).ok()?;
+                    Some(every[0].unit())
+                });
+                let unit = found.unwrap_or_else(|| panic!("{} {name}: no parameter", table.name));
+                if key.kind != Rows {
+                    assert_eq!(unit, key.unit, "{} {name}", table.name);
+                }
+            }
+        }
+    }
+}
+
+/// The names of the parameters of a key, with `*` for every row.
+fn names_of_parameters(table: &TableSchema, key: &KeySchema) -> Vec<String> {
+    let part = table.name.split(' ').next().unwrap_or_default();
+    let part = match part {
+        "[tower.properties]" => "properties[*]".to_owned(),
+        "inertia" => "rna.inertia".to_owned(),
+        part => part
+            .replace("[[", "")
+            .replace("]]", "[*]")
+            .replace(['[', ']'], "")
+            .replace('*', "[*]"),
+    };
+    let rows = |of: &str, columns: &[&str]| columns.iter().map(|c| format!("{of}.{c}")).collect();
+    match (part.as_str(), key.kind, key.name) {
+        ("tower", Rows, _) => rows("stations[*]", &["height", "diameter", "wall"]),
+        ("soil[*]", Rows, _) => rows("soil[*].rows[*]", &["height", "x", "y", "z", "torsion"]),
+        ("added_mass[*]", Rows, _) => rows("added_mass[*].rows[*]", &["height", "mass"]),
+        (_, Matrix, name) => vec![format!("{part}.{name}[*][*]")],
+        (_, Numbers, "center") => (0..3).map(|i| format!("{part}.center[{i}]")).collect(),
+        (_, _, name) => vec![format!("{part}.{name}")],
+    }
+}
+
+fn description(text: &str) -> TowerDescription {
+    match description_from_toml(text) {
+        Ok(description) => description,
+        Err(mistakes) => panic!("{mistakes:?}"),
+    }
+}
+
+const TUBES: &str = "
+    [material]
+    density = 8500.0
+    youngs_modulus = 2.1e11
+    poissons_ratio = 0.3
+    [tower]
+    stations = [[0.0, 6.0, 0.027], [87.6, 3.87, 0.019]]
+    [rna]
+    mass = 350e3
+    [rotor]
+    blades = 3
+    rpm = [6.9, 12.1]
+    [[point_mass]]
+    height = 40.0
+    mass = 1000.0
+    [[soil]]
+    rows = [[0.0, 1e6, 1e6], [5.0, 1e6, 1e6]]
+    [[added_mass]]
+    rows = [[0.0, 1e3], [5.0, 1e3]]
+    [water]
+    level = 10.0
+    [[wires]]
+    height = 40.0
+    count = 3
+    stiffness = 1e6
+    angle_deg = 45.0
+    [foundation]
+    type = \"springs\"
+    lateral = 1e9
+    rocking = 1e11
+    vertical = 1e10
+    torsion = 1e11
+";
+
+const TABLE: &str = "
+    [tower.properties]
+    z_m = [0.0, 80.0]
+    mass_kg_per_m = [4e3, 2e3]
+    ei_fore_aft_n_m2 = [5e11, 1e11]
+    gj_n_m2 = [4e11, 1e11]
+    ea_n = [1e11, 5e10]
+    polar_inertia_kg_m = [2e4, 1e4]
+    shear_stiffness_fore_aft_n = [1e10, 1e10]
+    shear_stiffness_side_side_n = [1e10, 2e10]
+    [foundation]
+    type = \"half-space\"
+    radius = 8.0
+    soil_shear_modulus = 5e7
+    soil_poissons_ratio = 0.3
+";
+
+const STIFFNESS: &str = "
+    [material]
+    density = 8500.0
+    youngs_modulus = 2.1e11
+    shear_modulus = 8.08e10
+    [tower]
+    stations = [[0.0, 6.0, 0.027], [87.6, 3.87, 0.019]]
+    [foundation]
+    type = \"stiffness\"
+    matrix = [
+        [1e9, 0, 0, 0, 0, 0], [0, 1e9, 0, 0, 0, 0], [0, 0, 1e9, 0, 0, 0],
+        [0, 0, 0, 1e11, 0, 0], [0, 0, 0, 0, 1e11, 0], [0, 0, 0, 0, 0, 1e11],
+    ]
+    [gravity]
+";

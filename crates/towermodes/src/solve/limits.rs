@@ -18,8 +18,8 @@ pub const MAX_DEGREE: usize = 60;
 pub const MAX_POINTS: usize = 1_000_000;
 /// A solve that would take more memory than this, bytes, is refused unless
 /// [`Options::limits`](crate::Options::limits) is off. The estimate includes assembly, factors,
-/// vectors, shapes and the finest mesh of the error estimate.
-pub const MAX_BYTES: usize = 4 << 30;
+/// vectors, shapes and the finest mesh of the error estimate. A `usize` of 32 bits cannot hold it.
+pub const MAX_BYTES: u64 = 4 << 30;
 /// A solve that would take longer than this, s, on a processor of 2020 is refused unless
 /// [`Options::limits`](crate::Options::limits) is off.
 pub const MAX_SECONDS: f64 = 600.0;

@@ -98,7 +98,8 @@ impl Options {
     /// Refuses shapes that need too much memory, whatever the tower is.
     pub(super) fn check_shapes(&self) -> Result<(), SolveError> {
         let (modes, points) = (self.modes, self.points + self.heights_m.len());
-        if modes > MAX_BYTES / (points * size_of::<ShapePoint>()) {
+        let bytes_per_mode = points as u64 * size_of::<ShapePoint>() as u64;
+        if modes as u64 > MAX_BYTES / bytes_per_mode {
             return Err(SolveError::ShapesTooLarge { modes, points });
         }
         Ok(())
