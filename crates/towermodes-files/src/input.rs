@@ -95,6 +95,30 @@ impl TowerInput {
         }
     }
 
+    /// The input of a program that made the description itself: a tower file without text.
+    ///
+    /// # Example
+    /// ```
+    /// use towermodes::{Material, Rna, Station, TowerDescription};
+    /// use towermodes_files::TowerInput;
+    ///
+    /// let input = TowerInput::from_description(TowerDescription {
+    ///     materials: vec![Material::from_shear_modulus(8500.0, 2.1e11, 8.08e10)],
+    ///     stations: vec![Station::new(0.0, 6.0, 0.027), Station::new(87.6, 3.87, 0.019)],
+    ///     rna: Rna::point(350e3),
+    ///     ..TowerDescription::default()
+    /// });
+    /// assert_eq!(input.tower()?.height_m(), 87.6);
+    /// # Ok::<(), towermodes_files::ReadError>(())
+    /// ```
+    pub fn from_description(description: TowerDescription) -> Self {
+        let source = Source {
+            name: "<description>".to_owned(),
+            text: String::new(),
+        };
+        Self::new(FileFormat::Toml, description, vec![source])
+    }
+
     /// The tower.
     ///
     /// # Errors

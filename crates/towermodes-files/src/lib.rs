@@ -29,6 +29,7 @@
 //! ```
 
 mod bmodes;
+mod convert;
 mod diagnostic;
 pub mod elastodyn;
 mod error;
@@ -53,6 +54,7 @@ pub use bmodes::{
     BmodesFiles, BmodesInput, BmodesWriteError, BmodesWriteOptions, OutHeader, OutMode, OutNodes,
     OutRow, euclidean, read_bmodes, write_bmodes, write_bmodes_out,
 };
+pub use convert::{ConvertError, ConvertOptions, Converted, OutputFormat, convert};
 pub use diagnostic::{Diagnostic, DiagnosticKind, Exact};
 pub use error::ReadError;
 pub use hawc2::read_hawc2;

@@ -3,6 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use clap::{Args, ValueEnum};
+use towermodes_files::OutputFormat;
 
 use super::ending::{Ending, EndingError};
 use super::file_of;
@@ -93,4 +94,16 @@ pub(crate) enum Target {
     /// windIO 2.0 turbine that contains only tower and RNA.
     #[value(name = "windio")]
     WindIo,
+}
+
+impl Target {
+    /// The format of the library.
+    pub(crate) fn format(self) -> OutputFormat {
+        match self {
+            Self::Toml => OutputFormat::Toml,
+            Self::Bmodes => OutputFormat::Bmodes,
+            Self::Elastodyn => OutputFormat::ElastoDyn,
+            Self::WindIo => OutputFormat::WindIo,
+        }
+    }
 }
