@@ -2,7 +2,6 @@
 
 use std::borrow::Cow;
 use std::io::{self, Write as _};
-use std::process::ExitCode;
 
 use annotate_snippets::{AnnotationKind, Group, Level, Renderer, Snippet};
 use thiserror::Error;
@@ -111,7 +110,7 @@ fn pairs(count: usize) -> String {
 
 impl Failure {
     /// Prints the error on standard error and returns the exit code.
-    pub(crate) fn report(&self) -> ExitCode {
+    pub(crate) fn report(&self) -> u8 {
         match self {
             Self::Input(ReadError::Mistakes {
                 source_file,
@@ -126,7 +125,7 @@ impl Failure {
                 ));
             }
         }
-        ExitCode::from(self.code())
+        self.code()
     }
 
     /// What the user can do about it.

@@ -1,5 +1,6 @@
 //! `towermodes report`.
 
+use std::ffi::OsString;
 use std::fs;
 use std::path::Path;
 
@@ -21,8 +22,8 @@ use crate::output::{check_not_input, check_not_inputs, check_terminal, deliver};
 use crate::progress::solve;
 use crate::side_by_side::all_methods;
 
-/// Reads the tower, computes all results and writes the report.
-pub(crate) fn run(arguments: &ReportArguments) -> Result<(), Failure> {
+/// Reads the tower, computes all results and writes the report, which quotes the command line.
+pub(crate) fn run(arguments: &ReportArguments, words: &[OsString]) -> Result<(), Failure> {
     let output = arguments.output();
     check_not_input(&arguments.input.file, output)?;
     let format = arguments.format().map_err(Failure::Ending)?;
@@ -34,7 +35,7 @@ pub(crate) fn run(arguments: &ReportArguments) -> Result<(), Failure> {
     let mut input = tower_input(&arguments.input)?;
     check_not_inputs(input.files(), output)?;
     let tower = input.tower().map_err(Failure::Input)?;
-    let content = content(&mut input, tower, arguments)?;
+    let content = content(&mut input, tower, arguments, words)?;
     let text = match format {
         PageFormat::Html => html(&content).map_err(|error| Failure::Refused(error.to_string()))?,
         PageFormat::Md => markdown(&content),
@@ -49,6 +50,7 @@ fn content(
     input: &mut TowerInput,
     tower: Tower,
     arguments: &ReportArguments,
+    words: &[OsString],
 ) -> Result<ReportContent, Failure> {
     let prescribed = Prescribed::of(input);
     let options = arguments.options(prescribed).map_err(Failure::Usage)?;
@@ -68,7 +70,7 @@ fn content(
         compared_segments: arguments.segments.unwrap_or(COMPARED_SEGMENTS),
         elastodyn: elastodyn(&shapes_tower, shapes_from_m),
         shapes_from_m,
-        circumstances: circumstances(input, rotor.as_ref(), arguments),
+        circumstances: circumstances(input, rotor.as_ref(), arguments, words),
         notes_on_shapes: notes_on_shapes.iter().map(Note::to_string).collect(),
     };
     ReportContent::compute(request, &mut WithProgress).map_err(|error| match error {
@@ -94,6 +96,7 @@ fn circumstances(
     input: &TowerInput,
     rotor: Option<&ChosenRotor>,
     arguments: &ReportArguments,
+    words: &[OsString],
 ) -> Circumstances {
     let of_rotor = rotor.map(|rotor| notes_on(input, rotor));
     let notes = input.notes.iter().cloned();
@@ -105,7 +108,7 @@ fn circumstances(
         model_notes: of_model.map(|note| note.message.clone()).collect(),
         notes: notes.iter().map(Note::to_string).collect(),
         version: env!("CARGO_PKG_VERSION").to_owned(),
-        command_line: command_line(),
+        command_line: command_line(words),
         reading: arguments.input.reading.typed(),
         is_own_format: input.format == FileFormat::Toml,
         files: input.sources().iter().map(input_file).collect(),
@@ -148,8 +151,8 @@ fn elastodyn(tower: &Tower, from_m: f64) -> Result<ElastoDynShapes, String> {
 }
 
 /// The command as it was typed.
-fn command_line() -> String {
-    let arguments = std::env::args_os().skip(1);
+fn command_line(words: &[OsString]) -> String {
+    let arguments = words.iter().skip(1);
     let quoted = arguments.map(|argument| quoted(&argument.to_string_lossy()));
     let words: Vec<String> = std::iter::once("towermodes".to_owned())
         .chain(quoted)

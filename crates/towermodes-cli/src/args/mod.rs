@@ -36,8 +36,8 @@ pub(crate) use rotor::RotorArguments;
 pub(crate) use solve::{SolveArguments, SolveFormat};
 pub(crate) use verify::{VerifyArguments, VerifyFormat};
 
+use std::ffi::OsString;
 use std::path::{Path, PathBuf};
-use std::process::ExitCode;
 
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use clap::error::ErrorKind;
@@ -183,17 +183,16 @@ fn file_of(path: Option<&Path>) -> Option<&Path> {
 }
 
 /// Prints the help or the error of the command line. If a file is given instead of a command, the
-/// message shows the `solve` command for it.
-pub(crate) fn report(error: &clap::Error) -> ExitCode {
+/// message shows the `solve` command for it. Returns the exit code.
+pub(crate) fn report(error: &clap::Error, command_line: &[OsString]) -> u8 {
     let _ = error.print();
-    let file = std::env::args_os()
-        .nth(1)
-        .filter(|name| Path::new(name).is_file());
+    let file = command_line.get(1);
+    let file = file.filter(|name| Path::new(name).is_file());
     if let (ErrorKind::InvalidSubcommand, Some(file)) = (error.kind(), file) {
         anstream::eprintln!(
             "\nto solve it: towermodes solve {}",
-            Path::new(&file).display()
+            Path::new(file).display()
         );
     }
-    ExitCode::from(u8::try_from(error.exit_code()).unwrap_or(2))
+    u8::try_from(error.exit_code()).unwrap_or(2)
 }

@@ -10,7 +10,7 @@ use towermodes_analysis::agreement::{
 use super::text::{text_table, title, tonnes};
 
 /// Masses, stiffnesses and frequencies of two towers, in total and along the height.
-pub(crate) fn agreement(names: &[String; 2], agreement: &Agreement) -> String {
+pub fn agreement(names: &[String; 2], agreement: &Agreement) -> String {
     format!(
         "first:  {}\nsecond: {}\n{}\n{}\n\n{}\n\nvalues along the height are averages over {:.2} m; the mass below a height is cumulative from z = {} m, its difference is relative to the total mass\nverdict: {}\n",
         names[0],
@@ -164,7 +164,7 @@ fn marked(compared: &Compared) -> String {
 }
 
 /// The summary of one model.
-pub(crate) fn examination(tower: &Tower, examination: &Examination) -> String {
+pub fn examination(tower: &Tower, examination: &Examination) -> String {
     let header = [
         "z m",
         "kg/m",

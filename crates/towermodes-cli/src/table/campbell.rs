@@ -10,7 +10,7 @@ use super::text::{text_table, title, wrapped};
 
 /// The conclusion, then the pairs within a factor of 2, or all, and the rotor.
 /// `has_blade` is whether the input contains a blade.
-pub(crate) fn campbell(tower: &Tower, campbell: &Campbell, has_blade: bool, all: bool) -> String {
+pub fn campbell(tower: &Tower, campbell: &Campbell, has_blade: bool, all: bool) -> String {
     let is_strong = |multiple| multiple == 1 || multiple == campbell.rotor.blades;
     let is_shown = |margin: &&Margin| {
         let is_first = campbell.first_bending.contains(&margin.line) && is_strong(margin.multiple);

@@ -7,7 +7,7 @@ use towermodes_analysis::study::{Column, Comparison};
 use super::text::{align_right, plain_table, title};
 
 /// Frequencies, differences from the reference solution, degrees of freedom and times.
-pub(crate) fn comparison(tower: &Tower, comparison: &Comparison) -> String {
+pub fn comparison(tower: &Tower, comparison: &Comparison) -> String {
     let columns = &comparison.columns;
     let mut table = plain_table();
     let mut add = |first: String, cell: &dyn Fn(usize) -> String| {

@@ -1,4 +1,4 @@
-//! Results as text tables.
+//! Results as text tables, which the program prints and the Python package shows.
 
 mod agreement;
 mod blade;
@@ -10,11 +10,11 @@ mod solution;
 mod text;
 mod verification;
 
-pub(crate) use agreement::{agreement, examination};
+pub use agreement::{agreement, examination};
 pub(crate) use blade::blade;
-pub(crate) use campbell::campbell;
-pub(crate) use comparison::comparison;
+pub use campbell::campbell;
+pub use comparison::comparison;
 pub(crate) use convergence::convergence;
 pub(crate) use elastodyn::{changes, fits, judgements};
-pub(crate) use solution::solution;
+pub use solution::{MODE_HEADER, below_modes, mode_rows, solution};
 pub(crate) use verification::verification;

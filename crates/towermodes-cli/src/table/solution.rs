@@ -8,11 +8,15 @@ use towermodes_report::wording::{buckling_load_factor, completeness, mesh, mode_
 use super::text::{aligned, rna, text_table, title, tonnes};
 
 /// The modes as a table, and lines with masses, method and certificate.
-pub(crate) fn solution(tower: &Tower, solution: &Solution) -> String {
-    let mut text = title(tower);
-    text.push_str(&modes(solution));
-    text.push_str("\n\n");
-    text.push_str(&summary(tower, solution));
+pub fn solution(tower: &Tower, solution: &Solution) -> String {
+    let table = text_table(MODE_HEADER, mode_rows(solution), [0, 2, 3, 4]);
+    let (title, below) = (title(tower), below_modes(tower, solution));
+    format!("{title}{table}\n\n{below}")
+}
+
+/// The lines below the table of modes: masses, method, certificate, effective masses.
+pub fn below_modes(tower: &Tower, solution: &Solution) -> String {
+    let mut text = summary(tower, solution);
     text.push('\n');
     text.push_str(&effective_masses(solution));
     if let Some(factor) = solution.buckling_load_factor {
@@ -50,13 +54,17 @@ fn structure(tower: &Tower) -> &'static str {
     }
 }
 
-fn modes(solution: &Solution) -> String {
+/// The names of the columns of [`mode_rows`].
+pub const MODE_HEADER: [&str; 5] = ["mode", "mode shape", "frequency Hz", "± error", "period s"];
+
+/// The cells of the table of modes, numbers aligned at their decimal points.
+pub fn mode_rows(solution: &Solution) -> Vec<[String; 5]> {
     let modes = || solution.modes.iter();
     let frequencies =
         aligned(modes().map(|m| with_error(m.frequency_hz, m.frequency_hz, m.error_hz())));
     let errors = aligned(modes().map(|m| with_error(m.error_hz(), m.frequency_hz, m.error_hz())));
     let rows = modes().zip(frequencies.into_iter().zip(errors));
-    let rows = rows.map(|(mode, (frequency, error))| {
+    let row = |(mode, (frequency, error)): (&Mode, (String, String))| {
         [
             mode.number.to_string(),
             mode_shape(mode),
@@ -64,9 +72,8 @@ fn modes(solution: &Solution) -> String {
             error,
             period(mode),
         ]
-    });
-    let header = ["mode", "mode shape", "frequency Hz", "± error", "period s"];
-    text_table(header, rows, [0, 2, 3, 4])
+    };
+    rows.map(row).collect()
 }
 
 /// The period, if the mode has one.

@@ -1,0 +1,73 @@
+//! The program `towermodes`: natural frequencies and mode shapes of wind turbine towers.
+//!
+//! The program is one function, [`run`], which the binary and the Python package call, and the
+//! tables that it prints, [`table`].
+//!
+//! Results go to standard output, messages to standard error. Exit codes: 0 done; 1 the
+//! computation, a check or the output failed; 2 wrong usage or wrong input.
+
+mod args;
+mod campbell;
+mod check;
+mod compare;
+mod converge;
+mod convert;
+mod elastodyn;
+mod failure;
+mod input;
+mod output;
+mod plot;
+mod progress;
+mod reference;
+mod report;
+mod shell;
+mod side_by_side;
+mod solve;
+pub mod table;
+mod terminal;
+mod verify;
+
+use std::ffi::OsString;
+
+use clap::Parser;
+
+use args::{Arguments, Command};
+
+/// Runs the program with the arguments of a command line, the name of the program first, and
+/// returns its exit code.
+///
+/// # Example
+/// ```
+/// let code = towermodes_cli::run(["towermodes", "solve", "missing.toml"]);
+/// assert_eq!(code, 2);
+/// ```
+pub fn run(command_line: impl IntoIterator<Item = impl Into<OsString>>) -> u8 {
+    let words: Vec<OsString> = command_line.into_iter().map(Into::into).collect();
+    let arguments = match Arguments::try_parse_from(&words) {
+        Ok(arguments) => arguments,
+        Err(error) => return args::report(&error, &words),
+    };
+    match done(arguments.command, &words) {
+        Ok(()) => 0,
+        Err(failure) => failure.report(),
+    }
+}
+
+fn done(command: Command, words: &[OsString]) -> Result<(), failure::Failure> {
+    match command {
+        Command::Solve(arguments) => solve::run(&arguments),
+        Command::Completions { shell } => shell::completions(shell),
+        Command::Compare(arguments) => compare::run(&arguments),
+        Command::Converge(arguments) => converge::run(&arguments),
+        Command::Plot(arguments) => plot::run(&arguments),
+        Command::Report(arguments) => report::run(&arguments, words),
+        Command::Campbell(arguments) => campbell::run(&arguments),
+        Command::Convert(arguments) => convert::run(&arguments),
+        Command::Check(arguments) => check::run(&arguments),
+        Command::Elastodyn(arguments) => elastodyn::run(&arguments),
+        Command::Verify(arguments) => verify::run(&arguments),
+        Command::Schema { of } => shell::schema(&of),
+        Command::Reference => reference::run(),
+        Command::Man { of } => shell::man(of.as_deref()),
+    }
+}
