@@ -1,0 +1,25 @@
+//! Sweeps: one tower with changed numbers, solved for each row of a table or a sample.
+//!
+//! A [`Sweep`] is a tower, the [changes](towermodes::Change) whose values each row gives, and the
+//! modes that have columns. [`run()`] solves all rows in memory. A row that fails is a row with the
+//! sentence that says why, never the end of the sweep. The columns of modes are named by
+//! [family and order](towermodes::ModeName), so they stay with the mode where frequencies cross.
+
+mod base;
+mod lowest;
+mod results;
+mod row;
+mod run;
+mod sampling;
+mod source;
+mod sweep;
+mod threads;
+
+pub use base::{Base, DEFAULT_SWEEP_SEGMENTS};
+pub use results::Results;
+pub use row::MORE_MODES;
+pub use run::{RunError, run};
+pub use sampling::Draw;
+pub use source::{Columns, LengthsDiffer, RowSource};
+pub use sweep::{MOST_MODES, Sweep, SweepError};
+pub use threads::Watch;

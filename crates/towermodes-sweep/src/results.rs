@@ -1,0 +1,142 @@
+//! The results of rows, as columns.
+
+use std::collections::TryReserveError;
+
+use towermodes::ModeName;
+
+use crate::row::Cells;
+
+/// The results of successive rows of a sweep.
+///
+/// A number that was not computed is NaN, and the sentence of its row says why.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Results {
+    /// The number of the first row, from 0.
+    pub first_row: u64,
+    /// The modes that have columns.
+    pub modes: Vec<ModeName>,
+    /// Mass of the tower with its point masses, without the rotor-nacelle assembly, kg; by row.
+    pub mass_kg: Vec<f64>,
+    /// Whether the list of modes is proved to be complete; by row.
+    pub certified: Vec<bool>,
+    /// Extrapolated frequencies, Hz; rows × modes, the modes of a row side by side.
+    pub frequency_hz: Vec<f64>,
+    /// Errors of the frequencies before extrapolation, a cautious bound for those after it, Hz;
+    /// rows × modes.
+    pub error_hz: Vec<f64>,
+    /// What failed or is missing: the number of the row, from 0, and the sentence; by rising rows.
+    pub failures: Vec<(u64, String)>,
+}
+
+impl Results {
+    /// Results of rows that are not solved yet.
+    ///
+    /// # Errors
+    /// If the memory is not available.
+    pub(crate) fn unsolved(
+        first_row: u64,
+        rows: usize,
+        modes: &[ModeName],
+    ) -> Result<Self, TryReserveError> {
+        let numbers = |count: usize| -> Result<Vec<f64>, TryReserveError> {
+            let mut numbers = Vec::new();
+            numbers.try_reserve_exact(count)?;
+            numbers.resize(count, f64::NAN);
+            Ok(numbers)
+        };
+        let mut certified = Vec::new();
+        certified.try_reserve_exact(rows)?;
+        certified.resize(rows, false);
+        let cells = rows.saturating_mul(modes.len());
+        Ok(Self {
+            first_row,
+            modes: modes.to_vec(),
+            mass_kg: numbers(rows)?,
+            certified,
+            frequency_hz: numbers(cells)?,
+            error_hz: numbers(cells)?,
+            failures: Vec::new(),
+        })
+    }
+
+    /// Number of rows.
+    pub fn rows(&self) -> usize {
+        self.mass_kg.len()
+    }
+
+    /// The column of a mode: its place in [`modes`](Self::modes).
+    pub fn mode(&self, name: ModeName) -> Option<usize> {
+        self.modes.iter().position(|other| *other == name)
+    }
+
+    /// The frequencies of a mode, by its place in [`modes`](Self::modes), Hz.
+    pub fn frequencies_hz(&self, mode: usize) -> impl Iterator<Item = f64> {
+        column(&self.frequency_hz, mode, self.modes.len())
+    }
+
+    /// The errors of the frequencies of a mode, by its place in [`modes`](Self::modes), Hz.
+    pub fn errors_hz(&self, mode: usize) -> impl Iterator<Item = f64> {
+        column(&self.error_hz, mode, self.modes.len())
+    }
+
+    /// The sentence of each row, none for a row that is complete.
+    pub fn sentences(&self) -> impl Iterator<Item = Option<&str>> {
+        let mut failures = self.failures.iter().peekable();
+        let rows = self.first_row..self.first_row + self.rows() as u64;
+        rows.map(move |row| {
+            let failure = failures.next_if(|(failed, _)| *failed == row)?;
+            Some(failure.1.as_str())
+        })
+    }
+
+    /// The rows in pieces of at most `count`, each with its first row.
+    pub(crate) fn pieces(&mut self, count: usize) -> impl Iterator<Item = Piece<'_>> {
+        let modes = self.modes.len();
+        let first_row = self.first_row;
+        let numbers = self.frequency_hz.chunks_mut(count * modes);
+        let numbers = numbers.zip(self.error_hz.chunks_mut(count * modes));
+        let others = self.mass_kg.chunks_mut(count);
+        let others = others.zip(self.certified.chunks_mut(count));
+        let all = others.zip(numbers).enumerate();
+        all.map(move |(index, ((mass_kg, certified), (frequency_hz, error_hz)))| Piece {
+            first_row: first_row + (index * count) as u64,
+            modes,
+            mass_kg,
+            certified,
+            frequency_hz,
+            error_hz,
+        })
+    }
+}
+
+fn column(numbers: &[f64], column: usize, columns: usize) -> impl Iterator<Item = f64> {
+    numbers.iter().skip(column).step_by(columns).copied()
+}
+
+/// Successive rows of results that one thread fills.
+#[derive(Debug)]
+pub(crate) struct Piece<'a> {
+    pub(crate) first_row: u64,
+    modes: usize,
+    mass_kg: &'a mut [f64],
+    certified: &'a mut [bool],
+    frequency_hz: &'a mut [f64],
+    error_hz: &'a mut [f64],
+}
+
+impl Piece<'_> {
+    pub(crate) fn rows(&self) -> usize {
+        self.mass_kg.len()
+    }
+
+    /// The cells of a row, by its place in the piece.
+    pub(crate) fn cells(&mut self, row: usize) -> Cells<'_> {
+        let of_modes = row * self.modes..(row + 1) * self.modes;
+        Cells {
+            mass_kg: &mut self.mass_kg[row],
+            certified: &mut self.certified[row],
+            frequency_hz: &mut self.frequency_hz[of_modes.clone()],
+            error_hz: &mut self.error_hz[of_modes],
+        }
+    }
+}

@@ -1,0 +1,116 @@
+//! One row of a sweep: the changed tower, solved.
+
+use towermodes::{Options, Tower, Workspace};
+
+use crate::lowest::{Lowest, wider};
+use crate::sweep::Sweep;
+
+/// A row in which a mode is missing is solved again with up to this many more modes than the base
+/// needs.
+pub const MORE_MODES: usize = 16;
+
+/// The cells of a row's results.
+#[derive(Debug)]
+pub(crate) struct Cells<'a> {
+    pub(crate) mass_kg: &'a mut f64,
+    pub(crate) certified: &'a mut bool,
+    pub(crate) frequency_hz: &'a mut [f64],
+    pub(crate) error_hz: &'a mut [f64],
+}
+
+/// Solves rows one after the other in the same memory; one for each thread.
+#[derive(Debug)]
+pub(crate) struct RowSolver<'a> {
+    sweep: &'a Sweep,
+    options: Options,
+    workspace: Workspace,
+    lowest: Lowest,
+}
+
+impl<'a> RowSolver<'a> {
+    pub(crate) fn new(sweep: &'a Sweep) -> Self {
+        Self {
+            sweep,
+            options: sweep.options().clone(),
+            workspace: Workspace::default(),
+            lowest: Lowest::default(),
+        }
+    }
+
+    /// Solves the tower with the values of a row. Cells that have no value become NaN, and the
+    /// sentence says why.
+    pub(crate) fn solve(&mut self, values: &[f64], cells: Cells<'_>) -> Option<String> {
+        *cells.mass_kg = f64::NAN;
+        *cells.certified = false;
+        cells.frequency_hz.fill(f64::NAN);
+        cells.error_hz.fill(f64::NAN);
+        match self.try_solve(values, cells) {
+            Ok(()) => None,
+            Err(sentence) => Some(sentence),
+        }
+    }
+
+    fn try_solve(&mut self, values: &[f64], cells: Cells<'_>) -> Result<(), String> {
+        let tower = self.tower(values)?;
+        *cells.mass_kg = tower.mass_kg();
+        let most = self.sweep.options().modes + MORE_MODES;
+        self.options.modes = self.sweep.options().modes;
+        loop {
+            let lowest = &mut self.lowest;
+            let solved = lowest.solve(&tower, &self.options, &mut self.workspace);
+            solved.map_err(|error| error.to_string())?;
+            if self.has_all() {
+                break;
+            }
+            match wider(self.options.modes, &self.lowest, most) {
+                Some(modes) => self.options.modes = modes,
+                None => break,
+            }
+        }
+        self.take(cells)
+    }
+
+    /// The changed tower.
+    fn tower(&self, values: &[f64]) -> Result<Tower, String> {
+        let mut description = self.sweep.base().clone();
+        for (change, value) in self.sweep.changes().iter().zip(values) {
+            if !value.is_finite() {
+                return Err(format!("{} is {value}, but must be finite", change.name()));
+            }
+            change.apply(&mut description, *value);
+        }
+        Tower::new(description).map_err(|error| error.to_string())
+    }
+
+    fn has_all(&self) -> bool {
+        let mut modes = self.sweep.modes().iter();
+        modes.all(|name| self.lowest.mode(*name).is_some())
+    }
+
+    /// Takes the frequencies by name.
+    ///
+    /// # Errors
+    /// The sentence that names the modes that are not there.
+    fn take(&self, cells: Cells<'_>) -> Result<(), String> {
+        *cells.certified = self.lowest.certified;
+        let mut missing = Vec::new();
+        for (index, name) in self.sweep.modes().iter().enumerate() {
+            match self.lowest.mode(*name) {
+                Some(mode) => {
+                    cells.frequency_hz[index] = mode.hz;
+                    cells.error_hz[index] = mode.error_hz;
+                }
+                None => missing.push(name.to_string()),
+            }
+        }
+        let verb = if missing.len() == 1 { "is" } else { "are" };
+        match missing.is_empty() {
+            true => Ok(()),
+            false => Err(format!(
+                "{} {verb} not among the lowest {} modes",
+                missing.join(", "),
+                self.lowest.modes.len()
+            )),
+        }
+    }
+}

@@ -1,0 +1,137 @@
+//! A sweep in memory.
+
+use std::sync::Mutex;
+
+use thiserror::Error;
+
+use crate::results::{Piece, Results};
+use crate::row::RowSolver;
+use crate::source::RowSource;
+use crate::sweep::Sweep;
+use crate::threads::{Tick, Watch, shared};
+
+/// Rows that a thread takes at a time; fewer are not worth a thread.
+pub(crate) const PIECE_ROWS: usize = 64;
+
+/// Why a sweep in memory has no results.
+#[derive(Debug, Clone, PartialEq, Eq, Error)]
+#[non_exhaustive]
+pub enum RunError {
+    /// The [`Watch`] ended it.
+    #[error("the sweep was stopped")]
+    Stopped,
+    /// The results need more memory than there is.
+    #[error("the results of {rows} rows do not fit into memory; write them to a folder instead")]
+    Memory {
+        /// Number of rows.
+        rows: u64,
+    },
+}
+
+/// Solves all rows of a source. The results do not depend on the number of threads.
+///
+/// With one thread, and for up to 64 rows, the calling thread does the work; otherwise it watches.
+///
+/// # Errors
+/// [`RunError`]; a row that fails is a row of the results.
+///
+/// # Example
+/// ```
+/// use std::ops::ControlFlow;
+/// use towermodes::{Change, Material, Rna, Station, TowerDescription};
+/// use towermodes_files::SweepResults;
+/// use towermodes_sweep::{Base, Columns, Sweep, run};
+///
+/// let description = TowerDescription {
+///     materials: vec![Material::from_shear_modulus(8500.0, 2.1e11, 8.08e10)],
+///     stations: vec![Station::new(0.0, 6.0, 0.027), Station::new(87.6, 3.87, 0.019)],
+///     rna: Rna::point(350e3),
+///     ..TowerDescription::default()
+/// };
+/// let changes = Change::parse_all(["rna.mass"], &description)?;
+/// let sweep = Sweep::new(Base::from(description), changes, &SweepResults::default())?;
+/// let masses = [3.3e5, 3.5e5, -1.0];
+/// let columns = Columns::new(vec![&masses])?;
+/// let results = run(&sweep, &columns, 1, &mut |_| ControlFlow::Continue(()))?;
+/// assert!(results.frequency_hz[0] > results.frequency_hz[sweep.modes().len()]);
+/// assert!(results.certified[1] && (results.mass_kg[1] - 267_586.067).abs() < 1e-3);
+/// assert!(results.failures[0].0 == 2 && results.failures[0].1.contains("-1 kg"));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub fn run(
+    sweep: &Sweep,
+    source: &dyn RowSource,
+    threads: usize,
+    watch: &mut Watch<'_>,
+) -> Result<Results, RunError> {
+    let rows = source.rows();
+    let too_many = RunError::Memory { rows };
+    let Ok(count) = usize::try_from(rows) else {
+        return Err(too_many);
+    };
+    let Ok(mut results) = Results::unsolved(0, count, sweep.modes()) else {
+        return Err(too_many);
+    };
+    let threads = threads.min(count.div_ceil(PIECE_ROWS));
+    let failures = Mutex::new(Vec::new());
+    let pieces = Mutex::new(results.pieces(PIECE_ROWS));
+    let ended = shared(threads, watch, |tick| {
+        let mut rows = Rows::new(sweep, source);
+        let mut failed = Vec::new();
+        loop {
+            // The lock is not held while rows are solved.
+            let piece = lock(&pieces).next();
+            let Some(piece) = piece else { break };
+            if !rows.solve(piece, &mut failed, tick) {
+                break;
+            }
+        }
+        lock(&failures).append(&mut failed);
+    });
+    drop(pieces);
+    ended.map_err(|_| RunError::Stopped)?;
+    results.failures = failures.into_inner().unwrap_or_else(|e| e.into_inner());
+    results.failures.sort_unstable_by_key(|(row, _)| *row);
+    Ok(results)
+}
+
+/// A lock; a thread that panicked while it had it left the list as it was.
+pub(crate) fn lock<T>(mutex: &Mutex<T>) -> std::sync::MutexGuard<'_, T> {
+    mutex.lock().unwrap_or_else(std::sync::PoisonError::into_inner)
+}
+
+/// What one thread needs to solve rows of a source.
+pub(crate) struct Rows<'a> {
+    solver: RowSolver<'a>,
+    source: &'a dyn RowSource,
+    values: Vec<f64>,
+}
+
+impl<'a> Rows<'a> {
+    pub(crate) fn new(sweep: &'a Sweep, source: &'a dyn RowSource) -> Self {
+        Self {
+            solver: RowSolver::new(sweep),
+            source,
+            values: vec![0.0; sweep.changes().len()],
+        }
+    }
+
+    /// Solves the rows of a piece; false if the tick ended it.
+    pub(crate) fn solve(
+        &mut self,
+        mut piece: Piece<'_>,
+        failures: &mut Vec<(u64, String)>,
+        tick: &mut Tick<'_>,
+    ) -> bool {
+        for index in 0..piece.rows() {
+            let row = piece.first_row + index as u64;
+            self.source.row(row, &mut self.values);
+            let failure = self.solver.solve(&self.values, piece.cells(index));
+            failures.extend(failure.map(|sentence| (row, sentence)));
+            if !tick() {
+                return false;
+            }
+        }
+        true
+    }
+}

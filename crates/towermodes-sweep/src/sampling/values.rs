@@ -1,0 +1,229 @@
+//! From a number in (0, 1) to a value of a distribution.
+
+use towermodes_files::{Distribution, SamplingError};
+
+use super::normal;
+
+/// A distribution whose constants are computed.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) enum Values {
+    Uniform { low: f64, high: f64 },
+    Gaussian(Gaussian),
+    Triangular { low: f64, mode: f64, high: f64 },
+    List(Vec<f64>),
+}
+
+/// A normal distribution of a value or of its logarithm, between limits.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Gaussian {
+    mean: f64,
+    deviation: f64,
+    is_logarithm: bool,
+    /// The limits of the value.
+    limits: [f64; 2],
+    /// The probabilities below the limits; of the mirrored distribution if `is_mirrored`.
+    probabilities: [f64; 2],
+    /// Whether the limits are above the mean, where probabilities from below lose their digits.
+    is_mirrored: bool,
+}
+
+impl Values {
+    /// The values of a distribution.
+    ///
+    /// # Errors
+    /// [`SamplingError`] for numbers that no distribution has, or limits that leave no value.
+    pub(super) fn new(distribution: &Distribution) -> Result<Self, SamplingError> {
+        distribution.check()?;
+        Ok(match *distribution {
+            Distribution::Uniform { low, high } => Self::Uniform { low, high },
+            Distribution::Normal {
+                mean,
+                deviation,
+                truncated,
+            } => Self::Gaussian(Gaussian::new(mean, deviation, false, truncated)?),
+            Distribution::LogNormal {
+                mean,
+                deviation,
+                truncated,
+            } => {
+                let [mean, deviation] = of_logarithm(mean, deviation);
+                Self::Gaussian(Gaussian::new(mean, deviation, true, truncated)?)
+            }
+            Distribution::Triangular { low, mode, high } => Self::Triangular { low, mode, high },
+            Distribution::Values(ref values) => Self::List(values.clone()),
+        })
+    }
+
+    /// The value below which another is with a probability u, 0 < u < 1.
+    pub(super) fn at(&self, u: f64) -> f64 {
+        match self {
+            Self::Uniform { low, high } => (low + u * (high - low)).min(*high),
+            Self::Gaussian(gaussian) => gaussian.at(u),
+            Self::Triangular { low, mode, high } => triangular([*low, *mode, *high], u),
+            Self::List(values) => {
+                let index = (u * values.len() as f64) as usize;
+                values[index.min(values.len() - 1)]
+            }
+        }
+    }
+
+    /// A value of a grid: one of the list, or of equal steps from the lowest to the highest.
+    pub(super) fn level(&self, level: u64, levels: u64) -> f64 {
+        match self {
+            Self::Uniform { high, .. } if level + 1 == levels => *high,
+            Self::Uniform { low, high } => {
+                low + (high - low) * (level as f64 / (levels - 1) as f64)
+            }
+            Self::List(values) => values[level as usize],
+            // `Sampling::check` refuses a grid of other distributions.
+            other => other.at((level as f64 + 0.5) / levels as f64),
+        }
+    }
+}
+
+/// Mean and standard deviation of the logarithm of a lognormal value with the given ones.
+fn of_logarithm(mean: f64, deviation: f64) -> [f64; 2] {
+    let variation = deviation / mean;
+    let variance = libm::log1p(variation * variation);
+    [libm::log(mean) - 0.5 * variance, libm::sqrt(variance)]
+}
+
+impl Gaussian {
+    fn new(
+        mean: f64,
+        deviation: f64,
+        is_logarithm: bool,
+        truncated: Option<[f64; 2]>,
+    ) -> Result<Self, SamplingError> {
+        let limits = truncated.unwrap_or([f64::NEG_INFINITY, f64::INFINITY]);
+        let standard = limits.map(|limit| {
+            let limit = match is_logarithm {
+                true => libm::log(limit.max(0.0)),
+                false => limit,
+            };
+            (limit - mean) / deviation
+        });
+        let is_mirrored = standard[0] > 0.0;
+        let probabilities = match is_mirrored {
+            true => [-standard[1], -standard[0]].map(normal::probability),
+            false => standard.map(normal::probability),
+        };
+        if probabilities[0] < probabilities[1] {
+            Ok(Self {
+                mean,
+                deviation,
+                is_logarithm,
+                limits,
+                probabilities,
+                is_mirrored,
+            })
+        } else {
+            let [low, high] = limits;
+            Err(SamplingError::Excluded { low, high })
+        }
+    }
+
+    fn at(&self, u: f64) -> f64 {
+        let [low, high] = self.probabilities;
+        let standard = match self.is_mirrored {
+            true => -normal::quantile(high - u * (high - low)),
+            false => normal::quantile(low + u * (high - low)),
+        };
+        let value = self.mean + self.deviation * standard;
+        let value = match self.is_logarithm {
+            true => libm::exp(value),
+            false => value,
+        };
+        value.clamp(self.limits[0], self.limits[1])
+    }
+}
+
+/// The distribution function rises to the mode as a parabola, and so its quantile is a root.
+fn triangular([low, mode, high]: [f64; 3], u: f64) -> f64 {
+    let range = high - low;
+    let value = match u * range <= mode - low {
+        true => low + libm::sqrt(u * range * (mode - low)),
+        false => high - libm::sqrt((1.0 - u) * range * (high - mode)),
+    };
+    value.clamp(low, high)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Values;
+    use towermodes_files::{Distribution, SamplingError};
+
+    const AT: [f64; 5] = [1e-6, 0.02, 0.5, 0.9, 0.999_999];
+
+    fn values(distribution: &Distribution) -> Values {
+        Values::new(distribution).expect("a distribution")
+    }
+
+    /// `scipy.stats` 1.17, each with the command beside it, at u = 1e-6, 0.02, 0.5, 0.9, 0.999999.
+    #[test]
+    fn values_are_those_of_scipy() {
+        for (distribution, expected) in scipy() {
+            for (u, expected) in AT.into_iter().zip(expected) {
+                let value = values(&distribution).at(u);
+                let error = (value / expected - 1.0).abs();
+                assert!(error < 1e-12, "{distribution:?} {u}: {value} {expected}");
+            }
+        }
+    }
+
+    #[rustfmt::skip]
+    fn scipy() -> Vec<(Distribution, [f64; 5])> {
+        let normal = |mean, deviation, truncated| Distribution::Normal { mean, deviation, truncated };
+        let lognormal = |mean, deviation, truncated| Distribution::LogNormal { mean, deviation, truncated };
+        vec![
+            // uniform(2, 3)
+            (Distribution::Uniform { low: 2.0, high: 5.0 }, [2.000003, 2.06, 3.5, 4.7, 4.9999970000000005]),
+            // norm(2.1e11, 3e9)
+            (normal(2.1e11, 3e9, None), [195739727073.5313, 203838753268.10452, 210000000000.0, 213844654696.6338, 224260272926.45126]),
+            // truncnorm((0.9 - 1)/0.1, (1.3 - 1)/0.1, 1, 0.1)
+            (normal(1.0, 0.1, Some([0.9, 1.3])), [0.900000347146702, 0.9067174943292525, 1.0198447899603447, 1.1369961994679039, 1.2999810517858101]),
+            // truncnorm(8, 9)
+            (normal(0.0, 1.0, Some([8.0, 9.0])), [8.000000123109688, 8.002486767861425, 8.08488889901817, 8.278609037011552, 8.999396586071983]),
+            // truncnorm(-9, -8)
+            (normal(0.0, 1.0, Some([-9.0, -8.0])), [-8.999396586071999, -8.467344634140217, -8.08488889901817, -8.012960571504212, -8.000000123109688]),
+            // lognorm(sqrt(log1p(0.4**2)), scale=5e7/sqrt(1 + 0.4**2))
+            (lognormal(5e7, 2e7, None), [7437547.956470215, 21043668.35900169, 46423834.54426291, 76060935.82657619, 289769212.434241]),
+            // triang(0.25, 1, 4)
+            (Distribution::Triangular { low: 1.0, mode: 2.0, high: 5.0 }, [1.002, 1.282842712474619, 2.550510257216822, 3.904554884989668, 4.9965358983848125]),
+            // triang(0, 1, 4)
+            (Distribution::Triangular { low: 1.0, mode: 1.0, high: 5.0 }, [1.0000020000004999, 1.0402020253553337, 2.1715728752538097, 3.7350889359326485, 4.995999999999943]),
+            // exp(truncnorm((log(3e7) - mu)/s, (log(9e7) - mu)/s, mu, s)), mu and s of the lognormal above
+            (lognormal(5e7, 2e7, Some([3e7, 9e7])), [30000045.625303753, 30887660.903499838, 48388356.705669224, 72213856.50114259, 89999684.79993846]),
+        ]
+    }
+
+    #[test]
+    fn limits_that_leave_nothing_are_refused() {
+        let far = Distribution::Normal {
+            mean: 0.0,
+            deviation: 1.0,
+            truncated: Some([50.0, 60.0]),
+        };
+        let expected = SamplingError::Excluded {
+            low: 50.0,
+            high: 60.0,
+        };
+        assert_eq!(Values::new(&far), Err(expected));
+    }
+
+    #[test]
+    fn values_of_a_list_are_equally_probable() {
+        let list = values(&Distribution::Values(vec![1.0, 2.0, 4.0]));
+        let drawn = [0.0, 0.33, 0.34, 0.66, 0.67, 1.0 - 1e-16].map(|u| list.at(u));
+        assert_eq!(drawn, [1.0, 1.0, 2.0, 2.0, 4.0, 4.0]);
+    }
+
+    #[test]
+    fn levels_include_both_ends() {
+        let (low, high) = (0.1, 0.7);
+        let uniform = values(&Distribution::Uniform { low, high });
+        let levels: Vec<f64> = (0..4).map(|level| uniform.level(level, 4)).collect();
+        assert_eq!((levels[0], levels[3]), (0.1, 0.7));
+        assert!((levels[1] - 0.3).abs() < 1e-15 && (levels[2] - 0.5).abs() < 1e-15);
+    }
+}

@@ -1,0 +1,191 @@
+//! A sweep: a tower, the changes of each row, and the modes that are written.
+
+use thiserror::Error;
+use towermodes::{
+    Change, ModeName, Options, SolveError, Tower, TowerDescription, TowerError, Workspace,
+};
+use towermodes_files::{SweepModes, SweepResults};
+
+use crate::base::Base;
+use crate::lowest::{Lowest, wider};
+
+/// The largest number of modes that are computed of the base to find the modes that are named.
+pub const MOST_MODES: usize = 64;
+
+/// A sweep: a tower, the changes whose values each row gives, and the modes that have columns.
+///
+/// # Example
+/// ```
+/// use towermodes::{Change, Material, Rna, Station, TowerDescription};
+/// use towermodes_files::{SweepModes, SweepResults};
+/// use towermodes_sweep::{Base, Sweep};
+///
+/// let description = TowerDescription {
+///     materials: vec![Material::from_shear_modulus(8500.0, 2.1e11, 8.08e10)],
+///     stations: vec![Station::new(0.0, 6.0, 0.027), Station::new(87.6, 3.87, 0.019)],
+///     rna: Rna::point(350e3),
+///     ..TowerDescription::default()
+/// };
+/// let changes = Change::parse_all(["rna.mass", "scale(stations[*].wall)"], &description)?;
+/// let results = SweepResults { modes: SweepModes::Lowest(3), ..SweepResults::default() };
+/// let sweep = Sweep::new(Base::from(description), changes, &results)?;
+/// let names: Vec<String> = sweep.modes().iter().map(ToString::to_string).collect();
+/// assert_eq!(names, ["fore-aft 1", "side-side 1", "fore-aft 2"]);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Debug, Clone, PartialEq)]
+pub struct Sweep {
+    base: TowerDescription,
+    changes: Vec<Change>,
+    modes: Vec<ModeName>,
+    /// With the number of modes that the base needs for all names.
+    options: Options,
+    inputs: bool,
+}
+
+/// Why a sweep cannot begin.
+#[derive(Debug, Clone, PartialEq, Error)]
+#[non_exhaustive]
+pub enum SweepError {
+    /// The base is not a tower.
+    #[error("the base of the sweep is not a tower: {0}")]
+    Base(#[from] TowerError),
+    /// The base cannot be solved.
+    #[error("the base of the sweep cannot be solved: {0}")]
+    Unsolved(#[from] SolveError),
+    /// No change.
+    #[error("nothing is varied; name at least one parameter")]
+    NothingVaried,
+    /// No modes.
+    #[error("the sweep has no modes; ask for at least one")]
+    NoModes,
+    /// A mode that is named twice.
+    #[error("the mode `{name}` is named twice; remove one")]
+    RepeatedMode {
+        /// The mode.
+        name: ModeName,
+    },
+    /// A mode that the base does not have among its lowest.
+    #[error("`{name}` is not among the lowest {modes} modes of the base; they are {}", first(found))]
+    MissingMode {
+        /// The mode.
+        name: ModeName,
+        /// Number of modes that were computed.
+        modes: usize,
+        /// Their names.
+        found: Vec<ModeName>,
+    },
+}
+
+/// The first names of a list.
+fn first(names: &[ModeName]) -> String {
+    const SHOWN: usize = 12;
+    let shown: Vec<String> = names.iter().take(SHOWN).map(ToString::to_string).collect();
+    let more = if names.len() > SHOWN { ", …" } else { "" };
+    shown.join(", ") + more
+}
+
+impl Sweep {
+    /// Checks the base by solving it, and finds the modes that have columns.
+    ///
+    /// # Errors
+    /// [`SweepError`]: the base cannot be solved, or lacks a mode.
+    pub fn new(
+        base: Base,
+        changes: Vec<Change>,
+        results: &SweepResults,
+    ) -> Result<Self, SweepError> {
+        if changes.is_empty() {
+            return Err(SweepError::NothingVaried);
+        }
+        let mut options = base.options(results);
+        let tower = Tower::new(base.description.clone())?;
+        let modes = match &results.modes {
+            SweepModes::Lowest(0) => return Err(SweepError::NoModes),
+            SweepModes::Lowest(count) => {
+                options.modes = *count;
+                names(&lowest(&tower, &options)?)
+            }
+            SweepModes::Named(names) => {
+                options.modes = reaching(&tower, &options, names)?;
+                names.clone()
+            }
+        };
+        Ok(Self {
+            base: base.description,
+            changes,
+            modes,
+            options,
+            inputs: results.inputs,
+        })
+    }
+
+    /// The tower that each row changes.
+    pub fn base(&self) -> &TowerDescription {
+        &self.base
+    }
+
+    /// The changes, one for each value of a row.
+    pub fn changes(&self) -> &[Change] {
+        &self.changes
+    }
+
+    /// The modes that have columns, in the order of the columns.
+    pub fn modes(&self) -> &[ModeName] {
+        &self.modes
+    }
+
+    /// The options of the first solve of each row.
+    pub fn options(&self) -> &Options {
+        &self.options
+    }
+
+    /// Whether the values of the changes are columns of results.
+    pub fn has_inputs(&self) -> bool {
+        self.inputs
+    }
+}
+
+fn lowest(tower: &Tower, options: &Options) -> Result<Lowest, SolveError> {
+    let mut lowest = Lowest::default();
+    lowest.solve(tower, options, &mut Workspace::default())?;
+    Ok(lowest)
+}
+
+fn names(lowest: &Lowest) -> Vec<ModeName> {
+    lowest.modes.iter().map(|mode| mode.name).collect()
+}
+
+/// The number of modes of a tower that has all modes with given names among them.
+fn reaching(tower: &Tower, options: &Options, wanted: &[ModeName]) -> Result<usize, SweepError> {
+    if wanted.is_empty() {
+        return Err(SweepError::NoModes);
+    }
+    let repeated = (1..wanted.len()).find(|&i| wanted[..i].contains(&wanted[i]));
+    if let Some(second) = repeated {
+        let name = wanted[second];
+        return Err(SweepError::RepeatedMode { name });
+    }
+    let mut options = options.clone();
+    options.modes = wanted.len();
+    loop {
+        let found = lowest(tower, &options)?;
+        let names = names(&found);
+        let place = |name: &ModeName| names.iter().position(|other| other == name);
+        let last = wanted.iter().map(place).try_fold(0, |last, place| Some(last.max(place?)));
+        if let Some(last) = last {
+            return Ok(last + 1);
+        }
+        match wider(options.modes, &found, MOST_MODES.max(2 * wanted.len())) {
+            Some(modes) => options.modes = modes,
+            None => {
+                let is_missing = |name: &&ModeName| !names.contains(name);
+                return Err(SweepError::MissingMode {
+                    name: *wanted.iter().find(is_missing).unwrap_or(&wanted[0]),
+                    modes: names.len(),
+                    found: names,
+                });
+            }
+        }
+    }
+}
