@@ -6,6 +6,7 @@
 //! [family and order](towermodes::ModeName), so they stay with the mode where frequencies cross.
 
 mod base;
+mod digest;
 mod lowest;
 mod results;
 mod row;
@@ -13,6 +14,7 @@ mod run;
 mod sampling;
 mod source;
 mod sweep;
+mod table;
 mod threads;
 
 pub use base::{Base, DEFAULT_SWEEP_SEGMENTS};
@@ -22,4 +24,5 @@ pub use run::{RunError, run};
 pub use sampling::Draw;
 pub use source::{Columns, LengthsDiffer, RowSource};
 pub use sweep::{MOST_MODES, Sweep, SweepError};
+pub use table::{CellError, RowPlace, Table, TableError, TableProblem};
 pub use threads::Watch;

@@ -33,14 +33,15 @@ impl Lowest {
     ) -> Result<(), SolveError> {
         let solution = solve_with(tower, options, workspace)?;
         self.modes.clear();
-        self.modes.extend(solution.modes.iter().map(|mode| NamedFrequency {
-            name: ModeName {
-                family: mode.family,
-                order: mode.order,
-            },
-            hz: mode.extrapolated_hz,
-            error_hz: mode.error_hz(),
-        }));
+        self.modes
+            .extend(solution.modes.iter().map(|mode| NamedFrequency {
+                name: ModeName {
+                    family: mode.family,
+                    order: mode.order,
+                },
+                hz: mode.extrapolated_hz,
+                error_hz: mode.error_hz(),
+            }));
         self.certified = solution.certificate.complete;
         self.degrees_of_freedom = solution.degrees_of_freedom;
         Ok(())

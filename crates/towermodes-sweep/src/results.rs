@@ -98,14 +98,16 @@ impl Results {
         let others = self.mass_kg.chunks_mut(count);
         let others = others.zip(self.certified.chunks_mut(count));
         let all = others.zip(numbers).enumerate();
-        all.map(move |(index, ((mass_kg, certified), (frequency_hz, error_hz)))| Piece {
-            first_row: first_row + (index * count) as u64,
-            modes,
-            mass_kg,
-            certified,
-            frequency_hz,
-            error_hz,
-        })
+        all.map(
+            move |(index, ((mass_kg, certified), (frequency_hz, error_hz)))| Piece {
+                first_row: first_row + (index * count) as u64,
+                modes,
+                mass_kg,
+                certified,
+                frequency_hz,
+                error_hz,
+            },
+        )
     }
 }
 

@@ -97,7 +97,9 @@ pub fn run(
 
 /// A lock; a thread that panicked while it had it left the list as it was.
 pub(crate) fn lock<T>(mutex: &Mutex<T>) -> std::sync::MutexGuard<'_, T> {
-    mutex.lock().unwrap_or_else(std::sync::PoisonError::into_inner)
+    mutex
+        .lock()
+        .unwrap_or_else(std::sync::PoisonError::into_inner)
 }
 
 /// What one thread needs to solve rows of a source.

@@ -66,7 +66,10 @@ pub enum SweepError {
         name: ModeName,
     },
     /// A mode that the base does not have among its lowest.
-    #[error("`{name}` is not among the lowest {modes} modes of the base; they are {}", first(found))]
+    #[error(
+        "`{name}` is not among the lowest {modes} modes of the base; they are {}",
+        first(found)
+    )]
     MissingMode {
         /// The mode.
         name: ModeName,
@@ -172,7 +175,10 @@ fn reaching(tower: &Tower, options: &Options, wanted: &[ModeName]) -> Result<usi
         let found = lowest(tower, &options)?;
         let names = names(&found);
         let place = |name: &ModeName| names.iter().position(|other| other == name);
-        let last = wanted.iter().map(place).try_fold(0, |last, place| Some(last.max(place?)));
+        let last = wanted
+            .iter()
+            .map(place)
+            .try_fold(0, |last, place| Some(last.max(place?)));
         if let Some(last) = last {
             return Ok(last + 1);
         }

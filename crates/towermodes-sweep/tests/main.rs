@@ -1,1 +1,4 @@
 //! All tests of the sweeps.
+
+mod memory;
+mod towers;

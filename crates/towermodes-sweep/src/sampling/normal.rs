@@ -106,7 +106,7 @@ mod tests {
         for (x, expected) in PROBABILITIES {
             let error = (probability(x) / expected - 1.0).abs();
             assert!(
-                error < 1e-14,
+                error < 4e-16 * (1.0 + x * x),
                 "{x}: {} {expected} {error:e}",
                 probability(x)
             );

@@ -1,0 +1,312 @@
+//! Tables in CSV: separated by commas, semicolons or tabs.
+
+use std::io::{self, BufReader, Read, Seek, SeekFrom};
+use std::ops::Range;
+
+use csv::{ByteRecord, ErrorKind, ReaderBuilder};
+use towermodes::TowerDescription;
+
+use super::error::{CellError, RowPlace, TableProblem};
+use super::file::TableFile;
+use super::header::Header;
+
+/// A longer line is refused before it fills the memory.
+pub(super) const MAX_LINE_BYTES: u64 = 64 << 20;
+
+/// Rows between two places that are remembered.
+const BLOCK: u64 = 1024;
+
+/// A checked table in CSV.
+#[derive(Debug)]
+pub(super) struct CsvTable {
+    separator: u8,
+    /// Byte and line of every [`BLOCK`]th row.
+    blocks: Vec<Start>,
+}
+
+/// Where a row begins.
+#[derive(Debug, Clone, Copy)]
+struct Start {
+    byte: u64,
+    line: u64,
+}
+
+impl CsvTable {
+    /// Reads the whole file and checks every cell.
+    pub(super) fn check(
+        file: &mut TableFile,
+        base: &TowerDescription,
+        ignore: &[String],
+    ) -> Result<(Header, u64, Self), TableProblem> {
+        let separator = separator(file)?;
+        file.read_through(|reader| check_all(reader, separator, base, ignore))
+    }
+
+    /// Reads rows.
+    pub(super) fn read(
+        &self,
+        file: &TableFile,
+        header: &Header,
+        rows: Range<u64>,
+    ) -> Result<Vec<f64>, TableProblem> {
+        let mut values =
+            Vec::with_capacity((rows.end - rows.start) as usize * header.columns.len());
+        let Some(start) = self.blocks.get((rows.start / BLOCK) as usize) else {
+            return Ok(values);
+        };
+        let mut file = file.lock();
+        file.seek(SeekFrom::Start(start.byte))?;
+        let mut records = Records::new(&mut *file, self.separator, start.line);
+        let mut row = rows.start / BLOCK * BLOCK;
+        while row < rows.end {
+            if !records.next()? {
+                return Err(TableProblem::Changed);
+            }
+            if row >= rows.start {
+                records.numbers(header, &mut values)?;
+            }
+            row += 1;
+        }
+        Ok(values)
+    }
+}
+
+/// Reads all records of a table.
+fn check_all(
+    reader: &mut dyn Read,
+    separator: u8,
+    base: &TowerDescription,
+    ignore: &[String],
+) -> Result<(Header, u64, CsvTable), TableProblem> {
+    let mut records = Records::new(reader, separator, 1);
+    if !records.next()? {
+        return Err(TableProblem::NoColumns);
+    }
+    let header = Header::new(records.names()?, base, ignore)?;
+    let (mut rows, mut blocks, mut values) = (0, Vec::new(), Vec::new());
+    while records.next()? {
+        if rows % BLOCK == 0 {
+            blocks.push(records.start);
+        }
+        values.clear();
+        if rows == 0 {
+            records.refuse_units(&header)?;
+        }
+        records.numbers(&header, &mut values)?;
+        rows += 1;
+    }
+    if let Some(line) = records.empty_line() {
+        return Err(TableProblem::EmptyLine { line });
+    }
+    Ok((header, rows, CsvTable { separator, blocks }))
+}
+
+/// The separator of a table: a tab or a semicolon if the first line has one, else a comma.
+fn separator(file: &TableFile) -> Result<u8, TableProblem> {
+    let mut file = file.lock();
+    file.seek(SeekFrom::Start(0))?;
+    let mut start = Vec::new();
+    file.by_ref().take(1 << 20).read_to_end(&mut start)?;
+    let first = start.split(|byte| matches!(byte, b'\n' | b'\r')).next();
+    let first = first.unwrap_or_default();
+    let has = |separator: &u8| first.contains(separator);
+    Ok([b'\t', b';'].into_iter().find(has).unwrap_or(b','))
+}
+
+/// The records of a table one after the other.
+struct Records<R> {
+    reader: csv::Reader<BufReader<Lines<R>>>,
+    record: ByteRecord,
+    /// Where the record begins.
+    start: Start,
+    /// The line after the record.
+    next_line: u64,
+}
+
+impl<R: Read> Records<R> {
+    fn new(reader: R, separator: u8, line: u64) -> Self {
+        let reader = BufReader::with_capacity(1 << 16, Lines::new(reader));
+        Self {
+            reader: ReaderBuilder::new()
+                .delimiter(separator)
+                .has_headers(false)
+                .flexible(true)
+                .from_reader(reader),
+            record: ByteRecord::new(),
+            start: Start { byte: 0, line },
+            next_line: line,
+        }
+    }
+
+    /// Reads the next record; false at the end of the table.
+    fn next(&mut self) -> Result<bool, TableProblem> {
+        let read = self.reader.read_byte_record(&mut self.record);
+        if !read.map_err(|error| self.problem(error))? {
+            return Ok(false);
+        }
+        self.start = Start {
+            byte: self.record.position().map_or(0, |position| position.byte()),
+            line: self.next_line,
+        };
+        // A quoted cell may have several lines. Empty lines are refused at the end of the table.
+        let ends = self.record.as_slice().iter().filter(|byte| **byte == b'\n');
+        self.next_line += 1 + ends.count() as u64;
+        Ok(true)
+    }
+
+    /// An empty line before another one, which the reader has passed over.
+    fn empty_line(&self) -> Option<u64> {
+        self.reader.get_ref().get_ref().empty_line
+    }
+
+    fn problem(&self, error: csv::Error) -> TableProblem {
+        match error.into_kind() {
+            ErrorKind::Io(error) if error.get_ref().is_some_and(|e| e.is::<LineTooLong>()) => {
+                TableProblem::LongLine {
+                    line: self.next_line,
+                }
+            }
+            ErrorKind::Io(error) => TableProblem::Io(error),
+            other => TableProblem::Io(io::Error::other(format!("{other:?}"))),
+        }
+    }
+
+    /// The cells of the record as names of columns.
+    fn names(&self) -> Result<Vec<String>, TableProblem> {
+        let name = |cell: &[u8]| match std::str::from_utf8(cell) {
+            Ok(text) => Ok(text.trim().to_owned()),
+            Err(_) => Err(TableProblem::NotUtf8),
+        };
+        self.record.iter().map(name).collect()
+    }
+
+    /// Appends the values of the changes.
+    fn numbers(&self, header: &Header, values: &mut Vec<f64>) -> Result<(), TableProblem> {
+        let line = self.start.line;
+        if self.record.len() != header.names.len() {
+            return Err(TableProblem::Width {
+                line,
+                found: self.record.len(),
+                expected: header.names.len(),
+            });
+        }
+        for &column in &header.columns {
+            let number = number(&self.record[column]);
+            values.push(number.map_err(|error| TableProblem::Cell {
+                place: RowPlace::Line(line),
+                column: header.names[column].clone(),
+                error,
+            })?);
+        }
+        Ok(())
+    }
+
+    /// Refuses a first row in which no cell is a number.
+    fn refuse_units(&self, header: &Header) -> Result<(), TableProblem> {
+        let mut cells = header.columns.iter().filter_map(|&i| self.record.get(i));
+        let is_text = |cell: &[u8]| matches!(number(cell), Err(CellError::Text { .. }));
+        let Some(text) = cells.clone().find(|cell| is_text(cell)) else {
+            return Ok(());
+        };
+        match cells.any(|cell| number(cell).is_ok()) {
+            true => Ok(()),
+            false => Err(TableProblem::UnitRow {
+                line: self.start.line,
+                text: shown(text),
+            }),
+        }
+    }
+}
+
+/// The number in a cell.
+fn number(cell: &[u8]) -> Result<f64, CellError> {
+    let text = std::str::from_utf8(cell).unwrap_or("\u{fffd}").trim();
+    if text.is_empty() {
+        return Err(CellError::Empty);
+    }
+    match text.parse::<f64>() {
+        Ok(value) if value.is_finite() => Ok(value),
+        Ok(value) => Err(CellError::NotFinite { value }),
+        Err(_) if text.replacen(',', ".", 1).parse::<f64>().is_ok() => {
+            let text = text.to_owned();
+            Err(CellError::DecimalComma { text })
+        }
+        Err(_) => Err(CellError::Text { text: shown(cell) }),
+    }
+}
+
+/// The first 40 characters of a cell.
+fn shown(cell: &[u8]) -> String {
+    String::from_utf8_lossy(cell)
+        .trim()
+        .chars()
+        .take(40)
+        .collect()
+}
+
+/// A reader that fails at a line that is too long, and finds empty lines.
+struct Lines<R> {
+    reader: R,
+    /// The line of the next byte, from 1.
+    line: u64,
+    /// Bytes of the line.
+    line_bytes: u64,
+    /// Whether the last byte was a carriage return, to which a line feed belongs.
+    is_returned: bool,
+    /// An empty line that may be at the end of the file.
+    last_empty: Option<u64>,
+    /// The first empty line that is before another one.
+    empty_line: Option<u64>,
+}
+
+/// The error of [`Lines`].
+#[derive(Debug, thiserror::Error)]
+#[error("a line is too long")]
+struct LineTooLong;
+
+impl<R> Lines<R> {
+    fn new(reader: R) -> Self {
+        Self {
+            reader,
+            line: 1,
+            line_bytes: 0,
+            is_returned: false,
+            last_empty: None,
+            empty_line: None,
+        }
+    }
+
+    fn pass(&mut self, byte: u8) {
+        let is_second = byte == b'\n' && self.is_returned;
+        self.is_returned = byte == b'\r';
+        match byte {
+            _ if is_second => {}
+            b'\n' | b'\r' => {
+                if self.line_bytes == 0 {
+                    self.last_empty.get_or_insert(self.line);
+                }
+                self.line += 1;
+                self.line_bytes = 0;
+            }
+            _ => {
+                self.line_bytes += 1;
+                if let Some(line) = self.last_empty.take() {
+                    self.empty_line.get_or_insert(line);
+                }
+            }
+        }
+    }
+}
+
+impl<R: Read> Read for Lines<R> {
+    fn read(&mut self, buffer: &mut [u8]) -> io::Result<usize> {
+        let count = self.reader.read(buffer)?;
+        for byte in &buffer[..count] {
+            self.pass(*byte);
+        }
+        match self.line_bytes > MAX_LINE_BYTES {
+            true => Err(io::Error::other(LineTooLong)),
+            false => Ok(count),
+        }
+    }
+}

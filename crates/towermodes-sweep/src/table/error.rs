@@ -1,0 +1,264 @@
+//! What is wrong with a table.
+
+use std::fmt;
+
+use thiserror::Error;
+use towermodes::ParameterError;
+use towermodes_files::MAX_ROWS;
+
+use super::header::MOST_COLUMNS;
+
+/// What is wrong with a table, and in which.
+#[derive(Debug, Error)]
+#[error("{name}: {problem}")]
+pub struct TableError {
+    /// The name of the file.
+    pub name: String,
+    /// The problem.
+    #[source]
+    pub problem: TableProblem,
+}
+
+impl TableError {
+    pub(super) fn new(name: &str, problem: TableProblem) -> Self {
+        Self {
+            name: name.to_owned(),
+            problem,
+        }
+    }
+}
+
+/// What is wrong with a table.
+#[derive(Debug, Error)]
+#[non_exhaustive]
+pub enum TableProblem {
+    /// It cannot be read.
+    #[error("{0}")]
+    Io(#[from] std::io::Error),
+    /// It is a folder, a pipe or a device.
+    #[error(
+        "is not a regular file; a table is read twice, so a pipe must be saved to a file first"
+    )]
+    NotAFile,
+    /// It is something else.
+    #[error("is {kind}, not a table in CSV or Parquet; {remedy}")]
+    OtherFormat {
+        /// What it is.
+        kind: &'static str,
+        /// How to make a table of it.
+        remedy: &'static str,
+    },
+    /// Parquet without the feature.
+    #[error(
+        "is a Parquet file, which this build of the program does not read; write the table as CSV, or build with \
+         `cargo install --path crates/towermodes-cli --features parquet`"
+    )]
+    NoParquet,
+    /// It changed while it was in use.
+    #[error("has changed since the sweep began; begin again")]
+    Changed,
+    /// The first line has no names.
+    #[error(
+        "has no columns; the first line must name the numbers to change, as `towermodes parameters` lists them"
+    )]
+    NoColumns,
+    /// The first line has numbers.
+    #[error(
+        "the first line begins with the number `{text}`; it must name the numbers to change, as `towermodes parameters` lists them"
+    )]
+    NoNames {
+        /// The first cell.
+        text: String,
+    },
+    /// More columns than any tower has numbers.
+    #[error(
+        "has {columns} columns; the limit is {MOST_COLUMNS}: rows are towers, columns are numbers of a tower"
+    )]
+    TooManyColumns {
+        /// The number of columns.
+        columns: usize,
+    },
+    /// A column without a name.
+    #[error(
+        "column {column} has no name; name the number to change, or begin the name with # to leave the column out"
+    )]
+    EmptyName {
+        /// The column, from 1.
+        column: usize,
+    },
+    /// Two columns with one name.
+    #[error("columns {first} and {second} have the same name `{name}`; remove one of them")]
+    RepeatedName {
+        /// The name.
+        name: String,
+        /// The first, from 1.
+        first: usize,
+        /// The second, from 1.
+        second: usize,
+    },
+    /// A column that is no number of the base.
+    #[error(
+        "column {column}: {error}{}; to leave a column out, ignore it (--ignore {name}) or begin its name with #",
+        and_others(*others)
+    )]
+    Unknown {
+        /// The name.
+        name: String,
+        /// The column, from 1.
+        column: usize,
+        /// How many other columns are unknown too.
+        others: usize,
+        /// Why it is no number of the base.
+        error: ParameterError,
+    },
+    /// Two columns that change one number.
+    #[error("{0}")]
+    Contradiction(ParameterError),
+    /// A column to ignore that is not there.
+    #[error("has no column `{name}` to ignore; its columns are {columns}")]
+    NothingToIgnore {
+        /// The name.
+        name: String,
+        /// The names of the columns.
+        columns: String,
+    },
+    /// All columns are left out.
+    #[error("all columns are left out; at least one must name a number to change")]
+    NothingVaried,
+    /// A header without rows.
+    #[error("has no rows below the names of its columns")]
+    NoRows,
+    /// More rows than a sweep may have.
+    #[error("has {rows} rows; the limit is {MAX_ROWS}")]
+    TooManyRows {
+        /// The number of rows.
+        rows: u64,
+    },
+    /// A second header line.
+    #[error(
+        "line {line} has no numbers but `{text}`; if these are units, remove the line: the units are those of `towermodes parameters`"
+    )]
+    UnitRow {
+        /// The line.
+        line: u64,
+        /// The first cell.
+        text: String,
+    },
+    /// A line of another number of cells.
+    #[error("line {line} has {found} cells, but the first line has {expected}")]
+    Width {
+        /// The line.
+        line: u64,
+        /// Its number of cells.
+        found: usize,
+        /// The number of columns.
+        expected: usize,
+    },
+    /// An empty line between rows.
+    #[error("line {line} is empty; remove it, or write the values of the row")]
+    EmptyLine {
+        /// The line.
+        line: u64,
+    },
+    /// A line longer than any table has.
+    #[error("line {line} is longer than {} MiB; this is not a table of numbers", super::csv::MAX_LINE_BYTES >> 20)]
+    LongLine {
+        /// The line.
+        line: u64,
+    },
+    /// Names that are not text.
+    #[error("the names of the columns are not UTF-8; save the table as UTF-8")]
+    NotUtf8,
+    /// A cell that is not a number.
+    #[error("{place}, column `{column}`: {error}")]
+    Cell {
+        /// Where.
+        place: RowPlace,
+        /// The name of the column.
+        column: String,
+        /// What is wrong.
+        error: CellError,
+    },
+    /// A column of another type.
+    #[error(
+        "column `{column}` has the type {found}; numbers of the types DOUBLE, FLOAT, INT32 and INT64 are read"
+    )]
+    ColumnType {
+        /// The name of the column.
+        column: String,
+        /// Its type.
+        found: String,
+    },
+    /// A codec that is not built in.
+    #[error(
+        "column `{column}` is compressed with {codec}; write the file with Snappy or without compression (compression=\"snappy\" in pandas and polars)"
+    )]
+    Compression {
+        /// The name of the column.
+        column: String,
+        /// The codec.
+        codec: String,
+    },
+    /// A Parquet file that is damaged.
+    #[error("the Parquet file is damaged: {detail}")]
+    Damaged {
+        /// What the reader found.
+        detail: String,
+    },
+}
+
+fn and_others(count: usize) -> String {
+    match count {
+        0 => String::new(),
+        1 => " (and 1 other column is not one either)".to_owned(),
+        count => format!(" (and {count} other columns are not either)"),
+    }
+}
+
+/// Where a row is in a table.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum RowPlace {
+    /// In a text: the line, from 1.
+    Line(u64),
+    /// In a Parquet file: the row, from 0.
+    Row(u64),
+}
+
+impl fmt::Display for RowPlace {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Line(line) => write!(f, "line {line}"),
+            Self::Row(row) => write!(f, "row {row} (counted from 0)"),
+        }
+    }
+}
+
+/// Why a cell is not a number.
+#[derive(Debug, Clone, PartialEq, Error)]
+#[non_exhaustive]
+pub enum CellError {
+    /// It is empty.
+    #[error("the cell is empty, but must be a number")]
+    Empty,
+    /// It has no value.
+    #[error("the cell is null, but must be a number")]
+    Null,
+    /// It is not finite.
+    #[error("the value is {value}, but must be a finite number")]
+    NotFinite {
+        /// The value.
+        value: f64,
+    },
+    /// It has a decimal comma.
+    #[error("`{text}` has a decimal comma; write `{}`", text.replace(',', "."))]
+    DecimalComma {
+        /// The text.
+        text: String,
+    },
+    /// It is text.
+    #[error("`{text}` is not a number")]
+    Text {
+        /// The text, at most 40 characters of it.
+        text: String,
+    },
+}

@@ -1,0 +1,69 @@
+//! Towers and sweeps for tests.
+
+use std::ops::ControlFlow;
+use std::path::Path;
+
+use towermodes::{Change, Inertia, Material, ModeName, Rna, Rotor, Station, TowerDescription};
+use towermodes_files::{SweepModes, SweepResults, TowerInput, read_tower};
+use towermodes_sweep::{Base, Columns, Results, Sweep, run};
+
+/// The reference tower with a rotor-nacelle assembly of 350 t that turns about the tower's axis with
+/// an inertia, kg m².
+pub(crate) fn tower(inertia_kg_m2: f64) -> TowerDescription {
+    let inertia_kg_m2 = Inertia {
+        zz: inertia_kg_m2,
+        xx: inertia_kg_m2,
+        yy: inertia_kg_m2,
+        ..Inertia::default()
+    };
+    TowerDescription {
+        materials: vec![Material::from_shear_modulus(8500.0, 2.1e11, 8.08e10)],
+        stations: vec![
+            Station::new(0.0, 6.0, 0.027),
+            Station::new(40.0, 5.0, 0.023),
+            Station::new(87.6, 3.87, 0.019),
+        ],
+        rna: Rna {
+            inertia_kg_m2,
+            ..Rna::point(350e3)
+        },
+        rotor: Some(Rotor {
+            blades: 3,
+            lowest_rpm: 6.9,
+            highest_rpm: 12.1,
+        }),
+        ..TowerDescription::default()
+    }
+}
+
+pub(crate) fn names(texts: &[&str]) -> Vec<ModeName> {
+    let name = |text: &&str| text.parse().expect("the name of a mode");
+    texts.iter().map(name).collect()
+}
+
+pub(crate) fn sweep(base: Base, changes: &[&str], results: &SweepResults) -> Sweep {
+    let changes = Change::parse_all(changes.iter().copied(), &base.description);
+    Sweep::new(base, changes.expect("changes"), results).expect("a sweep")
+}
+
+/// A sweep of [`tower`] with the lowest modes.
+pub(crate) fn lowest(changes: &[&str], modes: usize) -> Sweep {
+    let results = SweepResults {
+        modes: SweepModes::Lowest(modes),
+        ..SweepResults::default()
+    };
+    sweep(Base::from(tower(4e7)), changes, &results)
+}
+
+pub(crate) fn solved(sweep: &Sweep, columns: &[&[f64]], threads: usize) -> Results {
+    let columns = Columns::new(columns.to_vec()).expect("equal lengths");
+    run(sweep, &columns, threads, &mut |_| ControlFlow::Continue(())).expect("results")
+}
+
+/// A tower of `examples/`.
+pub(crate) fn example(name: &str) -> TowerInput {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR"))
+        .join("../../examples")
+        .join(name);
+    read_tower(&path).expect("a tower").input
+}
