@@ -338,13 +338,13 @@ pub enum SamplingError {
         high: f64,
     },
     /// A standard deviation that is 0 or negative.
-    #[error("the standard deviation is {}, but must be positive", Plain(*.deviation))]
+    #[error("the standard deviation is {}; it must be positive", Plain(*.deviation))]
     Deviation {
         /// The deviation.
         deviation: f64,
     },
     /// A lognormal value with a mean of 0 or less.
-    #[error("the mean of a lognormal value is {}, but must be positive", Plain(*.mean))]
+    #[error("the mean of a lognormal value is {}; it must be positive", Plain(*.mean))]
     LogNormalMean {
         /// The mean.
         mean: f64,

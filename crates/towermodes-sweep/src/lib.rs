@@ -8,6 +8,7 @@
 mod base;
 mod digest;
 mod lowest;
+mod parts;
 mod results;
 mod row;
 mod run;
@@ -18,6 +19,10 @@ mod table;
 mod threads;
 
 pub use base::{Base, DEFAULT_SWEEP_SEGMENTS};
+pub use parts::{
+    DEFAULT_ROWS_PER_PART, MAX_ROWS_PER_PART, PartFormat, PartOptions, Parts, PartsError,
+    PartsProgress, Shard, ShardError, SweepSource,
+};
 pub use results::Results;
 pub use row::MORE_MODES;
 pub use run::{RunError, run};

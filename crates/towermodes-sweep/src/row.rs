@@ -44,13 +44,10 @@ impl<'a> RowSolver<'a> {
         *cells.certified = false;
         cells.frequency_hz.fill(f64::NAN);
         cells.error_hz.fill(f64::NAN);
-        match self.try_solve(values, cells) {
-            Ok(()) => None,
-            Err(sentence) => Some(sentence),
-        }
+        self.try_solve(values, cells).err()
     }
 
-    fn try_solve(&mut self, values: &[f64], cells: Cells<'_>) -> Result<(), String> {
+    fn try_solve(&mut self, values: &[f64], mut cells: Cells<'_>) -> Result<(), String> {
         let tower = self.tower(values)?;
         *cells.mass_kg = tower.mass_kg();
         let most = self.sweep.options().modes + MORE_MODES;
@@ -67,7 +64,7 @@ impl<'a> RowSolver<'a> {
                 None => break,
             }
         }
-        self.take(cells)
+        self.take(&mut cells)
     }
 
     /// The changed tower.
@@ -75,7 +72,7 @@ impl<'a> RowSolver<'a> {
         let mut description = self.sweep.base().clone();
         for (change, value) in self.sweep.changes().iter().zip(values) {
             if !value.is_finite() {
-                return Err(format!("{} is {value}, but must be finite", change.name()));
+                return Err(format!("{} is {value}; it must be finite", change.name()));
             }
             change.apply(&mut description, *value);
         }
@@ -91,7 +88,7 @@ impl<'a> RowSolver<'a> {
     ///
     /// # Errors
     /// The sentence that names the modes that are not there.
-    fn take(&self, cells: Cells<'_>) -> Result<(), String> {
+    fn take(&self, cells: &mut Cells<'_>) -> Result<(), String> {
         *cells.certified = self.lowest.certified;
         let mut missing = Vec::new();
         for (index, name) in self.sweep.modes().iter().enumerate() {

@@ -1,7 +1,9 @@
 //! Towers and sweeps for tests.
 
+use std::fs;
 use std::ops::ControlFlow;
-use std::path::Path;
+use std::path::{Path, PathBuf};
+use std::sync::atomic::{AtomicU64, Ordering};
 
 use towermodes::{Change, Inertia, Material, ModeName, Rna, Rotor, Station, TowerDescription};
 use towermodes_files::{SweepModes, SweepResults, TowerInput, read_tower};
@@ -66,4 +68,28 @@ pub(crate) fn example(name: &str) -> TowerInput {
         .join("../../examples")
         .join(name);
     read_tower(&path).expect("a tower").input
+}
+
+/// A new empty folder, removed at the end of the test.
+pub(crate) struct Folder(PathBuf);
+
+impl Folder {
+    pub(crate) fn new() -> Self {
+        static NUMBER: AtomicU64 = AtomicU64::new(0);
+        let number = NUMBER.fetch_add(1, Ordering::Relaxed);
+        let name = format!("towermodes-sweep-{}-{number}", std::process::id());
+        let path = std::env::temp_dir().join(name);
+        fs::create_dir_all(&path).expect("a folder");
+        Self(path)
+    }
+
+    pub(crate) fn path(&self, name: &str) -> PathBuf {
+        self.0.join(name)
+    }
+}
+
+impl Drop for Folder {
+    fn drop(&mut self) {
+        let _ = fs::remove_dir_all(&self.0);
+    }
 }

@@ -16,14 +16,14 @@ pub struct TableError {
     pub name: String,
     /// The problem.
     #[source]
-    pub problem: TableProblem,
+    pub problem: Box<TableProblem>,
 }
 
 impl TableError {
     pub(super) fn new(name: &str, problem: TableProblem) -> Self {
         Self {
             name: name.to_owned(),
-            problem,
+            problem: Box::new(problem),
         }
     }
 }
@@ -238,13 +238,13 @@ impl fmt::Display for RowPlace {
 #[non_exhaustive]
 pub enum CellError {
     /// It is empty.
-    #[error("the cell is empty, but must be a number")]
+    #[error("the cell is empty; it must be a number")]
     Empty,
     /// It has no value.
-    #[error("the cell is null, but must be a number")]
+    #[error("the cell is null; it must be a number")]
     Null,
     /// It is not finite.
-    #[error("the value is {value}, but must be a finite number")]
+    #[error("the value is {value}; it must be a finite number")]
     NotFinite {
         /// The value.
         value: f64,

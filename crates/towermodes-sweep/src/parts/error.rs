@@ -1,0 +1,92 @@
+//! What can go wrong with a folder of results.
+
+use std::io;
+use std::path::PathBuf;
+
+use thiserror::Error;
+
+use super::MAX_ROWS_PER_PART;
+use crate::run::RunError;
+use crate::table::TableError;
+
+/// What went wrong with a folder of results.
+#[derive(Debug, Error)]
+#[non_exhaustive]
+pub enum PartsError {
+    /// A file or the folder cannot be read or written.
+    #[error("{}: {error}", path.display())]
+    Io {
+        /// The file.
+        path: PathBuf,
+        /// Why.
+        error: io::Error,
+    },
+    /// The folder has the results of another sweep.
+    #[error(
+        "{} has the results of another sweep; choose another folder, or remove these results (--force). Different: {}",
+        folder.display(), differences.join("; ")
+    )]
+    OtherSweep {
+        /// The folder.
+        folder: PathBuf,
+        /// What differs.
+        differences: Vec<String>,
+    },
+    /// The plan in the folder cannot be read.
+    #[error("{} is damaged: {detail}; remove the results in this folder (--force) or choose another", path.display())]
+    Plan {
+        /// The file.
+        path: PathBuf,
+        /// What is wrong.
+        detail: String,
+    },
+    /// A part that this sweep did not write.
+    #[error("{} is not a part of this sweep: {reason}; choose another folder, or remove these results (--force)", path.display())]
+    Foreign {
+        /// The file.
+        path: PathBuf,
+        /// What is different.
+        reason: String,
+    },
+    /// No rows in a part, or too many.
+    #[error("the number of rows per part is {rows}; it must be from 1 to {MAX_ROWS_PER_PART}")]
+    RowsPerPart {
+        /// The number.
+        rows: u64,
+    },
+    /// Parquet without the feature.
+    #[error(
+        "this build of the program does not write Parquet; write CSV (--format csv), or build with \
+         `cargo install --path crates/towermodes-cli --features parquet`"
+    )]
+    NoParquet,
+    /// The table cannot be read any more.
+    #[error(transparent)]
+    Table(#[from] TableError),
+    /// The watch ended it, or the memory is full.
+    #[error(transparent)]
+    Run(#[from] RunError),
+    /// Parquet cannot hold the results.
+    #[error("{}: {detail}", path.display())]
+    Unwritable {
+        /// The file.
+        path: PathBuf,
+        /// Why.
+        detail: String,
+    },
+    /// A complete folder whose part cannot be read.
+    #[error("{}: {detail}; run the sweep again to write this part anew", path.display())]
+    Damaged {
+        /// The file.
+        path: PathBuf,
+        /// What is wrong.
+        detail: String,
+    },
+}
+
+impl PartsError {
+    pub(super) fn io(path: impl Into<PathBuf>) -> impl FnOnce(io::Error) -> Self {
+        let path = path.into();
+        move |error| Self::Io { path, error }
+    }
+}
