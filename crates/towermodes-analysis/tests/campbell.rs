@@ -8,7 +8,7 @@ use towermodes::{
 use towermodes_analysis::Verdict;
 use towermodes_analysis::resonance::{
     Campbell, CampbellError, CampbellOptions, DEFAULT_MARGIN, Excited, Margin, StiffnessClass,
-    campbell, reach_hz,
+    campbell, reach_hz, tower_margin,
 };
 use towers::reference_350t;
 
@@ -614,4 +614,45 @@ fn without_1p_the_class_has_no_margin() {
     diagram.classes.clear();
     let none = "The list has no first bending mode, so no design class is given.";
     assert_eq!(diagram.conclusion()[0], none);
+}
+
+/// `tower_margin` is the diagram's margin for a frequency, an error and a multiple.
+#[test]
+fn margins_without_a_diagram_are_those_of_diagrams() {
+    for rotor in [NREL, rotor(2, 10.0, 10.0), rotor(1, 0.5, 30.0)] {
+        for error_hz in [0.0, 1e-4, 0.02, 0.5] {
+            for step in 1..120 {
+                let frequency_hz = 0.017 * f64::from(step);
+                for expected in diagram([frequency_hz, 5.0], error_hz, rotor).margins {
+                    if expected.line != 0 {
+                        continue;
+                    }
+                    let multiple = expected.multiple;
+                    let found = tower_margin(frequency_hz, error_hz, multiple, &rotor, 0.05);
+                    let found = found.expect("a margin");
+                    assert_eq!(
+                        found.distance, expected.distance,
+                        "{frequency_hz} {multiple}"
+                    );
+                    assert_eq!(found.verdict, expected.verdict, "{frequency_hz} {multiple}");
+                }
+            }
+        }
+    }
+    assert_eq!(tower_margin(0.0, 0.0, 1, &NREL, 0.05), None);
+    assert_eq!(tower_margin(f64::NAN, 0.0, 1, &NREL, 0.05), None);
+}
+
+/// 3P ends at 0.605 Hz: 5 % above it is 0.605/0.95 Hz, and an error of 0.01 Hz moves this up.
+#[test]
+fn the_error_of_a_frequency_counts_for_the_margin() {
+    let is_violated = |frequency_hz, error_hz| {
+        let margin = tower_margin(frequency_hz, error_hz, 3, &NREL, 0.05);
+        margin.expect("a margin").is_violated
+    };
+    let limit_hz = 0.605 / 0.95;
+    assert!(is_violated(limit_hz - 1e-9, 0.0) && !is_violated(limit_hz + 1e-9, 0.0));
+    assert!(is_violated(limit_hz + 0.01 - 1e-9, 0.01));
+    assert!(!is_violated(limit_hz + 0.01 + 1e-9, 0.01));
+    assert!(is_violated(0.5, 0.0));
 }

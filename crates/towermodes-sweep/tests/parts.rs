@@ -121,7 +121,7 @@ fn the_text_of_a_part_is_as_documented() {
     let text = fs::read_to_string(parts.path(6)).expect("the last part");
     let mut lines = text.lines();
     let names = "row,rna.mass,stations[1].wall,mass_kg,certified,fore_aft_1_hz,fore_aft_1_error_hz,side_side_1_hz,\
-                 side_side_1_error_hz,fore_aft_2_hz,fore_aft_2_error_hz,side_side_2_hz,side_side_2_error_hz,error";
+                 side_side_1_error_hz,torsion_1_hz,torsion_1_error_hz,fore_aft_2_hz,fore_aft_2_error_hz,error";
     assert_eq!(lines.next(), Some(names));
     assert_eq!(lines.clone().count(), 90);
     assert!(

@@ -47,7 +47,7 @@ impl Default for CampbellOptions {
 
 impl CampbellOptions {
     /// The multiples of the rotor speed, rising, each once.
-    pub(super) fn multiples_of(&self, rotor: &Rotor) -> Vec<usize> {
+    pub fn multiples_of(&self, rotor: &Rotor) -> Vec<usize> {
         let blades = rotor.blades;
         let mut multiples = match &self.multiples[..] {
             [] => vec![1, blades, 2 * blades, 3 * blades],

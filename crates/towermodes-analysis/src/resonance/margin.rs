@@ -43,6 +43,73 @@ pub(super) fn margin(
     })
 }
 
+/// The distance of a multiple of the rotor speed from a natural frequency of a tower, which does not
+/// depend on the rotor speed.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct TowerMargin {
+    /// n Ω/f − 1 at the operating speed where it is smallest; 0 where they meet.
+    pub distance: f64,
+    /// Whether |n Ω/f − 1| is below the required distance if the frequency is shifted by its error
+    /// towards the excitation.
+    pub is_violated: bool,
+    /// The verdict, as in a [`Campbell`](super::Campbell) diagram.
+    pub verdict: Verdict,
+}
+
+/// The distance of a multiple of the rotor speed from a natural frequency of a tower, and its
+/// verdict by the rules of [`campbell`](super::campbell()), for many towers: without a diagram, and
+/// without allocation. `least` is the required distance, [`DEFAULT_MARGIN`](super::DEFAULT_MARGIN)
+/// for example; `error_hz` is the error of the frequency.
+///
+/// None for a frequency that is 0 or not a number.
+///
+/// # Example
+/// ```
+/// use towermodes::Rotor;
+/// use towermodes_analysis::Verdict;
+/// use towermodes_analysis::resonance::tower_margin;
+///
+/// let rotor = Rotor { blades: 3, lowest_rpm: 6.9, highest_rpm: 12.1 };
+/// let margin = tower_margin(0.21, 1e-6, 1, &rotor, 0.05).expect("a frequency");
+/// assert!((margin.distance - (12.1 / 60.0 / 0.21 - 1.0)).abs() < 1e-15);
+/// assert!(margin.is_violated && margin.verdict == Verdict::Fail);
+/// ```
+#[must_use]
+pub fn tower_margin(
+    frequency_hz: f64,
+    error_hz: f64,
+    multiple: usize,
+    rotor: &Rotor,
+    least: f64,
+) -> Option<TowerMargin> {
+    let distance = nearest_distance(frequency_hz, multiple, rotor)?;
+    let moved_hz = frequency_hz + error_hz.copysign(distance);
+    let cautious = match nearest_distance(moved_hz, multiple, rotor) {
+        Some(moved) if distance != 0.0 && moved.signum() == distance.signum() => moved.abs(),
+        // They may meet.
+        _ => 0.0,
+    };
+    Some(TowerMargin {
+        distance,
+        is_violated: cautious < least,
+        verdict: verdict(distance.abs(), cautious, least, is_strong(multiple, rotor)),
+    })
+}
+
+/// The smallest n Ω/f − 1 of all operating speeds; of two equal ones that of the lower speed.
+fn nearest_distance(frequency_hz: f64, multiple: usize, rotor: &Rotor) -> Option<f64> {
+    if frequency_hz.is_nan() || frequency_hz <= 0.0 {
+        return None;
+    }
+    let distance = |rpm: f64| Pair::new(multiple, rpm, frequency_hz).distance;
+    let [low, high] = [rotor.lowest_rpm, rotor.highest_rpm].map(distance);
+    Some(match (low * high < 0.0, low.abs() <= high.abs()) {
+        (true, _) => 0.0,
+        (false, true) => low,
+        (false, false) => high,
+    })
+}
+
 /// Whether a multiple is 1P or the blade passing frequency.
 pub(super) fn is_strong(multiple: usize, rotor: &Rotor) -> bool {
     multiple == 1 || multiple == rotor.blades

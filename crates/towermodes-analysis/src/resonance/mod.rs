@@ -19,6 +19,7 @@ pub use campbell::{
     FrequencyLine, LineEnd, Margin, StiffnessClass,
 };
 pub use diagram::campbell;
+pub use margin::{TowerMargin, tower_margin};
 pub use reach::{MOST_MODES, reach_hz, solve_to_reach};
 pub use remark::{Assessment, Covered, Remark, assess};
 pub use rotor::{ChosenRotor, GivenRotor};
