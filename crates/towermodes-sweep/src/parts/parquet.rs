@@ -112,8 +112,7 @@ fn write_column(writer: &mut ColumnWriter<'_>, part: &Part, column: &Column) -> 
             writer.write_batch(&sentences, Some(&levels), None)?;
         }
         ColumnWriter::DoubleColumnWriter(writer) => {
-            let changes = part.inputs.len().checked_div(results.rows()).unwrap_or(0);
-            let numbers = part.numbers(column, changes);
+            let numbers = numbers(part, column);
             if matches!(column, Column::Input(_)) {
                 writer.write_batch(&numbers, None, None)?;
             } else {
@@ -129,6 +128,23 @@ fn write_column(writer: &mut ColumnWriter<'_>, part: &Part, column: &Column) -> 
         }
     }
     Ok(())
+}
+
+/// The numbers of a column; NaN where there is none.
+fn numbers(part: &Part, column: &Column) -> Vec<f64> {
+    let results = &part.results;
+    let changes = part.inputs.len().checked_div(results.rows()).unwrap_or(0);
+    match *column {
+        Column::Input(input) => {
+            let values = part.inputs.iter().skip(input).step_by(changes);
+            values.copied().collect()
+        }
+        Column::Hz(mode) => results.frequencies_hz(mode).collect(),
+        Column::ErrorHz(mode) => results.errors_hz(mode).collect(),
+        Column::MassKg | Column::Row | Column::Certified | Column::Sentence => {
+            results.mass_kg.clone()
+        }
+    }
 }
 
 /// What the footer of a file says.

@@ -66,20 +66,3 @@ pub(super) fn columns(sweep: &Sweep) -> Vec<(String, Column)> {
     columns.push(("error".to_owned(), Column::Sentence));
     columns
 }
-
-impl Part {
-    /// The numbers of a column; NaN where there is none.
-    pub(super) fn numbers(&self, column: &Column, changes: usize) -> Vec<f64> {
-        let results = &self.results;
-        match *column {
-            Column::Input(input) => {
-                let values = self.inputs.iter().skip(input).step_by(changes);
-                values.copied().collect()
-            }
-            Column::MassKg => results.mass_kg.clone(),
-            Column::Hz(mode) => results.frequencies_hz(mode).collect(),
-            Column::ErrorHz(mode) => results.errors_hz(mode).collect(),
-            Column::Row | Column::Certified | Column::Sentence => Vec::new(),
-        }
-    }
-}
