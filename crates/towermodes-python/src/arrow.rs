@@ -1,0 +1,188 @@
+//! Tables by the Arrow PyCapsule interface, in and out.
+//!
+//! The capsules hold the structures of the Arrow C stream interface, which every library of tables
+//! has; nothing here depends on which one it is.
+
+#![allow(unsafe_code)]
+
+use std::ffi::CStr;
+use std::sync::Arc;
+
+use arrow_array::cast::AsArray;
+use arrow_array::ffi_stream::{FFI_ArrowArrayStream, RecordBatchStreamReader};
+use arrow_array::types::{
+    ArrowPrimitiveType, Float32Type, Float64Type, Int8Type, Int16Type, Int32Type, Int64Type,
+    UInt8Type, UInt16Type, UInt32Type, UInt64Type,
+};
+use arrow_array::{
+    Array, ArrayRef, BooleanArray, Float64Array, RecordBatch, RecordBatchIterator,
+    RecordBatchReader, StringArray, UInt64Array,
+};
+use arrow_schema::{ArrowError, DataType, Field, Schema};
+use numpy::{PyArray1, PyReadonlyArray1, PyReadonlyArray2};
+use pyo3::exceptions::PyTypeError;
+use pyo3::prelude::*;
+use pyo3::types::PyCapsule;
+
+use crate::error::usage;
+
+/// The name of a capsule with a stream of arrays.
+const STREAM: &CStr = c"arrow_array_stream";
+
+/// A column of numbers with its name.
+type NamedColumn<'py> = (String, Bound<'py, PyArray1<f64>>);
+
+/// The columns of a table as numbers; a missing value is NaN.
+#[pyfunction]
+#[pyo3(signature = (capsule: "object") -> "list[tuple[str, Incomplete]]")]
+pub fn columns_of_stream<'py>(
+    py: Python<'py>,
+    capsule: &Bound<'py, PyCapsule>,
+) -> PyResult<Vec<NamedColumn<'py>>> {
+    let reader = reader(capsule)?;
+    let names = reader.schema();
+    let names = names.fields().iter().map(|field| field.name().clone());
+    let names: Vec<String> = names.collect();
+    let columns = py.detach(|| numbers(reader, &names))?;
+    let columns = columns
+        .into_iter()
+        .map(|column| PyArray1::from_vec(py, column));
+    Ok(names.into_iter().zip(columns).collect())
+}
+
+fn reader(capsule: &Bound<'_, PyCapsule>) -> PyResult<RecordBatchStreamReader> {
+    let pointer = capsule.pointer_checked(Some(STREAM))?;
+    // SAFETY: a capsule of this name holds this structure. It is taken out, which leaves an empty
+    // one behind, so that the destructor of the capsule releases nothing.
+    let stream = unsafe { FFI_ArrowArrayStream::from_raw(pointer.as_ptr().cast()) };
+    RecordBatchStreamReader::try_new(stream).map_err(|error| unreadable(&error))
+}
+
+fn unreadable(error: &ArrowError) -> PyErr {
+    usage(format!("the table cannot be read: {error}"))
+}
+
+fn numbers(
+    reader: impl Iterator<Item = Result<RecordBatch, ArrowError>>,
+    names: &[String],
+) -> PyResult<Vec<Vec<f64>>> {
+    let mut columns = vec![Vec::new(); names.len()];
+    for batch in reader {
+        let batch = batch.map_err(|error| unreadable(&error))?;
+        for ((column, array), name) in columns.iter_mut().zip(batch.columns()).zip(names) {
+            extend(column, array).ok_or_else(|| {
+                PyTypeError::new_err(format!(
+                    "column {name} holds {}, but must hold numbers",
+                    array.data_type()
+                ))
+            })?;
+        }
+    }
+    Ok(columns)
+}
+
+/// Adds the numbers of an array to a column; none if it does not hold numbers.
+fn extend(column: &mut Vec<f64>, array: &dyn Array) -> Option<()> {
+    match array.data_type() {
+        DataType::Float64 => of_type::<Float64Type>(column, array, |value| value),
+        DataType::Float32 => of_type::<Float32Type>(column, array, f64::from),
+        DataType::Int8 => of_type::<Int8Type>(column, array, f64::from),
+        DataType::Int16 => of_type::<Int16Type>(column, array, f64::from),
+        DataType::Int32 => of_type::<Int32Type>(column, array, f64::from),
+        DataType::Int64 => of_type::<Int64Type>(column, array, |value| value as f64),
+        DataType::UInt8 => of_type::<UInt8Type>(column, array, f64::from),
+        DataType::UInt16 => of_type::<UInt16Type>(column, array, f64::from),
+        DataType::UInt32 => of_type::<UInt32Type>(column, array, f64::from),
+        DataType::UInt64 => of_type::<UInt64Type>(column, array, |value| value as f64),
+        _ => None,
+    }
+}
+
+fn of_type<T: ArrowPrimitiveType>(
+    column: &mut Vec<f64>,
+    array: &dyn Array,
+    number: impl Fn(T::Native) -> f64,
+) -> Option<()> {
+    let array = array.as_primitive_opt::<T>()?;
+    column.extend(array.iter().map(|value| value.map_or(f64::NAN, &number)));
+    Some(())
+}
+
+/// A table of results as a stream: the number of each row, the inputs, the mass, whether it is
+/// certified, frequency and error of each mode, and why a row failed. A number that is NaN is
+/// missing.
+#[pyfunction]
+#[pyo3(signature = (inputs: "list[tuple[str, Incomplete]]", modes: "list[str]", mass_kg: "object", certified: "object", frequency_hz: "object", error_hz: "object", failures: "list[tuple[int, str]]") -> "object")]
+#[allow(clippy::too_many_arguments)]
+pub fn stream_of_results<'py>(
+    py: Python<'py>,
+    inputs: Vec<(String, PyReadonlyArray1<'py, f64>)>,
+    modes: Vec<String>,
+    mass_kg: PyReadonlyArray1<'py, f64>,
+    certified: PyReadonlyArray1<'py, bool>,
+    frequency_hz: PyReadonlyArray2<'py, f64>,
+    error_hz: PyReadonlyArray2<'py, f64>,
+    failures: Vec<(usize, String)>,
+) -> PyResult<Bound<'py, PyCapsule>> {
+    let rows = certified.as_array().len();
+    let mut table = Table::default();
+    table.add(
+        "row",
+        Arc::new(UInt64Array::from_iter_values(0..rows as u64)),
+    );
+    for (name, column) in &inputs {
+        table.add(name, present(column.as_array().iter().copied()));
+    }
+    table.add("mass_kg", present(mass_kg.as_array().iter().copied()));
+    table.add(
+        "certified",
+        Arc::new(BooleanArray::from_iter(
+            certified.as_array().iter().map(|c| Some(*c)),
+        )),
+    );
+    let (frequency_hz, error_hz) = (frequency_hz.as_array(), error_hz.as_array());
+    for (place, mode) in modes.iter().enumerate() {
+        let column =
+            |of: &numpy::ndarray::ArrayView2<'_, f64>| present(of.column(place).iter().copied());
+        table.add(&format!("{mode}_hz"), column(&frequency_hz));
+        table.add(&format!("{mode}_error_hz"), column(&error_hz));
+    }
+    let mut sentences = vec![None; rows];
+    for (row, sentence) in failures {
+        if let Some(cell) = sentences.get_mut(row) {
+            *cell = Some(sentence);
+        }
+    }
+    table.add("error", Arc::new(StringArray::from(sentences)));
+    PyCapsule::new_with_value(py, table.stream()?, STREAM)
+}
+
+/// Numbers in which NaN is a missing value.
+fn present(numbers: impl Iterator<Item = f64>) -> ArrayRef {
+    let numbers = numbers.map(|number| (!number.is_nan()).then_some(number));
+    Arc::new(Float64Array::from_iter(numbers))
+}
+
+/// Columns of a table in the order in which they are added.
+#[derive(Default)]
+struct Table {
+    fields: Vec<Field>,
+    columns: Vec<ArrayRef>,
+}
+
+impl Table {
+    fn add(&mut self, name: &str, column: ArrayRef) {
+        let is_nullable = !matches!(name, "row" | "certified");
+        self.fields
+            .push(Field::new(name, column.data_type().clone(), is_nullable));
+        self.columns.push(column);
+    }
+
+    fn stream(self) -> PyResult<FFI_ArrowArrayStream> {
+        let schema = Arc::new(Schema::new(self.fields));
+        let batch = RecordBatch::try_new(Arc::clone(&schema), self.columns);
+        let batch = batch.map_err(|error| unreadable(&error))?;
+        let batches = RecordBatchIterator::new([Ok(batch)], schema);
+        Ok(FFI_ArrowArrayStream::new(Box::new(batches)))
+    }
+}

@@ -1,0 +1,181 @@
+//! Resonance margins of a tower.
+
+use std::sync::Arc;
+
+use pyo3::prelude::*;
+use towermodes::{Solution, solve_certain};
+use towermodes_analysis::resonance::{
+    Campbell as Diagram, CampbellOptions, ChosenRotor, GivenRotor, assess, reach_hz, solve_to_reach,
+};
+use towermodes_cli::table;
+use towermodes_files::{Note, TowerInput, write_campbell_csv, write_campbell_json};
+use towermodes_report::figures::{self, TitleWords, titled};
+use towermodes_report::svg::Look;
+use towermodes_report::wording::computed_by;
+
+use crate::error::{of_campbell, of_result, of_solve, usage};
+use crate::interrupt::interruptible;
+use crate::options::SolveOptions;
+use crate::tower::{Model, Tower};
+
+/// A Campbell diagram.
+#[pyclass(frozen, module = "towermodes._towermodes")]
+pub struct Campbell {
+    model: Arc<Model>,
+    solution: Solution,
+    diagram: Diagram,
+    notes: Vec<Note>,
+}
+
+/// Rotor data in place of those of the file, and the margin.
+#[derive(FromPyObject)]
+#[pyo3(from_item_all)]
+pub struct RotorOptions {
+    rpm: Option<(f64, f64)>,
+    blades: Option<usize>,
+    multiples: Vec<usize>,
+    margin: f64,
+}
+
+impl RotorOptions {
+    fn rotor(&self, input: &TowerInput) -> PyResult<ChosenRotor> {
+        let given = GivenRotor {
+            speeds_rpm: self.rpm,
+            blades: self.blades,
+        };
+        let chosen = given.in_place_of(input.description.rotor, input.blades);
+        chosen.ok_or_else(|| {
+            usage("the rotor speed is not given: give rpm=(lowest, highest), or add [rotor] with blades and rpm to the tower file")
+        })
+    }
+
+    fn of_library(&self) -> CampbellOptions {
+        CampbellOptions {
+            margin: self.margin,
+            multiples: self.multiples.clone(),
+            ..CampbellOptions::default()
+        }
+    }
+}
+
+/// The notes of the reader on rotor data that are used, and on those that are assumed.
+fn notes_on(input: &TowerInput, chosen: &ChosenRotor) -> Vec<Note> {
+    let of_reader = &input.rotor_notes;
+    let speeds = of_reader.speeds.iter().filter(|_| !chosen.speeds_are_given);
+    let blades = of_reader.blades.iter().filter(|_| !chosen.blades_are_given);
+    let assumed = chosen.blades_are_assumed.then(|| {
+        let blades = chosen.rotor.blades;
+        Note::assumption(format!(
+            "the number of blades is not given; {blades} are assumed; blades= sets another number"
+        ))
+    });
+    let notes = speeds.chain(blades).chain(&of_reader.others).cloned();
+    notes.chain(assumed).collect()
+}
+
+#[pymethods]
+impl Campbell {
+    /// The diagram of a tower.
+    #[new]
+    #[pyo3(signature = (tower, rotor: "dict[str, object]", options: "dict[str, object]"))]
+    fn new(
+        py: Python<'_>,
+        tower: &Tower,
+        rotor: RotorOptions,
+        options: SolveOptions,
+    ) -> PyResult<Self> {
+        let model = Arc::clone(&tower.model);
+        let Model { tower, input } = &*model;
+        let chosen = rotor.rotor(input)?;
+        let limits = rotor.of_library();
+        let mut solver = options.of(input)?;
+        let reach_hz = match options.has_modes() {
+            true => 0.0,
+            false => reach_hz(&chosen.rotor, &limits),
+        };
+        let solution = interruptible(py, |workspace| {
+            solve_to_reach(&mut solver, reach_hz, |options| {
+                solve_certain(tower, options, workspace)
+            })
+        })?;
+        let solution = solution.map_err(|error| of_solve(&error))?;
+        let blade = input.blade.as_ref();
+        let assessed = py.detach(|| assess(tower, &solution, blade, &chosen.rotor, &limits));
+        let assessed = assessed.map_err(|error| of_campbell(&error))?;
+        let mut notes = notes_on(input, &chosen);
+        notes.extend(
+            assessed
+                .remarks
+                .iter()
+                .map(|remark| Note::new(remark.to_string())),
+        );
+        Ok(Self {
+            model,
+            solution,
+            diagram: assessed.campbell,
+            notes,
+        })
+    }
+
+    /// The worst verdict: `pass`, `warn` or `fail`.
+    #[getter]
+    fn verdict(&self) -> &'static str {
+        self.diagram.verdict().name()
+    }
+
+    /// The conclusion in sentences.
+    #[getter]
+    fn conclusion(&self) -> Vec<String> {
+        self.diagram.conclusion()
+    }
+
+    /// The notes of the reader, and those on the rotor.
+    #[getter]
+    fn notes(&self) -> Vec<String> {
+        let own = self.notes.iter().map(Note::to_string);
+        self.model.notes().into_iter().chain(own).collect()
+    }
+
+    /// Possible mistakes of the input, and limits of the results.
+    #[getter]
+    fn warnings(&self) -> Vec<String> {
+        self.model.located(&self.solution.warnings)
+    }
+
+    /// The table of the program.
+    fn table(&self) -> String {
+        let has_blade = self.model.input.blade.is_some();
+        table::campbell(&self.model.tower, &self.diagram, has_blade, false)
+    }
+
+    /// The JSON of the program.
+    fn json(&self) -> PyResult<String> {
+        let notes = [self.model.input.notes.as_slice(), &self.notes].concat();
+        let (tower, warnings) = (&self.model.tower, &self.solution.warnings);
+        let mut json = Vec::new();
+        let done = write_campbell_json(tower, &self.diagram, &notes, warnings, &mut json);
+        done.map_err(|error| of_result(&error))?;
+        Ok(String::from_utf8_lossy(&json).into_owned())
+    }
+
+    /// The CSV of the program.
+    fn csv(&self) -> PyResult<String> {
+        let mut csv = Vec::new();
+        let done = write_campbell_csv(&self.diagram, &mut csv);
+        done.map_err(|error| of_result(&error))?;
+        Ok(String::from_utf8_lossy(&csv).into_owned())
+    }
+
+    /// The diagram as SVG.
+    fn svg(&self) -> String {
+        let computed = computed_by(&self.solution);
+        let conclusion = self.diagram.conclusion();
+        let words = TitleWords {
+            title: None,
+            computed: Some(&computed),
+            conclusion: &conclusion,
+        };
+        let figure = figures::campbell(&self.diagram);
+        titled(figure, &self.model.tower, &words).to_svg(Look::Standalone)
+    }
+}

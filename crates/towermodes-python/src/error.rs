@@ -1,0 +1,193 @@
+//! Errors of the library as Python exceptions; the classes are in `python/towermodes/_errors.py`.
+
+use pyo3::exceptions::{PyFileNotFoundError, PyIsADirectoryError, PyOSError, PyValueError};
+use pyo3::prelude::*;
+use pyo3::sync::PyOnceLock;
+use pyo3::types::PyType;
+use towermodes::{EigenError, Family, SolveError, TowerError};
+use towermodes_analysis::agreement::AgreementError;
+use towermodes_analysis::elastodyn::{MakeError, ShapesError};
+use towermodes_analysis::resonance::CampbellError;
+use towermodes_files::{ConvertError, Diagnostic, FileError, ReadError, ResultError, Source};
+
+/// Where the exceptions are defined.
+const MODULE: &str = "towermodes._errors";
+
+/// A mistake as Python has it: line, column, message, hint.
+type Mistake = (Option<usize>, Option<usize>, String, Option<String>);
+
+/// The name of a text that the package made itself: its lines mean nothing to the user.
+pub const MADE_HERE: &str = "<description>";
+
+fn class<'py>(
+    py: Python<'py>,
+    cell: &'static PyOnceLock<Py<PyType>>,
+    name: &str,
+) -> PyResult<&'py Bound<'py, PyType>> {
+    cell.import(py, MODULE, name)
+}
+
+/// An exception of a class with its arguments, or the reason why it cannot be made.
+fn raised<'py, A>(class: PyResult<&Bound<'py, PyType>>, arguments: A) -> PyErr
+where
+    A: pyo3::call::PyCallArgs<'py>,
+{
+    match class.and_then(|class| class.call1(arguments)) {
+        Ok(exception) => PyErr::from_value(exception),
+        Err(error) => error,
+    }
+}
+
+fn tower_error(message: &str, path: Option<&str>, hint: Option<&str>, list: Vec<Mistake>) -> PyErr {
+    static CLASS: PyOnceLock<Py<PyType>> = PyOnceLock::new();
+    Python::attach(|py| {
+        let class = class(py, &CLASS, "TowerError");
+        raised(class, (message, path, hint, list))
+    })
+}
+
+/// A file that gives no tower.
+pub fn of_read(error: ReadError) -> PyErr {
+    match error {
+        ReadError::Unreadable(error) => of_file(error),
+        ReadError::Mistakes {
+            ref source_file,
+            ref mistakes,
+        } => {
+            let own = |mistake: &Diagnostic| located(source_file, mistake);
+            let list: Vec<Mistake> = mistakes.iter().map(own).collect();
+            let hint = list.first().and_then(|first| first.3.clone());
+            // Text in memory has no path.
+            let path = Some(source_file.name.as_str()).filter(|name| !name.starts_with('<'));
+            let message = match source_file.name.as_str() {
+                MADE_HERE => sentences(mistakes),
+                _ => error.to_string(),
+            };
+            tower_error(&message, path, hint.as_deref(), list)
+        }
+    }
+}
+
+/// Mistakes without their places.
+fn sentences(mistakes: &[Diagnostic]) -> String {
+    let sentences: Vec<String> = mistakes.iter().map(Diagnostic::to_string).collect();
+    sentences.join("\n")
+}
+
+fn located(source: &Source, mistake: &Diagnostic) -> Mistake {
+    let place = mistake.line_and_column(&source.text);
+    let (line, column) = match source.name.as_str() {
+        MADE_HERE => (None, None),
+        _ => (Some(place.0), Some(place.1)),
+    };
+    (line, column, mistake.message(), mistake.hint.clone())
+}
+
+fn of_file(error: FileError) -> PyErr {
+    let message = error.to_string();
+    match error {
+        FileError::Missing { .. } => PyFileNotFoundError::new_err(message),
+        FileError::Directory { .. } => PyIsADirectoryError::new_err(message),
+        FileError::System { error, name } => match error.raw_os_error() {
+            // Python chooses the class of the exception by the number.
+            Some(number) => PyOSError::new_err((number, error.to_string(), name)),
+            None => PyOSError::new_err(message),
+        },
+        FileError::Special { name, .. }
+        | FileError::TooLarge { name }
+        | FileError::Pointer { name, .. }
+        | FileError::WebPage { name }
+        | FileError::NotText { name, .. } => tower_error(&message, Some(&name), None, Vec::new()),
+        _ => PyOSError::new_err(message),
+    }
+}
+
+/// A description that is no tower, without a file.
+pub fn of_tower(error: &TowerError) -> PyErr {
+    let message = format!("{}: {}", error.place, error.problem);
+    tower_error(&message, None, error.hint(), Vec::new())
+}
+
+/// A tower that a computation or a format refuses.
+pub fn refused(error: &impl ToString) -> PyErr {
+    tower_error(&error.to_string(), None, None, Vec::new())
+}
+
+/// A wrong argument.
+pub fn usage(message: impl Into<String>) -> PyErr {
+    PyValueError::new_err(message.into())
+}
+
+/// A tower that is not solved.
+pub fn of_solve(error: &SolveError) -> PyErr {
+    static OF_TOWER: PyOnceLock<Py<PyType>> = PyOnceLock::new();
+    static OF_OPTIONS: PyOnceLock<Py<PyType>> = PyOnceLock::new();
+    let message = error.to_string();
+    Python::attach(|py| {
+        let class = match error.is_usage() {
+            true => class(py, &OF_OPTIONS, "OptionError"),
+            false => class(py, &OF_TOWER, "SolveError"),
+        };
+        raised(class, (message, hint(error)))
+    })
+}
+
+/// What the user can do about it.
+fn hint(error: &SolveError) -> Option<&'static str> {
+    match error {
+        SolveError::TooManyModes { .. } => {
+            Some("increase segments (for the method spectral: degree) or reduce modes")
+        }
+        SolveError::TooLarge { .. } | SolveError::TooSlow { .. } => {
+            Some("reduce modes or segments, or give limits=False")
+        }
+        SolveError::Buckles { .. } => Some(
+            "reduce the mass, increase the diameter or the wall thickness, or leave out gravity",
+        ),
+        SolveError::Eigen(EigenError::TooStiff) => Some(
+            "check the units: foundation, soil and guy wires are not a million times stiffer than the tower",
+        ),
+        SolveError::Unstable {
+            motion: Family::Roll | Family::Pitch,
+        } => Some(
+            "hydrostatic must not contain the gravity terms of the masses, which gravity adds; check also the acceleration and the height of the centre of mass",
+        ),
+        SolveError::Unstable { .. } => Some(
+            "check the signs of the hydrostatic and mooring stiffness for this motion, and the masses",
+        ),
+        SolveError::Eigen(EigenError::NotFinite) => Some("check the units of all values"),
+        SolveError::Eigen(_) => Some("reduce modes, or check the units of all values"),
+        _ => None,
+    }
+}
+
+/// A Campbell diagram that cannot be computed.
+pub fn of_campbell(error: &CampbellError) -> PyErr {
+    match error {
+        CampbellError::Blade { error: inner, .. } if !inner.is_usage() => of_solve(inner),
+        CampbellError::Rotor(inner) => of_tower(inner),
+        error => usage(error.to_string()),
+    }
+}
+
+/// Two towers that cannot be compared.
+pub fn of_agreement(error: &AgreementError) -> PyErr {
+    match error {
+        AgreementError::Solve { error, .. } => of_solve(error),
+        error => refused(error),
+    }
+}
+
+/// A tower that cannot be written in a format.
+pub fn of_convert(error: ConvertError) -> PyErr {
+    match error {
+        ConvertError::Input(error) => of_read(error),
+        ConvertError::Shapes(MakeError::Shapes(ShapesError::Solve(error))) => of_solve(&error),
+        error => refused(&error),
+    }
+}
+
+/// A result that cannot be written.
+pub fn of_result(error: &ResultError) -> PyErr {
+    PyOSError::new_err(error.to_string())
+}

@@ -1,0 +1,47 @@
+//! Computations without the interpreter lock that Ctrl-C ends.
+
+use std::panic::{AssertUnwindSafe, catch_unwind, resume_unwind};
+use std::time::{Duration, Instant};
+
+use pyo3::prelude::*;
+use towermodes::Workspace;
+
+/// Time between two looks for a signal.
+const BETWEEN_LOOKS: Duration = Duration::from_millis(50);
+
+/// The exception of a signal handler, on its way out of a computation.
+struct Interrupted(PyErr);
+
+/// Runs a computation without the interpreter lock; other Python threads run meanwhile.
+///
+/// The computation reports its progress to this function, which looks for signals. There is no
+/// other way out of it than unwinding; its memory is released on the way.
+///
+/// # Errors
+/// The exception of a signal handler: `KeyboardInterrupt`.
+pub fn interruptible<T: Send>(
+    py: Python<'_>,
+    work: impl FnOnce(&mut Workspace) -> T + Send,
+) -> PyResult<T> {
+    py.detach(|| {
+        let mut workspace = Workspace::watched(watch());
+        let work = AssertUnwindSafe(|| work(&mut workspace));
+        catch_unwind(work).map_err(|thrown| match thrown.downcast::<Interrupted>() {
+            Ok(interrupted) => interrupted.0,
+            Err(panic) => resume_unwind(panic),
+        })
+    })
+}
+
+fn watch() -> impl FnMut(towermodes::Progress) + Send + Sync + 'static {
+    let mut looked = Instant::now();
+    move |_| {
+        if looked.elapsed() < BETWEEN_LOOKS {
+            return;
+        }
+        looked = Instant::now();
+        if let Err(exception) = Python::attach(|py| py.check_signals()) {
+            resume_unwind(Box::new(Interrupted(exception)));
+        }
+    }
+}

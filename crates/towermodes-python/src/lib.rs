@@ -1,0 +1,46 @@
+//! The Python package's module in Rust: classes and functions that wrap the library.
+//!
+//! Everything here is for `python/towermodes`, which gives it names, defaults, types and
+//! documentation for users.
+
+mod agreement;
+mod array;
+mod arrow;
+mod campbell;
+mod comparison;
+mod converted;
+mod error;
+mod interrupt;
+mod options;
+mod pickle;
+mod program;
+mod reading;
+mod solution;
+mod tower;
+
+/// The classes and functions of the package.
+#[pyo3::pymodule(gil_used = false)]
+mod _towermodes {
+    #[pymodule_export]
+    use crate::agreement::{Agreement, Examination};
+    #[pymodule_export]
+    use crate::arrow::{columns_of_stream, stream_of_results};
+    #[pymodule_export]
+    use crate::campbell::Campbell;
+    #[pymodule_export]
+    use crate::comparison::Comparison;
+    #[pymodule_export]
+    use crate::converted::Converted;
+    #[pymodule_export]
+    use crate::program::run;
+    #[pymodule_export]
+    use crate::reading::{read, read_text};
+    #[pymodule_export]
+    use crate::solution::Solution;
+    #[pymodule_export]
+    use crate::tower::Tower;
+
+    /// The version of the package.
+    #[pymodule_export]
+    const VERSION: &str = env!("CARGO_PKG_VERSION");
+}

@@ -1,0 +1,74 @@
+//! Arguments of Python as options of the library.
+
+use pyo3::prelude::*;
+use towermodes::elements::GAUSS_HINGE_POSITION;
+use towermodes::{Method, Options};
+use towermodes_files::TowerInput;
+
+use crate::error::usage;
+
+/// How to solve a tower; none where the file decides, or else the library.
+#[derive(FromPyObject)]
+#[pyo3(from_item_all)]
+pub struct SolveOptions {
+    modes: Option<usize>,
+    method: Option<String>,
+    segments: Option<usize>,
+    degree: Option<usize>,
+    points: usize,
+    heights_m: Vec<f64>,
+    rotary_inertia: bool,
+    hinge_position: Option<f64>,
+    limits: bool,
+}
+
+/// The method with this name.
+///
+/// # Errors
+/// `ValueError` with the names there are.
+pub fn method_named(name: &str) -> PyResult<Method> {
+    Method::named(name).ok_or_else(|| {
+        let names = Method::ALL.map(Method::name).join(", ");
+        usage(format!("'{name}' is not a method; the methods are {names}"))
+    })
+}
+
+impl SolveOptions {
+    /// The options for a tower: those given, else those of its file, else the default.
+    ///
+    /// # Errors
+    /// `ValueError` for an unknown method, or an option that does not apply to it.
+    pub fn of(&self, input: &TowerInput) -> PyResult<Options> {
+        let asked = self.method.as_deref().map(method_named).transpose()?;
+        let method = asked.or(input.method).unwrap_or_default();
+        if self.hinge_position.is_some() && method != Method::Cardanic {
+            return Err(usage(
+                "hinge_position applies only to the method cardanic; the joint positions of the other methods are fixed",
+            ));
+        }
+        if self.degree.is_some() && method != Method::Spectral {
+            return Err(usage(
+                "degree applies only to the method spectral; use segments for the other methods",
+            ));
+        }
+        let own_elements = method == Method::Bmodes && self.segments.is_none();
+        let default = Options::default();
+        Ok(Options {
+            method,
+            segments: self.segments,
+            borders_m: input.borders_m.clone().filter(|_| own_elements),
+            degree: self.degree,
+            modes: self.modes.or(input.modes).unwrap_or(default.modes),
+            points: self.points,
+            heights_m: self.heights_m.clone(),
+            rotary_inertia: self.rotary_inertia,
+            hinge_position: self.hinge_position.unwrap_or(GAUSS_HINGE_POSITION),
+            limits: self.limits,
+        })
+    }
+
+    /// Whether the number of modes is given.
+    pub fn has_modes(&self) -> bool {
+        self.modes.is_some()
+    }
+}

@@ -1,0 +1,208 @@
+//! The state of a tower as Python values, for pickles.
+//!
+//! The description is stored as the text of a tower file, which is read back number by number; what
+//! such a file does not hold is beside it. The places of the values in the original files are not
+//! kept.
+
+use pyo3::prelude::*;
+use pyo3::types::PyTuple;
+use towermodes::{BladeDescription, BladeSection, Inertia, Method, RigidBody};
+use towermodes_files::{FileFormat, Note, NoteKind, RotorNotes, TowerInput, write_toml};
+
+use crate::error::usage;
+use crate::reading::input_of_text;
+
+/// The kind, the sentence and the place of a note.
+type NoteState = (u8, String, Option<(String, usize)>);
+
+/// Notes on speeds, on blades, and others.
+type RotorState = (Vec<NoteState>, Vec<NoteState>, Vec<NoteState>);
+
+/// Name; radii of hub and tip, speed and pitch; sections; borders; body at the tip; whether the
+/// rotation pulls it.
+type BladeState = (String, [f64; 4], Vec<[f64; 11]>, Vec<f64>, [f64; 10], bool);
+
+/// Method, modes, blades.
+type Prescribed = (Option<String>, Option<usize>, Option<usize>);
+
+/// Text of the tower file, format, notes, rotor notes, prescribed options, element borders, joint
+/// with the monopile, blade.
+type State = (
+    String,
+    String,
+    Vec<NoteState>,
+    RotorState,
+    Prescribed,
+    Option<Vec<f64>>,
+    Option<f64>,
+    Option<BladeState>,
+);
+
+const FORMATS: [FileFormat; 6] = [
+    FileFormat::Toml,
+    FileFormat::Bmodes,
+    FileFormat::ElastoDyn,
+    FileFormat::ElastoDynTower,
+    FileFormat::WindIo,
+    FileFormat::Hawc2,
+];
+
+const KINDS: [NoteKind; 7] = [
+    NoteKind::Information,
+    NoteKind::Assumption,
+    NoteKind::LeftOut,
+    NoteKind::Approximation,
+    NoteKind::MissingPart,
+    NoteKind::Compatibility,
+    NoteKind::Suspicious,
+];
+
+/// The state of an input.
+pub fn state<'py>(py: Python<'py>, input: &TowerInput) -> PyResult<Bound<'py, PyTuple>> {
+    let method = input.method.map(|method| method.name().to_owned());
+    let rotor = &input.rotor_notes;
+    let state: State = (
+        write_toml(&input.description).0,
+        input.format.name().to_owned(),
+        notes_state(&input.notes),
+        (
+            notes_state(&rotor.speeds),
+            notes_state(&rotor.blades),
+            notes_state(&rotor.others),
+        ),
+        (method, input.modes, input.blades),
+        input.borders_m.clone(),
+        input.joint_m,
+        input.blade.as_ref().map(blade_state),
+    );
+    state.into_pyobject(py)
+}
+
+/// The input of a state.
+///
+/// # Errors
+/// `ValueError` if the state is of another version.
+pub fn restored(state: &Bound<'_, PyTuple>) -> PyResult<TowerInput> {
+    let state: State = state.extract()?;
+    let (text, format, notes, rotor, (method, modes, blades), borders_m, joint_m, blade) = state;
+    let mut input = input_of_text(text, "<pickle>.toml".to_owned())?;
+    let format = FORMATS.into_iter().find(|own| own.name() == format);
+    input.format = format.ok_or_else(unknown)?;
+    input.notes = notes_of(notes)?;
+    input.rotor_notes = RotorNotes {
+        speeds: notes_of(rotor.0)?,
+        blades: notes_of(rotor.1)?,
+        others: notes_of(rotor.2)?,
+    };
+    let named = |name: String| Method::named(&name).ok_or_else(unknown);
+    input.method = method.map(named).transpose()?;
+    input.modes = modes;
+    input.blades = blades;
+    input.borders_m = borders_m;
+    input.joint_m = joint_m;
+    input.blade = blade.map(blade_of);
+    Ok(input)
+}
+
+fn unknown() -> PyErr {
+    usage("the pickle was written by another version of towermodes")
+}
+
+fn notes_state(notes: &[Note]) -> Vec<NoteState> {
+    let kind = |note: &Note| KINDS.iter().position(|kind| *kind == note.kind);
+    let state = |note: &Note| {
+        // A kind that this list lacks is read as information.
+        let kind = kind(note).unwrap_or(0) as u8;
+        (kind, note.message.clone(), note.place.clone())
+    };
+    notes.iter().map(state).collect()
+}
+
+fn notes_of(notes: Vec<NoteState>) -> PyResult<Vec<Note>> {
+    let note = |(kind, message, place): NoteState| {
+        let kind = *KINDS.get(usize::from(kind)).ok_or_else(unknown)?;
+        Ok(Note {
+            kind,
+            message,
+            place,
+        })
+    };
+    notes.into_iter().map(note).collect()
+}
+
+fn blade_state(blade: &BladeDescription) -> BladeState {
+    let section = |section: &BladeSection| {
+        [
+            section.span,
+            section.twist_rad,
+            section.mass_kg_per_m,
+            section.flap_inertia_kg_m,
+            section.edge_inertia_kg_m,
+            section.flap_n_m2,
+            section.edge_n_m2,
+            section.torsion_n_m2,
+            section.axial_n,
+            section.center_of_mass_m,
+            section.tension_center_m,
+        ]
+    };
+    let RigidBody {
+        mass_kg,
+        center_m: [x, y, z],
+        inertia_kg_m2: inertia,
+    } = blade.tip;
+    let Inertia {
+        xx,
+        yy,
+        zz,
+        xy,
+        xz,
+        yz,
+    } = inertia;
+    (
+        blade.name.clone(),
+        [
+            blade.hub_radius_m,
+            blade.tip_radius_m,
+            blade.rotor_speed_rad_per_s,
+            blade.pitch_rad,
+        ],
+        blade.sections.iter().map(section).collect(),
+        blade.borders.clone(),
+        [mass_kg, x, y, z, xx, yy, zz, xy, xz, yz],
+        blade.tip_is_pulled,
+    )
+}
+
+fn blade_of(state: BladeState) -> BladeDescription {
+    let (name, [hub, tip, speed, pitch], sections, borders, body, tip_is_pulled) = state;
+    let section = |row: [f64; 11]| BladeSection {
+        span: row[0],
+        twist_rad: row[1],
+        mass_kg_per_m: row[2],
+        flap_inertia_kg_m: row[3],
+        edge_inertia_kg_m: row[4],
+        flap_n_m2: row[5],
+        edge_n_m2: row[6],
+        torsion_n_m2: row[7],
+        axial_n: row[8],
+        center_of_mass_m: row[9],
+        tension_center_m: row[10],
+    };
+    let [mass_kg, x, y, z, xx, yy, zz, xy, xz, yz] = body;
+    BladeDescription {
+        name,
+        hub_radius_m: hub,
+        tip_radius_m: tip,
+        sections: sections.into_iter().map(section).collect(),
+        borders,
+        rotor_speed_rad_per_s: speed,
+        pitch_rad: pitch,
+        tip: RigidBody {
+            mass_kg,
+            center_m: [x, y, z],
+            inertia_kg_m2: Inertia::from([xx, yy, zz, xy, xz, yz]),
+        },
+        tip_is_pulled,
+    }
+}

@@ -1,0 +1,144 @@
+//! Towers from files and texts.
+
+use std::path::{Path, PathBuf};
+
+use pyo3::prelude::*;
+use towermodes_files::{
+    FileFormat, Input, ReadOptions, RotorLock, SiblingFiles, Source, TowerInput, TowerPart,
+    read_source,
+};
+
+use crate::error::{of_read, usage};
+use crate::tower::Tower;
+
+/// How a file is read where it leaves a choice.
+#[derive(FromPyObject)]
+#[pyo3(from_item_all)]
+pub struct Reading {
+    part: String,
+    rotor: String,
+    no_rna: bool,
+    no_gravity: bool,
+    bmodes_quirks: bool,
+    tower_height_m: Option<f64>,
+    tower_base_m: Option<f64>,
+    subset: Option<(usize, usize)>,
+}
+
+/// The tower of a file.
+#[pyfunction]
+#[pyo3(signature = (path: "str", options: "dict[str, object]"))]
+pub fn read(py: Python<'_>, path: PathBuf, options: Reading) -> PyResult<Tower> {
+    let read_options = options.of_library()?;
+    let input = py.detach(|| {
+        let source = Source::from_path(&path)?;
+        read_source(source, &SiblingFiles::of(&path), &read_options)
+    });
+    let input = tower_input(input.map_err(of_read)?)?;
+    options.check(input.format)?;
+    Tower::of_input(input)
+}
+
+/// The tower of a text in any format; `name` stands for the name of the file.
+#[pyfunction]
+#[pyo3(signature = (text, name))]
+pub fn read_text(text: String, name: String) -> PyResult<Tower> {
+    Tower::of_input(input_of_text(text, name)?)
+}
+
+/// The input of a text.
+///
+/// # Errors
+/// `TowerError` with the mistakes of the text.
+pub fn input_of_text(text: String, name: String) -> PyResult<TowerInput> {
+    let source = Source { name, text };
+    let files = SiblingFiles::of(Path::new(""));
+    let input = read_source(source, &files, &ReadOptions::default());
+    tower_input(input.map_err(of_read)?)
+}
+
+fn tower_input(input: Input) -> PyResult<TowerInput> {
+    match input {
+        Input::Tower(input) => Ok(*input),
+        Input::Blade(_) => Err(usage(
+            "this is a deck of a rotating blade, not of a tower; the program solves it: towermodes solve FILE",
+        )),
+    }
+}
+
+impl Reading {
+    fn of_library(&self) -> PyResult<ReadOptions> {
+        Ok(ReadOptions {
+            bmodes_quirks: self.bmodes_quirks,
+            tower_height_m: self.tower_height_m,
+            tower_base_m: self.tower_base_m,
+            without_rna: self.no_rna,
+            part: self.part()?,
+            hawc2_subset: self.subset,
+            rotor: self.rotor()?,
+            without_gravity: self.no_gravity,
+        })
+    }
+
+    fn part(&self) -> PyResult<TowerPart> {
+        match self.part.as_str() {
+            "all" => Ok(TowerPart::All),
+            "tower" => Ok(TowerPart::Tower),
+            "monopile" => Ok(TowerPart::Monopile),
+            part => Err(usage(format!(
+                "part is '{part}'; it must be 'all', 'tower' or 'monopile'"
+            ))),
+        }
+    }
+
+    fn rotor(&self) -> PyResult<RotorLock> {
+        match self.rotor.as_str() {
+            "locked" => Ok(RotorLock::Locked),
+            "free" => Ok(RotorLock::Free),
+            rotor => Err(usage(format!(
+                "rotor is '{rotor}'; it must be 'locked' or 'free'"
+            ))),
+        }
+    }
+
+    /// Refuses an option that has no effect on files of this format.
+    fn check(&self, format: FileFormat) -> PyResult<()> {
+        use FileFormat::{Bmodes, ElastoDyn, ElastoDynTower, Hawc2, WindIo};
+        let options: [(bool, &[FileFormat], &str); 6] = [
+            (
+                self.bmodes_quirks,
+                &[Bmodes],
+                "bmodes_quirks applies only to BModes decks",
+            ),
+            (
+                self.rotor != "locked",
+                &[ElastoDyn],
+                "rotor applies only to ElastoDyn models, which contain rotor and generator data",
+            ),
+            (
+                self.part != "all",
+                &[WindIo],
+                "part applies only to windIO turbines",
+            ),
+            (
+                self.subset.is_some(),
+                &[Hawc2],
+                "subset applies only to HAWC2 files",
+            ),
+            (
+                self.tower_height_m.is_some(),
+                &[ElastoDynTower, Hawc2],
+                "tower_height_m applies only to an ElastoDyn tower file; this file contains the height of the tower",
+            ),
+            (
+                self.tower_base_m.is_some(),
+                &[ElastoDynTower, Hawc2],
+                "tower_base_m applies only to an ElastoDyn tower file or a HAWC2 file; this file contains the height of the tower base",
+            ),
+        ];
+        let idle = options
+            .iter()
+            .find(|(is_given, own, _)| *is_given && !own.contains(&format));
+        idle.map_or(Ok(()), |(.., message)| Err(usage(*message)))
+    }
+}

@@ -1,0 +1,272 @@
+//! The modes of a tower.
+
+use std::sync::Arc;
+
+use numpy::{PyArray1, PyArray2, PyArray3};
+use pyo3::prelude::*;
+use towermodes::modes::ShapePoint;
+use towermodes::{Mode, Solution as Solved};
+use towermodes_cli::table;
+use towermodes_files::{write_csv, write_json};
+use towermodes_report::figures::{self, TitleWords, titled};
+use towermodes_report::svg::Look;
+use towermodes_report::wording::computed_by;
+
+use crate::array;
+use crate::error::of_result;
+use crate::tower::Model;
+
+/// The lowest modes of a tower.
+#[pyclass(frozen, module = "towermodes._towermodes")]
+pub struct Solution {
+    /// The tower.
+    pub model: Arc<Model>,
+    /// Its modes.
+    pub solution: Solved,
+}
+
+impl Solution {
+    fn modes(&self) -> impl ExactSizeIterator<Item = &Mode> {
+        self.solution.modes.iter()
+    }
+
+    /// A number of each mode.
+    fn of_each<'py>(
+        &self,
+        py: Python<'py>,
+        number: impl Fn(&Mode) -> f64,
+    ) -> Bound<'py, PyArray1<f64>> {
+        array::vector(py, self.modes().map(number))
+    }
+
+    /// One of the three shapes of each mode: (modes, heights, 6).
+    fn shapes<'py>(
+        &self,
+        py: Python<'py>,
+        shape: impl Fn(&Mode) -> &[ShapePoint],
+    ) -> PyResult<Bound<'py, PyArray3<f64>>> {
+        let heights = self
+            .solution
+            .modes
+            .first()
+            .map_or(0, |mode| shape(mode).len());
+        let points = self.modes().flat_map(|mode| shape(mode).iter());
+        let motions = points.map(|point| {
+            let ([x, y, z], [rx, ry, rz]) = (point.translation, point.rotation);
+            [x, y, z, rx, ry, rz]
+        });
+        array::sheets(py, motions, [self.solution.modes.len(), heights])
+    }
+
+    /// The heights of one of the three shapes.
+    fn heights<'py>(
+        &self,
+        py: Python<'py>,
+        shape: impl Fn(&Mode) -> &[ShapePoint],
+    ) -> Bound<'py, PyArray1<f64>> {
+        let points = self.solution.modes.first().map_or(&[][..], shape);
+        array::vector(py, points.iter().map(|point| point.height_m))
+    }
+}
+
+#[pymethods]
+impl Solution {
+    /// Natural frequencies of the discretized tower, Hz.
+    #[getter]
+    fn frequency_hz<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<f64>> {
+        self.of_each(py, |mode| mode.frequency_hz)
+    }
+
+    /// Total errors, Hz.
+    #[getter]
+    fn error_hz<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<f64>> {
+        self.of_each(py, Mode::error_hz)
+    }
+
+    /// Bounds on the errors of the eigenvalue computation, Hz.
+    #[getter]
+    fn algebraic_error_hz<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<f64>> {
+        self.of_each(py, |mode| mode.algebraic_error_hz)
+    }
+
+    /// Estimates of the discretization errors, Hz.
+    #[getter]
+    fn discretization_error_hz<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<f64>> {
+        self.of_each(py, |mode| mode.discretization_error_hz)
+    }
+
+    /// Frequencies of the beam, extrapolated from several meshes, Hz.
+    #[getter]
+    fn extrapolated_hz<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<f64>> {
+        self.of_each(py, |mode| mode.extrapolated_hz)
+    }
+
+    /// Periods, s; infinite for a motion that nothing resists.
+    #[getter]
+    fn period_s<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<f64>> {
+        self.of_each(py, Mode::period_s)
+    }
+
+    /// Modal masses, kg; kg m² for torsion and yaw.
+    #[getter]
+    fn modal_mass<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<f64>> {
+        self.of_each(py, |mode| mode.modal_mass)
+    }
+
+    /// Effective modal masses: (modes, 6).
+    #[getter]
+    fn effective_mass<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray2<f64>>> {
+        array::rows(py, self.modes().map(|mode| mode.effective_mass))
+    }
+
+    /// Sums of the effective masses as fractions of the whole: (6).
+    #[getter]
+    fn effective_mass_shares<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<f64>> {
+        array::vector(py, self.solution.effective_mass_shares())
+    }
+
+    /// Inertia of the whole tower against rigid motions about its base: (6, 6).
+    #[getter]
+    fn rigid_inertia<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray2<f64>>> {
+        array::rows(py, self.solution.rigid_inertia.into_iter())
+    }
+
+    /// The shapes at equal heights: (modes, heights, 6).
+    #[getter]
+    fn shape<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray3<f64>>> {
+        self.shapes(py, |mode| &mode.shape)
+    }
+
+    /// The heights of `shape`, m.
+    #[getter]
+    fn height_m<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<f64>> {
+        self.heights(py, |mode| &mode.shape)
+    }
+
+    /// The shapes at the stations: (modes, stations, 6).
+    #[getter]
+    fn station_shape<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray3<f64>>> {
+        self.shapes(py, |mode| &mode.station_shape)
+    }
+
+    /// The heights of `station_shape`, m.
+    #[getter]
+    fn station_height_m<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<f64>> {
+        self.heights(py, |mode| &mode.station_shape)
+    }
+
+    /// The shapes at the heights asked for: (modes, heights, 6).
+    #[getter]
+    fn shape_there<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray3<f64>>> {
+        self.shapes(py, |mode| &mode.shape_there)
+    }
+
+    /// Family and order of each mode.
+    #[getter]
+    fn names(&self) -> Vec<(&'static str, usize)> {
+        let name = |mode: &Mode| (mode.family.name(), mode.order);
+        self.modes().map(name).collect()
+    }
+
+    /// The names of the modes in words.
+    #[getter]
+    fn labels(&self) -> Vec<String> {
+        self.modes().map(Mode::label).collect()
+    }
+
+    /// The method.
+    #[getter]
+    fn method(&self) -> &'static str {
+        self.solution.method.name()
+    }
+
+    /// Number of segments or elements.
+    #[getter]
+    fn segments(&self) -> usize {
+        self.solution.segments
+    }
+
+    /// Polynomial degree of spectral elements.
+    #[getter]
+    fn degree(&self) -> Option<usize> {
+        self.solution.degree
+    }
+
+    /// Degrees of freedom of the whole tower.
+    #[getter]
+    fn degrees_of_freedom(&self) -> usize {
+        self.solution.degrees_of_freedom
+    }
+
+    /// Whether no mode is missing, the number of modes counted, and up to which frequency, Hz.
+    #[getter]
+    fn certificate(&self) -> (bool, usize, f64) {
+        let certificate = &self.solution.certificate;
+        (
+            certificate.complete,
+            certificate.count,
+            certificate.below_hz,
+        )
+    }
+
+    /// The factor on gravity at which the tower buckles.
+    #[getter]
+    fn buckling_load_factor(&self) -> Option<f64> {
+        self.solution.buckling_load_factor
+    }
+
+    /// The notes of the reader.
+    #[getter]
+    fn notes(&self) -> Vec<String> {
+        self.model.notes()
+    }
+
+    /// Possible mistakes of the input, and limits of the results.
+    #[getter]
+    fn warnings(&self) -> Vec<String> {
+        self.model.located(&self.solution.warnings)
+    }
+
+    /// The table of the program.
+    fn table(&self) -> String {
+        table::solution(&self.model.tower, &self.solution)
+    }
+
+    /// The header and the cells of that table, and the lines below it.
+    fn cells(&self) -> (Vec<&'static str>, Vec<Vec<String>>, String) {
+        let rows = table::mode_rows(&self.solution).into_iter();
+        let rows = rows.map(|row| row.map(|cell| cell.trim_end().to_owned()).to_vec());
+        let below = table::below_modes(&self.model.tower, &self.solution);
+        (table::MODE_HEADER.to_vec(), rows.collect(), below)
+    }
+
+    /// The JSON of the program.
+    fn json(&self) -> PyResult<String> {
+        let (tower, notes) = (&self.model.tower, &self.model.input.notes);
+        let mut json = Vec::new();
+        let done = write_json(tower, &self.solution, notes, &mut json);
+        done.map_err(|error| of_result(&error))?;
+        Ok(String::from_utf8_lossy(&json).into_owned())
+    }
+
+    /// The CSV of the program.
+    fn csv(&self) -> PyResult<String> {
+        let mut csv = Vec::new();
+        let done = write_csv(&self.solution, &mut csv);
+        done.map_err(|error| of_result(&error))?;
+        Ok(String::from_utf8_lossy(&csv).into_owned())
+    }
+
+    /// The picture of the mode shapes as SVG.
+    fn svg(&self) -> String {
+        let Model { tower, input } = &*self.model;
+        let computed = computed_by(&self.solution);
+        let words = TitleWords {
+            title: None,
+            computed: Some(&computed),
+            conclusion: &[],
+        };
+        let figure = figures::shapes(&input.description, tower, &self.solution);
+        titled(figure, tower, &words).to_svg(Look::Standalone)
+    }
+}

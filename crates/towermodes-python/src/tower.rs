@@ -1,0 +1,225 @@
+//! A tower, checked and constant.
+
+use std::sync::Arc;
+
+use numpy::PyArray2;
+use pyo3::prelude::*;
+use pyo3::types::PyTuple;
+use towermodes::{Change, Parameter, Tower as CheckedTower, Warning, solve_certain};
+use towermodes_files::{Note, TowerInput};
+use towermodes_report::figures;
+use towermodes_report::svg::Look;
+
+use crate::array;
+use crate::error::{of_read, of_solve, of_tower, usage};
+use crate::interrupt::interruptible;
+use crate::options::SolveOptions;
+use crate::pickle::{restored, state};
+use crate::solution::Solution;
+
+/// Computations with fewer segments end so soon that no one can interrupt them.
+const SOON: usize = 2000;
+
+/// A tower and the input that it was made of.
+pub struct Model {
+    /// The tower.
+    pub tower: CheckedTower,
+    /// Its description, the notes of the reader and the places of the values.
+    pub input: TowerInput,
+}
+
+impl Model {
+    /// The notes of the reader.
+    pub fn notes(&self) -> Vec<String> {
+        self.input.notes.iter().map(Note::to_string).collect()
+    }
+
+    /// Warnings, with file and line of the input if they are known.
+    pub fn located(&self, warnings: &[Warning]) -> Vec<String> {
+        let located = |warning: &Warning| {
+            let line = warning.place().and_then(|place| self.input.line_of(place));
+            match line {
+                Some((file, line)) => format!("{file}:{line}: {warning}"),
+                None => warning.to_string(),
+            }
+        };
+        warnings.iter().map(located).collect()
+    }
+}
+
+/// A tower.
+#[pyclass(frozen, module = "towermodes._towermodes")]
+pub struct Tower {
+    /// Shared with its solutions.
+    pub model: Arc<Model>,
+}
+
+impl Tower {
+    /// The tower of an input.
+    ///
+    /// # Errors
+    /// `TowerError` with the place of what no tower can have.
+    pub fn of_input(input: TowerInput) -> PyResult<Self> {
+        let tower = input.tower().map_err(of_read)?;
+        let model = Arc::new(Model { tower, input });
+        Ok(Self { model })
+    }
+
+    /// The same with other numbers, whose mistakes have no place in a file.
+    ///
+    /// # Errors
+    /// `TowerError`.
+    pub fn of_changed(input: TowerInput) -> PyResult<Self> {
+        let tower = CheckedTower::new(input.description.clone());
+        let tower = tower.map_err(|error| of_tower(&error))?;
+        let model = Arc::new(Model { tower, input });
+        Ok(Self { model })
+    }
+}
+
+#[pymethods]
+impl Tower {
+    /// Its name; may be empty.
+    #[getter]
+    fn name(&self) -> &str {
+        self.model.tower.name()
+    }
+
+    /// Base to top, m.
+    #[getter]
+    fn height_m(&self) -> f64 {
+        self.model.tower.height_m()
+    }
+
+    /// The height of the base, m.
+    #[getter]
+    fn base_m(&self) -> f64 {
+        self.model.tower.base_m()
+    }
+
+    /// The height of the top, m.
+    #[getter]
+    fn top_m(&self) -> f64 {
+        self.model.tower.top_m()
+    }
+
+    /// Mass without the rotor-nacelle assembly, kg.
+    #[getter]
+    fn mass_kg(&self) -> f64 {
+        self.model.tower.mass_kg()
+    }
+
+    /// Mass of the rotor-nacelle assembly, kg.
+    #[getter]
+    fn rna_mass_kg(&self) -> f64 {
+        self.model.tower.rna().mass_kg
+    }
+
+    /// Acceleration of gravity, m/s².
+    #[getter]
+    fn gravity_m_per_s2(&self) -> f64 {
+        self.model.tower.gravity_m_per_s2()
+    }
+
+    /// The format of its file.
+    #[getter]
+    fn format(&self) -> &'static str {
+        self.model.input.format.name()
+    }
+
+    /// The files it was read from.
+    #[getter]
+    fn files(&self) -> Vec<String> {
+        let files = self.model.input.files();
+        let files = files.filter(|name| !name.starts_with('<'));
+        files.map(str::to_owned).collect()
+    }
+
+    /// Height, outer diameter and wall thickness of the stations, m.
+    #[getter]
+    fn stations<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray2<f64>>> {
+        let stations = self.model.input.description.stations.iter();
+        let row = |s: &towermodes::Station| [s.height_m, s.outer_diameter_m, s.wall_thickness_m];
+        array::rows(py, stations.map(row))
+    }
+
+    /// The notes of the reader.
+    #[getter]
+    fn notes(&self) -> Vec<String> {
+        self.model.notes()
+    }
+
+    /// Input that is possible but probably a mistake.
+    #[getter]
+    fn warnings(&self) -> Vec<String> {
+        self.model.located(self.model.tower.warnings())
+    }
+
+    /// Name, value, unit and meaning of each number.
+    fn parameters(&self) -> Vec<(String, f64, &'static str, &'static str)> {
+        let description = &self.model.input.description;
+        let row = |parameter: Parameter| {
+            let value = parameter.value(description);
+            let (unit, meaning) = (parameter.unit(), parameter.meaning());
+            (parameter.to_string(), value, unit, meaning)
+        };
+        Parameter::all(description).into_iter().map(row).collect()
+    }
+
+    /// The tower with other numbers: names of changes and their values.
+    fn changed(&self, changes: Vec<(String, f64)>) -> PyResult<Self> {
+        let mut input = self.model.input.clone();
+        let names = changes.iter().map(|(name, _)| name.as_str());
+        let found = Change::parse_all(names, &input.description);
+        let found = found.map_err(|error| usage(error.to_string()))?;
+        for (change, (_, value)) in found.iter().zip(&changes) {
+            change.apply(&mut input.description, *value);
+        }
+        Self::of_changed(input)
+    }
+
+    /// The lowest modes.
+    #[pyo3(signature = (options: "dict[str, object]"))]
+    fn solve(&self, py: Python<'_>, options: SolveOptions) -> PyResult<Solution> {
+        let options = options.of(&self.model.input)?;
+        let tower = &self.model.tower;
+        let is_short = options.segments.is_none_or(|segments| segments < SOON);
+        let solution = match is_short {
+            true => py.detach(|| solve_certain(tower, &options, &mut Default::default())),
+            false => interruptible(py, |workspace| solve_certain(tower, &options, workspace))?,
+        };
+        let solution = solution.map_err(|error| of_solve(&error))?;
+        Ok(Solution {
+            model: Arc::clone(&self.model),
+            solution,
+        })
+    }
+
+    /// The picture of the tower as SVG.
+    fn svg(&self) -> String {
+        let Model { tower, input } = &*self.model;
+        figures::tower(&input.description, tower).to_svg(Look::Standalone)
+    }
+
+    /// Whether both have the same description and prescribe the same for their solution.
+    fn is_equal(&self, other: &Self) -> bool {
+        let (own, other) = (&self.model.input, &other.model.input);
+        own.description == other.description
+            && own.blade == other.blade
+            && (own.method, own.modes) == (other.method, other.modes)
+            && own.borders_m == other.borders_m
+    }
+
+    /// All that [`restore`](Self::restore) needs.
+    #[pyo3(signature = () -> "tuple[object, ...]")]
+    fn state<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyTuple>> {
+        state(py, &self.model.input)
+    }
+
+    /// The tower with this state.
+    #[staticmethod]
+    #[pyo3(signature = (state: "tuple[object, ...]"))]
+    fn restore(state: &Bound<'_, PyTuple>) -> PyResult<Self> {
+        Self::of_changed(restored(state)?)
+    }
+}

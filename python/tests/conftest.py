@@ -1,0 +1,33 @@
+"""Towers of the tests. They run in the root of the repository, as its examples do."""
+
+from __future__ import annotations
+
+import os
+from pathlib import Path
+
+import pytest
+
+import towermodes as tm
+
+ROOT = Path(__file__).resolve().parents[2]
+
+
+@pytest.fixture(autouse=True, scope="session")
+def in_the_root() -> None:
+    os.chdir(ROOT)
+
+
+@pytest.fixture(scope="session")
+def nrel() -> tm.Tower:
+    return tm.read(ROOT / "examples/nrel-5mw.toml")
+
+
+@pytest.fixture(scope="session")
+def monopile() -> tm.Tower:
+    return tm.read(ROOT / "examples/monopile.toml")
+
+
+def examples() -> list[Path]:
+    folder = ROOT / "examples"
+    kinds = ("*.toml", "*.bmi", "*.yaml", "*/ElastoDyn.dat")
+    return sorted(path for kind in kinds for path in folder.glob(kind))

@@ -1,0 +1,44 @@
+"""Natural frequencies and mode shapes of wind turbine towers.
+
+Each frequency has an error estimate, and a certificate proves that no mode is missing.
+
+>>> import towermodes as tm
+>>> tower = tm.read("examples/nrel-5mw.toml")
+>>> solution = tower.solve(modes=4)
+>>> solution.mode("fore-aft", 1).frequency_hz
+0.3214632...
+>>> solution.certified
+True
+
+`read` reads towers from any file that the program reads, `Tower` makes them from numbers;
+`Tower.solve` computes the modes. Units are SI and stand in the names: `height_m`, `frequency_hz`.
+x is fore-aft (downwind), y side-side, z up.
+"""
+
+from towermodes._campbell import Campbell
+from towermodes._convert import Converted
+from towermodes._errors import Mistake, OptionError, SolveError, TowerError
+from towermodes._picture import Picture
+from towermodes._read import read
+from towermodes._solution import Mode, Solution
+from towermodes._study import Agreement, Comparison, Examination
+from towermodes._tower import Tower
+from towermodes._towermodes import VERSION as __version__
+
+__all__ = [
+    "Agreement",
+    "Campbell",
+    "Comparison",
+    "Converted",
+    "Examination",
+    "Mistake",
+    "Mode",
+    "OptionError",
+    "Picture",
+    "Solution",
+    "SolveError",
+    "Tower",
+    "TowerError",
+    "__version__",
+    "read",
+]

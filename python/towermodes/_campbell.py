@@ -1,0 +1,96 @@
+"""Resonance margins."""
+
+from __future__ import annotations
+
+from towermodes._html import text_html
+from towermodes._picture import Picture
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from typing import Any
+
+    from towermodes import _towermodes as _rust
+
+
+class Campbell:
+    """Natural frequencies against the rotor speed, and their distances from the excitations.
+
+    >>> import towermodes as tm
+    >>> campbell = tm.read("examples/nrel-5mw.toml").campbell()
+    >>> campbell.verdict
+    'warn'
+    >>> margin = campbell.margins[0]
+    >>> margin["label"], margin["multiple"], round(margin["distance"], 2)
+    ('1st side-side bending', 1, -0.37)
+    """
+
+    __slots__ = ("_core",)
+
+    _core: _rust.Campbell
+
+    @classmethod
+    def _of(cls, core: _rust.Campbell) -> Campbell:
+        campbell = cls.__new__(cls)
+        campbell._core = core
+        return campbell
+
+    @property
+    def verdict(self) -> str:
+        """The worst verdict: "pass", "warn" or "fail".
+
+        At best "warn" where the list of modes does not cover all excitations.
+        """
+        return self._core.verdict
+
+    @property
+    def conclusion(self) -> str:
+        """The conclusion in sentences."""
+        return " ".join(self._core.conclusion)
+
+    @property
+    def margins(self) -> list[dict[str, Any]]:
+        """The distance of every natural frequency from every excitation.
+
+        The keys are those of the program's JSON: `label`, `multiple`, `nearest_rpm`,
+        `excitation_hz`, `natural_hz`, `distance`, `verdict` and others.
+        """
+        margins: list[dict[str, Any]] = self.data["margins"]
+        return margins
+
+    @property
+    def data(self) -> dict[str, Any]:
+        """All results with the keys of the program's JSON."""
+        import json
+
+        data: dict[str, Any] = json.loads(self.to_json())
+        return data
+
+    @property
+    def notes(self) -> list[str]:
+        """What the reader assumed or left out, and what is assumed of the rotor."""
+        return self._core.notes
+
+    @property
+    def warnings(self) -> list[str]:
+        """Possible mistakes of the input and limits of the results."""
+        return self._core.warnings
+
+    def to_json(self) -> str:
+        """All results as JSON, as the program writes it."""
+        return self._core.json()
+
+    def to_csv(self) -> str:
+        """One line per mode and excitation as CSV, as the program writes it."""
+        return self._core.csv()
+
+    def plot(self) -> Picture:
+        """The Campbell diagram."""
+        return Picture(self._core.svg())
+
+    def __repr__(self) -> str:
+        said = [*self.notes, *self.warnings]
+        warnings = "".join(f"warning: {text}\n" for text in said)
+        return (self._core.table() + warnings).rstrip("\n")
+
+    def _repr_html_(self) -> str:
+        return text_html(repr(self), self._core.svg())

@@ -1,0 +1,360 @@
+"""Natural frequencies and mode shapes."""
+
+from __future__ import annotations
+
+from towermodes._html import solution_html
+from towermodes._picture import Picture
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from typing import Literal
+
+    import numpy as np
+    from numpy.typing import NDArray
+
+    from towermodes import _towermodes as _rust
+    from towermodes._tower import Tower
+
+    Array = NDArray[np.float64]
+    Family = Literal[
+        "fore-aft",
+        "side-side",
+        "torsion",
+        "axial",
+        "coupled",
+        "surge",
+        "sway",
+        "heave",
+        "roll",
+        "pitch",
+        "yaw",
+    ]
+
+
+class Solution:
+    """The lowest modes of a tower, with their errors and the proof that none is missing.
+
+    Arrays have one entry per mode, by rising frequency; of a repeated pair the fore-aft mode comes
+    first. Because the place in the list changes where frequencies cross, take a mode by its name:
+    `solution.mode("fore-aft", 1)`.
+
+    >>> import towermodes as tm
+    >>> solution = tm.read("examples/nrel-5mw.toml").solve(modes=3)
+    >>> print(solution)
+    NREL 5 MW tower with RNA
+    <BLANKLINE>
+     mode  mode shape             frequency Hz     ± error  period s
+        1  1st side-side bending    0.31947040  0.00000043     3.130
+        2  1st fore-aft bending     0.32146321  0.00000043     3.111
+        3  1st torsion              1.56550943  0.00000067    0.6388
+    <BLANKLINE>
+    tower 347.374 t, RNA 350.000 t | rmje-exact, 100 segments | complete: exactly 3 modes below ...
+    effective modal mass of these modes: ...
+    """
+
+    __slots__ = ("_core", "_tower")
+
+    _core: _rust.Solution
+    _tower: Tower
+
+    @classmethod
+    def _of(cls, tower: Tower, core: _rust.Solution) -> Solution:
+        solution = cls.__new__(cls)
+        solution._core = core
+        solution._tower = tower
+        return solution
+
+    @property
+    def tower(self) -> Tower:
+        """The tower that was solved."""
+        return self._tower
+
+    @property
+    def frequency_hz(self) -> Array:
+        """Natural frequencies of the discretized tower, Hz: (modes,).
+
+        0 for a rigid-body motion that nothing resists.
+        """
+        array: Array = self._core.frequency_hz
+        return array
+
+    @property
+    def error_hz(self) -> Array:
+        """Total errors, discretization and eigenvalue computation together, Hz: (modes,)."""
+        array: Array = self._core.error_hz
+        return array
+
+    @property
+    def algebraic_error_hz(self) -> Array:
+        """Bounds on the errors of the eigenvalue computation, Hz: (modes,)."""
+        array: Array = self._core.algebraic_error_hz
+        return array
+
+    @property
+    def discretization_error_hz(self) -> Array:
+        """Estimates of the discretization errors, Hz: (modes,)."""
+        array: Array = self._core.discretization_error_hz
+        return array
+
+    @property
+    def extrapolated_hz(self) -> Array:
+        """Frequencies of the beam, extrapolated from several numbers of segments, Hz: (modes,)."""
+        array: Array = self._core.extrapolated_hz
+        return array
+
+    @property
+    def period_s(self) -> Array:
+        """Periods, s: (modes,); infinite for a motion that nothing resists."""
+        array: Array = self._core.period_s
+        return array
+
+    @property
+    def modal_mass(self) -> Array:
+        """Modal masses for the shapes as normalized: (modes,), kg; kg m² for torsion and yaw."""
+        array: Array = self._core.modal_mass
+        return array
+
+    @property
+    def effective_mass(self) -> Array:
+        """Effective modal masses in x, y, z, kg, and about x, y, z, kg m²: (modes, 6)."""
+        array: Array = self._core.effective_mass
+        return array
+
+    @property
+    def effective_mass_shares(self) -> Array:
+        """Sums of the effective masses of these modes as fractions of the whole: (6,)."""
+        array: Array = self._core.effective_mass_shares
+        return array
+
+    @property
+    def rigid_inertia(self) -> Array:
+        """Inertia of the whole tower against rigid motions about its base: (6, 6).
+
+        The motions are x, y, z and rotations about x, y, z; kg, kg m, kg m².
+        """
+        array: Array = self._core.rigid_inertia
+        return array
+
+    @property
+    def shape(self) -> Array:
+        """The mode shapes at `height_m`: (modes, heights, 6).
+
+        The last axis is translation x (fore-aft), y (side-side), z (up), rotation about x, y, z.
+        The largest translation is 1, for torsion the largest rotation; rotations are per metre.
+
+        >>> import towermodes as tm
+        >>> solution = tm.read("examples/nrel-5mw.toml").solve(modes=2, points=11)
+        >>> solution.shape.shape
+        (2, 11, 6)
+        """
+        array: Array = self._core.shape
+        return array
+
+    @property
+    def height_m(self) -> Array:
+        """The heights of `shape`, m: (heights,), from the base to the top."""
+        array: Array = self._core.height_m
+        return array
+
+    @property
+    def station_shape(self) -> Array:
+        """The mode shapes at `station_height_m`: (modes, stations, 6), like `shape`."""
+        array: Array = self._core.station_shape
+        return array
+
+    @property
+    def station_height_m(self) -> Array:
+        """The heights of the stations of the tower, m: (stations,)."""
+        array: Array = self._core.station_height_m
+        return array
+
+    @property
+    def shape_there(self) -> Array:
+        """The mode shapes at the argument `heights_m` of `Tower.solve`: (modes, heights, 6)."""
+        array: Array = self._core.shape_there
+        return array
+
+    @property
+    def names(self) -> list[tuple[str, int]]:
+        """Family and order of each mode: `("fore-aft", 1)`."""
+        return self._core.names
+
+    @property
+    def labels(self) -> list[str]:
+        """The names of the modes in words: "1st fore-aft bending"."""
+        return self._core.labels
+
+    @property
+    def method(self) -> str:
+        """The method."""
+        return self._core.method
+
+    @property
+    def segments(self) -> int:
+        """Number of segments or elements."""
+        return self._core.segments
+
+    @property
+    def degree(self) -> int | None:
+        """Polynomial degree of the elements of the method "spectral"; None for other methods."""
+        return self._core.degree
+
+    @property
+    def degrees_of_freedom(self) -> int:
+        """Degrees of freedom of the whole tower."""
+        return self._core.degrees_of_freedom
+
+    @property
+    def certified(self) -> bool:
+        """Whether the count of eigenvalues proves that no mode is missing.
+
+        A list that is not complete is an error, so this is True for every solution.
+        """
+        return self._core.certificate[0]
+
+    @property
+    def complete_below_hz(self) -> float:
+        """The frequency below which exactly these modes exist, Hz."""
+        return self._core.certificate[2]
+
+    @property
+    def buckling_load_factor(self) -> float | None:
+        """The factor on gravity at which the tower buckles; None without gravity or afloat."""
+        return self._core.buckling_load_factor
+
+    @property
+    def notes(self) -> list[str]:
+        """What the reader of the file assumed, left out or changed."""
+        return self._core.notes
+
+    @property
+    def warnings(self) -> list[str]:
+        """Possible mistakes of the input and limits of the results.
+
+        They are also in the table that `print` shows. They are no Python warnings, because a tower
+        that is solved a thousand times would give each a thousand times.
+        """
+        return self._core.warnings
+
+    @property
+    def modes(self) -> list[Mode]:
+        """The modes by rising frequency."""
+        return [Mode(self, index) for index in range(len(self))]
+
+    def mode(self, family: Family, order: int = 1) -> Mode:
+        """The mode of a family and an order in it, from 1.
+
+        Raises:
+            KeyError: The list has no such mode; more modes may have it.
+
+        >>> import towermodes as tm
+        >>> solution = tm.read("examples/nrel-5mw.toml").solve()
+        >>> solution.mode("torsion").label
+        '1st torsion'
+        """
+        names = self.names
+        if (family, order) in names:
+            return Mode(self, names.index((family, order)))
+        there = ", ".join(f"{family} {order}" for family, order in names)
+        message = f"no mode {family} {order} among the {len(names)} modes: {there}"
+        raise KeyError(message)
+
+    def to_json(self) -> str:
+        """All results as JSON, as the program writes it."""
+        return self._core.json()
+
+    def to_csv(self) -> str:
+        """One line per mode as CSV, as the program writes it."""
+        return self._core.csv()
+
+    def plot(self) -> Picture:
+        """The picture of the mode shapes beside the tower."""
+        return Picture(self._core.svg())
+
+    def __len__(self) -> int:
+        return len(self._core.names)
+
+    def __repr__(self) -> str:
+        warnings = "".join(f"warning: {warning}\n" for warning in self.warnings)
+        return (self._core.table() + warnings).rstrip("\n")
+
+    def _repr_html_(self) -> str:
+        return solution_html(self._core)
+
+
+class Mode:
+    """A mode of a solution.
+
+    >>> import towermodes as tm
+    >>> mode = tm.read("examples/nrel-5mw.toml").solve().mode("side-side", 1)
+    >>> mode
+    <Mode 1: 1st side-side bending, 0.31947 Hz>
+    >>> mode.error_hz < 1e-6
+    True
+    """
+
+    __slots__ = ("_index", "_solution")
+
+    def __init__(self, solution: Solution, index: int) -> None:
+        self._solution = solution
+        self._index = index
+
+    @property
+    def number(self) -> int:
+        """Place in the list, from 1."""
+        return self._index + 1
+
+    @property
+    def family(self) -> str:
+        """The kind of motion: "fore-aft", "side-side", "torsion", "axial", "coupled"."""
+        return self._solution.names[self._index][0]
+
+    @property
+    def order(self) -> int:
+        """Order within the family, from 1."""
+        return self._solution.names[self._index][1]
+
+    @property
+    def label(self) -> str:
+        """The name in words: "1st fore-aft bending"."""
+        return self._solution.labels[self._index]
+
+    @property
+    def frequency_hz(self) -> float:
+        """Natural frequency of the discretized tower, Hz."""
+        return float(self._solution.frequency_hz[self._index])
+
+    @property
+    def error_hz(self) -> float:
+        """Total error, Hz."""
+        return float(self._solution.error_hz[self._index])
+
+    @property
+    def extrapolated_hz(self) -> float:
+        """Frequency of the beam, extrapolated from several numbers of segments, Hz."""
+        return float(self._solution.extrapolated_hz[self._index])
+
+    @property
+    def period_s(self) -> float:
+        """Period, s; infinite for a motion that nothing resists."""
+        return float(self._solution.period_s[self._index])
+
+    @property
+    def modal_mass(self) -> float:
+        """Modal mass for the shape as normalized, kg; kg m² for torsion and yaw."""
+        return float(self._solution.modal_mass[self._index])
+
+    @property
+    def effective_mass(self) -> Array:
+        """Effective modal masses in x, y, z, kg, and about x, y, z, kg m²: (6,)."""
+        array: Array = self._solution.effective_mass[self._index]
+        return array
+
+    @property
+    def shape(self) -> Array:
+        """The shape at `Solution.height_m`: (heights, 6), as `Solution.shape`."""
+        array: Array = self._solution.shape[self._index]
+        return array
+
+    def __repr__(self) -> str:
+        return f"<Mode {self.number}: {self.label}, {self.frequency_hz:.5g} Hz>"

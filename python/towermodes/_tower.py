@@ -1,0 +1,462 @@
+"""Towers."""
+
+from __future__ import annotations
+
+from towermodes import _towermodes as _rust
+from towermodes._checks import whole, whole_or_none
+from towermodes._convert import Converted
+from towermodes._picture import Picture
+from towermodes._solution import Solution
+from towermodes._study import Agreement, Comparison, Examination
+from towermodes._campbell import Campbell
+from towermodes._toml import tower_file
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Iterable, Mapping, Sequence
+    from typing import Any, Literal, SupportsIndex
+
+    import numpy as np
+    from numpy.typing import ArrayLike, NDArray
+
+    Method = Literal[
+        "rmje-exact", "rmje", "cardanic-exact", "cardanic", "lumped", "bmodes", "spectral"
+    ]
+    Format = Literal["toml", "bmodes", "elastodyn", "windio"]
+    Table = Mapping[str, Any]
+
+
+class Tower:
+    """A tower. It never changes; `with_` makes another one.
+
+    The arguments are the tables of the tower file and the keys of its table [tower], with the same
+    keys and units (m, kg, N, Pa).
+
+    Args:
+        stations: Rows of height, outer diameter and wall thickness, m, from the base to the top,
+            and the name of the material if there are several.
+        properties: Instead of stations: lists of properties per length.
+        material: `density`, `youngs_modulus`, and `shear_modulus` or `poissons_ratio`.
+        materials: Several materials by their names.
+        rna: The rotor-nacelle assembly: `mass`, and `center` and `inertia`; or a number, the mass.
+        name: The name of the tower.
+        outfitting_factor: Multiplies the density, for paint, bolts, flanges.
+        shear: Shear deformation: True, or a shear coefficient.
+        point_mass: Masses: dicts with `height`, `mass`, and `inertia`.
+        foundation: `type` and its keys.
+        soil: Layers of soil: dicts with `rows`.
+        added_mass: Tables of added mass: dicts with `rows`.
+        water: `level`, and `bed`, `density` and others.
+        wires: Sets of guy wires: dicts.
+        gravity: `acceleration`; or a number, the acceleration in m/s².
+        rotor: `blades` and `rpm`.
+
+    Raises:
+        TowerError: The numbers describe no valid tower.
+
+    >>> import towermodes as tm
+    >>> tower = tm.Tower(
+    ...     stations=[[0.0, 6.0, 0.027], [87.6, 3.87, 0.019]],
+    ...     material={"density": 8500.0, "youngs_modulus": 2.1e11, "shear_modulus": 8.08e10},
+    ...     rna={"mass": 350e3},
+    ... )
+    >>> round(tower.solve().mode("fore-aft", 1).frequency_hz, 5)
+    0.30021
+    """
+
+    __slots__ = ("_core",)
+
+    _core: _rust.Tower
+
+    def __init__(
+        self,
+        *,
+        stations: ArrayLike | Sequence[Sequence[object]] | None = None,
+        properties: Table | None = None,
+        material: Table | None = None,
+        materials: Mapping[str, Table] | None = None,
+        rna: Table | float | None = None,
+        name: str | None = None,
+        outfitting_factor: float | None = None,
+        shear: bool | float | None = None,
+        point_mass: Sequence[Table] | None = None,
+        foundation: Table | None = None,
+        soil: Sequence[Table] | None = None,
+        added_mass: Sequence[Table] | None = None,
+        water: Table | None = None,
+        wires: Sequence[Table] | None = None,
+        gravity: Table | float | None = None,
+        rotor: Table | None = None,
+    ) -> None:
+        tower = {
+            "stations": stations,
+            "properties": properties,
+            "outfitting_factor": outfitting_factor,
+            "shear": shear,
+        }
+        text = tower_file(
+            {
+                "name": name,
+                "material": material,
+                "materials": materials,
+                "tower": {key: value for key, value in tower.items() if value is not None},
+                "rna": {"mass": rna} if isinstance(rna, (int, float)) else rna,
+                "rotor": rotor,
+                "point_mass": point_mass,
+                "foundation": foundation,
+                "soil": soil,
+                "added_mass": added_mass,
+                "water": water,
+                "wires": wires,
+                "gravity": {"acceleration": gravity}
+                if isinstance(gravity, (int, float))
+                else gravity,
+            }
+        )
+        self._core = _rust.read_text(text, "<description>")
+
+    @classmethod
+    def _of(cls, core: _rust.Tower) -> Tower:
+        tower = cls.__new__(cls)
+        tower._core = core
+        return tower
+
+    @classmethod
+    def from_toml(cls, text: str) -> Tower:
+        """The tower of the text of a tower file.
+
+        Raises:
+            TowerError: The text has mistakes; the exception has their lines and columns.
+
+        >>> import towermodes as tm
+        >>> tower = tm.read("examples/nrel-5mw.toml")
+        >>> tm.Tower.from_toml(tower.to_toml()) == tower
+        True
+        """
+        return cls._of(_rust.read_text(text, "<string>.toml"))
+
+    @property
+    def name(self) -> str:
+        """The name; may be empty."""
+        return self._core.name
+
+    @property
+    def height_m(self) -> float:
+        """Base to top, m."""
+        return self._core.height_m
+
+    @property
+    def base_m(self) -> float:
+        """Height of the base, m, in the datum of the stations."""
+        return self._core.base_m
+
+    @property
+    def top_m(self) -> float:
+        """Height of the top, m, in the datum of the stations."""
+        return self._core.top_m
+
+    @property
+    def mass_kg(self) -> float:
+        """Mass with outfitting and point masses, without the rotor-nacelle assembly, kg."""
+        return self._core.mass_kg
+
+    @property
+    def rna_mass_kg(self) -> float:
+        """Mass of the rotor-nacelle assembly, kg; 0 if there is none."""
+        return self._core.rna_mass_kg
+
+    @property
+    def gravity_m_per_s2(self) -> float:
+        """Acceleration of gravity, m/s²; 0 if gravity is left out."""
+        return self._core.gravity_m_per_s2
+
+    @property
+    def stations(self) -> NDArray[np.float64]:
+        """Height, outer diameter and wall thickness of the stations, m: (stations, 3)."""
+        stations: NDArray[np.float64] = self._core.stations
+        return stations
+
+    @property
+    def format(self) -> str:
+        """The format of its file: "TOML", "BModes", "windIO"."""
+        return self._core.format
+
+    @property
+    def files(self) -> list[str]:
+        """The files it was read from, the main one first."""
+        return self._core.files
+
+    @property
+    def notes(self) -> list[str]:
+        """What the reader of the file assumed, left out or changed."""
+        return self._core.notes
+
+    @property
+    def warnings(self) -> list[str]:
+        """Input that is possible but probably a mistake, with file and line if they are known."""
+        return self._core.warnings
+
+    @property
+    def parameters(self) -> dict[str, float]:
+        """The numbers of the tower by the names that they have in the tower file.
+
+        Indices count from 0. `with_` and `sweep` take these names.
+
+        >>> import towermodes as tm
+        >>> tower = tm.read("examples/nrel-5mw.toml")
+        >>> tower.parameters["rna.mass"]
+        350000.0
+        """
+        return {name: value for name, value, _, _ in self._core.parameters()}
+
+    @property
+    def parameter_units(self) -> dict[str, str]:
+        """The units of `parameters`; empty for a number without a unit."""
+        return {name: unit for name, _, unit, _ in self._core.parameters()}
+
+    @property
+    def parameter_meanings(self) -> dict[str, str]:
+        """What each of `parameters` is, in a few words."""
+        return {name: meaning for name, _, _, meaning in self._core.parameters()}
+
+    def with_(self, changes: Mapping[str, float]) -> Tower:
+        """This tower with other numbers.
+
+        Args:
+            changes: Names and values. `rna.mass` sets a number, `stations[*].wall` sets each of
+                them, `scale(stations[*].wall)` multiplies, `add(stations[1].height)` adds.
+
+        Raises:
+            ValueError: There is no such number, or two changes contradict each other.
+            TowerError: The result is no valid tower.
+
+        >>> import towermodes as tm
+        >>> tower = tm.read("examples/nrel-5mw.toml")
+        >>> other = tower.with_({"rna.mass": 360e3, "scale(stations[*].wall)": 2.0})
+        >>> other.stations[:, 2]
+        array([0.0702, 0.0494])
+        """
+        pairs = [(name, float(value)) for name, value in changes.items()]
+        return Tower._of(self._core.changed(pairs))
+
+    def to_toml(self) -> str:
+        """The tower as the text of a tower file, which is read back number by number."""
+        return self.convert("toml").text
+
+    def solve(
+        self,
+        modes: SupportsIndex | None = None,
+        *,
+        method: Method | None = None,
+        segments: SupportsIndex | None = None,
+        degree: SupportsIndex | None = None,
+        points: SupportsIndex = 101,
+        heights_m: Iterable[float] = (),
+        rotary_inertia: bool = True,
+        hinge_position: float | None = None,
+        limits: bool = True,
+    ) -> Solution:
+        """Computes the lowest natural frequencies and mode shapes.
+
+        Other Python threads run meanwhile.
+
+        Args:
+            modes: Number of modes; by default 8, or the number in a BModes deck.
+            method: The method; by default "rmje-exact", or "bmodes" for a BModes deck.
+            segments: Number of segments or elements; by default about 100.
+            degree: Polynomial degree of the elements of the method "spectral"; by default it is
+                raised until the frequencies converge.
+            points: Number of equally spaced heights of the mode shapes.
+            heights_m: Other heights at which the shapes are wanted: `Solution.shape_there`.
+            rotary_inertia: Whether sections have rotary inertia in bending.
+            hinge_position: Position of the hinges of the method "cardanic", as a fraction of the
+                segment from each end.
+            limits: Whether a computation that would need more than 4 GiB or ten minutes is refused.
+
+        Raises:
+            SolveError: The tower buckles, is unstable or cannot be solved.
+            OptionError: The options are impossible for this tower.
+            ValueError: An option is unknown or does not apply to the method.
+
+        >>> import towermodes as tm
+        >>> tm.read("examples/nrel-5mw.toml").solve(modes=2).frequency_hz
+        array([0.319..., 0.321...])
+        """
+        options = _solve_options(
+            modes, method, segments, degree, points, heights_m, rotary_inertia
+        )
+        options["hinge_position"] = hinge_position
+        options["limits"] = limits
+        return Solution._of(self, self._core.solve(options))
+
+    def campbell(
+        self,
+        *,
+        rpm: tuple[float, float] | float | None = None,
+        blades: SupportsIndex | None = None,
+        multiples: Sequence[SupportsIndex] = (),
+        margin: float = 0.05,
+        modes: SupportsIndex | None = None,
+        method: Method | None = None,
+        segments: SupportsIndex | None = None,
+    ) -> Campbell:
+        """Checks the distances of the natural frequencies from the excitations of the rotor.
+
+        Args:
+            rpm: Lowest and highest operating speed, rpm, or one constant speed; by default those
+                of the file.
+            blades: Number of blades; by default that of the file, otherwise 3.
+            multiples: Multiples of the rotor speed; by default 1, B, 2B, 3B with B blades.
+            margin: Required distance as a fraction of the natural frequency.
+            modes: Number of modes; by default 8, or up to 40 if the excitations need more.
+            method: As in `solve`.
+            segments: As in `solve`.
+
+        Raises:
+            ValueError: The rotor speed is not known, or an option is impossible.
+
+        >>> import towermodes as tm
+        >>> tm.read("examples/nrel-5mw.toml").campbell().verdict
+        'warn'
+        """
+        speeds = (rpm, rpm) if isinstance(rpm, (int, float)) else rpm
+        rotor: dict[str, object] = {
+            "rpm": speeds,
+            "blades": whole_or_none("blades", blades, 1),
+            "multiples": [whole("a multiple", multiple, 1) for multiple in multiples],
+            "margin": margin,
+        }
+        options = _solve_options(modes, method, segments, None, 2, (), True)
+        return Campbell._of(_rust.Campbell(self._core, rotor, options))
+
+    def compare(
+        self,
+        methods: Sequence[Method] = (),
+        *,
+        segments: SupportsIndex | Sequence[SupportsIndex] = 60,
+        modes: SupportsIndex = 8,
+        rotary_inertia: bool = True,
+    ) -> Comparison:
+        """Compares methods: frequencies, differences from the reference solution, time of a solve.
+
+        Args:
+            methods: The methods; by default all.
+            segments: One or several numbers of segments.
+            modes: Number of modes.
+            rotary_inertia: Whether sections have rotary inertia in bending.
+
+        >>> import towermodes as tm
+        >>> comparison = tm.read("examples/nrel-5mw.toml").compare(["rmje", "bmodes"], modes=2)
+        >>> comparison.frequency_hz.shape
+        (2, 2)
+        """
+        several = [segments] if hasattr(segments, "__index__") else segments
+        numbers = [whole("segments", number, 1) for number in several] or [60]
+        count = whole("modes", modes, 1)
+        core = _rust.Comparison(self._core, list(methods), numbers, count, rotary_inertia)
+        return Comparison._of(core)
+
+    def check(self, other: Tower) -> Agreement:
+        """Compares this tower with another description of the same tower.
+
+        Masses, stiffnesses and frequencies are compared, in total and along the height.
+
+        Raises:
+            TowerError: The towers have no heights in common.
+
+        >>> import towermodes as tm
+        >>> tower = tm.read("examples/nrel-5mw.toml")
+        >>> tower.check(tm.read("examples/nrel-5mw.yaml")).verdict
+        'pass'
+        """
+        return Agreement._of(_rust.Agreement(self._core, other._core))
+
+    def examine(self) -> Examination:
+        """Masses, stiffnesses and centre of mass, in total and along the height.
+
+        >>> import towermodes as tm
+        >>> tm.read("examples/nrel-5mw.toml").examine().data["mass_kg"]
+        347374...
+        """
+        return Examination._of(_rust.Examination(self._core))
+
+    def convert(
+        self,
+        format: Format,
+        *,
+        sections_file: str | None = None,
+        from_height_m: float | None = None,
+    ) -> Converted:
+        """The tower in another format.
+
+        Args:
+            format: "toml", "bmodes", "elastodyn" (a tower file) or "windio".
+            sections_file: The name of the second file of a BModes deck.
+            from_height_m: Height at which the flexible tower of ElastoDyn begins, m.
+
+        Raises:
+            TowerError: The format cannot store this tower.
+
+        >>> import towermodes as tm
+        >>> converted = tm.read("examples/nrel-5mw.toml").convert("elastodyn")
+        >>> print(converted.text[:40])
+        ------- ELASTODYN V1.00.* TOWER INPUT FI
+        """
+        if format == "bmodes" and sections_file is None:
+            sections_file = "sections.dat"
+        return Converted._of(
+            _rust.Converted(self._core, format, sections_file, from_height_m)
+        )
+
+    def plot(self) -> Picture:
+        """The picture of the tower with its surroundings."""
+        return Picture(self._core.svg())
+
+    def __eq__(self, other: object) -> bool:
+        """Whether both have the same numbers, names and options for their solution."""
+        if not isinstance(other, Tower):
+            return NotImplemented
+        return self._core.is_equal(other._core)
+
+    def __hash__(self) -> int:
+        return hash((self.name, self.height_m, self.mass_kg, self.rna_mass_kg))
+
+    def __reduce__(self) -> tuple[object, ...]:
+        return (_restored, (self._core.state(),))
+
+    def __repr__(self) -> str:
+        name = f"{self.name!r}: " if self.name else ""
+        rna = f"{self.rna_mass_kg / 1e3:.3f} t" if self.rna_mass_kg else "none"
+        return (
+            f"<Tower {name}{self.base_m:g} m to {self.top_m:g} m, "
+            f"{self.mass_kg / 1e3:.3f} t, RNA {rna}>"
+        )
+
+    def _repr_svg_(self) -> str:
+        return self._core.svg()
+
+
+def _restored(state: tuple[object, ...]) -> Tower:
+    return Tower._of(_rust.Tower.restore(state))
+
+
+def _solve_options(
+    modes: SupportsIndex | None,
+    method: str | None,
+    segments: SupportsIndex | None,
+    degree: SupportsIndex | None,
+    points: SupportsIndex,
+    heights_m: Iterable[float],
+    rotary_inertia: bool,
+) -> dict[str, object]:
+    return {
+        "modes": whole_or_none("modes", modes, 1),
+        "method": method,
+        "segments": whole_or_none("segments", segments, 1),
+        "degree": whole_or_none("degree", degree, 2),
+        "points": whole("points", points, 2),
+        "heights_m": [float(height) for height in heights_m],
+        "rotary_inertia": rotary_inertia,
+        "hinge_position": None,
+        "limits": True,
+    }

@@ -1,0 +1,435 @@
+# Made by python/stubs.sh; do not edit.
+"""
+The classes and functions of the package.
+"""
+
+from _typeshed import Incomplete, SupportsGetItem
+from typing import Final, SupportsFloat, SupportsIndex, final
+
+__all__ = ["VERSION", "Agreement", "Campbell", "Comparison", "Converted", "Examination", "Solution", "Tower", "columns_of_stream", "read", "read_text", "run", "stream_of_results"]
+
+VERSION: Final[str]
+"""
+The version of the package.
+"""
+
+@final
+class Agreement:
+    """
+    The comparison of two descriptions.
+    """
+    def __new__(cls, /, first: Tower, second: Tower) -> Agreement:
+        """
+        Compares the second tower with the first.
+        """
+    def json(self, /) -> str:
+        """
+        The JSON of the program.
+        """
+    @property
+    def notes(self, /) -> list[str]:
+        """
+        The notes of both readers, and what is left out of the comparison.
+        """
+    def table(self, /) -> str:
+        """
+        The table of the program.
+        """
+    @property
+    def verdict(self, /) -> str:
+        """
+        The worst verdict: `pass`, `warn` or `fail`.
+        """
+
+@final
+class Campbell:
+    """
+    A Campbell diagram.
+    """
+    def __new__(cls, /, tower: Tower, rotor: "dict[str, object]", options: "dict[str, object]") -> Campbell:
+        """
+        The diagram of a tower.
+        """
+    @property
+    def conclusion(self, /) -> list[str]:
+        """
+        The conclusion in sentences.
+        """
+    def csv(self, /) -> str:
+        """
+        The CSV of the program.
+        """
+    def json(self, /) -> str:
+        """
+        The JSON of the program.
+        """
+    @property
+    def notes(self, /) -> list[str]:
+        """
+        The notes of the reader, and those on the rotor.
+        """
+    def svg(self, /) -> str:
+        """
+        The diagram as SVG.
+        """
+    def table(self, /) -> str:
+        """
+        The table of the program.
+        """
+    @property
+    def verdict(self, /) -> str:
+        """
+        The worst verdict: `pass`, `warn` or `fail`.
+        """
+    @property
+    def warnings(self, /) -> list[str]:
+        """
+        Possible mistakes of the input, and limits of the results.
+        """
+
+@final
+class Comparison:
+    """
+    Several methods compared on one tower.
+    """
+    def __new__(cls, /, tower: Tower, methods: SupportsGetItem[int, str], segments: SupportsGetItem[int, SupportsIndex], modes: SupportsIndex, rotary_inertia: bool) -> Comparison:
+        """
+        Solves a tower by each method with each number of segments (at least one).
+        """
+    def csv(self, /) -> str:
+        """
+        The CSV of the program.
+        """
+    def json(self, /) -> str:
+        """
+        The JSON of the program.
+        """
+    def svg(self, /) -> str:
+        """
+        The errors of the methods as SVG.
+        """
+    def table(self, /) -> str:
+        """
+        The table of the program.
+        """
+    @property
+    def warnings(self, /) -> list[str]:
+        """
+        The warnings of the reference solution, and of methods that lack modes.
+        """
+
+@final
+class Converted:
+    """
+    The files of a tower in another format.
+    """
+    def __new__(cls, /, tower: Tower, format: str, sections_file: str | None, from_height_m: SupportsFloat | SupportsIndex | None) -> Converted:
+        """
+        Writes a tower in a format.
+        """
+    @property
+    def companion(self, /) -> tuple[str, str] | None:
+        """
+        Name and text of the second file of a BModes deck.
+        """
+    @property
+    def notes(self, /) -> list[str]:
+        """
+        The notes of the reader, and on data that the format cannot store.
+        """
+    @property
+    def text(self, /) -> str:
+        """
+        The text of the file.
+        """
+
+@final
+class Examination:
+    """
+    The values of one description.
+    """
+    def __new__(cls, /, tower: Tower) -> Examination:
+        """
+        Summarises a tower.
+        """
+    def json(self, /) -> str:
+        """
+        The JSON of the program.
+        """
+    def table(self, /) -> str:
+        """
+        The table of the program.
+        """
+
+@final
+class Solution:
+    """
+    The lowest modes of a tower.
+    """
+    @property
+    def algebraic_error_hz(self, /) -> Incomplete:
+        """
+        Bounds on the errors of the eigenvalue computation, Hz.
+        """
+    @property
+    def buckling_load_factor(self, /) -> float | None:
+        """
+        The factor on gravity at which the tower buckles.
+        """
+    def cells(self, /) -> tuple[list[str], list[list[str]], str]:
+        """
+        The header and the cells of that table, and the lines below it.
+        """
+    @property
+    def certificate(self, /) -> tuple[bool, int, float]:
+        """
+        Whether no mode is missing, the number of modes counted, and up to which frequency, Hz.
+        """
+    def csv(self, /) -> str:
+        """
+        The CSV of the program.
+        """
+    @property
+    def degree(self, /) -> int | None:
+        """
+        Polynomial degree of spectral elements.
+        """
+    @property
+    def degrees_of_freedom(self, /) -> int:
+        """
+        Degrees of freedom of the whole tower.
+        """
+    @property
+    def discretization_error_hz(self, /) -> Incomplete:
+        """
+        Estimates of the discretization errors, Hz.
+        """
+    @property
+    def effective_mass(self, /) -> Incomplete:
+        """
+        Effective modal masses: (modes, 6).
+        """
+    @property
+    def effective_mass_shares(self, /) -> Incomplete:
+        """
+        Sums of the effective masses as fractions of the whole: (6).
+        """
+    @property
+    def error_hz(self, /) -> Incomplete:
+        """
+        Total errors, Hz.
+        """
+    @property
+    def extrapolated_hz(self, /) -> Incomplete:
+        """
+        Frequencies of the beam, extrapolated from several meshes, Hz.
+        """
+    @property
+    def frequency_hz(self, /) -> Incomplete:
+        """
+        Natural frequencies of the discretized tower, Hz.
+        """
+    @property
+    def height_m(self, /) -> Incomplete:
+        """
+        The heights of `shape`, m.
+        """
+    def json(self, /) -> str:
+        """
+        The JSON of the program.
+        """
+    @property
+    def labels(self, /) -> list[str]:
+        """
+        The names of the modes in words.
+        """
+    @property
+    def method(self, /) -> str:
+        """
+        The method.
+        """
+    @property
+    def modal_mass(self, /) -> Incomplete:
+        """
+        Modal masses, kg; kg m² for torsion and yaw.
+        """
+    @property
+    def names(self, /) -> list[tuple[str, int]]:
+        """
+        Family and order of each mode.
+        """
+    @property
+    def notes(self, /) -> list[str]:
+        """
+        The notes of the reader.
+        """
+    @property
+    def period_s(self, /) -> Incomplete:
+        """
+        Periods, s; infinite for a motion that nothing resists.
+        """
+    @property
+    def rigid_inertia(self, /) -> Incomplete:
+        """
+        Inertia of the whole tower against rigid motions about its base: (6, 6).
+        """
+    @property
+    def segments(self, /) -> int:
+        """
+        Number of segments or elements.
+        """
+    @property
+    def shape(self, /) -> Incomplete:
+        """
+        The shapes at equal heights: (modes, heights, 6).
+        """
+    @property
+    def shape_there(self, /) -> Incomplete:
+        """
+        The shapes at the heights asked for: (modes, heights, 6).
+        """
+    @property
+    def station_height_m(self, /) -> Incomplete:
+        """
+        The heights of `station_shape`, m.
+        """
+    @property
+    def station_shape(self, /) -> Incomplete:
+        """
+        The shapes at the stations: (modes, stations, 6).
+        """
+    def svg(self, /) -> str:
+        """
+        The picture of the mode shapes as SVG.
+        """
+    def table(self, /) -> str:
+        """
+        The table of the program.
+        """
+    @property
+    def warnings(self, /) -> list[str]:
+        """
+        Possible mistakes of the input, and limits of the results.
+        """
+
+@final
+class Tower:
+    """
+    A tower.
+    """
+    @property
+    def base_m(self, /) -> float:
+        """
+        The height of the base, m.
+        """
+    def changed(self, /, changes: SupportsGetItem[int, tuple[str, SupportsFloat | SupportsIndex]]) -> Tower:
+        """
+        The tower with other numbers: names of changes and their values.
+        """
+    @property
+    def files(self, /) -> list[str]:
+        """
+        The files it was read from.
+        """
+    @property
+    def format(self, /) -> str:
+        """
+        The format of its file.
+        """
+    @property
+    def gravity_m_per_s2(self, /) -> float:
+        """
+        Acceleration of gravity, m/s².
+        """
+    @property
+    def height_m(self, /) -> float:
+        """
+        Base to top, m.
+        """
+    def is_equal(self, /, other: Tower) -> bool:
+        """
+        Whether both have the same description and prescribe the same for their solution.
+        """
+    @property
+    def mass_kg(self, /) -> float:
+        """
+        Mass without the rotor-nacelle assembly, kg.
+        """
+    @property
+    def name(self, /) -> str:
+        """
+        Its name; may be empty.
+        """
+    @property
+    def notes(self, /) -> list[str]:
+        """
+        The notes of the reader.
+        """
+    def parameters(self, /) -> list[tuple[str, float, str, str]]:
+        """
+        Name, value, unit and meaning of each number.
+        """
+    @staticmethod
+    def restore(state: "tuple[object, ...]") -> Tower:
+        """
+        The tower with this state.
+        """
+    @property
+    def rna_mass_kg(self, /) -> float:
+        """
+        Mass of the rotor-nacelle assembly, kg.
+        """
+    def solve(self, /, options: "dict[str, object]") -> Solution:
+        """
+        The lowest modes.
+        """
+    def state(self, /) -> "tuple[object, ...]":
+        """
+        All that [`restore`](Self::restore) needs.
+        """
+    @property
+    def stations(self, /) -> Incomplete:
+        """
+        Height, outer diameter and wall thickness of the stations, m.
+        """
+    def svg(self, /) -> str:
+        """
+        The picture of the tower as SVG.
+        """
+    @property
+    def top_m(self, /) -> float:
+        """
+        The height of the top, m.
+        """
+    @property
+    def warnings(self, /) -> list[str]:
+        """
+        Input that is possible but probably a mistake.
+        """
+
+def columns_of_stream(capsule: "object") -> "list[tuple[str, Incomplete]]":
+    """
+    The columns of a table as numbers; a missing value is NaN.
+    """
+
+def read(path: "str", options: "dict[str, object]") -> Tower:
+    """
+    The tower of a file.
+    """
+
+def read_text(text: str, name: str) -> Tower:
+    """
+    The tower of a text in any format; `name` stands for the name of the file.
+    """
+
+def run(words: "list[str]") -> "int":
+    """
+    Runs the program with the words of a command line, its own name first; returns its exit code.
+    """
+
+def stream_of_results(inputs: "list[tuple[str, Incomplete]]", modes: "list[str]", mass_kg: "object", certified: "object", frequency_hz: "object", error_hz: "object", failures: "list[tuple[int, str]]") -> "object":
+    """
+    A table of results as a stream: the number of each row, the inputs, the mass, whether it is
+    certified, frequency and error of each mode, and why a row failed. A number that is NaN is
+    missing.
+    """
