@@ -22,6 +22,7 @@ from towermodes._picture import Picture
 from towermodes._read import read
 from towermodes._solution import Mode, Solution
 from towermodes._study import Agreement, Comparison, Examination
+from towermodes._sweep import SweepResult
 from towermodes._tower import Tower
 from towermodes._towermodes import VERSION as __version__
 
@@ -37,6 +38,7 @@ __all__ = [
     "Picture",
     "Solution",
     "SolveError",
+    "SweepResult",
     "Tower",
     "TowerError",
     "__version__",

@@ -9,6 +9,7 @@ from towermodes._picture import Picture
 from towermodes._solution import Solution
 from towermodes._study import Agreement, Comparison, Examination
 from towermodes._campbell import Campbell
+from towermodes._sweep import SweepResult, swept
 from towermodes._toml import tower_file
 
 TYPE_CHECKING = False
@@ -18,6 +19,8 @@ if TYPE_CHECKING:
 
     import numpy as np
     from numpy.typing import ArrayLike, NDArray
+
+    from towermodes._sweep import Table as Sweepable
 
     Method = Literal[
         "rmje-exact", "rmje", "cardanic-exact", "cardanic", "lumped", "bmodes", "spectral"
@@ -288,6 +291,49 @@ class Tower:
         options["hinge_position"] = hinge_position
         options["limits"] = limits
         return Solution._of(self, self._core.solve(options))
+
+    def sweep(
+        self,
+        table: Sweepable,
+        *,
+        modes: SupportsIndex | Sequence[tuple[str, int] | str] | None = None,
+        segments: SupportsIndex | None = None,
+        method: Method | None = None,
+        rotary_inertia: bool = True,
+        threads: SupportsIndex | None = None,
+    ) -> SweepResult:
+        """Solves this tower with the numbers of each row of a table in place of its own.
+
+        Other Python threads run meanwhile, and Ctrl-C ends it. A row that is no valid tower or
+        cannot be solved is no exception: its numbers are NaN, and its sentence is in `failures`.
+
+        Args:
+            table: A dict of arrays and numbers, a DataFrame of pandas or polars, or another table
+                with the Arrow interface. The names of the columns are those of `with_`:
+                `rna.mass` sets a number, `scale(stations[*].wall)` multiplies.
+            modes: Number of modes of this tower whose names are columns, 4 by default, or their
+                names: `[("fore-aft", 1), "torsion 1"]`.
+            segments: Number of segments, 20 by default. The frequencies are extrapolated from
+                several meshes and have five to seven correct digits.
+            method: As in `solve`.
+            rotary_inertia: As in `solve`.
+            threads: Number of threads; by default all processors. The results do not depend on
+                it. With 1, the calling thread does the work.
+
+        Raises:
+            ValueError: A column is no number of this tower, or the columns have different lengths.
+            TypeError: A column does not hold numbers.
+            SolveError: This tower itself cannot be solved.
+
+        >>> import towermodes as tm
+        >>> tower = tm.read("examples/nrel-5mw.toml")
+        >>> result = tower.sweep({"rna.mass": [340e3, 350e3], "scale(stations[*].wall)": 1.1})
+        >>> result.frequency_hz.shape
+        (2, 4)
+        >>> bool(result.mode("fore-aft", 1)[0] > result.mode("fore-aft", 1)[1])
+        True
+        """
+        return swept(self, table, modes, segments, method, rotary_inertia, threads)
 
     def campbell(
         self,

@@ -6,7 +6,7 @@ The classes and functions of the package.
 from _typeshed import Incomplete, SupportsGetItem
 from typing import Final, SupportsFloat, SupportsIndex, final
 
-__all__ = ["VERSION", "Agreement", "Campbell", "Comparison", "Converted", "Examination", "Solution", "Tower", "columns_of_stream", "read", "read_text", "run", "stream_of_results"]
+__all__ = ["VERSION", "Agreement", "Campbell", "Comparison", "Converted", "Examination", "Solution", "Tower", "columns_of_stream", "read", "read_text", "run", "stream_of_results", "sweep"]
 
 VERSION: Final[str]
 """
@@ -432,4 +432,9 @@ def stream_of_results(inputs: "list[tuple[str, Incomplete]]", modes: "list[str]"
     A table of results as a stream: the number of each row, the inputs, the mass, whether it is
     certified, frequency and error of each mode, and why a row failed. A number that is NaN is
     missing.
+    """
+
+def sweep(tower: Tower, columns: "list[tuple[str, Incomplete]]", options: "dict[str, object]") -> tuple[list[tuple[str, int, str]], Incomplete, Incomplete, Incomplete, Incomplete, list[tuple[int, str]]]:
+    """
+    Solves the tower with the numbers of each row in place of its own.
     """

@@ -16,6 +16,7 @@ mod pickle;
 mod program;
 mod reading;
 mod solution;
+mod sweep;
 mod tower;
 
 /// The classes and functions of the package.
@@ -37,6 +38,8 @@ mod _towermodes {
     use crate::reading::{read, read_text};
     #[pymodule_export]
     use crate::solution::Solution;
+    #[pymodule_export]
+    use crate::sweep::sweep;
     #[pymodule_export]
     use crate::tower::Tower;
 

@@ -1,0 +1,142 @@
+//! Many towers solved at once.
+
+use std::num::NonZero;
+use std::ops::ControlFlow;
+use std::thread::available_parallelism;
+
+use numpy::{PyArray1, PyArray2, PyArrayMethods, PyReadonlyArray1};
+use pyo3::exceptions::PyMemoryError;
+use pyo3::prelude::*;
+use towermodes::{Change, ModeName};
+use towermodes_files::{SweepModes, SweepResults};
+use towermodes_sweep::{Base, Columns, Results, RunError, Sweep, SweepError, run};
+
+use crate::error::{of_solve, of_tower, usage};
+use crate::options::method_named;
+use crate::tower::Tower;
+
+/// How the towers are solved, and the modes that have columns.
+#[derive(FromPyObject)]
+#[pyo3(from_item_all)]
+pub struct SweepOptions {
+    modes: Option<usize>,
+    names: Vec<String>,
+    segments: Option<usize>,
+    method: Option<String>,
+    rotary_inertia: bool,
+    threads: Option<usize>,
+}
+
+/// Family, order and column name of each mode.
+type Names = Vec<(&'static str, usize, String)>;
+
+/// Modes, frequencies and errors (rows, modes), masses, certified, failures.
+type Solved<'py> = (
+    Names,
+    Bound<'py, PyArray2<f64>>,
+    Bound<'py, PyArray2<f64>>,
+    Bound<'py, PyArray1<f64>>,
+    Bound<'py, PyArray1<bool>>,
+    Vec<(u64, String)>,
+);
+
+/// Solves the tower with the numbers of each row in place of its own.
+#[pyfunction]
+#[pyo3(signature = (tower, columns: "list[tuple[str, Incomplete]]", options: "dict[str, object]"))]
+pub fn sweep<'py>(
+    py: Python<'py>,
+    tower: &Tower,
+    columns: Vec<(String, PyReadonlyArray1<'py, f64>)>,
+    options: SweepOptions,
+) -> PyResult<Solved<'py>> {
+    let input = &tower.model.input;
+    let names = columns.iter().map(|(name, _)| name.as_str());
+    let changes = Change::parse_all(names, &input.description);
+    let changes = changes.map_err(|error| usage(error.to_string()))?;
+    // Copies, because another thread of Python may change an array meanwhile.
+    let numbers: Vec<Vec<f64>> = columns
+        .iter()
+        .map(|(_, column)| column.as_array().iter().copied().collect())
+        .collect();
+    let columns = Columns::new(numbers.iter().map(Vec::as_slice).collect());
+    let columns = columns.map_err(|error| usage(error.to_string()))?;
+    let (results, threads) = (options.results()?, options.threads());
+    let solved = py.detach(|| {
+        let sweep = Sweep::new(Base::from(input), changes, &results).map_err(refused)?;
+        solve(&sweep, &columns, threads)
+    })?;
+    arrays(py, solved)
+}
+
+impl SweepOptions {
+    fn results(&self) -> PyResult<SweepResults> {
+        let name = |name: &String| name.parse::<ModeName>();
+        let names: Result<Vec<ModeName>, _> = self.names.iter().map(name).collect();
+        let names = names.map_err(|error| usage(error.to_string()))?;
+        let default = SweepResults::default();
+        Ok(SweepResults {
+            modes: match self.modes {
+                Some(count) => SweepModes::Lowest(count),
+                None if names.is_empty() => default.modes.clone(),
+                None => SweepModes::Named(names),
+            },
+            segments: self.segments,
+            method: self.method.as_deref().map(method_named).transpose()?,
+            rotary_inertia: self.rotary_inertia,
+            ..default
+        })
+    }
+
+    fn threads(&self) -> usize {
+        self.threads
+            .unwrap_or_else(|| available_parallelism().map_or(1, NonZero::get))
+    }
+}
+
+fn refused(error: SweepError) -> PyErr {
+    match error {
+        SweepError::Base(error) => of_tower(&error),
+        SweepError::Unsolved(error) => of_solve(&error),
+        error => usage(error.to_string()),
+    }
+}
+
+/// Runs the sweep; Ctrl-C ends it.
+fn solve(sweep: &Sweep, columns: &Columns<'_>, threads: usize) -> PyResult<Results> {
+    let mut interrupted = None;
+    let results = run(
+        sweep,
+        columns,
+        threads,
+        &mut |_| match Python::attach(|py| py.check_signals()) {
+            Ok(()) => ControlFlow::Continue(()),
+            Err(exception) => {
+                interrupted = Some(exception);
+                ControlFlow::Break(())
+            }
+        },
+    );
+    match (results, interrupted) {
+        (_, Some(exception)) => Err(exception),
+        (Ok(results), None) => Ok(results),
+        (Err(error @ RunError::Memory { .. }), None) => {
+            Err(PyMemoryError::new_err(error.to_string()))
+        }
+        (Err(error), None) => Err(usage(error.to_string())),
+    }
+}
+
+/// The results as arrays, which take over their memory.
+fn arrays(py: Python<'_>, results: Results) -> PyResult<Solved<'_>> {
+    let shape = [results.rows(), results.modes.len()];
+    let name = |mode: &ModeName| (mode.family.name(), mode.order, mode.column());
+    let names: Names = results.modes.iter().map(name).collect();
+    Ok((
+        names,
+        PyArray1::from_vec(py, results.frequency_hz).reshape(shape)?,
+        PyArray1::from_vec(py, results.error_hz).reshape(shape)?,
+        PyArray1::from_vec(py, results.mass_kg),
+        PyArray1::from_vec(py, results.certified),
+        results.failures,
+    ))
+}

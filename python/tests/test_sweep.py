@@ -1,0 +1,214 @@
+"""Sweeps: results of single solves, tables of all kinds, failures, threads, signals."""
+
+from __future__ import annotations
+
+import multiprocessing
+import os
+import signal
+import subprocess
+import sys
+import threading
+import time
+from typing import Any
+
+import numpy as np
+import pytest
+
+import towermodes as tm
+
+MASSES = np.linspace(300e3, 400e3, 7)
+FACTORS = np.linspace(0.95, 1.05, 7)
+TABLE = {"rna.mass": MASSES, "scale(stations[*].wall)": FACTORS}
+
+
+def test_each_row_is_a_solve(nrel: tm.Tower) -> None:
+    result = nrel.sweep(TABLE, modes=4)
+    assert result.names == nrel.solve(modes=4, segments=20).names
+    assert result.frequency_hz.shape == (7, 4)
+    assert result.frequency_hz.dtype == np.float64
+    assert (result.error_hz.shape, result.mass_kg.shape) == ((7, 4), (7,))
+    assert result.certified.tolist() == [True] * 7
+    assert len(result) == 7
+    for row, (mass, factor) in enumerate(zip(MASSES, FACTORS, strict=True)):
+        tower = nrel.with_({"rna.mass": mass, "scale(stations[*].wall)": factor})
+        solution = tower.solve(modes=4, segments=20)
+        assert result.mass_kg[row] == tower.mass_kg
+        for family, order in result.names:
+            mode = solution.mode(family, order)  # type: ignore[arg-type]
+            assert result.mode(family, order)[row] == mode.extrapolated_hz  # type: ignore[arg-type]
+            assert result.error_of(family, order)[row] == mode.error_hz  # type: ignore[arg-type]
+    assert result.inputs["rna.mass"].tolist() == MASSES.tolist()
+    with pytest.raises(KeyError, match="no mode axial 1 among the modes of the sweep"):
+        result.mode("axial", 1)
+
+
+def test_results_do_not_depend_on_the_number_of_threads(nrel: tm.Tower) -> None:
+    table = {"rna.mass": np.linspace(3e5, 4e5, 300)}
+    one = nrel.sweep(table, threads=1)
+    for threads in (2, 3, None):
+        assert (nrel.sweep(table, threads=threads).frequency_hz == one.frequency_hz).all()
+
+
+def test_modes_are_taken_by_name(nrel: tm.Tower) -> None:
+    result = nrel.sweep(TABLE, modes=[("fore-aft", 2), "torsion 1"])
+    assert result.names == [("fore-aft", 2), ("torsion", 1)]
+    same = nrel.sweep(TABLE, modes="torsion 1")
+    # The last bit of a frequency may depend on the number of modes that are computed.
+    assert same.mode("torsion", 1) == pytest.approx(result.mode("torsion", 1), rel=1e-15)
+    fine = nrel.sweep({"rna.mass": [350e3]}, modes=1, segments=60, method="cardanic-exact")
+    solved = nrel.solve(modes=1, segments=60, method="cardanic-exact")
+    assert fine.frequency_hz[0, 0] == solved.extrapolated_hz[0]
+    with pytest.raises(ValueError, match="sideways"):
+        nrel.sweep(TABLE, modes=["sideways 1"])
+
+
+def test_a_row_that_fails_is_a_row_with_its_sentence(nrel: tm.Tower) -> None:
+    result = nrel.sweep({"stations[0].wall": [0.03, -1.0, float("nan")]}, modes=2)
+    assert [row for row, _ in result.failures] == [1, 2]
+    assert "station 1: wall thickness is -1 m; it must be positive" in result.failures[0][1]
+    assert np.isnan(result.frequency_hz[1:]).all()
+    assert np.isfinite(result.frequency_hz[0]).all()
+    assert result.certified.tolist() == [True, False, False]
+    assert "3 towers, 2 failed" in repr(result)
+    assert "row 1: station 1" in repr(result)
+
+
+def test_numbers_stand_for_columns(nrel: tm.Tower) -> None:
+    result = nrel.sweep({"rna.mass": MASSES, "material.density": 8400})
+    assert (result.inputs["material.density"] == 8400.0).all()
+    assert len(nrel.sweep({"rna.mass": 350e3})) == 1
+
+
+@pytest.mark.parametrize(
+    ("table", "kind", "message"),
+    [
+        ({"rna.mas": [1.0]}, ValueError, "did you mean `rna.mass`"),
+        ({"rna.mass": [1.0, 2.0], "material.density": [1.0]}, ValueError, "rows"),
+        ({"rna.mass": ["heavy"]}, TypeError, "column rna.mass must hold numbers"),
+        ({"rna.mass": [[1.0]]}, ValueError, "column rna.mass has 2 dimensions"),
+        ({}, ValueError, "nothing is varied"),
+        (3.0, TypeError, "the table is a float; it must be a dict"),
+    ],
+)
+def test_wrong_tables_say_what_is_wrong(
+    nrel: tm.Tower, table: Any, kind: type[Exception], message: str
+) -> None:
+    with pytest.raises(kind, match=message):
+        nrel.sweep(table)
+
+
+def test_tables_of_pandas(nrel: tm.Tower) -> None:
+    pandas = pytest.importorskip("pandas")
+    expected = nrel.sweep(TABLE)
+    frame = pandas.DataFrame(TABLE, index=[f"t{n}" for n in range(7)])
+    result = nrel.sweep(frame)
+    assert (result.frequency_hz == expected.frequency_hz).all()
+    back = pandas.DataFrame(result.to_dict())
+    assert (back["fore_aft_1_hz"] == expected.mode("fore-aft", 1)).all()
+    with pytest.raises(TypeError, match="column name must hold numbers"):
+        nrel.sweep(frame.assign(name="x"))
+
+
+def test_tables_of_arrow(nrel: tm.Tower) -> None:
+    pyarrow = pytest.importorskip("pyarrow")
+    expected = nrel.sweep(TABLE)
+    table = pyarrow.table({name: pyarrow.array(values) for name, values in TABLE.items()})
+    assert (nrel.sweep(table).frequency_hz == expected.frequency_hz).all()
+    whole = pyarrow.table({"rna.mass": pyarrow.chunked_array([[300_000], [None, 400_000]])})
+    result = nrel.sweep(whole)
+    assert [row for row, _ in result.failures] == [1]
+    back = pyarrow.table(result)
+    assert back.column_names[:3] == ["row", "rna.mass", "mass_kg"]
+    assert back["row"].to_pylist() == [0, 1, 2]
+    assert back["rna.mass"].null_count == back["fore_aft_1_hz"].null_count == 1
+    assert back["fore_aft_1_hz"].to_pylist()[2] == result.mode("fore-aft", 1)[2]
+    assert back["error"].to_pylist()[1] == result.failures[0][1]
+    with pytest.raises(TypeError, match="column name holds Utf8, but must hold numbers"):
+        nrel.sweep(pyarrow.table({"name": ["a"]}))
+    # A stream is read once.
+    capsule = table.__arrow_c_stream__()
+    from towermodes import _towermodes as core
+
+    assert len(core.columns_of_stream(capsule)) == 2
+    with pytest.raises(ValueError, match="cannot be read"):
+        core.columns_of_stream(capsule)
+
+
+def test_tables_of_polars(nrel: tm.Tower) -> None:
+    polars = pytest.importorskip("polars")
+    expected = nrel.sweep(TABLE)
+    result = nrel.sweep(polars.DataFrame(TABLE))
+    assert (result.frequency_hz == expected.frequency_hz).all()
+    back = polars.DataFrame(result)
+    assert back.height == 7
+    assert back["fore_aft_1_hz"].to_numpy().tolist() == expected.mode("fore-aft", 1).tolist()
+
+
+def test_results_cannot_be_overwritten(nrel: tm.Tower) -> None:
+    with pytest.raises(ValueError, match="read-only"):
+        nrel.sweep(TABLE).frequency_hz[0, 0] = 0.0
+
+
+def test_many_rows_are_many_results(nrel: tm.Tower) -> None:
+    rows = 2000
+    result = nrel.sweep({"rna.mass": np.linspace(3e5, 4e5, rows)}, modes=1)
+    assert len(result) == rows
+    frequencies = result.frequency_hz[:, 0]
+    assert (np.diff(frequencies) < 0.0).all()
+
+
+def sweep_first(tower: tm.Tower) -> list[float]:
+    result = tower.sweep({"rna.mass": np.linspace(3e5, 4e5, 200)}, threads=2)
+    values: list[float] = result.mode("fore-aft", 1).tolist()
+    return values
+
+
+@pytest.mark.skipif(not hasattr(os, "fork"), reason="no fork here")
+@pytest.mark.filterwarnings("ignore:This process .* is multi-threaded:DeprecationWarning")
+def test_children_of_a_fork_sweep_after_a_threaded_sweep(nrel: tm.Tower) -> None:
+    expected = sweep_first(nrel)
+    with multiprocessing.get_context("fork").Pool(2) as pool:
+        assert pool.map(sweep_first, [nrel] * 4) == [expected] * 4
+
+
+def test_other_threads_run_during_a_sweep(nrel: tm.Tower) -> None:
+    ticks = 0
+    ended = threading.Event()
+
+    def tick() -> None:
+        nonlocal ticks
+        while not ended.is_set():
+            ticks += 1
+            time.sleep(0.001)
+
+    thread = threading.Thread(target=tick)
+    thread.start()
+    nrel.sweep({"rna.mass": np.linspace(3e5, 4e5, 3000)}, threads=1)
+    ended.set()
+    thread.join()
+    assert ticks > 5
+
+
+LONG_SWEEP = """
+import numpy, towermodes as tm
+tower = tm.read("examples/nrel-5mw.toml")
+table = {"rna.mass": numpy.linspace(3e5, 4e5, 5_000_000)}
+print("begin", flush=True)
+try:
+    tower.sweep(table, threads=THREADS)
+except KeyboardInterrupt:
+    print("interrupted", flush=True)
+"""
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="signals of POSIX")
+@pytest.mark.parametrize("threads", [1, 2])
+def test_ctrl_c_ends_a_sweep(threads: int) -> None:
+    code = LONG_SWEEP.replace("THREADS", str(threads))
+    with subprocess.Popen([sys.executable, "-c", code], stdout=subprocess.PIPE, text=True) as child:
+        assert child.stdout is not None
+        assert child.stdout.readline() == "begin\n"
+        time.sleep(1.0)
+        child.send_signal(signal.SIGINT)
+        assert child.stdout.readline() == "interrupted\n"
+        assert child.wait(timeout=60) == 0
