@@ -67,7 +67,9 @@ pub struct TowerInput {
     pub rotor_notes: RotorNotes,
     /// The files, the main one first.
     pub(crate) sources: Vec<Source>,
-    /// The places of the values in these files.
+    /// Texts with the numbers that were set by name after the files were read.
+    pub(crate) settings: Vec<Source>,
+    /// The places of the values: first in the files, then in the settings.
     pub(crate) places: Places,
 }
 
@@ -91,6 +93,7 @@ impl TowerInput {
             notes: Vec::new(),
             rotor_notes: RotorNotes::default(),
             sources,
+            settings: Vec::new(),
             places: Places::default(),
         }
     }
@@ -126,9 +129,22 @@ impl TowerInput {
     pub fn tower(&self) -> Result<Tower, ReadError> {
         Tower::new(self.description.clone()).map_err(|error| {
             let is_toml = self.format == FileFormat::Toml;
-            let (file, diagnostic) = self.places.mistake(&error, is_toml);
-            ReadError::mistake(&self.sources[file.min(self.sources.len() - 1)], diagnostic)
+            let (file, mut diagnostic) = self.places.mistake(&error, is_toml, self.sources.len());
+            if let Some(settings) = self.settings.last().filter(|_| file < self.sources.len()) {
+                let hint = diagnostic.hint.map_or(String::new(), |hint| hint + "; ");
+                let by = &settings.name;
+                diagnostic.hint = Some(format!(
+                    "{hint}{by} changes numbers that this file shows as they were"
+                ));
+            }
+            ReadError::mistake(self.source(file), diagnostic)
         })
+    }
+
+    /// A file by its index among the files and settings.
+    fn source(&self, file: usize) -> &Source {
+        let mut sources = self.sources.iter().chain(&self.settings);
+        sources.nth(file).unwrap_or(&self.sources[0])
     }
 
     /// The tower whose modes the shapes of ElastoDyn are fitted to, of
@@ -168,7 +184,7 @@ impl TowerInput {
     /// File and line (from 1) of a value; none if no file contains it.
     pub fn line_of(&self, place: Place) -> Option<(&str, usize)> {
         let (file, span) = self.places.own(place)?;
-        let source = self.sources.get(*file)?;
+        let source = self.source(*file);
         let (line, _) = line_and_column(&source.text, span.start);
         Some((&source.name, line))
     }

@@ -42,6 +42,8 @@ mod recognize;
 mod records;
 mod resolver;
 mod result;
+mod sampling;
+mod setting;
 mod source;
 mod station_table;
 mod study;
@@ -64,19 +66,21 @@ pub use read::{Input, NOTHING_LEFT_OUT, Reading, read, read_source, read_tower};
 pub use recognize::recognize;
 pub use resolver::{FileResolver, InMemory, SiblingFiles};
 pub use result::{
-    ResultError, ResultKind, write_blade_csv, write_blade_json, write_campbell_csv,
+    ResultError, ResultKind, SolvedFile, write_blade_csv, write_blade_json, write_campbell_csv,
     write_campbell_json, write_comparison_csv, write_convergence_csv, write_csv, write_json,
-    write_records_csv, write_result_json,
+    write_parameters_csv, write_parameters_json, write_records_csv, write_result_json,
+    write_several_csv, write_several_json,
 };
 #[cfg(feature = "schema")]
 pub use result::{generated_schema, generated_schema_of};
-pub use source::{FileError, MAX_FILE_BYTES, Source, encoded_as};
-pub use study::{
-    DEFAULT_SWEEP_MODES, Distribution, MAX_ROWS, MAX_SOBOL_DIMENSIONS, Placed, Sampling,
-    SamplingError, SamplingKind, SweepModes, SweepResults, SweepRows, SweepStudy, Varied,
+pub use sampling::{
+    Distribution, MAX_ROWS, MAX_SOBOL_DIMENSIONS, Sampling, SamplingError, SamplingKind, Varied,
 };
+pub use setting::{Setting, SettingError};
+pub use source::{FileError, MAX_FILE_BYTES, Source, encoded_as};
+pub use study::{DEFAULT_SWEEP_MODES, Placed, SweepModes, SweepResults, SweepRows, SweepStudy};
 pub use toml::{
-    KeySchema, TableSchema, ValueKind, description_from_toml, tower_file_schema, tower_from_toml,
-    write_toml,
+    KeySchema, TableSchema, ValueKind, description_from_toml, read_sweep_study, sweep_study_schema,
+    tower_file_schema, tower_from_toml, write_toml,
 };
 pub use windio::{WindIoWriteError, read_windio, write_windio};

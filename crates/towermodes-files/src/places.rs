@@ -25,14 +25,22 @@ impl Places {
     }
 
     /// A mistake that the tower's own checks found: the file it is in, and where there. Hints that
-    /// speak of the keys of TOML, or of heights in its datum, are for TOML alone.
-    pub(crate) fn mistake(&self, error: &TowerError, is_toml: bool) -> (usize, Diagnostic) {
+    /// speak of the keys of TOML, or of heights in its datum, are for TOML and for numbers that were
+    /// set by name; these come after the first `files` files.
+    pub(crate) fn mistake(
+        &self,
+        error: &TowerError,
+        is_toml: bool,
+        files: usize,
+    ) -> (usize, Diagnostic) {
         let (file, span) = self.find(error.place);
         let diagnostic = Diagnostic::new(span, DiagnosticKind::Tower(error.problem.clone()));
         let of_toml = |hint: &&str| hint.contains(['[', '_', '"']) || hint.contains("datum");
-        let hint = error.hint().filter(|hint| is_toml || !of_toml(hint));
+        let is_set = file >= files;
+        let hint = error.hint();
+        let hint = hint.filter(|hint| is_toml || is_set || !of_toml(hint));
         // The file beside a tower file is the table of its stations, whose header has the units.
-        let hint = match is_toml && file > 0 {
+        let hint = match is_toml && file > 0 && !is_set {
             true => Some("the unit is that of the column's header"),
             false => hint,
         };

@@ -96,7 +96,7 @@ const SPLICES: [&str; 30] = [
 ];
 
 #[derive(Debug, Clone)]
-enum Mutation {
+pub enum Mutation {
     Cut(Index, usize),
     Insert(Index, usize),
     ReplaceNumber(Index, f64),
@@ -104,7 +104,8 @@ enum Mutation {
     Truncate(Index),
 }
 
-fn any_mutation() -> impl Strategy<Value = Mutation> {
+/// A change of a text that is likely to hurt.
+pub fn any_mutation() -> impl Strategy<Value = Mutation> {
     let number = prop_oneof![
         prop::num::f64::ANY,
         -1e3..1e3,
@@ -120,7 +121,7 @@ fn any_mutation() -> impl Strategy<Value = Mutation> {
 }
 
 /// The characters of a text changed as a mutation says.
-fn mutated(text: &str, mutation: &Mutation) -> String {
+pub fn mutated(text: &str, mutation: &Mutation) -> String {
     let characters: Vec<char> = text.chars().collect();
     let at = |index: &Index| index.index(characters.len() + 1);
     let join = |parts: &[&[char]]| parts.concat().into_iter().collect::<String>();

@@ -3,7 +3,9 @@
 use std::fmt;
 
 use thiserror::Error;
-use towermodes::Problem;
+use towermodes::{ModeNameError, ParameterError, Problem};
+
+use crate::sampling::SamplingError;
 
 /// A problem in a file. `Display` gives the sentence.
 ///
@@ -189,6 +191,15 @@ pub enum DiagnosticKind {
     /// Content that the format allows and this program does not model.
     #[error("{0}")]
     Unsupported(String),
+    /// A name that is no number of the tower, or two that are the same.
+    #[error(transparent)]
+    Parameter(ParameterError),
+    /// A name that is not that of a mode.
+    #[error(transparent)]
+    ModeName(ModeNameError),
+    /// Values that cannot be drawn.
+    #[error(transparent)]
+    Sampling(SamplingError),
     /// A tower that the checks of the library refuse.
     #[error(transparent)]
     Tower(Problem),

@@ -10,6 +10,8 @@ use towermodes_analysis::study::{Comparison, Convergence};
 
 use super::blade::BladeDocument;
 use super::campbell::CampbellDocument;
+use super::parameters::ParametersDocument;
+use super::several::SeveralDocument;
 use super::solution::SolutionDocument;
 use super::{ResultError, ResultKind, write_result_json};
 
@@ -22,6 +24,10 @@ pub fn generated_schema(kind: ResultKind) -> Result<String, ResultError> {
         ResultKind::Solution => {
             generated_schema_of::<SolutionDocument<'static>>("towermodes solution", "solve")
         }
+        ResultKind::Several => generated_schema_of::<SeveralDocument<'static>>(
+            "towermodes solutions of several files",
+            "solve FILE FILE",
+        ),
         ResultKind::Blade => generated_schema_of::<BladeDocument<'static>>(
             "towermodes blade solution",
             "solve BLADE",
@@ -29,6 +35,10 @@ pub fn generated_schema(kind: ResultKind) -> Result<String, ResultError> {
         ResultKind::Campbell => {
             generated_schema_of::<CampbellDocument<'static>>("towermodes campbell", "campbell")
         }
+        ResultKind::Parameters => generated_schema_of::<ParametersDocument<'static>>(
+            "towermodes parameters",
+            "parameters",
+        ),
         ResultKind::Comparison => {
             generated_schema_of::<Comparison>("towermodes comparison", "compare")
         }

@@ -7,7 +7,9 @@ mod blade;
 mod campbell;
 #[cfg(feature = "schema")]
 mod generated;
+mod parameters;
 mod schema;
+mod several;
 mod solution;
 mod solution_csv;
 mod study_csv;
@@ -16,7 +18,9 @@ pub use blade::{write_blade_csv, write_blade_json};
 pub use campbell::{write_campbell_csv, write_campbell_json};
 #[cfg(feature = "schema")]
 pub use generated::{generated_schema, generated_schema_of};
+pub use parameters::{write_parameters_csv, write_parameters_json};
 pub use schema::ResultKind;
+pub use several::{SolvedFile, write_several_csv, write_several_json};
 pub use solution::write_json;
 pub use solution_csv::write_csv;
 pub use study_csv::{write_comparison_csv, write_convergence_csv};

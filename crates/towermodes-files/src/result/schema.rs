@@ -8,8 +8,12 @@
 pub enum ResultKind {
     /// Of `towermodes solve`.
     Solution,
+    /// Of `towermodes solve` for several files.
+    Several,
     /// Of `towermodes solve` for a rotating blade.
     Blade,
+    /// Of `towermodes parameters`.
+    Parameters,
     /// Of `towermodes campbell`.
     Campbell,
     /// Of `towermodes compare`.
@@ -26,9 +30,11 @@ pub enum ResultKind {
 
 impl ResultKind {
     /// All kinds.
-    pub const ALL: [Self; 8] = [
+    pub const ALL: [Self; 10] = [
         Self::Solution,
+        Self::Several,
         Self::Blade,
+        Self::Parameters,
         Self::Campbell,
         Self::Comparison,
         Self::Convergence,
@@ -41,7 +47,9 @@ impl ResultKind {
     pub fn name(self) -> &'static str {
         match self {
             Self::Solution => "solve",
+            Self::Several => "solve-several",
             Self::Blade => "blade",
+            Self::Parameters => "parameters",
             Self::Campbell => "campbell",
             Self::Comparison => "compare",
             Self::Convergence => "converge",
@@ -60,7 +68,9 @@ impl ResultKind {
     pub fn json_schema(self) -> &'static str {
         match self {
             Self::Solution => include_str!("../../schemas/solve.json"),
+            Self::Several => include_str!("../../schemas/solve-several.json"),
             Self::Blade => include_str!("../../schemas/blade.json"),
+            Self::Parameters => include_str!("../../schemas/parameters.json"),
             Self::Campbell => include_str!("../../schemas/campbell.json"),
             Self::Comparison => include_str!("../../schemas/compare.json"),
             Self::Convergence => include_str!("../../schemas/converge.json"),

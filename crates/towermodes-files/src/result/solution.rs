@@ -63,6 +63,34 @@ struct TowerSummary<'a> {
     rigid_inertia: [[f64; 6]; 6],
 }
 
+impl<'a> SolutionDocument<'a> {
+    /// The document of a solution; the notes of the reader come before the warnings.
+    pub(super) fn of(tower: &'a Tower, solution: &'a Solution, notes: &[Note]) -> Self {
+        let notes = notes.iter().map(ToString::to_string);
+        let warnings = solution.warnings.iter().map(ToString::to_string);
+        Self {
+            method: solution.method,
+            segments: solution.segments,
+            degree: solution.degree,
+            degrees_of_freedom: solution.degrees_of_freedom,
+            tower: TowerSummary {
+                name: tower.name(),
+                height_m: tower.height_m(),
+                mass_kg: tower.mass_kg(),
+                top_mass_kg: tower.rna().mass_kg,
+                gravity_m_per_s2: tower.gravity_m_per_s2(),
+                rigid_inertia: solution.rigid_inertia,
+            },
+            modes: &solution.modes,
+            certificate: solution.certificate,
+            buckling_load_factor: solution.buckling_load_factor,
+            effective_mass_shares: solution.effective_mass_shares(),
+            solver: solution.statistics,
+            warnings: notes.chain(warnings).collect(),
+        }
+    }
+}
+
 /// Writes a solution as indented JSON with a newline at the end; the notes of the reader come
 /// before the warnings.
 ///
@@ -74,27 +102,5 @@ pub fn write_json(
     notes: &[Note],
     writer: impl Write,
 ) -> Result<(), ResultError> {
-    let notes = notes.iter().map(ToString::to_string);
-    let warnings = solution.warnings.iter().map(ToString::to_string);
-    let document = SolutionDocument {
-        method: solution.method,
-        segments: solution.segments,
-        degree: solution.degree,
-        degrees_of_freedom: solution.degrees_of_freedom,
-        tower: TowerSummary {
-            name: tower.name(),
-            height_m: tower.height_m(),
-            mass_kg: tower.mass_kg(),
-            top_mass_kg: tower.rna().mass_kg,
-            gravity_m_per_s2: tower.gravity_m_per_s2(),
-            rigid_inertia: solution.rigid_inertia,
-        },
-        modes: &solution.modes,
-        certificate: solution.certificate,
-        buckling_load_factor: solution.buckling_load_factor,
-        effective_mass_shares: solution.effective_mass_shares(),
-        solver: solution.statistics,
-        warnings: notes.chain(warnings).collect(),
-    };
-    write_result_json(&document, writer)
+    write_result_json(&SolutionDocument::of(tower, solution, notes), writer)
 }

@@ -7,7 +7,7 @@ use towermodes::{Mode, Solution};
 use super::ResultError;
 
 /// The keys of a mode in the JSON; a dot precedes the keys of an object.
-const HEADER: [&str; 25] = [
+pub(super) const HEADER: [&str; 25] = [
     "number",
     "family",
     "order",
@@ -49,7 +49,8 @@ pub fn write_csv(solution: &Solution, writer: impl Write) -> Result<(), ResultEr
     Ok(())
 }
 
-fn record(mode: &Mode) -> Vec<String> {
+/// The values of a mode, in the order of [`HEADER`].
+pub(super) fn record(mode: &Mode) -> Vec<String> {
     let or_empty = |value: Option<f64>| value.map_or_else(String::new, |v| v.to_string());
     let mut record = vec![
         mode.number.to_string(),

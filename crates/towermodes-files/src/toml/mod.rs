@@ -15,6 +15,7 @@ mod rotor;
 mod schema;
 mod soil;
 mod stations;
+mod study;
 mod synonyms;
 mod syntax;
 mod table;
@@ -39,6 +40,7 @@ use syntax::syntax_mistake;
 use table::Table;
 
 pub use schema::{KeySchema, TableSchema, ValueKind, tower_file_schema};
+pub use study::{read_sweep_study, sweep_study_schema};
 pub use write::write_toml;
 
 /// Reads a tower from the text of a TOML file.
@@ -50,7 +52,8 @@ pub use write::write_toml;
 /// in a file of their own are a mistake here: use [`read_tower`](crate::read_tower).
 pub fn tower_from_toml(text: &str) -> Result<Tower, Vec<Diagnostic>> {
     let reading = describe(text, None).map_err(Refused::in_text)?;
-    Tower::new(reading.description).map_err(|error| vec![reading.places.mistake(&error, true).1])
+    let places = reading.places;
+    Tower::new(reading.description).map_err(|error| vec![places.mistake(&error, true, 1).1])
 }
 
 /// Reads the description of a tower from the text of a TOML file, without the checks of
@@ -131,6 +134,14 @@ fn describe(text: &str, files: Option<&dyn FileResolver>) -> Result<Described, R
         return Err(mistake.with_hint(hint).into());
     }
     let document = DeTable::parse(text).map_err(|error| syntax_mistake(&error, text))?;
+    let root = document.get_ref();
+    if root.contains_key("sweep") && !root.contains_key("tower") {
+        let found = "the study of a sweep, not a tower".to_owned();
+        let mistake = Diagnostic::new(0..0, DiagnosticKind::WrongFile { found });
+        return Err(mistake
+            .with_hint("run it with `towermodes sweep FILE`")
+            .into());
+    }
     let mut reading = Reading {
         station_file: station_file(document.get_ref(), files),
         ..Reading::default()

@@ -71,31 +71,23 @@ impl KeySchema {
     }
 }
 
-/// The tables, a line for each key: whether it is required, its name, type, unit and meaning.
+/// The function that gives all tables, then the tables with a line for each key: whether it is
+/// required, its name, type, unit and meaning.
 macro_rules! tables {
-    ($($(#[$doc:meta])+ $id:ident = $table:literal: $($need:ident $key:literal $kind:ident $unit:literal $meaning:literal;)+)+) => {
+    ($(#[$all_doc:meta])+ $all:ident => $($(#[$doc:meta])+ $id:ident = $table:literal: $($need:ident $key:literal $kind:ident $unit:literal $meaning:literal;)+)+) => {
         $($(#[$doc])+ pub static $id: TableSchema = TableSchema {
             name: $table,
             keys: &[$(KeySchema {
                 name: $key,
                 kind: ValueKind::$kind,
-                is_required: tables!(@is_required $need),
+                is_required: $crate::toml::schema::tables!(@is_required $need),
                 unit: $unit,
                 meaning: $meaning,
             }),+],
         };)+
 
-        /// All tables of the tower file.
-        ///
-        /// # Example
-        /// ```
-        /// use towermodes_files::tower_file_schema;
-        ///
-        /// let mut tables = tower_file_schema().iter();
-        /// let rna = tables.find(|table| table.name == "[rna]").expect("a table");
-        /// assert_eq!(rna.key("mass").expect("a key").unit, "kg");
-        /// ```
-        pub fn tower_file_schema() -> &'static [&'static TableSchema] {
+        $(#[$all_doc])+
+        pub fn $all() -> &'static [&'static TableSchema] {
             static ALL: &[&TableSchema] = &[$(&$id),+];
             ALL
         }
@@ -104,7 +96,21 @@ macro_rules! tables {
     (@is_required optional) => { false };
 }
 
+pub(super) use tables;
+
 tables! {
+    /// All tables of the tower file.
+    ///
+    /// # Example
+    /// ```
+    /// use towermodes_files::tower_file_schema;
+    ///
+    /// let mut tables = tower_file_schema().iter();
+    /// let rna = tables.find(|table| table.name == "[rna]").expect("a table");
+    /// assert_eq!(rna.key("mass").expect("a key").unit, "kg");
+    /// ```
+    tower_file_schema =>
+
     /// The whole file.
     FILE = "the file":
         optional "name" Text "" "name of the tower";

@@ -146,6 +146,15 @@ impl<'a> Table<'a> {
         names.any(|name| !known.contains(&name) && nearest(name, known) == Some(key))
     }
 
+    /// All entries with the places of their keys.
+    pub(super) fn placed_entries(
+        &self,
+    ) -> impl Iterator<Item = (&'a str, Range<usize>, &'a Value<'a>)> {
+        self.entries
+            .iter()
+            .map(|(key, value)| (&**key.get_ref(), key.span(), value))
+    }
+
     /// All entries, in the order of their names.
     pub(super) fn entries(&self) -> impl Iterator<Item = (&'a str, &'a Value<'a>)> {
         self.entries

@@ -10,8 +10,8 @@ use super::family::Family;
 /// The name of a mode: its family and its order in it, from 1.
 ///
 /// A mode keeps its name where its place in the list changes, as where two frequencies cross.
-/// Its text is that of the family and the order, `fore-aft 1`; a rigid-body mode of a floating tower
-/// has the name of its motion alone, `surge`.
+/// Its text is that of the family and the order, `fore-aft 1`; a rigid-body mode of a floating
+/// tower has the name of its motion alone, `surge`.
 ///
 /// # Example
 /// ```

@@ -142,9 +142,9 @@ impl Parameter {
 
     /// Sets its value in a description that has it; any other stays as it is.
     ///
-    /// The same happens as if the number were changed in the tower file: both entries of a symmetric
-    /// matrix change, and the shear modulus of a material that is given by Poisson's ratio follows
-    /// Young's modulus. [`Tower::new`](crate::Tower::new) checks the new value.
+    /// The same happens as if the number were changed in the tower file: both entries of a
+    /// symmetric matrix change, and the shear modulus of a material that is given by Poisson's
+    /// ratio follows Young's modulus. [`Tower::new`](crate::Tower::new) checks the new value.
     pub fn set(self, description: &mut TowerDescription, value: f64) {
         let done = (self.key().set)(description, self.indices, value);
         debug_assert!(done.is_some(), "the description has no {self}");

@@ -1,0 +1,353 @@
+//! How the rows of a sweep are drawn, as plain data with the rules for its numbers; the crate
+//! `towermodes-sweep` draws the values.
+
+use thiserror::Error;
+use towermodes::number::Plain;
+
+/// How the rows of a sweep are drawn: each row is a function of the seed and its number alone.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Sampling {
+    /// The kind.
+    pub kind: SamplingKind,
+    /// Number of rows, at most [`MAX_ROWS`]; of a grid the product of the levels.
+    pub rows: u64,
+    /// Another seed gives other rows; a grid has none.
+    pub seed: u64,
+    /// The changes and their distributions.
+    pub vary: Vec<Varied>,
+}
+
+/// The largest number of rows of a sweep, 2³².
+pub const MAX_ROWS: u64 = 1 << 32;
+
+/// The largest number of changes whose values a Sobol sequence can draw.
+pub const MAX_SOBOL_DIMENSIONS: usize = 64;
+
+/// A change by its name, `rna.mass` or `scale(stations[*].wall)`, and its values.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Varied {
+    /// The name of the change.
+    pub name: String,
+    /// The distribution of its values.
+    pub distribution: Distribution,
+    /// Number of equal steps of a grid with [`Distribution::Uniform`], both ends included; none for
+    /// other kinds of sampling and for [`Distribution::Values`].
+    pub levels: Option<u64>,
+}
+
+/// The kinds of sampling.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum SamplingKind {
+    /// Every combination of levels; the first change varies slowest.
+    Grid,
+    /// Latin hypercube: of every change each of `rows` equally probable intervals once.
+    LatinHypercube,
+    /// Independent values.
+    Random,
+    /// Scrambled Sobol sequence: evenly spread in all changes together; best with rows = 2ⁿ.
+    Sobol,
+}
+
+impl SamplingKind {
+    /// All kinds.
+    pub const ALL: [Self; 4] = [Self::Grid, Self::LatinHypercube, Self::Random, Self::Sobol];
+
+    /// Its name in a study: `grid`, `latin-hypercube`, `random`, `sobol`.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Grid => "grid",
+            Self::LatinHypercube => "latin-hypercube",
+            Self::Random => "random",
+            Self::Sobol => "sobol",
+        }
+    }
+}
+
+/// The distribution of a value.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Distribution {
+    /// Equally probable between two values.
+    Uniform {
+        /// The lowest.
+        low: f64,
+        /// The highest.
+        high: f64,
+    },
+    /// Gaussian.
+    Normal {
+        /// Mean.
+        mean: f64,
+        /// Standard deviation before truncation.
+        deviation: f64,
+        /// The lowest and the highest value; other values are excluded, and those between are
+        /// more probable in proportion.
+        truncated: Option<[f64; 2]>,
+    },
+    /// The logarithm is Gaussian.
+    LogNormal {
+        /// Mean of the value itself, not of its logarithm.
+        mean: f64,
+        /// Standard deviation of the value itself, before truncation.
+        deviation: f64,
+        /// As of a normal distribution.
+        truncated: Option<[f64; 2]>,
+    },
+    /// Rises linearly from the lowest value to the mode and falls linearly to the highest.
+    Triangular {
+        /// The lowest.
+        low: f64,
+        /// The most probable.
+        mode: f64,
+        /// The highest.
+        high: f64,
+    },
+    /// One of several values, equally probable.
+    Values(Vec<f64>),
+}
+
+impl Distribution {
+    /// Its name in a study: `uniform`, `normal`, `lognormal`, `triangular`, `values`.
+    pub fn name(&self) -> &'static str {
+        match self {
+            Self::Uniform { .. } => "uniform",
+            Self::Normal { .. } => "normal",
+            Self::LogNormal { .. } => "lognormal",
+            Self::Triangular { .. } => "triangular",
+            Self::Values(_) => "values",
+        }
+    }
+
+    /// Checks its numbers.
+    ///
+    /// # Errors
+    /// [`SamplingError`] with the first number that the distribution cannot have.
+    pub fn check(&self) -> Result<(), SamplingError> {
+        if let Some(value) = self.numbers().find(|value| !value.is_finite()) {
+            return Err(SamplingError::NotFinite { value });
+        }
+        match *self {
+            Self::Uniform { low, high } => rising(low, high),
+            Self::Normal {
+                deviation,
+                truncated,
+                ..
+            } => positive(deviation).and_then(|()| range(truncated)),
+            Self::LogNormal {
+                mean,
+                deviation,
+                truncated,
+            } => {
+                if mean <= 0.0 {
+                    return Err(SamplingError::LogNormalMean { mean });
+                }
+                positive(deviation)?;
+                range(truncated.map(|[low, high]| [low.max(0.0), high]))
+            }
+            Self::Triangular { low, mode, high } => {
+                rising(low, high)?;
+                match low <= mode && mode <= high {
+                    true => Ok(()),
+                    false => Err(SamplingError::Mode { low, mode, high }),
+                }
+            }
+            Self::Values(ref values) => match values.is_empty() {
+                true => Err(SamplingError::NoValues),
+                false => Ok(()),
+            },
+        }
+    }
+
+    /// All its numbers.
+    fn numbers(&self) -> impl Iterator<Item = f64> {
+        let (own, truncated, values): ([f64; 3], _, &[f64]) = match self {
+            Self::Uniform { low, high } => ([*low, *high, 0.0], None, &[]),
+            Self::Normal {
+                mean,
+                deviation,
+                truncated,
+            }
+            | Self::LogNormal {
+                mean,
+                deviation,
+                truncated,
+            } => ([*mean, *deviation, 0.0], *truncated, &[]),
+            Self::Triangular { low, mode, high } => ([*low, *mode, *high], None, &[]),
+            Self::Values(values) => ([0.0; 3], None, values),
+        };
+        let truncated = truncated.into_iter().flatten();
+        own.into_iter()
+            .chain(truncated)
+            .chain(values.iter().copied())
+    }
+}
+
+fn rising(low: f64, high: f64) -> Result<(), SamplingError> {
+    // The difference of two finite numbers may overflow.
+    match low < high && (high - low).is_finite() {
+        true => Ok(()),
+        false => Err(SamplingError::Range { low, high }),
+    }
+}
+
+fn range(truncated: Option<[f64; 2]>) -> Result<(), SamplingError> {
+    truncated.map_or(Ok(()), |[low, high]| rising(low, high))
+}
+
+fn positive(deviation: f64) -> Result<(), SamplingError> {
+    match deviation > 0.0 {
+        true => Ok(()),
+        false => Err(SamplingError::Deviation { deviation }),
+    }
+}
+
+impl Sampling {
+    /// The number of rows of a grid: the product of the levels of its changes; none if it is above
+    /// [`MAX_ROWS`] or if a change has no levels.
+    pub fn grid_rows(vary: &[Varied]) -> Option<u64> {
+        vary.iter().try_fold(1_u64, |rows, varied| {
+            rows.checked_mul(varied.level_count()?)
+                .filter(|rows| *rows <= MAX_ROWS)
+        })
+    }
+
+    /// Checks what is drawn; the distributions have [their own check](Distribution::check), so that
+    /// a reader can show each at its place.
+    ///
+    /// # Errors
+    /// [`SamplingError`] with what no sampling can have.
+    pub fn check(&self) -> Result<(), SamplingError> {
+        if self.vary.is_empty() {
+            return Err(SamplingError::NothingVaried);
+        }
+        let dimensions = self.vary.len();
+        if self.kind == SamplingKind::Sobol && dimensions > MAX_SOBOL_DIMENSIONS {
+            return Err(SamplingError::TooManyForSobol { dimensions });
+        }
+        if self.kind != SamplingKind::Grid {
+            return match (1..=MAX_ROWS).contains(&self.rows) {
+                true => Ok(()),
+                false => Err(SamplingError::Rows { rows: self.rows }),
+            };
+        }
+        let without = self.vary.iter().find(|v| v.level_count().is_none());
+        if let Some(varied) = without {
+            return Err(SamplingError::NoLevels {
+                name: varied.name.clone(),
+                distribution: varied.distribution.name(),
+            });
+        }
+        match Self::grid_rows(&self.vary) {
+            None => Err(SamplingError::LargeGrid),
+            Some(product) if product != self.rows => Err(SamplingError::GridRows {
+                rows: self.rows,
+                product,
+            }),
+            Some(_) => Ok(()),
+        }
+    }
+}
+
+impl Varied {
+    /// The number of its values in a grid, if it can be varied in a grid.
+    pub fn level_count(&self) -> Option<u64> {
+        match (&self.distribution, self.levels) {
+            (Distribution::Values(values), _) => Some(values.len() as u64),
+            (Distribution::Uniform { .. }, Some(levels @ 2..)) => Some(levels),
+            _ => None,
+        }
+    }
+}
+
+/// Why values cannot be drawn.
+#[derive(Debug, Clone, PartialEq, Error)]
+#[non_exhaustive]
+pub enum SamplingError {
+    /// A number that is infinite or not a number.
+    #[error("{value} is not a finite number")]
+    NotFinite {
+        /// The number.
+        value: f64,
+    },
+    /// Limits that do not rise, or whose difference overflows.
+    #[error("the lower limit {} is not below the upper limit {}", Plain(*.low), Plain(*.high))]
+    Range {
+        /// The lower.
+        low: f64,
+        /// The upper.
+        high: f64,
+    },
+    /// A standard deviation that is 0 or negative.
+    #[error("the standard deviation is {}; it must be positive", Plain(*.deviation))]
+    Deviation {
+        /// The deviation.
+        deviation: f64,
+    },
+    /// A lognormal value with a mean of 0 or less.
+    #[error("the mean of a lognormal value is {}; it must be positive", Plain(*.mean))]
+    LogNormalMean {
+        /// The mean.
+        mean: f64,
+    },
+    /// A triangular distribution whose mode is outside.
+    #[error(
+        "the most probable value {} is not between {} and {}; the order is lowest, most probable, highest",
+        Plain(*.mode), Plain(*.low), Plain(*.high)
+    )]
+    Mode {
+        /// The lowest value.
+        low: f64,
+        /// The most probable value.
+        mode: f64,
+        /// The highest value.
+        high: f64,
+    },
+    /// An empty list of values.
+    #[error("the list of values is empty")]
+    NoValues,
+    /// Limits that exclude every value that can be represented.
+    #[error("the limits {} and {} exclude all values of the distribution", Plain(*.low), Plain(*.high))]
+    Excluded {
+        /// The lower.
+        low: f64,
+        /// The upper.
+        high: f64,
+    },
+    /// No change.
+    #[error("nothing is varied; name at least one parameter")]
+    NothingVaried,
+    /// More changes than the Sobol sequence has dimensions.
+    #[error(
+        "{dimensions} values are varied, but a Sobol sequence here has at most {MAX_SOBOL_DIMENSIONS}; use latin-hypercube"
+    )]
+    TooManyForSobol {
+        /// The number of changes.
+        dimensions: usize,
+    },
+    /// No rows, or too many.
+    #[error("the number of rows is {rows}; it must be from 1 to {MAX_ROWS}")]
+    Rows {
+        /// The number.
+        rows: u64,
+    },
+    /// A grid of a distribution that has no levels.
+    #[error(
+        "`{name}` is {distribution}, which has no levels in a grid; use values = [...] or uniform = [low, high] with levels = n, n at least 2"
+    )]
+    NoLevels {
+        /// The change.
+        name: String,
+        /// The name of its distribution.
+        distribution: &'static str,
+    },
+    /// A grid of more rows than a sweep may have.
+    #[error("the grid has more than {MAX_ROWS} rows; reduce the levels")]
+    LargeGrid,
+    /// A number of rows that is not that of the grid.
+    #[error("the number of rows is {rows}, but the grid has {product}; leave `rows` out")]
+    GridRows {
+        /// The number given.
+        rows: u64,
+        /// The product of the levels.
+        product: u64,
+    },
+}

@@ -1,0 +1,195 @@
+//! One entry of `[sweep.vary]`: the distribution of a value.
+
+use std::ops::Range;
+
+use toml::de::DeValue;
+
+use super::super::reading::Reading;
+use super::super::table::Table;
+use super::super::values::{Value, every_row, list, number, wrong_kind};
+use super::refuse_keys;
+use super::sampling::whole;
+use super::schema::VARY;
+use crate::diagnostic::{Diagnostic, DiagnosticKind};
+use crate::sampling::{Distribution, SamplingKind, Varied};
+
+/// The keys of [`VARY`] that name a distribution; of the others `truncated` belongs to normal and
+/// lognormal values, `levels` to grids.
+const DISTRIBUTIONS: [&str; 5] = ["uniform", "normal", "lognormal", "triangular", "values"];
+
+const HINT: &str = "write one of { uniform = [lowest, highest] }, { normal = [mean, deviation] }, { lognormal = [mean, deviation] }, { triangular = [lowest, most probable, highest] }, { values = [...] }";
+
+/// What varies, by its name, and its values.
+pub(super) fn varied(
+    name: &str,
+    span: &Range<usize>,
+    value: &Value<'_>,
+    kind: Option<SamplingKind>,
+    reading: &mut Reading,
+) -> Option<Varied> {
+    if let Some(mistake) = unquoted(name, span, value) {
+        return reading.refuse(mistake);
+    }
+    let what = format!("`{name}`");
+    if !value.get_ref().is_table() {
+        return reading
+            .refuse(wrong_kind(value, &what, "a distribution in braces").with_hint(HINT));
+    }
+    let table = Table::of(value, &what, &VARY, reading)?;
+    let found = one_distribution(&table, &what, reading)?;
+    let distribution = distribution(&table, found, reading);
+    let levels = levels(&table, found, kind, reading)?;
+    let distribution = distribution?;
+    if let Err(error) = distribution.check() {
+        let place = table.get(found).map_or(span.clone(), Value::span);
+        return reading.refuse(Diagnostic::new(place, DiagnosticKind::Sampling(error)));
+    }
+    Some(Varied {
+        name: name.to_owned(),
+        distribution,
+        levels,
+    })
+}
+
+/// The mistake of a name with dots that is not in quotation marks, and therefore became a table in
+/// a table: `rna.mass = { ... }`.
+fn unquoted(name: &str, span: &Range<usize>, value: &Value<'_>) -> Option<Diagnostic> {
+    let mut path = name.to_owned();
+    let mut value = value.get_ref();
+    while let DeValue::Table(entries) = value {
+        let (key, inner) = entries.iter().next()?;
+        if VARY.key(key.get_ref()).is_some() || !inner.get_ref().is_table() {
+            break;
+        }
+        path = format!("{path}.{}", key.get_ref());
+        value = inner.get_ref();
+    }
+    (path != name).then(|| {
+        let kind = DiagnosticKind::wrong_type(
+            format!("the name `{path}`"),
+            "in quotation marks",
+            "a name without them",
+        );
+        Diagnostic::new(span.clone(), kind).with_hint(format!("write \"{path}\" = {{ ... }}"))
+    })
+}
+
+/// The one distribution of an entry.
+fn one_distribution(table: &Table<'_>, what: &str, reading: &mut Reading) -> Option<&'static str> {
+    let mut given = DISTRIBUTIONS
+        .into_iter()
+        .filter(|key| table.get(key).is_some());
+    match (given.next(), given.next()) {
+        (Some(one), None) => Some(one),
+        (Some(first), Some(second)) => {
+            let place = table.get(second).map_or(table.span.clone(), Value::span);
+            let kind = DiagnosticKind::UnusedKey {
+                key: second.to_owned(),
+                because: format!("beside `{first}`"),
+            };
+            reading.refuse(Diagnostic::new(place, kind).with_hint("keep one distribution"))
+        }
+        (None, _) if DISTRIBUTIONS.iter().any(|key| table.has_misspelled(key)) => None,
+        (None, _) => {
+            let kind = DiagnosticKind::Missing {
+                what: format!("the distribution of {what}"),
+            };
+            reading.refuse(Diagnostic::new(table.span.clone(), kind).with_hint(HINT))
+        }
+    }
+}
+
+fn distribution(
+    table: &Table<'_>,
+    found: &'static str,
+    reading: &mut Reading,
+) -> Option<Distribution> {
+    if !matches!(found, "normal" | "lognormal") {
+        let because = format!("beside `{found}`, whose values are limited");
+        refuse_keys(table, &["truncated"], &because, reading);
+    }
+    let value = table.get(found)?;
+    Some(match found {
+        "uniform" => {
+            let [low, high] = numbers(value, found, reading)?;
+            Distribution::Uniform { low, high }
+        }
+        "triangular" => {
+            let [low, mode, high] = numbers(value, found, reading)?;
+            Distribution::Triangular { low, mode, high }
+        }
+        "values" => Distribution::Values(any_numbers(value, found, reading)?),
+        gaussian => {
+            let given = numbers(value, gaussian, reading);
+            let truncated = truncated(table, reading)?;
+            let [mean, deviation] = given?;
+            match gaussian {
+                "normal" => Distribution::Normal {
+                    mean,
+                    deviation,
+                    truncated,
+                },
+                _ => Distribution::LogNormal {
+                    mean,
+                    deviation,
+                    truncated,
+                },
+            }
+        }
+    })
+}
+
+/// The limits of a Gaussian value, if they are given.
+fn truncated(table: &Table<'_>, reading: &mut Reading) -> Option<Option<[f64; 2]>> {
+    match table.get("truncated") {
+        None => Some(None),
+        Some(value) => {
+            let [low, high] = numbers(value, "truncated", reading)?;
+            if low < high {
+                return Some(Some([low, high]));
+            }
+            let kind = DiagnosticKind::not_rising("the upper limit of truncated", high, low, "");
+            reading.refuse(Diagnostic::new(value.span(), kind))
+        }
+    }
+}
+
+/// The levels of a grid.
+fn levels(
+    table: &Table<'_>,
+    found: &str,
+    kind: Option<SamplingKind>,
+    reading: &mut Reading,
+) -> Option<Option<u64>> {
+    let Some(value) = table.get("levels") else {
+        return Some(None);
+    };
+    let because = match (found, kind) {
+        ("uniform", Some(SamplingKind::Grid) | None) => {
+            return whole(value, "levels", 2, reading).map(Some);
+        }
+        ("uniform", Some(_)) => "without sampling = \"grid\"".to_owned(),
+        (other, _) => format!("beside `{other}`"),
+    };
+    refuse_keys(table, &["levels"], &because, reading);
+    None
+}
+
+/// A list of `N` numbers.
+fn numbers<const N: usize>(
+    value: &Value<'_>,
+    what: &str,
+    reading: &mut Reading,
+) -> Option<[f64; N]> {
+    let found = any_numbers(value, what, reading)?;
+    let count = found.len();
+    <[f64; N]>::try_from(found).ok().or_else(|| {
+        let kind = DiagnosticKind::wrong_count(what, count, N);
+        reading.refuse(Diagnostic::new(value.span(), kind).with_hint(HINT))
+    })
+}
+
+fn any_numbers(value: &Value<'_>, what: &str, reading: &mut Reading) -> Option<Vec<f64>> {
+    let values = list(value, what, reading)?;
+    every_row(values, |_, entry| number(entry, what, reading))
+}

@@ -1,0 +1,149 @@
+//! Reads the study of a sweep: the table `[sweep]` of a TOML file.
+
+mod changes;
+mod distribution;
+mod options;
+mod results;
+mod sampling;
+mod schema;
+
+use ::toml::de::DeTable;
+
+use super::reading::Reading;
+use super::syntax::syntax_mistake;
+use super::table::Table;
+use super::values::text;
+use crate::diagnostic::{Diagnostic, DiagnosticKind};
+use crate::error::ReadError;
+use crate::source::Source;
+use crate::study::{Placed, SweepRows, SweepStudy};
+use schema::{STUDY, SWEEP};
+
+pub use schema::sweep_study_schema;
+
+/// What a study needs at least.
+const LEAST: &str = "a study needs [sweep] with base = \"tower.toml\", and table = \"values.csv\" or sampling with [sweep.vary]";
+
+/// Reads the study of a sweep from a TOML file. The base and the table are not opened.
+///
+/// # Errors
+/// [`ReadError::Mistakes`] with all that were found.
+///
+/// # Example
+/// ```
+/// use towermodes_files::{Source, SweepRows, read_sweep_study};
+///
+/// let text = r#"
+///     [sweep]
+///     base = "nrel-5mw.toml"
+///     sampling = "sobol"
+///     rows = 1_000_000
+///     [sweep.vary]
+///     "rna.mass" = { uniform = [3.3e5, 3.7e5] }
+/// "#;
+/// let source = Source { name: "study.toml".to_owned(), text: text.to_owned() };
+/// let study = read_sweep_study(source)?;
+/// assert_eq!(study.base.value, "nrel-5mw.toml");
+/// let SweepRows::Sampled { sampling, .. } = &study.rows else { unreachable!() };
+/// assert_eq!(sampling.rows, 1_000_000);
+/// # Ok::<(), towermodes_files::ReadError>(())
+/// ```
+pub fn read_sweep_study(source: Source) -> Result<SweepStudy, ReadError> {
+    describe(&source).map_err(|mistakes| ReadError::mistakes(&source, mistakes))
+}
+
+fn describe(source: &Source) -> Result<SweepStudy, Vec<Diagnostic>> {
+    let file = &source.text;
+    if file.trim().is_empty() {
+        let mistake = Diagnostic::new(0..0, DiagnosticKind::EmptyFile);
+        return Err(vec![mistake.with_hint(LEAST)]);
+    }
+    let document = DeTable::parse(file).map_err(|error| vec![syntax_mistake(&error, file)])?;
+    let entries = document.get_ref();
+    if !entries.contains_key("sweep") && entries.contains_key("tower") {
+        return Err(vec![tower_file()]);
+    }
+    let mut reading = Reading::default();
+    let root = Table::root(entries, file.len(), &STUDY, &mut reading);
+    let study = study(&root, source, &mut reading);
+    reading.mistakes.sort_by_key(|mistake| mistake.span.start);
+    match study {
+        Some(study) if reading.mistakes.is_empty() => Ok(study),
+        _ => Err(reading.mistakes),
+    }
+}
+
+/// The file describes a tower.
+fn tower_file() -> Diagnostic {
+    let found = "a tower file, not the study of a sweep".to_owned();
+    Diagnostic::new(0..0, DiagnosticKind::WrongFile { found }).with_hint(
+        "give a table of values after it, as in `towermodes sweep tower.toml values.csv`, or a study with [sweep]",
+    )
+}
+
+fn study(root: &Table<'_>, source: &Source, reading: &mut Reading) -> Option<SweepStudy> {
+    let value = root.require("sweep", LEAST, reading)?;
+    let sweep = Table::of(value, "[sweep]", &SWEEP, reading)?;
+    let base = file_of(&sweep, "base", reading);
+    let options = options::options(&sweep, reading);
+    let results = results::results(&sweep, reading);
+    let rows = rows(&sweep, reading);
+    Some(SweepStudy {
+        base: base?,
+        reading: options?,
+        rows: rows?,
+        results: results?,
+        source: source.clone(),
+    })
+}
+
+/// A required path.
+fn file_of(sweep: &Table<'_>, key: &str, reading: &mut Reading) -> Option<Placed<String>> {
+    let hint = "the path of the tower that is varied, in any format, relative to the study";
+    let value = sweep.require(key, hint, reading)?;
+    let path = text(value, key, reading)?;
+    if path.trim().is_empty() {
+        let kind = DiagnosticKind::Missing {
+            what: format!("the path `{key}`"),
+        };
+        return reading.refuse(Diagnostic::new(value.span(), kind).with_hint(hint));
+    }
+    Some(Placed {
+        value: path.to_owned(),
+        span: value.span(),
+    })
+}
+
+/// The table with the values, or the rule by which they are drawn.
+fn rows(sweep: &Table<'_>, reading: &mut Reading) -> Option<SweepRows> {
+    match (sweep.get("table"), sweep.get("sampling")) {
+        (None, _) => sampling::sampled(sweep, reading),
+        (Some(_), None) => {
+            let needless = ["rows", "seed", "vary"];
+            let beside = "beside `table`, which has the rows";
+            refuse_keys(sweep, &needless, beside, reading);
+            file_of(sweep, "table", reading).map(SweepRows::Table)
+        }
+        (Some(table), Some(_)) => {
+            let kind = DiagnosticKind::UnusedKey {
+                key: "table".to_owned(),
+                because: "beside `sampling`".to_owned(),
+            };
+            let mistake = Diagnostic::new(table.span(), kind);
+            reading.refuse(mistake.with_hint("keep one of the two"))
+        }
+    }
+}
+
+/// Reports keys that have no effect.
+fn refuse_keys(table: &Table<'_>, keys: &[&str], because: &str, reading: &mut Reading) {
+    for key in keys {
+        if let Some(value) = table.get(key) {
+            let kind = DiagnosticKind::UnusedKey {
+                key: (*key).to_owned(),
+                because: because.to_owned(),
+            };
+            reading.mistake(Diagnostic::new(value.span(), kind).with_hint("remove it"));
+        }
+    }
+}

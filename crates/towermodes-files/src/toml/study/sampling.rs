@@ -1,0 +1,140 @@
+//! `sampling`, `rows`, `seed` and `[sweep.vary]`.
+
+use std::ops::Range;
+
+use super::super::reading::Reading;
+use super::super::table::{Table, suggestion};
+use super::super::values::{Value, number, text};
+use super::distribution::varied;
+use super::refuse_keys;
+use super::schema::VARY;
+use crate::diagnostic::{Diagnostic, DiagnosticKind};
+use crate::sampling::{Sampling, SamplingError, SamplingKind, Varied};
+use crate::study::SweepRows;
+
+/// The rows of a sweep that has no table.
+pub(super) fn sampled(sweep: &Table<'_>, reading: &mut Reading) -> Option<SweepRows> {
+    let hint = "sampling = \"grid\", \"latin-hypercube\", \"random\" or \"sobol\", or table = \"values.csv\"";
+    let sampling = sweep.require("sampling", hint, reading);
+    let kind = sampling.and_then(|value| kind(value, reading));
+    let hint = "add [sweep.vary] with what varies, as \"rna.mass\" = { uniform = [3.3e5, 3.7e5] }";
+    let vary_value = sweep.require("vary", hint, reading);
+    let vary = vary_value.and_then(|value| vary(value, kind, reading));
+    let (sampling, kind) = (sampling?, kind?);
+    let seed = seed(sweep, kind, reading);
+    let rows = rows(sweep, kind, reading);
+    let (vary_value, (vary, spans)) = (vary_value?, vary?);
+    let rows = match rows? {
+        Some(rows) => rows,
+        // A grid of too many rows is refused below.
+        None => Sampling::grid_rows(&vary).unwrap_or(1),
+    };
+    let (seed, of_kind) = (seed?, sampling.span());
+    let sampling = Sampling {
+        kind,
+        rows,
+        seed,
+        vary,
+    };
+    if let Err(error) = sampling.check() {
+        let span = place_of(&error, &sampling, &spans, sweep, of_kind, vary_value.span());
+        return reading.refuse(Diagnostic::new(span, DiagnosticKind::Sampling(error)));
+    }
+    Some(SweepRows::Sampled { sampling, spans })
+}
+
+/// The place of a mistake of the whole sampling.
+fn place_of(
+    error: &SamplingError,
+    sampling: &Sampling,
+    spans: &[Range<usize>],
+    sweep: &Table<'_>,
+    of_kind: Range<usize>,
+    of_vary: Range<usize>,
+) -> Range<usize> {
+    let of_rows = || sweep.get("rows").map(Value::span);
+    let found = match error {
+        SamplingError::TooManyForSobol { .. } => Some(of_kind),
+        SamplingError::Rows { .. } | SamplingError::GridRows { .. } => of_rows(),
+        SamplingError::NoLevels { name, .. } => {
+            let index = sampling.vary.iter().position(|one| one.name == *name);
+            index.and_then(|index| spans.get(index).cloned())
+        }
+        _ => None,
+    };
+    found.unwrap_or(of_vary)
+}
+
+/// The kind of sampling by its name.
+fn kind(value: &Value<'_>, reading: &mut Reading) -> Option<SamplingKind> {
+    let name = text(value, "sampling", reading)?;
+    let kind = SamplingKind::ALL
+        .into_iter()
+        .find(|kind| kind.name() == name);
+    kind.or_else(|| {
+        let names = SamplingKind::ALL.map(SamplingKind::name);
+        let hint = suggestion(name, &names, "there are");
+        let what = "sampling";
+        let kind = DiagnosticKind::UnknownName {
+            what,
+            name: name.to_owned(),
+        };
+        reading.refuse(Diagnostic::new(value.span(), kind).with_hint(hint))
+    })
+}
+
+/// The seed, 0 by default.
+fn seed(sweep: &Table<'_>, kind: SamplingKind, reading: &mut Reading) -> Option<u64> {
+    if kind == SamplingKind::Grid {
+        refuse_keys(sweep, &["seed"], "with sampling = \"grid\"", reading);
+    }
+    match sweep.get("seed") {
+        None => Some(0),
+        Some(value) => whole(value, "seed", 0, reading),
+    }
+}
+
+/// The number of rows; `Some(None)` for a grid without it.
+fn rows(sweep: &Table<'_>, kind: SamplingKind, reading: &mut Reading) -> Option<Option<u64>> {
+    let value = match sweep.get("rows") {
+        None if kind == SamplingKind::Grid => return Some(None),
+        _ => sweep.require("rows", "number of rows, as rows = 1_000", reading)?,
+    };
+    whole(value, "rows", 1, reading).map(Some)
+}
+
+/// The largest whole number up to which every whole number is exact in double precision.
+const MOST: f64 = 9_007_199_254_740_992.0;
+
+/// A whole number.
+pub(super) fn whole(
+    value: &Value<'_>,
+    what: &str,
+    least: u64,
+    reading: &mut Reading,
+) -> Option<u64> {
+    let found = number(value, what, reading)?;
+    if found.fract() == 0.0 && (least as f64..=MOST).contains(&found) {
+        return Some(found as u64);
+    }
+    let rule = format!("a whole number, at least {least}");
+    let kind = DiagnosticKind::out_of_range(what, found, rule);
+    reading.refuse(Diagnostic::new(value.span(), kind))
+}
+
+/// What varies, in the order of the lines, with the places of the names.
+fn vary(
+    value: &Value<'_>,
+    kind: Option<SamplingKind>,
+    reading: &mut Reading,
+) -> Option<(Vec<Varied>, Vec<Range<usize>>)> {
+    let table = Table::with_any_keys(value, VARY.name, reading)?;
+    let mut entries: Vec<_> = table.placed_entries().collect();
+    entries.sort_by_key(|(_, span, _)| span.start);
+    let read: Vec<Option<(Varied, Range<usize>)>> = entries
+        .into_iter()
+        .map(|(name, span, value)| Some((varied(name, &span, value, kind, reading)?, span)))
+        .collect();
+    let read: Option<Vec<_>> = read.into_iter().collect();
+    Some(read?.into_iter().unzip())
+}

@@ -1,0 +1,62 @@
+//! The schema of the study of a sweep: all tables and keys with their types, units and meanings.
+
+use super::super::schema::{KeySchema, TableSchema, ValueKind, tables};
+
+tables! {
+    /// All tables of the study of a sweep.
+    ///
+    /// # Example
+    /// ```
+    /// use towermodes_files::sweep_study_schema;
+    ///
+    /// let mut tables = sweep_study_schema().iter();
+    /// let sweep = tables.find(|table| table.name == "[sweep]").expect("a table");
+    /// assert!(sweep.key("base").expect("a key").is_required);
+    /// ```
+    sweep_study_schema =>
+
+    /// The whole file.
+    STUDY = "the file":
+        required "sweep" Table "" "the sweep";
+
+    /// `[sweep]`.
+    SWEEP = "[sweep]":
+        required "base" Text "" "file with the tower that is varied, in any format, relative to the study";
+        optional "table" Text "" "file with the values, a column for each name: CSV or Parquet";
+        optional "sampling" Text "" "in place of table: grid, latin-hypercube, random or sobol";
+        optional "rows" Number "" "number of rows; of a grid the product of its levels";
+        optional "seed" Number "" "another seed gives other values; default 0";
+        optional "vary" Table "" "what varies: names of numbers with their distributions";
+        optional "results" Table "" "what is computed and written for each row";
+        optional "reading" Table "" "how the base is read, as by the options of the command line";
+
+    /// A value of `[sweep.vary]`.
+    VARY = "[sweep.vary]":
+        optional "uniform" Numbers "" "lowest and highest value, equally probable between";
+        optional "normal" Numbers "" "mean and standard deviation";
+        optional "lognormal" Numbers "" "mean and standard deviation of the value, not of its logarithm";
+        optional "triangular" Numbers "" "lowest, most probable and highest value";
+        optional "values" Numbers "" "these values, equally probable";
+        optional "truncated" Numbers "" "lowest and highest value of normal and lognormal";
+        optional "levels" Number "" "of a grid with uniform: number of equally spaced values, both ends included";
+
+    /// `[sweep.results]`.
+    RESULTS = "[sweep.results]":
+        optional "modes" Any "" "number of modes, the lowest of the base, or a list of names; default 4";
+        optional "segments" Number "" "number of segments or elements; default 20";
+        optional "method" Text "" "the method of computation; default as of solve";
+        optional "rotary_inertia" Flag "" "whether sections have rotary inertia in bending; default true";
+        optional "inputs" Flag "" "whether the varied values are columns of the results; default true";
+        optional "rows_per_part" Number "" "rows of a file of the results; default 16384";
+
+    /// `[sweep.reading]`.
+    READING = "[sweep.reading]":
+        optional "no_rna" Flag "" "omit the rotor-nacelle assembly";
+        optional "no_gravity" Flag "" "omit gravity";
+        optional "rotor" Text "" "locked or free, of an ElastoDyn model";
+        optional "bmodes_quirks" Flag "" "interpret a BModes deck exactly as BModes 3.00 does";
+        optional "part" Text "" "all, tower or monopile of a windIO turbine";
+        optional "tower_height" Number "m" "top of an ElastoDyn tower file without its main file";
+        optional "tower_base" Number "m" "base of an ElastoDyn tower file without its main file, or of a HAWC2 file";
+        optional "subset" Numbers "" "set and subset of a HAWC2 file";
+}

@@ -1,0 +1,493 @@
+//! Studies of sweeps: what a study says, every mistake with its line and column, and texts that are
+//! damaged at random.
+
+use std::path::Path;
+
+use proptest::prelude::*;
+use towermodes::{Family, Method, ModeName};
+use towermodes_files::{
+    Distribution, ReadError, RotorLock, SamplingKind, Source, SweepModes, SweepRows, SweepStudy,
+    TowerPart, ValueKind, description_from_toml, read_sweep_study, read_tower, sweep_study_schema,
+};
+
+use crate::mutations::{any_mutation, mutated};
+
+const GOOD: &str = r#"[sweep]
+base = "tower.toml"
+sampling = "sobol"
+rows = 1_000
+seed = 7
+[sweep.vary]
+"rna.mass" = { uniform = [3.3e5, 3.7e5] }
+"material.youngs_modulus" = { normal = [2.1e11, 3e9], truncated = [2.0e11, 2.2e11] }
+"scale(stations[*].wall)" = { triangular = [0.95, 1.0, 1.05] }
+"material.density" = { lognormal = [8500, 100] }
+"rna.center[2]" = { values = [1.9, 2.0] }
+[sweep.results]
+modes = ["fore-aft 1", "torsion 1"]
+segments = 30
+method = "spectral"
+rotary_inertia = false
+inputs = false
+rows_per_part = 4096
+[sweep.reading]
+no_rna = false
+no_gravity = true
+rotor = "free"
+bmodes_quirks = true
+part = "tower"
+tower_height = 87.6
+tower_base = 10
+subset = [1, 2]
+"#;
+
+fn read(text: &str) -> Result<SweepStudy, ReadError> {
+    read_sweep_study(Source {
+        name: "study.toml".to_owned(),
+        text: text.to_owned(),
+    })
+}
+
+#[test]
+fn a_study_is_what_its_text_says() {
+    let study = read(GOOD).expect("a study");
+    assert_eq!(study.base.value, "tower.toml");
+    assert_eq!(&GOOD[study.base.span.clone()], "\"tower.toml\"");
+    let SweepRows::Sampled { sampling, spans } = &study.rows else {
+        panic!("a sampling")
+    };
+    assert_eq!(
+        (sampling.kind, sampling.rows, sampling.seed),
+        (SamplingKind::Sobol, 1000, 7)
+    );
+    let names: Vec<&str> = sampling.vary.iter().map(|one| one.name.as_str()).collect();
+    // In the order of the lines, not of the alphabet.
+    assert_eq!(
+        names,
+        [
+            "rna.mass",
+            "material.youngs_modulus",
+            "scale(stations[*].wall)",
+            "material.density",
+            "rna.center[2]"
+        ]
+    );
+    for (name, span) in names.iter().zip(spans) {
+        assert_eq!(GOOD[span.clone()].trim_matches('"'), *name);
+    }
+    let distributions: Vec<&Distribution> =
+        sampling.vary.iter().map(|one| &one.distribution).collect();
+    assert_eq!(
+        distributions[1],
+        &Distribution::Normal {
+            mean: 2.1e11,
+            deviation: 3e9,
+            truncated: Some([2.0e11, 2.2e11])
+        }
+    );
+    assert_eq!(
+        distributions[2],
+        &Distribution::Triangular {
+            low: 0.95,
+            mode: 1.0,
+            high: 1.05
+        }
+    );
+    assert_eq!(distributions[4], &Distribution::Values(vec![1.9, 2.0]));
+    let results = &study.results;
+    let torsion = ModeName {
+        family: Family::Torsion,
+        order: 1,
+    };
+    assert!(matches!(&results.modes, SweepModes::Named(names) if names[1] == torsion));
+    assert_eq!(
+        (results.segments, results.method, results.rows_per_part),
+        (Some(30), Some(Method::Spectral), Some(4096))
+    );
+    assert!(!results.rotary_inertia && !results.inputs);
+    let reading = study.reading;
+    assert_eq!(
+        (reading.part, reading.rotor),
+        (TowerPart::Tower, RotorLock::Free)
+    );
+    assert_eq!(reading.hawc2_subset, Some((1, 2)));
+    assert!(reading.without_gravity && reading.bmodes_quirks && !reading.without_rna);
+    assert_eq!(
+        (reading.tower_height_m, reading.tower_base_m),
+        (Some(87.6), Some(10.0))
+    );
+}
+
+#[test]
+fn tables_and_grids() {
+    let study = read("[sweep]\nbase = \"t.toml\"\ntable = \"values.csv\"\n").expect("a study");
+    assert!(matches!(study.rows, SweepRows::Table(path) if path.value == "values.csv"));
+    let grid = "[sweep]\nbase = \"t.toml\"\nsampling = \"grid\"\n[sweep.vary]\n\
+                \"rna.mass\" = { uniform = [1, 2], levels = 5 }\n\"rna.center[2]\" = { values = [1, 2, 3] }\n";
+    let SweepRows::Sampled { sampling, .. } = read(grid).expect("a study").rows else {
+        panic!("a sampling")
+    };
+    assert_eq!((sampling.rows, sampling.vary[0].levels), (15, Some(5)));
+}
+
+/// Replaces `from` by `to` and expects the first mistake at line:column with these words in its
+/// message and hint.
+#[track_caller]
+fn refused(from: &str, to: &str, place: &str, words: &str) {
+    assert!(GOOD.contains(from), "the test is wrong: {from}");
+    refused_text(&GOOD.replacen(from, to, 1), place, words);
+}
+
+#[track_caller]
+fn refused_text(text: &str, place: &str, words: &str) {
+    let error = read(text).expect_err("this is no study").to_string();
+    let first = error.lines().next().unwrap_or_default();
+    let at = format!("study.toml:{place}: ");
+    assert!(first.starts_with(&at), "{first}");
+    assert!(first.contains(words), "{first}");
+}
+
+#[test]
+fn keys_and_types() {
+    refused("base =", "bse =", "2:1", "did you mean `base`?");
+    refused(
+        "base = \"tower.toml\"\n",
+        "",
+        "1:1",
+        "[sweep] has no `base`",
+    );
+    refused(
+        "\"tower.toml\"",
+        "\"\"",
+        "2:8",
+        "the path `base` is missing",
+    );
+    refused("\"tower.toml\"", "3", "2:8", "base must be a text");
+    refused("\"sobol\"", "\"soboll\"", "3:12", "did you mean `sobol`?");
+    refused(
+        "\"sobol\"",
+        "\"monte carlo\"",
+        "3:12",
+        "grid, latin-hypercube, random, sobol",
+    );
+    refused("sampling = \"sobol\"\n", "", "1:1", "has no `sampling`");
+    refused("segments = 30", "segments = 0", "14:12", "at least 1");
+    refused(
+        "segments = 30",
+        "segments = 1e9",
+        "14:12",
+        "at most 2000000",
+    );
+    refused(
+        "\"spectral\"",
+        "\"spectrl\"",
+        "15:10",
+        "did you mean `spectral`?",
+    );
+    refused(
+        "inputs = false",
+        "inputs = 0",
+        "17:10",
+        "inputs must be true or false",
+    );
+    refused(
+        "part = \"tower\"",
+        "part = \"nacelle\"",
+        "24:8",
+        "there is no part `nacelle`",
+    );
+    refused("[1, 2]", "[1]", "27:10", "subset has 1 values instead of 2");
+    refused(
+        "[sweep.reading]",
+        "[sweep.readin]",
+        "19:8",
+        "did you mean `reading`?",
+    );
+    refused("[sweep]", "[swep]", "1:2", "did you mean `sweep`?");
+}
+
+#[test]
+fn rows_and_seeds() {
+    refused(
+        "1_000",
+        "0",
+        "4:8",
+        "rows is 0, but must be a whole number, at least 1",
+    );
+    refused("1_000", "1.5", "4:8", "rows is 1.5");
+    refused("1_000", "1e10", "4:8", "it must be from 1 to 4294967296");
+    refused(
+        "1_000",
+        "\"many\"",
+        "4:8",
+        "rows must be a number, found a text",
+    );
+    refused("rows = 1_000\n", "", "1:1", "has no `rows`");
+    refused("seed = 7", "seed = -1", "5:8", "at least 0");
+    refused(
+        "sampling = \"sobol\"",
+        "table = \"t.csv\"",
+        "4:8",
+        "`rows` has no effect beside `table`",
+    );
+    refused(
+        "seed = 7",
+        "table = \"t.csv\"",
+        "5:9",
+        "`table` has no effect beside `sampling`",
+    );
+}
+
+#[test]
+fn distributions() {
+    let uniform = "{ uniform = [3.3e5, 3.7e5] }";
+    refused(
+        uniform,
+        "3.5e5",
+        "7:14",
+        "must be a distribution in braces, found a number",
+    );
+    refused(
+        uniform,
+        "[3.3e5, 3.7e5]",
+        "7:14",
+        "{ uniform = [lowest, highest] }",
+    );
+    refused(
+        uniform,
+        "{ unifrm = [1, 2] }",
+        "7:16",
+        "did you mean `uniform`?",
+    );
+    refused(
+        uniform,
+        "{ }",
+        "7:14",
+        "the distribution of `rna.mass` is missing",
+    );
+    refused(
+        uniform,
+        "{ uniform = [1, 2], values = [1] }",
+        "7:43",
+        "`values` has no effect beside `uniform`",
+    );
+    refused(
+        "[3.3e5, 3.7e5]",
+        "[3.7e5, 3.3e5]",
+        "7:26",
+        "is not below the upper limit",
+    );
+    refused(
+        "[3.3e5, 3.7e5]",
+        "[3.3e5]",
+        "7:26",
+        "uniform has 1 values instead of 2",
+    );
+    refused(
+        "[3.3e5, 3.7e5]",
+        "[3.3e5, \"x\"]",
+        "7:34",
+        "uniform must be a number, found a text",
+    );
+    refused("[3.3e5, 3.7e5]", "[nan, 1]", "7:27", "uniform is NaN");
+    refused(
+        "[2.1e11, 3e9]",
+        "[2.1e11, -1]",
+        "8:40",
+        "the standard deviation is -1",
+    );
+    refused("[2.0e11, 2.2e11]", "[2, 1]", "8:67", "truncated");
+    refused(
+        "[0.95, 1.0, 1.05]",
+        "[0.95, 1.2, 1.05]",
+        "9:44",
+        "is not between",
+    );
+    refused(
+        "[8500, 100]",
+        "[-1, 100]",
+        "10:36",
+        "the mean of a lognormal value is -1",
+    );
+    refused("[1.9, 2.0]", "[]", "11:30", "the list of values is empty");
+    refused(
+        uniform,
+        "{ uniform = [1, 2], levels = 3 }",
+        "7:43",
+        "without sampling = \"grid\"",
+    );
+    refused(
+        uniform,
+        "{ uniform = [1, 2], truncated = [1, 2] }",
+        "7:46",
+        "`truncated` has no effect",
+    );
+    refused(
+        "\"rna.mass\" =",
+        "rna.mass =",
+        "7:1",
+        "\"rna.mass\" = { ... }",
+    );
+}
+
+#[test]
+fn modes() {
+    let names = "[\"fore-aft 1\", \"torsion 1\"]";
+    refused(names, "0", "13:9", "modes is 0");
+    refused(
+        names,
+        "\"fore-aft 1\"",
+        "13:9",
+        "modes must be a number or a list of names",
+    );
+    refused(
+        names,
+        "[]",
+        "13:9",
+        "modes has 0 values instead of one or more",
+    );
+    refused(
+        "\"torsion 1\"",
+        "\"twist 1\"",
+        "13:24",
+        "is not the name of a mode",
+    );
+    refused(
+        "\"torsion 1\"",
+        "\"fore-aft 1\"",
+        "13:24",
+        "the mode `fore-aft 1` occurs 2 times",
+    );
+}
+
+#[test]
+fn other_files() {
+    refused_text("", "1:1", "the file is empty");
+    refused_text(
+        "[tower]\nstations = []\n",
+        "1:1",
+        "a tower file, not the study of a sweep",
+    );
+    refused_text("[sweep\n", "1:7", "invalid TOML");
+    let study = description_from_toml(GOOD).expect_err("no tower");
+    assert!(
+        study[0].to_string().contains("towermodes sweep FILE"),
+        "{}",
+        study[0]
+    );
+}
+
+#[test]
+fn grids() {
+    let grid =
+        |vary: &str| format!("[sweep]\nbase = \"t\"\nsampling = \"grid\"\n[sweep.vary]\n{vary}\n");
+    let refused = |vary: &str, place: &str, words: &str| refused_text(&grid(vary), place, words);
+    refused(
+        "a = { normal = [1, 2] }",
+        "5:1",
+        "`a` is normal, which has no levels in a grid",
+    );
+    refused("a = { uniform = [1, 2] }", "5:1", "no levels");
+    refused("a = { uniform = [1, 2], levels = 1 }", "5:34", "at least 2");
+    let large =
+        "a = { uniform = [1, 2], levels = 100_000 }\nb = { uniform = [1, 2], levels = 100_000 }";
+    refused(large, "4:1", "reduce the levels");
+    let rows = grid("a = { values = [1, 2] }").replace("[sweep.vary]", "rows = 3\n[sweep.vary]");
+    refused_text(&rows, "4:8", "the grid has 2");
+}
+
+#[test]
+fn names_are_found_in_the_base() {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../examples/nrel-5mw.toml");
+    let base = read_tower(path).expect("a tower").input.description;
+    let changes = |text: &str| read(text).expect("a study").changes(&base);
+    let good = changes(GOOD).expect("names of the tower");
+    assert_eq!(good[2].name(), "scale(stations[*].wall)");
+    let wrong = GOOD.replace("\"rna.mass\"", "\"rna.mas\"");
+    let error = changes(&wrong).expect_err("no such number").to_string();
+    assert!(
+        error.starts_with("study.toml:7:1: `rna.mas` is not a number"),
+        "{error}"
+    );
+    assert!(error.contains("did you mean `rna.mass`?"), "{error}");
+    let twice = GOOD.replace("\"rna.center[2]\"", "\"set(rna.mass)\"");
+    let error = changes(&twice).expect_err("set twice").to_string();
+    assert!(error.starts_with("study.toml:11:1: "), "{error}");
+}
+
+/// A reader that forgets a key would accept the file, and the key would have no effect.
+#[test]
+fn every_key_is_read() {
+    const DATE: &str = "1979-05-27";
+    for table in sweep_study_schema() {
+        for key in table.keys {
+            let line = format!("{} = {DATE}", key.name);
+            let least = "[sweep]\nbase = \"t\"\ntable = \"v.csv\"\n";
+            let sampled = "[sweep]\nbase = \"t\"\nsampling = \"random\"\nrows = 1\n";
+            let text = match table.name {
+                "the file" => line,
+                "[sweep]" if key.name == "base" => format!("[sweep]\n{line}\n"),
+                "[sweep]" if ["rows", "seed", "vary"].contains(&key.name) => {
+                    sampled.replace("rows = 1\n", "") + &line
+                }
+                "[sweep]" if ["table", "sampling"].contains(&key.name) => {
+                    format!("[sweep]\nbase = \"t\"\n{line}\n")
+                }
+                "[sweep.vary]" => {
+                    let beside = match key.name {
+                        "truncated" => "normal = [1, 2], ",
+                        "levels" => "uniform = [1, 2], ",
+                        _ => "",
+                    };
+                    let kind = if key.name == "levels" {
+                        "grid"
+                    } else {
+                        "random"
+                    };
+                    let sampled = sampled.replace("random", kind);
+                    format!("{sampled}vary.a = {{ {beside}{line} }}\n")
+                }
+                _ => format!("{least}{}\n{line}\n", table.name.replace("[sweep]", "")),
+            };
+            let error = read(&text).expect_err("a date is no value");
+            let ReadError::Mistakes { mistakes, .. } = error else {
+                panic!("{text}")
+            };
+            let date = text.find(DATE).expect("the value");
+            let is_said = mistakes.iter().any(|mistake| mistake.span.start == date);
+            assert!(is_said, "{text}: {mistakes:?}");
+            assert!(key.kind != ValueKind::Rows);
+        }
+    }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { cases: 10_000, ..ProptestConfig::default() })]
+
+    #[test]
+    fn damaged_studies_are_read_or_refused(
+        mutations in prop::collection::vec(any_mutation(), 1..4),
+    ) {
+        let mut text = GOOD.to_owned();
+        for mutation in &mutations {
+            text = mutated(&text, mutation);
+        }
+        match read(&text) {
+            Ok(study) => {
+                if let SweepRows::Sampled { sampling, spans } = &study.rows {
+                    prop_assert!(sampling.check().is_ok());
+                    prop_assert_eq!(sampling.vary.len(), spans.len());
+                    prop_assert!(sampling.vary.iter().all(|one| one.distribution.check().is_ok()));
+                }
+            }
+            Err(ReadError::Mistakes { mistakes, .. }) => {
+                prop_assert!(!mistakes.is_empty());
+                for mistake in mistakes {
+                    prop_assert!(mistake.span.start <= mistake.span.end && mistake.span.end <= text.len());
+                    prop_assert!(!mistake.message().is_empty());
+                }
+            }
+            Err(error) => prop_assert!(false, "{error}"),
+        }
+    }
+}
