@@ -1,0 +1,189 @@
+//! The distribution of each frequency over the rows of a sweep.
+
+use towermodes::number::digits;
+
+use super::curves::not_shown;
+use super::panel::{WIDTH, frame, height, range};
+use super::{ModeColumn, SweepColumns};
+use crate::svg::{Anchor, Axes, Colour, Dash, DataTable, Drawing, Figure, Stroke, TextStyle};
+
+/// Panels of more modes are not shown.
+const MOST_PANELS: usize = 6;
+/// Fewest and most classes of a histogram.
+const CLASSES: [usize; 2] = [8, 60];
+/// The quantiles that are marked.
+const QUANTILES: [(f64, &str); 3] = [(0.05, "5 %"), (0.5, "50 %"), (0.95, "95 %")];
+
+/// A histogram for each mode.
+pub(super) fn of_each(columns: &SweepColumns<'_>) -> Figure {
+    let shown = &columns.modes[..columns.modes.len().min(MOST_PANELS)];
+    let histograms: Vec<Histogram<'_>> = shown.iter().map(Histogram::of).collect();
+    let height = height(histograms.len());
+    let mut drawing = Drawing::new(WIDTH, height * histograms.len().max(1) as f64);
+    for (index, histogram) in histograms.iter().enumerate() {
+        let top = height * index as f64;
+        histogram.draw(&mut drawing, [top, top + height]);
+    }
+    let names: Vec<&str> = columns.varied.iter().map(|varied| varied.name).collect();
+    let description = format!(
+        "Histograms of {} natural frequencies over the rows of a sweep of {}. {}{}",
+        shown.len(),
+        names.join(", "),
+        histograms
+            .iter()
+            .map(Histogram::in_words)
+            .collect::<Vec<_>>()
+            .join(" "),
+        not_shown(columns.modes.len() - shown.len())
+    );
+    Figure {
+        name: "sweep".to_owned(),
+        title: "Distribution of the natural frequencies".to_owned(),
+        description,
+        drawing,
+        table: table(&histograms),
+    }
+}
+
+/// A frequency in classes of equal width.
+struct Histogram<'a> {
+    label: &'a str,
+    /// Rows with a frequency.
+    rows: usize,
+    range: [f64; 2],
+    /// Share of the rows in each class, percent.
+    shares: Vec<f64>,
+    /// The values of [`QUANTILES`], Hz.
+    quantiles: Vec<f64>,
+}
+
+impl<'a> Histogram<'a> {
+    fn of(mode: &'a ModeColumn<'_>) -> Self {
+        let values = mode
+            .frequency_hz
+            .iter()
+            .copied()
+            .filter(|hz| hz.is_finite());
+        let mut values: Vec<f64> = values.collect();
+        values.sort_by(f64::total_cmp);
+        let range = range(values.iter().copied(), 0.0);
+        let [fewest, most] = CLASSES;
+        let count = ((values.len() as f64).sqrt().ceil() as usize).clamp(fewest, most);
+        let mut shares = vec![0.0; count];
+        for value in &values {
+            let place = (value - range[0]) / (range[1] - range[0]) * count as f64;
+            shares[(place as usize).min(count - 1)] += 100.0 / values.len() as f64;
+        }
+        Self {
+            label: mode.label,
+            rows: values.len(),
+            range,
+            shares,
+            quantiles: QUANTILES
+                .map(|(share, _)| quantile(&values, share))
+                .to_vec(),
+        }
+    }
+
+    fn draw(&self, drawing: &mut Drawing, rows: [f64; 2]) {
+        let highest = self.shares.iter().copied().fold(0.0, f64::max).max(1e-9);
+        // Room for the names of the quantiles.
+        let y = [0.0, 1.15 * highest];
+        let left = Axes::left_margin(y, false, 5);
+        let frame = frame(drawing, self.label, rows, left, WIDTH - 24.0);
+        let axes = Axes::new(frame, self.range, y, [false, false]);
+        axes.draw_x(drawing, "natural frequency (Hz)", 6);
+        axes.draw_y(drawing, "share of the rows (%)", 5);
+        let edge = Stroke::new(Colour::Paper, 0.7);
+        for (class, share) in self.shares.iter().enumerate() {
+            let (from, top) = axes.at(self.edge(class), *share);
+            let (to, bottom) = axes.at(self.edge(class + 1), 0.0);
+            let size = (to - from, bottom - top);
+            drawing.rectangle((from, top), size, Colour::Series(0), Some(&edge));
+        }
+        self.draw_quantiles(drawing, &axes);
+    }
+
+    fn draw_quantiles(&self, drawing: &mut Drawing, axes: &Axes) {
+        let stroke = Stroke::new(Colour::Ink, 1.2).dashed(Dash::Dashed);
+        let style = TextStyle::new(11.0).anchor(Anchor::Middle);
+        let mut free = f64::NEG_INFINITY;
+        for (value, (_, name)) in self.quantiles.iter().zip(QUANTILES) {
+            let x = axes.x.at(*value);
+            if !x.is_finite() {
+                continue;
+            }
+            drawing.line((x, axes.frame.top + 14.0), (x, axes.frame.bottom), &stroke);
+            // Names of equal quantiles would lie on each other.
+            if x - 14.0 >= free {
+                drawing.text((x, axes.frame.top + 10.0), name, &style);
+                free = x + 14.0;
+            }
+        }
+    }
+
+    /// The lower edge of a class, Hz.
+    fn edge(&self, class: usize) -> f64 {
+        let share = class as f64 / self.shares.len() as f64;
+        self.range[0] + share * (self.range[1] - self.range[0])
+    }
+
+    /// "1st fore-aft bending: 5 % of the rows below 0.3145 Hz, 50 % below 0.3214 Hz, …".
+    fn in_words(&self) -> String {
+        if self.rows == 0 {
+            return format!("{}: no row has a frequency.", self.label);
+        }
+        let quantiles = self.quantiles.iter().zip(QUANTILES);
+        let words: Vec<String> = quantiles
+            .map(|(value, (_, name))| format!("{name} of the rows below {} Hz", digits(*value, 5)))
+            .collect();
+        format!("{}: {}.", self.label, words.join(", "))
+    }
+}
+
+/// A quantile of sorted values, linear between them.
+fn quantile(sorted: &[f64], share: f64) -> f64 {
+    if sorted.is_empty() {
+        return f64::NAN;
+    }
+    let place = share * (sorted.len() - 1) as f64;
+    let below = place.floor() as usize;
+    let above = (below + 1).min(sorted.len() - 1);
+    sorted[below] + (place - below as f64) * (sorted[above] - sorted[below])
+}
+
+/// One row per class.
+fn table(histograms: &[Histogram<'_>]) -> DataTable {
+    let of_one = |histogram: &Histogram<'_>| {
+        let classes = 0..histogram.shares.len();
+        classes
+            .map(|class| {
+                vec![
+                    histogram.label.to_owned(),
+                    digits(histogram.edge(class), 6),
+                    digits(histogram.edge(class + 1), 6),
+                    format!("{:.3}", histogram.shares[class]),
+                ]
+            })
+            .collect::<Vec<_>>()
+    };
+    let header = ["mode", "from (Hz)", "to (Hz)", "share of the rows (%)"];
+    DataTable {
+        header: header.map(str::to_owned).to_vec(),
+        rows: histograms.iter().flat_map(of_one).collect(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::quantile;
+
+    #[test]
+    fn quantiles_are_linear_between_values() {
+        let values = [1.0, 2.0, 3.0, 5.0];
+        assert_eq!(quantile(&values, 0.5), 2.5);
+        assert_eq!(quantile(&values, 1.0), 5.0);
+        assert_eq!(quantile(&[4.0], 0.05), 4.0);
+        assert!(quantile(&[], 0.5).is_nan());
+    }
+}

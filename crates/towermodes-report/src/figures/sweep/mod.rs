@@ -1,0 +1,85 @@
+//! The results of a sweep: curves of the frequencies against one varied number, a panel of curves
+//! for each mode against two, and the distribution of each frequency for any other sweep.
+
+mod curves;
+mod distribution;
+mod panel;
+
+use crate::svg::Figure;
+
+/// The columns of a sweep that a picture shows; all have a value for each row, NaN where the row
+/// has none.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct SweepColumns<'a> {
+    /// The numbers that vary.
+    pub varied: Vec<VariedColumn<'a>>,
+    /// The frequencies.
+    pub modes: Vec<ModeColumn<'a>>,
+}
+
+/// A number that varies.
+#[derive(Debug, Clone, PartialEq)]
+pub struct VariedColumn<'a> {
+    /// Its name, `rna.mass` or `scale(stations[*].wall)`.
+    pub name: &'a str,
+    /// Its unit; empty for a factor.
+    pub unit: &'a str,
+    /// Its value in each row.
+    pub values: Vec<f64>,
+}
+
+/// The frequency of a mode.
+#[derive(Debug, Clone, PartialEq)]
+pub struct ModeColumn<'a> {
+    /// Its name: "1st fore-aft bending".
+    pub label: &'a str,
+    /// Its frequency in each row, Hz.
+    pub frequency_hz: Vec<f64>,
+}
+
+impl VariedColumn<'_> {
+    /// "rna.mass (kg)".
+    fn axis_name(&self) -> String {
+        match self.unit {
+            "" => format!("{} (–)", self.name),
+            unit => format!("{} ({unit})", self.name),
+        }
+    }
+
+    /// Its different values by size; none if there are more than `most`.
+    fn levels(&self, most: usize) -> Option<Vec<f64>> {
+        let mut levels: Vec<f64> = Vec::new();
+        for value in self
+            .values
+            .iter()
+            .copied()
+            .filter(|value| value.is_finite())
+        {
+            if let Err(place) = levels.binary_search_by(|level| level.total_cmp(&value)) {
+                if levels.len() == most {
+                    return None;
+                }
+                levels.insert(place, value);
+            }
+        }
+        Some(levels)
+    }
+}
+
+/// The picture of a sweep.
+pub fn sweep(columns: &SweepColumns<'_>) -> Figure {
+    match &columns.varied[..] {
+        [one] => curves::of_one(one, &columns.modes),
+        [first, second] => {
+            // The curves are those of the number with few values.
+            let of_second = second.levels(curves::MOST_LEVELS);
+            let of_first = first.levels(curves::MOST_LEVELS);
+            match (of_second, of_first) {
+                (Some(levels), _) => curves::of_two(first, second, &levels, &columns.modes),
+                (None, Some(levels)) => curves::of_two(second, first, &levels, &columns.modes),
+                (None, None) => distribution::of_each(columns),
+            }
+        }
+        _ => distribution::of_each(columns),
+    }
+}
