@@ -6,11 +6,13 @@ use std::io::{self, Write as _};
 use annotate_snippets::{AnnotationKind, Group, Level, Renderer, Snippet};
 use thiserror::Error;
 use towermodes::number;
-use towermodes::{BladeError, EigenError, Family, SolveError, TowerError, Warning};
+use towermodes::{BladeError, EigenError, Family, ParameterError, SolveError, TowerError, Warning};
 use towermodes_analysis::elastodyn::{MakeError, ShapesError};
 use towermodes_analysis::resonance::CampbellError;
 use towermodes_files::elastodyn::TowerFileError;
-use towermodes_files::{Diagnostic, FileFormat, Note, ReadError, ResultError, Source, TowerInput};
+use towermodes_files::{
+    Diagnostic, FileFormat, Note, ReadError, ResultError, SettingError, Source, TowerInput,
+};
 use towermodes_report::raster::RasterError;
 use towermodes_report::wording::printable;
 
@@ -23,6 +25,12 @@ pub(crate) enum Failure {
     /// A file cannot be read or does not describe a tower.
     #[error("{0}")]
     Input(ReadError),
+    /// A number cannot be set by name.
+    #[error("--set: {0}")]
+    Setting(SettingError),
+    /// The tower has no number with the requested name.
+    #[error("{0}")]
+    NoParameter(ParameterError),
     /// The options are impossible or the computation failed.
     #[error("{0}")]
     Unsolved(SolveError),
@@ -70,6 +78,16 @@ pub(crate) enum Failure {
     /// Two models do not agree.
     #[error("the two models do not agree")]
     Disagree,
+    /// Some of several files failed; their messages are printed before.
+    #[error("{failed} of {files} files {} no result", if *.failed == 1 { "has" } else { "have" })]
+    Several {
+        /// How many failed.
+        failed: usize,
+        /// Of how many.
+        files: usize,
+        /// The largest exit code of a failure.
+        code: u8,
+    },
     /// The arguments contradict each other.
     #[error("{0}")]
     Usage(&'static str),
@@ -128,6 +146,18 @@ impl Failure {
         self.code()
     }
 
+    /// Prints the error of one of several files and returns its exit code.
+    pub(crate) fn report_of(&self, file: &str) -> u8 {
+        // The message on an input names the file.
+        if matches!(self, Self::Input(_)) {
+            return self.report();
+        }
+        let hint = self.hint();
+        let text = format!("{file}: {self}");
+        say(&message(Level::ERROR, &text, hint.as_deref()));
+        self.code()
+    }
+
     /// What the user can do about it.
     fn hint(&self) -> Option<Cow<'static, str>> {
         let hint = match self {
@@ -135,6 +165,10 @@ impl Failure {
             | Self::TowerFile(MakeError::Shapes(ShapesError::Solve(error)))
             | Self::Campbell(CampbellError::Blade { error, .. }) => hint(error)?,
             Self::Tower(error) => error.hint()?,
+            Self::Setting(SettingError::Parameter(_)) => {
+                "`towermodes parameters FILE` lists the names of all numbers"
+            }
+            Self::NoParameter(_) => "without a filter the command lists all numbers",
             Self::Unfit { .. } => "towermodes elastodyn patch replaces them by the computed shapes",
             Self::NoRotor {
                 format: FileFormat::Toml,
@@ -175,6 +209,7 @@ impl Failure {
             Self::Campbell(CampbellError::Blade { .. }) | Self::Resonant { .. } => 1,
             Self::Picture(RasterError::Encoding(_)) => 1,
             Self::Unwritable(..) | Self::Unverified { .. } => 1,
+            Self::Several { code, .. } => *code,
             _ => 2,
         }
     }
@@ -213,13 +248,15 @@ pub(crate) fn note_texts(notes: &[String]) {
 /// Prints warnings, with file and line of the input if they are known.
 pub(crate) fn warn(warnings: &[Warning], input: &TowerInput) {
     for warning in warnings {
-        let line = warning.place().and_then(|place| input.line_of(place));
-        let text = match line {
-            Some((file, line)) => format!("{file}:{line}: {warning}"),
-            None => warning.to_string(),
-        };
+        let text = warning_text(warning, input).unwrap_or_else(|| warning.to_string());
         say(&message(Level::WARNING, &text, None));
     }
+}
+
+/// A warning with file and line of the input; none if they are not known.
+pub(crate) fn warning_text(warning: &Warning, input: &TowerInput) -> Option<String> {
+    let (file, line) = input.line_of(warning.place()?)?;
+    Some(format!("{file}:{line}: {warning}"))
 }
 
 /// If standard error is closed, the message is lost.

@@ -10,6 +10,9 @@ use towermodes_files::{
 use crate::args::{InputArguments, ReadingArguments};
 use crate::failure::Failure;
 
+/// The option that sets numbers by name.
+const SETTING: &str = "--set";
+
 /// Reads a tower or blade from a file or from standard input.
 pub(crate) fn input(file: &Path, reading: &ReadingArguments) -> Result<Input, Failure> {
     let options = reading.options();
@@ -20,7 +23,13 @@ pub(crate) fn input(file: &Path, reading: &ReadingArguments) -> Result<Input, Fa
     } else {
         read(file, &options)
     };
-    input.map_err(Failure::Input)
+    let mut input = input.map_err(Failure::Input)?;
+    // The command refuses settings of a blade.
+    if let Input::Tower(tower) = &mut input {
+        let set = tower.set(&reading.settings, SETTING);
+        set.map_err(Failure::Setting)?;
+    }
+    Ok(input)
 }
 
 /// Reads a tower from a file or from standard input; a rotating blade is an error.

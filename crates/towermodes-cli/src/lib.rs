@@ -16,6 +16,7 @@ mod elastodyn;
 mod failure;
 mod input;
 mod output;
+mod parameters;
 mod plot;
 mod progress;
 mod reference;
@@ -56,6 +57,7 @@ pub fn run(command_line: impl IntoIterator<Item = impl Into<OsString>>) -> u8 {
 fn done(command: Command, words: &[OsString]) -> Result<(), failure::Failure> {
     match command {
         Command::Solve(arguments) => solve::run(&arguments),
+        Command::Parameters(arguments) => parameters::run(&arguments),
         Command::Completions { shell } => shell::completions(shell),
         Command::Compare(arguments) => compare::run(&arguments),
         Command::Converge(arguments) => converge::run(&arguments),

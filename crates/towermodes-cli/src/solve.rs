@@ -1,5 +1,7 @@
 //! `towermodes solve`.
 
+mod several;
+
 use towermodes::{Blade, BladeMode, BladeSolution, Solution, Tower, Warning, solve_blade};
 use towermodes_files::{
     BladeInput, FileFormat, Input, Note, OutNodes, TowerInput, write_blade_csv, write_blade_json,
@@ -17,11 +19,15 @@ use crate::terminal;
 
 /// Reads and solves the tower or the blade and prints the result; warnings go to standard error.
 pub(crate) fn run(arguments: &SolveArguments) -> Result<(), Failure> {
-    let file = &arguments.input.file;
-    check_not_input(file, arguments.output())?;
+    for file in &arguments.files {
+        check_not_input(file, arguments.output())?;
+    }
     let format = arguments.format().map_err(Failure::Ending)?;
     arguments.check(format).map_err(Failure::Usage)?;
-    let result = match input(file, &arguments.input.reading)? {
+    let [file] = &arguments.files[..] else {
+        return several::run(arguments, format);
+    };
+    let result = match input(file, &arguments.reading)? {
         Input::Tower(tower) => of_tower(*tower, arguments, format)?,
         Input::Blade(blade) => of_blade(&blade, arguments, format)?,
     };
@@ -34,7 +40,7 @@ fn of_tower(
     format: SolveFormat,
 ) -> Result<Vec<u8>, Failure> {
     check_not_inputs(input.files(), arguments.output())?;
-    let checked = arguments.input.reading.check(&[input.format]);
+    let checked = arguments.reading.check(&[input.format]);
     checked.map_err(Failure::Usage)?;
     let prescribed = Prescribed::of(&mut input);
     let borders_m = prescribed.borders_m.clone();
@@ -68,7 +74,7 @@ fn of_blade(
 ) -> Result<Vec<u8>, Failure> {
     check_not_inputs(input.files(), arguments.output())?;
     arguments.check_for_blade().map_err(Failure::Usage)?;
-    let checked = arguments.input.reading.check(&[FileFormat::Bmodes]);
+    let checked = arguments.reading.check(&[FileFormat::Bmodes]);
     checked.map_err(Failure::Usage)?;
     let blade = Blade::new(input.description.clone()).map_err(Failure::Blade)?;
     let nodes = OutNodes::of_blade(&blade, input.layout);

@@ -3,9 +3,10 @@
 use std::path::PathBuf;
 
 use clap::{Args, ValueEnum};
-use towermodes_files::{FileFormat, ReadOptions, RotorLock, TowerPart};
+use towermodes_files::{FileFormat, ReadOptions, RotorLock, Setting, TowerPart};
+use towermodes_report::report::quoted;
 
-use super::parsers::{height_parser, subset_parser};
+use super::parsers::{height_parser, setting_parser, subset_parser};
 
 /// Heading of the options for all input files in the help.
 const MODEL: &str = "Model";
@@ -25,7 +26,7 @@ pub(crate) struct InputArguments {
 }
 
 /// Options that change how the input file is read.
-#[derive(Debug, Clone, Copy, Args)]
+#[derive(Debug, Clone, Args)]
 pub(crate) struct ReadingArguments {
     /// Omit the rotor-nacelle assembly
     #[arg(help_heading = MODEL, long)]
@@ -34,6 +35,13 @@ pub(crate) struct ReadingArguments {
     /// Omit gravity (no geometric stiffness)
     #[arg(help_heading = MODEL, long)]
     no_gravity: bool,
+
+    /// Set a number of the tower by name, as often as needed: 'rna.mass=360000' sets,
+    /// 'scale(stations[*].wall)=1.1' multiplies, 'add(stations[*].height)=2' adds; values in the
+    /// units of the tower file. Single quotes protect brackets and parentheses from the shell;
+    /// `towermodes parameters FILE` lists the names
+    #[arg(help_heading = MODEL, long = "set", value_name = "NAME=VALUE", value_parser = setting_parser)]
+    pub(crate) settings: Vec<Setting>,
 
     /// Rotation of the rotor about its shaft in an ElastoDyn model
     #[arg(help_heading = OTHERS, long, value_enum, default_value_t = Rotor::Locked, conflicts_with = "no_rna")]
@@ -89,6 +97,13 @@ impl ReadingArguments {
     /// # Errors
     /// The message for the first option that does not.
     pub(crate) fn check(&self, formats: &[FileFormat]) -> Result<(), &'static str> {
+        let names = || self.settings.iter().map(Setting::name);
+        if self.no_rna && names().any(|name| name.contains("rna.")) {
+            return Err("--set of a number of the RNA contradicts --no-rna; remove one of them");
+        }
+        if self.no_gravity && names().any(|name| name.contains("gravity")) {
+            return Err("--set of gravity contradicts --no-gravity; remove one of them");
+        }
         let is_one_of = |own: &[FileFormat]| formats.iter().any(|format| own.contains(format));
         let without_heights = [FileFormat::ElastoDynTower, FileFormat::Hawc2];
         let options = [
@@ -145,7 +160,10 @@ impl ReadingArguments {
             self.subset
                 .map(|(set, subset)| format!("--subset {set},{subset}")),
         ];
-        words.into_iter().flatten().collect::<Vec<_>>().join(" ")
+        let settings = self.settings.iter().map(Setting::to_string);
+        let settings = settings.map(|setting| format!("--set {}", quoted(&setting)));
+        let words = words.into_iter().flatten().chain(settings);
+        words.collect::<Vec<_>>().join(" ")
     }
 
     /// The options of the readers.

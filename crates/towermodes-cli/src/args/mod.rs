@@ -10,6 +10,7 @@ mod elastodyn;
 mod ending;
 mod input;
 mod model;
+mod parameters;
 mod parsers;
 mod plot;
 mod prescribed;
@@ -29,6 +30,7 @@ pub(crate) use elastodyn::{
 };
 pub(crate) use ending::{Ending, EndingError};
 pub(crate) use input::{InputArguments, ReadingArguments};
+pub(crate) use parameters::ParametersArguments;
 pub(crate) use plot::{PictureFormat, PlotArguments, What};
 pub(crate) use prescribed::Prescribed;
 pub(crate) use report::{PageFormat, ReportArguments};
@@ -64,6 +66,8 @@ pub(crate) struct Arguments {
 pub(crate) enum Command {
     /// Compute the lowest natural frequencies and mode shapes of a tower or of a rotating blade.
     Solve(Deferred<SolveArguments>),
+    /// List the numbers of a tower by name, for --set and for sweeps.
+    Parameters(Deferred<ParametersArguments>),
     /// Compare methods: frequencies, differences from the reference solution, degrees of freedom,
     /// run time.
     Compare(Deferred<CompareArguments>),
@@ -104,7 +108,7 @@ pub(crate) enum Command {
     #[command(after_help = "Example:\n  towermodes man solve | man -l -")]
     Man {
         /// The command [default: the program].
-        #[arg(value_name = "COMMAND", value_parser = ["solve", "compare", "converge", "campbell", "plot", "report", "convert", "check", "elastodyn", "verify", "completions", "schema", "man"])]
+        #[arg(value_name = "COMMAND", value_parser = ["solve", "parameters", "compare", "converge", "campbell", "plot", "report", "convert", "check", "elastodyn", "verify", "completions", "schema", "man"])]
         of: Option<String>,
     },
     /// Print every command with its arguments and options as a chapter of the book.

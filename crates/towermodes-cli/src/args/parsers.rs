@@ -3,6 +3,7 @@
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 use towermodes::Method;
 use towermodes::tower::FASTEST_RPM;
+use towermodes_files::{Setting, SettingError};
 
 /// A method by its name, with its one-line description in the help.
 pub(super) fn method_parser() -> impl TypedValueParser<Value = Method> {
@@ -15,7 +16,9 @@ pub(super) fn method_parser() -> impl TypedValueParser<Value = Method> {
 pub(super) fn schema_parser() -> PossibleValuesParser {
     PossibleValuesParser::new([
         PossibleValue::new("solve"),
+        PossibleValue::new("solve-several").help("result of `solve` for several files"),
         PossibleValue::new("blade").help("result of `solve` for a rotating blade"),
+        PossibleValue::new("parameters"),
         PossibleValue::new("compare"),
         PossibleValue::new("converge"),
         PossibleValue::new("campbell"),
@@ -24,6 +27,12 @@ pub(super) fn schema_parser() -> PossibleValuesParser {
         PossibleValue::new("validate").help("result of `elastodyn validate`"),
         PossibleValue::new("verify"),
     ])
+}
+
+/// A number of a tower that is set by name.
+pub(super) fn setting_parser(text: &str) -> Result<Setting, String> {
+    text.parse()
+        .map_err(|error: SettingError| error.to_string())
 }
 
 /// The position of a hinge as a fraction of the segment length.

@@ -7,7 +7,7 @@ use towermodes::{DEFAULT_POINTS, MAX_DEGREE, MAX_POINTS, MAX_SEGMENTS, Method, O
 
 use super::ending::{Ending, EndingError};
 use super::file_of;
-use super::input::InputArguments;
+use super::input::ReadingArguments;
 use super::model::ModelArguments;
 use super::parsers::{method_parser, number_parser};
 use super::prescribed::Prescribed;
@@ -23,6 +23,7 @@ macro_rules! examples {
   generate-tower | towermodes solve - --format csv
   towermodes solve deck.bmi --format bmodes --output deck.out
   towermodes solve IEA-15-240-RWT.yaml --part tower --no-rna
+  towermodes solve examples/*.toml --output frequencies.csv
 
 Exit codes: 0 done, 1 the computation or the output failed, 2 wrong usage or wrong input."
     };
@@ -35,8 +36,15 @@ const LONG_HELP: &str = concat!(include_str!("tower-file.txt"), "\n", examples!(
 #[derive(Debug, Args)]
 #[command(allow_negative_numbers = true, after_help = examples!(), after_long_help = LONG_HELP)]
 pub(crate) struct SolveArguments {
+    /// Tower file (.toml), BModes deck (.bmi), ElastoDyn main or tower file (.dat, or the .fst that
+    /// refers to it), windIO turbine (.yaml) or HAWC2 _st.dat; the format is detected from content
+    /// and name; use - for standard input. Several files give one table of frequencies, with a
+    /// column for each file
+    #[arg(required = true, value_name = "FILE")]
+    pub(crate) files: Vec<PathBuf>,
+
     #[command(flatten)]
-    pub(crate) input: InputArguments,
+    pub(crate) reading: ReadingArguments,
 
     /// Method of computation [default: rmje-exact; bmodes for BModes decks]
     #[arg(long, value_parser = method_parser())]
@@ -130,6 +138,31 @@ impl SolveArguments {
         Ok(())
     }
 
+    /// Checks that the options apply to several files at once.
+    ///
+    /// # Errors
+    /// The message for an option that applies to one file only.
+    pub(crate) fn check_for_several(&self, format: SolveFormat) -> Result<(), &'static str> {
+        if self.plot {
+            return Err("--plot applies only to one file; solve each file in its own command");
+        }
+        if format == SolveFormat::Bmodes {
+            return Err(
+                "--format bmodes applies only to one file, because its layout stores one tower; solve each file in its own command",
+            );
+        }
+        if self
+            .files
+            .iter()
+            .filter(|file| *file == Path::new("-"))
+            .count()
+            > 1
+        {
+            return Err("standard input (-) can be only one of the files");
+        }
+        Ok(())
+    }
+
     /// Checks that --points is not given where the elements of the file fix the heights.
     ///
     /// # Errors
@@ -171,7 +204,10 @@ impl SolveArguments {
                 "--points applies only to towers; mode shapes of a blade are at its element boundaries",
             );
         }
-        if self.input.reading.no_rna {
+        if !self.reading.settings.is_empty() {
+            return Err("--set applies only to towers; change the deck of a rotating blade itself");
+        }
+        if self.reading.no_rna {
             return Err(
                 "--no-rna does not apply to a rotating blade; its tip body is given in the deck",
             );

@@ -30,6 +30,11 @@ pub(super) fn judged(arguments: &DeckArguments) -> Result<Judged, Failure> {
     let (tower, notes) = match &arguments.from {
         Some(from) => of_description(from, &arguments.reading)?,
         None => {
+            if !arguments.reading.settings.is_empty() {
+                return Err(Failure::Usage(
+                    "--set applies only to the file of --from; without it the modes are those of the deck",
+                ));
+            }
             let checked = arguments.reading.check(&[FileFormat::ElastoDyn]);
             checked.map_err(Failure::Usage)?;
             let tower = deck.input.tower_for_shapes().map_err(Failure::Input)?;

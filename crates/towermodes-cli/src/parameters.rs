@@ -1,0 +1,42 @@
+//! `towermodes parameters`.
+
+use towermodes::Parameter;
+use towermodes_files::{TowerInput, write_parameters_csv, write_parameters_json};
+
+use crate::args::{Format, ParametersArguments};
+use crate::failure::{Failure, note};
+use crate::input::tower_input;
+use crate::output::{check_not_inputs, deliver};
+use crate::table;
+
+/// Lists the numbers of a tower by name.
+pub(crate) fn run(arguments: &ParametersArguments) -> Result<(), Failure> {
+    let format = arguments.destination.format().map_err(Failure::Ending)?;
+    let input = tower_input(&arguments.input)?;
+    check_not_inputs(input.files(), arguments.destination.output())?;
+    let listed = listed(&input, arguments)?;
+    let mut result = Vec::new();
+    match format {
+        Format::Table => result.extend(table::parameters(&input.description, &listed).into_bytes()),
+        Format::Json => write_parameters_json(&input, &listed, &mut result)?,
+        Format::Csv => write_parameters_csv(&input, &listed, &mut result)?,
+    }
+    note(&input.notes);
+    deliver(&result, arguments.destination.output())
+}
+
+/// The numbers that the filters select.
+fn listed(input: &TowerInput, arguments: &ParametersArguments) -> Result<Vec<Parameter>, Failure> {
+    let all = Parameter::all(&input.description);
+    let names: Vec<String> = all.iter().map(Parameter::to_string).collect();
+    if let Some(filter) = arguments.unmatched(&names) {
+        // The name of a number that is not listed, such as an entry below a diagonal.
+        return match Parameter::parse_every(filter, &input.description) {
+            Ok(found) => Ok(found),
+            Err(error) => Err(Failure::NoParameter(error)),
+        };
+    }
+    let pairs = all.into_iter().zip(names);
+    let selected = pairs.filter(|(_, name)| arguments.selects(name));
+    Ok(selected.map(|(parameter, _)| parameter).collect())
+}

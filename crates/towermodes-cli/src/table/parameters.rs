@@ -1,0 +1,21 @@
+//! The numbers of a tower by name as text.
+
+use towermodes::number::Plain;
+use towermodes::{Parameter, TowerDescription};
+
+use super::text::{name_line, text_table};
+
+/// A row per number: name, value, unit, meaning.
+pub(crate) fn parameters(description: &TowerDescription, listed: &[Parameter]) -> String {
+    let row = |parameter: &Parameter| {
+        [
+            parameter.to_string(),
+            Plain(parameter.value(description)).to_string(),
+            parameter.unit().to_owned(),
+            parameter.meaning().to_owned(),
+        ]
+    };
+    let header = ["name", "value", "unit", "meaning"];
+    let table = text_table(header, listed.iter().map(row), [1]);
+    format!("{}{table}\n", name_line(&description.name))
+}
