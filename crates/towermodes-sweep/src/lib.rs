@@ -14,6 +14,7 @@ mod row;
 mod run;
 mod sampling;
 mod source;
+mod summary;
 mod sweep;
 mod table;
 mod threads;
@@ -28,6 +29,9 @@ pub use row::MORE_MODES;
 pub use run::{RunError, run};
 pub use sampling::Draw;
 pub use source::{Columns, LengthsDiffer, RowSource};
+pub use summary::{
+    FailureKind, MarginCheck, MarginSummary, ModeSummary, QUANTILES, Statistics, Summary,
+};
 pub use sweep::{MOST_MODES, Sweep, SweepError};
 pub use table::{CellError, RowPlace, Table, TableError, TableProblem};
 pub use threads::Watch;

@@ -8,7 +8,7 @@ use crate::results::{Piece, Results};
 use crate::row::RowSolver;
 use crate::source::RowSource;
 use crate::sweep::Sweep;
-use crate::threads::{Tick, Watch, shared};
+use crate::threads::{Tick, Watch, lock, shared};
 
 /// Rows that a thread takes at a time; fewer are not worth a thread.
 pub(crate) const PIECE_ROWS: usize = 64;
@@ -93,13 +93,6 @@ pub fn run(
     results.failures = failures.into_inner().unwrap_or_else(|e| e.into_inner());
     results.failures.sort_unstable_by_key(|(row, _)| *row);
     Ok(results)
-}
-
-/// A lock; a thread that panicked while it had it left the list as it was.
-pub(crate) fn lock<T>(mutex: &Mutex<T>) -> std::sync::MutexGuard<'_, T> {
-    mutex
-        .lock()
-        .unwrap_or_else(std::sync::PoisonError::into_inner)
 }
 
 /// What one thread needs to solve rows of a source.

@@ -4,6 +4,7 @@
 
 use std::ops::ControlFlow;
 use std::sync::atomic::{AtomicBool, AtomicU64, AtomicUsize, Ordering};
+use std::sync::{Mutex, MutexGuard, PoisonError};
 use std::thread;
 use std::time::{Duration, Instant};
 
@@ -88,4 +89,9 @@ fn on_this_thread(watch: &mut Watch<'_>, work: impl Fn(&mut Tick<'_>)) -> Result
         return Err(Ended);
     }
     ended
+}
+
+/// A lock; a thread that panicked while it had it left the list as it was.
+pub(crate) fn lock<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
+    mutex.lock().unwrap_or_else(PoisonError::into_inner)
 }

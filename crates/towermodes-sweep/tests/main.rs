@@ -2,5 +2,6 @@
 
 mod memory;
 mod parts;
+mod summary;
 mod tables;
 mod towers;

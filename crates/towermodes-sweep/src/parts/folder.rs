@@ -148,6 +148,11 @@ impl<'a> Parts<'a> {
         names.map_err(PartsError::io(&self.folder))
     }
 
+    /// The sweep whose results they are.
+    pub fn sweep(&self) -> &Sweep {
+        self.sweep
+    }
+
     /// The folder.
     pub fn folder(&self) -> &Path {
         &self.folder

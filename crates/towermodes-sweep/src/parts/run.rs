@@ -10,8 +10,8 @@ use super::write::sync_folder;
 use super::{Parts, PartsError};
 use crate::results::Results;
 use crate::row::RowSolver;
-use crate::run::{RunError, lock};
-use crate::threads::{Tick, shared};
+use crate::run::RunError;
+use crate::threads::{Tick, lock, shared};
 
 /// Rows that a thread takes at a time.
 const PIECE_ROWS: u64 = 256;

@@ -1,0 +1,256 @@
+//! A sweep in numbers: statistics of each column, failures, violated resonance margins.
+
+mod failures;
+mod order;
+mod statistics;
+
+pub use failures::FailureKind;
+pub use statistics::{QUANTILES, Statistics};
+
+use towermodes::{ModeName, Rotor};
+use towermodes_analysis::resonance::{CampbellOptions, tower_margin};
+
+use crate::parts::{Parts, PartsError};
+use crate::results::Results;
+use crate::sweep::Sweep;
+use failures::Failures;
+use order::{PASSES, Selection};
+use statistics::Moments;
+
+/// The resonance check of a summary: a rotor, the required distance and the multiples of the rotor
+/// speed.
+#[derive(Debug, Clone, PartialEq)]
+pub struct MarginCheck {
+    /// The rotor.
+    pub rotor: Rotor,
+    /// The required distance |n Ω/f − 1|, 0.05 for example.
+    pub margin: f64,
+    /// The multiples n of the rotor speed.
+    pub multiples: Vec<usize>,
+}
+
+impl MarginCheck {
+    /// The check of a rotor by the options of a Campbell diagram.
+    pub fn new(rotor: Rotor, options: &CampbellOptions) -> Self {
+        Self {
+            rotor,
+            margin: options.margin,
+            multiples: options.multiples_of(&rotor),
+        }
+    }
+}
+
+impl Sweep {
+    /// The resonance check with the rotor of the base and the usual options; none if the base has
+    /// no rotor, or if a change varies its speed.
+    pub fn margin_check(&self) -> Option<MarginCheck> {
+        let is_of_rotor = |name: String| name.starts_with("rotor.");
+        let mut varied = self.changes().iter().flat_map(|change| change.parameters());
+        if varied.any(|parameter| is_of_rotor(parameter.to_string())) {
+            return None;
+        }
+        let rotor = self.base().rotor?;
+        Some(MarginCheck::new(rotor, &CampbellOptions::default()))
+    }
+}
+
+/// A sweep in numbers.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Summary {
+    /// Number of rows.
+    pub rows: u64,
+    /// Number of rows that failed or lack a mode.
+    pub failed: u64,
+    /// These rows by their sentence, the most frequent first.
+    pub failures: Vec<FailureKind>,
+    /// Number of failed rows of further kinds, of which there are too many to count.
+    pub other_failures: u64,
+    /// Mass of the tower, kg.
+    pub mass_kg: Option<Statistics>,
+    /// The modes.
+    pub modes: Vec<ModeSummary>,
+}
+
+/// A mode of a sweep in numbers.
+#[derive(Debug, Clone, PartialEq)]
+pub struct ModeSummary {
+    /// The mode.
+    pub name: ModeName,
+    /// Its extrapolated frequency, Hz; none if no row has it.
+    pub frequency_hz: Option<Statistics>,
+    /// Its largest error, Hz.
+    pub largest_error_hz: f64,
+    /// How often an excitation is too near, by multiple of the rotor speed.
+    pub margins: Vec<MarginSummary>,
+}
+
+/// How often an excitation is nearer to a mode than the required distance.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct MarginSummary {
+    /// The multiple n of the rotor speed.
+    pub multiple: usize,
+    /// Number of rows in which |n Ω/f − 1| is below the required distance in operation, with f
+    /// shifted by its error towards the excitation.
+    pub violated: u64,
+    /// Number of rows that have the mode.
+    pub count: u64,
+}
+
+impl MarginSummary {
+    /// The probability that the margin is violated: the share of the rows.
+    pub fn probability(&self) -> f64 {
+        self.violated as f64 / self.count as f64
+    }
+
+    /// The standard error of the probability by the number of independent random rows,
+    /// √(p (1 − p)/n). With no or all rows it is 0: then the probability is below or above a bound
+    /// of about 3/n with 95 % confidence.
+    pub fn standard_error(&self) -> f64 {
+        let p = self.probability();
+        (p * (1.0 - p) / self.count as f64).sqrt()
+    }
+}
+
+impl Results {
+    /// These results in numbers, with a resonance check if one is given.
+    pub fn summary(&self, check: Option<&MarginCheck>) -> Summary {
+        let all = |visit: &mut dyn FnMut(&Self)| -> Result<(), std::convert::Infallible> {
+            visit(self);
+            Ok(())
+        };
+        match summarized(&self.modes, check, all) {
+            Ok(summary) => summary,
+            Err(never) => match never {},
+        }
+    }
+}
+
+impl Parts<'_> {
+    /// The results of all parts in numbers, with a resonance check if one is given. The parts are
+    /// read six times, one after the other, so any number of rows needs little memory.
+    ///
+    /// # Errors
+    /// [`PartsError`] if a part is not there or not whole.
+    pub fn summary(&self, check: Option<&MarginCheck>) -> Result<Summary, PartsError> {
+        summarized(self.sweep().modes(), check, |visit| {
+            for part in 0..self.count() {
+                visit(&self.read(part)?);
+            }
+            Ok(())
+        })
+    }
+}
+
+/// Visits all results several times.
+fn summarized<E>(
+    modes: &[ModeName],
+    check: Option<&MarginCheck>,
+    mut each: impl FnMut(&mut dyn FnMut(&Results)) -> Result<(), E>,
+) -> Result<Summary, E> {
+    let mut counted = Counted::new(modes.len(), check);
+    each(&mut |results| counted.add(results, check))?;
+    let of = |moments: &Moments| Selection::new(&moments.ranks());
+    let mut selections: Vec<Selection> = counted.moments.iter().map(of).collect();
+    for _ in 0..PASSES {
+        each(&mut |results| {
+            for (column, selection) in selections.iter_mut().enumerate() {
+                values(results, column, |value| selection.count(value));
+            }
+        })?;
+        selections.iter_mut().for_each(Selection::end_pass);
+    }
+    Ok(counted.summary(modes, &selections))
+}
+
+/// Visits the values of a column that were computed: the mass, then the frequencies of the modes.
+fn values(results: &Results, column: usize, visit: impl FnMut(f64)) {
+    let is_there = |value: &f64| !value.is_nan();
+    match column.checked_sub(1) {
+        None => results
+            .mass_kg
+            .iter()
+            .copied()
+            .filter(is_there)
+            .for_each(visit),
+        Some(mode) => results
+            .frequencies_hz(mode)
+            .filter(is_there)
+            .for_each(visit),
+    }
+}
+
+/// What the first visit counts.
+struct Counted {
+    rows: u64,
+    failures: Failures,
+    /// Of the mass and of each mode.
+    moments: Vec<Moments>,
+    largest_error_hz: Vec<f64>,
+    margins: Vec<Vec<MarginSummary>>,
+}
+
+impl Counted {
+    fn new(modes: usize, check: Option<&MarginCheck>) -> Self {
+        let multiples = check.map_or(&[][..], |check| &check.multiples);
+        let margins = multiples.iter().map(|multiple| MarginSummary {
+            multiple: *multiple,
+            violated: 0,
+            count: 0,
+        });
+        Self {
+            rows: 0,
+            failures: Failures::default(),
+            moments: vec![Moments::default(); modes + 1],
+            largest_error_hz: vec![0.0; modes],
+            margins: vec![margins.collect(); modes],
+        }
+    }
+
+    fn add(&mut self, results: &Results, check: Option<&MarginCheck>) {
+        self.rows += results.rows() as u64;
+        for (row, sentence) in &results.failures {
+            self.failures.add(*row, sentence);
+        }
+        for (column, moments) in self.moments.iter_mut().enumerate() {
+            values(results, column, |value| moments.add(value));
+        }
+        for mode in 0..results.modes.len() {
+            let largest = &mut self.largest_error_hz[mode];
+            // NaN is not larger than any number.
+            *largest = results.errors_hz(mode).fold(*largest, f64::max);
+            let frequencies = results.frequencies_hz(mode);
+            for (hz, error_hz) in frequencies.zip(results.errors_hz(mode)) {
+                let Some(check) = check else { break };
+                for margin in &mut self.margins[mode] {
+                    let (n, rotor) = (margin.multiple, &check.rotor);
+                    if let Some(found) = tower_margin(hz, error_hz, n, rotor, check.margin) {
+                        margin.count += 1;
+                        margin.violated += u64::from(found.is_violated);
+                    }
+                }
+            }
+        }
+    }
+
+    fn summary(self, modes: &[ModeName], selections: &[Selection]) -> Summary {
+        let statistics = |column: usize| self.moments[column].statistics(&selections[column]);
+        let of_mode = |(mode, name): (usize, &ModeName)| ModeSummary {
+            name: *name,
+            frequency_hz: statistics(mode + 1),
+            largest_error_hz: self.largest_error_hz[mode],
+            margins: self.margins[mode].clone(),
+        };
+        let modes = modes.iter().enumerate().map(of_mode).collect();
+        let mass_kg = statistics(0);
+        let failed = self.failures.count;
+        let (failures, other_failures) = self.failures.kinds();
+        Summary {
+            rows: self.rows,
+            failed,
+            failures,
+            other_failures,
+            mass_kg,
+            modes,
+        }
+    }
+}

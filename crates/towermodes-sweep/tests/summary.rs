@@ -1,0 +1,180 @@
+//! Summaries against the definitions of their numbers.
+
+use std::ops::ControlFlow;
+
+use towermodes::Rotor;
+use towermodes_analysis::resonance::CampbellOptions;
+use towermodes_files::{Distribution, Sampling, SamplingKind, Varied};
+use towermodes_sweep::{
+    MarginCheck, MarginSummary, PartFormat, PartOptions, Parts, QUANTILES, Results, SweepSource,
+};
+
+use crate::towers::{Folder, lowest, names, solved};
+
+/// Results of one mode with given frequencies, Hz.
+fn results(frequency_hz: &[f64]) -> Results {
+    let rows = frequency_hz.len();
+    Results {
+        first_row: 0,
+        modes: names(&["fore-aft 1"]),
+        mass_kg: vec![2e5; rows],
+        certified: vec![true; rows],
+        frequency_hz: frequency_hz.to_vec(),
+        error_hz: vec![1e-6; rows],
+        failures: Vec::new(),
+    }
+}
+
+/// `numpy.quantile(x, q)`, `x.mean()` and `x.std(ddof=1)` of NumPy 2.4 for
+/// `x = numpy.sin(numpy.arange(1, 1001)**2)`.
+#[test]
+fn statistics_are_those_of_numpy() {
+    let values: Vec<f64> = (1..=1000).map(|i| f64::from(i * i).sin()).collect();
+    let summary = results(&values).summary(None);
+    let found = summary.modes[0].frequency_hz.clone().expect("values");
+    let close = |value: f64, expected: f64| {
+        assert!((value - expected).abs() < 1e-13, "{value} {expected}");
+    };
+    assert_eq!((found.count, summary.rows, summary.failed), (1000, 1000, 0));
+    close(found.mean, -0.002769965922545222);
+    close(found.deviation, 0.7090756366241917);
+    close(found.min, -0.9999998497899818);
+    close(found.max, 0.999999986398821);
+    let expected = [
+        -0.9999994231781939,
+        -0.9994739545628017,
+        -0.9848120656929696,
+        -0.005820433466775415,
+        0.9851742347145263,
+        0.9996329474119138,
+        0.999994426048485,
+    ];
+    for (value, expected) in found.quantiles.into_iter().zip(expected) {
+        close(value, expected);
+    }
+    assert_eq!(QUANTILES, [0.001, 0.01, 0.05, 0.5, 0.95, 0.99, 0.999]);
+    let mass = summary.mass_kg.expect("masses");
+    assert_eq!(
+        (mass.mean, mass.deviation, mass.quantiles[3]),
+        (2e5, 0.0, 2e5)
+    );
+}
+
+#[test]
+fn few_values_and_none_have_statistics_too() {
+    let one = results(&[0.3]).summary(None).modes[0]
+        .frequency_hz
+        .clone()
+        .expect("a value");
+    assert_eq!(
+        (one.mean, one.deviation, one.quantiles),
+        (0.3, 0.0, [0.3; 7])
+    );
+    let two = results(&[0.3, f64::NAN, 0.5]).summary(None).modes[0]
+        .frequency_hz
+        .clone();
+    let two = two.expect("values");
+    assert_eq!(
+        (two.count, two.quantiles[3], two.min, two.max),
+        (2, 0.4, 0.3, 0.5)
+    );
+    assert_eq!(
+        results(&[f64::NAN]).summary(None).modes[0].frequency_hz,
+        None
+    );
+    assert_eq!(results(&[]).summary(None).rows, 0);
+}
+
+/// 1P from 6.9 to 12.1 rpm and 5 %: frequencies from 0.115/1.05 to 0.2017/0.95 Hz are too near, the
+/// errors of 1e-6 Hz included.
+#[test]
+fn violated_margins_are_counted() {
+    let rotor = Rotor {
+        blades: 3,
+        lowest_rpm: 6.9,
+        highest_rpm: 12.1,
+    };
+    let check = MarginCheck::new(rotor, &CampbellOptions::default());
+    let frequencies = [
+        0.1,
+        0.109,
+        0.11,
+        0.15,
+        0.21,
+        0.2122,
+        0.2123,
+        0.33,
+        0.0,
+        f64::NAN,
+    ];
+    let summary = results(&frequencies).summary(Some(&check));
+    let margins = &summary.modes[0].margins;
+    let multiples: Vec<usize> = margins.iter().map(|margin| margin.multiple).collect();
+    assert_eq!(multiples, [1, 3, 6, 9]);
+    let expected = MarginSummary {
+        multiple: 1,
+        violated: 4,
+        count: 8,
+    };
+    assert_eq!(margins[0], expected);
+    assert_eq!(margins[0].probability(), 0.5);
+    assert!((margins[0].standard_error() - (0.25_f64 / 8.0).sqrt()).abs() < 1e-16);
+    // 3P from 0.345/1.05 = 0.3286 Hz.
+    assert_eq!((margins[1].violated, margins[2].violated), (1, 0));
+    assert_eq!(summary.modes[0].largest_error_hz, 1e-6);
+}
+
+#[test]
+fn the_rotor_of_the_base_is_checked_unless_it_is_varied() {
+    let check = lowest(&["rna.mass"], 2).margin_check().expect("a rotor");
+    assert_eq!((check.rotor.blades, check.margin), (3, 0.05));
+    assert_eq!(lowest(&["scale(rotor.rpm[1])"], 2).margin_check(), None);
+}
+
+#[test]
+fn parts_have_the_summary_of_the_results_in_memory() {
+    let sweep = lowest(&["rna.mass", "stations[1].wall"], 3);
+    let vary = |name: &str, low, high| Varied {
+        name: name.to_owned(),
+        distribution: Distribution::Uniform { low, high },
+        levels: None,
+    };
+    let source = SweepSource::sampled(Sampling {
+        kind: SamplingKind::LatinHypercube,
+        rows: 300,
+        seed: 1,
+        vary: vec![
+            vary("rna.mass", 3e5, 4e5),
+            vary("stations[1].wall", -0.001, 0.03),
+        ],
+    });
+    let source = source.expect("a sample");
+    let folder = Folder::new();
+    let options = PartOptions {
+        rows_per_part: 70,
+        format: PartFormat::Csv,
+        ..PartOptions::default()
+    };
+    let parts = Parts::open(&sweep, &source, &folder.path("r"), options).expect("open");
+    assert!(parts.summary(None).is_err(), "no parts yet");
+    let missing = parts.missing().expect("a folder");
+    parts
+        .solve(&missing, 2, &mut |_| ControlFlow::Continue(()))
+        .expect("parts");
+    let check = sweep.margin_check();
+    let of_parts = parts.summary(check.as_ref()).expect("a summary");
+    let SweepSource::Sampled { draw, .. } = &source else {
+        unreachable!("a sample")
+    };
+    let mut columns = [Vec::new(), Vec::new()];
+    for row in 0..300 {
+        let mut values = [0.0; 2];
+        draw.row(row, &mut values);
+        columns[0].push(values[0]);
+        columns[1].push(values[1]);
+    }
+    let in_memory = solved(&sweep, &[&columns[0], &columns[1]], 1);
+    assert_eq!(of_parts, in_memory.summary(check.as_ref()));
+    assert!(of_parts.failed > 0 && of_parts.failures.len() == 1);
+    assert_eq!(of_parts.failures[0].count, of_parts.failed);
+}
