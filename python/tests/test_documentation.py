@@ -1,4 +1,4 @@
-"""The examples in docstrings and in the page of the book run, and every method has a docstring."""
+"""The examples in docstrings and in all pages of the book run; every method has a docstring."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ MODULES = sorted(
     if module.name not in ("towermodes._towermodes", "towermodes.__main__")
 )
 PAGES = sorted(
-    path for path in Path("book/src").rglob("python*.md") if ">>>" in path.read_text("utf-8")
+    path for path in Path("book/src").rglob("*.md") if "\n>>> " in path.read_text("utf-8")
 )
 
 

@@ -158,7 +158,7 @@ class SweepResult:
 
     @property
     def error_hz(self) -> Array:
-        """Errors of the frequencies before the extrapolation, a cautious bound, Hz: (rows, modes)."""
+        """Errors of the frequencies before extrapolation, a cautious bound, Hz: (rows, modes)."""
         return self._error_hz
 
     @property
