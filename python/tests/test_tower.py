@@ -206,6 +206,7 @@ def test_other_numbers_are_another_tower(nrel: tm.Tower) -> None:
     assert changed.rna_mass_kg == 360e3
     assert changed.stations[:, 2] == pytest.approx([1.1 * 0.0351, 1.1 * 0.0247])
     assert nrel.rna_mass_kg == 350e3
+    assert changed.notes[0] == "rna.mass = 360000 kg by with_; the file has 350000"
     by_text = nrel.to_toml().replace("350000", "360000")
     assert tm.Tower.from_toml(by_text) == nrel.with_({"rna.mass": np.float64(360e3)})
     assert pickle.loads(pickle.dumps(changed)) == changed

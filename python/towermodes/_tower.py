@@ -223,7 +223,7 @@ class Tower:
         return {name: meaning for name, _, _, meaning in self._core.parameters()}
 
     def with_(self, changes: Mapping[str, float]) -> Tower:
-        """This tower with other numbers.
+        """This tower with other numbers; each change is one of its `notes`.
 
         Args:
             changes: Names and values. `rna.mass` sets a number, `stations[*].wall` sets each of

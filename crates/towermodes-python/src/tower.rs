@@ -5,8 +5,8 @@ use std::sync::Arc;
 use numpy::PyArray2;
 use pyo3::prelude::*;
 use pyo3::types::PyTuple;
-use towermodes::{Change, Parameter, Tower as CheckedTower, Warning, solve_certain};
-use towermodes_files::{Note, TowerInput};
+use towermodes::{Parameter, Tower as CheckedTower, Warning, solve_certain};
+use towermodes_files::{Note, Setting, TowerInput};
 use towermodes_report::figures;
 use towermodes_report::svg::Look;
 
@@ -169,12 +169,10 @@ impl Tower {
     /// The tower with other numbers: names of changes and their values.
     fn changed(&self, changes: Vec<(String, f64)>) -> PyResult<Self> {
         let mut input = self.model.input.clone();
-        let names = changes.iter().map(|(name, _)| name.as_str());
-        let found = Change::parse_all(names, &input.description);
-        let found = found.map_err(|error| usage(error.to_string()))?;
-        for (change, (_, value)) in found.iter().zip(&changes) {
-            change.apply(&mut input.description, *value);
-        }
+        let setting = |(name, value)| Setting::new(name, value);
+        let settings: Vec<Setting> = changes.into_iter().map(setting).collect();
+        let done = input.set(&settings, "with_");
+        done.map_err(|error| usage(error.to_string()))?;
         Self::of_changed(input)
     }
 
