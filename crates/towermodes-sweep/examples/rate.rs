@@ -53,7 +53,9 @@ fn main() -> Result<(), Box<dyn Error>> {
     let parts = Parts::open(&sweep, &source, folder.as_ref(), options)?;
     let begun = Instant::now();
     let missing = parts.missing()?;
-    let done = parts.solve(&missing, threads.parse()?, &mut |_| ControlFlow::Continue(()))?;
+    let done = parts.solve(&missing, threads.parse()?, &mut |_| {
+        ControlFlow::Continue(())
+    })?;
     let is_complete = parts.finish()?;
     let seconds = begun.elapsed().as_secs_f64();
     let rate = done.rows as f64 / seconds;

@@ -9,8 +9,6 @@ pub(crate) struct Lowest {
     pub(crate) modes: Vec<NamedFrequency>,
     /// Whether the list is proved to be complete.
     pub(crate) certified: bool,
-    /// Degrees of freedom, which bound the number of modes.
-    degrees_of_freedom: usize,
 }
 
 /// The frequency of a mode.
@@ -43,7 +41,36 @@ impl Lowest {
                 error_hz: mode.error_hz(),
             }));
         self.certified = solution.certificate.complete;
-        self.degrees_of_freedom = solution.degrees_of_freedom;
+        Ok(())
+    }
+
+    /// Solves a tower for `options.modes` modes, and for more, up to `most`, until all wanted modes
+    /// are among them or the tower has no more. `options.modes` becomes the number solved for.
+    pub(crate) fn solve_for(
+        &mut self,
+        wanted: &[ModeName],
+        tower: &Tower,
+        (options, most): (&mut Options, usize),
+        workspace: &mut Workspace,
+    ) -> Result<(), SolveError> {
+        self.solve(tower, options, workspace)?;
+        while !wanted.iter().all(|name| self.mode(*name).is_some()) {
+            let more = more_than(options.modes).min(most);
+            if more <= options.modes {
+                break;
+            }
+            options.modes = more;
+            match self.solve(tower, options, workspace) {
+                Err(SolveError::TooManyModes { available, .. }) => {
+                    options.modes = available;
+                    if available > self.modes.len() {
+                        self.solve(tower, options, workspace)?;
+                    }
+                    break;
+                }
+                solved => solved?,
+            }
+        }
         Ok(())
     }
 
@@ -53,10 +80,8 @@ impl Lowest {
     }
 }
 
-/// A larger number of modes to look for a mode that is not among those found: 2 more, 4 more, twice
-/// as many; none if the tower has no more or the limit is reached.
-pub(crate) fn wider(modes: usize, found: &Lowest, most: usize) -> Option<usize> {
-    let more = (modes + 2).max(2 * modes.saturating_sub(4));
-    let more = more.min(most).min(found.degrees_of_freedom);
-    (more > modes && more > found.modes.len()).then_some(more)
+/// The next number of modes in which a missing one is looked for: 2 more at first, later up to twice
+/// as many.
+fn more_than(modes: usize) -> usize {
+    (modes + 2).max(2 * modes.saturating_sub(4))
 }

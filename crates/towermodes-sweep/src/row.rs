@@ -2,7 +2,7 @@
 
 use towermodes::{Options, Tower, Workspace};
 
-use crate::lowest::{Lowest, wider};
+use crate::lowest::Lowest;
 use crate::sweep::Sweep;
 
 /// A row in which a mode is missing is solved again with up to this many more modes than the base
@@ -50,20 +50,15 @@ impl<'a> RowSolver<'a> {
     fn try_solve(&mut self, values: &[f64], mut cells: Cells<'_>) -> Result<(), String> {
         let tower = self.tower(values)?;
         *cells.mass_kg = tower.mass_kg();
-        let most = self.sweep.options().modes + MORE_MODES;
-        self.options.modes = self.sweep.options().modes;
-        loop {
-            let lowest = &mut self.lowest;
-            let solved = lowest.solve(&tower, &self.options, &mut self.workspace);
-            solved.map_err(|error| error.to_string())?;
-            if self.has_all() {
-                break;
-            }
-            match wider(self.options.modes, &self.lowest, most) {
-                Some(modes) => self.options.modes = modes,
-                None => break,
-            }
-        }
+        let asked = self.sweep.options().modes;
+        self.options.modes = asked;
+        let solved = self.lowest.solve_for(
+            self.sweep.modes(),
+            &tower,
+            (&mut self.options, asked + MORE_MODES),
+            &mut self.workspace,
+        );
+        solved.map_err(|error| error.to_string())?;
         self.take(&mut cells)
     }
 
@@ -77,11 +72,6 @@ impl<'a> RowSolver<'a> {
             change.apply(&mut description, *value);
         }
         Tower::new(description).map_err(|error| error.to_string())
-    }
-
-    fn has_all(&self) -> bool {
-        let mut modes = self.sweep.modes().iter();
-        modes.all(|name| self.lowest.mode(*name).is_some())
     }
 
     /// Takes the frequencies by name.

@@ -7,7 +7,7 @@ use towermodes::{
 use towermodes_files::{SweepModes, SweepResults};
 
 use crate::base::Base;
-use crate::lowest::{Lowest, wider};
+use crate::lowest::Lowest;
 
 /// The largest number of modes that are computed of the base to find the modes that are named.
 pub const MOST_MODES: usize = 64;
@@ -171,27 +171,23 @@ fn reaching(tower: &Tower, options: &Options, wanted: &[ModeName]) -> Result<usi
     }
     let mut options = options.clone();
     options.modes = wanted.len();
-    loop {
-        let found = lowest(tower, &options)?;
-        let names = names(&found);
-        let place = |name: &ModeName| names.iter().position(|other| other == name);
-        let last = wanted
-            .iter()
-            .map(place)
-            .try_fold(0, |last, place| Some(last.max(place?)));
-        if let Some(last) = last {
-            return Ok(last + 1);
-        }
-        match wider(options.modes, &found, MOST_MODES.max(2 * wanted.len())) {
-            Some(modes) => options.modes = modes,
-            None => {
-                let is_missing = |name: &&ModeName| !names.contains(name);
-                return Err(SweepError::MissingMode {
-                    name: *wanted.iter().find(is_missing).unwrap_or(&wanted[0]),
-                    modes: names.len(),
-                    found: names,
-                });
-            }
-        }
+    let most = MOST_MODES.max(2 * wanted.len());
+    let mut lowest = Lowest::default();
+    lowest.solve_for(
+        wanted,
+        tower,
+        (&mut options, most),
+        &mut Workspace::default(),
+    )?;
+    let found = names(&lowest);
+    let place = |name: &ModeName| found.iter().position(|other| other == name);
+    if let Some(name) = wanted.iter().find(|name| place(name).is_none()) {
+        return Err(SweepError::MissingMode {
+            name: *name,
+            modes: found.len(),
+            found,
+        });
     }
+    let last = wanted.iter().filter_map(place).max();
+    Ok(last.map_or(wanted.len(), |last| last + 1))
 }

@@ -3,5 +3,7 @@
 mod memory;
 mod parts;
 mod summary;
+#[cfg(feature = "parquet")]
+mod table_parquet;
 mod tables;
 mod towers;

@@ -58,10 +58,7 @@ impl ParquetTable {
         let names: Vec<String> = names.collect();
         let header = Header::new(names, base, ignore)?;
         let header = table.leaves(header)?;
-        let rows = table.reader.metadata().file_metadata().num_rows();
-        let rows = u64::try_from(rows).map_err(|_| TableProblem::Damaged {
-            detail: format!("it has {rows} rows"),
-        })?;
+        let rows = table.rows()?;
         let mut first = 0;
         while first < rows {
             let end = rows.min(first + BLOCK);
@@ -69,6 +66,22 @@ impl ParquetTable {
             first = end;
         }
         Ok((header, rows, table))
+    }
+
+    /// Number of rows, which must be that of all row groups.
+    fn rows(&self) -> Result<u64, TableProblem> {
+        let metadata = self.reader.metadata();
+        let said = metadata.file_metadata().num_rows();
+        let mut counts = metadata.row_groups().iter().map(|group| group.num_rows());
+        let sum = counts.try_fold(0_u64, |sum, count| {
+            sum.checked_add(u64::try_from(count).ok()?)
+        });
+        match sum {
+            Some(rows) if i64::try_from(rows) == Ok(said) => Ok(rows),
+            _ => Err(damaged(
+                "its row groups do not have as many rows as it says",
+            )),
+        }
     }
 
     /// The header with the columns of values; refuses columns that have no numbers.
