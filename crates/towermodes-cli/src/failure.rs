@@ -16,7 +16,10 @@ use towermodes_files::{
 use towermodes_report::raster::RasterError;
 use towermodes_report::wording::printable;
 
+use towermodes_sweep::{PartsError, RunError, SweepError, TableError};
+
 use crate::args::EndingError;
+use crate::sweep::MOST_ROWS_IN_MEMORY;
 use crate::terminal::NOT_SHOWN;
 
 /// The errors that end the program without a result.
@@ -31,6 +34,27 @@ pub(crate) enum Failure {
     /// The tower has no number with the requested name.
     #[error("{0}")]
     NoParameter(ParameterError),
+    /// The sweep cannot begin.
+    #[error("{0}")]
+    Sweep(SweepError),
+    /// The study of a sweep contradicts the files that it names.
+    #[error("{0}")]
+    WrongStudy(String),
+    /// The table of a sweep is wrong.
+    #[error("{0}")]
+    Table(TableError),
+    /// The rows of a sweep could not be computed in memory.
+    #[error("{0}")]
+    Rows(RunError),
+    /// The folder of results is wrong or cannot be written.
+    #[error("{0}")]
+    Parts(PartsError),
+    /// Too many rows for standard output.
+    #[error("the sweep has {rows} rows; more than {MOST_ROWS_IN_MEMORY} are written to a folder")]
+    ManyRows {
+        /// How many.
+        rows: u64,
+    },
     /// The options are impossible or the computation failed.
     #[error("{0}")]
     Unsolved(SolveError),
@@ -161,7 +185,9 @@ impl Failure {
     /// What the user can do about it.
     fn hint(&self) -> Option<Cow<'static, str>> {
         let hint = match self {
+            Self::ManyRows { .. } => "give --output FOLDER",
             Self::Unsolved(error)
+            | Self::Sweep(SweepError::Unsolved(error))
             | Self::TowerFile(MakeError::Shapes(ShapesError::Solve(error)))
             | Self::Campbell(CampbellError::Blade { error, .. }) => hint(error)?,
             Self::Tower(error) => error.hint()?,
@@ -198,6 +224,7 @@ impl Failure {
     fn code(&self) -> u8 {
         match self {
             Self::Unsolved(error)
+            | Self::Sweep(SweepError::Unsolved(error))
             | Self::TowerFile(MakeError::Shapes(ShapesError::Solve(error))) => {
                 if error.is_usage() {
                     2
@@ -210,6 +237,13 @@ impl Failure {
             Self::Picture(RasterError::Encoding(_)) => 1,
             Self::Unwritable(..) | Self::Unverified { .. } => 1,
             Self::Several { code, .. } => *code,
+            Self::Rows(_) => 1,
+            Self::Parts(
+                PartsError::Io { .. }
+                | PartsError::Unwritable { .. }
+                | PartsError::Damaged { .. }
+                | PartsError::Run(_),
+            ) => 1,
             _ => 2,
         }
     }

@@ -26,10 +26,18 @@ pub(crate) fn input(file: &Path, reading: &ReadingArguments) -> Result<Input, Fa
     let mut input = input.map_err(Failure::Input)?;
     // The command refuses settings of a blade.
     if let Input::Tower(tower) = &mut input {
-        let set = tower.set(&reading.settings, SETTING);
-        set.map_err(Failure::Setting)?;
+        set_numbers(tower, reading)?;
     }
     Ok(input)
+}
+
+/// Sets the numbers that the command line gives by name.
+pub(crate) fn set_numbers(
+    tower: &mut TowerInput,
+    reading: &ReadingArguments,
+) -> Result<(), Failure> {
+    let set = tower.set(&reading.settings, SETTING);
+    set.map_err(Failure::Setting)
 }
 
 /// Reads a tower from a file or from standard input; a rotating blade is an error.

@@ -24,6 +24,7 @@ mod report;
 mod shell;
 mod side_by_side;
 mod solve;
+mod sweep;
 pub mod table;
 mod terminal;
 mod verify;
@@ -58,6 +59,7 @@ fn done(command: Command, words: &[OsString]) -> Result<(), failure::Failure> {
     match command {
         Command::Solve(arguments) => solve::run(&arguments),
         Command::Parameters(arguments) => parameters::run(&arguments),
+        Command::Sweep(arguments) => sweep::run(&arguments),
         Command::Completions { shell } => shell::completions(shell),
         Command::Compare(arguments) => compare::run(&arguments),
         Command::Converge(arguments) => converge::run(&arguments),

@@ -15,7 +15,7 @@ use towermodes_report::wording::printable;
 use crate::terminal::NOT_SHOWN;
 
 /// Shorter computations show no progress.
-const QUIET: Duration = Duration::from_millis(500);
+pub(crate) const QUIET: Duration = Duration::from_millis(500);
 /// Time between two updates.
 const TICK: Duration = Duration::from_millis(100);
 /// Steps of the bar.
@@ -219,7 +219,7 @@ fn line(now: &Now, seconds: f64) -> String {
 }
 
 /// "12 s", "3 min".
-fn duration(seconds: f64) -> String {
+pub(crate) fn duration(seconds: f64) -> String {
     match seconds {
         short if short < 99.5 => format!("{short:.0} s"),
         long => format!("{:.0} min", long / 60.0),

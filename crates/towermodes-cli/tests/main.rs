@@ -12,4 +12,6 @@ mod plot;
 mod reports;
 mod rotors;
 mod sandbox;
+mod settings;
+mod sweeps;
 mod terminal;

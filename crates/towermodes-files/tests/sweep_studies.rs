@@ -42,7 +42,7 @@ subset = [1, 2]
 "#;
 
 fn read(text: &str) -> Result<SweepStudy, ReadError> {
-    read_sweep_study(Source {
+    read_sweep_study(&Source {
         name: "study.toml".to_owned(),
         text: text.to_owned(),
     })
@@ -457,6 +457,21 @@ fn every_key_is_read() {
             let is_said = mistakes.iter().any(|mistake| mistake.span.start == date);
             assert!(is_said, "{text}: {mistakes:?}");
             assert!(key.kind != ValueKind::Rows);
+        }
+    }
+}
+
+#[test]
+fn the_book_names_each_key() {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../book/src/sweeps.md");
+    let page = std::fs::read_to_string(path).expect("the page");
+    for table in sweep_study_schema() {
+        for key in table.keys {
+            let name = match table.name {
+                "the file" => format!("[{}]", key.name),
+                _ => format!("`{}`", key.name),
+            };
+            assert!(page.contains(&name), "{} {name}", table.name);
         }
     }
 }

@@ -3,6 +3,7 @@
 mod any_tower;
 mod figures_campbell;
 mod figures_first_frequencies;
+mod figures_sweep;
 mod golden;
 mod grounds;
 mod pictures;

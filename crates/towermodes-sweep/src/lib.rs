@@ -22,7 +22,7 @@ mod threads;
 pub use base::{Base, DEFAULT_SWEEP_SEGMENTS};
 pub use parts::{
     DEFAULT_ROWS_PER_PART, MAX_ROWS_PER_PART, PartFormat, PartOptions, Parts, PartsError,
-    PartsProgress, Shard, ShardError, SweepSource,
+    PartsProgress, Shard, ShardError, SweepSource, results_csv,
 };
 pub use results::Results;
 pub use row::MORE_MODES;

@@ -104,36 +104,47 @@ impl ReadingArguments {
         if self.no_gravity && names().any(|name| name.contains("gravity")) {
             return Err("--set of gravity contradicts --no-gravity; remove one of them");
         }
+        Self::check_options(&self.options(), formats)
+    }
+
+    /// Checks that each option of the readers applies to at least one of the files.
+    ///
+    /// # Errors
+    /// The message for the first option that does not, beginning with its name.
+    pub(crate) fn check_options(
+        given: &ReadOptions,
+        formats: &[FileFormat],
+    ) -> Result<(), &'static str> {
         let is_one_of = |own: &[FileFormat]| formats.iter().any(|format| own.contains(format));
         let without_heights = [FileFormat::ElastoDynTower, FileFormat::Hawc2];
         let options = [
             (
-                self.bmodes_quirks,
+                given.bmodes_quirks,
                 &[FileFormat::Bmodes][..],
                 "--bmodes-quirks applies only to BModes decks",
             ),
             (
-                self.rotor != Rotor::Locked,
+                given.rotor != RotorLock::Locked,
                 &[FileFormat::ElastoDyn],
                 "--rotor applies only to ElastoDyn models, which contain rotor and generator data",
             ),
             (
-                self.part != Part::All,
+                given.part != TowerPart::All,
                 &[FileFormat::WindIo],
                 "--part applies only to windIO turbines",
             ),
             (
-                self.subset.is_some(),
+                given.hawc2_subset.is_some(),
                 &[FileFormat::Hawc2],
                 "--subset applies only to HAWC2 files",
             ),
             (
-                self.tower_height.is_some(),
+                given.tower_height_m.is_some(),
                 &without_heights,
                 "--tower-height applies only to an ElastoDyn tower file; this file contains the height of the tower",
             ),
             (
-                self.tower_base.is_some(),
+                given.tower_base_m.is_some(),
                 &without_heights,
                 "--tower-base applies only to an ElastoDyn tower file or a HAWC2 file; this file contains the height of the tower base",
             ),

@@ -9,6 +9,7 @@ mod elastodyn;
 mod parameters;
 mod several;
 mod solution;
+mod sweep;
 mod text;
 mod verification;
 
@@ -21,4 +22,5 @@ pub(crate) use elastodyn::{changes, fits, judgements};
 pub(crate) use parameters::parameters;
 pub(crate) use several::several;
 pub use solution::{MODE_HEADER, below_modes, mode_rows, solution};
+pub(crate) use sweep::sweep_summary;
 pub(crate) use verification::verification;

@@ -14,6 +14,16 @@ use crate::pages::{Page, root};
 /// The program that is tested.
 pub const PROGRAM: &str = env!("CARGO_BIN_EXE_towermodes");
 
+/// A sweep of `tower.toml`.
+const STUDY: &str = r#"[sweep]
+base = "tower.toml"
+sampling = "sobol"
+rows = 100
+[sweep.vary]
+"rna.mass" = { uniform = [3.3e5, 3.7e5] }
+"scale(stations[*].wall)" = { normal = [1.0, 0.02] }
+"#;
+
 /// A folder that is gone when the test is.
 pub struct Sandbox(PathBuf);
 
@@ -97,6 +107,9 @@ impl Sandbox {
     /// The same tower in several formats.
     fn make_towers(&self) {
         self.copy("examples/nrel-5mw.toml", "tower.toml");
+        let values = "rna.mass,scale(stations[*].wall)\n330000,0.95\n350000,1.00\n370000,1.05\n";
+        self.write("values.csv", values);
+        self.write("study.toml", STUDY);
         self.copy("examples/nrel-5mw.bmi", "deck.bmi");
         self.copy("examples/nrel-5mw_sections.dat", "nrel-5mw_sections.dat");
         self.copy("examples/nrel-5mw.yaml", "turbine.yaml");

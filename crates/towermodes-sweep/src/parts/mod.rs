@@ -20,6 +20,7 @@ mod folder;
 mod parquet;
 mod part;
 mod plan;
+mod print;
 mod run;
 mod shard;
 mod write;
@@ -28,6 +29,7 @@ pub use error::PartsError;
 pub use folder::Parts;
 pub use part::PartFormat;
 pub use plan::{PartOptions, SweepSource};
+pub use print::results_csv;
 pub use run::PartsProgress;
 pub use shard::{Shard, ShardError};
 

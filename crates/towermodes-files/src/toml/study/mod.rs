@@ -42,14 +42,14 @@ const LEAST: &str = "a study needs [sweep] with base = \"tower.toml\", and table
 ///     "rna.mass" = { uniform = [3.3e5, 3.7e5] }
 /// "#;
 /// let source = Source { name: "study.toml".to_owned(), text: text.to_owned() };
-/// let study = read_sweep_study(source)?;
+/// let study = read_sweep_study(&source)?;
 /// assert_eq!(study.base.value, "nrel-5mw.toml");
 /// let SweepRows::Sampled { sampling, .. } = &study.rows else { unreachable!() };
 /// assert_eq!(sampling.rows, 1_000_000);
 /// # Ok::<(), towermodes_files::ReadError>(())
 /// ```
-pub fn read_sweep_study(source: Source) -> Result<SweepStudy, ReadError> {
-    describe(&source).map_err(|mistakes| ReadError::mistakes(&source, mistakes))
+pub fn read_sweep_study(source: &Source) -> Result<SweepStudy, ReadError> {
+    describe(source).map_err(|mistakes| ReadError::mistakes(source, mistakes))
 }
 
 fn describe(source: &Source) -> Result<SweepStudy, Vec<Diagnostic>> {

@@ -1,0 +1,214 @@
+//! The arguments of `sweep`.
+
+use std::path::{Path, PathBuf};
+
+use clap::{Args, ValueEnum};
+use towermodes::{MAX_SEGMENTS, Method, ModeName};
+use towermodes_files::{SweepModes, SweepResults};
+use towermodes_sweep::{MAX_ROWS_PER_PART, PartFormat, Shard, ShardError};
+
+use super::input::ReadingArguments;
+use super::parsers::{method_parser, number_parser};
+
+const EXAMPLES: &str = "Examples:
+  towermodes sweep tower.toml values.csv > frequencies.csv
+  towermodes sweep tower.toml values.csv --output results/ --summary --plot frequencies.svg
+  towermodes sweep study.toml --output more-results/ --modes 6
+
+The columns of a table are names of numbers: rna.mass sets, scale(stations[*].wall) multiplies, add(stations[*].height) adds; `towermodes parameters FILE` lists the names. A study is a TOML file with [sweep]: base, sampling and distributions.
+
+With --output the results are files with a part of the rows each, written completely or not at all. The same command again continues where it was interrupted; several processes and machines may share the folder (--shard). For a complete folder it computes nothing: --summary and --plot show its results. A row that cannot be solved is a row with its message.
+
+Exit codes: 0 all rows are computed, possibly with rows that could not be solved (a warning gives their number), 1 the output failed or the sweep was interrupted, 2 wrong usage or wrong input.";
+
+/// The arguments of `sweep`.
+#[derive(Debug, Args)]
+#[command(allow_negative_numbers = true, after_help = EXAMPLES)]
+pub(crate) struct SweepArguments {
+    /// The tower that is varied, in any format; or a study, a TOML file with [sweep]
+    pub(crate) file: PathBuf,
+
+    /// Table of values in CSV or Parquet, one row for each tower: the columns are names of numbers;
+    /// not with a study
+    pub(crate) table: Option<PathBuf>,
+
+    /// Columns of the table that are not numbers of the tower and are left out, comma-separated
+    #[arg(long, value_name = "NAMES", value_delimiter = ',')]
+    pub(crate) ignore: Vec<String>,
+
+    /// Modes with columns in the results: a number, the lowest modes of the tower that is varied, or
+    /// names, comma-separated, as 'fore-aft 1,torsion 1' [default: 4]
+    #[arg(long, value_name = "K or NAMES", value_parser = modes_parser)]
+    modes: Option<SweepModes>,
+
+    /// Method of computation [default: rmje-exact; bmodes for BModes decks]
+    #[arg(long, value_parser = method_parser())]
+    method: Option<Method>,
+
+    /// Number of segments (bmodes and spectral: elements); the frequencies are extrapolated from
+    /// several meshes [default: 20; BModes decks: the elements of the deck]
+    #[arg(long, value_name = "N", value_parser = number_parser(1, MAX_SEGMENTS))]
+    segments: Option<usize>,
+
+    /// Neglect the rotary inertia of the sections in bending
+    #[arg(long)]
+    no_rotary_inertia: bool,
+
+    /// Write the results to this folder, in parts; without it they are printed as CSV
+    #[arg(long, short, value_name = "FOLDER")]
+    pub(crate) output: Option<PathBuf>,
+
+    /// Format of the parts [default: parquet if this program is built with it, otherwise csv]
+    #[arg(long, short, value_enum)]
+    pub(crate) format: Option<SweepFormat>,
+
+    /// Rows of each part [default: 16384]
+    #[arg(long, value_name = "N", value_parser = number_parser(1, MAX_ROWS_PER_PART as usize))]
+    rows_per_part: Option<usize>,
+
+    /// Compute only the share I of N equal shares of the parts, I from 0 to N-1, for a job array
+    #[arg(long, value_name = "I/N", value_parser = shard_parser)]
+    pub(crate) shard: Option<Shard>,
+
+    /// Number of threads [default: the processors that are available to the process]
+    #[arg(long, value_name = "N", value_parser = number_parser(1, 4096))]
+    threads: Option<usize>,
+
+    /// Omit the varied values from the results
+    #[arg(long)]
+    no_inputs: bool,
+
+    /// Remove the results in the folder and compute all rows again
+    #[arg(long)]
+    pub(crate) force: bool,
+
+    /// Print mean, standard deviation, quantiles, failed rows and, if the rotor is known, the
+    /// probability that a margin to an excitation is violated
+    #[arg(long)]
+    pub(crate) summary: bool,
+
+    /// Draw the frequencies as SVG or PNG: curves for one or two varied numbers, histograms for more
+    #[arg(long, value_name = "PATH")]
+    pub(crate) plot: Option<PathBuf>,
+
+    #[command(flatten)]
+    pub(crate) reading: ReadingArguments,
+}
+
+/// The format of the parts.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub(crate) enum SweepFormat {
+    /// Text, for any program.
+    Csv,
+    /// Apache Parquet, smaller and faster to read.
+    Parquet,
+}
+
+impl SweepArguments {
+    /// The number of threads.
+    pub(crate) fn threads(&self) -> usize {
+        let available = || std::thread::available_parallelism().map_or(1, usize::from);
+        self.threads.unwrap_or_else(available)
+    }
+
+    /// What is computed and written: these options, else those of a study.
+    pub(crate) fn results(&self, study: SweepResults) -> SweepResults {
+        let rows_per_part = self.rows_per_part.map(|rows| rows as u64);
+        SweepResults {
+            modes: self.modes.clone().unwrap_or(study.modes),
+            segments: self.segments.or(study.segments),
+            method: self.method.or(study.method),
+            rotary_inertia: study.rotary_inertia && !self.no_rotary_inertia,
+            inputs: study.inputs && !self.no_inputs,
+            rows_per_part: rows_per_part.or(study.rows_per_part),
+        }
+    }
+
+    /// The format of the parts.
+    pub(crate) fn part_format(&self) -> PartFormat {
+        match self.format {
+            Some(SweepFormat::Csv) => PartFormat::Csv,
+            Some(SweepFormat::Parquet) => PartFormat::Parquet,
+            None if cfg!(feature = "parquet") => PartFormat::Parquet,
+            None => PartFormat::Csv,
+        }
+    }
+
+    /// The folder of the results; none for standard output.
+    pub(crate) fn folder(&self) -> Option<&Path> {
+        super::file_of(self.output.as_deref())
+    }
+
+    /// Checks the options that need a folder.
+    ///
+    /// # Errors
+    /// The message for an option that has no effect.
+    pub(crate) fn check(&self) -> Result<(), &'static str> {
+        if self.folder().is_some() {
+            return Ok(());
+        }
+        let needs = [
+            (
+                self.shard.is_some(),
+                "--shard needs --output FOLDER, which all shares write to",
+            ),
+            (
+                self.summary,
+                "--summary needs --output FOLDER; standard output is the table of results",
+            ),
+            (
+                self.plot.is_some(),
+                "--plot needs --output FOLDER; standard output is the table of results",
+            ),
+            (self.force, "--force needs --output FOLDER"),
+            (
+                self.rows_per_part.is_some(),
+                "--rows-per-part needs --output FOLDER",
+            ),
+            (
+                self.format == Some(SweepFormat::Parquet),
+                "--format parquet needs --output FOLDER; standard output is CSV",
+            ),
+        ];
+        let wrong = needs.into_iter().find(|(is_given, _)| *is_given);
+        wrong.map_or(Ok(()), |(_, message)| Err(message))
+    }
+}
+
+/// The names of modes, or their number.
+fn modes_parser(text: &str) -> Result<SweepModes, String> {
+    if let Ok(count) = text.trim().parse::<usize>() {
+        return match count {
+            0 => Err("must be at least 1".to_owned()),
+            count => Ok(SweepModes::Lowest(count)),
+        };
+    }
+    let name = |name: &str| {
+        name.trim()
+            .parse::<ModeName>()
+            .map_err(|error| error.to_string())
+    };
+    let names: Result<Vec<ModeName>, String> = text.split(',').map(name).collect();
+    names.map(SweepModes::Named)
+}
+
+/// A share of the parts.
+fn shard_parser(text: &str) -> Result<Shard, String> {
+    text.parse().map_err(|error: ShardError| error.to_string())
+}
+
+#[cfg(test)]
+mod tests {
+    use towermodes_files::SweepModes;
+
+    use super::modes_parser;
+
+    #[test]
+    fn modes_are_a_number_or_names() {
+        assert_eq!(modes_parser("6"), Ok(SweepModes::Lowest(6)));
+        let named = modes_parser("fore-aft 1, torsion 1").expect("names");
+        assert!(matches!(&named, SweepModes::Named(names) if names[1].to_string() == "torsion 1"));
+        assert!(modes_parser("0").is_err());
+        assert!(modes_parser("bending 1").is_err());
+    }
+}

@@ -1,0 +1,23 @@
+//! `towermodes sweep`.
+
+mod folder;
+mod memory;
+mod picture;
+mod planned;
+mod progress;
+
+use crate::args::SweepArguments;
+use crate::failure::Failure;
+use planned::Planned;
+
+pub(crate) use memory::MOST_ROWS as MOST_ROWS_IN_MEMORY;
+
+/// Solves the rows of a table or a study: into a folder, or to standard output.
+pub(crate) fn run(arguments: &SweepArguments) -> Result<(), Failure> {
+    arguments.check().map_err(Failure::Usage)?;
+    let planned = Planned::of(arguments)?;
+    match arguments.folder() {
+        Some(path) => folder::run(&planned, path, arguments),
+        None => memory::run(&planned, arguments),
+    }
+}

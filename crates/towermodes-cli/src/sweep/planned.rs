@@ -1,0 +1,137 @@
+//! What is swept: the base, the changes, the modes, the values.
+
+use std::path::Path;
+
+use towermodes::{Change, TowerDescription};
+use towermodes_files::{
+    FileFormat, Input, ReadError, ReadOptions, SiblingFiles, Source, SweepResults, SweepRows,
+    SweepStudy, TowerInput, read, read_sweep_study, recognize,
+};
+use towermodes_sweep::{Base, Sweep, SweepSource, Table};
+
+use crate::args::{ReadingArguments, SweepArguments};
+use crate::failure::{Failure, note};
+use crate::input::set_numbers;
+
+/// A sweep that can begin.
+pub(super) struct Planned {
+    /// The tower that is varied.
+    pub(super) input: TowerInput,
+    pub(super) sweep: Sweep,
+    /// The values of the rows.
+    pub(super) source: SweepSource,
+    /// What is computed and written.
+    pub(super) results: SweepResults,
+}
+
+impl Planned {
+    /// Reads base, study and table, and solves the base.
+    pub(super) fn of(arguments: &SweepArguments) -> Result<Self, Failure> {
+        let (input, changes, source, results) = match &arguments.table {
+            Some(table) => of_table(table, arguments)?,
+            None => of_study(arguments)?,
+        };
+        // Errors have a position in the file.
+        input.tower().map_err(Failure::Input)?;
+        note(&input.notes);
+        let sweep = Sweep::new(Base::from(&input), changes, &results).map_err(Failure::Sweep)?;
+        Ok(Self {
+            input,
+            sweep,
+            source,
+            results,
+        })
+    }
+}
+
+type Parts = (TowerInput, Vec<Change>, SweepSource, SweepResults);
+
+/// A tower file and a table.
+fn of_table(table: &Path, arguments: &SweepArguments) -> Result<Parts, Failure> {
+    let reading = &arguments.reading;
+    let input = tower_of(&arguments.file, &reading.options(), reading)?;
+    reading.check(&[input.format]).map_err(Failure::Usage)?;
+    let table = open(table, &input.description, arguments)?;
+    let changes = table.changes().to_vec();
+    let results = arguments.results(SweepResults::default());
+    Ok((input, changes, SweepSource::Table(Box::new(table)), results))
+}
+
+/// A study, with the files that it names.
+fn of_study(arguments: &SweepArguments) -> Result<Parts, Failure> {
+    let study = study_of(&arguments.file)?;
+    let reading = &arguments.reading;
+    if reading.options() != ReadOptions::default() {
+        return Err(Failure::Usage(
+            "with a study, the options for reading the base are keys of [sweep.reading]",
+        ));
+    }
+    let beside = SiblingFiles::of(&arguments.file);
+    let input = tower_of(&beside.path(&study.base.value), &study.reading, reading)?;
+    ReadingArguments::check_options(&study.reading, &[input.format])
+        .map_err(|problem| Failure::WrongStudy(problem.replacen("--", "[sweep.reading] ", 1)))?;
+    let results = arguments.results(study.results.clone());
+    let (changes, source) = match &study.rows {
+        SweepRows::Table(path) => {
+            let table = open(&beside.path(&path.value), &input.description, arguments)?;
+            let changes = table.changes().to_vec();
+            (changes, SweepSource::Table(Box::new(table)))
+        }
+        SweepRows::Sampled { sampling, .. } => {
+            if !arguments.ignore.is_empty() {
+                return Err(Failure::Usage("--ignore applies only to a table of values"));
+            }
+            let changes = study.changes(&input.description).map_err(Failure::Input)?;
+            let source = SweepSource::sampled(sampling.clone());
+            let source = source.map_err(|error| Failure::WrongStudy(error.to_string()))?;
+            (changes, source)
+        }
+    };
+    Ok((input, changes, source, results))
+}
+
+/// The study in a file.
+fn study_of(file: &Path) -> Result<SweepStudy, Failure> {
+    let source = match file == Path::new("-") {
+        true => Source::from_stdin(),
+        false => Source::from_path(file),
+    };
+    let source = source.map_err(ReadError::from).map_err(Failure::Input)?;
+    // A study is TOML; any other tower file needs a table.
+    if !matches!(recognize(&source), None | Some(FileFormat::Toml)) {
+        return Err(Failure::Usage(
+            "give a table of values after the tower file, or a study: a TOML file with [sweep]",
+        ));
+    }
+    read_sweep_study(&source).map_err(Failure::Input)
+}
+
+/// The tower that is varied.
+fn tower_of(
+    file: &Path,
+    options: &ReadOptions,
+    reading: &ReadingArguments,
+) -> Result<TowerInput, Failure> {
+    let input = match file == Path::new("-") {
+        true => crate::input::input(file, reading)?,
+        false => read(file, options).map_err(Failure::Input)?,
+    };
+    let Input::Tower(tower) = input else {
+        return Err(Failure::Usage(
+            "this is a deck of a rotating blade; only towers can be swept",
+        ));
+    };
+    let mut tower = *tower;
+    if file != Path::new("-") {
+        set_numbers(&mut tower, reading)?;
+    }
+    Ok(tower)
+}
+
+fn open(
+    path: &Path,
+    base: &TowerDescription,
+    arguments: &SweepArguments,
+) -> Result<Table, Failure> {
+    Table::open(path, base, &arguments.ignore).map_err(Failure::Table)
+}

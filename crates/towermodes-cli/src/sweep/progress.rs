@@ -1,0 +1,80 @@
+//! Progress of a sweep on the last line of the terminal: rows, rate, time left.
+
+use std::fmt::Write as _;
+use std::io::IsTerminal;
+use std::time::Instant;
+
+use indicatif::{ProgressBar, ProgressDrawTarget, ProgressState, ProgressStyle};
+
+use crate::progress::{QUIET, duration};
+
+/// The progress line; nothing if standard error is not a terminal.
+pub(super) struct SweepProgress {
+    bar: Option<ProgressBar>,
+    begun: Instant,
+}
+
+impl SweepProgress {
+    /// Progress of a number of rows.
+    pub(super) fn new(rows: u64) -> Self {
+        let begun = Instant::now();
+        let bar = std::io::stderr().is_terminal().then(|| {
+            let bar = ProgressBar::with_draw_target(Some(rows), ProgressDrawTarget::hidden());
+            let words = move |state: &ProgressState, out: &mut dyn std::fmt::Write| {
+                let seconds = begun.elapsed().as_secs_f64();
+                let _ = out.write_str(&line(state.pos(), rows, seconds));
+            };
+            // The template is a constant and valid.
+            let style = ProgressStyle::with_template("[{bar:10}] {words}");
+            let style = style.unwrap_or_else(|_| ProgressStyle::default_bar());
+            bar.set_style(style.with_key("words", words).progress_chars("=> "));
+            bar
+        });
+        Self { bar, begun }
+    }
+
+    /// So many rows are done.
+    pub(super) fn set(&self, rows: u64) {
+        let Some(bar) = &self.bar else { return };
+        if bar.is_hidden() && self.begun.elapsed() >= QUIET {
+            bar.set_draw_target(ProgressDrawTarget::stderr());
+        }
+        bar.set_position(rows);
+    }
+}
+
+impl Drop for SweepProgress {
+    fn drop(&mut self) {
+        if let Some(bar) = &self.bar {
+            bar.finish_and_clear();
+        }
+    }
+}
+
+/// "43 %, 430000 of 1000000 rows, 44100 rows/s, 13 s left".
+fn line(done: u64, rows: u64, seconds: f64) -> String {
+    let percent = (100.0 * done as f64 / rows.max(1) as f64).floor();
+    let mut line = format!("{percent} %, {done} of {rows} rows");
+    let rate = done as f64 / seconds;
+    if done > 0 && rate.is_finite() {
+        let left = rows.saturating_sub(done) as f64 / rate;
+        let _ = write!(line, ", {rate:.0} rows/s, {} left", duration(left));
+    }
+    line
+}
+
+#[cfg(test)]
+mod tests {
+    use super::line;
+
+    #[test]
+    fn rows_rate_and_time_left() {
+        assert_eq!(line(0, 10, 0.0), "0 %, 0 of 10 rows");
+        assert_eq!(
+            line(250_000, 1_000_000, 5.0),
+            "25 %, 250000 of 1000000 rows, 50000 rows/s, 15 s left"
+        );
+        let widest = line(4_294_967_295, 4_294_967_296, 1e5);
+        assert!(widest.len() + 13 <= 80, "{widest}");
+    }
+}

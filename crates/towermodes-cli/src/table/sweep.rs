@@ -1,0 +1,133 @@
+//! A sweep in numbers as text: statistics, violated margins, failures.
+
+use towermodes::number::{Rounded, digits};
+use towermodes::{Tower, printable};
+use towermodes_sweep::{MarginCheck, ModeSummary, QUANTILES, Statistics, Summary};
+
+use super::text::{align_right, plain_table, title};
+
+/// The failures that are listed.
+const MOST_FAILURES: usize = 10;
+
+/// Statistics of the mass and of each frequency; the probability that a margin is violated; the
+/// rows that failed.
+pub(crate) fn sweep_summary(
+    tower: &Tower,
+    summary: &Summary,
+    check: Option<&MarginCheck>,
+) -> String {
+    let mut text = title(tower);
+    text.push_str(&statistics(summary));
+    text.push('\n');
+    if let Some(check) = check {
+        text.push('\n');
+        text.push_str(&margins(summary, check));
+        text.push('\n');
+    }
+    text.push_str(&failures(summary));
+    text
+}
+
+/// A row for the mass and each mode.
+fn statistics(summary: &Summary) -> String {
+    let mut table = plain_table();
+    let quantiles = QUANTILES.map(|share| format!("{} %", Rounded(100.0 * share)));
+    let mut header = vec!["".to_owned()];
+    header.extend(["mean", "deviation", "lowest"].map(str::to_owned));
+    header.extend(quantiles);
+    header.extend(["highest", "± error"].map(str::to_owned));
+    let columns = header.len();
+    table.set_header(header);
+    let mass = cells(summary.mass_kg.as_ref(), 1e-3, 4);
+    let first = std::iter::once("tower mass, t".to_owned());
+    table.add_row(first.chain(mass).chain([String::new()]));
+    for mode in &summary.modes {
+        let error = match mode.frequency_hz {
+            Some(_) => digits(mode.largest_error_hz, 2),
+            None => String::new(),
+        };
+        let frequency = cells(mode.frequency_hz.as_ref(), 1.0, 5);
+        let name = std::iter::once(format!("{}, Hz", mode.name.label()));
+        table.add_row(name.chain(frequency).chain([error]));
+    }
+    align_right(&mut table, 1..columns);
+    table.trim_fmt()
+}
+
+/// Mean, deviation, lowest, quantiles, highest.
+fn cells(of: Option<&Statistics>, factor: f64, count: usize) -> Vec<String> {
+    let Some(of) = of else {
+        return vec!["-".to_owned(); 4 + QUANTILES.len()];
+    };
+    let shown = |value: f64| digits(factor * value, count);
+    let mut cells = vec![
+        shown(of.mean),
+        digits(factor * of.deviation, 3),
+        shown(of.min),
+    ];
+    cells.extend(of.quantiles.iter().map(|value| shown(*value)));
+    cells.push(shown(of.max));
+    cells
+}
+
+/// A row for each mode, a column for each multiple of the rotor speed.
+fn margins(summary: &Summary, check: &MarginCheck) -> String {
+    let mut table = plain_table();
+    let name = format!(
+        "probability of a distance below {} %",
+        Rounded(100.0 * check.margin)
+    );
+    let multiples = check
+        .multiples
+        .iter()
+        .map(|multiple| format!("{multiple}P"));
+    table.set_header(std::iter::once(name).chain(multiples));
+    for mode in &summary.modes {
+        table.add_row(std::iter::once(mode.name.label()).chain(probabilities(mode)));
+    }
+    align_right(&mut table, 1..=check.multiples.len());
+    table.trim_fmt()
+}
+
+/// "2.3 ± 0.4 %".
+fn probabilities(mode: &ModeSummary) -> impl Iterator<Item = String> {
+    mode.margins.iter().map(|margin| match margin.count {
+        0 => "-".to_owned(),
+        _ => {
+            let [share, error] = [margin.probability(), margin.standard_error()];
+            match error > 0.0 {
+                true => format!(
+                    "{} \u{b1} {} %",
+                    digits(100.0 * share, 3),
+                    digits(100.0 * error, 2)
+                ),
+                false => format!("{} %", Rounded(100.0 * share)),
+            }
+        }
+    })
+}
+
+/// The failed rows by their message.
+fn failures(summary: &Summary) -> String {
+    let rows = summary.rows;
+    if summary.failed == 0 {
+        return format!("\nall {rows} rows are solved\n");
+    }
+    let mut text = format!(
+        "\n{} of {rows} rows have no complete result:\n",
+        summary.failed
+    );
+    for kind in summary.failures.iter().take(MOST_FAILURES) {
+        let count = match kind.count {
+            1 => format!("row {}", kind.row),
+            count => format!("{count} rows, first row {}", kind.row),
+        };
+        text.push_str(&format!("  {count}: {}\n", printable(&kind.sentence)));
+    }
+    let listed = summary.failures.iter().take(MOST_FAILURES);
+    let others = summary.failed - listed.map(|kind| kind.count).sum::<u64>();
+    if others > 0 {
+        text.push_str(&format!("  {others} rows with other messages\n"));
+    }
+    text
+}

@@ -1,0 +1,331 @@
+//! Sweeps into folders that are killed, interrupted, run twice at once, or run out of disk:
+//! afterwards every row is there once, and nothing is half-written.
+
+#![cfg(unix)]
+
+use std::collections::BTreeMap;
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::{Child, Command, Output, Stdio};
+use std::thread;
+use std::time::{Duration, Instant};
+
+use crate::pages::root;
+use crate::sandbox::PROGRAM;
+
+const ROWS: usize = 6000;
+const PART: usize = 200;
+
+/// A folder that is gone when the test is, with a study.
+struct Folder(PathBuf);
+
+impl Folder {
+    fn new(name: &str) -> Self {
+        let path =
+            std::env::temp_dir().join(format!("towermodes-sweep-{name}-{}", std::process::id()));
+        let _ = fs::remove_dir_all(&path);
+        fs::create_dir_all(&path).expect("a folder");
+        fs::copy(
+            root().join("examples/nrel-5mw.toml"),
+            path.join("tower.toml"),
+        )
+        .expect("copied");
+        let folder = Self(path);
+        folder.write_study(ROWS, 1);
+        folder
+    }
+
+    fn write_study(&self, rows: usize, seed: usize) {
+        let text = format!(
+            "[sweep]\nbase = \"tower.toml\"\nsampling = \"random\"\nrows = {rows}\nseed = {seed}\n\
+             [sweep.vary]\n\"rna.mass\" = {{ uniform = [3e5, 4e5] }}\n\
+             [sweep.results]\nrows_per_part = {PART}\nmodes = 2\n"
+        );
+        fs::write(self.0.join("study.toml"), text).expect("written");
+    }
+
+    fn command(&self, output: &str, more: &[&str]) -> Command {
+        let mut command = Command::new(PROGRAM);
+        command
+            .current_dir(&self.0)
+            .args(["sweep", "study.toml", "--format", "csv", "--output", output])
+            .args(more)
+            .stdin(Stdio::null())
+            .stdout(Stdio::piped())
+            .stderr(Stdio::piped());
+        command
+    }
+
+    #[track_caller]
+    fn done(&self, output: &str, more: &[&str]) -> Output {
+        let done = self
+            .command(output, more)
+            .output()
+            .expect("the program runs");
+        let said = String::from_utf8_lossy(&done.stderr);
+        assert!(done.status.success(), "{said}");
+        done
+    }
+
+    fn started(&self, output: &str) -> Child {
+        let mut command = self.command(output, &["--threads", "1"]);
+        command.stdout(Stdio::null()).stderr(Stdio::null());
+        command.spawn().expect("the program runs")
+    }
+
+    /// The files of a folder of results by name.
+    fn files(&self, output: &str) -> BTreeMap<String, Vec<u8>> {
+        let entries = fs::read_dir(self.0.join(output)).expect("the folder");
+        let file = |entry: std::io::Result<fs::DirEntry>| {
+            let path = entry.expect("an entry").path();
+            let name = path
+                .file_name()
+                .expect("a name")
+                .to_string_lossy()
+                .into_owned();
+            (name, fs::read(path).expect("a file"))
+        };
+        entries.map(file).collect()
+    }
+
+    fn parts(&self, output: &str) -> usize {
+        let Ok(entries) = fs::read_dir(self.0.join(output)) else {
+            return 0;
+        };
+        let names = entries.flatten().map(|entry| entry.file_name());
+        names
+            .filter(|name| name.to_string_lossy().starts_with("part-"))
+            .count()
+    }
+
+    /// Waits until a run has written a number of parts.
+    #[track_caller]
+    fn wait_for_parts(&self, output: &str, parts: usize, run: &mut Child) {
+        let begun = Instant::now();
+        while self.parts(output) < parts {
+            assert!(
+                begun.elapsed() < Duration::from_secs(60),
+                "no parts are written"
+            );
+            assert!(
+                run.try_wait().expect("a process").is_none(),
+                "the run has ended"
+            );
+            thread::sleep(Duration::from_millis(2));
+        }
+    }
+}
+
+impl Drop for Folder {
+    fn drop(&mut self) {
+        let _ = fs::remove_dir_all(&self.0);
+    }
+}
+
+/// Every row once, in whole parts, and nothing besides.
+#[track_caller]
+fn check_complete(files: &BTreeMap<String, Vec<u8>>, rows: usize) {
+    assert!(files.contains_key("_SUCCESS") && files.contains_key("_sweep.json"));
+    let temporary = files.keys().find(|name| name.ends_with(".tmp"));
+    assert_eq!(temporary, None);
+    let parts = files.iter().filter(|(name, _)| name.starts_with("part-"));
+    let mut next = 0;
+    for (name, content) in parts {
+        let text = std::str::from_utf8(content).expect("text");
+        for line in text.lines().skip(1) {
+            let row = line.split(',').next().expect("a cell");
+            assert_eq!(row, next.to_string(), "{name}");
+            next += 1;
+        }
+    }
+    assert_eq!(next, rows);
+}
+
+/// The signal by the program `kill`, as a user or a scheduler sends it.
+fn signal(child: &Child, name: &str) {
+    let id = child.id().to_string();
+    let done = Command::new("kill").args([name, &id]).status();
+    assert!(done.expect("kill").success());
+}
+
+#[test]
+fn a_killed_sweep_continues_and_has_the_same_bytes() {
+    let folder = Folder::new("killed");
+    folder.done("whole", &[]);
+    let whole = folder.files("whole");
+    check_complete(&whole, ROWS);
+    for name in ["-KILL", "-INT", "-TERM"] {
+        let output = format!("results{name}");
+        let mut run = folder.started(&output);
+        folder.wait_for_parts(&output, 3, &mut run);
+        signal(&run, name);
+        assert!(!run.wait().expect("a process").success());
+        let left = folder.files(&output);
+        assert!(
+            !left.contains_key("_SUCCESS"),
+            "{name}: it was faster than the test"
+        );
+        // What is there is whole.
+        for (part, content) in left.iter().filter(|(part, _)| part.starts_with("part-")) {
+            assert_eq!(Some(content), whole.get(part), "{name}: {part}");
+        }
+        folder.done(&output, &[]);
+        assert!(folder.files(&output) == whole, "{name}");
+    }
+}
+
+#[test]
+fn threads_shares_and_simultaneous_runs_give_the_same_bytes() {
+    let folder = Folder::new("same");
+    folder.done("whole", &["--threads", "1"]);
+    let whole = folder.files("whole");
+    check_complete(&whole, ROWS);
+    folder.done("threads", &["--threads", "3"]);
+    assert!(folder.files("threads") == whole);
+    for share in ["2/3", "0/3"] {
+        let done = folder.done("shares", &["--shard", share]);
+        let said = String::from_utf8_lossy(&done.stderr).into_owned();
+        assert!(said.contains("other shares are missing"), "{said}");
+    }
+    assert!(!folder.files("shares").contains_key("_SUCCESS"));
+    folder.done("shares", &["--shard", "1/3"]);
+    assert!(folder.files("shares") == whole);
+    let mut runs = [folder.started("both"), folder.started("both")];
+    for run in &mut runs {
+        assert!(run.wait().expect("a process").success());
+    }
+    assert!(folder.files("both") == whole);
+}
+
+#[test]
+fn another_sweep_is_refused_and_nothing_is_changed() {
+    let folder = Folder::new("other");
+    folder.write_study(400, 1);
+    folder.done("results", &[]);
+    let before = folder.files("results");
+    folder.write_study(400, 2);
+    let refused = folder
+        .command("results", &[])
+        .output()
+        .expect("the program runs");
+    let said = String::from_utf8_lossy(&refused.stderr).into_owned();
+    assert_eq!(refused.status.code(), Some(2), "{said}");
+    assert!(
+        said.contains("another sweep") && said.contains("--force"),
+        "{said}"
+    );
+    assert!(folder.files("results") == before);
+    folder.done("results", &["--force"]);
+    check_complete(&folder.files("results"), 400);
+}
+
+/// Files cannot become longer than two blocks: as on a full disk a write fails.
+#[test]
+fn a_write_that_fails_ends_the_sweep_and_the_next_run_continues() {
+    let folder = Folder::new("limit");
+    folder.write_study(400, 1);
+    // The plan is there, so that the first file that does not fit is a part.
+    let mut run = folder.started("results");
+    folder.wait_for_parts("results", 1, &mut run);
+    let _ = run.wait();
+    for name in folder
+        .files("results")
+        .keys()
+        .filter(|name| *name != "_sweep.json")
+    {
+        fs::remove_file(folder.0.join("results").join(name)).expect("removed");
+    }
+    let script = "trap '' XFSZ; ulimit -f 2; exec \"$0\" \"$@\"";
+    let failed = Command::new("sh")
+        .current_dir(&folder.0)
+        .args([
+            "-c",
+            script,
+            PROGRAM,
+            "sweep",
+            "study.toml",
+            "--format",
+            "csv",
+        ])
+        .args(["--output", "results"])
+        .output()
+        .expect("a shell");
+    let said = String::from_utf8_lossy(&failed.stderr).into_owned();
+    assert_eq!(failed.status.code(), Some(1), "{said}");
+    assert!(said.contains("results/part-0000"), "{said}");
+    assert_eq!(folder.parts("results"), 0);
+    folder.done("results", &[]);
+    check_complete(&folder.files("results"), 400);
+}
+
+/// A disk of its own that is smaller than the results; only root can have one.
+#[test]
+fn a_full_disk_ends_the_sweep_and_the_next_run_continues() {
+    let folder = Folder::new("disk");
+    folder.write_study(2000, 1);
+    let disk = folder.0.join("disk");
+    fs::create_dir_all(&disk).expect("a folder");
+    let Some(_mounted) = Mounted::new(&disk, "100k") else {
+        eprintln!("skipped: a file system of the test's own cannot be mounted");
+        return;
+    };
+    let failed = folder
+        .command("disk/results", &[])
+        .output()
+        .expect("the program runs");
+    let said = String::from_utf8_lossy(&failed.stderr).into_owned();
+    assert_eq!(failed.status.code(), Some(1), "{said}");
+    assert!(
+        said.contains("disk/results/") && said.contains("No space left"),
+        "{said}"
+    );
+    // What is there is whole.
+    for (name, content) in folder.files("disk/results") {
+        let lines = content.iter().filter(|byte| **byte == b'\n').count();
+        assert!(
+            !name.starts_with("part-") || lines == PART + 1,
+            "{name}: {lines} lines"
+        );
+    }
+    let grown = Command::new("mount")
+        .args(["-o", "remount,size=20m"])
+        .arg(&disk)
+        .status();
+    assert!(grown.expect("mount").success());
+    folder.done("disk/results", &[]);
+    check_complete(&folder.files("disk/results"), 2000);
+}
+
+/// A file system in memory, gone when the test is.
+struct Mounted(PathBuf);
+
+impl Mounted {
+    fn new(path: &Path, size: &str) -> Option<Self> {
+        let option = format!("size={size}");
+        let mut command = Command::new("mount");
+        command
+            .args(["-t", "tmpfs", "-o", &option, "tmpfs"])
+            .arg(path);
+        let done = command.stderr(Stdio::null()).status().ok()?;
+        done.success().then(|| Self(path.to_path_buf()))
+    }
+}
+
+impl Drop for Mounted {
+    fn drop(&mut self) {
+        let _ = Command::new("umount").arg(&self.0).status();
+    }
+}
+
+#[test]
+fn pictures_of_a_sweep_are_written() {
+    let folder = Folder::new("picture");
+    folder.write_study(400, 1);
+    folder.done("results", &["--plot", "curves.svg"]);
+    let curves = fs::read_to_string(folder.0.join("curves.svg")).expect("a picture");
+    assert!(curves.contains("rna.mass (kg)") && curves.contains("1st fore-aft bending"));
+    // The folder is complete: only the picture is made.
+    folder.done("results", &["--plot", "curves.png"]);
+    let picture = fs::read(folder.0.join("curves.png")).expect("a picture");
+    assert!(picture.starts_with(b"\x89PNG"));
+}
