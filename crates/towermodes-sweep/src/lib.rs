@@ -1,9 +1,21 @@
 //! Sweeps: one tower with changed numbers, solved for each row of a table or a sample.
 //!
-//! A [`Sweep`] is a tower, the [changes](towermodes::Change) whose values each row gives, and the
-//! modes that have columns. [`run()`] solves all rows in memory. A row that fails is a row with the
-//! sentence that says why, never the end of the sweep. The columns of modes are named by
-//! [family and order](towermodes::ModeName), so they stay with the mode where frequencies cross.
+//! | step | item |
+//! |---|---|
+//! | the tower that is changed, and how its file prescribes to solve it | [`Base`] |
+//! | the [changes](towermodes::Change) whose values each row gives, and the modes with columns | [`Sweep`] |
+//! | the values of the rows: in memory, drawn from distributions, from a file | [`Columns`], [`Draw`], [`Table`] |
+//! | all rows in memory | [`run()`], [`Results`] |
+//! | all rows into a folder of parts, continued after a kill, shared by processes | [`Parts`], [`Shard`] |
+//! | statistics, failures, violated resonance margins | [`Summary`] |
+//!
+//! A row that fails is a row with the sentence that says why, never the end of the sweep. The
+//! columns of modes are named by [family and order](towermodes::ModeName), so they stay with the
+//! mode where frequencies cross. Results have the same bits whatever the number of threads and
+//! whoever computes them.
+//!
+//! Each frequency is the extrapolated one, on [`DEFAULT_SWEEP_SEGMENTS`] segments by default.
+//! Parquet needs the feature `parquet`.
 
 mod base;
 mod digest;

@@ -20,6 +20,16 @@ pub enum RunError {
     /// The [`Watch`] ended it.
     #[error("the sweep was stopped")]
     Stopped,
+    /// The rows have another number of values than the sweep has changes.
+    #[error(
+        "the rows have {values} values, but the sweep has {changes} changes; give one value for each change"
+    )]
+    Width {
+        /// Number of values of a row.
+        values: usize,
+        /// Number of changes.
+        changes: usize,
+    },
     /// The results need more memory than there is.
     #[error("the results of {rows} rows do not fit into memory; write them to a folder instead")]
     Memory {
@@ -64,6 +74,10 @@ pub fn run(
     threads: usize,
     watch: &mut Watch<'_>,
 ) -> Result<Results, RunError> {
+    let (values, changes) = (source.width(), sweep.changes().len());
+    if values != changes {
+        return Err(RunError::Width { values, changes });
+    }
     let rows = source.rows();
     let too_many = RunError::Memory { rows };
     let Ok(count) = usize::try_from(rows) else {

@@ -9,6 +9,9 @@ pub trait RowSource: Sync {
     /// Number of rows.
     fn rows(&self) -> u64;
 
+    /// Number of values of a row.
+    fn width(&self) -> usize;
+
     /// Writes the values of a row, from 0: one for each change.
     fn row(&self, row: u64, values: &mut [f64]);
 }
@@ -16,6 +19,10 @@ pub trait RowSource: Sync {
 impl RowSource for Draw {
     fn rows(&self) -> u64 {
         Draw::rows(self)
+    }
+
+    fn width(&self) -> usize {
+        self.columns()
     }
 
     fn row(&self, row: u64, values: &mut [f64]) {
@@ -64,6 +71,10 @@ impl<'a> Columns<'a> {
 impl RowSource for Columns<'_> {
     fn rows(&self) -> u64 {
         self.columns.first().map_or(0, |column| column.len() as u64)
+    }
+
+    fn width(&self) -> usize {
+        self.columns.len()
     }
 
     fn row(&self, row: u64, values: &mut [f64]) {

@@ -56,6 +56,12 @@ pub enum SweepError {
     /// No change.
     #[error("nothing is varied; name at least one parameter")]
     NothingVaried,
+    /// A change that is named twice.
+    #[error("`{name}` is changed twice; remove one")]
+    RepeatedChange {
+        /// The name of the change.
+        name: String,
+    },
     /// No modes.
     #[error("the sweep has no modes; ask for at least one")]
     NoModes,
@@ -100,6 +106,12 @@ impl Sweep {
     ) -> Result<Self, SweepError> {
         if changes.is_empty() {
             return Err(SweepError::NothingVaried);
+        }
+        // Their names are those of columns.
+        let is_second = |&i: &usize| changes[..i].iter().any(|c| c.name() == changes[i].name());
+        if let Some(second) = (1..changes.len()).find(is_second) {
+            let name = changes[second].name().to_owned();
+            return Err(SweepError::RepeatedChange { name });
         }
         let mut options = base.options(results);
         let tower = Tower::new(base.description.clone())?;

@@ -163,6 +163,9 @@ fn a_sweep_that_cannot_begin_says_why() {
         |base, changes, modes| Sweep::new(base, changes, &with(modes)).expect_err("refused");
     let nothing = refused(base(), Vec::new(), SweepModes::Lowest(4));
     assert_eq!(nothing, SweepError::NothingVaried);
+    let twice = changes(&["scale(rna.mass)", "scale(rna.mass)"]);
+    let twice = refused(base(), twice, SweepModes::Lowest(4)).to_string();
+    assert_eq!(twice, "`scale(rna.mass)` is changed twice; remove one");
     let mass = changes(&["rna.mass"]);
     let none = refused(base(), mass.clone(), SweepModes::Lowest(0));
     assert_eq!(none, SweepError::NoModes);
@@ -201,6 +204,23 @@ fn the_watch_ends_a_sweep_and_sees_all_rows() {
         run(&sweep, &columns, threads, &mut watch).expect("results");
         assert_eq!(last, 3000);
     }
+}
+
+#[test]
+fn rows_need_a_value_for_each_change() {
+    let sweep = lowest(&["rna.mass", "stations[1].wall"], 2);
+    let masses = [3.5e5];
+    let columns = Columns::new(vec![&masses]).expect("a column");
+    let refused = run(&sweep, &columns, 1, &mut |_| ControlFlow::Continue(()));
+    let expected = RunError::Width {
+        values: 1,
+        changes: 2,
+    };
+    assert_eq!(refused, Err(expected));
+    let differ = Columns::new(vec![&masses, &[0.02, 0.03]]).expect_err("lengths");
+    let expected =
+        "column 1 has 2 rows, but the first column has 1; all columns need the same number";
+    assert_eq!(differ.to_string(), expected);
 }
 
 #[test]

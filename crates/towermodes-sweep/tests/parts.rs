@@ -346,11 +346,8 @@ fn a_table_gives_the_rows_of_its_file() {
         assert!(sampled[name] == *bytes, "{name}");
     }
     // Another table is another sweep.
-    fs::write(
-        &table_path,
-        as_csv(draw).replace("rna.mass", "add(rna.mass)"),
-    )
-    .expect("written");
+    let longer = as_csv(draw) + "350000,0.02\n";
+    fs::write(&table_path, longer).expect("written");
     let error = parts.solve(&[0], 1, &mut |_| ControlFlow::Continue(()));
     assert!(matches!(error, Err(PartsError::Table(_))), "{error:?}");
     let changed = open();
@@ -414,6 +411,36 @@ fn shards_are_disjoint_and_complete() {
         let error = text.parse::<Shard>().expect_err("refused").to_string();
         assert_eq!(error, expected);
     }
+}
+
+#[test]
+fn values_of_other_changes_are_refused() {
+    let (_, source) = sampled(1);
+    let folder = Folder::new();
+    for changes in [&["stations[1].wall", "rna.mass"][..], &["rna.mass"]] {
+        let sweep = lowest(changes, 2);
+        let refused = Parts::open(&sweep, &source, &folder.path("r"), PartOptions::default());
+        let refused = refused.map(|_| ()).expect_err("refused");
+        assert!(matches!(refused, PartsError::OtherChanges { .. }));
+        assert!(
+            refused
+                .to_string()
+                .contains("those of rna.mass, stations[1].wall")
+        );
+    }
+}
+
+#[test]
+fn a_shard_does_not_remove_the_results_of_others() {
+    let (sweep, source) = sampled(1);
+    let folder = Folder::new();
+    let options = PartOptions {
+        force: true,
+        shard: Shard::new(1, 3).expect("a shard"),
+        ..PartOptions::default()
+    };
+    let refused = Parts::open(&sweep, &source, &folder.path("r"), options).map(|_| ());
+    assert!(matches!(refused, Err(PartsError::ForceOfShard { .. })));
 }
 
 #[test]

@@ -5,7 +5,7 @@ use std::path::PathBuf;
 
 use thiserror::Error;
 
-use super::MAX_ROWS_PER_PART;
+use super::{MAX_ROWS_PER_PART, Shard};
 use crate::run::RunError;
 use crate::table::TableError;
 
@@ -47,6 +47,22 @@ pub enum PartsError {
         path: PathBuf,
         /// What is different.
         reason: String,
+    },
+    /// The values are those of other changes than the sweep has.
+    #[error("the values are those of {}, but the sweep changes {}", found.join(", "), expected.join(", "))]
+    OtherChanges {
+        /// The changes of the values.
+        found: Vec<String>,
+        /// The changes of the sweep.
+        expected: Vec<String>,
+    },
+    /// One of several shards would remove the results of the others.
+    #[error(
+        "--force removes the results of all shards, so it is not possible with --shard {shard}; remove the folder first, then start the shards"
+    )]
+    ForceOfShard {
+        /// The shard.
+        shard: Shard,
     },
     /// No rows in a part, or too many.
     #[error("the number of rows per part is {rows}; it must be from 1 to {MAX_ROWS_PER_PART}")]

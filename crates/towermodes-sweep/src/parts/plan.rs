@@ -34,6 +34,33 @@ impl SweepSource {
         Ok(Self::Sampled { sampling, draw })
     }
 
+    /// The names of the changes whose values it gives.
+    fn names(&self) -> Vec<String> {
+        match self {
+            Self::Table(table) => {
+                let changes = table.changes().iter();
+                changes.map(|change| change.name().to_owned()).collect()
+            }
+            Self::Sampled { sampling, .. } => {
+                let vary = sampling.vary.iter();
+                vary.map(|varied| varied.name.trim().to_owned()).collect()
+            }
+        }
+    }
+
+    /// Refuses values of other changes than a sweep has.
+    fn check(&self, sweep: &Sweep) -> Result<(), PartsError> {
+        let expected = sweep
+            .changes()
+            .iter()
+            .map(|change| change.name().to_owned());
+        let (found, expected) = (self.names(), expected.collect());
+        match found == expected {
+            true => Ok(()),
+            false => Err(PartsError::OtherChanges { found, expected }),
+        }
+    }
+
     /// Number of rows.
     pub fn rows(&self) -> u64 {
         match self {
@@ -86,7 +113,12 @@ impl Plan {
         source: &SweepSource,
         options: &PartOptions,
     ) -> Result<Self, PartsError> {
+        source.check(sweep)?;
         let rows_per_part = options.rows_per_part;
+        let shard = options.shard;
+        if options.force && shard.count() > 1 {
+            return Err(PartsError::ForceOfShard { shard });
+        }
         if !(1..=MAX_ROWS_PER_PART).contains(&rows_per_part) {
             return Err(PartsError::RowsPerPart {
                 rows: rows_per_part,

@@ -27,6 +27,33 @@ use header::Header;
 /// Every column must be a number of the base: a column with another name is refused, so that a
 /// misspelled name never leaves a sweep unchanged. Columns that are no numbers of the tower are
 /// left out if their names begin with `#` or are in a list of columns to ignore.
+///
+/// CSV is separated by commas, semicolons or tabs and has decimal points; a name with a comma is in
+/// double quotes. Parquet has columns of the types DOUBLE, FLOAT, INT32 or INT64, compressed with
+/// Snappy or not at all.
+///
+/// # Example
+/// ```
+/// use towermodes::{Material, Rna, Station, TowerDescription};
+/// use towermodes_sweep::Table;
+///
+/// let base = TowerDescription {
+///     materials: vec![Material::from_shear_modulus(8500.0, 2.1e11, 8.08e10)],
+///     stations: vec![Station::new(0.0, 6.0, 0.027), Station::new(87.6, 3.87, 0.019)],
+///     rna: Rna::point(350e3),
+///     ..TowerDescription::default()
+/// };
+/// let path = std::env::temp_dir().join(format!("towers-{}.csv", std::process::id()));
+/// std::fs::write(&path, "#site,rna.mass,scale(stations[*].wall)\nA,3.3e5,1.02\nB,3.4e5,0.98\n")?;
+/// let table = Table::open(&path, &base, &[])?;
+/// assert_eq!(table.read(1..2)?, [3.4e5, 0.98]);
+///
+/// std::fs::write(&path, "rna.mas\n3.3e5\n")?;
+/// let error = Table::open(&path, &base, &[]).expect_err("a misspelled name");
+/// assert!(error.to_string().contains("did you mean `rna.mass`?"));
+/// # std::fs::remove_file(path)?;
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 #[derive(Debug)]
 pub struct Table {
     file: TableFile,
