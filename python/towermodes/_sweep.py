@@ -37,8 +37,20 @@ def swept(
 ) -> SweepResult:
     """The results of `Tower.sweep`, which documents the arguments."""
     columns = _columns(table)
+    options = sweep_options(modes, segments, method, rotary_inertia, threads)
+    return SweepResult(columns, _rust.sweep(tower._core, columns, options))
+
+
+def sweep_options(
+    modes: SupportsIndex | Sequence[tuple[str, int] | str] | None,
+    segments: SupportsIndex | None,
+    method: str | None,
+    rotary_inertia: bool,
+    threads: SupportsIndex | None,
+) -> dict[str, object]:
+    """The arguments of a sweep as the module in Rust takes them."""
     count, names = _modes(modes)
-    options: dict[str, object] = {
+    return {
         "modes": count,
         "names": names,
         "segments": whole_or_none("segments", segments, 1),
@@ -46,7 +58,6 @@ def swept(
         "rotary_inertia": rotary_inertia,
         "threads": whole_or_none("threads", threads, 1),
     }
-    return SweepResult(columns, _rust.sweep(tower._core, columns, options))
 
 
 def _modes(

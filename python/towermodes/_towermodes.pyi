@@ -6,7 +6,7 @@ The classes and functions of the package.
 from _typeshed import Incomplete, SupportsGetItem
 from typing import Final, SupportsFloat, SupportsIndex, final
 
-__all__ = ["VERSION", "Agreement", "Campbell", "Comparison", "Converted", "Examination", "Solution", "Tower", "columns_of_stream", "read", "read_text", "run", "stream_of_results", "sweep"]
+__all__ = ["VERSION", "Agreement", "Campbell", "Comparison", "Converted", "Examination", "Solution", "SweepFolder", "Tower", "columns_of_stream", "read", "read_text", "run", "stream_of_results", "sweep"]
 
 VERSION: Final[str]
 """
@@ -310,6 +310,47 @@ class Solution:
     def warnings(self, /) -> list[str]:
         """
         Possible mistakes of the input, and limits of the results.
+        """
+
+@final
+class SweepFolder:
+    """
+    The folder of the results of a sweep.
+    """
+    def __new__(cls, /, tower: Tower, table: "str", folder: "str", results: "dict[str, object]", options: "dict[str, object]") -> SweepFolder:
+        """
+        Opens the folder, and makes it if it does not exist.
+        """
+    @property
+    def count(self, /) -> int:
+        """
+        Number of parts of the whole sweep.
+        """
+    def finish(self, /) -> bool:
+        """
+        Writes `_SUCCESS` if all parts are there; whether they are.
+        """
+    @property
+    def key(self, /) -> str:
+        """
+        The SHA-256 of all that the results depend on.
+        """
+    def missing(self, /) -> list[int]:
+        """
+        The parts that are not there or not whole.
+        """
+    @property
+    def rows(self, /) -> int:
+        """
+        Number of rows of the whole sweep.
+        """
+    def rows_of(self, /, part: SupportsIndex) -> tuple[int, int]:
+        """
+        The first row of a part and the row behind its last.
+        """
+    def solve(self, /, part: SupportsIndex, threads: SupportsIndex) -> tuple[int, int]:
+        """
+        Solves a part and writes it: its number of rows, and how many of them have failed.
         """
 
 @final

@@ -12,6 +12,7 @@ mod converted;
 mod error;
 mod interrupt;
 mod options;
+mod parts;
 mod pickle;
 mod program;
 mod reading;
@@ -32,6 +33,8 @@ mod _towermodes {
     use crate::comparison::Comparison;
     #[pymodule_export]
     use crate::converted::Converted;
+    #[pymodule_export]
+    use crate::parts::SweepFolder;
     #[pymodule_export]
     use crate::program::run;
     #[pymodule_export]

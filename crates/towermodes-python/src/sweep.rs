@@ -69,7 +69,11 @@ pub fn sweep<'py>(
 }
 
 impl SweepOptions {
-    fn results(&self) -> PyResult<SweepResults> {
+    /// The same for the library.
+    ///
+    /// # Errors
+    /// `ValueError` for an unknown mode or method.
+    pub fn results(&self) -> PyResult<SweepResults> {
         let name = |name: &String| name.parse::<ModeName>();
         let names: Result<Vec<ModeName>, _> = self.names.iter().map(name).collect();
         let names = names.map_err(|error| usage(error.to_string()))?;
@@ -93,7 +97,8 @@ impl SweepOptions {
     }
 }
 
-fn refused(error: SweepError) -> PyErr {
+/// A sweep that cannot begin.
+pub fn refused(error: SweepError) -> PyErr {
     match error {
         SweepError::Base(error) => of_tower(&error),
         SweepError::Unsolved(error) => of_solve(&error),
@@ -104,18 +109,7 @@ fn refused(error: SweepError) -> PyErr {
 /// Runs the sweep; Ctrl-C ends it.
 fn solve(sweep: &Sweep, columns: &Columns<'_>, threads: usize) -> PyResult<Results> {
     let mut interrupted = None;
-    let results = run(
-        sweep,
-        columns,
-        threads,
-        &mut |_| match Python::attach(|py| py.check_signals()) {
-            Ok(()) => ControlFlow::Continue(()),
-            Err(exception) => {
-                interrupted = Some(exception);
-                ControlFlow::Break(())
-            }
-        },
-    );
+    let results = run(sweep, columns, threads, &mut |_| look(&mut interrupted));
     match (results, interrupted) {
         (_, Some(exception)) => Err(exception),
         (Ok(results), None) => Ok(results),
@@ -123,6 +117,17 @@ fn solve(sweep: &Sweep, columns: &Columns<'_>, threads: usize) -> PyResult<Resul
             Err(PyMemoryError::new_err(error.to_string()))
         }
         (Err(error), None) => Err(usage(error.to_string())),
+    }
+}
+
+/// Looks for a signal: the exception of its handler ends a sweep.
+pub fn look(interrupted: &mut Option<PyErr>) -> ControlFlow<()> {
+    match Python::attach(|py| py.check_signals()) {
+        Ok(()) => ControlFlow::Continue(()),
+        Err(exception) => {
+            *interrupted = Some(exception);
+            ControlFlow::Break(())
+        }
     }
 }
 
