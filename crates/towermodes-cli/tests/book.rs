@@ -116,7 +116,7 @@ fn commands_and_options_that_are_named_are_there() {
     let (mut commands, mut options) = words_of_the_reference();
     commands.extend(["help", "reference"].map(str::to_owned));
     options.extend(["--help", "--version"].map(str::to_owned));
-    // Of cargo, and of BModes decks in examples of other programs.
+    // Of cargo, of SLURM and of Dask.
     let others = [
         "--workspace",
         "--path",
@@ -126,6 +126,14 @@ fn commands_and_options_that_are_named_are_there() {
         "--locked",
         "--bench",
         "--test",
+        "--array",
+        "--cpus-per-task",
+        "--job-name",
+        "--mem",
+        "--requeue",
+        "--time",
+        "--wait",
+        "--lifetime",
     ];
     options.extend(others.map(str::to_owned));
     let is_name = |word: &str| {
