@@ -18,9 +18,11 @@ MODULES = sorted(
     for module in pkgutil.iter_modules(tm.__path__, "towermodes.")
     if module.name not in ("towermodes._towermodes", "towermodes.__main__")
 )
-PAGES = sorted(
-    path for path in Path("book/src").rglob("*.md") if "\n>>> " in path.read_text("utf-8")
-)
+PAGES = [
+    path
+    for path in [Path("README.md"), *sorted(Path("book/src").rglob("*.md"))]
+    if "\n>>> " in path.read_text("utf-8")
+]
 
 
 @pytest.mark.parametrize("name", ["towermodes", *MODULES])
@@ -35,7 +37,7 @@ def test_examples_of_the_book(page: Path) -> None:
     results = doctest.testfile(
         str(page.resolve()), module_relative=False, optionflags=OPTIONS, encoding="utf-8"
     )
-    assert results.attempted > 5
+    assert results.attempted > 0
     assert results.failed == 0
 
 

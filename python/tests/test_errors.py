@@ -60,7 +60,7 @@ def test_numbers_have_neither() -> None:
 
 
 def test_files_that_cannot_be_read_are_errors_of_the_system(tmp_path: Path) -> None:
-    with pytest.raises(FileNotFoundError, match="missing.toml: no such file"):
+    with pytest.raises(FileNotFoundError, match=r"missing\.toml: no such file"):
         tm.read(tmp_path / "missing.toml")
     with pytest.raises(IsADirectoryError):
         tm.read(tmp_path)

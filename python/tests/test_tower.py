@@ -210,10 +210,10 @@ def test_other_numbers_are_another_tower(nrel: tm.Tower) -> None:
     by_text = nrel.to_toml().replace("350000", "360000")
     assert tm.Tower.from_toml(by_text) == nrel.with_({"rna.mass": np.float64(360e3)})
     assert pickle.loads(pickle.dumps(changed)) == changed
-    with pytest.raises(ValueError, match="did you mean `rna.mass`"):
+    with pytest.raises(ValueError, match=r"did you mean `rna\.mass`"):
         nrel.with_({"rna.mas": 1.0})
     with pytest.raises(ValueError, match="already changes"):
         nrel.with_({"scale(stations[*].wall)": 1.1, "stations[0].wall": 0.03})
-    with pytest.raises(tm.TowerError, match="station 1: .*-1 m; it must be positive") as caught:
+    with pytest.raises(tm.TowerError, match=r"station 1: .*-1 m; it must be positive") as caught:
         nrel.with_({"stations[0].wall": -1.0})
     assert caught.value.line is None

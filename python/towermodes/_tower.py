@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 from towermodes import _towermodes as _rust
+from towermodes._campbell import Campbell
 from towermodes._checks import whole, whole_or_none
 from towermodes._convert import Converted
 from towermodes._picture import Picture
 from towermodes._solution import Solution
 from towermodes._study import Agreement, Comparison, Examination
-from towermodes._campbell import Campbell
 from towermodes._sweep import SweepResult, swept
 from towermodes._toml import tower_file
 
@@ -285,9 +285,7 @@ class Tower:
         >>> tm.read("examples/nrel-5mw.toml").solve(modes=2).frequency_hz
         array([0.319..., 0.321...])
         """
-        options = _solve_options(
-            modes, method, segments, degree, points, heights_m, rotary_inertia
-        )
+        options = _solve_options(modes, method, segments, degree, points, heights_m, rotary_inertia)
         options["hinge_position"] = hinge_position
         options["limits"] = limits
         return Solution._of(self, self._core.solve(options))
@@ -450,9 +448,7 @@ class Tower:
         """
         if format == "bmodes" and sections_file is None:
             sections_file = "sections.dat"
-        return Converted._of(
-            _rust.Converted(self._core, format, sections_file, from_height_m)
-        )
+        return Converted._of(_rust.Converted(self._core, format, sections_file, from_height_m))
 
     def plot(self) -> Picture:
         """The picture of the tower with its surroundings."""

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use numpy::PyArray2;
 use pyo3::prelude::*;
 use pyo3::types::PyTuple;
-use towermodes::{Parameter, Tower as CheckedTower, Warning, solve_certain};
+use towermodes::{DEFAULT_SEGMENTS, Parameter, Tower as CheckedTower, Warning, solve_certain};
 use towermodes_files::{Note, Setting, TowerInput};
 use towermodes_report::figures;
 use towermodes_report::svg::Look;
@@ -17,8 +17,9 @@ use crate::options::SolveOptions;
 use crate::pickle::{restored, state};
 use crate::solution::Solution;
 
-/// Computations with fewer segments end so soon that no one can interrupt them.
-const SOON: usize = 2000;
+/// Computations with a smaller product of segments and modes end within a tenth of a second, before
+/// anyone can interrupt them. To look for signals costs them a few microseconds.
+const SOON: usize = 20_000;
 
 /// A tower and the input that it was made of.
 pub struct Model {
@@ -181,7 +182,8 @@ impl Tower {
     fn solve(&self, py: Python<'_>, options: SolveOptions) -> PyResult<Solution> {
         let options = options.of(&self.model.input)?;
         let tower = &self.model.tower;
-        let is_short = options.segments.is_none_or(|segments| segments < SOON);
+        let segments = options.segments.unwrap_or(DEFAULT_SEGMENTS);
+        let is_short = segments.saturating_mul(options.modes) < SOON;
         let solution = match is_short {
             true => py.detach(|| solve_certain(tower, &options, &mut Default::default())),
             false => interruptible(py, |workspace| solve_certain(tower, &options, workspace))?,
