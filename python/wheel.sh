@@ -10,7 +10,7 @@ PATH=$bin:$PATH
 rustup target add "$(uname -m)-unknown-linux-gnu" 2> /dev/null || true
 # Only the wheel of this version stays.
 rm -rf target/wheels
-maturin build --release --zig --compatibility manylinux_2_17 --out target/wheels
+maturin build --profile dist --zig --compatibility manylinux_2_17 --out target/wheels
 wheel=$(ls target/wheels/*.whl)
 bytes=$(stat --format %s "$wheel")
 echo "$wheel: $bytes bytes"
