@@ -66,6 +66,13 @@ impl RowSource for Values<'_> {
         }
     }
 
+    fn width(&self) -> usize {
+        match self {
+            Self::Drawn(draw) => draw.width(),
+            Self::Read { columns, .. } => *columns,
+        }
+    }
+
     fn row(&self, row: u64, to: &mut [f64]) {
         match self {
             Self::Drawn(draw) => draw.row(row, to),
