@@ -47,18 +47,9 @@ def table(tmp_path_factory: pytest.TempPathFactory) -> Path:
 def program(table: Path, tmp_path_factory: pytest.TempPathFactory) -> Path:
     """The folder that the program writes."""
     folder = tmp_path_factory.mktemp("program") / "results"
-    options = {"rows_per_part": ROWS_PER_PART, "format": "parquet", "force": False}
-    order = dask._Order(
-        tm.read("examples/nrel-5mw.toml"),
-        str(table),
-        str(folder),
-        dask.sweep_options(2, None, None, True, 1),
-        {**options, "inputs": True, "ignore": []},
-    )
-    parts = order.open()
-    for part in parts.missing():
-        parts.solve(part, 2)
-    assert parts.finish()
+    arguments = ["sweep", "examples/nrel-5mw.toml", str(table), "--output", str(folder)]
+    arguments += ["--format", "parquet", "--rows-per-part", str(ROWS_PER_PART), "--modes", "2"]
+    subprocess.run([sys.executable, "-m", "towermodes", *arguments], check=True)
     return folder
 
 
