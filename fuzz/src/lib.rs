@@ -59,7 +59,7 @@ fn look_at_notes(notes: &[Note]) {
 }
 
 /// A mistake says something about a place in its file.
-fn look_at_error(error: &ReadError) {
+pub fn look_at_error(error: &ReadError) {
     let ReadError::Mistakes {
         source_file,
         mistakes,

@@ -207,3 +207,36 @@ fn a_terminal_gets_no_marks_of_names() {
     std::fs::remove_dir_all(&folder).expect("ours");
     assert!(sent.is_none_or(|sent| sent.contains("gpj.") && !sent.contains('\u{202e}')));
 }
+
+#[test]
+fn a_long_sweep_says_its_rate_and_leaves_one_line() {
+    let folder = std::env::temp_dir().join(format!("towermodes-rate-{}", std::process::id()));
+    std::fs::create_dir_all(&folder).expect("a folder");
+    std::fs::copy(TOWER, folder.join("tower.toml")).expect("copied");
+    // As many as take long on this machine.
+    for rows in [20_000, 200_000, 2_000_000] {
+        let study = format!(
+            "[sweep]\nbase = \"tower.toml\"\nsampling = \"random\"\nrows = {rows}\n\
+             [sweep.vary]\n\"scale(stations[*].wall)\" = {{ uniform = [0.9, 1.1] }}\n"
+        );
+        let path = folder.join("study.toml");
+        std::fs::write(&path, study).expect("written");
+        let output = folder.join(format!("results-{rows}"));
+        let arguments = format!("sweep '{}' --output '{}'", path.display(), output.display());
+        let Some(sent) = on_a_terminal("", &arguments) else {
+            break;
+        };
+        if sent.contains(" rows/s, ") {
+            assert!(sent.contains(&format!(" of {rows} rows")), "{sent}");
+            let shown = screen(&sent);
+            let words: Vec<&String> = shown.iter().filter(|line| !line.is_empty()).collect();
+            assert!(
+                matches!(words[..], [line] if line.contains(": complete, ")),
+                "{shown:?}"
+            );
+            break;
+        }
+        assert!(rows < 2_000_000, "two million rows in half a second");
+    }
+    std::fs::remove_dir_all(&folder).expect("ours");
+}
