@@ -25,8 +25,8 @@ impl Places {
     }
 
     /// A mistake that the tower's own checks found: the file it is in, and where there. Hints that
-    /// speak of the keys of TOML, or of heights in its datum, are for TOML and for numbers that were
-    /// set by name; these come after the first `files` files.
+    /// speak of the keys of TOML, or of heights in its datum, are for TOML and for numbers that
+    /// were set by name; these come after the first `files` files.
     pub(crate) fn mistake(
         &self,
         error: &TowerError,

@@ -36,8 +36,8 @@ pub(crate) struct SweepArguments {
     #[arg(long, value_name = "NAMES", value_delimiter = ',')]
     pub(crate) ignore: Vec<String>,
 
-    /// Modes with columns in the results: a number, the lowest modes of the tower that is varied, or
-    /// names, comma-separated, as 'fore-aft 1,torsion 1' [default: 4]
+    /// Modes with columns in the results: a number, the lowest modes of the tower that is varied,
+    /// or names, comma-separated, as 'fore-aft 1,torsion 1' [default: 4]
     #[arg(long, value_name = "K or NAMES", value_parser = modes_parser)]
     modes: Option<SweepModes>,
 
@@ -87,7 +87,8 @@ pub(crate) struct SweepArguments {
     #[arg(long)]
     pub(crate) summary: bool,
 
-    /// Draw the frequencies as SVG or PNG: curves for one or two varied numbers, histograms for more
+    /// Draw the frequencies as SVG or PNG: curves for one or two varied numbers, histograms for
+    /// more
     #[arg(long, value_name = "PATH")]
     pub(crate) plot: Option<PathBuf>,
 
