@@ -1,6 +1,6 @@
 """Sweeps on the workers of Dask: on this machine, or on a cluster.
 
-This module needs `distributed`: `pip install "towermodes[dask]"`.
+This module needs `distributed`: `pip install ".[dask]"` in the root of the repository.
 """
 
 from __future__ import annotations

@@ -1,6 +1,6 @@
 """Towers as components of OpenMDAO.
 
-This module needs `openmdao`: `pip install towermodes[openmdao]`.
+This module needs `openmdao`: `pip install ".[openmdao]"` in the root of the repository.
 """
 
 from __future__ import annotations
@@ -34,7 +34,7 @@ class TowerModes(om.ExplicitComponent):  # type: ignore[misc]
         segments: Number of segments, 20 by default, as in `Tower.sweep`.
 
     Raises:
-        ValueError: The tower has no such number.
+        ValueError: In the setup, if the tower has no such number.
         AnalysisError: In a run, if the numbers describe no tower or it cannot be solved.
 
     >>> import openmdao.api as om
@@ -64,9 +64,12 @@ class TowerModes(om.ExplicitComponent):  # type: ignore[misc]
         """Declares inputs, outputs and partial derivatives."""
         tower: Tower = self.options["tower"]
         values, units = tower.parameters, tower.parameter_units
+        neutral = {}
         for variable, change in self.options["inputs"].items():
-            value, unit = initial(change, values, units)
-            self.add_input(variable, val=value, units=unit)
+            neutral[change], unit = initial(change, values, units)
+            self.add_input(variable, val=neutral[change], units=unit)
+        # Refuses unknown names and changes that contradict each other.
+        tower.with_(neutral)
         self.add_output("mass_kg", val=tower.mass_kg, units="kg")
         for mode in self.options["modes"]:
             self.add_output(output(mode), val=1.0, units="Hz")
