@@ -47,8 +47,7 @@ def blocks(text: str) -> list[Block]:
 
 def run(page: Path, text: str) -> list[tuple[Block, str]]:
     """Runs the blocks of a page in the current folder: each with what it printed."""
-    # Worker processes find the functions of the page by the name of its module.
-    module = ModuleType(page.stem)
+    module = ModuleType("__main__")
     done = []
     for block in blocks(text):
         # Lines of the code are the lines of the page, so that a traceback shows the place.
