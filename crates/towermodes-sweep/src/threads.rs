@@ -53,7 +53,9 @@ pub(crate) fn shared(
             }
         }
     });
-    match ends.load(Ordering::Relaxed) {
+    let has_ended = ends.load(Ordering::Relaxed);
+    // The last look sees all that was done, however fast it was.
+    match has_ended || watch(done.load(Ordering::Relaxed)).is_break() {
         true => Err(Ended),
         false => Ok(()),
     }
