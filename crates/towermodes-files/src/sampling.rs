@@ -351,3 +351,90 @@ pub enum SamplingError {
         product: u64,
     },
 }
+
+#[cfg(test)]
+mod tests {
+    use super::{Distribution, Sampling, SamplingKind, Varied};
+
+    #[track_caller]
+    fn refused(distribution: &Distribution, expected: &str) {
+        let error = distribution.check().expect_err("refused").to_string();
+        assert!(error.contains(expected), "{error}");
+    }
+
+    #[test]
+    fn impossible_distributions_are_refused_with_their_numbers() {
+        let uniform = |low, high| Distribution::Uniform { low, high };
+        assert_eq!(uniform(1.0, 2.0).check(), Ok(()));
+        refused(
+            &uniform(2.0, 2.0),
+            "lower limit 2 is not below the upper limit 2",
+        );
+        refused(&uniform(f64::NAN, 2.0), "NaN is not a finite number");
+        refused(&uniform(1.0, f64::INFINITY), "inf is not a finite number");
+        let normal = |mean, deviation, truncated| Distribution::Normal {
+            mean,
+            deviation,
+            truncated,
+        };
+        assert_eq!(normal(-1.0, 2.0, Some([-3.0, 0.0])).check(), Ok(()));
+        refused(
+            &normal(1.0, 0.0, None),
+            "standard deviation is 0; it must be positive",
+        );
+        refused(
+            &normal(1.0, 1.0, Some([3.0, 2.0])),
+            "lower limit 3 is not below",
+        );
+        refused(&normal(1.0, 1.0, Some([f64::NEG_INFINITY, 2.0])), "-inf");
+        let lognormal = |mean, truncated| Distribution::LogNormal {
+            mean,
+            deviation: 1.0,
+            truncated,
+        };
+        assert_eq!(lognormal(1.0, Some([-1.0, 2.0])).check(), Ok(()));
+        refused(&lognormal(0.0, None), "mean of a lognormal value is 0");
+        refused(
+            &lognormal(1.0, Some([-2.0, -1.0])),
+            "lower limit 0 is not below",
+        );
+        let triangular = |low, mode, high| Distribution::Triangular { low, mode, high };
+        assert_eq!(triangular(1.0, 1.0, 2.0).check(), Ok(()));
+        refused(&triangular(1.0, 3.0, 2.0), "3 is not between 1 and 2");
+        refused(&Distribution::Values(Vec::new()), "list of values is empty");
+        refused(&Distribution::Values(vec![1.0, f64::NAN]), "NaN");
+    }
+
+    #[test]
+    fn grids_have_the_product_of_their_levels() {
+        let vary = |levels| Varied {
+            name: "rna.mass".to_owned(),
+            distribution: Distribution::Uniform {
+                low: 0.0,
+                high: 1.0,
+            },
+            levels: Some(levels),
+        };
+        assert_eq!(Sampling::grid_rows(&[vary(3), vary(4)]), Some(12));
+        assert_eq!(Sampling::grid_rows(&[vary(1)]), None);
+        assert_eq!(Sampling::grid_rows(&vec![vary(1 << 20); 4]), None);
+        let grid = |rows, vary| Sampling {
+            kind: SamplingKind::Grid,
+            rows,
+            seed: 0,
+            vary,
+        };
+        assert_eq!(grid(12, vec![vary(3), vary(4)]).check(), Ok(()));
+        let error = |sampling: Sampling| sampling.check().expect_err("refused").to_string();
+        let large = error(grid(1, vec![vary(1 << 20); 4]));
+        assert!(large.contains("more than 4294967296 rows"), "{large}");
+        let other = error(grid(11, vec![vary(3), vary(4)]));
+        assert!(other.contains("is 11, but the grid has 12"), "{other}");
+        assert!(error(grid(1, Vec::new())).contains("nothing is varied"));
+        let random = Sampling {
+            kind: SamplingKind::Random,
+            ..grid(0, vec![vary(3)])
+        };
+        assert!(error(random).contains("must be from 1 to 4294967296"));
+    }
+}

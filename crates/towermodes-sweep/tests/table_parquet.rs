@@ -198,7 +198,7 @@ fn mistakes_are_shown_with_row_and_column() {
         (
             vec![("rna.mass", Values::Timestamp(vec![1]))],
             1,
-            "column `rna.mass` has the type INT64 (Timestamp",
+            "column `rna.mass` has the type INT64 (Timestamp)",
         ),
         (
             vec![mass(&[Some(1.0)]), ("row", Values::Long(vec![0]))],

@@ -203,9 +203,24 @@ fn number_type(column: &ColumnDescriptor) -> Result<(), String> {
     match physical {
         Type::DOUBLE | Type::FLOAT | Type::INT32 | Type::INT64 if is_plain => Ok(()),
         _ => match column.logical_type_ref() {
-            Some(logical) => Err(format!("{physical} ({logical:?})")),
+            Some(logical) => Err(format!("{physical} ({})", name_of(logical))),
             None => Err(physical.to_string()),
         },
+    }
+}
+
+/// The name of a logical type: `UINT_64`, `Timestamp`, `String`.
+fn name_of(logical: &LogicalType) -> String {
+    match logical {
+        LogicalType::Integer(integer) => {
+            let sign = if integer.is_signed { "" } else { "U" };
+            format!("{sign}INT_{}", integer.bit_width)
+        }
+        other => {
+            let text = format!("{other:?}");
+            let end = text.find(|c: char| !c.is_alphanumeric());
+            text[..end.unwrap_or(text.len())].to_owned()
+        }
     }
 }
 
