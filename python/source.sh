@@ -6,7 +6,7 @@ cd "$(dirname "$0")/.."
 maturin=$(command -v target/python/bin/maturin || command -v maturin)
 empty=$(mktemp -d)
 trap 'rm -rf "$empty"' EXIT
-"$maturin" sdist --quiet --out "$empty"
+"$maturin" sdist --out "$empty" 2> /dev/null
 cp examples/nrel-5mw.toml "$empty"
 cd "$empty"
 python3 -m venv environment
