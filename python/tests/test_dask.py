@@ -79,7 +79,7 @@ def run(client: Any, table: Path, folder: Path, **options: object) -> Any:
         client,
         "examples/nrel-5mw.toml",
         table,
-        folder,
+        output=folder,
         modes=2,
         rows_per_part=ROWS_PER_PART,
         **options,
@@ -118,8 +118,8 @@ def test_a_killed_client_is_started_again(table: Path, program: Path, tmp_path: 
             with distributed.LocalCluster(n_workers=2, **{LOCAL!r}) as cluster:
                 with distributed.Client(cluster) as client:
                     towermodes.dask.sweep(
-                        client, "examples/nrel-5mw.toml", {str(table)!r}, {str(folder)!r},
-                        modes=2, rows_per_part={ROWS_PER_PART},
+                        client, "examples/nrel-5mw.toml", {str(table)!r},
+                        output={str(folder)!r}, modes=2, rows_per_part={ROWS_PER_PART},
                     )
     """
     path = tmp_path / "study.py"
@@ -161,6 +161,38 @@ def test_the_frequencies_are_those_of_tower_sweep(
     for family in ("fore-aft", "side-side"):
         ours = solved[f"{family.replace('-', '_')}_1_hz"].to_numpy()
         np.testing.assert_array_equal(result.mode(family, 1), ours)
+
+
+def test_a_study_is_that_of_the_program(tmp_path: Path) -> None:
+    (tmp_path / "tower.toml").write_bytes(Path("examples/nrel-5mw.toml").read_bytes())
+    study = tmp_path / "study.toml"
+    study.write_text(
+        """
+        [sweep]
+        base = "tower.toml"
+        sampling = "sobol"
+        rows = 2_000
+        seed = 3
+        [sweep.vary]
+        "rna.mass" = { uniform = [3.3e5, 3.7e5] }
+        "material.youngs_modulus" = { normal = [2.1e11, 3e9] }
+        [sweep.results]
+        modes = ["fore-aft 1", "torsion 1"]
+        rows_per_part = 300
+        """
+    )
+    arguments = ["sweep", str(study), "--output", str(tmp_path / "program"), "--format", "parquet"]
+    subprocess.run([sys.executable, "-m", "towermodes", *arguments], check=True)
+    with distributed.Client(processes=False, **LOCAL) as client:
+        outcome = dask.sweep(client, study, output=tmp_path / "dask")
+        assert (outcome.rows, outcome.failed_rows) == (2000, 0)
+        with pytest.raises(TypeError, match="table"):
+            dask.sweep(client, tm.read(tmp_path / "tower.toml"), output=tmp_path / "none")
+    names = sorted(path.name for path in (tmp_path / "program").iterdir())
+    assert names == sorted(path.name for path in (tmp_path / "dask").iterdir())
+    for name in names:
+        ours, programs = tmp_path / "dask" / name, tmp_path / "program" / name
+        assert ours.read_bytes() == programs.read_bytes(), name
 
 
 def test_another_sweep_is_refused(table: Path, program: Path) -> None:

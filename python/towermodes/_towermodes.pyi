@@ -317,9 +317,10 @@ class SweepFolder:
     """
     The folder of the results of a sweep.
     """
-    def __new__(cls, /, tower: Tower, table: "str", folder: "str", results: "dict[str, object]", options: "dict[str, object]") -> SweepFolder:
+    def __new__(cls, /, tower: Tower | None, values: "str", folder: "str", results: "dict[str, object]", options: "dict[str, object]") -> SweepFolder:
         """
-        Opens the folder, and makes it if it does not exist.
+        Opens the folder, and makes it if it does not exist. The values are a table, or without a
+        tower a study.
         """
     @property
     def count(self, /) -> int:

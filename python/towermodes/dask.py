@@ -42,9 +42,9 @@ class Outcome(NamedTuple):
 def sweep(
     client: Client,
     tower: Tower | str | os.PathLike[str],
-    table: str | os.PathLike[str],
-    output: str | os.PathLike[str],
+    table: str | os.PathLike[str] | None = None,
     *,
+    output: str | os.PathLike[str],
     modes: SupportsIndex | Sequence[tuple[str, int] | str] | None = None,
     segments: SupportsIndex | None = None,
     method: Method | None = None,
@@ -70,7 +70,9 @@ def sweep(
     Args:
         client: The client of the cluster. Its workers must see table and output under the same
             paths as this process, and have the same version of this package.
-        tower: The tower, or a file that `towermodes.read` reads.
+        tower: The tower, or a file that `towermodes.read` reads. Without a table the file of a
+            study, which names the tower and where the values come from; the arguments below have
+            priority over the study.
         table: A table in Parquet or CSV whose columns are names of changes, as in `Tower.sweep`.
         output: The folder of the results.
         modes: As in `Tower.sweep`.
@@ -86,9 +88,10 @@ def sweep(
         progress: Called after each part with the number of rows in the folder and of all rows.
 
     Raises:
-        ValueError: The table has mistakes, or the folder has the results of another sweep.
+        ValueError: The table or the study has mistakes (`TowerError` with the line), or the folder
+            has the results of another sweep.
         OSError: A file cannot be read or written.
-        RuntimeError: The workers see another table or have another version of this package.
+        RuntimeError: The workers see another table or study, or have another version of this package.
 
     >>> import tempfile, pathlib
     >>> import polars as pl
@@ -99,7 +102,10 @@ def sweep(
     >>> table.write_parquet(folder / "towers.parquet", compression="snappy")
     >>> with Client(processes=False, dashboard_address=None) as client:
     ...     outcome = towermodes.dask.sweep(
-    ...         client, "examples/nrel-5mw.toml", folder / "towers.parquet", folder / "results"
+    ...         client,
+    ...         "examples/nrel-5mw.toml",
+    ...         folder / "towers.parquet",
+    ...         output=folder / "results",
     ...     )
     >>> outcome.rows, outcome.failed_rows
     (3, 0)
@@ -109,9 +115,10 @@ def sweep(
     if client.asynchronous:
         message = "the client is asynchronous; call this function with a Client(asynchronous=False)"
         raise TypeError(message)
+    base, values = _values(tower, table)
     order = _Order(
-        tower if isinstance(tower, Tower) else read(tower),
-        os.path.abspath(table),
+        base,
+        values,
         os.path.abspath(output),
         sweep_options(modes, segments, method, rotary_inertia, 1),
         {
@@ -141,26 +148,38 @@ do the workers write to the folder that this process sees?"
     raise OSError(message)
 
 
+def _values(
+    tower: Tower | str | os.PathLike[str], table: str | os.PathLike[str] | None
+) -> tuple[Tower | None, str]:
+    """The tower and its table; without a tower a study."""
+    if table is not None:
+        base = tower if isinstance(tower, Tower) else read(tower)
+        return base, os.path.abspath(table)
+    if isinstance(tower, Tower):
+        message = "the table of values is missing; without one, give the file of a study"
+        raise TypeError(message)
+    return None, os.path.abspath(tower)
+
+
 @dataclass(frozen=True)
 class _Order:
     """All that a worker needs. Orders with the same key write the same parts."""
 
-    tower: Tower = field(compare=False)
-    table: str = field(compare=False)
+    tower: Tower | None = field(compare=False)
+    values: str = field(compare=False)
     folder: str
     results: dict[str, object] = field(compare=False)
     parts: dict[str, object] = field(compare=False)
     key: str = ""
 
     def open(self) -> _rust.SweepFolder:
-        return _rust.SweepFolder(
-            self.tower._core, self.table, self.folder, self.results, self.parts
-        )
+        core = None if self.tower is None else self.tower._core
+        return _rust.SweepFolder(core, self.values, self.folder, self.results, self.parts)
 
     def for_workers(self, key: str) -> _Order:
         """The order with the key that workers must find; they remove nothing."""
         parts = {**self.parts, "force": False}
-        return _Order(self.tower, self.table, self.folder, self.results, parts, key)
+        return _Order(self.tower, self.values, self.folder, self.results, parts, key)
 
 
 def _solved(client: Client, order: _Order, parts: list[int], retries: int) -> Any:
@@ -186,7 +205,7 @@ def _opened(order: _Order) -> _rust.SweepFolder:
     """The folder on this worker; the table is read through once, not for each part."""
     folder = order.open()
     if folder.key != order.key:
-        message = f"this worker would compute other results than the client: is {order.table} \
+        message = f"this worker would compute other results than the client: is {order.values} \
 the same file, and has it the same version of towermodes?"
         raise RuntimeError(message)
     return folder

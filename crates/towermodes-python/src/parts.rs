@@ -1,15 +1,20 @@
 //! A sweep whose results are a folder of parts, solved part by part by whoever has time.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use pyo3::exceptions::PyOSError;
 use pyo3::prelude::*;
+use towermodes::Change;
+use towermodes_files::{
+    SiblingFiles, Source, SweepResults, SweepRows, TowerInput, read, read_sweep_study,
+};
 use towermodes_sweep::{
     Base, DEFAULT_ROWS_PER_PART, PartFormat, PartOptions, Parts, PartsError, Shard, Sweep,
     SweepSource, Table,
 };
 
-use crate::error::usage;
+use crate::error::{of_read, usage};
+use crate::reading::tower_input;
 use crate::sweep::{SweepOptions, look, refused};
 use crate::tower::Tower;
 
@@ -35,33 +40,33 @@ pub struct FolderOptions {
 
 #[pymethods]
 impl SweepFolder {
-    /// Opens the folder, and makes it if it does not exist.
+    /// Opens the folder, and makes it if it does not exist. The values are a table, or without a
+    /// tower a study.
     #[new]
     #[pyo3(signature = (
         tower,
-        table: "str",
+        values: "str",
         folder: "str",
         results: "dict[str, object]",
         options: "dict[str, object]",
     ))]
     fn new(
         py: Python<'_>,
-        tower: &Tower,
-        table: PathBuf,
+        tower: Option<&Tower>,
+        values: PathBuf,
         folder: PathBuf,
         results: SweepOptions,
         options: FolderOptions,
     ) -> PyResult<Self> {
-        let mut results = results.results()?;
-        results.inputs = options.inputs;
-        let mut part_options = options.of_parts()?;
-        let input = &tower.model.input;
         py.detach(|| {
-            let table = Table::open(&table, &input.description, &options.ignore);
-            let table = table.map_err(|error| of_parts(error.into()))?;
-            let changes = table.changes().to_vec();
-            let sweep = Sweep::new(Base::from(input), changes, &results).map_err(refused)?;
-            let source = SweepSource::Table(Box::new(table));
+            let planned = match tower {
+                Some(tower) => of_table(&tower.model.input, &values, &results, &options.ignore),
+                None => of_study(&values, &results, &options.ignore),
+            };
+            let (base, changes, source, mut results) = planned?;
+            results.inputs &= options.inputs;
+            let sweep = Sweep::new(base, changes, &results).map_err(refused)?;
+            let mut part_options = options.of_parts(results.rows_per_part)?;
             let parts = Parts::open(&sweep, &source, &folder, part_options);
             drop(parts.map_err(of_parts)?);
             // Removed once, not whenever a worker opens the folder.
@@ -132,7 +137,7 @@ impl SweepFolder {
 }
 
 impl FolderOptions {
-    fn of_parts(&self) -> PyResult<PartOptions> {
+    fn of_parts(&self, of_study: Option<u64>) -> PyResult<PartOptions> {
         let format = match self.format.as_str() {
             "csv" => PartFormat::Csv,
             "parquet" => PartFormat::Parquet,
@@ -144,11 +149,55 @@ impl FolderOptions {
         };
         Ok(PartOptions {
             format,
-            rows_per_part: self.rows_per_part.unwrap_or(DEFAULT_ROWS_PER_PART),
+            rows_per_part: (self.rows_per_part.or(of_study)).unwrap_or(DEFAULT_ROWS_PER_PART),
             force: self.force,
             shard: Shard::ALL,
         })
     }
+}
+
+/// What is swept: the tower, the changes, their values, and what is computed.
+type Planned = (Base, Vec<Change>, SweepSource, SweepResults);
+
+fn of_table(
+    input: &TowerInput,
+    table: &Path,
+    results: &SweepOptions,
+    ignore: &[String],
+) -> PyResult<Planned> {
+    let results = results.over(SweepResults::default())?;
+    let table = Table::open(table, &input.description, ignore);
+    let table = table.map_err(|error| of_parts(error.into()))?;
+    let changes = table.changes().to_vec();
+    let source = SweepSource::Table(Box::new(table));
+    Ok((Base::from(input), changes, source, results))
+}
+
+/// A study, with the files that it names.
+fn of_study(study: &Path, results: &SweepOptions, ignore: &[String]) -> PyResult<Planned> {
+    let source = Source::from_path(study).map_err(|error| of_read(error.into()))?;
+    let beside = SiblingFiles::of(study);
+    let study = read_sweep_study(&source).map_err(of_read)?;
+    let base = read(&beside.path(&study.base.value), &study.reading);
+    let input = tower_input(base.map_err(of_read)?)?;
+    let (changes, source) = match &study.rows {
+        SweepRows::Table(path) => {
+            let table = beside.path(&path.value);
+            let mut planned = of_table(&input, &table, results, ignore)?;
+            planned.3 = results.over(study.results)?;
+            return Ok(planned);
+        }
+        SweepRows::Sampled { .. } if !ignore.is_empty() => {
+            return Err(usage("ignore applies only to a table of values"));
+        }
+        SweepRows::Sampled { sampling, .. } => {
+            let changes = study.changes(&input.description).map_err(of_read)?;
+            let source = SweepSource::sampled(sampling.clone());
+            (changes, source.map_err(|error| usage(error.to_string()))?)
+        }
+    };
+    let results = results.over(study.results)?;
+    Ok((Base::from(&input), changes, source, results))
 }
 
 /// A folder that cannot be used, or a table with mistakes.

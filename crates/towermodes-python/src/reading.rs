@@ -57,7 +57,11 @@ pub fn input_of_text(text: String, name: String) -> PyResult<TowerInput> {
     tower_input(input.map_err(of_read)?)
 }
 
-fn tower_input(input: Input) -> PyResult<TowerInput> {
+/// The tower of a file that may describe a blade.
+///
+/// # Errors
+/// `ValueError` for a blade.
+pub fn tower_input(input: Input) -> PyResult<TowerInput> {
     match input {
         Input::Tower(input) => Ok(*input),
         Input::Blade(_) => Err(usage(

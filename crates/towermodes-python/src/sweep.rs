@@ -60,7 +60,7 @@ pub fn sweep<'py>(
         .collect();
     let columns = Columns::new(numbers.iter().map(Vec::as_slice).collect());
     let columns = columns.map_err(|error| usage(error.to_string()))?;
-    let (results, threads) = (options.results()?, options.threads());
+    let (results, threads) = (options.over(SweepResults::default())?, options.threads());
     let solved = py.detach(|| {
         let sweep = Sweep::new(Base::from(input), changes, &results).map_err(refused)?;
         solve(&sweep, &columns, threads)
@@ -69,25 +69,26 @@ pub fn sweep<'py>(
 }
 
 impl SweepOptions {
-    /// The same for the library.
+    /// What is computed: these options, else those of a study or the defaults.
     ///
     /// # Errors
     /// `ValueError` for an unknown mode or method.
-    pub fn results(&self) -> PyResult<SweepResults> {
+    pub fn over(&self, study: SweepResults) -> PyResult<SweepResults> {
         let name = |name: &String| name.parse::<ModeName>();
         let names: Result<Vec<ModeName>, _> = self.names.iter().map(name).collect();
         let names = names.map_err(|error| usage(error.to_string()))?;
-        let default = SweepResults::default();
+        let method = self.method.as_deref().map(method_named).transpose()?;
         Ok(SweepResults {
             modes: match self.modes {
                 Some(count) => SweepModes::Lowest(count),
-                None if names.is_empty() => default.modes.clone(),
+                None if names.is_empty() => study.modes,
                 None => SweepModes::Named(names),
             },
-            segments: self.segments,
-            method: self.method.as_deref().map(method_named).transpose()?,
-            rotary_inertia: self.rotary_inertia,
-            ..default
+            segments: self.segments.or(study.segments),
+            method: method.or(study.method),
+            rotary_inertia: self.rotary_inertia && study.rotary_inertia,
+            inputs: study.inputs,
+            rows_per_part: study.rows_per_part,
         })
     }
 
