@@ -1,13 +1,13 @@
 //! Sweeps: one tower with changed numbers, solved for each row of a table or a sample.
 //!
-//! | step | item |
+//! | item | step |
 //! |---|---|
-//! | the tower that is changed, and how its file prescribes to solve it | [`Base`] |
-//! | the [changes](towermodes::Change) whose values each row gives, and the modes with columns | [`Sweep`] |
-//! | the values of the rows: in memory, drawn from distributions, from a file | [`Columns`], [`Draw`], [`Table`] |
-//! | all rows in memory | [`run()`], [`Results`] |
-//! | all rows into a folder of parts, continued after a kill, shared by processes | [`Parts`], [`Shard`] |
-//! | statistics, failures, violated resonance margins | [`Summary`] |
+//! | [`Base`] | the tower that is changed, and how its file prescribes to solve it |
+//! | [`Sweep`] | the [changes](towermodes::Change) of each row, and the modes with columns |
+//! | [`Columns`], [`Draw`], [`Table`] | the values: in memory, drawn, from a file |
+//! | [`run()`], [`Results`] | all rows in memory |
+//! | [`Parts`], [`Shard`] | all rows into a folder, continued after a kill, shared by processes |
+//! | [`Summary`] | statistics, failures, violated resonance margins |
 //!
 //! A row that fails is a row with the sentence that says why, never the end of the sweep. The
 //! columns of modes are named by [family and order](towermodes::ModeName), so they stay with the

@@ -80,8 +80,8 @@ impl Lowest {
     }
 }
 
-/// The next number of modes in which a missing one is looked for: 2 more at first, later up to twice
-/// as many.
+/// The next number of modes in which a missing one is looked for: 2 more at first, later up to
+/// twice as many.
 fn more_than(modes: usize) -> usize {
     (modes + 2).max(2 * modes.saturating_sub(4))
 }

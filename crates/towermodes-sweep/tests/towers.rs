@@ -9,8 +9,8 @@ use towermodes::{Change, Inertia, Material, ModeName, Rna, Rotor, Station, Tower
 use towermodes_files::{SweepModes, SweepResults, TowerInput, read_tower};
 use towermodes_sweep::{Base, Columns, Results, Sweep, run};
 
-/// The reference tower with a rotor-nacelle assembly of 350 t that turns about the tower's axis with
-/// an inertia, kg m².
+/// The reference tower with a rotor-nacelle assembly of 350 t that turns about the tower's axis
+/// with an inertia, kg m².
 pub(crate) fn tower(inertia_kg_m2: f64) -> TowerDescription {
     let inertia_kg_m2 = Inertia {
         zz: inertia_kg_m2,

@@ -43,8 +43,8 @@ pub(super) fn margin(
     })
 }
 
-/// The distance of a multiple of the rotor speed from a natural frequency of a tower, which does not
-/// depend on the rotor speed.
+/// The distance of a multiple of the rotor speed from a natural frequency of a tower, which does
+/// not depend on the rotor speed.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct TowerMargin {
     /// n Ω/f − 1 at the operating speed where it is smallest; 0 where they meet.

@@ -11,9 +11,9 @@ const ROUNDS: u64 = 6;
 pub(super) enum Permutation {
     /// Each element's place.
     Stored(Vec<u32>),
-    /// A Feistel network (Luby and Rackoff 1988) on pairs of `half_bits` bits, at most four times as
-    /// many numbers as there are rows. It is applied again until the number is below `rows` (cycle
-    /// walking; Black and Rogaway 2002).
+    /// A Feistel network (Luby and Rackoff 1988) on pairs of `half_bits` bits, at most four times
+    /// as many numbers as there are rows. It is applied again until the number is below `rows`
+    /// (cycle walking; Black and Rogaway 2002).
     Keyed { rows: u64, half_bits: u32, key: u64 },
 }
 
@@ -107,8 +107,8 @@ mod tests {
         }
     }
 
-    /// Neighbouring rows, and the same rows under neighbouring keys, go to independent places: their
-    /// correlation over 20 000 rows has a standard deviation of 0.007.
+    /// Neighbouring rows, and the same rows under neighbouring keys, go to independent places:
+    /// their correlation over 20 000 rows has a standard deviation of 0.007.
     #[test]
     fn places_are_not_correlated() {
         const ROWS: u64 = 20_000;

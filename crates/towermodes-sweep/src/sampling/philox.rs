@@ -46,7 +46,8 @@ mod tests {
     use super::{philox, unit};
 
     /// The generator of NumPy 2.4 adds 1 to the counter before each block:
-    /// `numpy.random.Philox(key=[2, 3], counter=[4, 5, 6, 7]).random_raw(4)`, and key and counter 0.
+    /// `numpy.random.Philox(key=[2, 3], counter=[4, 5, 6, 7]).random_raw(4)`, and key and counter
+    /// 0.
     #[test]
     fn the_numbers_are_those_of_numpy() {
         assert_eq!(philox([5, 5, 6, 7], [2, 3]), NUMPY[0]);

@@ -33,9 +33,9 @@ impl SobolDimension {
         bits.fold(0, |sum, bit| sum ^ self.directions[bit])
     }
 
-    /// The coordinate of a point in (0, 1): nested uniform scrambling (Owen 1995). Each binary digit
-    /// is flipped or not, as the digits before it say, so that every interval of length 2⁻ᵏ keeps
-    /// its number of points; random digits follow the first 32.
+    /// The coordinate of a point in (0, 1): nested uniform scrambling (Owen 1995). Each binary
+    /// digit is flipped or not, as the digits before it say, so that every interval of length 2⁻ᵏ
+    /// keeps its number of points; random digits follow the first 32.
     pub(super) fn scrambled(&self, point: u32) -> f64 {
         let plain = u64::from(self.plain(point));
         let mut scrambled = 0;

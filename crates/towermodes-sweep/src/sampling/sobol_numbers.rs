@@ -4,8 +4,8 @@
 //! two-dimensional projections", SIAM Journal on Scientific Computing 30 (2008), 2635–2654.
 
 /// Of each dimension from the second on: its primitive polynomial over the integers modulo 2, whose
-/// bits are the coefficients with that of the highest power first, and the initial numbers m₁, m₂, …,
-/// as many as the polynomial's degree.
+/// bits are the coefficients with that of the highest power first, and the initial numbers m₁, m₂,
+/// …, as many as the polynomial's degree.
 pub(super) const DIRECTION_NUMBERS: [(u32, &[u32]); 63] = [
     (3, &[1]),
     (7, &[1, 3]),

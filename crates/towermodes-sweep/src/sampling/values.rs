@@ -192,7 +192,8 @@ mod tests {
             (Distribution::Triangular { low: 1.0, mode: 2.0, high: 5.0 }, [1.002, 1.282842712474619, 2.550510257216822, 3.904554884989668, 4.9965358983848125]),
             // triang(0, 1, 4)
             (Distribution::Triangular { low: 1.0, mode: 1.0, high: 5.0 }, [1.0000020000004999, 1.0402020253553337, 2.1715728752538097, 3.7350889359326485, 4.995999999999943]),
-            // exp(truncnorm((log(3e7) - mu)/s, (log(9e7) - mu)/s, mu, s)), mu and s of the lognormal above
+            // exp(truncnorm((log(3e7) - mu)/s, (log(9e7) - mu)/s, mu, s)), mu and s of the
+            // lognormal above
             (lognormal(5e7, 2e7, Some([3e7, 9e7])), [30000045.625303753, 30887660.903499838, 48388356.705669224, 72213856.50114259, 89999684.79993846]),
         ]
     }
