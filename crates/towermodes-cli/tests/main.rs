@@ -13,5 +13,6 @@ mod reports;
 mod rotors;
 mod sandbox;
 mod settings;
+mod several;
 mod sweeps;
 mod terminal;

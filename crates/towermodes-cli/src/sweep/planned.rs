@@ -10,7 +10,7 @@ use towermodes_files::{
 use towermodes_sweep::{Base, Sweep, SweepSource, Table};
 
 use crate::args::{ReadingArguments, SweepArguments};
-use crate::failure::{Failure, note};
+use crate::failure::{Failure, note, warn};
 use crate::input::set_numbers;
 
 /// A sweep that can begin.
@@ -32,8 +32,9 @@ impl Planned {
             None => of_study(arguments)?,
         };
         // Errors have a position in the file.
-        input.tower().map_err(Failure::Input)?;
+        let tower = input.tower().map_err(Failure::Input)?;
         note(&input.notes);
+        warn(tower.warnings(), &input);
         let sweep = Sweep::new(Base::from(&input), changes, &results).map_err(Failure::Sweep)?;
         Ok(Self {
             input,
