@@ -5,12 +5,15 @@ from __future__ import annotations
 import pickle
 import re
 import shutil
+from collections.abc import Callable
 from pathlib import Path
+from typing import Any
 
 import pytest
 
 import towermodes as tm
 
+READ: Any = tm.read
 INPUTS = Path("crates/towermodes-cli/tests/inputs")
 
 
@@ -100,6 +103,10 @@ def test_a_tower_that_buckles_is_a_solve_error() -> None:
         ({"modes": 50, "segments": 2}, tm.OptionError, "50 modes are requested"),
         ({"segments": 10**7}, tm.OptionError, "the number of segments is 10000000"),
         ({"points": 1}, ValueError, "points is 1; it must be at least 2"),
+        ({"heights_m": [10.0, 90.0]}, ValueError, "heights_m has 90 m; the tower reaches from 0 m"),
+        ({"heights_m": [float("nan")]}, ValueError, "heights_m has nan m"),
+        ({"heights_m": ["top"]}, TypeError, "a height is 'top'; it must be a number"),
+        ({"method": 3}, TypeError, "method is 3; it must be a text"),
         ({"method": "fem"}, ValueError, "'fem' is not a method; the methods are rmje-exact"),
         ({"degree": 5}, ValueError, "degree applies only to the method spectral"),
         ({"hinge_position": 0.2}, ValueError, "hinge_position applies only"),
@@ -126,3 +133,22 @@ def test_errors_survive_a_pickle() -> None:
         assert again.__dict__.keys() == error.__dict__.keys()
         assert again.hint == error.hint
     assert pickle.loads(pickle.dumps(errors[0])).column == 2
+
+
+@pytest.mark.parametrize(
+    ("call", "message"),
+    [
+        (lambda tower: tower.campbell(rpm=(6.9, 9.0, 12.1)), "must be one speed or"),
+        (lambda tower: tower.campbell(rpm="fast"), "rpm is 'fast'; it must be one speed or"),
+        (lambda tower: tower.campbell(margin="5 %"), "margin is '5 %'; it must be a number"),
+        (lambda tower: tower.with_({"rna.mass": "heavy"}), "rna.mass is 'heavy'; it must be a"),
+        (lambda tower: tower.with_([("rna.mass", 1.0)]), "it must be a dict of names and values"),
+        (lambda tower: tower.check("other.toml"), "other is 'other.toml'; it must be a Tower"),
+        (lambda _: READ("examples/nrel-5mw.toml", part=1), "part is 1; it must be a text"),
+    ],
+)
+def test_arguments_of_a_wrong_kind_are_named(
+    nrel: tm.Tower, call: Callable[[Any], object], message: str
+) -> None:
+    with pytest.raises((TypeError, ValueError), match=message):
+        call(nrel)

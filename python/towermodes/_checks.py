@@ -6,7 +6,8 @@ from operator import index
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from typing import SupportsIndex
+    from collections.abc import Iterable
+    from typing import SupportsFloat, SupportsIndex
 
 
 def whole(name: str, value: SupportsIndex, least: int) -> int:
@@ -25,3 +26,44 @@ def whole(name: str, value: SupportsIndex, least: int) -> int:
 def whole_or_none(name: str, value: SupportsIndex | None, least: int) -> int | None:
     """An optional argument as a whole number."""
     return None if value is None else whole(name, value, least)
+
+
+def number(name: str, value: SupportsFloat) -> float:
+    """An argument as a number."""
+    if not isinstance(value, (str, bytes)):
+        try:
+            return float(value)
+        except (TypeError, ValueError):
+            pass
+    message = f"{name} is {value!r}; it must be a number"
+    raise TypeError(message)
+
+
+def number_or_none(name: str, value: SupportsFloat | None) -> float | None:
+    """An optional argument as a number."""
+    return None if value is None else number(name, value)
+
+
+def word(name: str, value: str) -> str:
+    """An argument as a text."""
+    if isinstance(value, str):
+        return value
+    message = f"{name} is {value!r}; it must be a text"
+    raise TypeError(message)
+
+
+def word_or_none(name: str, value: str | None) -> str | None:
+    """An optional argument as a text."""
+    return None if value is None else word(name, value)
+
+
+def heights_inside(heights_m: Iterable[float], base_m: float, top_m: float) -> list[float]:
+    """Heights of a tower; a shape has no value outside of it."""
+    heights = [number("a height", height) for height in heights_m]
+    for height in heights:
+        if not base_m <= height <= top_m:
+            message = (
+                f"heights_m has {height:g} m; the tower reaches from {base_m:g} m to {top_m:g} m"
+            )
+            raise ValueError(message)
+    return heights

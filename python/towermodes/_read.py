@@ -5,7 +5,7 @@ from __future__ import annotations
 from os import fspath
 
 from towermodes import _towermodes as _rust
-from towermodes._checks import whole
+from towermodes._checks import number_or_none, whole, word
 from towermodes._tower import Tower
 
 TYPE_CHECKING = False
@@ -56,13 +56,13 @@ def read(
     87.6
     """
     options: dict[str, object] = {
-        "part": part,
-        "no_rna": no_rna,
-        "no_gravity": no_gravity,
-        "rotor": rotor,
-        "bmodes_quirks": bmodes_quirks,
-        "tower_height_m": tower_height_m,
-        "tower_base_m": tower_base_m,
+        "part": word("part", part),
+        "no_rna": bool(no_rna),
+        "no_gravity": bool(no_gravity),
+        "rotor": word("rotor", rotor),
+        "bmodes_quirks": bool(bmodes_quirks),
+        "tower_height_m": number_or_none("tower_height_m", tower_height_m),
+        "tower_base_m": number_or_none("tower_base_m", tower_base_m),
         "subset": None if subset is None else tuple(whole("subset", n, 1) for n in subset),
     }
     return Tower._of(_rust.read(fspath(path), options))

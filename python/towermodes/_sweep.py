@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from towermodes import _towermodes as _rust
-from towermodes._checks import whole, whole_or_none
+from towermodes._checks import whole, whole_or_none, word_or_none
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -54,8 +54,8 @@ def sweep_options(
         "modes": count,
         "names": names,
         "segments": whole_or_none("segments", segments, 1),
-        "method": method,
-        "rotary_inertia": rotary_inertia,
+        "method": word_or_none("method", method),
+        "rotary_inertia": bool(rotary_inertia),
         "threads": whole_or_none("threads", threads, 1),
     }
 

@@ -4,7 +4,14 @@ from __future__ import annotations
 
 from towermodes import _towermodes as _rust
 from towermodes._campbell import Campbell
-from towermodes._checks import whole, whole_or_none
+from towermodes._checks import (
+    heights_inside,
+    number,
+    number_or_none,
+    whole,
+    whole_or_none,
+    word_or_none,
+)
 from towermodes._convert import Converted
 from towermodes._picture import Picture
 from towermodes._solution import Solution
@@ -239,7 +246,10 @@ class Tower:
         >>> other.stations[:, 2]
         array([0.0702, 0.0494])
         """
-        pairs = [(name, float(value)) for name, value in changes.items()]
+        if not hasattr(changes, "items"):
+            message = f"changes is {changes!r}; it must be a dict of names and values"
+            raise TypeError(message)
+        pairs = [(name, number(name, value)) for name, value in changes.items()]
         return Tower._of(self._core.changed(pairs))
 
     def to_toml(self) -> str:
@@ -285,9 +295,10 @@ class Tower:
         >>> tm.read("examples/nrel-5mw.toml").solve(modes=2).frequency_hz
         array([0.319..., 0.321...])
         """
-        options = _solve_options(modes, method, segments, degree, points, heights_m, rotary_inertia)
-        options["hinge_position"] = hinge_position
-        options["limits"] = limits
+        heights = heights_inside(heights_m, self.base_m, self.top_m)
+        options = _solve_options(modes, method, segments, degree, points, heights, rotary_inertia)
+        options["hinge_position"] = number_or_none("hinge_position", hinge_position)
+        options["limits"] = bool(limits)
         return Solution._of(self, self._core.solve(options))
 
     def sweep(
@@ -336,7 +347,7 @@ class Tower:
     def campbell(
         self,
         *,
-        rpm: tuple[float, float] | float | None = None,
+        rpm: Sequence[float] | float | None = None,
         blades: SupportsIndex | None = None,
         multiples: Sequence[SupportsIndex] = (),
         margin: float = 0.05,
@@ -363,14 +374,13 @@ class Tower:
         >>> tm.read("examples/nrel-5mw.toml").campbell().verdict
         'warn'
         """
-        speeds = (rpm, rpm) if isinstance(rpm, (int, float)) else rpm
         rotor: dict[str, object] = {
-            "rpm": speeds,
+            "rpm": _speeds(rpm),
             "blades": whole_or_none("blades", blades, 1),
             "multiples": [whole("a multiple", multiple, 1) for multiple in multiples],
-            "margin": margin,
+            "margin": number("margin", margin),
         }
-        options = _solve_options(modes, method, segments, None, 2, (), True)
+        options = _solve_options(modes, method, segments, None, 2, [], True)
         return Campbell._of(_rust.Campbell(self._core, rotor, options))
 
     def compare(
@@ -413,6 +423,9 @@ class Tower:
         >>> tower.check(tm.read("examples/nrel-5mw.yaml")).verdict
         'pass'
         """
+        if not isinstance(other, Tower):
+            message = f"other is {other!r}; it must be a Tower"
+            raise TypeError(message)
         return Agreement._of(_rust.Agreement(self._core, other._core))
 
     def examine(self) -> Examination:
@@ -482,23 +495,36 @@ def _restored(state: tuple[object, ...]) -> Tower:
     return Tower._of(_rust.Tower.restore(state))
 
 
+def _speeds(rpm: Sequence[float] | float | None) -> tuple[float, float] | None:
+    """The lowest and the highest speed of a rotor."""
+    if rpm is None:
+        return None
+    if not hasattr(rpm, "__len__"):
+        speed = number("rpm", rpm)
+        return (speed, speed)
+    if isinstance(rpm, str) or len(rpm) != 2:
+        message = f"rpm is {rpm!r}; it must be one speed or (lowest, highest)"
+        raise ValueError(message)
+    return (number("rpm", rpm[0]), number("rpm", rpm[1]))
+
+
 def _solve_options(
     modes: SupportsIndex | None,
     method: str | None,
     segments: SupportsIndex | None,
     degree: SupportsIndex | None,
     points: SupportsIndex,
-    heights_m: Iterable[float],
+    heights_m: list[float],
     rotary_inertia: bool,
 ) -> dict[str, object]:
     return {
         "modes": whole_or_none("modes", modes, 1),
-        "method": method,
+        "method": word_or_none("method", method),
         "segments": whole_or_none("segments", segments, 1),
         "degree": whole_or_none("degree", degree, 2),
         "points": whole("points", points, 2),
-        "heights_m": [float(height) for height in heights_m],
-        "rotary_inertia": rotary_inertia,
+        "heights_m": heights_m,
+        "rotary_inertia": bool(rotary_inertia),
         "hinge_position": None,
         "limits": True,
     }
