@@ -499,13 +499,12 @@ def _speeds(rpm: Sequence[float] | float | None) -> tuple[float, float] | None:
     """The lowest and the highest speed of a rotor."""
     if rpm is None:
         return None
-    if not hasattr(rpm, "__len__"):
-        speed = number("rpm", rpm)
-        return (speed, speed)
-    if isinstance(rpm, str) or len(rpm) != 2:
+    # A number of NumPy is neither an int nor a list.
+    speeds: list[Any] = list(rpm) if hasattr(rpm, "__len__") else [rpm, rpm]
+    if isinstance(rpm, str) or len(speeds) != 2:
         message = f"rpm is {rpm!r}; it must be one speed or (lowest, highest)"
         raise ValueError(message)
-    return (number("rpm", rpm[0]), number("rpm", rpm[1]))
+    return (number("rpm", speeds[0]), number("rpm", speeds[1]))
 
 
 def _solve_options(
