@@ -495,7 +495,7 @@ def _restored(state: tuple[object, ...]) -> Tower:
     return Tower._of(_rust.Tower.restore(state))
 
 
-def _speeds(rpm: Sequence[float] | float | None) -> tuple[float, float] | None:
+def _speeds(rpm: Any) -> tuple[float, float] | None:
     """The lowest and the highest speed of a rotor."""
     if rpm is None:
         return None
