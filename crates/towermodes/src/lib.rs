@@ -73,10 +73,10 @@ pub use number::Plain;
 pub use parameter::{Change, Operation, Parameter, ParameterError};
 pub use solve::{
     BladeFamily, BladeMode, BladeSolution, Certificate, DEFAULT_MODES, DEFAULT_POINTS,
-    DEFAULT_SEGMENTS, ErrorBasis, MAX_BYTES, MAX_DEGREE, MAX_POINTS, MAX_SECONDS, MAX_SEGMENTS,
-    MAX_SPECTRAL_ELEMENTS, Mode, ModeKey, Options, Progress, Solution, SolveError, Stage,
-    Workspace, blade_degrees_of_freedom, solve, solve_blade, solve_blade_once, solve_certain,
-    solve_until, solve_with,
+    DEFAULT_SEGMENTS, ErrorBasis, Frequencies, MAX_BYTES, MAX_DEGREE, MAX_POINTS, MAX_SECONDS,
+    MAX_SEGMENTS, MAX_SPECTRAL_ELEMENTS, Mode, ModeFrequency, ModeKey, Options, Progress, Solution,
+    SolveError, Stage, Workspace, blade_degrees_of_freedom, solve, solve_blade, solve_blade_once,
+    solve_certain, solve_frequencies, solve_until, solve_with,
 };
 pub use tower::{
     AddedMassRow, FloatingPlatform, Foundation, FoundationSprings, HalfSpace, Ineffective, Inertia,

@@ -128,7 +128,9 @@ pub fn add<const D: usize>(sum: &mut [f64; D], addend: &[f64; D]) {
 /// Adds `factor` times `addend` to `sum`, entry by entry.
 #[inline]
 pub fn add_scaled<const D: usize>(sum: &mut Matrix<D>, factor: f64, addend: &Matrix<D>) {
-    for (s, a) in sum.iter_mut().flatten().zip(addend.iter().flatten()) {
-        *s += factor * a;
+    for (sum, addend) in sum.iter_mut().zip(addend) {
+        for (s, a) in sum.iter_mut().zip(addend) {
+            *s += factor * a;
+        }
     }
 }

@@ -2,13 +2,16 @@
 
 use crate::towers;
 
-use towermodes::Tower;
 use towermodes::beam::{BeamRecipe, BeamWorkspace, Beams, assemble_beams};
 use towermodes::chain::Chains;
 use towermodes::eigen::{EigenWorkspace, lowest};
 use towermodes::elements::{Borders, Mesh, Recipe, assemble_chains};
 use towermodes::subsystem::{Eigenproblem, SubsystemPencil};
-use towers::{reference, reference_350t};
+use towermodes::{Options, Tower, TowerDescription, Workspace, solve_frequencies};
+use towers::{
+    elliptic, floater, monopile, reference, reference_350t, reference_eccentric,
+    reference_on_springs,
+};
 
 const AT_REST: Eigenproblem = Eigenproblem::Vibration { origin: 0.0 };
 
@@ -65,5 +68,44 @@ fn beams_allocate_nothing_either() {
         };
         assert!(allocation_counter::measure(&mut solve).count_total > 0);
         assert_eq!(allocation_counter::measure(&mut solve).count_total, 0);
+    }
+}
+
+#[test]
+fn frequencies_of_a_changed_tower_allocate_nothing() {
+    let bases = [
+        reference_350t(),
+        reference_eccentric(),
+        elliptic(),
+        monopile(),
+        floater(),
+        TowerDescription {
+            gravity_m_per_s2: 9.81,
+            ..reference_on_springs()
+        },
+    ];
+    for base in bases {
+        let changed = |factor: f64| {
+            let mut description = base.clone();
+            description.rna.mass_kg *= factor;
+            let walls = description.stations.iter_mut();
+            walls.for_each(|station| station.wall_thickness_m *= factor);
+            Tower::new(description).expect("a valid tower")
+        };
+        let towers = [1.0, 0.97, 1.02].map(changed);
+        let options = Options {
+            modes: 4,
+            segments: Some(40),
+            ..Options::default()
+        };
+        let mut workspace = Workspace::default();
+        let mut solve = || {
+            for tower in &towers {
+                solve_frequencies(tower, &options, &mut workspace).expect("solvable");
+            }
+        };
+        assert!(allocation_counter::measure(&mut solve).count_total > 0);
+        let again = allocation_counter::measure(&mut solve);
+        assert_eq!(again.count_total, 0, "{}", towers[0].name());
     }
 }

@@ -11,6 +11,7 @@ mod convergence;
 mod dense;
 mod eigensolver;
 mod estimates;
+mod frequencies;
 mod ground;
 mod independence;
 mod invariance;

@@ -62,41 +62,65 @@ fn eliminate<const D: usize>(
     let mut p = [[0.0; D]; D];
     let mut above_m = 0.0;
     let mut negative = 0;
-    for (joint, link) in chain.links.iter().enumerate().rev() {
+    let has_geometric = a.geometric != 0.0;
+    for (joint, (link, inertia)) in chain.links.iter().zip(&chain.inertias).enumerate().rev() {
         transform_matrix(&mut p, above_m - link.height_m);
         above_m = link.height_m;
-        add_body(chain, a, joint, &mut p);
-        let spring = a.stiffness * link.spring;
-        for component in 0..D {
-            let root = link.root[component];
-            if root == 0.0 {
-                continue;
-            }
-            let p_delta = p_delta(link, a.geometric, component);
-            let mut column = p[component];
-            let mut pivot = spring + root * root * column[component];
-            if pivot.abs() < TINY_PIVOT {
-                pivot = -TINY_PIVOT;
-            }
-            negative += usize::from(pivot < 0.0);
-            add(&mut column, &p_delta);
-            let inverse = 1.0 / pivot;
-            record(Elimination { inverse, column });
-            update(
-                &mut p,
-                component,
-                &column,
-                &p_delta,
-                (spring, root, inverse),
-            );
+        if link.has_body {
+            add_body(chain, a, joint, inertia, &mut p);
         }
+        if has_geometric {
+            add_geometric(link, a.geometric, &mut p);
+        }
+        let spring = a.stiffness * link.spring;
+        for_components!(D, component, {
+            let root = link.root[component];
+            if root != 0.0 {
+                let mut column = p[component];
+                let mut pivot = spring + root * root * column[component];
+                if pivot.abs() < TINY_PIVOT {
+                    pivot = -TINY_PIVOT;
+                }
+                negative += usize::from(pivot < 0.0);
+                let inverse = 1.0 / pivot;
+                let spring = (spring, root, inverse);
+                if has_geometric {
+                    let p_delta = p_delta(link, a.geometric, component);
+                    add(&mut column, &p_delta);
+                    update_pressed(&mut p, component, &column, &p_delta, spring);
+                } else {
+                    update(&mut p, component, &column, spring);
+                }
+                record(Elimination { inverse, column });
+            }
+        });
     }
     negative
 }
 
 /// P ← P − p pᵀ g²/δ after the elimination of one spring k of root g.
-#[inline]
+#[inline(always)]
 fn update<const D: usize>(
+    matrix: &mut Matrix<D>,
+    component: usize,
+    column: &[f64; D],
+    (spring, root, inverse): (f64, f64, f64),
+) {
+    let fraction = spring * inverse;
+    subtract_square(matrix, component, column, root * root * inverse);
+    // In the spring's own row and column p − p p_e g²/δ is p k/δ: no cancellation when the spring
+    // is soft.
+    for k in 0..D {
+        let entry = column[k] * fraction;
+        matrix[component][k] = entry;
+        matrix[k][component] = entry;
+    }
+}
+
+/// The same where a compression couples the spring with a rotation by `p_delta`, which is part of
+/// the column.
+#[inline(always)]
+fn update_pressed<const D: usize>(
     matrix: &mut Matrix<D>,
     component: usize,
     column: &[f64; D],
@@ -105,13 +129,7 @@ fn update<const D: usize>(
 ) {
     let factor = root * root * inverse;
     let own = matrix[component];
-    for (row, c) in matrix.iter_mut().zip(column) {
-        for (entry, d) in row.iter_mut().zip(column) {
-            *entry -= c * d * factor;
-        }
-    }
-    // In the spring's own row and column p − p p_e g²/δ is p k/δ: no cancellation when the spring
-    // is soft.
+    subtract_square(matrix, component, column, factor);
     let (fraction, slid) = (spring * inverse, own[component] * factor);
     for k in 0..D {
         let entry = own[k] * fraction - p_delta[k] * slid;
@@ -120,21 +138,53 @@ fn update<const D: usize>(
     }
 }
 
-/// P ← P + mass M + foundation S + geometric G of one body.
+/// Subtracts `factor` c cᵀ from a symmetric matrix, but for one row and column.
+#[inline(always)]
+fn subtract_square<const D: usize>(
+    matrix: &mut Matrix<D>,
+    component: usize,
+    column: &[f64; D],
+    factor: f64,
+) {
+    for i in 0..D {
+        for j in 0..D {
+            if i != component && j != component {
+                matrix[i][j] -= column[i] * column[j] * factor;
+            }
+        }
+    }
+}
+
+/// P ← P + mass M + foundation S of one body.
 #[inline]
-fn add_body<const D: usize>(chain: &Chain<D>, a: &Coefficients, joint: usize, p: &mut Matrix<D>) {
-    add_scaled(p, a.mass, &chain.inertias[joint]);
-    if let Some(foundation) = chain.foundation.get(joint) {
+fn add_body<const D: usize>(
+    chain: &Chain<D>,
+    a: &Coefficients,
+    joint: usize,
+    inertia: &Matrix<D>,
+    p: &mut Matrix<D>,
+) {
+    if a.mass != 0.0 {
+        add_scaled(p, a.mass, inertia);
+    }
+    if a.foundation != 0.0
+        && let Some(foundation) = chain.foundation.get(joint)
+    {
         add_scaled(p, a.foundation, foundation);
     }
+}
+
+/// P ← P + geometric G of one body.
+#[inline]
+fn add_geometric<const D: usize>(link: &Link<D>, geometric: f64, p: &mut Matrix<D>) {
     for lever in const { levers(D) } {
-        p[lever.by][lever.by] -= a.geometric * chain.links[joint].geometric_n_m;
+        p[lever.by][lever.by] -= geometric * link.geometric_n_m;
     }
 }
 
 /// The column −N s e_θ by which a shear deflection of a joint is coupled with the rotation of its
 /// body (P-Delta effect).
-#[inline]
+#[inline(always)]
 fn p_delta<const D: usize>(link: &Link<D>, geometric: f64, component: usize) -> [f64; D] {
     let mut column = [0.0; D];
     for lever in const { levers(D) } {
@@ -156,54 +206,53 @@ pub fn solve<const D: usize>(chain: &Chain<D>, factors: &[Elimination<D>], x: &m
 fn bias_down<const D: usize>(chain: &Chain<D>, factors: &[Elimination<D>], x: &mut [f64]) {
     let mut bias = [0.0; D];
     let mut above_m = 0.0;
-    let mut eliminations = factors.iter();
-    // Within a joint the springs were eliminated in order of component, but x is filled from its
-    // end: go joint by joint.
-    let mut first = x.len();
+    let (mut rest, mut factors) = (x, factors);
     for link in chain.links.iter().rev() {
         transform_force(&mut bias, above_m - link.height_m);
         above_m = link.height_m;
-        first -= link.moving;
-        let mut own = x[first..first + link.moving].iter_mut();
-        for component in 0..D {
+        // Within a joint the springs were eliminated in order of component, but x is filled from
+        // its end: go joint by joint.
+        let (below, own) = rest.split_at_mut(rest.len() - link.moving);
+        let (eliminations, others) = factors.split_at(link.moving);
+        (rest, factors) = (below, others);
+        let mut springs = own.iter_mut().zip(eliminations);
+        for_components!(D, component, {
             let root = link.root[component];
-            if root == 0.0 {
-                continue;
+            if root != 0.0
+                && let Some((x, elimination)) = springs.next()
+            {
+                *x -= root * bias[component];
+                let reaction = root * *x * elimination.inverse;
+                for (b, p) in bias.iter_mut().zip(&elimination.column) {
+                    *b += p * reaction;
+                }
             }
-            let (Some(x), Some(elimination)) = (own.next(), eliminations.next()) else {
-                unreachable!("one coordinate and one elimination for each spring");
-            };
-            *x -= root * bias[component];
-            let reaction = root * *x * elimination.inverse;
-            for (b, p) in bias.iter_mut().zip(&elimination.column) {
-                *b += p * reaction;
-            }
-        }
+        });
     }
 }
 
 fn motion_up<const D: usize>(chain: &Chain<D>, factors: &[Elimination<D>], x: &mut [f64]) {
     let mut motion = [0.0; D];
     let mut below_m = 0.0;
-    let mut eliminations = factors.iter().rev();
-    let mut first = 0;
+    let (mut rest, mut factors) = (x, factors);
     for link in &chain.links {
         transform_motion(&mut motion, link.height_m - below_m);
         below_m = link.height_m;
-        let mut own = x[first..first + link.moving].iter_mut().rev();
-        first += link.moving;
-        for component in (0..D).rev() {
+        let (own, above) = rest.split_at_mut(link.moving);
+        let (others, eliminations) = factors.split_at(factors.len() - link.moving);
+        (rest, factors) = (above, others);
+        let mut springs = own.iter_mut().zip(eliminations).rev();
+        for_components!(D, from_the_last, {
+            let component = D - 1 - from_the_last;
             let root = link.root[component];
-            if root == 0.0 {
-                continue;
+            if root != 0.0
+                && let Some((x, elimination)) = springs.next()
+            {
+                let pull = dot(&elimination.column, &motion);
+                *x = (*x - root * pull) * elimination.inverse;
+                motion[component] += root * *x;
             }
-            let (Some(x), Some(elimination)) = (own.next(), eliminations.next()) else {
-                unreachable!("one coordinate and one elimination for each spring");
-            };
-            let pull = dot(&elimination.column, &motion);
-            *x = (*x - root * pull) * elimination.inverse;
-            motion[component] += root * *x;
-        }
+        });
     }
 }
 

@@ -1,6 +1,9 @@
 //! Chains of rigid bodies and elastic joints in D components: O(n) product, articulated
 //! factorization, inertia count.
 
+#[macro_use]
+mod components;
+
 mod articulated;
 mod cubic;
 mod curves;
@@ -8,6 +11,7 @@ mod joint;
 mod model;
 mod product;
 mod subsystem;
+mod transfer;
 
 pub(crate) use joint::JointFlexibility;
 pub use model::Chain;

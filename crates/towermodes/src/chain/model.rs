@@ -13,6 +13,9 @@ pub struct Link<const D: usize> {
     pub(super) root: [f64; D],
     /// How many of these are not zero.
     pub(super) moving: usize,
+    /// Whether the body above has an inertia or a stiffness to the ground: there is nothing between
+    /// the joints that one joint is split into.
+    pub(super) has_body: bool,
     /// 1 for a joint with springs; 0 for a base that moves, which only the foundation holds.
     pub(super) spring: f64,
     /// Compression at the joint, N.
@@ -20,6 +23,49 @@ pub struct Link<const D: usize> {
     /// By how much gravity reduces the body's stiffness against rotation in the bending planes,
     /// N m/rad.
     pub(super) geometric_n_m: f64,
+}
+
+impl<const D: usize> Link<D> {
+    /// G x: the motion of the joint, from its coordinates.
+    #[inline(always)]
+    pub(super) fn scaled(&self, coordinates: &[f64]) -> [f64; D] {
+        let mut motion = [0.0; D];
+        // Nearly all joints move in every component: no branch for each.
+        if let Ok(all) = <&[f64; D]>::try_from(coordinates) {
+            for component in 0..D {
+                motion[component] = self.root[component] * all[component];
+            }
+            return motion;
+        }
+        let mut coordinates = coordinates.iter();
+        for_components!(D, component, {
+            if self.root[component] != 0.0
+                && let Some(x) = coordinates.next()
+            {
+                motion[component] = self.root[component] * x;
+            }
+        });
+        motion
+    }
+
+    /// The coordinates of the joint ← Gᵀ f, f given component by component.
+    #[inline(always)]
+    pub(super) fn set_scaled(&self, coordinates: &mut [f64], force: impl Fn(usize) -> f64) {
+        if let Ok(all) = <&mut [f64; D]>::try_from(&mut *coordinates) {
+            for component in 0..D {
+                all[component] = self.root[component] * force(component);
+            }
+            return;
+        }
+        let mut coordinates = coordinates.iter_mut();
+        for_components!(D, component, {
+            if self.root[component] != 0.0
+                && let Some(x) = coordinates.next()
+            {
+                *x = self.root[component] * force(component);
+            }
+        });
+    }
 }
 
 /// A chain of rigid bodies joined by diagonal springs, in D motion components, clamped or on a base
@@ -50,7 +96,7 @@ pub struct Chain<const D: usize> {
     /// have none.
     pub(super) foundation: Vec<Matrix<D>>,
     /// Whether any body has a geometric stiffness.
-    has_geometric_stiffness: bool,
+    pub(super) has_geometric_stiffness: bool,
     degrees_of_freedom: usize,
 }
 
@@ -109,6 +155,7 @@ impl<const D: usize> Chain<D> {
         self.links.push(Link {
             height_m,
             root,
+            has_body: false,
             moving,
             spring,
             compression_n,
@@ -122,9 +169,11 @@ impl<const D: usize> Chain<D> {
     #[inline]
     pub fn add(&mut self, kind: MatrixKind, reference_m: f64, mut matrix: Matrix<D>) {
         let count = self.links.len();
-        let (Some(link), Some(inertia)) = (self.links.last(), self.inertias.last_mut()) else {
+        let (Some(link), Some(inertia)) = (self.links.last_mut(), self.inertias.last_mut()) else {
             return;
         };
+        let is_something = |row: &[f64; D]| row.iter().any(|entry| *entry != 0.0);
+        link.has_body = link.has_body || matrix.iter().any(is_something);
         transform_matrix(&mut matrix, reference_m - link.height_m);
         match kind {
             MatrixKind::Inertia => add_scaled(inertia, 1.0, &matrix),

@@ -3,7 +3,7 @@
 
 use super::model::{Chain, Link};
 use crate::space::{Matrix, add, levers, times, transform_force, transform_motion};
-use crate::subsystem::Coefficients;
+use crate::subsystem::{Coefficients, Energies};
 
 /// The motion of every body (at its joint) for scaled joint coordinates `x`: J G x, one entry for
 /// each joint.
@@ -11,8 +11,10 @@ use crate::subsystem::Coefficients;
 /// # Panics
 /// If `x` is shorter than the chain's degrees of freedom.
 pub fn motions<const D: usize>(chain: &Chain<D>, x: &[f64], motions: &mut Vec<[f64; D]>) {
-    motions.clear();
-    sweep_up(chain, x, |_, motion, _| motions.push(*motion));
+    motions.resize(chain.joints(), [0.0; D]);
+    sweep_up(chain, x, motions.iter_mut(), |own, _, motion, _| {
+        *own = *motion
+    });
 }
 
 /// Forces on every body, and on the shear deflection of its joint, during a product; reused from
@@ -42,28 +44,51 @@ pub fn product<const D: usize>(
     x: &[f64],
     out: &mut [f64],
 ) {
-    let Loads {
-        bodies,
-        deflections,
-    } = loads;
-    bodies.clear();
-    deflections.clear();
+    let joints = chain.joints();
+    loads.bodies.resize(joints, [0.0; D]);
     if *a == Coefficients::MASS {
-        sweep_up(chain, x, |joint, motion, _| {
-            bodies.push(times(&chain.inertias[joint], motion));
+        let bodies = &mut loads.bodies[..];
+        let states = bodies.iter_mut().zip(&chain.inertias);
+        sweep_up(chain, x, states, |(load, inertia), link, motion, _| {
+            *load = match link.has_body {
+                true => times(inertia, motion),
+                false => [0.0; D],
+            };
         });
-        sweep_down(chain, out, |joint| bodies[joint], |_, _| 0.0);
+        sweep_down(chain, out, bodies.iter(), |load| (*load, [0.0; D]));
         return;
     }
-    sweep_up(chain, x, |joint, motion, own| {
-        let (above, deflection) = p_delta(&chain.links[joint], a.geometric, motion, own);
-        let mut load = body_load(chain, a, joint, motion);
-        add(&mut load, &above);
-        bodies.push(load);
-        deflections.push(deflection);
+    if a.geometric == 0.0 || !chain.has_geometric_stiffness {
+        let states = loads.bodies.iter_mut().enumerate();
+        sweep_up(chain, x, states, |(joint, load), link, motion, _| {
+            *load = match link.has_body {
+                true => body_load(chain, a, joint, motion),
+                false => [0.0; D],
+            };
+        });
+        sweep_down(chain, out, loads.bodies.iter(), |load| (*load, [0.0; D]));
+        add_joint_stiffness(chain, a.stiffness, x, out);
+        return;
+    }
+    loads.deflections.resize(joints, [0.0; D]);
+    let states = (loads.bodies.iter_mut().zip(&mut loads.deflections)).enumerate();
+    sweep_up(
+        chain,
+        x,
+        states,
+        |(joint, (load, deflection)), link, motion, own| {
+            let (above, on_deflection) = p_delta(link, a.geometric, motion, own);
+            *load = above;
+            if link.has_body {
+                add(load, &body_load(chain, a, joint, motion));
+            }
+            *deflection = on_deflection;
+        },
+    );
+    let states = loads.bodies.iter().zip(&loads.deflections);
+    sweep_down(chain, out, states, |(load, deflection)| {
+        (*load, *deflection)
     });
-    let deflection = |joint: usize, component: usize| deflections[joint][component];
-    sweep_down(chain, out, |joint| bodies[joint], deflection);
     add_joint_stiffness(chain, a.stiffness, x, out);
 }
 
@@ -76,15 +101,19 @@ fn body_load<const D: usize>(
     motion: &[f64; D],
 ) -> [f64; D] {
     let mut load = [0.0; D];
-    let mut add_product = |factor: f64, matrix: Option<&Matrix<D>>| {
-        if let Some(matrix) = matrix.filter(|_| factor != 0.0) {
-            for (sum, x) in load.iter_mut().zip(times(matrix, motion)) {
-                *sum += factor * x;
-            }
+    let mut add_product = |factor: f64, matrix: &Matrix<D>| {
+        for (sum, x) in load.iter_mut().zip(times(matrix, motion)) {
+            *sum += factor * x;
         }
     };
-    add_product(a.mass, Some(&chain.inertias[joint]));
-    add_product(a.foundation, chain.foundation.get(joint));
+    if a.mass != 0.0 {
+        add_product(a.mass, &chain.inertias[joint]);
+    }
+    if a.foundation != 0.0
+        && let Some(foundation) = chain.foundation.get(joint)
+    {
+        add_product(a.foundation, foundation);
+    }
     load
 }
 
@@ -117,11 +146,7 @@ fn add_joint_stiffness<const D: usize>(
     if stiffness == 0.0 {
         return;
     }
-    // Only the base, the first link, can be free.
-    let free = match chain.links.first() {
-        Some(base) if base.spring == 0.0 => base.root.iter().filter(|r| **r != 0.0).count(),
-        _ => 0,
-    };
+    let free = free_coordinates(chain);
     for (out, x) in out[free..].iter_mut().zip(&x[free..]) {
         *out += stiffness * x;
     }
@@ -135,11 +160,12 @@ pub fn resultant<const D: usize>(
     base_m: f64,
 ) -> ([f64; D], [f64; D]) {
     let (mut force, mut energy) = ([0.0; D], [0.0; D]);
-    sweep_up(chain, x, |joint, motion, own| {
-        let link = &chain.links[joint];
+    sweep_up(chain, x, 0.., |joint, link, motion, own| {
         let (above, deflection) = p_delta(link, a.geometric, motion, own);
-        let mut load = body_load(chain, a, joint, motion);
-        add(&mut load, &above);
+        let mut load = above;
+        if link.has_body {
+            add(&mut load, &body_load(chain, a, joint, motion));
+        }
         for c in 0..D {
             energy[c] += load[c] * motion[c] + deflection[c] * own[c];
             if link.root[c] != 0.0 && link.spring != 0.0 {
@@ -152,66 +178,117 @@ pub fn resultant<const D: usize>(
     (force, energy)
 }
 
+/// xᵀ A x for each of the matrices A, in one sweep.
+pub fn energies<const D: usize>(chain: &Chain<D>, x: &[f64]) -> Energies {
+    let (mut mass, mut foundation, mut gravity) = ([0.0; D], [0.0; D], [0.0; D]);
+    let add_work = |sums: &mut [f64; D], load: &[f64; D], motion: &[f64; D]| {
+        for ((sum, load), motion) in sums.iter_mut().zip(load).zip(motion) {
+            *sum += load * motion;
+        }
+    };
+    let states = chain.inertias.iter().enumerate();
+    sweep_up(chain, x, states, |(joint, inertia), link, motion, own| {
+        if link.has_body {
+            add_work(&mut mass, &times(inertia, motion), motion);
+            if let Some(stiffness) = chain.foundation.get(joint) {
+                add_work(&mut foundation, &times(stiffness, motion), motion);
+            }
+        }
+        if chain.has_geometric_stiffness {
+            let (body, deflection) = p_delta(link, -1.0, motion, own);
+            for c in 0..D {
+                gravity[c] += body[c] * motion[c] + deflection[c] * own[c];
+            }
+        }
+    });
+    let sum = |values: [f64; D]| values.iter().sum();
+    Energies {
+        elastic: squares(&x[free_coordinates(chain)..]),
+        foundation: sum(foundation),
+        gravity: sum(gravity),
+        mass: sum(mass),
+    }
+}
+
+/// Σ x², in four running sums.
+fn squares(x: &[f64]) -> f64 {
+    let fours = x.chunks_exact(4);
+    let rest: f64 = fours.remainder().iter().map(|x| x * x).sum();
+    let mut sums = [0.0; 4];
+    for x in fours {
+        for lane in 0..4 {
+            sums[lane] += x[lane] * x[lane];
+        }
+    }
+    (sums[0] + sums[1]) + (sums[2] + sums[3]) + rest
+}
+
+/// The number of coordinates of a base that moves: only the base, the first link, can be free.
+fn free_coordinates<const D: usize>(chain: &Chain<D>) -> usize {
+    match chain.links.first() {
+        Some(base) if base.spring == 0.0 => base.moving,
+        _ => 0,
+    }
+}
+
 /// out = Gᵀ Jᵀ M r with r the rigid motion that is one in every component at the lowest joint.
 ///
 /// Every mode that a shaken base excites has a part in it, low modes most: a start vector for
 /// iterations.
 pub fn base_excitation<const D: usize>(chain: &Chain<D>, out: &mut [f64]) {
     let base_m = chain.links.first().map_or(0.0, |link| link.height_m);
-    let load = |joint: usize| {
-        let link = &chain.links[joint];
+    let states = chain.links.iter().zip(&chain.inertias);
+    sweep_down(chain, out, states, |(link, inertia)| {
         let mut motion = [1.0; D];
         transform_motion(&mut motion, link.height_m - base_m);
-        times(&chain.inertias[joint], &motion)
-    };
-    sweep_down(chain, out, load, |_, _| 0.0);
+        (times(inertia, &motion), [0.0; D])
+    });
 }
 
-/// From the base up: v ← X v + G x, passed to `body` joint by joint, with the joint's own G x.
+/// From the base up: v ← X v + G x, passed to `body` joint by joint, with a state of each joint and
+/// its own G x.
 #[inline]
-fn sweep_up<const D: usize>(
+fn sweep_up<const D: usize, S>(
     chain: &Chain<D>,
     x: &[f64],
-    mut body: impl FnMut(usize, &[f64; D], &[f64; D]),
+    states: impl Iterator<Item = S>,
+    mut body: impl FnMut(S, &Link<D>, &[f64; D], &[f64; D]),
 ) {
     let mut motion = [0.0; D];
     let mut below_m = 0.0;
-    let mut coordinates = x.iter();
-    for (joint, link) in chain.links.iter().enumerate() {
+    let mut rest = x;
+    for (link, state) in chain.links.iter().zip(states) {
         transform_motion(&mut motion, link.height_m - below_m);
         below_m = link.height_m;
-        let mut own = [0.0; D];
-        for (component, root) in link.root.iter().enumerate() {
-            if *root != 0.0 {
-                let x = coordinates.next().expect("one coordinate for each spring");
-                own[component] = root * x;
-                motion[component] += own[component];
-            }
-        }
-        body(joint, &motion, &own);
+        let (coordinates, above) = rest.split_at(link.moving);
+        rest = above;
+        let own = link.scaled(coordinates);
+        add(&mut motion, &own);
+        body(state, link, &motion, &own);
     }
 }
 
-/// From the tip down: f ← Xᵀ f + load of the body, out = Gᵀ (f + load of the shear deflections).
+/// From the tip down: f ← Xᵀ f + load of the body, out = Gᵀ (f + load of the shear deflections);
+/// `loads` gives both from the state of each joint.
 #[inline]
-fn sweep_down<const D: usize>(
+fn sweep_down<const D: usize, S>(
     chain: &Chain<D>,
     out: &mut [f64],
-    load: impl Fn(usize) -> [f64; D],
-    deflection: impl Fn(usize, usize) -> f64,
+    states: impl DoubleEndedIterator<Item = S> + ExactSizeIterator,
+    loads: impl Fn(S) -> ([f64; D], [f64; D]),
 ) {
     let mut force = [0.0; D];
     let mut above_m = 0.0;
-    let mut coordinates = out.iter_mut().rev();
-    for (joint, link) in chain.links.iter().enumerate().rev() {
+    let mut rest = out;
+    for (link, state) in chain.links.iter().zip(states).rev() {
         transform_force(&mut force, above_m - link.height_m);
         above_m = link.height_m;
-        add(&mut force, &load(joint));
-        for (component, root) in link.root.iter().enumerate().rev() {
-            if *root != 0.0 {
-                let out = coordinates.next().expect("one coordinate for each spring");
-                *out = root * (force[component] + deflection(joint, component));
-            }
-        }
+        let (load, deflection) = loads(state);
+        add(&mut force, &load);
+        let (below, coordinates) = rest.split_at_mut(rest.len() - link.moving);
+        rest = below;
+        link.set_scaled(coordinates, |component| {
+            force[component] + deflection[component]
+        });
     }
 }

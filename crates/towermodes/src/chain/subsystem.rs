@@ -5,10 +5,11 @@ use super::curves::ChainCurves;
 use super::joint::JointFlexibility;
 use super::model::Chain;
 use super::product::{self, Loads};
+use super::transfer;
 use crate::space::SpatialMatrix;
 use crate::subsystem::{
-    Coefficients, Coordinates, MatrixKind, Resultant, SegmentCurves, ShearFraction, Subsystem,
-    Subsystems, dimension,
+    Coefficients, Coordinates, Energies, InternalForces, MatrixKind, Resultant, SegmentCurves,
+    ShearFraction, Subsystem, Subsystems, dimension,
 };
 use crate::tower::{Motions, Tower};
 
@@ -86,6 +87,19 @@ impl<const D: usize> Subsystem for ChainSubsystem<D> {
 
     fn energy(&mut self, a: &Coefficients, x: &[f64]) -> f64 {
         product::resultant(&self.chain, a, x, 0.0).1.iter().sum()
+    }
+
+    fn energies(&mut self, x: &[f64]) -> Energies {
+        product::energies(&self.chain, x)
+    }
+
+    fn internal_forces(&self, x: &[f64], forces: &mut InternalForces) -> bool {
+        transfer::internal_forces(&self.chain, x, forces);
+        true
+    }
+
+    fn with_internal_forces(&self, forces: &InternalForces, jumps_m: &[f64], out: &mut [f64]) {
+        transfer::with_internal_forces(&self.chain, forces, jumps_m, out);
     }
 
     fn resultant(&mut self, a: &Coefficients, x: &[f64], base_m: f64) -> Resultant {

@@ -5,12 +5,14 @@ mod certificate;
 mod error;
 mod lanczos;
 mod pencil;
+mod refine;
 mod tridiagonal;
 mod vector;
 
 pub(crate) use certificate::{CountCheck, verify};
 pub use error::EigenError;
-pub use pencil::Pencil;
+pub use pencil::{Pencil, ShiftInvert};
+pub(crate) use refine::{Refinement, refine};
 
 use std::f64::consts::TAU;
 
@@ -95,6 +97,7 @@ pub struct EigenWorkspace {
     lambdas: Vec<f64>,
     residuals: Vec<f64>,
     eigenvalues: Vec<Eigenvalue>,
+    scratch: Vec<f64>,
 }
 
 impl EigenWorkspace {
@@ -202,7 +205,8 @@ impl EigenWorkspace {
     fn bound(&mut self, pencil: &mut dyn Pencil, margin: f64) -> Result<(), EigenError> {
         self.eigenvalues.clear();
         for (index, &lambda) in self.lambdas.iter().enumerate() {
-            let cancellation = pencil.stiffness_cancellation(&self.vectors[index]);
+            let cancellation =
+                pencil.stiffness_cancellation(&self.vectors[index], &mut self.scratch);
             if certificate::rounding(&self.lambdas, 0, pencil.size(), cancellation) > MAX_ROUNDING {
                 return Err(EigenError::TooStiff);
             }

@@ -32,11 +32,24 @@ pub trait Pencil {
 
     /// The factor by which relative errors of the terms of xᵀ K x = 1, and of the motions in them,
     /// are amplified: more than 0 where terms cancel, as with geometric stiffness, or where motions
-    /// cancel at something stiff.
-    fn stiffness_cancellation(&mut self, _: &[f64]) -> f64 {
+    /// cancel at something stiff. `scratch` is memory to work in.
+    fn stiffness_cancellation(&mut self, _x: &[f64], _scratch: &mut Vec<f64>) -> f64 {
         0.0
     }
 
     /// A start vector with a part in every low mode.
     fn start(&mut self, out: &mut [f64]);
+}
+
+/// A pencil that can be factored at any shift.
+pub trait ShiftInvert: Pencil {
+    /// Factors K − `shift`·M for [`solve_shifted`](Self::solve_shifted), in place of what was
+    /// factored before, and returns the number of eigenvalues below `shift` (rad²/s²).
+    fn factorize_shifted(&mut self, shift: f64) -> usize;
+
+    /// x ← (K − shift·M)⁻¹ x.
+    fn solve_shifted(&mut self, x: &mut [f64]);
+
+    /// xᵀ K x and xᵀ M x.
+    fn energies(&mut self, x: &[f64]) -> [f64; 2];
 }

@@ -46,7 +46,15 @@ pub(super) fn project(basis: &[Vec<f64>], x: &[f64], coefficients: &mut [f64]) {
 pub(super) fn add_combination(basis: &[Vec<f64>], factors: &[f64], x: &mut [f64]) {
     for (block, x) in x.chunks_mut(BLOCK).enumerate() {
         let from = block * BLOCK;
-        for (factor, v) in factors.iter().zip(basis) {
+        let (fours, rest) = basis.split_at(basis.len() / 4 * 4);
+        for (v, factors) in fours.chunks_exact(4).zip(factors.chunks_exact(4)) {
+            let [a, b, c, d] = [0, 1, 2, 3].map(|k| &v[k][from..from + x.len()]);
+            // The order of the additions is that of the vectors one by one.
+            for ((((x, a), b), c), d) in x.iter_mut().zip(a).zip(b).zip(c).zip(d) {
+                *x = (((*x + factors[0] * a) + factors[1] * b) + factors[2] * c) + factors[3] * d;
+            }
+        }
+        for (v, factor) in rest.iter().zip(&factors[fours.len()..]) {
             for (x, v) in x.iter_mut().zip(&v[from..]) {
                 *x += factor * v;
             }

@@ -175,35 +175,84 @@ impl Mesh {
         spans_of(tower, borders).len()
     }
 
+    /// How often every two segments of this mesh can be merged.
+    pub fn halvings(&self) -> u32 {
+        let spans = self.spans.iter();
+        let halvings = spans.map(|span| span.segments.trailing_zeros());
+        halvings.min().unwrap_or(0)
+    }
+
     /// The mesh with every two segments merged, if every span has an even number of them.
     pub fn halved(&self) -> Option<Self> {
-        let even = self.spans.iter().all(|span| span.segments % 2 == 0);
-        even.then(|| self.with_segments(|segments| segments / 2))
+        let mut halved = Self::default();
+        (self.halvings() > 0).then(|| {
+            self.write_halved(1, &mut halved);
+            halved
+        })
     }
 
     /// The mesh with every segment halved.
     pub fn doubled(&self) -> Self {
-        self.with_segments(|segments| 2 * segments)
+        let mut doubled = Self::default();
+        self.write_doubled(1, &mut doubled);
+        doubled
     }
 
-    fn with_segments(&self, change: impl Fn(usize) -> usize) -> Self {
+    /// Writes into `mesh` this mesh with every two segments merged, `halvings` times. Every span
+    /// must have a multiple of 2^`halvings` segments; see [`halvings`](Self::halvings).
+    pub fn write_halved(&self, halvings: u32, mesh: &mut Self) {
+        self.write_with_segments(|segments| segments >> halvings, mesh);
+    }
+
+    /// Writes into `mesh` this mesh with every segment halved, `doublings` times.
+    pub fn write_doubled(&self, doublings: u32, mesh: &mut Self) {
+        self.write_with_segments(|segments| segments << doublings, mesh);
+    }
+
+    fn write_with_segments(&self, change: impl Fn(usize) -> usize, mesh: &mut Self) {
         let changed = self.spans.iter().map(|span| Span {
             segments: change(span.segments),
             ..*span
         });
-        Self::from_spans(changed.collect())
+        mesh.spans.clear();
+        mesh.spans.extend(changed);
+        mesh.set_borders();
     }
 
     fn from_spans(spans: Vec<Span>) -> Self {
+        let mut mesh = Self {
+            spans,
+            borders_m: Vec::new(),
+        };
+        mesh.set_borders();
+        mesh
+    }
+
+    /// Sets the borders between the segments of the spans.
+    fn set_borders(&mut self) {
+        let Self { spans, borders_m } = self;
         let total: usize = spans.iter().map(|span| span.segments).sum();
-        let mut borders_m = Vec::with_capacity(total + 1);
-        for span in &spans {
+        borders_m.clear();
+        borders_m.reserve_exact(total + 1);
+        for span in &*spans {
             let border =
                 |k: usize| span.base_m + span.length_m() * (k as f64 / span.segments as f64);
             borders_m.extend((0..span.segments).map(border));
         }
         borders_m.extend(spans.last().map(|span| span.top_m));
-        Self { spans, borders_m }
+    }
+
+    /// Whether the spans of this mesh are those between the ends of pieces and attachments of a
+    /// tower: then a mesh of [`Borders::Pieces`] with as many segments of this tower is this mesh.
+    pub fn has_spans_of(&self, tower: &Tower) -> bool {
+        let (mut spans, mut are_same) = (self.spans.iter(), true);
+        for_each_smooth_span(tower, |span| {
+            are_same &= spans.next().is_some_and(|own| {
+                let ends = |span: &Span| (span.piece, span.base_m, span.top_m);
+                ends(own) == ends(&span)
+            });
+        });
+        are_same && spans.next().is_none()
     }
 
     /// Number of segments.
@@ -268,30 +317,33 @@ fn add_gradual(tower: &Tower, span: Span, spans: &mut Vec<Span>) {
 
 /// The spans between the ends of pieces and attachments.
 fn smooth_spans(tower: &Tower) -> Vec<Span> {
-    let (pieces, attachments) = (tower.pieces(), tower.attachments());
+    let mut spans = Vec::with_capacity(tower.pieces().len());
+    for_each_smooth_span(tower, |span| spans.push(span));
+    spans
+}
+
+/// Tells `add` the spans between the ends of pieces and attachments.
+fn for_each_smooth_span(tower: &Tower, mut add: impl FnMut(Span)) {
+    let attachments = tower.attachments();
     // They are sorted by height.
     let from = |height_m: f64| attachments.partition_point(|a| a.height_m < height_m);
-    let mut spans: Vec<Span> = Vec::with_capacity(pieces.len());
-    for (index, piece) in pieces.iter().enumerate() {
-        let begin = |base_m| Span {
-            piece: index,
-            base_m,
-            top_m: piece.top_m,
-            segments: 1,
-        };
-        let within = &attachments[from(piece.base_m)..from(piece.top_m)];
-        spans.push(begin(piece.base_m));
-        for attachment in within {
-            if let Some(last) = spans
-                .last_mut()
-                .filter(|last| last.base_m < attachment.height_m)
-            {
-                last.top_m = attachment.height_m;
-                spans.push(begin(attachment.height_m));
+    for (piece, ends) in tower.pieces().iter().enumerate() {
+        let mut base_m = ends.base_m;
+        let mut add_up_to = |top_m: f64| {
+            if base_m < top_m {
+                add(Span {
+                    piece,
+                    base_m,
+                    top_m,
+                    segments: 1,
+                });
+                base_m = top_m;
             }
-        }
+        };
+        let within = &attachments[from(ends.base_m)..from(ends.top_m)];
+        within.iter().for_each(|a| add_up_to(a.height_m));
+        add_up_to(ends.top_m);
     }
-    spans
 }
 
 /// Distributes `total` over the lengths, at least one to each: the whole parts first, then the

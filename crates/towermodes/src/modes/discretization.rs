@@ -48,18 +48,25 @@ const ROUNDING: f64 = 1e-10;
 /// assert!((estimate.error_hz - 1.0 / 64.0).abs() < 1e-14 && estimate.is_regular);
 /// ```
 pub fn richardson(frequency_hz: f64, mut meshes_hz: Vec<f64>, powers: &[i32]) -> Estimate {
+    extrapolate(frequency_hz, &mut meshes_hz, powers)
+}
+
+/// [`richardson`], which overwrites the frequencies of the meshes.
+pub(crate) fn extrapolate(frequency_hz: f64, meshes_hz: &mut [f64], powers: &[i32]) -> Estimate {
     let mut last_change = 0.0_f64;
+    let mut left = meshes_hz.len();
     for (removed, &power) in powers.iter().enumerate() {
         let gain = 2.0_f64.powi(power) - 1.0;
-        for finer in 0..meshes_hz.len().saturating_sub(1) {
+        for finer in 0..left.saturating_sub(1) {
             let change = (meshes_hz[finer] - meshes_hz[finer + 1]) / gain;
             meshes_hz[finer] += change;
             if finer == 0 && removed > 0 {
                 last_change = change.abs();
             }
         }
-        meshes_hz.pop();
+        left = left.saturating_sub(1);
     }
+    let meshes_hz = &meshes_hz[..left];
     let extrapolated_hz = meshes_hz.first().copied().unwrap_or(frequency_hz);
     let error_hz = (extrapolated_hz - frequency_hz).abs().max(last_change);
     let coarser_hz = meshes_hz.get(1).copied().unwrap_or(extrapolated_hz);

@@ -11,10 +11,11 @@ mod sampling;
 pub mod serialized;
 mod shape;
 
+pub(crate) use discretization::extrapolate;
 pub use discretization::{Estimate, richardson};
 pub use energy::{ByMotion, Energy};
 pub use family::{Family, Ordinal};
 pub use mode_name::{ModeName, ModeNameError};
-pub(crate) use rigid::{RigidTower, rigid_names};
+pub(crate) use rigid::{RigidNames, RigidTower};
 pub use sampling::ModeCurve;
 pub use shape::ShapePoint;

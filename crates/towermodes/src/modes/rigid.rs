@@ -72,17 +72,20 @@ impl RigidShares {
     }
 }
 
-/// The names of those modes, by rising frequency, that are rigid: each name once, lower modes
-/// before higher ones, so that a longer list changes no name.
-pub(crate) fn rigid_names(modes: impl Iterator<Item = RigidShares>) -> Vec<Option<Family>> {
-    let mut taken = [false; 6];
-    modes
-        .map(|mode| {
-            let motion = mode.name(&taken)?;
-            taken[motion] = true;
-            Some(Family::RIGID[motion])
-        })
-        .collect()
+/// Names modes by rising frequency: each name once, lower modes before higher ones, so that a
+/// longer list changes no name.
+#[derive(Debug, Default)]
+pub(crate) struct RigidNames {
+    taken: [bool; 6],
+}
+
+impl RigidNames {
+    /// The name of the next mode, if it is rigid.
+    pub(crate) fn name(&mut self, mode: &RigidShares) -> Option<Family> {
+        let motion = mode.name(&self.taken)?;
+        self.taken[motion] = true;
+        Some(Family::RIGID[motion])
+    }
 }
 
 /// R⁻¹ of a positive definite matrix; zero for motions without inertia.

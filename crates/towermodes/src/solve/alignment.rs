@@ -19,17 +19,14 @@ pub(super) fn align(
     repeated: f64,
     workspace: &mut EigenWorkspace,
 ) {
-    if model.motions(subsystem).iter().nth(1).is_none() {
+    if model.has_single_motion(subsystem) {
         return;
     }
-    let lambdas: Vec<f64> = workspace.eigenvalues().iter().map(|e| e.lambda).collect();
     let mut first = 0;
-    while first < lambdas.len() {
-        let ceiling = lambdas[first] * (1.0 + repeated);
-        let count = lambdas[first..]
-            .iter()
-            .take_while(|l| **l <= ceiling)
-            .count();
+    while first < workspace.eigenvalues().len() {
+        let others = &workspace.eigenvalues()[first..];
+        let ceiling = others[0].lambda * (1.0 + repeated);
+        let count = others.iter().take_while(|e| e.lambda <= ceiling).count();
         if (2..=MOST).contains(&count) {
             let rows = axes(model, subsystem, workspace, first, count);
             workspace.mix(first, count, &rows);

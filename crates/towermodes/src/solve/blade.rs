@@ -7,7 +7,7 @@ use super::cost::Cost;
 use super::error::SolveError;
 use super::solution::Certificate;
 use super::spectrum::Found;
-use super::tracking::{Ladder, MORE};
+use super::tracking::{Ladder, Levels, MORE};
 use super::workspace::Workspace;
 use crate::Method;
 use crate::beam::blade_coordinates;
@@ -191,7 +191,9 @@ fn on_own_elements(
     check_segments(elements, MAX_BLADE_ELEMENTS)?;
     check_modes(modes)?;
     let found = solve_cut(blade, borders, modes, workspace)?;
-    let Workspace { model, spectrum } = &mut *workspace;
+    let Workspace {
+        model, spectrum, ..
+    } = &mut *workspace;
     let proof = spectrum.prove(model, &found, modes)?;
     let borders_m: Vec<f64> = borders.iter().map(|b| blade.radius_m(*b)).collect();
     let shapes = found[..modes].iter().enumerate();
@@ -218,7 +220,9 @@ fn solve_cut(
     let (elements, unknowns) = (borders.len() - 1, unknowns(blade, borders));
     check_size(modes, elements, unknowns)?;
     Cost::of_blade(unknowns, elements, modes).check(modes)?;
-    let Workspace { model, spectrum } = workspace;
+    let Workspace {
+        model, spectrum, ..
+    } = workspace;
     model.assemble_blade(blade, borders);
     if !model.is_finite() {
         return Err(EigenError::NotFinite.into());
@@ -241,7 +245,9 @@ fn mode(
     radii_m: &[f64],
     workspace: &mut Workspace,
 ) -> BladeMode {
-    let Workspace { model, spectrum } = workspace;
+    let Workspace {
+        model, spectrum, ..
+    } = workspace;
     let vector = spectrum.vector(found.key);
     let forces = model.resultant(found.key.subsystem, &Coefficients::MASS, vector);
     let kinetic = ByMotion::sums(forces.energy).shares();
@@ -283,13 +289,14 @@ fn estimate_errors(
 ) -> Result<(), SolveError> {
     let powers = Method::Bmodes.bending_powers(false);
     let ladder = ladder(blade, powers.len() + MORE);
-    let own_hz: Vec<f64> = modes.iter().map(|mode| mode.frequency_hz).collect();
-    let levels = ladder.solve(&own_hz, |_, borders| {
-        let found = solve_cut(blade, borders, own_hz.len(), workspace)?;
-        let found = found[..own_hz.len()].iter();
-        Ok(found
-            .map(|mode| Some(mode.eigenvalue.frequency_hz()))
-            .collect())
+    let own_hz = modes.iter().map(|mode| mode.frequency_hz);
+    let mut levels = Levels::default();
+    ladder.solve(own_hz, &mut levels, |_, borders, level| {
+        let found = solve_cut(blade, borders, modes.len(), workspace)?;
+        let found = found[..modes.len()].iter();
+        level.clear();
+        level.extend(found.map(|mode| Some(mode.eigenvalue.frequency_hz())));
+        Ok(())
     })?;
     for (index, mode) in modes.iter_mut().enumerate() {
         let estimate = levels.extrapolate(index, mode.frequency_hz, powers);

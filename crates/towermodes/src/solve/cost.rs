@@ -55,7 +55,7 @@ impl Cost {
         };
         let costs = Costs::of(tower, cut, options);
         let (finest, meshes) = (costs.work(finest), all / own);
-        let heights = options.points + tower.station_heights_m().len() + options.heights_m.len();
+        let heights = options.points + tower.station_count() + options.heights_m.len();
         let shapes = options.modes as f64 * size_of::<ShapePoint>() as f64 * heights as f64;
         Self {
             bytes: finest.bytes + shapes,
@@ -136,7 +136,7 @@ struct SubsystemCost {
 }
 
 struct Costs {
-    subsystems: Vec<SubsystemCost>,
+    subsystems: [Option<SubsystemCost>; Motion::ALL.len()],
     /// Vectors for w modes: coefficients of 1, w, w².
     vectors: [f64; 3],
 }
@@ -149,8 +149,8 @@ impl Costs {
         let side_side = Motions::only(Motion::Bending(Plane::SideSide));
         // Half of the modes bend in each plane; what else there is has fewer.
         let planes = sets.iter().filter(|set| bends(set)).count().max(1);
-        let mut subsystems = Vec::with_capacity(sets.len());
-        for (index, set) in sets.iter().enumerate() {
+        let mut subsystems = [const { None }; Motion::ALL.len()];
+        for (index, (set, subsystem)) in sets.iter().zip(&mut subsystems).enumerate() {
             if equal && *set == side_side {
                 continue;
             }
@@ -159,7 +159,7 @@ impl Costs {
             } else {
                 0.25
             };
-            subsystems.push(SubsystemCost {
+            *subsystem = Some(SubsystemCost {
                 modes: (fraction * options.modes as f64).ceil(),
                 multiplicity: if equal && index == 0 { 2.0 } else { 1.0 },
                 ..SubsystemCost::of(tower, set, cut, options)
@@ -176,7 +176,7 @@ impl Costs {
     }
 
     fn unknowns_a_segment(&self) -> f64 {
-        let subsystems = self.subsystems.iter();
+        let subsystems = self.subsystems.iter().flatten();
         subsystems.map(|s| s.multiplicity * s.unknowns).sum()
     }
 
@@ -188,7 +188,7 @@ impl Costs {
 
     /// One for each vector, and one for each mode that is found.
     fn products(&self) -> f64 {
-        let subsystems = self.subsystems.iter();
+        let subsystems = self.subsystems.iter().flatten();
         subsystems
             .map(|subsystem| self.vectors(subsystem.modes) + subsystem.modes)
             .sum()
@@ -199,7 +199,7 @@ impl Costs {
             bytes: 0.0,
             seconds: 0.0,
         };
-        for subsystem in &self.subsystems {
+        for subsystem in self.subsystems.iter().flatten() {
             let size = subsystem.unknowns * segments;
             let modes = subsystem.modes.min(size);
             let vectors = self.vectors(modes).min(size);

@@ -5,11 +5,11 @@ use super::error::SolveError;
 use super::limits::{DEFAULT_SEGMENTS, MAX_SEGMENTS};
 use super::options::Options;
 use crate::Method;
-use crate::elements::Mesh;
+use crate::elements::{Borders, Mesh};
 use crate::tower::Tower;
 
 /// A mesh with the degree of its elements.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Default)]
 pub(super) struct Cut {
     pub(super) mesh: Mesh,
     /// Polynomial degree of the spectral elements; the other methods have their own.
@@ -48,4 +48,39 @@ fn mesh_of(tower: &Tower, options: &Options) -> Result<Mesh, SolveError> {
         _ => None,
     };
     Ok(equal.unwrap_or_else(|| Mesh::new(tower, borders, segments)))
+}
+
+/// The cut of the last tower, for the next one with the same heights.
+#[derive(Debug, Default)]
+pub(super) struct LastCut {
+    cut: Cut,
+    /// The options that it was made with; none if it is not known.
+    made_with: Option<(Method, Option<usize>)>,
+}
+
+impl LastCut {
+    /// The mesh of a method that has no degree: the last one if it is the same. It must be
+    /// [put back](Self::put_back).
+    pub(super) fn take(&mut self, tower: &Tower, options: &Options) -> Result<Cut, SolveError> {
+        let wanted = key(options);
+        let is_same = wanted.is_some() && self.made_with == wanted;
+        self.made_with = None;
+        match is_same && self.cut.mesh.has_spans_of(tower) {
+            true => Ok(std::mem::take(&mut self.cut)),
+            false => Cut::new(tower, options),
+        }
+    }
+
+    /// Keeps a cut that was made with these options.
+    pub(super) fn put_back(&mut self, cut: Cut, options: &Options) {
+        (self.cut, self.made_with) = (cut, key(options));
+    }
+}
+
+/// What a mesh depends on besides the spans of the tower; none if on more.
+fn key(options: &Options) -> Option<(Method, Option<usize>)> {
+    let depends_on_spans = options.borders() == Borders::Pieces && options.borders_m.is_none();
+    // BModes' elements are equal in the height of the tower.
+    let is_alike = depends_on_spans && options.method != Method::Bmodes;
+    is_alike.then_some((options.method, options.segments))
 }

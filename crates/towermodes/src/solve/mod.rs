@@ -1,8 +1,8 @@
 //! The entry points: compute the modes of a tower or a blade.
 //!
 //! In the order of use: [`options`](Options) and limits → cost → model (the assembled subsystems) →
-//! spectrum → stability → naming and solution → one mesh → error estimates → warnings → `tower` and
-//! `blade`, the entry points.
+//! spectrum → stability → naming and solution → one mesh → error estimates → warnings → `tower`,
+//! `frequencies` and `blade`, the entry points.
 
 mod alignment;
 mod blade;
@@ -12,6 +12,8 @@ mod cost;
 mod cut;
 mod error;
 mod estimate;
+mod frequencies;
+mod guesses;
 mod limits;
 #[cfg(feature = "serde")]
 mod mode_keys;
@@ -37,6 +39,7 @@ pub use blade::{
 };
 pub use certain::solve_certain;
 pub use error::SolveError;
+pub use frequencies::{Frequencies, ModeFrequency, solve_frequencies};
 pub use limits::{
     DEFAULT_MODES, DEFAULT_POINTS, DEFAULT_SEGMENTS, MAX_BYTES, MAX_DEGREE, MAX_POINTS,
     MAX_SECONDS, MAX_SEGMENTS, MAX_SPECTRAL_ELEMENTS,

@@ -1,6 +1,5 @@
 //! A tower or a blade as uncoupled subsystems, whatever the method.
 
-use super::cut::Cut;
 use super::options::Options;
 use super::progress::Monitor;
 use crate::beam::{BeamRecipe, BeamWorkspace, Beams, assemble_beams, assemble_blade};
@@ -35,7 +34,7 @@ impl std::fmt::Debug for Model {
 }
 
 /// The forces and the energy of a mode.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub(super) struct ModalForces {
     /// Products of the inertia forces with rigid-body motions (x, y, z, rotation about x, y, z)
     /// about the base.
@@ -47,14 +46,20 @@ pub(super) struct ModalForces {
 }
 
 impl Model {
-    /// Assembles a tower on a mesh.
-    pub(super) fn assemble(&mut self, tower: &Tower, cut: &Cut, options: &Options) {
+    /// Assembles a tower on a mesh, with elements of this degree if they have one.
+    pub(super) fn assemble(
+        &mut self,
+        tower: &Tower,
+        mesh: &Mesh,
+        degree: usize,
+        options: &Options,
+    ) {
         let Some(element) = Element::of(options.method) else {
-            return self.assemble_beams(tower, &cut.mesh, options.beam_recipe(cut.degree));
+            return self.assemble_beams(tower, mesh, options.beam_recipe(degree));
         };
         self.restart(tower.base_m());
         let recipe = options.recipe(element);
-        assemble_chains(tower, &cut.mesh, &recipe, &mut self.chains);
+        assemble_chains(tower, mesh, &recipe, &mut self.chains);
     }
 
     /// Assembles a tower as beams.
@@ -118,6 +123,11 @@ impl Model {
         self.subsystem(index).motions()
     }
 
+    /// Whether a subsystem has a single motion, which then has all the energy.
+    pub(super) fn has_single_motion(&self, index: usize) -> bool {
+        self.motions(index).iter().nth(1).is_none()
+    }
+
     /// Unknowns of the whole, an equal plane counted twice.
     pub(super) fn degrees_of_freedom(&self) -> usize {
         (0..self.count())
@@ -145,8 +155,8 @@ impl Model {
     pub(super) fn modal_forces(&mut self, index: usize, vector: &[f64]) -> ModalForces {
         let Resultant { force, energy } = self.resultant(index, &Coefficients::MASS, vector);
         // A single motion has all the energy, however large it is.
-        let is_single = self.motions(index).iter().nth(1).is_none();
-        let strain = (!is_single).then(|| self.resultant(index, &Coefficients::STIFFNESS, vector));
+        let strain = (!self.has_single_motion(index))
+            .then(|| self.resultant(index, &Coefficients::STIFFNESS, vector));
         ModalForces {
             force,
             kinetic: ByMotion::sums(energy),

@@ -1,10 +1,9 @@
 //! The identity of each mode: family, order, distribution of energy, effective mass.
 
-use std::collections::HashMap;
-
 use super::model::{ModalForces, Model};
+use super::options::Options;
 use super::spectrum::{Found, Spectrum};
-use crate::modes::{ByMotion, Energy, Family, RigidTower, rigid_names};
+use crate::modes::{ByMotion, Energy, Family, RigidNames, RigidTower};
 use crate::space::SpatialMatrix;
 use crate::tower::Tower;
 
@@ -19,43 +18,79 @@ pub(super) struct Identity {
     pub(super) effective_mass: [f64; 6],
 }
 
+/// What is wanted of identities.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Wanted {
+    /// Family and order.
+    Names,
+    /// Energies and effective masses too.
+    All,
+}
+
+/// The identities of a list of modes, and the memory to find them.
+#[derive(Debug, Default)]
+pub(super) struct Naming {
+    pub(super) identities: Vec<Identity>,
+    forces: Vec<ModalForces>,
+    /// The names of modes in which a floating tower moves as one body.
+    rigid: Vec<Option<Family>>,
+}
+
 /// Identifies the modes found, in their order.
 pub(super) fn identify(
     tower: &Tower,
+    options: &Options,
     model: &mut Model,
     spectrum: &Spectrum,
-    found: &[Found],
-    inertia: &SpatialMatrix,
-) -> Vec<Identity> {
-    let forces = modal_forces(model, spectrum, found);
-    let rigid = if tower.base().floats {
-        names_afloat(found, &forces, model.origin, inertia)
+    (found, wanted): (&[Found], Wanted),
+    naming: &mut Naming,
+) {
+    let Naming {
+        identities,
+        forces,
+        rigid,
+    } = naming;
+    let floats = tower.base().floats;
+    let all = floats || wanted == Wanted::All;
+    set_modal_forces(model, spectrum, found, all, forces);
+    rigid.clear();
+    if floats {
+        let inertia = &tower.rigid_inertia(options.has_rotary_inertia());
+        name_afloat(found, forces, model.origin, inertia, rigid);
     } else {
-        vec![None; found.len()]
-    };
-    let mut orders: HashMap<Family, usize> = HashMap::new();
-    let identified = found.iter().zip(&forces).zip(rigid);
-    let identities = identified.map(|((found, forces), rigid)| {
-        let mut identity = identity(model, found, forces, rigid);
-        let order = orders.entry(identity.family).or_insert(0);
+        rigid.resize(found.len(), None);
+    }
+    let mut orders = [0; Family::ALL.len()];
+    identities.clear();
+    for ((found, forces), rigid) in found.iter().zip(forces).zip(rigid) {
+        let mut identity = identity(model, found, forces, *rigid);
+        let order = &mut orders[identity.family as usize];
         *order += 1;
         identity.order = *order;
-        identity
-    });
-    identities.collect()
+        identities.push(identity);
+    }
 }
 
 /// The forces and energies of the modes; the second of a repeated pair has those of the first.
-fn modal_forces(model: &mut Model, spectrum: &Spectrum, found: &[Found]) -> Vec<ModalForces> {
-    let mut forces: Vec<ModalForces> = Vec::with_capacity(found.len());
+/// Unless `all` are wanted, those of a subsystem with a single motion are left out: its family is
+/// known.
+fn set_modal_forces(
+    model: &mut Model,
+    spectrum: &Spectrum,
+    found: &[Found],
+    all: bool,
+    forces: &mut Vec<ModalForces>,
+) {
+    forces.clear();
     for (index, mode) in found.iter().enumerate() {
+        let subsystem = mode.key.subsystem;
         let known = match forces.last() {
             Some(last) if mode.key.is_turned && found[index - 1].key.is_twin(mode.key) => *last,
-            _ => model.modal_forces(mode.key.subsystem, spectrum.vector(mode.key)),
+            _ if !all && model.has_single_motion(subsystem) => ModalForces::default(),
+            _ => model.modal_forces(subsystem, spectrum.vector(mode.key)),
         };
         forces.push(known);
     }
-    forces
 }
 
 /// The identity of one mode, with the name of a rigid-body mode if it has one; its order is not
@@ -94,28 +129,25 @@ fn family(model: &Model, found: &Found, energy: &Energy) -> Family {
     }
 }
 
-/// The names of the modes in which a floating tower moves as one body; those of the second of two
-/// equal planes as in the first.
-fn names_afloat(
+/// Names the modes in which a floating tower moves as one body; those of the second of two equal
+/// planes as in the first, which is listed before.
+fn name_afloat(
     found: &[Found],
     forces: &[ModalForces],
     origin: f64,
     inertia: &SpatialMatrix,
-) -> Vec<Option<Family>> {
-    let own: Vec<usize> = (0..found.len())
-        .filter(|&i| !found[i].key.is_turned)
-        .collect();
+    names: &mut Vec<Option<Family>>,
+) {
     let body = RigidTower::new(inertia);
-    let shares = own.iter().map(|&i| {
-        let scale = (found[i].eigenvalue.lambda - origin).sqrt();
-        body.shares(&forces[i].force.map(|force| force * scale))
-    });
-    let mut names = vec![None; found.len()];
-    for (&i, name) in own.iter().zip(rigid_names(shares)) {
-        let same = (0..found.len()).filter(|&j| found[j].key.is_twin(found[i].key));
-        same.for_each(|j| names[j] = name);
+    let mut rigid_names = RigidNames::default();
+    for (index, (mode, forces)) in found.iter().zip(forces).enumerate() {
+        let scale = (mode.eigenvalue.lambda - origin).sqrt();
+        let twin = found[..index].iter().position(|m| m.key.is_twin(mode.key));
+        names.push(match twin {
+            Some(twin) => names[twin],
+            None => rigid_names.name(&body.shares(&forces.force.map(|force| force * scale))),
+        });
     }
-    names
 }
 
 impl Identity {

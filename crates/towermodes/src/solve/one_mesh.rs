@@ -4,7 +4,7 @@ use super::checks::check_size;
 use super::cost::Cost;
 use super::cut::Cut;
 use super::error::SolveError;
-use super::naming::{Identity, identify};
+use super::naming::{Naming, Wanted, identify};
 use super::options::Options;
 use super::progress::Stage;
 use super::reference::buckles;
@@ -32,13 +32,15 @@ pub(super) fn solve_cut(
         options.check_shapes()?;
         cost.check(options.modes)?;
     }
-    let Workspace { model, spectrum } = workspace;
+    let Workspace {
+        model, spectrum, ..
+    } = workspace;
     model.monitor.expect(cost.segments, cost.products);
     model.monitor.enter(Stage::Modes {
         segments: cut.mesh.segments(),
         degree: cut.degree_of(options.method),
     });
-    model.assemble(tower, cut, options);
+    model.assemble(tower, &cut.mesh, cut.degree, options);
     if !model.is_finite() {
         return Err(EigenError::NotFinite.into());
     }
@@ -64,7 +66,9 @@ fn solve_again(
     error: EigenError,
     workspace: &mut Workspace,
 ) -> Result<Vec<Found>, SolveError> {
-    let Workspace { model, spectrum } = workspace;
+    let Workspace {
+        model, spectrum, ..
+    } = workspace;
     match buckling_load_factor(tower, model, None) {
         Ok(Some(factor)) if factor < VERGE => {
             begin_below_zero(model);
@@ -132,7 +136,12 @@ pub(super) fn describe(
     found: &[Found],
     workspace: &mut Workspace,
 ) -> Result<Described, SolveError> {
-    let Workspace { model, spectrum } = workspace;
+    let Workspace {
+        model,
+        spectrum,
+        naming,
+        ..
+    } = &mut *workspace;
     model.monitor.enter(Stage::Certificate);
     let proof = spectrum.prove(model, found, options.modes)?;
     model.monitor.enter(Stage::Buckling);
@@ -140,9 +149,17 @@ pub(super) fn describe(
     model.monitor.enter(Stage::Shapes);
     let rigid_inertia = tower.rigid_inertia(options.has_rotary_inertia());
     let listed = &found[..found.len().min(options.modes + 1)];
-    let identities = identify(tower, model, spectrum, listed, &rigid_inertia);
-    let modes = shapes(tower, &cut.mesh, options, listed, &identities, workspace)?;
+    identify(
+        tower,
+        options,
+        model,
+        spectrum,
+        (listed, Wanted::All),
+        naming,
+    );
+    let modes = shapes(tower, &cut.mesh, options, listed, workspace)?;
     let (origin, last) = (workspace.model.origin, &found[options.modes - 1]);
+    let identities = &workspace.naming.identities;
     let next = listed.get(options.modes).zip(identities.get(options.modes));
     let cut_off = next.filter(|(found, _)| found.repeats(last, origin));
     Ok(Described {
@@ -166,10 +183,12 @@ fn shapes(
     mesh: &Mesh,
     options: &Options,
     found: &[Found],
-    identities: &[Identity],
     workspace: &Workspace,
 ) -> Result<Vec<Mode>, SolveError> {
-    let Workspace { model, spectrum } = workspace;
+    let Workspace {
+        model, spectrum, ..
+    } = workspace;
+    let Naming { identities, .. } = &workspace.naming;
     let heights_m = equal_heights(tower, options.points);
     let stations_m = tower.station_heights_m();
     let heights_m = [&heights_m[..], &stations_m, &options.heights_m];

@@ -70,6 +70,15 @@ impl Default for Options {
 }
 
 impl Options {
+    /// The same without output heights.
+    pub(super) fn without_shapes(&self) -> Self {
+        Self {
+            points: 2,
+            heights_m: Vec::new(),
+            ..self.clone()
+        }
+    }
+
     /// Refuses options that are impossible for any tower.
     pub(super) fn check(&self) -> Result<(), SolveError> {
         check_modes(self.modes)?;

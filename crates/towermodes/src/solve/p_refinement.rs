@@ -3,6 +3,7 @@
 use super::cost::{Cost, DEGREES};
 use super::cut::Cut;
 use super::error::SolveError;
+use super::frequencies::list;
 use super::one_mesh::{describe, solve_cut};
 use super::options::Options;
 use super::solution::Solution;
@@ -33,31 +34,52 @@ pub(super) fn solve(
     options: &Options,
     workspace: &mut Workspace,
 ) -> Result<Solution, SolveError> {
+    let (solved, statistics) = refine(tower, options, workspace)?;
+    let mut result = describe(tower, &solved.cut, options, &solved.found, workspace)?;
+    for (mode, change_hz) in result.modes.iter_mut().zip(solved.changes_hz) {
+        mode.discretization_error_hz = change_hz;
+    }
+    let mesh = &solved.cut.mesh;
+    let warnings = warnings(tower, mesh, options, &result);
+    Ok(result.into_solution(options, mesh.segments(), warnings, statistics))
+}
+
+/// The same without shapes: the frequencies are in the workspace.
+pub(super) fn solve_frequencies(
+    tower: &Tower,
+    options: &Options,
+    workspace: &mut Workspace,
+) -> Result<(), SolveError> {
+    let (solved, _) = refine(tower, options, workspace)?;
+    list(tower, &solved.cut, options, &solved.found, workspace)?;
+    let modes = workspace.frequencies.modes.iter_mut();
+    for (mode, change_hz) in modes.zip(solved.changes_hz) {
+        mode.discretization_error_hz = change_hz;
+    }
+    Ok(())
+}
+
+/// The modes on the last cut; the spectrum and the model of the workspace are those of this cut.
+fn refine(
+    tower: &Tower,
+    options: &Options,
+    workspace: &mut Workspace,
+) -> Result<(Solved, Statistics), SolveError> {
     let mut statistics = Statistics::default();
-    let mut solve_cut = |cut: &Cut, workspace: &mut Workspace| {
+    let first = first_cut(tower, options)?;
+    let solve = |cut: &Cut| {
         let found = solve_cut(tower, cut, options, workspace)?;
         statistics += workspace.spectrum.statistics;
         Ok::<_, SolveError>(found)
     };
-    let first = first_cut(tower, options)?;
-    let solve = |cut: &Cut| solve_cut(cut, workspace);
-    let Solved {
-        cut,
-        found,
-        changes_hz,
-    } = match options.degree {
+    let solved = match options.degree {
         None => {
             let seconds = |cut: &Cut| Cost::of(tower, cut, options).seconds / DEGREES;
             raise(first, options, seconds, solve)?
         }
         Some(degree) => fix(Cut { degree, ..first }, options, solve)?,
     };
-    let mut result = describe(tower, &cut, options, &found, workspace)?;
-    for (mode, change_hz) in result.modes.iter_mut().zip(changes_hz) {
-        mode.discretization_error_hz = change_hz;
-    }
-    let warnings = warnings(tower, &cut.mesh, options, &result);
-    Ok(result.into_solution(options, cut.mesh.segments(), warnings, statistics))
+    Ok((solved, statistics))
 }
 
 /// Solves with one degree, after the next one, which gives its error.

@@ -51,10 +51,14 @@ impl Reference {
         let beam = options_of_the_beam(options);
         let origin = workspace.model.origin;
         let mut solve = |cut: &Cut| {
-            let Workspace { model, spectrum } = &mut *workspace;
+            let Workspace {
+                model, spectrum, ..
+            } = &mut *workspace;
             assemble(tower, cut, options, model)?;
             find_origin_again(tower, model, origin)?;
-            frequencies(keys, model, spectrum)
+            let mut level = Level::new();
+            frequencies(keys, model, spectrum, None, &mut level)?;
+            Ok::<_, SolveError>(level)
         };
         let mut cut = first_cut(tower, &beam)?;
         let mut frequencies_hz = solve(&cut)?;

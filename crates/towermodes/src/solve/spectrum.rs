@@ -16,6 +16,10 @@ const REPEATED: f64 = 1e-9;
 #[derive(Debug, Default)]
 pub(super) struct Spectrum {
     of_subsystems: Vec<EigenWorkspace>,
+    /// How many modes are sought in each subsystem.
+    wanted: Vec<usize>,
+    /// Memory for a list of modes.
+    spare: Vec<Found>,
     pub(super) statistics: Statistics,
 }
 
@@ -58,6 +62,21 @@ impl Spectrum {
         self.of_subsystems[key.subsystem].vector(key.order - 1)
     }
 
+    /// The eigenvalues of a subsystem in its last solve, from the beginning of the spectrum.
+    pub(super) fn eigenvalues_of(&self, subsystem: usize) -> &[Eigenvalue] {
+        self.of_subsystems[subsystem].eigenvalues()
+    }
+
+    /// An eigenvector of the last solve of a subsystem, by its place from 0.
+    pub(super) fn vector_of(&self, subsystem: usize, place: usize) -> &[f64] {
+        self.of_subsystems[subsystem].vector(place)
+    }
+
+    /// Takes the memory of a list of modes back for the next one.
+    pub(super) fn recycle(&mut self, found: Vec<Found>) {
+        self.spare = found;
+    }
+
     /// The lowest eigenvector of a subsystem in the last solve, if any was found.
     pub(super) fn first_of(&self, subsystem: usize) -> Option<&[f64]> {
         let workspace = &self.of_subsystems[subsystem];
@@ -85,8 +104,7 @@ impl Spectrum {
         Ok(())
     }
 
-    /// Solves for at least the `wanted` lowest modes of all subsystems together; returns all
-    /// found,
+    /// Solves for at least the `wanted` lowest modes of all subsystems together; returns all found,
     /// sorted.
     ///
     /// The first subsystem, which has the bending fore-aft and so is the softest, is solved first;
@@ -102,24 +120,26 @@ impl Spectrum {
         let is_alone = model.count() == 1;
         let half = if is_alone { wanted } else { wanted.div_ceil(2) };
         let mut first = half.min(all_first);
-        let others = loop {
+        loop {
             self.solve_subsystem(model, 0, first)?;
-            let others = self.counts_below_first(model);
+            self.count_below_first(model);
             let of_first = self.of_subsystems[0].eigenvalues().len() * model.multiplicity(0);
-            let total = of_first + others.iter().sum::<usize>();
+            let total = of_first + self.wanted[1..].iter().sum::<usize>();
             if total >= wanted {
-                break others;
+                break;
             }
             if first == all_first {
                 // With the first subsystem exhausted there is no ceiling: any mode of the others
                 // may be among the lowest.
                 let all = |index| model.subsystem(index).degrees_of_freedom().min(wanted);
-                break (1..model.count()).map(all).collect();
+                self.wanted.clear();
+                self.wanted.extend((0..model.count()).map(all));
+                break;
             }
             first = (first + (wanted - total)).min(all_first);
-        };
-        for (index, count) in (1..).zip(others) {
-            self.solve_subsystem(model, index, count)?;
+        }
+        for index in 1..model.count() {
+            self.solve_subsystem(model, index, self.wanted[index])?;
         }
         for (index, workspace) in self
             .of_subsystems
@@ -132,20 +152,23 @@ impl Spectrum {
         Ok(self.sorted(model))
     }
 
-    /// How many modes each subsystem but the first has below the highest mode found of the first.
-    fn counts_below_first(&self, model: &mut Model) -> Vec<usize> {
+    /// Counts how many modes each subsystem has below the highest mode found of the first.
+    fn count_below_first(&mut self, model: &mut Model) {
         let found = self.of_subsystems[0].eigenvalues();
         let ceiling = found.last().map_or(0.0, |e| e.lambda);
         // Just above the ceiling, so that a mode equal to it counts.
         let above = ceiling * (1.0 + REPEATED);
-        (1..model.count())
-            .map(|index| count_of(model, index, above))
-            .collect()
+        self.wanted.clear();
+        self.wanted.push(found.len());
+        for index in 1..model.count() {
+            self.wanted.push(count_of(model, index, above));
+        }
     }
 
     /// All modes found, by frequency; of a repeated pair the fore-aft mode first.
-    fn sorted(&self, model: &Model) -> Vec<Found> {
-        let mut found: Vec<Found> = Vec::new();
+    fn sorted(&mut self, model: &Model) -> Vec<Found> {
+        let mut found = std::mem::take(&mut self.spare);
+        found.clear();
         for (subsystem, workspace) in self.of_subsystems.iter().take(model.count()).enumerate() {
             for is_turned in [false, true]
                 .into_iter()
@@ -163,11 +186,15 @@ impl Spectrum {
             }
         }
         // Motions that nothing resists are ordered by subsystem.
+        let place = |found: &Found| (found.key.subsystem, found.key.is_turned, found.key.order);
         let lambda = |found: &Found| match found.eigenvalue {
             eigenvalue if eigenvalue.is_zero() => 0.0,
             eigenvalue => eigenvalue.lambda,
         };
-        found.sort_by(|a, b| lambda(a).total_cmp(&lambda(b)));
+        found.sort_unstable_by(|a, b| {
+            let by_frequency = lambda(a).total_cmp(&lambda(b));
+            by_frequency.then_with(|| place(a).cmp(&place(b)))
+        });
         found
     }
 

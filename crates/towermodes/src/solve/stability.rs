@@ -3,7 +3,7 @@
 use super::error::SolveError;
 use super::model::Model;
 use super::spectrum::{Spectrum, count_below};
-use crate::eigen::{EigenError, EigenWorkspace, least, lowest};
+use crate::eigen::{EigenError, EigenWorkspace, Pencil, least, lowest};
 use crate::modes::{ByMotion, Energy, Family, RigidTower};
 use crate::subsystem::Eigenproblem;
 use crate::tower::{Motion, Tower};
@@ -88,6 +88,34 @@ pub(super) const VERGE: f64 = 1.01;
 /// Whether self-weight can buckle a tower: it has gravity and does not float.
 pub(super) fn can_buckle(tower: &Tower) -> bool {
     tower.gravity_m_per_s2() != 0.0 && !tower.base().floats
+}
+
+/// Refuses a tower that buckles. The buckling load factor is computed only if a count does not
+/// prove that it is above that of a tower on the verge of buckling.
+///
+/// # Errors
+/// As [`buckling_load_factor`].
+pub(super) fn check_buckling(
+    tower: &Tower,
+    model: &mut Model,
+    modes: &Spectrum,
+) -> Result<(), SolveError> {
+    if !can_buckle(tower) {
+        return Ok(());
+    }
+    let mut is_near = false;
+    for index in 0..model.count() {
+        let bends = model.motions(index).iter().any(Motion::bends);
+        is_near |= bends
+            && model
+                .pencil(index, Eigenproblem::Buckling)
+                .count_below(VERGE)
+                > 0;
+    }
+    match is_near {
+        true => buckling_load_factor(tower, model, Some(modes)).map(|_| ()),
+        false => Ok(()),
+    }
 }
 
 /// Both planes buckle at nearly the same load: this number of modes may be near zero.

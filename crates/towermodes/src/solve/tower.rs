@@ -2,11 +2,11 @@
 
 use super::cut::Cut;
 use super::error::SolveError;
-use super::estimate::estimate_errors;
-use super::one_mesh::{describe, solve_cut};
+use super::estimate::{Estimated, Estimates, estimate_errors, other_segments};
+use super::one_mesh::{Described, describe, solve_cut};
 use super::options::Options;
 use super::p_refinement;
-use super::solution::Solution;
+use super::solution::{ErrorBasis, Mode, Solution};
 use super::warnings::{irregular, uncertain_end, warnings};
 use super::workspace::Workspace;
 use crate::Method;
@@ -74,14 +74,38 @@ fn solve_segments(
     let found = solve_cut(tower, &cut, options, workspace)?;
     let statistics = workspace.spectrum.statistics;
     let mut result = describe(tower, &cut, options, &found, workspace)?;
-    let estimates = estimate_errors(tower, &cut, options, &mut result, workspace)?;
+    workspace.spectrum.recycle(found);
+    let estimates = estimate_errors_of(tower, &cut, options, &mut result, workspace)?;
     let mut warnings = warnings(tower, &cut.mesh, options, &result);
-    warnings.extend(irregular(&result.modes, &estimates.irregular));
+    warnings.extend(irregular(&result.modes, &workspace.errors.irregular));
     let elsewhere = estimates.elsewhere;
     warnings.extend(uncertain_end(&result.modes, &result.certificate, elsewhere));
     let solution = result.into_solution(options, cut.mesh.segments(), warnings, statistics);
     Ok(Solution {
-        error_basis: estimates.basis,
+        error_basis: ErrorBasis {
+            segments: other_segments(&workspace.errors.ladder),
+            compared: estimates.compared,
+        },
         ..solution
     })
+}
+
+/// Estimates the errors of the modes of a solution.
+fn estimate_errors_of(
+    tower: &Tower,
+    cut: &Cut,
+    options: &Options,
+    result: &mut Described,
+    workspace: &mut Workspace,
+) -> Result<Estimates, SolveError> {
+    let estimated = |mode: &Mode| Estimated::new(mode.key, mode.frequency_hz);
+    workspace.errors.modes.clear();
+    let modes = result.modes.iter().map(estimated);
+    workspace.errors.modes.extend(modes);
+    let estimates = estimate_errors(tower, cut, options, result.below, workspace)?;
+    for (mode, estimated) in result.modes.iter_mut().zip(&workspace.errors.modes) {
+        mode.discretization_error_hz = estimated.error_hz;
+        mode.extrapolated_hz = estimated.extrapolated_hz;
+    }
+    Ok(estimates)
 }

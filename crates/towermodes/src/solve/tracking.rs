@@ -1,10 +1,13 @@
 //! The same modes on other meshes.
 
+use std::f64::consts::TAU;
+
 use super::error::SolveError;
+use super::guesses::{Guesses, followed};
 use super::model::Model;
 use super::spectrum::{ModeKey, Spectrum};
 use crate::eigen::EigenError;
-use crate::modes::{Estimate, richardson};
+use crate::modes::{Estimate, extrapolate};
 
 /// The frequencies of modes on a mesh, Hz; none for modes of a subsystem that self-weight makes
 /// unstable there.
@@ -13,7 +16,11 @@ pub(super) type Level = Vec<Option<f64>>;
 /// A mesh more than the powers of the error need reveals meshes that agree by chance.
 pub(super) const MORE: usize = 1;
 
+/// More meshes than any ladder has.
+const MOST_MESHES: usize = 8;
+
 /// Meshes that halve each other's segments, finest first.
+#[derive(Debug, Default)]
 pub(super) struct Ladder<M> {
     pub(super) meshes: Vec<M>,
     /// Which of them the modes were found on, if it is among them.
@@ -21,8 +28,9 @@ pub(super) struct Ladder<M> {
 }
 
 /// The frequencies of the same modes on each mesh of a ladder.
+#[derive(Debug, Default)]
 pub(super) struct Levels {
-    pub(super) levels: Vec<Level>,
+    levels: Vec<Level>,
     own: usize,
 }
 
@@ -30,18 +38,22 @@ impl<M> Ladder<M> {
     /// Solves for the modes on each mesh but their own, where they have the frequencies `own_hz`.
     pub(super) fn solve(
         &self,
-        own_hz: &[f64],
-        mut solve: impl FnMut(usize, &M) -> Result<Level, SolveError>,
-    ) -> Result<Levels, SolveError> {
-        let mut levels = Vec::with_capacity(self.meshes.len());
-        for (index, mesh) in self.meshes.iter().enumerate() {
-            levels.push(match self.own == Some(index) {
-                true => own_hz.iter().copied().map(Some).collect(),
-                false => solve(index, mesh)?,
-            });
+        own_hz: impl Iterator<Item = f64> + Clone,
+        levels: &mut Levels,
+        mut solve: impl FnMut(usize, &M, &mut Level) -> Result<(), SolveError>,
+    ) -> Result<(), SolveError> {
+        let Levels { levels, own } = levels;
+        levels.resize_with(self.meshes.len(), Vec::new);
+        *own = self.own.unwrap_or(0);
+        for (index, (mesh, level)) in self.meshes.iter().zip(levels).enumerate() {
+            if self.own == Some(index) {
+                level.clear();
+                level.extend(own_hz.clone().map(Some));
+            } else {
+                solve(index, mesh, level)?;
+            }
         }
-        let own = self.own.unwrap_or(0);
-        Ok(Levels { levels, own })
+        Ok(())
     }
 }
 
@@ -51,14 +63,18 @@ impl Levels {
     pub(super) fn extrapolate(&self, index: usize, frequency_hz: f64, powers: &[i32]) -> Estimate {
         let needed = (powers.len() + MORE).min(self.levels.len() - 1);
         let finest = self.own.min(self.levels.len() - 1 - needed);
+        let mut meshes_hz = [0.0; MOST_MESHES];
+        let meshes_hz = &mut meshes_hz[..=needed];
         let levels = self.levels[finest..=finest + needed].iter();
-        match levels
-            .map(|level| level[index])
-            .collect::<Option<Vec<f64>>>()
-        {
-            Some(meshes_hz) => richardson(frequency_hz, meshes_hz, powers),
+        let mut known = meshes_hz.iter_mut().zip(levels);
+        let all_are_known = known.all(|(hz, level)| {
+            *hz = level[index].unwrap_or_default();
+            level[index].is_some()
+        });
+        match all_are_known {
+            true => extrapolate(frequency_hz, meshes_hz, powers),
             // A finer chain that buckles leaves nothing certain about the mode.
-            None => Estimate {
+            false => Estimate {
                 error_hz: frequency_hz,
                 extrapolated_hz: frequency_hz,
                 spread_hz: frequency_hz,
@@ -76,29 +92,41 @@ impl Levels {
     }
 }
 
-/// The frequencies of modes on the mesh that the model is assembled on.
+/// The frequencies of modes on the mesh that the model is assembled on: from guesses where these
+/// lead to a complete list, by the Lanczos process otherwise.
 pub(super) fn frequencies(
     keys: &[ModeKey],
     model: &mut Model,
     spectrum: &mut Spectrum,
-) -> Result<Level, SolveError> {
-    let mut is_stable = vec![true; model.count()];
-    for (index, is_stable) in is_stable.iter_mut().enumerate() {
-        let own = keys.iter().filter(|key| key.subsystem == index);
-        let Some(wanted) = own.map(|key| key.order).max() else {
+    mut guesses: Option<&mut Guesses>,
+    level: &mut Level,
+) -> Result<(), SolveError> {
+    level.clear();
+    level.resize(keys.len(), None);
+    for index in 0..model.count() {
+        let wanted = followed(keys, index);
+        if wanted == 0 {
             continue;
+        }
+        let own = || {
+            let keys = keys.iter().enumerate();
+            keys.filter(|(_, key)| key.subsystem == index)
         };
+        let guessed = guesses.as_mut();
+        if let Some(lambdas) = guessed.and_then(|guesses| guesses.refine(model, index, wanted)) {
+            let frequency_hz = |key: &ModeKey| lambdas[key.order - 1].sqrt() / TAU;
+            own().for_each(|(place, key)| level[place] = Some(frequency_hz(key)));
+            continue;
+        }
         match spectrum.solve_subsystem(model, index, wanted) {
-            Err(EigenError::Unstable { .. }) => *is_stable = false,
+            Err(EigenError::Unstable { .. }) => continue,
             // Near buckling another mesh can be beyond the origin, or its lowest modes below the
             // rounding of the others.
-            Err(_) if model.origin < 0.0 => *is_stable = false,
+            Err(_) if model.origin < 0.0 => continue,
             result => result?,
         }
+        let frequency_hz = |key: &ModeKey| spectrum.eigenvalue(model, *key).frequency_hz();
+        own().for_each(|(place, key)| level[place] = Some(frequency_hz(key)));
     }
-    let frequency = |key: &ModeKey| {
-        let eigenvalue = || spectrum.eigenvalue(model, *key);
-        is_stable[key.subsystem].then(|| eigenvalue().frequency_hz())
-    };
-    Ok(keys.iter().map(frequency).collect())
+    Ok(())
 }

@@ -71,9 +71,19 @@ pub(super) fn uncertain_end(
     count_elsewhere: usize,
 ) -> Option<Warning> {
     let below_hz = certificate.below_hz;
-    let is_uncertain =
-        count_elsewhere != certificate.count || modes.iter().any(|m| m.extrapolated_hz >= below_hz);
-    is_uncertain.then_some(Warning::UncertainEnd { below_hz })
+    let extrapolated_hz = modes.iter().map(|mode| mode.extrapolated_hz);
+    is_uncertain_end(extrapolated_hz, certificate, count_elsewhere)
+        .then_some(Warning::UncertainEnd { below_hz })
+}
+
+/// Whether another mesh has another count of modes below the end of the list than certified, or a
+/// mode is extrapolated (Hz) beyond it.
+pub(super) fn is_uncertain_end(
+    mut extrapolated_hz: impl Iterator<Item = f64>,
+    certificate: &Certificate,
+    count_elsewhere: usize,
+) -> bool {
+    count_elsewhere != certificate.count || extrapolated_hz.any(|hz| hz >= certificate.below_hz)
 }
 
 /// Warns if the Winkler decay length is below the mesh size: (4EI/k)^¼ in bending, (EA/k)^½ along

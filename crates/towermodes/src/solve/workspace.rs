@@ -1,8 +1,15 @@
 //! The memory of a solve.
 
+use super::cut::LastCut;
+use super::estimate::Estimated;
+use super::frequencies::Frequencies;
+use super::guesses::Guesses;
 use super::model::Model;
+use super::naming::Naming;
 use super::progress::{Monitor, Progress};
-use super::spectrum::Spectrum;
+use super::spectrum::{ModeKey, Spectrum};
+use super::tracking::{Ladder, Levels};
+use crate::elements::Mesh;
 
 /// Memory that is reused from solve to solve.
 ///
@@ -28,6 +35,21 @@ use super::spectrum::Spectrum;
 pub struct Workspace {
     pub(super) model: Model,
     pub(super) spectrum: Spectrum,
+    pub(super) naming: Naming,
+    pub(super) errors: ErrorWorkspace,
+    pub(super) frequencies: Frequencies,
+    pub(super) cut: LastCut,
+}
+
+/// The memory of error estimates.
+#[derive(Debug, Default)]
+pub(super) struct ErrorWorkspace {
+    pub(super) guesses: Guesses,
+    pub(super) ladder: Ladder<Mesh>,
+    pub(super) levels: Levels,
+    pub(super) keys: Vec<ModeKey>,
+    pub(super) modes: Vec<Estimated>,
+    pub(super) irregular: Vec<usize>,
 }
 
 impl Workspace {

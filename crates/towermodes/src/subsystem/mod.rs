@@ -3,12 +3,14 @@
 mod coefficients;
 mod coordinates;
 mod curves;
+mod forces;
 mod list;
 mod pencil;
 
 pub use coefficients::{Coefficients, MatrixKind};
 pub(crate) use coordinates::{Coordinates, dimension};
 pub use curves::{SegmentCurves, ShearFraction};
+pub use forces::{ForceReader, InternalForces};
 pub use list::Subsystems;
 pub use pencil::{Eigenproblem, ProductObserver, SubsystemPencil};
 
@@ -68,6 +70,27 @@ pub trait Subsystem: Send + Sync {
     /// xᵀ A x.
     fn energy(&mut self, a: &Coefficients, x: &[f64]) -> f64;
 
+    /// xᵀ A x for each of the matrices.
+    fn energies(&mut self, x: &[f64]) -> Energies {
+        let elastic = Coefficients::ELASTIC.minus(1.0, Coefficients::FOUNDATION);
+        Energies {
+            elastic: self.energy(&elastic, x),
+            foundation: self.energy(&Coefficients::FOUNDATION, x),
+            gravity: self.energy(&Coefficients::GRAVITY, x),
+            mass: self.energy(&Coefficients::MASS, x),
+        }
+    }
+
+    /// The internal forces of a vector; false if a vector of this kind of model cannot be carried
+    /// to another mesh by them.
+    fn internal_forces(&self, _x: &[f64], _forces: &mut InternalForces) -> bool {
+        false
+    }
+
+    /// Writes the vector with the [internal forces](Self::internal_forces) of one on another mesh.
+    /// The forces may jump at some heights (m, rising).
+    fn with_internal_forces(&self, _forces: &InternalForces, _jumps_m: &[f64], _out: &mut [f64]) {}
+
     /// The resultant of A x about the base at `base_m` (m), and the energy xᵀ A x by components.
     fn resultant(&mut self, a: &Coefficients, x: &[f64], base_m: f64) -> Resultant;
 
@@ -82,6 +105,27 @@ pub trait Subsystem: Send + Sync {
         shear: &'a ShearFraction<'a>,
         vector: &[f64],
     ) -> Box<dyn SegmentCurves + 'a>;
+}
+
+/// xᵀ A x for the matrices A of a subsystem.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Energies {
+    /// Of the joints or elements.
+    pub elastic: f64,
+    /// Of foundation, soil and guy wires.
+    pub foundation: f64,
+    /// Of −G, by which gravity reduces the stiffness.
+    pub gravity: f64,
+    /// Of the inertia.
+    pub mass: f64,
+}
+
+impl Energies {
+    /// xᵀ A x of a linear combination A.
+    pub fn of(&self, a: &Coefficients) -> f64 {
+        a.stiffness * self.elastic + a.foundation * self.foundation - a.geometric * self.gravity
+            + a.mass * self.mass
+    }
 }
 
 /// What a matrix A and a vector x of a subsystem give, in (x, y, z, rotation about x, y, z).

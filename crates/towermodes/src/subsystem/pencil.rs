@@ -1,7 +1,7 @@
 //! A subsystem as an eigenvalue problem.
 
 use super::{Coefficients, Subsystem};
-use crate::eigen::Pencil;
+use crate::eigen::{Pencil, ShiftInvert};
 
 /// Of which two matrices the eigenvalues are sought.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -117,27 +117,30 @@ impl Pencil for SubsystemPencil<'_> {
         }
     }
 
-    fn stiffness_cancellation(&mut self, x: &[f64]) -> f64 {
+    fn stiffness_cancellation(&mut self, x: &[f64], scratch: &mut Vec<f64>) -> f64 {
         if self.stiffness_is_identity {
             return 0.0;
         }
         let stiffness = self.stiffness;
-        let mut energy = |factor: f64, matrix: Coefficients, x: &[f64]| match factor {
-            0.0 => 0.0,
-            _ => factor * self.subsystem.energy(&matrix, x),
-        };
+        let energies = self.subsystem.energies(x);
         let others = [
-            energy(stiffness.foundation, Coefficients::FOUNDATION, x),
-            -energy(stiffness.geometric, Coefficients::GRAVITY, x),
-            energy(stiffness.mass, Coefficients::MASS, x),
+            stiffness.foundation * energies.foundation,
+            -stiffness.geometric * energies.gravity,
+            stiffness.mass * energies.mass,
         ];
         // All terms add up to 1, so the joints or elements have the rest.
         let own = 1.0 - others.iter().sum::<f64>();
         let gross = own.abs() + others.iter().map(|term| term.abs()).sum::<f64>();
         // The motion of a tied point is a sum over all below it: take it as if nothing cancelled.
-        let all: Vec<f64> = x.iter().map(|x| x.abs()).collect();
-        let ties = energy(stiffness.foundation, Coefficients::FOUNDATION, &all).abs();
-        (gross - 1.0).max(0.0) + 2.0 * ties.sqrt()
+        let ties = match stiffness.foundation {
+            0.0 => 0.0,
+            factor => {
+                scratch.clear();
+                scratch.extend(x.iter().map(|x| x.abs()));
+                factor * self.subsystem.energy(&Coefficients::FOUNDATION, scratch)
+            }
+        };
+        (gross - 1.0).max(0.0) + 2.0 * ties.abs().sqrt()
     }
 
     fn start(&mut self, out: &mut [f64]) {
@@ -145,5 +148,21 @@ impl Pencil for SubsystemPencil<'_> {
             Some(start) => out.copy_from_slice(start),
             None => self.subsystem.start(out),
         }
+    }
+}
+
+impl ShiftInvert for SubsystemPencil<'_> {
+    fn factorize_shifted(&mut self, shift: f64) -> usize {
+        let shifted = self.stiffness.minus(shift, self.mass);
+        self.subsystem.factorize(&shifted)
+    }
+
+    fn solve_shifted(&mut self, x: &mut [f64]) {
+        self.subsystem.solve(x);
+    }
+
+    fn energies(&mut self, x: &[f64]) -> [f64; 2] {
+        let energies = self.subsystem.energies(x);
+        [&self.stiffness, &self.mass].map(|matrix| energies.of(matrix))
     }
 }

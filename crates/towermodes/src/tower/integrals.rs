@@ -9,7 +9,7 @@
 use super::axisymmetric::Axisymmetric;
 use super::piece::Piece;
 use super::planes::{Plane, Planes};
-use super::section::Section;
+use super::section::{Section, SectionMasses};
 
 /// Gauss-Legendre nodes and weights on [−1, 1] with three points: exact to degree 5.
 const GAUSS_3: [(f64, f64); 3] = [
@@ -73,12 +73,9 @@ pub struct BendingCompliance {
 
 /// The mass integrals of `piece` between two heights (m) inside it, about `reference_m`.
 pub fn mass_integrals(piece: &Piece, base_m: f64, top_m: f64, reference_m: f64) -> MassIntegrals {
-    let (middle, half) = (0.5 * (base_m + top_m), 0.5 * (top_m - base_m));
     let mut sum = MassIntegrals::default();
-    for (node, weight) in GAUSS_3 {
-        let z = middle + half * node;
-        let (arm, weight) = (z - reference_m, weight * half);
-        let masses = piece.masses_at(z);
+    integrate_masses(piece, base_m, top_m, |z, weight, masses| {
+        let arm = z - reference_m;
         let own = weight * masses.mass_kg_per_m;
         let mass = own + weight * masses.water_kg_per_m;
         sum.mass_kg += own;
@@ -92,8 +89,40 @@ pub fn mass_integrals(piece: &Piece, base_m: f64, top_m: f64, reference_m: f64) 
                 sum + weight * rotary
             });
         sum.polar_inertia_kg_m2 += weight * masses.polar_inertia_kg_m;
-    }
+    });
     sum
+}
+
+/// The mass of `piece` alone between two heights (m) inside it, kg, and its moment about
+/// `reference_m`, kg m: what weighs of [`mass_integrals`].
+pub(super) fn weight_integrals(
+    piece: &Piece,
+    base_m: f64,
+    top_m: f64,
+    reference_m: f64,
+) -> (f64, f64) {
+    let (mut mass_kg, mut moment_kg_m) = (0.0, 0.0);
+    integrate_masses(piece, base_m, top_m, |z, weight, masses| {
+        let own = weight * masses.mass_kg_per_m;
+        mass_kg += own;
+        moment_kg_m += own * (z - reference_m);
+    });
+    (mass_kg, moment_kg_m)
+}
+
+/// Tells `add` the points of the quadrature with their weights (m) and masses.
+#[inline(always)]
+fn integrate_masses(
+    piece: &Piece,
+    base_m: f64,
+    top_m: f64,
+    mut add: impl FnMut(f64, f64, &SectionMasses),
+) {
+    let (middle, half) = (0.5 * (base_m + top_m), 0.5 * (top_m - base_m));
+    for (node, weight) in GAUSS_3 {
+        let z = middle + half * node;
+        add(z, weight * half, &piece.masses_at(z));
+    }
 }
 
 impl MassIntegrals {

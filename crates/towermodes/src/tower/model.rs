@@ -4,7 +4,7 @@ use super::attachment::Attachment;
 use super::base::Base;
 use super::description::{PointMass, PropertyStation, Rna, Station};
 use super::independent::{Motion, Motions};
-use super::integrals::mass_integrals;
+use super::integrals::weight_integrals;
 use super::piece::Piece;
 use super::rotor::Rotor;
 use super::weight::Above;
@@ -57,6 +57,11 @@ impl Tower {
         let stations = self.stations.iter().map(|station| station.height_m);
         let rows = self.properties.iter().map(|row| row.height_m);
         stations.chain(rows).collect()
+    }
+
+    /// The number of stations or rows as they were given.
+    pub(crate) fn station_count(&self) -> usize {
+        self.stations.len() + self.properties.len()
     }
 
     /// The linear pieces from the base to the top; consecutive ones share a height.
@@ -176,9 +181,8 @@ impl Tower {
     /// −½ θ² times this integral.
     pub fn compression_integral_n_m(&self, base_m: f64, top_m: f64) -> f64 {
         let piece = self.piece_at(0.5 * (base_m + top_m));
-        let own = mass_integrals(piece, base_m, top_m, base_m);
-        self.compression_n(top_m) * (top_m - base_m)
-            + self.gravity_m_per_s2 * own.structural_moment_kg_m
+        let (_, moment_kg_m) = weight_integrals(piece, base_m, top_m, base_m);
+        self.compression_n(top_m) * (top_m - base_m) + self.gravity_m_per_s2 * moment_kg_m
     }
 
     /// Whether both bending planes are equal and nothing couples them, so that each bending

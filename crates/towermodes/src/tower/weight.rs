@@ -1,7 +1,7 @@
 //! The mass that a tower carries at a height.
 
 use super::attachment::Attachment;
-use super::integrals::mass_integrals;
+use super::integrals::weight_integrals;
 use super::piece::Piece;
 
 /// The mass above each piece and each attachment, summed once.
@@ -19,7 +19,7 @@ impl Above {
     pub(super) fn new(pieces: &[Piece], attachments: &[Attachment]) -> Self {
         let masses = pieces
             .iter()
-            .map(|p| mass_integrals(p, p.base_m, p.top_m, p.base_m).mass_kg);
+            .map(|p| weight_integrals(p, p.base_m, p.top_m, p.base_m).0);
         let attached = attachments.iter().map(|attachment| attachment.mass_kg);
         let mut of_pieces_kg = sums_from_the_top(masses);
         let tower_kg = of_pieces_kg.remove(0);
@@ -38,8 +38,8 @@ impl Above {
         height_m: f64,
         attached: usize,
     ) -> f64 {
-        let own = mass_integrals(piece, height_m, piece.top_m, height_m);
-        own.mass_kg + self.of_pieces_kg[index] + self.of_attachments_kg[attached]
+        let (own_kg, _) = weight_integrals(piece, height_m, piece.top_m, height_m);
+        own_kg + self.of_pieces_kg[index] + self.of_attachments_kg[attached]
     }
 }
 

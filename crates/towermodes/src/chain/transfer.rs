@@ -1,0 +1,49 @@
+//! A vector carried from one chain of a tower to another one by its internal forces.
+
+use super::model::Chain;
+use crate::subsystem::InternalForces;
+
+/// The internal forces of a vector: y/√(1/k) = k q in each joint.
+pub fn internal_forces<const D: usize>(chain: &Chain<D>, x: &[f64], forces: &mut InternalForces) {
+    forces.clear();
+    let mut rest = x;
+    for link in &chain.links {
+        let (own, above) = rest.split_at(link.moving);
+        rest = above;
+        if link.spring == 0.0 {
+            // The units of a base that moves are those of the tower, not of the mesh.
+            forces.base.extend_from_slice(own);
+            continue;
+        }
+        let moving = (0..D).filter(|&component| link.root[component] != 0.0);
+        for (component, x) in moving.zip(own) {
+            let force = x / link.root[component];
+            forces.push(component, link.height_m, force);
+        }
+    }
+}
+
+/// The vector with these internal forces, which may jump at some heights (m, rising).
+pub fn with_internal_forces<const D: usize>(
+    chain: &Chain<D>,
+    forces: &InternalForces,
+    jumps_m: &[f64],
+    out: &mut [f64],
+) {
+    let mut readers: [_; D] = forces.readers(jumps_m);
+    let mut rest = out;
+    for link in &chain.links {
+        let (own, above) = rest.split_at_mut(link.moving);
+        rest = above;
+        if link.spring == 0.0 {
+            own.iter_mut()
+                .zip(&forces.base)
+                .for_each(|(x, base)| *x = *base);
+            continue;
+        }
+        let moving = (0..D).filter(|&component| link.root[component] != 0.0);
+        for (component, x) in moving.zip(own) {
+            *x = link.root[component] * readers[component].force(link.height_m);
+        }
+    }
+}

@@ -1,0 +1,148 @@
+//! Eigenvalues from good guesses of their vectors, with the proof that none is missing.
+//!
+//! One step for a guess v with Rayleigh quotient σ is x = (K − σM)⁻¹ M v, whose quotient ρ is the
+//! better value (Rayleigh quotient iteration; Parlett, *The Symmetric Eigenvalue Problem*, 1998,
+//! ch. 4): the error is cubed. In the norm of M⁻¹ the residual of x at ρ is
+//!
+//! r² = vᵀMv/xᵀMx − (ρ − σ)²,
+//!
+//! so an eigenvalue is within r of ρ, and within r²/gap where no other is within the gap. The
+//! factorization of K − σM counts the eigenvalues below σ; with disjoint intervals ρ ± r this
+//! proves that the list is complete.
+
+use super::certificate::{CountCheck, verify};
+use super::pencil::ShiftInvert;
+
+/// More steps than a good guess needs.
+const MAX_STEPS: usize = 4;
+/// A shift nearer to the eigenvalue than this fraction of the gap is kept: a step with it reduces
+/// the error by as much, and saves a factorization.
+const NEAR: f64 = 0.01;
+/// The permitted relative error of an eigenvalue.
+const TOLERANCE: f64 = 1e-14;
+/// Eigenvalues that are nearer to each other, relatively, are left to the Lanczos process.
+const NEAREST: f64 = 1e-4;
+/// The relative gap above the highest eigenvalue known, which decides about one step more.
+const GAP_ABOVE: f64 = 0.1;
+
+/// Guesses of eigenvectors, and the eigenvalues that were found from them.
+#[derive(Debug, Default)]
+pub(crate) struct Refinement {
+    /// A guess of each wanted eigenvector, lowest first.
+    pub(crate) vectors: Vec<Vec<f64>>,
+    /// The eigenvalues of the last [`refine`].
+    pub(crate) lambdas: Vec<f64>,
+    load: Vec<f64>,
+}
+
+/// An eigenvalue found.
+struct Refined {
+    /// ρ.
+    lambda: f64,
+    /// r.
+    residual: f64,
+    /// The last shift σ, and how many eigenvalues are below it.
+    shift: f64,
+    count: usize,
+}
+
+/// Computes the `wanted` lowest eigenvalues from guesses of their vectors, where the eigenvalues of
+/// a similar pencil are `known`. False if the guesses do not lead to a list that is proved
+/// complete: then another process must find it.
+pub(crate) fn refine(
+    pencil: &mut dyn ShiftInvert,
+    known: &[f64],
+    wanted: usize,
+    workspace: &mut Refinement,
+) -> bool {
+    let Refinement {
+        vectors,
+        lambdas,
+        load,
+    } = workspace;
+    lambdas.clear();
+    lambdas.resize(wanted, 0.0);
+    load.resize(pencil.size(), 0.0);
+    let mut is_complete = false;
+    let mut end = f64::INFINITY;
+    // The highest first: its guess is the worst.
+    for index in (0..wanted).rev() {
+        let gap = relative_gap(known, index);
+        if gap < NEAREST {
+            return false;
+        }
+        let Some(refined) = refine_one(pencil, gap, &mut vectors[index], load) else {
+            return false;
+        };
+        let above = refined.lambda + refined.residual;
+        if index + 1 == wanted {
+            is_complete = refined.count == wanted && above < refined.shift;
+        }
+        if above >= end {
+            return false;
+        }
+        end = refined.lambda - refined.residual;
+        lambdas[index] = refined.lambda;
+    }
+    let last = lambdas[wanted - 1];
+    let count = |shift| pencil.count_below(shift);
+    end > 0.0
+        && (is_complete
+            || matches!(
+                verify(last, wanted, &super::MARGINS, count),
+                CountCheck::Complete { .. }
+            ))
+}
+
+/// The relative distance of an eigenvalue to its neighbours.
+fn relative_gap(known: &[f64], index: usize) -> f64 {
+    let own = known[index];
+    let distance = |other: f64| (1.0 - other / own).abs();
+    let below = index.checked_sub(1).map(|below| distance(known[below]));
+    let above = known.get(index + 1).map(|above| distance(*above));
+    below.unwrap_or(1.0).min(above.unwrap_or(GAP_ABOVE))
+}
+
+/// Iterates from a guess until its eigenvalue is known.
+fn refine_one(
+    pencil: &mut dyn ShiftInvert,
+    gap: f64,
+    x: &mut [f64],
+    load: &mut [f64],
+) -> Option<Refined> {
+    let mut energies = pencil.energies(x);
+    let (mut shift, mut count) = (f64::NAN, 0);
+    for _ in 0..MAX_STEPS {
+        let [stiffness, mass] = energies;
+        let quotient = stiffness / mass;
+        if !(quotient > 0.0 && quotient.is_finite()) {
+            return None;
+        }
+        // A shift that is near enough serves once more. The first one is no number, so not near.
+        let is_near = (quotient - shift).abs() <= NEAR * gap * quotient;
+        if !is_near {
+            shift = quotient;
+            count = pencil.factorize_shifted(shift);
+        }
+        pencil.mass_times(x, load);
+        x.copy_from_slice(load);
+        pencil.solve_shifted(x);
+        energies = pencil.energies(x);
+        let lambda = energies[0] / energies[1];
+        let squared = mass / energies[1] - (lambda - shift) * (lambda - shift);
+        let residual_squared = squared.max(0.0);
+        if residual_squared <= TOLERANCE * gap * lambda * lambda {
+            return Some(Refined {
+                lambda,
+                residual: residual_squared.sqrt(),
+                shift,
+                count,
+            });
+        }
+        // The vector has grown as the shift is near to the eigenvalue.
+        let scale = 1.0 / energies[1].sqrt();
+        super::vector::scale(x, scale);
+        energies = energies.map(|energy| energy * scale * scale);
+    }
+    None
+}

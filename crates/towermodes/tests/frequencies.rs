@@ -1,0 +1,221 @@
+//! Frequencies without shapes are those of the solution, bit by bit; the meshes of error estimates
+//! that are solved from guesses have the frequencies that a solve on them finds.
+
+use crate::towers;
+
+use towermodes::modes::richardson;
+use towermodes::{
+    Frequencies, Method, Options, Shear, Solution, SolveError, Tower, TowerDescription, Warning,
+    Workspace, solve, solve_frequencies, solve_with,
+};
+use towermodes_verify::coverage::Class;
+use towers::{
+    assert_close, elliptic, floater, monopile, reference, reference_350t, reference_eccentric,
+    reference_in_soil, reference_on_springs, rich,
+};
+
+/// Asserts that the frequencies of a tower are those of its solution, or that both are refused.
+fn assert_same_bits(tower: &Tower, options: &Options, workspace: &mut Workspace, case: &str) {
+    let solution = solve_with(tower, options, workspace);
+    let frequencies = solve_frequencies(tower, options, workspace);
+    match (solution, frequencies) {
+        (Ok(solution), Ok(frequencies)) => assert_same_values(&solution, frequencies, case),
+        (Err(solution), Err(frequencies)) => assert_eq!(solution, frequencies, "{case}"),
+        (solution, frequencies) => panic!("{case}: {solution:?}, but {frequencies:?}"),
+    }
+}
+
+fn assert_same_values(solution: &Solution, frequencies: &Frequencies, case: &str) {
+    assert_eq!(solution.certificate, frequencies.certificate, "{case}");
+    assert_eq!(solution.segments, frequencies.segments, "{case}");
+    assert_eq!(solution.modes.len(), frequencies.modes.len(), "{case}");
+    for (mode, same) in solution.modes.iter().zip(&frequencies.modes) {
+        assert_eq!(
+            (mode.family, mode.order),
+            (same.family, same.order),
+            "{case}"
+        );
+        let of_mode = [
+            mode.frequency_hz,
+            mode.algebraic_error_hz,
+            mode.discretization_error_hz,
+            mode.extrapolated_hz,
+            mode.error_hz(),
+        ];
+        let of_same = [
+            same.frequency_hz,
+            same.algebraic_error_hz,
+            same.discretization_error_hz,
+            same.extrapolated_hz,
+            same.error_hz(),
+        ];
+        assert_eq!(
+            of_mode.map(f64::to_bits),
+            of_same.map(f64::to_bits),
+            "{case}"
+        );
+        assert_eq!(mode.label(), same.label());
+        let by_name = frequencies.mode(mode.family, mode.order);
+        assert_eq!(by_name, Some(same), "{case}");
+    }
+    let is_end = |warning: &Warning| matches!(warning, Warning::UncertainEnd { .. });
+    let is_uncertain = solution.warnings.iter().any(is_end);
+    assert_eq!(frequencies.has_uncertain_end, is_uncertain, "{case}");
+}
+
+#[test]
+fn random_towers_have_the_frequencies_of_their_solutions() {
+    let mut workspace = Workspace::default();
+    for class in Class::ALL {
+        for number in 0..12 {
+            let tower = class.tower(number);
+            for (modes, segments) in [(4, Some(20)), (1, Some(13)), (9, None)] {
+                let options = Options {
+                    modes,
+                    segments,
+                    ..Options::default()
+                };
+                let case = format!("{} {number}, {modes} modes", class.name());
+                assert_same_bits(&tower, &options, &mut workspace, &case);
+            }
+        }
+    }
+}
+
+#[test]
+fn every_method_has_the_frequencies_of_its_solutions() {
+    let mut workspace = Workspace::default();
+    let towers = [rich(), elliptic(), monopile(), floater(), reference_350t()];
+    for description in towers {
+        let tower = Tower::new(description).expect("a valid tower");
+        for method in Method::ALL {
+            let options = Options {
+                method,
+                modes: 6,
+                segments: Some(24),
+                ..Options::default()
+            };
+            let case = format!("{}, {}", tower.name(), method.name());
+            assert_same_bits(&tower, &options, &mut workspace, &case);
+        }
+    }
+    let borders = Options {
+        method: Method::Bmodes,
+        borders_m: Some(vec![0.0, 30.0, 60.0, 87.6]),
+        modes: 2,
+        ..Options::default()
+    };
+    let tower = Tower::new(reference()).expect("a valid tower");
+    assert_same_bits(&tower, &borders, &mut workspace, "given elements");
+}
+
+#[test]
+fn what_has_no_modes_is_refused_as_by_a_solve() {
+    let mut workspace = Workspace::default();
+    let tower = |description: TowerDescription| Tower::new(description).expect("a valid tower");
+    // 350 t on a wall of a millimetre buckle.
+    let mut thin = TowerDescription {
+        gravity_m_per_s2: 9.81,
+        ..reference_350t()
+    };
+    thin.stations.iter_mut().for_each(|s| {
+        (s.outer_diameter_m, s.wall_thickness_m) = (0.6, 0.01);
+    });
+    let thin = tower(thin);
+    assert_same_bits(&thin, &Options::default(), &mut workspace, "thin");
+    let refused = solve_frequencies(&thin, &Options::default(), &mut workspace);
+    assert!(
+        matches!(refused, Err(SolveError::Buckles { .. })),
+        "{refused:?}"
+    );
+    let too_many = Options {
+        modes: 1000,
+        segments: Some(4),
+        ..Options::default()
+    };
+    let none = Options {
+        modes: 0,
+        ..Options::default()
+    };
+    for options in [too_many, none] {
+        assert_same_bits(&tower(reference()), &options, &mut workspace, "options");
+    }
+}
+
+#[test]
+fn a_list_that_ends_within_its_error_says_so() {
+    // A uniform tube whose seventh bending pair lies 0.15 % above where 100 segments put the last
+    // of the list would do; any tower of the classes with the warning does too.
+    let mut workspace = Workspace::default();
+    let options = Options {
+        modes: 5,
+        segments: Some(8),
+        ..Options::default()
+    };
+    let mut uncertain = 0;
+    for number in 0..40 {
+        let tower = Class::Eccentric.tower(number);
+        let frequencies = solve_frequencies(&tower, &options, &mut workspace).expect("solvable");
+        uncertain += usize::from(frequencies.has_uncertain_end);
+        assert_same_bits(&tower, &options, &mut workspace, "eccentric");
+    }
+    assert!(uncertain > 0, "no list of the class ends within its error");
+}
+
+/// The frequencies of modes on a mesh of one span, by the key of the mode.
+fn on_mesh(tower: &Tower, segments: usize, options: &Options) -> Solution {
+    let options = Options {
+        segments: Some(segments),
+        // More of them, so that a mode that another one overtakes is there too.
+        modes: options.modes + 4,
+        ..options.clone()
+    };
+    solve(tower, &options).expect("solvable")
+}
+
+#[test]
+fn errors_are_from_the_frequencies_of_the_meshes() {
+    let heavy = |description: TowerDescription| TowerDescription {
+        gravity_m_per_s2: 9.81,
+        shear: Shear::Cowper,
+        ..description
+    };
+    let mut floating = floater();
+    floating.rna.center_m[1] = 0.3;
+    let cases = [
+        reference(),
+        reference_350t(),
+        reference_eccentric(),
+        heavy(reference_eccentric()),
+        heavy(reference_on_springs()),
+        heavy(reference_in_soil()),
+        floating,
+    ];
+    for (place, description) in cases.into_iter().enumerate() {
+        let tower = Tower::new(description).expect("a valid tower");
+        if tower.pieces().len() > 1 {
+            continue;
+        }
+        let options = Options {
+            modes: 6,
+            segments: Some(48),
+            ..Options::default()
+        };
+        let solution = solve(&tower, &options).expect("solvable");
+        assert_eq!(solution.error_basis.segments, [24, 12], "case {place}");
+        let coarser = [24, 12].map(|segments| on_mesh(&tower, segments, &options));
+        for mode in &solution.modes {
+            let mut meshes_hz = vec![mode.frequency_hz];
+            for coarse in &coarser {
+                let same = coarse.modes.iter().find(|other| mode.is_same_as(other));
+                meshes_hz.push(same.expect("it is on the other mesh").frequency_hz);
+            }
+            let powers = Method::RmjeExact.bending_powers(tower.shears());
+            let estimate = richardson(mode.frequency_hz, meshes_hz, powers);
+            let case = format!("case {place}, {}", mode.label());
+            assert_close(mode.extrapolated_hz, estimate.extrapolated_hz, 1e-13, &case);
+            let difference_hz = mode.discretization_error_hz - estimate.error_hz;
+            assert!(difference_hz.abs() < 1e-13 * mode.frequency_hz, "{case}");
+        }
+    }
+}
