@@ -52,8 +52,8 @@ impl<const D: usize> Link<D> {
     #[inline(always)]
     pub(super) fn set_scaled(&self, coordinates: &mut [f64], force: impl Fn(usize) -> f64) {
         if let Ok(all) = <&mut [f64; D]>::try_from(&mut *coordinates) {
-            for component in 0..D {
-                all[component] = self.root[component] * force(component);
+            for (component, x) in all.iter_mut().enumerate() {
+                *x = self.root[component] * force(component);
             }
             return;
         }

@@ -13,7 +13,7 @@ use crate::subsystem::{Coefficients, Energies};
 pub fn motions<const D: usize>(chain: &Chain<D>, x: &[f64], motions: &mut Vec<[f64; D]>) {
     motions.resize(chain.joints(), [0.0; D]);
     sweep_up(chain, x, motions.iter_mut(), |own, _, motion, _| {
-        *own = *motion
+        *own = *motion;
     });
 }
 

@@ -38,7 +38,7 @@ impl<M> Ladder<M> {
     /// Solves for the modes on each mesh but their own, where they have the frequencies `own_hz`.
     pub(super) fn solve(
         &self,
-        own_hz: impl Iterator<Item = f64> + Clone,
+        mut own_hz: impl Iterator<Item = f64>,
         levels: &mut Levels,
         mut solve: impl FnMut(usize, &M, &mut Level) -> Result<(), SolveError>,
     ) -> Result<(), SolveError> {
@@ -48,7 +48,7 @@ impl<M> Ladder<M> {
         for (index, (mesh, level)) in self.meshes.iter().zip(levels).enumerate() {
             if self.own == Some(index) {
                 level.clear();
-                level.extend(own_hz.clone().map(Some));
+                level.extend(own_hz.by_ref().map(Some));
             } else {
                 solve(index, mesh, level)?;
             }
