@@ -161,31 +161,95 @@ pub fn resultant<const D: usize>(
 ) -> ([f64; D], [f64; D]) {
     let (mut force, mut energy) = ([0.0; D], [0.0; D]);
     sweep_up(chain, x, 0.., |joint, link, motion, own| {
-        let (above, deflection) = p_delta(link, a.geometric, motion, own);
-        let mut load = above;
-        if link.has_body {
-            add(&mut load, &body_load(chain, a, joint, motion));
-        }
-        for c in 0..D {
-            energy[c] += load[c] * motion[c] + deflection[c] * own[c];
-            if link.root[c] != 0.0 && link.spring != 0.0 {
-                energy[c] += a.stiffness * (own[c] / link.root[c]).powi(2);
-            }
-        }
+        let mut load = add_energies(chain, a, joint, link, (motion, own), &mut energy);
         transform_force(&mut load, link.height_m - base_m);
         add(&mut force, &load);
     });
     (force, energy)
 }
 
+/// The resultant of M x about a height (m), and the contributions of each component to xᵀ M x and
+/// xᵀ K x.
+pub fn modal_resultant<const D: usize>(
+    chain: &Chain<D>,
+    x: &[f64],
+    base_m: f64,
+) -> ([f64; D], [f64; D], [f64; D]) {
+    let (mut force, mut kinetic, mut strain) = ([0.0; D], [0.0; D], [0.0; D]);
+    let states = chain.inertias.iter().enumerate();
+    sweep_up(chain, x, states, |(joint, inertia), link, motion, own| {
+        add_energies(
+            chain,
+            &Coefficients::STIFFNESS,
+            joint,
+            link,
+            (motion, own),
+            &mut strain,
+        );
+        if link.has_body {
+            let mut load = times(inertia, motion);
+            add_work(&mut kinetic, &load, motion);
+            transform_force(&mut load, link.height_m - base_m);
+            add(&mut force, &load);
+        }
+    });
+    (force, kinetic, strain)
+}
+
+/// xᵀ A x.
+pub fn energy<const D: usize>(chain: &Chain<D>, a: &Coefficients, x: &[f64]) -> f64 {
+    let mut energy = [0.0; D];
+    sweep_up(chain, x, 0.., |joint, link, motion, own| {
+        add_energies(chain, a, joint, link, (motion, own), &mut energy);
+    });
+    energy.iter().sum()
+}
+
+/// Adds the contribution of a body and its joint to the energies of a matrix A by component;
+/// returns the load on the body.
+#[inline(always)]
+fn add_energies<const D: usize>(
+    chain: &Chain<D>,
+    a: &Coefficients,
+    joint: usize,
+    link: &Link<D>,
+    (motion, own): (&[f64; D], &[f64; D]),
+    energy: &mut [f64; D],
+) -> [f64; D] {
+    let mut load = [0.0; D];
+    if link.has_body {
+        load = body_load(chain, a, joint, motion);
+    }
+    if a.geometric == 0.0 {
+        add_work(energy, &load, motion);
+    } else {
+        let (above, deflection) = p_delta(link, a.geometric, motion, own);
+        add(&mut load, &above);
+        for c in 0..D {
+            energy[c] += load[c] * motion[c] + deflection[c] * own[c];
+        }
+    }
+    if a.stiffness != 0.0 && link.spring != 0.0 {
+        for c in 0..D {
+            if link.root[c] != 0.0 {
+                energy[c] += a.stiffness * (own[c] / link.root[c]).powi(2);
+            }
+        }
+    }
+    load
+}
+
+/// Adds the work of a load on a motion, by component.
+#[inline(always)]
+fn add_work<const D: usize>(energy: &mut [f64; D], load: &[f64; D], motion: &[f64; D]) {
+    for ((sum, load), motion) in energy.iter_mut().zip(load).zip(motion) {
+        *sum += load * motion;
+    }
+}
+
 /// xᵀ A x for each of the matrices A, in one sweep.
 pub fn energies<const D: usize>(chain: &Chain<D>, x: &[f64]) -> Energies {
     let (mut mass, mut foundation, mut gravity) = ([0.0; D], [0.0; D], [0.0; D]);
-    let add_work = |sums: &mut [f64; D], load: &[f64; D], motion: &[f64; D]| {
-        for ((sum, load), motion) in sums.iter_mut().zip(load).zip(motion) {
-            *sum += load * motion;
-        }
-    };
     let states = chain.inertias.iter().enumerate();
     sweep_up(chain, x, states, |(joint, inertia), link, motion, own| {
         if link.has_body {

@@ -86,7 +86,7 @@ impl<const D: usize> Subsystem for ChainSubsystem<D> {
     }
 
     fn energy(&mut self, a: &Coefficients, x: &[f64]) -> f64 {
-        product::resultant(&self.chain, a, x, 0.0).1.iter().sum()
+        product::energy(&self.chain, a, x)
     }
 
     fn energies(&mut self, x: &[f64]) -> Energies {
@@ -108,6 +108,15 @@ impl<const D: usize> Subsystem for ChainSubsystem<D> {
             force: self.coordinates.expand(&force),
             energy: self.coordinates.expand_unsigned(&energy),
         }
+    }
+
+    fn modal_resultant(&mut self, x: &[f64], base_m: f64) -> (Resultant, [f64; 6]) {
+        let (force, kinetic, strain) = product::modal_resultant(&self.chain, x, base_m);
+        let kinetic = Resultant {
+            force: self.coordinates.expand(&force),
+            energy: self.coordinates.expand_unsigned(&kinetic),
+        };
+        (kinetic, self.coordinates.expand_unsigned(&strain))
     }
 
     fn start(&mut self, out: &mut [f64]) {

@@ -183,7 +183,9 @@ impl Lanczos {
         for attempt in 0..4 {
             pencil.stiffness_times(&self.next, &mut self.stiff);
             let before = dot(&self.next, &self.stiff).max(0.0).sqrt();
-            for _ in 0..2 {
+            // The first vector has nothing to be orthogonal to.
+            if self.used > 0 {
+                self.orthogonalize(pencil);
                 self.orthogonalize(pencil);
             }
             let norm = self.norm(pencil);

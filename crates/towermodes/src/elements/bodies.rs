@@ -36,7 +36,10 @@ impl Assembly<'_> {
             self.chains
                 .add(MatrixKind::Foundation, middle_m, &soil.spatial());
         }
-        self.add_geometric_stiffness(base_m, top_m);
+        if self.tower.gravity_m_per_s2() != 0.0 {
+            let moment_n_m = self.tower.compression_integral_n_m(base_m, top_m);
+            self.chains.add_geometric_stiffness(moment_n_m);
+        }
     }
 
     /// Adds the tower between two heights (m) as a rigid body with its exact mass, centre and
@@ -52,17 +55,24 @@ impl Assembly<'_> {
             self.chains
                 .add(MatrixKind::Foundation, reference_m, &soil.spatial());
         }
-        self.add_geometric_stiffness(base_m, top_m);
+        let gravity = self.tower.gravity_m_per_s2();
+        if gravity != 0.0 {
+            // A body that rotates by θ lowers everything above it, and itself: −½ θ² ∫ N dz, as
+            // `Tower::compression_integral_n_m`.
+            let above_n_m = self.compression_n(top_m) * (top_m - base_m);
+            let moment_n_m = above_n_m + gravity * mass.moment_about_base_kg_m;
+            self.chains.add_geometric_stiffness(moment_n_m);
+        }
     }
 
-    /// A body that rotates by θ lowers everything above it, and itself: −½ θ² ∫ N dz.
+    /// The axial compression at a height (m), N. The last one is kept: a body ends where the next
+    /// joint is.
     #[inline]
-    fn add_geometric_stiffness(&mut self, base_m: f64, top_m: f64) {
-        if self.tower.gravity_m_per_s2() == 0.0 {
-            return;
+    fn compression_n(&mut self, height_m: f64) -> f64 {
+        if self.last_compression.0 != height_m {
+            self.last_compression = (height_m, self.tower.compression_n(height_m));
         }
-        let moment_n_m = self.tower.compression_integral_n_m(base_m, top_m);
-        self.chains.add_geometric_stiffness(moment_n_m);
+        self.last_compression.1
     }
 
     /// Adds a joint at a height (m).
@@ -75,7 +85,7 @@ impl Assembly<'_> {
             self.chains.add_joint(height_m, joint, 0.0);
             return;
         }
-        let compression_n = self.tower.compression_n(height_m);
+        let compression_n = self.compression_n(height_m);
         if !(self.tower.shears() && joint.turns() && joint.slides()) {
             self.chains.add_joint(height_m, joint, compression_n);
             return;

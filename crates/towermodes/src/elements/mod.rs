@@ -103,6 +103,8 @@ struct Assembly<'a> {
     tower: &'a Tower,
     chains: &'a mut Chains,
     recipe: &'a Recipe,
+    /// The height (m) that a compression was computed at last, and the compression, N.
+    last_compression: (f64, f64),
 }
 
 impl Assembly<'_> {
@@ -127,6 +129,7 @@ pub fn assemble_chains(tower: &Tower, mesh: &Mesh, recipe: &Recipe, chains: &mut
         tower,
         chains,
         recipe,
+        last_compression: (f64::NAN, 0.0),
     };
     let gravity = tower.gravity_m_per_s2();
     let mut attachments = tower.attachments();

@@ -153,14 +153,19 @@ impl Model {
 
     /// The forces and the energy of an eigenvector of a subsystem.
     pub(super) fn modal_forces(&mut self, index: usize, vector: &[f64]) -> ModalForces {
-        let Resultant { force, energy } = self.resultant(index, &Coefficients::MASS, vector);
         // A single motion has all the energy, however large it is.
-        let strain = (!self.has_single_motion(index))
-            .then(|| self.resultant(index, &Coefficients::STIFFNESS, vector));
+        let (resultant, strain) = if self.has_single_motion(index) {
+            (self.resultant(index, &Coefficients::MASS, vector), None)
+        } else {
+            let base_m = self.base_m;
+            let subsystem = subsystem_mut(&mut self.chains, &mut self.beams, index);
+            let (resultant, strain) = subsystem.modal_resultant(vector, base_m);
+            (resultant, Some(strain))
+        };
         ModalForces {
-            force,
-            kinetic: ByMotion::sums(energy),
-            strain: strain.map(|strain| ByMotion::sums(strain.energy)),
+            force: resultant.force,
+            kinetic: ByMotion::sums(resultant.energy),
+            strain: strain.map(ByMotion::sums),
         }
     }
 }

@@ -94,6 +94,15 @@ pub trait Subsystem: Send + Sync {
     /// The resultant of A x about the base at `base_m` (m), and the energy xᵀ A x by components.
     fn resultant(&mut self, a: &Coefficients, x: &[f64], base_m: f64) -> Resultant;
 
+    /// The resultant of the inertia forces M x, and xᵀ K x by components.
+    fn modal_resultant(&mut self, x: &[f64], base_m: f64) -> (Resultant, [f64; 6]) {
+        let strain = self.resultant(&Coefficients::STIFFNESS, x, base_m);
+        (
+            self.resultant(&Coefficients::MASS, x, base_m),
+            strain.energy,
+        )
+    }
+
     /// A start vector for iterations, with a part in every mode that a shaken base excites: the
     /// inertia forces of a rigid-body motion that is 1 in every component at the base.
     fn start(&mut self, out: &mut [f64]);

@@ -34,6 +34,8 @@ pub struct MassIntegrals {
     pub mass_kg: f64,
     /// ∫ ρA (z − z₀) dz, kg m: of the tower alone.
     pub structural_moment_kg_m: f64,
+    /// ∫ ρA (z − z_base) dz, kg m: the same about the lower end of the part.
+    pub moment_about_base_kg_m: f64,
     /// ∫ m dz, kg, with m = ρA and the water that moves transversely.
     pub transverse_kg: f64,
     /// ∫ m (z − z₀) dz, kg m.
@@ -80,6 +82,7 @@ pub fn mass_integrals(piece: &Piece, base_m: f64, top_m: f64, reference_m: f64) 
         let mass = own + weight * masses.water_kg_per_m;
         sum.mass_kg += own;
         sum.structural_moment_kg_m += own * arm;
+        sum.moment_about_base_kg_m += own * (z - base_m);
         sum.transverse_kg += mass;
         sum.first_moment_kg_m += mass * arm;
         sum.second_moment_kg_m2 += mass * arm * arm;
