@@ -11,8 +11,12 @@ use towermodes::chain::Chains;
 use towermodes::eigen::{EigenWorkspace, Pencil, lowest};
 use towermodes::elements::{Borders, Mesh, Recipe, assemble_chains};
 use towermodes::subsystem::{Eigenproblem, SubsystemPencil};
-use towermodes::{Method, Options, Rna, Tower, TowerDescription, Workspace, solve_with};
-use towermodes_verify::towers::{floater, reference, reference_on_springs};
+use towermodes::{
+    Method, Options, Rna, Tower, TowerDescription, Workspace, solve_frequencies, solve_with,
+};
+use towermodes_verify::towers::{
+    floater, monopile, reference, reference_350t, reference_eccentric, reference_on_springs,
+};
 
 fn tower(rna_kg: f64) -> Tower {
     Tower::new(TowerDescription {
@@ -61,6 +65,41 @@ fn coupled(c: &mut Criterion) {
                 b.iter(|| solve_with(black_box(&tower), &options, &mut workspace));
             });
         }
+    }
+    group.finish();
+}
+
+/// A sweep: 4 modes on 20 segments of towers that differ in their numbers, each made from its
+/// description. The time is that of one tower.
+fn many_towers(c: &mut Criterion) {
+    let mut group = c.benchmark_group("frequencies of many towers, 4 modes");
+    let heavy = |description| TowerDescription {
+        gravity_m_per_s2: 9.81,
+        ..description
+    };
+    for (name, base) in [
+        ("clamped, RNA on the axis", reference_350t()),
+        ("clamped, RNA beside the axis", reference_eccentric()),
+        ("on springs, with gravity", heavy(reference_on_springs())),
+        ("floating", floater()),
+        ("monopile", monopile()),
+    ] {
+        let options = Options {
+            modes: 4,
+            segments: Some(20),
+            ..Options::default()
+        };
+        let (mut workspace, mut number) = (Workspace::default(), 0_u32);
+        group.bench_function(name, |b| {
+            b.iter(|| {
+                number = (number + 1) % 1000;
+                let mut description = base.clone();
+                description.rna.mass_kg *= 0.9 + 2e-4 * f64::from(number);
+                let tower = Tower::new(description).expect("a valid tower");
+                let frequencies = solve_frequencies(&tower, &options, &mut workspace);
+                frequencies.map(|frequencies| frequencies.modes[0].extrapolated_hz)
+            });
+        });
     }
     group.finish();
 }
@@ -133,5 +172,12 @@ fn pieces(c: &mut Criterion) {
     group.finish();
 }
 
-criterion_group!(benches, whole_solve, coupled, bending_plane, pieces);
+criterion_group!(
+    benches,
+    whole_solve,
+    many_towers,
+    coupled,
+    bending_plane,
+    pieces
+);
 criterion_main!(benches);

@@ -215,17 +215,24 @@ fn bias_down<const D: usize>(chain: &Chain<D>, factors: &[Elimination<D>], x: &m
         let (below, own) = rest.split_at_mut(rest.len() - link.moving);
         let (eliminations, others) = factors.split_at(link.moving);
         (rest, factors) = (below, others);
+        // Nearly all joints move in every component: no branch for each.
+        if let (Ok(own), Ok(springs)) = (
+            <&mut [f64; D]>::try_from(&mut *own),
+            <&[Elimination<D>; D]>::try_from(eliminations),
+        ) {
+            for_components!(D, component, {
+                let root = link.root[component];
+                springs[component].bias(component, root, &mut own[component], &mut bias);
+            });
+            continue;
+        }
         let mut springs = own.iter_mut().zip(eliminations);
         for_components!(D, component, {
             let root = link.root[component];
             if root != 0.0
-                && let Some((x, elimination)) = springs.next()
+                && let Some((x, spring)) = springs.next()
             {
-                *x -= root * bias[component];
-                let reaction = root * *x * elimination.inverse;
-                for (b, p) in bias.iter_mut().zip(&elimination.column) {
-                    *b += p * reaction;
-                }
+                spring.bias(component, root, x, &mut bias);
             }
         });
     }
@@ -241,18 +248,47 @@ fn motion_up<const D: usize>(chain: &Chain<D>, factors: &[Elimination<D>], x: &m
         let (own, above) = rest.split_at_mut(link.moving);
         let (others, eliminations) = factors.split_at(factors.len() - link.moving);
         (rest, factors) = (above, others);
+        if let (Ok(own), Ok(springs)) = (
+            <&mut [f64; D]>::try_from(&mut *own),
+            <&[Elimination<D>; D]>::try_from(eliminations),
+        ) {
+            for_components!(D, from_the_last, {
+                let component = D - 1 - from_the_last;
+                let root = link.root[component];
+                springs[component].release(component, root, &mut own[component], &mut motion);
+            });
+            continue;
+        }
         let mut springs = own.iter_mut().zip(eliminations).rev();
         for_components!(D, from_the_last, {
             let component = D - 1 - from_the_last;
             let root = link.root[component];
             if root != 0.0
-                && let Some((x, elimination)) = springs.next()
+                && let Some((x, spring)) = springs.next()
             {
-                let pull = dot(&elimination.column, &motion);
-                *x = (*x - root * pull) * elimination.inverse;
-                motion[component] += root * *x;
+                spring.release(component, root, x, &mut motion);
             }
         });
+    }
+}
+
+impl<const D: usize> Elimination<D> {
+    /// u = x − g eᵀb in place of x, then b ← b + p g u/δ, for the spring of a component.
+    #[inline(always)]
+    fn bias(&self, component: usize, root: f64, x: &mut f64, bias: &mut [f64; D]) {
+        *x -= root * bias[component];
+        let reaction = root * *x * self.inverse;
+        for (b, p) in bias.iter_mut().zip(&self.column) {
+            *b += p * reaction;
+        }
+    }
+
+    /// y = (u − g pᵀv)/δ in place of u, then v ← v + e g y, for the spring of a component.
+    #[inline(always)]
+    fn release(&self, component: usize, root: f64, x: &mut f64, motion: &mut [f64; D]) {
+        let pull = dot(&self.column, motion);
+        *x = (*x - root * pull) * self.inverse;
+        motion[component] += root * *x;
     }
 }
 

@@ -79,13 +79,6 @@ fn ql_step(d: &mut [f64], e: &mut [f64], z: &mut [f64], rows: usize, first: usiz
 #[inline]
 fn rotate(z: &mut [f64], rows: usize, i: usize, s: f64, c: f64) {
     let (left, right) = z[i * rows..(i + 2) * rows].split_at_mut(rows);
-    rotate_columns(left, right, s, c);
-}
-
-/// A function of its own, because of its arguments it is known that they do not overlap: then
-/// several entries are turned at once.
-#[inline(never)]
-fn rotate_columns(left: &mut [f64], right: &mut [f64], s: f64, c: f64) {
     for (left, right) in left.iter_mut().zip(right) {
         let (a, b) = (*left, *right);
         *right = s * a + c * b;
