@@ -1,6 +1,6 @@
 //! The lowest modes of a tower by name, without shapes.
 
-use towermodes::{ModeName, Options, SolveError, Tower, Workspace, solve_with};
+use towermodes::{ModeName, Options, SolveError, Tower, Workspace, solve_frequencies};
 
 /// The lowest modes of one tower, in memory that is used again for the next.
 #[derive(Debug, Clone, Default, PartialEq)]
@@ -29,10 +29,10 @@ impl Lowest {
         options: &Options,
         workspace: &mut Workspace,
     ) -> Result<(), SolveError> {
-        let solution = solve_with(tower, options, workspace)?;
+        let frequencies = solve_frequencies(tower, options, workspace)?;
         self.modes.clear();
         self.modes
-            .extend(solution.modes.iter().map(|mode| NamedFrequency {
+            .extend(frequencies.modes.iter().map(|mode| NamedFrequency {
                 name: ModeName {
                     family: mode.family,
                     order: mode.order,
@@ -40,7 +40,7 @@ impl Lowest {
                 hz: mode.extrapolated_hz,
                 error_hz: mode.error_hz(),
             }));
-        self.certified = solution.certificate.complete;
+        self.certified = frequencies.certificate.complete;
         Ok(())
     }
 
