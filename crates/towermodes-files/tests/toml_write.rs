@@ -32,6 +32,32 @@ fn tubes() -> TowerDescription {
     }
 }
 
+/// How a material is given decides what a change of Young's modulus does.
+#[test]
+fn a_material_given_by_poissons_ratio_is_written_by_it() {
+    for ratio in [0.0, 0.2, 0.3, 0.1 + 0.2, 0.49999] {
+        let description = TowerDescription {
+            materials: vec![Material::from_poissons_ratio(7850.0, 2.05e11, ratio)],
+            ..tubes()
+        };
+        let text = comes_back(&description);
+        assert!(
+            text.contains("poissons_ratio") && !text.contains("shear_modulus"),
+            "{text}"
+        );
+    }
+    // Another shear modulus than that of the ratio is kept.
+    let description = TowerDescription {
+        materials: vec![Material {
+            shear_modulus_pa: 8e10,
+            ..Material::from_poissons_ratio(7850.0, 2.05e11, 0.3)
+        }],
+        ..tubes()
+    };
+    let (text, _) = write_toml(&description);
+    assert!(text.contains("shear_modulus"), "{text}");
+}
+
 fn row(height_m: f64, size: f64) -> PropertyStation {
     PropertyStation {
         height_m,

@@ -284,6 +284,15 @@ fn a_wrong_name_is_answered_with_what_would_be_right() {
             message(name)
         );
     }
+    let empty = TowerDescription {
+        soil: vec![Vec::new()],
+        ..tubes()
+    };
+    let error = Parameter::parse("soil[0].rows[0].x", &empty).expect_err("no rows");
+    assert!(
+        error.to_string().contains("its rows have no index"),
+        "{error}"
+    );
     let long = format!("stations[{}].wall", "9".repeat(100_000));
     assert!(message(&long).contains("is not an index"));
 }

@@ -81,6 +81,7 @@ pub enum ParameterError {
 /// The indices of a list.
 fn range(count: usize) -> String {
     match count {
+        0 => "no index".to_owned(),
         1 => "only index 0".to_owned(),
         count => format!("the indices 0 to {}", count - 1),
     }

@@ -7,7 +7,7 @@
 /// let steel = towermodes::Material::from_poissons_ratio(7850.0, 2.1e11, 0.3);
 /// assert!((steel.shear_modulus_pa - 8.0769e10).abs() < 1e6);
 /// ```
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Material {
     /// Mass density ρ, kg/m³.
     pub density_kg_per_m3: f64,
@@ -18,14 +18,6 @@ pub struct Material {
     /// Poisson's ratio ν, if the material is given by it: then a [`Parameter`](crate::Parameter)
     /// that changes Young's modulus changes the shear modulus too.
     pub given_poissons_ratio: Option<f64>,
-}
-
-/// The same material, however it is given.
-impl PartialEq for Material {
-    fn eq(&self, other: &Self) -> bool {
-        let moduli = |m: &Self| (m.density_kg_per_m3, m.youngs_modulus_pa, m.shear_modulus_pa);
-        moduli(self) == moduli(other)
-    }
 }
 
 impl Material {

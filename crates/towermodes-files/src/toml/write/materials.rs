@@ -67,8 +67,20 @@ pub(super) fn materials(materials: &[Material], names: &MaterialNames, writing: 
         }
         writing.number("density", material.density_kg_per_m3);
         writing.number("youngs_modulus", material.youngs_modulus_pa);
-        writing.number("shear_modulus", material.shear_modulus_pa);
+        match poissons_ratio(material) {
+            Some(ratio) => writing.number("poissons_ratio", ratio),
+            None => writing.number("shear_modulus", material.shear_modulus_pa),
+        }
     }
+}
+
+/// Poisson's ratio, if the material is given by it and has exactly the shear modulus that the reader
+/// will compute from it.
+fn poissons_ratio(material: &Material) -> Option<f64> {
+    let (density, youngs) = (material.density_kg_per_m3, material.youngs_modulus_pa);
+    let again = |ratio| Material::from_poissons_ratio(density, youngs, ratio);
+    let has_same = |ratio: &f64| again(*ratio).shear_modulus_pa == material.shear_modulus_pa;
+    material.given_poissons_ratio.filter(has_same)
 }
 
 /// A name as a key: bare where TOML allows that.
