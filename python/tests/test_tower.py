@@ -217,3 +217,16 @@ def test_other_numbers_are_another_tower(nrel: tm.Tower) -> None:
     with pytest.raises(tm.TowerError, match=r"station 1: .*-1 m; it must be positive") as caught:
         nrel.with_({"stations[0].wall": -1.0})
     assert caught.value.line is None
+
+
+def test_a_pickle_keeps_how_the_shear_modulus_is_given() -> None:
+    steel = {"density": 8500.0, "youngs_modulus": 2.1e11, "poissons_ratio": 0.3}
+    tower = tm.Tower(stations=STATIONS, material=steel)
+    stiffer = {"material.youngs_modulus": 2.3e11}
+    expected = tower.with_(stiffer).solve(modes=3).frequency_hz
+    # All stiffnesses grow with E, because Poisson's ratio stays.
+    ratio = expected / tower.solve(modes=3).frequency_hz
+    assert ratio == pytest.approx(np.sqrt(2.3 / 2.1), rel=1e-12)
+    again = pickle.loads(pickle.dumps(tower)).with_(stiffer)
+    assert again.solve(modes=3).frequency_hz.tolist() == expected.tolist()
+    assert tm.Tower.from_toml(tower.to_toml()).with_(stiffer) == tower.with_(stiffer)
