@@ -132,7 +132,7 @@ tables! {
         required "density" Number "kg/m3" "";
         required "youngs_modulus" Number "Pa" "";
         optional "shear_modulus" Number "Pa" "";
-        optional "poissons_ratio" Number "" "in place of shear_modulus";
+        optional "poissons_ratio" Number "" "Poisson's ratio, in place of shear_modulus";
 
     /// `[tower]`.
     TOWER = "[tower]":

@@ -74,8 +74,8 @@ pub(super) fn materials(materials: &[Material], names: &MaterialNames, writing: 
     }
 }
 
-/// Poisson's ratio, if the material is given by it and has exactly the shear modulus that the reader
-/// will compute from it.
+/// Poisson's ratio, if the material is given by it and has exactly the shear modulus that the
+/// reader will compute from it.
 fn poissons_ratio(material: &Material) -> Option<f64> {
     let (density, youngs) = (material.density_kg_per_m3, material.youngs_modulus_pa);
     let again = |ratio| Material::from_poissons_ratio(density, youngs, ratio);
