@@ -104,7 +104,7 @@ def test_a_killed_worker_loses_no_row(
         outcome = run(client, table, folder, progress=kill)
     assert killed
     # A part that was written and not reported before its worker died is written once more.
-    assert outcome.rows == ROWS <= outcome.solved_rows <= ROWS + 2 * ROWS_PER_PART
+    assert outcome.rows == ROWS <= outcome.computed_rows <= ROWS + 2 * ROWS_PER_PART
     assert outcome.failed_rows == 1
     check(folder, program)
 
@@ -139,7 +139,7 @@ def test_a_killed_client_is_started_again(table: Path, program: Path, tmp_path: 
 
     with distributed.Client(processes=False, **LOCAL) as again:
         outcome = run(again, table, folder)
-    assert outcome.solved_rows == ROWS - len(before) * ROWS_PER_PART
+    assert outcome.computed_rows == ROWS - len(before) * ROWS_PER_PART
     after = {part.name: part.stat().st_mtime_ns for part in parts(folder)}
     assert {name: after[name] for name in before} == before, "parts that were there are kept"
     check(folder, program)
@@ -149,7 +149,7 @@ def test_the_program_continues_what_dask_began(table: Path, program: Path, tmp_p
     """And the other way round: a complete folder of the program leaves nothing to do."""
     with distributed.Client(processes=False, **LOCAL) as client:
         outcome = run(client, table, program)
-    assert (outcome.rows, outcome.solved_rows) == (ROWS, 0)
+    assert (outcome.rows, outcome.computed_rows) == (ROWS, 0)
 
 
 def test_the_frequencies_are_those_of_tower_sweep(

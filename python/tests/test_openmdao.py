@@ -42,6 +42,16 @@ def test_values_are_those_of_the_tower(nrel: tm.Tower) -> None:
     assert [run.get_val(name).item() for name in inputs] == [350e3, 1.0, 0.0]
 
 
+def test_outputs_have_the_names_of_the_columns_of_a_sweep() -> None:
+    floating = tm.read("examples/floating.toml")
+    modes = [("surge", 1), ("yaw", 1), ("fore-aft", 1)]
+    run = problem(floating, {"mass": "rna.mass"}, modes)
+    run.run_model()
+    columns = floating.sweep({"rna.mass": [floating.rna_mass_kg]}, modes=modes).to_dict()
+    for name in ("surge_hz", "yaw_hz", "fore_aft_1_hz"):
+        assert run.get_val(name).item() == columns[name][0]
+
+
 def test_units_are_converted(nrel: tm.Tower) -> None:
     inputs = {"wall": "stations[0].wall", "mass": "rna.mass", "inertia": "rna.inertia.xx"}
     run = problem(nrel, inputs, [("fore-aft", 1)])

@@ -56,7 +56,7 @@ def test_arrays_have_their_shapes_and_types(nrel: tm.Tower) -> None:
     assert solution.height_m.tolist() == pytest.approx(np.linspace(0.0, 87.6, 11).tolist())
     assert solution.station_shape.shape == (5, 2, 6)
     assert solution.station_height_m.tolist() == [0.0, 87.6]
-    assert solution.shape_there.shape == (5, 2, 6)
+    assert solution.shape_at_heights.shape == (5, 2, 6)
     assert solution.effective_mass.shape == (5, 6)
     assert solution.effective_mass_shares.shape == (6,)
     assert solution.rigid_inertia.shape == (6, 6)

@@ -38,7 +38,7 @@ class Campbell:
     def verdict(self) -> str:
         """The worst verdict: "pass", "warn" or "fail".
 
-        At best "warn" where the list of modes does not cover all excitations.
+        If the list of modes does not reach the highest excitation, the verdict is "warn" or "fail".
         """
         return self._core.verdict
 
@@ -67,7 +67,7 @@ class Campbell:
 
     @property
     def notes(self) -> list[str]:
-        """What the reader assumed or left out, and what is assumed of the rotor."""
+        """Assumptions and omissions when the file was read, and assumptions on the rotor."""
         return self._core.notes
 
     @property

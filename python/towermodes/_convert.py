@@ -41,7 +41,7 @@ class Converted:
 
     @property
     def notes(self) -> list[str]:
-        """What the format cannot store, and the notes of the reader of the tower."""
+        """What the format cannot store, and the notes of the tower."""
         return self._core.notes
 
     def save(self, path: str | os.PathLike[str]) -> None:

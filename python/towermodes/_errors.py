@@ -45,12 +45,12 @@ def _fields(mistake: Mistake) -> tuple[object, ...]:
 
 
 class TowerError(ValueError):
-    """A file or numbers that describe no valid tower, or a tower that a format cannot store.
+    """A file or numbers that do not describe a valid tower, or a tower that a format cannot store.
 
     Attributes:
         path: The file; None if the tower is not from a file.
-        line: The line of the first mistake, from 1; None if there is no place.
-        column: Its column, from 1, in characters; None if there is no place.
+        line: The line of the first mistake, from 1; None if it is not known.
+        column: Its column, from 1, in characters; None if it is not known.
         hint: What would be right; None if the message says it.
         mistakes: All mistakes that were found in the file.
 
@@ -83,7 +83,7 @@ class TowerError(ValueError):
 
 
 class SolveError(ArithmeticError):
-    """A tower that has no modes to compute: it buckles, it is unstable, or its numbers are extreme.
+    """A tower whose modes cannot be computed: it buckles, is unstable, or its values are extreme.
 
     Attributes:
         hint: What the user can do about it; None if the message says it.

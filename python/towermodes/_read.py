@@ -33,7 +33,7 @@ def read(
 
     Args:
         path: The file.
-        part: The part of a windIO turbine.
+        part: The part of a windIO turbine that is read.
         no_rna: Omit the rotor-nacelle assembly.
         no_gravity: Omit gravity (no geometric stiffness).
         rotor: Whether the rotor of an ElastoDyn model is locked or free to rotate.
@@ -44,7 +44,7 @@ def read(
         subset: Set and subset of a HAWC2 file.
 
     Returns:
-        The tower. `Tower.notes` has what the reader assumed and left out.
+        The tower. `Tower.notes` has the assumptions made when the file was read, and omitted data.
 
     Raises:
         TowerError: The file has mistakes; the exception has their places.

@@ -71,8 +71,9 @@ class Solution:
 
     @property
     def frequency_hz(self) -> Array:
-        """Natural frequencies of the discretized tower, Hz: (modes,).
+        """Natural frequencies of the discretized tower, not extrapolated, Hz: (modes,).
 
+        `SweepResult.frequency_hz` corresponds to `extrapolated_hz`, not to these frequencies.
         0 for a rigid-body motion that nothing resists.
         """
         array: Array = self._core.frequency_hz
@@ -80,7 +81,7 @@ class Solution:
 
     @property
     def error_hz(self) -> Array:
-        """Total errors, discretization and eigenvalue computation together, Hz: (modes,)."""
+        """Errors of `frequency_hz`, discretization and eigenvalue computation, Hz: (modes,)."""
         array: Array = self._core.error_hz
         return array
 
@@ -98,7 +99,10 @@ class Solution:
 
     @property
     def extrapolated_hz(self) -> Array:
-        """Frequencies of the beam, extrapolated from several numbers of segments, Hz: (modes,)."""
+        """Frequencies of the beam, extrapolated from several numbers of segments, Hz: (modes,).
+
+        The frequencies of a sweep are such frequencies, by default of 20 segments.
+        """
         array: Array = self._core.extrapolated_hz
         return array
 
@@ -140,7 +144,8 @@ class Solution:
         """The mode shapes at `height_m`: (modes, heights, 6).
 
         The last axis is translation x (fore-aft), y (side-side), z (up), rotation about x, y, z.
-        The largest translation is 1, for torsion the largest rotation; rotations are per metre.
+        The largest translation is 1, and rotations are in rad for a translation of 1 m; for torsion
+        and yaw the largest rotation is 1.
 
         >>> import towermodes as tm
         >>> solution = tm.read("examples/nrel-5mw.toml").solve(modes=2, points=11)
@@ -169,7 +174,7 @@ class Solution:
         return array
 
     @property
-    def shape_there(self) -> Array:
+    def shape_at_heights(self) -> Array:
         """The mode shapes at the argument `heights_m` of `Tower.solve`: (modes, heights, 6)."""
         array: Array = self._core.shape_there
         return array
@@ -224,15 +229,15 @@ class Solution:
 
     @property
     def notes(self) -> list[str]:
-        """What the reader of the file assumed, left out or changed."""
+        """Assumptions made when the file was read; data that is left out; changes by `with_`."""
         return self._core.notes
 
     @property
     def warnings(self) -> list[str]:
         """Possible mistakes of the input and limits of the results.
 
-        They are also in the table that `print` shows. They are no Python warnings, because a tower
-        that is solved a thousand times would give each a thousand times.
+        They are also in the table that `print` shows. They are not Python warnings, because a tower
+        that is solved a thousand times would repeat each of them a thousand times.
         """
         return self._core.warnings
 
@@ -306,7 +311,11 @@ class Mode:
 
     @property
     def family(self) -> str:
-        """The kind of motion: "fore-aft", "side-side", "torsion", "axial", "coupled"."""
+        """The type of motion: "fore-aft", "side-side", "torsion", "axial" or "coupled".
+
+        For rigid-body motions of a floating tower "surge", "sway", "heave", "roll", "pitch" or
+        "yaw".
+        """
         return self._solution.names[self._index][0]
 
     @property
@@ -321,12 +330,12 @@ class Mode:
 
     @property
     def frequency_hz(self) -> float:
-        """Natural frequency of the discretized tower, Hz."""
+        """Natural frequency of the discretized tower, not extrapolated, Hz."""
         return float(self._solution.frequency_hz[self._index])
 
     @property
     def error_hz(self) -> float:
-        """Total error, Hz."""
+        """Error of `frequency_hz`, discretization and eigenvalue computation, Hz."""
         return float(self._solution.error_hz[self._index])
 
     @property

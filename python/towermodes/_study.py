@@ -45,7 +45,7 @@ class Comparison:
 
     @property
     def columns(self) -> list[tuple[str, int]]:
-        """Method and number of segments or elements of each column."""
+        """Method and number of segments or elements: the rows of the arrays."""
         return [(column["method"], column["segments"]) for column in self.data["methods"]]
 
     @property
@@ -55,12 +55,12 @@ class Comparison:
 
     @property
     def frequency_hz(self) -> NDArray[np.float64]:
-        """The frequencies, Hz: (columns, modes); NaN where a method lacks the mode."""
+        """The frequencies, Hz: (methods, modes); NaN if a method lacks the mode."""
         return self._numbers("frequencies_hz")
 
     @property
     def relative_difference(self) -> NDArray[np.float64]:
-        """Relative differences from the reference solution: (columns, modes)."""
+        """Relative differences from the reference solution: (methods, modes)."""
         return self._numbers("relative_differences")
 
     def _numbers(self, key: str) -> NDArray[np.float64]:
@@ -83,7 +83,7 @@ class Comparison:
         return self._core.json()
 
     def to_csv(self) -> str:
-        """One line per mode and column as CSV, as the program writes it."""
+        """One line per mode and method as CSV, as the program writes it."""
         return self._core.csv()
 
     def plot(self) -> Picture:
@@ -130,7 +130,7 @@ class Agreement:
 
     @property
     def notes(self) -> list[str]:
-        """What the readers assumed or left out, and what is left out of the comparison."""
+        """Assumptions and omissions when the files were read, and omissions of the comparison."""
         return self._core.notes
 
     def to_json(self) -> str:

@@ -115,7 +115,7 @@ def _of_one_length(columns: list[tuple[str, Array]]) -> list[tuple[str, Array]]:
 
 
 class SweepResult:
-    """The results of a sweep: one row a tower, columns by the names of modes.
+    """The results of a sweep: one row for each tower, columns by the names of modes.
 
     `polars.DataFrame(result)`, `pyarrow.table(result)` and other libraries with the Arrow
     interface take it as a table; `pandas.DataFrame(result.to_dict())` does so without it.
@@ -140,7 +140,7 @@ class SweepResult:
     )
 
     failures: list[tuple[int, str]]
-    """What failed or is missing: the row, from 0, and the sentence."""
+    """What failed or is missing: the row, from 0, and the message."""
 
     def __init__(self, inputs: list[tuple[str, Array]], solved: tuple[Any, ...]) -> None:
         modes, frequency_hz, error_hz, mass_kg, certified, failures = solved
@@ -163,13 +163,19 @@ class SweepResult:
     def frequency_hz(self) -> Array:
         """Natural frequencies of the beam, extrapolated, Hz: (rows, modes).
 
+        They correspond to `Solution.extrapolated_hz` for the same number of segments, not to
+        `Solution.frequency_hz`.
+
         NaN where a row has failed or lacks the mode; `failures` says why.
         """
         return self._frequency_hz
 
     @property
     def error_hz(self) -> Array:
-        """Errors of the frequencies before extrapolation, a cautious bound, Hz: (rows, modes)."""
+        """Estimated errors of the frequencies without extrapolation, Hz: (rows, modes).
+
+        The errors of the extrapolated frequencies are usually much smaller.
+        """
         return self._error_hz
 
     @property
@@ -188,7 +194,7 @@ class SweepResult:
         return dict(self._inputs)
 
     def mode(self, family: Family, order: int = 1) -> Array:
-        """The frequencies of a mode by its name, Hz: (rows,).
+        """The frequencies of a mode by its name, extrapolated, Hz: (rows,).
 
         Raises:
             KeyError: The sweep has no such mode; its argument `modes` can name it.
@@ -196,7 +202,7 @@ class SweepResult:
         return self._frequency_hz[:, self._place(family, order)]
 
     def error_of(self, family: Family, order: int = 1) -> Array:
-        """The errors of these frequencies, Hz: (rows,)."""
+        """The column of `error_hz` of a mode by its name, Hz: (rows,)."""
         return self._error_hz[:, self._place(family, order)]
 
     def _place(self, family: str, order: int) -> int:
@@ -218,7 +224,7 @@ class SweepResult:
         return columns
 
     def __arrow_c_stream__(self, requested_schema: object | None = None) -> object:
-        """The table as an Arrow stream, with the sentences of failed rows in the column `error`."""
+        """The table as an Arrow stream, with the messages of failed rows in the column `error`."""
         return _rust.stream_of_results(
             self._inputs,
             [column for _, _, column in self._modes],
@@ -245,7 +251,7 @@ class SweepResult:
             numbers = (column.min(), column.mean(), column.max()) if len(column) else ()
             cells = "".join(f"{number:>12.6g}" for number in numbers)
             yield f"{family} {order}".ljust(14) + cells
-        for row, sentence in self.failures[:3]:
-            yield f"row {row}: {sentence}"
+        for row, message in self.failures[:3]:
+            yield f"row {row}: {message}"
         if failed > 3:
             yield f"and {failed - 3} more failed rows: see failures"

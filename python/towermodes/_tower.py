@@ -54,7 +54,7 @@ class Tower:
         shear: Shear deformation: True, or a shear coefficient.
         point_mass: Masses: dicts with `height`, `mass`, and `inertia`.
         foundation: `type` and its keys.
-        soil: Layers of soil: dicts with `rows`.
+        soil: Soil springs over the height: dicts with `rows`.
         added_mass: Tables of added mass: dicts with `rows`.
         water: `level`, and `bed`, `density` and others.
         wires: Sets of guy wires: dicts.
@@ -62,7 +62,7 @@ class Tower:
         rotor: `blades` and `rpm`.
 
     Raises:
-        TowerError: The numbers describe no valid tower.
+        TowerError: The numbers do not describe a valid tower.
 
     >>> import towermodes as tm
     >>> tower = tm.Tower(
@@ -133,7 +133,7 @@ class Tower:
 
     @classmethod
     def from_toml(cls, text: str) -> Tower:
-        """The tower of the text of a tower file.
+        """Reads a tower from the text of a tower file.
 
         Raises:
             TowerError: The text has mistakes; the exception has their lines and columns.
@@ -198,7 +198,7 @@ class Tower:
 
     @property
     def notes(self) -> list[str]:
-        """What the reader of the file assumed, left out or changed."""
+        """Assumptions made when the file was read; data that is left out; changes by `with_`."""
         return self._core.notes
 
     @property
@@ -237,8 +237,8 @@ class Tower:
                 them, `scale(stations[*].wall)` multiplies, `add(stations[1].height)` adds.
 
         Raises:
-            ValueError: There is no such number, or two changes contradict each other.
-            TowerError: The result is no valid tower.
+            ValueError: The tower has no such number, or two changes contradict each other.
+            TowerError: The result is not a valid tower.
 
         >>> import towermodes as tm
         >>> tower = tm.read("examples/nrel-5mw.toml")
@@ -280,10 +280,10 @@ class Tower:
             degree: Polynomial degree of the elements of the method "spectral"; by default it is
                 raised until the frequencies converge.
             points: Number of equally spaced heights of the mode shapes.
-            heights_m: Other heights at which the shapes are wanted: `Solution.shape_there`.
+            heights_m: More heights for the mode shapes: `Solution.shape_at_heights`, m.
             rotary_inertia: Whether sections have rotary inertia in bending.
-            hinge_position: Position of the hinges of the method "cardanic", as a fraction of the
-                segment from each end.
+            hinge_position: Position of the hinges of the method "cardanic": distance from each end
+                as a fraction of the segment length.
             limits: Whether a computation that would need more than 4 GiB or ten minutes is refused.
 
         Raises:
@@ -311,10 +311,11 @@ class Tower:
         rotary_inertia: bool = True,
         threads: SupportsIndex | None = None,
     ) -> SweepResult:
-        """Solves this tower with the numbers of each row of a table in place of its own.
+        """Changes this tower by each row of a table and solves it.
 
-        Other Python threads run meanwhile, and Ctrl-C ends it. A row that is no valid tower or
-        cannot be solved is no exception: its numbers are NaN, and its sentence is in `failures`.
+        Other Python threads run meanwhile, and Ctrl-C ends it. A row that does not describe a valid
+        tower or cannot be solved raises no exception: its numbers are NaN, and its message is in
+        `failures`. Rows and indices in names count from 0, stations in messages from 1.
 
         Args:
             table: A dict of arrays and numbers, a DataFrame of pandas or polars, or another table
@@ -322,15 +323,16 @@ class Tower:
                 `rna.mass` sets a number, `scale(stations[*].wall)` multiplies.
             modes: Number of modes of this tower whose names are columns, 4 by default, or their
                 names: `[("fore-aft", 1), "torsion 1"]`.
-            segments: Number of segments, 20 by default. The frequencies are extrapolated from
-                several meshes and have five to seven correct digits.
+            segments: Number of segments; by default 20, except for the method "spectral", which
+                chooses its elements. The frequencies are extrapolated from several meshes and have
+                five to seven correct digits; they correspond to `Solution.extrapolated_hz`.
             method: As in `solve`.
             rotary_inertia: As in `solve`.
             threads: Number of threads; by default all processors. The results do not depend on
                 it. With 1, the calling thread does the work.
 
         Raises:
-            ValueError: A column is no number of this tower, or the columns have different lengths.
+            ValueError: A column is not a number of this tower, or columns have different lengths.
             TypeError: A column does not hold numbers.
             SolveError: This tower itself cannot be solved.
 

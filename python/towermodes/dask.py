@@ -22,7 +22,7 @@ from towermodes._tower import Tower
 if TYPE_CHECKING:
     from towermodes._tower import Method
 
-#: How often missing parts are handed out again, for folders that workers or users have touched.
+#: Number of times that missing parts are computed, for folders that users have touched.
 ROUNDS = 3
 
 
@@ -33,10 +33,10 @@ class Outcome(NamedTuple):
     """The folder of the results, complete."""
     rows: int
     """Number of towers in the folder."""
-    solved_rows: int
-    """Number of towers that this call solved; the others were there before."""
+    computed_rows: int
+    """Number of towers that this call computed, with failed ones; others were there before."""
     failed_rows: int
-    """How many of the towers that this call solved have failed; the column `error` says why."""
+    """Number of failed towers among `computed_rows`; the column `error` has the reason."""
 
 
 def sweep(
@@ -57,14 +57,15 @@ def sweep(
     retries: int = 3,
     progress: Callable[[int, int], object] | None = None,
 ) -> Outcome:
-    """Solves a tower with the numbers of each row of a table, on the workers of Dask.
+    """Changes a tower by each row of a table and solves it, on the workers of Dask.
 
-    The results are the folder that `towermodes sweep` writes, with the same bytes: parts of a fixed
-    number of rows, each written whole or not at all. The same call again solves the parts that are
-    missing, also after the client, workers or the whole cluster were killed; the program and Dask
-    can continue each other's work. `_SUCCESS` is there when all parts are.
+    The results are the folder that `towermodes sweep` writes, with the same bytes: parts (files)
+    of a fixed number of rows, each written completely or not at all. The same call again solves the
+    parts that are missing, also after the client, workers or the whole cluster were killed; the
+    program and Dask can continue each other's work. `_SUCCESS` is written when all parts are
+    complete.
 
-    A task is a part and takes one thread. A worker with many threads solves as many parts at a
+    A task of Dask is one part and uses one thread. A worker with n threads solves n parts at a
     time, so give workers as many threads as they have processors.
 
     Args:
@@ -82,9 +83,9 @@ def sweep(
         format: The format of the parts.
         rows_per_part: Number of rows of a part; 16 384 by default, about a second of work.
         inputs: Whether the columns of the table are columns of the results.
-        ignore: Columns of the table that are no numbers of the tower.
+        ignore: Columns of the table that are not numbers of the tower.
         force: Removes results that are in the folder first, also those of another sweep.
-        retries: How often Dask tries a part again that has failed on a worker.
+        retries: Number of retries of a part that failed on a worker.
         progress: Called after each part with the number of rows in the folder and of all rows.
 
     Raises:
@@ -131,18 +132,18 @@ def sweep(
     )
     folder = order.open()
     order = order.for_workers(folder.key)
-    solved_rows = failed_rows = 0
+    computed_rows = failed_rows = 0
     for _ in range(ROUNDS):
         missing = folder.missing()
         there = folder.rows - sum(len(range(*folder.rows_of(part))) for part in missing)
         for rows, failed in _solved(client, order, missing, retries):
             there += rows
-            solved_rows += rows
+            computed_rows += rows
             failed_rows += failed
             if progress is not None:
                 progress(there, folder.rows)
         if folder.finish():
-            return Outcome(Path(order.folder), folder.rows, solved_rows, failed_rows)
+            return Outcome(Path(order.folder), folder.rows, computed_rows, failed_rows)
     message = f"{order.folder} still misses parts {folder.missing()[:5]} after {ROUNDS} rounds; \
 do the workers write to the folder that this process sees?"
     raise OSError(message)

@@ -18,24 +18,29 @@ from towermodes import Tower
 #: neighbouring towers, so the differences have seven.
 STEP = 1e-4
 
+#: Families with one mode each, so the columns of a sweep have no order.
+RIGID = ("surge", "sway", "heave", "roll", "pitch", "yaw")
+
 
 class TowerModes(om.ExplicitComponent):  # type: ignore[misc]
     """Mass and natural frequencies of a tower as functions of its numbers.
 
     Outputs are `mass_kg`, the mass of the tower without the rotor-nacelle assembly, and a
-    frequency for each mode, such as `fore_aft_1_hz`. Partial derivatives are central differences.
+    frequency for each mode, with the name of its column in a sweep: `fore_aft_1_hz`, `surge_hz`.
+    The frequencies are extrapolated, as `SweepResult.frequency_hz`. Partial derivatives are central
+    differences.
 
     Args:
         tower: The tower; its numbers are the initial values of the inputs.
         inputs: Names of OpenMDAO variables, and the number of the tower that each one sets:
             `{"wall_base": "stations[0].wall", "walls": "scale(stations[*].wall)"}`. The initial
-            value is 1 of a factor (`scale`) and 0 of an increment (`add`).
+            value is 1 for a factor (`scale`) and 0 for an increment (`add`).
         modes: Names of modes: `[("fore-aft", 1), ("side-side", 1)]`.
         segments: Number of segments, 20 by default, as in `Tower.sweep`.
 
     Raises:
         ValueError: In the setup, if the tower has no such number.
-        AnalysisError: In a run, if the numbers describe no tower or it cannot be solved.
+        AnalysisError: In a run, if the numbers do not describe a tower that can be solved.
 
     >>> import openmdao.api as om
     >>> import towermodes as tm
@@ -91,8 +96,10 @@ class TowerModes(om.ExplicitComponent):  # type: ignore[misc]
 
 
 def output(mode: tuple[str, int]) -> str:
-    """The output of a mode: `("fore-aft", 1)` is `fore_aft_1_hz`."""
+    """The output of a mode: `("fore-aft", 1)` is `fore_aft_1_hz`, `("surge", 1)` is `surge_hz`."""
     family, order = mode
+    if family in RIGID:
+        return f"{family}_hz"
     return f"{family.replace('-', '_')}_{order}_hz"
 
 

@@ -133,9 +133,7 @@ impl TowerInput {
             if let Some(settings) = self.settings.last().filter(|_| file < self.sources.len()) {
                 let hint = diagnostic.hint.map_or(String::new(), |hint| hint + "; ");
                 let by = &settings.name;
-                diagnostic.hint = Some(format!(
-                    "{hint}{by} changes numbers that this file shows as they were"
-                ));
+                diagnostic.hint = Some(format!("{hint}the file shows the numbers before {by}"));
             }
             ReadError::mistake(self.source(file), diagnostic)
         })

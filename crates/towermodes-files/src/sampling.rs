@@ -40,7 +40,8 @@ pub struct Varied {
 pub enum SamplingKind {
     /// Every combination of levels; the first change varies slowest.
     Grid,
-    /// Latin hypercube: of every change each of `rows` equally probable intervals once.
+    /// Latin hypercube: the range of every change has `rows` equally probable intervals, and each
+    /// interval has exactly one row.
     LatinHypercube,
     /// Independent values.
     Random,
@@ -282,8 +283,8 @@ pub enum SamplingError {
         /// The deviation.
         deviation: f64,
     },
-    /// A lognormal value with a mean of 0 or less.
-    #[error("the mean of a lognormal value is {}; it must be positive", Plain(*.mean))]
+    /// A lognormal distribution with a mean of 0 or less.
+    #[error("the mean of a lognormal distribution is {}; it must be positive", Plain(*.mean))]
     LogNormalMean {
         /// The mean.
         mean: f64,
@@ -317,7 +318,7 @@ pub enum SamplingError {
     NothingVaried,
     /// More changes than the Sobol sequence has dimensions.
     #[error(
-        "{dimensions} values are varied, but a Sobol sequence here has at most {MAX_SOBOL_DIMENSIONS}; use latin-hypercube"
+        "{dimensions} numbers are varied, but sobol varies {MAX_SOBOL_DIMENSIONS} at most; use latin-hypercube"
     )]
     TooManyForSobol {
         /// The number of changes.
@@ -329,10 +330,8 @@ pub enum SamplingError {
         /// The number.
         rows: u64,
     },
-    /// A grid of a distribution that has no levels.
-    #[error(
-        "`{name}` is {distribution}, which has no levels in a grid; use values = [...] or uniform = [low, high] with levels = n, n at least 2"
-    )]
+    /// A distribution in a grid without a number of levels, or of a kind that has none.
+    #[error("`{name}` {}", no_levels(distribution))]
     NoLevels {
         /// The change.
         name: String,
@@ -350,6 +349,16 @@ pub enum SamplingError {
         /// The product of the levels.
         product: u64,
     },
+}
+
+/// What a distribution in a grid lacks.
+fn no_levels(distribution: &str) -> String {
+    match distribution {
+        "uniform" => "is uniform without levels; in a grid add levels = n, n at least 2".to_owned(),
+        other => format!(
+            "is {other}, which cannot be used in a grid; use values = [...], or uniform = [low, high] with levels = n, n at least 2"
+        ),
+    }
 }
 
 #[cfg(test)]
@@ -393,7 +402,10 @@ mod tests {
             truncated,
         };
         assert_eq!(lognormal(1.0, Some([-1.0, 2.0])).check(), Ok(()));
-        refused(&lognormal(0.0, None), "mean of a lognormal value is 0");
+        refused(
+            &lognormal(0.0, None),
+            "mean of a lognormal distribution is 0",
+        );
         refused(
             &lognormal(1.0, Some([-2.0, -1.0])),
             "lower limit 0 is not below",

@@ -236,8 +236,8 @@ fn note(change: &Change, setting: &Setting, by: &str, towers: [&TowerDescription
     let result = match (is_set, parameters.len()) {
         (true, 1) => String::new(),
         (true, count) => format!(": {count} numbers"),
-        (false, 1) => format!(": {after}{space}{unit}"),
-        (false, count) => format!(": {count} numbers, {after}{space}{unit}"),
+        (false, 1) => format!(": now {after}{space}{unit}"),
+        (false, count) => format!(": {count} numbers, now {after}{space}{unit}"),
     };
     let name = change.name();
     Note::new(format!("{name}{value}{result}; the file has {before}"))

@@ -65,8 +65,8 @@ fn all_three_forms_change_the_tower_and_are_noted() {
         notes[old.notes.len()..],
         [
             "rna.mass = 360000 kg by --set; the file has 350000",
-            "scale(stations[*].wall) = 2 by --set: 2 numbers, 0.0494 to 0.0702 m; the file has 0.0247 to 0.0351",
-            "add(stations[0].diameter) = 0.5 by --set: 6.5 m; the file has 6",
+            "scale(stations[*].wall) = 2 by --set: 2 numbers, now 0.0494 to 0.0702 m; the file has 0.0247 to 0.0351",
+            "add(stations[0].diameter) = 0.5 by --set: now 6.5 m; the file has 6",
         ]
     );
 }
@@ -125,7 +125,7 @@ fn an_error_in_the_file_beside_a_setting_says_so() {
     let error = input.tower().expect_err("no tower").to_string();
     assert!(error.contains("nrel-5mw.toml:"), "{error}");
     assert!(
-        error.contains("--set changes numbers that this file shows as they were"),
+        error.contains("the file shows the numbers before --set"),
         "{error}"
     );
 }

@@ -296,7 +296,12 @@ fn distributions() {
         "8:40",
         "the standard deviation is -1",
     );
-    refused("[2.0e11, 2.2e11]", "[2, 1]", "8:67", "truncated");
+    refused(
+        "[2.0e11, 2.2e11]",
+        "[2, 1]",
+        "8:67",
+        "the lower limit 2 is not below the upper limit 1",
+    );
     refused(
         "[0.95, 1.0, 1.05]",
         "[0.95, 1.2, 1.05]",
@@ -307,7 +312,7 @@ fn distributions() {
         "[8500, 100]",
         "[-1, 100]",
         "10:36",
-        "the mean of a lognormal value is -1",
+        "the mean of a lognormal distribution is -1",
     );
     refused("[1.9, 2.0]", "[]", "11:30", "the list of values is empty");
     refused(
@@ -385,9 +390,13 @@ fn grids() {
     refused(
         "a = { normal = [1, 2] }",
         "5:1",
-        "`a` is normal, which has no levels in a grid",
+        "`a` is normal, which cannot be used in a grid",
     );
-    refused("a = { uniform = [1, 2] }", "5:1", "no levels");
+    refused(
+        "a = { uniform = [1, 2] }",
+        "5:1",
+        "`a` is uniform without levels",
+    );
     refused("a = { uniform = [1, 2], levels = 1 }", "5:34", "at least 2");
     let large =
         "a = { uniform = [1, 2], levels = 100_000 }\nb = { uniform = [1, 2], levels = 100_000 }";

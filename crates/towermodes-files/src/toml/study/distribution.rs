@@ -11,7 +11,7 @@ use super::refuse_keys;
 use super::sampling::whole;
 use super::schema::VARY;
 use crate::diagnostic::{Diagnostic, DiagnosticKind};
-use crate::sampling::{Distribution, SamplingKind, Varied};
+use crate::sampling::{Distribution, SamplingError, SamplingKind, Varied};
 
 /// The keys of [`VARY`] that name a distribution; of the others `truncated` belongs to normal and
 /// lognormal values, `levels` to grids.
@@ -148,8 +148,10 @@ fn truncated(table: &Table<'_>, reading: &mut Reading) -> Option<Option<[f64; 2]
             if low < high {
                 return Some(Some([low, high]));
             }
-            let kind = DiagnosticKind::not_rising("the upper limit of truncated", high, low, "");
-            reading.refuse(Diagnostic::new(value.span(), kind))
+            let kind = DiagnosticKind::Sampling(SamplingError::Range { low, high });
+            reading.refuse(
+                Diagnostic::new(value.span(), kind).with_hint("truncated = [lowest, highest]"),
+            )
         }
     }
 }

@@ -24,30 +24,30 @@ tables! {
         required "base" Text "" "file with the tower that is varied, in any format, relative to the study";
         optional "table" Text "" "file with the values, a column for each name: CSV or Parquet";
         optional "sampling" Text "" "in place of table: grid, latin-hypercube, random or sobol";
-        optional "rows" Number "" "number of rows; of a grid the product of its levels";
+        optional "rows" Number "" "number of rows; for a grid leave it out: it is the product of the numbers of levels";
         optional "seed" Number "" "another seed gives other values; default 0";
         optional "vary" Table "" "what varies: names of numbers with their distributions";
         optional "results" Table "" "what is computed and written for each row";
-        optional "reading" Table "" "how the base is read, as by the options of the command line";
+        optional "reading" Table "" "how the file of the tower is read: the options of the command line with the same names, with _ for -";
 
     /// A value of `[sweep.vary]`.
     VARY = "[sweep.vary]":
-        optional "uniform" Numbers "" "lowest and highest value, equally probable between";
+        optional "uniform" Numbers "" "uniform distribution between lowest and highest value";
         optional "normal" Numbers "" "mean and standard deviation";
         optional "lognormal" Numbers "" "mean and standard deviation of the value, not of its logarithm";
         optional "triangular" Numbers "" "lowest, most probable and highest value";
-        optional "values" Numbers "" "these values, equally probable";
-        optional "truncated" Numbers "" "lowest and highest value of normal and lognormal";
+        optional "values" Numbers "" "a list; each value is equally probable";
+        optional "truncated" Numbers "" "with normal and lognormal: lowest and highest value";
         optional "levels" Number "" "of a grid with uniform: number of equally spaced values, both ends included";
 
     /// `[sweep.results]`.
     RESULTS = "[sweep.results]":
-        optional "modes" Any "" "number of modes, the lowest of the base, or a list of names; default 4";
-        optional "segments" Number "" "number of segments or elements; default 20";
+        optional "modes" Any "" "number of lowest modes of the original tower, or a list of names; default 4";
+        optional "segments" Number "" "number of segments or elements; default 20, with spectral those of the method, with bmodes those of a BModes deck";
         optional "method" Text "" "the method of computation; default as of solve";
         optional "rotary_inertia" Flag "" "whether sections have rotary inertia in bending; default true";
         optional "inputs" Flag "" "whether the varied values are columns of the results; default true";
-        optional "rows_per_part" Number "" "rows of a file of the results; default 16384";
+        optional "rows_per_part" Number "" "number of rows in each file of the results; default 16384";
 
     /// `[sweep.reading]`.
     READING = "[sweep.reading]":
