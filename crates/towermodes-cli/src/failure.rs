@@ -242,6 +242,8 @@ impl Failure {
                 PartsError::Io { .. }
                 | PartsError::Unwritable { .. }
                 | PartsError::Damaged { .. }
+                | PartsError::Lost { .. }
+                | PartsError::Replaced { .. }
                 | PartsError::Run(_),
             ) => 1,
             _ => 2,

@@ -30,8 +30,8 @@ pub struct Varied {
     pub name: String,
     /// The distribution of its values.
     pub distribution: Distribution,
-    /// Number of equal steps of a grid with [`Distribution::Uniform`], both ends included; none for
-    /// other kinds of sampling and for [`Distribution::Values`].
+    /// Number of equally spaced values of a grid with [`Distribution::Uniform`], both ends included;
+    /// none for other kinds of sampling and for [`Distribution::Values`].
     pub levels: Option<u64>,
 }
 
@@ -224,11 +224,11 @@ impl Sampling {
         if self.kind == SamplingKind::Sobol && dimensions > MAX_SOBOL_DIMENSIONS {
             return Err(SamplingError::TooManyForSobol { dimensions });
         }
+        if !(1..=MAX_ROWS).contains(&self.rows) {
+            return Err(SamplingError::Rows { rows: self.rows });
+        }
         if self.kind != SamplingKind::Grid {
-            return match (1..=MAX_ROWS).contains(&self.rows) {
-                true => Ok(()),
-                false => Err(SamplingError::Rows { rows: self.rows }),
-            };
+            return Ok(());
         }
         let without = self.vary.iter().find(|v| v.level_count().is_none());
         if let Some(varied) = without {
@@ -443,10 +443,12 @@ mod tests {
         let other = error(grid(11, vec![vary(3), vary(4)]));
         assert!(other.contains("is 11, but the grid has 12"), "{other}");
         assert!(error(grid(1, Vec::new())).contains("nothing is varied"));
-        let random = Sampling {
-            kind: SamplingKind::Random,
-            ..grid(0, vec![vary(3)])
-        };
-        assert!(error(random).contains("must be from 1 to 4294967296"));
+        for kind in SamplingKind::ALL {
+            let empty = Sampling {
+                kind,
+                ..grid(0, vec![vary(3)])
+            };
+            assert!(error(empty).contains("must be from 1 to 4294967296"));
+        }
     }
 }

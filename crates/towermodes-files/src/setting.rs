@@ -116,7 +116,7 @@ impl FromStr for Setting {
             });
         };
         // Infinity may be meant, as of a rigid spring; a number that overflows is not.
-        let is_word = value.trim_start_matches(['+', '-']).starts_with('i');
+        let is_word = value.trim_start_matches(['+', '-']).starts_with(['i', 'I']);
         if number.is_nan() || (number.is_infinite() && !is_word) {
             let value = number;
             return Err(SettingError::NotFinite { name, value });
@@ -132,8 +132,13 @@ impl FromStr for Setting {
 /// What to write in place of a text that is no number.
 fn remedy(value: &str) -> String {
     let decimal = value.replacen(',', ".", 1);
-    match decimal.parse::<f64>() {
-        Ok(_) if value.contains(',') => format!("write a decimal point: {decimal}"),
+    let whole = value.replace(',', "");
+    let is_group = |digits: &str| digits.len() == 3 && digits.bytes().all(|b| b.is_ascii_digit());
+    match (decimal.parse::<f64>(), value.split_once(',')) {
+        (Ok(_), Some((_, digits))) if is_group(digits) => {
+            format!("write {whole}, or {decimal} if the comma is a decimal comma")
+        }
+        (Ok(_), Some(_)) => format!("write a decimal point: {decimal}"),
         _ => "write the number alone, in SI units".to_owned(),
     }
 }

@@ -78,6 +78,10 @@ fn texts_that_are_no_settings() {
     refused(&["rna.mass=heavy"], "is `heavy`, but must be a number");
     refused(&["rna.mass=360 t"], "write the number alone, in SI units");
     refused(&["rna.mass=0,5"], "write a decimal point: 0.5");
+    refused(
+        &["rna.mass=350,000"],
+        "write 350000, or 350.000 if the comma is a decimal comma",
+    );
     refused(&["rna.mass=nan"], "must be a finite number");
     refused(&["rna.mass=1e999"], "must be a finite number");
     refused(&["scale(rna.mass)=inf"], "must be a finite number");
@@ -94,8 +98,12 @@ fn texts_that_are_no_settings() {
 fn infinity_may_be_set() {
     let input = set("monopile.toml", &["gravity.acceleration=0"]);
     assert_eq!(input.description.gravity_m_per_s2, 0.0);
-    let setting: Setting = "foundation.lateral=inf".parse().expect("a setting");
-    assert_eq!(setting.value(), f64::INFINITY);
+    for word in ["inf", "Infinity", "INF", "+inf"] {
+        let setting: Setting = format!("foundation.lateral={word}")
+            .parse()
+            .expect("a setting");
+        assert_eq!(setting.value(), f64::INFINITY);
+    }
 }
 
 #[test]

@@ -125,7 +125,11 @@ impl SweepFolder {
 
     /// Writes `_SUCCESS` if all parts are there; whether they are.
     fn finish(&self, py: Python<'_>) -> PyResult<bool> {
-        py.detach(|| self.parts()?.finish().map_err(of_parts))
+        py.detach(|| match self.parts()?.finish() {
+            // It is computed in the next round.
+            Err(PartsError::Lost { .. }) => Ok(false),
+            finished => finished.map_err(of_parts),
+        })
     }
 }
 
@@ -208,9 +212,9 @@ fn of_parts(error: PartsError) -> PyErr {
             Some(number) => PyOSError::new_err((number, io.to_string(), path.clone())),
             None => PyOSError::new_err(error.to_string()),
         },
-        PartsError::Unwritable { .. } | PartsError::Damaged { .. } => {
-            PyOSError::new_err(error.to_string())
-        }
+        PartsError::Unwritable { .. }
+        | PartsError::Damaged { .. }
+        | PartsError::Replaced { .. } => PyOSError::new_err(error.to_string()),
         _ => usage(error.to_string()),
     }
 }

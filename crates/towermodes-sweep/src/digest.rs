@@ -1,6 +1,7 @@
 //! SHA-256 of bytes, in hexadecimal digits.
 
 use std::fmt::Write;
+use std::io;
 
 use sha2::{Digest as _, Sha256};
 
@@ -28,6 +29,17 @@ impl Digest {
             let _ = write!(text, "{byte:02x}");
             text
         })
+    }
+}
+
+impl io::Write for Digest {
+    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
+        self.add(bytes);
+        Ok(bytes.len())
+    }
+
+    fn flush(&mut self) -> io::Result<()> {
+        Ok(())
     }
 }
 

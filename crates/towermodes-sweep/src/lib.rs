@@ -12,13 +12,15 @@
 //! A row that fails is a row with the sentence that says why, never the end of the sweep. The
 //! columns of modes are named by [family and order](towermodes::ModeName), so they stay with the
 //! mode where frequencies cross. Results have the same bits whatever the number of threads and
-//! whoever computes them.
+//! whoever computes them with the same build; builds for other systems may differ in the last
+//! digits.
 //!
 //! Each frequency is the extrapolated one, on [`DEFAULT_SWEEP_SEGMENTS`] segments by default.
 //! Parquet needs the feature `parquet`.
 
 mod base;
 mod digest;
+mod first;
 mod lowest;
 mod parts;
 mod results;
@@ -34,7 +36,7 @@ mod threads;
 pub use base::{Base, DEFAULT_SWEEP_SEGMENTS};
 pub use parts::{
     DEFAULT_ROWS_PER_PART, MAX_ROWS_PER_PART, PartFormat, PartOptions, Parts, PartsError,
-    PartsProgress, Shard, ShardError, SweepSource, results_csv,
+    PartsProgress, Shard, ShardError, SourceBlock, SweepSource, results_csv,
 };
 pub use results::Results;
 pub use row::MORE_MODES;

@@ -9,6 +9,8 @@ pub(crate) struct Lowest {
     pub(crate) modes: Vec<NamedFrequency>,
     /// Whether the list is proved to be complete.
     pub(crate) certified: bool,
+    /// Why more modes could not be computed when a wanted one was not among these.
+    pub(crate) no_more: Option<SolveError>,
 }
 
 /// The frequency of a mode.
@@ -45,7 +47,10 @@ impl Lowest {
     }
 
     /// Solves a tower for `options.modes` modes, and for more, up to `most`, until all wanted modes
-    /// are among them or the tower has no more. `options.modes` becomes the number solved for.
+    /// are among them or no more can be computed. `options.modes` becomes the number solved for.
+    ///
+    /// # Errors
+    /// That of the first solve. The modes that are known stay when there are no more.
     pub(crate) fn solve_for(
         &mut self,
         wanted: &[ModeName],
@@ -53,6 +58,7 @@ impl Lowest {
         (options, most): (&mut Options, usize),
         workspace: &mut Workspace,
     ) -> Result<(), SolveError> {
+        self.no_more = None;
         self.solve(tower, options, workspace)?;
         while !wanted.iter().all(|name| self.mode(*name).is_some()) {
             let more = more_than(options.modes).min(most);
@@ -60,15 +66,18 @@ impl Lowest {
                 break;
             }
             options.modes = more;
-            match self.solve(tower, options, workspace) {
-                Err(SolveError::TooManyModes { available, .. }) => {
-                    options.modes = available;
-                    if available > self.modes.len() {
-                        self.solve(tower, options, workspace)?;
-                    }
-                    break;
-                }
-                solved => solved?,
+            let mut solved = self.solve(tower, options, workspace);
+            let is_last = solved.is_err();
+            if let Err(SolveError::TooManyModes { available, .. }) = solved {
+                options.modes = available;
+                solved = match available > self.modes.len() {
+                    true => self.solve(tower, options, workspace),
+                    false => Ok(()),
+                };
+            }
+            self.no_more = solved.err();
+            if is_last {
+                break;
             }
         }
         Ok(())

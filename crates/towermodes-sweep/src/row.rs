@@ -1,6 +1,6 @@
 //! One row of a sweep: the changed tower, solved.
 
-use towermodes::{Options, Tower, Workspace};
+use towermodes::{Change, Options, Parameter, Place, Tower, TowerError, Workspace};
 
 use crate::lowest::Lowest;
 use crate::sweep::Sweep;
@@ -71,7 +71,7 @@ impl<'a> RowSolver<'a> {
             }
             change.apply(&mut description, *value);
         }
-        Tower::new(description).map_err(|error| error.to_string())
+        Tower::new(description).map_err(|error| message(&error, self.sweep))
     }
 
     /// Takes the frequencies by name.
@@ -94,10 +94,39 @@ impl<'a> RowSolver<'a> {
         match missing.is_empty() {
             true => Ok(()),
             false => Err(format!(
-                "{} {verb} not among the lowest {} modes",
+                "{} {verb} not among the lowest {} modes{}",
                 missing.join(", "),
-                self.lowest.modes.len()
+                self.lowest.modes.len(),
+                match &self.lowest.no_more {
+                    Some(error) => format!("; more could not be computed: {error}"),
+                    None => String::new(),
+                }
             )),
+        }
+    }
+}
+
+/// The message on a tower that is none, with the numbers of the tower named as columns name them:
+/// indices count from 0.
+fn message(error: &TowerError, sweep: &Sweep) -> String {
+    let changed = sweep.changes().iter().flat_map(Change::parameters).copied();
+    let named = name(error.place, changed);
+    let named = named.or_else(|| name(error.place, Parameter::all(sweep.base()).into_iter()));
+    match named {
+        Some(name) => format!("{name}: {}", error.problem),
+        None => error.to_string(),
+    }
+}
+
+/// The name of the number at a place; of several numbers the list entry that has them.
+fn name(place: Place, parameters: impl Iterator<Item = Parameter>) -> Option<String> {
+    let mut there = parameters.filter(|parameter| parameter.place() == place);
+    let first = there.next()?.to_string();
+    match there.all(|other| other.to_string() == first) {
+        true => Some(first),
+        false => {
+            let end = first.rfind(']')?;
+            Some(first[..=end].to_owned())
         }
     }
 }

@@ -10,7 +10,7 @@ use crate::source::RowSource;
 use crate::sweep::Sweep;
 use crate::threads::{Tick, Watch, lock, shared};
 
-/// Rows that a thread takes at a time; fewer are not worth a thread.
+/// Rows that a thread takes at a time, some milliseconds of work; fewer are not worth a thread.
 pub(crate) const PIECE_ROWS: usize = 64;
 
 /// Why a sweep in memory has no results.
@@ -90,13 +90,14 @@ pub fn run(
     let failures = Mutex::new(Vec::new());
     let pieces = Mutex::new(results.pieces(PIECE_ROWS));
     let ended = shared(threads, watch, |tick| {
-        let mut rows = Rows::new(sweep, source);
+        let mut rows = Rows::new(sweep);
         let mut failed = Vec::new();
         loop {
             // The lock is not held while rows are solved.
             let piece = lock(&pieces).next();
             let Some(piece) = piece else { break };
-            if !rows.solve(piece, &mut failed, tick) {
+            let first = piece.first_row;
+            if !rows.solve(source, first, piece, &mut failed, tick) {
                 break;
             }
         }
@@ -109,32 +110,33 @@ pub fn run(
     Ok(results)
 }
 
-/// What one thread needs to solve rows of a source.
+/// What one thread needs to solve rows.
 pub(crate) struct Rows<'a> {
     solver: RowSolver<'a>,
-    source: &'a dyn RowSource,
     values: Vec<f64>,
 }
 
 impl<'a> Rows<'a> {
-    pub(crate) fn new(sweep: &'a Sweep, source: &'a dyn RowSource) -> Self {
+    pub(crate) fn new(sweep: &'a Sweep) -> Self {
         Self {
             solver: RowSolver::new(sweep),
-            source,
             values: vec![0.0; sweep.changes().len()],
         }
     }
 
-    /// Solves the rows of a piece; false if the tick ended it.
+    /// Solves the rows of a piece, whose values are those of a source from its row `first` on;
+    /// false if the tick ended it.
     pub(crate) fn solve(
         &mut self,
+        source: &dyn RowSource,
+        first: u64,
         mut piece: Piece<'_>,
         failures: &mut Vec<(u64, String)>,
         tick: &mut Tick<'_>,
     ) -> bool {
         for index in 0..piece.rows() {
             let row = piece.first_row + index as u64;
-            self.source.row(row, &mut self.values);
+            source.row(first + index as u64, &mut self.values);
             let failure = self.solver.solve(&self.values, piece.cells(index));
             failures.extend(failure.map(|sentence| (row, sentence)));
             if !tick() {

@@ -1,5 +1,7 @@
 //! A sweep: a tower, the changes of each row, and the modes that are written.
 
+use std::collections::HashSet;
+
 use thiserror::Error;
 use towermodes::{
     Change, ModeName, Options, SolveError, Tower, TowerDescription, TowerError, Workspace,
@@ -7,6 +9,7 @@ use towermodes::{
 use towermodes_files::{SweepModes, SweepResults};
 
 use crate::base::Base;
+use crate::first::first;
 use crate::lowest::Lowest;
 
 /// The largest number of modes that are computed of the base to find the modes that are named.
@@ -86,14 +89,6 @@ pub enum SweepError {
     },
 }
 
-/// The first names of a list.
-fn first(names: &[ModeName]) -> String {
-    const SHOWN: usize = 12;
-    let shown: Vec<String> = names.iter().take(SHOWN).map(ToString::to_string).collect();
-    let more = if names.len() > SHOWN { ", …" } else { "" };
-    shown.join(", ") + more
-}
-
 impl Sweep {
     /// Checks the base by solving it, and finds the modes that have columns.
     ///
@@ -108,9 +103,9 @@ impl Sweep {
             return Err(SweepError::NothingVaried);
         }
         // Their names are those of columns.
-        let is_second = |&i: &usize| changes[..i].iter().any(|c| c.name() == changes[i].name());
-        if let Some(second) = (1..changes.len()).find(is_second) {
-            let name = changes[second].name().to_owned();
+        let mut seen = HashSet::new();
+        if let Some(second) = changes.iter().find(|change| !seen.insert(change.name())) {
+            let name = second.name().to_owned();
             return Err(SweepError::RepeatedChange { name });
         }
         let mut options = base.options(results);
@@ -194,6 +189,9 @@ fn reaching(tower: &Tower, options: &Options, wanted: &[ModeName]) -> Result<usi
     let found = names(&lowest);
     let place = |name: &ModeName| found.iter().position(|other| other == name);
     if let Some(name) = wanted.iter().find(|name| place(name).is_none()) {
+        if let Some(error) = lowest.no_more {
+            return Err(error.into());
+        }
         return Err(SweepError::MissingMode {
             name: *name,
             modes: found.len(),

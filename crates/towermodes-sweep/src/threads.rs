@@ -5,7 +5,7 @@
 use std::ops::ControlFlow;
 use std::sync::atomic::{AtomicBool, AtomicU64, AtomicUsize, Ordering};
 use std::sync::{Mutex, MutexGuard, PoisonError};
-use std::thread;
+use std::thread::{self, Builder};
 use std::time::{Duration, Instant};
 
 /// The watcher is called at least this often, up to the time of one row.
@@ -18,33 +18,55 @@ pub type Watch<'a> = dyn FnMut(u64) -> ControlFlow<()> + 'a;
 /// Called after each row; false ends the work.
 pub(crate) type Tick<'a> = dyn FnMut() -> bool + 'a;
 
-/// The work was ended by the [`Watch`].
+/// The work was ended by the [`Watch`] before all of it was done.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) struct Ended;
 
 /// Runs `work` on a number of threads at once; with one thread on the calling one. Each takes its
 /// pieces by itself and returns when none is left, or when its tick is false.
+///
+/// If the system does not start as many threads, those that it has started do all the work.
 pub(crate) fn shared(
     threads: usize,
     watch: &mut Watch<'_>,
     work: impl Fn(&mut Tick<'_>) + Sync,
 ) -> Result<(), Ended> {
-    if threads <= 1 {
-        return on_this_thread(watch, work);
+    match threads {
+        0 | 1 => on_this_thread(watch, work),
+        _ => on_threads(threads, Builder::new, watch, work),
     }
-    let (done, working) = (AtomicU64::new(0), AtomicUsize::new(threads));
-    let ends = AtomicBool::new(false);
+}
+
+fn on_threads(
+    threads: usize,
+    builder: impl Fn() -> Builder,
+    watch: &mut Watch<'_>,
+    work: impl Fn(&mut Tick<'_>) + Sync,
+) -> Result<(), Ended> {
+    let (done, working) = (AtomicU64::new(0), AtomicUsize::new(0));
+    let [ends, is_cut] = [AtomicBool::new(false), AtomicBool::new(false)];
     let caller = thread::current();
-    thread::scope(|scope| {
-        for _ in 0..threads {
-            scope.spawn(|| {
+    let started = thread::scope(|scope| {
+        let mut started = 0;
+        while started < threads {
+            working.fetch_add(1, Ordering::Relaxed);
+            let spawned = builder().spawn_scoped(scope, || {
                 // Also where the work panics, so that the caller does not wait for it.
                 let _leave = Leave(&working, &caller, &ends);
                 work(&mut || {
                     done.fetch_add(1, Ordering::Relaxed);
-                    !ends.load(Ordering::Relaxed)
+                    let goes_on = !ends.load(Ordering::Relaxed);
+                    if !goes_on {
+                        is_cut.store(true, Ordering::Relaxed);
+                    }
+                    goes_on
                 });
             });
+            if spawned.is_err() {
+                working.fetch_sub(1, Ordering::Relaxed);
+                break;
+            }
+            started += 1;
         }
         while working.load(Ordering::Acquire) > 0 {
             thread::park_timeout(BETWEEN_LOOKS);
@@ -52,13 +74,21 @@ pub(crate) fn shared(
                 ends.store(true, Ordering::Relaxed);
             }
         }
+        started
     });
-    let has_ended = ends.load(Ordering::Relaxed);
-    // The last look sees all that was done, however fast it was.
-    match has_ended || watch(done.load(Ordering::Relaxed)).is_break() {
+    if started == 0 {
+        return on_this_thread(watch, work);
+    }
+    last_look(watch, done.into_inner());
+    match is_cut.into_inner() {
         true => Err(Ended),
         false => Ok(()),
     }
+}
+
+/// The last look sees all that was done, however fast it was; it cannot end work that is done.
+fn last_look(watch: &mut Watch<'_>, done: u64) {
+    let _ = watch(done);
 }
 
 /// A thread that leaves the work.
@@ -87,13 +117,70 @@ fn on_this_thread(watch: &mut Watch<'_>, work: impl Fn(&mut Tick<'_>)) -> Result
         }
         ended.is_ok()
     });
-    if ended.is_ok() && watch(done).is_break() {
-        return Err(Ended);
-    }
+    last_look(watch, done);
     ended
 }
 
 /// A lock; a thread that panicked while it had it left the list as it was.
 pub(crate) fn lock<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
     mutex.lock().unwrap_or_else(PoisonError::into_inner)
+}
+
+#[cfg(test)]
+mod tests {
+    use std::ops::ControlFlow;
+    use std::sync::atomic::{AtomicUsize, Ordering};
+    use std::thread::Builder;
+
+    use super::{Ended, on_this_thread, on_threads, shared};
+
+    /// 1000 rows that threads take one by one.
+    fn rows(taken: &AtomicUsize) -> impl Fn(&mut super::Tick<'_>) + Sync {
+        move |tick| while taken.fetch_add(1, Ordering::Relaxed) < 1000 && tick() {}
+    }
+
+    /// No system has 2⁶⁰ bytes for the stack of a thread.
+    #[test]
+    fn threads_that_do_not_start_are_not_waited_for() {
+        for most in [0, 1, 3] {
+            let (taken, asked) = (AtomicUsize::new(0), AtomicUsize::new(0));
+            let builder = || match asked.fetch_add(1, Ordering::Relaxed) < most {
+                true => Builder::new(),
+                false => Builder::new().stack_size(1 << 60),
+            };
+            let mut last = 0;
+            let mut watch = |done| {
+                last = done;
+                ControlFlow::Continue(())
+            };
+            assert_eq!(on_threads(8, builder, &mut watch, rows(&taken)), Ok(()));
+            assert_eq!((last, asked.into_inner()), (1000, most + 1));
+        }
+    }
+
+    /// A watch that ends the work when it sees the last row comes too late.
+    #[test]
+    fn finished_work_is_not_thrown_away() {
+        for threads in [1, 4] {
+            let taken = AtomicUsize::new(0);
+            let mut watch = |done| match done {
+                1000 => ControlFlow::Break(()),
+                _ => ControlFlow::Continue(()),
+            };
+            // The threads are still there when the watch sees the last row.
+            let lingering = |tick: &mut super::Tick<'_>| {
+                rows(&taken)(tick);
+                std::thread::sleep(2 * super::BETWEEN_LOOKS);
+            };
+            assert_eq!(shared(threads, &mut watch, lingering), Ok(()));
+        }
+        let taken = AtomicUsize::new(0);
+        let slow = |tick: &mut super::Tick<'_>| {
+            std::thread::sleep(2 * super::BETWEEN_LOOKS);
+            rows(&taken)(tick);
+        };
+        let ended = on_this_thread(&mut |_| ControlFlow::Break(()), slow);
+        assert_eq!(ended, Err(Ended));
+        assert!(taken.into_inner() < 1000);
+    }
 }

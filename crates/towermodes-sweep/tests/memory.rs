@@ -4,7 +4,7 @@ use std::ops::ControlFlow;
 
 use towermodes::{Change, Method, Options, Tower, solve};
 use towermodes_files::{Distribution, Sampling, SamplingKind, SweepModes, SweepResults, Varied};
-use towermodes_sweep::{Base, Columns, Draw, RunError, Sweep, SweepError, run};
+use towermodes_sweep::{Base, Columns, Draw, RunError, Sweep, SweepError, results_csv, run};
 
 use crate::towers::{example, lowest, names, solved, sweep, tower};
 
@@ -87,7 +87,10 @@ fn a_row_that_fails_is_a_row_with_its_sentence() {
         .map(|(r, s)| (*r, s.as_str()))
         .collect();
     let expected = [
-        (1, "station 3: wall thickness is -1 m; it must be positive"),
+        (
+            1,
+            "stations[2].wall: wall thickness is -1 m; it must be positive",
+        ),
         (2, "rna.mass is NaN; it must be finite"),
         (3, "rna.mass is inf; it must be finite"),
     ];
@@ -221,6 +224,83 @@ fn rows_need_a_value_for_each_change() {
     let expected =
         "column 1 has 2 rows, but the first column has 1; all columns need the same number";
     assert_eq!(differ.to_string(), expected);
+}
+
+/// The message on a row names numbers as columns do: with indices from 0.
+#[test]
+fn sentences_name_numbers_as_columns_do() {
+    for (column, value, expected) in [
+        (
+            "scale(stations[1].wall)",
+            -1.0,
+            "stations[1].wall: wall thickness is -0.023 m",
+        ),
+        (
+            "stations[2].wall",
+            9.0,
+            "stations[2].wall: outer diameter 3.87 m is less than twice",
+        ),
+        (
+            "stations[1].height",
+            99.0,
+            "stations[2].height: height 87.6 m is below",
+        ),
+        (
+            "material.density",
+            -1.0,
+            "material.density: density is -1 kg",
+        ),
+        ("rna.mass", -1.0, "rna.mass: mass is -1 kg"),
+        ("rotor.rpm[0]", -1.0, "rotor.rpm[0]: "),
+    ] {
+        let results = solved(&lowest(&[column], 2), &[&[value]], 1);
+        let sentence = &results.failures[0].1;
+        assert!(sentence.starts_with(expected), "{column}: {sentence}");
+    }
+}
+
+/// Without mass of its own the tower has the modes of its point masses only. The others are not
+/// resolvable in double precision: those that are known stay.
+#[test]
+fn a_row_keeps_its_modes_when_more_cannot_be_computed() {
+    let results = SweepResults {
+        modes: SweepModes::Named(names(&["fore-aft 1", "torsion 1"])),
+        ..SweepResults::default()
+    };
+    let changes = ["material.density", "rna.inertia.zz"];
+    let sweep = sweep(Base::from(tower(4e9)), &changes, &results);
+    let results = solved(&sweep, &[&[1e-12], &[1e-6]], 1);
+    let sentence = &results.failures[0].1;
+    let expected = "torsion 1 is not among the lowest ";
+    assert!(sentence.starts_with(expected), "{sentence}");
+    assert!(
+        sentence.contains(" modes; more could not be computed: "),
+        "{sentence}"
+    );
+    let mut description = tower(4e9);
+    description.materials[0].density_kg_per_m3 = 1e-12;
+    description.rna.inertia_kg_m2.zz = 1e-6;
+    let tower = Tower::new(description).expect("a tower");
+    let options = Options {
+        segments: Some(20),
+        modes: sweep.options().modes,
+        ..Options::default()
+    };
+    let solution = solve(&tower, &options).expect("the modes that the row has");
+    assert_eq!(results.frequency_hz[0], solution.modes[0].extrapolated_hz);
+    assert!(results.certified[0] && results.frequency_hz[1].is_nan());
+}
+
+#[test]
+fn a_table_of_results_needs_the_values_of_its_rows() {
+    let sweep = lowest(&["rna.mass", "stations[1].wall"], 2);
+    let (masses, walls) = ([3.5e5, 3.6e5], [0.02, 0.02]);
+    let results = solved(&sweep, &[&masses, &walls], 1);
+    for columns in [vec![&masses[..]], vec![&masses[..1], &walls[..1]]] {
+        let source = Columns::new(columns).expect("columns");
+        let error = results_csv(&sweep, &source, results.clone()).expect_err("refused");
+        assert_eq!(error.kind(), std::io::ErrorKind::InvalidInput);
+    }
 }
 
 #[test]

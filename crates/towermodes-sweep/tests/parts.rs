@@ -215,7 +215,9 @@ fn a_damaged_part_is_written_anew() {
             fs::write(&part, damaged).expect("written");
             let parts = open().expect("open");
             assert_eq!(parts.missing().expect("a folder"), [2], "{format:?}");
-            assert!(!parts.finish().expect("a folder"));
+            let lost = parts.finish().expect_err("a damaged part").to_string();
+            assert!(lost.contains("part-00002") && lost.contains("is damaged"));
+            assert!(!folder.path("r").join("_SUCCESS").exists());
             assert_eq!(filled(&parts, 1), (1, true));
             assert!(right == content(&folder.path("r")));
         }
@@ -223,6 +225,216 @@ fn a_damaged_part_is_written_anew() {
         assert_eq!(filled(&open().expect("open"), 1), (1, true));
         assert!(right == content(&folder.path("r")));
     }
+}
+
+/// Parts that are not there any more are told apart from those that other shards have to compute,
+/// and a folder that misses parts is not marked as complete.
+#[test]
+fn a_part_that_is_lost_is_an_error_of_its_shard() {
+    let (sweep, source) = sampled(1);
+    let folder = Folder::new();
+    let path = folder.path("r");
+    let shard = |index| PartOptions {
+        shard: Shard::new(index, 2).expect("a shard"),
+        ..options(PartFormat::Csv)
+    };
+    let open = |options| Parts::open(&sweep, &source, &path, options).expect("open");
+    let all = open(options(PartFormat::Csv));
+    filled(&all, 1);
+    let right = content(&path);
+    fs::remove_file(all.path(0)).expect("removed");
+    let lost = all.finish().expect_err("a lost part");
+    assert!(matches!(lost, PartsError::Lost { .. }), "{lost}");
+    let sentence = lost.to_string();
+    assert!(sentence.contains("part-00000.csv is missing"), "{sentence}");
+    // Of the other shard it is not lost: that one computes it.
+    fs::write(path.join("_SUCCESS"), "").expect("written");
+    assert!(!open(shard(1)).finish().expect("a folder"));
+    assert!(!path.join("_SUCCESS").exists());
+    // While it is computed, the folder is not complete.
+    fs::write(path.join("_SUCCESS"), "").expect("written");
+    let parts = open(shard(0));
+    let mut was_marked = false;
+    let solved = parts.solve(&[0], 1, &mut |_| {
+        was_marked |= path.join("_SUCCESS").exists();
+        ControlFlow::Continue(())
+    });
+    assert!(solved.is_ok() && !was_marked && !path.join("_SUCCESS").exists());
+    assert!(parts.finish().expect("a folder"));
+    assert!(right == content(&path));
+}
+
+/// A second sweep is forced into the folder of one that is at work.
+#[test]
+fn a_run_whose_folder_was_taken_ends() {
+    let (sweep, source) = sampled(1);
+    let (_, other_source) = sampled(2);
+    let folder = Folder::new();
+    let path = folder.path("r");
+    let parts = Parts::open(&sweep, &source, &path, options(PartFormat::Csv)).expect("open");
+    let go_on = |_| ControlFlow::Continue(());
+    parts.solve(&[0, 1], 1, &mut { go_on }).expect("parts");
+    let forced = PartOptions {
+        force: true,
+        ..options(PartFormat::Csv)
+    };
+    let others = Parts::open(&sweep, &other_source, &path, forced).expect("open");
+    others.solve(&[0], 1, &mut { go_on }).expect("a part");
+    let before = content(&path);
+    let error = parts.solve(&[2], 1, &mut { go_on }).expect_err("ended");
+    assert!(matches!(error, PartsError::Replaced { .. }), "{error}");
+    assert!(before == content(&path), "nothing is written");
+    assert!(matches!(parts.finish(), Err(PartsError::Foreign { .. })));
+    fs::remove_file(path.join("_sweep.json")).expect("removed");
+    let error = others.solve(&[1], 1, &mut { go_on }).expect_err("ended");
+    assert!(matches!(error, PartsError::Replaced { .. }), "{error}");
+}
+
+#[test]
+fn force_removes_results_and_no_other_files() {
+    let (sweep, source) = sampled(1);
+    let folder = Folder::new();
+    let path = folder.path("r");
+    let forced = PartOptions {
+        force: true,
+        ..options(PartFormat::Csv)
+    };
+    let open = || Parts::open(&sweep, &source, &path, forced);
+    let own = ["part-of-the-report.csv", "part-00000-7f3e.snappy.parquet"];
+    // A folder that never was one of results.
+    fs::create_dir_all(&path).expect("a folder");
+    for name in own.into_iter().chain(["part-00001.csv"]) {
+        fs::write(path.join(name), "mine").expect("written");
+        let error = open().map(|_| ()).expect_err("refused");
+        assert!(matches!(error, PartsError::NotResults { .. }), "{error}");
+        assert_eq!(fs::read(path.join(name)).expect("the file"), b"mine");
+        fs::remove_file(path.join(name)).expect("removed");
+    }
+    // One of results, with other files.
+    filled(&open().expect("open"), 1);
+    let before = content(&path);
+    for name in own {
+        fs::write(path.join(name), "mine").expect("written");
+        let error = open().map(|_| ()).expect_err("refused");
+        assert!(matches!(error, PartsError::NotResults { .. }), "{error}");
+        fs::remove_file(path.join(name)).expect("removed");
+        assert!(before == content(&path), "nothing is removed");
+    }
+    for name in [".part-mine.tmp", "notes.txt"] {
+        fs::write(path.join(name), "mine").expect("written");
+    }
+    fs::write(path.join(".part-00003.csv.77-0.tmp"), "half").expect("written");
+    drop(open().expect("open"));
+    let left: Vec<String> = content(&path).into_keys().collect();
+    assert_eq!(left, [".part-mine.tmp", "_sweep.json", "notes.txt"]);
+    // Parts of another sweep whose plan is lost have its key.
+    let (_, other_source) = sampled(2);
+    for &format in FORMATS {
+        let others = PartOptions {
+            force: true,
+            ..options(format)
+        };
+        let parts = Parts::open(&sweep, &other_source, &path, others).expect("open");
+        filled(&parts, 1);
+        fs::remove_file(path.join("_sweep.json")).expect("removed");
+        drop(open().expect("open"));
+        assert_eq!(content(&path).len(), 3);
+    }
+}
+
+/// `cp results/* copy/` leaves hidden files out.
+#[test]
+fn a_copy_without_hidden_files_is_complete() {
+    for &format in FORMATS {
+        let (sweep, source) = sampled(1);
+        let folder = Folder::new();
+        let parts = Parts::open(&sweep, &source, &folder.path("r"), options(format));
+        filled(&parts.expect("open"), 1);
+        let copy = folder.path("copy");
+        fs::create_dir_all(&copy).expect("a folder");
+        for (name, bytes) in content(&folder.path("r")) {
+            if !name.starts_with('.') {
+                fs::write(copy.join(name), bytes).expect("written");
+            }
+        }
+        let parts = Parts::open(&sweep, &source, &copy, options(format));
+        assert_eq!(filled(&parts.expect("open"), 1), (0, true), "{format:?}");
+    }
+}
+
+/// A key that cannot be read does not say that the part is damaged.
+#[test]
+fn a_part_whose_key_cannot_be_read_is_not_replaced() {
+    let (sweep, source) = sampled(1);
+    let folder = Folder::new();
+    let parts = Parts::open(&sweep, &source, &folder.path("r"), options(PartFormat::Csv));
+    let parts = parts.expect("open");
+    filled(&parts, 1);
+    let key = folder.path("r").join("_part-00001.csv.key");
+    fs::remove_file(&key).expect("removed");
+    assert_eq!(parts.missing().expect("a folder"), [1]);
+    fs::create_dir(&key).expect("a folder in its place");
+    let error = parts.missing().expect_err("unreadable");
+    assert!(matches!(error, PartsError::Io { .. }), "{error}");
+    assert!(error.to_string().contains("_part-00001.csv.key"));
+}
+
+#[test]
+fn parts_that_do_not_exist_are_refused() {
+    let (sweep, source) = sampled(1);
+    for &format in FORMATS {
+        let folder = Folder::new();
+        let parts = Parts::open(&sweep, &source, &folder.path("r"), options(format));
+        let parts = parts.expect("open");
+        for part in [7, 99, u64::MAX] {
+            assert_eq!(parts.rows_of(part), 690..690);
+            let solved = parts.solve(&[0, part], 1, &mut |_| ControlFlow::Continue(()));
+            let error = solved.expect_err("refused").to_string();
+            let expected = format!("part {part} does not exist; the sweep has 7, numbered from 0");
+            assert_eq!(error, expected);
+            let error = parts.read(part).expect_err("refused");
+            assert!(matches!(error, PartsError::NoSuchPart { count: 7, .. }));
+        }
+        assert_eq!(parts.rows_of(6), 600..690);
+        let solved = parts.solve(&[2, 2, 2], 2, &mut |_| ControlFlow::Continue(()));
+        let solved = solved.expect("a part");
+        assert_eq!((solved.rows, solved.parts), (100, 1));
+    }
+}
+
+/// More threads than the parts have pieces, and as many rows as the parts have.
+#[test]
+fn all_rows_are_counted() {
+    let (sweep, source) = sampled(1);
+    for threads in [1, 3, 4000] {
+        let folder = Folder::new();
+        let parts = Parts::open(&sweep, &source, &folder.path("r"), options(PartFormat::Csv));
+        let parts = parts.expect("open");
+        let solved = parts.solve(&[0, 3, 6], threads, &mut |_| ControlFlow::Continue(()));
+        let solved = solved.expect("parts");
+        assert_eq!((solved.rows, solved.parts), (290, 3), "{threads} threads");
+    }
+}
+
+/// The numbers of another build may differ in digits, so the key has their version.
+#[test]
+fn the_plan_has_the_version_of_the_numbers() {
+    let (sweep, source) = sampled(1);
+    let folder = Folder::new();
+    let path = folder.path("r");
+    let open = || Parts::open(&sweep, &source, &path, options(PartFormat::Csv)).map(|_| ());
+    open().expect("open");
+    let plan = path.join("_sweep.json");
+    let text = fs::read_to_string(&plan).expect("a plan");
+    assert!(text.contains("\"numbers\": 1"), "{text}");
+    let other = text.replace("\"numbers\": 1", "\"numbers\": 0");
+    let key = text.split("\"key\": \"").nth(1).expect("a key");
+    fs::write(&plan, other.replace(&key[..64], "0")).expect("written");
+    let error = open().expect_err("refused").to_string();
+    assert!(
+        error.ends_with("Different: numbers (0 there, 1 here)"),
+        "{error}"
+    );
 }
 
 #[test]
@@ -284,7 +496,7 @@ fn foreign_parts_are_not_overwritten() {
         let other = folder.path("other");
         let others = Parts::open(&sweep, &other_source, &other, with).expect("open");
         filled(&others, 1);
-        for name in [parts.name(1), format!(".{}.key", parts.name(1))] {
+        for name in [parts.name(1), format!("_{}.key", parts.name(1))] {
             let _ = fs::copy(other.join(&name), path.join(&name));
         }
         let error = parts.missing().expect_err("refused").to_string();

@@ -131,6 +131,32 @@ fn the_rotor_of_the_base_is_checked_unless_it_is_varied() {
     assert_eq!(lowest(&["scale(rotor.rpm[1])"], 2).margin_check(), None);
 }
 
+/// The standard error is that of independent rows.
+#[test]
+fn only_random_rows_are_independent() {
+    for kind in SamplingKind::ALL {
+        let source = SweepSource::sampled(Sampling {
+            kind,
+            rows: 2,
+            seed: 1,
+            vary: vec![Varied {
+                name: "rna.mass".to_owned(),
+                distribution: Distribution::Values(vec![3e5, 4e5]),
+                levels: None,
+            }],
+        });
+        let source = source.expect("a sample");
+        let (sweep, folder) = (lowest(&["rna.mass"], 1), Folder::new());
+        let parts = Parts::open(&sweep, &source, &folder.path("r"), PartOptions::default());
+        let parts = parts.expect("open");
+        parts
+            .solve(&[0], 1, &mut |_| ControlFlow::Continue(()))
+            .expect("a part");
+        let summary = parts.summary(None).expect("a summary");
+        assert_eq!(summary.rows_are_independent, kind == SamplingKind::Random);
+    }
+}
+
 #[test]
 fn parts_have_the_summary_of_the_results_in_memory() {
     let sweep = lowest(&["rna.mass", "stations[1].wall"], 3);
@@ -173,6 +199,10 @@ fn parts_have_the_summary_of_the_results_in_memory() {
         columns[0].push(values[0]);
         columns[1].push(values[1]);
     }
+    assert!(
+        !of_parts.rows_are_independent,
+        "a Latin hypercube is more even"
+    );
     let in_memory = solved(&sweep, &[&columns[0], &columns[1]], 1);
     assert_eq!(of_parts, in_memory.summary(check.as_ref()));
     assert!(of_parts.failed > 0 && of_parts.failures.len() == 1);

@@ -43,9 +43,29 @@ fn every_dialect_gives_the_same_values() {
         "\"rna.mass\",\"scale(stations[*].wall)\"\n\"3.3e5\",\"1.02\"\n\"340000\",\"0.98\"\n",
         "rna.mass,#note,scale(stations[*].wall)\n3.3e5,\"a, b\nc\",1.02\n340000,,0.98\n",
         "rna.mass,scale(stations[*].wall)\r3.3e5,1.02\r340000,0.98\r",
+        "\u{feff}\"rna.mass\",#note,scale(stations[*].wall)\n3.3e5,\"a\n\n\nb\",1.02\n340000,5\" pipe,0.98\n",
+        "rna.mass,#note,scale(stations[*].wall)\n3.3e5,\"a \"\"b\"\"\",1.02\n340000,\"\",0.98\n",
     ] {
         assert_eq!(values(text), MASS_AND_WALL, "{text}");
     }
+}
+
+/// A quotation mark that is closed thousands of rows below would take them for the text of a cell.
+#[test]
+fn a_stray_quotation_mark_does_not_take_rows_away() {
+    let mut text = String::from("rna.mass,#site\n350000,a\n360000,\"north\n");
+    for row in 0..100_000 {
+        text += &format!("{row},x\n");
+    }
+    text += "370000,south\"\n";
+    let expected = "line 3: a cell begins with a quotation mark that is not closed";
+    assert!(refused(&text).starts_with(expected));
+    // 80 MB of text in a cell are not read into the memory.
+    let large = format!("rna.mass,#site\n1,\"{}\"\n", "x".repeat(80 << 20));
+    assert!(refused(&large).starts_with("line 2 is longer than 64 MiB"));
+    // A mistake above is found first.
+    let above = text.replacen("350000", "wrong", 1);
+    assert!(refused(&above).starts_with("line 2"), "{}", refused(&above));
 }
 
 #[test]
@@ -132,6 +152,11 @@ fn mistakes_are_shown_with_line_and_column_and_what_is_right() {
             "line 2, column `stations[1].wall`: `0,02` has a decimal comma; write `0.02`",
         ),
         (
+            "rna.mass;stations[1].wall\n350,000;0.02\n",
+            "line 2, column `rna.mass`: `350,000` has a comma; write `350000` if it separates thousands, \
+             `350.000` if it is a decimal comma",
+        ),
+        (
             "rna.mass,stations[1].wall\n3e5\n",
             "line 2 has 1 cells, but the first line has 2",
         ),
@@ -141,6 +166,21 @@ fn mistakes_are_shown_with_line_and_column_and_what_is_right() {
         ),
         ("rna.mass\n3e5\n\n3e5\n", "line 3 is empty"),
         ("rna.mass\r\n3e5\r\n\r\n\r\n3e5\r\n", "line 3 is empty"),
+        ("rna.mass\n3e5\n\n3e5\nabc\n", "line 3 is empty"),
+        ("\nrna.mass\n3e5\n", "line 1 is empty"),
+        ("rna.mass\n3e5\nabc\n\n3e5\n", "line 3, column `rna.mass`"),
+        (
+            "rna.mass,#site\n3e5,\"a\r\rb\"\n\n3e5,c\n",
+            "line 5 is empty",
+        ),
+        (
+            "rna.mass,#site\n350000,\"north\n360000,b\n370000,c\n",
+            "line 2: a cell begins with a quotation mark that is not closed in the next 100 lines; close it or remove it",
+        ),
+        (
+            "\u{feff}\"rna.mass\n3e5\n",
+            "line 1: a cell begins with a quotation mark",
+        ),
         (
             "#n,rna.mass\n\"a\nb\",3e5\nc,x\n",
             "line 4, column `rna.mass`: `x` is not a number",
@@ -213,6 +253,12 @@ fn what_is_no_file_is_refused() {
     {
         let endless = open(PathBuf::from("/dev/zero"));
         assert!(matches!(*endless.problem, TableProblem::NotAFile));
+        // A pipe to which nobody writes.
+        let pipe = folder.path("pipe");
+        let made = std::process::Command::new("mkfifo").arg(&pipe).status();
+        if made.is_ok_and(|status| status.success()) {
+            assert!(matches!(*open(pipe).problem, TableProblem::NotAFile));
+        }
     }
 }
 

@@ -1,11 +1,11 @@
-//! Parts in CSV, each with a hidden file that has its key and its digest.
+//! Parts in CSV, each with a file that has its key and its digest.
 
-use std::io::Write;
+use std::io::{Read, Write};
+use std::ops::Range;
 
 use towermodes::ModeName;
 
 use super::part::{Column, Part};
-use crate::digest::Digest;
 use crate::results::Results;
 
 /// The text of a part.
@@ -46,57 +46,66 @@ fn number(cell: &mut Vec<u8>, number: f64) -> std::io::Result<()> {
     }
 }
 
-/// The name of the hidden file of a part.
-pub(super) fn key_name(part: &str) -> String {
-    format!(".{part}.key")
+/// The text of the key file of a part with a digest.
+pub(super) fn key_text(key: &str, part: u64, digest: &str) -> String {
+    format!("{key} {part} {digest}\n")
 }
 
-/// The text of the hidden file of a part.
-pub(super) fn key_text(key: &str, part: u64, content: &[u8]) -> String {
-    format!("{key} {part} {}\n", Digest::of(content))
-}
-
-/// Reads the results of a part.
+/// Reads the results of a part with given rows.
 ///
 /// # Errors
 /// What is wrong with the text.
 pub(super) fn read(
-    content: &[u8],
+    content: impl Read,
     columns: &[(String, Column)],
-    first_row: u64,
+    rows: Range<u64>,
     modes: &[ModeName],
 ) -> Result<Results, String> {
-    let mut reader = ::csv::Reader::from_reader(content);
-    let records = reader.byte_records();
-    let records: Result<Vec<::csv::ByteRecord>, _> = records.collect();
-    let records = records.map_err(|error| error.to_string())?;
-    let unsolved = Results::unsolved(first_row, records.len(), modes);
+    let expected = (rows.end - rows.start) as usize;
+    let unsolved = Results::unsolved(rows.start, expected, modes);
     let mut results = unsolved.map_err(|error| error.to_string())?;
-    for (row, record) in records.iter().enumerate() {
+    let mut reader = ::csv::Reader::from_reader(content);
+    let (mut record, mut row) = (::csv::ByteRecord::new(), 0);
+    let wrong = |error: ::csv::Error| error.to_string();
+    while reader.read_byte_record(&mut record).map_err(wrong)? {
+        if row == expected {
+            return Err(format!("it has more rows than {expected}"));
+        }
         if record.len() != columns.len() {
             return Err(format!("line {} has {} cells", row + 2, record.len()));
         }
-        for ((_, column), cell) in columns.iter().zip(record) {
-            let text = std::str::from_utf8(cell).map_err(|error| error.to_string())?;
-            let number = || match text {
-                "" => Ok(f64::NAN),
-                digits => digits
-                    .parse::<f64>()
-                    .map_err(|_| format!("line {} has `{digits}` in place of a number", row + 2)),
-            };
-            match *column {
-                Column::Row | Column::Input(_) => {}
-                Column::MassKg => results.mass_kg[row] = number()?,
-                Column::Certified => results.certified[row] = text == "true",
-                Column::Hz(mode) => results.frequency_hz[row * modes.len() + mode] = number()?,
-                Column::ErrorHz(mode) => results.error_hz[row * modes.len() + mode] = number()?,
-                Column::Sentence if text.is_empty() => {}
-                Column::Sentence => {
-                    let failure = (first_row + row as u64, text.to_owned());
-                    results.failures.push(failure);
-                }
-            }
+        for ((_, column), cell) in columns.iter().zip(&record) {
+            put(&mut results, row, column, cell)?;
+        }
+        row += 1;
+    }
+    match row == expected {
+        true => Ok(results),
+        false => Err(format!("it has {row} rows in place of {expected}")),
+    }
+}
+
+/// Puts a cell of a row into the results.
+fn put(results: &mut Results, row: usize, column: &Column, cell: &[u8]) -> Result<(), String> {
+    let text = std::str::from_utf8(cell).map_err(|error| error.to_string())?;
+    let number = || match text {
+        "" => Ok(f64::NAN),
+        digits => digits
+            .parse::<f64>()
+            .map_err(|_| format!("line {} has `{digits}` in place of a number", row + 2)),
+    };
+    let modes = results.modes.len();
+    match *column {
+        Column::Row | Column::Input(_) => {}
+        Column::MassKg => results.mass_kg[row] = number()?,
+        Column::Certified => results.certified[row] = text == "true",
+        Column::Hz(mode) => results.frequency_hz[row * modes + mode] = number()?,
+        Column::ErrorHz(mode) => results.error_hz[row * modes + mode] = number()?,
+        Column::Sentence if text.is_empty() => {}
+        Column::Sentence => {
+            let failure = (results.first_row + row as u64, text.to_owned());
+            results.failures.push(failure);
         }
     }
-    Ok(results)
+    Ok(())
 }

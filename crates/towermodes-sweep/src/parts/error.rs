@@ -48,6 +48,44 @@ pub enum PartsError {
         /// What is different.
         reason: String,
     },
+    /// A file that would be read as a part and that no sweep has written, in a folder whose results
+    /// are to be removed.
+    #[error(
+        "{} has the name of a part, but is not known to be a result of a sweep; choose another folder, or remove this file yourself",
+        path.display()
+    )]
+    NotResults {
+        /// The file.
+        path: PathBuf,
+    },
+    /// Another run has removed the results, or has begun another sweep in the folder.
+    #[error(
+        "{} was removed or replaced by another run, so this sweep is ended; start it again in a folder of its own",
+        path.display()
+    )]
+    Replaced {
+        /// The plan.
+        path: PathBuf,
+    },
+    /// A part that was there is not any more.
+    #[error(
+        "{} {reason}: another program has changed the folder; the same command computes this part again",
+        path.display()
+    )]
+    Lost {
+        /// The file.
+        path: PathBuf,
+        /// What it is now.
+        reason: &'static str,
+    },
+    /// A part that the sweep does not have.
+    #[error("part {part} does not exist; the sweep has {count}, numbered from 0")]
+    NoSuchPart {
+        /// The number of the part.
+        part: u64,
+        /// The number of parts.
+        count: u64,
+    },
     /// The values are those of other changes than the sweep has.
     #[error("the values are those of {}, but the sweep changes {}", found.join(", "), expected.join(", "))]
     OtherChanges {

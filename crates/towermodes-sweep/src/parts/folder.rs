@@ -1,24 +1,18 @@
 //! The folder of the parts.
 
 use std::fs;
-use std::io::ErrorKind;
 use std::ops::Range;
 use std::path::{Path, PathBuf};
 
-use super::check::State;
-use super::part::{Column, Part, PartFormat, columns};
+use super::check::{State, Verified};
+use super::names::{SUCCESS, is_temporary};
+use super::part::{Column, PartFormat, columns};
 use super::plan::{Plan, SweepSource};
-use super::write::{is_temporary, sync_folder, write, write_new};
-use super::{PartOptions, PartsError, Shard, csv};
-use crate::results::Results;
+use super::write::{sync_folder, write};
+use super::{PartOptions, PartsError, Shard};
 use crate::sweep::Sweep;
 
-/// The file with the plan.
-const PLAN: &str = "_sweep.json";
-/// The empty file of a complete folder.
-const SUCCESS: &str = "_SUCCESS";
-
-/// A folder of results: what is there, what is missing, and how a part is written.
+/// A folder of results: what is there and what is missing.
 ///
 /// # Example
 /// 1000 towers, drawn by a Latin hypercube, in parts of 500 rows:
@@ -65,10 +59,11 @@ pub struct Parts<'a> {
     pub(super) sweep: &'a Sweep,
     pub(super) source: &'a SweepSource,
     folder: PathBuf,
-    plan: Plan,
+    pub(super) plan: Plan,
     format: PartFormat,
     shard: Shard,
-    columns: Vec<(String, Column)>,
+    pub(super) columns: Vec<(String, Column)>,
+    pub(super) verified: Verified,
 }
 
 impl<'a> Parts<'a> {
@@ -93,6 +88,7 @@ impl<'a> Parts<'a> {
             format: options.format,
             shard: options.shard,
             columns: columns(sweep),
+            verified: Verified::default(),
         };
         fs::create_dir_all(folder).map_err(PartsError::io(folder))?;
         if options.force {
@@ -102,73 +98,7 @@ impl<'a> Parts<'a> {
         Ok(parts)
     }
 
-    /// Writes the plan, or compares it with the one that is there.
-    fn claim(&self) -> Result<(), PartsError> {
-        let path = self.folder.join(PLAN);
-        if !path.exists() {
-            self.check_without_plan()?;
-            if write_new(&self.folder, PLAN, self.plan.text().as_bytes())? {
-                return Ok(());
-            }
-            // Another run was faster.
-        }
-        let text = fs::read_to_string(&path).map_err(PartsError::io(&path))?;
-        let differences = self.plan.differences(&text);
-        let differences = differences.map_err(|detail| PartsError::Plan { path, detail })?;
-        match differences.is_empty() {
-            true => Ok(()),
-            false => Err(PartsError::OtherSweep {
-                folder: self.folder.clone(),
-                differences,
-            }),
-        }
-    }
-
-    /// A folder without a plan must have no parts but those of this sweep.
-    fn check_without_plan(&self) -> Result<(), PartsError> {
-        for name in self.names()? {
-            if !is_part(&name) {
-                continue;
-            }
-            let number = part_number(&name).filter(|part| self.name(*part) == name);
-            let foreign = |reason: &str| PartsError::Foreign {
-                path: self.folder.join(&name),
-                reason: reason.to_owned(),
-            };
-            let state = match number.filter(|part| *part < self.count()) {
-                Some(part) => self.state(part)?,
-                None => return Err(foreign("the sweep has no part with this name")),
-            };
-            if state != State::Done {
-                return Err(foreign("it has no key, or that of another sweep"));
-            }
-        }
-        Ok(())
-    }
-
-    /// Removes the files of results, and no others.
-    fn remove_results(&self) -> Result<(), PartsError> {
-        // Without the plan first, a kill in between leaves a folder that is refused.
-        let mut names = self.names()?;
-        names.retain(|name| {
-            let is_hidden = name.starts_with(".part-") && name.ends_with(".key");
-            let is_ours = is_part(name) || is_hidden || is_temporary(name);
-            is_ours || [PLAN, SUCCESS].contains(&name.as_str())
-        });
-        names.sort_by_key(|name| (name != SUCCESS, name == PLAN));
-        for name in names {
-            let path = self.folder.join(name);
-            match fs::remove_file(&path) {
-                Err(error) if error.kind() != ErrorKind::NotFound => {
-                    return Err(PartsError::Io { path, error });
-                }
-                _ => {}
-            }
-        }
-        Ok(())
-    }
-
-    fn names(&self) -> Result<Vec<String>, PartsError> {
+    pub(super) fn names(&self) -> Result<Vec<String>, PartsError> {
         let entries = fs::read_dir(&self.folder).map_err(PartsError::io(&self.folder))?;
         let names = entries.map(|entry| Ok(entry?.file_name().to_string_lossy().into_owned()));
         let names: Result<Vec<String>, std::io::Error> = names.collect();
@@ -178,6 +108,11 @@ impl<'a> Parts<'a> {
     /// The sweep whose results they are.
     pub fn sweep(&self) -> &Sweep {
         self.sweep
+    }
+
+    /// The source of the values of its rows.
+    pub fn source(&self) -> &SweepSource {
+        self.source
     }
 
     /// The folder.
@@ -195,7 +130,7 @@ impl<'a> Parts<'a> {
         self.plan.rows
     }
 
-    /// The rows of a part, numbered from 0.
+    /// The rows of a part, numbered from 0; none behind the last part.
     pub fn rows_of(&self, part: u64) -> Range<u64> {
         self.plan.rows_of(part)
     }
@@ -242,20 +177,21 @@ impl<'a> Parts<'a> {
     }
 
     /// Writes `_SUCCESS` if all parts of all shards are there and whole, and removes what killed
-    /// runs have left; whether they are.
+    /// runs have left. False if the parts of the own shard are, and those of other shards are not.
     ///
     /// # Errors
-    /// [`PartsError`] if a file cannot be read or written.
+    /// [`PartsError::Lost`] for a part of the own shard that is not there or not whole,
+    /// [`PartsError::Foreign`] for one of another sweep: another run has removed or replaced it.
+    /// [`PartsError::Io`] if a file cannot be read or written.
     pub fn finish(&self) -> Result<bool, PartsError> {
-        // Names first: this is quick while other shards are at work.
-        let is_there = |part: u64| self.path(part).exists();
-        if !(0..self.count()).all(is_there) {
-            return Ok(false);
-        }
-        for part in 0..self.count() {
-            if self.state(part)? != State::Done {
-                return Ok(false);
+        // One that is written from here on is that of a shard that has found all parts.
+        let was_marked = self.folder.join(SUCCESS).exists();
+        let is_complete = self.is_complete();
+        if !matches!(is_complete, Ok(true)) {
+            if was_marked {
+                self.remove(SUCCESS)?;
             }
+            return is_complete;
         }
         for name in self.names()?.iter().filter(|name| is_temporary(name)) {
             // A run that is still writing has written the same; it finds the part there.
@@ -266,83 +202,34 @@ impl<'a> Parts<'a> {
         Ok(true)
     }
 
-    /// Reads the results of a part; those of a missing mode or a failed row are NaN.
-    ///
-    /// # Errors
-    /// [`PartsError`] if the part is not there or not whole.
-    pub fn read(&self, part: u64) -> Result<Results, PartsError> {
-        let path = self.path(part);
-        let rows = self.rows_of(part);
-        let results = match self.format {
-            PartFormat::Csv => {
-                let content = fs::read(&path).map_err(PartsError::io(&path))?;
-                csv::read(&content, &self.columns, rows.start, self.sweep.modes())
+    /// Whether all parts of all shards are there and whole.
+    fn is_complete(&self) -> Result<bool, PartsError> {
+        // Names first: this is quick while other shards are at work.
+        let are_there = (0..self.count()).all(|part| self.path(part).exists());
+        let mut is_complete = are_there;
+        for part in (0..self.count()).filter(|part| are_there || self.shard.has(*part)) {
+            let state = self.state(part)?;
+            let path = self.path(part);
+            let reason = match state {
+                State::Done => continue,
+                State::Foreign(reason) => return Err(PartsError::Foreign { path, reason }),
+                State::Missing => "is missing",
+                State::Damaged => "is damaged",
+            };
+            if self.shard.has(part) {
+                return Err(PartsError::Lost { path, reason });
             }
-            PartFormat::Parquet => self.read_parquet(&path, rows.start)?,
-        };
-        let expected = (rows.end - rows.start) as usize;
-        let results = match results {
-            Ok(results) if results.rows() != expected => Err(format!(
-                "it has {} rows in place of {expected}",
-                results.rows()
-            )),
-            results => results,
-        };
-        results.map_err(|detail| PartsError::Damaged { path, detail })
+            is_complete = false;
+        }
+        Ok(is_complete)
     }
 
-    #[cfg(feature = "parquet")]
-    fn read_parquet(
-        &self,
-        path: &Path,
-        first_row: u64,
-    ) -> Result<Result<Results, String>, PartsError> {
-        let file = fs::File::open(path).map_err(PartsError::io(path))?;
-        let modes = self.sweep.modes();
-        let read = super::parquet::read(file, &self.columns, first_row, modes);
-        Ok(read.map_err(|error| error.to_string()))
+    /// Refuses a part that the sweep does not have.
+    pub(super) fn check_number(&self, part: u64) -> Result<(), PartsError> {
+        let count = self.count();
+        match part < count {
+            true => Ok(()),
+            false => Err(PartsError::NoSuchPart { part, count }),
+        }
     }
-
-    #[cfg(not(feature = "parquet"))]
-    fn read_parquet(&self, _: &Path, _: u64) -> Result<Result<Results, String>, PartsError> {
-        Err(PartsError::NoParquet)
-    }
-
-    /// Writes a part.
-    pub(super) fn write(&self, number: u64, part: &Part) -> Result<(), PartsError> {
-        let name = self.name(number);
-        let unwritable = |detail: String| PartsError::Unwritable {
-            path: self.path(number),
-            detail,
-        };
-        let content = match self.format {
-            PartFormat::Csv => {
-                let content = csv::write(part, &self.columns);
-                let content = content.map_err(|error| unwritable(error.to_string()))?;
-                // Before the part, so that no part is without it.
-                let text = csv::key_text(self.key(), number, &content);
-                write(&self.folder, &csv::key_name(&name), text.as_bytes())?;
-                content
-            }
-            #[cfg(feature = "parquet")]
-            PartFormat::Parquet => {
-                let content = super::parquet::write(part, &self.columns, (self.key(), number));
-                content.map_err(|error| unwritable(error.to_string()))?
-            }
-            #[cfg(not(feature = "parquet"))]
-            PartFormat::Parquet => return Err(PartsError::NoParquet),
-        };
-        write(&self.folder, &name, &content)
-    }
-}
-
-fn is_part(name: &str) -> bool {
-    let is_ours = |name: &str| name.ends_with(".csv") || name.ends_with(".parquet");
-    name.starts_with("part-") && is_ours(name)
-}
-
-/// The number in the name of a part.
-fn part_number(name: &str) -> Option<u64> {
-    let digits = name.strip_prefix("part-")?.split('.').next()?;
-    digits.parse().ok()
 }

@@ -7,15 +7,21 @@
 //! results/_SUCCESS             empty; all parts are there
 //! ```
 //!
-//! The key is the SHA-256 of all that the results depend on; each part contains it. A run solves
+//! The key is the SHA-256 of all that the results depend on; each part contains it, a part in CSV
+//! in a file beside it, `_part-00000.csv.key`. A run solves
 //! the parts that are not there, so the same command again continues a run that was killed, and
-//! several processes may fill one folder. Parts have the same bytes whoever writes them, so there
-//! is no lock: of two runs that solve one part, the later one replaces it by the same.
+//! several processes may fill one folder. Parts have the same bytes whichever process of one build
+//! writes them, so there is no lock: of two runs that solve one part, the later one replaces it by
+//! the same.
 
+mod block;
 mod check;
+mod claim;
+mod content;
 mod csv;
 mod error;
 mod folder;
+mod names;
 #[cfg(feature = "parquet")]
 mod parquet;
 mod part;
@@ -25,6 +31,7 @@ mod run;
 mod shard;
 mod write;
 
+pub use block::SourceBlock;
 pub use error::PartsError;
 pub use folder::Parts;
 pub use part::PartFormat;

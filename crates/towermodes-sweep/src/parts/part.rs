@@ -1,6 +1,7 @@
 //! One part: its columns, its file.
 
 use crate::results::Results;
+use crate::source::RowSource;
 use crate::sweep::Sweep;
 
 /// The format of the files of results.
@@ -29,6 +30,21 @@ pub(super) struct Part {
     /// The values of the changes, row by row; empty if they are not columns.
     pub(super) inputs: Vec<f64>,
     pub(super) results: Results,
+}
+
+impl Part {
+    /// Results with the values of their rows, which are those of a source from its row `first` on.
+    pub(super) fn new(sweep: &Sweep, source: &dyn RowSource, first: u64, results: Results) -> Self {
+        let changes = sweep.changes().len();
+        let mut inputs = Vec::new();
+        if sweep.has_inputs() {
+            inputs = vec![0.0; results.rows() * changes];
+            for (row, values) in (first..).zip(inputs.chunks_exact_mut(changes)) {
+                source.row(row, values);
+            }
+        }
+        Self { inputs, results }
+    }
 }
 
 /// The columns of results.

@@ -1,7 +1,7 @@
 //! What is swept: the plan in the folder and its key.
 
 use serde_json::{Map, Value, json};
-use towermodes_files::{Distribution, Sampling, SamplingError, write_toml};
+use towermodes_files::{Distribution, Sampling, SamplingError, SamplingKind, write_toml};
 
 use super::part::PartFormat;
 use super::{DEFAULT_ROWS_PER_PART, MAX_ROWS_PER_PART, PartsError, Shard};
@@ -61,6 +61,15 @@ impl SweepSource {
         }
     }
 
+    /// Whether the rows are independent of each other, as those of random sampling: then a share
+    /// of them has the standard error of a binomial distribution.
+    pub fn is_independent(&self) -> bool {
+        match self {
+            Self::Table(_) => false,
+            Self::Sampled { sampling, .. } => sampling.kind == SamplingKind::Random,
+        }
+    }
+
     /// Number of rows.
     pub fn rows(&self) -> u64 {
         match self {
@@ -93,6 +102,11 @@ impl Default for PartOptions {
         }
     }
 }
+
+/// The version of the numbers that the solver and the drawing of samples give. Raise it with any
+/// change after which a digit of a result may be another one: then a sweep that an older build has
+/// begun is not continued, and no folder mixes the results of both.
+const NUMBERS: u32 = 1;
 
 /// The plan of a folder.
 #[derive(Debug, Clone, PartialEq)]
@@ -130,6 +144,7 @@ impl Plan {
             "program",
             json!(concat!("towermodes ", env!("CARGO_PKG_VERSION"))),
         );
+        put("numbers", json!(NUMBERS));
         // The text of a description for programmers has every digit of every number.
         let description = format!("{:?}", sweep.base());
         put("tower_sha256", json!(Digest::of(description.as_bytes())));
@@ -201,8 +216,8 @@ impl Plan {
 
     /// The rows of a part.
     pub(super) fn rows_of(&self, part: u64) -> std::ops::Range<u64> {
-        let first = part * self.rows_per_part;
-        first..self.rows.min(first + self.rows_per_part)
+        let place = |part: u64| self.rows.min(part.saturating_mul(self.rows_per_part));
+        place(part)..place(part.saturating_add(1))
     }
 }
 

@@ -8,19 +8,24 @@ use crate::results::Results;
 use crate::source::RowSource;
 use crate::sweep::Sweep;
 
-/// The results of all rows of a source as CSV, with the columns that parts have.
+/// The results of rows of a source as CSV, with the columns that parts have.
 ///
 /// # Errors
-/// If the table does not fit into memory.
+/// [`io::ErrorKind::InvalidInput`] if the source has another number of values than the sweep has
+/// changes, or does not have these rows.
 pub fn results_csv(sweep: &Sweep, source: &dyn RowSource, results: Results) -> io::Result<Vec<u8>> {
-    let changes = sweep.changes().len();
-    let mut inputs = Vec::new();
-    if sweep.has_inputs() {
-        inputs = vec![0.0; results.rows() * changes];
-        for (row, values) in inputs.chunks_exact_mut(changes).enumerate() {
-            source.row(results.first_row + row as u64, values);
-        }
+    let (values, changes) = (source.width(), sweep.changes().len());
+    let end = results.first_row + results.rows() as u64;
+    if values != changes || source.rows() < end {
+        let rows = source.rows();
+        return Err(io::Error::new(
+            io::ErrorKind::InvalidInput,
+            format!(
+                "the results have {changes} changes and rows up to {end}, \
+                 but the source has {values} values in each of {rows} rows"
+            ),
+        ));
     }
-    let part = Part { inputs, results };
+    let part = Part::new(sweep, source, results.first_row, results);
     csv::write(&part, &columns(sweep)).map_err(io::Error::from)
 }

@@ -1,20 +1,20 @@
 //! Solves parts: all threads work on one part, and the one that finishes it writes it.
 
+use std::collections::HashSet;
 use std::ops::{ControlFlow, Range};
 use std::sync::atomic::{AtomicU64, AtomicUsize, Ordering};
 use std::sync::{Arc, Mutex};
 
+use towermodes::ModeName;
+
+use super::block::SourceBlock;
+use super::names::SUCCESS;
 use super::part::Part;
-use super::plan::SweepSource;
 use super::write::sync_folder;
 use super::{Parts, PartsError};
 use crate::results::Results;
-use crate::row::RowSolver;
-use crate::run::RunError;
+use crate::run::{PIECE_ROWS, Rows, RunError};
 use crate::threads::{Tick, lock, shared};
-
-/// Rows that a thread takes at a time.
-const PIECE_ROWS: u64 = 256;
 
 /// How far a sweep is.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -28,25 +28,37 @@ pub struct PartsProgress {
 }
 
 impl Parts<'_> {
-    /// Solves parts and writes each when it is complete. The bytes of a part do not depend on the
-    /// number of threads.
+    /// Solves parts, each once, and writes each when it is complete. The bytes of a part do not
+    /// depend on the number of threads.
     ///
     /// The watch is called on the calling thread about fifty times a second. If it ends the run,
-    /// the parts in work are lost, usually one.
+    /// the parts in work are lost: one, or as many as threads if parts have fewer rows than these
+    /// take at a time, 64 each.
     ///
     /// # Errors
-    /// [`PartsError`]: a part cannot be written, the table has changed, or the watch ended the run.
-    /// What is written stays.
+    /// [`PartsError`]: a part does not exist or cannot be written, the table or the plan of the
+    /// folder has changed, or the watch ended the run. What is written stays.
     pub fn solve(
         &self,
         parts: &[u64],
         threads: usize,
         watch: &mut dyn FnMut(PartsProgress) -> ControlFlow<()>,
     ) -> Result<PartsProgress, PartsError> {
+        let mut seen = HashSet::new();
+        let mut waiting = parts.to_vec();
+        waiting.retain(|part| seen.insert(*part));
+        waiting
+            .iter()
+            .try_for_each(|part| self.check_number(*part))?;
+        if !waiting.is_empty() {
+            self.remove(SUCCESS)?;
+        }
+        let pieces = waiting.iter().map(|part| pieces(&self.rows_of(*part)));
+        let threads = threads.min(pieces.fold(0, usize::saturating_add));
         let run = Run {
             parts: self,
             queue: Mutex::new(Queue {
-                waiting: parts,
+                waiting: &waiting,
                 open: None,
             }),
             problem: Mutex::new(None),
@@ -91,32 +103,36 @@ struct Run<'a> {
 /// The parts that are not begun, and the one whose rows are given out.
 struct Queue<'a> {
     waiting: &'a [u64],
-    open: Option<Share>,
+    open: Option<Share<'a>>,
 }
 
 /// Rows of a part in work.
-struct Share {
-    part: Arc<OpenPart>,
+struct Share<'a> {
+    part: Arc<OpenPart<'a>>,
     rows: Range<u64>,
 }
 
 /// A part in work.
-struct OpenPart {
+struct OpenPart<'a> {
     number: u64,
-    /// The values of its rows if they are from a table.
-    table: Option<Vec<f64>>,
+    block: SourceBlock<'a>,
     rows: Range<u64>,
     /// The solved pieces by their place.
-    pieces: Mutex<Vec<Option<Part>>>,
+    pieces: Mutex<Vec<Option<Results>>>,
     left: AtomicUsize,
 }
 
-impl Run<'_> {
+/// The number of pieces of a part.
+fn pieces(rows: &Range<u64>) -> usize {
+    (rows.end - rows.start).div_ceil(PIECE_ROWS as u64) as usize
+}
+
+impl<'a> Run<'a> {
     /// Solves pieces until none is left; the work of one thread.
     fn work(&self, tick: &mut Tick<'_>) -> Result<(), PartsError> {
-        let mut solver = RowSolver::new(self.parts.sweep);
+        let mut solver = Rows::new(self.parts.sweep);
         while let Some(Share { part: open, rows }) = self.next()? {
-            let place = ((rows.start - open.rows.start) / PIECE_ROWS) as usize;
+            let place = ((rows.start - open.rows.start) / PIECE_ROWS as u64) as usize;
             let Some(piece) = self.solve(&mut solver, &open, rows, tick)? else {
                 return Ok(());
             };
@@ -130,7 +146,7 @@ impl Run<'_> {
 
     /// The next rows, of the open part or of a new one; none if there are no more or the run has
     /// failed.
-    fn next(&self) -> Result<Option<Share>, PartsError> {
+    fn next(&self) -> Result<Option<Share<'a>>, PartsError> {
         let mut queue = lock(&self.queue);
         if lock(&self.problem).is_some() {
             return Ok(None);
@@ -148,7 +164,7 @@ impl Run<'_> {
                 Share { part, rows }
             }
         };
-        let end = left.end.min(left.start + PIECE_ROWS);
+        let end = left.end.min(left.start + PIECE_ROWS as u64);
         if end < left.end {
             queue.open = Some(Share {
                 part: Arc::clone(&part),
@@ -159,16 +175,12 @@ impl Run<'_> {
         Ok(Some(Share { part, rows }))
     }
 
-    fn begin(&self, number: u64) -> Result<OpenPart, PartsError> {
+    fn begin(&self, number: u64) -> Result<OpenPart<'a>, PartsError> {
         let rows = self.parts.rows_of(number);
-        let table = match self.parts.source {
-            SweepSource::Table(table) => Some(table.read(rows.clone())?),
-            SweepSource::Sampled { .. } => None,
-        };
-        let count = (rows.end - rows.start).div_ceil(PIECE_ROWS) as usize;
+        let count = pieces(&rows);
         Ok(OpenPart {
             number,
-            table,
+            block: self.parts.source.block(rows.clone())?,
             rows,
             pieces: Mutex::new(vec![None; count]),
             left: AtomicUsize::new(count),
@@ -178,58 +190,31 @@ impl Run<'_> {
     /// Solves a piece; none if the tick ended it.
     fn solve(
         &self,
-        solver: &mut RowSolver<'_>,
-        open: &OpenPart,
+        solver: &mut Rows<'_>,
+        open: &OpenPart<'_>,
         rows: Range<u64>,
         tick: &mut Tick<'_>,
-    ) -> Result<Option<Part>, PartsError> {
-        let sweep = self.parts.sweep;
+    ) -> Result<Option<Results>, PartsError> {
         let count = (rows.end - rows.start) as usize;
         let memory = |_| RunError::Memory { rows: count as u64 };
-        let mut results = Results::unsolved(rows.start, count, sweep.modes()).map_err(memory)?;
-        let inputs = self.values(open, &rows);
-        let width = sweep.changes().len();
+        let modes = self.parts.sweep.modes();
+        let mut results = Results::unsolved(rows.start, count, modes).map_err(memory)?;
+        let first = rows.start - open.rows.start;
         let mut failures = Vec::new();
-        for mut piece in results.pieces(count) {
-            for (index, values) in inputs.chunks_exact(width).enumerate() {
-                let sentence = solver.solve(values, piece.cells(index));
-                failures.extend(sentence.map(|text| (rows.start + index as u64, text)));
-                if !tick() {
-                    return Ok(None);
-                }
+        for piece in results.pieces(count) {
+            if !solver.solve(&open.block, first, piece, &mut failures, tick) {
+                return Ok(None);
             }
         }
         results.failures = failures;
-        Ok(Some(Part { inputs, results }))
+        Ok(Some(results))
     }
 
-    /// The values of rows, row by row.
-    fn values(&self, open: &OpenPart, rows: &Range<u64>) -> Vec<f64> {
-        let width = self.parts.sweep.changes().len();
-        match (&open.table, self.parts.source) {
-            (Some(values), _) => {
-                let place = |row: u64| (row - open.rows.start) as usize * width;
-                values[place(rows.start)..place(rows.end)].to_vec()
-            }
-            (None, SweepSource::Sampled { draw, .. }) => {
-                let mut values = vec![0.0; (rows.end - rows.start) as usize * width];
-                for (row, values) in rows.clone().zip(values.chunks_exact_mut(width)) {
-                    draw.row(row, values);
-                }
-                values
-            }
-            // `begin` reads the rows of every table.
-            (None, SweepSource::Table(_)) => Vec::new(),
-        }
-    }
-
-    fn write(&self, open: &OpenPart) -> Result<(), PartsError> {
+    fn write(&self, open: &OpenPart<'_>) -> Result<(), PartsError> {
         let pieces = std::mem::take(&mut *lock(&open.pieces));
-        let mut part = joined(pieces.into_iter().flatten(), self.parts);
-        if !self.parts.sweep.has_inputs() {
-            part.inputs = Vec::new();
-        }
-        part.results.first_row = open.rows.start;
+        let sweep = self.parts.sweep;
+        let results = joined(open.rows.start, sweep.modes(), pieces.into_iter().flatten());
+        let part = Part::new(sweep, &open.block, 0, results);
         self.parts.write(open.number, &part)?;
         self.written.fetch_add(1, Ordering::Relaxed);
         let failures = part.results.failures.len() as u64;
@@ -239,27 +224,22 @@ impl Run<'_> {
 }
 
 /// The pieces one after the other.
-fn joined(pieces: impl Iterator<Item = Part>, parts: &Parts<'_>) -> Part {
-    let mut all = Part {
-        inputs: Vec::new(),
-        results: Results {
-            first_row: 0,
-            modes: parts.sweep.modes().to_vec(),
-            mass_kg: Vec::new(),
-            certified: Vec::new(),
-            frequency_hz: Vec::new(),
-            error_hz: Vec::new(),
-            failures: Vec::new(),
-        },
+fn joined(first_row: u64, modes: &[ModeName], pieces: impl Iterator<Item = Results>) -> Results {
+    let mut all = Results {
+        first_row,
+        modes: modes.to_vec(),
+        mass_kg: Vec::new(),
+        certified: Vec::new(),
+        frequency_hz: Vec::new(),
+        error_hz: Vec::new(),
+        failures: Vec::new(),
     };
     for mut piece in pieces {
-        all.inputs.append(&mut piece.inputs);
-        let (to, from) = (&mut all.results, &mut piece.results);
-        to.mass_kg.append(&mut from.mass_kg);
-        to.certified.append(&mut from.certified);
-        to.frequency_hz.append(&mut from.frequency_hz);
-        to.error_hz.append(&mut from.error_hz);
-        to.failures.append(&mut from.failures);
+        all.mass_kg.append(&mut piece.mass_kg);
+        all.certified.append(&mut piece.certified);
+        all.frequency_hz.append(&mut piece.frequency_hz);
+        all.error_hz.append(&mut piece.error_hz);
+        all.failures.append(&mut piece.failures);
     }
     all
 }

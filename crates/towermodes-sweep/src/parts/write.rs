@@ -39,17 +39,22 @@ pub(super) fn write_new(folder: &Path, name: &str, content: &[u8]) -> Result<boo
         Ok(()) => Ok(true),
         Err(_) if path.exists() => Ok(false),
         // A disk without second names.
-        Err(_) => match temporary.take_name(&path) {
-            Ok(()) => Ok(true),
-            Err(error) => Err(PartsError::Io { path, error }),
-        },
+        Err(_) => create_whole(&path, content).map_err(PartsError::io(path)),
     }
 }
 
-/// The beginning and the end of the names of temporary files.
-pub(super) fn is_temporary(name: &str) -> bool {
-    let is_ours = name.starts_with(".part-") || name.starts_with("._");
-    is_ours && name.ends_with(".tmp")
+/// Writes a file under its name at once, unless there is one with this name; false if there is.
+fn create_whole(path: &Path, content: &[u8]) -> io::Result<bool> {
+    let mut file = match OpenOptions::new().write(true).create_new(true).open(path) {
+        Err(error) if error.kind() == ErrorKind::AlreadyExists => return Ok(false),
+        created => created?,
+    };
+    let written = file.write_all(content).and_then(|()| file.sync_all());
+    if written.is_err() {
+        // The error says why; half a file must not stay.
+        let _ = fs::remove_file(path);
+    }
+    written.map(|()| true)
 }
 
 /// Makes the names in a folder permanent, where the system can.
@@ -105,4 +110,23 @@ fn create(folder: &Path, name: &str) -> io::Result<(File, PathBuf)> {
         }
     }
     Err(ErrorKind::AlreadyExists.into())
+}
+
+#[cfg(test)]
+mod tests {
+    use std::fs;
+
+    use super::create_whole;
+
+    /// On a disk without hard links the second of two sweeps must not replace the plan of the first.
+    #[test]
+    fn a_file_that_is_there_is_not_replaced() {
+        let name = format!("towermodes-new-file-{}", std::process::id());
+        let path = std::env::temp_dir().join(name);
+        assert!(create_whole(&path, b"first").expect("written"));
+        assert!(!create_whole(&path, b"second").expect("refused"));
+        assert_eq!(fs::read(&path).expect("the file"), b"first");
+        fs::remove_file(&path).expect("removed");
+        assert!(create_whole(&path.join("no/folder"), b"").is_err());
+    }
 }

@@ -73,10 +73,13 @@ impl Draw {
     /// # Errors
     /// [`SamplingError`] for what cannot be drawn.
     pub fn new(sampling: &Sampling) -> Result<Self, SamplingError> {
+        let values = sampling.vary.iter();
+        let values: Result<Vec<Values>, _> = values.map(|v| Values::new(&v.distribution)).collect();
+        let values = values?;
         sampling.check()?;
         let mut every = sampling.rows;
         let mut dimensions = Vec::new();
-        for (index, varied) in sampling.vary.iter().enumerate() {
+        for (index, (varied, values)) in sampling.vary.iter().zip(values).enumerate() {
             let rule = match sampling.kind {
                 SamplingKind::Grid => {
                     let levels = varied.level_count().unwrap_or(1);
@@ -92,7 +95,6 @@ impl Draw {
                     Rule::Sobol(Box::new(SobolDimension::new(index, sampling.seed)))
                 }
             };
-            let values = Values::new(&varied.distribution)?;
             dimensions.push(Dimension { values, rule });
         }
         Ok(Self {
@@ -311,6 +313,27 @@ mod tests {
         grid.vary[1].levels = None;
         let error = Draw::new(&grid).expect_err("no levels").to_string();
         assert!(error.contains("levels = n"), "{error}");
+    }
+
+    /// A grid of no rows would divide by its levels.
+    #[test]
+    fn a_grid_of_nothing_is_refused() {
+        let grid = |rows, values| Sampling {
+            kind: SamplingKind::Grid,
+            rows,
+            seed: 0,
+            vary: vec![Varied {
+                name: String::new(),
+                distribution: Distribution::Values(values),
+                levels: None,
+            }],
+        };
+        for rows in [0, 1] {
+            let refused = Draw::new(&grid(rows, Vec::new()));
+            assert_eq!(refused, Err(SamplingError::NoValues));
+        }
+        let refused = Draw::new(&grid(0, vec![1.0]));
+        assert_eq!(refused, Err(SamplingError::Rows { rows: 0 }));
     }
 
     #[test]

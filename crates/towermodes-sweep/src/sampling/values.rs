@@ -21,10 +21,10 @@ pub(super) struct Gaussian {
     is_logarithm: bool,
     /// The limits of the value.
     limits: [f64; 2],
-    /// The probabilities below the limits; of the mirrored distribution if `is_mirrored`.
-    probabilities: [f64; 2],
-    /// Whether the limits are above the mean, where probabilities from below lose their digits.
-    is_mirrored: bool,
+    /// The probabilities of values below the limits, which have all digits below the mean.
+    below: [f64; 2],
+    /// Those of values above them, which have all digits above the mean.
+    above: [f64; 2],
 }
 
 impl Values {
@@ -103,19 +103,16 @@ impl Gaussian {
             };
             (limit - mean) / deviation
         });
-        let is_mirrored = standard[0] > 0.0;
-        let probabilities = match is_mirrored {
-            true => [-standard[1], -standard[0]].map(normal::probability),
-            false => standard.map(normal::probability),
-        };
-        if probabilities[0] < probabilities[1] {
+        let below = standard.map(normal::probability);
+        let above = standard.map(|limit| normal::probability(-limit));
+        if below[0] < below[1] || above[1] < above[0] {
             Ok(Self {
                 mean,
                 deviation,
                 is_logarithm,
                 limits,
-                probabilities,
-                is_mirrored,
+                below,
+                above,
             })
         } else {
             let [low, high] = limits;
@@ -124,10 +121,16 @@ impl Gaussian {
     }
 
     fn at(&self, u: f64) -> f64 {
-        let [low, high] = self.probabilities;
-        let standard = match self.is_mirrored {
-            true => -normal::quantile(high - u * (high - low)),
-            false => normal::quantile(low + u * (high - low)),
+        // By the nearer tail: a probability near 1 has few digits, and rounds to 1 in the end.
+        let [low, high] = self.below;
+        let below = low + u * (high - low);
+        let standard = match below <= 0.5 {
+            true => normal::quantile(below.max(f64::MIN_POSITIVE)),
+            false => {
+                let [low, high] = self.above;
+                let above = high + (1.0 - u) * (low - high);
+                -normal::quantile(above.max(f64::MIN_POSITIVE))
+            }
         };
         let value = self.mean + self.deviation * standard;
         let value = match self.is_logarithm {
@@ -196,6 +199,32 @@ mod tests {
             // lognormal above
             (lognormal(5e7, 2e7, Some([3e7, 9e7])), [30000045.625303753, 30887660.903499838, 48388356.705669224, 72213856.50114259, 89999684.79993846]),
         ]
+    }
+
+    /// The largest u below 1, 1 − 2⁻⁵³, between 0 and a far limit h: mpmath 1.3 at 50 digits, the
+    /// root x of Q(x) = Q(h) + 2⁻⁵³ (1/2 − Q(h)) with Q(x) = `erfc(x/sqrt(2))/2`.
+    #[test]
+    fn the_far_tails_have_all_digits() {
+        let last = 1.0 - f64::EPSILON / 2.0;
+        for (limit, expected) in [(9.0, 8.2921195625076859), (40.0, 8.2923610758135955)] {
+            let half = values(&Distribution::Normal {
+                mean: 0.0,
+                deviation: 1.0,
+                truncated: Some([0.0, limit]),
+            });
+            let value = half.at(last);
+            assert!((value / expected - 1.0).abs() < 1e-14, "{value} {expected}");
+        }
+        for truncated in [None, Some([-1.0, 1e300]), Some([-1e300, 1.0])] {
+            let normal = values(&Distribution::Normal {
+                mean: 0.0,
+                deviation: 1.0,
+                truncated,
+            });
+            let drawn = [0.0, 1e-300, 0.3, 0.7, 0.999_999, last].map(|u| normal.at(u));
+            assert!(drawn.is_sorted(), "{drawn:?}");
+            assert!(drawn.iter().all(|value| value.is_finite()), "{drawn:?}");
+        }
     }
 
     #[test]

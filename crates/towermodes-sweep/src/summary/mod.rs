@@ -69,6 +69,9 @@ pub struct Summary {
     pub mass_kg: Option<Statistics>,
     /// The modes.
     pub modes: Vec<ModeSummary>,
+    /// Whether the rows are known to be independent of each other, as those of random sampling: then
+    /// [`MarginSummary::standard_error`] applies. Of results in memory it is not known.
+    pub rows_are_independent: bool,
 }
 
 /// A mode of a sweep in numbers.
@@ -76,7 +79,8 @@ pub struct Summary {
 pub struct ModeSummary {
     /// The mode.
     pub name: ModeName,
-    /// Its extrapolated frequency, Hz; none if no row has it.
+    /// Its extrapolated frequency, Hz, with the number of rows that have the mode; none if no row
+    /// has it.
     pub frequency_hz: Option<Statistics>,
     /// Its largest error, Hz.
     pub largest_error_hz: f64,
@@ -97,14 +101,17 @@ pub struct MarginSummary {
 }
 
 impl MarginSummary {
-    /// The probability that the margin is violated: the share of the rows.
+    /// The share of the rows that have the mode in which the margin is violated. It estimates a
+    /// probability if the rows are drawn; rows that failed are not in it.
     pub fn probability(&self) -> f64 {
         self.violated as f64 / self.count as f64
     }
 
     /// The standard error of the probability by the number of independent random rows,
-    /// √(p (1 − p)/n). With no or all rows it is 0: then the probability is below or above a bound
-    /// of about 3/n with 95 % confidence.
+    /// √(p (1 − p)/n). It applies if [`Summary::rows_are_independent`]: rows of a Latin hypercube or
+    /// a Sobol sequence are more even, and those of a grid or a table are not drawn by chance. With
+    /// no or all rows it is 0: then the probability is below or above a bound of about 3/n with
+    /// 95 % confidence.
     pub fn standard_error(&self) -> f64 {
         let p = self.probability();
         (p * (1.0 - p) / self.count as f64).sqrt()
@@ -127,16 +134,21 @@ impl Results {
 
 impl Parts<'_> {
     /// The results of all parts in numbers, with a resonance check if one is given. The parts are
-    /// read six times, one after the other, so any number of rows needs little memory.
+    /// read six times, one after the other, so any number of rows needs the memory of one part, and
+    /// up to 0.9 MB for each column.
     ///
     /// # Errors
     /// [`PartsError`] if a part is not there or not whole.
     pub fn summary(&self, check: Option<&MarginCheck>) -> Result<Summary, PartsError> {
-        summarized(self.sweep().modes(), check, |visit| {
+        let summary = summarized(self.sweep().modes(), check, |visit| {
             for part in 0..self.count() {
                 visit(&self.read(part)?);
             }
             Ok(())
+        });
+        summary.map(|summary| Summary {
+            rows_are_independent: self.source().is_independent(),
+            ..summary
         })
     }
 }
@@ -251,6 +263,7 @@ impl Counted {
             other_failures,
             mass_kg,
             modes,
+            rows_are_independent: false,
         }
     }
 }

@@ -1,8 +1,9 @@
 //! Order statistics of any number of values in bounded memory, exact.
 //!
 //! A value is read as a whole number of 64 bits that has the same order. Each pass over the values
-//! counts the next digits of the wanted ranks (radix selection), so five passes find any rank and
-//! a few hundred kilobytes suffice.
+//! counts the next digits of the wanted ranks (radix selection), so five passes find any rank. The
+//! counts need 64 KiB for each different beginning of the ranks: with the 14 ranks of seven
+//! quantiles up to 0.9 MB for a column, and usually a tenth of it, as the first digits are equal.
 
 /// Bits of a digit.
 const BITS: u32 = 13;

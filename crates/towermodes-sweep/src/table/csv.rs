@@ -9,9 +9,7 @@ use towermodes::TowerDescription;
 use super::error::{CellError, RowPlace, TableProblem};
 use super::file::TableFile;
 use super::header::Header;
-
-/// A longer line is refused before it fills the memory.
-pub(super) const MAX_LINE_BYTES: u64 = 64 << 20;
+use super::lines::{Lines, Wrong};
 
 /// Rows between two places that are remembered.
 const BLOCK: u64 = 1024;
@@ -125,7 +123,8 @@ struct Records<R> {
 
 impl<R: Read> Records<R> {
     fn new(reader: R, separator: u8, line: u64) -> Self {
-        let reader = BufReader::with_capacity(1 << 16, Lines::new(reader));
+        let lines = Lines::new(reader, separator, line);
+        let reader = BufReader::with_capacity(1 << 16, lines);
         Self {
             reader: ReaderBuilder::new()
                 .delimiter(separator)
@@ -148,25 +147,28 @@ impl<R: Read> Records<R> {
             byte: self.record.position().map_or(0, |position| position.byte()),
             line: self.next_line,
         };
-        // A quoted cell may have several lines. Empty lines are refused at the end of the table.
-        let ends = self.record.as_slice().iter().filter(|byte| **byte == b'\n');
-        self.next_line += 1 + ends.count() as u64;
+        // The reader passes over empty lines.
+        if let Some(line) = self.empty_line().filter(|line| *line <= self.next_line) {
+            return Err(TableProblem::EmptyLine { line });
+        }
+        // A quoted cell may have several lines.
+        self.next_line += 1 + self.record.iter().map(line_ends).sum::<u64>();
         Ok(true)
     }
 
-    /// An empty line before another one, which the reader has passed over.
+    /// The first empty line before another one, of what is read so far.
     fn empty_line(&self) -> Option<u64> {
         self.reader.get_ref().get_ref().empty_line
     }
 
     fn problem(&self, error: csv::Error) -> TableProblem {
+        let wrong = |error: &io::Error| error.get_ref()?.downcast_ref::<Wrong>().copied();
         match error.into_kind() {
-            ErrorKind::Io(error) if error.get_ref().is_some_and(|e| e.is::<LineTooLong>()) => {
-                TableProblem::LongLine {
-                    line: self.next_line,
-                }
-            }
-            ErrorKind::Io(error) => TableProblem::Io(error),
+            ErrorKind::Io(error) => match wrong(&error) {
+                Some(Wrong::Long { line }) => TableProblem::LongLine { line },
+                Some(Wrong::Open { line }) => TableProblem::OpenQuote { line },
+                None => TableProblem::Io(error),
+            },
             other => TableProblem::Io(io::Error::other(format!("{other:?}"))),
         }
     }
@@ -235,6 +237,16 @@ fn number(cell: &[u8]) -> Result<f64, CellError> {
     }
 }
 
+/// The number of ends of lines in a cell.
+fn line_ends(cell: &[u8]) -> u64 {
+    let is_end = |(index, byte): (usize, &u8)| match byte {
+        b'\n' => true,
+        b'\r' => cell.get(index + 1) != Some(&b'\n'),
+        _ => false,
+    };
+    cell.iter().enumerate().filter(|pair| is_end(*pair)).count() as u64
+}
+
 /// The first 40 characters of a cell.
 fn shown(cell: &[u8]) -> String {
     String::from_utf8_lossy(cell)
@@ -242,71 +254,4 @@ fn shown(cell: &[u8]) -> String {
         .chars()
         .take(40)
         .collect()
-}
-
-/// A reader that fails at a line that is too long, and finds empty lines.
-struct Lines<R> {
-    reader: R,
-    /// The line of the next byte, from 1.
-    line: u64,
-    /// Bytes of the line.
-    line_bytes: u64,
-    /// Whether the last byte was a carriage return, to which a line feed belongs.
-    is_returned: bool,
-    /// An empty line that may be at the end of the file.
-    last_empty: Option<u64>,
-    /// The first empty line that is before another one.
-    empty_line: Option<u64>,
-}
-
-/// The error of [`Lines`].
-#[derive(Debug, thiserror::Error)]
-#[error("a line is too long")]
-struct LineTooLong;
-
-impl<R> Lines<R> {
-    fn new(reader: R) -> Self {
-        Self {
-            reader,
-            line: 1,
-            line_bytes: 0,
-            is_returned: false,
-            last_empty: None,
-            empty_line: None,
-        }
-    }
-
-    fn pass(&mut self, byte: u8) {
-        let is_second = byte == b'\n' && self.is_returned;
-        self.is_returned = byte == b'\r';
-        match byte {
-            _ if is_second => {}
-            b'\n' | b'\r' => {
-                if self.line_bytes == 0 {
-                    self.last_empty.get_or_insert(self.line);
-                }
-                self.line += 1;
-                self.line_bytes = 0;
-            }
-            _ => {
-                self.line_bytes += 1;
-                if let Some(line) = self.last_empty.take() {
-                    self.empty_line.get_or_insert(line);
-                }
-            }
-        }
-    }
-}
-
-impl<R: Read> Read for Lines<R> {
-    fn read(&mut self, buffer: &mut [u8]) -> io::Result<usize> {
-        let count = self.reader.read(buffer)?;
-        for byte in &buffer[..count] {
-            self.pass(*byte);
-        }
-        match self.line_bytes > MAX_LINE_BYTES {
-            true => Err(io::Error::other(LineTooLong)),
-            false => Ok(count),
-        }
-    }
 }

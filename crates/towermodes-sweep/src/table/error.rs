@@ -7,6 +7,7 @@ use towermodes::ParameterError;
 use towermodes_files::MAX_ROWS;
 
 use super::header::MOST_COLUMNS;
+use super::lines::{MAX_CELL_LINES, MAX_LINE_BYTES};
 
 /// What is wrong with a table, and in which.
 #[derive(Debug, Error)]
@@ -161,8 +162,17 @@ pub enum TableProblem {
         line: u64,
     },
     /// A line longer than any table has.
-    #[error("line {line} is longer than {} MiB; this is not a table of numbers", super::csv::MAX_LINE_BYTES >> 20)]
+    #[error("line {line} is longer than {} MiB; this is not a table of numbers", MAX_LINE_BYTES >> 20)]
     LongLine {
+        /// The line.
+        line: u64,
+    },
+    /// A quotation mark without a second one.
+    #[error(
+        "line {line}: a cell begins with a quotation mark that is not closed in the next {MAX_CELL_LINES} lines; \
+         close it or remove it"
+    )]
+    OpenQuote {
         /// The line.
         line: u64,
     },
@@ -249,8 +259,8 @@ pub enum CellError {
         /// The value.
         value: f64,
     },
-    /// It has a decimal comma.
-    #[error("`{text}` has a decimal comma; write `{}`", text.replace(',', "."))]
+    /// It has a decimal comma, or one that separates thousands.
+    #[error("`{text}` has {}", without_comma(text))]
     DecimalComma {
         /// The text.
         text: String,
@@ -261,4 +271,17 @@ pub enum CellError {
         /// The text, at most 40 characters of it.
         text: String,
     },
+}
+
+/// What the comma may be, and what to write in its place. Three digits behind it may be thousands.
+fn without_comma(text: &str) -> String {
+    let point = text.replace(',', ".");
+    let is_group = |digits: &str| digits.len() == 3 && digits.bytes().all(|b| b.is_ascii_digit());
+    match text.split_once(',') {
+        Some((_, digits)) if is_group(digits) => format!(
+            "a comma; write `{}` if it separates thousands, `{point}` if it is a decimal comma",
+            text.replace(',', "")
+        ),
+        _ => format!("a decimal comma; write `{point}`"),
+    }
 }

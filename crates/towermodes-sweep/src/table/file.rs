@@ -1,6 +1,6 @@
 //! The file of a table: what kind it is, its digest, and whether it is still the same.
 
-use std::fs::{File, Metadata};
+use std::fs::{self, File, Metadata};
 use std::io::{self, Read, Seek, SeekFrom};
 use std::path::Path;
 use std::sync::{Mutex, MutexGuard};
@@ -59,11 +59,12 @@ const OTHERS: [(&[u8], &str, &str); 5] = [
 impl TableFile {
     /// Opens a file and recognizes its format by its first bytes.
     pub(super) fn open(path: &Path) -> Result<Self, TableProblem> {
-        let mut file = File::open(path)?;
-        let metadata = file.metadata()?;
-        if !metadata.is_file() {
+        // To open a named pipe waits for a writer.
+        if !fs::metadata(path)?.is_file() {
             return Err(TableProblem::NotAFile);
         }
+        let mut file = File::open(path)?;
+        let metadata = file.metadata()?;
         let mut start = Vec::new();
         file.by_ref().take(8).read_to_end(&mut start)?;
         if let Some((_, kind, remedy)) = OTHERS.iter().find(|(bytes, ..)| start.starts_with(bytes))

@@ -5,6 +5,7 @@ use std::collections::HashMap;
 use towermodes::{Change, TowerDescription};
 
 use super::error::TableProblem;
+use crate::first::first;
 
 /// The largest number of columns.
 pub(super) const MOST_COLUMNS: usize = 10_000;
@@ -31,7 +32,7 @@ impl Header {
         if let Some(name) = ignore.iter().find(|name| !names.contains(name)) {
             return Err(TableProblem::NothingToIgnore {
                 name: name.clone(),
-                columns: quoted(&names),
+                columns: first(&names.iter().map(|n| format!("`{n}`")).collect::<Vec<_>>()),
             });
         }
         let is_left_out = |name: &String| name.starts_with('#') || ignore.contains(name);
@@ -87,12 +88,4 @@ fn check(names: &[String]) -> Result<(), TableProblem> {
         }
     }
     Ok(())
-}
-
-/// The first names of a list, each in backquotes.
-fn quoted(names: &[String]) -> String {
-    const SHOWN: usize = 12;
-    let shown: Vec<String> = names.iter().take(SHOWN).map(|n| format!("`{n}`")).collect();
-    let more = if names.len() > SHOWN { ", …" } else { "" };
-    shown.join(", ") + more
 }

@@ -7,6 +7,7 @@ mod csv;
 mod error;
 mod file;
 mod header;
+mod lines;
 #[cfg(feature = "parquet")]
 mod parquet;
 
