@@ -65,7 +65,7 @@ def test_modes_are_taken_by_name(nrel: tm.Tower) -> None:
 def test_a_row_that_fails_is_a_row_with_its_sentence(nrel: tm.Tower) -> None:
     result = nrel.sweep({"stations[0].wall": [0.03, -1.0, float("nan")]}, modes=2)
     assert [row for row, _ in result.failures] == [1, 2]
-    assert "station 1: wall thickness is -1 m; it must be positive" in result.failures[0][1]
+    assert "stations[0].wall: wall thickness is -1 m; it must be positive" in result.failures[0][1]
     assert np.isnan(result.frequency_hz[1:]).all()
     assert np.isfinite(result.frequency_hz[0]).all()
     assert result.certified.tolist() == [True, False, False]

@@ -71,12 +71,12 @@ mod tests {
         for (row, sentence) in [
             (
                 3,
-                "station 2: wall thickness is -0.1 m; it must be positive",
+                "stations[1].wall: wall thickness is -0.1 m; it must be positive",
             ),
             (4, "the tower buckles: the factor is 0.5, just below 1"),
             (
                 7,
-                "station 2: wall thickness is -1e-3 m; it must be positive",
+                "stations[1].wall: wall thickness is -1e-3 m; it must be positive",
             ),
             (9, "rna.mass is NaN; it must be finite"),
             (11, "rna.mass is inf; it must be finite"),
