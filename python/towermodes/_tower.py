@@ -315,7 +315,7 @@ class Tower:
 
         Other Python threads run meanwhile, and Ctrl-C ends it. A row that does not describe a valid
         tower or cannot be solved raises no exception: its numbers are NaN, and its message is in
-        `failures`. Rows and indices in names count from 0, stations in messages from 1.
+        `failures`. Rows and indices in names count from 0.
 
         Args:
             table: A dict of arrays and numbers, a DataFrame of pandas or polars, or another table
