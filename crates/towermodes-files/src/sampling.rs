@@ -30,7 +30,8 @@ pub struct Varied {
     pub name: String,
     /// The distribution of its values.
     pub distribution: Distribution,
-    /// Number of equally spaced values of a grid with [`Distribution::Uniform`], both ends included;
+    /// Number of equally spaced values of a grid with [`Distribution::Uniform`], both ends
+    /// included;
     /// none for other kinds of sampling and for [`Distribution::Values`].
     pub levels: Option<u64>,
 }

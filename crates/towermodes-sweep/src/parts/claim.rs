@@ -29,7 +29,8 @@ impl Parts<'_> {
         }
     }
 
-    /// Refuses a folder whose plan another run has removed or replaced since [`claim`](Self::claim).
+    /// Refuses a folder whose plan another run has removed or replaced since
+    /// [`claim`](Self::claim).
     pub(super) fn check_claim(&self) -> Result<(), PartsError> {
         let path = self.folder().join(PLAN);
         match fs::read_to_string(&path) {
@@ -72,7 +73,8 @@ impl Parts<'_> {
 
     /// Removes the files of results, and no others.
     ///
-    /// A file of another program that would be read as a part is refused before anything is removed.
+    /// A file of another program that would be read as a part is refused before anything is
+    /// removed.
     /// In a folder without a plan this is any part that has no key of a sweep.
     pub(super) fn remove_results(&self) -> Result<(), PartsError> {
         let mut names = self.names()?;

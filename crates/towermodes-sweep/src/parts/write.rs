@@ -118,7 +118,8 @@ mod tests {
 
     use super::create_whole;
 
-    /// On a disk without hard links the second of two sweeps must not replace the plan of the first.
+    /// On a disk without hard links the second of two sweeps must not replace the plan of the
+    /// first.
     #[test]
     fn a_file_that_is_there_is_not_replaced() {
         let name = format!("towermodes-new-file-{}", std::process::id());

@@ -69,7 +69,8 @@ pub struct Summary {
     pub mass_kg: Option<Statistics>,
     /// The modes.
     pub modes: Vec<ModeSummary>,
-    /// Whether the rows are known to be independent of each other, as those of random sampling: then
+    /// Whether the rows are known to be independent of each other, as those of random sampling:
+    /// then
     /// [`MarginSummary::standard_error`] applies. Of results in memory it is not known.
     pub rows_are_independent: bool,
 }
@@ -108,7 +109,8 @@ impl MarginSummary {
     }
 
     /// The standard error of the probability by the number of independent random rows,
-    /// √(p (1 − p)/n). It applies if [`Summary::rows_are_independent`]: rows of a Latin hypercube or
+    /// √(p (1 − p)/n). It applies if [`Summary::rows_are_independent`]: rows of a Latin hypercube
+    /// or
     /// a Sobol sequence are more even, and those of a grid or a table are not drawn by chance. With
     /// no or all rows it is 0: then the probability is below or above a bound of about 3/n with
     /// 95 % confidence.
