@@ -19,6 +19,7 @@ use towermodes_report::wording::printable;
 use towermodes_sweep::{PartsError, RunError, SweepError, TableError};
 
 use crate::args::EndingError;
+use crate::input::SETTING;
 use crate::sweep::MOST_ROWS_IN_MEMORY;
 use crate::terminal::NOT_SHOWN;
 
@@ -37,9 +38,21 @@ pub(crate) enum Failure {
     /// The sweep cannot begin.
     #[error("{0}")]
     Sweep(SweepError),
-    /// The study of a sweep contradicts the files that it names.
+    /// The study of a sweep contradicts the files that it names, or the options.
     #[error("{0}")]
     WrongStudy(String),
+    /// An option has no effect, because a column of the sweep sets the same number.
+    #[error(
+        "--set {setting} has no effect: the column `{column}` sets {parameter} in each row; remove one of them"
+    )]
+    Overwritten {
+        /// The name of the setting.
+        setting: String,
+        /// The name of the column.
+        column: String,
+        /// The number.
+        parameter: String,
+    },
     /// The table of a sweep is wrong.
     #[error("{0}")]
     Table(TableError),
@@ -157,7 +170,7 @@ impl Failure {
             Self::Input(ReadError::Mistakes {
                 source_file,
                 mistakes,
-            }) => say(&mistakes_text(source_file, mistakes)),
+            }) => say(&mistakes_text(source_file, mistakes, "")),
             failure => {
                 let hint = failure.hint();
                 say(&message(
@@ -172,9 +185,18 @@ impl Failure {
 
     /// Prints the error of one of several files and returns its exit code.
     pub(crate) fn report_of(&self, file: &str) -> u8 {
-        // The message on an input names the file.
-        if matches!(self, Self::Input(_)) {
-            return self.report();
+        match self {
+            // A wrong value of an option has no file of its own.
+            Self::Input(ReadError::Mistakes {
+                source_file,
+                mistakes,
+            }) if source_file.name == SETTING => {
+                say(&mistakes_text(source_file, mistakes, &format!("{file}: ")));
+                return self.code();
+            }
+            // The message on an input names the file.
+            Self::Input(_) => return self.report(),
+            _ => {}
         }
         let hint = self.hint();
         let text = format!("{file}: {self}");
@@ -187,9 +209,9 @@ impl Failure {
         let hint = match self {
             Self::ManyRows { .. } => "give --output FOLDER",
             Self::Unsolved(error)
-            | Self::Sweep(SweepError::Unsolved(error))
             | Self::TowerFile(MakeError::Shapes(ShapesError::Solve(error)))
             | Self::Campbell(CampbellError::Blade { error, .. }) => hint(error)?,
+            Self::Sweep(SweepError::Unsolved(error)) => hint_for_sweep(error)?,
             Self::Tower(error) => error.hint()?,
             Self::Setting(SettingError::Parameter(_)) => {
                 "`towermodes parameters FILE` lists the names of all numbers"
@@ -331,6 +353,17 @@ fn hint(error: &SolveError) -> Option<&'static str> {
     }
 }
 
+/// The same for `sweep`, which has fewer options.
+fn hint_for_sweep(error: &SolveError) -> Option<&'static str> {
+    match error {
+        SolveError::TooManyModes { .. } => Some("increase --segments or reduce --modes"),
+        SolveError::TooLarge { .. } | SolveError::TooSlow { .. } => {
+            Some("reduce --modes or --segments")
+        }
+        error => hint(error),
+    }
+}
+
 fn message(level: Level<'_>, text: &str, hint: Option<&str>) -> String {
     let text = printable(text, NOT_SHOWN);
     let title = rendered(&[Group::with_title(level.primary_title(&*text))]);
@@ -338,15 +371,15 @@ fn message(level: Level<'_>, text: &str, hint: Option<&str>) -> String {
     title + &hint.unwrap_or_default()
 }
 
-/// All errors with their source lines, separated by blank lines.
-fn mistakes_text(source: &Source, mistakes: &[Diagnostic]) -> String {
+/// All errors with their source lines, separated by blank lines; `prefix` begins each.
+fn mistakes_text(source: &Source, mistakes: &[Diagnostic], prefix: &str) -> String {
     let mut text = String::new();
     let name = printable(&source.name, NOT_SHOWN);
     for mistake in mistakes {
         if !text.is_empty() {
             text.push('\n');
         }
-        let message = mistake.message();
+        let message = format!("{prefix}{}", mistake.message());
         let said = printable(&message, NOT_SHOWN);
         let hint = mistake.hint.as_deref();
         let hint = hint.map(|hint| printable(hint, NOT_SHOWN));

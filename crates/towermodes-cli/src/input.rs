@@ -11,7 +11,7 @@ use crate::args::{InputArguments, ReadingArguments};
 use crate::failure::Failure;
 
 /// The option that sets numbers by name.
-const SETTING: &str = "--set";
+pub(crate) const SETTING: &str = "--set";
 
 /// Reads a tower or blade from a file or from standard input.
 pub(crate) fn input(file: &Path, reading: &ReadingArguments) -> Result<Input, Failure> {

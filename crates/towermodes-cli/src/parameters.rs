@@ -25,18 +25,21 @@ pub(crate) fn run(arguments: &ParametersArguments) -> Result<(), Failure> {
     deliver(&result, arguments.destination.output())
 }
 
-/// The numbers that the filters select.
+/// The numbers that at least one filter selects, each once.
 fn listed(input: &TowerInput, arguments: &ParametersArguments) -> Result<Vec<Parameter>, Failure> {
     let all = Parameter::all(&input.description);
     let names: Vec<String> = all.iter().map(Parameter::to_string).collect();
-    if let Some(filter) = arguments.unmatched(&names) {
-        // The name of a number that is not listed, such as an entry below a diagonal.
-        return match Parameter::parse_every(filter, &input.description) {
-            Ok(found) => Ok(found),
-            Err(error) => Err(Failure::NoParameter(error)),
-        };
-    }
-    let pairs = all.into_iter().zip(names);
+    let pairs = all.into_iter().zip(&names);
     let selected = pairs.filter(|(_, name)| arguments.selects(name));
-    Ok(selected.map(|(parameter, _)| parameter).collect())
+    let mut listed: Vec<Parameter> = selected.map(|(parameter, _)| parameter).collect();
+    for filter in arguments.unmatched(&names) {
+        // The name of a number that is not listed, such as an entry below a diagonal.
+        let found = Parameter::parse_every(filter, &input.description);
+        for parameter in found.map_err(Failure::NoParameter)? {
+            if !listed.contains(&parameter) {
+                listed.push(parameter);
+            }
+        }
+    }
+    Ok(listed)
 }

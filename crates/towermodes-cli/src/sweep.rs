@@ -5,6 +5,7 @@ mod memory;
 mod picture;
 mod planned;
 mod progress;
+mod selection;
 
 use crate::args::SweepArguments;
 use crate::failure::Failure;

@@ -72,3 +72,23 @@ fn a_report_shows_what_was_set() {
     assert!(page.contains("= 0.036 m by --set; the file has 0.0351"));
     assert!(page.contains("--set 'stations[0].wall=0.036'"));
 }
+
+/// A number that is not listed is added to what the other filters select.
+#[test]
+fn filters_of_parameters_are_a_union() {
+    let filters = ["rna.mass", "material.poissons_ratio", "mass"];
+    let arguments = [&["parameters", TOWER, "--format", "csv"][..], &filters].concat();
+    let listed = String::from_utf8(run(&arguments).stdout).expect("text");
+    let count = |name: &str| listed.matches(&format!("{name},")).count();
+    assert_eq!(
+        (
+            count("rna.mass"),
+            count("material.poissons_ratio"),
+            count("density")
+        ),
+        (1, 1, 0),
+        "{listed}"
+    );
+    let wrong = run(&[&arguments[..], &["rna.mas.s"]].concat());
+    assert_eq!(wrong.status.code(), Some(2));
+}

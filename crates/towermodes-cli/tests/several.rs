@@ -1,11 +1,12 @@
 //! `solve` with several files gives what it gives for each file.
 
+use std::fs;
 use std::process::Command;
 
 use serde_json::Value;
 
 use crate::pages::root;
-use crate::sandbox::PROGRAM;
+use crate::sandbox::{PROGRAM, Sandbox};
 
 const FILES: [&str; 3] = [
     "examples/nrel-5mw.toml",
@@ -52,4 +53,56 @@ fn the_csv_is_that_of_each_file_after_its_name() {
         }
     }
     assert_eq!(lines.next(), None);
+}
+
+/// A file that belongs to an input is not overwritten, also if the input itself fails.
+#[test]
+fn no_file_of_an_input_is_overwritten() {
+    let sandbox = Sandbox::new("several-overwritten");
+    let write = |name: &str, text: &str| fs::write(sandbox.path().join(name), text);
+    let tower = "[material]\ndensity = 8500.0\nyoungs_modulus = 2.1e11\npoissons_ratio = 0.3\n";
+    let table = "0,6,0.027\n87.6,3.87,0.019\n";
+    write("stations.csv", table).expect("written");
+    let with = format!("{tower}[tower]\nstations = \"stations.csv\"\n");
+    write("with-table.toml", &with).expect("written");
+    write("wrong.toml", "[tower]\nstation = 1\n").expect("written");
+    for (input, output) in [
+        ("with-table.toml", "stations.csv"),
+        ("wrong.toml", "wrong.toml"),
+        ("with-table.toml", "tower.toml"),
+    ] {
+        let before = fs::read(sandbox.path().join(output)).expect("a file");
+        let mut command = Command::new(PROGRAM);
+        command.current_dir(sandbox.path());
+        command.args([
+            "solve",
+            input,
+            "tower.toml",
+            "--format",
+            "csv",
+            "--output",
+            output,
+        ]);
+        let refused = command.output().expect("the program runs");
+        let said = String::from_utf8_lossy(&refused.stderr).into_owned();
+        assert_eq!(refused.status.code(), Some(2), "{said}");
+        assert!(said.contains("is an input file"), "{said}");
+        let after = fs::read(sandbox.path().join(output)).expect("a file");
+        assert!(after == before, "{output} is overwritten");
+    }
+}
+
+/// A wrong value of an option is shown for each file, with the name of the file.
+#[test]
+fn a_setting_that_is_wrong_for_a_file_names_the_file() {
+    let mut command = Command::new(PROGRAM);
+    command
+        .current_dir(root())
+        .args(["solve", FILES[0], FILES[2]]);
+    let refused = command.args(["--set", "rna.mass=-3"]).output();
+    let said = String::from_utf8_lossy(&refused.expect("the program runs").stderr).into_owned();
+    assert!(
+        said.contains(&format!("error: {}: mass is -3 kg", FILES[0])),
+        "{said}"
+    );
 }

@@ -5,6 +5,7 @@
 
 use std::collections::BTreeMap;
 use std::fs;
+use std::os::unix::process::ExitStatusExt;
 use std::path::{Path, PathBuf};
 use std::process::{Child, Command, Output, Stdio};
 use std::thread;
@@ -159,7 +160,12 @@ fn a_killed_sweep_continues_and_has_the_same_bytes() {
         let mut run = folder.started(&output);
         folder.wait_for_parts(&output, 3, &mut run);
         signal(&run, name);
-        assert!(!run.wait().expect("a process").success());
+        let ended = run.wait().expect("a process");
+        // No exit code: the help says that the signal ends the program.
+        assert!(
+            ended.code().is_none() && ended.signal().is_some(),
+            "{ended}"
+        );
         let left = folder.files(&output);
         assert!(
             !left.contains_key("_SUCCESS"),
@@ -185,7 +191,7 @@ fn threads_shares_and_simultaneous_runs_give_the_same_bytes() {
     for share in ["2/3", "0/3"] {
         let done = folder.done("shares", &["--shard", share]);
         let said = String::from_utf8_lossy(&done.stderr).into_owned();
-        assert!(said.contains("other shares are missing"), "{said}");
+        assert!(said.contains("other shards are missing"), "{said}");
     }
     assert!(!folder.files("shares").contains_key("_SUCCESS"));
     folder.done("shares", &["--shard", "1/3"]);
@@ -328,4 +334,94 @@ fn pictures_of_a_sweep_are_written() {
     folder.done("results", &["--plot", "curves.png"]);
     let picture = fs::read(folder.0.join("curves.png")).expect("a picture");
     assert!(picture.starts_with(b"\x89PNG"));
+}
+
+/// A path of a picture that cannot be written is refused before anything is computed.
+#[test]
+fn a_picture_that_cannot_be_written_is_refused_first() {
+    let folder = Folder::new("no-picture");
+    for (path, code, words) in [
+        ("curves.pdf", 2, "FILE.svg or FILE.png"),
+        ("curves", 2, "FILE.svg or FILE.png"),
+        ("missing/curves.svg", 1, "the folder missing does not exist"),
+    ] {
+        let refused = folder.command("results", &["--plot", path]).output();
+        let refused = refused.expect("the program runs");
+        let said = String::from_utf8_lossy(&refused.stderr).into_owned();
+        assert_eq!(refused.status.code(), Some(code), "{said}");
+        assert!(said.contains(words), "{said}");
+        assert!(!folder.0.join("results/_sweep.json").exists(), "{path}");
+    }
+    // The folder of the results need not exist.
+    folder.write_study(2, 1);
+    folder.done("results", &["--plot", "results/curves.svg"]);
+    assert!(folder.0.join("results/curves.svg").is_file());
+}
+
+/// A part that another program removes during the run is not taken for that of another shard.
+#[test]
+fn a_part_that_is_lost_during_the_run_is_an_error() {
+    let folder = Folder::new("lost");
+    let mut command = folder.command("results", &["--threads", "1"]);
+    let mut run = command.spawn().expect("the program runs");
+    folder.wait_for_parts("results", 3, &mut run);
+    fs::remove_file(folder.0.join("results/part-00000.csv")).expect("removed");
+    let done = run.wait_with_output().expect("a process");
+    let said = String::from_utf8_lossy(&done.stderr).into_owned();
+    assert_eq!(done.status.code(), Some(1), "{said}");
+    assert!(said.contains("part-00000.csv is missing"), "{said}");
+    assert!(!folder.files("results").contains_key("_SUCCESS"));
+    folder.done("results", &[]);
+    check_complete(&folder.files("results"), ROWS);
+}
+
+/// Options of readers that contradict the tower or `--set` have the names of the study's keys.
+#[test]
+fn reading_options_of_a_study_are_checked_under_their_names() {
+    let folder = Folder::new("reading");
+    let study = fs::read_to_string(folder.0.join("study.toml")).expect("the study");
+    for (key, set, words) in [
+        (
+            "tower_height = 80.0",
+            "rna.center[2]=2",
+            "[sweep.reading] tower_height applies only",
+        ),
+        (
+            "no_rna = true",
+            "rna.center[2]=2",
+            "contradicts [sweep.reading] no_rna;",
+        ),
+        (
+            "no_gravity = false",
+            "rna.mass=3e5",
+            "the column `rna.mass` sets rna.mass in each row",
+        ),
+    ] {
+        let text = format!("{study}[sweep.reading]\n{key}\n");
+        fs::write(folder.0.join("study.toml"), text).expect("written");
+        let refused = folder.command("results", &["--set", set]).output();
+        let refused = refused.expect("the program runs");
+        let said = String::from_utf8_lossy(&refused.stderr).into_owned();
+        assert_eq!(refused.status.code(), Some(2), "{said}");
+        assert!(said.contains(words), "{said}");
+    }
+}
+
+/// Hints name options that `sweep` has.
+#[test]
+fn a_hint_names_options_of_the_command() {
+    let folder = Folder::new("hint");
+    for option in ["--modes", "--segments"] {
+        let refused = folder.command("results", &[option, "5000"]).output();
+        let said = String::from_utf8_lossy(&refused.expect("the program runs").stderr).into_owned();
+        let help = said.lines().find(|line| line.starts_with("help:"));
+        let is_of_solve = |line: &str| line.contains("--degree") || line.contains("--no-limits");
+        assert!(!help.is_some_and(is_of_solve), "{said}");
+    }
+    let refused = folder.command("results", &["--modes", "5000"]).output();
+    let said = String::from_utf8_lossy(&refused.expect("the program runs").stderr).into_owned();
+    assert!(
+        said.contains("increase --segments or reduce --modes"),
+        "{said}"
+    );
 }

@@ -45,6 +45,7 @@ fn one_varied_number_gives_a_curve_for_each_mode() {
         _ => (mode as f64 + 1.0) * 0.3 * (4e5 / masses[row]).sqrt(),
     };
     let figure = checked(&SweepColumns {
+        rows: 4,
         varied: vec![varied("rna.mass", "kg", masses.to_vec())],
         modes: modes(frequency_hz, 4),
     });
@@ -64,6 +65,7 @@ fn two_varied_numbers_give_a_panel_for_each_mode_and_a_curve_for_each_level() {
     let wall = |row: usize| 0.9 + 0.1 * (row % 3) as f64;
     let mass = |row: usize| 3e5 + 1e4 * (row / 3) as f64;
     let figure = checked(&SweepColumns {
+        rows: rows as u64,
         varied: vec![
             varied("scale(stations[*].wall)", "", (0..rows).map(wall).collect()),
             varied("rna.mass", "kg", (0..rows).map(mass).collect()),
@@ -85,6 +87,7 @@ fn more_varied_numbers_give_histograms_with_quantiles() {
     let rows = 1000;
     let value = |row: usize| (row as f64 * 0.618_034).fract();
     let figure = checked(&SweepColumns {
+        rows: rows as u64,
         varied: ["a", "b", "c"]
             .map(|name| varied(name, "", (0..rows).map(value).collect()))
             .to_vec(),
@@ -113,6 +116,7 @@ fn sweeps_without_results_or_differences_are_drawn() {
     for (names, rows) in [(1, 0), (1, 1), (2, 5), (3, 0), (3, 5)] {
         for frequency_hz in [f64::NAN, 0.0, 0.3] {
             let columns = SweepColumns {
+                rows: rows as u64,
                 varied: ["a", "b", "c"][..names]
                     .iter()
                     .map(|name| varied(name, "", vec![1.0; rows]))
@@ -126,4 +130,29 @@ fn sweeps_without_results_or_differences_are_drawn() {
     }
     let nothing = figures::sweep(&SweepColumns::default());
     assert!(!nothing.to_svg(Look::Standalone).contains("NaN"));
+}
+
+/// Many rows are thinned out: the description counts all of them, and the curve has both ends.
+#[test]
+fn a_thinned_curve_has_both_ends_and_the_number_of_all_rows() {
+    let rows = 40_001;
+    let of_rows = |all: u64| SweepColumns {
+        rows: all,
+        varied: vec![varied("a", "", (0..rows).map(|row| row as f64).collect())],
+        modes: modes(|mode, row| mode as f64 + row as f64 / 1e5, rows),
+    };
+    let figure = figures::sweep(&of_rows(40_001));
+    let words = "against a, 40001 rows. Each curve shows 2000 of these rows.";
+    assert!(figure.description.contains(words), "{}", figure.description);
+    assert!(!figure.description.contains("at random"));
+    let of_first = figure.table.rows.iter().filter(|row| row[0] == LABELS[0]);
+    let values: Vec<&str> = of_first.map(|row| row[1].as_str()).collect();
+    assert_eq!(
+        (values.len(), values[0], values[1999]),
+        (2000, "0", "40000")
+    );
+    // The rows are a selection of those of the sweep.
+    let figure = figures::sweep(&of_rows(4_000_000));
+    let words = "The picture shows 40001 rows, selected at random from 4000000.";
+    assert!(figure.description.contains(words), "{}", figure.description);
 }

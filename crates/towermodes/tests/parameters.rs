@@ -260,6 +260,10 @@ fn a_wrong_name_is_answered_with_what_would_be_right() {
         ("stations[x].wall", "`x` is not an index"),
         ("stations[-1].wall", "`-1` is not an index"),
         (
+            "material.density",
+            "it has 2 materials; write `materials.steel.density`",
+        ),
+        (
             "foundation.radius",
             "it has no foundation of type \"half-space\"",
         ),
@@ -271,11 +275,11 @@ fn a_wrong_name_is_answered_with_what_would_be_right() {
             "banana",
             "its numbers are those of materials[], tower, stations[]",
         ),
-        ("", "a name of a number is missing"),
+        ("", "the name of the number is missing"),
         ("scale(rna.mass", "is not a change"),
         ("grow(rna.mass)", "is not a change"),
         ("rna.mass, rna.center[0]", "is not a change"),
-        ("add(rna.mass,)", "a name of a number is missing"),
+        ("add(rna.mass,)", "the name of the number is missing"),
         ("add(rna.mass, rna.mass)", "sets rna.mass, which"),
     ] {
         assert!(

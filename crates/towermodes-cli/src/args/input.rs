@@ -36,9 +36,9 @@ pub(crate) struct ReadingArguments {
     #[arg(help_heading = MODEL, long)]
     no_gravity: bool,
 
-    /// Set a number of the tower by name, as often as needed: 'rna.mass=360000' sets,
-    /// 'scale(stations[*].wall)=1.1' multiplies, 'add(stations[*].height)=2' adds; values in the
-    /// units of the tower file. Single quotes protect brackets and parentheses from the shell;
+    /// Change a number of the tower by name, as often as needed: 'rna.mass=360000' replaces the
+    /// number, 'scale(stations[*].wall)=1.1' multiplies it, 'add(stations[*].height)=2' adds to it;
+    /// values in the units of the tower file. Single quotes protect brackets and parentheses from the shell;
     /// `towermodes parameters FILE` lists the names
     #[arg(help_heading = MODEL, long = "set", value_name = "NAME=VALUE", value_parser = setting_parser)]
     pub(crate) settings: Vec<Setting>,
@@ -97,14 +97,27 @@ impl ReadingArguments {
     /// # Errors
     /// The message for the first option that does not.
     pub(crate) fn check(&self, formats: &[FileFormat]) -> Result<(), &'static str> {
-        let names = || self.settings.iter().map(Setting::name);
-        if self.no_rna && names().any(|name| name.contains("rna.")) {
+        let names = self.settings.iter().map(Setting::name);
+        Self::check_names(&self.options(), names)?;
+        Self::check_options(&self.options(), formats)
+    }
+
+    /// Checks that no number is changed that the readers omit.
+    ///
+    /// # Errors
+    /// The message for the first number that is.
+    pub(crate) fn check_names<'a>(
+        given: &ReadOptions,
+        names: impl Iterator<Item = &'a str> + Clone,
+    ) -> Result<(), &'static str> {
+        let is_changed = |text: &str| names.clone().any(|name| name.contains(text));
+        if given.without_rna && is_changed("rna.") {
             return Err("--set of a number of the RNA contradicts --no-rna; remove one of them");
         }
-        if self.no_gravity && names().any(|name| name.contains("gravity")) {
+        if given.without_gravity && is_changed("gravity") {
             return Err("--set of gravity contradicts --no-gravity; remove one of them");
         }
-        Self::check_options(&self.options(), formats)
+        Ok(())
     }
 
     /// Checks that each option of the readers applies to at least one of the files.

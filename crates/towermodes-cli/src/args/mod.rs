@@ -37,7 +37,7 @@ pub(crate) use prescribed::Prescribed;
 pub(crate) use report::{PageFormat, ReportArguments};
 pub(crate) use rotor::RotorArguments;
 pub(crate) use solve::{SolveArguments, SolveFormat};
-pub(crate) use sweep::SweepArguments;
+pub(crate) use sweep::{SweepArguments, SweepPicture};
 pub(crate) use verify::{VerifyArguments, VerifyFormat};
 
 use std::ffi::OsString;

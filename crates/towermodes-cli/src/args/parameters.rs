@@ -23,7 +23,7 @@ pub(crate) struct ParametersArguments {
     #[command(flatten)]
     pub(crate) input: InputArguments,
 
-    /// List only the numbers whose name contains this text; * stands for any characters
+    /// List only the numbers whose name contains one of these texts; * stands for any characters
     /// [default: all]
     #[arg(value_name = "FILTER")]
     filters: Vec<String>,
@@ -38,10 +38,10 @@ impl ParametersArguments {
         self.filters.is_empty() || self.filters.iter().any(|filter| contains(name, filter))
     }
 
-    /// The first filter that no name contains.
-    pub(crate) fn unmatched<'a>(&'a self, names: &[String]) -> Option<&'a str> {
-        let is_there = |filter: &&String| !names.iter().any(|name| contains(name, filter));
-        self.filters.iter().find(is_there).map(String::as_str)
+    /// The filters that no name contains.
+    pub(crate) fn unmatched<'a>(&'a self, names: &'a [String]) -> impl Iterator<Item = &'a str> {
+        let is_unmatched = |filter: &&String| !names.iter().any(|name| contains(name, filter));
+        self.filters.iter().filter(is_unmatched).map(String::as_str)
     }
 }
 

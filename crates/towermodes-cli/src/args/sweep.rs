@@ -15,11 +15,11 @@ const EXAMPLES: &str = "Examples:
   towermodes sweep tower.toml values.csv --output results/ --summary --plot frequencies.svg
   towermodes sweep study.toml --output more-results/ --modes 6
 
-The columns of a table are names of numbers: rna.mass sets, scale(stations[*].wall) multiplies, add(stations[*].height) adds; `towermodes parameters FILE` lists the names. A study is a TOML file with [sweep]: base, sampling and distributions.
+The columns of a table are names of numbers: rna.mass replaces the number, scale(stations[*].wall) multiplies it, add(stations[*].height) adds to it; `towermodes parameters FILE` lists the names. A study is a TOML file with [sweep]: base, sampling and distributions.
 
-With --output the results are files with a part of the rows each, written completely or not at all. The same command again continues where it was interrupted; several processes and machines may share the folder (--shard). For a complete folder it computes nothing: --summary and --plot show its results. A row that cannot be solved is a row with its message.
+With --output the results are files. Each file has a part of the rows and is written completely or not at all. If the sweep was interrupted, the same command computes what is missing; several processes and machines may share the folder (--shard). If the folder is complete, nothing is computed: --summary and --plot show its results. A row that cannot be solved has the error message in the column error.
 
-Exit codes: 0 all rows are computed, possibly with rows that could not be solved (a warning gives their number), 1 the output failed or the sweep was interrupted, 2 wrong usage or wrong input.";
+Exit codes: 0 all rows are computed, possibly with rows that could not be solved (a warning gives the number of those computed by this command, --summary that of all), 1 the output failed, or another program changed the folder, 2 wrong usage or wrong input. Ctrl-C ends the program by its signal; shells show 130.";
 
 /// The arguments of `sweep`.
 #[derive(Debug, Args)]
@@ -36,8 +36,8 @@ pub(crate) struct SweepArguments {
     #[arg(long, value_name = "NAMES", value_delimiter = ',')]
     pub(crate) ignore: Vec<String>,
 
-    /// Modes with columns in the results: a number, the lowest modes of the tower that is varied,
-    /// or names, comma-separated, as 'fore-aft 1,torsion 1' [default: 4]
+    /// Modes with columns in the results: how many of the lowest modes of the tower that is varied,
+    /// or their names, comma-separated: 'fore-aft 1,torsion 1' [default: 4]
     #[arg(long, value_name = "K or NAMES", value_parser = modes_parser)]
     modes: Option<SweepModes>,
 
@@ -46,7 +46,8 @@ pub(crate) struct SweepArguments {
     method: Option<Method>,
 
     /// Number of segments (bmodes and spectral: elements); the frequencies are extrapolated from
-    /// several meshes [default: 20; BModes decks: the elements of the deck]
+    /// several meshes, except with spectral [default: 20; spectral: one per part of the tower;
+    /// BModes decks with bmodes: the elements of the deck]
     #[arg(long, value_name = "N", value_parser = number_parser(1, MAX_SEGMENTS))]
     segments: Option<usize>,
 
@@ -66,7 +67,8 @@ pub(crate) struct SweepArguments {
     #[arg(long, value_name = "N", value_parser = number_parser(1, MAX_ROWS_PER_PART as usize))]
     rows_per_part: Option<usize>,
 
-    /// Compute only the share I of N equal shares of the parts, I from 0 to N-1, for a job array
+    /// Compute only shard I of N: the parts are divided into N equal shards, I is from 0 to N-1; for
+    /// a job array
     #[arg(long, value_name = "I/N", value_parser = shard_parser)]
     pub(crate) shard: Option<Shard>,
 
@@ -82,8 +84,8 @@ pub(crate) struct SweepArguments {
     #[arg(long)]
     pub(crate) force: bool,
 
-    /// Print mean, standard deviation, quantiles, failed rows and, if the rotor is known, the
-    /// probability that a margin to an excitation is violated
+    /// Print mean, standard deviation, quantiles, failed rows and, if the rotor is known, the share
+    /// of the rows in which an excitation is closer than 5 % to a natural frequency
     #[arg(long)]
     pub(crate) summary: bool,
 
@@ -104,6 +106,30 @@ pub(crate) enum SweepFormat {
     /// Apache Parquet, smaller and faster to read.
     Parquet,
 }
+
+/// The format of the picture.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum SweepPicture {
+    /// Lines and text, for any size.
+    Svg,
+    /// Pixels.
+    Png,
+}
+
+impl SweepPicture {
+    /// By the file extension.
+    fn of(path: &Path) -> Option<Self> {
+        let ending = path.extension()?.to_ascii_lowercase();
+        match ending.to_str() {
+            Some("svg") => Some(Self::Svg),
+            Some("png") => Some(Self::Png),
+            _ => None,
+        }
+    }
+}
+
+const UNKNOWN_PICTURE: &str =
+    "unknown file extension for a picture; use --plot FILE.svg or FILE.png";
 
 impl SweepArguments {
     /// The number of threads.
@@ -140,18 +166,27 @@ impl SweepArguments {
         super::file_of(self.output.as_deref())
     }
 
-    /// Checks the options that need a folder.
+    /// The path of the picture with its format, if a picture is requested.
+    pub(crate) fn picture(&self) -> Option<(&Path, SweepPicture)> {
+        let path = self.plot.as_deref()?;
+        Some((path, SweepPicture::of(path)?))
+    }
+
+    /// Checks the options that need a folder, and the file extension of the picture.
     ///
     /// # Errors
-    /// The message for an option that has no effect.
+    /// The message for an option that has no effect, or cannot have the requested one.
     pub(crate) fn check(&self) -> Result<(), &'static str> {
         if self.folder().is_some() {
-            return Ok(());
+            return match self.plot.is_some() && self.picture().is_none() {
+                true => Err(UNKNOWN_PICTURE),
+                false => Ok(()),
+            };
         }
         let needs = [
             (
                 self.shard.is_some(),
-                "--shard needs --output FOLDER, which all shares write to",
+                "--shard needs --output FOLDER, which all shards write to",
             ),
             (
                 self.summary,
@@ -193,7 +228,7 @@ fn modes_parser(text: &str) -> Result<SweepModes, String> {
     names.map(SweepModes::Named)
 }
 
-/// A share of the parts.
+/// A shard of the parts.
 fn shard_parser(text: &str) -> Result<Shard, String> {
     text.parse().map_err(|error: ShardError| error.to_string())
 }

@@ -68,6 +68,15 @@ pub(crate) fn check_terminal(
     }
 }
 
+/// Refuses a path to which no file can be written: a folder, or a file in a folder that does not
+/// exist.
+pub(crate) fn check_place(path: &Path) -> Result<(), Failure> {
+    match place::Place::of(path) {
+        Ok(_) => Ok(()),
+        Err(error) => Err(Failure::Unwritable(path.display().to_string(), error)),
+    }
+}
+
 /// Replaces a file, completely or not at all.
 pub(crate) fn replace(path: &Path, content: &[u8]) -> Result<(), Failure> {
     let done = whole::write(path, content);

@@ -7,13 +7,13 @@ use std::path::Path;
 
 use towermodes::{Solution, Tower, solve_certain};
 use towermodes_files::{
-    FileFormat, Input, SolvedFile, TowerInput, write_several_csv, write_several_json,
+    FileFormat, Input, ReadError, SolvedFile, TowerInput, write_several_csv, write_several_json,
 };
 
 use crate::args::{Prescribed, SolveArguments, SolveFormat};
 use crate::failure::{Failure, note_texts, warning_text};
 use crate::input::input;
-use crate::output::{check_not_inputs, deliver};
+use crate::output::{check_not_input, check_not_inputs, deliver};
 use crate::progress::Progress;
 use crate::table;
 use crate::terminal;
@@ -27,6 +27,7 @@ pub(super) fn run(arguments: &SolveArguments, format: SolveFormat) -> Result<(),
         .iter()
         .map(|file| (name_of(file), tower_of(file, arguments)))
         .collect();
+    check_overwriting(&read, arguments)?;
     check_reading(&read, arguments)?;
     let names = read.iter().map(|(file, _)| file.clone());
     let progress = Progress::of(names);
@@ -71,8 +72,26 @@ fn tower_of(file: &Path, arguments: &SolveArguments) -> Result<TowerInput, Failu
             ));
         }
     };
-    check_not_inputs(tower.files(), arguments.output())?;
     Ok(tower)
+}
+
+/// Refuses an output that is one of the files. It is checked before anything is solved: the result
+/// of the other files must not overwrite a file that belongs to a file with a failure.
+fn check_overwriting(
+    read: &[(String, Result<TowerInput, Failure>)],
+    arguments: &SolveArguments,
+) -> Result<(), Failure> {
+    for (file, (_, input)) in arguments.files.iter().zip(read) {
+        check_not_input(file, arguments.output())?;
+        match input {
+            Ok(tower) => check_not_inputs(tower.files(), arguments.output())?,
+            Err(Failure::Input(ReadError::Mistakes { source_file, .. })) => {
+                check_not_input(Path::new(&source_file.name), arguments.output())?;
+            }
+            Err(_) => {}
+        }
+    }
+    Ok(())
 }
 
 /// Checks that each reading option applies to at least one of the files.

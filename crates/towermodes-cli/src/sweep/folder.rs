@@ -20,6 +20,7 @@ pub(super) fn run(
     arguments: &SweepArguments,
 ) -> Result<(), Failure> {
     check(folder)?;
+    picture::check(folder, arguments)?;
     let options = PartOptions {
         format: arguments.part_format(),
         rows_per_part: planned
@@ -36,15 +37,17 @@ pub(super) fn run(
     let is_complete = parts.finish().map_err(Failure::Parts)?;
     report(&account(&parts, &missing, done, is_complete, options.shard));
     if done.failures > 0 {
+        let verb = if done.failures == 1 { "has" } else { "have" };
         note_texts(&[format!(
-            "{} of these rows have no complete result; the column error has the reason",
-            done.failures
+            "{} of {} computed now {verb} no complete result; the column error has the reason",
+            done.failures,
+            counted(done.rows, "row")
         )]);
     }
     let is_shown = arguments.summary || arguments.plot.is_some();
     if is_shown && !is_complete {
         return Err(Failure::Refused(format!(
-            "the results in {} are not complete: run the other shares, and then this command again for --summary and --plot",
+            "the results in {} are not complete: run the other shards, and then this command again for --summary and --plot",
             folder.display()
         )));
     }
@@ -116,7 +119,7 @@ fn account(
     match is_complete {
         true => format!("{folder}: complete, {rows} in {all}; {now}\n"),
         false => {
-            format!("{folder}: share {shard} is complete, other shares are missing; {now}\n")
+            format!("{folder}: shard {shard} is complete, other shards are missing; {now}\n")
         }
     }
 }

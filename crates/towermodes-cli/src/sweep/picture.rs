@@ -1,5 +1,6 @@
 //! The picture of a complete sweep.
 
+use std::fs;
 use std::path::Path;
 
 use towermodes_report::figures::{self, ModeColumn, SweepColumns, TitleWords, VariedColumn};
@@ -7,14 +8,25 @@ use towermodes_report::raster;
 use towermodes_report::svg::{Figure, Look, Theme};
 use towermodes_sweep::{Parts, RowSource};
 
-use super::memory::Values;
 use super::planned::Planned;
-use crate::args::SweepArguments;
+use super::selection::Selection;
+use crate::args::{SweepArguments, SweepPicture};
 use crate::failure::Failure;
-use crate::output::deliver_bytes;
+use crate::output::{check_place, deliver_bytes};
 
-/// Of more rows every second, third, … is drawn.
+/// Of more rows a random selection is drawn.
 const MOST_ROWS: u64 = 1_000_000;
+
+/// Checks that the picture can be written, before hours are spent on its results.
+pub(super) fn check(folder: &Path, arguments: &SweepArguments) -> Result<(), Failure> {
+    let Some((path, _)) = arguments.picture() else {
+        return Ok(());
+    };
+    // The picture may be in the folder of the results.
+    let made = fs::create_dir_all(folder);
+    made.map_err(|error| Failure::Unwritable(folder.display().to_string(), error))?;
+    check_place(path)
+}
 
 /// Draws the picture.
 pub(super) fn run(
@@ -22,18 +34,20 @@ pub(super) fn run(
     parts: &Parts<'_>,
     arguments: &SweepArguments,
 ) -> Result<(), Failure> {
-    let Some(path) = &arguments.plot else {
+    let Some((path, format)) = arguments.picture() else {
         return Ok(());
     };
     let figure = figure(planned, parts)?;
-    deliver_bytes(&drawn(&figure, path)?, Some(path))
+    deliver_bytes(&drawn(&figure, format)?, Some(path))
 }
 
 fn figure(planned: &Planned, parts: &Parts<'_>) -> Result<Figure, Failure> {
     let sweep = &planned.sweep;
     let labels: Vec<String> = sweep.modes().iter().map(|mode| mode.label()).collect();
     let changes = sweep.changes();
+    let selection = Selection::of(parts.rows(), MOST_ROWS);
     let mut columns = SweepColumns {
+        rows: parts.rows(),
         varied: changes
             .iter()
             .map(|change| VariedColumn {
@@ -50,18 +64,19 @@ fn figure(planned: &Planned, parts: &Parts<'_>) -> Result<Figure, Failure> {
             })
             .collect(),
     };
-    let values = Values::of(&planned.source, changes.len())?;
-    let step = parts.rows().div_ceil(MOST_ROWS).max(1);
     let mut row_values = vec![0.0; changes.len()];
     for part in 0..parts.count() {
         let results = parts.read(part).map_err(Failure::Parts)?;
         let rows = parts.rows_of(part);
-        for row in rows.clone().filter(|row| row % step == 0) {
-            values.row(row, &mut row_values);
+        let block = planned.source.block(rows.clone());
+        let block = block.map_err(Failure::Table)?;
+        for row in rows.clone().filter(|row| selection.has(*row)) {
+            let in_part = row - rows.start;
+            block.row(in_part, &mut row_values);
             for (column, value) in columns.varied.iter_mut().zip(&row_values) {
                 column.values.push(*value);
             }
-            let first = (row - rows.start) as usize * columns.modes.len();
+            let first = in_part as usize * columns.modes.len();
             for (index, mode) in columns.modes.iter_mut().enumerate() {
                 mode.frequency_hz.push(results.frequency_hz[first + index]);
             }
@@ -76,13 +91,9 @@ fn figure(planned: &Planned, parts: &Parts<'_>) -> Result<Figure, Failure> {
     Ok(figures::titled(figures::sweep(&columns), &tower, &words))
 }
 
-fn drawn(figure: &Figure, path: &Path) -> Result<Vec<u8>, Failure> {
-    let ending = path.extension().unwrap_or_default().to_ascii_lowercase();
-    match ending.to_str() {
-        Some("svg") => Ok(figure.to_svg(Look::Standalone).into_bytes()),
-        Some("png") => raster::png(figure, Theme::Light, 2.0).map_err(Failure::Picture),
-        _ => Err(Failure::Usage(
-            "unknown file extension for a picture; use --plot FILE.svg or FILE.png",
-        )),
+fn drawn(figure: &Figure, format: SweepPicture) -> Result<Vec<u8>, Failure> {
+    match format {
+        SweepPicture::Svg => Ok(figure.to_svg(Look::Standalone).into_bytes()),
+        SweepPicture::Png => raster::png(figure, Theme::Light, 2.0).map_err(Failure::Picture),
     }
 }

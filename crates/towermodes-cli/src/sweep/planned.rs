@@ -2,10 +2,10 @@
 
 use std::path::Path;
 
-use towermodes::{Change, TowerDescription};
+use towermodes::{Change, Operation, TowerDescription};
 use towermodes_files::{
-    FileFormat, Input, ReadError, ReadOptions, SiblingFiles, Source, SweepResults, SweepRows,
-    SweepStudy, TowerInput, read, read_sweep_study, recognize,
+    FileFormat, Input, ReadError, ReadOptions, Setting, SiblingFiles, Source, SweepResults,
+    SweepRows, SweepStudy, TowerInput, read, read_sweep_study, recognize,
 };
 use towermodes_sweep::{Base, Sweep, SweepSource, Table};
 
@@ -35,6 +35,7 @@ impl Planned {
         let tower = input.tower().map_err(Failure::Input)?;
         note(&input.notes);
         warn(tower.warnings(), &input);
+        check_settings(&arguments.reading, &changes, &input.description)?;
         let sweep = Sweep::new(Base::from(&input), changes, &results).map_err(Failure::Sweep)?;
         Ok(Self {
             input,
@@ -64,13 +65,12 @@ fn of_study(arguments: &SweepArguments) -> Result<Parts, Failure> {
     let reading = &arguments.reading;
     if reading.options() != ReadOptions::default() {
         return Err(Failure::Usage(
-            "with a study, the options for reading the base are keys of [sweep.reading]",
+            "with a study, the options for reading its tower are keys of [sweep.reading]",
         ));
     }
     let beside = SiblingFiles::of(&arguments.file);
     let input = tower_of(&beside.path(&study.base.value), &study.reading, reading)?;
-    ReadingArguments::check_options(&study.reading, &[input.format])
-        .map_err(|problem| Failure::WrongStudy(problem.replacen("--", "[sweep.reading] ", 1)))?;
+    check_reading(&study.reading, &input, reading)?;
     let results = arguments.results(study.results.clone());
     let (changes, source) = match &study.rows {
         SweepRows::Table(path) => {
@@ -89,6 +89,64 @@ fn of_study(arguments: &SweepArguments) -> Result<Parts, Failure> {
         }
     };
     Ok((input, changes, source, results))
+}
+
+/// Checks the options of `[sweep.reading]` against the tower and `--set`.
+fn check_reading(
+    given: &ReadOptions,
+    input: &TowerInput,
+    reading: &ReadingArguments,
+) -> Result<(), Failure> {
+    let names = reading.settings.iter().map(Setting::name);
+    ReadingArguments::check_names(given, names)
+        .map_err(|problem| Failure::WrongStudy(as_keys(problem)))?;
+    ReadingArguments::check_options(given, &[input.format])
+        .map_err(|problem| Failure::WrongStudy(as_keys(problem)))
+}
+
+/// A message in which the options of readers are keys of a study: `--tower-height` is
+/// `[sweep.reading] tower_height`. Keys have no `--set`.
+fn as_keys(message: &str) -> String {
+    let words = message
+        .split(' ')
+        .map(|word| match word.strip_prefix("--") {
+            Some(option) if option != "set" => {
+                format!("[sweep.reading] {}", option.replace('-', "_"))
+            }
+            _ => word.to_owned(),
+        });
+    words.collect::<Vec<_>>().join(" ")
+}
+
+/// Refuses a setting that no row keeps.
+fn check_settings(
+    reading: &ReadingArguments,
+    changes: &[Change],
+    base: &TowerDescription,
+) -> Result<(), Failure> {
+    for setting in &reading.settings {
+        // The numbers are set already, so the name is right.
+        let Ok(set) = Change::parse(setting.name(), base) else {
+            continue;
+        };
+        let overwrites = |change: &&Change| {
+            let numbers = change.parameters();
+            change.operation() == Operation::Set
+                && set.parameters().iter().any(|of| numbers.contains(of))
+        };
+        if let Some(change) = changes.iter().find(overwrites) {
+            let all = set.parameters().iter();
+            let parameter = all
+                .filter(|of| change.parameters().contains(of))
+                .map(|of| of.to_string());
+            return Err(Failure::Overwritten {
+                setting: setting.name().to_owned(),
+                column: change.name().to_owned(),
+                parameter: parameter.take(1).collect(),
+            });
+        }
+    }
+    Ok(())
 }
 
 /// The study in a file.

@@ -12,7 +12,7 @@ use crate::tower::TowerDescription;
 #[non_exhaustive]
 pub enum ParameterError {
     /// The name is empty.
-    #[error("a name of a number is missing")]
+    #[error("the name of the number is missing")]
     Empty,
     /// No tower has such a number.
     #[error("`{name}` is not a number of this tower: {hint}")]
@@ -29,6 +29,16 @@ pub enum ParameterError {
         name: String,
         /// The part that this tower does not have.
         noun: &'static str,
+    },
+    /// The only material is meant, but there are several.
+    #[error("`{name}` is not a number of this tower: it has {count} materials; write `{instead}`")]
+    SeveralMaterials {
+        /// The name.
+        name: String,
+        /// How many there are.
+        count: usize,
+        /// The same number of the first material.
+        instead: String,
     },
     /// A list is shorter.
     #[error("`{name}` is not a number of this tower: index {index} is too large, its {noun} have {}", range(*count))]
@@ -88,6 +98,32 @@ fn range(count: usize) -> String {
 }
 
 impl ParameterError {
+    /// A number of a part that this tower does not have; `plain` is the name without its optional
+    /// parts.
+    pub(super) fn absent(
+        written: &str,
+        plain: &str,
+        noun: &'static str,
+        description: &TowerDescription,
+    ) -> Self {
+        let name = written.to_owned();
+        match (plain.strip_prefix("material."), description.materials.len()) {
+            (Some(key), count @ 2..) => {
+                let first = description.part_names.materials.first();
+                let instead = match first.filter(|material| !material.is_empty()) {
+                    Some(material) => format!("materials.{material}.{key}"),
+                    None => format!("materials[0].{key}"),
+                };
+                Self::SeveralMaterials {
+                    name,
+                    count,
+                    instead,
+                }
+            }
+            _ => Self::Absent { name, noun },
+        }
+    }
+
     /// A name that no number has; `plain` is the name without its optional parts.
     pub(super) fn unknown(written: &str, plain: &str, description: &TowerDescription) -> Self {
         Self::Unknown {

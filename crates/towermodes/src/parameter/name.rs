@@ -68,10 +68,7 @@ impl<'n> Name<'n> {
             }
         }
         Err(match absent {
-            Some(noun) => ParameterError::Absent {
-                name: self.written.to_owned(),
-                noun,
-            },
+            Some(noun) => ParameterError::absent(self.written, &plain, noun, description),
             None => ParameterError::unknown(self.written, &plain, description),
         })
     }

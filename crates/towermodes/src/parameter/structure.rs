@@ -6,7 +6,7 @@ use crate::tower::{Material, Place, Properties, Shear, TowerDescription};
 /// `[material]`: the only material.
 pub(super) static MATERIAL: Part = Part {
     name: "material",
-    noun: "single material",
+    noun: "material",
     count: |d| usize::from(d.materials.len() == 1),
     rows: |_, _| 1,
     is_symmetric: false,

@@ -18,7 +18,8 @@ const MOST_POINTS: usize = 2000;
 /// A curve for each mode.
 pub(super) fn of_one(varied: &VariedColumn<'_>, modes: &[ModeColumn<'_>]) -> Figure {
     let shown = &modes[..modes.len().min(MOST_MODES)];
-    let rows = by_value(varied, |_| true);
+    let all = by_value(varied, |_| true);
+    let rows = thinned(&all);
     let curves = shown.iter().map(|mode| Curve {
         label: mode.label.to_owned(),
         points: points(&rows, varied, mode),
@@ -30,10 +31,11 @@ pub(super) fn of_one(varied: &VariedColumn<'_>, modes: &[ModeColumn<'_>]) -> Fig
         curves: curves.collect(),
     };
     let description = format!(
-        "Natural frequencies of {} against {}, {} rows.{}",
+        "Natural frequencies of {} against {}, {}.{}{}",
         count(shown.len(), "mode"),
         varied.name,
-        rows.len(),
+        count(all.len(), "row"),
+        points_in_words(rows.len(), all.len()),
         not_shown(modes.len() - shown.len())
     );
     Figure {
@@ -56,7 +58,10 @@ pub(super) fn of_two(
     let x_name = varied.axis_name();
     let rows: Vec<(f64, Vec<usize>)> = levels
         .iter()
-        .map(|level| (*level, by_value(varied, |row| other.values[row] == *level)))
+        .map(|level| {
+            let rows = by_value(varied, |row| other.values[row] == *level);
+            (*level, thinned(&rows))
+        })
         .collect();
     let panel = |mode: &'_ ModeColumn<'_>| {
         let curves = rows.iter().map(|(level, rows)| Curve {
@@ -112,14 +117,32 @@ pub(super) fn not_shown(modes: usize) -> String {
     }
 }
 
-/// The selected rows by rising value, thinned out if they are many.
+/// " Each curve shows 2000 of these rows."; empty if it shows all.
+fn points_in_words(shown: usize, all: usize) -> String {
+    match shown < all {
+        true => format!(" Each curve shows {shown} of these rows."),
+        false => String::new(),
+    }
+}
+
+/// The selected rows by rising value.
 fn by_value(varied: &VariedColumn<'_>, is_selected: impl Fn(usize) -> bool) -> Vec<usize> {
     let values = &varied.values;
     let rows = (0..values.len()).filter(|&row| values[row].is_finite() && is_selected(row));
     let mut rows: Vec<usize> = rows.collect();
     rows.sort_by(|a, b| values[*a].total_cmp(&values[*b]));
-    let step = rows.len().div_ceil(MOST_POINTS).max(1);
-    rows.into_iter().step_by(step).collect()
+    rows
+}
+
+/// Some of many rows at equal distances, with the first and the last: a curve reaches over the
+/// whole range of values.
+fn thinned(rows: &[usize]) -> Vec<usize> {
+    if rows.len() <= MOST_POINTS {
+        return rows.to_vec();
+    }
+    let last = rows.len() - 1;
+    let places = (0..MOST_POINTS).map(|point| point * last / (MOST_POINTS - 1));
+    places.map(|place| rows[place]).collect()
 }
 
 fn points(rows: &[usize], varied: &VariedColumn<'_>, mode: &ModeColumn<'_>) -> Vec<(f64, f64)> {

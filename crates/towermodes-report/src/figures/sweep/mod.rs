@@ -7,10 +7,13 @@ mod panel;
 
 use crate::svg::Figure;
 
-/// The columns of a sweep that a picture shows; all have a value for each row, NaN where the row
-/// has none.
+/// The columns of a sweep that a picture shows; all have a value for each row that is shown, NaN
+/// where the row has none.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct SweepColumns<'a> {
+    /// The number of rows of the sweep. The columns may have a random selection of them: then the
+    /// description says so.
+    pub rows: u64,
     /// The numbers that vary.
     pub varied: Vec<VariedColumn<'a>>,
     /// The frequencies.
@@ -35,6 +38,21 @@ pub struct ModeColumn<'a> {
     pub label: &'a str,
     /// Its frequency in each row, Hz.
     pub frequency_hz: Vec<f64>,
+}
+
+impl SweepColumns<'_> {
+    /// " The picture shows 999512 rows, selected at random from 4000000."; empty if all rows are
+    /// there.
+    fn selection(&self) -> String {
+        let shown = self.modes.first().map_or(0, |mode| mode.frequency_hz.len());
+        match self.rows > shown as u64 {
+            true => format!(
+                " The picture shows {shown} rows, selected at random from {}.",
+                self.rows
+            ),
+            false => String::new(),
+        }
+    }
 }
 
 impl VariedColumn<'_> {
@@ -68,6 +86,13 @@ impl VariedColumn<'_> {
 
 /// The picture of a sweep.
 pub fn sweep(columns: &SweepColumns<'_>) -> Figure {
+    let mut figure = of_all(columns);
+    figure.description.push_str(&columns.selection());
+    figure
+}
+
+/// The picture of the rows that are there.
+fn of_all(columns: &SweepColumns<'_>) -> Figure {
     match &columns.varied[..] {
         [one] => curves::of_one(one, &columns.modes),
         [first, second] => {
