@@ -9,8 +9,8 @@ use super::text::{align_right, plain_table, title};
 /// The failures that are listed.
 const MOST_FAILURES: usize = 10;
 
-/// Statistics of the mass and of each frequency; the probability that a margin is violated; the
-/// rows that failed.
+/// Statistics of the mass and of each frequency; the share of the rows in which a margin is
+/// violated; the rows that failed.
 pub(crate) fn sweep_summary(
     tower: &Tower,
     summary: &Summary,
@@ -33,9 +33,9 @@ fn statistics(summary: &Summary) -> String {
     let mut table = plain_table();
     let quantiles = QUANTILES.map(|share| format!("{} %", Rounded(100.0 * share)));
     let mut header = vec!["".to_owned()];
-    header.extend(["mean", "deviation", "lowest"].map(str::to_owned));
+    header.extend(["mean", "std. dev.", "lowest"].map(str::to_owned));
     header.extend(quantiles);
-    header.extend(["highest", "± error"].map(str::to_owned));
+    header.extend(["highest", "largest error"].map(str::to_owned));
     let columns = header.len();
     table.set_header(header);
     let mass = cells(summary.mass_kg.as_ref(), 1e-3, 4);
@@ -74,7 +74,7 @@ fn cells(of: Option<&Statistics>, factor: f64, count: usize) -> Vec<String> {
 fn margins(summary: &Summary, check: &MarginCheck) -> String {
     let mut table = plain_table();
     let name = format!(
-        "probability of a distance below {} %",
+        "share of rows with a distance below {} %",
         Rounded(100.0 * check.margin)
     );
     let multiples = check
@@ -83,25 +83,27 @@ fn margins(summary: &Summary, check: &MarginCheck) -> String {
         .map(|multiple| format!("{multiple}P"));
     table.set_header(std::iter::once(name).chain(multiples));
     for mode in &summary.modes {
-        table.add_row(std::iter::once(mode.name.label()).chain(probabilities(mode)));
+        table.add_row(
+            std::iter::once(mode.name.label()).chain(shares(mode, summary.rows_are_independent)),
+        );
     }
     align_right(&mut table, 1..=check.multiples.len());
     table.trim_fmt()
 }
 
-/// "2.3 ± 0.4 %".
-fn probabilities(mode: &ModeSummary) -> impl Iterator<Item = String> {
-    mode.margins.iter().map(|margin| match margin.count {
+/// "2.3 ± 0.4 %"; without the standard error if the rows are not independent random ones.
+fn shares(mode: &ModeSummary, are_independent: bool) -> impl Iterator<Item = String> {
+    mode.margins.iter().map(move |margin| match margin.count {
         0 => "-".to_owned(),
         _ => {
             let [share, error] = [margin.probability(), margin.standard_error()];
-            match error > 0.0 {
+            match are_independent && error > 0.0 {
                 true => format!(
                     "{} \u{b1} {} %",
                     digits(100.0 * share, 3),
                     digits(100.0 * error, 2)
                 ),
-                false => format!("{} %", Rounded(100.0 * share)),
+                false => format!("{} %", digits(100.0 * share, 3)),
             }
         }
     })
