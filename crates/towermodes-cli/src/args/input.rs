@@ -38,8 +38,8 @@ pub(crate) struct ReadingArguments {
 
     /// Change a number of the tower by name, as often as needed: 'rna.mass=360000' replaces the
     /// number, 'scale(stations[*].wall)=1.1' multiplies it, 'add(stations[*].height)=2' adds to it;
-    /// values in the units of the tower file. Single quotes protect brackets and parentheses from the shell;
-    /// `towermodes parameters FILE` lists the names
+    /// values in the units of the tower file. Single quotes protect brackets and parentheses from
+    /// the shell; `towermodes parameters FILE` lists the names
     #[arg(help_heading = MODEL, long = "set", value_name = "NAME=VALUE", value_parser = setting_parser)]
     pub(crate) settings: Vec<Setting>,
 
@@ -108,9 +108,10 @@ impl ReadingArguments {
     /// The message for the first number that is.
     pub(crate) fn check_names<'a>(
         given: &ReadOptions,
-        names: impl Iterator<Item = &'a str> + Clone,
+        names: impl Iterator<Item = &'a str>,
     ) -> Result<(), &'static str> {
-        let is_changed = |text: &str| names.clone().any(|name| name.contains(text));
+        let names: Vec<&str> = names.collect();
+        let is_changed = |text: &str| names.iter().any(|name| name.contains(text));
         if given.without_rna && is_changed("rna.") {
             return Err("--set of a number of the RNA contradicts --no-rna; remove one of them");
         }

@@ -67,8 +67,8 @@ pub(crate) struct SweepArguments {
     #[arg(long, value_name = "N", value_parser = number_parser(1, MAX_ROWS_PER_PART as usize))]
     rows_per_part: Option<usize>,
 
-    /// Compute only shard I of N: the parts are divided into N equal shards, I is from 0 to N-1; for
-    /// a job array
+    /// Compute only shard I of N: the parts are divided into N equal shards, I is from 0 to N-1;
+    /// for a job array
     #[arg(long, value_name = "I/N", value_parser = shard_parser)]
     pub(crate) shard: Option<Shard>,
 
