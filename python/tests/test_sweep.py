@@ -70,7 +70,7 @@ def test_a_row_that_fails_is_a_row_with_its_sentence(nrel: tm.Tower) -> None:
     assert np.isfinite(result.frequency_hz[0]).all()
     assert result.certified.tolist() == [True, False, False]
     assert "3 towers, 2 failed" in repr(result)
-    assert "row 1: station 1" in repr(result)
+    assert "row 1: stations[0].wall: " in repr(result)
 
 
 def test_numbers_stand_for_columns(nrel: tm.Tower) -> None:
