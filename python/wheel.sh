@@ -5,7 +5,8 @@
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
-bin=$(dirname "$(command -v target/python/bin/maturin || command -v maturin)")
+# Zig is started in the folder of a crate: its path must not depend on the folder.
+bin=$(realpath "$(dirname "$(command -v target/python/bin/maturin || command -v maturin)")")
 PATH=$bin:$PATH
 rustup target add "$(uname -m)-unknown-linux-gnu" 2> /dev/null || true
 # Only the wheel of this version stays.
