@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import os
+import threading
+import time
 from pathlib import Path
 
 import pytest
@@ -31,3 +33,25 @@ def examples() -> list[Path]:
     folder = ROOT / "examples"
     kinds = ("*.toml", "*.bmi", "*.yaml", "*/ElastoDyn.dat")
     return sorted(path for kind in kinds for path in folder.glob(kind))
+
+
+class Ticking:
+    """Counts the ticks of another thread while a block runs."""
+
+    def __init__(self) -> None:
+        self.ticks = 0
+        self._ended = threading.Event()
+        self._thread = threading.Thread(target=self._tick)
+
+    def _tick(self) -> None:
+        while not self._ended.is_set():
+            self.ticks += 1
+            time.sleep(0.001)
+
+    def __enter__(self) -> Ticking:
+        self._thread.start()
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        self._ended.set()
+        self._thread.join()

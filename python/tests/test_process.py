@@ -11,6 +11,7 @@ import threading
 import time
 
 import pytest
+from conftest import Ticking
 
 import towermodes as tm
 
@@ -62,24 +63,12 @@ def test_threads_solve_at_the_same_time(nrel: tm.Tower) -> None:
 
 
 def test_other_threads_run_during_a_solve(nrel: tm.Tower) -> None:
-    ticks = 0
-    ended = threading.Event()
-
-    def tick() -> None:
-        nonlocal ticks
-        while not ended.is_set():
-            ticks += 1
-            time.sleep(0.001)
-
-    thread = threading.Thread(target=tick)
-    thread.start()
-    start = time.perf_counter()
-    nrel.solve(segments=20_000)
-    seconds = time.perf_counter() - start
-    ended.set()
-    thread.join()
+    with Ticking() as other:
+        start = time.perf_counter()
+        nrel.solve(segments=20_000)
+        seconds = time.perf_counter() - start
     # With the interpreter lock held there would be one tick or two.
-    assert ticks > 5, f"{ticks} ticks in {seconds} s"
+    assert other.ticks > 5, f"{other.ticks} ticks in {seconds} s"
 
 
 LONG_SOLVE = """

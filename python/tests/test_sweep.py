@@ -7,12 +7,12 @@ import os
 import signal
 import subprocess
 import sys
-import threading
 import time
 from typing import Any
 
 import numpy as np
 import pytest
+from conftest import Ticking
 
 import towermodes as tm
 
@@ -172,21 +172,9 @@ def test_children_of_a_fork_sweep_after_a_threaded_sweep(nrel: tm.Tower) -> None
 
 
 def test_other_threads_run_during_a_sweep(nrel: tm.Tower) -> None:
-    ticks = 0
-    ended = threading.Event()
-
-    def tick() -> None:
-        nonlocal ticks
-        while not ended.is_set():
-            ticks += 1
-            time.sleep(0.001)
-
-    thread = threading.Thread(target=tick)
-    thread.start()
-    nrel.sweep({"rna.mass": np.linspace(3e5, 4e5, 3000)}, threads=1)
-    ended.set()
-    thread.join()
-    assert ticks > 5
+    with Ticking() as other:
+        nrel.sweep({"rna.mass": np.linspace(3e5, 4e5, 3000)}, threads=1)
+    assert other.ticks > 5
 
 
 LONG_SWEEP = """
