@@ -3,6 +3,7 @@
 use std::ops::ControlFlow;
 use std::path::Path;
 
+use towermodes_report::wording::counted;
 use towermodes_sweep::{DEFAULT_ROWS_PER_PART, PartOptions, Parts, PartsProgress, Shard};
 
 use super::picture;
@@ -122,10 +123,4 @@ fn account(
             format!("{folder}: shard {shard} is complete, other shards are missing; {now}\n")
         }
     }
-}
-
-/// "1 part", "62 parts".
-fn counted(count: u64, noun: &str) -> String {
-    let plural = if count == 1 { "" } else { "s" };
-    format!("{count} {noun}{plural}")
 }

@@ -1,12 +1,14 @@
 //! Counts, lists, and names that come from files.
 
 use std::borrow::Cow;
+use std::fmt::Display;
 
 use towermodes::is_printable;
 
 /// A count with its noun: "1 mode", "2 modes".
-pub fn counted(count: usize, noun: &str) -> String {
-    format!("{count} {noun}{}", if count == 1 { "" } else { "s" })
+pub fn counted<N: Copy + Display + PartialEq + From<u8>>(count: N, noun: &str) -> String {
+    let plural = if count == N::from(1) { "" } else { "s" };
+    format!("{count} {noun}{plural}")
 }
 
 /// A list in words: "a", "a and b", "a, b and c".
