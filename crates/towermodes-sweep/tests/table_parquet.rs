@@ -3,7 +3,7 @@
 use std::fs;
 use std::sync::Arc;
 
-use parquet::basic::{Compression, LogicalType, Repetition, Type};
+use parquet::basic::{Compression, LogicalType, Repetition, Type, ZstdLevel};
 use parquet::column::writer::ColumnWriter;
 use parquet::file::properties::WriterProperties;
 use parquet::file::writer::SerializedFileWriter;
@@ -129,6 +129,7 @@ fn any_range_of_rows_is_read_across_row_groups() {
     for (group, compression) in [
         (ROWS, Compression::SNAPPY),
         (700, Compression::UNCOMPRESSED),
+        (900, Compression::ZSTD(ZstdLevel::default())),
         (1, Compression::UNCOMPRESSED),
     ] {
         let rows = if group == 1 { 50 } else { ROWS };

@@ -201,7 +201,7 @@ pub enum TableProblem {
     },
     /// A codec that is not built in.
     #[error(
-        "column `{column}` is compressed with {codec}; write the file with Snappy or without compression (compression=\"snappy\" in pandas and polars)"
+        "column `{column}` is compressed with {codec}; write the file with Snappy or ZSTD or without compression (compression=\"snappy\" in pandas and polars)"
     )]
     Compression {
         /// The name of the column.

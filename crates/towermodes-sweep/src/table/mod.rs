@@ -31,7 +31,7 @@ use header::Header;
 ///
 /// CSV is separated by commas, semicolons or tabs and has decimal points; a name with a comma is in
 /// double quotes. Parquet has columns of the types DOUBLE, FLOAT, INT32 or INT64, compressed with
-/// Snappy or not at all.
+/// Snappy or ZSTD or not at all.
 ///
 /// # Example
 /// ```

@@ -116,7 +116,7 @@ impl ParquetTable {
     fn check_codec(&self, leaf: usize, name: &str) -> Result<(), TableProblem> {
         for group in self.reader.metadata().row_groups() {
             match group.column(leaf).compression() {
-                Compression::UNCOMPRESSED | Compression::SNAPPY => {}
+                Compression::UNCOMPRESSED | Compression::SNAPPY | Compression::ZSTD(_) => {}
                 other => {
                     let codec = other.to_string();
                     return Err(TableProblem::Compression {
