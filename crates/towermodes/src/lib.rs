@@ -59,6 +59,7 @@ mod method;
 pub mod modes;
 pub mod number;
 pub mod parameter;
+pub mod sensitivity;
 mod solve;
 pub mod space;
 pub mod subsystem;
@@ -71,6 +72,10 @@ pub use method::Method;
 pub use modes::{ByMotion, Energy, Family, ModeName, ModeNameError, ShapePoint};
 pub use number::Plain;
 pub use parameter::{Change, Operation, Parameter, ParameterError};
+pub use sensitivity::{
+    ChangeSensitivity, Derivative, NoDerivative, Sensitivities, SensitivityError, every_change,
+    sensitivities,
+};
 pub use solve::{
     BladeFamily, BladeMode, BladeSolution, Certificate, DEFAULT_MODES, DEFAULT_POINTS,
     DEFAULT_SEGMENTS, ErrorBasis, Frequencies, MAX_BYTES, MAX_DEGREE, MAX_POINTS, MAX_SECONDS,

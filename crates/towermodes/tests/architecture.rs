@@ -159,8 +159,9 @@ fn written_imports(crate_name: &str) -> Imports {
 
 /// Crates whose table of imports is in ARCHITECTURE.md.
 const WRITTEN: [&str; 1] = ["towermodes"];
-const ALL: [&str; 4] = [
+const ALL: [&str; 5] = [
     "towermodes",
+    "towermodes-design",
     "towermodes-files",
     "towermodes-report",
     "towermodes-sweep",

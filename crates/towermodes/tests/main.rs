@@ -21,6 +21,7 @@ mod pencils;
 mod plausibility;
 mod real_towers;
 mod refusal;
+mod sensitivities;
 mod tables;
 mod towers;
 mod watch;

@@ -109,7 +109,11 @@ impl Assembly<'_> {
         top_m: f64,
         mut joints: [(f64, JointFlexibility); N],
     ) {
-        joints.sort_by(|a, b| a.0.total_cmp(&b.0));
+        // Near towers have their joints in one order. A body between two joints in falling order
+        // takes away what the bodies around it have twice.
+        if !self.tower.planes_are_apart() {
+            joints.sort_by(|a, b| a.0.total_cmp(&b.0));
+        }
         let mut below_m = base_m;
         for (height_m, flexibility) in &joints {
             self.add_exact_body(piece, below_m, *height_m);

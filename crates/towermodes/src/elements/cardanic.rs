@@ -72,7 +72,7 @@ pub(super) fn add_exact_segment(
         [lower, (bending.elastic_centre_m, middle), upper]
     };
     let [lower, middle, upper] = joints_of(Plane::ForeAft);
-    if piece.stiff_planes_are_equal() {
+    if assembly.planes_share_joints(piece) {
         assembly.add_exact_bodies(piece, base_m, top_m, [lower, middle, upper]);
         return;
     }

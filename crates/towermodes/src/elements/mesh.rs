@@ -219,6 +219,16 @@ impl Mesh {
         mesh.set_borders();
     }
 
+    /// The mesh with every end of a span moved to another height, m.
+    pub(crate) fn moved(&self, moved_m: impl Fn(f64) -> f64) -> Self {
+        let spans = self.spans.iter().map(|span| Span {
+            base_m: moved_m(span.base_m),
+            top_m: moved_m(span.top_m),
+            ..*span
+        });
+        Self::from_spans(spans.collect())
+    }
+
     fn from_spans(spans: Vec<Span>) -> Self {
         let mut mesh = Self {
             spans,

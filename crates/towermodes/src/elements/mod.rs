@@ -14,7 +14,7 @@ pub(crate) use springs::shear_fraction;
 
 use crate::Method;
 use crate::chain::Chains;
-use crate::tower::{Piece, Tower};
+use crate::tower::{Piece, Profile, Tower};
 
 /// A way to represent a segment of a tower by rigid bodies and joints.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -108,6 +108,13 @@ struct Assembly<'a> {
 }
 
 impl Assembly<'_> {
+    /// Whether the joints of both bending planes are at the same heights, so that they are one.
+    fn planes_share_joints(&self, piece: &Piece) -> bool {
+        let may_differ =
+            self.tower.planes_are_apart() && matches!(piece.profile, Profile::Table { .. });
+        piece.stiff_planes_are_equal() && !may_differ
+    }
+
     fn add_segment(&mut self, piece: &Piece, base_m: f64, top_m: f64) {
         match self.recipe.element {
             Element::Rmje => rmje::add_segment(self, piece, base_m, top_m),

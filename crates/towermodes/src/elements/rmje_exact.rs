@@ -21,7 +21,7 @@ pub(super) fn add_segment(assembly: &mut Assembly<'_>, piece: &Piece, base_m: f6
     let compliance = compliance(piece, base_m, top_m);
     let (centres, joint) = (compliance.bending, springs::exact(&compliance));
     let fore_aft_m = centres.fore_aft.elastic_centre_m;
-    if piece.stiff_planes_are_equal() {
+    if assembly.planes_share_joints(piece) {
         assembly.add_exact_bodies(piece, base_m, top_m, [(fore_aft_m, joint)]);
         return;
     }

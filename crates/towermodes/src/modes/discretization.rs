@@ -51,6 +51,24 @@ pub fn richardson(frequency_hz: f64, mut meshes_hz: Vec<f64>, powers: &[i32]) ->
     extrapolate(frequency_hz, &mut meshes_hz, powers)
 }
 
+/// The value without the errors of these powers of 1/n, of values on meshes from the finest to the
+/// coarsest, each with half the segments of the one before: one mesh more than there are powers.
+/// The values are overwritten, and the change by the last power is the second result.
+pub(crate) fn without_powers(values: &mut [f64], powers: &[i32]) -> (f64, f64) {
+    let mut last_change = 0.0;
+    for (removed, &power) in powers.iter().enumerate() {
+        let gain = 2.0_f64.powi(power) - 1.0;
+        for finer in 0..values.len().saturating_sub(removed + 1) {
+            let change = (values[finer] - values[finer + 1]) / gain;
+            values[finer] += change;
+            if finer == 0 {
+                last_change = change;
+            }
+        }
+    }
+    (values.first().copied().unwrap_or(f64::NAN), last_change)
+}
+
 /// [`richardson`], which overwrites the frequencies of the meshes.
 pub(crate) fn extrapolate(frequency_hz: f64, meshes_hz: &mut [f64], powers: &[i32]) -> Estimate {
     let mut last_change = 0.0_f64;

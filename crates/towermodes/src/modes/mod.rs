@@ -11,8 +11,8 @@ mod sampling;
 pub mod serialized;
 mod shape;
 
-pub(crate) use discretization::extrapolate;
 pub use discretization::{Estimate, richardson};
+pub(crate) use discretization::{extrapolate, without_powers};
 pub use energy::{ByMotion, Energy};
 pub use family::{Family, Ordinal};
 pub use mode_name::{ModeName, ModeNameError};

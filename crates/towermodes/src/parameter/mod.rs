@@ -150,6 +150,27 @@ impl Parameter {
         debug_assert!(done.is_some(), "the description has no {self}");
     }
 
+    /// Whether it is a height.
+    pub(crate) fn is_height(self) -> bool {
+        let name = self.key().name;
+        let is_of_water = self.part().name == "water" && matches!(name, "level" | "bed");
+        is_of_water || name == "height"
+    }
+
+    /// Whether it is a number of a row of the property table.
+    pub(crate) fn is_of_rows(self) -> bool {
+        self.part().name == "properties[]"
+    }
+
+    /// Whether both are heights of the rows of one list.
+    pub(crate) fn is_height_like(self, other: Self) -> bool {
+        let is_list = self.part().name != "point_mass[]" && self.part().name != "wires[]";
+        let is_same = (self.part, self.key) == (other.part, other.key);
+        let is_of_one_list =
+            !self.part().name.contains("[].") || self.indices[0] == other.indices[0];
+        is_same && is_list && is_of_one_list && self.is_height()
+    }
+
     /// The number that changes together with this one: Poisson's ratio is another form of the shear
     /// modulus.
     fn changed_with(self) -> Self {

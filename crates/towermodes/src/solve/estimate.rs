@@ -282,7 +282,12 @@ pub(super) fn other_segments(ladder: &Ladder<Mesh>) -> Vec<usize> {
 
 /// The powers of 1/n in the errors of a mode: those of bending, or of torsion and axial motion,
 /// whichever its subsystem has more of.
-fn powers(tower: &Tower, options: &Options, model: &Model, key: ModeKey) -> &'static [i32] {
+pub(super) fn powers(
+    tower: &Tower,
+    options: &Options,
+    model: &Model,
+    key: ModeKey,
+) -> &'static [i32] {
     let method = options.method;
     let powers_of = |motion: Motion| match motion {
         Motion::Bending(_) => method.bending_powers(tower.shears()),

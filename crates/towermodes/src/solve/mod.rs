@@ -13,6 +13,7 @@ mod cut;
 mod error;
 mod estimate;
 mod frequencies;
+mod frozen;
 mod guesses;
 mod limits;
 #[cfg(feature = "serde")]
@@ -40,6 +41,7 @@ pub use blade::{
 pub use certain::solve_certain;
 pub use error::SolveError;
 pub use frequencies::{Frequencies, ModeFrequency, solve_frequencies};
+pub(crate) use frozen::FrozenModes;
 pub use limits::{
     DEFAULT_MODES, DEFAULT_POINTS, DEFAULT_SEGMENTS, MAX_BYTES, MAX_DEGREE, MAX_POINTS,
     MAX_SECONDS, MAX_SEGMENTS, MAX_SPECTRAL_ELEMENTS,

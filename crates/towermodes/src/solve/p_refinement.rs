@@ -56,6 +56,7 @@ pub(super) fn solve_frequencies(
     for (mode, change_hz) in modes.zip(solved.changes_hz) {
         mode.discretization_error_hz = change_hz;
     }
+    workspace.spectral_cut = Some(solved.cut);
     Ok(())
 }
 

@@ -1,6 +1,6 @@
 //! The memory of a solve.
 
-use super::cut::LastCut;
+use super::cut::{Cut, LastCut};
 use super::estimate::Estimated;
 use super::frequencies::Frequencies;
 use super::guesses::Guesses;
@@ -39,6 +39,8 @@ pub struct Workspace {
     pub(super) errors: ErrorWorkspace,
     pub(super) frequencies: Frequencies,
     pub(super) cut: LastCut,
+    /// The last cut of the spectral method.
+    pub(super) spectral_cut: Option<Cut>,
 }
 
 /// The memory of error estimates.

@@ -8,12 +8,13 @@ use super::immersion::in_environment;
 use super::independent::{self, Motion, Motions};
 use super::model::Tower;
 use super::name::printable;
-use super::piece::{self, Piece};
+use super::piece::{self, Piece, Rows};
 use super::plausibility::{self, rotor_plausibility};
 use super::rotor::Rotor;
 use super::weight::Above;
 use super::{rigid_body_modes, validate};
 use crate::tower::Warning;
+use std::mem::take;
 
 impl Tower {
     /// Checks a description and makes the tower of it.
@@ -22,9 +23,31 @@ impl Tower {
     /// [`TowerError`] with the place and the numbers of the first thing that no tower can have.
     pub fn new(description: TowerDescription) -> Result<Self, TowerError> {
         validate::validate(&description)?;
-        let pieces = in_environment(pieces_of(&description), &description);
+        let pieces = pieces_of(&description, Rows::Fewest);
+        let mut description = description;
+        let mut tower = Self::made_of(&mut description, pieces);
+        rigid_body_modes::check(&tower)?;
+        tower.base.units = tower.base_units();
+        let given = plausibility::Given {
+            materials: &description.materials,
+            foundation: &description.foundation,
+            soil: &description.soil,
+            added_mass: &description.added_mass,
+            water: description.water.as_ref(),
+            wires: &description.wires,
+            rna_is_point: description.rna_is_point,
+        };
+        tower.warnings = plausibility::plausibility(&tower, &given);
+        Ok(tower)
+    }
+
+    /// The tower of a description that was checked, or of one near it, with these linear pieces.
+    /// What the tower keeps is taken out of the description.
+    pub(super) fn made_of(description: &mut TowerDescription, pieces: Vec<Piece>) -> Self {
+        let pieces = in_environment(pieces, description);
         let (base_m, top_m) = (pieces[0].base_m, pieces[pieces.len() - 1].top_m);
-        let attachments = attachments_of(&description, top_m);
+        let mut attachments = attachments_of(description, top_m);
+        attachments.sort_by(|a, b| a.height_m.total_cmp(&b.height_m));
         let above = Above::new(&pieces, &attachments);
         let masses = description.point_masses.iter();
         let mass_kg = above.tower_kg + masses.map(|m| m.mass_kg).sum::<f64>();
@@ -41,37 +64,25 @@ impl Tower {
             && matrices.clone().all(independent::planes_are_equal);
         let independent = independent::independent_motions(matrices);
         let is_uncoupled = independent.len() == Motion::ALL.len();
-        let mut tower = Self {
+        Self {
             planes_are_equal: planes_are_equal && is_uncoupled,
+            planes_are_apart: false,
             independent: possible(independent, &pieces, &base),
             name: printable(&description.name),
-            stations: description.stations,
-            properties: description.properties,
+            stations: take(&mut description.stations),
+            properties: take(&mut description.properties),
             rna: description.rna,
-            point_masses: description.point_masses,
+            point_masses: take(&mut description.point_masses),
             pieces,
             attachments,
             base,
             gravity_m_per_s2: description.gravity_m_per_s2,
-            rotor: description.rotor,
+            rotor: description.rotor.take(),
             above,
             outfitting_factor: description.outfitting_factor,
             mass_kg,
             warnings: Vec::new(),
-        };
-        rigid_body_modes::check(&tower)?;
-        tower.base.units = tower.base_units();
-        let given = plausibility::Given {
-            materials: &description.materials,
-            foundation: &description.foundation,
-            soil: &description.soil,
-            added_mass: &description.added_mass,
-            water: description.water.as_ref(),
-            wires: &description.wires,
-            rna_is_point: description.rna_is_point,
-        };
-        tower.warnings = plausibility::plausibility(&tower, &given);
-        Ok(tower)
+        }
     }
 
     /// Possible input mistakes in a rotor on this tower. They matter only for the resonance check,
@@ -95,21 +106,21 @@ fn possible(sets: Vec<Motions>, pieces: &[Piece], base: &Base) -> Vec<Motions> {
     sets.filter(|set| set.iter().next().is_some()).collect()
 }
 
-fn pieces_of(description: &TowerDescription) -> Vec<Piece> {
+pub(super) fn pieces_of(description: &TowerDescription, rows: Rows) -> Vec<Piece> {
     let factor = description.outfitting_factor;
     if description.stations.is_empty() {
-        return piece::table_pieces(&description.properties, factor);
+        return piece::table_pieces(&description.properties, factor, rows);
     }
     let (stations, materials) = (&description.stations, &description.materials);
-    piece::tube_pieces(stations, materials, factor, description.shear)
+    piece::tube_pieces(stations, materials, factor, description.shear, rows)
 }
 
-fn attachments_of(description: &TowerDescription, top_m: f64) -> Vec<Attachment> {
+/// What is attached to a tower, in the order of the description.
+pub(super) fn attachments_of(description: &TowerDescription, top_m: f64) -> Vec<Attachment> {
     let masses = description.point_masses.iter();
     let wires = description.wires.iter();
     let mut attachments: Vec<Attachment> = masses.map(Attachment::of_point_mass).collect();
     attachments.extend(wires.map(Attachment::of_wires));
     attachments.push(Attachment::of_rna(&description.rna, top_m));
-    attachments.sort_by(|a, b| a.height_m.total_cmp(&b.height_m));
     attachments
 }

@@ -16,6 +16,7 @@ mod make;
 mod material;
 mod model;
 mod name;
+mod neighbour;
 mod part_names;
 mod piece;
 mod planes;
@@ -62,4 +63,5 @@ pub use shear::Shear;
 pub use surroundings::{AddedMassRow, SoilRow, SoilStiffness, Water, Wires};
 pub use warning::{Ineffective, Quantity, Site, Warning};
 
+pub(crate) use neighbour::{Neighbour, Neighbours};
 pub(crate) use plausibility::inertia_plausibility;

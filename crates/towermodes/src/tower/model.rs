@@ -30,6 +30,8 @@ pub struct Tower {
     pub(super) above: Above,
     pub(super) independent: Vec<Motions>,
     pub(super) planes_are_equal: bool,
+    /// Whether elements have joints of their own in each bending plane, even where both are equal.
+    pub(super) planes_are_apart: bool,
     pub(super) outfitting_factor: f64,
     pub(super) mass_kg: f64,
     pub(super) warnings: Vec<Warning>,
@@ -189,6 +191,11 @@ impl Tower {
     /// frequency is there twice.
     pub fn planes_are_equal(&self) -> bool {
         self.planes_are_equal
+    }
+
+    /// Whether elements have joints of their own in each bending plane, even where both are equal.
+    pub(crate) fn planes_are_apart(&self) -> bool {
+        self.planes_are_apart
     }
 
     /// Possible input mistakes.

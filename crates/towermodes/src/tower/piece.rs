@@ -292,13 +292,22 @@ fn is_same(a: &Section, b: &Section) -> bool {
         .all(|(a, b)| a == b || (a - b).abs() <= 1e-11 * a)
 }
 
-/// The fewest linear pieces that stations make: a station on the line of its neighbours separates
-/// nothing.
+/// Into which linear pieces the rows of a tower are made.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Rows {
+    /// As few as there can be: a row on the line of its neighbours separates nothing.
+    Fewest,
+    /// One between every two rows of different height.
+    Each,
+}
+
+/// The linear pieces that stations make.
 pub(super) fn tube_pieces(
     stations: &[Station],
     materials: &[Material],
     outfitting_factor: f64,
     shear: Shear,
+    rows: Rows,
 ) -> Vec<Piece> {
     let tube = |s: &Station| Tube {
         outer_diameter_m: s.outer_diameter_m,
@@ -320,12 +329,16 @@ pub(super) fn tube_pieces(
             environment: Environment::default(),
         }
     });
-    fewest(pieces)
+    pieces_with_length(pieces, rows)
 }
 
-/// The fewest linear pieces that the rows of a property table make.
-pub(super) fn table_pieces(rows: &[PropertyStation], outfitting_factor: f64) -> Vec<Piece> {
-    let pieces = rows.windows(2).map(|pair| Piece {
+/// The linear pieces that the rows of a property table make.
+pub(super) fn table_pieces(
+    properties: &[PropertyStation],
+    outfitting_factor: f64,
+    rows: Rows,
+) -> Vec<Piece> {
+    let pieces = properties.windows(2).map(|pair| Piece {
         base_m: pair[0].height_m,
         top_m: pair[1].height_m,
         profile: Profile::Table {
@@ -334,13 +347,17 @@ pub(super) fn table_pieces(rows: &[PropertyStation], outfitting_factor: f64) -> 
         },
         environment: Environment::default(),
     });
-    fewest(pieces)
+    pieces_with_length(pieces, rows)
 }
 
-/// Leaves out pieces without a length and joins those that go on in one line.
-fn fewest(pieces: impl Iterator<Item = Piece>) -> Vec<Piece> {
+/// Leaves out pieces without a length and, for the fewest, joins those that go on in one line.
+fn pieces_with_length(pieces: impl Iterator<Item = Piece>, rows: Rows) -> Vec<Piece> {
+    let pieces = pieces.filter(|piece| piece.top_m != piece.base_m);
+    if rows == Rows::Each {
+        return pieces.collect();
+    }
     let mut fewest: Vec<Piece> = Vec::new();
-    for piece in pieces.filter(|piece| piece.top_m != piece.base_m) {
+    for piece in pieces {
         match fewest.last().and_then(|last| last.joined(&piece)) {
             Some(whole) => *fewest.last_mut().expect("joined to it") = whole,
             None => fewest.push(piece),

@@ -1,0 +1,1 @@
+//! Numbers of a tower that explain measured frequencies.

@@ -1,0 +1,1 @@
+//! The lightest tower whose frequencies are in given bands.

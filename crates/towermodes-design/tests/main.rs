@@ -1,0 +1,1 @@
+//! All tests of design and calibration, in one program.

@@ -1,0 +1,30 @@
+//! Why there are no derivatives.
+
+use thiserror::Error;
+
+use crate::solve::SolveError;
+use crate::tower::TowerError;
+
+/// Why there are no derivatives of the frequencies of a tower.
+#[derive(Debug, Clone, PartialEq, Error)]
+#[non_exhaustive]
+pub enum SensitivityError {
+    /// The description is no tower.
+    #[error(transparent)]
+    Tower(#[from] TowerError),
+    /// The tower is not solved.
+    #[error(transparent)]
+    Solve(#[from] SolveError),
+    /// A change sets several numbers that are not equal, so it has no value on the tower.
+    #[error(
+        "the numbers of `{change}` have the values {first} and {second}, so a derivative at one value does not exist; use scale(…) or add(…)"
+    )]
+    Unequal {
+        /// The name of the change.
+        change: String,
+        /// One of the values.
+        first: f64,
+        /// Another one.
+        second: f64,
+    },
+}

@@ -1,0 +1,155 @@
+//! Derivatives of the frequencies of a tower with respect to the numbers of its description.
+//!
+//! With the vector x of a mode held, d(λ)/dp = d/dp xᵀKx/xᵀMx (Hellmann 1937, Feynman 1939; Fox &
+//! Kapoor 1968): an assembly of a neighbour of the tower and two products, no solve. `held`
+//! differences the quotients in two steps, `step` chooses the steps, `solved` solves again where
+//! the neighbour has another structure.
+
+mod changes;
+mod error;
+mod held;
+mod solved;
+mod step;
+
+pub use changes::every_change;
+pub use error::SensitivityError;
+
+use crate::parameter::{Change, Operation};
+use crate::solve::{FrozenModes, ModeFrequency, Options, Workspace};
+use crate::tower::{Neighbours, TowerDescription};
+
+/// The derivatives of the lowest frequencies of a tower.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Sensitivities {
+    /// The modes by frequency, without shapes. Every row of the tower is a segment border, so
+    /// frequencies may differ from those of a [`Solution`](crate::Solution) within their errors;
+    /// of two equal bending planes each has modes of its own.
+    pub modes: Vec<ModeFrequency>,
+    /// The derivatives with respect to each change, in the order of the changes.
+    pub changes: Vec<ChangeSensitivity>,
+}
+
+/// The derivatives of the frequencies with respect to one change of the tower.
+#[derive(Debug, Clone, PartialEq)]
+pub struct ChangeSensitivity {
+    /// The change.
+    pub change: Change,
+    /// The value of the change on the tower as it is: that of the number, 1 for a factor, 0 for an
+    /// addition.
+    pub value: f64,
+    /// d(mass of the tower, with outfitting and point masses, without RNA)/d(value), kg per unit.
+    pub mass_kg_per_unit: f64,
+    /// The derivative of each mode's frequency, in the order of the modes.
+    pub modes: Vec<Result<Derivative, NoDerivative>>,
+}
+
+/// The derivative of a frequency with respect to the value of a change.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Derivative {
+    /// d(extrapolated frequency)/d(value), Hz per unit of the value.
+    pub hz_per_unit: f64,
+    /// Estimate of its error, Hz per unit: from the step, from rounding and from the mesh.
+    pub error_hz_per_unit: f64,
+    /// The derivative of the frequency on the mode's own mesh, Hz per unit.
+    pub mesh_hz_per_unit: f64,
+}
+
+/// Why a frequency has no derivative.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
+pub enum NoDerivative {
+    /// The frequency is zero.
+    #[error("the frequency is zero")]
+    AtRest,
+    /// The change couples the mode with another one of the same frequency, which splits the two:
+    /// the frequency changes by the amount of the change, whatever its sign.
+    #[error("the number couples the mode with another one of the same frequency")]
+    Repeated,
+    /// The tower can be changed in one direction only, or the frequency has a kink: it changes by
+    /// another amount in the other direction.
+    #[error(
+        "the frequency changes differently, or cannot change, in the two directions of the number"
+    )]
+    OneSided,
+}
+
+impl ChangeSensitivity {
+    /// The elasticity d(ln f)/d(ln value) of a mode, by its place in the list: percent of frequency
+    /// per percent of the value. None without a derivative, and for an addition, whose value is 0.
+    pub fn elasticity(&self, modes: &[ModeFrequency], mode: usize) -> Option<f64> {
+        let derivative = self.modes.get(mode)?.as_ref().ok()?;
+        let relative = derivative.hz_per_unit / modes.get(mode)?.extrapolated_hz;
+        (self.change.operation() != Operation::Add).then_some(relative * self.value)
+    }
+}
+
+/// Computes the derivatives of the lowest frequencies of a tower with respect to changes of it.
+///
+/// The derivative of each frequency is exact up to the error that is given with it. It exists for
+/// every method, every number of the description and every kind of tower; heights move the mesh
+/// with them.
+///
+/// [`Options::points`] and [`Options::heights_m`] have no effect.
+///
+/// # Errors
+/// [`SensitivityError`]: the tower is impossible, is not solved, or a change has no value on it.
+///
+/// # Example
+/// How the first frequency changes with the wall thickness and with the mass on top:
+/// ```
+/// use towermodes::{Change, Material, Options, Rna, Station, TowerDescription, Workspace};
+/// use towermodes::sensitivities;
+///
+/// let description = TowerDescription {
+///     materials: vec![Material::from_shear_modulus(8500.0, 2.1e11, 8.08e10)],
+///     stations: vec![Station::new(0.0, 6.0, 0.027), Station::new(87.6, 3.87, 0.019)],
+///     rna: Rna::point(350e3),
+///     ..TowerDescription::default()
+/// };
+/// let changes = Change::parse_all(["scale(stations[*].wall)", "rna.mass"], &description)?;
+/// let mut workspace = Workspace::default();
+/// let result = sensitivities(&description, &changes, &Options::default(), &mut workspace)?;
+/// let elasticity = |change: usize| result.changes[change].elasticity(&result.modes, 0);
+/// let first = |change: usize| elasticity(change).expect("it has a derivative");
+/// assert!((first(0) - 0.4391).abs() < 1e-4);
+/// assert!((first(1) + 0.4457).abs() < 1e-4);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub fn sensitivities(
+    description: &TowerDescription,
+    changes: &[Change],
+    options: &Options,
+    workspace: &mut Workspace,
+) -> Result<Sensitivities, SensitivityError> {
+    let values: Result<Vec<f64>, _> = changes
+        .iter()
+        .map(|change| step::present_value(change, description))
+        .collect();
+    let values = values?;
+    let neighbours = Neighbours::of(description)?;
+    let mut frozen = FrozenModes::of(&neighbours, options, workspace)?;
+    let mut held = held::Held::new(&neighbours, &mut frozen);
+    let mut results = Vec::with_capacity(changes.len());
+    for (change, value) in changes.iter().zip(values) {
+        let of_held = held.derivatives(change, value);
+        let (modes, mass_kg_per_unit) = match of_held {
+            Some(derivatives) => derivatives,
+            None => solved::derivatives(
+                &neighbours,
+                (change, value),
+                held.modes(),
+                options,
+                workspace,
+            ),
+        };
+        results.push(ChangeSensitivity {
+            change: change.clone(),
+            value,
+            mass_kg_per_unit,
+            modes,
+        });
+    }
+    Ok(Sensitivities {
+        modes: frozen.modes,
+        changes: results,
+    })
+}

@@ -1,0 +1,73 @@
+//! The value of a change on the tower as it is, and how far it is varied for a derivative.
+
+use super::error::SensitivityError;
+use crate::parameter::{Change, Operation, Parameter};
+use crate::tower::{Tower, TowerDescription};
+
+/// The step relative to a value, to the distance to the next height, or to 1.
+const RELATIVE: f64 = 2e-3;
+/// A step that changes no eigenvalue by more than this, relatively, is enlarged if the tower
+/// depends on the number linearly.
+pub(super) const SMALL: f64 = 1e-6;
+/// The change of an eigenvalue that an enlarged step may make, relatively.
+pub(super) const LARGE: f64 = 1e-3;
+
+/// The value of a change on the tower as it is.
+///
+/// # Errors
+/// [`SensitivityError::Unequal`].
+pub(super) fn present_value(
+    change: &Change,
+    description: &TowerDescription,
+) -> Result<f64, SensitivityError> {
+    match change.operation() {
+        Operation::Scale => Ok(1.0),
+        Operation::Add => Ok(0.0),
+        Operation::Set => {
+            let mut values = change.parameters().iter().map(|p| p.value(description));
+            let first = values.next().unwrap_or(f64::NAN);
+            match values.find(|value| *value != first) {
+                Some(second) => Err(SensitivityError::Unequal {
+                    change: change.name().to_owned(),
+                    first,
+                    second,
+                }),
+                None => Ok(first),
+            }
+        }
+    }
+}
+
+/// The step of the value of a change.
+pub(super) fn step(change: &Change, value: f64, tower: &Tower) -> f64 {
+    let heights = change.parameters().iter().filter(|p| p.is_height());
+    let of_heights = change.operation() != Operation::Scale;
+    let gaps = heights
+        .map(|_| shortest_piece_m(tower))
+        .filter(|_| of_heights);
+    match gaps.reduce(f64::min) {
+        Some(gap_m) => RELATIVE * gap_m,
+        None if value != 0.0 => RELATIVE * value.abs(),
+        // Of a number that is zero, its unit.
+        None => RELATIVE,
+    }
+}
+
+/// The shortest linear piece of a tower, m.
+fn shortest_piece_m(tower: &Tower) -> f64 {
+    let lengths = tower.pieces().iter().map(|piece| piece.length_m());
+    lengths.fold(f64::INFINITY, f64::min)
+}
+
+/// The units of numbers that are entries of matrices of stiffness and inertia.
+const OF_MATRICES: [&str; 7] = ["kg", "kg m", "kg m2", "N/m", "N", "N m", "N/m2"];
+
+/// Whether stiffness and inertia depend linearly on the numbers of a change, so that a step may be
+/// as large as it must.
+pub(super) fn is_linear(change: &Change) -> bool {
+    let is_linear = |parameter: &Parameter| {
+        // Between the rows of a table inertias follow from masses.
+        !parameter.is_of_rows() && OF_MATRICES.contains(&parameter.unit())
+    };
+    change.operation() != Operation::Scale && change.parameters().iter().all(is_linear)
+}
