@@ -80,7 +80,8 @@ pub use setting::{Setting, SettingError};
 pub use source::{FileError, MAX_FILE_BYTES, Source, encoded_as};
 pub use study::{DEFAULT_SWEEP_MODES, Placed, SweepModes, SweepResults, SweepRows, SweepStudy};
 pub use toml::{
-    KeySchema, TableSchema, ValueKind, description_from_toml, read_sweep_study, sweep_study_schema,
-    tower_file_schema, tower_from_toml, write_toml,
+    KeySchema, Rewritten, TableSchema, ValueKind, WrittenAnew, description_from_toml,
+    read_sweep_study, rewritten, sweep_study_schema, tower_file_schema, tower_from_toml,
+    write_toml,
 };
 pub use windio::{WindIoWriteError, read_windio, write_windio};

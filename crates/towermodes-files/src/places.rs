@@ -57,6 +57,11 @@ impl Places {
         found.cloned().unwrap_or((0, 0..0))
     }
 
+    /// The place of a value itself.
+    pub(crate) fn exact(&self, place: Place) -> Option<&(usize, Range<usize>)> {
+        self.spans.get(&place)
+    }
+
     /// The place of a value, or of the table in which it is missing.
     pub(crate) fn own(&self, place: Place) -> Option<&(usize, Range<usize>)> {
         let places = [place, table_of(place)];

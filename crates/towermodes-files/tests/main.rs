@@ -20,6 +20,7 @@ mod mutations;
 mod plausible_files;
 mod refusals;
 mod refused;
+mod rewritten;
 mod round_trips;
 mod settings;
 mod station_tables;

@@ -11,6 +11,7 @@ mod matrix;
 mod numbers;
 mod properties;
 mod reading;
+mod rewrite;
 mod rotor;
 mod schema;
 mod soil;
@@ -39,6 +40,7 @@ use schema::FILE;
 use syntax::syntax_mistake;
 use table::Table;
 
+pub use rewrite::{Rewritten, WrittenAnew, rewritten};
 pub use schema::{KeySchema, TableSchema, ValueKind, tower_file_schema};
 pub use study::{read_sweep_study, sweep_study_schema};
 pub use write::write_toml;

@@ -13,7 +13,8 @@ use towermodes::{Shear, Station, TowerDescription};
 use super::schema;
 use crate::note::Note;
 use materials::MaterialNames;
-use text::{number, quoted};
+pub(super) use text::number;
+use text::quoted;
 use writing::Writing;
 
 /// Writes a description as a TOML file that is read back as the same description, number by number.

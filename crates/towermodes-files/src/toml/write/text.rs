@@ -1,7 +1,7 @@
 //! Numbers and texts as TOML.
 
 /// The fewest digits that are read back as the same number.
-pub(super) fn number(value: f64) -> String {
+pub(in crate::toml) fn number(value: f64) -> String {
     let size = value.abs();
     if value.is_nan() {
         "nan".into()
