@@ -115,10 +115,21 @@ fn in_text(input: &TowerInput, changed: &TowerDescription) -> Result<String, Wri
         }
     }
     let text = edited(&source.text, edits);
-    match describe(&text, Some(&others)) {
-        Ok(new) if new.description == *changed => Ok(text),
-        _ => Err(without_place.unwrap_or(WrittenAnew::Other)),
+    let read = describe(&text, Some(&others));
+    match read.is_ok_and(|read| is_same(read.description, changed)) {
+        true => Ok(text),
+        false => Err(without_place.unwrap_or(WrittenAnew::Other)),
     }
+}
+
+/// Whether two descriptions are equal, but for the remark that an RNA was written as a point: one
+/// whose inertia has got a value is none.
+fn is_same(read: TowerDescription, changed: &TowerDescription) -> bool {
+    let read = TowerDescription {
+        rna_is_point: changed.rna_is_point,
+        ..read
+    };
+    read == *changed
 }
 
 /// The numbers that differ.
