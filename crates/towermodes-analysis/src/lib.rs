@@ -9,6 +9,7 @@
 //! | How do frequencies converge as the number of segments increases? | [`converge`] | [`study`] |
 //! | Does the rotor excite a mode of the tower? | [`campbell`] | [`resonance`] |
 //! | Do two descriptions describe the same tower? | [`agree`] | [`agreement`] |
+//! | Which numbers do the frequencies depend on? | [`influences`] | [`influence`] |
 //! | Which mode shapes does ElastoDyn need? | [`tower_shapes`] | [`elastodyn`] |
 //!
 //! With the feature `serde` results can be serialized, with `schema` they have JSON schemas.
@@ -66,6 +67,7 @@
 
 pub mod agreement;
 pub mod elastodyn;
+pub mod influence;
 mod mac;
 pub mod resonance;
 pub mod study;
@@ -73,6 +75,7 @@ mod verdict;
 
 pub use agreement::agree;
 pub use elastodyn::tower_shapes;
+pub use influence::influences;
 pub use mac::mac;
 pub use resonance::campbell;
 pub use study::{compare, converge};

@@ -6,7 +6,10 @@ use std::io::{self, Write as _};
 use annotate_snippets::{AnnotationKind, Group, Level, Renderer, Snippet};
 use thiserror::Error;
 use towermodes::number;
-use towermodes::{BladeError, EigenError, Family, ParameterError, SolveError, TowerError, Warning};
+use towermodes::{
+    BladeError, EigenError, Family, ParameterError, SensitivityError, SolveError, TowerError,
+    Warning,
+};
 use towermodes_analysis::elastodyn::{MakeError, ShapesError};
 use towermodes_analysis::resonance::CampbellError;
 use towermodes_files::elastodyn::TowerFileError;
@@ -35,6 +38,12 @@ pub(crate) enum Failure {
     /// The tower has no number with the requested name.
     #[error("{0}")]
     NoParameter(ParameterError),
+    /// The tower has no number to change with the requested name.
+    #[error("{0}")]
+    NoChange(ParameterError),
+    /// A change has no derivative.
+    #[error("{0}")]
+    NoSensitivity(SensitivityError),
     /// The sweep cannot begin.
     #[error("{0}")]
     Sweep(SweepError),
@@ -213,7 +222,7 @@ impl Failure {
             | Self::Campbell(CampbellError::Blade { error, .. }) => hint(error)?,
             Self::Sweep(SweepError::Unsolved(error)) => hint_for_sweep(error)?,
             Self::Tower(error) => error.hint()?,
-            Self::Setting(SettingError::Parameter(_)) => {
+            Self::Setting(SettingError::Parameter(_)) | Self::NoChange(_) => {
                 "`towermodes parameters FILE` lists the names of all numbers"
             }
             Self::NoParameter(_) => "without a filter the command lists all numbers",

@@ -21,6 +21,7 @@ mod plot;
 mod progress;
 mod reference;
 mod report;
+mod sensitivities;
 mod shell;
 mod side_by_side;
 mod solve;
@@ -59,6 +60,7 @@ fn done(command: Command, words: &[OsString]) -> Result<(), failure::Failure> {
     match command {
         Command::Solve(arguments) => solve::run(&arguments),
         Command::Parameters(arguments) => parameters::run(&arguments),
+        Command::Sensitivities(arguments) => sensitivities::run(&arguments),
         Command::Sweep(arguments) => sweep::run(&arguments),
         Command::Completions { shell } => shell::completions(shell),
         Command::Compare(arguments) => compare::run(&arguments),

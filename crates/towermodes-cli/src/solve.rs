@@ -5,7 +5,7 @@ mod several;
 use towermodes::{Blade, BladeMode, BladeSolution, Solution, Tower, Warning, solve_blade};
 use towermodes_files::{
     BladeInput, FileFormat, Input, Note, OutNodes, TowerInput, write_blade_csv, write_blade_json,
-    write_csv, write_json,
+    write_csv, write_json, write_json_with_sensitivities,
 };
 use towermodes_report::terminal::{blade_shapes, shapes};
 
@@ -14,6 +14,7 @@ use crate::failure::{Failure, note, warn};
 use crate::input::input;
 use crate::output::{check_not_input, check_not_inputs, deliver};
 use crate::progress::solve;
+use crate::sensitivities::influences_of;
 use crate::table;
 use crate::terminal;
 
@@ -58,6 +59,12 @@ fn of_tower(
     let mut result = Vec::new();
     match format {
         SolveFormat::Table => result.extend(tower_text(&tower, &solution, arguments).into_bytes()),
+        SolveFormat::Json if arguments.sensitivities => {
+            let influences = influences_of(&input.description, None, &options)?;
+            let of_numbers = (&input.description, &influences);
+            let notes = &input.notes;
+            write_json_with_sensitivities(&tower, &solution, of_numbers, notes, &mut result)?;
+        }
         SolveFormat::Json => write_json(&tower, &solution, &input.notes, &mut result)?,
         SolveFormat::Csv => write_csv(&solution, &mut result)?,
         SolveFormat::Bmodes => result = nodes.of_solution(&tower, &solution).into_bytes(),

@@ -36,6 +36,47 @@ fn close(value: &Value, expected: f64, tolerance: f64) {
     );
 }
 
+/// The frequency of the lowest mode of a solve with one number set.
+fn lowest_hz(file: &str, setting: &str) -> f64 {
+    let words = ["solve", file, "--method", "spectral", "--set", setting];
+    let result = json(&[&words[..], &["--modes", "1", "--format", "json"]].concat());
+    result["modes"][0]["frequency_hz"]
+        .as_f64()
+        .expect("a number")
+}
+
+#[test]
+fn sensitivities_in_json_are_differences_of_solves() {
+    let file = "examples/nrel-5mw.toml";
+    let one = ["sensitivities", file, "rna.mass", "--format", "json"];
+    let alone = json(&one);
+    let together = json(&["solve", file, "--format", "json", "--sensitivities"]);
+    let (low_hz, high_hz) = (
+        lowest_hz(file, "rna.mass=349000"),
+        lowest_hz(file, "rna.mass=351000"),
+    );
+    let expected = (high_hz - low_hz) / 2000.0;
+    let numbers = together["sensitivities"]["numbers"]
+        .as_array()
+        .expect("a list");
+    let mass = numbers.iter().find(|number| number["name"] == "rna.mass");
+    for number in [&alone["numbers"][0], mass.expect("it is listed")] {
+        assert_eq!(
+            (&number["unit"], &number["percent_of"]),
+            (&"kg".into(), &"value".into())
+        );
+        close(&number["modes"][0]["hz_per_unit"], expected, 1e-5);
+        assert_eq!(number["mass_kg_per_unit"], 0.0);
+    }
+    let elasticity = expected * 350e3 / lowest_hz(file, "rna.mass=350000");
+    close(
+        &alone["numbers"][0]["modes"][0]["percent_per_percent"],
+        elasticity,
+        1e-5,
+    );
+    assert_eq!(alone["modes"].as_array().map(Vec::len), Some(4));
+}
+
 #[test]
 fn json_has_the_documented_keys_and_values() {
     let file = "examples/reference-tower.toml";

@@ -68,8 +68,9 @@ pub use resolver::{FileResolver, InMemory, SiblingFiles};
 pub use result::{
     ResultError, ResultKind, SolvedFile, write_blade_csv, write_blade_json, write_campbell_csv,
     write_campbell_json, write_comparison_csv, write_convergence_csv, write_csv, write_json,
-    write_parameters_csv, write_parameters_json, write_records_csv, write_result_json,
-    write_several_csv, write_several_json,
+    write_json_with_sensitivities, write_parameters_csv, write_parameters_json, write_records_csv,
+    write_result_json, write_sensitivities_csv, write_sensitivities_json, write_several_csv,
+    write_several_json,
 };
 #[cfg(feature = "schema")]
 pub use result::{generated_schema, generated_schema_of};

@@ -16,6 +16,7 @@ mod plot;
 mod prescribed;
 mod report;
 mod rotor;
+mod sensitivities;
 mod solve;
 mod sweep;
 mod verify;
@@ -36,6 +37,7 @@ pub(crate) use plot::{PictureFormat, PlotArguments, What};
 pub(crate) use prescribed::Prescribed;
 pub(crate) use report::{PageFormat, ReportArguments};
 pub(crate) use rotor::RotorArguments;
+pub(crate) use sensitivities::SensitivitiesArguments;
 pub(crate) use solve::{SolveArguments, SolveFormat};
 pub(crate) use sweep::{SweepArguments, SweepPicture};
 pub(crate) use verify::{VerifyArguments, VerifyFormat};
@@ -70,6 +72,8 @@ pub(crate) enum Command {
     Solve(Deferred<SolveArguments>),
     /// List the numbers of a tower by name, for --set and for sweeps.
     Parameters(Deferred<ParametersArguments>),
+    /// Show which numbers of a tower its frequencies depend on, and what tolerances do.
+    Sensitivities(Deferred<SensitivitiesArguments>),
     /// Solve a tower many times with changed numbers: the rows of a table, or of a study.
     Sweep(Deferred<SweepArguments>),
     /// Compare methods: frequencies, differences from the reference solution, degrees of freedom,
@@ -112,7 +116,7 @@ pub(crate) enum Command {
     #[command(after_help = "Example:\n  towermodes man solve | man -l -")]
     Man {
         /// The command [default: the program].
-        #[arg(value_name = "COMMAND", value_parser = ["solve", "parameters", "sweep", "compare", "converge", "campbell", "plot", "report", "convert", "check", "elastodyn", "verify", "completions", "schema", "man"])]
+        #[arg(value_name = "COMMAND", value_parser = ["solve", "parameters", "sensitivities", "sweep", "compare", "converge", "campbell", "plot", "report", "convert", "check", "elastodyn", "verify", "completions", "schema", "man"])]
         of: Option<String>,
     },
     /// Print every command with its arguments and options as a chapter of the book.

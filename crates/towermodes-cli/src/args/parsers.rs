@@ -3,6 +3,7 @@
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 use towermodes::Method;
 use towermodes::tower::FASTEST_RPM;
+use towermodes_analysis::influence::Tolerance;
 use towermodes_files::{Setting, SettingError};
 
 /// A method by its name, with its one-line description in the help.
@@ -33,6 +34,31 @@ pub(super) fn schema_parser() -> PossibleValuesParser {
 pub(super) fn setting_parser(text: &str) -> Result<Setting, String> {
     text.parse()
         .map_err(|error: SettingError| error.to_string())
+}
+
+/// A tolerance: `2%`, `NAME=2%` or `NAME=AMOUNT`.
+pub(super) fn tolerance_parser(text: &str) -> Result<(Option<String>, Tolerance), String> {
+    let (name, value) = match text.rsplit_once('=') {
+        Some((name, value)) => (Some(name.trim().to_owned()), value),
+        None => (None, text),
+    };
+    let (number, is_percent) = match value.trim().strip_suffix('%') {
+        Some(number) => (number.trim(), true),
+        None => (value.trim(), false),
+    };
+    let amount: f64 = number
+        .parse()
+        .map_err(|_| format!("`{value}` is not a number; write 2%, NAME=2% or NAME=AMOUNT"))?;
+    if !(amount.is_finite() && amount >= 0.0) {
+        return Err("a tolerance is a number of at least 0".to_owned());
+    }
+    match (is_percent, &name) {
+        (true, _) => Ok((name, Tolerance::Percent(amount))),
+        (false, Some(_)) => Ok((name, Tolerance::Amount(amount))),
+        (false, None) => Err(format!(
+            "an amount needs the name of its number, because units differ; write NAME={number}, or {number}% for every number"
+        )),
+    }
 }
 
 /// The position of a hinge as a fraction of the segment length.

@@ -70,6 +70,11 @@ pub(crate) struct SolveArguments {
     #[arg(long, value_name = "COUNT", value_parser = number_parser(2, MAX_POINTS))]
     points: Option<usize>,
 
+    /// Add the derivatives of the frequencies with respect to every number of the tower to the JSON
+    /// result; towermodes sensitivities shows them as a table
+    #[arg(long)]
+    pub(crate) sensitivities: bool,
+
     /// Draw the mode shapes as text graphics below the table, as wide as the terminal, or 100
     /// columns if the output is not a terminal
     #[arg(long)]
@@ -130,6 +135,11 @@ impl SolveArguments {
         if self.plot && format != SolveFormat::Table {
             return Err("--plot applies only to the table; use towermodes plot for a picture file");
         }
+        if self.sensitivities && format != SolveFormat::Json {
+            return Err(
+                "--sensitivities applies only to --format json; use towermodes sensitivities for a table",
+            );
+        }
         if self.points.is_some() && !has_shapes {
             return Err(
                 "--points applies only to --format json and bmodes; the table and CSV contain no mode shapes",
@@ -145,6 +155,11 @@ impl SolveArguments {
     pub(crate) fn check_for_several(&self, format: SolveFormat) -> Result<(), &'static str> {
         if self.plot {
             return Err("--plot applies only to one file; solve each file in its own command");
+        }
+        if self.sensitivities {
+            return Err(
+                "--sensitivities applies only to one file; solve each file in its own command",
+            );
         }
         if format == SolveFormat::Bmodes {
             return Err(
@@ -203,6 +218,9 @@ impl SolveArguments {
             return Err(
                 "--points applies only to towers; mode shapes of a blade are at its element boundaries",
             );
+        }
+        if self.sensitivities {
+            return Err("--sensitivities applies only to towers");
         }
         if !self.reading.settings.is_empty() {
             return Err("--set applies only to towers; change the deck of a rotating blade itself");

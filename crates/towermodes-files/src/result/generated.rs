@@ -11,6 +11,7 @@ use towermodes_analysis::study::{Comparison, Convergence};
 use super::blade::BladeDocument;
 use super::campbell::CampbellDocument;
 use super::parameters::ParametersDocument;
+use super::sensitivities::SensitivitiesDocument;
 use super::several::SeveralDocument;
 use super::solution::SolutionDocument;
 use super::{ResultError, ResultKind, write_result_json};
@@ -38,6 +39,10 @@ pub fn generated_schema(kind: ResultKind) -> Result<String, ResultError> {
         ResultKind::Parameters => generated_schema_of::<ParametersDocument<'static>>(
             "towermodes parameters",
             "parameters",
+        ),
+        ResultKind::Sensitivities => generated_schema_of::<SensitivitiesDocument<'static>>(
+            "towermodes sensitivities",
+            "sensitivities",
         ),
         ResultKind::Comparison => {
             generated_schema_of::<Comparison>("towermodes comparison", "compare")

@@ -9,6 +9,7 @@ mod campbell;
 mod generated;
 mod parameters;
 mod schema;
+mod sensitivities;
 mod several;
 mod solution;
 mod solution_csv;
@@ -20,8 +21,9 @@ pub use campbell::{write_campbell_csv, write_campbell_json};
 pub use generated::{generated_schema, generated_schema_of};
 pub use parameters::{write_parameters_csv, write_parameters_json};
 pub use schema::ResultKind;
+pub use sensitivities::{write_sensitivities_csv, write_sensitivities_json};
 pub use several::{SolvedFile, write_several_csv, write_several_json};
-pub use solution::write_json;
+pub use solution::{write_json, write_json_with_sensitivities};
 pub use solution_csv::write_csv;
 pub use study_csv::{write_comparison_csv, write_convergence_csv};
 

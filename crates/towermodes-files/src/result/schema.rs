@@ -14,6 +14,8 @@ pub enum ResultKind {
     Blade,
     /// Of `towermodes parameters`.
     Parameters,
+    /// Of `towermodes sensitivities`.
+    Sensitivities,
     /// Of `towermodes campbell`.
     Campbell,
     /// Of `towermodes compare`.
@@ -30,11 +32,12 @@ pub enum ResultKind {
 
 impl ResultKind {
     /// All kinds.
-    pub const ALL: [Self; 10] = [
+    pub const ALL: [Self; 11] = [
         Self::Solution,
         Self::Several,
         Self::Blade,
         Self::Parameters,
+        Self::Sensitivities,
         Self::Campbell,
         Self::Comparison,
         Self::Convergence,
@@ -50,6 +53,7 @@ impl ResultKind {
             Self::Several => "solve-several",
             Self::Blade => "blade",
             Self::Parameters => "parameters",
+            Self::Sensitivities => "sensitivities",
             Self::Campbell => "campbell",
             Self::Comparison => "compare",
             Self::Convergence => "converge",
@@ -71,6 +75,7 @@ impl ResultKind {
             Self::Several => include_str!("../../schemas/solve-several.json"),
             Self::Blade => include_str!("../../schemas/blade.json"),
             Self::Parameters => include_str!("../../schemas/parameters.json"),
+            Self::Sensitivities => include_str!("../../schemas/sensitivities.json"),
             Self::Campbell => include_str!("../../schemas/campbell.json"),
             Self::Comparison => include_str!("../../schemas/compare.json"),
             Self::Convergence => include_str!("../../schemas/converge.json"),

@@ -5,8 +5,10 @@ use std::io::Write;
 
 use serde::Serialize;
 use towermodes::modes::serialized::directions;
-use towermodes::{Certificate, Method, Mode, Solution, Statistics, Tower};
+use towermodes::{Certificate, Method, Mode, Solution, Statistics, Tower, TowerDescription};
+use towermodes_analysis::influence::{Influences, Tolerances};
 
+use super::sensitivities::InfluencesJson;
 use super::{ResultError, write_result_json};
 use crate::input::Note;
 
@@ -38,6 +40,9 @@ pub(super) struct SolutionDocument<'a> {
         schemars(with = "towermodes::modes::serialized::Directions")
     )]
     effective_mass_shares: [f64; 6],
+    /// The derivatives of the frequencies with respect to every number of the tower; null unless
+    /// they are requested.
+    sensitivities: Option<InfluencesJson<'a>>,
     /// The cost of the solution.
     solver: Statistics,
     /// Assumptions of the reader, data that it omits, and possible input mistakes.
@@ -85,6 +90,7 @@ impl<'a> SolutionDocument<'a> {
             certificate: solution.certificate,
             buckling_load_factor: solution.buckling_load_factor,
             effective_mass_shares: solution.effective_mass_shares(),
+            sensitivities: None,
             solver: solution.statistics,
             warnings: notes.chain(warnings).collect(),
         }
@@ -103,4 +109,23 @@ pub fn write_json(
     writer: impl Write,
 ) -> Result<(), ResultError> {
     write_result_json(&SolutionDocument::of(tower, solution, notes), writer)
+}
+
+/// The same with the influence of the numbers of the tower.
+///
+/// # Errors
+/// [`ResultError`] if the writer refuses.
+pub fn write_json_with_sensitivities(
+    tower: &Tower,
+    solution: &Solution,
+    (description, influences): (&TowerDescription, &Influences),
+    notes: &[Note],
+    writer: impl Write,
+) -> Result<(), ResultError> {
+    let none = Tolerances::default();
+    let document = SolutionDocument {
+        sensitivities: Some(InfluencesJson::of(description, influences, &none)),
+        ..SolutionDocument::of(tower, solution, notes)
+    };
+    write_result_json(&document, writer)
 }

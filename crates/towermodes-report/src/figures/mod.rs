@@ -16,6 +16,7 @@ mod slope;
 mod sweep;
 mod symbols;
 mod title;
+mod tornado;
 mod tower;
 
 pub use animation::{AnimatedMode, AnimationData, animation_data};
@@ -27,4 +28,5 @@ pub use scene::{Body, Form, Substance};
 pub use shapes::shapes;
 pub use sweep::{ModeColumn, SweepColumns, VariedColumn, sweep};
 pub use title::{TitleWords, titled};
+pub use tornado::tornado;
 pub use tower::tower;

@@ -150,8 +150,8 @@ impl Parameter {
         debug_assert!(done.is_some(), "the description has no {self}");
     }
 
-    /// Whether it is a height.
-    pub(crate) fn is_height(self) -> bool {
+    /// Whether it is a height in the datum of the tower file: of a row, a mass, the water.
+    pub fn is_height(self) -> bool {
         let name = self.key().name;
         let is_of_water = self.part().name == "water" && matches!(name, "level" | "bed");
         is_of_water || name == "height"

@@ -1,0 +1,212 @@
+//! Which numbers of a tower its frequencies depend on, and what their tolerances do.
+//!
+//! The influence of a number on a mode is its elasticity: percent of the frequency per percent of
+//! the number. Heights are counted from an arbitrary datum, so their percent is one of the height of
+//! the tower.
+
+mod tolerance;
+
+pub use tolerance::{Tolerance, Tolerances};
+
+use towermodes::{
+    Change, Derivative, NoDerivative, Operation, Options, SensitivityError, Tower,
+    TowerDescription, Workspace, every_change, sensitivities,
+};
+
+/// Smaller influences, percent of a frequency per percent of a number, are below what a drawing
+/// knows.
+pub const NEGLIGIBLE: f64 = 1e-4;
+
+/// What the percent of an influence is of.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "serde", serde(rename_all = "snake_case"))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+pub enum Basis {
+    /// The value of the number, or of the factor.
+    Value,
+    /// The height of the tower.
+    TowerHeight,
+    /// Nothing: the number is zero, so one percent of it is nothing.
+    Zero,
+}
+
+/// The influence of one number, or of a change of several, on the frequencies.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Influence {
+    /// The name of the number or the change.
+    pub name: String,
+    /// The value on the tower as it is: of the number, 1 for a factor, 0 for an addition.
+    pub value: f64,
+    /// Its unit.
+    pub unit: &'static str,
+    /// What a percent is of.
+    pub basis: Basis,
+    /// What the derivative is multiplied by for the change by one hundred percent, in the unit.
+    whole: f64,
+    /// The frequency of each mode, extrapolated, Hz.
+    frequencies_hz: Vec<f64>,
+    /// The derivative of each mode's frequency.
+    pub derivatives: Vec<Result<Derivative, NoDerivative>>,
+    /// The elasticity of each mode: percent per percent; none without a derivative.
+    pub elasticities: Vec<Option<f64>>,
+    /// d(mass of the tower)/d(value), kg per unit.
+    pub mass_kg_per_unit: f64,
+}
+
+impl Influence {
+    /// The largest elasticity over the modes, without its sign.
+    pub fn largest(&self) -> f64 {
+        let known = self.elasticities.iter().flatten();
+        known.fold(0.0, |most, elasticity| most.max(elasticity.abs()))
+    }
+
+    /// The derivative of a mode's frequency, by its place in the list: percent of the frequency per
+    /// unit of the value.
+    pub fn percent_per_unit(&self, mode: usize) -> Option<f64> {
+        let derivative = self.derivatives.get(mode)?.as_ref().ok()?;
+        Some(100.0 * derivative.hz_per_unit / self.frequencies_hz[mode])
+    }
+
+    /// What a tolerance does to a mode, by its place in the list: percent of its frequency, without
+    /// its sign.
+    pub fn percent(&self, tolerance: Tolerance, mode: usize) -> Option<f64> {
+        Some(100.0 * self.effect_hz(tolerance, mode)? / self.frequencies_hz[mode])
+    }
+
+    /// What a tolerance does to a mode, by its place in the list: Hz, without its sign.
+    pub fn effect_hz(&self, tolerance: Tolerance, mode: usize) -> Option<f64> {
+        let derivative = self.derivatives.get(mode)?.as_ref().ok()?;
+        let amount = match tolerance {
+            Tolerance::Percent(percent) => percent / 100.0 * self.whole,
+            Tolerance::Amount(amount) => amount,
+        };
+        Some((derivative.hz_per_unit * amount).abs())
+    }
+}
+
+/// A mode whose frequency is influenced.
+#[derive(Debug, Clone, PartialEq)]
+pub struct InfluencedMode {
+    /// Order and family in words: "1st fore-aft bending".
+    pub label: String,
+    /// Its frequency, extrapolated, Hz.
+    pub frequency_hz: f64,
+}
+
+/// The influence of the numbers of a tower on its frequencies.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Influences {
+    /// The modes by frequency.
+    pub modes: Vec<InfluencedMode>,
+    /// The numbers, in the order of the tower file or of the changes.
+    pub numbers: Vec<Influence>,
+}
+
+impl Influences {
+    /// The numbers by falling influence on any of the modes.
+    pub fn ranked(&self) -> Vec<&Influence> {
+        self.ranked_by(Influence::largest)
+    }
+
+    /// The numbers by the falling effect of their tolerances on any of the modes; numbers without a
+    /// tolerance last.
+    pub fn ranked_with(
+        &self,
+        tolerances: &Tolerances,
+        description: &TowerDescription,
+    ) -> Vec<&Influence> {
+        self.ranked_by(|number| match tolerances.of(&number.name, description) {
+            None => 0.0,
+            Some(tolerance) => {
+                let modes = 0..self.modes.len();
+                let effects = modes.filter_map(|mode| number.percent(tolerance, mode));
+                effects.fold(0.0, f64::max)
+            }
+        })
+    }
+
+    fn ranked_by(&self, size: impl Fn(&Influence) -> f64) -> Vec<&Influence> {
+        let sized = self.numbers.iter().map(|number| (size(number), number));
+        let mut ranked: Vec<(f64, &Influence)> = sized.collect();
+        ranked.sort_by(|a, b| b.0.total_cmp(&a.0));
+        ranked.into_iter().map(|(_, number)| number).collect()
+    }
+}
+
+/// Computes the influence of every number of a tower, or of the changes given, on its lowest
+/// frequencies.
+///
+/// # Errors
+/// [`SensitivityError`].
+///
+/// # Example
+/// ```
+/// use towermodes::{Material, Options, Rna, Station, TowerDescription, Workspace};
+/// use towermodes_analysis::influences;
+///
+/// let description = TowerDescription {
+///     materials: vec![Material::from_shear_modulus(8500.0, 2.1e11, 8.08e10)],
+///     stations: vec![Station::new(0.0, 6.0, 0.027), Station::new(87.6, 3.87, 0.019)],
+///     rna: Rna::point(350e3),
+///     ..TowerDescription::default()
+/// };
+/// let mut workspace = Workspace::default();
+/// let result = influences(&description, None, &Options::default(), &mut workspace)?;
+/// assert_eq!(result.ranked()[0].name, "stations[1].height");
+/// # Ok::<(), towermodes::SensitivityError>(())
+/// ```
+pub fn influences(
+    description: &TowerDescription,
+    changes: Option<&[Change]>,
+    options: &Options,
+    workspace: &mut Workspace,
+) -> Result<Influences, SensitivityError> {
+    let every;
+    let changes = match changes {
+        Some(changes) => changes,
+        None => {
+            every = every_change(description);
+            &every
+        }
+    };
+    let result = sensitivities(description, changes, options, workspace)?;
+    let height_m = Tower::new(description.clone())?.height_m();
+    let modes = result.modes.iter().map(|mode| InfluencedMode {
+        label: mode.label(),
+        frequency_hz: mode.extrapolated_hz,
+    });
+    let modes: Vec<InfluencedMode> = modes.collect();
+    let numbers = result.changes.into_iter().map(|of| {
+        let (basis, whole) = basis(&of.change, of.value, height_m);
+        let of_mode = |(mode, derivative): (&InfluencedMode, &Result<Derivative, NoDerivative>)| {
+            let derivative = derivative.as_ref().ok()?;
+            (basis != Basis::Zero).then(|| derivative.hz_per_unit * whole / mode.frequency_hz)
+        };
+        Influence {
+            name: of.change.name().to_owned(),
+            value: of.value,
+            unit: of.change.unit(),
+            basis,
+            whole,
+            frequencies_hz: modes.iter().map(|mode| mode.frequency_hz).collect(),
+            elasticities: modes.iter().zip(&of.modes).map(of_mode).collect(),
+            derivatives: of.modes,
+            mass_kg_per_unit: of.mass_kg_per_unit,
+        }
+    });
+    Ok(Influences {
+        numbers: numbers.collect(),
+        modes,
+    })
+}
+
+/// What a percent is of, and how much one hundred percent are, in the unit of the change.
+fn basis(change: &Change, value: f64, height_m: f64) -> (Basis, f64) {
+    let is_height = change.parameters().iter().all(|one| one.is_height());
+    match change.operation() {
+        Operation::Set | Operation::Add if is_height => (Basis::TowerHeight, height_m),
+        _ if value == 0.0 => (Basis::Zero, 0.0),
+        _ => (Basis::Value, value),
+    }
+}

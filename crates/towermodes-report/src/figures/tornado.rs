@@ -1,0 +1,177 @@
+//! The influence of the numbers of a tower on its lowest frequency, as a tornado diagram.
+
+use towermodes::TowerDescription;
+use towermodes::number::digits;
+use towermodes_analysis::influence::{Influence, Influences, Tolerance, Tolerances};
+
+use super::legend::{self, Entry, Sample};
+use crate::svg::{
+    Anchor, Axes, Colour, DataTable, Drawing, Figure, Frame, Marker, Stroke, TextStyle, text_width,
+};
+
+const WIDTH: f64 = 900.0;
+const TOP: f64 = 18.0;
+/// Height of a bar with the gap below it.
+const ROW: f64 = 22.0;
+const BAR: f64 = 14.0;
+const SIZE: f64 = 12.0;
+/// From the field to the legend: the numbers of the axis and its name.
+const BELOW: f64 = 52.0;
+/// More numbers are not read.
+const MOST: usize = 24;
+/// Room for the number at the end of a bar.
+const ROOM: f64 = 0.16;
+/// Smaller effects, relative to the largest, are no bars.
+const SMALLEST: f64 = 1e-3;
+
+/// A number and what it does to the mode.
+struct Bar<'a> {
+    number: &'a Influence,
+    /// Percent of the frequency if the number grows.
+    percent: f64,
+}
+
+/// The influence of the numbers on the lowest mode: a bar per number, the largest on top, for one
+/// percent more and less of each number, or for its tolerance.
+pub fn tornado(
+    description: &TowerDescription,
+    influences: &Influences,
+    tolerances: &Tolerances,
+) -> Figure {
+    let bars = bars(description, influences, tolerances);
+    let mode = influences.modes.first().map_or("", |mode| &mode.label);
+    let cause = match tolerances.is_empty() {
+        true => "one percent of each number",
+        false => "the tolerance of each number",
+    };
+    let largest = bars.first().map_or(String::new(), |bar| {
+        format!(
+            " The largest is that of {}: {} %.",
+            bar.number.name,
+            signed(bar.percent)
+        )
+    });
+    Figure {
+        name: "tornado".to_owned(),
+        title: format!("Influence of the numbers on the frequency of the {mode}"),
+        description: format!(
+            "Change of the frequency of the {mode} by {cause}, a bar per number, the largest on top.{largest}"
+        ),
+        drawing: drawing(&bars, mode, cause),
+        table: table(&bars, influences),
+    }
+}
+
+/// The numbers that change the lowest mode, by falling effect.
+fn bars<'a>(
+    description: &TowerDescription,
+    influences: &'a Influences,
+    tolerances: &Tolerances,
+) -> Vec<Bar<'a>> {
+    let percent = |number: &Influence| {
+        let tolerance = match tolerances.is_empty() {
+            true => Some(Tolerance::Percent(1.0)),
+            false => tolerances.of(&number.name, description),
+        };
+        let size = number.percent(tolerance?, 0)?;
+        let derivative = number.derivatives.first()?.as_ref().ok()?;
+        // A percent more of a negative number is less of it.
+        let grows = match (tolerances.is_empty(), number.elasticities[0]) {
+            (true, Some(elasticity)) => elasticity,
+            _ => derivative.hz_per_unit,
+        };
+        Some(size.copysign(grows))
+    };
+    let numbers = influences.numbers.iter();
+    let mut bars: Vec<Bar<'a>> = numbers
+        .filter_map(|number| {
+            Some(Bar {
+                number,
+                percent: percent(number)?,
+            })
+        })
+        .collect();
+    bars.sort_by(|a, b| b.percent.abs().total_cmp(&a.percent.abs()));
+    let largest = bars.first().map_or(0.0, |bar| bar.percent.abs());
+    bars.retain(|bar| bar.percent != 0.0 && bar.percent.abs() >= SMALLEST * largest);
+    bars.truncate(MOST);
+    bars
+}
+
+fn signed(percent: f64) -> String {
+    let sign = if percent < 0.0 { "−" } else { "+" };
+    format!("{sign}{}", digits(percent.abs(), 3))
+}
+
+fn drawing(bars: &[Bar<'_>], mode: &str, cause: &str) -> Drawing {
+    let names = bars
+        .iter()
+        .map(|bar| text_width(&bar.number.name, SIZE, false));
+    let frame = Frame {
+        left: names.fold(0.0, f64::max) + 24.0,
+        top: TOP,
+        right: WIDTH - 14.0,
+        bottom: TOP + ROW * bars.len().max(1) as f64,
+    };
+    let largest = bars.first().map_or(1.0, |bar| bar.percent.abs());
+    let end = (1.0 + ROOM) * largest;
+    let axes = Axes::new(frame, [-end, end], [0.0, 1.0], [false, false]);
+    let legend_top = frame.bottom + BELOW;
+    let entries = entries();
+    let room = frame.right - frame.left;
+    let height = legend_top + legend::height(&entries, room) + 6.0;
+    let mut drawing = Drawing::new(WIDTH, height.ceil());
+    let name = format!("change of the frequency of the {mode} by {cause} (%)");
+    axes.draw_x(&mut drawing, &name, 8);
+    for (row, bar) in bars.iter().enumerate() {
+        draw(&mut drawing, bar, row, &axes);
+    }
+    let middle = axes.x.at(0.0);
+    let line = Stroke::new(Colour::Muted, 1.0);
+    drawing.line((middle, frame.top), (middle, frame.bottom), &line);
+    legend::draw(&mut drawing, (frame.left, legend_top), room, &entries);
+    drawing
+}
+
+/// Both halves of a bar, the name of its number on the left and its effect at its end.
+fn draw(drawing: &mut Drawing, bar: &Bar<'_>, row: usize, axes: &Axes) {
+    let top = axes.frame.top + ROW * row as f64 + 0.5 * (ROW - BAR);
+    let middle = axes.x.at(0.0);
+    for (percent, series) in [(bar.percent, 0), (-bar.percent, 1)] {
+        let end = axes.x.at(percent);
+        let (left, right) = (middle.min(end), middle.max(end));
+        let corners = [
+            (left, top),
+            (right, top),
+            (right, top + BAR),
+            (left, top + BAR),
+        ];
+        drawing.polygon(&corners, Colour::Series(series), None);
+    }
+    let base = top + 0.5 * BAR + 0.35 * SIZE;
+    let name = TextStyle::new(SIZE).anchor(Anchor::End);
+    drawing.text((axes.frame.left - 8.0, base), &bar.number.name, &name);
+    let effect = format!("±{}", digits(bar.percent.abs(), 3));
+    let end = axes.x.at(bar.percent.abs()) + 5.0;
+    drawing.text((end, base), &effect, &TextStyle::new(SIZE));
+}
+
+fn entries() -> Vec<Entry> {
+    let sample = |series: usize| Sample {
+        marker: Some((Marker::of_series(series), Colour::Series(series))),
+        ..Sample::default()
+    };
+    vec![
+        (sample(0), "number larger".to_owned()),
+        (sample(1), "number smaller".to_owned()),
+    ]
+}
+
+fn table(bars: &[Bar<'_>], influences: &Influences) -> DataTable {
+    let mode = influences.modes.first().map_or("", |mode| &mode.label);
+    let row = |bar: &Bar<'_>| vec![bar.number.name.clone(), signed(bar.percent)];
+    DataTable {
+        header: vec!["number".to_owned(), format!("{mode} (%)")],
+        rows: bars.iter().map(row).collect(),
+    }
+}
