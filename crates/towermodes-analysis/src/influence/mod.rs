@@ -1,8 +1,8 @@
 //! Which numbers of a tower its frequencies depend on, and what their tolerances do.
 //!
 //! The influence of a number on a mode is its elasticity: percent of the frequency per percent of
-//! the number. Heights are counted from an arbitrary datum, so their percent is one of the height of
-//! the tower.
+//! the number. Heights are counted from an arbitrary datum, so their percent is one of the height
+//! of the tower.
 
 mod tolerance;
 
@@ -153,7 +153,8 @@ impl Influences {
 /// };
 /// let mut workspace = Workspace::default();
 /// let result = influences(&description, None, &Options::default(), &mut workspace)?;
-/// assert_eq!(result.ranked()[0].name, "stations[1].height");
+/// // The height of the tower, from its base or from its top.
+/// assert!(result.ranked()[0].name.ends_with(".height"));
 /// # Ok::<(), towermodes::SensitivityError>(())
 /// ```
 pub fn influences(

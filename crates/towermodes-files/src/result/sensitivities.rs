@@ -43,7 +43,8 @@ struct ModeJson<'a> {
     label: &'a str,
     /// Its frequency, extrapolated, Hz.
     frequency_hz: f64,
-    /// What all tolerances do together, Hz: the root of the sum of squares; null without tolerances.
+    /// What all tolerances do together, Hz: the root of the sum of squares; null without
+    /// tolerances.
     tolerances_hz: Option<f64>,
 }
 
@@ -59,8 +60,8 @@ struct NumberJson<'a> {
     unit: &'static str,
     /// What a percent is of.
     percent_of: Basis,
-    /// Derivative of the mass of the tower with respect to the value, kg per unit; null if the tower
-    /// cannot be changed in both directions.
+    /// Derivative of the mass of the tower with respect to the value, kg per unit; null if the
+    /// tower cannot be changed in both directions.
     mass_kg_per_unit: Option<f64>,
     /// What the number does to each mode, in the order of the modes.
     modes: Vec<InfluenceJson>,
