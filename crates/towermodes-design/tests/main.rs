@@ -1,1 +1,3 @@
 //! All tests of design and calibration, in one program.
+
+mod calibration;

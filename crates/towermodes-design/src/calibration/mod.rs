@@ -1,1 +1,112 @@
 //! Numbers of a tower that explain measured frequencies.
+//!
+//! Weighted least squares: the sum of ((f − measured)/σ)² over all measurements and of
+//! ((x − mean)/σ)² over all priors is minimized by the method of Levenberg (1944) and Marquardt
+//! (1963), with the exact derivatives of [`towermodes::sensitivities`]. Positive numbers are fitted
+//! by their logarithm. Standard deviations and correlations are those of the linearized problem
+//! (Tarantola 2005, ch. 3).
+//!
+//! A fit explains measurements; it does not validate the model with them.
+//!
+//! `problem` is what is asked, `variable` the unknowns as coordinates, `pairing` which mode a
+//! measurement is of, `fit` the iteration, `singular` its linear algebra, `result` what comes out,
+//! `remark` what the result says in words.
+
+mod error;
+mod fit;
+mod pairing;
+mod problem;
+mod remark;
+mod result;
+mod singular;
+mod variable;
+
+pub use error::CalibrationError;
+pub use pairing::Ambiguity;
+pub use problem::{Measured, MeasuredShape, Prior, Problem, Unknown};
+pub use remark::{Remark, UnknownChange};
+pub use result::{AtBound, Calibration, Direction, Explained, Fitted};
+
+use towermodes::{Options, Workspace};
+
+/// How often the measurements are paired again with the modes of the fitted tower.
+const MOST_PAIRINGS: usize = 4;
+
+/// Fits numbers of a tower to measured frequencies.
+///
+/// [`Options::modes`] is the number of modes at first; more are computed where a measurement needs
+/// them.
+///
+/// # Errors
+/// [`CalibrationError`]: the problem contradicts itself or is not determined, a tower on the way is
+/// not solved, or a measured mode does not exist.
+///
+/// # Example
+/// The rocking stiffness that explains a first frequency of 0.28094 ± 0.002 Hz:
+/// ```
+/// use towermodes::{Change, Foundation, FoundationSprings, Material, Options, Rna, Station};
+/// use towermodes::{TowerDescription, Workspace};
+/// use towermodes_design::calibration::{Measured, Problem, Unknown, calibrate};
+///
+/// let base = TowerDescription {
+///     materials: vec![Material::from_shear_modulus(8500.0, 2.1e11, 8.08e10)],
+///     stations: vec![Station::new(0.0, 6.0, 0.027), Station::new(87.6, 3.87, 0.019)],
+///     rna: Rna::point(350e3),
+///     foundation: Foundation::Springs(FoundationSprings {
+///         lateral_n_per_m: f64::INFINITY,
+///         rocking_n_m: 1e11,
+///         coupling_n: 0.0,
+///         vertical_n_per_m: f64::INFINITY,
+///         torsion_n_m: f64::INFINITY,
+///     }),
+///     ..TowerDescription::default()
+/// };
+/// let problem = Problem {
+///     unknowns: vec![Unknown::new(Change::parse("foundation.rocking", &base)?)],
+///     measured: vec![Measured::of("fore-aft 1".parse()?, 0.28094, 0.002)],
+///     base,
+/// };
+/// let fitted = calibrate(&problem, &Options::default(), &mut Workspace::default())?;
+/// let rocking = &fitted.unknowns[0];
+/// assert!((rocking.value / 8e10 - 1.0).abs() < 1e-3);
+/// assert!((rocking.deviation.expect("free") / 9.2e9 - 1.0).abs() < 0.03);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub fn calibrate(
+    problem: &Problem,
+    options: &Options,
+    workspace: &mut Workspace,
+) -> Result<Calibration, CalibrationError> {
+    problem.check()?;
+    let variables = variable::variables(problem)?;
+    let mut description = problem.base.clone();
+    let start: Vec<f64> = variables.iter().map(|variable| variable.start).collect();
+    variable::apply(&variables, &start, &mut description);
+    let mut pairing = pairing::pair(problem, &description, options, workspace)?;
+    for round in 1.. {
+        let mut options = options.clone();
+        options.modes = pairing.modes;
+        let mut towers = fit::Towers::new(problem, &variables, &pairing.names, options, workspace);
+        let found = fit::fit(&mut towers, &start)?;
+        let before = towers.evaluate(&start)?;
+        let options = towers.options.clone();
+        description.clone_from(&problem.base);
+        variable::apply(&variables, &found.point.x, &mut description);
+        let again = pairing::pair(problem, &description, &options, workspace)?;
+        if again.names == pairing.names || round == MOST_PAIRINGS {
+            let is_stable = again.names == pairing.names;
+            pairing.ambiguities = again.ambiguities;
+            pairing.is_stable = is_stable;
+            return Ok(result::result(
+                problem,
+                &variables,
+                &pairing,
+                &before,
+                &found,
+                description,
+            ));
+        }
+        pairing = again;
+    }
+    unreachable!("the last round returns")
+}

@@ -1,0 +1,170 @@
+//! Why there is no fit.
+
+use thiserror::Error;
+use towermodes::number::Plain;
+use towermodes::{ModeName, NoDerivative, SensitivityError, SolveError, TowerError};
+
+/// Why there is no fit.
+#[derive(Debug, Clone, PartialEq, Error)]
+#[non_exhaustive]
+pub enum CalibrationError {
+    /// Nothing is to be found.
+    #[error("no unknowns are given; name at least one number of the tower")]
+    NoUnknowns,
+    /// Too few measurements for the unknowns.
+    #[error(
+        "{unknowns} unknowns cannot be found from {measured} measurements and {priors} priors; measure more modes, fit fewer unknowns, or give an unknown a prior"
+    )]
+    TooFewMeasurements {
+        /// The number of measurements.
+        measured: usize,
+        /// The number of unknowns with a prior.
+        priors: usize,
+        /// The number of unknowns.
+        unknowns: usize,
+    },
+    /// A frequency or a standard deviation is not positive.
+    #[error("the {what} of measurement {} is {}; it must be positive", .index + 1, Plain(*.value))]
+    NotPositive {
+        /// The measurement, from 0.
+        index: usize,
+        /// Which of its numbers.
+        what: &'static str,
+        /// The number.
+        value: f64,
+    },
+    /// A shape has no displacements, or not one for each height.
+    #[error(
+        "the shape of measurement {} must have one finite displacement for each height, not all zero",
+        .index + 1
+    )]
+    Shape {
+        /// The measurement, from 0.
+        index: usize,
+    },
+    /// A sensor is not on the tower.
+    #[error(
+        "the shape of measurement {} has a sensor at {} m, but the tower extends from {} to {} m",
+        .index + 1, Plain(*.height_m), Plain(*.base_m), Plain(*.top_m)
+    )]
+    SensorOutside {
+        /// The measurement, from 0.
+        index: usize,
+        /// The height of the sensor, m.
+        height_m: f64,
+        /// The height of the tower base, m.
+        base_m: f64,
+        /// The height of the tower top, m.
+        top_m: f64,
+    },
+    /// Bounds that do not rise.
+    #[error("the bounds of `{change}` are {} and {}; the lower must be below the upper", Plain(*.low), Plain(*.high))]
+    Bounds {
+        /// The unknown.
+        change: String,
+        /// The lower.
+        low: f64,
+        /// The upper.
+        high: f64,
+    },
+    /// A prior without a positive deviation.
+    #[error(
+        "the prior of `{change}` has mean {} and standard deviation {}; both must be finite and the deviation positive",
+        Plain(*.mean), Plain(*.deviation)
+    )]
+    Prior {
+        /// The unknown.
+        change: String,
+        /// The mean.
+        mean: f64,
+        /// The deviation.
+        deviation: f64,
+    },
+    /// A prior whose mean the bounds exclude.
+    #[error(
+        "the prior mean {} of `{change}` is outside the bounds {} and {}",
+        Plain(*.mean), Plain(*.low), Plain(*.high)
+    )]
+    PriorOutside {
+        /// The unknown.
+        change: String,
+        /// The mean.
+        mean: f64,
+        /// The lower bound.
+        low: f64,
+        /// The upper bound.
+        high: f64,
+    },
+    /// A number is in two unknowns.
+    #[error(
+        "`{change}` changes {parameter}, which another unknown already changes; remove one of them"
+    )]
+    Overlap {
+        /// The second unknown.
+        change: String,
+        /// The number.
+        parameter: String,
+    },
+    /// An unknown has no finite value to start from.
+    #[error("`{change}` has no value to start from: the tower has {found}; {remedy}")]
+    NoStart {
+        /// The unknown.
+        change: String,
+        /// What the tower has.
+        found: String,
+        /// What to do.
+        remedy: &'static str,
+    },
+    /// The tower is not solved or has no derivatives.
+    #[error(transparent)]
+    Sensitivity(#[from] SensitivityError),
+    /// The tower is impossible.
+    #[error(transparent)]
+    Tower(#[from] TowerError),
+    /// The modes for the pairing are not computed.
+    #[error(transparent)]
+    Solve(#[from] SolveError),
+    /// The tower has no such mode among the lowest.
+    #[error(
+        "measurement {} is of {mode}, but it is not among the {computed} lowest modes of the tower; these are {there}",
+        .index + 1
+    )]
+    NoMode {
+        /// The measurement, from 0.
+        index: usize,
+        /// The mode.
+        mode: ModeName,
+        /// How many modes were computed.
+        computed: usize,
+        /// The names of the lowest.
+        there: String,
+    },
+    /// A frequency has no derivative with respect to an unknown.
+    #[error("{mode} has no derivative with respect to `{change}`: {reason}; remove one of the two")]
+    NoDerivative {
+        /// The mode.
+        mode: ModeName,
+        /// The unknown.
+        change: String,
+        /// Why.
+        reason: NoDerivative,
+    },
+    /// The measurements and priors do not determine the unknowns.
+    #[error(
+        "the measurements do not determine {names}; give one of these a prior, do not fit it, or measure other modes"
+    )]
+    Undetermined {
+        /// The unknowns.
+        names: String,
+    },
+    /// The iteration did not end.
+    #[error(
+        "the fit has not converged in {iterations} iterations; its last values are {values}; give bounds, or priors near the expected values"
+    )]
+    NotConverged {
+        /// The number of iterations.
+        iterations: usize,
+        /// The unknowns with their last values.
+        values: String,
+    },
+}

@@ -1,0 +1,287 @@
+//! Weighted least squares by the method of Levenberg and Marquardt.
+
+use towermodes::number::Rounded;
+use towermodes::{ModeName, Options, TowerDescription, Workspace, sensitivities};
+
+use super::error::CalibrationError;
+use super::problem::Problem;
+use super::singular::Singular;
+use super::variable::{Variable, apply};
+
+/// Iterations at most.
+const MOST_ITERATIONS: usize = 200;
+/// The iteration ends when a step is expected to lower the sum of squares by less than this.
+///
+/// Its root is the length of the step in standard deviations.
+const SMALL_GAIN: f64 = 1e-10;
+/// The first damping, relative to the largest singular value squared.
+const FIRST_DAMPING: f64 = 1e-3;
+/// Below this damping a step is that of Gauss and Newton to rounding.
+const LEAST_DAMPING: f64 = 1e-15;
+/// Above this damping no step improves anything.
+const MOST_DAMPING: f64 = 1e14;
+/// No coordinate moves by more than this many of its scales in one step.
+const LONGEST_STEP: f64 = 1.5;
+/// Singular values below this, relative to the largest, are zero within the errors of derivatives.
+const UNDETERMINED: f64 = 1e-9;
+
+/// The towers at the coordinates of the unknowns.
+pub(super) struct Towers<'a> {
+    problem: &'a Problem,
+    variables: &'a [Variable],
+    names: &'a [ModeName],
+    pub(super) options: Options,
+    workspace: &'a mut Workspace,
+    description: TowerDescription,
+}
+
+/// One tower: the measured modes' frequencies and their derivatives.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Point {
+    pub(super) x: Vec<f64>,
+    /// The frequency of each measurement, Hz.
+    pub(super) frequencies_hz: Vec<f64>,
+    /// The residuals of the measurements, then of the priors, in standard deviations.
+    pub(super) residuals: Vec<f64>,
+    /// The derivatives of the residuals, a column for each unknown.
+    pub(super) columns: Vec<Vec<f64>>,
+}
+
+/// The fit.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Found {
+    pub(super) point: Point,
+    /// Which unknowns are not at a bound.
+    pub(super) is_free: Vec<bool>,
+    pub(super) iterations: usize,
+}
+
+impl<'a> Towers<'a> {
+    pub(super) fn new(
+        problem: &'a Problem,
+        variables: &'a [Variable],
+        names: &'a [ModeName],
+        options: Options,
+        workspace: &'a mut Workspace,
+    ) -> Self {
+        Self {
+            description: problem.base.clone(),
+            problem,
+            variables,
+            names,
+            options,
+            workspace,
+        }
+    }
+
+    /// The tower at a point.
+    pub(super) fn evaluate(&mut self, x: &[f64]) -> Result<Point, CalibrationError> {
+        self.description.clone_from(&self.problem.base);
+        apply(self.variables, x, &mut self.description);
+        let changes: Vec<_> = self.variables.iter().map(|v| v.change.clone()).collect();
+        let found = sensitivities(&self.description, &changes, &self.options, self.workspace)?;
+        let (n, data) = (x.len(), self.names.len());
+        let mut point = Point {
+            x: x.to_vec(),
+            frequencies_hz: Vec::with_capacity(data),
+            residuals: Vec::with_capacity(data + n),
+            columns: vec![Vec::with_capacity(data + n); n],
+        };
+        for (index, (name, measured)) in self.names.iter().zip(&self.problem.measured).enumerate() {
+            let is_it = |mode: &towermodes::ModeFrequency| {
+                mode.family == name.family && mode.order == name.order
+            };
+            let Some(mode) = found.modes.iter().position(is_it) else {
+                return Err(CalibrationError::NoMode {
+                    index,
+                    mode: *name,
+                    computed: found.modes.len(),
+                    there: "other modes".to_owned(),
+                });
+            };
+            let hz = found.modes[mode].extrapolated_hz;
+            point.frequencies_hz.push(hz);
+            let deviation_hz = measured.deviation_hz;
+            point
+                .residuals
+                .push((hz - measured.frequency_hz) / deviation_hz);
+            for (j, (variable, change)) in self.variables.iter().zip(&found.changes).enumerate() {
+                let derivative = change.modes[mode].map_err(|reason| {
+                    let (mode, change) = (*name, variable.change.name().to_owned());
+                    CalibrationError::NoDerivative {
+                        mode,
+                        change,
+                        reason,
+                    }
+                })?;
+                let per_value = match variable.change.operation() {
+                    // The factor of the changed tower is 1.
+                    towermodes::Operation::Scale => derivative.hz_per_unit / variable.value(x[j]),
+                    _ => derivative.hz_per_unit,
+                };
+                let slope = variable.slope(x[j]);
+                point.columns[j].push(per_value * slope / deviation_hz);
+            }
+        }
+        self.add_priors(&mut point);
+        Ok(point)
+    }
+
+    fn add_priors(&self, point: &mut Point) {
+        for (j, variable) in self.variables.iter().enumerate() {
+            let Some([mean, deviation]) = variable.prior else {
+                continue;
+            };
+            point.residuals.push((point.x[j] - mean) / deviation);
+            for (k, column) in point.columns.iter_mut().enumerate() {
+                column.push(if k == j { 1.0 / deviation } else { 0.0 });
+            }
+        }
+    }
+}
+
+impl Point {
+    /// The sum of the squares of the residuals.
+    pub(super) fn chi_square(&self) -> f64 {
+        self.residuals.iter().map(|r| r * r).sum()
+    }
+
+    /// The columns of some unknowns, each for one scale of its coordinate.
+    fn scaled(&self, variables: &[Variable], is_free: &[bool]) -> Vec<Vec<f64>> {
+        let all = self.columns.iter().zip(variables).zip(is_free);
+        let free = all.filter(|(_, is_free)| **is_free);
+        free.map(|((column, variable), _)| column.iter().map(|c| c * variable.scale).collect())
+            .collect()
+    }
+
+    /// The unknowns that are not at a bound towards which the sum of squares falls.
+    fn free(&self, variables: &[Variable]) -> Vec<bool> {
+        let of = |j: usize| {
+            let column = self.columns[j].iter().zip(&self.residuals);
+            let gradient: f64 = column.map(|(c, r)| c * r).sum();
+            let [low, high] = variables[j].bounds;
+            !(self.x[j] <= low && gradient >= 0.0 || self.x[j] >= high && gradient <= 0.0)
+        };
+        (0..self.x.len()).map(of).collect()
+    }
+}
+
+/// The point with the least sum of squares.
+pub(super) fn fit(towers: &mut Towers<'_>, start: &[f64]) -> Result<Found, CalibrationError> {
+    let variables = towers.variables;
+    let mut point = towers.evaluate(start)?;
+    let mut damping = FIRST_DAMPING;
+    for iterations in 0..MOST_ITERATIONS {
+        let is_free = point.free(variables);
+        let singular = Singular::of(point.scaled(variables, &is_free));
+        let largest = singular.values.first().copied().unwrap_or(0.0);
+        let mut last_error = None;
+        loop {
+            let absolute = damping * largest * largest;
+            let (x, gain) = step(&point, variables, &is_free, &singular, absolute);
+            let is_end = gain <= SMALL_GAIN * (1.0 + point.chi_square());
+            if is_end || x == point.x {
+                // No shorter step leads to a possible tower.
+                if let Some(error) = last_error {
+                    return Err(error);
+                }
+                check_determined(&singular, variables, &is_free)?;
+                return Ok(Found {
+                    point,
+                    is_free,
+                    iterations,
+                });
+            }
+            match towers.evaluate(&x) {
+                Ok(next) if next.chi_square() < point.chi_square() => {
+                    // Nielsen 1999: less damping where the linearization is right.
+                    let ratio = (point.chi_square() - next.chi_square()) / gain;
+                    let factor = 1.0 - (2.0 * ratio.min(1.0) - 1.0).powi(3);
+                    damping = (damping * factor.max(0.1)).max(LEAST_DAMPING);
+                    point = next;
+                    break;
+                }
+                Ok(_) => {}
+                Err(error) => last_error = Some(error),
+            }
+            damping *= 8.0;
+            if damping > MOST_DAMPING {
+                // The sum of squares is flat to rounding; or no tower is possible further on.
+                return match last_error {
+                    Some(error) => Err(error),
+                    None => {
+                        check_determined(&singular, variables, &is_free)?;
+                        Ok(Found {
+                            point,
+                            is_free,
+                            iterations,
+                        })
+                    }
+                };
+            }
+        }
+    }
+    let values = variables.iter().zip(&point.x).map(|(variable, x)| {
+        let value = Rounded(variable.value(*x));
+        format!("{} = {value}", variable.change.name())
+    });
+    Err(CalibrationError::NotConverged {
+        iterations: MOST_ITERATIONS,
+        values: values.collect::<Vec<_>>().join(", "),
+    })
+}
+
+/// The next point, and by how much the linearized sum of squares falls on the way to it.
+fn step(
+    point: &Point,
+    variables: &[Variable],
+    is_free: &[bool],
+    singular: &Singular,
+    damping: f64,
+) -> (Vec<f64>, f64) {
+    let target: Vec<f64> = point.residuals.iter().map(|r| -r).collect();
+    let solution = singular.damped_solution(&target, damping);
+    let longest = solution.iter().fold(0.0_f64, |most, d| most.max(d.abs()));
+    let shortened = (LONGEST_STEP / longest).min(1.0);
+    let mut x = point.x.clone();
+    let free = (0..x.len()).filter(|j| is_free[*j]);
+    for (j, d) in free.zip(&solution) {
+        let [low, high] = variables[j].bounds;
+        x[j] = (x[j] + shortened * d * variables[j].scale).clamp(low, high);
+    }
+    let mut linear = point.residuals.clone();
+    for (j, column) in point.columns.iter().enumerate() {
+        let moved = x[j] - point.x[j];
+        for (r, c) in linear.iter_mut().zip(column) {
+            *r += c * moved;
+        }
+    }
+    let expected: f64 = linear.iter().map(|r| r * r).sum();
+    (x, point.chi_square() - expected)
+}
+
+/// Refuses free unknowns that neither measurements nor priors determine.
+fn check_determined(
+    singular: &Singular,
+    variables: &[Variable],
+    is_free: &[bool],
+) -> Result<(), CalibrationError> {
+    let largest = singular.values.first().copied().unwrap_or(0.0);
+    let small = singular
+        .values
+        .iter()
+        .position(|s| *s <= UNDETERMINED * largest);
+    let Some(direction) = small else {
+        return Ok(());
+    };
+    let free = variables
+        .iter()
+        .zip(is_free)
+        .filter(|(_, is_free)| **is_free);
+    let parts = free.zip(&singular.right[direction]);
+    let names = parts.filter(|(_, part)| part.abs() > 0.1);
+    let names = names.map(|((variable, _), _)| format!("`{}`", variable.change.name()));
+    Err(CalibrationError::Undetermined {
+        names: names.collect::<Vec<_>>().join(" and "),
+    })
+}

@@ -1,0 +1,227 @@
+//! Which mode of the tower a measurement is of.
+
+use towermodes::{
+    Mode, ModeName, Options, SolveError, Tower, TowerDescription, Workspace, solve_with,
+};
+use towermodes_analysis::mac;
+
+use super::error::CalibrationError;
+use super::problem::{Measured, MeasuredShape, Problem};
+
+/// Modes computed at most.
+const MOST_MODES: usize = 60;
+/// Among modes with a MAC above this fraction of the best, the frequency decides.
+const NEAR_MAC: f64 = 0.8;
+/// A mode whose distance from the measured frequency is at most this many standard deviations
+/// larger than that of the nearest could as well be the measured one.
+const NEAR_DEVIATIONS: f64 = 2.0;
+
+/// The mode of each measurement.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Pairing {
+    pub(super) names: Vec<ModeName>,
+    pub(super) ambiguities: Vec<Option<Ambiguity>>,
+    /// How many modes must be computed.
+    pub(super) modes: usize,
+    /// Whether the modes of the fitted tower are paired in the same way.
+    pub(super) is_stable: bool,
+}
+
+/// Another mode that a measurement may be of.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Ambiguity {
+    /// The frequencies of the two modes differ too little for the measurement.
+    Frequency {
+        /// The mode that was not taken.
+        other: ModeName,
+        /// The distance of its frequency from the measured one, Hz.
+        distance_hz: f64,
+    },
+    /// The shapes of the two modes are too similar.
+    Shape {
+        /// The mode that was not taken.
+        other: ModeName,
+        /// The MAC of the mode that was taken.
+        mac: f64,
+        /// The MAC of the other one.
+        other_mac: f64,
+    },
+}
+
+/// Pairs each measurement with a mode of a tower: by name, else by shape, else by frequency.
+pub(super) fn pair(
+    problem: &Problem,
+    description: &TowerDescription,
+    options: &Options,
+    workspace: &mut Workspace,
+) -> Result<Pairing, CalibrationError> {
+    let tower = Tower::new(description.clone())?;
+    check_sensors(problem, &tower)?;
+    let mut options = options.clone();
+    options.points = 2;
+    options.modes = options.modes.max(problem.measured.len() + 2);
+    options.heights_m = heights(problem);
+    loop {
+        let modes = match solve_with(&tower, &options, workspace) {
+            Err(SolveError::TooManyModes { available, .. }) if available < options.modes => {
+                options.modes = available;
+                continue;
+            }
+            other => other?.modes,
+        };
+        let missing = first_missing(problem, &modes);
+        let is_high = problem.measured.iter().any(|one| {
+            let highest = modes.last().map_or(0.0, |mode| mode.extrapolated_hz);
+            one.mode.is_none() && highest < 1.5 * one.frequency_hz
+        });
+        let has_all = modes.len() < options.modes || options.modes >= MOST_MODES;
+        if (missing.is_some() || is_high) && !has_all {
+            options.modes = (2 * options.modes).min(MOST_MODES);
+            continue;
+        }
+        if let Some((index, mode)) = missing {
+            return Err(no_mode(index, mode, &modes));
+        }
+        return Ok(pairing(problem, &modes));
+    }
+}
+
+fn check_sensors(problem: &Problem, tower: &Tower) -> Result<(), CalibrationError> {
+    let (base_m, top_m) = (tower.base_m(), tower.base_m() + tower.height_m());
+    for (index, measured) in problem.measured.iter().enumerate() {
+        let heights = measured.shape.iter().flat_map(|shape| &shape.heights_m);
+        let outside = heights.copied().find(|z| *z < base_m || *z > top_m);
+        if let Some(height_m) = outside {
+            return Err(CalibrationError::SensorOutside {
+                index,
+                height_m,
+                base_m,
+                top_m,
+            });
+        }
+    }
+    Ok(())
+}
+
+/// The heights of all sensors, rising.
+fn heights(problem: &Problem) -> Vec<f64> {
+    let shapes = problem.measured.iter().filter_map(|one| one.shape.as_ref());
+    let mut heights: Vec<f64> = shapes.flat_map(|shape| shape.heights_m.clone()).collect();
+    heights.sort_by(f64::total_cmp);
+    heights.dedup();
+    heights
+}
+
+fn name_of(mode: &Mode) -> ModeName {
+    ModeName {
+        family: mode.family,
+        order: mode.order,
+    }
+}
+
+fn first_missing(problem: &Problem, modes: &[Mode]) -> Option<(usize, ModeName)> {
+    let mut named = problem.measured.iter().enumerate();
+    named.find_map(|(index, one)| {
+        let name = one.mode?;
+        let is_there = modes.iter().any(|mode| name_of(mode) == name);
+        (!is_there).then_some((index, name))
+    })
+}
+
+fn no_mode(index: usize, mode: ModeName, modes: &[Mode]) -> CalibrationError {
+    const LISTED: usize = 8;
+    let names = modes
+        .iter()
+        .take(LISTED)
+        .map(|mode| name_of(mode).to_string());
+    CalibrationError::NoMode {
+        index,
+        mode,
+        computed: modes.len(),
+        there: names.collect::<Vec<_>>().join(", "),
+    }
+}
+
+fn pairing(problem: &Problem, modes: &[Mode]) -> Pairing {
+    let mut names: Vec<Option<ModeName>> = problem.measured.iter().map(|one| one.mode).collect();
+    let mut ambiguities = vec![None; names.len()];
+    // Those with a shape first: what they take, a frequency alone cannot be.
+    for has_shape in [true, false] {
+        for (index, measured) in problem.measured.iter().enumerate() {
+            if names[index].is_some() || measured.shape.is_some() != has_shape {
+                continue;
+            }
+            let is_free = |mode: &&Mode| !names.contains(&Some(name_of(mode)));
+            let free: Vec<&Mode> = modes.iter().filter(is_free).collect();
+            let found = match &measured.shape {
+                Some(shape) => by_shape(shape, measured, &free),
+                None => by_frequency(measured, &free),
+            };
+            if let Some((name, ambiguity)) = found {
+                names[index] = Some(name);
+                ambiguities[index] = ambiguity;
+            }
+        }
+    }
+    let highest = |name: &ModeName| modes.iter().position(|mode| name_of(mode) == *name);
+    let fallback = modes.first().map(name_of);
+    let names: Vec<ModeName> = names
+        .into_iter()
+        .filter_map(|name| name.or(fallback))
+        .collect();
+    let last = names.iter().filter_map(highest).max().unwrap_or(0);
+    Pairing {
+        modes: (last + 3).min(modes.len()),
+        names,
+        ambiguities,
+        is_stable: true,
+    }
+}
+
+/// The mode with the highest MAC; of several with nearly the highest, the nearest in frequency.
+fn by_shape(
+    shape: &MeasuredShape,
+    given: &Measured,
+    modes: &[&Mode],
+) -> Option<(ModeName, Option<Ambiguity>)> {
+    let measured: Vec<f64> = shape.displacements.iter().flatten().copied().collect();
+    let mac_with = |mode: &Mode| {
+        let at = |height: &f64| {
+            let there = mode.shape_there.iter().find(|p| p.height_m == *height);
+            there.map_or([0.0; 2], |p| [p.translation[0], p.translation[1]])
+        };
+        let computed: Vec<f64> = shape.heights_m.iter().flat_map(at).collect();
+        mac(&measured, &computed, None).unwrap_or(0.0)
+    };
+    let pairs = modes.iter().map(|mode| (mac_with(mode), *mode));
+    let mut all: Vec<(f64, &Mode)> = pairs.collect();
+    all.sort_by(|a, b| b.0.total_cmp(&a.0));
+    let (best, _) = *all.first()?;
+    let is_near = |(mac, _): &&(f64, &Mode)| *mac > NEAR_MAC * best;
+    let near: Vec<&Mode> = all.iter().filter(is_near).map(|(_, mode)| *mode).collect();
+    let (name, by_frequency) = by_frequency(given, &near)?;
+    let mac_of = |name: ModeName| {
+        let mut own = all.iter().filter(|(_, mode)| name_of(mode) == name);
+        own.next().map_or(0.0, |(mac, _)| *mac)
+    };
+    let ambiguity = by_frequency.map(|ambiguity| match ambiguity {
+        Ambiguity::Frequency { other, .. } | Ambiguity::Shape { other, .. } => Ambiguity::Shape {
+            other,
+            mac: mac_of(name),
+            other_mac: mac_of(other),
+        },
+    });
+    Some((name, ambiguity))
+}
+
+/// The mode with the nearest frequency.
+fn by_frequency(measured: &Measured, modes: &[&Mode]) -> Option<(ModeName, Option<Ambiguity>)> {
+    let distance = |mode: &Mode| (mode.extrapolated_hz - measured.frequency_hz).abs();
+    let mut all: Vec<(f64, ModeName)> = modes.iter().map(|m| (distance(m), name_of(m))).collect();
+    all.sort_by(|a, b| a.0.total_cmp(&b.0));
+    let (nearest, name) = *all.first()?;
+    let near = nearest + NEAR_DEVIATIONS * measured.deviation_hz;
+    let second = all.get(1).filter(|(other, _)| *other <= near);
+    let ambiguity = second.map(|&(distance_hz, other)| Ambiguity::Frequency { other, distance_hz });
+    Some((name, ambiguity))
+}

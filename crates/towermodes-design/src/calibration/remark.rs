@@ -1,0 +1,330 @@
+//! What the result of a fit says in words.
+
+use std::fmt;
+
+use towermodes::ModeName;
+use towermodes::number::Rounded;
+
+use super::pairing::Ambiguity;
+use super::result::{AtBound, Calibration};
+
+/// Of unknowns with a larger correlation only a combination is known.
+const HIGH_CORRELATION: f64 = 0.95;
+/// A combination that moves the measurements by less than this many standard deviations when the
+/// unknowns change by their own size is not determined by them.
+const WEAK: f64 = 1.0;
+/// A part of a combination below this fraction is left out of its sentence.
+const SMALL_PART: f64 = 0.2;
+/// A residual above this is unlikely.
+const LARGE_RESIDUAL: f64 = 3.0;
+/// The normal deviate that is exceeded with a probability of 1 %.
+const ONE_PERCENT: f64 = 2.326;
+
+/// A sentence about a fit.
+#[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
+pub enum Remark {
+    /// The measurements do not tell several unknowns apart: this change of them, by names and
+    /// relative or absolute amounts, changes the measured frequencies by `deviations` standard
+    /// deviations only.
+    NotToldApart {
+        /// The unknowns and their change; of positive numbers as a factor, of others in their unit.
+        changes: Vec<UnknownChange>,
+        /// The change of all measurements together, standard deviations.
+        deviations: f64,
+    },
+    /// Two unknowns are highly correlated.
+    Correlated {
+        /// The first.
+        first: String,
+        /// The second.
+        second: String,
+        /// The correlation.
+        correlation: f64,
+    },
+    /// A number has reached its bound.
+    Bound {
+        /// The unknown.
+        name: String,
+        /// The bound.
+        bound: AtBound,
+        /// Its value.
+        value: f64,
+    },
+    /// Most of what is known of a number is its prior.
+    FromPrior {
+        /// The unknown.
+        name: String,
+        /// The share of its variance that comes from priors.
+        share: f64,
+    },
+    /// A measurement could be of another mode.
+    Pairing {
+        /// The measurement, from 0.
+        index: usize,
+        /// The mode that was taken.
+        mode: ModeName,
+        /// The other.
+        ambiguity: Ambiguity,
+    },
+    /// The modes of the fitted tower are paired differently.
+    UnstablePairing,
+    /// A frequency is not explained.
+    LargeResidual {
+        /// The mode.
+        mode: ModeName,
+        /// (fitted − measured)/deviation.
+        residual: f64,
+    },
+    /// All residuals together are larger than their standard deviations allow.
+    PoorFit {
+        /// Sum of squares.
+        chi_square: f64,
+        /// Degrees of freedom.
+        degrees_of_freedom: usize,
+    },
+    /// There are as many unknowns as measurements: the fit cannot be wrong, and says nothing about
+    /// the model.
+    NoDegreesOfFreedom,
+}
+
+/// The change of an unknown in a combination.
+#[derive(Debug, Clone, PartialEq)]
+pub struct UnknownChange {
+    /// The unknown.
+    pub name: String,
+    /// The factor of a positive number; the addition to any other.
+    pub amount: f64,
+    /// Whether it is a factor.
+    pub is_factor: bool,
+}
+
+impl Calibration {
+    /// What the result says in words, the most important first.
+    pub fn remarks(&self) -> Vec<Remark> {
+        let mut remarks = Vec::new();
+        remarks.extend(self.of_pairing());
+        remarks.extend(self.of_residuals());
+        remarks.extend(self.of_bounds());
+        remarks.extend(self.not_told_apart());
+        remarks.extend(self.of_correlations());
+        remarks.extend(self.of_priors());
+        remarks
+    }
+
+    fn of_pairing(&self) -> impl Iterator<Item = Remark> {
+        let all = self.measured.iter().enumerate();
+        let ambiguous = all.filter_map(|(index, one)| {
+            Some(Remark::Pairing {
+                index,
+                mode: one.mode,
+                ambiguity: one.ambiguity?,
+            })
+        });
+        let unstable = (!self.is_pairing_stable).then_some(Remark::UnstablePairing);
+        unstable.into_iter().chain(ambiguous)
+    }
+
+    fn of_residuals(&self) -> impl Iterator<Item = Remark> {
+        let large = self
+            .measured
+            .iter()
+            .filter(|one| one.residual.abs() > LARGE_RESIDUAL);
+        let large = large.map(|one| Remark::LargeResidual {
+            mode: one.mode,
+            residual: one.residual,
+        });
+        let (chi_square, degrees_of_freedom) = (self.chi_square, self.degrees_of_freedom);
+        let of_all = match degrees_of_freedom {
+            0 => Some(Remark::NoDegreesOfFreedom),
+            k if deviate(chi_square, k) > ONE_PERCENT => Some(Remark::PoorFit {
+                chi_square,
+                degrees_of_freedom,
+            }),
+            _ => None,
+        };
+        of_all.into_iter().chain(large)
+    }
+
+    fn of_bounds(&self) -> impl Iterator<Item = Remark> {
+        self.unknowns.iter().filter_map(|one| {
+            Some(Remark::Bound {
+                name: one.name.clone(),
+                bound: one.at_bound?,
+                value: one.value,
+            })
+        })
+    }
+
+    fn not_told_apart(&self) -> impl Iterator<Item = Remark> {
+        let weak = self
+            .directions
+            .iter()
+            .filter(|one| one.singular_value < WEAK);
+        weak.map(|direction| {
+            let largest = direction
+                .parts
+                .iter()
+                .fold(0.0_f64, |most, p| most.max(p.abs()));
+            let sign = direction.parts.iter().find(|part| part.abs() == largest);
+            let sign = sign.map_or(1.0, |part| part.signum());
+            let parts = direction
+                .parts
+                .iter()
+                .zip(&direction.scales)
+                .zip(&self.unknowns);
+            let parts = parts.filter(|((part, _), _)| part.abs() > SMALL_PART * largest);
+            let changes = parts.map(|((part, scale), unknown)| UnknownChange {
+                name: unknown.name.clone(),
+                amount: match unknown.is_logarithm {
+                    true => (sign * part).exp(),
+                    false => sign * part * scale,
+                },
+                is_factor: unknown.is_logarithm,
+            });
+            Remark::NotToldApart {
+                changes: changes.collect(),
+                deviations: direction.singular_value,
+            }
+        })
+    }
+
+    fn of_correlations(&self) -> Vec<Remark> {
+        let mut remarks = Vec::new();
+        for (i, row) in self.correlations.iter().enumerate() {
+            for (j, correlation) in row.iter().enumerate().skip(i + 1) {
+                if correlation.abs() > HIGH_CORRELATION {
+                    remarks.push(Remark::Correlated {
+                        first: self.unknowns[i].name.clone(),
+                        second: self.unknowns[j].name.clone(),
+                        correlation: *correlation,
+                    });
+                }
+            }
+        }
+        remarks
+    }
+
+    fn of_priors(&self) -> impl Iterator<Item = Remark> {
+        let data = self.measured.len();
+        let all = self.unknowns.iter().zip(&self.shares);
+        all.filter_map(move |(unknown, shares)| {
+            let share: f64 = shares.iter().skip(data).sum();
+            (share > 0.5).then(|| Remark::FromPrior {
+                name: unknown.name.clone(),
+                share,
+            })
+        })
+    }
+}
+
+/// The normal deviate of a sum of squares by the cube root of Wilson & Hilferty (1931).
+fn deviate(chi_square: f64, degrees_of_freedom: usize) -> f64 {
+    let k = degrees_of_freedom as f64;
+    let spread = 2.0 / (9.0 * k);
+    ((chi_square / k).cbrt() - (1.0 - spread)) / spread.sqrt()
+}
+
+impl fmt::Display for UnknownChange {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let amount = self.amount;
+        match self.is_factor {
+            true => write!(f, "{} times {}", self.name, Rounded(rounded(amount))),
+            false => write!(f, "{} plus {}", self.name, Rounded(rounded(amount))),
+        }
+    }
+}
+
+/// Three digits.
+fn rounded(value: f64) -> f64 {
+    format!("{value:.2e}").parse().unwrap_or(value)
+}
+
+impl fmt::Display for Remark {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::NotToldApart {
+                changes,
+                deviations,
+            } => {
+                let names: Vec<&str> = changes.iter().map(|one| one.name.as_str()).collect();
+                let changes: Vec<String> = changes.iter().map(ToString::to_string).collect();
+                let subject = match names[..] {
+                    [one] => format!("the measurements hardly determine {one}"),
+                    _ => format!("the measurements cannot tell {} apart", names.join(" and ")),
+                };
+                write!(
+                    f,
+                    "{subject}: with {} the measured frequencies change by {deviations:.2} standard deviations only",
+                    changes.join(" and "),
+                )
+            }
+            Self::Correlated {
+                first,
+                second,
+                correlation,
+            } => write!(
+                f,
+                "{first} and {second} have the correlation {correlation:.3}: a combination of them is known better than either"
+            ),
+            Self::Bound { name, bound, value } => {
+                let bound = match bound {
+                    AtBound::Lower => "lower",
+                    AtBound::Upper => "upper",
+                };
+                let value = Rounded(*value);
+                write!(f, "{name} is at its {bound} bound {value}: the measurements ask for a value beyond it")
+            }
+            Self::FromPrior { name, share } => write!(
+                f,
+                "{name} is known mostly from priors: {:.0} % of its variance come from them",
+                100.0 * share
+            ),
+            Self::Pairing {
+                index,
+                mode,
+                ambiguity,
+            } => pairing(f, *index, *mode, *ambiguity),
+            Self::UnstablePairing => f.write_str(
+                "the modes of the fitted tower would be paired differently; name the mode of each measurement",
+            ),
+            Self::LargeResidual { mode, residual } => write!(
+                f,
+                "{mode} is not explained: the fitted frequency differs by {residual:+.1} standard deviations"
+            ),
+            Self::PoorFit {
+                chi_square,
+                degrees_of_freedom,
+            } => write!(
+                f,
+                "the residuals are larger than the standard deviations allow (chi-square {chi_square:.1} with {degrees_of_freedom} degrees of freedom): the model lacks something, or the measurements are less accurate than stated"
+            ),
+            Self::NoDegreesOfFreedom => f.write_str(
+                "there are as many unknowns as measurements and priors: any measurement can be fitted, so the residuals say nothing about the model",
+            ),
+        }
+    }
+}
+
+fn pairing(
+    f: &mut fmt::Formatter<'_>,
+    index: usize,
+    mode: ModeName,
+    ambiguity: Ambiguity,
+) -> fmt::Result {
+    let number = index + 1;
+    match ambiguity {
+        Ambiguity::Frequency { other, distance_hz } => write!(
+            f,
+            "measurement {number} is taken for {mode}, but may be {other}, whose frequency is {distance_hz:.4} Hz away; name the mode"
+        ),
+        Ambiguity::Shape {
+            other,
+            mac,
+            other_mac,
+        } => write!(
+            f,
+            "measurement {number} is taken for {mode} (MAC {mac:.2}), but may be {other} (MAC {other_mac:.2}); name the mode"
+        ),
+    }
+}

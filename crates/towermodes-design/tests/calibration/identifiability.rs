@@ -1,0 +1,106 @@
+//! What the measurements can and cannot tell.
+
+use super::{Problem, fitted, frequencies, measured, remarks, tower, unknown, with_prior};
+use towermodes_design::calibration::{AtBound, CalibrationError, Unknown};
+
+/// One frequency, two springs: a combination is known, the other comes from the priors.
+#[test]
+fn lateral_and_rocking_stiffness_cannot_be_told_apart_by_one_frequency() {
+    let base = tower();
+    let hz = frequencies(&base, &["fore-aft 1"])[0];
+    let problem = Problem {
+        measured: vec![measured("fore-aft 1", hz, 0.001)],
+        unknowns: vec![
+            with_prior(&base, "foundation.lateral", 2e9, 1e9),
+            with_prior(&base, "foundation.rocking", 1e11, 5e10),
+        ],
+        base,
+    };
+    let result = fitted(&problem).expect("a fit");
+    let weakest = result.directions.last().expect("two directions");
+    assert!(weakest.singular_value < 1e-9 * result.directions[0].singular_value);
+    let said = remarks(&result).join("\n");
+    let expected =
+        "the measurements cannot tell foundation.lateral and foundation.rocking apart: with ";
+    assert!(
+        said.contains(expected) || said.contains("hardly determine"),
+        "{said}"
+    );
+    for shares in &result.shares {
+        assert_eq!(shares.len(), 3);
+        assert!((shares.iter().sum::<f64>() - 1.0).abs() < 1e-12);
+    }
+    // The lateral spring hardly moves the first mode: its prior decides it.
+    assert!(result.shares[0][1] > 0.9, "{:?}", result.shares);
+}
+
+/// Fore-aft modes do not depend on the torsional spring.
+#[test]
+fn unknowns_without_effect_are_refused_with_their_names() {
+    let base = tower();
+    let problem = Problem {
+        measured: vec![
+            measured("fore-aft 1", 0.26, 0.001),
+            measured("fore-aft 2", 1.95, 0.01),
+        ],
+        unknowns: vec![
+            unknown(&base, "foundation.rocking"),
+            unknown(&base, "foundation.torsion"),
+        ],
+        base,
+    };
+    let error = fitted(&problem).expect_err("refused");
+    assert!(
+        matches!(error, CalibrationError::Undetermined { .. }),
+        "{error}"
+    );
+    let text = error.to_string();
+    assert!(
+        text.contains("do not determine `foundation.torsion`; give one of these a prior"),
+        "{text}"
+    );
+}
+
+#[test]
+fn a_bound_that_is_reached_is_said() {
+    let base = tower();
+    let problem = Problem {
+        measured: vec![
+            measured("fore-aft 1", 0.2, 0.001),
+            measured("fore-aft 2", 1.6, 0.1),
+        ],
+        unknowns: vec![Unknown {
+            bounds: Some([5e10, 2e11]),
+            ..unknown(&base, "foundation.rocking")
+        }],
+        base,
+    };
+    let result = fitted(&problem).expect("a fit");
+    let rocking = &result.unknowns[0];
+    assert_eq!(rocking.at_bound, Some(AtBound::Lower));
+    assert!((rocking.value / 5e10 - 1.0).abs() < 1e-12);
+    assert_eq!((rocking.deviation, rocking.interval), (None, None));
+    let said = remarks(&result).join("\n");
+    assert!(
+        said.contains("foundation.rocking is at its lower bound 5e10"),
+        "{said}"
+    );
+    assert!(said.contains("fore-aft 1 is not explained"), "{said}");
+    assert!(
+        said.contains("the residuals are larger than the standard deviations allow"),
+        "{said}"
+    );
+}
+
+#[test]
+fn a_fit_without_degrees_of_freedom_says_nothing_about_the_model() {
+    let base = tower();
+    let problem = Problem {
+        measured: vec![measured("fore-aft 1", 0.25, 0.001)],
+        unknowns: vec![unknown(&base, "foundation.rocking")],
+        base,
+    };
+    let said = remarks(&fitted(&problem).expect("a fit")).join("\n");
+    assert!(said.contains("any measurement can be fitted"), "{said}");
+    assert!(!said.contains("valid"), "{said}");
+}

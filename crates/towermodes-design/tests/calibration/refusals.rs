@@ -1,0 +1,209 @@
+//! Every problem that cannot be solved is refused with its numbers and a remedy.
+
+use super::{Problem, fitted, measured, tower, unknown, with_prior};
+use towermodes::{Foundation, TowerDescription};
+use towermodes_design::calibration::{Measured, MeasuredShape, Unknown};
+
+#[track_caller]
+fn refused(base: TowerDescription, unknowns: Vec<Unknown>, measured: Vec<Measured>, words: &str) {
+    let problem = Problem {
+        base,
+        unknowns,
+        measured,
+    };
+    let error = fitted(&problem).expect_err("refused").to_string();
+    assert!(error.contains(words), "{error}");
+}
+
+fn first() -> Measured {
+    measured("fore-aft 1", 0.26, 0.001)
+}
+
+#[test]
+fn too_few_measurements_are_refused_with_the_remedy() {
+    let base = tower();
+    let both = |base: &TowerDescription| {
+        vec![
+            unknown(base, "foundation.rocking"),
+            unknown(base, "foundation.lateral"),
+        ]
+    };
+    refused(
+        base.clone(),
+        both(&base),
+        vec![first()],
+        "2 unknowns cannot be found from 1 measurements and 0 priors; measure more modes, fit fewer unknowns, or give",
+    );
+    let priors = vec![with_prior(&base, "foundation.rocking", 1e11, 1e10)];
+    refused(base.clone(), priors, vec![], "from 0 measurements");
+    refused(base.clone(), vec![], vec![first()], "no unknowns are given");
+    let one = vec![
+        with_prior(&base, "foundation.rocking", 1e11, 1e10),
+        unknown(&base, "foundation.lateral"),
+    ];
+    let problem = Problem {
+        base,
+        unknowns: one,
+        measured: vec![first()],
+    };
+    assert!(fitted(&problem).is_ok());
+}
+
+#[test]
+fn impossible_numbers_are_refused() {
+    let base = tower();
+    let rocking = || vec![unknown(&base, "foundation.rocking")];
+    let with = |frequency, deviation| vec![measured("fore-aft 1", frequency, deviation)];
+    refused(
+        base.clone(),
+        rocking(),
+        with(-0.3, 0.01),
+        "the frequency of measurement 1 is -0.3; it must be positive",
+    );
+    refused(
+        base.clone(),
+        rocking(),
+        with(0.3, 0.0),
+        "the standard deviation of measurement 1 is 0",
+    );
+    refused(base.clone(), rocking(), with(f64::NAN, 0.1), "NaN");
+    let bounded = |bounds| {
+        vec![Unknown {
+            bounds: Some(bounds),
+            ..unknown(&base, "foundation.rocking")
+        }]
+    };
+    refused(
+        base.clone(),
+        bounded([2e11, 1e11]),
+        vec![first()],
+        "the lower must be below the upper",
+    );
+    let prior = |mean, deviation| vec![with_prior(&base, "foundation.rocking", mean, deviation)];
+    refused(
+        base.clone(),
+        prior(1e11, 0.0),
+        vec![first()],
+        "standard deviation 0",
+    );
+    let outside = vec![Unknown {
+        bounds: Some([1e9, 1e10]),
+        ..with_prior(&base, "foundation.rocking", 1e11, 1e10)
+    }];
+    refused(
+        base.clone(),
+        outside,
+        vec![first()],
+        "is outside the bounds",
+    );
+    let twice = vec![
+        with_prior(&base, "scale(stations[*].wall)", 1.0, 0.1),
+        with_prior(&base, "stations[0].wall", 0.03, 0.01),
+    ];
+    refused(
+        base.clone(),
+        twice,
+        vec![first()],
+        "`stations[0].wall` changes stations[0].wall, which another unknown",
+    );
+}
+
+#[test]
+fn modes_and_sensors_that_do_not_exist_are_refused() {
+    let base = tower();
+    let rocking = || vec![unknown(&base, "foundation.rocking")];
+    let of = |mode| vec![measured(mode, 0.3, 0.01)];
+    refused(
+        base.clone(),
+        rocking(),
+        of("surge"),
+        "measurement 1 is of surge, but it is not among the",
+    );
+    refused(
+        base.clone(),
+        rocking(),
+        of("fore-aft 99"),
+        "these are side-side 1, fore-aft 1, ",
+    );
+    let shape = |heights_m: Vec<f64>, displacements| {
+        vec![Measured {
+            mode: None,
+            shape: Some(MeasuredShape {
+                heights_m,
+                displacements,
+            }),
+            ..first()
+        }]
+    };
+    refused(
+        base.clone(),
+        rocking(),
+        shape(vec![99.0], vec![[1.0, 0.0]]),
+        "has a sensor at 99 m, but the tower extends from 0 to 87.6 m",
+    );
+    refused(
+        base.clone(),
+        rocking(),
+        shape(vec![50.0], vec![]),
+        "must have one finite displacement for each height",
+    );
+    refused(
+        base.clone(),
+        rocking(),
+        shape(vec![50.0], vec![[0.0; 2]]),
+        "not all zero",
+    );
+}
+
+#[test]
+fn values_without_a_start_are_refused_with_the_remedy() {
+    let mut base = tower();
+    let walls = vec![unknown(&base, "stations[*].wall")];
+    refused(
+        base.clone(),
+        walls,
+        vec![first()],
+        "the tower has values from 0.019 to 0.027; fit scale(…) or add(…)",
+    );
+    if let Foundation::Springs(springs) = &mut base.foundation {
+        springs.rocking_n_m = f64::INFINITY;
+    }
+    let rocking = vec![unknown(&base, "foundation.rocking")];
+    refused(
+        base.clone(),
+        rocking,
+        vec![first()],
+        "`foundation.rocking` has no value to start from: the tower has inf",
+    );
+    let problem = Problem {
+        unknowns: vec![with_prior(&base, "foundation.rocking", 1e11, 5e10)],
+        measured: vec![first()],
+        base,
+    };
+    assert!(fitted(&problem).is_ok());
+}
+
+/// No tower of these numbers has this frequency.
+#[test]
+fn a_frequency_that_cannot_be_reached_is_not_fitted_silently() {
+    let base = tower();
+    let problem = Problem {
+        unknowns: vec![unknown(&base, "foundation.rocking")],
+        measured: vec![measured("fore-aft 1", 5.0, 0.001)],
+        base,
+    };
+    match fitted(&problem) {
+        Ok(result) => {
+            let said: Vec<String> = result.remarks().iter().map(ToString::to_string).collect();
+            let said = said.join("\n");
+            assert!(said.contains("fore-aft 1 is not explained"), "{said}");
+        }
+        Err(error) => {
+            let text = error.to_string();
+            assert!(
+                text.contains("has not converged") || text.contains("do not determine"),
+                "{text}"
+            );
+        }
+    }
+}
