@@ -67,6 +67,7 @@ fn content(
         rotor: rotor.map(|chosen| chosen.rotor),
         blade: input.blade.clone(),
         campbell: arguments.rotor.options(),
+        sensitivities: arguments.sensitivities,
         compared_segments: arguments.segments.unwrap_or(COMPARED_SEGMENTS),
         elastodyn: elastodyn(&shapes_tower, shapes_from_m),
         shapes_from_m,

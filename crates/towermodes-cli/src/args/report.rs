@@ -54,6 +54,10 @@ pub(crate) struct ReportArguments {
     #[command(flatten)]
     pub(crate) rotor: RotorArguments,
 
+    /// Add a section on the influence of every number on the lowest frequencies
+    #[arg(long)]
+    pub(crate) sensitivities: bool,
+
     /// Format of the report [default: from the extension of --output: .html or .md; otherwise html]
     #[arg(long, short, value_enum)]
     format: Option<PageFormat>,

@@ -2,9 +2,10 @@
 
 use thiserror::Error;
 use towermodes::{
-    BladeDescription, Options, Rotor, Solution, SolveError, Tower, TowerDescription, Workspace,
-    solve_certain,
+    BladeDescription, Options, Rotor, SensitivityError, Solution, SolveError, Tower,
+    TowerDescription, Workspace, solve_certain,
 };
+use towermodes_analysis::influence::{Influences, influences};
 use towermodes_analysis::resonance::{
     Assessment, Campbell, CampbellError, CampbellOptions, assess, reach_hz, solve_to_reach,
 };
@@ -29,6 +30,8 @@ pub struct ReportRequest {
     pub blade: Option<BladeDescription>,
     /// The options of the resonance check.
     pub campbell: CampbellOptions,
+    /// Whether the influence of the numbers on the frequencies is a section of the report.
+    pub sensitivities: bool,
     /// Number of segments of each method in the comparison of methods.
     pub compared_segments: usize,
     /// The shapes for ElastoDyn, or the reason why there are none.
@@ -101,12 +104,17 @@ impl ReportContent {
         let remarks = remarks.chain(request.notes_on_shapes);
         circumstances.notes.extend(remarks);
         let (tower, options) = (request.tower, request.options);
+        let description = &request.description;
+        let influences = request
+            .sensitivities
+            .then(|| influences_of_lowest(description, &options));
         Ok(Self {
             comparison: computation.compare(&tower, &options, request.compared_segments),
             description: request.description,
             tower,
             options,
             solution,
+            influences,
             campbell: campbell.map(Ok),
             elastodyn: request.elastodyn,
             shapes_from_m: request.shapes_from_m,
@@ -114,6 +122,21 @@ impl ReportContent {
         })
     }
 }
+
+/// The influence of every number on the lowest modes.
+fn influences_of_lowest(
+    description: &TowerDescription,
+    options: &Options,
+) -> Result<Influences, SensitivityError> {
+    let options = Options {
+        modes: options.modes.min(INFLUENCED_MODES),
+        ..options.clone()
+    };
+    influences(description, None, &options, &mut Workspace::default())
+}
+
+/// Modes whose derivatives a report has.
+const INFLUENCED_MODES: usize = 4;
 
 /// Solves for the requested modes, and for more until they cover the excitations if requested; the
 /// options are set to the number of modes.

@@ -1,8 +1,11 @@
 //! The content of a report.
 
 use sha2::{Digest, Sha256};
-use towermodes::{Options, Planes, Solution, SolveError, Tower, TowerDescription};
+use towermodes::{
+    Options, Planes, SensitivityError, Solution, SolveError, Tower, TowerDescription,
+};
 use towermodes_analysis::elastodyn::TowerShapes;
+use towermodes_analysis::influence::Influences;
 use towermodes_analysis::resonance::{Campbell, CampbellError};
 use towermodes_analysis::study::Comparison;
 
@@ -21,6 +24,8 @@ pub struct ReportContent {
     pub comparison: Result<Comparison, SolveError>,
     /// The resonance check, or why a blade could not be solved; none without a rotor.
     pub campbell: Option<Result<Campbell, CampbellError>>,
+    /// The influence of the numbers on the frequencies, or why there is none; only if requested.
+    pub influences: Option<Result<Influences, SensitivityError>>,
     /// The shapes for ElastoDyn as its tower file has them, or why there are none.
     pub elastodyn: Result<ElastoDynShapes, String>,
     /// Height from which the shapes for ElastoDyn are taken, m.

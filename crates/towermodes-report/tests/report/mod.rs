@@ -91,6 +91,7 @@ fn content_by(
         elastodyn: elastodyn(&tower),
         shapes_from_m: tower.base_m(),
         campbell: rotor.map(diagram),
+        influences: None,
         description,
         tower,
         options,
@@ -126,6 +127,7 @@ fn request(covers_excitations: bool) -> ReportRequest {
         rotor: Some(ROTOR),
         blade: None,
         campbell: CampbellOptions::default(),
+        sensitivities: false,
         compared_segments: 20,
         circumstances: Circumstances {
             notes: vec!["of the reader".to_owned()],
@@ -172,6 +174,31 @@ fn a_report_is_computed_in_one_call() {
         ..request(false)
     });
     assert!(matches!(refused, Err(ContentError::Solve(_))));
+}
+
+/// For a clamped pole of constant section d(ln f)/d(ln E) = 1/2 and d(ln f)/d(ln h) = −2.
+#[test]
+fn the_influence_of_the_numbers_is_a_section_on_request() {
+    let title = "Sensitivities";
+    let without = compute_page(request(false));
+    assert!(!without.contains(title));
+    let page = compute_page(ReportRequest {
+        sensitivities: true,
+        ..request(false)
+    });
+    let section = section(&page, "sensitivities");
+    for words in [
+        title,
+        "material.youngs_modulus",
+        "+0.5000",
+        "material.density",
+    ] {
+        assert!(section.contains(words), "{words}: {section}");
+    }
+}
+
+fn compute_page(request: ReportRequest) -> String {
+    page_of(&ReportContent::compute(request, &mut SilentComputation).expect("a report"))
 }
 
 fn page_of(content: &ReportContent) -> String {

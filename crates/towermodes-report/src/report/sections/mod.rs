@@ -12,6 +12,7 @@ mod modes;
 mod notes;
 mod reproduction;
 mod resonance;
+mod sensitivities;
 mod summary;
 mod surroundings;
 
@@ -44,7 +45,9 @@ fn body(content: &ReportContent) -> Vec<Section> {
         is_appendix: false,
         blocks,
     };
-    vec![
+    let influences = sensitivities::blocks(content);
+    let influences = section("sensitivities", "Sensitivities", influences);
+    let mut sections = vec![
         section("summary", "Summary", summary::blocks(content)),
         section("input", "Input", input::blocks(content)),
         section("assumptions", "Assumptions", assumptions::blocks(content)),
@@ -66,7 +69,15 @@ fn body(content: &ReportContent) -> Vec<Section> {
             "Reproduction",
             reproduction::blocks(content),
         ),
-    ]
+    ];
+    // Only on request; after the resonance that they explain.
+    if content.influences.is_some() {
+        let resonance = sections
+            .iter()
+            .position(|section| section.id == "resonance");
+        sections.insert(resonance.map_or(0, |at| at + 1), influences);
+    }
+    sections
 }
 
 fn appendices(content: &ReportContent) -> Vec<Section> {
