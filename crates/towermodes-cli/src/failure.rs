@@ -12,6 +12,7 @@ use towermodes::{
 };
 use towermodes_analysis::elastodyn::{MakeError, ShapesError};
 use towermodes_analysis::resonance::CampbellError;
+use towermodes_design::design::DesignError;
 use towermodes_files::elastodyn::TowerFileError;
 use towermodes_files::{
     Diagnostic, FileFormat, Note, ReadError, ResultError, SettingError, Source, TowerInput,
@@ -47,7 +48,15 @@ pub(crate) enum Failure {
     /// The sweep cannot begin.
     #[error("{0}")]
     Sweep(SweepError),
-    /// The study of a sweep contradicts the files that it names, or the options.
+    /// The lightest tower cannot be found.
+    #[error("{0}")]
+    Design(DesignError),
+    /// The study of a design names multiples of the rotor speed, which is not known.
+    #[error(
+        "the study of the design names multiples of the rotor speed, which the tower file does not contain"
+    )]
+    NoRotorSpeeds,
+    /// The study of a sweep or design contradicts the files that it names, or the options.
     #[error("{0}")]
     WrongStudy(String),
     /// An option has no effect, because a column of the sweep sets the same number.
@@ -227,6 +236,11 @@ impl Failure {
             }
             Self::NoParameter(_) => "without a filter the command lists all numbers",
             Self::Unfit { .. } => "towermodes elastodyn patch replaces them by the computed shapes",
+            Self::Design(DesignError::Infeasible(_)) => {
+                "widen the bounds of the variables, the bands or the limits that are named"
+            }
+            Self::Design(DesignError::Solve(error)) => hint_for_sweep(error)?,
+            Self::NoRotorSpeeds => ROTOR,
             Self::NoRotor {
                 format: FileFormat::Toml,
             } => NO_ROTOR,
@@ -263,6 +277,14 @@ impl Failure {
                     1
                 }
             }
+            Self::Design(
+                DesignError::Infeasible(_)
+                | DesignError::NoCombination { .. }
+                | DesignError::Solve(_)
+                | DesignError::Tower(_)
+                | DesignError::Sensitivity(_)
+                | DesignError::NoDerivative { .. },
+            ) => 1,
             Self::TowerFile(_) | Self::Refused(_) | Self::Unfit { .. } | Self::Disagree => 1,
             Self::Campbell(CampbellError::Blade { .. }) | Self::Resonant { .. } => 1,
             Self::Picture(RasterError::Encoding(_)) => 1,
@@ -281,6 +303,12 @@ impl Failure {
         }
     }
 }
+
+/// The rotor data of a tower file, without an option.
+const ROTOR: &str = "add to the tower file:
+  [rotor]
+  blades = 3
+  rpm = [6.9, 12.1]  # lowest and highest operating speed";
 
 /// The rotor data of a tower file.
 const NO_ROTOR: &str = "give --rpm LOWEST,HIGHEST, or add to the tower file:

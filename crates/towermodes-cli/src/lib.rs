@@ -12,6 +12,7 @@ mod check;
 mod compare;
 mod converge;
 mod convert;
+mod design;
 mod elastodyn;
 mod failure;
 mod input;
@@ -62,6 +63,7 @@ fn done(command: Command, words: &[OsString]) -> Result<(), failure::Failure> {
         Command::Parameters(arguments) => parameters::run(&arguments),
         Command::Sensitivities(arguments) => sensitivities::run(&arguments),
         Command::Sweep(arguments) => sweep::run(&arguments),
+        Command::Design(arguments) => design::run(&arguments),
         Command::Completions { shell } => shell::completions(shell),
         Command::Compare(arguments) => compare::run(&arguments),
         Command::Converge(arguments) => converge::run(&arguments),

@@ -1,3 +1,4 @@
 //! All tests of design and calibration, in one program.
 
 mod calibration;
+mod design;

@@ -30,6 +30,7 @@
 
 mod bmodes;
 mod convert;
+mod design_study;
 mod diagnostic;
 pub mod elastodyn;
 mod error;
@@ -57,6 +58,10 @@ pub use bmodes::{
     OutRow, euclidean, read_bmodes, write_bmodes, write_bmodes_out,
 };
 pub use convert::{ConvertError, ConvertOptions, Converted, OutputFormat, convert};
+pub use design_study::{
+    DesignBand, DesignChoice, DesignChoices, DesignEach, DesignFrequency, DesignStudy,
+    DesignVariable,
+};
 pub use diagnostic::{Diagnostic, DiagnosticKind, Exact};
 pub use error::ReadError;
 pub use hawc2::read_hawc2;
@@ -66,8 +71,9 @@ pub use read::{Input, NOTHING_LEFT_OUT, Reading, read, read_source, read_tower};
 pub use recognize::recognize;
 pub use resolver::{FileResolver, InMemory, SiblingFiles};
 pub use result::{
-    ResultError, ResultKind, SolvedFile, write_blade_csv, write_blade_json, write_campbell_csv,
-    write_campbell_json, write_comparison_csv, write_convergence_csv, write_csv, write_json,
+    DesignDocument, DesignedFrequency, DesignedLimit, DesignedVariable, ResultError, ResultKind,
+    SolvedFile, write_blade_csv, write_blade_json, write_campbell_csv, write_campbell_json,
+    write_comparison_csv, write_convergence_csv, write_csv, write_design_json, write_json,
     write_json_with_sensitivities, write_parameters_csv, write_parameters_json, write_records_csv,
     write_result_json, write_sensitivities_csv, write_sensitivities_json, write_several_csv,
     write_several_json,
@@ -82,7 +88,7 @@ pub use source::{FileError, MAX_FILE_BYTES, Source, encoded_as};
 pub use study::{DEFAULT_SWEEP_MODES, Placed, SweepModes, SweepResults, SweepRows, SweepStudy};
 pub use toml::{
     KeySchema, Rewritten, TableSchema, ValueKind, WrittenAnew, description_from_toml,
-    read_sweep_study, rewritten, sweep_study_schema, tower_file_schema, tower_from_toml,
-    write_toml,
+    design_study_schema, read_design_study, read_sweep_study, rewritten, sweep_study_schema,
+    tower_file_schema, tower_from_toml, write_toml,
 };
 pub use windio::{WindIoWriteError, read_windio, write_windio};

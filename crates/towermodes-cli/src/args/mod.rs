@@ -6,6 +6,7 @@ mod compare;
 mod converge;
 mod convert;
 mod deferred;
+mod design;
 mod elastodyn;
 mod ending;
 mod input;
@@ -26,6 +27,7 @@ pub(crate) use check::CheckArguments;
 pub(crate) use compare::CompareArguments;
 pub(crate) use converge::ConvergeArguments;
 pub(crate) use convert::{ConvertArguments, Target};
+pub(crate) use design::DesignArguments;
 pub(crate) use elastodyn::{
     DeckArguments, ElastoDynArguments, ElastoDynCommand, PatchArguments, ReportFormat,
     TowerArguments, ValidateArguments,
@@ -76,6 +78,8 @@ pub(crate) enum Command {
     Sensitivities(Deferred<SensitivitiesArguments>),
     /// Solve a tower many times with changed numbers: the rows of a table, or of a study.
     Sweep(Deferred<SweepArguments>),
+    /// Find the lightest tower whose frequencies are in given bands.
+    Design(Deferred<DesignArguments>),
     /// Compare methods: frequencies, differences from the reference solution, degrees of freedom,
     /// run time.
     Compare(Deferred<CompareArguments>),
@@ -116,7 +120,7 @@ pub(crate) enum Command {
     #[command(after_help = "Example:\n  towermodes man solve | man -l -")]
     Man {
         /// The command [default: the program].
-        #[arg(value_name = "COMMAND", value_parser = ["solve", "parameters", "sensitivities", "sweep", "compare", "converge", "campbell", "plot", "report", "convert", "check", "elastodyn", "verify", "completions", "schema", "man"])]
+        #[arg(value_name = "COMMAND", value_parser = ["solve", "parameters", "sensitivities", "sweep", "design", "compare", "converge", "campbell", "plot", "report", "convert", "check", "elastodyn", "verify", "completions", "schema", "man"])]
         of: Option<String>,
     },
     /// Print every command with its arguments and options as a chapter of the book.

@@ -5,6 +5,7 @@
 
 mod blade;
 mod campbell;
+mod design;
 #[cfg(feature = "schema")]
 mod generated;
 mod parameters;
@@ -17,6 +18,9 @@ mod study_csv;
 
 pub use blade::{write_blade_csv, write_blade_json};
 pub use campbell::{write_campbell_csv, write_campbell_json};
+pub use design::{
+    DesignDocument, DesignedFrequency, DesignedLimit, DesignedVariable, write_design_json,
+};
 #[cfg(feature = "schema")]
 pub use generated::{generated_schema, generated_schema_of};
 pub use parameters::{write_parameters_csv, write_parameters_json};

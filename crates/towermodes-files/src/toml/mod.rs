@@ -2,6 +2,7 @@
 
 mod added_mass;
 mod body;
+mod design;
 mod file;
 mod foundation;
 mod gravity;
@@ -40,6 +41,7 @@ use schema::FILE;
 use syntax::syntax_mistake;
 use table::Table;
 
+pub use design::{design_study_schema, read_design_study};
 pub use rewrite::{Rewritten, WrittenAnew, rewritten};
 pub use schema::{KeySchema, TableSchema, ValueKind, tower_file_schema};
 pub use study::{read_sweep_study, sweep_study_schema};
@@ -137,6 +139,12 @@ fn describe(text: &str, files: Option<&dyn FileResolver>) -> Result<Described, R
     }
     let document = DeTable::parse(text).map_err(|error| syntax_mistake(&error, text))?;
     let root = document.get_ref();
+    if root.contains_key("design") && !root.contains_key("tower") {
+        let found = "the study of a design, not a tower".to_owned();
+        let mistake = Diagnostic::new(0..0, DiagnosticKind::WrongFile { found });
+        let hint = "give it after the tower: `towermodes design TOWER STUDY`";
+        return Err(mistake.with_hint(hint).into());
+    }
     if root.contains_key("sweep") && !root.contains_key("tower") {
         let found = "the study of a sweep, not a tower".to_owned();
         let mistake = Diagnostic::new(0..0, DiagnosticKind::WrongFile { found });

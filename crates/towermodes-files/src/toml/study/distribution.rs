@@ -5,6 +5,7 @@ use std::ops::Range;
 use toml::de::DeValue;
 
 use super::super::reading::Reading;
+use super::super::schema::TableSchema;
 use super::super::table::Table;
 use super::super::values::{Value, every_row, list, number, wrong_kind};
 use super::refuse_keys;
@@ -27,7 +28,7 @@ pub(super) fn varied(
     kind: Option<SamplingKind>,
     reading: &mut Reading,
 ) -> Option<Varied> {
-    if let Some(mistake) = unquoted(name, span, value) {
+    if let Some(mistake) = unquoted(name, span, value, &VARY) {
         return reading.refuse(mistake);
     }
     let what = format!("`{name}`");
@@ -53,12 +54,17 @@ pub(super) fn varied(
 
 /// The mistake of a name with dots that is not in quotation marks, and therefore became a table in
 /// a table: `rna.mass = { ... }`.
-fn unquoted(name: &str, span: &Range<usize>, value: &Value<'_>) -> Option<Diagnostic> {
+pub(in crate::toml) fn unquoted(
+    name: &str,
+    span: &Range<usize>,
+    value: &Value<'_>,
+    schema: &TableSchema,
+) -> Option<Diagnostic> {
     let mut path = name.to_owned();
     let mut value = value.get_ref();
     while let DeValue::Table(entries) = value {
         let (key, inner) = entries.iter().next()?;
-        if VARY.key(key.get_ref()).is_some() || !inner.get_ref().is_table() {
+        if schema.key(key.get_ref()).is_some() || !inner.get_ref().is_table() {
             break;
         }
         path = format!("{path}.{}", key.get_ref());

@@ -19,6 +19,8 @@ use crate::source::Source;
 use crate::study::{Placed, SweepRows, SweepStudy};
 use schema::{STUDY, SWEEP};
 
+pub(super) use distribution::unquoted;
+pub(super) use results::{method, segments};
 pub use schema::sweep_study_schema;
 
 /// What a study needs at least.
@@ -136,7 +138,7 @@ fn rows(sweep: &Table<'_>, reading: &mut Reading) -> Option<SweepRows> {
 }
 
 /// Reports keys that have no effect.
-fn refuse_keys(table: &Table<'_>, keys: &[&str], because: &str, reading: &mut Reading) {
+pub(super) fn refuse_keys(table: &Table<'_>, keys: &[&str], because: &str, reading: &mut Reading) {
     for key in keys {
         if let Some(value) = table.get(key) {
             let kind = DiagnosticKind::UnusedKey {

@@ -81,7 +81,7 @@ fn mode_name(value: &Value<'_>, reading: &mut Reading) -> Option<ModeName> {
     }
 }
 
-fn segments(value: &Value<'_>, reading: &mut Reading) -> Option<usize> {
+pub(in crate::toml) fn segments(value: &Value<'_>, reading: &mut Reading) -> Option<usize> {
     let found = whole(value, "segments", 1, reading)?;
     if found <= MAX_SEGMENTS as u64 {
         return Some(found as usize);
@@ -91,7 +91,7 @@ fn segments(value: &Value<'_>, reading: &mut Reading) -> Option<usize> {
     reading.refuse(Diagnostic::new(value.span(), kind))
 }
 
-fn method(value: &Value<'_>, reading: &mut Reading) -> Option<Method> {
+pub(in crate::toml) fn method(value: &Value<'_>, reading: &mut Reading) -> Option<Method> {
     let name = text(value, "method", reading)?;
     Method::named(name).or_else(|| {
         let names = Method::ALL.map(Method::name);

@@ -1,0 +1,71 @@
+//! The arguments of `design`.
+
+use std::path::{Path, PathBuf};
+
+use clap::Args;
+
+use super::file_of;
+use super::input::InputArguments;
+
+const EXAMPLES: &str = "Examples:
+  towermodes design tower.toml design.toml
+  towermodes design tower.toml design.toml --output lighter.toml
+
+A study is a TOML file with [design]; for example:
+  [design.variables]
+  \"stations[*].wall\" = { between = [0.012, 0.060], each = \"can\", order = \"falling\", step = 0.001 }
+  \"scale(stations[*].diameter)\" = { between = [0.8, 1.2] }
+
+  [design.frequencies]
+  \"fore-aft 1\" = { between = \"1P-3P\", margin = 0.1 }
+  \"side-side 1\" = { min = 0.25 }
+
+  [design.limits]
+  diameter_to_wall = 200
+  cone_angle = 3
+
+The lightest tower within these limits is found from exact derivatives, proved to be a minimum by its KKT residual (0 at an exact minimum) and solved once more. If no tower meets the limits, the message gives the nearest one. `towermodes parameters FILE` lists the names of the numbers.
+
+Exit codes: 0 the tower is found, 1 no tower meets the limits, the computation or the output failed, 2 wrong usage or wrong input.";
+
+/// The arguments of `design`.
+#[derive(Debug, Args)]
+#[command(allow_negative_numbers = true, after_help = EXAMPLES)]
+pub(crate) struct DesignArguments {
+    #[command(flatten)]
+    pub(crate) input: InputArguments,
+
+    /// What is chosen and what is to be reached: a TOML file with [design]
+    pub(crate) study: PathBuf,
+
+    /// Write the tower found to this file, in TOML; of a tower file in TOML only the numbers are
+    /// changed
+    #[arg(long, short, value_name = "PATH")]
+    output: Option<PathBuf>,
+
+    /// Print the result as JSON instead of tables
+    #[arg(long)]
+    pub(crate) json: bool,
+}
+
+impl DesignArguments {
+    /// The file that the tower is written to; none if it is not written.
+    pub(crate) fn output(&self) -> Option<&Path> {
+        file_of(self.output.as_deref())
+    }
+
+    /// # Errors
+    /// The message for an output that is not possible.
+    pub(crate) fn check(&self) -> Result<(), &'static str> {
+        let Some(path) = &self.output else {
+            return Ok(());
+        };
+        let ending = path.extension().map(|ending| ending.to_ascii_lowercase());
+        match ending.as_ref().and_then(|ending| ending.to_str()) {
+            Some("toml") => Ok(()),
+            _ => Err(
+                "the tower is written in TOML: use --output FILE.toml; `towermodes convert` writes other formats",
+            ),
+        }
+    }
+}

@@ -1,0 +1,112 @@
+//! A design as text: before and after, the limits that decide, the proof.
+
+use towermodes::number::{Plain, digits};
+use towermodes_design::design::{Design, DesignProblem, Goal};
+
+use super::text::{name_line, text_table, tonnes, wrapped};
+
+/// Variables, masses and frequencies before and after; the limits that keep the tower from being
+/// lighter; how the minimum is proved.
+pub(crate) fn design(name: &str, problem: &DesignProblem, found: &Design) -> String {
+    let mut text = name_line(name);
+    text.push_str(&values(problem, found));
+    text.push_str("\n\n");
+    text.push_str(&results(found));
+    text.push_str("\n\n");
+    if !found.active.is_empty() {
+        text.push_str(&limits(problem, found));
+        text.push_str("\n\n");
+    }
+    text.push_str(&wrapped(&conclusion(found)));
+    text.push('\n');
+    text
+}
+
+/// A row for each variable.
+fn values(problem: &DesignProblem, found: &Design) -> String {
+    let pairs = found.before.iter().zip(&found.values);
+    let rows = problem.variables.iter().zip(pairs);
+    let rows = rows.map(|(of, (before, after))| {
+        let name = match of.change.unit() {
+            "" => of.change.name().to_owned(),
+            unit => format!("{}, {unit}", of.change.name()),
+        };
+        [
+            name,
+            digits(*before, 5),
+            Plain(*after).to_string(),
+            format!("{} to {}", Plain(of.low), Plain(of.high)),
+        ]
+    });
+    text_table(["variable", "before", "after", "bounds"], rows, [1, 2])
+}
+
+/// The mass, and a row for each goal.
+fn results(found: &Design) -> String {
+    let mass = |kg: f64| tonnes(kg).trim_end_matches(" t").to_owned();
+    let [before, after] = found.mass_kg;
+    let first = [
+        "tower mass, t".to_owned(),
+        mass(before),
+        mass(after),
+        "least".to_owned(),
+    ];
+    let rows = found.reached.iter().map(|of| {
+        [
+            format!("{}, Hz", of.goal.mode.label()),
+            of.before_hz.map_or("-".to_owned(), |hz| digits(hz, 6)),
+            digits(of.after_hz, 6),
+            band(&of.goal),
+        ]
+    });
+    let rows = std::iter::once(first).chain(rows);
+    text_table(["result", "before", "after", "goal"], rows, [1, 2])
+}
+
+fn band(goal: &Goal) -> String {
+    let [min, max] = [goal.min_hz, goal.max_hz].map(|hz| digits(hz, 5));
+    match (goal.min_hz > 0.0, goal.max_hz.is_finite()) {
+        (true, true) => format!("{min} to {max}"),
+        (true, false) => format!("at least {min}"),
+        (false, true) => format!("at most {max}"),
+        (false, false) => String::new(),
+    }
+}
+
+/// A row for each limit with a multiplier.
+fn limits(problem: &DesignProblem, found: &Design) -> String {
+    let rows = found.active.iter().map(|of| {
+        let percent = of
+            .kg_per_percent
+            .map_or("-".to_owned(), |kg| digits(kg / 1e3, 3));
+        [problem.words(&of.limit), percent]
+    });
+    let header = ["limit that decides", "1 % of it costs, t"];
+    text_table(header, rows, [1])
+}
+
+/// How good the minimum is.
+fn conclusion(found: &Design) -> String {
+    let proof = match found.is_proved() {
+        true => "A minimum",
+        false => "Not proved to be a minimum",
+    };
+    let mut text = format!(
+        "{proof}: KKT residual {:.0e} after {} solves.",
+        found.kkt_residual.max(1e-16),
+        found.solves
+    );
+    if let Some(least) = found.without_steps_kg {
+        let loss = found.mass_kg[1] - least;
+        text.push_str(&format!(
+            " The steps add {} ({} %) to {} without steps.",
+            tonnes(loss),
+            digits(100.0 * loss / least, 2),
+            tonnes(least)
+        ));
+    }
+    if found.certificate.complete {
+        text.push_str(" Certificate of the frequencies: complete.");
+    }
+    text
+}

@@ -1,0 +1,117 @@
+//! Why there is no design.
+
+use thiserror::Error;
+use towermodes::{ModeName, NoDerivative, SensitivityError, SolveError, TowerError};
+
+use super::result::Infeasible;
+
+/// Why there is no design.
+#[derive(Debug, Clone, PartialEq, Error)]
+#[non_exhaustive]
+pub enum DesignError {
+    /// There is nothing to change.
+    #[error("the design has no variables")]
+    NoVariables,
+    /// There is nothing to reach.
+    #[error("the design has no goal for a frequency")]
+    NoGoals,
+    /// Bounds are not finite or cross.
+    #[error("the bounds of `{variable}` are {low} and {high}, but the first must be lower")]
+    Bounds {
+        /// The name of the variable.
+        variable: String,
+        /// The lower bound.
+        low: f64,
+        /// The upper bound.
+        high: f64,
+    },
+    /// A factor that is not positive.
+    #[error("the lower bound of the factor `{variable}` is {low}, but must be positive")]
+    Factor {
+        /// The name of the variable.
+        variable: String,
+        /// The lower bound.
+        low: f64,
+    },
+    /// No value of a stepped variable is within its bounds.
+    #[error("no multiple of the step {step} of `{variable}` is between {low} and {high}")]
+    NoStep {
+        /// The name of the variable.
+        variable: String,
+        /// The step.
+        step: f64,
+        /// The lower bound.
+        low: f64,
+        /// The upper bound.
+        high: f64,
+    },
+    /// Two variables change one number.
+    #[error("`{first}` and `{second}` both change {parameter}; remove one of them")]
+    Twice {
+        /// The number.
+        parameter: String,
+        /// The name of the first variable.
+        first: String,
+        /// The name of the second one.
+        second: String,
+    },
+    /// A band of frequencies is empty.
+    #[error("the band of {mode} is {min_hz} to {max_hz} Hz, but the first must be lower")]
+    Band {
+        /// The mode.
+        mode: ModeName,
+        /// Its lowest frequency, Hz.
+        min_hz: f64,
+        /// Its highest frequency, Hz.
+        max_hz: f64,
+    },
+    /// A limit of the shape is not a positive number, or its two numbers cross.
+    #[error("the limit {what} is {low} to {high}, but must be positive, the first lower")]
+    Limit {
+        /// What is limited.
+        what: &'static str,
+        /// The lower limit.
+        low: f64,
+        /// The upper limit.
+        high: f64,
+    },
+    /// The tower has no mode of this name among its lowest ones.
+    #[error("the tower has no mode {mode} among its {modes} lowest")]
+    NoMode {
+        /// The mode.
+        mode: ModeName,
+        /// How many were computed.
+        modes: usize,
+    },
+    /// A frequency has no derivative.
+    #[error("the frequency of {mode} has no derivative with respect to `{variable}`: {reason}")]
+    NoDerivative {
+        /// The mode.
+        mode: ModeName,
+        /// The variable.
+        variable: String,
+        /// Why.
+        reason: NoDerivative,
+    },
+    /// The derivatives cannot be computed.
+    #[error(transparent)]
+    Sensitivity(#[from] SensitivityError),
+    /// The tower that was found cannot be solved.
+    #[error(transparent)]
+    Solve(#[from] SolveError),
+    /// The tower that was found is impossible.
+    #[error(transparent)]
+    Tower(#[from] TowerError),
+    /// No tower within the bounds meets the goals.
+    #[error("{0}")]
+    Infeasible(Box<Infeasible>),
+    /// There is a tower, but none was found in steps.
+    #[error(
+        "a tower of {:.1} t meets all limits, but no values in steps were found that do: use smaller steps or wider bounds",
+        kg / 1e3
+    )]
+    NoCombination {
+        /// Mass of the tower without steps, kg.
+        kg: f64,
+    },
+}

@@ -1,0 +1,174 @@
+//! What is to be designed.
+
+use std::collections::HashMap;
+
+use towermodes::{Change, ModeName, Operation, Parameter, TowerDescription};
+
+use super::error::DesignError;
+
+/// A number, or several that change together, that the design chooses.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Variable {
+    /// What its value changes.
+    pub change: Change,
+    /// Its lowest value.
+    pub low: f64,
+    /// Its highest value.
+    pub high: f64,
+    /// The distance of allowed values, which are multiples of it: steps of plate thickness.
+    pub step: Option<f64>,
+}
+
+/// The band of a frequency.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Goal {
+    /// The mode; it is followed by its name where frequencies cross.
+    pub mode: ModeName,
+    /// Its lowest frequency, Hz; 0 for none.
+    pub min_hz: f64,
+    /// Its highest frequency, Hz; infinite for none.
+    pub max_hz: f64,
+}
+
+/// One of the two ends of a range.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Side {
+    /// The lower end.
+    Lowest,
+    /// The upper end.
+    Highest,
+}
+
+/// The lightest tower within these limits is to be found. The mass is that of
+/// [`Tower::mass_kg`](towermodes::Tower::mass_kg).
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct DesignProblem {
+    /// What is chosen. No two variables may change the same number.
+    pub variables: Vec<Variable>,
+    /// The bands of frequencies.
+    pub goals: Vec<Goal>,
+    /// Pairs of numbers of which the second must not exceed the first, such as the wall thickness
+    /// of a can and of the one above it.
+    pub falling: Vec<[Parameter; 2]>,
+    /// The lowest and highest ratio of outer diameter to wall thickness at every station.
+    pub diameter_to_wall: Option<[f64; 2]>,
+    /// The largest angle between wall and axis of every piece of the tower, degrees.
+    pub cone_angle_deg: Option<f64>,
+}
+
+impl Variable {
+    /// Its value on a tower: of a list of different numbers their mean.
+    pub(super) fn present(&self, base: &TowerDescription) -> f64 {
+        match self.change.operation() {
+            Operation::Scale => 1.0,
+            Operation::Add => 0.0,
+            Operation::Set => {
+                let numbers = self.change.parameters();
+                let sum: f64 = numbers.iter().map(|number| number.value(base)).sum();
+                sum / numbers.len() as f64
+            }
+        }
+    }
+
+    /// The lowest and highest multiple of the step within the bounds.
+    pub(super) fn multiples(&self, step: f64) -> [f64; 2] {
+        /// A bound that is a multiple up to rounding counts.
+        const ROUNDING: f64 = 1e-9;
+        let low = (self.low / step - ROUNDING).ceil();
+        let high = (self.high / step + ROUNDING).floor();
+        [low, high]
+    }
+
+    fn check(&self) -> Result<(), DesignError> {
+        let variable = || self.change.name().to_owned();
+        let (low, high) = (self.low, self.high);
+        if !(low.is_finite() && high.is_finite() && low < high) {
+            let variable = variable();
+            return Err(DesignError::Bounds {
+                variable,
+                low,
+                high,
+            });
+        }
+        if self.change.operation() == Operation::Scale && low <= 0.0 {
+            let variable = variable();
+            return Err(DesignError::Factor { variable, low });
+        }
+        let Some(step) = self.step else { return Ok(()) };
+        let [first, last] = self.multiples(step);
+        match step > 0.0 && first <= last {
+            true => Ok(()),
+            false => Err(DesignError::NoStep {
+                variable: variable(),
+                step,
+                low,
+                high,
+            }),
+        }
+    }
+}
+
+impl DesignProblem {
+    /// # Errors
+    /// [`DesignError`] for what contradicts itself, whatever the tower.
+    pub fn check(&self) -> Result<(), DesignError> {
+        if self.variables.is_empty() {
+            return Err(DesignError::NoVariables);
+        }
+        if self.goals.is_empty() {
+            return Err(DesignError::NoGoals);
+        }
+        self.variables.iter().try_for_each(Variable::check)?;
+        self.check_numbers()?;
+        for &Goal {
+            mode,
+            min_hz,
+            max_hz,
+        } in &self.goals
+        {
+            if !(min_hz >= 0.0 && min_hz.is_finite() && min_hz < max_hz) {
+                return Err(DesignError::Band {
+                    mode,
+                    min_hz,
+                    max_hz,
+                });
+            }
+        }
+        self.check_limits()
+    }
+
+    /// No number is changed twice.
+    fn check_numbers(&self) -> Result<(), DesignError> {
+        let mut changed: HashMap<Parameter, &str> = HashMap::new();
+        for variable in &self.variables {
+            let second = variable.change.name();
+            for &parameter in variable.change.parameters() {
+                if let Some(first) = changed.insert(parameter, second) {
+                    return Err(DesignError::Twice {
+                        parameter: parameter.to_string(),
+                        first: first.to_owned(),
+                        second: second.to_owned(),
+                    });
+                }
+            }
+        }
+        Ok(())
+    }
+
+    fn check_limits(&self) -> Result<(), DesignError> {
+        if let Some([low, high]) = self.diameter_to_wall
+            && !(low >= 0.0 && low < high)
+        {
+            let what = "diameter/wall";
+            return Err(DesignError::Limit { what, low, high });
+        }
+        match self.cone_angle_deg {
+            Some(angle) if !(angle > 0.0 && angle < 90.0) => Err(DesignError::Limit {
+                what: "cone angle in degrees",
+                low: angle,
+                high: 90.0,
+            }),
+            _ => Ok(()),
+        }
+    }
+}

@@ -1,0 +1,487 @@
+//! Finds a design, checks it and describes it.
+
+use std::fmt;
+
+use towermodes::{Certificate, Operation, Options, Tower, TowerDescription, Workspace, solve_with};
+
+use super::error::DesignError;
+use super::limits::Limit;
+use super::minimum::{Least, MET, Minimum, OPTIMAL, from_start, least_mass};
+use super::point::tower_with;
+use super::problem::{DesignProblem, Goal, Side};
+use super::scaled::Scale;
+use super::steps::in_steps;
+
+/// The lightest tower of a design.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Design {
+    /// The tower.
+    pub tower: TowerDescription,
+    /// The value of each variable before: of a list of different numbers their mean.
+    pub before: Vec<f64>,
+    /// The value of each variable, in steps or with seven significant digits.
+    pub values: Vec<f64>,
+    /// Mass of the original tower and of this one, kg.
+    pub mass_kg: [f64; 2],
+    /// The goals and the frequencies of this tower, from an ordinary solve.
+    pub reached: Vec<Reached>,
+    /// The certificate of this solve.
+    pub certificate: Certificate,
+    /// The mass of the minimum without steps, kg, if a variable has steps: no tower in steps is
+    /// lighter than this, if the minimum is the only one.
+    pub without_steps_kg: Option<f64>,
+    /// The limits that keep the tower from being lighter, those with the largest effect first; of
+    /// the minimum without steps.
+    pub active: Vec<ActiveLimit>,
+    /// |∇m + Σ λᵢ ∇gᵢ| / |∇m| at the minimum, with each variable relative to its range: 0 at an
+    /// exact one (Karush 1939; Kuhn & Tucker 1951).
+    pub kkt_residual: f64,
+    /// How many towers were solved.
+    pub solves: usize,
+}
+
+/// A goal and the frequency of the tower that was found.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Reached {
+    /// The goal.
+    pub goal: Goal,
+    /// The frequency of the original tower, Hz; none if it has no such mode.
+    pub before_hz: Option<f64>,
+    /// The extrapolated frequency of the tower found, Hz.
+    pub after_hz: f64,
+    /// The error of its discretization and computation, without extrapolation, Hz.
+    pub error_hz: f64,
+}
+
+/// A limit that keeps a tower from being lighter.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct ActiveLimit {
+    /// The limit.
+    pub limit: Limit,
+    /// The mass that is saved per unit by which the limit is relaxed, kg per unit: per Hz, per unit
+    /// of the variable, per unit of the ratio, per degree, per m of a difference.
+    pub kg_per_unit: f64,
+    /// The same per percent of the limit; none for a limit that is 0.
+    pub kg_per_percent: Option<f64>,
+}
+
+/// That no tower meets all limits, and the nearest one.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Infeasible {
+    /// The violated limits, the worst first.
+    pub violated: Vec<Conflict>,
+    /// The limits that prevent a nearer tower, in words.
+    pub in_the_way: Vec<String>,
+    /// The values of the variables of the nearest tower.
+    pub values: Vec<f64>,
+}
+
+/// A limit that no tower meets together with the others.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Conflict {
+    /// The limit.
+    pub limit: Limit,
+    /// The limit in words: "fore-aft 1 at least 0.3 Hz".
+    pub wanted: String,
+    /// How near the nearest tower comes, in words: "0.284 Hz".
+    pub nearest: String,
+}
+
+impl Design {
+    /// Whether the conditions of a minimum are met up to rounding.
+    pub fn is_proved(&self) -> bool {
+        self.kkt_residual <= OPTIMAL
+    }
+}
+
+impl Reached {
+    /// Whether the frequency is in its band, up to a millionth or the error of the frequency.
+    pub fn is_met(&self) -> bool {
+        /// Rounding of the values and another mesh.
+        const RELATIVE: f64 = 1e-6;
+        let room = (RELATIVE * self.after_hz).max(self.error_hz);
+        let Goal { min_hz, max_hz, .. } = self.goal;
+        self.after_hz >= min_hz - room && self.after_hz <= max_hz + room
+    }
+}
+
+impl fmt::Display for Infeasible {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let mut text = Vec::new();
+        for Conflict {
+            wanted, nearest, ..
+        } in &self.violated
+        {
+            text.push(format!("{wanted} (nearest: {nearest})"));
+        }
+        write!(f, "no tower meets {}", text.join(" and "))?;
+        match self.in_the_way.is_empty() {
+            true => Ok(()),
+            false => write!(f, "; what prevents it: {}", self.in_the_way.join(", ")),
+        }
+    }
+}
+
+/// Finds the lightest tower within the limits of a design.
+///
+/// The minimum is proved by its KKT residual. It is a local one; the optimizer begins at the
+/// values of the original tower.
+///
+/// # Errors
+/// [`DesignError`]; [`DesignError::Infeasible`] if no tower meets the limits.
+///
+/// # Example
+/// The wall thickness of the lightest tower of given diameters with a first frequency of at least
+/// 0.3 Hz:
+/// ```
+/// use towermodes::{Change, Material, Options, Rna, Station, TowerDescription, Workspace};
+/// use towermodes_design::design::{DesignProblem, Goal, Variable, design};
+///
+/// let base = TowerDescription {
+///     materials: vec![Material::from_shear_modulus(8500.0, 2.1e11, 8.08e10)],
+///     stations: vec![Station::new(0.0, 6.0, 0.030), Station::new(87.6, 3.87, 0.030)],
+///     rna: Rna::point(350e3),
+///     ..TowerDescription::default()
+/// };
+/// let wall = |name: &str| -> Result<Variable, towermodes::ParameterError> {
+///     let change = Change::parse(name, &base)?;
+///     Ok(Variable { change, low: 0.010, high: 0.060, step: None })
+/// };
+/// let mode = "fore-aft 1".parse()?;
+/// let problem = DesignProblem {
+///     variables: vec![wall("stations[0].wall")?, wall("stations[1].wall")?],
+///     goals: vec![Goal { mode, min_hz: 0.3, max_hz: f64::INFINITY }],
+///     ..DesignProblem::default()
+/// };
+/// let found = design(&base, &problem, &Options::default(), &mut Workspace::default())?;
+/// assert!(found.is_proved() && found.reached[0].is_met());
+/// assert!((found.values[0] - 0.0279).abs() < 1e-3);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub fn design(
+    base: &TowerDescription,
+    problem: &DesignProblem,
+    options: &Options,
+    workspace: &mut Workspace,
+) -> Result<Design, DesignError> {
+    problem.check()?;
+    let before: Vec<f64> = problem
+        .variables
+        .iter()
+        .map(|of| of.present(base))
+        .collect();
+    let mut scale = Scale::new(problem, base, options, workspace);
+    let starts = starts(&mut scale, &before)?;
+    let minimum = minimum(&mut scale, &starts)?;
+    let is_stepped = problem.variables.iter().any(|of| of.step.is_some());
+    let (scaled, without_steps_kg) = match is_stepped {
+        false => (minimum.scaled.clone(), None),
+        true => match in_steps(&mut scale, &minimum.scaled)? {
+            Some(scaled) => (scaled, Some(minimum.mass * scale.mass_kg)),
+            None => {
+                return Err(DesignError::NoCombination {
+                    kg: minimum.mass * scale.mass_kg,
+                });
+            }
+        },
+    };
+    let values = written(&scale, &scaled);
+    let active = active(&scale, &minimum);
+    let solves = scale.solves;
+    let tower = tower_with(problem, base, &values);
+    let (reached, masses, certificate) = checked(base, &tower, problem, options, workspace)?;
+    Ok(Design {
+        tower,
+        before,
+        values,
+        mass_kg: masses,
+        reached,
+        certificate,
+        without_steps_kg,
+        active,
+        kkt_residual: minimum.optimality.residual,
+        solves,
+    })
+}
+
+/// Where the optimizer begins: at the present values, in the middle of the bounds, at their ends.
+/// A tower that cannot be solved is left out; the mass of the first is the unit of mass.
+fn starts(scale: &mut Scale<'_>, before: &[f64]) -> Result<Vec<Vec<f64>>, DesignError> {
+    let count = before.len();
+    let all = [
+        scale.scaled(before),
+        vec![0.5; count],
+        vec![1.0; count],
+        vec![0.0; count],
+    ];
+    let mut starts = Vec::new();
+    let mut failure = None;
+    for start in all {
+        match scale.at(&start, false) {
+            Ok(at) if starts.is_empty() => {
+                scale.mass_kg = at.point.mass_kg;
+                starts.push(start);
+            }
+            Ok(_) => starts.push(start),
+            Err(error) => failure = failure.or(Some(error)),
+        }
+    }
+    scale.forget();
+    match failure {
+        Some(failure) if starts.is_empty() => Err(failure),
+        _ => Ok(starts),
+    }
+}
+
+/// The lightest tower.
+///
+/// # Errors
+/// [`DesignError::Infeasible`].
+fn minimum(scale: &mut Scale<'_>, starts: &[Vec<f64>]) -> Result<Minimum, DesignError> {
+    let found = least_mass(scale, starts)?;
+    if found.is_feasible() {
+        return Ok(found);
+    }
+    let mut shape = from_start(scale, &found.scaled, Least::ShapeViolation)?;
+    for start in starts {
+        if shape.violation > MET {
+            let other = from_start(scale, start, Least::ShapeViolation)?;
+            if other.violation < shape.violation {
+                shape = other;
+            }
+        }
+    }
+    if shape.violation > MET {
+        return Err(infeasible(scale, &shape));
+    }
+    let mut nearest = from_start(scale, &shape.scaled, Least::FrequencyViolation)?;
+    for start in starts {
+        if nearest.violation > MET {
+            let other = from_start(scale, start, Least::FrequencyViolation)?;
+            if is_nearer(scale, &other, &nearest) {
+                nearest = other;
+            }
+        }
+    }
+    if nearest.violation > MET {
+        return Err(infeasible(scale, &nearest));
+    }
+    let again = least_mass(scale, &[nearest.scaled.clone()])?;
+    match again.is_feasible() {
+        true => Ok(again),
+        // The tower with the least violation meets all limits, although the lightest is not found.
+        false => from_start(scale, &nearest.scaled, Least::Mass),
+    }
+}
+
+/// Whether the frequencies of a point within the limits of the shape are nearer to their bands.
+fn is_nearer(scale: &mut Scale<'_>, other: &Minimum, nearest: &Minimum) -> bool {
+    let limits = scale.limits.clone();
+    let Ok(at) = scale.at(&other.scaled, false) else {
+        return false;
+    };
+    let mut of_shape = limits.iter().zip(&at.limits);
+    let is_within =
+        of_shape.all(|(limit, value)| matches!(limit, Limit::Frequency { .. }) || *value <= MET);
+    is_within && other.violation < nearest.violation
+}
+
+/// What stands in the way, at the nearest tower.
+fn infeasible(scale: &mut Scale<'_>, nearest: &Minimum) -> DesignError {
+    let problem = scale.problem;
+    let limits = scale.limits.clone();
+    let values = scale.values(&nearest.scaled);
+    let tower = scale.tower(&nearest.scaled);
+    let at = match scale.at(&nearest.scaled, false) {
+        Ok(at) => at.clone(),
+        Err(error) => return error,
+    };
+    let mut violated: Vec<(f64, Conflict)> = Vec::new();
+    for (limit, value) in limits.iter().zip(&at.limits) {
+        // The multipliers name those that decide; others are violated as much.
+        if *value > MET {
+            let conflict = Conflict {
+                limit: *limit,
+                wanted: problem.words(limit),
+                nearest: problem.nearest(limit, &at.point.frequencies_hz, &tower),
+            };
+            violated.push((*value, conflict));
+        }
+    }
+    violated.sort_by(|a, b| b.0.total_cmp(&a.0));
+    let is_violated = |limit: &Limit| violated.iter().any(|(_, of)| of.limit == *limit);
+    let active = nearest.optimality.active.iter();
+    let in_the_way = active
+        .filter(|(limit, multiplier)| *multiplier > 1e-9 && !is_violated(limit))
+        .map(|(limit, _)| problem.words(limit))
+        .collect();
+    DesignError::Infeasible(Box::new(Infeasible {
+        in_the_way,
+        values,
+        violated: violated.into_iter().map(|(_, conflict)| conflict).collect(),
+    }))
+}
+
+/// The values as they are written: steps, bounds, and other values with seven digits.
+fn written(scale: &Scale<'_>, scaled: &[f64]) -> Vec<f64> {
+    let values = scale.values(scaled);
+    let pairs = scale.problem.variables.iter().zip(values);
+    pairs
+        .map(|(variable, value)| match variable.step {
+            Some(step) => super::steps::multiple((value / step).round(), step),
+            None => seven_digits(value).clamp(variable.low, variable.high),
+        })
+        .collect()
+}
+
+fn seven_digits(value: f64) -> f64 {
+    format!("{value:.6e}").parse().unwrap_or(value)
+}
+
+/// The multipliers of the active limits in units.
+fn active(scale: &Scale<'_>, minimum: &Minimum) -> Vec<ActiveLimit> {
+    let tower = scale.tower(&minimum.scaled);
+    let all = minimum.optimality.active.iter();
+    let all = all.filter(|(_, multiplier)| *multiplier > 1e-9);
+    let mut active: Vec<ActiveLimit> = all
+        .map(|(limit, multiplier)| {
+            let (value, per_unit) = scale.unit(limit, &tower);
+            let kg_per_unit = multiplier * scale.mass_kg * per_unit;
+            ActiveLimit {
+                limit: *limit,
+                kg_per_unit,
+                kg_per_percent: (value != 0.0).then(|| kg_per_unit * value.abs() / 100.0),
+            }
+        })
+        .collect();
+    let effect = |of: &ActiveLimit| of.kg_per_percent.unwrap_or(0.0);
+    active.sort_by(|a, b| effect(b).total_cmp(&effect(a)));
+    active
+}
+
+type Checked = (Vec<Reached>, [f64; 2], Certificate);
+
+/// The frequencies of the goals before and after, by an ordinary solve.
+fn checked(
+    base: &TowerDescription,
+    tower: &TowerDescription,
+    problem: &DesignProblem,
+    options: &Options,
+    workspace: &mut Workspace,
+) -> Result<Checked, DesignError> {
+    let towers = [Tower::new(base.clone())?, Tower::new(tower.clone())?];
+    let mut options = Options {
+        points: 2,
+        heights_m: Vec::new(),
+        ..options.clone()
+    };
+    /// More are not searched.
+    const MOST_MODES: usize = 64;
+    loop {
+        let after = solve_with(&towers[1], &options, workspace)?;
+        let before = solve_with(&towers[0], &options, workspace).ok();
+        let mut reached = Vec::new();
+        let mut missing = None;
+        for goal in &problem.goals {
+            let name = goal.mode;
+            let Some(mode) = after.mode(name.family, name.order) else {
+                missing = Some(name);
+                break;
+            };
+            let before = before.as_ref();
+            let before = before.and_then(|before| before.mode(name.family, name.order));
+            reached.push(Reached {
+                goal: *goal,
+                before_hz: before.map(|mode| mode.extrapolated_hz),
+                after_hz: mode.extrapolated_hz,
+                error_hz: mode.error_hz(),
+            });
+        }
+        match missing {
+            None => {
+                let masses = towers.map(|tower| tower.mass_kg());
+                return Ok((reached, masses, after.certificate));
+            }
+            Some(mode) if options.modes >= MOST_MODES => {
+                let modes = options.modes;
+                return Err(DesignError::NoMode { mode, modes });
+            }
+            Some(_) => options.modes = (2 * options.modes).min(MOST_MODES),
+        }
+    }
+}
+
+impl DesignProblem {
+    /// A limit in words: "fore-aft 1 at least 0.3 Hz".
+    pub fn words(&self, limit: &Limit) -> String {
+        let end = |side: Side| match side {
+            Side::Lowest => "at least",
+            Side::Highest => "at most",
+        };
+        match *limit {
+            Limit::Bound { variable, side } => {
+                let of = &self.variables[variable];
+                let bound = match side {
+                    Side::Lowest => of.low,
+                    Side::Highest => of.high,
+                };
+                let unit = match (of.change.operation(), of.change.unit()) {
+                    (Operation::Scale, _) | (_, "") => String::new(),
+                    (_, unit) => format!(" {unit}"),
+                };
+                format!("{} {} {}{unit}", of.change.name(), end(side), short(bound))
+            }
+            Limit::Frequency { goal, side } => {
+                let goal = &self.goals[goal];
+                let hz = match side {
+                    Side::Lowest => goal.min_hz,
+                    Side::Highest => goal.max_hz,
+                };
+                format!("{} {} {} Hz", goal.mode, end(side), short(hz))
+            }
+            Limit::Falling { below, above } => format!("{above} at most {below}"),
+            Limit::DiameterToWall { station, side } => {
+                let [low, high] = self.diameter_to_wall.unwrap_or_default();
+                let ratio = match side {
+                    Side::Lowest => low,
+                    Side::Highest => high,
+                };
+                let (end, ratio) = (end(side), short(ratio));
+                format!("diameter/wall at stations[{station}] {end} {ratio}")
+            }
+            Limit::ConeAngle { station } => {
+                let angle = short(self.cone_angle_deg.unwrap_or_default());
+                format!("cone angle above stations[{station}] at most {angle} degrees")
+            }
+        }
+    }
+
+    /// The value of a limited quantity on a tower, in words.
+    fn nearest(&self, limit: &Limit, frequencies: &[f64], tower: &TowerDescription) -> String {
+        let station = |i: usize| &tower.stations[i];
+        match *limit {
+            Limit::Frequency { goal, .. } => format!("{} Hz", short(frequencies[goal])),
+            Limit::Falling { below, above } => format!(
+                "{} above {}",
+                short(above.value(tower)),
+                short(below.value(tower))
+            ),
+            Limit::DiameterToWall { station: i, .. } => {
+                short(station(i).outer_diameter_m / station(i).wall_thickness_m)
+            }
+            Limit::ConeAngle { station: i } => {
+                let (below, above) = (station(i), station(i + 1));
+                let radii = (above.outer_diameter_m - below.outer_diameter_m).abs() / 2.0;
+                let angle = (radii / (above.height_m - below.height_m)).atan();
+                format!("{} degrees", short(angle.to_degrees()))
+            }
+            Limit::Bound { .. } => String::new(),
+        }
+    }
+}
+
+/// A number with six significant digits, without zeros at the end.
+fn short(value: f64) -> String {
+    let rounded: f64 = format!("{value:.5e}").parse().unwrap_or(value);
+    format!("{rounded}")
+}

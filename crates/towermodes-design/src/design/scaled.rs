@@ -1,0 +1,232 @@
+//! The design in scaled numbers: variables from 0 to 1, mass relative to that of the start, limits
+//! as functions that must not be positive.
+
+use towermodes::{Options, TowerDescription, Workspace};
+
+use super::error::DesignError;
+use super::limits::{Limit, Row, rows};
+use super::point::{Point, solved, tower_with};
+use super::problem::{DesignProblem, Side};
+
+/// Mass and limits of a tower, scaled.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Scaled {
+    /// Mass relative to that of the start.
+    pub(super) mass: f64,
+    /// The limits in the order of [`Scale::limits`]; frequencies relative to their limit.
+    pub(super) limits: Vec<f64>,
+    /// The derivatives of both with respect to the free variables.
+    pub(super) slopes: Option<ScaledSlopes>,
+    /// The same in units.
+    pub(super) point: Point,
+}
+
+/// The derivatives with respect to the free variables, scaled.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct ScaledSlopes {
+    pub(super) mass: Vec<f64>,
+    pub(super) limits: Vec<Vec<f64>>,
+}
+
+/// A design with its scales, and the memory of its solves.
+pub(super) struct Scale<'d> {
+    pub(super) problem: &'d DesignProblem,
+    pub(super) base: &'d TowerDescription,
+    options: &'d Options,
+    workspace: &'d mut Workspace,
+    rows: Vec<Row>,
+    /// The ends of the bands of the goals, then the limits of the shape.
+    pub(super) limits: Vec<Limit>,
+    /// The variables that are chosen; the others keep their values.
+    pub(super) free: Vec<usize>,
+    /// Mass of the start, kg.
+    pub(super) mass_kg: f64,
+    /// How many towers were solved.
+    pub(super) solves: usize,
+    modes: usize,
+    last: Option<(Vec<f64>, Scaled)>,
+}
+
+impl<'d> Scale<'d> {
+    pub(super) fn new(
+        problem: &'d DesignProblem,
+        base: &'d TowerDescription,
+        options: &'d Options,
+        workspace: &'d mut Workspace,
+    ) -> Self {
+        let rows = rows(problem, base);
+        let mut limits = Vec::new();
+        for (goal, of) in problem.goals.iter().enumerate() {
+            let mut push = |side| limits.push(Limit::Frequency { goal, side });
+            if of.min_hz > 0.0 {
+                push(Side::Lowest);
+            }
+            if of.max_hz.is_finite() {
+                push(Side::Highest);
+            }
+        }
+        limits.extend(rows.iter().map(|row| row.limit));
+        Self {
+            free: (0..problem.variables.len()).collect(),
+            modes: options.modes.min(2 + 2 * problem.goals.len()),
+            mass_kg: 1.0,
+            solves: 0,
+            last: None,
+            problem,
+            base,
+            options,
+            workspace,
+            rows,
+            limits,
+        }
+    }
+
+    /// The values of the variables of scaled ones.
+    pub(super) fn values(&self, scaled: &[f64]) -> Vec<f64> {
+        let pairs = self.problem.variables.iter().zip(scaled);
+        pairs
+            .map(|(of, z)| match *z {
+                // The ends exactly.
+                0.0 => of.low,
+                1.0 => of.high,
+                z => of.low + z * (of.high - of.low),
+            })
+            .collect()
+    }
+
+    /// The scaled variables of values.
+    pub(super) fn scaled(&self, values: &[f64]) -> Vec<f64> {
+        let pairs = self.problem.variables.iter().zip(values);
+        pairs
+            .map(|(of, value)| ((value - of.low) / (of.high - of.low)).clamp(0.0, 1.0))
+            .collect()
+    }
+
+    /// The tower with scaled values of the variables.
+    pub(super) fn tower(&self, scaled: &[f64]) -> TowerDescription {
+        tower_with(self.problem, self.base, &self.values(scaled))
+    }
+
+    /// Chooses the free variables.
+    pub(super) fn set_free(&mut self, free: Vec<usize>) {
+        if free != self.free {
+            self.free = free;
+            self.last = None;
+        }
+    }
+
+    /// Mass and limits at scaled values, and their derivatives if requested. A tower that was
+    /// solved last is not solved again.
+    pub(super) fn at(&mut self, scaled: &[f64], slopes: bool) -> Result<&Scaled, DesignError> {
+        let is_known = self.last.as_ref().is_some_and(|(at, known)| {
+            at.as_slice() == scaled && (known.slopes.is_some() || !slopes)
+        });
+        if !is_known {
+            self.last = None;
+            let found = self.solve(scaled, slopes)?;
+            self.last = Some((scaled.to_vec(), found));
+        }
+        match &self.last {
+            Some((_, found)) => Ok(found),
+            None => Err(DesignError::NoVariables),
+        }
+    }
+
+    /// Forgets the last tower, whose scales have changed.
+    pub(super) fn forget(&mut self) {
+        self.last = None;
+    }
+
+    /// A limit in its unit, and its scaled change per unit by which it is relaxed.
+    pub(super) fn unit(&self, limit: &Limit, tower: &TowerDescription) -> (f64, f64) {
+        match *limit {
+            Limit::Bound { variable, side } => {
+                let of = &self.problem.variables[variable];
+                let bound = match side {
+                    Side::Lowest => of.low,
+                    Side::Highest => of.high,
+                };
+                (bound, 1.0 / (of.high - of.low))
+            }
+            Limit::Frequency { .. } => {
+                let hz = self.of_goal(limit).map_or(1.0, |(_, _, hz)| hz);
+                (hz, 1.0 / hz)
+            }
+            _ => {
+                let row = self.rows.iter().find(|row| row.limit == *limit);
+                row.map_or((0.0, 0.0), |row| row.unit(self.problem, tower))
+            }
+        }
+    }
+
+    fn solve(&mut self, scaled: &[f64], slopes: bool) -> Result<Scaled, DesignError> {
+        self.solves += 1;
+        let values = self.values(scaled);
+        let tower = tower_with(self.problem, self.base, &values);
+        let free = self.free.iter();
+        let of: Vec<_> = free
+            .map(|i| (&self.problem.variables[*i], values[*i]))
+            .collect();
+        let of = slopes.then_some(of.as_slice());
+        let options = (self.options, &mut self.modes);
+        let point = solved(&tower, self.problem, of, options, self.workspace)?;
+        Ok(Scaled {
+            mass: point.mass_kg / self.mass_kg,
+            limits: self.limit_values(&point, &tower),
+            slopes: point.slopes.is_some().then(|| self.slopes(&point)),
+            point,
+        })
+    }
+
+    fn limit_values(&self, point: &Point, tower: &TowerDescription) -> Vec<f64> {
+        let goals = self.limits.iter().filter_map(|limit| {
+            let (goal, sign, limit_hz) = self.of_goal(limit)?;
+            Some(sign * (point.frequencies_hz[goal] / limit_hz - 1.0))
+        });
+        goals
+            .chain(self.rows.iter().map(|row| row.value(tower)))
+            .collect()
+    }
+
+    fn slopes(&self, point: &Point) -> ScaledSlopes {
+        let Some(slopes) = &point.slopes else {
+            return ScaledSlopes {
+                mass: Vec::new(),
+                limits: Vec::new(),
+            };
+        };
+        let range = |index: usize| {
+            let of = &self.problem.variables[self.free[index]];
+            of.high - of.low
+        };
+        let scaled = |row: &[f64], by: f64| -> Vec<f64> {
+            let entries = row.iter().enumerate();
+            entries.map(|(index, d)| d * range(index) * by).collect()
+        };
+        let goals = self.limits.iter().filter_map(|limit| {
+            let (goal, sign, limit_hz) = self.of_goal(limit)?;
+            Some(scaled(&slopes.frequencies[goal], sign / limit_hz))
+        });
+        let rows = self.rows.iter().map(|row| {
+            let free = self.free.iter().map(|i| &self.problem.variables[*i]);
+            let row: Vec<f64> = free.map(|of| row.derivative(of, self.base)).collect();
+            scaled(&row, 1.0)
+        });
+        ScaledSlopes {
+            mass: scaled(&slopes.mass, 1.0 / self.mass_kg),
+            limits: goals.chain(rows).collect(),
+        }
+    }
+
+    /// Goal, sign and frequency of an end of a band.
+    pub(super) fn of_goal(&self, limit: &Limit) -> Option<(usize, f64, f64)> {
+        let Limit::Frequency { goal, side } = *limit else {
+            return None;
+        };
+        let of = &self.problem.goals[goal];
+        Some(match side {
+            Side::Lowest => (goal, -1.0, of.min_hz),
+            Side::Highest => (goal, 1.0, of.max_hz),
+        })
+    }
+}

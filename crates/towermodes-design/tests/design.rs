@@ -1,0 +1,528 @@
+//! Designs with optima that are known or found independently.
+
+mod towers;
+
+use std::time::Instant;
+
+use towermodes::{
+    Change, Options, Parameter, Rotor, Tower, TowerDescription, Workspace, solve_frequencies,
+};
+use towermodes_design::design::{
+    Design, DesignError, DesignProblem, Goal, Limit, Side, Variable, design, window_hz,
+};
+use towers::{cans, dtu_10mw, nrel_5mw};
+
+/// The KKT residual that every minimum has.
+const RESIDUAL: f64 = 1e-6;
+
+fn variable(name: &str, bounds: [f64; 2], base: &TowerDescription) -> Variable {
+    let change = Change::parse(name, base).expect("a change");
+    let [low, high] = bounds;
+    Variable {
+        change,
+        low,
+        high,
+        step: None,
+    }
+}
+
+fn stepped(name: &str, bounds: [f64; 2], step: f64, base: &TowerDescription) -> Variable {
+    let step = Some(step);
+    Variable {
+        step,
+        ..variable(name, bounds, base)
+    }
+}
+
+fn goal(mode: &str, min_hz: f64, max_hz: f64) -> Goal {
+    let mode = mode.parse().expect("a mode");
+    Goal {
+        mode,
+        min_hz,
+        max_hz,
+    }
+}
+
+fn at_least(mode: &str, min_hz: f64) -> Goal {
+    goal(mode, min_hz, f64::INFINITY)
+}
+
+fn options() -> Options {
+    Options {
+        segments: Some(40),
+        ..Options::default()
+    }
+}
+
+/// The design, with its residual checked.
+fn found(name: &str, base: &TowerDescription, problem: &DesignProblem) -> Design {
+    let begin = Instant::now();
+    let found = design(base, problem, &options(), &mut Workspace::default());
+    let seconds = begin.elapsed().as_secs_f64();
+    let found = found.unwrap_or_else(|error| panic!("{name}: {error}"));
+    // Shown by `cargo test -- --nocapture`.
+    eprintln!(
+        "{name:32} {seconds:6.3} s {:4} solves, residual {:.1e}, {:10.2} kg, {:?}",
+        found.solves,
+        found.kkt_residual,
+        found.mass_kg[1],
+        found.reached.iter().map(|r| r.after_hz).collect::<Vec<_>>()
+    );
+    assert!(
+        found.kkt_residual < RESIDUAL,
+        "{name}: {}",
+        found.kkt_residual
+    );
+    assert!(found.certificate.complete, "{name}");
+    assert!(
+        found.reached.iter().all(|one| one.is_met()),
+        "{name}: {:?}",
+        found.reached
+    );
+    found
+}
+
+/// Mass and frequency of the first fore-aft mode with other values.
+fn solved(base: &TowerDescription, names: &[&str], values: &[f64]) -> (f64, f64) {
+    let mut tower = base.clone();
+    for (name, value) in names.iter().zip(values) {
+        Change::parse(name, base)
+            .expect("a change")
+            .apply(&mut tower, *value);
+    }
+    let tower = Tower::new(tower).expect("a tower");
+    let options = Options {
+        modes: 2,
+        ..options()
+    };
+    let mut workspace = Workspace::default();
+    let modes = solve_frequencies(&tower, &options, &mut workspace).expect("modes");
+    let first = modes
+        .modes
+        .iter()
+        .find(|mode| mode.label() == "1st fore-aft bending");
+    (tower.mass_kg(), first.expect("a mode").extrapolated_hz)
+}
+
+#[test]
+fn one_variable_agrees_with_bisection() {
+    let base = nrel_5mw();
+    let cases = [
+        ("scale(stations[*].wall)", [0.5, 2.0], 0.30),
+        ("scale(stations[*].diameter)", [0.8, 1.5], 0.36),
+        ("stations[0].wall", [0.010, 0.080], 0.33),
+    ];
+    for (name, bounds, hz) in cases {
+        let [mut low, mut high] = bounds;
+        while high - low > 1e-13 {
+            let middle = 0.5 * (low + high);
+            match solved(&base, &[name], &[middle]).1 < hz {
+                true => low = middle,
+                false => high = middle,
+            }
+        }
+        let problem = DesignProblem {
+            variables: vec![variable(name, bounds, &base)],
+            goals: vec![at_least("fore-aft 1", hz)],
+            ..DesignProblem::default()
+        };
+        let of = found(name, &base, &problem);
+        assert!(
+            (of.values[0] / high - 1.0).abs() < 1e-6,
+            "{name}: {} {high}",
+            of.values[0]
+        );
+        let [active] = of.active[..] else {
+            panic!("{:?}", of.active)
+        };
+        assert_eq!(
+            active.limit,
+            Limit::Frequency {
+                goal: 0,
+                side: Side::Lowest
+            }
+        );
+        // What a lower frequency saves, by another bisection's slope: dm/df along the variable.
+        let step = 1e-4 * high;
+        let ends = [high - step, high + step].map(|x| solved(&base, &[name], &[x]));
+        let slope = (ends[1].0 - ends[0].0) / (ends[1].1 - ends[0].1);
+        assert!(
+            (active.kg_per_unit / slope - 1.0).abs() < 1e-5,
+            "{name}: {active:?} {slope}"
+        );
+    }
+}
+
+#[test]
+fn two_walls_agree_with_a_grid() {
+    let base = nrel_5mw();
+    let names = ["stations[0].wall", "stations[1].wall"];
+    let (low, high, hz) = (0.010, 0.060, 0.31);
+    let problem = DesignProblem {
+        variables: names.map(|name| variable(name, [low, high], &base)).into(),
+        goals: vec![at_least("fore-aft 1", hz)],
+        ..DesignProblem::default()
+    };
+    let of = found("two walls", &base, &problem);
+    // 100 × 100 solves around the range of the minimum.
+    let at = |i: usize| low + (high - low) * i as f64 / 99.0;
+    let mut best = f64::INFINITY;
+    for i in 0..100 {
+        for j in 0..100 {
+            let (mass, first_hz) = solved(&base, &names, &[at(i), at(j)]);
+            if first_hz >= hz {
+                best = best.min(mass);
+            }
+        }
+    }
+    let mass = of.mass_kg[1];
+    assert!(mass <= best * (1.0 + 1e-6), "{mass} {best}");
+    // A cell of the grid changes the mass by less than 1.5 %.
+    assert!(mass > best * 0.985, "{mass} {best}");
+}
+
+#[test]
+fn the_start_does_not_matter() {
+    let base = nrel_5mw();
+    let problem = DesignProblem {
+        variables: vec![
+            variable("stations[0].diameter", [4.5, 6.5], &base),
+            variable("stations[1].diameter", [3.0, 4.5], &base),
+            variable("stations[0].wall", [0.015, 0.060], &base),
+            variable("stations[1].wall", [0.012, 0.060], &base),
+        ],
+        goals: vec![at_least("fore-aft 1", 0.32), at_least("side-side 1", 0.30)],
+        diameter_to_wall: Some([0.0, 200.0]),
+        ..DesignProblem::default()
+    };
+    let reference = found("NREL 5 MW, four numbers", &base, &problem);
+    for start in [
+        [4.6, 3.1, 0.02, 0.02],
+        [6.5, 4.5, 0.06, 0.06],
+        [5.0, 4.4, 0.055, 0.013],
+    ] {
+        let mut other = base.clone();
+        for (variable, value) in problem.variables.iter().zip(start) {
+            variable.change.apply(&mut other, value);
+        }
+        let of = found("  from another start", &other, &problem);
+        let ratio = of.mass_kg[1] / reference.mass_kg[1];
+        assert!((ratio - 1.0).abs() < 1e-6, "{ratio}");
+        for (a, b) in of.values.iter().zip(&reference.values) {
+            assert!(
+                (a / b - 1.0).abs() < 1e-4,
+                "{:?} {:?}",
+                of.values,
+                reference.values
+            );
+        }
+    }
+}
+
+#[test]
+fn a_soft_stiff_window() {
+    let mut base = nrel_5mw();
+    Change::parse("scale(stations[*].wall)", &base)
+        .expect("a change")
+        .apply(&mut base, 1.3);
+    let rotor = Rotor {
+        blades: 3,
+        lowest_rpm: 6.9,
+        highest_rpm: 12.1,
+    };
+    let [min_hz, max_hz] = window_hz(&rotor, [1, 3], 0.10).expect("a window");
+    let problem = DesignProblem {
+        variables: vec![
+            variable("stations[0].diameter", [4.5, 6.5], &base),
+            variable("stations[0].wall", [0.015, 0.060], &base),
+            variable("stations[1].wall", [0.012, 0.060], &base),
+        ],
+        goals: vec![
+            goal("fore-aft 1", min_hz, max_hz),
+            goal("side-side 1", min_hz, max_hz),
+        ],
+        diameter_to_wall: Some([0.0, 180.0]),
+        cone_angle_deg: Some(1.0),
+        ..DesignProblem::default()
+    };
+    let of = found("NREL 5 MW, between 1P and 3P", &base, &problem);
+    for one in &of.reached {
+        assert!(one.after_hz > min_hz * (1.0 - 1e-6) && one.after_hz < max_hz);
+    }
+    assert!(of.mass_kg[1] < of.mass_kg[0]);
+}
+
+/// One variable for each can's wall and each flange's diameter.
+fn of_cans(base: &TowerDescription, step: Option<f64>) -> DesignProblem {
+    let count = base.stations.len() / 2;
+    let mut problem = DesignProblem::default();
+    let number = |name: String| Parameter::parse(&name, base).expect("a number");
+    for can in 0..count {
+        let (below, above) = (2 * can, 2 * can + 1);
+        let name = format!("set(stations[{below}].wall, stations[{above}].wall)");
+        problem.variables.push(Variable {
+            step,
+            ..variable(&name, [0.012, 0.060], base)
+        });
+        if can > 0 {
+            let walls = [below - 2, below].map(|i| number(format!("stations[{i}].wall")));
+            problem.falling.push(walls);
+        }
+    }
+    problem
+}
+
+#[test]
+fn twenty_cans_of_a_ten_megawatt_tower() {
+    let base = dtu_10mw();
+    let mut problem = of_cans(&base, None);
+    problem.goals = vec![at_least("fore-aft 1", 0.25)];
+    problem.diameter_to_wall = Some([0.0, 280.0]);
+    let of = found("DTU 10 MW, 20 cans", &base, &problem);
+    let walls: Vec<f64> = of.values.clone();
+    assert!(
+        walls
+            .windows(2)
+            .all(|pair| pair[1] <= pair[0] * (1.0 + 1e-6)),
+        "{walls:?}"
+    );
+    // No small change of two walls that keeps the frequency is lighter.
+    let names: Vec<String> = problem
+        .variables
+        .iter()
+        .map(|v| v.change.name().to_owned())
+        .collect();
+    let names: Vec<&str> = names.iter().map(String::as_str).collect();
+    for (i, j) in [(0, 9), (3, 14), (9, 19), (5, 6)] {
+        for by in [-3e-4, 3e-4] {
+            let mut values = of.values.clone();
+            values[i] += by;
+            let hz = |x: f64| {
+                let mut values = values.clone();
+                values[j] = x;
+                solved(&base, &names, &values)
+            };
+            let [mut low, mut high] = [0.005, 0.1];
+            while high - low > 1e-10 {
+                let middle = 0.5 * (low + high);
+                if hz(middle).1 < 0.25 {
+                    low = middle;
+                } else {
+                    high = middle;
+                }
+            }
+            values[j] = high;
+            let is_within = values.windows(2).all(|pair| pair[1] <= pair[0]);
+            let tower = solved(&base, &names, &values);
+            let is_thick =
+                (0..20).all(|k| base.stations[2 * k].outer_diameter_m <= 280.0 * values[k]);
+            if is_within && is_thick && (tower.1 / 0.25 - 1.0).abs() < 1e-6 {
+                assert!(tower.0 >= of.mass_kg[1] * (1.0 - 1e-6), "{i} {j} {by}");
+            }
+        }
+    }
+}
+
+#[test]
+fn plates_in_steps_are_little_heavier() {
+    let base = dtu_10mw();
+    let mut problem = of_cans(&base, Some(0.001));
+    problem.goals = vec![at_least("fore-aft 1", 0.25)];
+    problem.diameter_to_wall = Some([0.0, 280.0]);
+    let of = found("DTU 10 MW, 20 cans in mm", &base, &problem);
+    for value in &of.values {
+        assert_eq!(*value, (value * 1000.0).round() / 1000.0);
+    }
+    let least = of.without_steps_kg.expect("steps");
+    assert!(
+        of.mass_kg[1] >= least && of.mass_kg[1] < 1.01 * least,
+        "{} {least}",
+        of.mass_kg[1]
+    );
+    assert!(
+        of.values.windows(2).all(|pair| pair[1] <= pair[0]),
+        "{:?}",
+        of.values
+    );
+}
+
+#[test]
+fn two_walls_in_steps_agree_with_every_combination() {
+    let base = nrel_5mw();
+    let names = ["stations[0].wall", "stations[1].wall"];
+    let problem = DesignProblem {
+        variables: names
+            .map(|name| stepped(name, [0.010, 0.060], 0.001, &base))
+            .into(),
+        goals: vec![at_least("fore-aft 1", 0.31)],
+        ..DesignProblem::default()
+    };
+    let of = found("two walls in mm", &base, &problem);
+    let mut best = f64::INFINITY;
+    for i in 10..=60 {
+        for j in 10..=60 {
+            let (mass, hz) = solved(&base, &names, &[f64::from(i) / 1e3, f64::from(j) / 1e3]);
+            if hz >= 0.31 {
+                best = best.min(mass);
+            }
+        }
+    }
+    // The search is local: the loss against the best combination is small.
+    assert!(of.mass_kg[1] <= best * 1.001, "{} {best}", of.mass_kg[1]);
+}
+
+#[test]
+fn eight_cans_with_diameters_and_walls() {
+    let base = cans();
+    let count = base.stations.len() / 2;
+    let mut problem = of_cans(&base, Some(0.0005));
+    for flange in 1..count {
+        let name = format!(
+            "set(stations[{}].diameter, stations[{}].diameter)",
+            2 * flange - 1,
+            2 * flange
+        );
+        problem.variables.push(variable(&name, [3.5, 6.5], &base));
+    }
+    problem
+        .variables
+        .push(variable("stations[0].diameter", [3.5, 6.2], &base));
+    problem.goals = vec![at_least("fore-aft 1", 0.33)];
+    problem.diameter_to_wall = Some([80.0, 200.0]);
+    problem.cone_angle_deg = Some(1.5);
+    let of = found("eight cans, 16 numbers", &base, &problem);
+    assert!(of.mass_kg[1] < of.mass_kg[0]);
+    for station in &of.tower.stations {
+        let ratio = station.outer_diameter_m / station.wall_thickness_m;
+        assert!((80.0 - 1e-4..200.0 + 1e-4).contains(&ratio), "{ratio}");
+    }
+}
+
+/// All diameters and walls in one ratio: with m ∝ s² and f ∝ s for a bare tower, exactly.
+#[test]
+fn a_bare_tower_has_a_closed_form() {
+    let mut base = nrel_5mw();
+    base.rna = towermodes::Rna::default();
+    base.gravity_m_per_s2 = 0.0;
+    let name = "scale(stations[*].diameter, stations[*].wall)";
+    let options = Options {
+        rotary_inertia: false,
+        ..options()
+    };
+    let tower = Tower::new(base.clone()).expect("a tower");
+    let mut workspace = Workspace::default();
+    let modes = solve_frequencies(&tower, &options, &mut workspace).expect("modes");
+    let hz = modes.modes[0].extrapolated_hz;
+    let problem = DesignProblem {
+        variables: vec![variable(name, [0.5, 2.0], &base)],
+        goals: vec![at_least("fore-aft 1", 1.2 * hz)],
+        ..DesignProblem::default()
+    };
+    let of = design(&base, &problem, &options, &mut Workspace::default()).expect("a design");
+    assert!((of.values[0] / 1.2 - 1.0).abs() < 1e-6, "{}", of.values[0]);
+    assert!((of.mass_kg[1] / of.mass_kg[0] / 1.44 - 1.0).abs() < 1e-6);
+    // m ∝ f²: 1 % of frequency costs 2 % of the mass.
+    let percent = of.active[0].kg_per_percent.expect("a limit that is not 0");
+    assert!(
+        (percent / of.mass_kg[1] / 0.02 - 1.0).abs() < 1e-5,
+        "{percent}"
+    );
+}
+
+#[test]
+fn what_cannot_be_reached_is_answered() {
+    let base = nrel_5mw();
+    let walls = ["stations[0].wall", "stations[1].wall"];
+    let variables: Vec<Variable> = walls
+        .map(|name| variable(name, [0.010, 0.060], &base))
+        .into();
+    let mut problem = DesignProblem {
+        variables,
+        goals: vec![at_least("fore-aft 1", 0.50)],
+        ..DesignProblem::default()
+    };
+    let refused = |problem: &DesignProblem| {
+        let begin = Instant::now();
+        let refused = design(&base, problem, &options(), &mut Workspace::default());
+        eprintln!("infeasible {:.3} s", begin.elapsed().as_secs_f64());
+        match refused {
+            Err(DesignError::Infeasible(why)) => why,
+            other => panic!("{other:?}"),
+        }
+    };
+    // The highest frequency of a grid.
+    let at = |i: usize| 0.010 + 0.050 * i as f64 / 20.0;
+    let pairs = (0..=20).flat_map(|i| (0..=20).map(move |j| [at(i), at(j)]));
+    let highest = pairs
+        .map(|pair| solved(&base, &walls, &pair).1)
+        .fold(0.0, f64::max);
+    let why = refused(&problem);
+    assert_eq!(why.violated[0].wanted, "fore-aft 1 at least 0.5 Hz");
+    let nearest: f64 = why.violated[0]
+        .nearest
+        .trim_end_matches(" Hz")
+        .parse()
+        .expect("Hz");
+    assert!(
+        nearest >= highest - 1e-5 && nearest < 1.002 * highest,
+        "{nearest} {highest}"
+    );
+    assert!(
+        why.in_the_way
+            .contains(&"stations[0].wall at most 0.06 m".to_owned()),
+        "{why}"
+    );
+
+    // Two bands that exclude each other: the side-side frequency is nearly the fore-aft one.
+    problem.goals = vec![at_least("fore-aft 1", 0.33), goal("side-side 1", 0.0, 0.30)];
+    let why = refused(&problem);
+    assert_eq!(why.violated.len(), 2, "{why}");
+
+    // A shape that contradicts itself: walls of at most 60 mm, diameter/wall of at most 50.
+    problem.goals = vec![at_least("fore-aft 1", 0.25)];
+    problem.diameter_to_wall = Some([0.0, 50.0]);
+    let why = refused(&problem);
+    assert!(
+        why.violated[0]
+            .wanted
+            .starts_with("diameter/wall at stations[0]"),
+        "{why}"
+    );
+}
+
+#[test]
+fn impossible_problems_are_refused() {
+    let base = nrel_5mw();
+    let wall = variable("stations[0].wall", [0.010, 0.060], &base);
+    let good = DesignProblem {
+        variables: vec![wall.clone()],
+        goals: vec![at_least("fore-aft 1", 0.30)],
+        ..DesignProblem::default()
+    };
+    let refused = |change: &dyn Fn(&mut DesignProblem)| {
+        let mut problem = good.clone();
+        change(&mut problem);
+        let refused = design(&base, &problem, &options(), &mut Workspace::default());
+        refused.expect_err("a mistake")
+    };
+    assert_eq!(refused(&|p| p.variables.clear()), DesignError::NoVariables);
+    assert_eq!(refused(&|p| p.goals.clear()), DesignError::NoGoals);
+    let error = refused(&|p| p.variables[0].high = 0.005);
+    assert!(matches!(error, DesignError::Bounds { high: 0.005, .. }));
+    let error = refused(&|p| p.variables[0].step = Some(0.2));
+    assert!(matches!(error, DesignError::NoStep { .. }));
+    let error = refused(&|p| p.goals[0].max_hz = 0.2);
+    assert!(matches!(error, DesignError::Band { .. }));
+    let error = refused(&|p| p.goals[0].mode = "surge".parse().expect("a mode"));
+    assert!(matches!(error, DesignError::NoMode { .. }), "{error:?}");
+    let error = refused(&|p| p.diameter_to_wall = Some([100.0, 50.0]));
+    assert!(matches!(error, DesignError::Limit { .. }));
+    let error = refused(&|p| p.cone_angle_deg = Some(f64::NAN));
+    assert!(matches!(error, DesignError::Limit { .. }));
+    let twice = variable("scale(stations[*].wall)", [0.5, 2.0], &base);
+    let error = refused(&|p| p.variables.push(twice.clone()));
+    assert!(matches!(error, DesignError::Twice { .. }));
+    let factor = variable("scale(stations[*].wall)", [-0.5, 2.0], &base);
+    let error = refused(&|p| p.variables = vec![factor.clone()]);
+    assert!(matches!(error, DesignError::Factor { .. }));
+}

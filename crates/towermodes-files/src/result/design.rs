@@ -1,0 +1,89 @@
+//! The result of a design as JSON.
+
+use std::io::Write;
+
+use serde::Serialize;
+
+use super::{ResultError, write_result_json};
+
+/// The result of a design, ready to be written.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct DesignDocument {
+    /// The name of the tower; may be empty.
+    pub tower: String,
+    /// What was chosen.
+    pub variables: Vec<DesignedVariable>,
+    /// Mass of the original tower with outfitting and point masses, without RNA, kg.
+    pub mass_before_kg: f64,
+    /// Mass of the tower found, kg.
+    pub mass_kg: f64,
+    /// Mass of the minimum without steps, kg; null if no variable has steps.
+    pub mass_without_steps_kg: Option<f64>,
+    /// The goals.
+    pub frequencies: Vec<DesignedFrequency>,
+    /// The limits that keep the tower from being lighter.
+    pub active: Vec<DesignedLimit>,
+    /// The residual of the conditions of a minimum (Karush, Kuhn, Tucker), relative.
+    pub kkt_residual: f64,
+    /// Whether the residual proves the minimum.
+    pub is_proved: bool,
+    /// Whether the certificate of the tower found proves that no mode is missing.
+    pub certified: bool,
+    /// How many towers were solved.
+    pub solves: usize,
+    /// Warnings and notes of the reader.
+    pub warnings: Vec<String>,
+}
+
+/// A value that was chosen.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct DesignedVariable {
+    /// Its name.
+    pub name: String,
+    /// Its unit; empty for none.
+    pub unit: &'static str,
+    /// Its value on the original tower.
+    pub before: f64,
+    /// Its value on the tower found.
+    pub after: f64,
+    /// Its lowest value.
+    pub lowest: f64,
+    /// Its highest value.
+    pub highest: f64,
+}
+
+/// A frequency that was to be reached.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct DesignedFrequency {
+    /// The name of the mode.
+    pub mode: String,
+    /// Lowest frequency, Hz; null for none.
+    pub min_hz: Option<f64>,
+    /// Highest frequency, Hz; null for none.
+    pub max_hz: Option<f64>,
+    /// Frequency of the original tower, Hz; null if it has no such mode.
+    pub before_hz: Option<f64>,
+    /// Extrapolated frequency of the tower found, Hz.
+    pub after_hz: f64,
+    /// Estimated error of the frequency without extrapolation, Hz.
+    pub error_hz: f64,
+}
+
+/// A limit that keeps the tower from being lighter.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct DesignedLimit {
+    /// The limit in words.
+    pub limit: String,
+    /// Mass that is saved per unit by which it is relaxed, kg per unit.
+    pub kg_per_unit: f64,
+    /// The same per percent of the limit, kg; null for a limit that is 0.
+    pub kg_per_percent: Option<f64>,
+}
+
+/// Writes the result of a design as indented JSON with a newline at the end.
+///
+/// # Errors
+/// [`ResultError`] if the writer refuses.
+pub fn write_design_json(document: &DesignDocument, writer: impl Write) -> Result<(), ResultError> {
+    write_result_json(document, writer)
+}

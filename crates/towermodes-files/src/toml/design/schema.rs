@@ -1,0 +1,49 @@
+//! The schema of the study of a design: all tables and keys with their types, units and meanings.
+
+use super::super::schema::{KeySchema, TableSchema, ValueKind, tables};
+
+tables! {
+    /// All tables of the study of a design.
+    ///
+    /// # Example
+    /// ```
+    /// use towermodes_files::design_study_schema;
+    ///
+    /// let mut tables = design_study_schema().iter();
+    /// let design = tables.find(|table| table.name == "[design]").expect("a table");
+    /// assert!(design.key("variables").expect("a key").is_required);
+    /// ```
+    design_study_schema =>
+
+    /// The whole file.
+    STUDY = "the file":
+        required "design" Table "" "the design";
+
+    /// `[design]`.
+    DESIGN = "[design]":
+        required "variables" Table "" "what is chosen: names of numbers with their bounds";
+        required "frequencies" Table "" "what is to be reached: names of modes with their bands";
+        optional "limits" Table "" "limits of the shape of the tower";
+        optional "segments" Number "" "number of segments or elements; default as of solve";
+        optional "method" Text "" "the method of computation; default as of solve";
+        optional "rotary_inertia" Flag "" "whether sections have rotary inertia in bending; default true";
+
+    /// A value of `[design.variables]`.
+    VARIABLE = "[design.variables]":
+        required "between" Numbers "" "lowest and highest value";
+        optional "step" Number "" "values are multiples of it, such as plate thicknesses";
+        optional "each" Text "" "which numbers of a list have values of their own: number, height (one value for all stations at a height) or can (one value for both ends of a can); without it all have one value";
+        optional "order" Text "" "with each: falling (no number exceeds the one below it) or free, the default";
+
+    /// A value of `[design.frequencies]`.
+    FREQUENCY = "[design.frequencies]":
+        optional "min" Number "Hz" "lowest frequency";
+        optional "max" Number "Hz" "highest frequency";
+        optional "between" Any "Hz" "lowest and highest frequency, or two multiples of the rotor speed as \"1P-3P\"";
+        optional "margin" Number "" "with multiples: least distance as a fraction of the frequency, as in campbell; default 0.05";
+
+    /// `[design.limits]`.
+    LIMITS = "[design.limits]":
+        optional "diameter_to_wall" Any "" "highest ratio of outer diameter to wall thickness at every station, or lowest and highest";
+        optional "cone_angle" Number "degrees" "largest angle between wall and axis";
+}
