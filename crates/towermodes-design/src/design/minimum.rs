@@ -19,6 +19,9 @@ const MOST_SOLVES: usize = 150;
 /// Runs from one start: each begins where the last one ended, with a new estimate of curvature.
 const MOST_RUNS: usize = 4;
 
+/// A run that reduces the violation by a smaller share is the last one.
+const LEAST_GAIN: f64 = 0.01;
+
 /// What is minimized.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Least {
@@ -100,10 +103,15 @@ pub(super) fn from_start(
             _ => next.violation < found.violation,
         };
         if run == 0 || is_better {
-            let is_final = next.is_proved() && least == Least::Mass;
             let gain = found.violation - next.violation;
+            // Where the violation no longer decreases, another start or the least violation decides.
+            let is_stuck = !next.is_feasible() && gain < LEAST_GAIN * found.violation;
+            let is_proved = match least {
+                Least::Mass => next.is_proved(),
+                _ => next.optimality.residual <= OPTIMAL,
+            };
             found = next;
-            if is_final || (run > 0 && least != Least::Mass && gain < MET) {
+            if is_proved || is_stuck {
                 break;
             }
         } else {

@@ -238,31 +238,22 @@ fn starts(scale: &mut Scale<'_>, before: &[f64]) -> Result<Vec<Vec<f64>>, Design
 /// # Errors
 /// [`DesignError::Infeasible`].
 fn minimum(scale: &mut Scale<'_>, starts: &[Vec<f64>]) -> Result<Minimum, DesignError> {
-    let found = least_mass(scale, starts)?;
-    if found.is_feasible() {
+    let found = least_mass(scale, &starts[..1])?;
+    if found.is_proved() {
         return Ok(found);
     }
-    let mut shape = from_start(scale, &found.scaled, Least::ShapeViolation)?;
-    for start in starts {
-        if shape.violation > MET {
-            let other = from_start(scale, start, Least::ShapeViolation)?;
-            if other.violation < shape.violation {
-                shape = other;
-            }
-        }
+    if found.is_feasible() {
+        let other = least_mass(scale, &starts[1..]);
+        let other = other
+            .ok()
+            .filter(|other| other.is_feasible() && (other.is_proved() || other.mass < found.mass));
+        return Ok(other.unwrap_or(found));
     }
+    let shape = least_violation(scale, &found, starts, Least::ShapeViolation)?;
     if shape.violation > MET {
         return Err(infeasible(scale, &shape));
     }
-    let mut nearest = from_start(scale, &shape.scaled, Least::FrequencyViolation)?;
-    for start in starts {
-        if nearest.violation > MET {
-            let other = from_start(scale, start, Least::FrequencyViolation)?;
-            if is_nearer(scale, &other, &nearest) {
-                nearest = other;
-            }
-        }
-    }
+    let nearest = least_violation(scale, &shape, starts, Least::FrequencyViolation)?;
     if nearest.violation > MET {
         return Err(infeasible(scale, &nearest));
     }
@@ -272,6 +263,31 @@ fn minimum(scale: &mut Scale<'_>, starts: &[Vec<f64>]) -> Result<Minimum, Design
         // The tower with the least violation meets all limits, although the lightest is not found.
         false => from_start(scale, &nearest.scaled, Least::Mass),
     }
+}
+
+/// The least violation from the point where the mass was minimized; from other starts only if that
+/// is not proved to be a minimum.
+fn least_violation(
+    scale: &mut Scale<'_>,
+    from: &Minimum,
+    starts: &[Vec<f64>],
+    least: Least,
+) -> Result<Minimum, DesignError> {
+    let mut nearest = from_start(scale, &from.scaled, least)?;
+    for start in starts {
+        if nearest.violation <= MET || nearest.optimality.residual <= OPTIMAL {
+            break;
+        }
+        let other = from_start(scale, start, least)?;
+        let is_nearer = match least {
+            Least::FrequencyViolation => is_nearer(scale, &other, &nearest),
+            _ => other.violation < nearest.violation,
+        };
+        if is_nearer {
+            nearest = other;
+        }
+    }
+    Ok(nearest)
 }
 
 /// Whether the frequencies of a point within the limits of the shape are nearer to their bands.
