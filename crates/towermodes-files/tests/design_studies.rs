@@ -37,7 +37,12 @@ fn first_mistake(error: ReadError, text: &str) -> (usize, usize, String, String)
     let before = &text[..first.span.start];
     let line = 1 + before.matches('\n').count();
     let column = 1 + before.len() - before.rfind('\n').map_or(0, |at| at + 1);
-    (line, column, first.message(), first.hint.clone().unwrap_or_default())
+    (
+        line,
+        column,
+        first.message(),
+        first.hint.clone().unwrap_or_default(),
+    )
 }
 
 #[test]
@@ -57,29 +62,137 @@ fn a_study_is_what_its_text_says() {
     assert_eq!(bands, expected);
     assert_eq!(study.diameter_to_wall, Some([60.0, 200.0]));
     assert_eq!(study.cone_angle_deg, Some(3.0));
-    assert_eq!((study.segments, study.method), (Some(40), Some(Method::Spectral)));
+    assert_eq!(
+        (study.segments, study.method),
+        (Some(40), Some(Method::Spectral))
+    );
     assert!(!study.rotary_inertia);
 }
 
 #[test]
 fn every_mistake_has_its_place() {
     let cases = [
-        ("segments = 40", "segmnts = 40", 2, 1, "`segmnts` is not a key of [design]", "did you mean `segments`?"),
-        ("[0.012, 0.060]", "[0.060, 0.012]", 6, 34, "", "write { between"),
-        ("[0.012, 0.060]", "[0.060]", 6, 34, "between has 1 values instead of 2", "write { between"),
-        ("each = \"can\"", "each = \"cam\"", 6, 57, "", "did you mean `can`?"),
-        ("each = \"can\", ", "", 6, 60, "`order` has no effect without `each`", "add each"),
-        ("step = 0.001", "step = 0", 6, 90, "step is 0, but must be positive", ""),
-        ("\"fore-aft 1\"", "\"foreaft 1\"", 9, 1, "`foreaft 1` is not the name of a mode", ""),
+        (
+            "segments = 40",
+            "segmnts = 40",
+            2,
+            1,
+            "`segmnts` is not a key of [design]",
+            "did you mean `segments`?",
+        ),
+        (
+            "[0.012, 0.060]",
+            "[0.060, 0.012]",
+            6,
+            34,
+            "",
+            "write { between",
+        ),
+        (
+            "[0.012, 0.060]",
+            "[0.060]",
+            6,
+            34,
+            "between has 1 values instead of 2",
+            "write { between",
+        ),
+        (
+            "each = \"can\"",
+            "each = \"cam\"",
+            6,
+            57,
+            "",
+            "did you mean `can`?",
+        ),
+        (
+            "each = \"can\", ",
+            "",
+            6,
+            60,
+            "`order` has no effect without `each`",
+            "add each",
+        ),
+        (
+            "step = 0.001",
+            "step = 0",
+            6,
+            90,
+            "step is 0, but must be positive",
+            "",
+        ),
+        (
+            "\"fore-aft 1\"",
+            "\"foreaft 1\"",
+            9,
+            1,
+            "`foreaft 1` is not the name of a mode",
+            "",
+        ),
         ("\"1P-3P\"", "\"3P-1P\"", 9, 28, "", "write { min"),
-        ("margin = 0.1", "margin = 10", 9, 46, "margin is 10, but must be a fraction", ""),
-        ("{ between = [0.2, 0.3] }", "{ between = [0.2, 0.3], margin = 0.1 }", 10, 51, "`margin` has no effect", "remove it"),
-        ("{ min = 1.5, max = 3 }", "{ min = 4, max = 3 }", 11, 23, "min is 4, but must be below max, 3", ""),
-        ("{ min = 1.5, max = 3 }", "{ }", 11, 15, "the band of `torsion 1` is missing", "write { min"),
-        ("{ min = 1.5, max = 3 }", "{ mim = 1.5 }", 11, 17, "`mim` is not a key", "did you mean `min`?"),
-        ("cone_angle = 3", "cone_angle = 90", 14, 14, "cone_angle is 90, but must be between", ""),
-        ("\"stations[*].diameter\"", "rna.mass", 7, 1, "the name `rna.mass` must be in quotation marks", "write \"rna.mass\""),
-        ("[60, 200]", "0", 13, 20, "diameter_to_wall is 0, but must be positive", ""),
+        (
+            "margin = 0.1",
+            "margin = 10",
+            9,
+            46,
+            "margin is 10, but must be a fraction",
+            "",
+        ),
+        (
+            "{ between = [0.2, 0.3] }",
+            "{ between = [0.2, 0.3], margin = 0.1 }",
+            10,
+            51,
+            "`margin` has no effect",
+            "remove it",
+        ),
+        (
+            "{ min = 1.5, max = 3 }",
+            "{ min = 4, max = 3 }",
+            11,
+            23,
+            "min is 4, but must be below max, 3",
+            "",
+        ),
+        (
+            "{ min = 1.5, max = 3 }",
+            "{ }",
+            11,
+            15,
+            "the band of `torsion 1` is missing",
+            "write { min",
+        ),
+        (
+            "{ min = 1.5, max = 3 }",
+            "{ mim = 1.5 }",
+            11,
+            17,
+            "`mim` is not a key",
+            "did you mean `min`?",
+        ),
+        (
+            "cone_angle = 3",
+            "cone_angle = 90",
+            14,
+            14,
+            "cone_angle is 90, but must be between",
+            "",
+        ),
+        (
+            "\"stations[*].diameter\"",
+            "rna.mass",
+            7,
+            1,
+            "the name `rna.mass` must be in quotation marks",
+            "write \"rna.mass\"",
+        ),
+        (
+            "[60, 200]",
+            "0",
+            13,
+            20,
+            "diameter_to_wall is 0, but must be positive",
+            "",
+        ),
     ];
     for (old, new, line, column, message, hint) in cases {
         let text = GOOD.replace(old, new);
@@ -119,8 +232,15 @@ fn tower() -> TowerDescription {
 
 #[test]
 fn cans_have_one_wall_and_flanges_one_diameter() {
-    let choices = read(GOOD).expect("a study").choices(&tower()).expect("choices");
-    let names: Vec<&str> = choices.variables.iter().map(|one| one.change.name()).collect();
+    let choices = read(GOOD)
+        .expect("a study")
+        .choices(&tower())
+        .expect("choices");
+    let names: Vec<&str> = choices
+        .variables
+        .iter()
+        .map(|one| one.change.name())
+        .collect();
     let expected = [
         "set(stations[0].wall, stations[1].wall)",
         "set(stations[2].wall, stations[3].wall)",
@@ -146,7 +266,10 @@ fn names_are_found_in_the_tower() {
     };
     let (line, column, message, _) = mistake("\"stations[*].wall\"", "\"stations[*].wal\"");
     assert_eq!((line, column), (6, 1));
-    assert!(message.contains("did you mean `stations[*].wall`?"), "{message}");
+    assert!(
+        message.contains("did you mean `stations[*].wall`?"),
+        "{message}"
+    );
     let (line, _, message, _) = mistake(
         "\"stations[*].diameter\" = { between = [3, 6.5], each = \"height\", order = \"free\" }",
         "\"stations[0].wall\" = { between = [0.01, 0.06] }",

@@ -9,6 +9,7 @@ mod bmodes_write;
 mod bmodes_write_support;
 mod damaged_files;
 mod decks;
+mod design_studies;
 mod elastodyn;
 mod elastodyn_formulas;
 mod elastodyn_writer;

@@ -91,11 +91,12 @@ fn conclusion(found: &Design) -> String {
         true => "A minimum",
         false => "Not proved to be a minimum",
     };
-    let mut text = format!(
-        "{proof}: KKT residual {:.0e} after {} solves.",
-        found.kkt_residual.max(1e-16),
-        found.solves
-    );
+    // Below this it is rounding.
+    let residual = match found.kkt_residual < 1e-9 {
+        true => "below 1e-9".to_owned(),
+        false => format!("{:.0e}", found.kkt_residual),
+    };
+    let mut text = format!("{proof}: KKT residual {residual}.");
     if let Some(least) = found.without_steps_kg {
         let loss = found.mass_kg[1] - least;
         text.push_str(&format!(

@@ -14,6 +14,9 @@ use super::scaled::Scale;
 pub(super) const MET: f64 = 1e-7;
 /// The KKT residual of a minimum.
 pub(super) const OPTIMAL: f64 = 1e-6;
+/// By how much a limit is relaxed for the optimizer, which returns the best point without any
+/// violation: without room, that may be the start.
+const ROOM: f64 = 0.1 * MET;
 /// Solves of one run of the optimizer.
 const MOST_SOLVES: usize = 150;
 /// Runs from one start: each begins where the last one ended, with a new estimate of curvature.
@@ -208,7 +211,7 @@ fn run_once(scale: &mut Scale<'_>, start: &[f64], least: Least) -> Result<Vec<f6
             let (scale, full, relaxed) = (&scale, &full, &relaxed);
             move |x: &[f64], gradient: Option<&mut [f64]>, _: &mut ()| {
                 let mut scale = scale.borrow_mut();
-                let slack = if relaxed[limit] { x[count] } else { 0.0 };
+                let slack = ROOM + if relaxed[limit] { x[count] } else { 0.0 };
                 match (scale.at(&full(&x[..count]), gradient.is_some()), gradient) {
                     (Ok(at), Some(gradient)) => {
                         let slopes = at.slopes.as_ref().map(|slopes| &slopes.limits[limit][..]);

@@ -257,7 +257,7 @@ fn minimum(scale: &mut Scale<'_>, starts: &[Vec<f64>]) -> Result<Minimum, Design
     if nearest.violation > MET {
         return Err(infeasible(scale, &nearest));
     }
-    let again = least_mass(scale, &[nearest.scaled.clone()])?;
+    let again = least_mass(scale, std::slice::from_ref(&nearest.scaled))?;
     match again.is_feasible() {
         true => Ok(again),
         // The tower with the least violation meets all limits, although the lightest is not found.

@@ -64,7 +64,7 @@ fn search(
         let mut is_feasible = is_met;
         if !others.is_empty() {
             scale.set_free(others.to_vec());
-            let found = least_mass(scale, &[scaled.clone()])?;
+            let found = least_mass(scale, std::slice::from_ref(&scaled))?;
             is_feasible = found.is_feasible();
             scaled = found.scaled;
         }
