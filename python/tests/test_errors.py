@@ -59,12 +59,15 @@ def test_numbers_have_neither() -> None:
         )
     error = caught.value
     assert (error.path, error.line, error.column) == (None, None, None)
-    assert str(error).startswith("wall thickness is -1 m; it must be positive")
+    assert str(error).startswith(
+        "stations[0].wall: wall thickness is -1 m; it must be positive"
+    )
 
 
 def test_files_that_cannot_be_read_are_errors_of_the_system(tmp_path: Path) -> None:
-    with pytest.raises(FileNotFoundError, match=r"missing\.toml: no such file"):
+    with pytest.raises(FileNotFoundError, match=r"no such file: .*missing\.toml") as missing:
         tm.read(tmp_path / "missing.toml")
+    assert (missing.value.errno, missing.value.filename) == (2, str(tmp_path / "missing.toml"))
     with pytest.raises(IsADirectoryError):
         tm.read(tmp_path)
     binary = tmp_path / "binary.toml"

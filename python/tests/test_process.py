@@ -103,6 +103,51 @@ def test_ctrl_c_ends_the_program() -> None:
         assert process.wait(timeout=60) == -signal.SIGINT
 
 
+EXIT = """
+import threading, time
+import numpy, towermodes as tm
+tower = tm.read("examples/nrel-5mw.toml")
+rows = {"rna.mass": numpy.full(3_000_000, 3e5)}
+work = {
+    "sweep": lambda: tower.sweep(rows),
+    "sweep on one thread": lambda: tower.sweep(rows, threads=1),
+    "solve": lambda: tower.solve(segments=1_000_000),
+    "compare": lambda: tower.compare(segments=200_000),
+    "short solves": lambda: [tower.solve() for _ in range(1_000_000)],
+    "errors": lambda: [failed() for _ in range(10_000_000)],
+}
+def failed():
+    try:
+        tower.with_({"rna.mass": -1.0})
+    except tm.TowerError:
+        pass
+for _ in range(2):
+    threading.Thread(target=work[WORK], daemon=True).start()
+time.sleep(0.3)
+"""
+
+
+@pytest.mark.parametrize(
+    "work", ["sweep", "sweep on one thread", "solve", "compare", "short solves", "errors"]
+)
+def test_the_interpreter_ends_while_other_threads_compute(work: str) -> None:
+    # CPython before 3.14 ends a thread that comes back by unwinding its stack.
+    done = python(EXIT.replace("WORK", repr(work)), check=False)
+    assert (done.returncode, done.stderr) == (0, "")
+
+
+def test_a_function_at_the_exit_may_solve() -> None:
+    code = """
+import atexit
+@atexit.register
+def last():
+    print(tower.solve(modes=1).certified, len(tower.sweep({"rna.mass": [3e5] * 300})))
+import towermodes as tm
+tower = tm.read("examples/nrel-5mw.toml")
+"""
+    assert python(code).stdout == "True 300\n"
+
+
 def run(*words: str) -> subprocess.CompletedProcess[str]:
     command = [sys.executable, "-m", "towermodes", *words]
     return subprocess.run(command, capture_output=True, text=True, check=False)

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import copy
 import json
+import pickle
 
 import numpy as np
 import pytest
@@ -21,6 +23,27 @@ def test_margins_are_those_of_the_program(nrel: tm.Tower) -> None:
     assert campbell.plot().startswith("<svg")
     assert "<svg" in campbell._repr_html_()
     assert campbell.warnings == []
+
+
+def test_results_go_from_process_to_process(nrel: tm.Tower) -> None:
+    results = [
+        nrel.solve(modes=3, points=11),
+        nrel.campbell(margin=0.1),
+        nrel.check(tm.read("examples/nrel-5mw.yaml")),
+        nrel.examine(),
+    ]
+    for result in results:
+        other = pickle.loads(pickle.dumps(result))
+        assert type(other) is type(result)
+        assert other.to_json() == result.to_json()  # type: ignore[attr-defined]
+        if not isinstance(result, tm.Agreement):  # A pickle of a tower does not name its file.
+            assert repr(other) == repr(result)
+        assert copy.deepcopy(result) is result
+    comparison = nrel.compare("rmje", segments=20, modes=2)
+    again = pickle.loads(pickle.dumps(comparison))
+    assert (again.frequency_hz == comparison.frequency_hz).all()
+    converted = nrel.convert("bmodes")
+    assert pickle.loads(pickle.dumps(converted)).companion == converted.companion
 
 
 def test_margins_by_hand(nrel: tm.Tower) -> None:

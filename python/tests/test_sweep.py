@@ -34,9 +34,9 @@ def test_each_row_is_a_solve(nrel: tm.Tower) -> None:
         solution = tower.solve(modes=4, segments=20)
         assert result.mass_kg[row] == tower.mass_kg
         for family, order in result.names:
-            mode = solution.mode(family, order)  # type: ignore[arg-type]
-            assert result.mode(family, order)[row] == mode.extrapolated_hz  # type: ignore[arg-type]
-            assert result.error_of(family, order)[row] == mode.error_hz  # type: ignore[arg-type]
+            mode = solution.mode(family, order)
+            assert result.mode(family, order)[row] == mode.extrapolated_hz
+            assert result.error_of(family, order)[row] == mode.error_hz
     assert result.inputs["rna.mass"].tolist() == MASSES.tolist()
     with pytest.raises(KeyError, match="no mode axial 1 among the modes of the sweep"):
         result.mode("axial", 1)
@@ -62,6 +62,25 @@ def test_modes_are_taken_by_name(nrel: tm.Tower) -> None:
         nrel.sweep(TABLE, modes=["sideways 1"])
 
 
+@pytest.mark.parametrize(
+    ("modes", "kind", "message"),
+    [
+        (("fore-aft", 1), TypeError, r"one mode; give a list of modes: \[\('fore-aft', 1\)\]"),
+        (2.0, TypeError, "modes is 2.0; it must be a whole number or a list of names"),
+        ([("fore-aft",)], TypeError, r"\('fore-aft',\) is not the name of a mode"),
+        ([("fore-aft", 0)], ValueError, "the order of a mode is 0; it must be at least 1"),
+        ([("fore-aff", 1)], ValueError, "did you mean 'fore-aft'"),
+        ([], ValueError, "modes is empty"),
+        (10**30, ValueError, "modes is 10+; it must be at most"),
+    ],
+)
+def test_wrong_modes_say_what_is_wrong(
+    nrel: tm.Tower, modes: Any, kind: type[Exception], message: str
+) -> None:
+    with pytest.raises(kind, match=message):
+        nrel.sweep(TABLE, modes=modes)
+
+
 def test_a_row_that_fails_is_a_row_with_its_sentence(nrel: tm.Tower) -> None:
     result = nrel.sweep({"stations[0].wall": [0.03, -1.0, float("nan")]}, modes=2)
     assert [row for row, _ in result.failures] == [1, 2]
@@ -71,6 +90,87 @@ def test_a_row_that_fails_is_a_row_with_its_sentence(nrel: tm.Tower) -> None:
     assert result.certified.tolist() == [True, False, False]
     assert "3 towers, 2 failed" in repr(result)
     assert "row 1: stations[0].wall: " in repr(result)
+
+
+def test_unusual_input_is_a_warning(nrel: tm.Tower) -> None:
+    result = nrel.sweep({"material.density": [7.85, 8500.0]}, modes=1)
+    assert result.failures == []
+    ((row, message),) = result.warnings
+    assert row == 0
+    assert "material.density" in message
+    assert "7.85" in message
+    assert f"warning: row 0: {message}" in repr(result)
+    many = nrel.sweep({"material.density": [7.85] * 200}, modes=1, threads=2)
+    assert many.warned_rows == 200
+    assert [row for row, _ in many.warnings] == [0, 1, 2, 3, 4]
+    assert "and 197 more rows with unusual input" in repr(many)
+    # What is unusual about the tower itself is told by the tower.
+    light = nrel.with_({"material.density": 7.85})
+    assert light.warnings
+    assert light.sweep({"rna.mass": [3e5]}, modes=1).warned_rows == 0
+
+
+def test_a_buffer_that_is_used_again_does_not_change_results(nrel: tm.Tower) -> None:
+    buffer = np.array([3e5, 4e5])
+    result = nrel.sweep({"rna.mass": buffer}, modes=1)
+    buffer[:] = 0.0
+    assert result.inputs["rna.mass"].tolist() == [3e5, 4e5]
+    with pytest.raises(ValueError, match="read-only"):
+        result.inputs["rna.mass"][0] = 1.0
+    strided = np.array([[3e5, 0.0], [4e5, 0.0]], dtype=np.float32)[:, 0]
+    assert (nrel.sweep({"rna.mass": strided}, modes=1).frequency_hz == result.frequency_hz).all()
+
+
+def test_columns_of_the_table_of_results(nrel: tm.Tower) -> None:
+    result = nrel.sweep({"rna.mass": [3e5, -1.0]}, modes=1)
+    columns = result.to_dict()
+    assert list(columns) == [
+        "row", "rna.mass", "mass_kg", "certified", "side_side_1_hz", "side_side_1_error_hz", "error",
+    ]  # fmt: skip
+    assert columns["row"].tolist() == [0, 1]
+    assert columns["error"] == [None, result.failures[0][1]]
+    with pytest.raises(TypeError, match=r"take result\.frequency_hz"):
+        np.asarray(result)
+
+
+WRONG_COLUMNS = {
+    "booleans": [True, False],
+    "complex numbers": np.array([3e5 + 1j]),
+    "dates": np.array(["2026-01-01"], dtype="datetime64[D]"),
+    "time differences": np.array([3], dtype="timedelta64[s]"),
+    "texts": ["3e5"],
+    "has '3e5'": np.array([3e5, "3e5"], dtype=object),
+    "1 of them are masked": np.ma.masked_array([3e5, 4e5], mask=[True, False]),
+}
+
+
+@pytest.mark.parametrize("what", WRONG_COLUMNS)
+def test_columns_that_are_no_numbers_are_refused(nrel: tm.Tower, what: str) -> None:
+    column = WRONG_COLUMNS[what]
+    with pytest.raises(TypeError, match=f"column rna.mass must hold numbers.*{what}"):
+        nrel.sweep({"rna.mass": column})
+    pandas = pytest.importorskip("pandas")
+    if not isinstance(column, np.ma.MaskedArray):
+        with pytest.raises(TypeError, match="column rna.mass must hold numbers"):
+            nrel.sweep(pandas.DataFrame({"rna.mass": column}))
+
+
+def test_columns_of_many_types_of_numbers(nrel: tm.Tower) -> None:
+    expected = nrel.sweep({"rna.mass": [300_000.0]}, modes=1).frequency_hz
+    from decimal import Decimal
+
+    for column in (
+        np.float32(300_000.0),
+        np.int64(300_000),
+        np.array(300_000),
+        [Decimal(300_000)],
+        np.ma.masked_array([3e5], mask=[False]),
+    ):
+        assert (nrel.sweep({"rna.mass": column}, modes=1).frequency_hz == expected).all()
+    missing = nrel.sweep({"rna.mass": [300_000.0, None]}, modes=1)
+    assert [row for row, _ in missing.failures] == [1]
+    with pytest.raises(OverflowError, match="column rna.mass has a number"):
+        nrel.sweep({"rna.mass": [10**400]})
 
 
 def test_numbers_stand_for_columns(nrel: tm.Tower) -> None:
@@ -83,7 +183,11 @@ def test_numbers_stand_for_columns(nrel: tm.Tower) -> None:
     ("table", "kind", "message"),
     [
         ({"rna.mas": [1.0]}, ValueError, "did you mean `rna.mass`"),
-        ({"rna.mass": [1.0, 2.0], "material.density": [1.0]}, ValueError, "rows"),
+        (
+            {"rna.mass": [1.0, 2.0], "material.density": [1.0]},
+            ValueError,
+            "column rna.mass has 2 rows, but column material.density has 1",
+        ),
         ({"rna.mass": ["heavy"]}, TypeError, "column rna.mass must hold numbers"),
         ({"rna.mass": [[1.0]]}, ValueError, "column rna.mass has 2 dimensions"),
         ({}, ValueError, "nothing is varied"),

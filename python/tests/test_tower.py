@@ -214,9 +214,42 @@ def test_other_numbers_are_another_tower(nrel: tm.Tower) -> None:
         nrel.with_({"rna.mas": 1.0})
     with pytest.raises(ValueError, match="already changes"):
         nrel.with_({"scale(stations[*].wall)": 1.1, "stations[0].wall": 0.03})
-    with pytest.raises(tm.TowerError, match=r"station 1: .*-1 m; it must be positive") as caught:
+    with pytest.raises(tm.TowerError, match=r"stations\[0\]\.wall: .*-1 m; it must be positive") as caught:
         nrel.with_({"stations[0].wall": -1.0})
     assert caught.value.line is None
+
+
+class Named(tm.Tower):
+    """A class of a user."""
+
+
+def test_towers_of_other_classes_stay_so() -> None:
+    tower = Named.from_toml(tm.read("examples/nrel-5mw.toml").to_toml())
+    changed = tower.with_({"rna.mass": np.float32(3e5)})
+    assert type(changed) is Named
+    assert type(pickle.loads(pickle.dumps(changed))) is Named
+
+
+def test_numbers_may_be_those_of_numpy() -> None:
+    steel = {"density": np.int64(8500), "youngs_modulus": 2.1e11, "shear_modulus": 8.08e10}
+    plain = tm.Tower(stations=STATIONS, material={**steel, "density": 8500}, rna=3e5, gravity=9.5)
+    for kind in (np.float32, np.float64, np.array, np.int64):
+        tower = tm.Tower(stations=STATIONS, material=steel, rna=kind(300_000), gravity=9.5)
+        assert tower == plain
+    with pytest.raises(tm.TowerError, match=r"stations\[1\]\.diameter: "):
+        tm.Tower(stations=[STATIONS[0], [80.0, -1.0, 0.02]], material=steel)
+
+
+def test_a_path_is_not_the_text_of_a_file() -> None:
+    with pytest.raises(tm.TowerError, match="is not the text of a tower file") as caught:
+        tm.Tower.from_toml("examples/nrel-5mw.toml")
+    assert "towermodes.read" in str(caught.value.hint)
+    assert tm.read(b"examples/nrel-5mw.toml").name == tm.read("examples/nrel-5mw.toml").name
+
+
+def test_a_picture_is_no_png(nrel: tm.Tower, tmp_path: Path) -> None:
+    with pytest.raises(ValueError, match="ends with .png"):
+        nrel.plot().save(tmp_path / "tower.png")
 
 
 def test_a_pickle_keeps_how_the_shear_modulus_is_given() -> None:
@@ -230,3 +263,11 @@ def test_a_pickle_keeps_how_the_shear_modulus_is_given() -> None:
     again = pickle.loads(pickle.dumps(tower)).with_(stiffer)
     assert again.solve(modes=3).frequency_hz.tolist() == expected.tolist()
     assert tm.Tower.from_toml(tower.to_toml()).with_(stiffer) == tower.with_(stiffer)
+
+
+def test_a_deck_without_its_method_has_a_note() -> None:
+    deck = tm.read("examples/nrel-5mw.bmi")
+    for format in ("toml", "windio"):
+        notes = deck.convert(format).notes
+        assert any("solved by the method bmodes with" in note for note in notes)
+    assert not any("solved by the method" in note for note in deck.convert("bmodes").notes)

@@ -15,11 +15,15 @@ True
 x is fore-aft (downwind), y side-side, z up.
 """
 
+import atexit
+
+from towermodes import _towermodes
 from towermodes._campbell import Campbell
 from towermodes._convert import Converted
 from towermodes._errors import Mistake, OptionError, SolveError, TowerError
 from towermodes._picture import Picture
 from towermodes._read import read
+from towermodes._sensitivity import Sensitivities
 from towermodes._solution import Mode, Solution
 from towermodes._study import Agreement, Comparison, Examination
 from towermodes._sweep import SweepResult
@@ -36,6 +40,7 @@ __all__ = [
     "Mode",
     "OptionError",
     "Picture",
+    "Sensitivities",
     "Solution",
     "SolveError",
     "SweepResult",
@@ -44,3 +49,18 @@ __all__ = [
     "__version__",
     "read",
 ]
+
+
+
+def __getattr__(name: str) -> object:
+    # These modules need other packages.
+    if name in ("dask", "openmdao"):
+        from importlib import import_module
+
+        return import_module(f"towermodes.{name}")
+    message = f"module 'towermodes' has no attribute {name!r}"
+    raise AttributeError(message)
+
+
+# A thread that still computes then must not come back into an interpreter that has ended.
+atexit.register(_towermodes.close)

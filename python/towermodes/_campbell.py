@@ -2,17 +2,16 @@
 
 from __future__ import annotations
 
-from towermodes._html import text_html
+from towermodes import _towermodes as _rust
+from towermodes._computed import Tabular
 from towermodes._picture import Picture
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from typing import Any
 
-    from towermodes import _towermodes as _rust
 
-
-class Campbell:
+class Campbell(Tabular):
     """Natural frequencies against the rotor speed, and their distances from the excitations.
 
     >>> import towermodes as tm
@@ -24,15 +23,11 @@ class Campbell:
     ('1st side-side bending', 1, -0.37)
     """
 
-    __slots__ = ("_core",)
+    __slots__ = ()
 
+    _compute = _rust.Campbell
+    _maker = "Tower.campbell"
     _core: _rust.Campbell
-
-    @classmethod
-    def _of(cls, core: _rust.Campbell) -> Campbell:
-        campbell = cls.__new__(cls)
-        campbell._core = core
-        return campbell
 
     @property
     def verdict(self) -> str:
@@ -58,14 +53,6 @@ class Campbell:
         return margins
 
     @property
-    def data(self) -> dict[str, Any]:
-        """All results with the keys of the program's JSON."""
-        import json
-
-        data: dict[str, Any] = json.loads(self.to_json())
-        return data
-
-    @property
     def notes(self) -> list[str]:
         """Assumptions and omissions when the file was read, and assumptions on the rotor."""
         return self._core.notes
@@ -75,10 +62,6 @@ class Campbell:
         """Possible mistakes of the input and limits of the results."""
         return self._core.warnings
 
-    def to_json(self) -> str:
-        """All results as JSON, as the program writes it."""
-        return self._core.json()
-
     def to_csv(self) -> str:
         """One line per mode and excitation as CSV, as the program writes it."""
         return self._core.csv()
@@ -87,10 +70,8 @@ class Campbell:
         """The Campbell diagram."""
         return Picture(self._core.svg())
 
-    def __repr__(self) -> str:
-        said = [*self.notes, *self.warnings]
-        warnings = "".join(f"warning: {text}\n" for text in said)
-        return (self._core.table() + warnings).rstrip("\n")
+    def _said(self) -> list[str]:
+        return [*self.notes, *self.warnings]
 
-    def _repr_html_(self) -> str:
-        return text_html(repr(self), self._core.svg())
+    def _picture(self) -> str:
+        return self._core.svg()

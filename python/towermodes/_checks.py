@@ -9,6 +9,9 @@ if TYPE_CHECKING:
     from collections.abc import Iterable
     from typing import SupportsFloat, SupportsIndex
 
+#: The largest number that the module in Rust takes.
+MOST = 2**63 - 1
+
 
 def whole(name: str, value: SupportsIndex, least: int) -> int:
     """An argument as a whole number."""
@@ -17,8 +20,11 @@ def whole(name: str, value: SupportsIndex, least: int) -> int:
     except TypeError:
         message = f"{name} is {value!r}; it must be a whole number"
         raise TypeError(message) from None
-    if not least <= number < 2**63:
+    if number < least:
         message = f"{name} is {number}; it must be at least {least}"
+        raise ValueError(message)
+    if number > MOST:
+        message = f"{name} is {number}; it must be at most {MOST}"
         raise ValueError(message)
     return number
 

@@ -4,12 +4,11 @@ from __future__ import annotations
 
 import os
 
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from towermodes import _towermodes as _rust
+from towermodes import _towermodes as _rust
+from towermodes._computed import Computed
 
 
-class Converted:
+class Converted(Computed):
     """A tower in another format.
 
     >>> import towermodes as tm
@@ -19,15 +18,11 @@ class Converted:
     's.dat'
     """
 
-    __slots__ = ("_core",)
+    __slots__ = ()
 
+    _compute = _rust.Converted
+    _maker = "Tower.convert"
     _core: _rust.Converted
-
-    @classmethod
-    def _of(cls, core: _rust.Converted) -> Converted:
-        converted = cls.__new__(cls)
-        converted._core = core
-        return converted
 
     @property
     def text(self) -> str:

@@ -13,17 +13,20 @@ _TEXT = ' style="text-align: left"'
 def solution_html(core: _rust.Solution) -> str:
     """The table of modes, what is below it, warnings, and the picture of the shapes."""
     header, rows, below = core.cells()
-    head = "".join(_cell("th", number, text) for number, text in enumerate(header))
-    body = "".join(
-        "<tr>" + "".join(_cell("td", n, text) for n, text in enumerate(row)) + "</tr>"
-        for row in rows
-    )
+    # The second column has the names of the modes.
+    table = table_html(header, rows, texts=(1,))
     lines = "<br>".join(_escaped(line) for line in below.splitlines())
     warnings = "".join(f"<p>warning: {_escaped(text)}</p>" for text in core.warnings)
     return (
-        f"<table><thead><tr>{head}</tr></thead><tbody>{body}</tbody></table>"
-        f"<p>{lines}</p>{warnings}<div>{core.svg()}</div>"
+        f"{table}<p>{lines}</p>{warnings}<div>{core.svg()}</div>"
     )
+
+
+def table_html(header: list[str], rows: list[list[str]], texts: tuple[int, ...]) -> str:
+    """A table whose columns hold numbers, but some hold texts."""
+    head = _row("th", header, texts)
+    body = "".join(_row("td", row, texts) for row in rows)
+    return f"<table><thead>{head}</thead><tbody>{body}</tbody></table>"
 
 
 def text_html(text: str, picture: str = "") -> str:
@@ -31,10 +34,10 @@ def text_html(text: str, picture: str = "") -> str:
     return f"<pre>{_escaped(text)}</pre><div>{picture}</div>"
 
 
-def _cell(tag: str, column: int, text: str) -> str:
-    # The second column has the names of the modes.
-    style = _TEXT if column == 1 else _NUMBER
-    return f"<{tag}{style}>{_escaped(text)}</{tag}>"
+def _row(tag: str, cells: list[str], texts: tuple[int, ...]) -> str:
+    styles = [_TEXT if place in texts else _NUMBER for place in range(len(cells))]
+    pairs = zip(styles, cells, strict=True)
+    return "<tr>" + "".join(f"<{tag}{style}>{_escaped(c)}</{tag}>" for style, c in pairs) + "</tr>"
 
 
 def _escaped(text: str) -> str:

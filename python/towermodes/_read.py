@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from os import fspath
+from os import fsdecode
 
 from towermodes import _towermodes as _rust
 from towermodes._checks import number_or_none, whole, word
@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 
 
 def read(
-    path: str | os.PathLike[str],
+    path: str | bytes | os.PathLike[str],
     *,
     part: Literal["all", "tower", "monopile"] = "all",
     no_rna: bool = False,
@@ -65,4 +65,4 @@ def read(
         "tower_base_m": number_or_none("tower_base_m", tower_base_m),
         "subset": None if subset is None else tuple(whole("subset", n, 1) for n in subset),
     }
-    return Tower._of(_rust.read(fspath(path), options))
+    return Tower._of(_rust.read(fsdecode(path), options))

@@ -2,36 +2,30 @@
 
 from __future__ import annotations
 
+from towermodes._computed import Computed
 from towermodes._html import solution_html
+from towermodes._names import place_of
 from towermodes._picture import Picture
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from typing import Literal
+    from collections.abc import Iterator
 
     import numpy as np
     from numpy.typing import NDArray
 
     from towermodes import _towermodes as _rust
+    from towermodes._names import Family
     from towermodes._tower import Tower
 
     Array = NDArray[np.float64]
-    Family = Literal[
-        "fore-aft",
-        "side-side",
-        "torsion",
-        "axial",
-        "coupled",
-        "surge",
-        "sway",
-        "heave",
-        "roll",
-        "pitch",
-        "yaw",
-    ]
 
 
-class Solution:
+def _solve(tower: _rust.Tower, options: dict[str, object]) -> _rust.Solution:
+    return tower.solve(options)
+
+
+class Solution(Computed):
     """The lowest modes of a tower, with their errors and the proof that none is missing.
 
     Arrays have one entry per mode, by rising frequency; of a repeated pair the fore-aft mode comes
@@ -52,22 +46,16 @@ class Solution:
     effective modal mass of these modes: ...
     """
 
-    __slots__ = ("_core", "_tower")
+    __slots__ = ()
 
+    _compute = staticmethod(_solve)
+    _maker = "Tower.solve"
     _core: _rust.Solution
-    _tower: Tower
-
-    @classmethod
-    def _of(cls, tower: Tower, core: _rust.Solution) -> Solution:
-        solution = cls.__new__(cls)
-        solution._core = core
-        solution._tower = tower
-        return solution
 
     @property
     def tower(self) -> Tower:
         """The tower that was solved."""
-        return self._tower
+        return self._towers[0]
 
     @property
     def frequency_hz(self) -> Array:
@@ -180,9 +168,10 @@ class Solution:
         return array
 
     @property
-    def names(self) -> list[tuple[str, int]]:
+    def names(self) -> list[tuple[Family, int]]:
         """Family and order of each mode: `("fore-aft", 1)`."""
-        return self._core.names
+        names: list[tuple[Family, int]] = self._core.names  # type: ignore[assignment]
+        return names
 
     @property
     def labels(self) -> list[str]:
@@ -213,13 +202,23 @@ class Solution:
     def certified(self) -> bool:
         """Whether the count of eigenvalues proves that no mode is missing.
 
-        A list that is not complete is an error, so this is True for every solution.
+        It counts the modes below `complete_below_hz`: there are exactly `count`. A list that is not
+        complete is an error, so this is True for every solution. Where the number of modes cuts a
+        pair of equal frequencies, the other mode of the last pair is counted and not in the list.
         """
         return self._core.certificate[0]
 
     @property
+    def count(self) -> int:
+        """The number of modes below `complete_below_hz`, counted without computing them.
+
+        It is larger than the number of modes in the list where this cuts a pair.
+        """
+        return self._core.certificate[1]
+
+    @property
     def complete_below_hz(self) -> float:
-        """The frequency below which exactly these modes exist, Hz."""
+        """The frequency below which exactly `count` modes exist, Hz."""
         return self._core.certificate[2]
 
     @property
@@ -246,23 +245,19 @@ class Solution:
         """The modes by rising frequency."""
         return [Mode(self, index) for index in range(len(self))]
 
-    def mode(self, family: Family, order: int = 1) -> Mode:
-        """The mode of a family and an order in it, from 1.
+    def mode(self, family: Family | str, order: int | None = None) -> Mode:
+        """The mode of a family and an order in it, from 1; also by one text: `"fore-aft 1"`.
 
         Raises:
             KeyError: The list has no such mode; more modes may have it.
+            ValueError: There is no such family.
 
         >>> import towermodes as tm
         >>> solution = tm.read("examples/nrel-5mw.toml").solve()
         >>> solution.mode("torsion").label
         '1st torsion'
         """
-        names = self.names
-        if (family, order) in names:
-            return Mode(self, names.index((family, order)))
-        there = ", ".join(f"{family} {order}" for family, order in names)
-        message = f"no mode {family} {order} among the {len(names)} modes: {there}"
-        raise KeyError(message)
+        return Mode(self, place_of(self.names, family, order))
 
     def to_json(self) -> str:
         """All results as JSON, as the program writes it."""
@@ -278,6 +273,27 @@ class Solution:
 
     def __len__(self) -> int:
         return len(self._core.names)
+
+    def __getitem__(self, place: int) -> Mode:
+        """The mode at a place in the list, from 0; from the end if it is negative."""
+        number = range(len(self))[place]
+        if isinstance(number, range):
+            message = "a solution has no slices; take them of its modes: solution.modes[:2]"
+            raise TypeError(message)
+        return Mode(self, number)
+
+    def __iter__(self) -> Iterator[Mode]:
+        return iter(self.modes)
+
+    def __eq__(self, other: object) -> bool:
+        """Whether both are solutions of equal towers by the same options."""
+        if not isinstance(other, Solution):
+            return NotImplemented
+        same = (self._towers, self._arguments) == (other._towers, other._arguments)
+        return same or (self.tower == other.tower and self.to_json() == other.to_json())
+
+    def __hash__(self) -> int:
+        return hash((self.tower, len(self)))
 
     def __repr__(self) -> str:
         warnings = "".join(f"warning: {warning}\n" for warning in self.warnings)
@@ -304,13 +320,22 @@ class Mode:
         self._solution = solution
         self._index = index
 
+    def __eq__(self, other: object) -> bool:
+        """Whether both are the same mode of equal solutions."""
+        if not isinstance(other, Mode):
+            return NotImplemented
+        return (self._index, self._solution) == (other._index, other._solution)
+
+    def __hash__(self) -> int:
+        return hash((self._index, self._solution))
+
     @property
     def number(self) -> int:
         """Place in the list, from 1."""
         return self._index + 1
 
     @property
-    def family(self) -> str:
+    def family(self) -> Family:
         """The type of motion: "fore-aft", "side-side", "torsion", "axial" or "coupled".
 
         For rigid-body motions of a floating tower "surge", "sway", "heave", "roll", "pitch" or
@@ -362,7 +387,7 @@ class Mode:
     @property
     def shape(self) -> Array:
         """The shape at `Solution.height_m`: (heights, 6), as `Solution.shape`."""
-        array: Array = self._solution.shape[self._index]
+        array: Array = self._solution._core.shape_of(self._index)
         return array
 
     def __repr__(self) -> str:

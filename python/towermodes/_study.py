@@ -2,27 +2,17 @@
 
 from __future__ import annotations
 
-from towermodes._html import text_html
+from towermodes import _towermodes as _rust
+from towermodes._computed import Tabular
 from towermodes._picture import Picture
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from typing import Any
-
     import numpy as np
     from numpy.typing import NDArray
 
-    from towermodes import _towermodes as _rust
 
-
-def _parsed(text: str) -> dict[str, Any]:
-    import json
-
-    data: dict[str, Any] = json.loads(text)
-    return data
-
-
-class Comparison:
+class Comparison(Tabular):
     """Several methods compared on one tower.
 
     >>> import towermodes as tm
@@ -33,15 +23,11 @@ class Comparison:
     True
     """
 
-    __slots__ = ("_core",)
+    __slots__ = ()
 
+    _compute = _rust.Comparison
+    _maker = "Tower.compare"
     _core: _rust.Comparison
-
-    @classmethod
-    def _of(cls, core: _rust.Comparison) -> Comparison:
-        comparison = cls.__new__(cls)
-        comparison._core = core
-        return comparison
 
     @property
     def columns(self) -> list[tuple[str, int]]:
@@ -69,18 +55,9 @@ class Comparison:
         return np.array([column[key] for column in self.data["methods"]], dtype=np.float64)
 
     @property
-    def data(self) -> dict[str, Any]:
-        """All results with the keys of the program's JSON."""
-        return _parsed(self.to_json())
-
-    @property
     def warnings(self) -> list[str]:
         """Warnings of the reference solution, and of methods that lack modes."""
         return self._core.warnings
-
-    def to_json(self) -> str:
-        """All results as JSON, as the program writes it."""
-        return self._core.json()
 
     def to_csv(self) -> str:
         """One line per mode and method as CSV, as the program writes it."""
@@ -90,15 +67,14 @@ class Comparison:
         """The picture of the differences from the reference solution."""
         return Picture(self._core.svg())
 
-    def __repr__(self) -> str:
-        warnings = "".join(f"warning: {warning}\n" for warning in self.warnings)
-        return (self._core.table() + warnings).rstrip("\n")
+    def _said(self) -> list[str]:
+        return self.warnings
 
-    def _repr_html_(self) -> str:
-        return text_html(repr(self), self._core.svg())
+    def _picture(self) -> str:
+        return self._core.svg()
 
 
-class Agreement:
+class Agreement(Tabular):
     """Two descriptions of the same tower compared.
 
     >>> import towermodes as tm
@@ -108,15 +84,11 @@ class Agreement:
     ('pass', 'pass')
     """
 
-    __slots__ = ("_core",)
+    __slots__ = ()
 
+    _compute = _rust.Agreement
+    _maker = "Tower.check"
     _core: _rust.Agreement
-
-    @classmethod
-    def _of(cls, core: _rust.Agreement) -> Agreement:
-        agreement = cls.__new__(cls)
-        agreement._core = core
-        return agreement
 
     @property
     def verdict(self) -> str:
@@ -124,27 +96,13 @@ class Agreement:
         return self._core.verdict
 
     @property
-    def data(self) -> dict[str, Any]:
-        """All values with the keys of the program's JSON."""
-        return _parsed(self.to_json())
-
-    @property
     def notes(self) -> list[str]:
         """Assumptions and omissions when the files were read, and omissions of the comparison."""
         return self._core.notes
 
-    def to_json(self) -> str:
-        """All values as JSON, as the program writes it."""
-        return self._core.json()
-
-    def __repr__(self) -> str:
-        return self._core.table().rstrip("\n")
-
-    def _repr_html_(self) -> str:
-        return text_html(repr(self))
 
 
-class Examination:
+class Examination(Tabular):
     """Masses and stiffnesses of one tower, in total and along the height.
 
     >>> import towermodes as tm
@@ -153,27 +111,9 @@ class Examination:
     38.18
     """
 
-    __slots__ = ("_core",)
+    __slots__ = ()
 
+    _compute = _rust.Examination
+    _maker = "Tower.examine"
     _core: _rust.Examination
 
-    @classmethod
-    def _of(cls, core: _rust.Examination) -> Examination:
-        examination = cls.__new__(cls)
-        examination._core = core
-        return examination
-
-    @property
-    def data(self) -> dict[str, Any]:
-        """All values with the keys of the program's JSON."""
-        return _parsed(self.to_json())
-
-    def to_json(self) -> str:
-        """All values as JSON, as the program writes it."""
-        return self._core.json()
-
-    def __repr__(self) -> str:
-        return self._core.table().rstrip("\n")
-
-    def _repr_html_(self) -> str:
-        return text_html(repr(self))

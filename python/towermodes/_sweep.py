@@ -3,53 +3,49 @@
 from __future__ import annotations
 
 from towermodes import _towermodes as _rust
-from towermodes._checks import whole, whole_or_none, word_or_none
+from towermodes._checks import whole_or_none, word_or_none
+from towermodes._columns import columns_of
+from towermodes._names import modes_chosen, place_of
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Iterator, Mapping, Sequence
-    from typing import Any, Protocol, SupportsIndex
+    from collections.abc import Iterator
+    from typing import Any, SupportsIndex
 
     import numpy as np
-    from numpy.typing import ArrayLike, NDArray
+    from numpy.typing import NDArray
 
-    from towermodes._solution import Family
+    from towermodes._columns import Table
+    from towermodes._names import Family, Modes
     from towermodes._tower import Tower
 
     Array = NDArray[np.float64]
-
-    class ArrowTable(Protocol):
-        """A table of any library that has the Arrow PyCapsule interface."""
-
-        def __arrow_c_stream__(self, requested_schema: object | None = None) -> object: ...
-
-    Table = ArrowTable | Mapping[str, ArrayLike]
 
 
 def swept(
     tower: Tower,
     table: Table,
-    modes: SupportsIndex | Sequence[tuple[str, int] | str] | None,
+    modes: Modes | None,
     segments: SupportsIndex | None,
     method: str | None,
     rotary_inertia: bool,
     threads: SupportsIndex | None,
 ) -> SweepResult:
     """The results of `Tower.sweep`, which documents the arguments."""
-    columns = _columns(table)
+    columns = columns_of(table)
     options = sweep_options(modes, segments, method, rotary_inertia, threads)
     return SweepResult(columns, _rust.sweep(tower._core, columns, options))
 
 
 def sweep_options(
-    modes: SupportsIndex | Sequence[tuple[str, int] | str] | None,
+    modes: Modes | None,
     segments: SupportsIndex | None,
     method: str | None,
     rotary_inertia: bool,
     threads: SupportsIndex | None,
 ) -> dict[str, object]:
     """The arguments of a sweep as the module in Rust takes them."""
-    count, names = _modes(modes)
+    count, names = modes_chosen(modes)
     return {
         "modes": count,
         "names": names,
@@ -58,60 +54,6 @@ def sweep_options(
         "rotary_inertia": bool(rotary_inertia),
         "threads": whole_or_none("threads", threads, 1),
     }
-
-
-def _modes(
-    modes: SupportsIndex | Sequence[tuple[str, int] | str] | None,
-) -> tuple[int | None, list[str]]:
-    if modes is None:
-        return None, []
-    if hasattr(modes, "__index__"):
-        return whole("modes", modes, 1), []
-    if isinstance(modes, str):
-        return None, [modes]
-    pairs = (name if isinstance(name, str) else f"{name[0]} {name[1]}" for name in modes)
-    return None, list(pairs)
-
-
-def _columns(table: Any) -> list[tuple[str, Array]]:
-    """The columns of a table of any kind, as arrays of one length."""
-    # A DataFrame of pandas would add its index to the stream, and needs pyarrow for it.
-    if hasattr(table, "iloc") and hasattr(table, "columns"):
-        return [(str(name), _numbers(str(name), table[name].to_numpy())) for name in table.columns]
-    if hasattr(table, "__arrow_c_stream__"):
-        return _rust.columns_of_stream(table.__arrow_c_stream__())
-    if hasattr(table, "items"):
-        return _of_one_length([(str(name), _numbers(str(name), v)) for name, v in table.items()])
-    message = (
-        f"the table is a {type(table).__name__}; it must be a dict of arrays, a DataFrame "
-        "or an Arrow table"
-    )
-    raise TypeError(message)
-
-
-def _numbers(name: str, values: object) -> Array:
-    import numpy as np
-
-    try:
-        column: Array = np.asarray(values, dtype=np.float64)
-    except (TypeError, ValueError) as error:
-        message = f"column {name} must hold numbers: {error}"
-        raise TypeError(message) from None
-    if column.ndim > 1:
-        message = f"column {name} has {column.ndim} dimensions, but must have one"
-        raise ValueError(message)
-    return column
-
-
-def _of_one_length(columns: list[tuple[str, Array]]) -> list[tuple[str, Array]]:
-    """Columns in which a single number stands for a number in every row."""
-    import numpy as np
-
-    lengths = [len(column) for _, column in columns if column.ndim == 1]
-    rows = lengths[0] if lengths else 1
-    return [
-        (name, column if column.ndim == 1 else np.full(rows, column)) for name, column in columns
-    ]
 
 
 class SweepResult:
@@ -137,25 +79,32 @@ class SweepResult:
         "_mass_kg",
         "_modes",
         "failures",
+        "warned_rows",
+        "warnings",
     )
 
     failures: list[tuple[int, str]]
     """What failed or is missing: the row, from 0, and the message."""
+    warned_rows: int
+    """Number of rows whose input is possible but probably a mistake, unlike that of the tower."""
+    warnings: list[tuple[int, str]]
+    """The first of these rows, up to five: the row, from 0, and the message."""
 
     def __init__(self, inputs: list[tuple[str, Array]], solved: tuple[Any, ...]) -> None:
-        modes, frequency_hz, error_hz, mass_kg, certified, failures = solved
+        modes, frequency_hz, error_hz, mass_kg, certified, failures, warned = solved
         self._inputs: list[tuple[str, Array]] = inputs
-        self._modes: list[tuple[str, int, str]] = modes
+        self._modes: list[tuple[Family, int, str]] = modes
         self._frequency_hz: Array = frequency_hz
         self._error_hz: Array = error_hz
         self._mass_kg: Array = mass_kg
         self._certified: NDArray[np.bool_] = certified
         self.failures = failures
+        self.warned_rows, self.warnings = warned
         for array in (frequency_hz, error_hz, mass_kg, certified):
             array.flags.writeable = False
 
     @property
-    def names(self) -> list[tuple[str, int]]:
+    def names(self) -> list[tuple[Family, int]]:
         """Family and order of each mode: the columns of `frequency_hz`."""
         return [(family, order) for family, order, _ in self._modes]
 
@@ -190,38 +139,47 @@ class SweepResult:
 
     @property
     def inputs(self) -> dict[str, Array]:
-        """The columns of the table of the sweep."""
+        """The columns of the table of the sweep; they are copies."""
         return dict(self._inputs)
 
-    def mode(self, family: Family, order: int = 1) -> Array:
+    def mode(self, family: Family | str, order: int | None = None) -> Array:
         """The frequencies of a mode by its name, extrapolated, Hz: (rows,).
+
+        The name is `"fore-aft", 1` or `"fore-aft 1"`; without a number it is the first.
 
         Raises:
             KeyError: The sweep has no such mode; its argument `modes` can name it.
         """
-        return self._frequency_hz[:, self._place(family, order)]
+        return self._frequency_hz[:, place_of(self.names, family, order, "the modes of the sweep")]
 
-    def error_of(self, family: Family, order: int = 1) -> Array:
+    def error_of(self, family: Family | str, order: int | None = None) -> Array:
         """The column of `error_hz` of a mode by its name, Hz: (rows,)."""
-        return self._error_hz[:, self._place(family, order)]
-
-    def _place(self, family: str, order: int) -> int:
-        names = self.names
-        if (family, order) in names:
-            return names.index((family, order))
-        there = ", ".join(f"{family} {order}" for family, order in names)
-        message = f"no mode {family} {order} among the modes of the sweep: {there}"
-        raise KeyError(message)
+        return self._error_hz[:, place_of(self.names, family, order, "the modes of the sweep")]
 
     def to_dict(self) -> dict[str, Any]:
-        """The columns of the table: inputs, mass, certified, frequency and error of each mode."""
-        columns: dict[str, Any] = dict(self._inputs)
+        """The columns of the table, with the names that `towermodes sweep` writes.
+
+        They are the number of the row, the inputs, mass, certified, frequency and error of each
+        mode, and in `error` the message of a row that failed.
+        """
+        import numpy as np
+
+        columns: dict[str, Any] = {"row": np.arange(len(self)), **dict(self._inputs)}
         columns["mass_kg"] = self._mass_kg
         columns["certified"] = self._certified
         for place, (_, _, column) in enumerate(self._modes):
             columns[f"{column}_hz"] = self._frequency_hz[:, place]
             columns[f"{column}_error_hz"] = self._error_hz[:, place]
+        messages = dict(self.failures)
+        columns["error"] = [messages.get(row) for row in range(len(self))]
         return columns
+
+    def __array__(self, dtype: object = None, copy: object = None) -> Array:
+        message = (
+            "a sweep has several arrays: take result.frequency_hz (rows, modes), "
+            'result.mode("fore-aft", 1), or the columns of result.to_dict()'
+        )
+        raise TypeError(message)
 
     def __arrow_c_stream__(self, requested_schema: object | None = None) -> object:
         """The table as an Arrow stream, with the messages of failed rows in the column `error`."""
@@ -255,3 +213,7 @@ class SweepResult:
             yield f"row {row}: {message}"
         if failed > 3:
             yield f"and {failed - 3} more failed rows: see failures"
+        for row, message in self.warnings[:3]:
+            yield f"warning: row {row}: {message}"
+        if self.warned_rows > 3:
+            yield f"and {self.warned_rows - 3} more rows with unusual input: see warnings"

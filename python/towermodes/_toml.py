@@ -13,6 +13,12 @@ def tower_file(tables: Mapping[str, object]) -> str:
     return "\n".join(lines) + "\n"
 
 
+def table(key: str, value: object) -> object:
+    """A table that may be given as its first number."""
+    is_number = hasattr(value, "__float__") and not isinstance(value, bool)
+    return {key: value} if is_number else value
+
+
 def _value(value: object) -> str:
     if isinstance(value, bool):
         return "true" if value else "false"

@@ -10,24 +10,30 @@ from towermodes._checks import (
     number_or_none,
     whole,
     whole_or_none,
+    word,
     word_or_none,
 )
 from towermodes._convert import Converted
+from towermodes._errors import TowerError
 from towermodes._picture import Picture
+from towermodes._sensitivity import Sensitivities
 from towermodes._solution import Solution
 from towermodes._study import Agreement, Comparison, Examination
-from towermodes._sweep import SweepResult, swept
+from towermodes._sweep import SweepResult, sweep_options, swept
+from towermodes._toml import table as first_of_table
 from towermodes._toml import tower_file
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Iterable, Mapping, Sequence
-    from typing import Any, Literal, SupportsIndex
+    from typing import Any, Literal, SupportsFloat, SupportsIndex
 
     import numpy as np
     from numpy.typing import ArrayLike, NDArray
+    from typing_extensions import Self
 
-    from towermodes._sweep import Table as Sweepable
+    from towermodes._columns import Table as Sweepable
+    from towermodes._names import Modes
 
     Method = Literal[
         "rmje-exact", "rmje", "cardanic-exact", "cardanic", "lumped", "bmodes", "spectral"
@@ -85,7 +91,7 @@ class Tower:
         properties: Table | None = None,
         material: Table | None = None,
         materials: Mapping[str, Table] | None = None,
-        rna: Table | float | None = None,
+        rna: Table | SupportsFloat | None = None,
         name: str | None = None,
         outfitting_factor: float | None = None,
         shear: bool | float | None = None,
@@ -95,7 +101,7 @@ class Tower:
         added_mass: Sequence[Table] | None = None,
         water: Table | None = None,
         wires: Sequence[Table] | None = None,
-        gravity: Table | float | None = None,
+        gravity: Table | SupportsFloat | None = None,
         rotor: Table | None = None,
     ) -> None:
         tower = {
@@ -110,7 +116,7 @@ class Tower:
                 "material": material,
                 "materials": materials,
                 "tower": {key: value for key, value in tower.items() if value is not None},
-                "rna": {"mass": rna} if isinstance(rna, (int, float)) else rna,
+                "rna": first_of_table("mass", rna),
                 "rotor": rotor,
                 "point_mass": point_mass,
                 "foundation": foundation,
@@ -118,21 +124,19 @@ class Tower:
                 "added_mass": added_mass,
                 "water": water,
                 "wires": wires,
-                "gravity": {"acceleration": gravity}
-                if isinstance(gravity, (int, float))
-                else gravity,
+                "gravity": first_of_table("acceleration", gravity),
             }
         )
         self._core = _rust.read_text(text, "<description>")
 
     @classmethod
-    def _of(cls, core: _rust.Tower) -> Tower:
+    def _of(cls, core: _rust.Tower) -> Self:
         tower = cls.__new__(cls)
         tower._core = core
         return tower
 
     @classmethod
-    def from_toml(cls, text: str) -> Tower:
+    def from_toml(cls, text: str) -> Self:
         """Reads a tower from the text of a tower file.
 
         Raises:
@@ -143,6 +147,9 @@ class Tower:
         >>> tm.Tower.from_toml(tower.to_toml()) == tower
         True
         """
+        if text.strip() and "=" not in text and "\n" not in text.strip():
+            message = f"{text!r} is not the text of a tower file"
+            raise TowerError(message, hint=f"towermodes.read({text!r}) reads a file")
         return cls._of(_rust.read_text(text, "<string>.toml"))
 
     @property
@@ -229,7 +236,7 @@ class Tower:
         """What each of `parameters` is, in a few words."""
         return {name: meaning for name, _, _, meaning in self._core.parameters()}
 
-    def with_(self, changes: Mapping[str, float]) -> Tower:
+    def with_(self, changes: Mapping[str, SupportsFloat]) -> Self:
         """This tower with other numbers; each change is one of its `notes`.
 
         Args:
@@ -250,7 +257,7 @@ class Tower:
             message = f"changes is {changes!r}; it must be a dict of names and values"
             raise TypeError(message)
         pairs = [(name, number(name, value)) for name, value in changes.items()]
-        return Tower._of(self._core.changed(pairs))
+        return type(self)._of(self._core.changed(pairs))
 
     def to_toml(self) -> str:
         """The tower as the text of a tower file, which is read back number by number."""
@@ -299,13 +306,13 @@ class Tower:
         options = _solve_options(modes, method, segments, degree, points, heights, rotary_inertia)
         options["hinge_position"] = number_or_none("hinge_position", hinge_position)
         options["limits"] = bool(limits)
-        return Solution._of(self, self._core.solve(options))
+        return Solution._of((self,), options)
 
     def sweep(
         self,
         table: Sweepable,
         *,
-        modes: SupportsIndex | Sequence[tuple[str, int] | str] | None = None,
+        modes: Modes | None = None,
         segments: SupportsIndex | None = None,
         method: Method | None = None,
         rotary_inertia: bool = True,
@@ -346,6 +353,48 @@ class Tower:
         """
         return swept(self, table, modes, segments, method, rotary_inertia, threads)
 
+    def sensitivities(
+        self,
+        names: Iterable[str] | None = None,
+        *,
+        modes: Modes | None = None,
+        segments: SupportsIndex | None = None,
+        method: Method | None = None,
+        rotary_inertia: bool = True,
+    ) -> Sensitivities:
+        """Derivatives of the mass and the frequencies with respect to the numbers of this tower.
+
+        They are exact up to their error estimates, for every number and every method, and are those
+        of the frequencies of a sweep with the same arguments. Other Python threads run meanwhile,
+        and Ctrl-C ends it.
+
+        Args:
+            names: Names of numbers, as those of `with_`: `rna.mass` for a number,
+                `scale(stations[*].wall)` for a factor on several, `add(rna.mass)` for an addition;
+                by default each number of the tower on which the frequencies can depend.
+            modes: As in `sweep`.
+            segments: As in `sweep`.
+            method: As in `sweep`.
+            rotary_inertia: Whether sections have rotary inertia in bending.
+
+        Raises:
+            ValueError: The tower has no such number or no such mode, or a name sets several numbers
+                that are not equal, so that it has no value on this tower.
+            SolveError: The tower is not solved.
+
+        >>> import towermodes as tm
+        >>> tower = tm.read("examples/nrel-5mw.toml")
+        >>> tower.sensitivities(["rna.mass", "stations[0].wall"], modes=[("fore-aft", 1)])
+        number             value  unit  d mass kg/unit  d fore-aft 1 Hz/unit
+        rna.mass          350000  kg                 0          -3.92...e-07
+        stations[0].wall  0.0351  m        6.11327e+06               3.190...
+        """
+        options = sweep_options(modes, segments, method, rotary_inertia, None)
+        if isinstance(names, str):
+            names = [names]
+        chosen = None if names is None else [word("a name of a number", name) for name in names]
+        return Sensitivities(_rust.sensitivities(self._core, chosen, options))
+
     def campbell(
         self,
         *,
@@ -383,11 +432,11 @@ class Tower:
             "margin": number("margin", margin),
         }
         options = _solve_options(modes, method, segments, None, 2, [], True)
-        return Campbell._of(_rust.Campbell(self._core, rotor, options))
+        return Campbell._of((self,), rotor, options)
 
     def compare(
         self,
-        methods: Sequence[Method] = (),
+        methods: Sequence[Method] | Method = (),
         *,
         segments: SupportsIndex | Sequence[SupportsIndex] = 60,
         modes: SupportsIndex = 8,
@@ -406,11 +455,11 @@ class Tower:
         >>> comparison.frequency_hz.shape
         (2, 2)
         """
-        several = [segments] if hasattr(segments, "__index__") else segments
+        several = segments if hasattr(segments, "__iter__") else [segments]
         numbers = [whole("segments", number, 1) for number in several] or [60]
         count = whole("modes", modes, 1)
-        core = _rust.Comparison(self._core, list(methods), numbers, count, rotary_inertia)
-        return Comparison._of(core)
+        names = [methods] if isinstance(methods, str) else list(methods)
+        return Comparison._of((self,), names, numbers, count, rotary_inertia)
 
     def check(self, other: Tower) -> Agreement:
         """Compares this tower with another description of the same tower.
@@ -428,7 +477,7 @@ class Tower:
         if not isinstance(other, Tower):
             message = f"other is {other!r}; it must be a Tower"
             raise TypeError(message)
-        return Agreement._of(_rust.Agreement(self._core, other._core))
+        return Agreement._of((self, other))
 
     def examine(self) -> Examination:
         """Masses, stiffnesses and centre of mass, in total and along the height.
@@ -437,7 +486,7 @@ class Tower:
         >>> tm.read("examples/nrel-5mw.toml").examine().data["mass_kg"]
         347374...
         """
-        return Examination._of(_rust.Examination(self._core))
+        return Examination._of((self,))
 
     def convert(
         self,
@@ -463,7 +512,7 @@ class Tower:
         """
         if format == "bmodes" and sections_file is None:
             sections_file = "sections.dat"
-        return Converted._of(_rust.Converted(self._core, format, sections_file, from_height_m))
+        return Converted._of((self,), format, sections_file, from_height_m)
 
     def plot(self) -> Picture:
         """The picture of the tower with its surroundings."""
@@ -479,7 +528,7 @@ class Tower:
         return hash((self.name, self.height_m, self.mass_kg, self.rna_mass_kg))
 
     def __reduce__(self) -> tuple[object, ...]:
-        return (_restored, (self._core.state(),))
+        return (_restored, (self._core.state(), type(self)))
 
     def __repr__(self) -> str:
         name = f"{self.name!r}: " if self.name else ""
@@ -493,8 +542,8 @@ class Tower:
         return self._core.svg()
 
 
-def _restored(state: tuple[object, ...]) -> Tower:
-    return Tower._of(_rust.Tower.restore(state))
+def _restored(state: tuple[object, ...], cls: type[Tower] = Tower) -> Tower:
+    return cls._of(_rust.Tower.restore(state))
 
 
 def _speeds(rpm: Any) -> tuple[float, float] | None:

@@ -6,7 +6,7 @@ The classes and functions of the package.
 from _typeshed import Incomplete, SupportsGetItem
 from typing import Final, SupportsFloat, SupportsIndex, final
 
-__all__ = ["VERSION", "Agreement", "Campbell", "Comparison", "Converted", "Examination", "Solution", "SweepFolder", "Tower", "columns_of_stream", "read", "read_text", "run", "stream_of_results", "sweep"]
+__all__ = ["VERSION", "Agreement", "Campbell", "Comparison", "Converted", "Examination", "Solution", "SweepFolder", "Tower", "close", "columns_of_stream", "mode_named", "read", "read_text", "run", "sensitivities", "stream_of_columns", "stream_of_results", "sweep"]
 
 VERSION: Final[str]
 """
@@ -283,6 +283,10 @@ class Solution:
         """
         The shapes at equal heights: (modes, heights, 6).
         """
+    def shape_of(self, /, mode: SupportsIndex) -> Incomplete:
+        """
+        The shape of one mode at equal heights: (heights, 6).
+        """
     @property
     def shape_there(self, /) -> Incomplete:
         """
@@ -363,6 +367,10 @@ class Tower:
     def base_m(self, /) -> float:
         """
         The height of the base, m.
+        """
+    def change(self, /, name: str) -> tuple[str, list[tuple[str, float]], str]:
+        """
+        What a change does (`set`, `scale` or `add`), its numbers with their values, and its unit.
         """
     def changed(self, /, changes: SupportsGetItem[int, tuple[str, SupportsFloat | SupportsIndex]]) -> Tower:
         """
@@ -449,9 +457,19 @@ class Tower:
         Input that is possible but probably a mistake.
         """
 
+def close() -> None:
+    """
+    Lets no other thread come back into Python; Python calls it at its exit.
+    """
+
 def columns_of_stream(capsule: "object") -> "list[tuple[str, Incomplete]]":
     """
     The columns of a table as numbers; a missing value is NaN.
+    """
+
+def mode_named(name: str) -> tuple[str, int, str]:
+    """
+    Family, order and column of the mode with a name such as `fore-aft 1`.
     """
 
 def read(path: "str", options: "dict[str, object]") -> Tower:
@@ -469,6 +487,17 @@ def run(words: "list[str]") -> "int":
     Runs the program with the words of a command line, its own name first; returns its exit code.
     """
 
+def sensitivities(tower: Tower, names: "list[str] | None", options: "dict[str, object]") -> "tuple[Incomplete, ...]":
+    """
+    The derivatives with respect to named changes, or to each number of the tower.
+    """
+
+def stream_of_columns(texts: "list[tuple[str, list[str]]]", numbers: "list[tuple[str, Incomplete]]") -> "object":
+    """
+    A table of texts and numbers as a stream: first the columns of texts. A number that is NaN is
+    missing.
+    """
+
 def stream_of_results(inputs: "list[tuple[str, Incomplete]]", modes: "list[str]", mass_kg: "object", certified: "object", frequency_hz: "object", error_hz: "object", failures: "list[tuple[int, str]]") -> "object":
     """
     A table of results as a stream: the number of each row, the inputs, the mass, whether it is
@@ -476,7 +505,7 @@ def stream_of_results(inputs: "list[tuple[str, Incomplete]]", modes: "list[str]"
     missing.
     """
 
-def sweep(tower: Tower, columns: "list[tuple[str, Incomplete]]", options: "dict[str, object]") -> tuple[list[tuple[str, int, str]], Incomplete, Incomplete, Incomplete, Incomplete, list[tuple[int, str]]]:
+def sweep(tower: Tower, columns: "list[tuple[str, Incomplete]]", options: "dict[str, object]") -> tuple[list[tuple[str, int, str]], Incomplete, Incomplete, Incomplete, Incomplete, list[tuple[int, str]], tuple[int, list[tuple[int, str]]]]:
     """
     Solves the tower with the numbers of each row in place of its own.
     """

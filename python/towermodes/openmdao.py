@@ -6,20 +6,15 @@ This module needs `openmdao`: `pip install ".[openmdao]"` in the root of the rep
 from __future__ import annotations
 
 import re
+from collections import Counter
 from collections.abc import Mapping, Sequence
-from typing import Any
+from typing import Any, NamedTuple
 
 import openmdao.api as om
 from openmdao.utils.units import valid_units
 
-from towermodes import Tower
-
-#: Relative step of the central differences: frequencies have about ten digits in common between
-#: neighbouring towers, so the differences have seven.
-STEP = 1e-4
-
-#: Families with one mode each, so the columns of a sweep have no order.
-RIGID = ("surge", "sway", "heave", "roll", "pitch", "yaw")
+from towermodes import SolveError, Tower, TowerError
+from towermodes._names import EXAMPLE, mode_name
 
 
 class TowerModes(om.ExplicitComponent):  # type: ignore[misc]
@@ -27,20 +22,22 @@ class TowerModes(om.ExplicitComponent):  # type: ignore[misc]
 
     Outputs are `mass_kg`, the mass of the tower without the rotor-nacelle assembly, and a
     frequency for each mode, with the name of its column in a sweep: `fore_aft_1_hz`, `surge_hz`.
-    The frequencies are extrapolated, as `SweepResult.frequency_hz`. Partial derivatives are central
-    differences.
+    The frequencies are extrapolated, as `SweepResult.frequency_hz`. Partial derivatives are exact:
+    those of `Tower.sensitivities`.
 
     Args:
         tower: The tower; its numbers are the initial values of the inputs.
         inputs: Names of OpenMDAO variables, and the number of the tower that each one sets:
             `{"wall_base": "stations[0].wall", "walls": "scale(stations[*].wall)"}`. The initial
             value is 1 for a factor (`scale`) and 0 for an increment (`add`).
-        modes: Names of modes: `[("fore-aft", 1), ("side-side", 1)]`.
+        modes: Names of modes: `[("fore-aft", 1), "side-side 1"]`.
         segments: Number of segments, 20 by default, as in `Tower.sweep`.
 
     Raises:
-        ValueError: In the setup, if the tower has no such number.
-        AnalysisError: In a run, if the numbers do not describe a tower that can be solved.
+        ValueError: A mode has no such name; in the setup, if the tower has no such number, or if
+            an input would set several numbers that are not equal.
+        AnalysisError: In a run, if the numbers do not describe a tower that can be solved, or if a
+            frequency has no derivative.
 
     >>> import openmdao.api as om
     >>> import towermodes as tm
@@ -61,59 +58,157 @@ class TowerModes(om.ExplicitComponent):  # type: ignore[misc]
     def initialize(self) -> None:
         """Declares the options."""
         self.options.declare("tower", types=Tower, recordable=False)
-        self.options.declare("inputs", types=Mapping)
-        self.options.declare("modes", types=Sequence)
+        self.options.declare("inputs", types=Mapping, check_valid=check_inputs)
+        self.options.declare("modes", types=Sequence, check_valid=check_modes)
         self.options.declare("segments", types=int, default=20)
 
     def setup(self) -> None:
         """Declares inputs, outputs and partial derivatives."""
         tower: Tower = self.options["tower"]
-        values, units = tower.parameters, tower.parameter_units
-        neutral = {}
+        self._varied = {}
         for variable, change in self.options["inputs"].items():
-            neutral[change], unit = initial(change, values, units)
-            self.add_input(variable, val=neutral[change], units=unit)
-        # Refuses unknown names and changes that contradict each other.
-        tower.with_(neutral)
+            varied = self._varied[variable] = Varied.of(tower, change)
+            self.add_input(variable, val=varied.initial(), units=unit_of(varied.unit))
+        # Refuses changes that contradict each other.
+        tower.with_({varied.change: varied.initial() for varied in self._varied.values()})
+        self._frequencies = {}
         self.add_output("mass_kg", val=tower.mass_kg, units="kg")
         for mode in self.options["modes"]:
-            self.add_output(output(mode), val=1.0, units="Hz")
-        self.declare_partials("*", "*", method="fd", form="central", step=STEP, step_calc="rel")
+            family, order, column = mode_name(mode)
+            self._frequencies[f"{column}_hz"] = (family, order)
+            self.add_output(f"{column}_hz", val=1.0, units="Hz")
+        self.declare_partials("*", "*")
 
     def compute(self, inputs: Any, outputs: Any) -> None:
         """Solves the tower with the values of the inputs."""
-        changes = self.options["inputs"]
-        modes = list(self.options["modes"])
-        table = {change: inputs[variable] for variable, change in changes.items()}
+        table = {varied.change: inputs[name] for name, varied in self._varied.items()}
         result = self.options["tower"].sweep(
-            table, modes=modes, segments=self.options["segments"], threads=1
+            table,
+            modes=list(self._frequencies.values()),
+            segments=self.options["segments"],
+            threads=1,
         )
         for _, reason in result.failures:
             raise om.AnalysisError(reason)
         outputs["mass_kg"] = result.mass_kg
-        for mode in modes:
-            outputs[output(mode)] = result.mode(*mode)
+        for output, mode in self._frequencies.items():
+            outputs[output] = result.mode(*mode)
+
+    def compute_partials(self, inputs: Any, partials: Any) -> None:
+        """Derivatives of mass and frequencies for the values of the inputs."""
+        changes = [
+            (varied, float(inputs[variable].item())) for variable, varied in self._varied.items()
+        ]
+        weights = chain_rule(changes)
+        try:
+            tower = self.options["tower"].with_({varied.change: v for varied, v in changes})
+            found = tower.sensitivities(
+                sorted({name for terms in weights for name in terms}),
+                modes=list(self._frequencies.values()),
+                segments=self.options["segments"],
+            )
+        except (TowerError, SolveError) as error:
+            raise om.AnalysisError(str(error)) from error
+        rows = {name: row for row, name in enumerate(found.names)}
+        for variable, terms in zip(self._varied, weights, strict=True):
+            for number, mode, reason in found.missing:
+                if terms.get(number):
+                    message = f"the frequency of {mode[0]} {mode[1]} has no derivative with \
+respect to {variable} ({number}): {reason}"
+                    raise om.AnalysisError(message)
+            partials["mass_kg", variable] = sum(
+                weight * found.mass_kg_per_unit[rows[name]] for name, weight in terms.items()
+            )
+            for output, mode in self._frequencies.items():
+                column = found.mode(*mode)
+                partials[output, variable] = sum(
+                    weight * column[rows[name]] for name, weight in terms.items() if weight
+                )
 
 
-def output(mode: tuple[str, int]) -> str:
-    """The output of a mode: `("fore-aft", 1)` is `fore_aft_1_hz`, `("surge", 1)` is `surge_hz`."""
-    family, order = mode
-    if family in RIGID:
-        return f"{family}_hz"
-    return f"{family.replace('-', '_')}_{order}_hz"
+class Varied(NamedTuple):
+    """The numbers of the tower that an input changes."""
+
+    change: str
+    """As it is written in the argument `inputs`."""
+    operation: str
+    """`set`, `scale` or `add`."""
+    numbers: dict[str, float]
+    """The names of the numbers, and their values in the original tower."""
+    unit: str
+    """The unit of the input."""
+
+    @classmethod
+    def of(cls, tower: Tower, change: str) -> Varied:
+        """The numbers of a change.
+
+        Raises:
+            ValueError: There is no such number, or the change sets numbers that are not equal.
+        """
+        operation, numbers, unit = tower._core.change(change)
+        different = sorted({value for _, value in numbers})
+        if operation == "set" and len(different) > 1:
+            listed = ",".join(name for name, _ in numbers) if "," in change else change
+            message = f"{change} would set numbers from {different[0]:g} to {different[-1]:g} to \
+one value; use scale({listed}) or add({listed}) for all, or one input for each"
+            raise ValueError(message)
+        return cls(change, operation, dict(numbers), unit)
+
+    def initial(self) -> float:
+        """The value that leaves the tower as it is."""
+        neutral = {"scale": 1.0, "add": 0.0}
+        return neutral.get(self.operation, next(iter(self.numbers.values())))
 
 
-def initial(
-    change: str, values: Mapping[str, float], units: Mapping[str, str]
-) -> tuple[float, str | None]:
-    """The value and the unit of a change that leaves the tower as it is."""
-    operation, name = re.fullmatch(r"(?:(scale|add)\()?(.*?)\)?", change).groups()  # type: ignore[union-attr]
-    every = re.compile(re.escape(name).replace(r"\*", r"\d+"))
-    found = [number for number in values if every.fullmatch(number)]
-    if operation == "scale":
-        return 1.0, None
-    unit = unit_of(units[found[0]]) if found else None
-    return (0.0 if operation == "add" or not found else values[found[0]]), unit
+def chain_rule(changes: Sequence[tuple[Varied, float]]) -> list[dict[str, float]]:
+    """For each input the numbers of the changed tower that it changes, and how much per unit.
+
+    The derivative with respect to the input is the sum over these numbers of the weights times the
+    derivatives with respect to the numbers. An input whose numbers no other one changes is such a
+    number itself: heights at which two rows meet have a derivative only together.
+    """
+    values: dict[str, float] = {}
+    weights: list[dict[str, float]] = []
+    for varied, value in changes:
+        own = {}
+        for name, original in varied.numbers.items():
+            before = values.get(name, original)
+            own[name] = before if varied.operation == "scale" else 1.0
+            if varied.operation == "scale":
+                for earlier in weights:
+                    if name in earlier:
+                        earlier[name] *= value
+            values[name] = {"set": value, "scale": before * value, "add": before + value}[
+                varied.operation
+            ]
+        weights.append(own)
+    uses = Counter(name for terms in weights for name in terms)
+    for (varied, value), terms in zip(changes, weights, strict=True):
+        if all(uses[name] == 1 for name in varied.numbers):
+            if varied.operation != "scale":
+                terms.clear()
+                terms[varied.change] = 1.0
+            elif value != 0.0:
+                # The changed tower has the factor already.
+                terms.clear()
+                terms[varied.change] = 1.0 / value
+    return weights
+
+
+def check_inputs(name: str, value: Mapping[str, str]) -> None:
+    """Refuses inputs that change nothing."""
+    if not value:
+        message = f'{name} is empty; name the numbers that vary: {{"rna_mass": "rna.mass"}}'
+        raise ValueError(message)
+
+
+def check_modes(name: str, value: Sequence[Any]) -> None:
+    """Refuses names that no mode has."""
+    if isinstance(value, str) or not value:
+        message = f"{name} is {value!r}; it must be a list of names of modes: {EXAMPLE}"
+        raise ValueError(message)
+    for mode in value:
+        mode_name(mode)
 
 
 def unit_of(unit: str) -> str | None:

@@ -6,6 +6,7 @@ mod picture;
 mod planned;
 mod progress;
 mod selection;
+mod warned;
 
 use crate::args::SweepArguments;
 use crate::failure::Failure;

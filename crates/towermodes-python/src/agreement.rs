@@ -10,6 +10,7 @@ use towermodes_cli::table;
 use towermodes_files::{FileFormat, write_result_json};
 
 use crate::error::{of_agreement, of_result, of_tower};
+use crate::lock::released;
 use crate::tower::{Model, Tower};
 
 /// The comparison of two descriptions.
@@ -40,7 +41,7 @@ impl Agreement {
         let implied = models.map(|model| model.input.format == FileFormat::ElastoDyn);
         let [mut first, mut second] = models.map(|model| model.input.description.clone());
         let omitted = omit_one_sided([&mut first, &mut second], implied);
-        let agreed = py.detach(|| agree(&first, &second, &AgreementLimits::default()));
+        let agreed = released(py, || agree(&first, &second, &AgreementLimits::default()));
         let agreement = agreed.map_err(|error| of_agreement(&error))?;
         let mut notes = models[0].notes();
         for note in models[1].notes() {

@@ -1,11 +1,12 @@
-//! Numbers as NumPy arrays.
+//! Numbers as NumPy arrays, which nobody can write: results do not change.
 
-use numpy::{PyArray1, PyArray2, PyArray3, PyArrayMethods};
+use numpy::ndarray::Dimension;
+use numpy::{Element, PyArray, PyArray1, PyArray2, PyArray3, PyArrayMethods};
 use pyo3::prelude::*;
 
 /// An array of one axis.
 pub fn vector(py: Python<'_>, values: impl IntoIterator<Item = f64>) -> Bound<'_, PyArray1<f64>> {
-    PyArray1::from_vec(py, values.into_iter().collect())
+    constant(PyArray1::from_vec(py, values.into_iter().collect()))
 }
 
 /// An array of rows of a fixed length.
@@ -14,7 +15,8 @@ pub fn rows<const N: usize>(
     rows: impl ExactSizeIterator<Item = [f64; N]>,
 ) -> PyResult<Bound<'_, PyArray2<f64>>> {
     let count = rows.len();
-    PyArray1::from_vec(py, rows.flatten().collect()).reshape([count, N])
+    let array = PyArray1::from_vec(py, rows.flatten().collect());
+    array.reshape([count, N]).map(constant)
 }
 
 /// An array (sheets, rows, N) from its values in this order.
@@ -23,5 +25,12 @@ pub fn sheets<const N: usize>(
     values: impl Iterator<Item = [f64; N]>,
     [sheets, rows]: [usize; 2],
 ) -> PyResult<Bound<'_, PyArray3<f64>>> {
-    PyArray1::from_vec(py, values.flatten().collect()).reshape([sheets, rows, N])
+    let array = PyArray1::from_vec(py, values.flatten().collect());
+    array.reshape([sheets, rows, N]).map(constant)
+}
+
+/// The array as one that cannot be written.
+fn constant<T: Element, D: Dimension>(array: Bound<'_, PyArray<T, D>>) -> Bound<'_, PyArray<T, D>> {
+    drop(array.readwrite().make_nonwriteable());
+    array
 }

@@ -25,6 +25,7 @@ use pyo3::prelude::*;
 use pyo3::types::PyCapsule;
 
 use crate::error::usage;
+use crate::lock::released;
 
 /// The name of a capsule with a stream of arrays.
 const STREAM: &CStr = c"arrow_array_stream";
@@ -43,7 +44,7 @@ pub fn columns_of_stream<'py>(
     let names = reader.schema();
     let names = names.fields().iter().map(|field| field.name().clone());
     let names: Vec<String> = names.collect();
-    let columns = py.detach(|| numbers(reader, &names))?;
+    let columns = released(py, || numbers(reader, &names))?;
     let columns = columns
         .into_iter()
         .map(|column| PyArray1::from_vec(py, column));
@@ -72,7 +73,7 @@ fn numbers(
         for ((column, array), name) in columns.iter_mut().zip(batch.columns()).zip(names) {
             extend(column, array).ok_or_else(|| {
                 PyTypeError::new_err(format!(
-                    "column {name} holds {}, but must hold numbers",
+                    "column {name} holds {}, but must hold numbers; cast it to 64-bit floats",
                     array.data_type()
                 ))
             })?;
@@ -94,6 +95,10 @@ fn extend(column: &mut Vec<f64>, array: &dyn Array) -> Option<()> {
         DataType::UInt16 => of_type::<UInt16Type>(column, array, f64::from),
         DataType::UInt32 => of_type::<UInt32Type>(column, array, f64::from),
         DataType::UInt64 => of_type::<UInt64Type>(column, array, |value| value as f64),
+        DataType::Null => {
+            column.extend(std::iter::repeat_n(f64::NAN, array.len()));
+            Some(())
+        }
         _ => None,
     }
 }
@@ -154,6 +159,25 @@ pub fn stream_of_results<'py>(
         }
     }
     table.add("error", Arc::new(StringArray::from(sentences)));
+    PyCapsule::new_with_value(py, table.stream()?, STREAM)
+}
+
+/// A table of texts and numbers as a stream: first the columns of texts. A number that is NaN is
+/// missing.
+#[pyfunction]
+#[pyo3(signature = (texts: "list[tuple[str, list[str]]]", numbers: "list[tuple[str, Incomplete]]") -> "object")]
+pub fn stream_of_columns<'py>(
+    py: Python<'py>,
+    texts: Vec<(String, Vec<String>)>,
+    numbers: Vec<(String, PyReadonlyArray1<'py, f64>)>,
+) -> PyResult<Bound<'py, PyCapsule>> {
+    let mut table = Table::default();
+    for (name, column) in texts {
+        table.add(&name, Arc::new(StringArray::from(column)));
+    }
+    for (name, column) in &numbers {
+        table.add(name, present(column.as_array().iter().copied()));
+    }
     PyCapsule::new_with_value(py, table.stream()?, STREAM)
 }
 

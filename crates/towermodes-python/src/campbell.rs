@@ -15,6 +15,7 @@ use towermodes_report::wording::computed_by;
 
 use crate::error::{of_campbell, of_result, of_solve, usage};
 use crate::interrupt::interruptible;
+use crate::lock::released;
 use crate::options::SolveOptions;
 use crate::tower::{Model, Tower};
 
@@ -100,7 +101,9 @@ impl Campbell {
         })?;
         let solution = solution.map_err(|error| of_solve(&error))?;
         let blade = input.blade.as_ref();
-        let assessed = py.detach(|| assess(tower, &solution, blade, &chosen.rotor, &limits));
+        let assessed = released(py, || {
+            assess(tower, &solution, blade, &chosen.rotor, &limits)
+        });
         let assessed = assessed.map_err(|error| of_campbell(&error))?;
         let mut notes = notes_on(input, &chosen);
         notes.extend(

@@ -4,6 +4,7 @@ use pyo3::prelude::*;
 use towermodes_files::{ConvertOptions, Converted as Files, Note, OutputFormat, convert};
 
 use crate::error::{of_convert, usage};
+use crate::lock::released;
 use crate::tower::Tower;
 
 /// The files of a tower in another format.
@@ -47,7 +48,7 @@ impl Converted {
             from_height_m,
         };
         let input = &tower.model.input;
-        let files = py.detach(|| convert(input, format, &options));
+        let files = released(py, || convert(input, format, &options));
         let files = files.map_err(of_convert)?;
         let own = files.notes.iter().map(Note::to_string);
         let notes = tower.model.notes().into_iter().chain(own).collect();

@@ -4,14 +4,21 @@ use pyo3::exceptions::{PyFileNotFoundError, PyIsADirectoryError, PyOSError, PyVa
 use pyo3::prelude::*;
 use pyo3::sync::PyOnceLock;
 use pyo3::types::PyType;
-use towermodes::{EigenError, Family, SolveError, TowerError};
+use towermodes::{EigenError, Family, Parameter, SolveError, TowerDescription, TowerError};
 use towermodes_analysis::agreement::AgreementError;
 use towermodes_analysis::elastodyn::{MakeError, ShapesError};
 use towermodes_analysis::resonance::CampbellError;
 use towermodes_files::{ConvertError, Diagnostic, FileError, ReadError, ResultError, Source};
+use towermodes_sweep::number_at;
+
+use crate::lock::attached;
 
 /// Where the exceptions are defined.
 const MODULE: &str = "towermodes._errors";
+
+/// ENOENT and EISDIR, which are the same on all systems.
+const NO_ENTRY: i32 = 2;
+const IS_DIRECTORY: i32 = 21;
 
 /// A mistake as Python has it: line, column, message, hint.
 type Mistake = (Option<usize>, Option<usize>, String, Option<String>);
@@ -40,7 +47,7 @@ where
 
 fn tower_error(message: &str, path: Option<&str>, hint: Option<&str>, list: Vec<Mistake>) -> PyErr {
     static CLASS: PyOnceLock<Py<PyType>> = PyOnceLock::new();
-    Python::attach(|py| {
+    attached(|py| {
         let class = class(py, &CLASS, "TowerError");
         raised(class, (message, path, hint, list))
     })
@@ -86,8 +93,12 @@ fn located(source: &Source, mistake: &Diagnostic) -> Mistake {
 fn of_file(error: FileError) -> PyErr {
     let message = error.to_string();
     match error {
-        FileError::Missing { .. } => PyFileNotFoundError::new_err(message),
-        FileError::Directory { .. } => PyIsADirectoryError::new_err(message),
+        FileError::Missing { name } => {
+            PyFileNotFoundError::new_err((NO_ENTRY, "no such file", name))
+        }
+        FileError::Directory { name } => {
+            PyIsADirectoryError::new_err((IS_DIRECTORY, "is a directory, not a file", name))
+        }
         FileError::System { error, name } => match error.raw_os_error() {
             // Python chooses the class of the exception by the number.
             Some(number) => PyOSError::new_err((number, error.to_string(), name)),
@@ -108,6 +119,16 @@ pub fn of_tower(error: &TowerError) -> PyErr {
     tower_error(&message, None, error.hint(), Vec::new())
 }
 
+/// The same, with the number that is wrong by its name: `stations[13].wall`.
+pub fn of_numbers(error: &TowerError, description: &TowerDescription) -> PyErr {
+    let numbers = Parameter::all(description).into_iter();
+    let Some(name) = number_at(error.place, numbers) else {
+        return of_tower(error);
+    };
+    let message = format!("{name}: {}", error.problem);
+    tower_error(&message, None, error.hint(), Vec::new())
+}
+
 /// A tower that a computation or a format refuses.
 pub fn refused(error: &impl ToString) -> PyErr {
     tower_error(&error.to_string(), None, None, Vec::new())
@@ -123,7 +144,7 @@ pub fn of_solve(error: &SolveError) -> PyErr {
     static OF_TOWER: PyOnceLock<Py<PyType>> = PyOnceLock::new();
     static OF_OPTIONS: PyOnceLock<Py<PyType>> = PyOnceLock::new();
     let message = error.to_string();
-    Python::attach(|py| {
+    attached(|py| {
         let class = match error.is_usage() {
             true => class(py, &OF_OPTIONS, "OptionError"),
             false => class(py, &OF_TOWER, "SolveError"),

@@ -6,6 +6,8 @@ use std::time::{Duration, Instant};
 use pyo3::prelude::*;
 use towermodes::Workspace;
 
+use crate::lock::{attached, released};
+
 /// Time between two looks for a signal.
 const BETWEEN_LOOKS: Duration = Duration::from_millis(50);
 
@@ -23,7 +25,7 @@ pub fn interruptible<T: Send>(
     py: Python<'_>,
     work: impl FnOnce(&mut Workspace) -> T + Send,
 ) -> PyResult<T> {
-    py.detach(|| {
+    released(py, || {
         let mut workspace = Workspace::watched(watch());
         let work = AssertUnwindSafe(|| work(&mut workspace));
         catch_unwind(work).map_err(|thrown| match thrown.downcast::<Interrupted>() {
@@ -40,7 +42,7 @@ fn watch() -> impl FnMut(towermodes::Progress) + Send + Sync + 'static {
             return;
         }
         looked = Instant::now();
-        if let Err(exception) = Python::attach(|py| py.check_signals()) {
+        if let Err(exception) = attached(|py| py.check_signals()) {
             resume_unwind(Box::new(Interrupted(exception)));
         }
     }

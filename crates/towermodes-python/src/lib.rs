@@ -11,11 +11,13 @@ mod comparison;
 mod converted;
 mod error;
 mod interrupt;
+mod lock;
 mod options;
 mod parts;
 mod pickle;
 mod program;
 mod reading;
+mod sensitivity;
 mod solution;
 mod sweep;
 mod tower;
@@ -26,7 +28,7 @@ mod _towermodes {
     #[pymodule_export]
     use crate::agreement::{Agreement, Examination};
     #[pymodule_export]
-    use crate::arrow::{columns_of_stream, stream_of_results};
+    use crate::arrow::{columns_of_stream, stream_of_columns, stream_of_results};
     #[pymodule_export]
     use crate::campbell::Campbell;
     #[pymodule_export]
@@ -34,15 +36,19 @@ mod _towermodes {
     #[pymodule_export]
     use crate::converted::Converted;
     #[pymodule_export]
+    use crate::lock::close;
+    #[pymodule_export]
     use crate::parts::SweepFolder;
     #[pymodule_export]
     use crate::program::run;
     #[pymodule_export]
     use crate::reading::{read, read_text};
     #[pymodule_export]
+    use crate::sensitivity::sensitivities;
+    #[pymodule_export]
     use crate::solution::Solution;
     #[pymodule_export]
-    use crate::sweep::sweep;
+    use crate::sweep::{mode_named, sweep};
     #[pymodule_export]
     use crate::tower::Tower;
 

@@ -10,10 +10,11 @@ use towermodes_files::{
 };
 use towermodes_sweep::{
     Base, DEFAULT_ROWS_PER_PART, PartFormat, PartOptions, Parts, PartsError, Shard, Sweep,
-    SweepSource, Table,
+    SweepSource, Table, TableError, TableProblem,
 };
 
 use crate::error::{of_read, usage};
+use crate::lock::released;
 use crate::reading::tower_input;
 use crate::sweep::{SweepOptions, look, refused};
 use crate::tower::Tower;
@@ -58,7 +59,7 @@ impl SweepFolder {
         results: SweepOptions,
         options: FolderOptions,
     ) -> PyResult<Self> {
-        py.detach(|| {
+        released(py, || {
             let planned = match tower {
                 Some(tower) => of_table(&tower.model.input, &values, &results, &options.ignore),
                 None => of_study(&values, &results, &options.ignore),
@@ -106,13 +107,13 @@ impl SweepFolder {
 
     /// The parts that are not there or not whole.
     fn missing(&self, py: Python<'_>) -> PyResult<Vec<u64>> {
-        py.detach(|| self.parts()?.missing().map_err(of_parts))
+        released(py, || self.parts()?.missing().map_err(of_parts))
     }
 
     /// Solves a part and writes it: its number of rows, and how many of them have failed.
     fn solve(&self, py: Python<'_>, part: u64, threads: usize) -> PyResult<(u64, u64)> {
         let mut interrupted = None;
-        let solved = py.detach(|| {
+        let solved = released(py, || {
             let parts = self.parts()?;
             let mut watch = |_| look(&mut interrupted);
             parts.solve(&[part], threads, &mut watch).map_err(of_parts)
@@ -125,7 +126,7 @@ impl SweepFolder {
 
     /// Writes `_SUCCESS` if all parts are there; whether they are.
     fn finish(&self, py: Python<'_>) -> PyResult<bool> {
-        py.detach(|| match self.parts()?.finish() {
+        released(py, || match self.parts()?.finish() {
             // It is computed in the next round.
             Err(PartsError::Lost { .. }) => Ok(false),
             finished => finished.map_err(of_parts),
@@ -211,6 +212,13 @@ fn of_parts(error: PartsError) -> PyErr {
             // Python chooses the class of the exception by the number.
             Some(number) => PyOSError::new_err((number, io.to_string(), path.clone())),
             None => PyOSError::new_err(error.to_string()),
+        },
+        PartsError::Table(TableError { name, problem }) => match &**problem {
+            TableProblem::Io(io) => match io.raw_os_error() {
+                Some(number) => PyOSError::new_err((number, io.to_string(), name.clone())),
+                None => PyOSError::new_err(error.to_string()),
+            },
+            _ => usage(error.to_string()),
         },
         PartsError::Unwritable { .. }
         | PartsError::Damaged { .. }

@@ -4,9 +4,11 @@ use std::ffi::OsString;
 
 use pyo3::prelude::*;
 
+use crate::lock::released;
+
 /// Runs the program with the words of a command line, its own name first; returns its exit code.
 #[pyfunction]
 #[pyo3(signature = (words: "list[str]") -> "int")]
 pub fn run(py: Python<'_>, words: Vec<OsString>) -> u8 {
-    py.detach(|| towermodes_cli::run(words))
+    released(py, || towermodes_cli::run(words))
 }

@@ -8,7 +8,8 @@ use towermodes_files::{
     read_source,
 };
 
-use crate::error::{of_read, usage};
+use crate::error::{MADE_HERE, of_read, usage};
+use crate::lock::released;
 use crate::tower::Tower;
 
 /// How a file is read where it leaves a choice.
@@ -30,7 +31,7 @@ pub struct Reading {
 #[pyo3(signature = (path: "str", options: "dict[str, object]"))]
 pub fn read(py: Python<'_>, path: PathBuf, options: Reading) -> PyResult<Tower> {
     let read_options = options.of_library()?;
-    let input = py.detach(|| {
+    let input = released(py, || {
         let source = Source::from_path(&path)?;
         read_source(source, &SiblingFiles::of(&path), &read_options)
     });
@@ -43,7 +44,12 @@ pub fn read(py: Python<'_>, path: PathBuf, options: Reading) -> PyResult<Tower> 
 #[pyfunction]
 #[pyo3(signature = (text, name))]
 pub fn read_text(text: String, name: String) -> PyResult<Tower> {
-    Tower::of_input(input_of_text(text, name)?)
+    let is_made_here = name == MADE_HERE;
+    let input = input_of_text(text, name)?;
+    match is_made_here {
+        true => Tower::of_changed(input),
+        false => Tower::of_input(input),
+    }
 }
 
 /// The input of a text.

@@ -51,11 +51,7 @@ impl Solution {
             .first()
             .map_or(0, |mode| shape(mode).len());
         let points = self.modes().flat_map(|mode| shape(mode).iter());
-        let motions = points.map(|point| {
-            let ([x, y, z], [rx, ry, rz]) = (point.translation, point.rotation);
-            [x, y, z, rx, ry, rz]
-        });
-        array::sheets(py, motions, [self.solution.modes.len(), heights])
+        array::sheets(py, points.map(motion), [self.solution.modes.len(), heights])
     }
 
     /// The heights of one of the three shapes.
@@ -67,6 +63,12 @@ impl Solution {
         let points = self.solution.modes.first().map_or(&[][..], shape);
         array::vector(py, points.iter().map(|point| point.height_m))
     }
+}
+
+/// Translation and rotation.
+fn motion(point: &ShapePoint) -> [f64; 6] {
+    let ([x, y, z], [rx, ry, rz]) = (point.translation, point.rotation);
+    [x, y, z, rx, ry, rz]
 }
 
 #[pymethods]
@@ -135,6 +137,13 @@ impl Solution {
     #[getter]
     fn shape<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray3<f64>>> {
         self.shapes(py, |mode| &mode.shape)
+    }
+
+    /// The shape of one mode at equal heights: (heights, 6).
+    fn shape_of<'py>(&self, py: Python<'py>, mode: usize) -> PyResult<Bound<'py, PyArray2<f64>>> {
+        let points = self.solution.modes.get(mode);
+        let points = points.map_or(&[][..], |mode| &mode.shape);
+        array::rows(py, points.iter().map(motion))
     }
 
     /// The heights of `shape`, m.

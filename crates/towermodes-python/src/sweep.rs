@@ -12,6 +12,7 @@ use towermodes_files::{SweepModes, SweepResults};
 use towermodes_sweep::{Base, Columns, Results, RunError, Sweep, SweepError, run};
 
 use crate::error::{of_solve, of_tower, usage};
+use crate::lock::{attached, released};
 use crate::options::method_named;
 use crate::tower::Tower;
 
@@ -28,9 +29,10 @@ pub struct SweepOptions {
 }
 
 /// Family, order and column name of each mode.
-type Names = Vec<(&'static str, usize, String)>;
+pub type Names = Vec<(&'static str, usize, String)>;
 
-/// Modes, frequencies and errors (rows, modes), masses, certified, failures.
+/// Modes, frequencies and errors (rows, modes), masses, certified, failures; number of rows with
+/// unusual input, and the first of them.
 type Solved<'py> = (
     Names,
     Bound<'py, PyArray2<f64>>,
@@ -38,6 +40,7 @@ type Solved<'py> = (
     Bound<'py, PyArray1<f64>>,
     Bound<'py, PyArray1<bool>>,
     Vec<(u64, String)>,
+    (u64, Vec<(u64, String)>),
 );
 
 /// Solves the tower with the numbers of each row in place of its own.
@@ -53,15 +56,12 @@ pub fn sweep<'py>(
     let names = columns.iter().map(|(name, _)| name.as_str());
     let changes = Change::parse_all(names, &input.description);
     let changes = changes.map_err(|error| usage(error.to_string()))?;
-    // Copies, because another thread of Python may change an array meanwhile.
-    let numbers: Vec<Vec<f64>> = columns
-        .iter()
-        .map(|(_, column)| column.as_array().iter().copied().collect())
-        .collect();
-    let columns = Columns::new(numbers.iter().map(Vec::as_slice).collect());
+    // The package made these arrays and shows them to nobody before the sweep ends.
+    let numbers: Result<Vec<&[f64]>, _> = columns.iter().map(|(_, one)| one.as_slice()).collect();
+    let columns = Columns::new(numbers?);
     let columns = columns.map_err(|error| usage(error.to_string()))?;
     let (results, threads) = (options.over(SweepResults::default())?, options.threads());
-    let solved = py.detach(|| {
+    let solved = released(py, || {
         let sweep = Sweep::new(Base::from(input), changes, &results).map_err(refused)?;
         solve(&sweep, &columns, threads)
     })?;
@@ -123,7 +123,7 @@ fn solve(sweep: &Sweep, columns: &Columns<'_>, threads: usize) -> PyResult<Resul
 
 /// Looks for a signal: the exception of its handler ends a sweep.
 pub fn look(interrupted: &mut Option<PyErr>) -> ControlFlow<()> {
-    match Python::attach(|py| py.check_signals()) {
+    match attached(|py| py.check_signals()) {
         Ok(()) => ControlFlow::Continue(()),
         Err(exception) => {
             *interrupted = Some(exception);
@@ -132,17 +132,30 @@ pub fn look(interrupted: &mut Option<PyErr>) -> ControlFlow<()> {
     }
 }
 
+/// Family, order and column of the mode with a name such as `fore-aft 1`.
+#[pyfunction]
+pub fn mode_named(name: &str) -> PyResult<(&'static str, usize, String)> {
+    let mode: Result<ModeName, _> = name.parse();
+    let mode = mode.map_err(|error| usage(error.to_string()))?;
+    Ok((mode.family.name(), mode.order, mode.column()))
+}
+
+/// The names of modes.
+pub fn mode_names(modes: &[ModeName]) -> Names {
+    let name = |mode: &ModeName| (mode.family.name(), mode.order, mode.column());
+    modes.iter().map(name).collect()
+}
+
 /// The results as arrays, which take over their memory.
 fn arrays(py: Python<'_>, results: Results) -> PyResult<Solved<'_>> {
     let shape = [results.rows(), results.modes.len()];
-    let name = |mode: &ModeName| (mode.family.name(), mode.order, mode.column());
-    let names: Names = results.modes.iter().map(name).collect();
     Ok((
-        names,
+        mode_names(&results.modes),
         PyArray1::from_vec(py, results.frequency_hz).reshape(shape)?,
         PyArray1::from_vec(py, results.error_hz).reshape(shape)?,
         PyArray1::from_vec(py, results.mass_kg),
         PyArray1::from_vec(py, results.certified),
         results.failures,
+        (results.warnings.rows, results.warnings.first),
     ))
 }

@@ -5,14 +5,17 @@ use std::sync::Arc;
 use numpy::PyArray2;
 use pyo3::prelude::*;
 use pyo3::types::PyTuple;
-use towermodes::{DEFAULT_SEGMENTS, Parameter, Tower as CheckedTower, Warning, solve_certain};
+use towermodes::{
+    Change, DEFAULT_SEGMENTS, Operation, Parameter, Tower as CheckedTower, Warning, solve_certain,
+};
 use towermodes_files::{Note, Setting, TowerInput};
 use towermodes_report::figures;
 use towermodes_report::svg::Look;
 
 use crate::array;
-use crate::error::{of_read, of_solve, of_tower, usage};
+use crate::error::{of_numbers, of_read, of_solve, usage};
 use crate::interrupt::interruptible;
+use crate::lock::released;
 use crate::options::SolveOptions;
 use crate::pickle::{restored, state};
 use crate::solution::Solution;
@@ -72,7 +75,7 @@ impl Tower {
     /// `TowerError`.
     pub fn of_changed(input: TowerInput) -> PyResult<Self> {
         let tower = CheckedTower::new(input.description.clone());
-        let tower = tower.map_err(|error| of_tower(&error))?;
+        let tower = tower.map_err(|error| of_numbers(&error, &input.description))?;
         let model = Arc::new(Model { tower, input });
         Ok(Self { model })
     }
@@ -167,6 +170,21 @@ impl Tower {
         Parameter::all(description).into_iter().map(row).collect()
     }
 
+    /// What a change does (`set`, `scale` or `add`), its numbers with their values, and its unit.
+    fn change(&self, name: &str) -> PyResult<(&'static str, Vec<(String, f64)>, &'static str)> {
+        let description = &self.model.input.description;
+        let change = Change::parse(name, description);
+        let change = change.map_err(|error| usage(error.to_string()))?;
+        let operation = match change.operation() {
+            Operation::Set => "set",
+            Operation::Scale => "scale",
+            Operation::Add => "add",
+        };
+        let number = |parameter: &Parameter| (parameter.to_string(), parameter.value(description));
+        let numbers = change.parameters().iter().map(number).collect();
+        Ok((operation, numbers, change.unit()))
+    }
+
     /// The tower with other numbers: names of changes and their values.
     fn changed(&self, changes: Vec<(String, f64)>) -> PyResult<Self> {
         let mut input = self.model.input.clone();
@@ -185,7 +203,9 @@ impl Tower {
         let segments = options.segments.unwrap_or(DEFAULT_SEGMENTS);
         let is_short = segments.saturating_mul(options.modes) < SOON;
         let solution = match is_short {
-            true => py.detach(|| solve_certain(tower, &options, &mut Default::default())),
+            true => released(py, || {
+                solve_certain(tower, &options, &mut Default::default())
+            }),
             false => interruptible(py, |workspace| solve_certain(tower, &options, workspace))?,
         };
         let solution = solution.map_err(|error| of_solve(&error))?;

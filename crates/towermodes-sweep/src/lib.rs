@@ -32,6 +32,7 @@ mod summary;
 mod sweep;
 mod table;
 mod threads;
+mod warned;
 
 pub use base::{Base, DEFAULT_SWEEP_SEGMENTS};
 pub use parts::{
@@ -39,7 +40,7 @@ pub use parts::{
     PartsProgress, Shard, ShardError, SourceBlock, SweepSource, results_csv,
 };
 pub use results::Results;
-pub use row::MORE_MODES;
+pub use row::{MORE_MODES, number_at};
 pub use run::{RunError, run};
 pub use sampling::Draw;
 pub use source::{Columns, LengthsDiffer, RowSource};
@@ -49,3 +50,4 @@ pub use summary::{
 pub use sweep::{MOST_MODES, Sweep, SweepError};
 pub use table::{CellError, RowPlace, Table, TableError, TableProblem};
 pub use threads::Watch;
+pub use warned::InputWarnings;

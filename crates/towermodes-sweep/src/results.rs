@@ -5,6 +5,7 @@ use std::collections::TryReserveError;
 use towermodes::ModeName;
 
 use crate::row::Cells;
+use crate::warned::InputWarnings;
 
 /// The results of successive rows of a sweep.
 ///
@@ -26,6 +27,8 @@ pub struct Results {
     pub error_hz: Vec<f64>,
     /// What failed or is missing: the number of the row, from 0, and the sentence; by rising rows.
     pub failures: Vec<(u64, String)>,
+    /// Rows that were solved here with input that is probably a mistake; files do not have them.
+    pub warnings: InputWarnings,
 }
 
 impl Results {
@@ -56,6 +59,7 @@ impl Results {
             frequency_hz: numbers(cells)?,
             error_hz: numbers(cells)?,
             failures: Vec::new(),
+            warnings: InputWarnings::default(),
         })
     }
 

@@ -1,9 +1,10 @@
 //! One row of a sweep: the changed tower, solved.
 
-use towermodes::{Change, Options, Parameter, Place, Tower, TowerError, Workspace};
+use towermodes::{Change, Options, Parameter, Place, Tower, TowerError, Warning, Workspace};
 
 use crate::lowest::Lowest;
 use crate::sweep::Sweep;
+use crate::warned::InputWarnings;
 
 /// A row in which a mode is missing is solved again with up to this many more modes than the base
 /// needs.
@@ -25,6 +26,8 @@ pub(crate) struct RowSolver<'a> {
     options: Options,
     workspace: Workspace,
     lowest: Lowest,
+    /// Whether the input of the last row is unusual, and how.
+    warning: Option<Warning>,
 }
 
 impl<'a> RowSolver<'a> {
@@ -34,6 +37,7 @@ impl<'a> RowSolver<'a> {
             options: sweep.options().clone(),
             workspace: Workspace::default(),
             lowest: Lowest::default(),
+            warning: None,
         }
     }
 
@@ -44,12 +48,14 @@ impl<'a> RowSolver<'a> {
         *cells.certified = false;
         cells.frequency_hz.fill(f64::NAN);
         cells.error_hz.fill(f64::NAN);
+        self.warning = None;
         self.try_solve(values, cells).err()
     }
 
     fn try_solve(&mut self, values: &[f64], mut cells: Cells<'_>) -> Result<(), String> {
         let tower = self.tower(values)?;
         *cells.mass_kg = tower.mass_kg();
+        self.warning = self.sweep.new_warning(&tower).cloned();
         let asked = self.sweep.options().modes;
         self.options.modes = asked;
         let solved = self.lowest.solve_for(
@@ -60,6 +66,13 @@ impl<'a> RowSolver<'a> {
         );
         solved.map_err(|error| error.to_string())?;
         self.take(&mut cells)
+    }
+
+    /// Adds the warning about the input of the last row, if there is one.
+    pub(crate) fn warn(&mut self, row: u64, warnings: &mut InputWarnings) {
+        if let Some(warning) = self.warning.take() {
+            warnings.add(row, || warned(&warning, self.sweep));
+        }
     }
 
     /// The changed tower.
@@ -110,16 +123,26 @@ impl<'a> RowSolver<'a> {
 /// indices count from 0.
 fn message(error: &TowerError, sweep: &Sweep) -> String {
     let changed = sweep.changes().iter().flat_map(Change::parameters).copied();
-    let named = name(error.place, changed);
-    let named = named.or_else(|| name(error.place, Parameter::all(sweep.base()).into_iter()));
+    let named = number_at(error.place, changed);
+    let named = named.or_else(|| number_at(error.place, Parameter::all(sweep.base()).into_iter()));
     match named {
         Some(name) => format!("{name}: {}", error.problem),
         None => error.to_string(),
     }
 }
 
+/// A warning, with the name of the changed number that it is about.
+fn warned(warning: &Warning, sweep: &Sweep) -> String {
+    let changed = sweep.changes().iter().flat_map(Change::parameters).copied();
+    let place = warning.place();
+    match place.and_then(|place| number_at(place, changed)) {
+        Some(name) => format!("{name}: {warning}"),
+        None => warning.to_string(),
+    }
+}
+
 /// The name of the number at a place; of several numbers the list entry that has them.
-fn name(place: Place, parameters: impl Iterator<Item = Parameter>) -> Option<String> {
+pub fn number_at(place: Place, parameters: impl Iterator<Item = Parameter>) -> Option<String> {
     let mut there = parameters.filter(|parameter| parameter.place() == place);
     let first = there.next()?.to_string();
     match there.all(|other| other.to_string() == first) {

@@ -9,6 +9,7 @@ use crate::row::RowSolver;
 use crate::source::RowSource;
 use crate::sweep::Sweep;
 use crate::threads::{Tick, Watch, lock, shared};
+use crate::warned::InputWarnings;
 
 /// Rows that a thread takes at a time, some milliseconds of work; fewer are not worth a thread.
 pub(crate) const PIECE_ROWS: usize = 64;
@@ -88,6 +89,7 @@ pub fn run(
     };
     let threads = threads.min(count.div_ceil(PIECE_ROWS));
     let failures = Mutex::new(Vec::new());
+    let warnings = Mutex::new(InputWarnings::default());
     let pieces = Mutex::new(results.pieces(PIECE_ROWS));
     let ended = shared(threads, watch, |tick| {
         let mut rows = Rows::new(sweep);
@@ -102,10 +104,12 @@ pub fn run(
             }
         }
         lock(&failures).append(&mut failed);
+        lock(&warnings).append(rows.warnings);
     });
     drop(pieces);
     ended.map_err(|_| RunError::Stopped)?;
     results.failures = failures.into_inner().unwrap_or_else(|e| e.into_inner());
+    results.warnings = warnings.into_inner().unwrap_or_else(|e| e.into_inner());
     results.failures.sort_unstable_by_key(|(row, _)| *row);
     Ok(results)
 }
@@ -114,6 +118,8 @@ pub fn run(
 pub(crate) struct Rows<'a> {
     solver: RowSolver<'a>,
     values: Vec<f64>,
+    /// On all rows that it has solved.
+    pub(crate) warnings: InputWarnings,
 }
 
 impl<'a> Rows<'a> {
@@ -121,6 +127,7 @@ impl<'a> Rows<'a> {
         Self {
             solver: RowSolver::new(sweep),
             values: vec![0.0; sweep.changes().len()],
+            warnings: InputWarnings::default(),
         }
     }
 
@@ -139,6 +146,7 @@ impl<'a> Rows<'a> {
             source.row(first + index as u64, &mut self.values);
             let failure = self.solver.solve(&self.values, piece.cells(index));
             failures.extend(failure.map(|sentence| (row, sentence)));
+            self.solver.warn(row, &mut self.warnings);
             if !tick() {
                 return false;
             }

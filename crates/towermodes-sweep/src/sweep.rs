@@ -1,10 +1,11 @@
 //! A sweep: a tower, the changes of each row, and the modes that are written.
 
 use std::collections::HashSet;
+use std::mem::discriminant;
 
 use thiserror::Error;
 use towermodes::{
-    Change, ModeName, Options, SolveError, Tower, TowerDescription, TowerError, Workspace,
+    Change, ModeName, Options, SolveError, Tower, TowerDescription, TowerError, Warning, Workspace,
 };
 use towermodes_files::{SweepModes, SweepResults};
 
@@ -39,6 +40,8 @@ pub const MOST_MODES: usize = 64;
 #[derive(Debug, Clone, PartialEq)]
 pub struct Sweep {
     base: TowerDescription,
+    /// What is unusual about the base itself.
+    base_warnings: Vec<Warning>,
     changes: Vec<Change>,
     modes: Vec<ModeName>,
     /// With the number of modes that the base needs for all names.
@@ -123,6 +126,7 @@ impl Sweep {
         };
         Ok(Self {
             base: base.description,
+            base_warnings: tower.warnings().to_vec(),
             changes,
             modes,
             options,
@@ -133,6 +137,18 @@ impl Sweep {
     /// The tower that each row changes.
     pub fn base(&self) -> &TowerDescription {
         &self.base
+    }
+
+    /// The first warning about the input of a changed tower that the base does not have.
+    pub(crate) fn new_warning<'t>(&self, changed: &'t Tower) -> Option<&'t Warning> {
+        let is_same = |one: &Warning, other: &Warning| {
+            discriminant(one) == discriminant(other) && one.place() == other.place()
+        };
+        let is_new = |warning: &&Warning| {
+            let mut of_base = self.base_warnings.iter();
+            !of_base.any(|other| is_same(warning, other))
+        };
+        changed.warnings().iter().find(is_new)
     }
 
     /// The changes, one for each value of a row.

@@ -38,6 +38,30 @@ fn a_row_is_the_changed_tower() {
     }
 }
 
+/// A density in g/cm³ is unusual; the rows that have it are counted, whoever solves them.
+#[test]
+fn unusual_input_that_the_base_does_not_have_is_a_warning() {
+    let sweep = lowest(&["material.density"], 1);
+    let densities: Vec<f64> = (0..300).map(|i| [8500.0, 7.85, 8400.0][i % 3]).collect();
+    for threads in [1, 3] {
+        let warnings = solved(&sweep, &[&densities], threads).warnings;
+        assert_eq!(warnings.rows, 100);
+        let rows: Vec<u64> = warnings.first.iter().map(|(row, _)| *row).collect();
+        assert_eq!(rows, [1, 4, 7, 10, 13]);
+        let sentence = &warnings.first[0].1;
+        assert!(sentence.starts_with("material.density: "), "{sentence}");
+        assert!(sentence.contains("7.85 kg/m3"), "{sentence}");
+    }
+    let mut light = tower(4e7);
+    light.materials[0].density_kg_per_m3 = 7.85;
+    let results = SweepResults {
+        modes: SweepModes::Lowest(1),
+        ..SweepResults::default()
+    };
+    let of_light = self::sweep(Base::from(light), &["rna.mass"], &results);
+    assert_eq!(solved(&of_light, &[&[3e5]], 1).warnings.rows, 0);
+}
+
 /// 1000 rows of a sample that has failing rows too.
 #[test]
 fn results_do_not_depend_on_the_number_of_threads() {

@@ -227,6 +227,34 @@ fn a_damaged_part_is_written_anew() {
     }
 }
 
+/// The rows of all parts that are computed now are counted.
+#[test]
+fn unusual_input_is_a_warning_of_the_run() {
+    let sweep = lowest(&["material.density"], 1);
+    let source = SweepSource::sampled(Sampling {
+        kind: SamplingKind::Random,
+        rows: 250,
+        seed: 1,
+        vary: vec![Varied {
+            name: "material.density".to_owned(),
+            distribution: Distribution::Uniform {
+                low: 7.0,
+                high: 8.0,
+            },
+            levels: None,
+        }],
+    });
+    let source = source.expect("a sample");
+    let folder = Folder::new();
+    let parts = Parts::open(&sweep, &source, &folder.path("r"), options(PartFormat::Csv));
+    let parts = parts.expect("open");
+    let done = parts.solve(&[0, 2], 2, &mut |_| ControlFlow::Continue(()));
+    let warnings = done.expect("parts").warnings;
+    assert_eq!(warnings.rows, 150);
+    assert_eq!(warnings.first.len(), 5);
+    assert_eq!(warnings.first[4].0, 4);
+}
+
 /// Parts that are not there any more are told apart from those that other shards have to compute,
 /// and a folder that misses parts is not marked as complete.
 #[test]

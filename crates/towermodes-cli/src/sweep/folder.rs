@@ -9,6 +9,7 @@ use towermodes_sweep::{DEFAULT_ROWS_PER_PART, PartOptions, Parts, PartsProgress,
 use super::picture;
 use super::planned::Planned;
 use super::progress::SweepProgress;
+use super::warned;
 use crate::args::SweepArguments;
 use crate::failure::{Failure, note_texts, report};
 use crate::output::deliver;
@@ -36,7 +37,13 @@ pub(super) fn run(
     let missing = parts.missing().map_err(Failure::Parts)?;
     let done = solved(&parts, &missing, arguments)?;
     let is_complete = parts.finish().map_err(Failure::Parts)?;
-    report(&account(&parts, &missing, done, is_complete, options.shard));
+    report(&account(
+        &parts,
+        &missing,
+        &done,
+        is_complete,
+        options.shard,
+    ));
     if done.failures > 0 {
         let verb = if done.failures == 1 { "has" } else { "have" };
         note_texts(&[format!(
@@ -45,6 +52,7 @@ pub(super) fn run(
             counted(done.rows, "row")
         )]);
     }
+    warned::report(&done.warnings, done.rows);
     let is_shown = arguments.summary || arguments.plot.is_some();
     if is_shown && !is_complete {
         return Err(Failure::Refused(format!(
@@ -106,7 +114,7 @@ fn solved(
 fn account(
     parts: &Parts<'_>,
     missing: &[u64],
-    done: PartsProgress,
+    done: &PartsProgress,
     is_complete: bool,
     shard: Shard,
 ) -> String {

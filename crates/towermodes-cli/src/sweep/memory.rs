@@ -6,6 +6,7 @@ use towermodes_sweep::{results_csv, run as solve_rows};
 
 use super::planned::Planned;
 use super::progress::SweepProgress;
+use super::warned;
 use crate::args::SweepArguments;
 use crate::failure::{Failure, note_texts};
 use crate::output::deliver;
@@ -32,8 +33,10 @@ pub(super) fn run(planned: &Planned, arguments: &SweepArguments) -> Result<(), F
         let verb = if count == 1 { "has" } else { "have" };
         format!("{count} of {rows} rows {verb} no complete result (column error); the first is row {row}, counted from 0: {sentence}")
     });
+    let warnings = results.warnings.clone();
     let csv = results_csv(&planned.sweep, &values, results);
     let csv = csv.map_err(|error| Failure::Unwritable("the results".to_owned(), error))?;
     note_texts(&Vec::from_iter(failed));
+    warned::report(&warnings, rows);
     deliver(&csv, None)
 }

@@ -15,9 +15,10 @@ use super::{Parts, PartsError};
 use crate::results::Results;
 use crate::run::{PIECE_ROWS, Rows, RunError};
 use crate::threads::{Tick, lock, shared};
+use crate::warned::InputWarnings;
 
 /// How far a sweep is.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, PartialEq, Eq)]
 pub struct PartsProgress {
     /// Rows solved by this run.
     pub rows: u64,
@@ -25,6 +26,8 @@ pub struct PartsProgress {
     pub parts: u64,
     /// Rows of these parts with a sentence.
     pub failures: u64,
+    /// Rows with input that is probably a mistake; known at the end.
+    pub warnings: InputWarnings,
 }
 
 impl Parts<'_> {
@@ -64,11 +67,13 @@ impl Parts<'_> {
             problem: Mutex::new(None),
             written: AtomicU64::new(0),
             failures: AtomicU64::new(0),
+            warnings: Mutex::new(InputWarnings::default()),
         };
         let progress = |rows: u64| PartsProgress {
             rows,
             parts: run.written.load(Ordering::Relaxed),
             failures: run.failures.load(Ordering::Relaxed),
+            warnings: InputWarnings::default(),
         };
         let mut done = 0;
         let mut watch = |rows: u64| {
@@ -81,7 +86,8 @@ impl Parts<'_> {
             }
         });
         sync_folder(self.folder());
-        let result = progress(done);
+        let mut result = progress(done);
+        result.warnings = std::mem::take(&mut *lock(&run.warnings));
         match (lock(&run.problem).take(), ended) {
             (Some(problem), _) => Err(problem),
             (None, Err(_)) => Err(RunError::Stopped.into()),
@@ -98,6 +104,7 @@ struct Run<'a> {
     problem: Mutex<Option<PartsError>>,
     written: AtomicU64,
     failures: AtomicU64,
+    warnings: Mutex<InputWarnings>,
 }
 
 /// The parts that are not begun, and the one whose rows are given out.
@@ -141,6 +148,7 @@ impl<'a> Run<'a> {
                 self.write(&open)?;
             }
         }
+        lock(&self.warnings).append(solver.warnings);
         Ok(())
     }
 
@@ -233,6 +241,7 @@ fn joined(first_row: u64, modes: &[ModeName], pieces: impl Iterator<Item = Resul
         frequency_hz: Vec::new(),
         error_hz: Vec::new(),
         failures: Vec::new(),
+        warnings: InputWarnings::default(),
     };
     for mut piece in pieces {
         all.mass_kg.append(&mut piece.mass_kg);

@@ -1,0 +1,49 @@
+//! Warnings about the input of rows.
+
+/// Number of rows whose sentences are kept.
+const KEPT: usize = 5;
+
+/// Rows whose input is possible but probably a mistake, in a way that the base is not.
+#[derive(Debug, Clone, PartialEq, Eq, Default)]
+pub struct InputWarnings {
+    /// Number of such rows.
+    pub rows: u64,
+    /// The first of them: the number of the row, from 0, and the first sentence on it.
+    pub first: Vec<(u64, String)>,
+}
+
+impl InputWarnings {
+    /// Adds a row. Each thread adds its rows in their order.
+    pub(crate) fn add(&mut self, row: u64, sentence: impl FnOnce() -> String) {
+        self.rows += 1;
+        if self.first.len() < KEPT {
+            self.first.push((row, sentence()));
+        }
+    }
+
+    /// Adds other rows. The rows that are kept do not depend on the order.
+    pub(crate) fn append(&mut self, mut other: Self) {
+        self.rows += other.rows;
+        self.first.append(&mut other.first);
+        self.first.sort_unstable_by_key(|(row, _)| *row);
+        self.first.truncate(KEPT);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::InputWarnings;
+
+    #[test]
+    fn the_first_rows_are_kept_whoever_solves_them() {
+        let mut threads = [InputWarnings::default(), InputWarnings::default()];
+        for row in 0..100_u64 {
+            threads[(row / 3 % 2) as usize].add(row, || format!("row {row}"));
+        }
+        let [mut all, other] = threads;
+        all.append(other);
+        assert_eq!(all.rows, 100);
+        let expected = [0, 1, 2, 3, 4].map(|row| (row, format!("row {row}")));
+        assert_eq!(all.first, expected);
+    }
+}
