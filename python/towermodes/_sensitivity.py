@@ -22,8 +22,10 @@ if TYPE_CHECKING:
 class Sensitivities:
     """Derivatives of the mass and the natural frequencies of a tower with respect to its numbers.
 
-    The frequencies are extrapolated, as those of a sweep. The derivatives are exact up to
-    `error_hz_per_unit`; they are no differences of solved towers.
+    The frequencies are extrapolated, as those of a sweep. The derivatives are computed from the
+    modes themselves; they are no differences of solved towers. For a tower in soil with the default
+    20 segments they may differ by some 0.1 % from the differences of a sweep; 60 segments reduce
+    this to 0.01 %.
 
     `polars.DataFrame(result)`, `pyarrow.table(result)` and other libraries with the Arrow
     interface take it as a table; `pandas.DataFrame(result.to_dict())` does so without it.

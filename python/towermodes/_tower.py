@@ -331,8 +331,9 @@ class Tower:
             modes: Number of modes of this tower whose names are columns, 4 by default, or their
                 names: `[("fore-aft", 1), "torsion 1"]`.
             segments: Number of segments; by default 20, except for the method "spectral", which
-                chooses its elements. The frequencies are extrapolated from several meshes and have
-                five to seven correct digits; they correspond to `Solution.extrapolated_hz`.
+                chooses its elements, and for a BModes deck, which has elements of its own. The
+                frequencies are extrapolated from several meshes and have five to seven correct
+                digits; they correspond to `Solution.extrapolated_hz`.
             method: As in `solve`.
             rotary_inertia: As in `solve`.
             threads: Number of threads; by default all processors. The results do not depend on
@@ -364,9 +365,9 @@ class Tower:
     ) -> Sensitivities:
         """Derivatives of the mass and the frequencies with respect to the numbers of this tower.
 
-        They are exact up to their error estimates, for every number and every method, and are those
-        of the frequencies of a sweep with the same arguments. Other Python threads run meanwhile,
-        and Ctrl-C ends it.
+        They are computed from the modes without differences of solved towers, for every number and
+        every method, and belong to the frequencies of a sweep with the same arguments. Other Python
+        threads run meanwhile, and Ctrl-C ends it.
 
         Args:
             names: Names of numbers, as those of `with_`: `rna.mass` for a number,
