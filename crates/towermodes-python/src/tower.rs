@@ -24,6 +24,9 @@ use crate::solution::Solution;
 /// anyone can interrupt them. To look for signals costs them a few microseconds.
 const SOON: usize = 20_000;
 
+/// Operation, numbers with their values, and unit of a change.
+type ChangeParts = (&'static str, Vec<(String, f64)>, &'static str);
+
 /// A tower and the input that it was made of.
 pub struct Model {
     /// The tower.
@@ -171,7 +174,7 @@ impl Tower {
     }
 
     /// What a change does (`set`, `scale` or `add`), its numbers with their values, and its unit.
-    fn change(&self, name: &str) -> PyResult<(&'static str, Vec<(String, f64)>, &'static str)> {
+    fn change(&self, name: &str) -> PyResult<ChangeParts> {
         let description = &self.model.input.description;
         let change = Change::parse(name, description);
         let change = change.map_err(|error| usage(error.to_string()))?;
