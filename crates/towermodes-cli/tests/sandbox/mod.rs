@@ -110,6 +110,10 @@ impl Sandbox {
         let values = "rna.mass,scale(stations[*].wall)\n330000,0.95\n350000,1.00\n370000,1.05\n";
         self.write("values.csv", values);
         self.write("study.toml", STUDY);
+        self.copy(
+            "crates/towermodes-cli/tests/inputs/design/mass.toml",
+            "design.toml",
+        );
         self.copy("examples/nrel-5mw.bmi", "deck.bmi");
         self.copy("examples/nrel-5mw_sections.dat", "nrel-5mw_sections.dat");
         self.copy("examples/nrel-5mw.yaml", "turbine.yaml");

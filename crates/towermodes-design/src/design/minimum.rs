@@ -107,7 +107,8 @@ pub(super) fn from_start(
         };
         if run == 0 || is_better {
             let gain = found.violation - next.violation;
-            // Where the violation no longer decreases, another start or the least violation decides.
+            // Where the violation no longer decreases, another start decides, or the least
+            // violation.
             let is_stuck = !next.is_feasible() && gain < LEAST_GAIN * found.violation;
             let is_proved = match least {
                 Least::Mass => next.is_proved(),
