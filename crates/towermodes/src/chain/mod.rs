@@ -10,6 +10,7 @@ mod curves;
 mod joint;
 mod model;
 mod product;
+mod states;
 mod subsystem;
 mod transfer;
 

@@ -196,6 +196,23 @@ pub fn modal_resultant<const D: usize>(
     (force, kinetic, strain)
 }
 
+/// Tells `body` each joint with the motion of the body above, its own motion, and the load A v on
+/// that body.
+pub(super) fn for_each_body<const D: usize>(
+    chain: &Chain<D>,
+    a: &Coefficients,
+    x: &[f64],
+    mut body: impl FnMut(&Link<D>, &[f64; D], &[f64; D], &[f64; D]),
+) {
+    sweep_up(chain, x, 0.., |joint, link, motion, own| {
+        let load = match link.has_body {
+            true => body_load(chain, a, joint, motion),
+            false => [0.0; D],
+        };
+        body(link, motion, own, &load);
+    });
+}
+
 /// xᵀ A x.
 pub fn energy<const D: usize>(chain: &Chain<D>, a: &Coefficients, x: &[f64]) -> f64 {
     let mut energy = [0.0; D];

@@ -8,7 +8,7 @@ use super::product::{self, Loads};
 use super::transfer;
 use crate::space::SpatialMatrix;
 use crate::subsystem::{
-    Coefficients, Coordinates, Energies, InternalForces, MatrixKind, Resultant, SegmentCurves,
+    Coefficients, Coordinates, Energies, InternalForces, JointState, MatrixKind, Resultant, SegmentCurves,
     ShearFraction, Subsystem, Subsystems, dimension,
 };
 use crate::tower::{Motions, Tower};
@@ -100,6 +100,11 @@ impl<const D: usize> Subsystem for ChainSubsystem<D> {
 
     fn with_internal_forces(&self, forces: &InternalForces, jumps_m: &[f64], out: &mut [f64]) {
         transfer::with_internal_forces(&self.chain, forces, jumps_m, out);
+    }
+
+    fn joint_states(&self, lambda: f64, x: &[f64], states: &mut Vec<JointState>) -> bool {
+        super::states::joint_states(&self.chain, &self.coordinates, lambda, x, states);
+        true
     }
 
     fn resultant(&mut self, a: &Coefficients, x: &[f64], base_m: f64) -> Resultant {

@@ -2,6 +2,7 @@
 
 mod bodies;
 mod cardanic;
+mod gradient;
 mod lumped;
 mod mesh;
 mod rmje;
@@ -10,6 +11,7 @@ mod springs;
 
 pub use cardanic::GAUSS_HINGE_POSITION;
 pub use mesh::{BorderError, Borders, Mesh, Span};
+pub(crate) use gradient::GradientMesh;
 pub(crate) use springs::shear_fraction;
 
 use crate::Method;

@@ -8,8 +8,10 @@
 mod changes;
 mod error;
 mod held;
+mod slope;
 mod solved;
 mod step;
+mod swept;
 
 pub use changes::every_change;
 pub use error::SensitivityError;
@@ -127,16 +129,18 @@ pub fn sensitivities(
     let values = values?;
     let neighbours = Neighbours::of(description)?;
     let mut frozen = FrozenModes::of(&neighbours, options, workspace)?;
+    let mut swept = swept::Swept::new(&neighbours);
     let mut held = held::Held::new(&neighbours, &mut frozen);
     let mut results = Vec::with_capacity(changes.len());
     for (change, value) in changes.iter().zip(values) {
-        let of_held = held.derivatives(change, value);
+        let of_swept = swept.derivatives(held.frozen(), change, value);
+        let of_held = of_swept.or_else(|| held.derivatives(change, value));
         let (modes, mass_kg_per_unit) = match of_held {
             Some(derivatives) => derivatives,
             None => solved::derivatives(
                 &neighbours,
                 (change, value),
-                held.modes(),
+                &held.frozen().modes,
                 options,
                 workspace,
             ),

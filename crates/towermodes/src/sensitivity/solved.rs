@@ -1,7 +1,7 @@
 //! Derivatives by solving again, for changes after which the tower has another structure: a row of
 //! the soil that leaves the height of a station cuts a linear piece in two.
 
-use super::held::Derivatives;
+use super::slope::Derivatives;
 use super::step::step;
 use super::{Derivative, NoDerivative};
 use crate::Method;

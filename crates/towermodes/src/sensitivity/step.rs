@@ -71,3 +71,18 @@ pub(super) fn is_linear(change: &Change) -> bool {
     };
     change.operation() != Operation::Scale && change.parameters().iter().all(is_linear)
 }
+
+/// The units of numbers in which a tower is a polynomial of third degree at least, or none at all.
+const CURVED: [&str; 3] = ["m", "deg", ""];
+
+/// Whether the numbers of a tower depend on the numbers of a change linearly or quadratically, so
+/// that a central difference is exact.
+pub(super) fn is_quadratic(change: &Change) -> bool {
+    change.parameters().iter().all(|parameter| {
+        let name = parameter.to_string();
+        let is_of_profile = name.ends_with(".diameter") || name.ends_with(".wall");
+        // Between the rows of a table inertias are masses times squared radii of gyration.
+        let is_of_rows = parameter.is_of_rows();
+        is_of_profile || !(is_of_rows || CURVED.contains(&parameter.unit()))
+    })
+}

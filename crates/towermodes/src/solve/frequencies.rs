@@ -116,14 +116,25 @@ pub fn solve_frequencies<'w>(
     options: &Options,
     workspace: &'w mut Workspace,
 ) -> Result<&'w Frequencies, SolveError> {
+    solve_keeping_vectors(tower, options, workspace, &mut None)?;
+    Ok(&workspace.frequencies)
+}
+
+/// [`solve_frequencies`], which also writes the vectors of the modes on their own mesh, if the
+/// method has a fixed one.
+pub(super) fn solve_keeping_vectors(
+    tower: &Tower,
+    options: &Options,
+    workspace: &mut Workspace,
+    vectors: &mut Option<Vec<Vec<f64>>>,
+) -> Result<(), SolveError> {
     let options = &options.without_shapes();
     options.check()?;
     workspace.model.monitor.restart();
     match options.method {
-        Method::Spectral => p_refinement::solve_frequencies(tower, options, workspace)?,
-        _ => solve_segments(tower, options, workspace)?,
+        Method::Spectral => p_refinement::solve_frequencies(tower, options, workspace),
+        _ => solve_segments(tower, options, workspace, vectors),
     }
-    Ok(&workspace.frequencies)
 }
 
 /// With elements of a fixed kind: solved once, the errors estimated from meshes of half or twice as
@@ -132,10 +143,16 @@ fn solve_segments(
     tower: &Tower,
     options: &Options,
     workspace: &mut Workspace,
+    vectors: &mut Option<Vec<Vec<f64>>>,
 ) -> Result<(), SolveError> {
     let cut = workspace.cut.take(tower, options)?;
     let found = solve_cut(tower, &cut, options, workspace)?;
     let below = list(tower, &cut, options, &found, workspace)?;
+    if let Some(vectors) = vectors {
+        let modes = workspace.errors.modes.iter();
+        let vector = |key| workspace.spectrum.vector(key).to_vec();
+        vectors.extend(modes.map(|mode| vector(mode.key)));
+    }
     workspace.spectrum.recycle(found);
     let estimates = estimate_errors(tower, &cut, options, below, workspace)?;
     workspace.cut.put_back(cut, options);

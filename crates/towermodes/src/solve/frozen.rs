@@ -7,16 +7,16 @@
 use super::cut::Cut;
 use super::error::SolveError;
 use super::estimate::powers;
-use super::frequencies::{ModeFrequency, solve_frequencies};
-use super::guesses::followed;
+use super::frequencies::{ModeFrequency, solve_keeping_vectors};
+use super::guesses::{Guesses, followed};
 use super::model::Model;
 use super::options::Options;
-use super::spectrum::ModeKey;
+use super::spectrum::{ModeKey, Spectrum};
 use super::stability::find_origin_again;
 use super::workspace::Workspace;
 use crate::Method;
 use crate::eigen::{EigenError, ShiftInvert};
-use crate::elements::Mesh;
+use crate::elements::{GradientMesh, Mesh};
 use crate::subsystem::Eigenproblem;
 use crate::tower::{Motions, Neighbour, Neighbours, Tower};
 
@@ -30,8 +30,13 @@ pub(crate) struct FrozenModes {
     pub(crate) powers: Vec<&'static [i32]>,
     /// The motions of each mode's subsystem.
     pub(crate) motions: Vec<Motions>,
+    /// The places of the modes whose frequencies do not converge with these powers.
+    pub(crate) irregular: Vec<usize>,
     /// The mesh of the modes and those below it, each with half the segments of the one before.
     pub(crate) meshes: Vec<FrozenMesh>,
+    /// For each number of the tower the derivatives of the eigenvalues with respect to it, mesh by
+    /// mesh; none if the method has no sweep that gives them.
+    pub(crate) gradients: Option<Vec<f64>>,
     model: Model,
 }
 
@@ -54,7 +59,10 @@ impl FrozenModes {
         workspace: &mut Workspace,
     ) -> Result<Self, SolveError> {
         let tower = neighbours.tower();
-        let modes = solve_frequencies(tower, options, workspace)?.modes.clone();
+        let mut own = Some(Vec::new());
+        solve_keeping_vectors(tower, options, workspace, &mut own)?;
+        let mut own = own.filter(|vectors| !vectors.is_empty());
+        let modes = workspace.frequencies.modes.clone();
         let keys: Vec<ModeKey> = workspace.errors.modes.iter().map(|mode| mode.key).collect();
         let origin = workspace.model.origin;
         let mut frozen = Self {
@@ -63,48 +71,98 @@ impl FrozenModes {
             keys,
             powers: Vec::new(),
             motions: Vec::new(),
+            irregular: workspace.errors.irregular.clone(),
             meshes: Vec::new(),
+            gradients: None,
             model: Model::default(),
         };
-        for cut in cuts(tower, options, workspace)? {
-            match frozen.solve(tower, cut, origin, workspace) {
-                Ok(mesh) => frozen.meshes.push(mesh),
+        let mut gradients = frozen.begin_gradients();
+        frozen.set_powers(tower, options, &workspace.model);
+        let powers = frozen.powers.iter().map(|powers| powers.len());
+        let most = 1 + powers.max().unwrap_or(0) as u32;
+        for cut in cuts(tower, options, workspace, most)? {
+            match frozen.solve(tower, cut, (origin, own.take()), workspace) {
+                Ok(mesh) => {
+                    gradients = gradients.and_then(|mut all| {
+                        let is_whole = frozen.add_gradients(tower, &mesh, workspace, &mut all);
+                        is_whole.then_some(all)
+                    });
+                    frozen.meshes.push(mesh);
+                }
                 // The coarser meshes only tell how the derivative converges.
                 Err(_) if !frozen.meshes.is_empty() => break,
                 Err(error) => return Err(error),
             }
         }
-        let model = &workspace.model;
-        let subsystems = frozen.keys.iter().map(|key| key.subsystem);
-        frozen.motions = subsystems.map(|index| model.motions(index)).collect();
+        frozen.gradients = gradients.map(|all| by_number(&all));
+        Ok(frozen)
+    }
+
+    /// Sets how the errors of the modes decrease, and their motions.
+    fn set_powers(&mut self, tower: &Tower, options: &Options, model: &Model) {
+        let subsystems = self.keys.iter().map(|key| key.subsystem);
+        self.motions = subsystems.map(|index| model.motions(index)).collect();
         let of_mode = |key: &ModeKey| match options.method {
             Method::Spectral => &[][..],
             _ => powers(tower, options, model, *key),
         };
-        frozen.powers = frozen.keys.iter().map(of_mode).collect();
-        Ok(frozen)
+        self.powers = self.keys.iter().map(of_mode).collect();
+    }
+
+    /// Where the gradients are to be written, if there are some.
+    fn begin_gradients(&self) -> Option<Vec<Vec<f64>>> {
+        let is_swept = self.options.method == Method::RmjeExact && self.options.borders_m.is_none();
+        is_swept.then(Vec::new)
+    }
+
+    /// Adds the gradient of each mode on a mesh; false if the chain has none.
+    fn add_gradients(
+        &self,
+        tower: &Tower,
+        mesh: &FrozenMesh,
+        workspace: &mut Workspace,
+        gradients: &mut Vec<Vec<f64>>,
+    ) -> bool {
+        let model = &mut workspace.model;
+        let rotary_inertia = self.options.rotary_inertia;
+        let mut on_mesh = GradientMesh::new(tower, &mesh.cut.mesh, rotary_inertia);
+        let mut states = Vec::new();
+        let modes = self.keys.iter().zip(&mesh.vectors).zip(&mesh.lambdas);
+        for ((key, vector), &lambda) in modes {
+            let [_, mass] = energies(model, key.subsystem, vector);
+            let mut gradient = Vec::new();
+            let is_whole = model
+                .subsystem(key.subsystem)
+                .joint_states(lambda, vector, &mut states)
+                && on_mesh.write(lambda, &states, &mut gradient);
+            if !is_whole {
+                return false;
+            }
+            gradient.iter_mut().for_each(|value| *value /= mass);
+            gradients.push(gradient);
+        }
+        true
     }
 
     fn solve(
         &self,
         tower: &Tower,
         cut: Cut,
-        origin: f64,
+        (origin, known): (f64, Option<Vec<Vec<f64>>>),
         workspace: &mut Workspace,
     ) -> Result<FrozenMesh, SolveError> {
         let Workspace {
-            model, spectrum, ..
+            model,
+            spectrum,
+            errors,
+            ..
         } = workspace;
         model.assemble(tower, &cut.mesh, cut.degree, &self.options);
         find_origin_again(tower, model, origin)?;
-        for index in 0..model.count() {
-            let wanted = followed(&self.keys, index);
-            if wanted > 0 {
-                spectrum.solve_subsystem(model, index, wanted)?;
-            }
-        }
-        let vector = |key: &ModeKey| spectrum.vector(*key).to_vec();
-        let vectors: Vec<Vec<f64>> = self.keys.iter().map(vector).collect();
+        let vectors = match known {
+            Some(vectors) => vectors,
+            None => self.vectors(model, spectrum, &mut errors.guesses)?,
+        };
         let keys = self.keys.iter().zip(&vectors);
         let quotients = keys.map(|(key, vector)| quotient(model, key.subsystem, vector));
         let lambdas: Vec<f64> = quotients.collect();
@@ -116,6 +174,34 @@ impl FrozenModes {
             }),
             false => Err(EigenError::NotFinite.into()),
         }
+    }
+
+    /// The vectors of the modes on the present mesh, from their guesses or from nothing.
+    fn vectors(
+        &self,
+        model: &mut Model,
+        spectrum: &mut Spectrum,
+        guesses: &mut Guesses,
+    ) -> Result<Vec<Vec<f64>>, SolveError> {
+        let mut vectors = vec![Vec::new(); self.keys.len()];
+        for index in 0..model.count() {
+            let wanted = followed(&self.keys, index);
+            if wanted == 0 {
+                continue;
+            }
+            let is_guessed = guesses.refine(model, index, wanted).is_some();
+            if !is_guessed {
+                spectrum.solve_subsystem(model, index, wanted)?;
+            }
+            let own = self.keys.iter().zip(&mut vectors);
+            for (key, vector) in own.filter(|(key, _)| key.subsystem == index) {
+                *vector = match is_guessed {
+                    true => guesses.vector(key.order - 1).to_vec(),
+                    false => spectrum.vector(*key).to_vec(),
+                };
+            }
+        }
+        Ok(vectors)
     }
 
     /// The Rayleigh quotients of the held modes on a neighbour of the tower, for each mesh and
@@ -151,19 +237,34 @@ fn moved(neighbours: &Neighbours, tower: &Tower, mesh: &Mesh) -> Mesh {
     mesh.moved(|height_m| neighbours.moved_m(tower, height_m))
 }
 
+/// Gradients of modes as a list by number, each with the derivatives of all modes.
+fn by_number(gradients: &[Vec<f64>]) -> Vec<f64> {
+    let count = gradients.first().map_or(0, Vec::len);
+    let numbers = 0..count;
+    numbers
+        .flat_map(|number| gradients.iter().map(move |gradient| gradient[number]))
+        .collect()
+}
+
 /// ρ of a vector of a subsystem.
 fn quotient(model: &mut Model, index: usize, vector: &[f64]) -> f64 {
-    let problem = Eigenproblem::Vibration { origin: 0.0 };
-    let [stiffness, mass] = model.pencil(index, problem).energies(vector);
+    let [stiffness, mass] = energies(model, index, vector);
     stiffness / mass
 }
 
-/// The cuts of the last [`solve_frequencies`]: that of the modes, and meshes with half as many
-/// segments while there are some.
+/// xᵀKx and xᵀMx of a vector of a subsystem.
+fn energies(model: &mut Model, index: usize, vector: &[f64]) -> [f64; 2] {
+    let problem = Eigenproblem::Vibration { origin: 0.0 };
+    model.pencil(index, problem).energies(vector)
+}
+
+/// The cuts of the last solve: that of the modes, and meshes with half as many segments while there
+/// are some: one for each power of the errors, and one more.
 fn cuts(
     tower: &Tower,
     options: &Options,
     workspace: &mut Workspace,
+    most_halvings: u32,
 ) -> Result<Vec<Cut>, SolveError> {
     if options.method == Method::Spectral {
         return Ok(workspace.spectral_cut.clone().into_iter().collect());
@@ -171,7 +272,7 @@ fn cuts(
     let own = Cut::new(tower, options)?;
     let halvings = match options.borders_m {
         Some(_) => 0,
-        None => own.mesh.halvings().min(MOST_HALVINGS),
+        None => own.mesh.halvings().min(most_halvings),
     };
     let halved = |halvings| {
         let mut cut = Cut::default();
@@ -180,6 +281,3 @@ fn cuts(
     };
     Ok((0..=halvings).map(halved).collect())
 }
-
-/// Meshes below that of the modes: one for each power of the errors, and one more.
-const MOST_HALVINGS: u32 = 3;

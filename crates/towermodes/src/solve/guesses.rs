@@ -95,6 +95,13 @@ impl Guesses {
     }
 }
 
+impl Guesses {
+    /// A vector of the last [`refine`](Self::refine) that succeeded, by its place from 0.
+    pub(super) fn vector(&self, place: usize) -> &[f64] {
+        &self.refinement.vectors[place]
+    }
+}
+
 /// How many modes of a subsystem are followed: up to the highest of the keys.
 pub(super) fn followed(keys: &[ModeKey], subsystem: usize) -> usize {
     let own = keys.iter().filter(|key| key.subsystem == subsystem);

@@ -6,12 +6,14 @@ mod curves;
 mod forces;
 mod list;
 mod pencil;
+mod states;
 
 pub use coefficients::{Coefficients, MatrixKind};
 pub(crate) use coordinates::{Coordinates, dimension};
 pub use curves::{SegmentCurves, ShearFraction};
 pub use forces::{ForceReader, InternalForces};
 pub use list::Subsystems;
+pub use states::JointState;
 pub use pencil::{Eigenproblem, ProductObserver, SubsystemPencil};
 
 use crate::space::SpatialMatrix;
@@ -90,6 +92,12 @@ pub trait Subsystem: Send + Sync {
     /// Writes the vector with the [internal forces](Self::internal_forces) of one on another mesh.
     /// The forces may jump at some heights (m, rising).
     fn with_internal_forces(&self, _forces: &InternalForces, _jumps_m: &[f64], _out: &mut [f64]) {}
+
+    /// What each joint does in a mode of an eigenvalue λ, rad²/s²; false if this is no chain of
+    /// joints.
+    fn joint_states(&self, _lambda: f64, _x: &[f64], _states: &mut Vec<JointState>) -> bool {
+        false
+    }
 
     /// The resultant of A x about the base at `base_m` (m), and the energy xᵀ A x by components.
     fn resultant(&mut self, a: &Coefficients, x: &[f64], base_m: f64) -> Resultant;

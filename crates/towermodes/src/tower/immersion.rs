@@ -3,23 +3,87 @@
 use super::description::TowerDescription;
 use super::environment::Environment;
 use super::piece::Piece;
+use super::section::Tube;
 use super::surroundings::{AddedMassRow, SoilRow, SoilStiffness, Water};
 
 /// Cuts pieces where soil and water begin, end or change slope, and gives each part its
 /// environment.
 pub(super) fn in_environment(pieces: Vec<Piece>, description: &TowerDescription) -> Vec<Piece> {
     let base_m = pieces.first().map_or(0.0, |piece| piece.base_m);
-    let soil = description.soil.iter().flatten().map(|row| row.height_m);
-    let added = description.added_mass.iter().flatten();
-    let mut cuts_m: Vec<f64> = soil.chain(added.map(|row| row.height_m)).collect();
-    if let Some(water) = &description.water {
-        cuts_m.extend([water.level_m, water.bed_m.unwrap_or(base_m)]);
-    }
+    let mut cuts_m = fronts_m(description, base_m);
     if cuts_m.is_empty() {
         return pieces;
     }
     cuts_m.sort_by(f64::total_cmp);
     cuts_m.dedup();
+    cut_in_environment(pieces, description, &cuts_m)
+}
+
+/// The heights (m) at which soil and water begin, end or change slope: of every row of the soil and
+/// of the tables of added mass, of the surface and of the ground.
+pub(super) fn fronts_m(description: &TowerDescription, base_m: f64) -> Vec<f64> {
+    let soil = description.soil.iter().flatten().map(|row| row.height_m);
+    let added = description.added_mass.iter().flatten();
+    let mut fronts_m: Vec<f64> = soil.chain(added.map(|row| row.height_m)).collect();
+    if let Some(water) = &description.water {
+        fronts_m.extend([water.level_m, water.bed_m.unwrap_or(base_m)]);
+    }
+    fronts_m
+}
+
+/// By how much the soil springs and the water at each of the [`fronts_m`] are larger below than
+/// above: four springs (N/m², N), then the mass of water (kg/m) around a tube.
+pub(super) fn jumps_at_fronts(description: &TowerDescription, tube: Option<&Tube>) -> Vec<[f64; 5]> {
+    let mut jumps = Vec::new();
+    for rows in &description.soil {
+        let values = |row: &SoilRow| {
+            let [x, y, z, torsion] = row.stiffness.values();
+            [x, y, z, torsion, 0.0]
+        };
+        add_jumps(rows, |row| row.height_m, values, &mut jumps);
+    }
+    for rows in &description.added_mass {
+        let values = |row: &AddedMassRow| [0.0, 0.0, 0.0, 0.0, row.mass_kg_per_m];
+        add_jumps(rows, |row| row.height_m, values, &mut jumps);
+    }
+    if let Some(water) = &description.water {
+        let quarter = water.density_kg_per_m3 * std::f64::consts::FRAC_PI_4;
+        let square = |d: f64| quarter * d * d;
+        let outside = tube.map_or(0.0, |tube| square(tube.outer_diameter_m));
+        let inside = tube.map_or(0.0, |tube| square(tube.inner_diameter_m()));
+        let outside = outside * water.added_mass_coefficient;
+        let inside = if water.flooded { inside } else { 0.0 };
+        jumps.push([0.0, 0.0, 0.0, 0.0, outside + inside]);
+        jumps.push([0.0, 0.0, 0.0, 0.0, -outside]);
+    }
+    jumps
+}
+
+/// A table begins and ends at its first and last row, and at two rows of one height.
+fn add_jumps<R>(
+    rows: &[R],
+    height_m: impl Fn(&R) -> f64,
+    values: impl Fn(&R) -> [f64; 5],
+    jumps: &mut Vec<[f64; 5]>,
+) {
+    let is_joined = |below: usize| {
+        let pair = rows.get(below).zip(rows.get(below + 1));
+        pair.is_some_and(|(below, above)| height_m(below) != height_m(above))
+    };
+    for (index, row) in rows.iter().enumerate() {
+        let of_below = f64::from(u8::from(index > 0 && is_joined(index - 1)));
+        let of_above = f64::from(u8::from(is_joined(index)));
+        jumps.push(values(row).map(|value| (of_below - of_above) * value));
+    }
+}
+
+/// Cuts pieces at heights (m, rising), and gives each part its environment.
+pub(super) fn cut_in_environment(
+    pieces: Vec<Piece>,
+    description: &TowerDescription,
+    cuts_m: &[f64],
+) -> Vec<Piece> {
+    let base_m = pieces.first().map_or(0.0, |piece| piece.base_m);
     let mut parts = Vec::with_capacity(pieces.len() + cuts_m.len());
     for piece in pieces {
         let mut below_m = piece.base_m;
@@ -51,7 +115,8 @@ fn environment(description: &TowerDescription, base_m: f64, piece: &Piece) -> En
     };
     if let Some(water) = &description.water {
         let quarter = water.density_kg_per_m3 * std::f64::consts::FRAC_PI_4;
-        let is_under = |bed_m: f64| bed_m <= piece.base_m && piece.top_m <= water.level_m;
+        let middle_m = 0.5 * (piece.base_m + piece.top_m);
+        let is_under = |bed_m: f64| bed_m <= middle_m && middle_m <= water.level_m;
         if is_under(water.bed_m.unwrap_or(base_m)) {
             environment.outside_kg_per_m3 = quarter * water.added_mass_coefficient;
         }

@@ -113,6 +113,27 @@ pub(super) fn weight_integrals(
     (mass_kg, moment_kg_m)
 }
 
+/// Tells `add` the points of the quadrature of [`mass_integrals`] with their weights (m) and
+/// masses.
+pub(crate) fn for_each_mass_point(
+    piece: &Piece,
+    base_m: f64,
+    top_m: f64,
+    add: impl FnMut(f64, f64, &SectionMasses),
+) {
+    integrate_masses(piece, base_m, top_m, add);
+}
+
+/// Tells `add` the points of the quadrature of [`compliance`] with their weights (m) and sections.
+pub(crate) fn for_each_flexible_point(
+    piece: &Piece,
+    base_m: f64,
+    top_m: f64,
+    mut add: impl FnMut(f64, f64, &Section),
+) {
+    integrate(piece, base_m, top_m, &mut add);
+}
+
 /// Tells `add` the points of the quadrature with their weights (m) and masses.
 #[inline(always)]
 fn integrate_masses(

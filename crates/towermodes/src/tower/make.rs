@@ -45,6 +45,11 @@ impl Tower {
     /// What the tower keeps is taken out of the description.
     pub(super) fn made_of(description: &mut TowerDescription, pieces: Vec<Piece>) -> Self {
         let pieces = in_environment(pieces, description);
+        Self::made_of_parts(description, pieces)
+    }
+
+    /// The same with pieces that have their environment.
+    pub(super) fn made_of_parts(description: &mut TowerDescription, pieces: Vec<Piece>) -> Self {
         let (base_m, top_m) = (pieces[0].base_m, pieces[pieces.len() - 1].top_m);
         let mut attachments = attachments_of(description, top_m);
         attachments.sort_by(|a, b| a.height_m.total_cmp(&b.height_m));

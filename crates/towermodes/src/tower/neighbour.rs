@@ -6,6 +6,8 @@ use super::error::TowerError;
 use super::independent::Motions;
 use super::make::{attachments_of, pieces_of};
 use super::model::Tower;
+use super::immersion::cut_in_environment;
+use super::fronts::{Fronts, Sliver};
 use super::piece::{Profile, Rows};
 use super::weight::Above;
 use crate::space::transform_matrix;
@@ -21,6 +23,8 @@ pub(crate) struct Neighbours {
     tower: Tower,
     /// Where each attachment of the description is in the tower's list.
     places: Vec<usize>,
+    /// The cuts of the tower by soil and water.
+    fronts: Fronts,
 }
 
 /// A tower near another one.
@@ -30,6 +34,9 @@ pub(crate) struct Neighbour {
     pub(crate) tower: Tower,
     /// The sets that it really has.
     pub(crate) coupled: Vec<Motions>,
+    /// Soil and water that begin or end a little off the border between pieces that they have on
+    /// the first tower.
+    pub(crate) slivers: Vec<Sliver>,
 }
 
 impl Neighbours {
@@ -46,6 +53,7 @@ impl Neighbours {
         tower.planes_are_apart = true;
         Ok(Self {
             places: places(&attachments_of(description, tower.top_m())),
+            fronts: Fronts::of(description, &tower),
             description: description.clone(),
             tower,
         })
@@ -68,7 +76,9 @@ impl Neighbours {
         if pieces.is_empty() {
             return None;
         }
-        let mut tower = Tower::made_of(&mut description.clone(), pieces);
+        let cuts_m = self.fronts.cuts_m(description, &pieces);
+        let pieces = cut_in_environment(pieces, description, &cuts_m);
+        let mut tower = Tower::made_of_parts(&mut without_rows(description), pieces);
         let (own, base) = (&self.tower, &mut tower.base);
         if base.moves != own.base.moves || tower.pieces.len() != own.pieces.len() {
             return None;
@@ -78,8 +88,12 @@ impl Neighbours {
         tower.planes_are_equal = false;
         tower.planes_are_apart = true;
         let coupled = std::mem::replace(&mut tower.independent, own.independent.clone());
-        self.is_alike(&tower)
-            .then_some(Neighbour { tower, coupled })
+        let slivers = self.fronts.slivers(description, &tower, &cuts_m);
+        self.is_alike(&tower).then_some(Neighbour {
+            tower,
+            coupled,
+            slivers,
+        })
     }
 
     /// Puts the attachments of a neighbour in the order of the first tower. What is at the end of a
@@ -136,6 +150,19 @@ impl Neighbours {
     }
 }
 
+/// What a description has besides the rows of the tower and its surroundings.
+fn without_rows(description: &TowerDescription) -> TowerDescription {
+    TowerDescription {
+        outfitting_factor: description.outfitting_factor,
+        rna: description.rna,
+        point_masses: description.point_masses.clone(),
+        wires: description.wires.clone(),
+        foundation: description.foundation.clone(),
+        gravity_m_per_s2: description.gravity_m_per_s2,
+        ..TowerDescription::default()
+    }
+}
+
 /// The ends of pieces and the attachments of a tower, m, rising.
 fn knots(tower: &Tower) -> Vec<f64> {
     let ends = tower.pieces.iter().map(|piece| piece.top_m);
@@ -179,7 +206,7 @@ impl Tower {
     }
 
     /// The number of the border between pieces that is at a height (m): 0 for the base.
-    fn border_of(&self, height_m: f64) -> Option<usize> {
+    pub(super) fn border_of(&self, height_m: f64) -> Option<usize> {
         let borders = self.pieces.len() + 1;
         (0..borders).find(|&border| self.border_m(border) == height_m)
     }

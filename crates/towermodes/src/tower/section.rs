@@ -55,7 +55,7 @@ impl Tube {
 
     /// The tube at the fraction `s` of the way from this one to `top`.
     #[inline]
-    pub(super) fn blend(&self, top: &Self, s: f64) -> Self {
+    pub(crate) fn blend(&self, top: &Self, s: f64) -> Self {
         let blend = |a: f64, b: f64| a + s * (b - a);
         Self {
             outer_diameter_m: blend(self.outer_diameter_m, top.outer_diameter_m),

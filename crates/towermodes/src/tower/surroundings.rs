@@ -35,7 +35,7 @@ impl SoilStiffness {
     }
 
     /// All its values.
-    pub(super) fn values(&self) -> [f64; 4] {
+    pub(crate) fn values(&self) -> [f64; 4] {
         [
             self.x_n_per_m2,
             self.y_n_per_m2,

@@ -1,0 +1,157 @@
+//! Derivatives from the gradient with respect to all numbers of a tower: what is left is how these
+//! numbers follow from those of the description, and that needs no assembly.
+
+use super::slope::{Derivatives, Slope};
+use super::step::{is_quadratic, step};
+use super::{Derivative, NoDerivative};
+use crate::parameter::Change;
+use crate::solve::FrozenModes;
+use crate::tower::{Motions, Neighbours, TowerDescription};
+
+/// The numbers of a tower are differenced over this fraction of the step of quotients: they are no
+/// small differences of large sums.
+const SHORTER: f64 = 0.1;
+/// At a kink half the step leaves half of the difference between the slopes on both sides; of a
+/// smooth function it leaves a quarter.
+const KINK: f64 = 0.375;
+/// The slopes on both sides differ by less, relatively, if there is no kink.
+const SMOOTH: f64 = 1e-6;
+/// The part of an eigenvalue that is rounding.
+const ROUNDING: f64 = 1e-11;
+/// The relative error of the gradient itself: of the vectors, and of the sums.
+const OF_GRADIENT: f64 = 1e-12;
+
+/// The gradients of held modes with the memory to use them.
+pub(super) struct Swept<'a> {
+    neighbours: &'a Neighbours,
+    /// The description that is changed.
+    description: TowerDescription,
+    /// The numbers of the tower, and of the towers above and below.
+    numbers: [Vec<f64>; 3],
+    /// For each mesh and mode the differences over the last step and over its half.
+    differences: [Vec<Difference>; 2],
+}
+
+/// Differences of the numbers of a tower, times a gradient.
+#[derive(Debug, Clone, Copy, Default)]
+struct Difference {
+    slope: f64,
+    /// By how much the changes in both directions differ.
+    bend: f64,
+    /// The sum of all terms of the slope, without their signs, and their rounding.
+    gross: f64,
+    rounding: f64,
+}
+
+/// What a step changes besides the numbers.
+struct Around {
+    mass_kg_per_unit: f64,
+    /// The sets of motions that are coupled on the neighbours.
+    coupled: Vec<Motions>,
+}
+
+impl<'a> Swept<'a> {
+    pub(super) fn new(neighbours: &'a Neighbours) -> Self {
+        let mut own = Vec::new();
+        neighbours.tower().write_numbers(&mut own);
+        Self {
+            description: neighbours.description().clone(),
+            neighbours,
+            numbers: [own, Vec::new(), Vec::new()],
+            differences: [Vec::new(), Vec::new()],
+        }
+    }
+
+    /// The derivatives with respect to a change; none if it changes the structure of the tower, or
+    /// there are no gradients.
+    pub(super) fn derivatives(
+        &mut self,
+        frozen: &FrozenModes,
+        change: &Change,
+        value: f64,
+    ) -> Option<Derivatives> {
+        let gradients = frozen.gradients.as_ref()?;
+        let h = SHORTER * step(change, value, self.neighbours.tower());
+        let sums = frozen.meshes.len() * frozen.modes.len();
+        let around = self.difference(gradients, sums, (0, change, value, h))?;
+        if is_quadratic(change) {
+            let [whole, half] = &mut self.differences;
+            half.clone_from(whole);
+            half.iter_mut().for_each(|sum| sum.bend = 0.0);
+        } else {
+            self.difference(gradients, sums, (1, change, value, 0.5 * h))?;
+        }
+        let derivatives = (0..frozen.modes.len()).map(|mode| {
+            frozen.check(mode, &around.coupled)?;
+            self.derivative(frozen, mode, h)
+        });
+        Some((derivatives.collect(), around.mass_kg_per_unit))
+    }
+
+    fn derivative(
+        &self,
+        frozen: &FrozenModes,
+        mode: usize,
+        h: f64,
+    ) -> Result<Derivative, NoDerivative> {
+        let modes = frozen.modes.len();
+        let [whole, half] = [&self.differences[0], &self.differences[1]];
+        let (whole_own, half_own) = (&whole[mode], &half[mode]);
+        let lambda = frozen.meshes[0].lambdas[mode];
+        let bend = half_own.bend.abs();
+        if bend > KINK * whole_own.bend.abs()
+            && bend > SMOOTH * half_own.gross * h
+            && bend > ROUNDING * lambda
+        {
+            return Err(NoDerivative::OneSided);
+        }
+        Ok(frozen.derivative(mode, |mesh| {
+            let (whole, half) = (&whole[mesh * modes + mode], &half[mesh * modes + mode]);
+            let mut slope = Slope::extrapolated(whole.slope, half.slope);
+            slope.error += half.rounding + OF_GRADIENT * half.gross;
+            slope
+        }))
+    }
+
+    /// Computes the differences over a step, as the first or the second.
+    fn difference(
+        &mut self,
+        gradients: &[f64],
+        sums: usize,
+        (which, change, value, h): (usize, &Change, f64, f64),
+    ) -> Option<Around> {
+        let [own, upper, lower] = &mut self.numbers;
+        let mut write = |value: f64, numbers: &mut Vec<f64>| {
+            self.description.clone_from(self.neighbours.description());
+            change.apply(&mut self.description, value);
+            let neighbour = self.neighbours.near(&self.description)?;
+            neighbour.write_numbers(numbers);
+            Some((neighbour.tower.mass_kg(), neighbour.coupled))
+        };
+        let (above_kg, coupled) = write(value + h, upper)?;
+        let (below_kg, _) = write(value - h, lower)?;
+        let differences = &mut self.differences[which];
+        differences.clear();
+        differences.resize(sums, Difference::default());
+        let numbers = own.iter().zip(&*upper).zip(&*lower);
+        for (((own, upper), lower), gradients) in numbers.zip(gradients.chunks_exact(sums)) {
+            if upper == lower && upper == own {
+                continue;
+            }
+            let slope = (upper - lower) / (2.0 * h);
+            let bend = (upper - own) - (own - lower);
+            let rounding = f64::EPSILON * own.abs() / h;
+            for (sum, gradient) in differences.iter_mut().zip(gradients) {
+                sum.slope += gradient * slope;
+                sum.bend += gradient * bend;
+                sum.gross += (gradient * slope).abs();
+                sum.rounding += (gradient * rounding).abs();
+            }
+        }
+        let is_finite = differences.iter().all(|sum| sum.slope.is_finite());
+        is_finite.then_some(Around {
+            mass_kg_per_unit: (above_kg - below_kg) / (2.0 * h),
+            coupled,
+        })
+    }
+}
