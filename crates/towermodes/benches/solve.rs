@@ -12,7 +12,8 @@ use towermodes::eigen::{EigenWorkspace, Pencil, lowest};
 use towermodes::elements::{Borders, Mesh, Recipe, assemble_chains};
 use towermodes::subsystem::{Eigenproblem, SubsystemPencil};
 use towermodes::{
-    Method, Options, Rna, Tower, TowerDescription, Workspace, solve_frequencies, solve_with,
+    Method, Options, Rna, Tower, TowerDescription, Workspace, every_change, sensitivities,
+    solve_frequencies, solve_with,
 };
 use towermodes_verify::towers::{
     floater, monopile, reference, reference_350t, reference_eccentric, reference_on_springs,
@@ -104,6 +105,38 @@ fn many_towers(c: &mut Criterion) {
     group.finish();
 }
 
+/// The derivatives of 8 modes with respect to all numbers, beside the solve of the same tower.
+fn all_sensitivities(c: &mut Criterion) {
+    let mut group = c.benchmark_group("sensitivities, 8 modes");
+    for (name, description) in [
+        ("monopile", monopile()),
+        ("floating", floater()),
+        ("clamped, RNA on the axis", reference_350t()),
+    ] {
+        let tower = Tower::new(description.clone()).expect("a valid tower");
+        let changes = every_change(&description);
+        let mut workspace = Workspace::default();
+        for segments in [100, 400] {
+            let options = Options {
+                segments: Some(segments),
+                ..Options::default()
+            };
+            group.bench_function(BenchmarkId::new(format!("{name}, solve"), segments), |b| {
+                b.iter(|| solve_with(black_box(&tower), &options, &mut workspace));
+            });
+            group.bench_function(
+                BenchmarkId::new(format!("{name}, all numbers"), segments),
+                |b| {
+                    b.iter(|| {
+                        sensitivities(black_box(&description), &changes, &options, &mut workspace)
+                    });
+                },
+            );
+        }
+    }
+    group.finish();
+}
+
 /// 8 modes of the tower with 350 t on top: everything a user gets.
 fn whole_solve(c: &mut Criterion) {
     let mut group = c.benchmark_group("solve, 8 modes");
@@ -176,6 +209,7 @@ criterion_group!(
     benches,
     whole_solve,
     many_towers,
+    all_sensitivities,
     coupled,
     bending_plane,
     pieces

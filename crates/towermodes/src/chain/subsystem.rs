@@ -8,8 +8,8 @@ use super::product::{self, Loads};
 use super::transfer;
 use crate::space::SpatialMatrix;
 use crate::subsystem::{
-    Coefficients, Coordinates, Energies, InternalForces, JointState, MatrixKind, Resultant, SegmentCurves,
-    ShearFraction, Subsystem, Subsystems, dimension,
+    Coefficients, Coordinates, Energies, InternalForces, JointState, MatrixKind, Resultant,
+    SegmentCurves, ShearFraction, Subsystem, Subsystems, dimension,
 };
 use crate::tower::{Motions, Tower};
 

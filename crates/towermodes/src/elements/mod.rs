@@ -10,8 +10,8 @@ mod rmje_exact;
 mod springs;
 
 pub use cardanic::GAUSS_HINGE_POSITION;
-pub use mesh::{BorderError, Borders, Mesh, Span};
 pub(crate) use gradient::GradientMesh;
+pub use mesh::{BorderError, Borders, Mesh, Span};
 pub(crate) use springs::shear_fraction;
 
 use crate::Method;

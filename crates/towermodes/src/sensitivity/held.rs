@@ -1,7 +1,7 @@
 //! Derivatives of eigenvalues with the vectors held.
 
-use super::step::{LARGE, SMALL, is_linear, step};
 use super::slope::{Derivatives, Slope, Slopes};
+use super::step::{LARGE, SMALL, is_linear, step};
 use crate::parameter::Change;
 use crate::solve::FrozenModes;
 use crate::tower::{Motions, Neighbour, Neighbours, TowerDescription};

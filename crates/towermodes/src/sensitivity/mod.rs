@@ -1,9 +1,12 @@
 //! Derivatives of the frequencies of a tower with respect to the numbers of its description.
 //!
 //! With the vector x of a mode held, d(λ)/dp = d/dp xᵀKx/xᵀMx (Hellmann 1937, Feynman 1939; Fox &
-//! Kapoor 1968): an assembly of a neighbour of the tower and two products, no solve. `held`
-//! differences the quotients in two steps, `step` chooses the steps, `solved` solves again where
-//! the neighbour has another structure.
+//! Kapoor 1968), no solve. With the default method `swept` has the derivatives with respect to all
+//! numbers of a tower from one sweep along each mode, and differences what is left: how these
+//! numbers follow from those of the description. With other methods `held` differences the
+//! quotients, each of an assembly of a neighbour of the tower and two products. `step` chooses the
+//! steps, `slope` extrapolates from steps and meshes, `solved` solves again where the neighbour has
+//! another structure.
 
 mod changes;
 mod error;
@@ -47,6 +50,7 @@ pub struct ChangeSensitivity {
 
 /// The derivative of a frequency with respect to the value of a change.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Derivative {
     /// d(extrapolated frequency)/d(value), Hz per unit of the value.
     pub hz_per_unit: f64,
@@ -58,6 +62,8 @@ pub struct Derivative {
 
 /// Why a frequency has no derivative.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "serde", serde(rename_all = "kebab-case"))]
 pub enum NoDerivative {
     /// The frequency is zero.
     #[error("the frequency is zero")]

@@ -4,7 +4,7 @@ use std::f64::consts::PI;
 
 use super::{Derivative, NoDerivative};
 use crate::modes::without_powers;
-use crate::solve::FrozenModes;
+use crate::solve::{FrozenModes, ModeFrequency};
 use crate::tower::Motions;
 
 /// Modes whose eigenvalues differ by less, relatively, count as repeated.
@@ -13,9 +13,11 @@ const REPEATED: f64 = 1e-6;
 /// extrapolated from both, at least.
 const REMAINDER: f64 = 0.01;
 /// The fraction of the change by the last extrapolation from meshes that remains, at least.
-const LEFT_OF_MESH: f64 = 1e-3;
+const LEFT_OF_MESH: f64 = 0.1;
+/// How many times as far as a frequency its derivative may be from that of the beam, relatively.
+const DISTANCES: f64 = 10.0;
 /// How fast these fractions grow with the relative difference.
-const GROWTH: f64 = 30.0;
+const GROWTH: f64 = 100.0;
 
 /// The derivatives of each mode, and that of the mass, kg per unit.
 pub(super) type Derivatives = (Vec<Result<Derivative, NoDerivative>>, f64);
@@ -81,6 +83,16 @@ impl FrozenModes {
             count = index + 1;
         }
         let mesh_hz_per_unit = of_meshes[0];
+        if count == 1 && !powers.is_empty() {
+            // Without another mesh, as far as the frequency itself is from that of the beam.
+            let ModeFrequency {
+                frequency_hz,
+                extrapolated_hz,
+                ..
+            } = self.modes[mode];
+            let distance = 1.0 - extrapolated_hz / frequency_hz;
+            error += DISTANCES * (distance * mesh_hz_per_unit).abs();
+        }
         let is_regular = !self.irregular.contains(&mode);
         let (hz_per_unit, of_mesh) = extrapolated(&of_meshes[..count], powers, is_regular);
         Derivative {
@@ -121,7 +133,7 @@ fn extrapolated(of_meshes: &[f64], powers: &[i32], is_regular: bool) -> (f64, f6
     };
     let needed = powers.len() + 1;
     if of_meshes.len() < needed {
-        let coarser = of_meshes.get(1).unwrap_or(&0.0);
+        let coarser = of_meshes.get(1).unwrap_or(&own);
         return (own, (own - coarser).abs());
     }
     let from = |first: usize| {

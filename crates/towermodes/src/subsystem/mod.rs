@@ -13,8 +13,8 @@ pub(crate) use coordinates::{Coordinates, dimension};
 pub use curves::{SegmentCurves, ShearFraction};
 pub use forces::{ForceReader, InternalForces};
 pub use list::Subsystems;
-pub use states::JointState;
 pub use pencil::{Eigenproblem, ProductObserver, SubsystemPencil};
+pub use states::JointState;
 
 use crate::space::SpatialMatrix;
 use crate::tower::Motions;

@@ -33,7 +33,10 @@ pub(super) fn fronts_m(description: &TowerDescription, base_m: f64) -> Vec<f64> 
 
 /// By how much the soil springs and the water at each of the [`fronts_m`] are larger below than
 /// above: four springs (N/m², N), then the mass of water (kg/m) around a tube.
-pub(super) fn jumps_at_fronts(description: &TowerDescription, tube: Option<&Tube>) -> Vec<[f64; 5]> {
+pub(super) fn jumps_at_fronts(
+    description: &TowerDescription,
+    tube: Option<&Tube>,
+) -> Vec<[f64; 5]> {
     let mut jumps = Vec::new();
     for rows in &description.soil {
         let values = |row: &SoilRow| {

@@ -17,8 +17,8 @@ mod make;
 mod material;
 mod model;
 mod name;
-mod numbers;
 mod neighbour;
+mod numbers;
 mod part_names;
 mod piece;
 mod planes;
@@ -38,7 +38,6 @@ mod weight;
 
 pub use attachment::Attachment;
 pub(crate) use attachment::spatial_inertia;
-pub(crate) use integrals::{for_each_flexible_point, for_each_mass_point};
 pub use axisymmetric::Axisymmetric;
 pub use base::Base;
 pub use description::{PointMass, PropertyStation, Rna, Station, TowerDescription};
@@ -53,6 +52,7 @@ pub use integrals::{
     BendingCompliance, Compliance, Hinge, MassIntegrals, compliance, gauss_hinges, mass_integrals,
     soil_integrals,
 };
+pub(crate) use integrals::{for_each_flexible_point, for_each_mass_point};
 pub use material::Material;
 pub use model::Tower;
 pub use name::{is_printable, printable};
@@ -69,5 +69,5 @@ pub use warning::{Ineffective, Quantity, Site, Warning};
 
 pub(crate) use neighbour::{Neighbour, Neighbours};
 pub(crate) use numbers::{Place as NumberPlace, Places};
-pub(crate) use slopes::{FlexibilitySlopes, MassSlopes};
 pub(crate) use plausibility::inertia_plausibility;
+pub(crate) use slopes::{FlexibilitySlopes, MassSlopes};

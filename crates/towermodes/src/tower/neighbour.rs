@@ -3,11 +3,11 @@
 use super::attachment::Attachment;
 use super::description::TowerDescription;
 use super::error::TowerError;
+use super::fronts::{Fronts, Sliver};
+use super::immersion::cut_in_environment;
 use super::independent::Motions;
 use super::make::{attachments_of, pieces_of};
 use super::model::Tower;
-use super::immersion::cut_in_environment;
-use super::fronts::{Fronts, Sliver};
 use super::piece::{Profile, Rows};
 use super::weight::Above;
 use crate::space::transform_matrix;

@@ -104,11 +104,7 @@ impl Tower {
     pub(crate) fn write_numbers(&self, numbers: &mut Vec<f64>) {
         numbers.clear();
         let base = &self.base;
-        numbers.extend([
-            self.gravity_m_per_s2,
-            base.overturning_kg_m,
-            self.base_m(),
-        ]);
+        numbers.extend([self.gravity_m_per_s2, base.overturning_kg_m, self.base_m()]);
         write_matrix(&base.stiffness, numbers);
         write_matrix(&base.inertia, numbers);
         self.attachments.iter().for_each(|a| a.write(numbers));

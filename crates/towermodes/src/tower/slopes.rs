@@ -55,7 +55,11 @@ impl Tube {
     }
 
     /// See [`FlexibilitySlopes`].
-    pub(crate) fn flexibility_slopes(&self, material: &Material, shear: Shear) -> FlexibilitySlopes {
+    pub(crate) fn flexibility_slopes(
+        &self,
+        material: &Material,
+        shear: Shear,
+    ) -> FlexibilitySlopes {
         let (e, g) = (material.youngs_modulus_pa, material.shear_modulus_pa);
         let (area, inertia) = (self.area(), self.second_moment_of_area());
         let bending = 1.0 / (e * inertia.value);
@@ -69,7 +73,10 @@ impl Tube {
         };
         let sheared = 1.0 / (kappa * g * area.value);
         let by_size = |i: usize| {
-            let (a, b) = (area.slopes[i] / area.value, inertia.slopes[i] / inertia.value);
+            let (a, b) = (
+                area.slopes[i] / area.value,
+                inertia.slopes[i] / inertia.value,
+            );
             [
                 -bending * b,
                 -axial * a,
@@ -82,8 +89,18 @@ impl Tube {
         [
             by_size(0),
             by_size(1),
-            [-bending / e, -axial / e, 0.0, -sheared * of_kappa[2] * nu_by_e],
-            [0.0, 0.0, -torsion / g, -sheared * (1.0 / g + of_kappa[2] * nu_by_g)],
+            [
+                -bending / e,
+                -axial / e,
+                0.0,
+                -sheared * of_kappa[2] * nu_by_e,
+            ],
+            [
+                0.0,
+                0.0,
+                -torsion / g,
+                -sheared * (1.0 / g + of_kappa[2] * nu_by_g),
+            ],
             [0.0, 0.0, 0.0, -sheared / kappa],
         ]
     }
@@ -179,8 +196,26 @@ mod tests {
                     std::array::from_fn::<f64, 7, _>(slope)
                 };
                 let (whole, half) = (slope(2e-3), slope(1e-3));
-                let of_flexibility = [Some(0), Some(1), Some(2), Some(3), Some(4), None, None, None];
-                let of_mass = [Some(0), Some(1), None, None, None, Some(2), Some(3), Some(4)];
+                let of_flexibility = [
+                    Some(0),
+                    Some(1),
+                    Some(2),
+                    Some(3),
+                    Some(4),
+                    None,
+                    None,
+                    None,
+                ];
+                let of_mass = [
+                    Some(0),
+                    Some(1),
+                    None,
+                    None,
+                    None,
+                    Some(2),
+                    Some(3),
+                    Some(4),
+                ];
                 for value in 0..7 {
                     let expected = half[value] + (half[value] - whole[value]) / 3.0;
                     let got = match value {

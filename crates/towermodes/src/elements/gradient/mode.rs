@@ -108,7 +108,8 @@ impl Walk<'_> {
         self.stand_on(state, 0.0);
         let motion = self.body.motion;
         let (lambda, turning) = (self.lambda, self.body.turning());
-        self.numbers.add_square(Places::BASE_STIFFNESS, 1.0, &motion);
+        self.numbers
+            .add_square(Places::BASE_STIFFNESS, 1.0, &motion);
         self.numbers
             .add_square(Places::BASE_INERTIA, -lambda, &motion);
         self.pass_matrices(&base.stiffness, &base.inertia, &motion);
@@ -189,7 +190,7 @@ impl Walk<'_> {
             (below_m, segment.top_m),
             segment.top_compression_n,
         );
-        by_length += self.flexibilities(index, segment, passed);
+        by_length += self.flexibilities(index, segment, &passed);
         let length_m = segment.top_m - segment.base_m;
         self.numbers.add_length(index, by_length / length_m);
     }
@@ -219,8 +220,7 @@ impl Walk<'_> {
             let masses = &point.masses;
             let transverse = masses.mass_kg_per_m + masses.water_kg_per_m;
             let load = [0, 1].map(|i| (point.soil[i] - lambda * transverse) * motion[i]);
-            let by_rise =
-                self.body.lever(load) - gravity * masses.mass_kg_per_m * turning;
+            let by_rise = self.body.lever(load) - gravity * masses.mass_kg_per_m * turning;
             by_length += weight * (sum_of(&factors, masses, &point.soil) + rise_m * by_rise);
             moment += weight * masses.mass_kg_per_m * descent;
             for (sum, load) in self.load.iter_mut().zip(load) {
@@ -288,9 +288,9 @@ impl Walk<'_> {
 
     /// Adds the derivatives with respect to the flexibilities of a segment; returns that with
     /// respect to the logarithm of its length.
-    fn flexibilities(&mut self, index: usize, segment: &Segment, passed: [Passed; 2]) -> f64 {
+    fn flexibilities(&mut self, index: usize, segment: &Segment, passed: &[Passed; 2]) -> f64 {
         let segments = self.segments;
-        let [lower, upper] = &passed;
+        let [lower, upper] = passed;
         let strain: [f64; 6] = std::array::from_fn(|i| lower.strain[i] + upper.strain[i]);
         let compliance = &segment.compliance;
         let planes = [

@@ -129,8 +129,7 @@ impl<'a> Numbers<'a> {
                 let by = |slopes: &[f64; 3]| -> f64 {
                     three.iter().zip(slopes).map(|(f, s)| f * s).sum::<f64>() * weight
                 };
-                let [diameter, wall, density, outside, inside] =
-                    point.slopes.each_ref().map(by);
+                let [diameter, wall, density, outside, inside] = point.slopes.each_ref().map(by);
                 by_rise += self.add_line([first, first + 2], at, diameter);
                 by_rise += self.add_line([first + 1, first + 3], at, wall);
                 self.sums[first + 6] += density;
@@ -156,7 +155,11 @@ impl<'a> Numbers<'a> {
             }
         }
         by_rise += self.add_line([water, water + 1], at, factors.water * weight);
-        if self.tower.pieces()[segment.piece].environment.soil.is_some() {
+        if self.tower.pieces()[segment.piece]
+            .environment
+            .soil
+            .is_some()
+        {
             for (spring, factor) in factors.soil.iter().enumerate() {
                 let line = [soil + spring, soil + 4 + spring];
                 by_rise += self.add_line(line, at, factor * weight);

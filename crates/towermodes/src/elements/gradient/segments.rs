@@ -5,8 +5,8 @@ use std::ops::Range;
 
 use crate::elements::Mesh;
 use crate::tower::{
-    Compliance, FlexibilitySlopes, MassSlopes, Piece, Plane, Profile, Section, SectionMasses, Tower,
-    compliance, for_each_flexible_point, for_each_mass_point,
+    Compliance, FlexibilitySlopes, MassSlopes, Piece, Plane, Profile, Section, SectionMasses,
+    Tower, compliance, for_each_flexible_point, for_each_mass_point,
 };
 
 /// A point at which flexibilities are integrated.

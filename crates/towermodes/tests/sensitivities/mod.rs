@@ -1,5 +1,9 @@
 //! Derivatives of frequencies: reference digits, scaling laws, differences of solved frequencies.
 
+mod cases;
+mod laws;
+mod oracle;
+
 use crate::towers;
 
 use towermodes::{

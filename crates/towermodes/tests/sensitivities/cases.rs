@@ -1,0 +1,168 @@
+//! Cases: pairs, steps, kinks, zeros, errors of derivatives.
+
+use super::{on_springs, sensitivities_of};
+use towermodes::{Method, NoDerivative, Options, Station, TowerDescription, every_change};
+use towermodes::{Workspace, sensitivities};
+use towermodes_verify::coverage::Class;
+use towermodes_verify::towers::{monopile, reference_350t};
+
+#[test]
+fn a_number_that_splits_a_pair_gives_it_no_derivative() {
+    for method in super::methods() {
+        let options = Options {
+            method,
+            ..Options::default()
+        };
+        let names = ["rna.inertia.xy", "rna.inertia.xx", "rna.mass"];
+        let result = sensitivities_of(&reference_350t(), &names, &options);
+        let [coupling, one_plane, both] = [0, 1, 2].map(|change| &result.changes[change].modes);
+        assert_eq!(result.modes[0].label(), "1st fore-aft bending");
+        assert_eq!(result.modes[1].label(), "1st side-side bending");
+        assert_eq!(coupling[0], Err(NoDerivative::Repeated));
+        assert_eq!(coupling[1], Err(NoDerivative::Repeated));
+        // Rotation about x is side-side bending alone.
+        assert_eq!(one_plane[0].expect("a derivative").hz_per_unit, 0.0);
+        assert!(one_plane[1].expect("a derivative").hz_per_unit < 0.0);
+        let [a, b] = [0, 1].map(|mode| both[mode].expect("a derivative").hz_per_unit);
+        assert!((a / b - 1.0).abs() < 1e-9, "{a} {b}");
+    }
+}
+
+/// The soil begins with a spring at the foot of the pile, so less of it acts if it begins higher,
+/// and no more if it begins lower.
+#[test]
+fn soil_that_begins_at_the_foot_has_a_kink_there() {
+    let description = monopile();
+    let result = sensitivities_of(
+        &description,
+        &[
+            "soil[0].rows[0].height",
+            "soil[0].rows[2].height",
+            "water.bed",
+        ],
+        &Options::default(),
+    );
+    for modes in [&result.changes[0].modes[..4]] {
+        assert!(
+            modes.iter().all(|m| *m == Err(NoDerivative::OneSided)),
+            "{modes:?}"
+        );
+    }
+    // Two fronts at one height part without a solve, as solves say.
+    let spectral = Options {
+        method: Method::Spectral,
+        ..Options::default()
+    };
+    let names = ["soil[0].rows[2].height", "water.bed"];
+    let expected = sensitivities_of(&description, &names, &spectral);
+    for change in 0..2 {
+        for mode in 0..6 {
+            let got = result.changes[change + 1].modes[mode].expect("a derivative");
+            let wanted = expected.changes[change].modes[mode].expect("a derivative");
+            let scale = result.modes[mode].frequency_hz / 100.0;
+            let difference = (got.hz_per_unit - wanted.hz_per_unit).abs() / scale;
+            assert!(difference < 1e-4, "{change} {mode}: {difference:.1e}");
+            let error = got.error_hz_per_unit + wanted.error_hz_per_unit;
+            assert!(
+                difference * scale <= error,
+                "{change} {mode}: {difference:.1e}"
+            );
+        }
+    }
+}
+
+#[test]
+fn a_step_moves_as_one_and_its_rows_alone_cannot() {
+    let mut description = reference_350t();
+    description.stations = vec![
+        Station::new(0.0, 6.0, 0.03),
+        Station::new(40.0, 5.0, 0.03),
+        Station::new(40.0, 5.0, 0.024),
+        Station::new(87.6, 4.0, 0.02),
+    ];
+    let names = [
+        "stations[1].height",
+        "add(stations[1].height,stations[2].height)",
+    ];
+    let result = sensitivities_of(&description, &names, &Options::default());
+    assert_eq!(result.changes[0].modes[0], Err(NoDerivative::OneSided));
+    assert!(result.changes[1].modes[0].is_ok());
+}
+
+#[test]
+fn numbers_that_are_zero_have_derivatives() {
+    let names = ["rna.center[1]", "rna.inertia.yz", "gravity.acceleration"];
+    let mut description = on_springs();
+    description.gravity_m_per_s2 = 0.0;
+    let result = sensitivities_of(&description, &names[..2], &Options::default());
+    for change in &result.changes {
+        assert!(change.modes.iter().all(Result::is_ok), "{change:?}");
+        // A machine off the plane of symmetry on either side is the same tower.
+        let first = change.modes[0].expect("a derivative").hz_per_unit;
+        assert!(first.abs() < 1e-12, "{first}");
+    }
+}
+
+/// The error of a derivative against the spectral method, which has no mesh.
+#[test]
+fn the_error_of_a_derivative_holds_and_is_near() {
+    let (mut held, mut missed, mut ratios) = (0, Vec::new(), Vec::new());
+    for class in Class::ALL {
+        for number in 40..43 {
+            let description: TowerDescription = class.description(number);
+            let all = every_change(&description);
+            let step = 1 + all.len() / 6;
+            let changes: Vec<_> = all.into_iter().step_by(step).collect();
+            let of = |method| {
+                let options = Options {
+                    method,
+                    modes: 5,
+                    ..Options::default()
+                };
+                sensitivities(&description, &changes, &options, &mut Workspace::default())
+            };
+            let (Ok(a), Ok(b)) = (of(Method::RmjeExact), of(Method::Spectral)) else {
+                continue;
+            };
+            for (x, y) in a.changes.iter().zip(&b.changes) {
+                for (place, mode) in a.modes.iter().enumerate() {
+                    let Some(same) = b.modes.iter().position(|m| m.label() == mode.label()) else {
+                        continue;
+                    };
+                    let (Ok(own), Ok(exact)) = (&x.modes[place], &y.modes[same]) else {
+                        continue;
+                    };
+                    let error = (own.hz_per_unit - exact.hz_per_unit).abs();
+                    let estimate = own.error_hz_per_unit + exact.error_hz_per_unit;
+                    let case = || {
+                        format!(
+                            "{} {number} {} {}",
+                            class.name(),
+                            x.change.name(),
+                            mode.label()
+                        )
+                    };
+                    match error <= estimate {
+                        true => held += 1,
+                        false => missed.push(format!("{}: {error:.1e} {estimate:.1e}", case())),
+                    }
+                    if exact.error_hz_per_unit < 0.1 * error {
+                        ratios.push(own.error_hz_per_unit / error);
+                    }
+                }
+            }
+        }
+    }
+    ratios.sort_by(f64::total_cmp);
+    let median = ratios[ratios.len() / 2];
+    println!(
+        "{held} held, {} missed, median ratio {median:.1}",
+        missed.len()
+    );
+    assert!(
+        50 * missed.len() < held,
+        "{} of {held}: {missed:#?}",
+        missed.len()
+    );
+    assert!((1.0..100.0).contains(&median), "{median}");
+}
