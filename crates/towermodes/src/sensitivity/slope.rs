@@ -33,8 +33,8 @@ pub(super) struct Slope {
 }
 
 impl Slope {
-    /// Of central differences over a step and over its half: their errors are quadratic in the step,
-    /// that of the result is of fourth order.
+    /// Of central differences over a step and over its half: their errors are quadratic in the
+    /// step, that of the result is of fourth order.
     pub(super) fn extrapolated(whole: f64, half: f64) -> Self {
         let change = (half - whole) / 3.0;
         let value = half + change;

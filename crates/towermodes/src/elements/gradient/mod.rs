@@ -2,8 +2,9 @@
 //! of each mode.
 //!
 //! For [`Element::RmjeExact`](super::Element::RmjeExact). All integrals of a segment are sums over
-//! points, so each point gives its share to the numbers of its piece: diameter, wall and material of
-//! a tube, or the columns of a table. What the points and sections are is the same for all modes.
+//! points, so each point gives its share to the numbers of its piece: diameter, wall and material
+//! of a tube, or the columns of a table. What the points and sections are is the same for all
+//! modes.
 
 mod borders;
 mod mode;

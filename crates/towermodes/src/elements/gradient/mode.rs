@@ -1,7 +1,7 @@
 //! The gradient of one mode: a walk up the chain that turns motions and forces into derivatives.
 //!
-//! Π = xᵀKx − λ xᵀMx with the motions of the joints held; dλ = dΠ/xᵀMx. Every term of Π is that of a
-//! joint, a body or an attachment:
+//! Π = xᵀKx − λ xᵀMx with the motions of the joints held; dλ = dΠ/xᵀMx. Every term of Π is that of
+//! a joint, a body or an attachment:
 //!
 //! | | Π | its derivative |
 //! |---|---|---|
