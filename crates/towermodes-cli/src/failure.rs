@@ -397,6 +397,9 @@ fn hint_for_sweep(error: &SolveError) -> Option<&'static str> {
         SolveError::TooLarge { .. } | SolveError::TooSlow { .. } => {
             Some("reduce --modes or --segments")
         }
+        SolveError::Buckles { .. } => Some(
+            "the base itself must be a tower that stands, even if its rows are; --set NAME=VALUE changes a number of the base",
+        ),
         error => hint(error),
     }
 }

@@ -307,7 +307,7 @@ pub enum SamplingError {
     #[error("the list of values is empty")]
     NoValues,
     /// Limits that exclude every value that can be represented.
-    #[error("the limits {} and {} exclude all values of the distribution", Plain(*.low), Plain(*.high))]
+    #[error("the limits {} and {} of `truncated` exclude all values of the distribution", Plain(*.low), Plain(*.high))]
     Excluded {
         /// The lower.
         low: f64,

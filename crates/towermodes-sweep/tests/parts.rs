@@ -695,6 +695,20 @@ fn rows_per_part_are_checked() {
         let refused = Parts::open(&sweep, &source, &folder.path("r"), options).map(|_| ());
         assert!(matches!(refused, Err(PartsError::RowsPerPart { .. })));
     }
+    // A folder of more than a million files is of no use.
+    let (sweep, source) = sampled(1_000_001);
+    let options = PartOptions {
+        rows_per_part: 1,
+        ..PartOptions::default()
+    };
+    let refused = Parts::open(&sweep, &source, &folder.path("r"), options).map(|_| ());
+    assert!(matches!(
+        refused,
+        Err(PartsError::ManyParts {
+            rows: 1_000_001,
+            ..
+        })
+    ));
 }
 
 /// A file in place of the folder, a folder that cannot be written, a file system that is full.

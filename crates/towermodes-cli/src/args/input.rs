@@ -121,6 +121,20 @@ impl ReadingArguments {
         Ok(())
     }
 
+    /// Checks that no column changes a number that the readers omit.
+    ///
+    /// # Errors
+    /// The message for the first column that does, beginning with the option.
+    pub(crate) fn check_columns<'a>(
+        given: &ReadOptions,
+        names: impl Iterator<Item = &'a str>,
+    ) -> Result<(), &'static str> {
+        Self::check_names(given, names).map_err(|_| match given.without_rna {
+            true => "--no-rna omits the RNA, but a column changes a number of the RNA; remove one of them",
+            false => "--no-gravity omits gravity, but a column changes it; remove one of them",
+        })
+    }
+
     /// Checks that each option of the readers applies to at least one of the files.
     ///
     /// # Errors

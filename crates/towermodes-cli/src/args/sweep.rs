@@ -89,8 +89,8 @@ pub(crate) struct SweepArguments {
     #[arg(long)]
     pub(crate) summary: bool,
 
-    /// Draw the frequencies as SVG or PNG: curves for one or two varied numbers, histograms for
-    /// more
+    /// Draw the frequencies as SVG or PNG: curves for one varied number, or for two of which one
+    /// has few values, histograms for more
     #[arg(long, value_name = "PATH")]
     pub(crate) plot: Option<PathBuf>,
 

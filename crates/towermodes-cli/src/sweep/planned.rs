@@ -55,6 +55,8 @@ fn of_table(table: &Path, arguments: &SweepArguments) -> Result<Parts, Failure> 
     reading.check(&[input.format]).map_err(Failure::Usage)?;
     let table = open(table, &input.description, arguments)?;
     let changes = table.changes().to_vec();
+    let names = changes.iter().map(Change::name);
+    ReadingArguments::check_columns(&reading.options(), names).map_err(Failure::Usage)?;
     let results = arguments.results(SweepResults::default());
     Ok((input, changes, SweepSource::Table(Box::new(table)), results))
 }
@@ -88,6 +90,9 @@ fn of_study(arguments: &SweepArguments) -> Result<Parts, Failure> {
             (changes, source)
         }
     };
+    let names = changes.iter().map(Change::name);
+    ReadingArguments::check_columns(&study.reading, names)
+        .map_err(|problem| Failure::WrongStudy(as_keys(problem)))?;
     Ok((input, changes, source, results))
 }
 

@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use towermodes::number::{four_digits, with_error};
-use towermodes::{Family, Mode, printable};
+use towermodes::{Family, Mode, Solution, printable};
 use towermodes_files::SolvedFile;
 use towermodes_report::wording::mesh;
 
@@ -11,6 +11,8 @@ use super::text::{align_right, aligned, plain_table};
 
 /// The cell of a mode that is not in the list of a file.
 const NOT_LISTED: &str = "-";
+/// Marks a list that ends inside a pair.
+const CUTS_A_PAIR: &str = "*";
 /// Spaces beside a cell.
 const GAP: usize = 2;
 
@@ -36,7 +38,12 @@ pub(crate) fn several(files: &[SolvedFile<'_>], width: usize) -> String {
         true => "\n-: not among the listed modes of this file; --modes lists more\n",
         false => "",
     };
-    format!("{}\n{note}", tables.join("\n\n"))
+    let cuts = |file: &SolvedFile<'_>| file.solution.certificate.count > file.solution.modes.len();
+    let note_on_pairs = match files.iter().any(cuts) {
+        true => "\n*: except for the other mode of the last pair; --modes lists it\n",
+        false => "",
+    };
+    format!("{}\n{note}{note_on_pairs}", tables.join("\n\n"))
 }
 
 /// What stands below the frequencies.
@@ -99,8 +106,17 @@ fn about(file: &SolvedFile<'_>) -> [String; 7] {
         solution.method.name().to_owned(),
         mesh(solution.method, solution.segments, solution.degree),
         solution.modes.len().to_string(),
-        four_digits(solution.certificate.below_hz),
+        complete_below(solution),
     ]
+}
+
+/// Where the list is complete: if it ends inside a pair of one frequency, one mode more is below.
+fn complete_below(solution: &Solution) -> String {
+    let below_hz = four_digits(solution.certificate.below_hz);
+    match solution.certificate.count > solution.modes.len() {
+        true => format!("{below_hz} {CUTS_A_PAIR}"),
+        false => below_hz,
+    }
 }
 
 /// The file names without their folders, or with them if two files have the same name.

@@ -5,7 +5,7 @@ use std::path::PathBuf;
 
 use thiserror::Error;
 
-use super::{MAX_ROWS_PER_PART, Shard};
+use super::{MAX_PARTS, MAX_ROWS_PER_PART, Shard};
 use crate::run::RunError;
 use crate::table::TableError;
 
@@ -107,6 +107,17 @@ pub enum PartsError {
     RowsPerPart {
         /// The number.
         rows: u64,
+    },
+    /// More parts than a folder can have.
+    #[error(
+        "{rows} rows in parts of {rows_per_part} are {} parts, but a folder has at most {MAX_PARTS}; use at least {} rows per part (--rows-per-part)",
+        rows.div_ceil(*rows_per_part), rows.div_ceil(MAX_PARTS)
+    )]
+    ManyParts {
+        /// The number of rows.
+        rows: u64,
+        /// The number of rows per part.
+        rows_per_part: u64,
     },
     /// Parquet without the feature.
     #[error(

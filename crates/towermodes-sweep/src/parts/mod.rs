@@ -45,3 +45,5 @@ pub const DEFAULT_ROWS_PER_PART: u64 = 16_384;
 
 /// The largest number of rows of a part, which is in memory when it is written.
 pub const MAX_ROWS_PER_PART: u64 = 1 << 20;
+/// The most parts of a sweep: listing a folder of more takes minutes.
+pub const MAX_PARTS: u64 = 1_000_000;

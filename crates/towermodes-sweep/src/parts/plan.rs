@@ -4,7 +4,7 @@ use serde_json::{Map, Value, json};
 use towermodes_files::{Distribution, Sampling, SamplingError, SamplingKind, write_toml};
 
 use super::part::PartFormat;
-use super::{DEFAULT_ROWS_PER_PART, MAX_ROWS_PER_PART, PartsError, Shard};
+use super::{DEFAULT_ROWS_PER_PART, MAX_PARTS, MAX_ROWS_PER_PART, PartsError, Shard};
 use crate::digest::Digest;
 use crate::sampling::Draw;
 use crate::sweep::Sweep;
@@ -136,6 +136,13 @@ impl Plan {
         if !(1..=MAX_ROWS_PER_PART).contains(&rows_per_part) {
             return Err(PartsError::RowsPerPart {
                 rows: rows_per_part,
+            });
+        }
+        let rows = source.rows();
+        if rows.div_ceil(rows_per_part) > MAX_PARTS {
+            return Err(PartsError::ManyParts {
+                rows,
+                rows_per_part,
             });
         }
         let mut content = Map::new();
