@@ -129,6 +129,7 @@ impl Folder {
             while self.parts(output) < 3 && run.try_wait().expect("a process").is_none() {
                 thread::sleep(Duration::from_millis(1));
             }
+            // The program `kill` sends it as a user or a scheduler does.
             let id = run.id().to_string();
             // There may be no such process any more.
             let _ = Command::new("kill")
@@ -174,13 +175,6 @@ fn check_complete(files: &BTreeMap<String, Vec<u8>>, rows: usize) {
         }
     }
     assert_eq!(next, rows);
-}
-
-/// The signal by the program `kill`, as a user or a scheduler sends it.
-fn signal(child: &Child, name: &str) {
-    let id = child.id().to_string();
-    let done = Command::new("kill").args([name, &id]).status();
-    assert!(done.expect("kill").success());
 }
 
 /// A row would put the mass of the RNA back without its inertia.

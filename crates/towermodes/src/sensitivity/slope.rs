@@ -82,7 +82,7 @@ impl FrozenModes {
             error = error.max(slope.error * per_lambda);
             count = index + 1;
         }
-        let mesh_hz_per_unit = of_meshes[0];
+        let mesh_hz_per_unit = of_meshes[self.own.min(count - 1)];
         if count == 1 && !powers.is_empty() {
             // Without another mesh, as far as the frequency itself is from that of the beam.
             let ModeFrequency {

@@ -32,8 +32,10 @@ pub(crate) struct FrozenModes {
     pub(crate) motions: Vec<Motions>,
     /// The places of the modes whose frequencies do not converge with these powers.
     pub(crate) irregular: Vec<usize>,
-    /// The mesh of the modes and those below it, each with half the segments of the one before.
+    /// The mesh of the modes and others, each with half the segments of the one before.
     pub(crate) meshes: Vec<FrozenMesh>,
+    /// Which of them is that of the modes.
+    pub(crate) own: usize,
     /// For each number of the tower the derivatives of the eigenvalues with respect to it, mesh by
     /// mesh; none if the method has no sweep that gives them.
     pub(crate) gradients: Option<Vec<f64>>,
@@ -73,6 +75,7 @@ impl FrozenModes {
             motions: Vec::new(),
             irregular: workspace.errors.irregular.clone(),
             meshes: Vec::new(),
+            own: 0,
             gradients: None,
             model: Model::default(),
         };
@@ -80,8 +83,11 @@ impl FrozenModes {
         frozen.set_powers(tower, options, &workspace.model);
         let powers = frozen.powers.iter().map(|powers| powers.len());
         let most = 1 + powers.max().unwrap_or(0) as u32;
-        for cut in cuts(tower, options, workspace, most)? {
-            match frozen.solve(tower, cut, (origin, own.take()), workspace) {
+        let (cuts, finer) = cuts(tower, options, workspace, most)?;
+        frozen.own = finer;
+        for (index, cut) in cuts.into_iter().enumerate() {
+            let known = if index == finer { own.take() } else { None };
+            match frozen.solve(tower, cut, (origin, known), workspace) {
                 Ok(mesh) => {
                     gradients = gradients.and_then(|mut all| {
                         let is_whole = frozen.add_gradients(tower, &mesh, workspace, &mut all);
@@ -89,8 +95,13 @@ impl FrozenModes {
                     });
                     frozen.meshes.push(mesh);
                 }
-                // The coarser meshes only tell how the derivative converges.
-                Err(_) if !frozen.meshes.is_empty() => break,
+                // The other meshes only tell how the derivative converges.
+                Err(_) if index < finer => {
+                    frozen.meshes.clear();
+                    gradients = frozen.begin_gradients();
+                    frozen.own = finer - index - 1;
+                }
+                Err(_) if index > finer => break,
                 Err(error) => return Err(error),
             }
         }
@@ -259,25 +270,36 @@ fn energies(model: &mut Model, index: usize, vector: &[f64]) -> [f64; 2] {
 }
 
 /// The cuts of the last solve: that of the modes, and meshes with half as many segments while there
-/// are some: one for each power of the errors, and one more.
+/// are some: one for each power of the errors, and one more. Where there are fewer than the powers
+/// need, finer meshes come before: the second result is how many.
 fn cuts(
     tower: &Tower,
     options: &Options,
     workspace: &mut Workspace,
     most_halvings: u32,
-) -> Result<Vec<Cut>, SolveError> {
+) -> Result<(Vec<Cut>, usize), SolveError> {
     if options.method == Method::Spectral {
-        return Ok(workspace.spectral_cut.clone().into_iter().collect());
+        let cut = workspace.spectral_cut.clone();
+        return Ok((cut.into_iter().collect(), 0));
     }
     let own = Cut::new(tower, options)?;
-    let halvings = match options.borders_m {
-        Some(_) => 0,
-        None => own.mesh.halvings().min(most_halvings),
+    let (halvings, doublings) = match options.borders_m {
+        Some(_) => (0, 0),
+        None => {
+            let halvings = own.mesh.halvings().min(most_halvings);
+            (halvings, (most_halvings - 1).saturating_sub(halvings))
+        }
     };
-    let halved = |halvings| {
+    let made = |write: &dyn Fn(&mut Mesh)| {
         let mut cut = Cut::default();
-        own.mesh.write_halved(halvings, &mut cut.mesh);
+        write(&mut cut.mesh);
         cut
     };
-    Ok((0..=halvings).map(halved).collect())
+    let finer = (1..=doublings).rev();
+    let mut cuts: Vec<Cut> = finer
+        .map(|doublings| made(&|mesh| own.mesh.write_doubled(doublings, mesh)))
+        .collect();
+    let coarser = 0..=halvings;
+    cuts.extend(coarser.map(|halvings| made(&|mesh| own.mesh.write_halved(halvings, mesh))));
+    Ok((cuts, doublings as usize))
 }

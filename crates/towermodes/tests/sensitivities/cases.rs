@@ -161,3 +161,35 @@ fn the_error_of_a_derivative_holds_and_is_near() {
     );
     assert!((1.0..100.0).contains(&median), "{median}");
 }
+
+/// With so few segments that none can be merged the derivative is extrapolated from finer meshes,
+/// as the frequency is.
+#[test]
+fn few_segments_have_the_derivative_of_the_beam() {
+    let names = ["scale(soil[0].rows[*].x)", "rna.mass", "stations[0].wall"];
+    let of = |method: Method, segments: Option<usize>| {
+        let options = Options {
+            method,
+            segments,
+            modes: 4,
+            ..Options::default()
+        };
+        sensitivities_of(&monopile(), &names, &options)
+    };
+    let (few, beam) = (of(Method::RmjeExact, Some(20)), of(Method::Spectral, None));
+    let mut compared = 0;
+    for (few_change, beam_change) in few.changes.iter().zip(&beam.changes) {
+        for (mode, expected) in beam.modes.iter().zip(&beam_change.modes) {
+            let label = mode.label();
+            let place = few.modes.iter().position(|other| other.label() == label);
+            let got = few_change.modes[place.expect("the same modes")];
+            let (got, expected) = (got.expect("one").hz_per_unit, expected.expect("one"));
+            let value = few_change.value / mode.frequency_hz;
+            let difference = (got - expected.hz_per_unit).abs() * value;
+            let name = few_change.change.name();
+            assert!(difference < 5e-5, "{name}, {label}: {difference:.1e}");
+            compared += 1;
+        }
+    }
+    assert_eq!(compared, 12);
+}
