@@ -696,7 +696,21 @@ fn rows_per_part_are_checked() {
         assert!(matches!(refused, Err(PartsError::RowsPerPart { .. })));
     }
     // A folder of more than a million files is of no use.
-    let (sweep, source) = sampled(1_000_001);
+    let vary = vec![Varied {
+        name: "rna.mass".to_owned(),
+        distribution: Distribution::Uniform {
+            low: 3e5,
+            high: 4e5,
+        },
+        levels: None,
+    }];
+    let source = SweepSource::sampled(Sampling {
+        kind: SamplingKind::Sobol,
+        rows: 1_000_001,
+        seed: 1,
+        vary,
+    });
+    let (sweep, source) = (lowest(&["rna.mass"], 4), source.expect("a sample"));
     let options = PartOptions {
         rows_per_part: 1,
         ..PartOptions::default()

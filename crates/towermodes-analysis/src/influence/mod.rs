@@ -127,10 +127,23 @@ impl Influences {
     }
 
     fn ranked_by(&self, size: impl Fn(&Influence) -> f64) -> Vec<&Influence> {
-        let sized = self.numbers.iter().map(|number| (size(number), number));
+        let sized = self.numbers.iter();
+        let sized = sized.map(|number| (without_rounding(size(number)), number));
         let mut ranked: Vec<(f64, &Influence)> = sized.collect();
         ranked.sort_by(|a, b| b.0.total_cmp(&a.0));
         ranked.into_iter().map(|(_, number)| number).collect()
+    }
+}
+
+/// A size to six digits, so that rounding does not decide the order of equal influences.
+fn without_rounding(size: f64) -> f64 {
+    let decade = size.log10().floor();
+    match decade.is_finite() {
+        true => {
+            let unit = 10.0_f64.powf(decade - 5.0);
+            (size / unit).round() * unit
+        }
+        false => size,
     }
 }
 

@@ -20,6 +20,7 @@ pub(super) fn schema_parser() -> PossibleValuesParser {
         PossibleValue::new("solve-several").help("result of `solve` for several files"),
         PossibleValue::new("blade").help("result of `solve` for a rotating blade"),
         PossibleValue::new("parameters"),
+        PossibleValue::new("sensitivities"),
         PossibleValue::new("compare"),
         PossibleValue::new("converge"),
         PossibleValue::new("campbell"),
