@@ -5,11 +5,11 @@ mod study;
 use towermodes::{Options, Tower, Warning};
 use towermodes_files::{Note, TowerInput};
 use towermodes_report::figures::{TitleWords, titled};
-use towermodes_report::svg::Figure;
+use towermodes_report::svg::{Figure, Look, Theme};
 use towermodes_report::wording::computed_by;
 use towermodes_report::{figures, raster};
 
-use crate::args::{PictureFormat, PlotArguments, Prescribed, What};
+use crate::args::{PictureFile, PictureFormat, PlotArguments, Prescribed, What};
 use crate::campbell::{campbell_of, rotor_of, solved_to_reach};
 use crate::failure::{Failure, note, warn};
 use crate::input::tower_input;
@@ -48,6 +48,14 @@ pub(crate) fn run(arguments: &PlotArguments) -> Result<(), Failure> {
     note(&notes);
     warn(&warnings, &input);
     deliver_bytes(&picture, output)
+}
+
+/// The file of a picture that a command draws beside its result.
+pub(crate) fn picture_of(figure: &Figure, format: PictureFile) -> Result<Vec<u8>, Failure> {
+    match format {
+        PictureFile::Svg => Ok(figure.to_svg(Look::Standalone).into_bytes()),
+        PictureFile::Png => raster::png(figure, Theme::Light, 2.0).map_err(Failure::Picture),
+    }
 }
 
 /// A picture with its notes and warnings.

@@ -4,13 +4,12 @@ use towermodes::{Change, Options, SensitivityError, TowerDescription};
 use towermodes_analysis::influence::{Influences, Tolerance, Tolerances, influences};
 use towermodes_files::{TowerInput, write_sensitivities_csv, write_sensitivities_json};
 use towermodes_report::figures::{self, TitleWords};
-use towermodes_report::raster;
-use towermodes_report::svg::{Look, Theme};
 
 use crate::args::{Format, Prescribed, SensitivitiesArguments};
 use crate::failure::{Failure, note, warn};
 use crate::input::tower_input;
 use crate::output::{check_not_input, check_not_inputs, check_place, deliver, deliver_bytes};
+use crate::plot::picture_of;
 use crate::progress::Progress;
 use crate::table;
 
@@ -32,9 +31,15 @@ pub(crate) fn run(arguments: &SensitivitiesArguments) -> Result<(), Failure> {
     let changes = changes(&arguments.names, &input.description)?;
     let tolerances = tolerances(&arguments.tolerances, &input.description)?;
     let influences = influences_of(&input.description, changes.as_deref(), &options)?;
-    if let Some((path, is_png)) = picture {
-        let bytes = drawn(&input, &influences, &tolerances, is_png)?;
-        deliver_bytes(&bytes, Some(path))?;
+    if let Some((path, format)) = picture {
+        let words = TitleWords {
+            title: None,
+            computed: None,
+            conclusion: &[],
+        };
+        let figure = figures::tornado(&input.description, &influences, &tolerances);
+        let figure = figures::titled(figure, &tower, &words);
+        deliver_bytes(&picture_of(&figure, format)?, Some(path))?;
     }
     // What is asked for by name is listed, whatever it does.
     let all = arguments.all || !arguments.names.is_empty();
@@ -121,26 +126,5 @@ fn failure(error: SensitivityError) -> Failure {
         SensitivityError::Tower(error) => Failure::Tower(error),
         SensitivityError::Solve(error) => Failure::Unsolved(error),
         error => Failure::NoSensitivity(error),
-    }
-}
-
-/// The tornado diagram as a file.
-fn drawn(
-    input: &TowerInput,
-    influences: &Influences,
-    tolerances: &Tolerances,
-    is_png: bool,
-) -> Result<Vec<u8>, Failure> {
-    let tower = input.tower().map_err(Failure::Input)?;
-    let words = TitleWords {
-        title: None,
-        computed: None,
-        conclusion: &[],
-    };
-    let figure = figures::tornado(&input.description, influences, tolerances);
-    let figure = figures::titled(figure, &tower, &words);
-    match is_png {
-        false => Ok(figure.to_svg(Look::Standalone).into_bytes()),
-        true => raster::png(&figure, Theme::Light, 2.0).map_err(Failure::Picture),
     }
 }

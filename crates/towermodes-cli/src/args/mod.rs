@@ -13,6 +13,7 @@ mod input;
 mod model;
 mod parameters;
 mod parsers;
+mod picture;
 mod plot;
 mod prescribed;
 mod report;
@@ -35,13 +36,14 @@ pub(crate) use elastodyn::{
 pub(crate) use ending::{Ending, EndingError};
 pub(crate) use input::{InputArguments, ReadingArguments};
 pub(crate) use parameters::ParametersArguments;
+pub(crate) use picture::PictureFile;
 pub(crate) use plot::{PictureFormat, PlotArguments, What};
 pub(crate) use prescribed::Prescribed;
 pub(crate) use report::{PageFormat, ReportArguments};
 pub(crate) use rotor::RotorArguments;
 pub(crate) use sensitivities::SensitivitiesArguments;
 pub(crate) use solve::{SolveArguments, SolveFormat};
-pub(crate) use sweep::{SweepArguments, SweepPicture};
+pub(crate) use sweep::SweepArguments;
 pub(crate) use verify::{VerifyArguments, VerifyFormat};
 
 use std::ffi::OsString;

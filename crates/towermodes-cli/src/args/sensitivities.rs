@@ -9,6 +9,7 @@ use towermodes_analysis::influence::Tolerance;
 use super::input::InputArguments;
 use super::model::ModelArguments;
 use super::parsers::{method_parser, number_parser, tolerance_parser};
+use super::picture::PictureFile;
 use super::prescribed::Prescribed;
 use super::{Destination, csv_lines};
 
@@ -80,19 +81,15 @@ impl SensitivitiesArguments {
         })
     }
 
-    /// The path of the picture, if one is requested, and whether it is a PNG.
+    /// The path of the picture with its format, if a picture is requested.
     ///
     /// # Errors
     /// The message for an unknown file extension.
-    pub(crate) fn picture(&self) -> Result<Option<(&Path, bool)>, &'static str> {
+    pub(crate) fn picture(&self) -> Result<Option<(&Path, PictureFile)>, &'static str> {
         let Some(path) = self.plot.as_deref() else {
             return Ok(None);
         };
-        let ending = path.extension().map(|ending| ending.to_ascii_lowercase());
-        match ending.as_deref().and_then(|ending| ending.to_str()) {
-            Some("svg") => Ok(Some((path, false))),
-            Some("png") => Ok(Some((path, true))),
-            _ => Err("unknown file extension for a picture; use --plot FILE.svg or FILE.png"),
-        }
+        let format = PictureFile::of(path).ok_or(PictureFile::UNKNOWN)?;
+        Ok(Some((path, format)))
     }
 }

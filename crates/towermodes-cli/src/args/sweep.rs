@@ -9,6 +9,7 @@ use towermodes_sweep::{MAX_ROWS_PER_PART, PartFormat, Shard, ShardError};
 
 use super::input::ReadingArguments;
 use super::parsers::{method_parser, number_parser};
+use super::picture::PictureFile;
 
 const EXAMPLES: &str = "Examples:
   towermodes sweep tower.toml values.csv > frequencies.csv
@@ -107,30 +108,6 @@ pub(crate) enum SweepFormat {
     Parquet,
 }
 
-/// The format of the picture.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum SweepPicture {
-    /// Lines and text, for any size.
-    Svg,
-    /// Pixels.
-    Png,
-}
-
-impl SweepPicture {
-    /// By the file extension.
-    fn of(path: &Path) -> Option<Self> {
-        let ending = path.extension()?.to_ascii_lowercase();
-        match ending.to_str() {
-            Some("svg") => Some(Self::Svg),
-            Some("png") => Some(Self::Png),
-            _ => None,
-        }
-    }
-}
-
-const UNKNOWN_PICTURE: &str =
-    "unknown file extension for a picture; use --plot FILE.svg or FILE.png";
-
 impl SweepArguments {
     /// The number of threads.
     pub(crate) fn threads(&self) -> usize {
@@ -167,9 +144,9 @@ impl SweepArguments {
     }
 
     /// The path of the picture with its format, if a picture is requested.
-    pub(crate) fn picture(&self) -> Option<(&Path, SweepPicture)> {
+    pub(crate) fn picture(&self) -> Option<(&Path, PictureFile)> {
         let path = self.plot.as_deref()?;
-        Some((path, SweepPicture::of(path)?))
+        Some((path, PictureFile::of(path)?))
     }
 
     /// Checks the options that need a folder, and the file extension of the picture.
@@ -179,7 +156,7 @@ impl SweepArguments {
     pub(crate) fn check(&self) -> Result<(), &'static str> {
         if self.folder().is_some() {
             return match self.plot.is_some() && self.picture().is_none() {
-                true => Err(UNKNOWN_PICTURE),
+                true => Err(PictureFile::UNKNOWN),
                 false => Ok(()),
             };
         }

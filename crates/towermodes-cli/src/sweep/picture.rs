@@ -4,15 +4,15 @@ use std::fs;
 use std::path::Path;
 
 use towermodes_report::figures::{self, ModeColumn, SweepColumns, TitleWords, VariedColumn};
-use towermodes_report::raster;
-use towermodes_report::svg::{Figure, Look, Theme};
+use towermodes_report::svg::Figure;
 use towermodes_sweep::{Parts, RowSource};
 
 use super::planned::Planned;
 use super::selection::Selection;
-use crate::args::{SweepArguments, SweepPicture};
+use crate::args::SweepArguments;
 use crate::failure::Failure;
 use crate::output::{check_place, deliver_bytes};
+use crate::plot::picture_of;
 
 /// Of more rows a random selection is drawn.
 const MOST_ROWS: u64 = 1_000_000;
@@ -38,7 +38,7 @@ pub(super) fn run(
         return Ok(());
     };
     let figure = figure(planned, parts)?;
-    deliver_bytes(&drawn(&figure, format)?, Some(path))
+    deliver_bytes(&picture_of(&figure, format)?, Some(path))
 }
 
 fn figure(planned: &Planned, parts: &Parts<'_>) -> Result<Figure, Failure> {
@@ -89,11 +89,4 @@ fn figure(planned: &Planned, parts: &Parts<'_>) -> Result<Figure, Failure> {
         conclusion: &[],
     };
     Ok(figures::titled(figures::sweep(&columns), &tower, &words))
-}
-
-fn drawn(figure: &Figure, format: SweepPicture) -> Result<Vec<u8>, Failure> {
-    match format {
-        SweepPicture::Svg => Ok(figure.to_svg(Look::Standalone).into_bytes()),
-        SweepPicture::Png => raster::png(figure, Theme::Light, 2.0).map_err(Failure::Picture),
-    }
 }

@@ -18,6 +18,7 @@ mod schema;
 mod soil;
 mod stations;
 mod study;
+mod study_file;
 mod synonyms;
 mod syntax;
 mod table;

@@ -28,28 +28,30 @@ use crate::tower::TowerDescription;
 /// ```
 pub fn every_change(description: &TowerDescription) -> Vec<Change> {
     let all = Parameter::all(description);
-    let mut changes = Vec::with_capacity(all.len());
     let mut names: Vec<String> = Vec::new();
     for (index, parameter) in all.iter().enumerate() {
-        let is_step_with = |other: &Parameter| {
+        let name = parameter.to_string();
+        if name.starts_with("rotor.") {
+            continue;
+        }
+        if !parameter.is_height() {
+            names.push(name);
+            continue;
+        }
+        let is_step_with = |other: &&Parameter| {
             other.is_height_like(*parameter)
                 && other.value(description) == parameter.value(description)
         };
-        let is_rotor = parameter.to_string().starts_with("rotor.");
-        if is_rotor || all[..index].iter().any(is_step_with) {
+        if all[..index].iter().any(|other| is_step_with(&other)) {
             continue;
         }
-        let step = all[index + 1..].iter().filter(|other| is_step_with(other));
+        let step = all[index + 1..].iter().filter(is_step_with);
         let others: Vec<String> = step.map(ToString::to_string).collect();
         names.push(match others.is_empty() {
-            true => parameter.to_string(),
-            false => format!("add({parameter},{})", others.join(",")),
+            true => name,
+            false => format!("add({name},{})", others.join(",")),
         });
     }
-    changes.extend(
-        names
-            .iter()
-            .filter_map(|name| Change::parse(name, description).ok()),
-    );
-    changes
+    let changes = names.iter().map(|name| Change::parse(name, description));
+    changes.filter_map(Result::ok).collect()
 }

@@ -225,9 +225,10 @@ impl FrozenModes {
     ) -> bool {
         quotients.resize_with(self.meshes.len(), Vec::new);
         let tower = &neighbour.tower;
+        let moves = neighbours.moves(tower);
         let model = &mut self.model;
         for (mesh, quotients) in self.meshes.iter().zip(quotients) {
-            let moved = moved(neighbours, tower, &mesh.cut.mesh);
+            let moved = mesh.cut.mesh.moved(&moves);
             model.assemble(tower, &moved, mesh.cut.degree, &self.options);
             quotients.clear();
             for (key, vector) in self.keys.iter().zip(&mesh.vectors) {
@@ -241,11 +242,6 @@ impl FrozenModes {
         }
         true
     }
-}
-
-/// The mesh of a neighbour.
-fn moved(neighbours: &Neighbours, tower: &Tower, mesh: &Mesh) -> Mesh {
-    mesh.moved(|height_m| neighbours.moved_m(tower, height_m))
 }
 
 /// Gradients of modes as a list by number, each with the derivatives of all modes.

@@ -134,18 +134,20 @@ impl Neighbours {
         pieces_are && own.zip(tower.attachments.windows(2)).all(rises)
     }
 
-    /// The height (m) of a neighbour that a height (m) of the first tower becomes: ends of pieces
-    /// and attachments move to their new heights, and what is between them in proportion.
-    pub(crate) fn moved_m(&self, neighbour: &Tower, height_m: f64) -> f64 {
+    /// The height (m) of a neighbour that each height (m) of the first tower becomes: ends of
+    /// pieces and attachments move to their new heights, what is between them in proportion.
+    pub(crate) fn moves(&self, neighbour: &Tower) -> impl Fn(f64) -> f64 + use<> {
         let (own, new) = (knots(&self.tower), knots(neighbour));
-        let above = own.partition_point(|knot| *knot < height_m);
-        match (own.get(above), above.checked_sub(1)) {
-            (Some(knot), _) if *knot == height_m => new[above],
-            (Some(_), Some(below)) => {
-                let share = (height_m - own[below]) / (own[above] - own[below]);
-                new[below] + share * (new[above] - new[below])
+        move |height_m| {
+            let above = own.partition_point(|knot| *knot < height_m);
+            match (own.get(above), above.checked_sub(1)) {
+                (Some(knot), _) if *knot == height_m => new[above],
+                (Some(_), Some(below)) => {
+                    let share = (height_m - own[below]) / (own[above] - own[below]);
+                    new[below] + share * (new[above] - new[below])
+                }
+                _ => height_m,
             }
-            _ => height_m,
         }
     }
 }

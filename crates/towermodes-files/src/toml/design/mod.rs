@@ -9,7 +9,7 @@ use ::toml::de::DeTable;
 
 use super::reading::Reading;
 use super::study::{method, segments};
-use super::syntax::syntax_mistake;
+use super::study_file::read_study;
 use super::table::Table;
 use super::values::{Value, number, truth};
 use crate::design_study::DesignStudy;
@@ -45,37 +45,23 @@ const LEAST: &str = "a design needs [design.variables] with what is chosen, as \
 /// # Ok::<(), towermodes_files::ReadError>(())
 /// ```
 pub fn read_design_study(source: &Source) -> Result<DesignStudy, ReadError> {
-    describe(source).map_err(|mistakes| ReadError::mistakes(source, mistakes))
+    let read = |root: &Table<'_>, reading: &mut Reading| study(root, source, reading);
+    read_study(source, (LEAST, &STUDY), other_file, read)
 }
 
-fn describe(source: &Source) -> Result<DesignStudy, Vec<Diagnostic>> {
-    let file = &source.text;
-    if file.trim().is_empty() {
-        let mistake = Diagnostic::new(0..0, DiagnosticKind::EmptyFile);
-        return Err(vec![mistake.with_hint(LEAST)]);
+/// The file is a tower or the study of a sweep.
+fn other_file(entries: &DeTable<'_>) -> Option<Diagnostic> {
+    if entries.contains_key("design") {
+        return None;
     }
-    let document = DeTable::parse(file).map_err(|error| vec![syntax_mistake(&error, file)])?;
-    let entries = document.get_ref();
-    if !entries.contains_key("design") {
-        let others = [
-            ("tower", "a tower file, not the study of a design"),
-            ("sweep", "the study of a sweep, not of a design"),
-        ];
-        let other = others.iter().find(|(key, _)| entries.contains_key(*key));
-        if let Some((_, found)) = other {
-            let found = (*found).to_owned();
-            let mistake = Diagnostic::new(0..0, DiagnosticKind::WrongFile { found });
-            return Err(vec![mistake.with_hint(LEAST)]);
-        }
-    }
-    let mut reading = Reading::default();
-    let root = Table::root(entries, file.len(), &STUDY, &mut reading);
-    let study = study(&root, source, &mut reading);
-    reading.mistakes.sort_by_key(|mistake| mistake.span.start);
-    match study {
-        Some(study) if reading.mistakes.is_empty() => Ok(study),
-        _ => Err(reading.mistakes),
-    }
+    let others = [
+        ("tower", "a tower file, not the study of a design"),
+        ("sweep", "the study of a sweep, not of a design"),
+    ];
+    let (_, found) = others.iter().find(|(key, _)| entries.contains_key(*key))?;
+    let found = (*found).to_owned();
+    let mistake = Diagnostic::new(0..0, DiagnosticKind::WrongFile { found });
+    Some(mistake.with_hint(LEAST))
 }
 
 fn study(root: &Table<'_>, source: &Source, reading: &mut Reading) -> Option<DesignStudy> {

@@ -10,7 +10,7 @@ mod schema;
 use ::toml::de::DeTable;
 
 use super::reading::Reading;
-use super::syntax::syntax_mistake;
+use super::study_file::read_study;
 use super::table::Table;
 use super::values::text;
 use crate::diagnostic::{Diagnostic, DiagnosticKind};
@@ -51,36 +51,20 @@ const LEAST: &str = "a study needs [sweep] with base = \"tower.toml\", and table
 /// # Ok::<(), towermodes_files::ReadError>(())
 /// ```
 pub fn read_sweep_study(source: &Source) -> Result<SweepStudy, ReadError> {
-    describe(source).map_err(|mistakes| ReadError::mistakes(source, mistakes))
-}
-
-fn describe(source: &Source) -> Result<SweepStudy, Vec<Diagnostic>> {
-    let file = &source.text;
-    if file.trim().is_empty() {
-        let mistake = Diagnostic::new(0..0, DiagnosticKind::EmptyFile);
-        return Err(vec![mistake.with_hint(LEAST)]);
-    }
-    let document = DeTable::parse(file).map_err(|error| vec![syntax_mistake(&error, file)])?;
-    let entries = document.get_ref();
-    if !entries.contains_key("sweep") && entries.contains_key("tower") {
-        return Err(vec![tower_file()]);
-    }
-    let mut reading = Reading::default();
-    let root = Table::root(entries, file.len(), &STUDY, &mut reading);
-    let study = study(&root, source, &mut reading);
-    reading.mistakes.sort_by_key(|mistake| mistake.span.start);
-    match study {
-        Some(study) if reading.mistakes.is_empty() => Ok(study),
-        _ => Err(reading.mistakes),
-    }
+    let read = |root: &Table<'_>, reading: &mut Reading| study(root, source, reading);
+    read_study(source, (LEAST, &STUDY), other_file, read)
 }
 
 /// The file describes a tower.
-fn tower_file() -> Diagnostic {
+fn other_file(entries: &DeTable<'_>) -> Option<Diagnostic> {
+    if entries.contains_key("sweep") || !entries.contains_key("tower") {
+        return None;
+    }
     let found = "a tower file, not the study of a sweep".to_owned();
-    Diagnostic::new(0..0, DiagnosticKind::WrongFile { found }).with_hint(
+    let mistake = Diagnostic::new(0..0, DiagnosticKind::WrongFile { found });
+    Some(mistake.with_hint(
         "give a table of values after it, as in `towermodes sweep tower.toml values.csv`, or a study with [sweep]",
-    )
+    ))
 }
 
 fn study(root: &Table<'_>, source: &Source, reading: &mut Reading) -> Option<SweepStudy> {

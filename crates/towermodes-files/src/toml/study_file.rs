@@ -1,0 +1,44 @@
+//! A study in a file of its own: what studies of sweeps and of designs have in common.
+
+use ::toml::de::DeTable;
+
+use super::reading::Reading;
+use super::schema::TableSchema;
+use super::syntax::syntax_mistake;
+use super::table::Table;
+use crate::diagnostic::{Diagnostic, DiagnosticKind};
+use crate::error::ReadError;
+use crate::source::Source;
+
+/// Reads a study by `read`, after `refuse` has looked whether the file is another one. An empty
+/// file is answered with what a study needs at `least`.
+///
+/// # Errors
+/// [`ReadError::Mistakes`] with all that were found.
+pub(super) fn read_study<S>(
+    source: &Source,
+    (least, schema): (&'static str, &'static TableSchema),
+    refuse: impl FnOnce(&DeTable<'_>) -> Option<Diagnostic>,
+    read: impl FnOnce(&Table<'_>, &mut Reading) -> Option<S>,
+) -> Result<S, ReadError> {
+    let mistakes = |mistakes| ReadError::mistakes(source, mistakes);
+    let file = &source.text;
+    if file.trim().is_empty() {
+        let mistake = Diagnostic::new(0..0, DiagnosticKind::EmptyFile);
+        return Err(mistakes(vec![mistake.with_hint(least)]));
+    }
+    let document = DeTable::parse(file);
+    let document = document.map_err(|error| mistakes(vec![syntax_mistake(&error, file)]))?;
+    let entries = document.get_ref();
+    if let Some(mistake) = refuse(entries) {
+        return Err(mistakes(vec![mistake]));
+    }
+    let mut reading = Reading::default();
+    let root = Table::root(entries, file.len(), schema, &mut reading);
+    let study = read(&root, &mut reading);
+    reading.mistakes.sort_by_key(|mistake| mistake.span.start);
+    match study {
+        Some(study) if reading.mistakes.is_empty() => Ok(study),
+        _ => Err(mistakes(reading.mistakes)),
+    }
+}
