@@ -5,6 +5,7 @@
 
 from __future__ import annotations
 
+import importlib
 import os
 import re
 from pathlib import Path
@@ -36,6 +37,8 @@ def texts(cell: Any) -> list[str]:
 
 @pytest.mark.parametrize("path", NOTEBOOKS, ids=lambda path: path.stem)
 def test_notebook(path: Path, tmp_path: Path) -> None:
+    # The first import on a machine builds a cache of fonts, and says so in the notebook when slow.
+    importlib.import_module("matplotlib.font_manager")
     shown = nbformat.read(path, as_version=4)
     fresh = nbformat.read(path, as_version=4)
     client = nbclient.NotebookClient(

@@ -103,6 +103,32 @@ def test_ctrl_c_ends_the_program() -> None:
         assert process.wait(timeout=60) == -signal.SIGINT
 
 
+MEMORY = """
+import resource
+import numpy, towermodes as tm
+tower = tm.read("examples/nrel-5mw.toml")
+rows = {"rna.mass": -1e-9 - numpy.arange(3_000_000.0)}
+with open("/proc/self/statm") as pages:
+    used = int(pages.read().split()[0]) * resource.getpagesize()
+for more_mb in (50, 250):
+    limit = used + more_mb * 1_000_000
+    resource.setrlimit(resource.RLIMIT_AS, (limit, resource.RLIM_INFINITY))
+    try:
+        tower.sweep(rows, modes=1, threads=THREADS)
+    except MemoryError as error:
+        print(error)
+"""
+
+
+@pytest.mark.skipif(not os.path.exists("/proc/self/statm"), reason="limits of Linux")
+@pytest.mark.parametrize("threads", [1, 2])
+def test_rows_and_messages_that_do_not_fit_into_memory_are_an_exception(threads: int) -> None:
+    result = python(MEMORY.replace("THREADS", str(threads)), check=False)
+    lines = result.stdout.splitlines()
+    assert (result.returncode, len(lines)) == (0, 2), result.stderr
+    assert all("3000000 rows do not fit into memory" in line for line in lines), lines
+
+
 EXIT = """
 import threading, time
 import numpy, towermodes as tm

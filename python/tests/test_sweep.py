@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import multiprocessing
 import os
+import pickle
 import signal
 import subprocess
 import sys
@@ -90,6 +91,25 @@ def test_a_row_that_fails_is_a_row_with_its_sentence(nrel: tm.Tower) -> None:
     assert result.certified.tolist() == [True, False, False]
     assert "3 towers, 2 failed" in repr(result)
     assert "row 1: stations[0].wall: " in repr(result)
+
+
+def test_failures_are_a_list(nrel: tm.Tower) -> None:
+    masses = np.where(np.arange(400) % 3 == 1, -1.0 - np.arange(400), 350e3)
+    failures = nrel.sweep({"rna.mass": masses}, modes=1, threads=3).failures
+    expected = [
+        (row, f"rna.mass: mass is -{row + 1} kg; it must not be negative")
+        for row in range(1, 400, 3)
+    ]
+    assert failures == expected
+    assert failures != expected[1:]
+    assert (failures[-1], failures[2:5]) == (expected[-1], expected[2:5])
+    assert failures == nrel.sweep({"rna.mass": masses}, modes=1, threads=1).failures
+    assert pickle.loads(pickle.dumps(failures)) == expected
+    assert expected[4] in failures
+    assert repr(failures[:2]) == repr(expected[:2])
+    assert repr(failures).endswith("... 123 more]")
+    with pytest.raises(IndexError):
+        failures[133]
 
 
 def test_unusual_input_is_a_warning(nrel: tm.Tower) -> None:

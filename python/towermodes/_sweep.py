@@ -5,6 +5,7 @@ from __future__ import annotations
 from towermodes import _towermodes as _rust
 from towermodes._checks import whole_or_none, word_or_none
 from towermodes._columns import columns_of
+from towermodes._failures import Failures
 from towermodes._names import modes_chosen, place_of
 
 TYPE_CHECKING = False
@@ -83,8 +84,8 @@ class SweepResult:
         "warnings",
     )
 
-    failures: list[tuple[int, str]]
-    """What failed or is missing: the row, from 0, and the message."""
+    failures: Failures
+    """What failed or is missing: a list of the row, from 0, and the message."""
     warned_rows: int
     """Number of rows whose input is possible but probably a mistake, unlike that of the tower."""
     warnings: list[tuple[int, str]]
@@ -98,7 +99,7 @@ class SweepResult:
         self._error_hz: Array = error_hz
         self._mass_kg: Array = mass_kg
         self._certified: NDArray[np.bool_] = certified
-        self.failures = failures
+        self.failures = Failures(*failures)
         self.warned_rows, self.warnings = warned
         for array in (frequency_hz, error_hz, mass_kg, certified):
             array.flags.writeable = False
@@ -190,7 +191,7 @@ class SweepResult:
             self._certified,
             self._frequency_hz,
             self._error_hz,
-            self.failures,
+            self.failures._columns,
         )
 
     def __len__(self) -> int:

@@ -498,14 +498,14 @@ def stream_of_columns(texts: "list[tuple[str, list[str]]]", numbers: "list[tuple
     missing.
     """
 
-def stream_of_results(inputs: "list[tuple[str, Incomplete]]", modes: "list[str]", mass_kg: "object", certified: "object", frequency_hz: "object", error_hz: "object", failures: "list[tuple[int, str]]") -> "object":
+def stream_of_results(inputs: "list[tuple[str, Incomplete]]", modes: "list[str]", mass_kg: "object", certified: "object", frequency_hz: "object", error_hz: "object", failures: "tuple[object, object, object]") -> "object":
     """
     A table of results as a stream: the number of each row, the inputs, the mass, whether it is
     certified, frequency and error of each mode, and why a row failed. A number that is NaN is
     missing.
     """
 
-def sweep(tower: Tower, columns: "list[tuple[str, Incomplete]]", options: "dict[str, object]") -> tuple[list[tuple[str, int, str]], Incomplete, Incomplete, Incomplete, Incomplete, list[tuple[int, str]], tuple[int, list[tuple[int, str]]]]:
+def sweep(tower: Tower, columns: "list[tuple[str, Incomplete]]", options: "dict[str, object]") -> tuple[list[tuple[str, int, str]], Incomplete, Incomplete, Incomplete, Incomplete, tuple[Incomplete, Incomplete, Incomplete], tuple[int, list[tuple[int, str]]]]:
     """
     Solves the tower with the numbers of each row in place of its own.
     """

@@ -8,6 +8,7 @@
 use std::ffi::CStr;
 use std::sync::Arc;
 
+use arrow_array::builder::StringBuilder;
 use arrow_array::cast::AsArray;
 use arrow_array::ffi_stream::{FFI_ArrowArrayStream, RecordBatchStreamReader};
 use arrow_array::types::{
@@ -117,7 +118,7 @@ fn of_type<T: ArrowPrimitiveType>(
 /// certified, frequency and error of each mode, and why a row failed. A number that is NaN is
 /// missing.
 #[pyfunction]
-#[pyo3(signature = (inputs: "list[tuple[str, Incomplete]]", modes: "list[str]", mass_kg: "object", certified: "object", frequency_hz: "object", error_hz: "object", failures: "list[tuple[int, str]]") -> "object")]
+#[pyo3(signature = (inputs: "list[tuple[str, Incomplete]]", modes: "list[str]", mass_kg: "object", certified: "object", frequency_hz: "object", error_hz: "object", failures: "tuple[object, object, object]") -> "object")]
 #[allow(clippy::too_many_arguments)]
 pub fn stream_of_results<'py>(
     py: Python<'py>,
@@ -127,7 +128,7 @@ pub fn stream_of_results<'py>(
     certified: PyReadonlyArray1<'py, bool>,
     frequency_hz: PyReadonlyArray2<'py, f64>,
     error_hz: PyReadonlyArray2<'py, f64>,
-    failures: Vec<(usize, String)>,
+    failures: Failures<'py>,
 ) -> PyResult<Bound<'py, PyCapsule>> {
     let rows = certified.as_array().len();
     let mut table = Table::default();
@@ -152,14 +153,41 @@ pub fn stream_of_results<'py>(
         table.add(&format!("{mode}_hz"), column(&frequency_hz));
         table.add(&format!("{mode}_error_hz"), column(&error_hz));
     }
-    let mut sentences = vec![None; rows];
-    for (row, sentence) in failures {
-        if let Some(cell) = sentences.get_mut(row) {
-            *cell = Some(sentence);
-        }
-    }
-    table.add("error", Arc::new(StringArray::from(sentences)));
+    table.add("error", Arc::new(sentences(rows, &failures)?));
     PyCapsule::new_with_value(py, table.stream()?, STREAM)
+}
+
+/// Rows that failed; where the message of each ends in the text of all; this text in UTF-8.
+type Failures<'py> = (
+    PyReadonlyArray1<'py, u64>,
+    PyReadonlyArray1<'py, u64>,
+    PyReadonlyArray1<'py, u8>,
+);
+
+/// The message of each row, none for a row that is complete.
+fn sentences(rows: usize, (failed, ends, text): &Failures<'_>) -> PyResult<StringArray> {
+    let text = text.as_slice()?;
+    if i32::try_from(text.len()).is_err() {
+        return Err(usage(format!(
+            "the messages of {} failed rows are too long for a column of a table (2 GiB); \
+             take the numbers from `frequency_hz` and the messages from `failures`",
+            failed.as_array().len()
+        )));
+    }
+    let mut column = StringBuilder::with_capacity(rows, text.len());
+    let mut begin = 0;
+    let (failed, ends) = (failed.as_array(), ends.as_array());
+    let mut failures = failed.iter().zip(ends).peekable();
+    for row in 0..rows as u64 {
+        let failure = failures.next_if(|(failed, _)| **failed == row);
+        let message = failure.and_then(|(_, end)| {
+            let message = text.get(begin..*end as usize);
+            begin = *end as usize;
+            message.map(String::from_utf8_lossy)
+        });
+        column.append_option(message);
+    }
+    Ok(column.finish())
 }
 
 /// A table of texts and numbers as a stream: first the columns of texts. A number that is NaN is

@@ -9,7 +9,7 @@ use pyo3::exceptions::PyMemoryError;
 use pyo3::prelude::*;
 use towermodes::{Change, ModeName};
 use towermodes_files::{SweepModes, SweepResults};
-use towermodes_sweep::{Base, Columns, Results, RunError, Sweep, SweepError, run};
+use towermodes_sweep::{Base, Columns, FailedRows, Results, RunError, Sweep, SweepError, run};
 
 use crate::error::{of_solve, of_tower, usage};
 use crate::lock::{attached, released};
@@ -31,6 +31,13 @@ pub struct SweepOptions {
 /// Family, order and column name of each mode.
 pub type Names = Vec<(&'static str, usize, String)>;
 
+/// Rows that failed; where the message of each ends in the text of all; this text in UTF-8.
+type Failed<'py> = (
+    Bound<'py, PyArray1<u64>>,
+    Bound<'py, PyArray1<u64>>,
+    Bound<'py, PyArray1<u8>>,
+);
+
 /// Modes, frequencies and errors (rows, modes), masses, certified, failures; number of rows with
 /// unusual input, and the first of them.
 type Solved<'py> = (
@@ -39,7 +46,7 @@ type Solved<'py> = (
     Bound<'py, PyArray2<f64>>,
     Bound<'py, PyArray1<f64>>,
     Bound<'py, PyArray1<bool>>,
-    Vec<(u64, String)>,
+    Failed<'py>,
     (u64, Vec<(u64, String)>),
 );
 
@@ -146,6 +153,13 @@ pub fn mode_names(modes: &[ModeName]) -> Names {
     modes.iter().map(name).collect()
 }
 
+/// The failures without an object for each, which would need more memory than the results.
+fn failed(py: Python<'_>, failures: FailedRows) -> Failed<'_> {
+    let (rows, ends, text) = failures.into_columns();
+    let [rows, ends] = [rows, ends].map(|numbers| PyArray1::from_vec(py, numbers));
+    (rows, ends, PyArray1::from_vec(py, text))
+}
+
 /// The results as arrays, which take over their memory.
 fn arrays(py: Python<'_>, results: Results) -> PyResult<Solved<'_>> {
     let shape = [results.rows(), results.modes.len()];
@@ -155,7 +169,7 @@ fn arrays(py: Python<'_>, results: Results) -> PyResult<Solved<'_>> {
         PyArray1::from_vec(py, results.error_hz).reshape(shape)?,
         PyArray1::from_vec(py, results.mass_kg),
         PyArray1::from_vec(py, results.certified),
-        results.failures,
+        failed(py, results.failures),
         (results.warnings.rows, results.warnings.first),
     ))
 }

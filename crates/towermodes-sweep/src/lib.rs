@@ -20,6 +20,7 @@
 
 mod base;
 mod digest;
+mod failed;
 mod first;
 mod lowest;
 mod parts;
@@ -35,6 +36,7 @@ mod threads;
 mod warned;
 
 pub use base::{Base, DEFAULT_SWEEP_SEGMENTS};
+pub use failed::FailedRows;
 pub use parts::{
     DEFAULT_ROWS_PER_PART, MAX_ROWS_PER_PART, PartFormat, PartOptions, Parts, PartsError,
     PartsProgress, Shard, ShardError, SourceBlock, SweepSource, results_csv,

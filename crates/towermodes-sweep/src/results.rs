@@ -4,6 +4,7 @@ use std::collections::TryReserveError;
 
 use towermodes::ModeName;
 
+use crate::failed::FailedRows;
 use crate::row::Cells;
 use crate::warned::InputWarnings;
 
@@ -25,8 +26,8 @@ pub struct Results {
     /// Errors of the frequencies before extrapolation, a cautious bound for those after it, Hz;
     /// rows × modes.
     pub error_hz: Vec<f64>,
-    /// What failed or is missing: the number of the row, from 0, and the sentence; by rising rows.
-    pub failures: Vec<(u64, String)>,
+    /// What failed or is missing.
+    pub failures: FailedRows,
     /// Rows that were solved here with input that is probably a mistake; files do not have them.
     pub warnings: InputWarnings,
 }
@@ -58,7 +59,7 @@ impl Results {
             certified,
             frequency_hz: numbers(cells)?,
             error_hz: numbers(cells)?,
-            failures: Vec::new(),
+            failures: FailedRows::default(),
             warnings: InputWarnings::default(),
         })
     }
@@ -89,7 +90,7 @@ impl Results {
         let rows = self.first_row..self.first_row + self.rows() as u64;
         rows.map(move |row| {
             let failure = failures.next_if(|(failed, _)| *failed == row)?;
-            Some(failure.1.as_str())
+            Some(failure.1)
         })
     }
 

@@ -1,9 +1,12 @@
 //! A sweep in memory.
 
+use std::collections::TryReserveError;
 use std::sync::Mutex;
+use std::sync::atomic::{AtomicBool, Ordering};
 
 use thiserror::Error;
 
+use crate::failed::FailedRows;
 use crate::results::{Piece, Results};
 use crate::row::RowSolver;
 use crate::source::RowSource;
@@ -66,7 +69,8 @@ pub enum RunError {
 /// let results = run(&sweep, &columns, 1, &mut |_| ControlFlow::Continue(()))?;
 /// assert!(results.frequency_hz[0] > results.frequency_hz[sweep.modes().len()]);
 /// assert!(results.certified[1] && (results.mass_kg[1] - 267_586.067).abs() < 1e-3);
-/// assert!(results.failures[0].0 == 2 && results.failures[0].1.contains("-1 kg"));
+/// let (row, sentence) = results.failures.get(0).expect("a row that failed");
+/// assert!(row == 2 && sentence.contains("-1 kg"));
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub fn run(
@@ -88,29 +92,33 @@ pub fn run(
         return Err(too_many);
     };
     let threads = threads.min(count.div_ceil(PIECE_ROWS));
-    let failures = Mutex::new(Vec::new());
+    let (failures, full) = (Mutex::new(Vec::new()), AtomicBool::new(false));
     let warnings = Mutex::new(InputWarnings::default());
     let pieces = Mutex::new(results.pieces(PIECE_ROWS));
     let ended = shared(threads, watch, |tick| {
         let mut rows = Rows::new(sweep);
-        let mut failed = Vec::new();
-        loop {
+        while !full.load(Ordering::Relaxed) {
             // The lock is not held while rows are solved.
             let piece = lock(&pieces).next();
             let Some(piece) = piece else { break };
             let first = piece.first_row;
-            if !rows.solve(source, first, piece, &mut failed, tick) {
-                break;
+            match rows.solve(source, first, piece, tick) {
+                Ok(true) => {}
+                Ok(false) => break,
+                Err(_) => full.store(true, Ordering::Relaxed),
             }
         }
-        lock(&failures).append(&mut failed);
+        lock(&failures).push(rows.failed);
         lock(&warnings).append(rows.warnings);
     });
     drop(pieces);
     ended.map_err(|_| RunError::Stopped)?;
-    results.failures = failures.into_inner().unwrap_or_else(|e| e.into_inner());
+    let failures = failures.into_inner().unwrap_or_else(|e| e.into_inner());
+    if full.into_inner() {
+        return Err(too_many);
+    }
+    results.failures = FailedRows::merged(failures).map_err(|_| too_many)?;
     results.warnings = warnings.into_inner().unwrap_or_else(|e| e.into_inner());
-    results.failures.sort_unstable_by_key(|(row, _)| *row);
     Ok(results)
 }
 
@@ -118,6 +126,8 @@ pub fn run(
 pub(crate) struct Rows<'a> {
     solver: RowSolver<'a>,
     values: Vec<f64>,
+    /// Of all rows that it has solved, which rise.
+    pub(crate) failed: FailedRows,
     /// On all rows that it has solved.
     pub(crate) warnings: InputWarnings,
 }
@@ -127,30 +137,35 @@ impl<'a> Rows<'a> {
         Self {
             solver: RowSolver::new(sweep),
             values: vec![0.0; sweep.changes().len()],
+            failed: FailedRows::default(),
             warnings: InputWarnings::default(),
         }
     }
 
     /// Solves the rows of a piece, whose values are those of a source from its row `first` on;
     /// false if the tick ended it.
+    ///
+    /// # Errors
+    /// If there is no memory for the sentences of rows that failed.
     pub(crate) fn solve(
         &mut self,
         source: &dyn RowSource,
         first: u64,
         mut piece: Piece<'_>,
-        failures: &mut Vec<(u64, String)>,
         tick: &mut Tick<'_>,
-    ) -> bool {
+    ) -> Result<bool, TryReserveError> {
         for index in 0..piece.rows() {
             let row = piece.first_row + index as u64;
             source.row(first + index as u64, &mut self.values);
             let failure = self.solver.solve(&self.values, piece.cells(index));
-            failures.extend(failure.map(|sentence| (row, sentence)));
+            if let Some(sentence) = failure {
+                self.failed.push(row, &sentence)?;
+            }
             self.solver.warn(row, &mut self.warnings);
             if !tick() {
-                return false;
+                return Ok(false);
             }
         }
-        true
+        Ok(true)
     }
 }

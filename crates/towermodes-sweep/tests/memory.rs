@@ -14,7 +14,7 @@ fn a_row_is_the_changed_tower() {
     let sweep = lowest(&["rna.mass", "scale(stations[*].wall)"], 4);
     let (masses, walls) = ([3.5e5, 3.3e5, 3.7e5], [1.0, 0.97, 1.04]);
     let results = solved(&sweep, &[&masses, &walls], 1);
-    assert_eq!(results.failures, []);
+    assert!(results.failures.is_empty());
     for row in 0..3 {
         let mut description = tower(4e7);
         description.rna.mass_kg = masses[row];
@@ -105,11 +105,7 @@ fn a_row_that_fails_is_a_row_with_its_sentence() {
     let masses = [3.5e5, 3.5e5, f64::NAN, f64::INFINITY, 3.5e5];
     let walls = [0.019, -1.0, 0.019, 0.019, 0.019];
     let results = solved(&sweep, &[&masses, &walls], 1);
-    let failures: Vec<(u64, &str)> = results
-        .failures
-        .iter()
-        .map(|(r, s)| (*r, s.as_str()))
-        .collect();
+    let failures: Vec<(u64, &str)> = results.failures.iter().collect();
     let expected = [
         (
             1,
@@ -140,7 +136,7 @@ fn columns_stay_with_their_modes_where_frequencies_cross() {
     let sweep = sweep(Base::from(tower(4e7)), &["rna.inertia.zz"], &results);
     let inertias: Vec<f64> = (0..40).map(|i| 2e6 * 1.09_f64.powi(i)).collect();
     let results = solved(&sweep, &[&inertias], 1);
-    assert_eq!(results.failures, []);
+    assert!(results.failures.is_empty());
     let torsion: Vec<f64> = results.frequencies_hz(0).collect();
     let bending: Vec<f64> = results.frequencies_hz(1).collect();
     assert!(
@@ -171,7 +167,8 @@ fn a_mode_that_is_far_above_is_missing_with_a_sentence() {
     let torsion: Vec<f64> = results.frequencies_hz(1).collect();
     assert!(torsion[0] < torsion[1] && torsion[2].is_nan());
     let sentence = format!("torsion 1 is not among the lowest {} modes", asked + 16);
-    assert_eq!(results.failures, [(2, sentence)]);
+    assert_eq!(results.failures.len(), 1);
+    assert_eq!(results.failures.get(0), Some((2, sentence.as_str())));
     assert!(results.certified[2] && results.frequency_hz[4] > 0.2);
 }
 
@@ -278,7 +275,7 @@ fn sentences_name_numbers_as_columns_do() {
         ("rotor.rpm[0]", -1.0, "rotor.rpm[0]: "),
     ] {
         let results = solved(&lowest(&[column], 2), &[&[value]], 1);
-        let sentence = &results.failures[0].1;
+        let (_, sentence) = results.failures.get(0).expect("a row that failed");
         assert!(sentence.starts_with(expected), "{column}: {sentence}");
     }
 }
@@ -294,7 +291,7 @@ fn a_row_keeps_its_modes_when_more_cannot_be_computed() {
     let changes = ["material.density", "rna.inertia.zz"];
     let sweep = sweep(Base::from(tower(4e9)), &changes, &results);
     let results = solved(&sweep, &[&[1e-12], &[1e-6]], 1);
-    let sentence = &results.failures[0].1;
+    let (_, sentence) = results.failures.get(0).expect("a row that failed");
     let expected = "torsion 1 is not among the lowest ";
     assert!(sentence.starts_with(expected), "{sentence}");
     assert!(

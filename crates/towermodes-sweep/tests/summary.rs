@@ -6,8 +6,8 @@ use towermodes::Rotor;
 use towermodes_analysis::resonance::CampbellOptions;
 use towermodes_files::{Distribution, Sampling, SamplingKind, Varied};
 use towermodes_sweep::{
-    InputWarnings, MarginCheck, MarginSummary, PartFormat, PartOptions, Parts, QUANTILES, Results,
-    SweepSource,
+    FailedRows, InputWarnings, MarginCheck, MarginSummary, PartFormat, PartOptions, Parts,
+    QUANTILES, Results, SweepSource,
 };
 
 use crate::towers::{Folder, lowest, names, solved};
@@ -22,7 +22,7 @@ fn results(frequency_hz: &[f64]) -> Results {
         certified: vec![true; rows],
         frequency_hz: frequency_hz.to_vec(),
         error_hz: vec![1e-6; rows],
-        failures: Vec::new(),
+        failures: FailedRows::default(),
         warnings: InputWarnings::default(),
     }
 }

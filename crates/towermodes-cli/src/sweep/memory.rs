@@ -28,7 +28,7 @@ pub(super) fn run(planned: &Planned, arguments: &SweepArguments) -> Result<(), F
     });
     drop(progress);
     let results = results.map_err(Failure::Rows)?;
-    let failed = results.failures.first().map(|(row, sentence)| {
+    let failed = results.failures.get(0).map(|(row, sentence)| {
         let count = results.failures.len();
         let verb = if count == 1 { "has" } else { "have" };
         format!("{count} of {rows} rows {verb} no complete result (column error); the first is row {row}, counted from 0: {sentence}")

@@ -103,8 +103,9 @@ fn put(results: &mut Results, row: usize, column: &Column, cell: &[u8]) -> Resul
         Column::ErrorHz(mode) => results.error_hz[row * modes + mode] = number()?,
         Column::Sentence if text.is_empty() => {}
         Column::Sentence => {
-            let failure = (results.first_row + row as u64, text.to_owned());
-            results.failures.push(failure);
+            let row = results.first_row + row as u64;
+            let kept = results.failures.push(row, text);
+            kept.map_err(|error| error.to_string())?;
         }
     }
     Ok(())

@@ -108,7 +108,7 @@ fn write_column(writer: &mut ColumnWriter<'_>, part: &Part, column: &Column) -> 
                 .map(|sentence| sentence.is_some().into())
                 .collect();
             let sentences = results.failures.iter().map(|(_, sentence)| sentence);
-            let sentences: Vec<ByteArray> = sentences.map(|s| s.as_str().into()).collect();
+            let sentences: Vec<ByteArray> = sentences.map(ByteArray::from).collect();
             writer.write_batch(&sentences, Some(&levels), None)?;
         }
         ColumnWriter::DoubleColumnWriter(writer) => {
@@ -197,8 +197,9 @@ pub(super) fn read(
             ColumnReader::ByteArrayColumnReader(reader) => {
                 for (row, text) in (first_row..).zip(cells(reader, rows)?) {
                     if let Some(text) = text {
-                        let sentence = String::from_utf8_lossy(text.data()).into_owned();
-                        results.failures.push((row, sentence));
+                        let sentence = String::from_utf8_lossy(text.data());
+                        let kept = results.failures.push(row, &sentence);
+                        kept.map_err(|error| ParquetError::General(error.to_string()))?;
                     }
                 }
             }

@@ -1,6 +1,6 @@
 //! Solves parts: all threads work on one part, and the one that finishes it writes it.
 
-use std::collections::HashSet;
+use std::collections::{HashSet, TryReserveError};
 use std::ops::{ControlFlow, Range};
 use std::sync::atomic::{AtomicU64, AtomicUsize, Ordering};
 use std::sync::{Arc, Mutex};
@@ -12,6 +12,7 @@ use super::names::SUCCESS;
 use super::part::Part;
 use super::write::sync_folder;
 use super::{Parts, PartsError};
+use crate::failed::FailedRows;
 use crate::results::Results;
 use crate::run::{PIECE_ROWS, Rows, RunError};
 use crate::threads::{Tick, lock, shared};
@@ -208,13 +209,15 @@ impl<'a> Run<'a> {
         let modes = self.parts.sweep.modes();
         let mut results = Results::unsolved(rows.start, count, modes).map_err(memory)?;
         let first = rows.start - open.rows.start;
-        let mut failures = Vec::new();
         for piece in results.pieces(count) {
-            if !solver.solve(&open.block, first, piece, &mut failures, tick) {
+            if !solver
+                .solve(&open.block, first, piece, tick)
+                .map_err(memory)?
+            {
                 return Ok(None);
             }
         }
-        results.failures = failures;
+        results.failures = std::mem::take(&mut solver.failed);
         Ok(Some(results))
     }
 
@@ -222,6 +225,8 @@ impl<'a> Run<'a> {
         let pieces = std::mem::take(&mut *lock(&open.pieces));
         let sweep = self.parts.sweep;
         let results = joined(open.rows.start, sweep.modes(), pieces.into_iter().flatten());
+        let rows = open.rows.end - open.rows.start;
+        let results = results.map_err(|_| RunError::Memory { rows })?;
         let part = Part::new(sweep, &open.block, 0, results);
         self.parts.write(open.number, &part)?;
         self.written.fetch_add(1, Ordering::Relaxed);
@@ -232,7 +237,11 @@ impl<'a> Run<'a> {
 }
 
 /// The pieces one after the other.
-fn joined(first_row: u64, modes: &[ModeName], pieces: impl Iterator<Item = Results>) -> Results {
+fn joined(
+    first_row: u64,
+    modes: &[ModeName],
+    pieces: impl Iterator<Item = Results>,
+) -> Result<Results, TryReserveError> {
     let mut all = Results {
         first_row,
         modes: modes.to_vec(),
@@ -240,15 +249,17 @@ fn joined(first_row: u64, modes: &[ModeName], pieces: impl Iterator<Item = Resul
         certified: Vec::new(),
         frequency_hz: Vec::new(),
         error_hz: Vec::new(),
-        failures: Vec::new(),
+        failures: FailedRows::default(),
         warnings: InputWarnings::default(),
     };
+    let mut failures = Vec::new();
     for mut piece in pieces {
         all.mass_kg.append(&mut piece.mass_kg);
         all.certified.append(&mut piece.certified);
         all.frequency_hz.append(&mut piece.frequency_hz);
         all.error_hz.append(&mut piece.error_hz);
-        all.failures.append(&mut piece.failures);
+        failures.push(piece.failures);
     }
-    all
+    all.failures = FailedRows::merged(failures)?;
+    Ok(all)
 }

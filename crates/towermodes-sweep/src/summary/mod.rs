@@ -222,8 +222,8 @@ impl Counted {
 
     fn add(&mut self, results: &Results, check: Option<&MarginCheck>) {
         self.rows += results.rows() as u64;
-        for (row, sentence) in &results.failures {
-            self.failures.add(*row, sentence);
+        for (row, sentence) in results.failures.iter() {
+            self.failures.add(row, sentence);
         }
         for (column, moments) in self.moments.iter_mut().enumerate() {
             values(results, column, |value| moments.add(value));
