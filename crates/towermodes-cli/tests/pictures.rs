@@ -55,6 +55,42 @@ fn pictures_are_those_that_the_program_draws() {
     }
 }
 
+/// Pictures of studies, which need a folder for their results.
+const STUDIES: [(&str, &str); 1] = [("nrel-5mw-scatter", "examples/studies/uncertainty.toml")];
+
+#[test]
+fn pictures_of_studies_are_those_that_the_program_draws() {
+    let overwrite = std::env::var_os("TRYCMD").is_some_and(|what| what == "overwrite");
+    for (name, study) in STUDIES {
+        let folder = std::env::temp_dir().join(format!("{name}-{}", std::process::id()));
+        let picture = folder.join("picture.svg");
+        let mut command = Command::new(env!("CARGO_BIN_EXE_towermodes"));
+        command
+            .current_dir(root())
+            .args(["sweep", study, "--format", "csv"]);
+        command
+            .arg("--output")
+            .arg(&folder)
+            .arg("--plot")
+            .arg(&picture);
+        let output = command.output().expect("the program runs");
+        let said = String::from_utf8_lossy(&output.stderr);
+        assert!(output.status.success(), "{study}: {said}");
+        let new = fs::read_to_string(&picture).expect("a picture");
+        fs::remove_dir_all(&folder).expect("removed");
+        let file = root().join(format!("book/src/pictures/{name}.svg"));
+        if overwrite {
+            fs::write(&file, &new).expect("written");
+        }
+        let old = fs::read_to_string(&file).expect("a picture");
+        if let Some((old, new)) = difference(&old, &new) {
+            panic!(
+                "{name}.svg, drawn by: towermodes sweep {study} --plot\n  in the book: {old}\n  drawn now:   {new}"
+            );
+        }
+    }
+}
+
 #[test]
 fn every_picture_is_shown_and_none_is_forgotten() {
     let folder = root().join("book/src/pictures");
@@ -63,8 +99,9 @@ fn every_picture_is_shown_and_none_is_forgotten() {
     let there: BTreeSet<_> = names
         .map(|name| name.to_string_lossy().into_owned())
         .collect();
-    let tested = PICTURES.map(|(name, _)| format!("{name}.svg"));
-    assert_eq!(there, BTreeSet::from(tested));
+    let tested = PICTURES.iter().chain(&STUDIES);
+    let tested: BTreeSet<String> = tested.map(|(name, _)| format!("{name}.svg")).collect();
+    assert_eq!(there, tested);
     let shown: Vec<String> = pages().iter().flat_map(|page| links(&page.text)).collect();
     for name in there {
         let is_shown = shown

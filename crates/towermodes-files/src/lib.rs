@@ -71,17 +71,19 @@ pub use read::{Input, NOTHING_LEFT_OUT, Reading, read, read_source, read_tower};
 pub use recognize::recognize;
 pub use resolver::{FileResolver, InMemory, SiblingFiles};
 pub use result::{
-    DesignDocument, DesignedFrequency, DesignedLimit, DesignedVariable, ResultError, ResultKind,
-    SolvedFile, write_blade_csv, write_blade_json, write_campbell_csv, write_campbell_json,
-    write_comparison_csv, write_convergence_csv, write_csv, write_design_json, write_json,
-    write_json_with_sensitivities, write_parameters_csv, write_parameters_json, write_records_csv,
-    write_result_json, write_sensitivities_csv, write_sensitivities_json, write_several_csv,
-    write_several_json,
+    CorrelatedInputs, DesignDocument, DesignedFrequency, DesignedLimit, DesignedVariable,
+    FirstOrderDocument, InputEffect, MarginProbability, ResultError, ResultKind, ScatteredInput,
+    ScatteredMode, SolvedFile, write_blade_csv, write_blade_json, write_campbell_csv,
+    write_campbell_json, write_comparison_csv, write_convergence_csv, write_csv, write_design_json,
+    write_first_order_json, write_json, write_json_with_sensitivities, write_parameters_csv,
+    write_parameters_json, write_records_csv, write_result_json, write_sensitivities_csv,
+    write_sensitivities_json, write_several_csv, write_several_json,
 };
 #[cfg(feature = "schema")]
 pub use result::{generated_schema, generated_schema_of};
 pub use sampling::{
-    Distribution, MAX_ROWS, MAX_SOBOL_DIMENSIONS, Sampling, SamplingError, SamplingKind, Varied,
+    Correlation, CorrelationError, Distribution, MAX_CORRELATED, MAX_ROWS, MAX_SOBOL_DIMENSIONS,
+    Sampling, SamplingError, SamplingKind, Varied,
 };
 pub use setting::{Setting, SettingError};
 pub use source::{FileError, MAX_FILE_BYTES, Source, encoded_as};

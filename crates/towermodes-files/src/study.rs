@@ -60,6 +60,8 @@ pub enum SweepRows {
         sampling: Sampling,
         /// The bytes of each name in [`Sampling::vary`].
         spans: Vec<Range<usize>>,
+        /// The bytes of each of [`Sampling::correlations`].
+        correlation_spans: Vec<Range<usize>>,
     },
 }
 

@@ -23,6 +23,12 @@ seed = 7
 "scale(stations[*].wall)" = { triangular = [0.95, 1.0, 1.05] }
 "material.density" = { lognormal = [8500, 100] }
 "rna.center[2]" = { values = [1.9, 2.0] }
+[[sweep.correlation]]
+between = ["rna.mass", "material.density"]
+coefficient = 0.5
+[[sweep.correlation]]
+between = ["material.density", "material.youngs_modulus"]
+coefficient = -0.2
 [sweep.results]
 modes = ["fore-aft 1", "torsion 1"]
 segments = 30
@@ -53,7 +59,10 @@ fn a_study_is_what_its_text_says() {
     let study = read(GOOD).expect("a study");
     assert_eq!(study.base.value, "tower.toml");
     assert_eq!(&GOOD[study.base.span.clone()], "\"tower.toml\"");
-    let SweepRows::Sampled { sampling, spans } = &study.rows else {
+    let SweepRows::Sampled {
+        sampling, spans, ..
+    } = &study.rows
+    else {
         panic!("a sampling")
     };
     assert_eq!(
@@ -119,6 +128,112 @@ fn a_study_is_what_its_text_says() {
 }
 
 #[test]
+fn correlations_are_those_of_the_text() {
+    let study = read(GOOD).expect("a study");
+    let SweepRows::Sampled {
+        sampling,
+        correlation_spans,
+        ..
+    } = &study.rows
+    else {
+        panic!("a sampling")
+    };
+    let found: Vec<(&str, &str, f64)> = sampling
+        .correlations
+        .iter()
+        .map(|pair| (&*pair.between[0], &*pair.between[1], pair.coefficient))
+        .collect();
+    let expected = [
+        ("rna.mass", "material.density", 0.5),
+        ("material.density", "material.youngs_modulus", -0.2),
+    ];
+    assert_eq!(found, expected);
+    assert_eq!(correlation_spans.len(), 2);
+    let inline = GOOD.replacen(
+        "seed = 7",
+        "correlation = [{ between = [\"rna.mass\", \"material.density\"], coefficient = 0.5 }]",
+        1,
+    );
+    let inline = inline.split_once("[[sweep.correlation]]").expect("one").0;
+    let study = read(inline).expect("a study");
+    assert!(
+        matches!(&study.rows, SweepRows::Sampled { sampling, .. } if sampling.correlations.len() == 1)
+    );
+}
+
+#[test]
+fn correlations_that_are_wrong() {
+    let first = "between = [\"rna.mass\", \"material.density\"]";
+    refused(
+        first,
+        "between = [\"rna.mas\", \"material.density\"]",
+        "12:1",
+        "`rna.mas` is not among the varied numbers (did you mean `rna.mass`?)",
+    );
+    refused(
+        first,
+        "between = \"rna.mass\"",
+        "13:11",
+        "between must be a list",
+    );
+    refused(
+        first,
+        "between = [\"rna.mass\"]",
+        "13:11",
+        "between has 1 names instead of 2",
+    );
+    refused(
+        first,
+        "between = [\"rna.mass\", 3]",
+        "13:24",
+        "must be a text",
+    );
+    refused(first, "", "12:1", "has no `between`");
+    refused(
+        "coefficient = 0.5",
+        "coeficient = 0.5",
+        "14:1",
+        "did you mean `coefficient`?",
+    );
+    refused(
+        "coefficient = 0.5",
+        "coefficient = 1.5",
+        "12:1",
+        "it must be from -1 to 1",
+    );
+    refused("coefficient = 0.5", "coefficient = nan", "14:15", "NaN");
+    refused(
+        "\"material.density\", \"material.youngs_modulus\"",
+        "\"material.density\", \"rna.mass\"",
+        "15:1",
+        "is given twice",
+    );
+    refused(
+        first,
+        "between = [\"rna.mass\", \"rna.center[2]\"]",
+        "12:1",
+        "has a list of values",
+    );
+    refused(
+        first,
+        "between = [\"rna.mass\", \"rna.mass\"]",
+        "12:1",
+        "with itself",
+    );
+    let single = GOOD.replacen("[[sweep.correlation]]", "[sweep.correlation]", 1);
+    let single = single.split_once("[[sweep.correlation]]").expect("two").0;
+    refused_text(single, "12:1", "in double brackets, once for each pair");
+    let grid = "[sweep]\nbase = \"t.toml\"\nsampling = \"grid\"\n[sweep.vary]\n\
+                \"rna.mass\" = { uniform = [1, 2], levels = 5 }\n\
+                \"rna.center[2]\" = { uniform = [1, 2], levels = 3 }\n\
+                [[sweep.correlation]]\nbetween = [\"rna.mass\", \"rna.center[2]\"]\ncoefficient = 0.5\n";
+    refused_text(grid, "7:1", "a grid has every combination of its values");
+    let table =
+        "[sweep]\nbase = \"t.toml\"\ntable = \"values.csv\"\n[[sweep.correlation]]\nbetween = []\n";
+    refused_text(table, "4:1", "`correlation` has no effect beside `table`");
+}
+
+#[test]
 fn tables_and_grids() {
     let study = read("[sweep]\nbase = \"t.toml\"\ntable = \"values.csv\"\n").expect("a study");
     assert!(matches!(study.rows, SweepRows::Table(path) if path.value == "values.csv"));
@@ -171,36 +286,36 @@ fn keys_and_types() {
         "grid, latin-hypercube, random, sobol",
     );
     refused("sampling = \"sobol\"\n", "", "1:1", "has no `sampling`");
-    refused("segments = 30", "segments = 0", "14:12", "at least 1");
+    refused("segments = 30", "segments = 0", "20:12", "at least 1");
     refused(
         "segments = 30",
         "segments = 1e9",
-        "14:12",
+        "20:12",
         "at most 2000000",
     );
     refused(
         "\"spectral\"",
         "\"spectrl\"",
-        "15:10",
+        "21:10",
         "did you mean `spectral`?",
     );
     refused(
         "inputs = false",
         "inputs = 0",
-        "17:10",
+        "23:10",
         "inputs must be true or false",
     );
     refused(
         "part = \"tower\"",
         "part = \"nacelle\"",
-        "24:8",
+        "30:8",
         "there is no part `nacelle`",
     );
-    refused("[1, 2]", "[1]", "27:10", "subset has 1 values instead of 2");
+    refused("[1, 2]", "[1]", "33:10", "subset has 1 values instead of 2");
     refused(
         "[sweep.reading]",
         "[sweep.readin]",
-        "19:8",
+        "25:8",
         "did you mean `reading`?",
     );
     refused("[sweep]", "[swep]", "1:2", "did you mean `sweep`?");
@@ -338,29 +453,29 @@ fn distributions() {
 #[test]
 fn modes() {
     let names = "[\"fore-aft 1\", \"torsion 1\"]";
-    refused(names, "0", "13:9", "modes is 0");
+    refused(names, "0", "19:9", "modes is 0");
     refused(
         names,
         "\"fore-aft 1\"",
-        "13:9",
+        "19:9",
         "modes must be a number or a list of names",
     );
     refused(
         names,
         "[]",
-        "13:9",
+        "19:9",
         "modes has 0 values instead of one or more",
     );
     refused(
         "\"torsion 1\"",
         "\"twist 1\"",
-        "13:24",
+        "19:24",
         "is not the name of a mode",
     );
     refused(
         "\"torsion 1\"",
         "\"fore-aft 1\"",
-        "13:24",
+        "19:24",
         "the mode `fore-aft 1` occurs 2 times",
     );
 }
@@ -439,6 +554,8 @@ fn every_key_is_read() {
                 "[sweep]" if ["rows", "seed", "vary"].contains(&key.name) => {
                     sampled.replace("rows = 1\n", "") + &line
                 }
+                "[sweep]" if key.name == "correlation" => sampled.to_owned() + &line,
+                "[[sweep.correlation]]" => format!("{sampled}{}\n{line}\n", table.name),
                 "[sweep]" if ["table", "sampling"].contains(&key.name) => {
                     format!("[sweep]\nbase = \"t\"\n{line}\n")
                 }
@@ -498,7 +615,9 @@ proptest! {
         }
         match read(&text) {
             Ok(study) => {
-                if let SweepRows::Sampled { sampling, spans } = &study.rows {
+                if let SweepRows::Sampled {
+        sampling, spans, ..
+    } = &study.rows {
                     prop_assert!(sampling.check().is_ok());
                     prop_assert_eq!(sampling.vary.len(), spans.len());
                     prop_assert!(sampling.vary.iter().all(|one| one.distribution.check().is_ok()));

@@ -3,7 +3,9 @@
 use crate::pictures;
 
 use pictures::{check, check_labels};
-use towermodes_report::figures::{self, ModeColumn, SweepColumns, VariedColumn};
+use towermodes_report::figures::{
+    self, ModeColumn, SweepBand, SweepBands, SweepColumns, VariedColumn, ViolatedShare,
+};
 use towermodes_report::svg::{Figure, Look};
 
 const LABELS: [&str; 3] = [
@@ -48,6 +50,7 @@ fn one_varied_number_gives_a_curve_for_each_mode() {
         rows: 4,
         varied: vec![varied("rna.mass", "kg", masses.to_vec())],
         modes: modes(frequency_hz, 4),
+        bands: SweepBands::default(),
     });
     assert!(has(&figure, "rna.mass (kg)"));
     assert!(LABELS.iter().all(|label| has(&figure, label)));
@@ -74,6 +77,7 @@ fn two_varied_numbers_give_a_panel_for_each_mode_and_a_curve_for_each_level() {
             |mode, row| (mode + 1) as f64 * wall(row) * 1e5 / mass(row),
             rows,
         ),
+        bands: SweepBands::default(),
     });
     // The number with few values distinguishes the curves.
     assert!(has(&figure, "rna.mass (kg)"));
@@ -92,6 +96,7 @@ fn more_varied_numbers_give_histograms_with_quantiles() {
             .map(|name| varied(name, "", (0..rows).map(value).collect()))
             .to_vec(),
         modes: modes(|mode, row| mode as f64 + 1.0 + value(row), rows),
+        bands: SweepBands::default(),
     });
     assert!(has(&figure, "share of the rows (%)"));
     // Uniform between 1 and 2 Hz: the median is 1.5 Hz within twice the spacing of the rows.
@@ -122,6 +127,7 @@ fn sweeps_without_results_or_differences_are_drawn() {
                     .map(|name| varied(name, "", vec![1.0; rows]))
                     .collect(),
                 modes: modes(|_, _| frequency_hz, rows),
+                bands: SweepBands::default(),
             };
             let figure = figures::sweep(&columns);
             check_labels("sweep", &figure);
@@ -140,6 +146,7 @@ fn a_thinned_curve_has_both_ends_and_the_number_of_all_rows() {
         rows: all,
         varied: vec![varied("a", "", (0..rows).map(|row| row as f64).collect())],
         modes: modes(|mode, row| mode as f64 + row as f64 / 1e5, rows),
+        bands: SweepBands::default(),
     };
     let figure = figures::sweep(&of_rows(40_001));
     let words = "against a, 40001 rows. Each curve shows 2000 of these rows.";
@@ -155,4 +162,62 @@ fn a_thinned_curve_has_both_ends_and_the_number_of_all_rows() {
     let figure = figures::sweep(&of_rows(4_000_000));
     let words = "The picture shows 40001 rows, selected at random from 4000000.";
     assert!(figure.description.contains(words), "{}", figure.description);
+}
+
+/// The margin of 3P, which cuts a histogram, and that of 1P, which is far away.
+#[test]
+fn histograms_show_the_margins_of_the_rotor() {
+    let rows = 1000;
+    let value = |row: usize| (row as f64 * 0.618_034).fract();
+    let band = |multiple: usize, share| {
+        let n = multiple as f64 / 60.0;
+        SweepBand {
+            multiple,
+            operation_hz: [6.9 * n, 12.1 * n],
+            margin_hz: [6.9 * n / 1.05, 12.1 * n / 0.95],
+            violated: vec![Some(share); 3],
+        }
+    };
+    let share = |share, interval| ViolatedShare { share, interval };
+    let columns = |are_random| SweepColumns {
+        rows: rows as u64,
+        varied: ["a", "b", "c"]
+            .map(|name| varied(name, "", (0..rows).map(value).collect()))
+            .to_vec(),
+        modes: modes(
+            |mode, row| 0.3 * (mode as f64 + 1.0) + 0.06 * value(row),
+            rows,
+        ),
+        bands: SweepBands {
+            margin: 0.05,
+            are_random,
+            bands: vec![
+                band(1, share(0.0, [0.0, 0.0038])),
+                band(3, share(0.5, [0.469, 0.531])),
+            ],
+        },
+    };
+    let figure = checked(&columns(true));
+    let remark = "probability of a distance below 5 %: 1P below 0.38 %, 3P 50.0 % (46.9 to 53.1 %)";
+    assert!(has(&figure, remark), "{:?}", figure.labels());
+    assert!(figure.description.contains(remark));
+    assert!(has(&figure, "within 5 % of 1P or 3P in operation"));
+    // In the field of each mode that is near: the first, and the second at 0.6 to 0.66 Hz.
+    let names = figure
+        .labels()
+        .iter()
+        .filter(|label| label.text == "3P")
+        .count();
+    assert_eq!(names, 2);
+    let figure = checked(&columns(false));
+    assert!(has(
+        &figure,
+        "share of rows with a distance below 5 %: 1P 0 %, 3P 50.0 %"
+    ));
+    assert!(
+        !figure
+            .labels()
+            .iter()
+            .any(|label| label.text.contains("confidence"))
+    );
 }

@@ -39,6 +39,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         kind: SamplingKind::Sobol,
         rows: rows.parse()?,
         seed: 1,
+        correlations: Vec::new(),
         vary: vary.to_vec(),
     })?;
     let format = match cfg!(feature = "parquet") {

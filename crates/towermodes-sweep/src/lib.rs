@@ -7,6 +7,7 @@
 //! | [`Columns`], [`Draw`], [`Table`] | the values: in memory, drawn, from a file |
 //! | [`run()`], [`Results`] | all rows in memory |
 //! | [`Parts`], [`Shard`] | all rows into a folder, continued after a kill, shared by processes |
+//! | [`FirstOrder`] | mean and deviation of frequencies from derivatives, without rows |
 //! | [`Summary`] | statistics, failures, violated resonance margins |
 //!
 //! A row that fails is a row with the sentence that says why, never the end of the sweep. The
@@ -22,6 +23,7 @@ mod base;
 mod digest;
 mod failed;
 mod first;
+mod first_order;
 mod lowest;
 mod parts;
 mod results;
@@ -37,6 +39,7 @@ mod warned;
 
 pub use base::{Base, DEFAULT_SWEEP_SEGMENTS};
 pub use failed::FailedRows;
+pub use first_order::{FirstOrder, FirstOrderError, InputScatter, ModeScatter, NoScatter, Scatter};
 pub use parts::{
     DEFAULT_ROWS_PER_PART, MAX_ROWS_PER_PART, PartFormat, PartOptions, Parts, PartsError,
     PartsProgress, Shard, ShardError, SourceBlock, SweepSource, results_csv,
@@ -47,7 +50,8 @@ pub use run::{RunError, run};
 pub use sampling::Draw;
 pub use source::{Columns, LengthsDiffer, RowSource};
 pub use summary::{
-    FailureKind, MarginCheck, MarginSummary, ModeSummary, QUANTILES, Statistics, Summary,
+    FailureKind, MarginCheck, MarginCounts, MarginSummary, ModeSummary, QUANTILES, Statistics,
+    Summary,
 };
 pub use sweep::{MOST_MODES, Sweep, SweepError};
 pub use table::{CellError, RowPlace, Table, TableError, TableProblem};

@@ -1,5 +1,7 @@
 //! All tests of the sweeps.
 
+mod correlation;
+mod first_order;
 mod memory;
 mod parts;
 mod summary;

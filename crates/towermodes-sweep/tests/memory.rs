@@ -75,6 +75,7 @@ fn results_do_not_depend_on_the_number_of_threads() {
         kind: SamplingKind::Random,
         rows: 1000,
         seed: 3,
+        correlations: Vec::new(),
         vary: vec![
             vary("rna.mass", 3e5, 4e5),
             vary("stations[1].wall", -0.001, 0.05),

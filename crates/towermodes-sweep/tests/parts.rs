@@ -29,6 +29,7 @@ fn sampled(seed: u64) -> (Sweep, SweepSource) {
         kind: SamplingKind::Sobol,
         rows: 690,
         seed,
+        correlations: Vec::new(),
         vary: vec![
             vary("rna.mass", 3e5, 4e5),
             vary("stations[1].wall", -0.001, 0.05),
@@ -237,6 +238,7 @@ fn unusual_input_is_a_warning_of_the_run() {
         kind: SamplingKind::Random,
         rows: 250,
         seed: 1,
+        correlations: Vec::new(),
         vary: vec![Varied {
             name: "material.density".to_owned(),
             distribution: Distribution::Uniform {
@@ -710,6 +712,7 @@ fn rows_per_part_are_checked() {
         kind: SamplingKind::Sobol,
         rows: 1_000_001,
         seed: 1,
+        correlations: Vec::new(),
         vary,
     });
     let (sweep, source) = (lowest(&["rna.mass"], 4), source.expect("a sample"));

@@ -141,6 +141,7 @@ fn only_random_rows_are_independent() {
             kind,
             rows: 2,
             seed: 1,
+            correlations: Vec::new(),
             vary: vec![Varied {
                 name: "rna.mass".to_owned(),
                 distribution: Distribution::Values(vec![3e5, 4e5]),
@@ -171,6 +172,7 @@ fn parts_have_the_summary_of_the_results_in_memory() {
         kind: SamplingKind::LatinHypercube,
         rows: 300,
         seed: 1,
+        correlations: Vec::new(),
         vary: vec![
             vary("rna.mass", 3e5, 4e5),
             vary("stations[1].wall", -0.001, 0.03),

@@ -15,8 +15,9 @@ const EXAMPLES: &str = "Examples:
   towermodes sweep tower.toml values.csv > frequencies.csv
   towermodes sweep tower.toml values.csv --output results/ --summary --plot frequencies.svg
   towermodes sweep study.toml --output more-results/ --modes 6
+  towermodes sweep study.toml --first-order
 
-The columns of a table are names of numbers: rna.mass replaces the number, scale(stations[*].wall) multiplies it, add(stations[*].height) adds to it; `towermodes parameters FILE` lists the names. A study is a TOML file with [sweep]: base, sampling and distributions.
+The columns of a table are names of numbers: rna.mass replaces the number, scale(stations[*].wall) multiplies it, add(stations[*].height) adds to it; `towermodes parameters FILE` lists the names. A study is a TOML file with [sweep]: base, sampling, distributions and correlations.
 
 With --output the results are files. Each file has a part of the rows and is written completely or not at all. If the sweep was interrupted, the same command computes what is missing; several processes and machines may share the folder (--shard). If the folder is complete, nothing is computed: --summary and --plot show its results. A row that cannot be solved has the error message in the column error.
 
@@ -90,6 +91,16 @@ pub(crate) struct SweepArguments {
     #[arg(long)]
     pub(crate) summary: bool,
 
+    /// Solve no rows, but print mean and standard deviation of each frequency from derivatives at
+    /// the mean values of a study, the share of each varied number in the variance and, if the
+    /// rotor is known, the probability that an excitation is closer than 5 %
+    #[arg(long)]
+    pub(crate) first_order: bool,
+
+    /// With --first-order: print JSON instead of tables
+    #[arg(long, requires = "first_order")]
+    pub(crate) json: bool,
+
     /// Draw the frequencies as SVG or PNG: curves for one varied number, or for two of which one
     /// has few values, histograms for more
     #[arg(long, value_name = "PATH")]
@@ -154,6 +165,9 @@ impl SweepArguments {
     /// # Errors
     /// The message for an option that has no effect, or cannot have the requested one.
     pub(crate) fn check(&self) -> Result<(), &'static str> {
+        if self.first_order {
+            return self.check_first_order();
+        }
         if self.folder().is_some() {
             return match self.plot.is_some() && self.picture().is_none() {
                 true => Err(PictureFile::UNKNOWN),
@@ -185,6 +199,34 @@ impl SweepArguments {
         ];
         let wrong = needs.into_iter().find(|(is_given, _)| *is_given);
         wrong.map_or(Ok(()), |(_, message)| Err(message))
+    }
+}
+
+impl SweepArguments {
+    /// Refuses options for rows and their results.
+    fn check_first_order(&self) -> Result<(), &'static str> {
+        let of_rows = [
+            self.output.is_some(),
+            self.format.is_some(),
+            self.rows_per_part.is_some(),
+            self.shard.is_some(),
+            self.threads.is_some(),
+            self.no_inputs,
+            self.force,
+            self.summary,
+            self.plot.is_some(),
+        ];
+        if of_rows.contains(&true) {
+            return Err(
+                "--first-order solves no rows; omit --output, --format, --rows-per-part, --shard, --threads, --no-inputs, --force, --summary and --plot",
+            );
+        }
+        match self.table.is_some() {
+            true => Err(
+                "--first-order needs a study with distributions in [sweep.vary]; the rows of a table have none",
+            ),
+            false => Ok(()),
+        }
     }
 }
 

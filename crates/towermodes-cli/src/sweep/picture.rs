@@ -3,9 +3,11 @@
 use std::fs;
 use std::path::Path;
 
-use towermodes_report::figures::{self, ModeColumn, SweepColumns, TitleWords, VariedColumn};
+use towermodes_report::figures::{
+    self, ModeColumn, SweepBand, SweepBands, SweepColumns, TitleWords, VariedColumn, ViolatedShare,
+};
 use towermodes_report::svg::Figure;
-use towermodes_sweep::{Parts, RowSource};
+use towermodes_sweep::{MarginCheck, MarginCounts, MarginSummary, Parts, RowSource};
 
 use super::planned::Planned;
 use super::selection::Selection;
@@ -63,10 +65,14 @@ fn figure(planned: &Planned, parts: &Parts<'_>) -> Result<Figure, Failure> {
                 frequency_hz: Vec::new(),
             })
             .collect(),
+        bands: SweepBands::default(),
     };
+    let check = sweep.margin_check();
+    let mut counts = MarginCounts::new(labels.len(), check.as_ref());
     let mut row_values = vec![0.0; changes.len()];
     for part in 0..parts.count() {
         let results = parts.read(part).map_err(Failure::Parts)?;
+        counts.add(&results);
         let rows = parts.rows_of(part);
         let block = planned.source.block(rows.clone());
         let block = block.map_err(Failure::Table)?;
@@ -82,6 +88,9 @@ fn figure(planned: &Planned, parts: &Parts<'_>) -> Result<Figure, Failure> {
             }
         }
     }
+    if let Some(check) = &check {
+        columns.bands = bands(check, counts.counts(), parts.source().is_independent());
+    }
     let tower = planned.input.tower().map_err(Failure::Input)?;
     let words = TitleWords {
         title: None,
@@ -89,4 +98,32 @@ fn figure(planned: &Planned, parts: &Parts<'_>) -> Result<Figure, Failure> {
         conclusion: &[],
     };
     Ok(figures::titled(figures::sweep(&columns), &tower, &words))
+}
+
+/// The margins of 1P and of the blade passing frequency, with the rows that violate them.
+fn bands(check: &MarginCheck, counts: &[Vec<MarginSummary>], are_random: bool) -> SweepBands {
+    let strong = |multiple: usize| multiple == 1 || multiple == check.rotor.blades;
+    let multiples = check.multiples.iter().enumerate();
+    let bands = multiples.filter(|(_, multiple)| strong(**multiple));
+    let band = |(index, multiple): (usize, &usize)| {
+        let violated = counts.iter().map(|of_mode| {
+            let margin = of_mode[index];
+            (margin.count > 0).then(|| ViolatedShare {
+                share: margin.probability(),
+                interval: margin.interval(),
+            })
+        });
+        let n = *multiple as f64 / 60.0;
+        SweepBand {
+            multiple: *multiple,
+            operation_hz: [check.rotor.lowest_rpm, check.rotor.highest_rpm].map(|rpm| n * rpm),
+            margin_hz: check.range_hz(*multiple),
+            violated: violated.collect(),
+        }
+    };
+    SweepBands {
+        margin: check.margin,
+        are_random,
+        bands: bands.map(band).collect(),
+    }
 }

@@ -86,7 +86,7 @@ fn of_study(arguments: &SweepArguments) -> Result<Parts, Failure> {
             }
             let changes = study.changes(&input.description).map_err(Failure::Input)?;
             let source = SweepSource::sampled(sampling.clone());
-            let source = source.map_err(|error| Failure::WrongStudy(error.to_string()))?;
+            let source = source.map_err(|error| Failure::Input(study.undrawn(error)))?;
             (changes, source)
         }
     };

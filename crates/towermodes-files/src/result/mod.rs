@@ -6,6 +6,7 @@
 mod blade;
 mod campbell;
 mod design;
+mod first_order;
 #[cfg(feature = "schema")]
 mod generated;
 mod parameters;
@@ -20,6 +21,10 @@ pub use blade::{write_blade_csv, write_blade_json};
 pub use campbell::{write_campbell_csv, write_campbell_json};
 pub use design::{
     DesignDocument, DesignedFrequency, DesignedLimit, DesignedVariable, write_design_json,
+};
+pub use first_order::{
+    CorrelatedInputs, FirstOrderDocument, InputEffect, MarginProbability, ScatteredInput,
+    ScatteredMode, write_first_order_json,
 };
 #[cfg(feature = "schema")]
 pub use generated::{generated_schema, generated_schema_of};

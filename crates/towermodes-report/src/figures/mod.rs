@@ -26,7 +26,9 @@ pub use error::error;
 pub use first_frequencies::first_frequencies;
 pub use scene::{Body, Form, Substance};
 pub use shapes::shapes;
-pub use sweep::{ModeColumn, SweepColumns, VariedColumn, sweep};
+pub use sweep::{
+    ModeColumn, SweepBand, SweepBands, SweepColumns, VariedColumn, ViolatedShare, sweep,
+};
 pub use title::{TitleWords, titled};
 pub use tornado::tornado;
 pub use tower::tower;

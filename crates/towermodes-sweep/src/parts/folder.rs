@@ -39,6 +39,7 @@ use crate::sweep::Sweep;
 ///     kind: SamplingKind::LatinHypercube,
 ///     rows: 1000,
 ///     seed: 1,
+///     correlations: Vec::new(),
 ///     vary: vec![mass],
 /// })?;
 ///

@@ -266,11 +266,19 @@ fn of_source(source: &SweepSource) -> Value {
                     "levels": varied.levels,
                 })
             });
-            json!({
+            let mut values = json!({
                 "sampling": sampling.kind.name(),
                 "seed": sampling.seed,
                 "vary": vary.collect::<Value>(),
-            })
+            });
+            // Folders of independent numbers have the keys that they had before.
+            if !sampling.correlations.is_empty() {
+                let pairs = sampling.correlations.iter().map(
+                    |pair| json!({ "between": pair.between, "coefficient": pair.coefficient }),
+                );
+                values["correlation"] = pairs.collect();
+            }
+            values
         }
     }
 }

@@ -3,15 +3,22 @@
 //! A row is a function of the seed and its number: any process draws any row, and nothing is
 //! stored.
 
+mod cholesky;
+mod correlated;
+mod joint;
 mod normal;
 mod permutation;
 mod philox;
+mod scores;
 mod sobol;
 mod sobol_numbers;
 mod values;
 
 use towermodes_files::{Sampling, SamplingError, SamplingKind};
 
+use correlated::Correlated;
+pub(crate) use joint::Joint;
+pub(crate) use normal::probability;
 use permutation::Permutation;
 use philox::{philox, unit};
 use sobol::SobolDimension;
@@ -33,6 +40,7 @@ use values::Values;
 ///     kind: SamplingKind::LatinHypercube,
 ///     rows: 10,
 ///     seed: 1,
+///     correlations: Vec::new(),
 ///     vary: vec![vary("rna.mass", 3.3e5, 3.7e5), vary("scale(stations[*].wall)", 0.9, 1.1)],
 /// })?;
 /// let mut row = [0.0; 2];
@@ -45,6 +53,7 @@ pub struct Draw {
     rows: u64,
     seed: u64,
     dimensions: Vec<Dimension>,
+    correlated: Correlated,
 }
 
 /// What draws one value of each row.
@@ -77,6 +86,7 @@ impl Draw {
         let values: Result<Vec<Values>, _> = values.map(|v| Values::new(&v.distribution)).collect();
         let values = values?;
         sampling.check()?;
+        let correlated = Correlated::new(sampling, &values)?;
         let mut every = sampling.rows;
         let mut dimensions = Vec::new();
         for (index, (varied, values)) in sampling.vary.iter().zip(values).enumerate() {
@@ -101,6 +111,7 @@ impl Draw {
             rows: sampling.rows,
             seed: sampling.seed,
             dimensions,
+            correlated,
         })
     }
 
@@ -121,12 +132,21 @@ impl Draw {
     pub fn row(&self, row: u64, values: &mut [f64]) {
         assert!(row < self.rows && values.len() == self.dimensions.len());
         let mut random = [0; 4];
-        for (index, (dimension, value)) in self.dimensions.iter().zip(values).enumerate() {
+        for (index, dimension) in self.dimensions.iter().enumerate() {
             // A block of random numbers serves four changes.
             if index % 4 == 0 {
                 random = philox([row, index as u64 / 4, 0, 4], [self.seed, 0]);
             }
-            *value = dimension.draw(row, self.rows, unit(random[index % 4]));
+            let random = unit(random[index % 4]);
+            // Of a correlated number the score, of which its value is made when all are there.
+            values[index] = match self.correlated.has(index) {
+                false => dimension.draw(row, self.rows, random),
+                true => normal::quantile(dimension.probability(row, self.rows, random)),
+            };
+        }
+        self.correlated.correlate(values);
+        for place in self.correlated.places() {
+            values[*place] = self.dimensions[*place].values.of_score(values[*place]);
         }
     }
 }
@@ -135,13 +155,21 @@ impl Dimension {
     fn draw(&self, row: u64, rows: u64, random: f64) -> f64 {
         match &self.rule {
             Rule::Grid { levels, every } => self.values.level(row / every % levels, *levels),
+            _ => self.values.at(self.probability(row, rows, random)),
+        }
+    }
+
+    /// The probability of a lower value, in (0, 1).
+    fn probability(&self, row: u64, rows: u64, random: f64) -> f64 {
+        match &self.rule {
             Rule::LatinHypercube(intervals) => {
                 let at = (intervals.of(row) as f64 + random) / rows as f64;
                 // Rounding may end at 1.
-                self.values.at(at.min(1.0 - f64::EPSILON / 2.0))
+                at.min(1.0 - f64::EPSILON / 2.0)
             }
-            Rule::Random => self.values.at(random),
-            Rule::Sobol(dimension) => self.values.at(dimension.scrambled(row as u32)),
+            // A grid has levels instead.
+            Rule::Random | Rule::Grid { .. } => random,
+            Rule::Sobol(dimension) => dimension.scrambled(row as u32),
         }
     }
 }
@@ -165,6 +193,7 @@ mod tests {
             kind,
             rows,
             seed,
+            correlations: Vec::new(),
             vary,
         };
         Draw::new(&sampling).expect("a sampling")
@@ -292,6 +321,7 @@ mod tests {
             kind: SamplingKind::Grid,
             rows: 6,
             seed: 0,
+            correlations: Vec::new(),
             vary: vec![values, steps],
         };
         let rows = drawn(&Draw::new(&grid).expect("a grid"));
@@ -322,6 +352,7 @@ mod tests {
             kind: SamplingKind::Grid,
             rows,
             seed: 0,
+            correlations: Vec::new(),
             vary: vec![Varied {
                 name: String::new(),
                 distribution: Distribution::Values(values),
@@ -350,6 +381,7 @@ mod tests {
             kind: SamplingKind::Sobol,
             rows: 4,
             seed: 0,
+            correlations: Vec::new(),
             vary: vary.collect(),
         };
         let refused = SamplingError::TooManyForSobol { dimensions: 65 };

@@ -3,7 +3,7 @@
 //! The functions of `libm` are the same on every machine, and so are the values drawn.
 
 /// The probability that a standard normal value is below x.
-pub(super) fn probability(x: f64) -> f64 {
+pub(crate) fn probability(x: f64) -> f64 {
     0.5 * libm::erfc(-x * std::f64::consts::FRAC_1_SQRT_2)
 }
 

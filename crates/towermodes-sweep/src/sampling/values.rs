@@ -67,6 +67,16 @@ impl Values {
         }
     }
 
+    /// The value with the probability of a standard normal score.
+    pub(super) fn of_score(&self, score: f64) -> f64 {
+        match self {
+            // A score has more digits than its probability.
+            Self::Gaussian(gaussian) if gaussian.has_no_limits() => gaussian.of_score(score),
+            _ => self
+                .at(normal::probability(score).clamp(f64::MIN_POSITIVE, 1.0 - f64::EPSILON / 2.0)),
+        }
+    }
+
     /// A value of a grid: one of the list, or of equal steps from the lowest to the highest.
     pub(super) fn level(&self, level: u64, levels: u64) -> f64 {
         match self {
@@ -132,12 +142,20 @@ impl Gaussian {
                 -normal::quantile(above.max(f64::MIN_POSITIVE))
             }
         };
-        let value = self.mean + self.deviation * standard;
-        let value = match self.is_logarithm {
+        self.of_score(standard)
+            .clamp(self.limits[0], self.limits[1])
+    }
+
+    fn has_no_limits(&self) -> bool {
+        self.limits == [f64::NEG_INFINITY, f64::INFINITY]
+    }
+
+    fn of_score(&self, score: f64) -> f64 {
+        let value = self.mean + self.deviation * score;
+        match self.is_logarithm {
             true => libm::exp(value),
             false => value,
-        };
-        value.clamp(self.limits[0], self.limits[1])
+        }
     }
 }
 

@@ -38,6 +38,15 @@ impl MarginCheck {
             multiples: options.multiples_of(&rotor),
         }
     }
+
+    /// The natural frequencies whose distance from a multiple n of the rotor speed is below the
+    /// required one m at some operating speed Ω, Hz: n Ω₁/(1 + m) to n Ω₂/(1 − m).
+    pub fn range_hz(&self, multiple: usize) -> [f64; 2] {
+        let n = multiple as f64 / 60.0;
+        let low = n * self.rotor.lowest_rpm / (1.0 + self.margin);
+        let high = n * self.rotor.highest_rpm / (1.0 - self.margin);
+        [low, high]
+    }
 }
 
 impl Sweep {
@@ -118,6 +127,73 @@ impl MarginSummary {
         let p = self.probability();
         (p * (1.0 - p) / self.count as f64).sqrt()
     }
+
+    /// The interval that has the probability with 95 % confidence, if the rows are independent:
+    /// that of E. B. Wilson (1927), which is right for no and for all rows as well.
+    pub fn interval(&self) -> [f64; 2] {
+        /// The normal quantile of 97.5 %.
+        const Z: f64 = 1.959_963_984_540_054;
+        let (p, n) = (self.probability(), self.count as f64);
+        let square = Z * Z / n;
+        let middle = (p + 0.5 * square) / (1.0 + square);
+        let half = Z * (p * (1.0 - p) / n + 0.25 * square / n).sqrt() / (1.0 + square);
+        let [low, high] = [middle - half, middle + half];
+        // Rounding may leave the range.
+        [
+            if self.violated == 0 { 0.0 } else { low },
+            if self.violated == self.count {
+                1.0
+            } else {
+                high
+            },
+        ]
+    }
+}
+
+/// Counts the rows that violate resonance margins.
+#[derive(Debug, Clone, PartialEq)]
+pub struct MarginCounts<'a> {
+    check: Option<&'a MarginCheck>,
+    /// By mode, then by multiple.
+    counts: Vec<Vec<MarginSummary>>,
+}
+
+impl<'a> MarginCounts<'a> {
+    /// No rows yet, of a number of modes.
+    pub fn new(modes: usize, check: Option<&'a MarginCheck>) -> Self {
+        let multiples = check.map_or(&[][..], |check| &check.multiples);
+        let margins = multiples.iter().map(|multiple| MarginSummary {
+            multiple: *multiple,
+            violated: 0,
+            count: 0,
+        });
+        Self {
+            check,
+            counts: vec![margins.collect(); modes],
+        }
+    }
+
+    /// Counts rows.
+    pub fn add(&mut self, results: &Results) {
+        let Some(check) = self.check else { return };
+        for (mode, margins) in self.counts.iter_mut().enumerate() {
+            let frequencies = results.frequencies_hz(mode);
+            for (hz, error_hz) in frequencies.zip(results.errors_hz(mode)) {
+                for margin in margins.iter_mut() {
+                    let (n, rotor) = (margin.multiple, &check.rotor);
+                    if let Some(found) = tower_margin(hz, error_hz, n, rotor, check.margin) {
+                        margin.count += 1;
+                        margin.violated += u64::from(found.is_violated);
+                    }
+                }
+            }
+        }
+    }
+
+    /// The counts by mode, then by multiple; no multiples without a check.
+    pub fn counts(&self) -> &[Vec<MarginSummary>] {
+        &self.counts
+    }
 }
 
 impl Results {
@@ -162,7 +238,7 @@ fn summarized<E>(
     mut each: impl FnMut(&mut dyn FnMut(&Results)) -> Result<(), E>,
 ) -> Result<Summary, E> {
     let mut counted = Counted::new(modes.len(), check);
-    each(&mut |results| counted.add(results, check))?;
+    each(&mut |results| counted.add(results))?;
     let of = |moments: &Moments| Selection::new(&moments.ranks());
     let mut selections: Vec<Selection> = counted.moments.iter().map(of).collect();
     for _ in 0..PASSES {
@@ -194,33 +270,28 @@ fn values(results: &Results, column: usize, visit: impl FnMut(f64)) {
 }
 
 /// What the first visit counts.
-struct Counted {
+struct Counted<'a> {
     rows: u64,
     failures: Failures,
     /// Of the mass and of each mode.
     moments: Vec<Moments>,
     largest_error_hz: Vec<f64>,
-    margins: Vec<Vec<MarginSummary>>,
+    margins: MarginCounts<'a>,
 }
 
-impl Counted {
-    fn new(modes: usize, check: Option<&MarginCheck>) -> Self {
-        let multiples = check.map_or(&[][..], |check| &check.multiples);
-        let margins = multiples.iter().map(|multiple| MarginSummary {
-            multiple: *multiple,
-            violated: 0,
-            count: 0,
-        });
+impl<'a> Counted<'a> {
+    fn new(modes: usize, check: Option<&'a MarginCheck>) -> Self {
         Self {
             rows: 0,
             failures: Failures::default(),
             moments: vec![Moments::default(); modes + 1],
             largest_error_hz: vec![0.0; modes],
-            margins: vec![margins.collect(); modes],
+            margins: MarginCounts::new(modes, check),
         }
     }
 
-    fn add(&mut self, results: &Results, check: Option<&MarginCheck>) {
+    fn add(&mut self, results: &Results) {
+        self.margins.add(results);
         self.rows += results.rows() as u64;
         for (row, sentence) in results.failures.iter() {
             self.failures.add(row, sentence);
@@ -232,17 +303,6 @@ impl Counted {
             let largest = &mut self.largest_error_hz[mode];
             // NaN is not larger than any number.
             *largest = results.errors_hz(mode).fold(*largest, f64::max);
-            let frequencies = results.frequencies_hz(mode);
-            for (hz, error_hz) in frequencies.zip(results.errors_hz(mode)) {
-                let Some(check) = check else { break };
-                for margin in &mut self.margins[mode] {
-                    let (n, rotor) = (margin.multiple, &check.rotor);
-                    if let Some(found) = tower_margin(hz, error_hz, n, rotor, check.margin) {
-                        margin.count += 1;
-                        margin.violated += u64::from(found.is_violated);
-                    }
-                }
-            }
         }
     }
 
@@ -252,7 +312,7 @@ impl Counted {
             name: *name,
             frequency_hz: statistics(mode + 1),
             largest_error_hz: self.largest_error_hz[mode],
-            margins: self.margins[mode].clone(),
+            margins: self.margins.counts()[mode].clone(),
         };
         let modes = modes.iter().enumerate().map(of_mode).collect();
         let mass_kg = statistics(0);

@@ -6,6 +6,7 @@ use towermodes::{Change, ParameterError, TowerDescription};
 
 use crate::diagnostic::{Diagnostic, DiagnosticKind};
 use crate::error::ReadError;
+use crate::sampling::{Distribution, Sampling, SamplingError};
 use crate::study::{SweepRows, SweepStudy};
 
 impl SweepStudy {
@@ -15,7 +16,10 @@ impl SweepStudy {
     /// [`ReadError::Mistakes`] at each name that is no number of the base, and at a name whose
     /// number another one sets too.
     pub fn changes(&self, base: &TowerDescription) -> Result<Vec<Change>, ReadError> {
-        let SweepRows::Sampled { sampling, spans } = &self.rows else {
+        let SweepRows::Sampled {
+            sampling, spans, ..
+        } = &self.rows
+        else {
             return Ok(Vec::new());
         };
         let names = || sampling.vary.iter().map(|varied| varied.name.as_str());
@@ -37,6 +41,39 @@ impl SweepStudy {
             ReadError::mistake(&self.source, mistake(span, error))
         })
     }
+
+    /// A mistake that only drawing finds, at its place in the study: correlations that contradict
+    /// each other, limits that exclude all values.
+    pub fn undrawn(&self, error: SamplingError) -> ReadError {
+        let span = match &self.rows {
+            SweepRows::Sampled {
+                sampling,
+                spans,
+                correlation_spans,
+            } => match &error {
+                SamplingError::Correlation { index, .. } => correlation_spans.get(*index),
+                SamplingError::Excluded { low, high } => {
+                    truncated(sampling, [*low, *high]).and_then(|index| spans.get(index))
+                }
+                _ => None,
+            },
+            SweepRows::Table(_) => None,
+        };
+        let span = span.cloned().unwrap_or(0..0);
+        let mistake = Diagnostic::new(span, DiagnosticKind::Sampling(error));
+        ReadError::mistake(&self.source, mistake)
+    }
+}
+
+/// The place in the list of the first distribution with these limits.
+fn truncated(sampling: &Sampling, limits: [f64; 2]) -> Option<usize> {
+    let mut vary = sampling.vary.iter();
+    vary.position(|varied| match varied.distribution {
+        Distribution::Normal { truncated, .. } | Distribution::LogNormal { truncated, .. } => {
+            truncated == Some(limits)
+        }
+        _ => false,
+    })
 }
 
 fn mistake(span: &Range<usize>, error: ParameterError) -> Diagnostic {

@@ -1,6 +1,7 @@
 //! Reads the study of a sweep: the table `[sweep]` of a TOML file.
 
 mod changes;
+mod correlation;
 mod distribution;
 mod options;
 mod results;
@@ -105,7 +106,7 @@ fn rows(sweep: &Table<'_>, reading: &mut Reading) -> Option<SweepRows> {
     match (sweep.get("table"), sweep.get("sampling")) {
         (None, _) => sampling::sampled(sweep, reading),
         (Some(_), None) => {
-            let needless = ["rows", "seed", "vary"];
+            let needless = ["rows", "seed", "vary", "correlation"];
             let beside = "beside `table`, which has the rows";
             refuse_keys(sweep, &needless, beside, reading);
             file_of(sweep, "table", reading).map(SweepRows::Table)

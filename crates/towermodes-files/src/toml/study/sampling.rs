@@ -5,6 +5,7 @@ use std::ops::Range;
 use super::super::reading::Reading;
 use super::super::table::{Table, suggestion};
 use super::super::values::{Value, number, text};
+use super::correlation::{correlations, refused_pair};
 use super::distribution::varied;
 use super::refuse_keys;
 use super::schema::VARY;
@@ -23,7 +24,9 @@ pub(super) fn sampled(sweep: &Table<'_>, reading: &mut Reading) -> Option<SweepR
     let (sampling, kind) = (sampling?, kind?);
     let seed = seed(sweep, kind, reading);
     let rows = rows(sweep, kind, reading);
+    let correlations = correlations(sweep, reading);
     let (vary_value, (vary, spans)) = (vary_value?, vary?);
+    let (correlations, correlation_spans) = correlations?;
     let rows = match rows? {
         Some(rows) => rows,
         // A grid of too many rows is refused below.
@@ -35,12 +38,24 @@ pub(super) fn sampled(sweep: &Table<'_>, reading: &mut Reading) -> Option<SweepR
         rows,
         seed,
         vary,
+        correlations,
     };
     if let Err(error) = sampling.check() {
+        if let SamplingError::Correlation { index, .. } = error {
+            return reading.refuse(refused_pair(
+                error,
+                &sampling,
+                correlation_spans.get(index).cloned().unwrap_or(0..0),
+            ));
+        }
         let span = place_of(&error, &sampling, &spans, sweep, of_kind, vary_value.span());
         return reading.refuse(Diagnostic::new(span, DiagnosticKind::Sampling(error)));
     }
-    Some(SweepRows::Sampled { sampling, spans })
+    Some(SweepRows::Sampled {
+        sampling,
+        spans,
+        correlation_spans,
+    })
 }
 
 /// The place of a mistake of the whole sampling.

@@ -27,6 +27,7 @@ tables! {
         optional "rows" Number "" "number of rows; for a grid leave it out: it is the product of the numbers of levels";
         optional "seed" Number "" "another seed gives other values; default 0";
         optional "vary" Table "" "what varies: names of numbers with their distributions";
+        optional "correlation" Any "" "list of tables, one for each pair of varied numbers that depend on each other";
         optional "results" Table "" "what is computed and written for each row";
         optional "reading" Table "" "how the file of the tower is read: the options of the command line with the same names, with _ for -";
 
@@ -39,6 +40,11 @@ tables! {
         optional "values" Numbers "" "a list; each value is equally probable";
         optional "truncated" Numbers "" "with normal and lognormal: lowest and highest value";
         optional "levels" Number "" "of a grid with uniform: number of equally spaced values, both ends included";
+
+    /// `[[sweep.correlation]]`.
+    CORRELATION = "[[sweep.correlation]]":
+        required "between" Any "" "a list of two names of [sweep.vary]";
+        required "coefficient" Number "" "correlation coefficient of their values, from -1 to 1";
 
     /// `[sweep.results]`.
     RESULTS = "[sweep.results]":

@@ -4,11 +4,16 @@ use towermodes::number::digits;
 
 use super::curves::not_shown;
 use super::panel::{WIDTH, frame, height, range};
-use super::{ModeColumn, SweepColumns};
+use super::{ModeColumn, SweepBands, SweepColumns};
+use crate::figures::legend;
 use crate::svg::{Anchor, Axes, Colour, Dash, DataTable, Drawing, Figure, Stroke, TextStyle};
 
 /// Panels of more modes are not shown.
 const MOST_PANELS: usize = 6;
+/// Beside the panels and the legend.
+const BESIDE: f64 = 24.0;
+/// Size of the remark beside the title of a panel.
+const REMARK: f64 = 11.0;
 /// Fewest and most classes of a histogram.
 const CLASSES: [usize; 2] = [8, 60];
 /// The quantiles that are marked.
@@ -19,10 +24,16 @@ pub(super) fn of_each(columns: &SweepColumns<'_>) -> Figure {
     let shown = &columns.modes[..columns.modes.len().min(MOST_PANELS)];
     let histograms: Vec<Histogram<'_>> = shown.iter().map(Histogram::of).collect();
     let height = height(histograms.len());
-    let mut drawing = Drawing::new(WIDTH, height * histograms.len().max(1) as f64);
+    let (bands, all) = (&columns.bands, height * histograms.len().max(1) as f64);
+    let room = WIDTH - 2.0 * BESIDE;
+    let mut drawing = Drawing::new(WIDTH, all + bands.legend_height(room));
     for (index, histogram) in histograms.iter().enumerate() {
         let top = height * index as f64;
-        histogram.draw(&mut drawing, [top, top + height]);
+        let remark = bands.in_words(index);
+        histogram.draw(&mut drawing, [top, top + height], (bands, &remark));
+    }
+    if !bands.bands.is_empty() {
+        legend::draw(&mut drawing, (BESIDE, all), room, &bands.legend());
     }
     let names: Vec<&str> = columns.varied.iter().map(|varied| varied.name).collect();
     let description = format!(
@@ -31,7 +42,8 @@ pub(super) fn of_each(columns: &SweepColumns<'_>) -> Figure {
         names.join(", "),
         histograms
             .iter()
-            .map(Histogram::in_words)
+            .enumerate()
+            .map(|(mode, histogram)| histogram.in_words(&bands.in_words(mode)))
             .collect::<Vec<_>>()
             .join(" "),
         not_shown(columns.modes.len() - shown.len())
@@ -85,13 +97,18 @@ impl<'a> Histogram<'a> {
         }
     }
 
-    fn draw(&self, drawing: &mut Drawing, rows: [f64; 2]) {
+    /// Draws the histogram before the bands, with a remark beside its title.
+    fn draw(&self, drawing: &mut Drawing, rows: [f64; 2], (bands, remark): (&SweepBands, &str)) {
+        let range = bands.extended(self.range);
         let highest = self.shares.iter().copied().fold(0.0, f64::max).max(1e-9);
         // Room for the names of the quantiles.
         let y = [0.0, 1.15 * highest];
         let left = Axes::left_margin(y, false, 5);
-        let frame = frame(drawing, self.label, rows, left, WIDTH - 24.0);
-        let axes = Axes::new(frame, self.range, y, [false, false]);
+        let frame = frame(drawing, self.label, rows, left, WIDTH - BESIDE);
+        let axes = Axes::new(frame, range, y, [false, false]);
+        bands.draw(drawing, &axes, range);
+        let beside = TextStyle::new(REMARK).anchor(Anchor::End);
+        drawing.text((frame.right, frame.top - 10.0), remark, &beside);
         axes.draw_x(drawing, "natural frequency (Hz)", 6);
         axes.draw_y(drawing, "share of the rows (%)", 5);
         let edge = Stroke::new(Colour::Paper, 0.7);
@@ -102,6 +119,7 @@ impl<'a> Histogram<'a> {
             drawing.rectangle((from, top), size, Colour::Series(0), Some(&edge));
         }
         self.draw_quantiles(drawing, &axes);
+        bands.draw_names(drawing, &axes, range);
     }
 
     fn draw_quantiles(&self, drawing: &mut Drawing, axes: &Axes) {
@@ -129,7 +147,7 @@ impl<'a> Histogram<'a> {
     }
 
     /// "1st fore-aft bending: 5 % of the rows below 0.3145 Hz, 50 % below 0.3214 Hz, …".
-    fn in_words(&self) -> String {
+    fn in_words(&self, of_bands: &str) -> String {
         if self.rows == 0 {
             return format!("{}: no row has a frequency.", self.label);
         }
@@ -137,7 +155,11 @@ impl<'a> Histogram<'a> {
         let words: Vec<String> = quantiles
             .map(|(value, (_, name))| format!("{name} of the rows below {} Hz", digits(*value, 5)))
             .collect();
-        format!("{}: {}.", self.label, words.join(", "))
+        let of_bands = match of_bands {
+            "" => String::new(),
+            words => format!("; {words}"),
+        };
+        format!("{}: {}{of_bands}.", self.label, words.join(", "))
     }
 }
 

@@ -1,9 +1,12 @@
 //! The results of a sweep: curves of the frequencies against one varied number, a panel of curves
 //! for each mode against two, and the distribution of each frequency for any other sweep.
 
+mod bands;
 mod curves;
 mod distribution;
 mod panel;
+
+pub use bands::{SweepBand, SweepBands, ViolatedShare};
 
 use crate::svg::Figure;
 
@@ -18,6 +21,9 @@ pub struct SweepColumns<'a> {
     pub varied: Vec<VariedColumn<'a>>,
     /// The frequencies.
     pub modes: Vec<ModeColumn<'a>>,
+    /// The frequencies that the rotor forbids, shown behind histograms; empty if its speed is not
+    /// known or not wanted.
+    pub bands: SweepBands,
 }
 
 /// A number that varies.

@@ -1,6 +1,10 @@
 //! How the rows of a sweep are drawn, as plain data with the rules for its numbers; the crate
 //! `towermodes-sweep` draws the values.
 
+mod correlation;
+
+pub use correlation::{Correlation, CorrelationError, MAX_CORRELATED};
+
 use thiserror::Error;
 use towermodes::number::Plain;
 
@@ -15,6 +19,8 @@ pub struct Sampling {
     pub seed: u64,
     /// The changes and their distributions.
     pub vary: Vec<Varied>,
+    /// Which of them depend on each other; empty if all are independent.
+    pub correlations: Vec<Correlation>,
 }
 
 /// The largest number of rows of a sweep, 2³².
@@ -228,6 +234,9 @@ impl Sampling {
         if !(1..=MAX_ROWS).contains(&self.rows) {
             return Err(SamplingError::Rows { rows: self.rows });
         }
+        if let Err((index, error)) = self.correlated_places() {
+            return Err((index, error).into());
+        }
         if self.kind != SamplingKind::Grid {
             return Ok(());
         }
@@ -350,6 +359,21 @@ pub enum SamplingError {
         /// The product of the levels.
         product: u64,
     },
+    /// A correlation that is impossible.
+    #[error("{error}")]
+    Correlation {
+        /// Its index in [`Sampling::correlations`].
+        index: usize,
+        /// Why.
+        error: Box<CorrelationError>,
+    },
+}
+
+impl From<(usize, CorrelationError)> for SamplingError {
+    fn from((index, error): (usize, CorrelationError)) -> Self {
+        let error = Box::new(error);
+        Self::Correlation { index, error }
+    }
 }
 
 /// What a distribution in a grid lacks.
@@ -435,6 +459,7 @@ mod tests {
             kind: SamplingKind::Grid,
             rows,
             seed: 0,
+            correlations: Vec::new(),
             vary,
         };
         assert_eq!(grid(12, vec![vary(3), vary(4)]).check(), Ok(()));

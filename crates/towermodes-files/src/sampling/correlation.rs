@@ -1,0 +1,194 @@
+//! How the varied numbers of a sweep depend on each other, as plain data with the rules for it.
+
+use std::collections::HashSet;
+use std::fmt;
+
+use thiserror::Error;
+use towermodes::number::Plain;
+
+use super::{Distribution, Sampling, SamplingKind};
+
+/// The correlation of two varied numbers. Numbers without one are independent of each other.
+///
+/// The dependence is a Gaussian copula: both values follow from standard normal scores, and these
+/// have the joint normal distribution with which the values have this correlation (Nataf 1962; Liu
+/// and Der Kiureghian 1986).
+#[derive(Debug, Clone, PartialEq)]
+pub struct Correlation {
+    /// The names of the two numbers, as in [`Varied::name`](crate::Varied::name).
+    pub between: [String; 2],
+    /// Pearson's correlation coefficient of the values themselves, from −1 to 1.
+    pub coefficient: f64,
+}
+
+/// The largest number of varied numbers that have correlations.
+pub const MAX_CORRELATED: usize = 500;
+
+/// Why numbers cannot be correlated as requested.
+#[derive(Debug, Clone, PartialEq, Error)]
+#[non_exhaustive]
+pub enum CorrelationError {
+    /// A grid, which has every combination of its values.
+    #[error(
+        "a grid has every combination of its values, so they cannot be correlated; use sampling = \"random\", \"latin-hypercube\" or \"sobol\""
+    )]
+    Grid,
+    /// A coefficient outside its range.
+    #[error("the correlation coefficient is {}; it must be from -1 to 1", Plain(*.coefficient))]
+    Coefficient {
+        /// The coefficient.
+        coefficient: f64,
+    },
+    /// A number that does not vary.
+    #[error("`{name}` is not among the varied numbers")]
+    NotVaried {
+        /// The name.
+        name: String,
+    },
+    /// A number with itself.
+    #[error("`{name}` cannot be correlated with itself; name two different numbers")]
+    Itself {
+        /// The name.
+        name: String,
+    },
+    /// A pair that is given twice.
+    #[error("the correlation of `{}` and `{}` is given twice; remove one", between[0], between[1])]
+    Repeated {
+        /// The names.
+        between: [String; 2],
+    },
+    /// A number with a list of values, which has no distribution function with an inverse.
+    #[error("`{name}` has a list of values, which cannot be correlated; give it a distribution")]
+    List {
+        /// The name.
+        name: String,
+    },
+    /// More numbers than [`MAX_CORRELATED`].
+    #[error("{count} numbers have correlations; the limit is {MAX_CORRELATED}")]
+    TooMany {
+        /// The number of numbers.
+        count: usize,
+    },
+    /// A coefficient that values with these distributions cannot have.
+    #[error(
+        "`{}` and `{}` cannot have the correlation {}: with their distributions it can be {}",
+        between[0], between[1], Plain(*.coefficient), Limits(*.limits)
+    )]
+    Unreachable {
+        /// The names.
+        between: [String; 2],
+        /// The coefficient.
+        coefficient: f64,
+        /// The lowest and the highest coefficient.
+        limits: [f64; 2],
+    },
+    /// A coefficient that contradicts the others: the matrix of all is not positive definite.
+    #[error("the correlations contradict each other: {}", contradiction(between, *coefficient, *limits))]
+    Contradiction {
+        /// The names.
+        between: [String; 2],
+        /// The coefficient; none for a pair that is not in the list.
+        coefficient: Option<f64>,
+        /// The lowest and the highest coefficient beside the correlations with the numbers before
+        /// the second.
+        limits: [f64; 2],
+    },
+}
+
+fn contradiction([a, b]: &[String; 2], coefficient: Option<f64>, limits: [f64; 2]) -> String {
+    let limits = Limits(limits);
+    match coefficient {
+        Some(coefficient) => format!(
+            "`{a}` and `{b}` cannot have {} beside the other coefficients, which allow {limits}; a pair that is not listed has 0",
+            Plain(coefficient)
+        ),
+        None => format!(
+            "`{a}` and `{b}` have no coefficient and are taken as independent, but the other coefficients allow {limits}; add one, or reduce the others"
+        ),
+    }
+}
+
+/// "from -0.62 to 0.98", rounded inwards; of a narrow range one number.
+struct Limits([f64; 2]);
+
+impl fmt::Display for Limits {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let [low, high] = self.0;
+        let inwards = |scale: f64| [(low * scale).ceil() / scale, (high * scale).floor() / scale];
+        let rounded = [1e3, 1e6, 1e9].map(inwards);
+        match rounded.into_iter().find(|[low, high]| low <= high) {
+            Some([low, high]) if low < high => {
+                write!(f, "from {} to {}", Plain(low + 0.0), Plain(high + 0.0))
+            }
+            Some([low, _]) => write!(f, "{}", Plain(low + 0.0)),
+            None => write!(f, "{:.6}", 0.5 * (low + high)),
+        }
+    }
+}
+
+impl Sampling {
+    /// The places in [`Sampling::vary`] of the two numbers of each correlation, the smaller first.
+    ///
+    /// # Errors
+    /// The index of a correlation that is impossible by itself or repeated, with the reason.
+    pub fn correlated_places(&self) -> Result<Vec<[usize; 2]>, (usize, CorrelationError)> {
+        let mut seen = HashSet::new();
+        let mut places = Vec::with_capacity(self.correlations.len());
+        for (index, correlation) in self.correlations.iter().enumerate() {
+            let pair = self.pair(correlation).map_err(|error| (index, error))?;
+            if !seen.insert(pair) {
+                let between = correlation.between.clone();
+                return Err((index, CorrelationError::Repeated { between }));
+            }
+            places.push(pair);
+        }
+        let numbers: HashSet<usize> = places.iter().flatten().copied().collect();
+        match numbers.len() > MAX_CORRELATED {
+            true => {
+                let count = numbers.len();
+                Err((places.len() - 1, CorrelationError::TooMany { count }))
+            }
+            false => Ok(places),
+        }
+    }
+
+    fn pair(&self, correlation: &Correlation) -> Result<[usize; 2], CorrelationError> {
+        if self.kind == SamplingKind::Grid {
+            return Err(CorrelationError::Grid);
+        }
+        let place = |name: &String| {
+            let place = self.vary.iter().position(|v| v.name.trim() == name.trim());
+            let place = place.ok_or_else(|| CorrelationError::NotVaried { name: name.clone() })?;
+            match self.vary[place].distribution {
+                Distribution::Values(_) => Err(CorrelationError::List { name: name.clone() }),
+                _ => Ok(place),
+            }
+        };
+        let [first, second] = &correlation.between;
+        let (first, second) = (place(first)?, place(second)?);
+        if first == second {
+            let name = correlation.between[0].clone();
+            return Err(CorrelationError::Itself { name });
+        }
+        let coefficient = correlation.coefficient;
+        match (-1.0..=1.0).contains(&coefficient) {
+            true => Ok([first.min(second), first.max(second)]),
+            false => Err(CorrelationError::Coefficient { coefficient }),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Limits;
+
+    #[test]
+    fn limits_are_rounded_inwards() {
+        let shown = |low, high| Limits([low, high]).to_string();
+        assert_eq!(shown(-0.62049, 0.98051), "from -0.62 to 0.98");
+        assert_eq!(shown(0.123_456_1, 0.123_457_2), "0.123457");
+        assert_eq!(shown(-1.0, 1.0), "from -1 to 1");
+        assert_eq!(shown(-0.0001, 0.5), "from 0 to 0.5");
+        assert_eq!(shown(0.25, 0.25), "0.25");
+    }
+}

@@ -1,0 +1,414 @@
+//! The scatter of frequencies to first order in what varies: from derivatives at the means of the
+//! distributions, without rows.
+
+use thiserror::Error;
+use towermodes::{
+    Change, ModeName, NoDerivative, Operation, Sensitivities, SensitivityError, SolveError,
+    TowerDescription, Workspace, sensitivities,
+};
+use towermodes_files::{Sampling, SamplingError, SamplingKind};
+
+use crate::row::{Cells, MORE_MODES, RowSolver};
+use crate::sampling::{Draw, Joint, probability};
+use crate::summary::MarginCheck;
+use crate::sweep::Sweep;
+
+/// The scatter of frequencies to first order.
+///
+/// With inputs of means μ and covariances C, a frequency f(x) with the gradient g at μ has about
+/// the mean f(μ) and the variance gᵀ C g. The mean differs from f(μ) by ½ tr(H C) with the second
+/// derivatives H, which is of second order in the scatter.
+#[derive(Debug, Clone, PartialEq)]
+pub struct FirstOrder {
+    /// The inputs, in the order of the changes.
+    pub inputs: Vec<InputScatter>,
+    /// The modes of the sweep.
+    pub modes: Vec<ModeScatter>,
+}
+
+/// Mean and standard deviation of an input.
+#[derive(Debug, Clone, PartialEq)]
+pub struct InputScatter {
+    /// The name of the change.
+    pub name: String,
+    /// The unit of its values; empty for a factor.
+    pub unit: &'static str,
+    /// The mean.
+    pub mean: f64,
+    /// The standard deviation.
+    pub deviation: f64,
+}
+
+/// The scatter of a frequency.
+#[derive(Debug, Clone, PartialEq)]
+pub struct ModeScatter {
+    /// The mode.
+    pub name: ModeName,
+    /// Its scatter, or why there is none.
+    pub scatter: Result<Scatter, NoScatter>,
+}
+
+/// Mean and standard deviation of a frequency to first order.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Scatter {
+    /// The extrapolated frequency at the means of the inputs, Hz.
+    pub mean_hz: f64,
+    /// Its error without extrapolation, Hz.
+    pub error_hz: f64,
+    /// Standard deviation, Hz.
+    pub deviation_hz: f64,
+    /// By how much the curvature moves the mean, to second order, Hz: Σ ½ (f(μ + l) + f(μ − l)) −
+    /// f(μ) over the independent directions l of the inputs. None if such a tower has no solution.
+    pub mean_shift_hz: Option<f64>,
+    /// The derivative with respect to each input, Hz per unit.
+    pub hz_per_unit: Vec<f64>,
+    /// The share of each input in the variance, gᵢ (C g)ᵢ/(gᵀ C g). The sum is 1. With correlations
+    /// a share may be negative: the input then makes up for others. Zeros without a variance.
+    pub shares: Vec<f64>,
+    /// For each multiple of the rotor speed of the check, the probability that the required
+    /// distance is violated, with a normal distribution of the frequency.
+    pub violated: Vec<f64>,
+}
+
+/// Why a frequency has no scatter to first order.
+#[derive(Debug, Clone, PartialEq, Error)]
+#[non_exhaustive]
+pub enum NoScatter {
+    /// The tower at the means lacks the mode.
+    #[error("the tower at the mean values has no such mode: {sentence}")]
+    NoMode {
+        /// What is wrong with the tower.
+        sentence: String,
+    },
+    /// A frequency has no derivative.
+    #[error("no derivative with respect to `{change}`: {reason}")]
+    NoDerivative {
+        /// The change.
+        change: String,
+        /// Why.
+        reason: NoDerivative,
+    },
+}
+
+/// Why there is no scatter to first order.
+#[derive(Debug, Clone, PartialEq, Error)]
+#[non_exhaustive]
+pub enum FirstOrderError {
+    /// A distribution or a correlation is impossible.
+    #[error(transparent)]
+    Sampling(#[from] SamplingError),
+    /// A grid, whose levels have no probabilities.
+    #[error(
+        "a grid has levels without probabilities; use sampling = \"random\" with distributions"
+    )]
+    Grid,
+    /// The distributions are of other changes than those of the sweep.
+    #[error("the distributions are not those of the changes of the sweep")]
+    OtherChanges,
+    /// The tower at the means is none, or is not solved.
+    #[error("the tower at the mean values: {sentence}")]
+    Means {
+        /// What is wrong with it.
+        sentence: String,
+    },
+    /// The tower at the means has no derivatives.
+    #[error("the tower at the mean values: {0}")]
+    Sensitivity(#[from] SensitivityError),
+    /// A factor whose mean is 0, so its derivative is not that of the numbers.
+    #[error(
+        "`{change}` has the mean 0, where a factor has no derivative; vary the number itself or add(…) to it"
+    )]
+    ZeroFactor {
+        /// The change.
+        change: String,
+    },
+    /// Two changes of different kinds have a number in common.
+    #[error(
+        "`{first}` and `{second}` change the same number in different ways, so they have no derivatives of their own; solve the rows of the sweep"
+    )]
+    Overlap {
+        /// The first.
+        first: String,
+        /// The second.
+        second: String,
+    },
+}
+
+impl Sweep {
+    /// The scatter of each frequency to first order in the distributions of what varies: mean,
+    /// standard deviation, the share of each input, and the probability that a resonance margin is
+    /// violated. It takes one solve with derivatives, and two solves for each input to see how good
+    /// the first order is.
+    ///
+    /// # Errors
+    /// [`FirstOrderError`]. A single mode without a derivative is no error but has the reason.
+    pub fn first_order(
+        &self,
+        sampling: &Sampling,
+        check: Option<&MarginCheck>,
+    ) -> Result<FirstOrder, FirstOrderError> {
+        if sampling.kind == SamplingKind::Grid {
+            return Err(FirstOrderError::Grid);
+        }
+        // Also the correlations that only drawing refuses.
+        Draw::new(sampling)?;
+        let joint = Joint::of(sampling)?;
+        self.check_changes(sampling, &joint)?;
+        let means: Vec<f64> = joint.moments.iter().map(|[mean, _]| *mean).collect();
+        let middle = self.at(&means)?;
+        let found = self.derivatives(&means, &middle)?;
+        let shifts = self.mean_shifts_hz(&means, &joint, &middle);
+        let scatter = |(index, name): (usize, &ModeName)| ModeScatter {
+            name: *name,
+            scatter: self
+                .scatter(index, &middle, &found, &joint, check)
+                .map(|scatter| Scatter {
+                    mean_shift_hz: Some(shifts[index]).filter(|shift| shift.is_finite()),
+                    ..scatter
+                }),
+        };
+        let modes = self.modes().iter().enumerate().map(scatter).collect();
+        let inputs = self.changes().iter().zip(&joint.moments);
+        let input = |(change, [mean, deviation]): (&Change, &[f64; 2])| InputScatter {
+            name: change.name().to_owned(),
+            unit: change.unit(),
+            mean: *mean,
+            deviation: *deviation,
+        };
+        Ok(FirstOrder {
+            inputs: inputs.map(input).collect(),
+            modes,
+        })
+    }
+
+    /// Refuses changes whose derivatives at the means are not those of a tower: numbers that are
+    /// set and multiplied, or multiplied and added to; factors whose mean is 0.
+    fn check_changes(&self, sampling: &Sampling, joint: &Joint) -> Result<(), FirstOrderError> {
+        let changes = self.changes();
+        let names = changes.iter().map(Change::name);
+        if !names.eq(sampling.vary.iter().map(|varied| varied.name.trim())) {
+            return Err(FirstOrderError::OtherChanges);
+        }
+        for (place, (second, [mean, _])) in changes.iter().zip(&joint.moments).enumerate() {
+            if second.operation() == Operation::Scale && *mean == 0.0 {
+                let change = second.name().to_owned();
+                return Err(FirstOrderError::ZeroFactor { change });
+            }
+            let shares = |first: &&Change| {
+                let numbers = second.parameters();
+                first.operation() != second.operation()
+                    && first.parameters().iter().any(|one| numbers.contains(one))
+            };
+            if let Some(first) = changes[..place].iter().find(shares) {
+                return Err(FirstOrderError::Overlap {
+                    first: first.name().to_owned(),
+                    second: second.name().to_owned(),
+                });
+            }
+        }
+        Ok(())
+    }
+
+    /// The row at the means.
+    fn at(&self, means: &[f64]) -> Result<Row, FirstOrderError> {
+        let row = Row::solved(&mut RowSolver::new(self), means, self.modes().len());
+        match (row.frequency_hz.iter().all(|hz| hz.is_nan()), &row.sentence) {
+            (true, Some(sentence)) => {
+                let sentence = sentence.clone();
+                Err(FirstOrderError::Means { sentence })
+            }
+            _ => Ok(row),
+        }
+    }
+
+    /// The derivatives at the means, with as many modes as the named ones need.
+    fn derivatives(&self, means: &[f64], middle: &Row) -> Result<Sensitivities, FirstOrderError> {
+        let mut description: TowerDescription = self.base().clone();
+        for (change, mean) in self.changes().iter().zip(means) {
+            change.apply(&mut description, *mean);
+        }
+        let mut options = self.options().clone();
+        let most = options.modes + MORE_MODES;
+        let mut workspace = Workspace::default();
+        loop {
+            let found = sensitivities(&description, self.changes(), &options, &mut workspace);
+            let found = match found {
+                Err(SensitivityError::Solve(SolveError::TooManyModes { available, .. }))
+                    if 0 < available && available < options.modes =>
+                {
+                    options.modes = available;
+                    sensitivities(&description, self.changes(), &options, &mut workspace)?
+                }
+                found => found?,
+            };
+            let named = self.modes().iter().zip(&middle.frequency_hz);
+            let mut solved = named.filter(|(_, hz)| hz.is_finite());
+            let is_complete = solved.all(|(name, _)| place(&found, name).is_some());
+            if is_complete || options.modes >= most || found.modes.len() < options.modes {
+                return Ok(found);
+            }
+            options.modes = most;
+        }
+    }
+
+    /// ½ tr(H C) of each mode by differences along the independent directions; NaN where a tower
+    /// has no solution.
+    fn mean_shifts_hz(&self, means: &[f64], joint: &Joint, middle: &Row) -> Vec<f64> {
+        let modes = self.modes().len();
+        let mut solver = RowSolver::new(self);
+        let mut shifts = vec![0.0; modes];
+        for direction in &joint.directions {
+            let mut along = |sign: f64| {
+                let mut values = means.to_vec();
+                for (place, amount) in direction {
+                    values[*place] += sign * amount;
+                }
+                Row::solved(&mut solver, &values, modes).frequency_hz
+            };
+            let (above, below) = (along(1.0), along(-1.0));
+            for (mode, shift) in shifts.iter_mut().enumerate() {
+                *shift += 0.5 * (above[mode] + below[mode]) - middle.frequency_hz[mode];
+            }
+        }
+        shifts
+    }
+
+    /// The scatter of a mode by its index, without the shift of its mean.
+    fn scatter(
+        &self,
+        index: usize,
+        middle: &Row,
+        found: &Sensitivities,
+        joint: &Joint,
+        check: Option<&MarginCheck>,
+    ) -> Result<Scatter, NoScatter> {
+        let no_mode = || NoScatter::NoMode {
+            sentence: middle.sentence.clone().unwrap_or_default(),
+        };
+        let mean_hz = middle.frequency_hz[index];
+        if mean_hz.is_nan() {
+            return Err(no_mode());
+        }
+        let place = place(found, &self.modes()[index]).ok_or_else(no_mode)?;
+        let derivatives = found.changes.iter().zip(&joint.moments);
+        let derivatives = derivatives.map(|(of_change, [mean, _])| {
+            let change = &of_change.change;
+            match of_change.modes[place] {
+                Ok(derivative) => Ok(per_value(change, derivative.hz_per_unit, *mean)),
+                Err(reason) => Err(NoScatter::NoDerivative {
+                    change: change.name().to_owned(),
+                    reason,
+                }),
+            }
+        });
+        let hz_per_unit: Vec<f64> = derivatives.collect::<Result<_, _>>()?;
+        let parts: Vec<f64> = parts(&hz_per_unit, joint);
+        let variance = parts.iter().sum::<f64>().max(0.0);
+        let share = |part: f64| if variance > 0.0 { part / variance } else { 0.0 };
+        let error_hz = middle.error_hz[index];
+        let deviation_hz = variance.sqrt();
+        let violated = check.map_or(Vec::new(), |check| {
+            let of = |multiple: &usize| check.range_hz(*multiple);
+            let around = |range: [f64; 2]| inside(range, mean_hz, error_hz, deviation_hz);
+            check.multiples.iter().map(of).map(around).collect()
+        });
+        Ok(Scatter {
+            mean_hz,
+            error_hz,
+            deviation_hz,
+            mean_shift_hz: None,
+            hz_per_unit,
+            shares: parts.into_iter().map(share).collect(),
+            violated,
+        })
+    }
+}
+
+/// Frequencies of a row.
+struct Row {
+    frequency_hz: Vec<f64>,
+    error_hz: Vec<f64>,
+    sentence: Option<String>,
+}
+
+impl Row {
+    fn solved(solver: &mut RowSolver<'_>, values: &[f64], modes: usize) -> Self {
+        let [mut frequency_hz, mut error_hz] = [(); 2].map(|()| vec![f64::NAN; modes]);
+        let cells = Cells {
+            mass_kg: &mut 0.0,
+            certified: &mut false,
+            frequency_hz: &mut frequency_hz,
+            error_hz: &mut error_hz,
+        };
+        let sentence = solver.solve(values, cells);
+        Self {
+            frequency_hz,
+            error_hz,
+            sentence,
+        }
+    }
+}
+
+/// The place of a mode in a list of derivatives.
+fn place(found: &Sensitivities, name: &ModeName) -> Option<usize> {
+    let mut modes = found.modes.iter();
+    modes.position(|mode| (mode.family, mode.order) == (name.family, name.order))
+}
+
+/// The derivative with respect to the value of a change, from that on the tower at the means, whose
+/// factors are 1.
+fn per_value(change: &Change, hz_per_unit: f64, mean: f64) -> f64 {
+    match change.operation() {
+        Operation::Scale => hz_per_unit / mean,
+        Operation::Set | Operation::Add => hz_per_unit,
+    }
+}
+
+/// The part of each input in the variance, gᵢ (C g)ᵢ.
+fn parts(hz_per_unit: &[f64], joint: &Joint) -> Vec<f64> {
+    let scaled = hz_per_unit.iter().zip(&joint.moments);
+    let scaled: Vec<f64> = scaled.map(|(g, [_, deviation])| g * deviation).collect();
+    let mut parts: Vec<f64> = scaled.iter().map(|part| part * part).collect();
+    for ([first, second], coefficient) in &joint.correlations {
+        let both = coefficient * scaled[*first] * scaled[*second];
+        parts[*first] += both;
+        parts[*second] += both;
+    }
+    parts
+}
+
+/// The probability that a normal frequency is in a range that its error widens.
+fn inside([low_hz, high_hz]: [f64; 2], mean_hz: f64, error_hz: f64, deviation_hz: f64) -> f64 {
+    let (low_hz, high_hz) = (low_hz - error_hz, high_hz + error_hz);
+    if deviation_hz == 0.0 {
+        return f64::from(u8::from(low_hz < mean_hz && mean_hz < high_hz));
+    }
+    let [low, high] = [low_hz, high_hz].map(|hz| (hz - mean_hz) / deviation_hz);
+    // Of the nearer tail, which has all digits.
+    match low > 0.0 {
+        true => probability(-low) - probability(-high),
+        false => probability(high) - probability(low),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::inside;
+
+    /// Φ(1) − Φ(−1), Φ(−9) − Φ(−10) and their mirror images.
+    #[test]
+    fn probabilities_are_those_of_the_normal_distribution() {
+        assert!((inside([0.9, 1.1], 1.0, 0.0, 0.1) - 0.682_689_492_137_086).abs() < 1e-13);
+        for range in [[1.9, 2.0], [0.0, 0.1]] {
+            let far = inside(range, 1.0, 0.0, 0.1);
+            assert!(
+                (far / 1.128_512_207_423_590_7e-19 - 1.0).abs() < 1e-9,
+                "{far:e}"
+            );
+        }
+        // An error of the frequency widens the range.
+        assert!((inside([0.95, 1.05], 1.0, 0.05, 0.1) - 0.682_689_492_137_086).abs() < 1e-13);
+        assert_eq!(inside([0.9, 1.1], 1.0, 0.0, 0.0), 1.0);
+        assert_eq!(inside([1.1, 1.2], 1.0, 0.0, 0.0), 0.0);
+    }
+}

@@ -1,0 +1,157 @@
+//! Numbers that depend on each other: from independent normal scores to correlated values.
+
+use towermodes_files::{CorrelationError, Sampling, SamplingError};
+
+use super::cholesky::{Excluded, cholesky};
+use super::scores::Series;
+use super::values::Values;
+
+/// The numbers that have correlations, and how their scores follow from independent ones: the rows
+/// of the Cholesky factor of the correlation matrix of the scores.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub(super) struct Correlated {
+    /// The places of these numbers among all, rising.
+    places: Vec<usize>,
+    /// The factor L with R = L Lᵀ: row i has the columns 0 to i.
+    factor: Vec<Vec<f64>>,
+}
+
+impl Correlated {
+    /// The correlated numbers of a sampling.
+    ///
+    /// # Errors
+    /// [`SamplingError::Correlation`] for a coefficient that the distributions or the other
+    /// coefficients exclude.
+    pub(super) fn new(sampling: &Sampling, values: &[Values]) -> Result<Self, SamplingError> {
+        let pairs = pairs(sampling)?;
+        let places = members(&pairs);
+        let of = |place: &usize| Series::new(&sampling.vary[*place].distribution, &values[*place]);
+        let series: Vec<Series> = places.iter().map(of).collect();
+        let mut given = Lower::of(&places, None);
+        let mut scores = Lower::of(&places, 0.0);
+        for (index, pair) in pairs.iter().enumerate() {
+            let [first, second] = pair.map(|place| member(&places, place));
+            let coefficient = sampling.correlations[index].coefficient;
+            let score = series[first].score_correlation(&series[second], coefficient);
+            let score = score.map_err(|limits| {
+                let between = sampling.correlations[index].between.clone();
+                let error = CorrelationError::Unreachable {
+                    between,
+                    coefficient,
+                    limits,
+                };
+                (index, error)
+            })?;
+            scores.0[second][first] = score;
+            given.0[second][first] = Some(index);
+        }
+        let factor = cholesky(&scores.0).map_err(|excluded| {
+            let [first, second] = excluded.pair.map(|member| &series[member]);
+            let limits = excluded.limits.map(|r| first.correlation(second, r));
+            contradiction(sampling, &places, &given, Excluded { limits, ..excluded })
+        })?;
+        Ok(Self { places, factor })
+    }
+
+    /// The same numbers with the factor of the correlation matrix of the values themselves.
+    ///
+    /// # Errors
+    /// [`SamplingError::Correlation`] as of [`new`](Self::new).
+    pub(super) fn of_values(sampling: &Sampling) -> Result<Self, SamplingError> {
+        let pairs = pairs(sampling)?;
+        let places = members(&pairs);
+        let mut values = Lower::of(&places, 0.0);
+        let mut given = Lower::of(&places, None);
+        for (index, pair) in pairs.iter().enumerate() {
+            let [first, second] = pair.map(|place| member(&places, place));
+            values.0[second][first] = sampling.correlations[index].coefficient;
+            given.0[second][first] = Some(index);
+        }
+        let factor = cholesky(&values.0);
+        let factor =
+            factor.map_err(|excluded| contradiction(sampling, &places, &given, excluded))?;
+        Ok(Self { places, factor })
+    }
+
+    /// Whether a number, by its place among all, is correlated with another.
+    pub(super) fn has(&self, place: usize) -> bool {
+        self.places.binary_search(&place).is_ok()
+    }
+
+    /// Turns the independent scores at the places of these numbers into correlated ones.
+    pub(super) fn correlate(&self, scores: &mut [f64]) {
+        // A row needs the scores before it as they were.
+        for (row, place) in self.factor.iter().zip(&self.places).rev() {
+            let terms = row.iter().zip(&self.places);
+            scores[*place] = terms.map(|(factor, at)| factor * scores[*at]).sum();
+        }
+    }
+
+    /// The places of these numbers among all.
+    pub(super) fn places(&self) -> &[usize] {
+        &self.places
+    }
+
+    /// The columns of the factor for all of `count` numbers: the independent directions in which
+    /// they vary, each with the factors of the numbers that it moves, by their places.
+    pub(super) fn directions(&self, count: usize) -> Vec<Vec<(usize, f64)>> {
+        let direction = |place: usize| match self.places.binary_search(&place) {
+            Err(_) => vec![(place, 1.0)],
+            Ok(column) => {
+                let rows = self.factor.iter().zip(&self.places).skip(column);
+                let moved = rows.map(|(row, place)| (*place, row[column]));
+                moved.filter(|(_, factor)| *factor != 0.0).collect()
+            }
+        };
+        (0..count).map(direction).collect()
+    }
+}
+
+/// The lower triangle of a matrix: row i has the columns 0 to i − 1.
+struct Lower<T>(Vec<Vec<T>>);
+
+impl<T: Clone> Lower<T> {
+    fn of(places: &[usize], entry: T) -> Self {
+        let rows = 0..places.len();
+        Self(rows.map(|row| vec![entry.clone(); row]).collect())
+    }
+}
+
+/// The places of the two numbers of each correlation, the smaller first.
+fn pairs(sampling: &Sampling) -> Result<Vec<[usize; 2]>, SamplingError> {
+    let pairs = sampling.correlated_places();
+    pairs.map_err(SamplingError::from)
+}
+
+/// All places of pairs, rising.
+fn members(pairs: &[[usize; 2]]) -> Vec<usize> {
+    let mut places: Vec<usize> = pairs.iter().flatten().copied().collect();
+    places.sort_unstable();
+    places.dedup();
+    places
+}
+
+/// The index of a place among rising ones that have it.
+fn member(places: &[usize], place: usize) -> usize {
+    places.partition_point(|other| *other < place)
+}
+
+/// The refusal of a coefficient that the others exclude.
+fn contradiction(
+    sampling: &Sampling,
+    places: &[usize],
+    given: &Lower<Option<usize>>,
+    excluded: Excluded,
+) -> SamplingError {
+    let [first, second] = excluded.pair;
+    let of_pair = given.0[second][first];
+    let name = |member: usize| sampling.vary[places[member]].name.trim().to_owned();
+    // A pair that is not in the list is reported at the last correlation of its second number.
+    let of_row = given.0[second].iter().flatten().max();
+    let error = CorrelationError::Contradiction {
+        between: [name(first), name(second)],
+        coefficient: of_pair.map(|index| sampling.correlations[index].coefficient),
+        limits: excluded.limits,
+    };
+    (of_pair.or(of_row.copied()).unwrap_or(0), error).into()
+}
