@@ -46,7 +46,7 @@ impl<'a> Held<'a> {
 
     /// The derivatives with respect to a change; none if it changes the structure of the tower.
     pub(super) fn derivatives(&mut self, change: &Change, value: f64) -> Option<Derivatives> {
-        let mut h = step(change, value, self.neighbours.tower());
+        let mut h = step(change, value, self.neighbours);
         let mut whole = self.difference(change, value, h)?;
         if is_linear(change) {
             for _ in 0..MOST_ENLARGEMENTS {

@@ -40,7 +40,7 @@ pub(super) fn derivatives(
         };
         Some((modes.iter().map(frequency).collect(), tower.mass_kg()))
     };
-    let h = LARGER * step(change, value, neighbours.tower());
+    let h = LARGER * step(change, value, neighbours);
     let steps = [h, -h, 0.5 * h, -0.5 * h, 0.0];
     let at = steps.map(|step| solve(value + step));
     let [Some(a), Some(b), Some(c), Some(d), Some(e)] = at else {

@@ -2,9 +2,10 @@
 
 use super::error::SensitivityError;
 use crate::parameter::{Change, Operation, Parameter};
-use crate::tower::{Tower, TowerDescription};
+use crate::tower::{Neighbours, Tower, TowerDescription};
 
-/// The step relative to a value, to the distance to the next height, or to 1.
+/// The step relative to a value, to the distance to the next height, or to the numbers to which it
+/// is added.
 const RELATIVE: f64 = 2e-3;
 /// A step that changes no eigenvalue by more than this, relatively, is enlarged if the tower
 /// depends on the number linearly.
@@ -39,17 +40,26 @@ pub(super) fn present_value(
 }
 
 /// The step of the value of a change.
-pub(super) fn step(change: &Change, value: f64, tower: &Tower) -> f64 {
+pub(super) fn step(change: &Change, value: f64, neighbours: &Neighbours) -> f64 {
     let heights = change.parameters().iter().filter(|p| p.is_height());
     let of_heights = change.operation() != Operation::Scale;
     let gaps = heights
-        .map(|_| shortest_piece_m(tower))
+        .map(|_| shortest_piece_m(neighbours.tower()))
         .filter(|_| of_heights);
     match gaps.reduce(f64::min) {
         Some(gap_m) => RELATIVE * gap_m,
         None if value != 0.0 => RELATIVE * value.abs(),
-        // Of a number that is zero, its unit.
-        None => RELATIVE,
+        None => RELATIVE * size(change, neighbours.description()),
+    }
+}
+
+/// The largest of the numbers to which a change adds; of numbers that are zero, their unit.
+fn size(change: &Change, description: &TowerDescription) -> f64 {
+    let numbers = change.parameters().iter();
+    let sizes = numbers.map(|number| number.value(description).abs());
+    match sizes.filter(|size| size.is_finite()).fold(0.0, f64::max) {
+        0.0 => 1.0,
+        size => size,
     }
 }
 

@@ -71,7 +71,7 @@ impl<'a> Swept<'a> {
         value: f64,
     ) -> Option<Derivatives> {
         let gradients = frozen.gradients.as_ref()?;
-        let h = SHORTER * step(change, value, self.neighbours.tower());
+        let h = SHORTER * step(change, value, self.neighbours);
         let sums = frozen.meshes.len() * frozen.modes.len();
         let around = self.difference(gradients, sums, (0, change, value, h))?;
         if is_quadratic(change) {

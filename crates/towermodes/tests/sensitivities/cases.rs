@@ -102,6 +102,28 @@ fn numbers_that_are_zero_have_derivatives() {
     }
 }
 
+/// The unit of a number is not a step: 2e-3 N m added to a stiffness of 1e11 N m is lost in
+/// rounding.
+#[test]
+fn what_is_added_to_a_number_has_the_derivative_of_the_number() {
+    for name in ["foundation.rocking", "rna.mass", "material.youngs_modulus"] {
+        let names = [name.to_owned(), format!("add({name})")];
+        let names = names.each_ref().map(String::as_str);
+        for method in super::methods() {
+            let options = Options {
+                method,
+                ..Options::default()
+            };
+            let result = sensitivities_of(&on_springs(), &names, &options);
+            for mode in 0..2 {
+                let [of_number, added] = [0, 1].map(|i| super::derivative(&result, i, mode));
+                let case = format!("{}, {name}, mode {mode}", method.name());
+                super::assert_close(added, of_number, 1e-7, &case);
+            }
+        }
+    }
+}
+
 /// The error of a derivative against the spectral method, which has no mesh.
 #[test]
 fn the_error_of_a_derivative_holds_and_is_near() {
