@@ -1,7 +1,7 @@
 //! Why there is no fit.
 
 use thiserror::Error;
-use towermodes::number::Plain;
+use towermodes::number::{Plain, Rounded};
 use towermodes::{ModeName, NoDerivative, SensitivityError, SolveError, TowerError};
 
 /// Why there is no fit.
@@ -13,7 +13,8 @@ pub enum CalibrationError {
     NoUnknowns,
     /// Too few measurements for the unknowns.
     #[error(
-        "{unknowns} unknowns cannot be found from {measured} measurements and {priors} priors; measure more modes, fit fewer unknowns, or give an unknown a prior"
+        "{unknowns} unknowns cannot be found from {} and {}; measure more modes, fit fewer unknowns, or give an unknown a prior",
+        counted(*.measured, "measurement"), counted(*.priors, "prior")
     )]
     TooFewMeasurements {
         /// The number of measurements.
@@ -32,6 +33,19 @@ pub enum CalibrationError {
         what: &'static str,
         /// The number.
         value: f64,
+    },
+    /// Two measurements are of one mode.
+    #[error(
+        "measurements {} and {} are both of {mode}; give one frequency for each mode: of several measurements their weighted mean and its standard deviation",
+        .first + 1, .index + 1
+    )]
+    Repeated {
+        /// The first, from 0.
+        first: usize,
+        /// The second, from 0.
+        index: usize,
+        /// Their mode.
+        mode: ModeName,
     },
     /// A shape has no displacements, or not one for each height.
     #[error(
@@ -151,11 +165,29 @@ pub enum CalibrationError {
     },
     /// The measurements and priors do not determine the unknowns.
     #[error(
-        "the measurements do not determine {names}; give one of these a prior, do not fit it, or measure other modes"
+        "the measurements do not determine {}; give {} a prior, do not fit it, or measure other modes",
+        .names.join(" and "), if .names.len() == 1 { "it" } else { "one of these" }
     )]
     Undetermined {
-        /// The unknowns.
-        names: String,
+        /// The unknowns, in backquotes.
+        names: Vec<String>,
+    },
+    /// No values of the unknowns explain a frequency, not even the largest and the smallest.
+    #[error(
+        "no value of the fitted numbers gives {mode} the measured frequency of {} Hz; the nearest is {} Hz with {values}; check the measurement and its mode, or fit other numbers",
+        Plain(*.measured_hz), Rounded(*.nearest_hz)
+    )]
+    Unreachable {
+        /// The measurement, from 0.
+        index: usize,
+        /// Its mode.
+        mode: ModeName,
+        /// Its frequency, Hz.
+        measured_hz: f64,
+        /// The nearest frequency, Hz.
+        nearest_hz: f64,
+        /// The unknowns with their values there.
+        values: String,
     },
     /// The iteration did not end.
     #[error(
@@ -167,4 +199,55 @@ pub enum CalibrationError {
         /// The unknowns with their last values.
         values: String,
     },
+}
+
+impl CalibrationError {
+    /// The measurement that is wrong, from 0; none if the error is not that of one measurement.
+    pub fn measurement(&self) -> Option<usize> {
+        match self {
+            Self::NotPositive { index, .. }
+            | Self::Repeated { index, .. }
+            | Self::Shape { index }
+            | Self::SensorOutside { index, .. }
+            | Self::Unreachable { index, .. }
+            | Self::NoMode { index, .. } => Some(*index),
+            _ => None,
+        }
+    }
+
+    /// The name of the unknown that is wrong; none if the error is not that of one unknown.
+    pub fn unknown(&self) -> Option<&str> {
+        match self {
+            Self::Bounds { change, .. }
+            | Self::Prior { change, .. }
+            | Self::PriorOutside { change, .. }
+            | Self::Overlap { change, .. }
+            | Self::NoStart { change, .. }
+            | Self::NoDerivative { change, .. } => Some(change),
+            _ => None,
+        }
+    }
+
+    /// Whether the problem contradicts itself or its tower; otherwise the computation failed.
+    pub fn is_usage(&self) -> bool {
+        let is_computed = matches!(
+            self,
+            Self::Sensitivity(_)
+                | Self::Tower(_)
+                | Self::Solve(_)
+                | Self::NoDerivative { .. }
+                | Self::Undetermined { .. }
+                | Self::Unreachable { .. }
+                | Self::NotConverged { .. }
+        );
+        !is_computed
+    }
+}
+
+/// "1 prior", "2 priors".
+fn counted(count: usize, noun: &str) -> String {
+    match count {
+        1 => format!("1 {noun}"),
+        _ => format!("{count} {noun}s"),
+    }
 }

@@ -1,11 +1,15 @@
 //! Weighted least squares by the method of Levenberg and Marquardt.
 
 use towermodes::number::Rounded;
-use towermodes::{ModeName, Options, TowerDescription, Workspace, sensitivities};
+use towermodes::{
+    ModeFrequency, ModeName, Operation, Options, TowerDescription, Workspace, sensitivities,
+};
 
+use super::determined::undetermined;
 use super::error::CalibrationError;
 use super::problem::Problem;
-use super::singular::Singular;
+use super::remark::LARGE_RESIDUAL;
+use super::singular::{Singular, norm};
 use super::variable::{Variable, apply};
 
 /// Iterations at most.
@@ -20,10 +24,8 @@ const FIRST_DAMPING: f64 = 1e-3;
 const LEAST_DAMPING: f64 = 1e-15;
 /// Above this damping no step improves anything.
 const MOST_DAMPING: f64 = 1e14;
-/// No coordinate moves by more than this many of its scales in one step.
+/// No logarithm moves by more than this in one step.
 const LONGEST_STEP: f64 = 1.5;
-/// Singular values below this, relative to the largest, are zero within the errors of derivatives.
-const UNDETERMINED: f64 = 1e-9;
 
 /// The towers at the coordinates of the unknowns.
 pub(super) struct Towers<'a> {
@@ -88,15 +90,14 @@ impl<'a> Towers<'a> {
             columns: vec![Vec::with_capacity(data + n); n],
         };
         for (index, (name, measured)) in self.names.iter().zip(&self.problem.measured).enumerate() {
-            let is_it = |mode: &towermodes::ModeFrequency| {
-                mode.family == name.family && mode.order == name.order
-            };
+            let is_it =
+                |mode: &ModeFrequency| mode.family == name.family && mode.order == name.order;
             let Some(mode) = found.modes.iter().position(is_it) else {
                 return Err(CalibrationError::NoMode {
                     index,
                     mode: *name,
                     computed: found.modes.len(),
-                    there: "other modes".to_owned(),
+                    there: names(&found.modes),
                 });
             };
             let hz = found.modes[mode].extrapolated_hz;
@@ -116,7 +117,7 @@ impl<'a> Towers<'a> {
                 })?;
                 let per_value = match variable.change.operation() {
                     // The factor of the changed tower is 1.
-                    towermodes::Operation::Scale => derivative.hz_per_unit / variable.value(x[j]),
+                    Operation::Scale => derivative.hz_per_unit / variable.value(x[j]),
                     _ => derivative.hz_per_unit,
                 };
                 let slope = variable.slope(x[j]);
@@ -125,6 +126,37 @@ impl<'a> Towers<'a> {
         }
         self.add_priors(&mut point);
         Ok(point)
+    }
+
+    /// The fit that ends at a point.
+    fn found(
+        &self,
+        point: Point,
+        is_free: Vec<bool>,
+        iterations: usize,
+    ) -> Result<Found, CalibrationError> {
+        let names = undetermined(&point, self.variables, &is_free);
+        if names.is_empty() {
+            return Ok(Found {
+                point,
+                is_free,
+                iterations,
+            });
+        }
+        // A frequency that cannot be reached drives an unknown to where it has no effect.
+        let residuals = point.residuals.iter().take(self.names.len());
+        let residuals = residuals.map(|residual| residual.abs()).enumerate();
+        let worst = residuals.max_by(|a, b| a.1.total_cmp(&b.1));
+        match worst.filter(|(_, residual)| *residual > LARGE_RESIDUAL) {
+            None => Err(CalibrationError::Undetermined { names }),
+            Some((index, _)) => Err(CalibrationError::Unreachable {
+                index,
+                mode: self.names[index],
+                measured_hz: self.problem.measured[index].frequency_hz,
+                nearest_hz: point.frequencies_hz[index],
+                values: values_at(self.variables, &point.x),
+            }),
+        }
     }
 
     fn add_priors(&self, point: &mut Point) {
@@ -140,18 +172,58 @@ impl<'a> Towers<'a> {
     }
 }
 
+/// The unknowns with their values at coordinates.
+fn values_at(variables: &[Variable], x: &[f64]) -> String {
+    let values = variables.iter().zip(x).map(|(variable, x)| {
+        let digits = format!("{:.3e}", variable.value(*x));
+        let value = Rounded(digits.parse().unwrap_or(variable.value(*x)));
+        format!("{} = {value}", variable.change.name())
+    });
+    values.collect::<Vec<_>>().join(", ")
+}
+
+/// The names of modes, in a list.
+fn names(modes: &[ModeFrequency]) -> String {
+    let name = |mode: &ModeFrequency| {
+        let (family, order) = (mode.family, mode.order);
+        ModeName { family, order }.to_string()
+    };
+    modes.iter().map(name).collect::<Vec<_>>().join(", ")
+}
+
 impl Point {
     /// The sum of the squares of the residuals.
     pub(super) fn chi_square(&self) -> f64 {
         self.residuals.iter().map(|r| r * r).sum()
     }
 
-    /// The columns of some unknowns, each for one scale of its coordinate.
-    fn scaled(&self, variables: &[Variable], is_free: &[bool]) -> Vec<Vec<f64>> {
-        let all = self.columns.iter().zip(variables).zip(is_free);
+    /// The columns of some unknowns, each for one unit of its coordinate.
+    pub(super) fn scaled(&self, units: &[f64], is_free: &[bool]) -> Vec<Vec<f64>> {
+        let all = self.columns.iter().zip(units).zip(is_free);
         let free = all.filter(|(_, is_free)| **is_free);
-        free.map(|((column, variable), _)| column.iter().map(|c| c * variable.scale).collect())
+        free.map(|((column, unit), _)| column.iter().map(|c| c * unit).collect())
             .collect()
+    }
+
+    /// The length of each column.
+    pub(super) fn lengths(&self) -> Vec<f64> {
+        self.columns.iter().map(|column| norm(column)).collect()
+    }
+
+    /// The unit of each coordinate: its scale. A coordinate without one has the unit with which the
+    /// measurements change as much as with the unit of the others.
+    fn units(&self, variables: &[Variable]) -> Vec<f64> {
+        let all = variables.iter().zip(self.lengths());
+        let of_scales = all
+            .clone()
+            .map(|(v, length)| v.scale.unwrap_or(0.0) * length);
+        let longest = Some(of_scales.fold(0.0, f64::max)).filter(|longest| *longest > 0.0);
+        let unit = |(variable, length): (&Variable, f64)| match (variable.scale, length > 0.0) {
+            (Some(scale), _) => scale,
+            (None, true) => longest.unwrap_or(1.0) / length,
+            (None, false) => 1.0,
+        };
+        all.map(unit).collect()
     }
 
     /// The unknowns that are not at a bound towards which the sum of squares falls.
@@ -173,24 +245,20 @@ pub(super) fn fit(towers: &mut Towers<'_>, start: &[f64]) -> Result<Found, Calib
     let mut damping = FIRST_DAMPING;
     for iterations in 0..MOST_ITERATIONS {
         let is_free = point.free(variables);
-        let singular = Singular::of(point.scaled(variables, &is_free));
+        let units = point.units(variables);
+        let singular = Singular::of(point.scaled(&units, &is_free));
         let largest = singular.values.first().copied().unwrap_or(0.0);
         let mut last_error = None;
         loop {
             let absolute = damping * largest * largest;
-            let (x, gain) = step(&point, variables, &is_free, &singular, absolute);
+            let (x, gain) = step(&point, (variables, &units), &is_free, &singular, absolute);
             let is_end = gain <= SMALL_GAIN * (1.0 + point.chi_square());
             if is_end || x == point.x {
                 // No shorter step leads to a possible tower.
                 if let Some(error) = last_error {
                     return Err(error);
                 }
-                check_determined(&singular, variables, &is_free)?;
-                return Ok(Found {
-                    point,
-                    is_free,
-                    iterations,
-                });
+                return towers.found(point, is_free, iterations);
             }
             match towers.evaluate(&x) {
                 Ok(next) if next.chi_square() < point.chi_square() => {
@@ -209,45 +277,39 @@ pub(super) fn fit(towers: &mut Towers<'_>, start: &[f64]) -> Result<Found, Calib
                 // The sum of squares is flat to rounding; or no tower is possible further on.
                 return match last_error {
                     Some(error) => Err(error),
-                    None => {
-                        check_determined(&singular, variables, &is_free)?;
-                        Ok(Found {
-                            point,
-                            is_free,
-                            iterations,
-                        })
-                    }
+                    None => towers.found(point, is_free, iterations),
                 };
             }
         }
     }
-    let values = variables.iter().zip(&point.x).map(|(variable, x)| {
-        let value = Rounded(variable.value(*x));
-        format!("{} = {value}", variable.change.name())
-    });
     Err(CalibrationError::NotConverged {
         iterations: MOST_ITERATIONS,
-        values: values.collect::<Vec<_>>().join(", "),
+        values: values_at(variables, &point.x),
     })
 }
 
 /// The next point, and by how much the linearized sum of squares falls on the way to it.
 fn step(
     point: &Point,
-    variables: &[Variable],
+    (variables, units): (&[Variable], &[f64]),
     is_free: &[bool],
     singular: &Singular,
     damping: f64,
 ) -> (Vec<f64>, f64) {
     let target: Vec<f64> = point.residuals.iter().map(|r| -r).collect();
     let solution = singular.damped_solution(&target, damping);
-    let longest = solution.iter().fold(0.0_f64, |most, d| most.max(d.abs()));
+    let free = (0..point.x.len()).filter(|j| is_free[*j]);
+    let moves: Vec<(usize, f64)> = free
+        .zip(&solution)
+        .map(|(j, d)| (j, d * units[j]))
+        .collect();
+    let logarithms = moves.iter().filter(|(j, _)| variables[*j].is_logarithm);
+    let longest = logarithms.fold(0.0_f64, |most, (_, d)| most.max(d.abs()));
     let shortened = (LONGEST_STEP / longest).min(1.0);
     let mut x = point.x.clone();
-    let free = (0..x.len()).filter(|j| is_free[*j]);
-    for (j, d) in free.zip(&solution) {
+    for (j, d) in moves {
         let [low, high] = variables[j].bounds;
-        x[j] = (x[j] + shortened * d * variables[j].scale).clamp(low, high);
+        x[j] = (x[j] + shortened * d).clamp(low, high);
     }
     let mut linear = point.residuals.clone();
     for (j, column) in point.columns.iter().enumerate() {
@@ -258,30 +320,4 @@ fn step(
     }
     let expected: f64 = linear.iter().map(|r| r * r).sum();
     (x, point.chi_square() - expected)
-}
-
-/// Refuses free unknowns that neither measurements nor priors determine.
-fn check_determined(
-    singular: &Singular,
-    variables: &[Variable],
-    is_free: &[bool],
-) -> Result<(), CalibrationError> {
-    let largest = singular.values.first().copied().unwrap_or(0.0);
-    let small = singular
-        .values
-        .iter()
-        .position(|s| *s <= UNDETERMINED * largest);
-    let Some(direction) = small else {
-        return Ok(());
-    };
-    let free = variables
-        .iter()
-        .zip(is_free)
-        .filter(|(_, is_free)| **is_free);
-    let parts = free.zip(&singular.right[direction]);
-    let names = parts.filter(|(_, part)| part.abs() > 0.1);
-    let names = names.map(|((variable, _), _)| format!("`{}`", variable.change.name()));
-    Err(CalibrationError::Undetermined {
-        names: names.collect::<Vec<_>>().join(" and "),
-    })
 }

@@ -9,9 +9,11 @@
 //! A fit explains measurements; it does not validate the model with them.
 //!
 //! `problem` is what is asked, `variable` the unknowns as coordinates, `pairing` which mode a
-//! measurement is of, `fit` the iteration, `singular` its linear algebra, `result` what comes out,
-//! `remark` what the result says in words.
+//! measurement is of, `fit` the iteration, `singular` its linear algebra, `determined` whether the
+//! unknowns are determined, `result` what comes out, `remark` what the result says, `words` in
+//! which words.
 
+mod determined;
 mod error;
 mod fit;
 mod pairing;
@@ -20,6 +22,7 @@ mod remark;
 mod result;
 mod singular;
 mod variable;
+mod words;
 
 pub use error::CalibrationError;
 pub use pairing::Ambiguity;
@@ -91,12 +94,13 @@ pub fn calibrate(
         let before = towers.evaluate(&start)?;
         let options = towers.options.clone();
         description.clone_from(&problem.base);
-        variable::apply(&variables, &found.point.x, &mut description);
+        variable::apply_rounded(&variables, &found.point.x, &mut description);
         let again = pairing::pair(problem, &description, &options, workspace)?;
         if again.names == pairing.names || round == MOST_PAIRINGS {
             let is_stable = again.names == pairing.names;
             pairing.ambiguities = again.ambiguities;
             pairing.is_stable = is_stable;
+            pairing.is_certified = again.is_certified;
             return Ok(result::result(
                 problem,
                 &variables,

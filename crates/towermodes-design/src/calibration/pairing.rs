@@ -25,6 +25,8 @@ pub(super) struct Pairing {
     pub(super) modes: usize,
     /// Whether the modes of the fitted tower are paired in the same way.
     pub(super) is_stable: bool,
+    /// Whether the certificate of the tower proves that no mode is missing.
+    pub(super) is_certified: bool,
 }
 
 /// Another mode that a measurement may be of.
@@ -48,6 +50,15 @@ pub enum Ambiguity {
     },
 }
 
+impl Ambiguity {
+    /// The mode that was not taken.
+    pub fn other(&self) -> ModeName {
+        match self {
+            Self::Frequency { other, .. } | Self::Shape { other, .. } => *other,
+        }
+    }
+}
+
 /// Pairs each measurement with a mode of a tower: by name, else by shape, else by frequency.
 pub(super) fn pair(
     problem: &Problem,
@@ -62,13 +73,14 @@ pub(super) fn pair(
     options.modes = options.modes.max(problem.measured.len() + 2);
     options.heights_m = heights(problem);
     loop {
-        let modes = match solve_with(&tower, &options, workspace) {
+        let solution = match solve_with(&tower, &options, workspace) {
             Err(SolveError::TooManyModes { available, .. }) if available < options.modes => {
                 options.modes = available;
                 continue;
             }
-            other => other?.modes,
+            other => other?,
         };
+        let modes = solution.modes;
         let missing = first_missing(problem, &modes);
         let is_high = problem.measured.iter().any(|one| {
             let highest = modes.last().map_or(0.0, |mode| mode.extrapolated_hz);
@@ -82,7 +94,10 @@ pub(super) fn pair(
         if let Some((index, mode)) = missing {
             return Err(no_mode(index, mode, &modes));
         }
-        return Ok(pairing(problem, &modes));
+        return Ok(Pairing {
+            is_certified: solution.certificate.complete,
+            ..pairing(problem, &modes)
+        });
     }
 }
 
@@ -175,6 +190,7 @@ fn pairing(problem: &Problem, modes: &[Mode]) -> Pairing {
         names,
         ambiguities,
         is_stable: true,
+        is_certified: false,
     }
 }
 
@@ -204,12 +220,10 @@ fn by_shape(
         let mut own = all.iter().filter(|(_, mode)| name_of(mode) == name);
         own.next().map_or(0.0, |(mac, _)| *mac)
     };
-    let ambiguity = by_frequency.map(|ambiguity| match ambiguity {
-        Ambiguity::Frequency { other, .. } | Ambiguity::Shape { other, .. } => Ambiguity::Shape {
-            other,
-            mac: mac_of(name),
-            other_mac: mac_of(other),
-        },
+    let ambiguity = by_frequency.map(|ambiguity| Ambiguity::Shape {
+        other: ambiguity.other(),
+        mac: mac_of(name),
+        other_mac: mac_of(ambiguity.other()),
     });
     Some((name, ambiguity))
 }

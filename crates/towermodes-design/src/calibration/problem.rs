@@ -94,6 +94,11 @@ impl Problem {
         }
         for (index, measured) in self.measured.iter().enumerate() {
             measured.check(index)?;
+            let mut before = self.measured[..index].iter();
+            let is_again = |other: &Measured| other.mode == measured.mode;
+            if let (Some(mode), Some(first)) = (measured.mode, before.position(is_again)) {
+                return Err(CalibrationError::Repeated { first, index, mode });
+            }
         }
         for unknown in &self.unknowns {
             unknown.check()?;

@@ -1,9 +1,6 @@
 //! What the result of a fit says in words.
 
-use std::fmt;
-
 use towermodes::ModeName;
-use towermodes::number::Rounded;
 
 use super::pairing::Ambiguity;
 use super::result::{AtBound, Calibration};
@@ -16,7 +13,7 @@ const WEAK: f64 = 1.0;
 /// A part of a combination below this fraction is left out of its sentence.
 const SMALL_PART: f64 = 0.2;
 /// A residual above this is unlikely.
-const LARGE_RESIDUAL: f64 = 3.0;
+pub(super) const LARGE_RESIDUAL: f64 = 3.0;
 /// The normal deviate that is exceeded with a probability of 1 %.
 const ONE_PERCENT: f64 = 2.326;
 
@@ -69,6 +66,8 @@ pub enum Remark {
     },
     /// The modes of the fitted tower are paired differently.
     UnstablePairing,
+    /// The certificate of the fitted tower is incomplete.
+    Uncertified,
     /// A frequency is not explained.
     LargeResidual {
         /// The mode.
@@ -122,7 +121,8 @@ impl Calibration {
             })
         });
         let unstable = (!self.is_pairing_stable).then_some(Remark::UnstablePairing);
-        unstable.into_iter().chain(ambiguous)
+        let uncertified = (!self.is_certified).then_some(Remark::Uncertified);
+        uncertified.into_iter().chain(unstable).chain(ambiguous)
     }
 
     fn of_residuals(&self) -> impl Iterator<Item = Remark> {
@@ -223,108 +223,4 @@ fn deviate(chi_square: f64, degrees_of_freedom: usize) -> f64 {
     let k = degrees_of_freedom as f64;
     let spread = 2.0 / (9.0 * k);
     ((chi_square / k).cbrt() - (1.0 - spread)) / spread.sqrt()
-}
-
-impl fmt::Display for UnknownChange {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let amount = self.amount;
-        match self.is_factor {
-            true => write!(f, "{} times {}", self.name, Rounded(rounded(amount))),
-            false => write!(f, "{} plus {}", self.name, Rounded(rounded(amount))),
-        }
-    }
-}
-
-/// Three digits.
-fn rounded(value: f64) -> f64 {
-    format!("{value:.2e}").parse().unwrap_or(value)
-}
-
-impl fmt::Display for Remark {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::NotToldApart {
-                changes,
-                deviations,
-            } => {
-                let names: Vec<&str> = changes.iter().map(|one| one.name.as_str()).collect();
-                let changes: Vec<String> = changes.iter().map(ToString::to_string).collect();
-                let subject = match names[..] {
-                    [one] => format!("the measurements hardly determine {one}"),
-                    _ => format!("the measurements cannot tell {} apart", names.join(" and ")),
-                };
-                write!(
-                    f,
-                    "{subject}: with {} the measured frequencies change by {deviations:.2} standard deviations only",
-                    changes.join(" and "),
-                )
-            }
-            Self::Correlated {
-                first,
-                second,
-                correlation,
-            } => write!(
-                f,
-                "{first} and {second} have the correlation {correlation:.3}: a combination of them is known better than either"
-            ),
-            Self::Bound { name, bound, value } => {
-                let bound = match bound {
-                    AtBound::Lower => "lower",
-                    AtBound::Upper => "upper",
-                };
-                let value = Rounded(*value);
-                write!(f, "{name} is at its {bound} bound {value}: the measurements ask for a value beyond it")
-            }
-            Self::FromPrior { name, share } => write!(
-                f,
-                "{name} is known mostly from priors: {:.0} % of its variance come from them",
-                100.0 * share
-            ),
-            Self::Pairing {
-                index,
-                mode,
-                ambiguity,
-            } => pairing(f, *index, *mode, *ambiguity),
-            Self::UnstablePairing => f.write_str(
-                "the modes of the fitted tower would be paired differently; name the mode of each measurement",
-            ),
-            Self::LargeResidual { mode, residual } => write!(
-                f,
-                "{mode} is not explained: the fitted frequency differs by {residual:+.1} standard deviations"
-            ),
-            Self::PoorFit {
-                chi_square,
-                degrees_of_freedom,
-            } => write!(
-                f,
-                "the residuals are larger than the standard deviations allow (chi-square {chi_square:.1} with {degrees_of_freedom} degrees of freedom): the model lacks something, or the measurements are less accurate than stated"
-            ),
-            Self::NoDegreesOfFreedom => f.write_str(
-                "there are as many unknowns as measurements and priors: any measurement can be fitted, so the residuals say nothing about the model",
-            ),
-        }
-    }
-}
-
-fn pairing(
-    f: &mut fmt::Formatter<'_>,
-    index: usize,
-    mode: ModeName,
-    ambiguity: Ambiguity,
-) -> fmt::Result {
-    let number = index + 1;
-    match ambiguity {
-        Ambiguity::Frequency { other, distance_hz } => write!(
-            f,
-            "measurement {number} is taken for {mode}, but may be {other}, whose frequency is {distance_hz:.4} Hz away; name the mode"
-        ),
-        Ambiguity::Shape {
-            other,
-            mac,
-            other_mac,
-        } => write!(
-            f,
-            "measurement {number} is taken for {mode} (MAC {mac:.2}), but may be {other} (MAC {other_mac:.2}); name the mode"
-        ),
-    }
 }

@@ -31,7 +31,9 @@ pub struct Calibration {
     pub iterations: usize,
     /// Whether the measurements are paired with the same modes before and after the fit.
     pub is_pairing_stable: bool,
-    /// The tower with the fitted numbers.
+    /// Whether the certificate of the fitted tower proves that no mode is missing.
+    pub is_certified: bool,
+    /// The tower with the fitted numbers, rounded to eight digits.
     pub description: TowerDescription,
 }
 
@@ -136,6 +138,7 @@ pub(super) fn result(
         degrees_of_freedom: point.residuals.len().saturating_sub(free),
         iterations: found.iterations,
         is_pairing_stable: pairing.is_stable,
+        is_certified: pairing.is_certified,
         unknowns,
         description,
     }
@@ -187,13 +190,19 @@ fn explained(
 
 /// The singular values of the measurements' part of the Jacobian, with priors left out.
 fn directions(variables: &[Variable], point: &Point, data: usize) -> Vec<Direction> {
-    let all = point.columns.iter().zip(variables);
-    let columns = all.map(|(column, variable)| {
+    let all = variables.iter().zip(&point.x);
+    let scales: Vec<f64> = all
+        .map(|(variable, x)| {
+            let own = Some(x.abs()).filter(|size| *size > 0.0);
+            variable.scale.or(own).unwrap_or(1.0)
+        })
+        .collect();
+    let all = point.columns.iter().zip(&scales);
+    let columns = all.map(|(column, scale)| {
         let rows = column.iter().take(data);
-        rows.map(|c| c * variable.scale).collect()
+        rows.map(|c| c * scale).collect()
     });
     let singular = Singular::of(columns.collect());
-    let scales: Vec<f64> = variables.iter().map(|variable| variable.scale).collect();
     let found = singular.values.into_iter().zip(singular.right);
     found
         .map(|(singular_value, parts)| Direction {

@@ -115,7 +115,8 @@ fn product(a: &[f64], b: &[f64]) -> f64 {
     a.iter().zip(b).map(|(a, b)| a * b).sum()
 }
 
-fn norm(a: &[f64]) -> f64 {
+/// The length of a vector.
+pub(super) fn norm(a: &[f64]) -> f64 {
     product(a, a).sqrt()
 }
 

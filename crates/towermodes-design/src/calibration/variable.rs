@@ -20,8 +20,9 @@ pub(super) struct Variable {
     pub(super) prior: Option<[f64; 2]>,
     /// The range of the coordinate.
     pub(super) bounds: [f64; 2],
-    /// A length of the coordinate over which the tower changes noticeably.
-    pub(super) scale: f64,
+    /// A change of the coordinate that is large for this number; none for one that is 0 and of
+    /// which nothing is known.
+    pub(super) scale: Option<f64>,
 }
 
 impl Variable {
@@ -49,6 +50,15 @@ pub(super) fn apply(variables: &[Variable], x: &[f64], description: &mut TowerDe
     }
 }
 
+/// The same with values of eight digits, which a file can show.
+pub(super) fn apply_rounded(variables: &[Variable], x: &[f64], description: &mut TowerDescription) {
+    for (variable, x) in variables.iter().zip(x) {
+        let value = variable.value(*x);
+        let rounded = format!("{value:.7e}").parse().unwrap_or(value);
+        variable.change.apply(description, rounded);
+    }
+}
+
 fn variable(unknown: &Unknown, base: &TowerDescription) -> Result<Variable, CalibrationError> {
     let change = unknown.change.clone();
     let present = present_value(&change, base);
@@ -66,6 +76,8 @@ fn variable(unknown: &Unknown, base: &TowerDescription) -> Result<Variable, Cali
     let coordinate = |value: f64| if is_logarithm { value.ln() } else { value };
     let bounds = match unknown.bounds {
         Some(bounds) => bounds.map(coordinate),
+        // A mass of 0 may grow; it cannot become negative.
+        None if is_positive(&change, base) && !is_logarithm => [0.0, f64::INFINITY],
         None => [f64::NEG_INFINITY, f64::INFINITY],
     };
     let prior = unknown.prior.map(|prior| match is_logarithm {
@@ -76,7 +88,7 @@ fn variable(unknown: &Unknown, base: &TowerDescription) -> Result<Variable, Cali
         false => [prior.mean, prior.deviation],
     });
     Ok(Variable {
-        scale: scale(unknown, is_logarithm, start),
+        scale: scale(unknown, base, is_logarithm, start),
         is_logarithm,
         start: coordinate(start).clamp(bounds[0], bounds[1]),
         present,
@@ -86,13 +98,22 @@ fn variable(unknown: &Unknown, base: &TowerDescription) -> Result<Variable, Cali
     })
 }
 
-fn scale(unknown: &Unknown, is_logarithm: bool, start: f64) -> f64 {
+fn scale(
+    unknown: &Unknown,
+    base: &TowerDescription,
+    is_logarithm: bool,
+    start: f64,
+) -> Option<f64> {
+    let numbers = unknown.change.parameters().iter();
+    let sizes = numbers.map(|number| number.value(base).abs());
+    let size = sizes.filter(|size| size.is_finite()).fold(0.0, f64::max);
     let of_prior = unknown.prior.map(|prior| prior.deviation);
     let of_bounds = unknown.bounds.map(|[low, high]| high - low);
-    let of_value = if start == 0.0 { 1.0 } else { start.abs() };
+    let of_value = Some(start.abs()).filter(|size| *size > 0.0);
+    let of_numbers = Some(size).filter(|size| *size > 0.0);
     match is_logarithm {
-        true => 1.0,
-        false => of_prior.or(of_bounds).unwrap_or(of_value),
+        true => Some(1.0),
+        false => of_prior.or(of_bounds).or(of_value).or(of_numbers),
     }
 }
 

@@ -56,7 +56,7 @@ fn unknowns_without_effect_are_refused_with_their_names() {
     );
     let text = error.to_string();
     assert!(
-        text.contains("do not determine `foundation.torsion`; give one of these a prior"),
+        text.contains("do not determine `foundation.torsion`; give it a prior"),
         "{text}"
     );
 }

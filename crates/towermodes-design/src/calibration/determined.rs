@@ -1,0 +1,43 @@
+//! Whether measurements and priors determine the unknowns.
+
+use super::fit::Point;
+use super::singular::Singular;
+use super::variable::Variable;
+
+/// Columns of unit length with a singular value below this, relative to the largest, are linearly
+/// dependent within the errors of derivatives.
+const UNDETERMINED: f64 = 1e-9;
+/// An unknown that moves the measurements by fewer standard deviations than this when it changes by
+/// its own size has no effect within the errors of derivatives.
+const NO_EFFECT: f64 = 1e-6;
+
+/// The names of the free unknowns that neither measurements nor priors determine: alone, or because
+/// their columns are linearly dependent. Units do not matter.
+pub(super) fn undetermined(point: &Point, variables: &[Variable], is_free: &[bool]) -> Vec<String> {
+    let lengths = point.lengths();
+    let free: Vec<usize> = (0..variables.len()).filter(|j| is_free[*j]).collect();
+    let names = |unknowns: &[usize]| -> Vec<String> {
+        let names = unknowns.iter().map(|&j| variables[j].change.name());
+        names.map(|name| format!("`{name}`")).collect()
+    };
+    let has_effect = |j: usize| match variables[j].scale {
+        Some(scale) => lengths[j] * scale > NO_EFFECT,
+        None => lengths[j] > 0.0,
+    };
+    let without: Vec<usize> = free.iter().copied().filter(|&j| !has_effect(j)).collect();
+    if !without.is_empty() {
+        return names(&without);
+    }
+    let units: Vec<f64> = lengths.iter().map(|length| 1.0 / length).collect();
+    let columns = point.scaled(&units, is_free);
+    let singular = Singular::of(columns);
+    let largest = singular.values.first().copied().unwrap_or(1.0);
+    let is_small = |s: &f64| *s <= UNDETERMINED * largest;
+    let Some(direction) = singular.values.iter().position(is_small) else {
+        return Vec::new();
+    };
+    let parts = free.iter().zip(&singular.right[direction]);
+    let parts = parts.filter(|(_, part)| part.abs() > 0.1);
+    let parts: Vec<usize> = parts.map(|(j, _)| *j).collect();
+    names(&parts)
+}

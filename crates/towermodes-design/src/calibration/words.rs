@@ -1,0 +1,119 @@
+//! The sentences of remarks.
+
+use std::fmt;
+
+use towermodes::ModeName;
+use towermodes::number::Rounded;
+
+use super::pairing::Ambiguity;
+use super::remark::{Remark, UnknownChange};
+use super::result::AtBound;
+
+impl fmt::Display for UnknownChange {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let amount = self.amount;
+        match self.is_factor {
+            true => write!(f, "{} times {}", self.name, Rounded(rounded(amount))),
+            false => write!(f, "{} plus {}", self.name, Rounded(rounded(amount))),
+        }
+    }
+}
+
+/// Three digits.
+fn rounded(value: f64) -> f64 {
+    format!("{value:.2e}").parse().unwrap_or(value)
+}
+
+impl fmt::Display for Remark {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::NotToldApart {
+                changes,
+                deviations,
+            } => {
+                let names: Vec<&str> = changes.iter().map(|one| one.name.as_str()).collect();
+                let changes: Vec<String> = changes.iter().map(ToString::to_string).collect();
+                let subject = match names[..] {
+                    [one] => format!("the measurements hardly determine {one}"),
+                    _ => format!("the measurements cannot tell {} apart", names.join(" and ")),
+                };
+                let changes = changes.join(" and ");
+                write!(f, "{subject}: with {changes} the measured frequencies ")?;
+                match *deviations < 0.005 {
+                    true => f.write_str("do not change"),
+                    false => write!(f, "change by {deviations:.2} standard deviations only"),
+                }
+            }
+            Self::Correlated {
+                first,
+                second,
+                correlation,
+            } => write!(
+                f,
+                "{first} and {second} have the correlation {correlation:.3}: a combination of them is known better than either"
+            ),
+            Self::Bound { name, bound, value } => {
+                let bound = match bound {
+                    AtBound::Lower => "lower",
+                    AtBound::Upper => "upper",
+                };
+                let value = Rounded(*value);
+                write!(f, "{name} is at its {bound} bound {value}: the measurements ask for a value beyond it")
+            }
+            Self::FromPrior { name, share } => write!(
+                f,
+                "{name} is known mostly from priors: {:.0} % of its variance comes from them",
+                100.0 * share
+            ),
+            Self::Pairing {
+                index,
+                mode,
+                ambiguity,
+            } => pairing(f, *index, *mode, *ambiguity),
+            Self::UnstablePairing => f.write_str(
+                "the modes of the fitted tower would be paired differently; name the mode of each measurement",
+            ),
+            Self::Uncertified => f.write_str(
+                "the certificate of the fitted tower is incomplete: a mode may be missing, and the measurements may be of other modes",
+            ),
+            Self::LargeResidual { mode, residual } => write!(
+                f,
+                "{mode} is not explained: the fitted frequency differs by {residual:+.1} standard deviations"
+            ),
+            Self::PoorFit {
+                chi_square,
+                degrees_of_freedom,
+            } => write!(
+                f,
+                "the residuals are larger than the standard deviations allow (chi-square {chi_square:.1} with {degrees_of_freedom} {} of freedom): the model lacks something, or the measurements are less accurate than stated",
+                if *degrees_of_freedom == 1 { "degree" } else { "degrees" }
+            ),
+            Self::NoDegreesOfFreedom => f.write_str(
+                "there are as many unknowns as measurements and priors: any measurement can be fitted, so the residuals say nothing about the model",
+            ),
+        }
+    }
+}
+
+fn pairing(
+    f: &mut fmt::Formatter<'_>,
+    index: usize,
+    mode: ModeName,
+    ambiguity: Ambiguity,
+) -> fmt::Result {
+    let number = index + 1;
+    match ambiguity {
+        Ambiguity::Frequency { other, distance_hz } => write!(
+            f,
+            "measurement {number} is taken for {mode}, but may be {other}, whose frequency is {distance_hz:.4} Hz away; name the mode"
+        ),
+        Ambiguity::Shape {
+            other,
+            mac,
+            other_mac,
+        } => write!(
+            f,
+            "measurement {number} is taken for {mode} (MAC {mac:.2}), but may be {other} (MAC {other_mac:.2}); name the mode"
+        ),
+    }
+}
