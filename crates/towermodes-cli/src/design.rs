@@ -1,8 +1,5 @@
 //! `towermodes design`.
 
-use std::ops::Range;
-use std::path::Path;
-
 use towermodes::{Options, Rotor, Workspace};
 use towermodes_analysis::resonance::DEFAULT_MARGIN;
 use towermodes_design::design::{
@@ -10,24 +7,22 @@ use towermodes_design::design::{
 };
 use towermodes_files::{
     DesignBand, DesignDocument, DesignFrequency, DesignStudy, DesignedFrequency, DesignedLimit,
-    DesignedVariable, ReadError, Source, TowerInput, read_design_study, rewritten,
-    write_design_json,
+    DesignedVariable, TowerInput, read_design_study, write_design_json,
 };
 
-use crate::args::DesignArguments;
-use crate::failure::{Failure, note, note_texts, report, warn};
+use crate::args::{DesignArguments, FoundFormat};
+use crate::failure::{Failure, note, note_texts, warn};
+use crate::found::{check_output, study_source, write_tower};
 use crate::input::tower_input;
-use crate::output::{check_not_input, check_not_inputs, check_place, deliver, replace};
+use crate::output::{check_not_inputs, deliver};
 use crate::table;
 
 /// Finds the lightest tower of a study, and writes it.
 pub(crate) fn run(arguments: &DesignArguments) -> Result<(), Failure> {
-    arguments.check().map_err(Failure::Usage)?;
-    let output = arguments.output();
-    check_not_input(&arguments.input.file, output)?;
-    check_not_input(&arguments.study, output)?;
-    output.map_or(Ok(()), check_place)?;
-    let study = study_of(&arguments.study)?;
+    check_output(&arguments.found, &arguments.input, &arguments.study)?;
+    let output = arguments.found.output();
+    let study = study_source(&arguments.study, &arguments.input)?;
+    let study = read_design_study(&study).map_err(Failure::Input)?;
     let input = tower_input(&arguments.input)?;
     check_not_inputs(input.files(), output)?;
     let tower = input.tower().map_err(Failure::Input)?;
@@ -45,31 +40,21 @@ pub(crate) fn run(arguments: &DesignArguments) -> Result<(), Failure> {
     let found = found.map_err(|error| failure(error, &study))?;
     let warnings = warnings(&found);
     let mut result = Vec::new();
-    match arguments.json {
-        true => {
+    match arguments.found.format {
+        FoundFormat::Json => {
             let document = document(&input, &problem, &found, &warnings);
             write_design_json(&document, &mut result)?;
         }
-        false => {
+        FoundFormat::Table => {
             let text = table::design(&input.description.name, &problem, &found);
             result.extend(text.into_bytes());
         }
     }
     note_texts(&warnings);
     if let Some(output) = output {
-        write_tower(&input, &found, output)?;
+        write_tower(&input, &found.tower, output)?;
     }
     deliver(&result, None)
-}
-
-/// The study in a file.
-fn study_of(file: &Path) -> Result<DesignStudy, Failure> {
-    let source = match file == Path::new("-") {
-        true => Source::from_stdin(),
-        false => Source::from_path(file),
-    };
-    let source = source.map_err(ReadError::from).map_err(Failure::Input)?;
-    read_design_study(&source).map_err(Failure::Input)
 }
 
 /// The problem of a study for its tower.
@@ -111,7 +96,7 @@ fn goal(
             let rotor = rotor.ok_or(Failure::NoRotorSpeeds)?;
             let window = window_hz(rotor, multiples, margin.unwrap_or(DEFAULT_MARGIN));
             window.map_err(|error| {
-                let place = place_of(study, &frequency.span);
+                let place = study.source.place(frequency.span.start);
                 Failure::WrongStudy(format!("{place}: {error}"))
             })?
         }
@@ -121,13 +106,6 @@ fn goal(
         min_hz,
         max_hz,
     })
-}
-
-/// "design.toml:7".
-fn place_of(study: &DesignStudy, span: &Range<usize>) -> String {
-    let before = study.source.text.get(..span.start).unwrap_or_default();
-    let line = 1 + before.matches('\n').count();
-    format!("{}:{line}", study.source.name)
 }
 
 /// Errors that a line of the study explains name it.
@@ -141,7 +119,7 @@ fn failure(error: DesignError, study: &DesignStudy) -> Failure {
     };
     match of_mode {
         Some(frequency) => {
-            let place = place_of(study, &frequency.span);
+            let place = study.source.place(frequency.span.start);
             Failure::WrongStudy(format!("{place}: {error}"))
         }
         None => Failure::Design(error),
@@ -169,18 +147,6 @@ fn warnings(found: &Design) -> Vec<String> {
         ));
     }
     warnings
-}
-
-/// Writes the tower found.
-fn write_tower(input: &TowerInput, found: &Design, output: &Path) -> Result<(), Failure> {
-    let file = rewritten(input, &found.tower);
-    note(&file.notes);
-    replace(output, file.text.as_bytes())?;
-    let how = file.anew.map_or(String::new(), |reason| {
-        format!(" (without the comments of the old file, because {reason})")
-    });
-    report(&format!("written: {}{how}\n", output.display()));
-    Ok(())
 }
 
 fn document(

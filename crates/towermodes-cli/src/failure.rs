@@ -51,12 +51,16 @@ pub(crate) enum Failure {
     /// The lightest tower cannot be found.
     #[error("{0}")]
     Design(DesignError),
+    /// The numbers cannot be fitted.
+    #[error("{0}")]
+    Calibration(String),
     /// The study of a design names multiples of the rotor speed, which is not known.
     #[error(
         "the study of the design names multiples of the rotor speed, which the tower file does not contain"
     )]
     NoRotorSpeeds,
-    /// The study of a sweep or design contradicts the files that it names, or the options.
+    /// The study of a sweep, design or calibration contradicts the files that it names, or the
+    /// options.
     #[error("{0}")]
     WrongStudy(String),
     /// An option has no effect, because a column of the sweep sets the same number.
@@ -285,6 +289,7 @@ impl Failure {
                 | DesignError::Sensitivity(_)
                 | DesignError::NoDerivative { .. },
             ) => 1,
+            Self::Calibration(_) => 1,
             Self::TowerFile(_) | Self::Refused(_) | Self::Unfit { .. } | Self::Disagree => 1,
             Self::Campbell(CampbellError::Blade { .. }) | Self::Resonant { .. } => 1,
             Self::Picture(RasterError::Encoding(_)) => 1,

@@ -7,6 +7,7 @@
 //! computation, a check or the output failed; 2 wrong usage or wrong input.
 
 mod args;
+mod calibrate;
 mod campbell;
 mod check;
 mod compare;
@@ -15,6 +16,7 @@ mod convert;
 mod design;
 mod elastodyn;
 mod failure;
+mod found;
 mod input;
 mod output;
 mod parameters;
@@ -64,7 +66,7 @@ fn done(command: Command, words: &[OsString]) -> Result<(), failure::Failure> {
         Command::Sensitivities(arguments) => sensitivities::run(&arguments),
         Command::Sweep(arguments) => sweep::run(&arguments),
         Command::Design(arguments) => design::run(&arguments),
-        Command::Completions { shell } => shell::completions(shell),
+        Command::Calibrate(arguments) => calibrate::run(&arguments),
         Command::Compare(arguments) => compare::run(&arguments),
         Command::Converge(arguments) => converge::run(&arguments),
         Command::Plot(arguments) => plot::run(&arguments),
@@ -74,6 +76,7 @@ fn done(command: Command, words: &[OsString]) -> Result<(), failure::Failure> {
         Command::Check(arguments) => check::run(&arguments),
         Command::Elastodyn(arguments) => elastodyn::run(&arguments),
         Command::Verify(arguments) => verify::run(&arguments),
+        Command::Completions { shell } => shell::completions(shell),
         Command::Schema { of } => shell::schema(&of),
         Command::Reference => reference::run(),
         Command::Man { of } => shell::man(of.as_deref()),

@@ -183,7 +183,23 @@ const RESULTS: [&[&str]; 4] = [
 ];
 
 /// The other results with a schema, by its name, and commands that give them.
-const OTHERS: [(&str, &[&str]); 4] = [
+const OTHERS: [(&str, &[&str]); 6] = [
+    (
+        "design",
+        &[
+            "design",
+            "examples/nrel-5mw.toml",
+            "crates/towermodes-cli/tests/inputs/design/mass.toml",
+        ],
+    ),
+    (
+        "calibrate",
+        &[
+            "calibrate",
+            "examples/monopile.toml",
+            "crates/towermodes-cli/tests/inputs/measured/pairing.toml",
+        ],
+    ),
     (
         "campbell",
         &[

@@ -3,6 +3,7 @@
 mod book;
 mod files;
 mod formats;
+mod found;
 mod outputs;
 mod page;
 mod pages;

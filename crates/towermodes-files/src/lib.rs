@@ -36,6 +36,7 @@ pub mod elastodyn;
 mod error;
 mod hawc2;
 mod input;
+mod measured;
 mod note;
 mod places;
 mod read;
@@ -66,18 +67,21 @@ pub use diagnostic::{Diagnostic, DiagnosticKind, Exact};
 pub use error::ReadError;
 pub use hawc2::read_hawc2;
 pub use input::{BladeInput, FileFormat, OutLayout, ReadOptions, RotorLock, TowerInput, TowerPart};
+pub use measured::{MeasuredFile, MeasuredMode, NamedUnknown};
 pub use note::{Note, NoteKind, RotorNotes};
 pub use read::{Input, NOTHING_LEFT_OUT, Reading, read, read_source, read_tower};
 pub use recognize::recognize;
 pub use resolver::{FileResolver, InMemory, SiblingFiles};
 pub use result::{
-    CorrelatedInputs, DesignDocument, DesignedFrequency, DesignedLimit, DesignedVariable,
-    FirstOrderDocument, InputEffect, MarginProbability, ResultError, ResultKind, ScatteredInput,
-    ScatteredMode, SolvedFile, write_blade_csv, write_blade_json, write_campbell_csv,
-    write_campbell_json, write_comparison_csv, write_convergence_csv, write_csv, write_design_json,
-    write_first_order_json, write_json, write_json_with_sensitivities, write_parameters_csv,
-    write_parameters_json, write_records_csv, write_result_json, write_sensitivities_csv,
-    write_sensitivities_json, write_several_csv, write_several_json,
+    CalibrationDocument, CorrelatedInputs, DesignDocument, DesignedFrequency, DesignedLimit,
+    DesignedVariable, FirstOrderDocument, FittedDirection, FittedFrequency, FittedNumber,
+    FittedShare, InputEffect, MarginProbability, ResultError, ResultKind, ScatteredInput,
+    ScatteredMode, SolvedFile, write_blade_csv, write_blade_json, write_calibration_json,
+    write_campbell_csv, write_campbell_json, write_comparison_csv, write_convergence_csv,
+    write_csv, write_design_json, write_first_order_json, write_json,
+    write_json_with_sensitivities, write_parameters_csv, write_parameters_json, write_records_csv,
+    write_result_json, write_sensitivities_csv, write_sensitivities_json, write_several_csv,
+    write_several_json,
 };
 #[cfg(feature = "schema")]
 pub use result::{generated_schema, generated_schema_of};
@@ -90,7 +94,7 @@ pub use source::{FileError, MAX_FILE_BYTES, Source, encoded_as};
 pub use study::{DEFAULT_SWEEP_MODES, Placed, SweepModes, SweepResults, SweepRows, SweepStudy};
 pub use toml::{
     KeySchema, Rewritten, TableSchema, ValueKind, WrittenAnew, description_from_toml,
-    design_study_schema, read_design_study, read_sweep_study, rewritten, sweep_study_schema,
-    tower_file_schema, tower_from_toml, write_toml,
+    design_study_schema, measured_schema, read_design_study, read_measured, read_sweep_study,
+    rewritten, sweep_study_schema, tower_file_schema, tower_from_toml, write_toml,
 };
 pub use windio::{WindIoWriteError, read_windio, write_windio};

@@ -97,6 +97,13 @@ pub enum FileError {
 }
 
 impl Source {
+    /// File and line of a byte, for messages: `design.toml:7`.
+    pub fn place(&self, byte: usize) -> String {
+        let before = self.text.get(..byte).unwrap_or(&self.text);
+        let line = 1 + before.matches('\n').count();
+        format!("{}:{line}", self.name)
+    }
+
     /// Reads the file that a user named: a regular file, or a descriptor that is already open, such
     /// as `/dev/stdin` or the `/dev/fd/63` of a shell.
     ///

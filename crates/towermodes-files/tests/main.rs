@@ -17,6 +17,7 @@ mod ground;
 mod ground_refusals;
 mod hawc2;
 mod large_files;
+mod measured_files;
 mod mutations;
 mod plausible_files;
 mod refusals;

@@ -1,15 +1,16 @@
 //! The arguments of `design`.
 
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 use clap::Args;
 
-use super::file_of;
+use super::found::FoundArguments;
 use super::input::InputArguments;
 
 const EXAMPLES: &str = "Examples:
   towermodes design tower.toml design.toml
   towermodes design tower.toml design.toml --output lighter.toml
+  towermodes design tower.toml design.toml --format json
 
 A study is a TOML file with [design]; for example:
   [design.variables]
@@ -38,34 +39,6 @@ pub(crate) struct DesignArguments {
     /// What is chosen and what is to be reached: a TOML file with [design]
     pub(crate) study: PathBuf,
 
-    /// Write the tower found to this file, in TOML; of a tower file in TOML only the numbers are
-    /// changed
-    #[arg(long, short, value_name = "PATH")]
-    output: Option<PathBuf>,
-
-    /// Print the result as JSON instead of tables
-    #[arg(long)]
-    pub(crate) json: bool,
-}
-
-impl DesignArguments {
-    /// The file that the tower is written to; none if it is not written.
-    pub(crate) fn output(&self) -> Option<&Path> {
-        file_of(self.output.as_deref())
-    }
-
-    /// # Errors
-    /// The message for an output that is not possible.
-    pub(crate) fn check(&self) -> Result<(), &'static str> {
-        let Some(path) = &self.output else {
-            return Ok(());
-        };
-        let ending = path.extension().map(|ending| ending.to_ascii_lowercase());
-        match ending.as_ref().and_then(|ending| ending.to_str()) {
-            Some("toml") => Ok(()),
-            _ => Err(
-                "the tower is written in TOML: use --output FILE.toml; `towermodes convert` writes other formats",
-            ),
-        }
-    }
+    #[command(flatten)]
+    pub(crate) found: FoundArguments,
 }

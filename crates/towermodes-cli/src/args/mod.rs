@@ -1,5 +1,6 @@
 //! The command line.
 
+mod calibrate;
 mod campbell;
 mod check;
 mod compare;
@@ -9,6 +10,7 @@ mod deferred;
 mod design;
 mod elastodyn;
 mod ending;
+mod found;
 mod input;
 mod model;
 mod parameters;
@@ -23,6 +25,7 @@ mod solve;
 mod sweep;
 mod verify;
 
+pub(crate) use calibrate::CalibrateArguments;
 pub(crate) use campbell::CampbellArguments;
 pub(crate) use check::CheckArguments;
 pub(crate) use compare::CompareArguments;
@@ -34,6 +37,7 @@ pub(crate) use elastodyn::{
     TowerArguments, ValidateArguments,
 };
 pub(crate) use ending::{Ending, EndingError};
+pub(crate) use found::{FoundArguments, FoundFormat};
 pub(crate) use input::{InputArguments, ReadingArguments};
 pub(crate) use parameters::ParametersArguments;
 pub(crate) use picture::PictureFile;
@@ -82,6 +86,8 @@ pub(crate) enum Command {
     Sweep(Deferred<SweepArguments>),
     /// Find the lightest tower whose frequencies are in given bands.
     Design(Deferred<DesignArguments>),
+    /// Fit numbers of a tower to measured frequencies.
+    Calibrate(Deferred<CalibrateArguments>),
     /// Compare methods: frequencies, differences from the reference solution, degrees of freedom,
     /// run time.
     Compare(Deferred<CompareArguments>),
@@ -122,7 +128,7 @@ pub(crate) enum Command {
     #[command(after_help = "Example:\n  towermodes man solve | man -l -")]
     Man {
         /// The command [default: the program].
-        #[arg(value_name = "COMMAND", value_parser = ["solve", "parameters", "sensitivities", "sweep", "design", "compare", "converge", "campbell", "plot", "report", "convert", "check", "elastodyn", "verify", "completions", "schema", "man"])]
+        #[arg(value_name = "COMMAND", value_parser = ["solve", "parameters", "sensitivities", "sweep", "design", "calibrate", "compare", "converge", "campbell", "plot", "report", "convert", "check", "elastodyn", "verify", "completions", "schema", "man"])]
         of: Option<String>,
     },
     /// Print every command with its arguments and options as a chapter of the book.

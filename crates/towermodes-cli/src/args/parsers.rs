@@ -21,6 +21,8 @@ pub(super) fn schema_parser() -> PossibleValuesParser {
         PossibleValue::new("blade").help("result of `solve` for a rotating blade"),
         PossibleValue::new("parameters"),
         PossibleValue::new("sensitivities"),
+        PossibleValue::new("design"),
+        PossibleValue::new("calibrate"),
         PossibleValue::new("compare"),
         PossibleValue::new("converge"),
         PossibleValue::new("campbell"),

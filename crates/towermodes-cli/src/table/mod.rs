@@ -2,6 +2,7 @@
 
 mod agreement;
 mod blade;
+mod calibration;
 mod campbell;
 mod comparison;
 mod convergence;
@@ -18,6 +19,7 @@ mod verification;
 
 pub use agreement::{agreement, examination};
 pub(crate) use blade::blade;
+pub(crate) use calibration::calibration;
 pub use campbell::campbell;
 pub use comparison::comparison;
 pub(crate) use convergence::convergence;

@@ -114,6 +114,10 @@ impl Sandbox {
             "crates/towermodes-cli/tests/inputs/design/mass.toml",
             "design.toml",
         );
+        self.copy(
+            "crates/towermodes-cli/tests/inputs/measured/tower.toml",
+            "measured.toml",
+        );
         self.copy("examples/nrel-5mw.bmi", "deck.bmi");
         self.copy("examples/nrel-5mw_sections.dat", "nrel-5mw_sections.dat");
         self.copy("examples/nrel-5mw.yaml", "turbine.yaml");

@@ -8,6 +8,7 @@ use super::{ResultError, write_result_json};
 
 /// The result of a design, ready to be written.
 #[derive(Debug, Clone, PartialEq, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct DesignDocument {
     /// The name of the tower; may be empty.
     pub tower: String,
@@ -37,6 +38,7 @@ pub struct DesignDocument {
 
 /// A value that was chosen.
 #[derive(Debug, Clone, PartialEq, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct DesignedVariable {
     /// Its name.
     pub name: String,
@@ -54,6 +56,7 @@ pub struct DesignedVariable {
 
 /// A frequency that was to be reached.
 #[derive(Debug, Clone, PartialEq, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct DesignedFrequency {
     /// The name of the mode.
     pub mode: String,
@@ -71,6 +74,7 @@ pub struct DesignedFrequency {
 
 /// A limit that keeps the tower from being lighter.
 #[derive(Debug, Clone, PartialEq, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct DesignedLimit {
     /// The limit in words.
     pub limit: String,

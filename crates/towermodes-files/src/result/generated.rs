@@ -9,7 +9,9 @@ use towermodes_analysis::elastodyn::ShapeValidation;
 use towermodes_analysis::study::{Comparison, Convergence};
 
 use super::blade::BladeDocument;
+use super::calibration::CalibrationDocument;
 use super::campbell::CampbellDocument;
+use super::design::DesignDocument;
 use super::parameters::ParametersDocument;
 use super::sensitivities::SensitivitiesDocument;
 use super::several::SeveralDocument;
@@ -44,6 +46,10 @@ pub fn generated_schema(kind: ResultKind) -> Result<String, ResultError> {
             "towermodes sensitivities",
             "sensitivities",
         ),
+        ResultKind::Design => generated_schema_of::<DesignDocument>("towermodes design", "design"),
+        ResultKind::Calibration => {
+            generated_schema_of::<CalibrationDocument>("towermodes calibration", "calibrate")
+        }
         ResultKind::Comparison => {
             generated_schema_of::<Comparison>("towermodes comparison", "compare")
         }

@@ -4,6 +4,7 @@
 //! combine a result with its tower and the notes of the reader.
 
 mod blade;
+mod calibration;
 mod campbell;
 mod design;
 mod first_order;
@@ -18,6 +19,10 @@ mod solution_csv;
 mod study_csv;
 
 pub use blade::{write_blade_csv, write_blade_json};
+pub use calibration::{
+    CalibrationDocument, FittedDirection, FittedFrequency, FittedNumber, FittedShare,
+    write_calibration_json,
+};
 pub use campbell::{write_campbell_csv, write_campbell_json};
 pub use design::{
     DesignDocument, DesignedFrequency, DesignedLimit, DesignedVariable, write_design_json,

@@ -16,6 +16,10 @@ pub enum ResultKind {
     Parameters,
     /// Of `towermodes sensitivities`.
     Sensitivities,
+    /// Of `towermodes design`.
+    Design,
+    /// Of `towermodes calibrate`.
+    Calibration,
     /// Of `towermodes campbell`.
     Campbell,
     /// Of `towermodes compare`.
@@ -32,12 +36,14 @@ pub enum ResultKind {
 
 impl ResultKind {
     /// All kinds.
-    pub const ALL: [Self; 11] = [
+    pub const ALL: [Self; 13] = [
         Self::Solution,
         Self::Several,
         Self::Blade,
         Self::Parameters,
         Self::Sensitivities,
+        Self::Design,
+        Self::Calibration,
         Self::Campbell,
         Self::Comparison,
         Self::Convergence,
@@ -54,6 +60,8 @@ impl ResultKind {
             Self::Blade => "blade",
             Self::Parameters => "parameters",
             Self::Sensitivities => "sensitivities",
+            Self::Design => "design",
+            Self::Calibration => "calibrate",
             Self::Campbell => "campbell",
             Self::Comparison => "compare",
             Self::Convergence => "converge",
@@ -76,6 +84,8 @@ impl ResultKind {
             Self::Blade => include_str!("../../schemas/blade.json"),
             Self::Parameters => include_str!("../../schemas/parameters.json"),
             Self::Sensitivities => include_str!("../../schemas/sensitivities.json"),
+            Self::Design => include_str!("../../schemas/design.json"),
+            Self::Calibration => include_str!("../../schemas/calibrate.json"),
             Self::Campbell => include_str!("../../schemas/campbell.json"),
             Self::Comparison => include_str!("../../schemas/compare.json"),
             Self::Convergence => include_str!("../../schemas/converge.json"),

@@ -9,6 +9,7 @@ mod gravity;
 mod masses;
 mod materials;
 mod matrix;
+mod measured;
 mod numbers;
 mod properties;
 mod reading;
@@ -43,6 +44,7 @@ use syntax::syntax_mistake;
 use table::Table;
 
 pub use design::{design_study_schema, read_design_study};
+pub use measured::{measured_schema, read_measured};
 pub use rewrite::{Rewritten, WrittenAnew, rewritten};
 pub use schema::{KeySchema, TableSchema, ValueKind, tower_file_schema};
 pub use study::{read_sweep_study, sweep_study_schema};
@@ -144,6 +146,12 @@ fn describe(text: &str, files: Option<&dyn FileResolver>) -> Result<Described, R
         let found = "the study of a design, not a tower".to_owned();
         let mistake = Diagnostic::new(0..0, DiagnosticKind::WrongFile { found });
         let hint = "give it after the tower: `towermodes design TOWER STUDY`";
+        return Err(mistake.with_hint(hint).into());
+    }
+    if root.contains_key("measured") && !root.contains_key("tower") {
+        let found = "a file of measured frequencies, not a tower".to_owned();
+        let mistake = Diagnostic::new(0..0, DiagnosticKind::WrongFile { found });
+        let hint = "give it after the tower: `towermodes calibrate TOWER MEASURED`";
         return Err(mistake.with_hint(hint).into());
     }
     if root.contains_key("sweep") && !root.contains_key("tower") {

@@ -63,7 +63,9 @@ pub(in crate::toml) fn unquoted(
     let mut path = name.to_owned();
     let mut value = value.get_ref();
     while let DeValue::Table(entries) = value {
-        let (key, inner) = entries.iter().next()?;
+        let Some((key, inner)) = entries.iter().next() else {
+            break;
+        };
         if schema.key(key.get_ref()).is_some() || !inner.get_ref().is_table() {
             break;
         }

@@ -21,7 +21,7 @@ use crate::study::{Placed, SweepRows, SweepStudy};
 use schema::{STUDY, SWEEP};
 
 pub(super) use distribution::unquoted;
-pub(super) use results::{method, segments};
+pub(super) use results::{method, mode_name, segments};
 pub use schema::sweep_study_schema;
 
 /// What a study needs at least.

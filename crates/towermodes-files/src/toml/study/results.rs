@@ -71,7 +71,7 @@ fn repeated(names: &[ModeName]) -> Option<usize> {
     (1..names.len()).find(|&index| names[..index].contains(&names[index]))
 }
 
-fn mode_name(value: &Value<'_>, reading: &mut Reading) -> Option<ModeName> {
+pub(in crate::toml) fn mode_name(value: &Value<'_>, reading: &mut Reading) -> Option<ModeName> {
     match text(value, "the name of a mode", reading)?.parse() {
         Ok(name) => Some(name),
         Err(error) => {

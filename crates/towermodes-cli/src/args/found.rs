@@ -1,0 +1,52 @@
+//! The output of commands that find numbers of a tower: the result is printed, the tower with the
+//! numbers found is a file.
+
+use std::path::{Path, PathBuf};
+
+use clap::{Args, ValueEnum};
+
+use super::file_of;
+
+/// What is printed, and where the tower is written.
+#[derive(Debug, Args)]
+pub(crate) struct FoundArguments {
+    /// Format of the printed result
+    #[arg(long, short, value_enum, default_value_t = FoundFormat::Table)]
+    pub(crate) format: FoundFormat,
+
+    /// Write the tower with the numbers found to this file, in TOML; of a tower file in TOML only
+    /// the numbers are changed, and its comments are kept
+    #[arg(long, short, value_name = "PATH")]
+    output: Option<PathBuf>,
+}
+
+/// The format of the printed result.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub(crate) enum FoundFormat {
+    /// Human-readable tables.
+    Table,
+    /// All results.
+    Json,
+}
+
+impl FoundArguments {
+    /// The file that the tower is written to; none if it is not written.
+    pub(crate) fn output(&self) -> Option<&Path> {
+        file_of(self.output.as_deref())
+    }
+
+    /// # Errors
+    /// The message for an output that is not possible.
+    pub(crate) fn check(&self) -> Result<(), &'static str> {
+        let Some(path) = &self.output else {
+            return Ok(());
+        };
+        let ending = path.extension().map(|ending| ending.to_ascii_lowercase());
+        match ending.as_ref().and_then(|ending| ending.to_str()) {
+            Some("toml") => Ok(()),
+            _ => Err(
+                "the tower is written in TOML: use --output FILE.toml; `towermodes convert` writes other formats",
+            ),
+        }
+    }
+}

@@ -1,0 +1,55 @@
+//! What commands that find numbers of a tower have in common: a tower file and a file that says
+//! what is to be found; the tower with the numbers found as a file.
+
+use std::path::Path;
+
+use towermodes::TowerDescription;
+use towermodes_files::{ReadError, Source, TowerInput, rewritten};
+
+use crate::args::{FoundArguments, InputArguments};
+use crate::failure::{Failure, note, report};
+use crate::output::{check_not_input, check_place, replace};
+
+/// Refuses an output that cannot be written or would overwrite an input, before anything is
+/// computed.
+pub(crate) fn check_output(
+    found: &FoundArguments,
+    tower: &InputArguments,
+    study: &Path,
+) -> Result<(), Failure> {
+    found.check().map_err(Failure::Usage)?;
+    check_not_input(&tower.file, found.output())?;
+    check_not_input(study, found.output())?;
+    found.output().map_or(Ok(()), check_place)
+}
+
+/// The text of the file that says what is to be found.
+pub(crate) fn study_source(study: &Path, tower: &InputArguments) -> Result<Source, Failure> {
+    let stdin = Path::new("-");
+    let source = match study == stdin {
+        true if tower.file == stdin => {
+            return Err(Failure::Usage(
+                "only one of the two files can be standard input (-)",
+            ));
+        }
+        true => Source::from_stdin(),
+        false => Source::from_path(study),
+    };
+    source.map_err(ReadError::from).map_err(Failure::Input)
+}
+
+/// Writes a tower with changed numbers, in the text of its old file where that is possible.
+pub(crate) fn write_tower(
+    input: &TowerInput,
+    changed: &TowerDescription,
+    output: &Path,
+) -> Result<(), Failure> {
+    let file = rewritten(input, changed);
+    note(&file.notes);
+    replace(output, file.text.as_bytes())?;
+    let how = file.anew.map_or(String::new(), |reason| {
+        format!(" (without the comments of the old file, because {reason})")
+    });
+    report(&format!("written: {}{how}\n", output.display()));
+    Ok(())
+}

@@ -1,0 +1,100 @@
+//! Reads measured frequencies and the numbers that are to explain them: the tables `[[measured]]`
+//! and `[calibrate]` of a TOML file.
+
+mod changes;
+mod mode;
+mod schema;
+mod unknown;
+
+use ::toml::de::DeTable;
+
+use super::reading::Reading;
+use super::study_file::read_study;
+use super::table::{Table, every_table};
+use crate::diagnostic::{Diagnostic, DiagnosticKind};
+use crate::error::ReadError;
+use crate::measured::{MeasuredFile, MeasuredMode};
+use crate::source::Source;
+use schema::MEASURED_FILE;
+
+pub use schema::measured_schema;
+
+/// What measurements need at least.
+const LEAST: &str = "measurements need at least [[measured]] with mode = \"fore-aft 1\", frequency and deviation in Hz";
+
+/// Reads measured frequencies and the numbers that are to explain them from a TOML file.
+///
+/// # Errors
+/// [`ReadError::Mistakes`] with all that were found.
+///
+/// # Example
+/// ```
+/// use towermodes_files::{Source, read_measured};
+///
+/// let text = r#"
+///     [calibrate.unknowns]
+///     "foundation.rocking" = { bounds = [1e9, 1e12] }
+///     [[measured]]
+///     mode = "fore-aft 1"
+///     frequency = 0.2585
+///     deviation = 0.001
+/// "#;
+/// let source = Source { name: "measured.toml".to_owned(), text: text.to_owned() };
+/// let file = read_measured(&source)?;
+/// assert_eq!(file.unknowns[0].name.value, "foundation.rocking");
+/// assert_eq!(file.measured[0].frequency_hz, 0.2585);
+/// # Ok::<(), towermodes_files::ReadError>(())
+/// ```
+pub fn read_measured(source: &Source) -> Result<MeasuredFile, ReadError> {
+    let read = |root: &Table<'_>, reading: &mut Reading| file(root, source, reading);
+    read_study(source, (LEAST, &MEASURED_FILE), other_file, read)
+}
+
+/// The file is a tower or a study.
+fn other_file(entries: &DeTable<'_>) -> Option<Diagnostic> {
+    if entries.contains_key("measured") {
+        return None;
+    }
+    let others = [
+        ("tower", "a tower file, not measured frequencies"),
+        ("sweep", "the study of a sweep, not measured frequencies"),
+        ("design", "the study of a design, not measured frequencies"),
+    ];
+    let (_, found) = others.iter().find(|(key, _)| entries.contains_key(*key))?;
+    let found = (*found).to_owned();
+    let mistake = Diagnostic::new(0..0, DiagnosticKind::WrongFile { found });
+    Some(mistake.with_hint(LEAST))
+}
+
+fn file(root: &Table<'_>, source: &Source, reading: &mut Reading) -> Option<MeasuredFile> {
+    let unknowns = unknown::unknowns(root, reading);
+    let measured = measured(root, reading);
+    Some(MeasuredFile {
+        unknowns: unknowns?,
+        measured: measured?,
+        source: source.clone(),
+    })
+}
+
+/// All `[[measured]]`; each mode once.
+fn measured(root: &Table<'_>, reading: &mut Reading) -> Option<Vec<MeasuredMode>> {
+    root.require("measured", LEAST, reading)?;
+    let measured = every_table(root, "measured", "mode", reading, mode::mode)?;
+    if measured.is_empty() {
+        let what = "a measured frequency".to_owned();
+        let mistake = Diagnostic::new(0..0, DiagnosticKind::Missing { what });
+        return reading.refuse(mistake.with_hint(LEAST));
+    }
+    for (index, one) in measured.iter().enumerate() {
+        let before = measured[..index].iter();
+        let is_again = |other: &&MeasuredMode| one.mode.is_some() && other.mode == one.mode;
+        if let (Some(mode), Some(_)) = (one.mode, before.rev().find(is_again)) {
+            let what = format!("the measured mode `{mode}`");
+            let kind = DiagnosticKind::Repeated { what, times: 2 };
+            reading.mistake(Diagnostic::new(one.span.clone(), kind).with_hint(
+                "give one frequency for each mode: of several measurements their weighted mean and its standard deviation",
+            ));
+        }
+    }
+    Some(measured)
+}
