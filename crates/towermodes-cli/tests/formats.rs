@@ -183,7 +183,7 @@ const RESULTS: [&[&str]; 4] = [
 ];
 
 /// The other results with a schema, by its name, and commands that give them.
-const OTHERS: [(&str, &[&str]); 6] = [
+const OTHERS: [(&str, &[&str]); 7] = [
     (
         "design",
         &[
@@ -198,6 +198,14 @@ const OTHERS: [(&str, &[&str]); 6] = [
             "calibrate",
             "examples/monopile.toml",
             "crates/towermodes-cli/tests/inputs/measured/pairing.toml",
+        ],
+    ),
+    (
+        "first-order",
+        &[
+            "sweep",
+            "examples/studies/uncertainty.toml",
+            "--first-order",
         ],
     ),
     (

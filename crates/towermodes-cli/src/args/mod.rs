@@ -47,7 +47,7 @@ pub(crate) use report::{PageFormat, ReportArguments};
 pub(crate) use rotor::RotorArguments;
 pub(crate) use sensitivities::SensitivitiesArguments;
 pub(crate) use solve::{SolveArguments, SolveFormat};
-pub(crate) use sweep::SweepArguments;
+pub(crate) use sweep::{SweepArguments, SweepFormat};
 pub(crate) use verify::{VerifyArguments, VerifyFormat};
 
 use std::ffi::OsString;

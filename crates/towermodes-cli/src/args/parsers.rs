@@ -23,6 +23,7 @@ pub(super) fn schema_parser() -> PossibleValuesParser {
         PossibleValue::new("sensitivities"),
         PossibleValue::new("design"),
         PossibleValue::new("calibrate"),
+        PossibleValue::new("first-order").help("result of `sweep --first-order`"),
         PossibleValue::new("compare"),
         PossibleValue::new("converge"),
         PossibleValue::new("campbell"),

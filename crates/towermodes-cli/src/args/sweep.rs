@@ -61,7 +61,8 @@ pub(crate) struct SweepArguments {
     #[arg(long, short, value_name = "FOLDER")]
     pub(crate) output: Option<PathBuf>,
 
-    /// Format of the parts [default: parquet if this program is built with it, otherwise csv]
+    /// Format of the parts [default: parquet if this program is built with it, otherwise csv]; of
+    /// --first-order [default: table]
     #[arg(long, short, value_enum)]
     pub(crate) format: Option<SweepFormat>,
 
@@ -97,10 +98,6 @@ pub(crate) struct SweepArguments {
     #[arg(long)]
     pub(crate) first_order: bool,
 
-    /// With --first-order: print JSON instead of tables
-    #[arg(long, requires = "first_order")]
-    pub(crate) json: bool,
-
     /// Draw the frequencies as SVG or PNG: curves for one varied number, or for two of which one
     /// has few values, histograms for more
     #[arg(long, value_name = "PATH")]
@@ -110,13 +107,17 @@ pub(crate) struct SweepArguments {
     pub(crate) reading: ReadingArguments,
 }
 
-/// The format of the parts.
+/// The format of the parts, or of the scatter to first order.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
 pub(crate) enum SweepFormat {
     /// Text, for any program.
     Csv,
     /// Apache Parquet, smaller and faster to read.
     Parquet,
+    /// With --first-order: for people.
+    Table,
+    /// With --first-order: all digits, for other programs.
+    Json,
 }
 
 impl SweepArguments {
@@ -145,7 +146,8 @@ impl SweepArguments {
             Some(SweepFormat::Csv) => PartFormat::Csv,
             Some(SweepFormat::Parquet) => PartFormat::Parquet,
             None if cfg!(feature = "parquet") => PartFormat::Parquet,
-            None => PartFormat::Csv,
+            // `check` refuses the formats of --first-order.
+            _ => PartFormat::Csv,
         }
     }
 
@@ -167,6 +169,11 @@ impl SweepArguments {
     pub(crate) fn check(&self) -> Result<(), &'static str> {
         if self.first_order {
             return self.check_first_order();
+        }
+        if matches!(self.format, Some(SweepFormat::Table | SweepFormat::Json)) {
+            return Err(
+                "--format table and json need --first-order; the results of rows are csv or parquet",
+            );
         }
         if self.folder().is_some() {
             return match self.plot.is_some() && self.picture().is_none() {
@@ -207,7 +214,6 @@ impl SweepArguments {
     fn check_first_order(&self) -> Result<(), &'static str> {
         let of_rows = [
             self.output.is_some(),
-            self.format.is_some(),
             self.rows_per_part.is_some(),
             self.shard.is_some(),
             self.threads.is_some(),
@@ -218,8 +224,11 @@ impl SweepArguments {
         ];
         if of_rows.contains(&true) {
             return Err(
-                "--first-order solves no rows; omit --output, --format, --rows-per-part, --shard, --threads, --no-inputs, --force, --summary and --plot",
+                "--first-order solves no rows; omit --output, --rows-per-part, --shard, --threads, --no-inputs, --force, --summary and --plot",
             );
+        }
+        if matches!(self.format, Some(SweepFormat::Csv | SweepFormat::Parquet)) {
+            return Err("--first-order has the formats table and json");
         }
         match self.table.is_some() {
             true => Err(

@@ -7,7 +7,7 @@ use towermodes_files::{
 use towermodes_sweep::{FirstOrder, FirstOrderError, MarginCheck, ModeScatter, SweepSource};
 
 use super::planned::Planned;
-use crate::args::SweepArguments;
+use crate::args::{SweepArguments, SweepFormat};
 use crate::failure::Failure;
 use crate::output::deliver;
 use crate::table;
@@ -23,7 +23,7 @@ pub(super) fn run(planned: &Planned, arguments: &SweepArguments) -> Result<(), F
     let found = planned.sweep.first_order(sampling, check.as_ref());
     let found = found.map_err(failure)?;
     let mut result = Vec::new();
-    match arguments.json {
+    match arguments.format == Some(SweepFormat::Json) {
         true => {
             let document = document(planned, sampling, &found, check.as_ref());
             write_first_order_json(&document, &mut result)?;

@@ -12,6 +12,7 @@ use super::blade::BladeDocument;
 use super::calibration::CalibrationDocument;
 use super::campbell::CampbellDocument;
 use super::design::DesignDocument;
+use super::first_order::FirstOrderDocument;
 use super::parameters::ParametersDocument;
 use super::sensitivities::SensitivitiesDocument;
 use super::several::SeveralDocument;
@@ -50,6 +51,10 @@ pub fn generated_schema(kind: ResultKind) -> Result<String, ResultError> {
         ResultKind::Calibration => {
             generated_schema_of::<CalibrationDocument>("towermodes calibration", "calibrate")
         }
+        ResultKind::FirstOrder => generated_schema_of::<FirstOrderDocument>(
+            "towermodes sweep to first order",
+            "sweep --first-order",
+        ),
         ResultKind::Comparison => {
             generated_schema_of::<Comparison>("towermodes comparison", "compare")
         }

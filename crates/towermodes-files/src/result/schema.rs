@@ -20,6 +20,8 @@ pub enum ResultKind {
     Design,
     /// Of `towermodes calibrate`.
     Calibration,
+    /// Of `towermodes sweep --first-order`.
+    FirstOrder,
     /// Of `towermodes campbell`.
     Campbell,
     /// Of `towermodes compare`.
@@ -36,7 +38,7 @@ pub enum ResultKind {
 
 impl ResultKind {
     /// All kinds.
-    pub const ALL: [Self; 13] = [
+    pub const ALL: [Self; 14] = [
         Self::Solution,
         Self::Several,
         Self::Blade,
@@ -44,6 +46,7 @@ impl ResultKind {
         Self::Sensitivities,
         Self::Design,
         Self::Calibration,
+        Self::FirstOrder,
         Self::Campbell,
         Self::Comparison,
         Self::Convergence,
@@ -62,6 +65,7 @@ impl ResultKind {
             Self::Sensitivities => "sensitivities",
             Self::Design => "design",
             Self::Calibration => "calibrate",
+            Self::FirstOrder => "first-order",
             Self::Campbell => "campbell",
             Self::Comparison => "compare",
             Self::Convergence => "converge",
@@ -86,6 +90,7 @@ impl ResultKind {
             Self::Sensitivities => include_str!("../../schemas/sensitivities.json"),
             Self::Design => include_str!("../../schemas/design.json"),
             Self::Calibration => include_str!("../../schemas/calibrate.json"),
+            Self::FirstOrder => include_str!("../../schemas/first-order.json"),
             Self::Campbell => include_str!("../../schemas/campbell.json"),
             Self::Comparison => include_str!("../../schemas/compare.json"),
             Self::Convergence => include_str!("../../schemas/converge.json"),
