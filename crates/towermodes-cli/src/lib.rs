@@ -1,7 +1,7 @@
 //! The program `towermodes`: natural frequencies and mode shapes of wind turbine towers.
 //!
-//! The program is one function, [`run`], which the binary and the Python package call, and the
-//! tables that it prints, [`table`].
+//! The program is one function, [`run`], which the binary and the Python package call, the tables
+//! that it prints, [`table`], and its [`studies`].
 //!
 //! Results go to standard output, messages to standard error. Exit codes: 0 done; 1 the
 //! computation, a check or the output failed; 2 wrong usage or wrong input.
@@ -28,6 +28,7 @@ mod sensitivities;
 mod shell;
 mod side_by_side;
 mod solve;
+pub mod studies;
 mod sweep;
 pub mod table;
 mod terminal;

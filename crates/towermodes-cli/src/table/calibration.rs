@@ -7,7 +7,7 @@ use towermodes_report::wording::counted;
 use super::text::{align_right, name_line, plain_table, text_table, wrapped};
 
 /// The unknowns, the measurements, correlations, singular values and remarks.
-pub(crate) fn calibration(name: &str, result: &Calibration) -> String {
+pub fn calibration(name: &str, result: &Calibration) -> String {
     let mut text = name_line(name);
     text.push_str(&unknowns(result));
     text.push_str("\n\n");

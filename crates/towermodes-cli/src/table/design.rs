@@ -7,7 +7,7 @@ use super::text::{name_line, text_table, tonnes, wrapped};
 
 /// Variables, masses and frequencies before and after; the limits that keep the tower from being
 /// lighter; how the minimum is proved.
-pub(crate) fn design(name: &str, problem: &DesignProblem, found: &Design) -> String {
+pub fn design(name: &str, problem: &DesignProblem, found: &Design) -> String {
     let mut text = name_line(name);
     text.push_str(&values(problem, found));
     text.push_str("\n\n");

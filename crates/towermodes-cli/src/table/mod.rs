@@ -19,11 +19,11 @@ mod verification;
 
 pub use agreement::{agreement, examination};
 pub(crate) use blade::blade;
-pub(crate) use calibration::calibration;
+pub use calibration::calibration;
 pub use campbell::campbell;
 pub use comparison::comparison;
 pub(crate) use convergence::convergence;
-pub(crate) use design::design;
+pub use design::design;
 pub(crate) use elastodyn::{changes, fits, judgements};
 pub(crate) use first_order::first_order;
 pub(crate) use parameters::parameters;

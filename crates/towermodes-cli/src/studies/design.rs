@@ -1,0 +1,173 @@
+//! Studies of designs.
+
+use thiserror::Error;
+use towermodes::{Options, Rotor};
+use towermodes_analysis::resonance::DEFAULT_MARGIN;
+use towermodes_design::design::{Design, DesignError, DesignProblem, Goal, Variable, window_hz};
+use towermodes_files::{
+    DesignBand, DesignDocument, DesignFrequency, DesignStudy, DesignedFrequency, DesignedLimit,
+    DesignedVariable, ReadError, TowerInput,
+};
+
+/// Why a study has no problem.
+#[derive(Debug, Error)]
+pub enum StudyError {
+    /// Names of the study do not belong to the tower.
+    #[error("{0}")]
+    Input(ReadError),
+    /// The study names multiples of the rotor speed, which is not known.
+    #[error(
+        "the study of the design names multiples of the rotor speed, which the tower file does not contain"
+    )]
+    NoRotorSpeeds,
+    /// A window between multiples of the rotor speed is empty.
+    #[error("{0}")]
+    Window(String),
+}
+
+/// How the towers of a study are solved.
+pub fn options(study: &DesignStudy, input: &TowerInput) -> Options {
+    Options {
+        method: study.method.or(input.method).unwrap_or_default(),
+        segments: study.segments,
+        rotary_inertia: study.rotary_inertia,
+        ..Options::default()
+    }
+}
+
+/// The problem of a study for its tower.
+///
+/// # Errors
+/// [`StudyError`].
+pub fn problem(study: &DesignStudy, input: &TowerInput) -> Result<DesignProblem, StudyError> {
+    let choices = study
+        .choices(&input.description)
+        .map_err(StudyError::Input)?;
+    let variables = choices.variables.into_iter().map(|choice| {
+        let [low, high] = choice.between;
+        Variable {
+            change: choice.change,
+            low,
+            high,
+            step: choice.step,
+        }
+    });
+    let goals: Result<Vec<Goal>, StudyError> = study
+        .frequencies
+        .iter()
+        .map(|frequency| goal(frequency, study, input))
+        .collect();
+    Ok(DesignProblem {
+        variables: variables.collect(),
+        goals: goals?,
+        falling: choices.falling,
+        diameter_to_wall: study.diameter_to_wall,
+        cone_angle_deg: study.cone_angle_deg,
+    })
+}
+
+/// The band of a frequency in Hz.
+fn goal(
+    frequency: &DesignFrequency,
+    study: &DesignStudy,
+    input: &TowerInput,
+) -> Result<Goal, StudyError> {
+    let [min_hz, max_hz] = match frequency.band {
+        DesignBand::Hz(band) => band,
+        DesignBand::Multiples(multiples, margin) => {
+            let rotor: Option<&Rotor> = input.description.rotor.as_ref();
+            let rotor = rotor.ok_or(StudyError::NoRotorSpeeds)?;
+            let window = window_hz(rotor, multiples, margin.unwrap_or(DEFAULT_MARGIN));
+            window.map_err(|error| {
+                let place = study.source.place(frequency.span.start);
+                StudyError::Window(format!("{place}: {error}"))
+            })?
+        }
+    };
+    Ok(Goal {
+        mode: frequency.mode,
+        min_hz,
+        max_hz,
+    })
+}
+
+/// The message of an error that a line of the study explains, with its place; none for others.
+pub fn located(error: &DesignError, study: &DesignStudy) -> Option<String> {
+    let DesignError::NoMode { mode, .. } = error else {
+        return None;
+    };
+    let mut all = study.frequencies.iter();
+    let frequency = all.find(|frequency| frequency.mode == *mode)?;
+    let place = study.source.place(frequency.span.start);
+    Some(format!("{place}: {error}"))
+}
+
+/// What a user must know about a result.
+pub fn warnings(found: &Design) -> Vec<String> {
+    let mut warnings = Vec::new();
+    if !found.is_proved() {
+        warnings.push(format!(
+            "the KKT residual is {:.1e}: the tower meets all limits, but a lighter one may exist",
+            found.kkt_residual
+        ));
+    }
+    if !found.certificate.complete {
+        warnings.push(
+            "the certificate of the tower found is incomplete: a mode may be missing".to_owned(),
+        );
+    }
+    for reached in found.reached.iter().filter(|one| !one.is_met()) {
+        warnings.push(format!(
+            "{} of the tower found is {} Hz, outside its band by more than its error",
+            reached.goal.mode, reached.after_hz
+        ));
+    }
+    warnings
+}
+
+/// The result with the names of the study.
+pub fn document(
+    input: &TowerInput,
+    problem: &DesignProblem,
+    found: &Design,
+    warnings: &[String],
+) -> DesignDocument {
+    let pairs = found.before.iter().zip(&found.values);
+    let variables = problem.variables.iter().zip(pairs);
+    let variables = variables.map(|(of, (before, after))| DesignedVariable {
+        name: of.change.name().to_owned(),
+        unit: of.change.unit(),
+        before: *before,
+        after: *after,
+        lowest: of.low,
+        highest: of.high,
+    });
+    let frequencies = found.reached.iter().map(|of| DesignedFrequency {
+        mode: of.goal.mode.to_string(),
+        min_hz: Some(of.goal.min_hz).filter(|hz| *hz > 0.0),
+        max_hz: Some(of.goal.max_hz).filter(|hz| hz.is_finite()),
+        before_hz: of.before_hz,
+        after_hz: of.after_hz,
+        error_hz: of.error_hz,
+    });
+    let active = found.active.iter().map(|of| DesignedLimit {
+        limit: problem.words(&of.limit),
+        kg_per_unit: of.kg_per_unit,
+        kg_per_percent: of.kg_per_percent,
+    });
+    let notes = input.notes.iter().map(ToString::to_string);
+    DesignDocument {
+        tower: input.description.name.clone(),
+        variables: variables.collect(),
+        mass_before_kg: found.mass_kg[0],
+        mass_kg: found.mass_kg[1],
+        mass_without_steps_kg: found.without_steps_kg,
+        frequencies: frequencies.collect(),
+        active: active.collect(),
+        kkt_residual: found.kkt_residual,
+        is_proved: found.is_proved(),
+        certified: found.certificate.complete,
+        solves: found.solves,
+        warnings: notes.chain(warnings.iter().cloned()).collect(),
+    }
+}
