@@ -21,6 +21,7 @@ from towermodes import _towermodes
 from towermodes._campbell import Campbell
 from towermodes._convert import Converted
 from towermodes._errors import Mistake, OptionError, SolveError, TowerError
+from towermodes._found import Calibration, Design
 from towermodes._picture import Picture
 from towermodes._read import read
 from towermodes._sensitivity import Sensitivities
@@ -32,9 +33,11 @@ from towermodes._towermodes import VERSION as __version__
 
 __all__ = [
     "Agreement",
+    "Calibration",
     "Campbell",
     "Comparison",
     "Converted",
+    "Design",
     "Examination",
     "Mistake",
     "Mode",

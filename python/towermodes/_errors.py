@@ -47,6 +47,8 @@ def _fields(mistake: Mistake) -> tuple[object, ...]:
 class TowerError(ValueError):
     """A file or numbers that do not describe a valid tower, or a tower that a format cannot store.
 
+    Also the file of a study or of measurements with mistakes.
+
     Attributes:
         path: The file; None if the tower is not from a file.
         line: The line of the first mistake, from 1; None if it is not known.
@@ -84,6 +86,8 @@ class TowerError(ValueError):
 
 class SolveError(ArithmeticError):
     """A tower whose modes cannot be computed: it buckles, is unstable, or its values are extreme.
+
+    Also a design or a calibration without a solution.
 
     Attributes:
         hint: What the user can do about it; None if the message says it.

@@ -15,6 +15,7 @@ from towermodes._checks import (
 )
 from towermodes._convert import Converted
 from towermodes._errors import TowerError
+from towermodes._found import Calibration, Design, study_text
 from towermodes._picture import Picture
 from towermodes._sensitivity import Sensitivities
 from towermodes._solution import Solution
@@ -33,6 +34,7 @@ if TYPE_CHECKING:
     from typing_extensions import Self
 
     from towermodes._columns import Table as Sweepable
+    from towermodes._found import Study
     from towermodes._names import Modes
 
     Method = Literal[
@@ -395,6 +397,70 @@ class Tower:
             names = [names]
         chosen = None if names is None else [word("a name of a number", name) for name in names]
         return Sensitivities(_rust.sensitivities(self._core, chosen, options))
+
+    def design(self, study: Study) -> Design:
+        """Finds the lightest tower whose frequencies are in given bands.
+
+        The minimum is found from exact derivatives and proved by its KKT residual. Other Python
+        threads run meanwhile, and Ctrl-C ends it.
+
+        Args:
+            study: The path of a study, a TOML file with [design], or a dict with the same tables.
+
+        Raises:
+            TowerError: The study has mistakes; of a file the exception has their places.
+            ValueError: The tower has no such mode, or the study contradicts itself.
+            SolveError: No tower meets the study; the message has the nearest one.
+            OSError: The file cannot be read.
+
+        >>> import towermodes as tm
+        >>> tower = tm.read("examples/nrel-5mw.toml")
+        >>> design = tower.design("crates/towermodes-cli/tests/inputs/design/mass.toml")
+        >>> round(design.tower.mass_kg)
+        300877
+        """
+        return Design._of((self,), *study_text(study))
+
+    def calibrate(
+        self,
+        measured: Study,
+        *,
+        free: Iterable[str] = (),
+        method: Method | None = None,
+        segments: SupportsIndex | None = None,
+        rotary_inertia: bool = True,
+    ) -> Calibration:
+        """Fits numbers of this tower to measured frequencies.
+
+        The fit is a weighted least squares fit with exact derivatives. It explains the
+        measurements; it does not validate the model. Other Python threads run meanwhile, and
+        Ctrl-C ends it.
+
+        Args:
+            measured: The path of a TOML file with [[measured]] and [calibrate.unknowns], or a dict
+                with the same tables.
+            free: Names of the numbers to be fitted; by default all unknowns of `measured`.
+            method: As in `solve`.
+            segments: As in `solve`.
+            rotary_inertia: Whether sections have rotary inertia in bending.
+
+        Raises:
+            TowerError: The measurements have mistakes; of a file the exception has their places.
+            ValueError: The tower has no such number or mode, or there are too few measurements.
+            SolveError: The measurements do not determine the numbers, or cannot be reached.
+            OSError: The file cannot be read.
+
+        >>> import towermodes as tm
+        >>> tower = tm.read("examples/nrel-5mw.toml")
+        >>> fit = tower.calibrate("crates/towermodes-cli/tests/inputs/measured/tower.toml")
+        >>> fit.residuals
+        {'fore-aft 1': ..., 'side-side 1': ...}
+        """
+        text, name = study_text(measured)
+        names = [free] if isinstance(free, str) else list(free)
+        chosen = [word("a name of a number", name) for name in names]
+        options = _solve_options(None, method, segments, None, 2, [], rotary_inertia)
+        return Calibration._of((self,), text, name, chosen, options)
 
     def campbell(
         self,

@@ -6,7 +6,7 @@ The classes and functions of the package.
 from _typeshed import Incomplete, SupportsGetItem
 from typing import Final, SupportsFloat, SupportsIndex, final
 
-__all__ = ["VERSION", "Agreement", "Campbell", "Comparison", "Converted", "Examination", "Solution", "SweepFolder", "Tower", "close", "columns_of_stream", "mode_named", "read", "read_text", "run", "sensitivities", "stream_of_columns", "stream_of_results", "sweep"]
+__all__ = ["VERSION", "Agreement", "Calibration", "Campbell", "Comparison", "Converted", "Design", "Examination", "Solution", "SweepFolder", "Tower", "close", "columns_of_stream", "mode_named", "read", "read_text", "run", "sensitivities", "source", "stream_of_columns", "stream_of_results", "sweep"]
 
 VERSION: Final[str]
 """
@@ -39,6 +39,29 @@ class Agreement:
     def verdict(self, /) -> str:
         """
         The worst verdict: `pass`, `warn` or `fail`.
+        """
+
+@final
+class Calibration:
+    """
+    A tower whose numbers are fitted to measured frequencies.
+    """
+    def __new__(cls, /, tower: Tower, text: str, name: str, free: SupportsGetItem[int, str], options: "dict[str, object]") -> Calibration:
+        """
+        The fit of measurements; `free` are the numbers to be fitted, if not those of the file.
+        """
+    def json(self, /) -> str:
+        """
+        The JSON of the program.
+        """
+    def table(self, /) -> str:
+        """
+        The table of the program.
+        """
+    @property
+    def tower(self, /) -> Tower:
+        """
+        The fitted tower.
         """
 
 @final
@@ -141,6 +164,29 @@ class Converted:
     def text(self, /) -> str:
         """
         The text of the file.
+        """
+
+@final
+class Design:
+    """
+    The lightest tower whose frequencies are in given bands.
+    """
+    def __new__(cls, /, tower: Tower, text: str, name: str) -> Design:
+        """
+        The design of a study.
+        """
+    def json(self, /) -> str:
+        """
+        The JSON of the program.
+        """
+    def table(self, /) -> str:
+        """
+        The table of the program.
+        """
+    @property
+    def tower(self, /) -> Tower:
+        """
+        The tower found.
         """
 
 @final
@@ -490,6 +536,11 @@ def run(words: "list[str]") -> "int":
 def sensitivities(tower: Tower, names: "list[str] | None", options: "dict[str, object]") -> "tuple[Incomplete, ...]":
     """
     The derivatives with respect to named changes, or to each number of the tower.
+    """
+
+def source(path: "str") -> tuple[str, str]:
+    """
+    The text of a file, and its name.
     """
 
 def stream_of_columns(texts: "list[tuple[str, list[str]]]", numbers: "list[tuple[str, Incomplete]]") -> "object":

@@ -141,16 +141,18 @@ pub fn usage(message: impl Into<String>) -> PyErr {
 
 /// A tower that is not solved.
 pub fn of_solve(error: &SolveError) -> PyErr {
-    static OF_TOWER: PyOnceLock<Py<PyType>> = PyOnceLock::new();
     static OF_OPTIONS: PyOnceLock<Py<PyType>> = PyOnceLock::new();
-    let message = error.to_string();
-    attached(|py| {
-        let class = match error.is_usage() {
-            true => class(py, &OF_OPTIONS, "OptionError"),
-            false => class(py, &OF_TOWER, "SolveError"),
-        };
-        raised(class, (message, hint(error)))
-    })
+    let (message, hint) = (error.to_string(), hint(error));
+    match error.is_usage() {
+        true => attached(|py| raised(class(py, &OF_OPTIONS, "OptionError"), (message, hint))),
+        false => unsolved(&message, hint),
+    }
+}
+
+/// Towers among which there is no solution.
+pub fn unsolved(message: &str, hint: Option<&str>) -> PyErr {
+    static CLASS: PyOnceLock<Py<PyType>> = PyOnceLock::new();
+    attached(|py| raised(class(py, &CLASS, "SolveError"), (message, hint)))
 }
 
 /// What the user can do about it.

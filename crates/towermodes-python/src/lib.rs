@@ -10,6 +10,7 @@ mod campbell;
 mod comparison;
 mod converted;
 mod error;
+mod found;
 mod interrupt;
 mod lock;
 mod options;
@@ -35,6 +36,8 @@ mod _towermodes {
     use crate::comparison::Comparison;
     #[pymodule_export]
     use crate::converted::Converted;
+    #[pymodule_export]
+    use crate::found::{Calibration, Design, source};
     #[pymodule_export]
     use crate::lock::close;
     #[pymodule_export]

@@ -198,7 +198,10 @@ fn of_study(study: &Path, results: &SweepOptions, ignore: &[String]) -> PyResult
         SweepRows::Sampled { sampling, .. } => {
             let changes = study.changes(&input.description).map_err(of_read)?;
             let source = SweepSource::sampled(sampling.clone());
-            (changes, source.map_err(|error| of_read(study.undrawn(error)))?)
+            (
+                changes,
+                source.map_err(|error| of_read(study.undrawn(error)))?,
+            )
         }
     };
     let results = results.over(study.results)?;
