@@ -10,8 +10,8 @@ const FARTHEST: f64 = 8.2;
 /// Points for each unit of the score. The trapezoidal rule of an analytic function times the normal
 /// density has all digits with fewer.
 const POINTS: i32 = 64;
-/// Terms of an expansion. Their squares decrease as 2⁻ᵏ for uniform values, as s²ᵏ/k! for lognormal
-/// ones, and as k^(−7/2) for triangular ones.
+/// Terms of an expansion by quadrature. Their squares decrease as 2⁻ᵏ for uniform values, and as
+/// k^(−7/2) for triangular ones.
 const TERMS: usize = 80;
 
 /// The expectation of a function of a standard normal score.
@@ -92,6 +92,10 @@ impl Series {
         };
         let norm = libm::sqrt(coefficients.iter().map(|c| c * c).sum());
         coefficients.iter_mut().for_each(|c| *c /= norm);
+        // Limits so close that rounding leaves one value: what it is correlated with is no matter.
+        if norm == 0.0 {
+            coefficients = vec![1.0];
+        }
         Self { coefficients }
     }
 
@@ -127,22 +131,26 @@ impl Series {
 }
 
 /// The coefficients of a lognormal distribution, sᵏ/√(k!) with the deviation s of the logarithm, up
-/// to a factor.
+/// to a factor. Their squares are the probabilities of a Poisson distribution with the mean s².
 fn lognormal(variation: f64) -> Vec<f64> {
-    let deviation = libm::sqrt(libm::log1p(variation * variation));
+    let variance = libm::log1p(variation * variation);
+    let deviation = libm::sqrt(variance);
+    let terms = (variance + 12.0 * deviation + 60.0) as usize;
     let next = |c: &mut f64, k: usize| {
         *c *= deviation / libm::sqrt(k as f64);
         Some(*c)
     };
-    (1..=TERMS).scan(1.0, next).collect()
+    (1..=terms).scan(libm::exp(-0.5 * variance), next).collect()
 }
 
 /// The expectations of x(z) hₖ(z), by the recurrence √(k+1) hₖ₊₁ = z hₖ − √k hₖ₋₁.
 fn by_quadrature(values: &Values) -> Vec<f64> {
     let middle = values.of_score(0.0);
+    let range = values.of_score(FARTHEST) - values.of_score(-FARTHEST);
+    let scale = if range > 0.0 { 1.0 / range } else { 0.0 };
     let mut sums = vec![0.0; TERMS];
     expectation(|z| {
-        let value = values.of_score(z) - middle;
+        let value = scale * (values.of_score(z) - middle);
         let weight = libm::exp(-0.5 * z * z);
         let (mut before, mut now) = (0.0, 1.0);
         for (k, sum) in sums.iter_mut().enumerate() {
@@ -248,6 +256,27 @@ mod tests {
             let found = series(&lognormal(0.3)).correlation(&series(&normal(None)), r);
             assert!((found - expected).abs() < 1e-14, "{r} {found} {expected}");
         }
+    }
+
+    /// A variation of a million million, and limits between which there is one number.
+    #[test]
+    fn extreme_distributions_have_correlations() {
+        let (wide, other) = (series(&lognormal(1e12)), series(&lognormal(1e11)));
+        let squares = [1e12_f64, 1e11].map(|variation| (variation * variation).ln_1p());
+        let norm = (squares[0].exp_m1() * squares[1].exp_m1()).sqrt();
+        let r = 0.9;
+        let expected = (r * (squares[0] * squares[1]).sqrt()).exp_m1() / norm;
+        let found = wide.correlation(&other, r);
+        assert!((found / expected - 1.0).abs() < 1e-9, "{found} {expected}");
+        let low = 3.5e5_f64;
+        let one = Distribution::Uniform {
+            low,
+            high: low.next_up(),
+        };
+        let of_one = series(&one)
+            .score_correlation(&series(&normal(None)), 0.0)
+            .expect("none");
+        assert!(of_one.abs() < 1e-12, "{of_one}");
     }
 
     /// With equal scores a value has the correlation 1 with itself, whatever its distribution.

@@ -1,138 +1,17 @@
-//! The scatter of frequencies to first order in what varies: from derivatives at the means of the
-//! distributions, without rows.
+//! Derivatives at the means, and what follows from them.
 
-use thiserror::Error;
 use towermodes::{
-    Change, ModeName, NoDerivative, Operation, Sensitivities, SensitivityError, SolveError,
-    TowerDescription, Workspace, sensitivities,
+    Change, ModeName, Operation, Sensitivities, SensitivityError, SolveError, TowerDescription,
+    Workspace, sensitivities,
 };
-use towermodes_files::{Sampling, SamplingError, SamplingKind};
+use towermodes_files::{Sampling, SamplingKind};
 
+use super::normal::inside;
+use super::{FirstOrder, FirstOrderError, InputScatter, ModeScatter, NoScatter, Scatter};
 use crate::row::{Cells, MORE_MODES, RowSolver};
-use crate::sampling::{Draw, Joint, probability};
+use crate::sampling::{Draw, Joint};
 use crate::summary::MarginCheck;
 use crate::sweep::Sweep;
-
-/// The scatter of frequencies to first order.
-///
-/// With inputs of means μ and covariances C, a frequency f(x) with the gradient g at μ has about
-/// the mean f(μ) and the variance gᵀ C g. The mean differs from f(μ) by ½ tr(H C) with the second
-/// derivatives H, which is of second order in the scatter.
-#[derive(Debug, Clone, PartialEq)]
-pub struct FirstOrder {
-    /// The inputs, in the order of the changes.
-    pub inputs: Vec<InputScatter>,
-    /// The modes of the sweep.
-    pub modes: Vec<ModeScatter>,
-}
-
-/// Mean and standard deviation of an input.
-#[derive(Debug, Clone, PartialEq)]
-pub struct InputScatter {
-    /// The name of the change.
-    pub name: String,
-    /// The unit of its values; empty for a factor.
-    pub unit: &'static str,
-    /// The mean.
-    pub mean: f64,
-    /// The standard deviation.
-    pub deviation: f64,
-}
-
-/// The scatter of a frequency.
-#[derive(Debug, Clone, PartialEq)]
-pub struct ModeScatter {
-    /// The mode.
-    pub name: ModeName,
-    /// Its scatter, or why there is none.
-    pub scatter: Result<Scatter, NoScatter>,
-}
-
-/// Mean and standard deviation of a frequency to first order.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Scatter {
-    /// The extrapolated frequency at the means of the inputs, Hz.
-    pub mean_hz: f64,
-    /// Its error without extrapolation, Hz.
-    pub error_hz: f64,
-    /// Standard deviation, Hz.
-    pub deviation_hz: f64,
-    /// By how much the curvature moves the mean, to second order, Hz: Σ ½ (f(μ + l) + f(μ − l)) −
-    /// f(μ) over the independent directions l of the inputs. None if such a tower has no solution.
-    pub mean_shift_hz: Option<f64>,
-    /// The derivative with respect to each input, Hz per unit.
-    pub hz_per_unit: Vec<f64>,
-    /// The share of each input in the variance, gᵢ (C g)ᵢ/(gᵀ C g). The sum is 1. With correlations
-    /// a share may be negative: the input then makes up for others. Zeros without a variance.
-    pub shares: Vec<f64>,
-    /// For each multiple of the rotor speed of the check, the probability that the required
-    /// distance is violated, with a normal distribution of the frequency.
-    pub violated: Vec<f64>,
-}
-
-/// Why a frequency has no scatter to first order.
-#[derive(Debug, Clone, PartialEq, Error)]
-#[non_exhaustive]
-pub enum NoScatter {
-    /// The tower at the means lacks the mode.
-    #[error("the tower at the mean values has no such mode: {sentence}")]
-    NoMode {
-        /// What is wrong with the tower.
-        sentence: String,
-    },
-    /// A frequency has no derivative.
-    #[error("no derivative with respect to `{change}`: {reason}")]
-    NoDerivative {
-        /// The change.
-        change: String,
-        /// Why.
-        reason: NoDerivative,
-    },
-}
-
-/// Why there is no scatter to first order.
-#[derive(Debug, Clone, PartialEq, Error)]
-#[non_exhaustive]
-pub enum FirstOrderError {
-    /// A distribution or a correlation is impossible.
-    #[error(transparent)]
-    Sampling(#[from] SamplingError),
-    /// A grid, whose levels have no probabilities.
-    #[error(
-        "a grid has levels without probabilities; use sampling = \"random\" with distributions"
-    )]
-    Grid,
-    /// The distributions are of other changes than those of the sweep.
-    #[error("the distributions are not those of the changes of the sweep")]
-    OtherChanges,
-    /// The tower at the means is none, or is not solved.
-    #[error("the tower at the mean values: {sentence}")]
-    Means {
-        /// What is wrong with it.
-        sentence: String,
-    },
-    /// The tower at the means has no derivatives.
-    #[error("the tower at the mean values: {0}")]
-    Sensitivity(#[from] SensitivityError),
-    /// A factor whose mean is 0, so its derivative is not that of the numbers.
-    #[error(
-        "`{change}` has the mean 0, where a factor has no derivative; vary the number itself or add(…) to it"
-    )]
-    ZeroFactor {
-        /// The change.
-        change: String,
-    },
-    /// Two changes of different kinds have a number in common.
-    #[error(
-        "`{first}` and `{second}` change the same number in different ways, so they have no derivatives of their own; solve the rows of the sweep"
-    )]
-    Overlap {
-        /// The first.
-        first: String,
-        /// The second.
-        second: String,
-    },
-}
 
 impl Sweep {
     /// The scatter of each frequency to first order in the distributions of what varies: mean,
@@ -375,40 +254,4 @@ fn parts(hz_per_unit: &[f64], joint: &Joint) -> Vec<f64> {
         parts[*second] += both;
     }
     parts
-}
-
-/// The probability that a normal frequency is in a range that its error widens.
-fn inside([low_hz, high_hz]: [f64; 2], mean_hz: f64, error_hz: f64, deviation_hz: f64) -> f64 {
-    let (low_hz, high_hz) = (low_hz - error_hz, high_hz + error_hz);
-    if deviation_hz == 0.0 {
-        return f64::from(u8::from(low_hz < mean_hz && mean_hz < high_hz));
-    }
-    let [low, high] = [low_hz, high_hz].map(|hz| (hz - mean_hz) / deviation_hz);
-    // Of the nearer tail, which has all digits.
-    match low > 0.0 {
-        true => probability(-low) - probability(-high),
-        false => probability(high) - probability(low),
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::inside;
-
-    /// Φ(1) − Φ(−1), Φ(−9) − Φ(−10) and their mirror images.
-    #[test]
-    fn probabilities_are_those_of_the_normal_distribution() {
-        assert!((inside([0.9, 1.1], 1.0, 0.0, 0.1) - 0.682_689_492_137_086).abs() < 1e-13);
-        for range in [[1.9, 2.0], [0.0, 0.1]] {
-            let far = inside(range, 1.0, 0.0, 0.1);
-            assert!(
-                (far / 1.128_512_207_423_590_7e-19 - 1.0).abs() < 1e-9,
-                "{far:e}"
-            );
-        }
-        // An error of the frequency widens the range.
-        assert!((inside([0.95, 1.05], 1.0, 0.05, 0.1) - 0.682_689_492_137_086).abs() < 1e-13);
-        assert_eq!(inside([0.9, 1.1], 1.0, 0.0, 0.0), 1.0);
-        assert_eq!(inside([1.1, 1.2], 1.0, 0.0, 0.0), 0.0);
-    }
 }

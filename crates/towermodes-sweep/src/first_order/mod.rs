@@ -1,0 +1,130 @@
+//! The scatter of frequencies to first order in what varies: from derivatives at the means of the
+//! distributions, without rows.
+
+mod compute;
+mod normal;
+
+use thiserror::Error;
+use towermodes::{ModeName, NoDerivative, SensitivityError};
+use towermodes_files::SamplingError;
+
+/// The scatter of frequencies to first order.
+///
+/// With inputs of means μ and covariances C, a frequency f(x) with the gradient g at μ has about
+/// the mean f(μ) and the variance gᵀ C g. The mean differs from f(μ) by ½ tr(H C) with the second
+/// derivatives H, which is of second order in the scatter.
+#[derive(Debug, Clone, PartialEq)]
+pub struct FirstOrder {
+    /// The inputs, in the order of the changes.
+    pub inputs: Vec<InputScatter>,
+    /// The modes of the sweep.
+    pub modes: Vec<ModeScatter>,
+}
+
+/// Mean and standard deviation of an input.
+#[derive(Debug, Clone, PartialEq)]
+pub struct InputScatter {
+    /// The name of the change.
+    pub name: String,
+    /// The unit of its values; empty for a factor.
+    pub unit: &'static str,
+    /// The mean.
+    pub mean: f64,
+    /// The standard deviation.
+    pub deviation: f64,
+}
+
+/// The scatter of a frequency.
+#[derive(Debug, Clone, PartialEq)]
+pub struct ModeScatter {
+    /// The mode.
+    pub name: ModeName,
+    /// Its scatter, or why there is none.
+    pub scatter: Result<Scatter, NoScatter>,
+}
+
+/// Mean and standard deviation of a frequency to first order.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Scatter {
+    /// The extrapolated frequency at the means of the inputs, Hz.
+    pub mean_hz: f64,
+    /// Its error without extrapolation, Hz.
+    pub error_hz: f64,
+    /// Standard deviation, Hz.
+    pub deviation_hz: f64,
+    /// By how much the curvature moves the mean, to second order, Hz: Σ ½ (f(μ + l) + f(μ − l)) −
+    /// f(μ) over the independent directions l of the inputs. None if such a tower has no solution.
+    pub mean_shift_hz: Option<f64>,
+    /// The derivative with respect to each input, Hz per unit.
+    pub hz_per_unit: Vec<f64>,
+    /// The share of each input in the variance, gᵢ (C g)ᵢ/(gᵀ C g). The sum is 1. With correlations
+    /// a share may be negative: the input then makes up for others. Zeros without a variance.
+    pub shares: Vec<f64>,
+    /// For each multiple of the rotor speed of the check, the probability that the required
+    /// distance is violated, with a normal distribution of the frequency.
+    pub violated: Vec<f64>,
+}
+
+/// Why a frequency has no scatter to first order.
+#[derive(Debug, Clone, PartialEq, Error)]
+#[non_exhaustive]
+pub enum NoScatter {
+    /// The tower at the means lacks the mode.
+    #[error("the tower at the mean values has no such mode: {sentence}")]
+    NoMode {
+        /// What is wrong with the tower.
+        sentence: String,
+    },
+    /// A frequency has no derivative.
+    #[error("no derivative with respect to `{change}`: {reason}")]
+    NoDerivative {
+        /// The change.
+        change: String,
+        /// Why.
+        reason: NoDerivative,
+    },
+}
+
+/// Why there is no scatter to first order.
+#[derive(Debug, Clone, PartialEq, Error)]
+#[non_exhaustive]
+pub enum FirstOrderError {
+    /// A distribution or a correlation is impossible.
+    #[error(transparent)]
+    Sampling(#[from] SamplingError),
+    /// A grid, whose levels have no probabilities.
+    #[error(
+        "a grid has levels without probabilities; use sampling = \"random\" with distributions"
+    )]
+    Grid,
+    /// The distributions are of other changes than those of the sweep.
+    #[error("the distributions are not those of the changes of the sweep")]
+    OtherChanges,
+    /// The tower at the means is none, or is not solved.
+    #[error("the tower at the mean values: {sentence}")]
+    Means {
+        /// What is wrong with it.
+        sentence: String,
+    },
+    /// The tower at the means has no derivatives.
+    #[error("the tower at the mean values: {0}")]
+    Sensitivity(#[from] SensitivityError),
+    /// A factor whose mean is 0, so its derivative is not that of the numbers.
+    #[error(
+        "`{change}` has the mean 0, where a factor has no derivative; vary the number itself or add(…) to it"
+    )]
+    ZeroFactor {
+        /// The change.
+        change: String,
+    },
+    /// Two changes of different kinds have a number in common.
+    #[error(
+        "`{first}` and `{second}` change the same number in different ways, so they have no derivatives of their own; solve the rows of the sweep"
+    )]
+    Overlap {
+        /// The first.
+        first: String,
+        /// The second.
+        second: String,
+    },
+}
