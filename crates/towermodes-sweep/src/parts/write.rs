@@ -10,6 +10,9 @@ use super::PartsError;
 /// processes.
 const MOST_NAMES: usize = 1000;
 
+/// Number of times that a file is written of which other runs remove the temporary file.
+const MOST_TRIES: usize = 10;
+
 /// Writes a file of the folder: to a hidden temporary file, to the disk, under its name. A file
 /// with this name is replaced.
 ///
@@ -18,12 +21,18 @@ const MOST_NAMES: usize = 1000;
 /// then.
 pub(super) fn write(folder: &Path, name: &str, content: &[u8]) -> Result<(), PartsError> {
     let path = folder.join(name);
-    let temporary = Temporary::new(folder, name, content).map_err(PartsError::io(&path))?;
-    match temporary.take_name(&path) {
-        Ok(()) => Ok(()),
-        // Another run that completed the folder removed the temporary file; it wrote the same.
-        Err(error) if error.kind() == ErrorKind::NotFound && path.exists() => Ok(()),
-        Err(error) => Err(PartsError::Io { path, error }),
+    let mut tries = MOST_TRIES;
+    loop {
+        let temporary = Temporary::new(folder, name, content).map_err(PartsError::io(&path))?;
+        tries -= 1;
+        match temporary.take_name(&path) {
+            Ok(()) => return Ok(()),
+            // Another run that completed the folder removed the temporary file. It has written the
+            // same, or is about to.
+            Err(error) if error.kind() == ErrorKind::NotFound && path.exists() => return Ok(()),
+            Err(error) if error.kind() == ErrorKind::NotFound && tries > 0 => {}
+            Err(error) => return Err(PartsError::Io { path, error }),
+        }
     }
 }
 
@@ -116,7 +125,42 @@ fn create(folder: &Path, name: &str) -> io::Result<(File, PathBuf)> {
 mod tests {
     use std::fs;
 
-    use super::create_whole;
+    use super::super::names::{SUCCESS, is_temporary};
+    use super::{create_whole, write};
+
+    /// Two runs that complete a folder at once: each removes what others have left, and may see the
+    /// mark that the other one is about to set.
+    #[test]
+    fn a_temporary_file_that_another_run_removes_is_written_again() {
+        let folder = std::env::temp_dir().join(format!("towermodes-race-{}", std::process::id()));
+        fs::create_dir_all(&folder).expect("a folder");
+        let has_removed = || {
+            let names = fs::read_dir(&folder).expect("the folder").flatten();
+            let mut names = names.filter_map(|entry| entry.file_name().into_string().ok());
+            let seen = names.find(|name| is_temporary(name));
+            seen.is_some_and(|name| fs::remove_file(folder.join(name)).is_ok())
+        };
+        let mut removed = 0;
+        for _ in 0..200 {
+            let written = std::thread::scope(|scope| {
+                let other = scope.spawn(|| {
+                    while !has_removed() {
+                        if folder.join(SUCCESS).exists() {
+                            return 0;
+                        }
+                    }
+                    1
+                });
+                let written = write(&folder, SUCCESS, b"");
+                removed += other.join().expect("the other run");
+                written
+            });
+            assert!(written.is_ok(), "{written:?}");
+            fs::remove_file(folder.join(SUCCESS)).expect("it is there");
+        }
+        fs::remove_dir_all(&folder).expect("removed");
+        assert!(removed > 0);
+    }
 
     /// On a disk without hard links the second of two sweeps must not replace the plan of the
     /// first.
