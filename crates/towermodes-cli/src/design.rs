@@ -1,25 +1,36 @@
 //! `towermodes design`.
 
-use towermodes::Workspace;
-use towermodes_design::design::{DesignError, design};
+use towermodes::{TowerDescription, Workspace};
+use towermodes_design::design::{Design, DesignError, design};
 use towermodes_files::{DesignStudy, read_design_study, write_design_json};
+use towermodes_report::figures::{self, DesignedMode, TitleWords};
+use towermodes_report::svg::Figure;
 
 use crate::args::{DesignArguments, FoundFormat};
 use crate::failure::{Failure, note, note_texts, warn};
 use crate::found::{check_output, study_source, write_tower};
 use crate::input::tower_input;
-use crate::output::{check_not_inputs, deliver};
+use crate::output::{check_not_input, check_not_inputs, check_place, deliver, deliver_bytes};
+use crate::plot::picture_of;
 use crate::studies::design::{StudyError, document, located, options, problem, warnings};
 use crate::table;
 
 /// Finds the lightest tower of a study, and writes it.
 pub(crate) fn run(arguments: &DesignArguments) -> Result<(), Failure> {
     check_output(&arguments.found, &arguments.input, &arguments.study)?;
-    let output = arguments.found.output();
+    let picture = arguments.picture().map_err(Failure::Usage)?;
+    let written = [arguments.found.output(), picture.map(|(path, _)| path)];
+    if let [_, Some(path)] = written {
+        check_not_input(&arguments.input.file, Some(path))?;
+        check_not_input(&arguments.study, Some(path))?;
+        check_place(path)?;
+    }
     let study = study_source(&arguments.study, &arguments.input)?;
     let study = read_design_study(&study).map_err(Failure::Input)?;
     let input = tower_input(&arguments.input)?;
-    check_not_inputs(input.files(), output)?;
+    for output in written {
+        check_not_inputs(input.files(), output)?;
+    }
     let tower = input.tower().map_err(Failure::Input)?;
     note(&input.notes);
     warn(tower.warnings(), &input);
@@ -41,10 +52,34 @@ pub(crate) fn run(arguments: &DesignArguments) -> Result<(), Failure> {
         }
     }
     note_texts(&warnings);
-    if let Some(output) = output {
+    if let Some((path, format)) = picture {
+        let words = TitleWords {
+            title: None,
+            computed: None,
+            conclusion: &[],
+        };
+        let figure = figures::titled(figure(&input.description, &found), &tower, &words);
+        deliver_bytes(&picture_of(&figure, format)?, Some(path))?;
+    }
+    if let Some(output) = arguments.found.output() {
         write_tower(&input, &found.tower, output)?;
     }
     deliver(&result, None)
+}
+
+/// The tower before and after.
+fn figure(before: &TowerDescription, found: &Design) -> Figure {
+    let labels = found.reached.iter().map(|of| of.goal.mode.label());
+    let labels: Vec<String> = labels.collect();
+    let modes = found.reached.iter().zip(&labels);
+    let modes = modes.map(|(of, label)| DesignedMode {
+        label,
+        band_hz: [of.goal.min_hz, of.goal.max_hz],
+        before_hz: of.before_hz,
+        after_hz: of.after_hz,
+    });
+    let modes: Vec<DesignedMode<'_>> = modes.collect();
+    figures::design([before, &found.tower], found.mass_kg, &modes)
 }
 
 fn refused(error: StudyError) -> Failure {

@@ -2,6 +2,7 @@
 
 mod any_tower;
 mod figures_campbell;
+mod figures_design;
 mod figures_first_frequencies;
 mod figures_sweep;
 mod golden;

@@ -1,16 +1,18 @@
 //! The arguments of `design`.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use clap::Args;
 
 use super::found::FoundArguments;
 use super::input::InputArguments;
+use super::picture::PictureFile;
 
 const EXAMPLES: &str = "Examples:
   towermodes design tower.toml design.toml
   towermodes design tower.toml design.toml --output lighter.toml
   towermodes design tower.toml design.toml --format json
+  towermodes design tower.toml design.toml --plot before-after.svg
 
 A study is a TOML file with [design]; for example:
   [design.variables]
@@ -41,4 +43,18 @@ pub(crate) struct DesignArguments {
 
     #[command(flatten)]
     pub(crate) found: FoundArguments,
+
+    /// Draw the tower before and after, with the bands of its frequencies (.svg or .png)
+    #[arg(long, value_name = "PATH")]
+    plot: Option<PathBuf>,
+}
+
+impl DesignArguments {
+    /// The path of the picture with its format, if a picture is requested.
+    ///
+    /// # Errors
+    /// The message for an unknown file extension.
+    pub(crate) fn picture(&self) -> Result<Option<(&Path, PictureFile)>, &'static str> {
+        PictureFile::requested(self.plot.as_deref())
+    }
 }

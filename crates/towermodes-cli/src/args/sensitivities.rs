@@ -86,10 +86,6 @@ impl SensitivitiesArguments {
     /// # Errors
     /// The message for an unknown file extension.
     pub(crate) fn picture(&self) -> Result<Option<(&Path, PictureFile)>, &'static str> {
-        let Some(path) = self.plot.as_deref() else {
-            return Ok(None);
-        };
-        let format = PictureFile::of(path).ok_or(PictureFile::UNKNOWN)?;
-        Ok(Some((path, format)))
+        PictureFile::requested(self.plot.as_deref())
     }
 }

@@ -3,6 +3,7 @@
 mod animation;
 mod campbell;
 mod convergence;
+mod design;
 mod end_labels;
 mod enlargement;
 mod error;
@@ -22,6 +23,7 @@ mod tower;
 pub use animation::{AnimatedMode, AnimationData, animation_data};
 pub use campbell::campbell;
 pub use convergence::convergence;
+pub use design::{DesignedMode, design};
 pub use error::error;
 pub use first_frequencies::first_frequencies;
 pub use scene::{Body, Form, Substance};

@@ -1,0 +1,249 @@
+//! A tower before and after its design: diameters and walls over the height, frequencies in bands.
+
+use towermodes::TowerDescription;
+use towermodes::number::digits;
+
+use super::legend::{self, Entry, Sample};
+use crate::svg::{
+    Anchor, Axes, Colour, Dash, DataTable, Drawing, Figure, Frame, Marker, Stroke, TextStyle,
+    text_width,
+};
+
+const WIDTH: f64 = 900.0;
+const TOP: f64 = 14.0;
+/// Height of the fields of diameters and walls.
+const FIELD: f64 = 380.0;
+/// Below a field: numbers and name of its axis.
+const BELOW: f64 = 52.0;
+/// Height of the row of a mode.
+const ROW: f64 = 30.0;
+/// Height of the field of frequencies alone.
+const LOWEST: f64 = 300.0;
+const SIZE: f64 = 12.0;
+/// Numbers along an axis.
+const TICKS: usize = 6;
+
+/// A frequency with its goal.
+#[derive(Debug, Clone, PartialEq)]
+pub struct DesignedMode<'a> {
+    /// Its name: "1st fore-aft bending".
+    pub label: &'a str,
+    /// The lowest and the highest frequency allowed, Hz; 0 and infinity without a limit.
+    pub band_hz: [f64; 2],
+    /// The frequency of the original tower, Hz; none if it has no such mode.
+    pub before_hz: Option<f64>,
+    /// The frequency of the tower found, Hz.
+    pub after_hz: f64,
+}
+
+/// A tower before and after its design, with its mass and its frequencies; diameters and walls
+/// only for a tower of stations.
+pub fn design(
+    [before, after]: [&TowerDescription; 2],
+    mass_kg: [f64; 2],
+    modes: &[DesignedMode<'_>],
+) -> Figure {
+    let mass = mass_kg.map(|kg| digits(kg / 1000.0, 4));
+    let has_stations = !after.stations.is_empty();
+    let profile = if has_stations {
+        "Outer diameter and wall thickness over the height, dashed before and solid after. "
+    } else {
+        ""
+    };
+    let words = |mode: &DesignedMode<'_>| {
+        let [low, high] = mode.band_hz.map(|hz| digits(hz, 4));
+        let after = digits(mode.after_hz, 4);
+        let band = match mode.band_hz {
+            [0.0, f64::INFINITY] => "without a limit".to_owned(),
+            [0.0, _] => format!("at most {high} Hz"),
+            [_, f64::INFINITY] => format!("at least {low} Hz"),
+            _ => format!("from {low} to {high} Hz"),
+        };
+        format!(" The {} is {after} Hz; its goal is {band}.", mode.label)
+    };
+    let goals: String = modes.iter().map(words).collect();
+    Figure {
+        name: "design".to_owned(),
+        title: format!("Design: {} t before, {} t after", mass[0], mass[1]),
+        description: format!("{profile}The frequencies in their bands.{goals}"),
+        drawing: drawing([before, after], has_stations, modes),
+        table: table(mass_kg, modes),
+    }
+}
+
+fn drawing(
+    towers: [&TowerDescription; 2],
+    has_stations: bool,
+    modes: &[DesignedMode<'_>],
+) -> Drawing {
+    let mut top = TOP;
+    if has_stations {
+        top += FIELD + BELOW + TOP;
+    }
+    let frequencies = frequencies_frame(modes, top, if has_stations { 0.0 } else { LOWEST });
+    let legend_top = frequencies.bottom + BELOW;
+    let room = WIDTH - 28.0;
+    let entries = entries(has_stations, modes);
+    let height = legend_top + legend::height(&entries, room) + 6.0;
+    let mut drawing = Drawing::new(WIDTH, height.ceil());
+    if has_stations {
+        draw_profiles(&mut drawing, towers);
+    }
+    draw_frequencies(&mut drawing, frequencies, modes);
+    legend::draw(&mut drawing, (14.0, legend_top), room, &entries);
+    drawing
+}
+
+/// Diameters on the left, walls on the right, over the same heights.
+fn draw_profiles(drawing: &mut Drawing, towers: [&TowerDescription; 2]) {
+    let of = |tower: &TowerDescription| -> [Vec<(f64, f64)>; 2] {
+        let stations = tower.stations.iter();
+        let diameters = stations.map(|s| (s.outer_diameter_m, s.height_m)).collect();
+        let stations = tower.stations.iter();
+        let walls = stations
+            .map(|s| (1e3 * s.wall_thickness_m, s.height_m))
+            .collect();
+        [diameters, walls]
+    };
+    let [before, after] = towers.map(of);
+    let heights = || {
+        before[0]
+            .iter()
+            .chain(&after[0])
+            .map(|(_, height_m)| *height_m)
+    };
+    let heights = [
+        heights().fold(f64::INFINITY, f64::min),
+        heights().fold(f64::NEG_INFINITY, f64::max),
+    ];
+    let left = Axes::left_margin(heights, false, TICKS);
+    let width = 0.5 * (WIDTH - 14.0) - left;
+    let names = ["outer diameter (m)", "wall thickness (mm)"];
+    for (place, name) in names.into_iter().enumerate() {
+        let begin = left + place as f64 * (left + width);
+        let frame = Frame {
+            left: begin,
+            top: TOP,
+            right: begin + width,
+            bottom: TOP + FIELD,
+        };
+        let [before, after] = [&before[place], &after[place]];
+        let widest = before
+            .iter()
+            .chain(after)
+            .fold(0.0_f64, |most, (x, _)| most.max(*x));
+        let axes = Axes::new(frame, [0.0, 1.05 * widest], heights, [false, false]);
+        axes.draw_x(drawing, name, TICKS);
+        axes.draw_y(drawing, "height (m)", TICKS);
+        for (points, stroke) in [(before, before_stroke()), (after, after_stroke())] {
+            let points: Vec<(f64, f64)> = points.iter().map(|(x, y)| axes.at(*x, *y)).collect();
+            drawing.polyline(&points, &stroke);
+        }
+    }
+}
+
+fn before_stroke() -> Stroke {
+    Stroke::new(Colour::Series(1), 1.6).dashed(Dash::Dashed)
+}
+
+fn after_stroke() -> Stroke {
+    Stroke::new(Colour::Series(0), 2.2)
+}
+
+fn frequencies_frame(modes: &[DesignedMode<'_>], top: f64, lowest: f64) -> Frame {
+    let names = modes.iter().map(|mode| text_width(mode.label, SIZE, false));
+    Frame {
+        left: names.fold(0.0, f64::max) + 24.0,
+        top,
+        right: WIDTH - 14.0,
+        bottom: top + (ROW * modes.len() as f64).max(lowest).max(ROW),
+    }
+}
+
+/// A row for each mode: its band as a surface, a ring before and a disc after.
+fn draw_frequencies(drawing: &mut Drawing, frame: Frame, modes: &[DesignedMode<'_>]) {
+    let ends = modes.iter().flat_map(|mode| mode.band_hz);
+    let ends = ends.filter(|hz| *hz > 0.0 && hz.is_finite());
+    let values = modes
+        .iter()
+        .flat_map(|mode| [mode.before_hz, Some(mode.after_hz)]);
+    let all: Vec<f64> = values.flatten().chain(ends).collect();
+    let low = all.iter().copied().fold(f64::INFINITY, f64::min);
+    let high = all.iter().copied().fold(0.0, f64::max);
+    let range = match low <= high {
+        true => [0.95 * low, 1.05 * high],
+        false => [0.0, 1.0],
+    };
+    let axes = Axes::new(frame, range, [0.0, 1.0], [false, false]);
+    let height = (frame.bottom - frame.top) / modes.len().max(1) as f64;
+    for (row, mode) in modes.iter().enumerate() {
+        let middle = frame.top + height * (row as f64 + 0.5);
+        let [left, right] = mode
+            .band_hz
+            .map(|hz| axes.x.at(hz.clamp(range[0], range[1])));
+        let size = (right - left, 0.6 * ROW);
+        let top = middle - 0.3 * ROW;
+        drawing.rectangle((left, top), size, Colour::Window, None);
+    }
+    axes.draw_x(drawing, "natural frequency (Hz)", 8);
+    for (row, mode) in modes.iter().enumerate() {
+        let middle = frame.top + height * (row as f64 + 0.5);
+        let name = TextStyle::new(SIZE).anchor(Anchor::End);
+        drawing.text((frame.left - 8.0, middle + 0.35 * SIZE), mode.label, &name);
+        if let Some(hz) = mode.before_hz {
+            let at = (axes.x.at(hz), middle);
+            drawing.marker(Marker::Ring, at, 5.0, Colour::Series(1));
+        }
+        let at = (axes.x.at(mode.after_hz), middle);
+        drawing.marker(Marker::Disc, at, 5.0, Colour::Series(0));
+    }
+}
+
+fn entries(has_stations: bool, modes: &[DesignedMode<'_>]) -> Vec<Entry> {
+    let of = |stroke: Stroke, marker: Marker| Sample {
+        line: has_stations.then_some(stroke),
+        marker: (!modes.is_empty()).then_some((marker, stroke.colour)),
+        surface: None,
+    };
+    let mut entries = vec![
+        (of(before_stroke(), Marker::Ring), "before".to_owned()),
+        (of(after_stroke(), Marker::Disc), "after".to_owned()),
+    ];
+    if !modes.is_empty() {
+        let edge = Stroke::new(Colour::Grid, 1.0);
+        let band = Sample {
+            surface: Some((Colour::Window, edge)),
+            ..Sample::default()
+        };
+        entries.push((band, "band of the frequency".to_owned()));
+    }
+    entries
+}
+
+fn table(mass_kg: [f64; 2], modes: &[DesignedMode<'_>]) -> DataTable {
+    let header = ["", "lowest", "highest", "before", "after"];
+    let limit = |hz: f64| match hz > 0.0 && hz.is_finite() {
+        true => digits(hz, 6),
+        false => String::new(),
+    };
+    let mut rows = vec![vec![
+        "tower mass (kg)".to_owned(),
+        String::new(),
+        String::new(),
+        digits(mass_kg[0], 6),
+        digits(mass_kg[1], 6),
+    ]];
+    rows.extend(modes.iter().map(|mode| {
+        vec![
+            format!("{} (Hz)", mode.label),
+            limit(mode.band_hz[0]),
+            limit(mode.band_hz[1]),
+            mode.before_hz.map_or(String::new(), |hz| digits(hz, 6)),
+            digits(mode.after_hz, 6),
+        ]
+    }));
+    DataTable {
+        header: header.map(str::to_owned).to_vec(),
+        rows,
+    }
+}
