@@ -157,6 +157,11 @@ impl Parameter {
         is_of_water || name == "height"
     }
 
+    /// Whether it is the acceleration of gravity.
+    pub(crate) fn is_gravity(self) -> bool {
+        self.part().name == "gravity"
+    }
+
     /// Whether it is a number of a row of the property table.
     pub(crate) fn is_of_rows(self) -> bool {
         self.part().name == "properties[]"

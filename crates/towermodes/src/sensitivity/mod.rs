@@ -6,7 +6,7 @@
 //! numbers follow from those of the description. With other methods `held` differences the
 //! quotients, each of an assembly of a neighbour of the tower and two products. `step` chooses the
 //! steps, `slope` extrapolates from steps and meshes, `solved` solves again where the neighbour has
-//! another structure.
+//! another structure, `weightless` where gravity would give it one.
 
 mod changes;
 mod error;
@@ -15,6 +15,7 @@ mod slope;
 mod solved;
 mod step;
 mod swept;
+mod weightless;
 
 pub use changes::every_change;
 pub use error::SensitivityError;
@@ -139,7 +140,13 @@ pub fn sensitivities(
     let mut held = held::Held::new(&neighbours, &mut frozen);
     let mut results = Vec::with_capacity(changes.len());
     for (change, value) in changes.iter().zip(values) {
-        let of_swept = swept.derivatives(held.frozen(), change, value);
+        let of_swept = match weightless::is_needed(&neighbours, held.frozen(), change) {
+            true => {
+                let modes = &held.frozen().modes;
+                weightless::derivatives(&neighbours, change, modes, options, workspace)
+            }
+            false => swept.derivatives(held.frozen(), change, value),
+        };
         let of_held = of_swept.or_else(|| held.derivatives(change, value));
         let (modes, mass_kg_per_unit) = match of_held {
             Some(derivatives) => derivatives,

@@ -125,6 +125,44 @@ fn what_is_added_to_a_number_has_the_derivative_of_the_number() {
 }
 
 /// The error of a derivative against the spectral method, which has no mesh.
+/// With shear, gravity adds an unknown to each joint; without gravity the derivative is that of the
+/// limit from above.
+#[test]
+fn gravity_of_a_weightless_tower_that_shears() {
+    let shear = Class::ALL.into_iter().find(|class| class.name() == "shear");
+    let shear = shear.expect("towers that shear");
+    let mut compared = 0;
+    for number in 0..12 {
+        let mut description = shear.description(number);
+        description.gravity_m_per_s2 = 0.0;
+        let of = |method: Method| {
+            let options = Options {
+                method,
+                modes: 4,
+                ..Options::default()
+            };
+            sensitivities_of(&description, &["gravity.acceleration"], &options)
+        };
+        let [own, beam] = [Method::RmjeExact, Method::Spectral].map(of);
+        for (place, mode) in own.modes.iter().enumerate() {
+            let same = beam.modes.iter().position(|m| m.label() == mode.label());
+            let Some(same) = same else { continue };
+            let derivatives = [own.changes[0].modes[place], beam.changes[0].modes[same]];
+            let [Ok(own), Ok(beam)] = derivatives else {
+                continue;
+            };
+            let difference = own.hz_per_unit - beam.hz_per_unit;
+            let case = format!("{number} {}: {difference:.1e}", mode.label());
+            assert!(
+                difference.abs() <= 2e-5 * beam.hz_per_unit.abs() + 1e-10,
+                "{case}"
+            );
+            compared += 1;
+        }
+    }
+    assert!(compared > 24, "{compared} compared");
+}
+
 #[test]
 fn the_error_of_a_derivative_holds_and_is_near() {
     let (mut held, mut missed, mut ratios) = (0, Vec::new(), Vec::new());
