@@ -40,6 +40,17 @@ soil_shear_modulus = 5e7
 soil_poissons_ratio = 0.35
 embedment = 2.0
 "#;
+const MONOPILE: &str = r#"[foundation]
+type = "monopile"
+formula = "shadlou-bhattacharya"
+diameter = 7.0
+wall_thickness = 0.08
+embedded_length = 60.0
+youngs_modulus = 2.1e11
+soil_profile = "homogeneous"
+soil_youngs_modulus = 3e7
+soil_poissons_ratio = 0.3
+"#;
 const FLOATING: &str = r#"[foundation]
 type = "floating"
 mass = 7.5e6
@@ -89,7 +100,9 @@ fn refused(good: &str, from: &str, to: &str, place: &str, message: &str, hint: &
 
 #[test]
 fn without_a_mistake_all_are_good() {
-    for good in [STIFFNESS, SPRINGS, HALF_SPACE, FLOATING, SOIL, WATER, WIRES] {
+    for good in [
+        STIFFNESS, SPRINGS, HALF_SPACE, MONOPILE, FLOATING, SOIL, WATER, WIRES,
+    ] {
         let tower = tower_from_toml(&format!("{TOWER}{good}"));
         assert!(tower.is_ok(), "{good}{tower:?}");
     }
@@ -269,6 +282,46 @@ fn footings_that_cannot_be() {
     );
     refused(HALF_SPACE, "8.0", "0", "9:10", "radius is 0 m", "");
     refused(
+        MONOPILE,
+        "shadlou-bhattacharya",
+        "gazetas",
+        "9:11",
+        "there is no formula `gazetas`",
+        "names: shadlou-bhattacharya, randolph, en-1998-5",
+    );
+    refused(
+        MONOPILE,
+        "\"homogeneous\"",
+        "3",
+        "14:16",
+        "soil profile",
+        "",
+    );
+    refused(
+        MONOPILE,
+        "0.08",
+        "80",
+        "11:18",
+        "wall thickness is 80 m; it must be from 0 to 3.5 m",
+        "check value and unit",
+    );
+    refused(
+        MONOPILE,
+        "3e7",
+        "0",
+        "15:23",
+        "the soil's Young's modulus is 0 Pa",
+        "",
+    );
+    refused(
+        MONOPILE,
+        "soil_youngs_modulus = 3e7\n",
+        "soil_shear_modulus = 3e7\n",
+        "15:1",
+        "`soil_shear_modulus` is not a key",
+        "belongs to type = \"half-space\"",
+    );
+    refused(
         HALF_SPACE,
         "0.35",
         "0.6",
@@ -402,7 +455,7 @@ fn types_and_their_keys() {
         "\"jelly\"",
         "8:8",
         "there is no foundation of type `jelly`",
-        "types: clamped, stiffness, springs, half-space, floating",
+        "types: clamped, stiffness, springs, half-space, monopile, winkler-pile, floating",
     );
     refused(
         SPRINGS,

@@ -3,8 +3,9 @@
 use proptest::prelude::*;
 use towermodes::{
     AddedMassRow, FloatingPlatform, Foundation, FoundationSprings, HalfSpace, Inertia, Material,
-    PartNames, Planes, PointMass, Properties, PropertyStation, ReferredMatrix, Rna, Rotor, Shear,
-    SoilRow, SoilStiffness, Station, StiffnessFoundation, TowerDescription, Water, Wires,
+    Monopile, PartNames, PileFormula, PileTube, Planes, PointMass, Properties, PropertyStation,
+    ReferredMatrix, Rna, Rotor, Shear, SoilProfile, SoilRow, SoilStiffness, Station,
+    StiffnessFoundation, TowerDescription, Water, WinklerPile, Wires,
 };
 use towermodes_files::{description_from_toml, tower_from_toml, write_toml};
 
@@ -314,6 +315,16 @@ fn every_foundation() {
             shear_modulus_pa: 5e7,
             poissons_ratio: 0.0,
         }),
+        monopile(PileFormula::ShadlouBhattacharya, SoilProfile::Parabolic),
+        monopile(PileFormula::Randolph, SoilProfile::Linear),
+        monopile(PileFormula::En1998, SoilProfile::Homogeneous),
+        Foundation::WinklerPile(Box::new(WinklerPile {
+            tube: PILE,
+            soil_spring_n_per_m2: 1.5e8,
+            exponent: 0.6,
+            vertical_n_per_m: f64::INFINITY,
+            torsion_n_m: 3e11,
+        })),
         Foundation::Floating(Box::new(platform)),
     ];
     for foundation in foundations {
@@ -322,6 +333,25 @@ fn every_foundation() {
             ..tubes()
         });
     }
+}
+
+const PILE: PileTube = PileTube {
+    diameter_m: 8.0,
+    wall_thickness_m: 0.09,
+    embedded_length_m: 30.0,
+    youngs_modulus_pa: 2.1e11,
+};
+
+fn monopile(formula: PileFormula, soil_profile: SoilProfile) -> Foundation {
+    Foundation::Monopile(Box::new(Monopile {
+        tube: PILE,
+        formula,
+        soil_profile,
+        soil_youngs_modulus_pa: 3e7,
+        soil_poissons_ratio: 0.35,
+        vertical_n_per_m: 5e9,
+        torsion_n_m: f64::INFINITY,
+    }))
 }
 
 #[test]

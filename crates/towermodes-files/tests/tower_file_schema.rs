@@ -144,7 +144,7 @@ const NO_PARAMETERS: [(&str, &str); 3] = [
 #[test]
 fn every_number_of_the_tower_file_is_a_parameter() {
     let floating = text("examples/floating.toml");
-    let files = [TUBES, TABLE, STIFFNESS, &floating];
+    let files = [TUBES, TABLE, STIFFNESS, MONOPILE, WINKLER_PILE, &floating];
     let towers = files.map(description);
     for table in tower_file_schema() {
         for key in table.keys {
@@ -246,6 +246,43 @@ const TABLE: &str = "
     radius = 8.0
     soil_shear_modulus = 5e7
     soil_poissons_ratio = 0.3
+";
+
+const MONOPILE: &str = "
+    [material]
+    density = 8500.0
+    youngs_modulus = 2.1e11
+    shear_modulus = 8.08e10
+    [tower]
+    stations = [[0.0, 6.0, 0.027], [87.6, 3.87, 0.019]]
+    [foundation]
+    type = \"monopile\"
+    formula = \"en-1998-5\"
+    diameter = 6.0
+    wall_thickness = 0.06
+    embedded_length = 36.0
+    youngs_modulus = 2.1e11
+    soil_profile = \"linear\"
+    soil_youngs_modulus = 5e7
+    soil_poissons_ratio = 0.3
+";
+
+const WINKLER_PILE: &str = "
+    [material]
+    density = 8500.0
+    youngs_modulus = 2.1e11
+    shear_modulus = 8.08e10
+    [tower]
+    stations = [[0.0, 6.0, 0.027], [87.6, 3.87, 0.019]]
+    [foundation]
+    type = \"winkler-pile\"
+    diameter = 6.0
+    wall_thickness = 0.06
+    embedded_length = 36.0
+    youngs_modulus = 2.1e11
+    soil_spring = 5e7
+    exponent = 1.0
+    vertical = 1e10
 ";
 
 const STIFFNESS: &str = "

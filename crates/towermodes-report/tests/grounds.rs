@@ -4,12 +4,41 @@ use crate::pictures;
 
 use pictures::{look, plain, steel};
 use towermodes::{
-    AddedMassRow, FloatingPlatform, Foundation, FoundationSprings, HalfSpace, Inertia,
-    ReferredMatrix, Rna, SoilRow, SoilStiffness, Station, StiffnessFoundation, Tower,
-    TowerDescription, Water, Wires,
+    AddedMassRow, FloatingPlatform, Foundation, FoundationSprings, HalfSpace, Inertia, Monopile,
+    PileFormula, PileTube, ReferredMatrix, Rna, SoilProfile, SoilRow, SoilStiffness, Station,
+    StiffnessFoundation, Tower, TowerDescription, Water, WinklerPile, Wires,
 };
 use towermodes_report::figures;
 use towermodes_report::svg::Look;
+
+const PILE: PileTube = PileTube {
+    diameter_m: 7.0,
+    wall_thickness_m: 0.08,
+    embedded_length_m: 30.0,
+    youngs_modulus_pa: 2.1e11,
+};
+
+fn monopile() -> Foundation {
+    Foundation::Monopile(Box::new(Monopile {
+        tube: PILE,
+        formula: PileFormula::ShadlouBhattacharya,
+        soil_profile: SoilProfile::Linear,
+        soil_youngs_modulus_pa: 3e7,
+        soil_poissons_ratio: 0.3,
+        vertical_n_per_m: f64::INFINITY,
+        torsion_n_m: 1e11,
+    }))
+}
+
+fn winkler_pile() -> Foundation {
+    Foundation::WinklerPile(Box::new(WinklerPile {
+        tube: PILE,
+        soil_spring_n_per_m2: 1e8,
+        exponent: 1.0,
+        vertical_n_per_m: 1e9,
+        torsion_n_m: f64::INFINITY,
+    }))
+}
 
 #[test]
 fn every_foundation() {
@@ -48,6 +77,8 @@ fn every_foundation() {
         ("footing", half_space(9.0, 3.0)),
         ("wide deep footing", half_space(300.0, 500.0)),
         ("footing on the surface", half_space(9.0, 0.0)),
+        ("monopile", monopile()),
+        ("pile on springs", winkler_pile()),
     ] {
         let description = TowerDescription {
             foundation,

@@ -84,9 +84,10 @@ pub use solve::{
     solve_certain, solve_frequencies, solve_until, solve_with,
 };
 pub use tower::{
-    AddedMassRow, FloatingPlatform, Foundation, FoundationSprings, HalfSpace, Ineffective, Inertia,
-    Material, PartNames, Place, Plane, Planes, PointMass, Problem, Properties, PropertyStation,
-    Quantity, ReferredMatrix, RigidBody, Rna, Rotor, Shear, Site, SoilRow, SoilStiffness, Station,
-    StiffnessFoundation, Tower, TowerDescription, TowerError, Warning, Water, Wires, is_printable,
-    printable,
+    AddedMassRow, FloatingPlatform, Foundation, FoundationSprings, HalfSpace, HeadStiffness,
+    Ineffective, Inertia, Material, Monopile, PartNames, PileBehaviour, PileFormula, PileTube,
+    Place, Plane, Planes, PointMass, Problem, Properties, PropertyStation, Quantity,
+    ReferredMatrix, RigidBody, Rna, Rotor, Shear, Site, Slenderness, SoilProfile, SoilRow,
+    SoilStiffness, Station, StiffnessFoundation, Tower, TowerDescription, TowerError, Warning,
+    Water, WinklerPile, Wires, is_printable, printable,
 };

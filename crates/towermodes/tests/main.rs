@@ -7,6 +7,7 @@ mod beams;
 mod blade;
 mod buckling;
 mod certain;
+mod closed_forms;
 mod convergence;
 mod dense;
 mod eigensolver;

@@ -4,9 +4,10 @@ use std::collections::{BTreeSet, HashSet};
 
 use towermodes::{
     AddedMassRow, Change, FloatingPlatform, Foundation, FoundationSprings, HalfSpace, Inertia,
-    Material, Operation, Parameter, ParameterError, PartNames, Place, Planes, PointMass,
-    Properties, PropertyStation, ReferredMatrix, Rna, Rotor, Shear, SoilRow, SoilStiffness,
-    Station, StiffnessFoundation, TowerDescription, Water, Wires,
+    Material, Monopile, Operation, Parameter, ParameterError, PartNames, PileFormula, PileTube,
+    Place, Planes, PointMass, Properties, PropertyStation, ReferredMatrix, Rna, Rotor, Shear,
+    SoilProfile, SoilRow, SoilStiffness, Station, StiffnessFoundation, TowerDescription, Water,
+    WinklerPile, Wires,
 };
 
 fn tubes() -> TowerDescription {
@@ -77,6 +78,13 @@ fn table(foundation: Foundation) -> TowerDescription {
     }
 }
 
+const PILE: PileTube = PileTube {
+    diameter_m: 8.0,
+    wall_thickness_m: 0.09,
+    embedded_length_m: 30.0,
+    youngs_modulus_pa: 2.1e11,
+};
+
 /// One tower for every type of foundation; together they have every kind of number.
 fn towers() -> Vec<TowerDescription> {
     let matrix = std::array::from_fn(|i| std::array::from_fn(|j| (10 + i + j) as f64));
@@ -104,6 +112,22 @@ fn towers() -> Vec<TowerDescription> {
             added_mass: referred,
             hydrostatic: referred,
             mooring: referred,
+        }))),
+        table(Foundation::Monopile(Box::new(Monopile {
+            tube: PILE,
+            formula: PileFormula::Randolph,
+            soil_profile: SoilProfile::Linear,
+            soil_youngs_modulus_pa: 3e7,
+            soil_poissons_ratio: 0.3,
+            vertical_n_per_m: 1e9,
+            torsion_n_m: 1e11,
+        }))),
+        table(Foundation::WinklerPile(Box::new(WinklerPile {
+            tube: PILE,
+            soil_spring_n_per_m2: 1e8,
+            exponent: 0.5,
+            vertical_n_per_m: 1e9,
+            torsion_n_m: 1e11,
         }))),
     ]
 }

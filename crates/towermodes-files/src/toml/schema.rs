@@ -209,6 +209,32 @@ tables! {
         required "soil_shear_modulus" Number "Pa" "";
         required "soil_poissons_ratio" Number "" "";
 
+    /// `[foundation]` of type `monopile`.
+    MONOPILE = "[foundation] of type \"monopile\"":
+        required "type" Text "" "type of the foundation";
+        required "formula" Text "" "shadlou-bhattacharya, randolph or en-1998-5";
+        required "diameter" Number "m" "of the pile";
+        required "wall_thickness" Number "m" "";
+        required "embedded_length" Number "m" "";
+        required "youngs_modulus" Number "Pa" "of the pile";
+        required "soil_profile" Text "" "homogeneous, parabolic or linear";
+        required "soil_youngs_modulus" Number "Pa" "at the depth of one diameter";
+        required "soil_poissons_ratio" Number "" "";
+        optional "vertical" Number "N/m" "inf is rigid";
+        optional "torsion" Number "N m" "";
+
+    /// `[foundation]` of type `winkler-pile`.
+    WINKLER_PILE = "[foundation] of type \"winkler-pile\"":
+        required "type" Text "" "type of the foundation";
+        required "diameter" Number "m" "of the pile";
+        required "wall_thickness" Number "m" "";
+        required "embedded_length" Number "m" "";
+        required "youngs_modulus" Number "Pa" "of the pile";
+        required "soil_spring" Number "N/m2" "per metre of pile, at the depth of one diameter";
+        required "exponent" Number "" "of the depth in the soil spring: 0 constant, 1 linear";
+        optional "vertical" Number "N/m" "inf is rigid";
+        optional "torsion" Number "N m" "";
+
     /// `[foundation]` of type `floating`.
     FLOATING = "[foundation] of type \"floating\"":
         required "type" Text "" "type of the foundation";
@@ -255,5 +281,12 @@ tables! {
 }
 
 /// The types of foundation with their names.
-pub(super) static FOUNDATIONS: [&TableSchema; 5] =
-    [&CLAMPED, &STIFFNESS, &SPRINGS, &HALF_SPACE, &FLOATING];
+pub(super) static FOUNDATIONS: [&TableSchema; 7] = [
+    &CLAMPED,
+    &STIFFNESS,
+    &SPRINGS,
+    &HALF_SPACE,
+    &MONOPILE,
+    &WINKLER_PILE,
+    &FLOATING,
+];

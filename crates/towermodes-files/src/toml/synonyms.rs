@@ -2,7 +2,7 @@
 
 /// Names and the keys that they may mean, the likeliest first, each separated by blanks. Names are
 /// in small letters and without a unit at their end. The types of a foundation are here too.
-const SYNONYMS: [(&str, &str); 54] = [
+const SYNONYMS: [(&str, &str); 56] = [
     (
         "cg cog com cm centre centroid center_of_mass centre_of_mass center_of_gravity centre_of_gravity cg_offset position location offset",
         "center",
@@ -117,6 +117,8 @@ const SYNONYMS: [(&str, &str); 54] = [
         "floating",
     ),
     ("footing half_space halfspace gravity_base", "half-space"),
+    ("pile mono_pile", "monopile"),
+    ("winkler winkler_pile", "winkler-pile"),
 ];
 
 /// Units at the end of a key.

@@ -3,9 +3,10 @@
 use std::path::Path;
 
 use towermodes::{
-    FloatingPlatform, Foundation, FoundationSprings, HalfSpace, Method, Options, Planes, PointMass,
-    Properties, PropertyStation, ReferredMatrix, Rna, Shear, SoilRow, SoilStiffness,
-    StiffnessFoundation, TowerDescription, Water, Wires,
+    FloatingPlatform, Foundation, FoundationSprings, HalfSpace, Method, Monopile, Options,
+    PileFormula, PileTube, Planes, PointMass, Properties, PropertyStation, ReferredMatrix, Rna,
+    Shear, SoilProfile, SoilRow, SoilStiffness, StiffnessFoundation, TowerDescription, Water,
+    Wires,
 };
 use towermodes_files::{Input, ReadOptions, read};
 
@@ -232,6 +233,20 @@ fn grounds() -> Vec<Row> {
         shear_modulus_pa: 5e7,
         poissons_ratio: 0.3,
     };
+    let pile = Monopile {
+        tube: PileTube {
+            diameter_m: 7.0,
+            wall_thickness_m: 0.08,
+            embedded_length_m: 60.0,
+            youngs_modulus_pa: 2.1e11,
+        },
+        formula: PileFormula::Randolph,
+        soil_profile: SoilProfile::Linear,
+        soil_youngs_modulus_pa: 3e7,
+        soil_poissons_ratio: 0.3,
+        vertical_n_per_m: f64::INFINITY,
+        torsion_n_m: f64::INFINITY,
+    };
     vec![
         row(
             "springs",
@@ -269,6 +284,16 @@ fn grounds() -> Vec<Row> {
             "half-space",
             on(Foundation::HalfSpace(footing)),
             &["elastic half-space"],
+            &["clamped"],
+        ),
+        row(
+            "monopile",
+            on(Foundation::Monopile(Box::new(pile))),
+            &[
+                "the head of a monopile",
+                "Randolph (1981)",
+                "Fixed degrees of freedom: z, rotation about z.",
+            ],
             &["clamped"],
         ),
     ]

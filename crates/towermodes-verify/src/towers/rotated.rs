@@ -27,7 +27,12 @@ pub fn rotated(description: &TowerDescription, azimuth_rad: f64) -> TowerDescrip
             foundation.inertia = turn.matrix(&foundation.inertia);
         }
         Foundation::Floating(platform) => **platform = turn.platform(platform),
-        Foundation::Clamped | Foundation::Springs(_) | Foundation::HalfSpace(_) => {}
+        // The same in both planes.
+        Foundation::Clamped
+        | Foundation::Springs(_)
+        | Foundation::HalfSpace(_)
+        | Foundation::Monopile(_)
+        | Foundation::WinklerPile(_) => {}
     }
     turned
 }

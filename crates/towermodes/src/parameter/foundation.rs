@@ -3,8 +3,8 @@
 use super::part::{Indices, Key, Part, fields};
 use crate::space::SpatialMatrix;
 use crate::tower::{
-    FloatingPlatform, Foundation, FoundationSprings, HalfSpace, Place, StiffnessFoundation,
-    TowerDescription,
+    FloatingPlatform, Foundation, FoundationSprings, HalfSpace, Monopile, Place,
+    StiffnessFoundation, TowerDescription, WinklerPile,
 };
 
 /// The foundation of one type, for reading and for writing.
@@ -28,6 +28,8 @@ macro_rules! foundation_of {
 
 foundation_of!(springs, springs_mut, Springs, FoundationSprings);
 foundation_of!(half_space, half_space_mut, HalfSpace, HalfSpace);
+foundation_of!(monopile, monopile_mut, Monopile, Monopile);
+foundation_of!(winkler_pile, winkler_pile_mut, WinklerPile, WinklerPile);
 foundation_of!(stiffness, stiffness_mut, Stiffness, StiffnessFoundation);
 foundation_of!(floating, floating_mut, Floating, FloatingPlatform);
 
@@ -65,6 +67,50 @@ pub(super) static HALF_SPACE: Part = Part {
         "embedment" "m" "depth of embedment", "embedment" embedment_m;
         "soil_shear_modulus" "Pa" "shear modulus of the soil", "soil_shear_modulus" shear_modulus_pa;
         "soil_poissons_ratio" "" "Poisson's ratio of the soil", "soil_poissons_ratio" poissons_ratio;
+    },
+};
+
+/// `[foundation]` of type `monopile`.
+pub(super) static MONOPILE: Part = Part {
+    name: "foundation",
+    noun: "foundation of type \"monopile\"",
+    count: |d| usize::from(monopile(d).is_some()),
+    rows: |_, _| 1,
+    is_symmetric: false,
+    keys: fields! {
+        get |d, _i| monopile(d)?;
+        set |d, _i| monopile_mut(d)?;
+        place |_i, key| Place::Foundation { key };
+        "diameter" "m" "outer diameter of the pile", "diameter" tube.diameter_m;
+        "wall_thickness" "m" "wall thickness of the pile", "wall_thickness" tube.wall_thickness_m;
+        "embedded_length" "m" "embedded length of the pile", "embedded_length" tube.embedded_length_m;
+        "youngs_modulus" "Pa" "Young's modulus of the pile", "youngs_modulus" tube.youngs_modulus_pa;
+        "soil_youngs_modulus" "Pa" "Young's modulus of the soil at the depth of one diameter", "soil_youngs_modulus" soil_youngs_modulus_pa;
+        "soil_poissons_ratio" "" "Poisson's ratio of the soil", "soil_poissons_ratio" soil_poissons_ratio;
+        "vertical" "N/m" "stiffness against z", "vertical" vertical_n_per_m;
+        "torsion" "N m" "stiffness against rotation about z", "torsion" torsion_n_m;
+    },
+};
+
+/// `[foundation]` of type `winkler-pile`.
+pub(super) static WINKLER_PILE: Part = Part {
+    name: "foundation",
+    noun: "foundation of type \"winkler-pile\"",
+    count: |d| usize::from(winkler_pile(d).is_some()),
+    rows: |_, _| 1,
+    is_symmetric: false,
+    keys: fields! {
+        get |d, _i| winkler_pile(d)?;
+        set |d, _i| winkler_pile_mut(d)?;
+        place |_i, key| Place::Foundation { key };
+        "diameter" "m" "outer diameter of the pile", "diameter" tube.diameter_m;
+        "wall_thickness" "m" "wall thickness of the pile", "wall_thickness" tube.wall_thickness_m;
+        "embedded_length" "m" "embedded length of the pile", "embedded_length" tube.embedded_length_m;
+        "youngs_modulus" "Pa" "Young's modulus of the pile", "youngs_modulus" tube.youngs_modulus_pa;
+        "soil_spring" "N/m2" "soil spring at the depth of one diameter", "soil_spring" soil_spring_n_per_m2;
+        "exponent" "" "exponent of the depth in the soil spring", "exponent" exponent;
+        "vertical" "N/m" "stiffness against z", "vertical" vertical_n_per_m;
+        "torsion" "N m" "stiffness against rotation about z", "torsion" torsion_n_m;
     },
 };
 

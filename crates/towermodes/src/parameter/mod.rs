@@ -27,7 +27,7 @@ use name::Name;
 use part::{Key, Part};
 
 /// The parts of a tower in the order of the tower file.
-static PARTS: [&Part; 21] = [
+static PARTS: [&Part; 23] = [
     &structure::MATERIAL,
     &structure::MATERIALS,
     &structure::TOWER,
@@ -40,6 +40,8 @@ static PARTS: [&Part; 21] = [
     &foundation::STIFFNESS_MASS,
     &foundation::SPRINGS,
     &foundation::HALF_SPACE,
+    &foundation::MONOPILE,
+    &foundation::WINKLER_PILE,
     &foundation::FLOATING,
     &foundation::FLOATING_ADDED_MASS,
     &foundation::FLOATING_HYDROSTATIC,

@@ -40,6 +40,8 @@ impl Base {
             }
             Foundation::Springs(springs) => Self::on_springs(springs),
             Foundation::HalfSpace(footing) => Self::on_springs(&footing.springs()),
+            Foundation::Monopile(pile) => Self::on_springs(&pile.springs()),
+            Foundation::WinklerPile(pile) => Self::on_springs(&pile.springs()),
             Foundation::Floating(platform) => Self::afloat(platform, base_m, mass_kg),
         }
     }

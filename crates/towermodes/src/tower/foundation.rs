@@ -1,5 +1,6 @@
 //! The foundation of a tower as its user describes it.
 
+use super::closed_form::{Monopile, WinklerPile};
 use super::inertia::Inertia;
 use crate::space::SpatialMatrix;
 
@@ -36,8 +37,25 @@ pub enum Foundation {
     Springs(FoundationSprings),
     /// A rigid circular footing on elastic soil.
     HalfSpace(HalfSpace),
+    /// A monopile in an elastic continuum, by a closed form.
+    Monopile(Box<Monopile>),
+    /// A pile on springs along its length, exactly.
+    WinklerPile(Box<WinklerPile>),
     /// A rigid floating platform.
     Floating(Box<FloatingPlatform>),
+}
+
+impl Foundation {
+    /// The springs that follow from the dimensions and the soil of a foundation that is given by
+    /// these; none for the others.
+    pub fn derived_springs(&self) -> Option<FoundationSprings> {
+        match self {
+            Self::HalfSpace(footing) => Some(footing.springs()),
+            Self::Monopile(pile) => Some(pile.springs()),
+            Self::WinklerPile(pile) => Some(pile.springs()),
+            Self::Clamped | Self::Stiffness(_) | Self::Springs(_) | Self::Floating(_) => None,
+        }
+    }
 }
 
 /// Matrices for the motion (x, y, z, rotation about x, y, z) of the base: N/m, N, N m; kg, kg m, kg

@@ -4,6 +4,7 @@
 mod attachment;
 mod axisymmetric;
 mod base;
+mod closed_form;
 mod description;
 mod environment;
 mod error;
@@ -40,6 +41,10 @@ pub use attachment::Attachment;
 pub(crate) use attachment::spatial_inertia;
 pub use axisymmetric::Axisymmetric;
 pub use base::Base;
+pub use closed_form::{
+    HeadStiffness, Monopile, PileBehaviour, PileFormula, PileTube, Slenderness, SoilProfile,
+    WinklerPile,
+};
 pub use description::{PointMass, PropertyStation, Rna, Station, TowerDescription};
 pub use environment::Environment;
 pub use error::{FreeMotions, Place, Problem, TowerError};

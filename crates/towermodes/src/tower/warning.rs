@@ -213,6 +213,46 @@ pub enum Warning {
         /// How far above the base its centre is, by its entries, m.
         above_m: f64,
     },
+    /// A pile between the ranges of the formulas for rigid and for flexible piles.
+    #[error(
+        "the pile is neither rigid nor flexible: its embedded length divided by its diameter is {}; the formulas of {formula} hold for rigid \
+         piles, up to {}, and for flexible piles, from {}; the form with the smaller stiffness is used, which is too stiff; check the result with type = \
+         \"winkler-pile\" or with [[soil]] along the pile",
+        Plain(rounded(*.slenderness)), Plain(rounded(*.rigid_at_most)), Plain(rounded(*.flexible_at_least))
+    )]
+    BetweenRigidAndFlexible {
+        /// The key with the length of the pile.
+        site: Site,
+        /// The formula.
+        formula: &'static str,
+        /// Length over diameter.
+        slenderness: f64,
+        /// Up to this a pile is rigid.
+        rigid_at_most: f64,
+        /// From this a pile is flexible.
+        flexible_at_least: f64,
+    },
+    /// A formula for a foundation outside the range for which it was derived.
+    #[error(
+        "{quantity} is {}; {formula} holds for {}, so the stiffness is extrapolated; {remedy}",
+        Plain(rounded(*.value)), Range(*.least, *.most, "")
+    )]
+    OutsideFormula {
+        /// The key of the value.
+        site: Site,
+        /// The formula.
+        formula: &'static str,
+        /// What its range is about.
+        quantity: &'static str,
+        /// The value.
+        value: f64,
+        /// The least for which the formula holds; minus infinity if there is none.
+        least: f64,
+        /// The most; infinity if there is none.
+        most: f64,
+        /// What to do.
+        remedy: &'static str,
+    },
     /// A tower that is under water.
     #[error(
         "{}the water level {} m is above the tower top at {} m; all heights use the datum of the stations, in m",
@@ -427,6 +467,8 @@ impl Warning {
             | Self::CouplingSigns { site, .. }
             | Self::CouplingAlongAxis { site, .. }
             | Self::ActsAbove { site, .. }
+            | Self::BetweenRigidAndFlexible { site, .. }
+            | Self::OutsideFormula { site, .. }
             | Self::UnderWater { site, .. }
             | Self::TriangleInequality { site, .. } => Some(site),
             _ => None,

@@ -1,9 +1,13 @@
 //! `[foundation]`: its type, and which keys belong to which.
 
+mod choice;
 mod floating;
 mod half_space;
+mod pile;
 mod springs;
 mod stiffness;
+
+pub(super) use pile::{FORMULAS, PROFILES};
 
 use towermodes::{Foundation, Place};
 
@@ -23,11 +27,13 @@ struct Kind {
     read: fn(&Table<'_>, &mut Reading) -> Option<Foundation>,
 }
 
-static KINDS: [Kind; 5] = [
+static KINDS: [Kind; 7] = [
     CLAMPED,
     stiffness::KIND,
     springs::KIND,
     half_space::KIND,
+    pile::MONOPILE,
+    pile::WINKLER_PILE,
     floating::KIND,
 ];
 

@@ -2,11 +2,13 @@
 
 use towermodes::space::SpatialMatrix;
 use towermodes::{
-    FloatingPlatform, Foundation, FoundationSprings, HalfSpace, ReferredMatrix, StiffnessFoundation,
+    FloatingPlatform, Foundation, FoundationSprings, HalfSpace, Monopile, PileTube, ReferredMatrix,
+    StiffnessFoundation, WinklerPile,
 };
 
 use super::bodies::{inertia_with, triple};
 use super::writing::Writing;
+use crate::toml::foundation::{FORMULAS, PROFILES};
 use crate::toml::schema::{self, TableSchema};
 
 const NONE: SpatialMatrix = [[0.0; 6]; 6];
@@ -18,6 +20,8 @@ pub(super) fn foundation(foundation: &Foundation, writing: &mut Writing) {
         Foundation::Stiffness(foundation) => stiffness(foundation, writing),
         Foundation::Springs(foundation) => springs(foundation, writing),
         Foundation::HalfSpace(footing) => half_space(footing, writing),
+        Foundation::Monopile(pile) => monopile(pile, writing),
+        Foundation::WinklerPile(pile) => winkler_pile(pile, writing),
         Foundation::Floating(platform) => floating(platform, writing),
     }
 }
@@ -60,6 +64,46 @@ fn half_space(footing: &HalfSpace, writing: &mut Writing) {
     }
     writing.number("soil_shear_modulus", footing.shear_modulus_pa);
     writing.number("soil_poissons_ratio", footing.poissons_ratio);
+}
+
+/// The name of a choice in quotation marks.
+fn named<T: PartialEq>(choices: &[(&'static str, T)], choice: &T) -> String {
+    let name = choices.iter().find(|(_, other)| other == choice);
+    format!("\"{}\"", name.map_or("", |(name, _)| *name))
+}
+
+fn tube(tube: &PileTube, writing: &mut Writing) {
+    writing.number("diameter", tube.diameter_m);
+    writing.number("wall_thickness", tube.wall_thickness_m);
+    writing.number("embedded_length", tube.embedded_length_m);
+    writing.number("youngs_modulus", tube.youngs_modulus_pa);
+}
+
+/// Springs that are rigid are left out.
+fn others(vertical_n_per_m: f64, torsion_n_m: f64, writing: &mut Writing) {
+    for (key, value) in [("vertical", vertical_n_per_m), ("torsion", torsion_n_m)] {
+        if value != f64::INFINITY {
+            writing.number(key, value);
+        }
+    }
+}
+
+fn monopile(pile: &Monopile, writing: &mut Writing) {
+    kind("monopile", &schema::MONOPILE, writing);
+    writing.value("formula", &named(&FORMULAS, &pile.formula));
+    tube(&pile.tube, writing);
+    writing.value("soil_profile", &named(&PROFILES, &pile.soil_profile));
+    writing.number("soil_youngs_modulus", pile.soil_youngs_modulus_pa);
+    writing.number("soil_poissons_ratio", pile.soil_poissons_ratio);
+    others(pile.vertical_n_per_m, pile.torsion_n_m, writing);
+}
+
+fn winkler_pile(pile: &WinklerPile, writing: &mut Writing) {
+    kind("winkler-pile", &schema::WINKLER_PILE, writing);
+    tube(&pile.tube, writing);
+    writing.number("soil_spring", pile.soil_spring_n_per_m2);
+    writing.number("exponent", pile.exponent);
+    others(pile.vertical_n_per_m, pile.torsion_n_m, writing);
 }
 
 fn floating(platform: &FloatingPlatform, writing: &mut Writing) {

@@ -25,6 +25,8 @@ pub(super) fn foundation(description: &TowerDescription, tower: &Tower) -> Vec<B
         Foundation::Springs(given) => springs(tower, given),
         Foundation::Stiffness(matrices) => springs(tower, &on_diagonal(matrices)),
         Foundation::HalfSpace(half_space) => footing(tower, half_space),
+        Foundation::Monopile(pile) => springs(tower, &pile.springs()),
+        Foundation::WinklerPile(pile) => springs(tower, &pile.springs()),
         Foundation::Floating(platform) => floating(tower, platform),
     }
 }

@@ -32,6 +32,8 @@ pub(super) fn draw_foundation(
         }
         Foundation::Springs(springs) => draw_springs(drawing, view, tower, springs),
         Foundation::HalfSpace(footing) => draw_footing(drawing, view, tower, footing),
+        Foundation::Monopile(pile) => draw_springs(drawing, view, tower, &pile.springs()),
+        Foundation::WinklerPile(pile) => draw_springs(drawing, view, tower, &pile.springs()),
         Foundation::Floating(_) => {}
     }
 }
@@ -172,6 +174,10 @@ pub(super) fn callout(view: &View, tower: &Tower, foundation: &Foundation) -> Op
             let footing = Footing::new(view, tower, half_space);
             let at = (x + footing.half_width, y + 0.6 * footing.depth);
             (at, footing_lines(half_space, footing.is_to_scale))
+        }
+        Foundation::Monopile(pile) => ((x + half + 27.0, y + 6.0), spring_lines(&pile.springs())),
+        Foundation::WinklerPile(pile) => {
+            ((x + half + 27.0, y + 6.0), spring_lines(&pile.springs()))
         }
         Foundation::Floating(_) => return None,
     };

@@ -85,6 +85,8 @@ fn foundation(foundation: &Foundation, tower: &Tower) -> &'static str {
         Foundation::Stiffness(_) => "foundation with a stiffness matrix",
         Foundation::Springs(_) => "springs at the base",
         Foundation::HalfSpace(_) => "circular footing on an elastic half-space",
+        Foundation::Monopile(_) => "monopile in elastic soil, by a formula",
+        Foundation::WinklerPile(_) => "pile on springs along its length",
         Foundation::Floating(_) => "floating platform",
     }
 }

@@ -8,6 +8,7 @@ use towermodes::{
 use super::super::document::Block;
 use super::super::table::Table;
 use super::bodies::inertia;
+use super::closed_form;
 use super::{paragraph, table};
 use crate::number::{digits, given, length};
 
@@ -26,6 +27,8 @@ pub(super) fn foundation(description: &TowerDescription) -> Vec<Block> {
             ))]
         }
         Foundation::HalfSpace(footing) => of_half_space(footing),
+        Foundation::Monopile(pile) => closed_form::of_monopile(pile),
+        Foundation::WinklerPile(pile) => closed_form::of_winkler_pile(pile),
         Foundation::Floating(platform) => floating(platform, description.gravity_m_per_s2),
     }
 }
@@ -40,7 +43,11 @@ fn of_stiffness(foundation: &StiffnessFoundation) -> Vec<Block> {
     blocks
 }
 
-fn of_springs(caption: &str, springs: &FoundationSprings, number: impl Fn(f64) -> String) -> Table {
+pub(super) fn of_springs(
+    caption: &str,
+    springs: &FoundationSprings,
+    number: impl Fn(f64) -> String,
+) -> Table {
     Table::of_facts(
         caption,
         [

@@ -2,6 +2,7 @@
 
 mod assumptions;
 mod bodies;
+mod closed_form;
 mod elastodyn;
 mod files;
 mod foundation;

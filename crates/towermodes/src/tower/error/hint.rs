@@ -50,6 +50,10 @@ impl Problem {
             }
             Self::CouplingOfRigid => "omit coupling, or give finite lateral and rocking springs",
             Self::SoilPoissonsRatio { .. } => "sand has about 0.3, saturated clay 0.5",
+            Self::ProfileWithoutFormula => {
+                "use soil_profile = \"homogeneous\" or \"linear\", or another formula"
+            }
+            Self::OutOfRange { .. } => "check value and unit",
             Self::InfiniteAndFloating { .. } => {
                 "write finite stiffnesses, or use type = \"springs\", where inf is allowed"
             }

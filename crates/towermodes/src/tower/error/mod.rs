@@ -207,6 +207,26 @@ pub enum Problem {
         /// The value given.
         value: f64,
     },
+    /// A formula for piles that has no form for this profile of the soil.
+    #[error("the formula of Randolph has no form for a parabolic profile of the soil")]
+    ProfileWithoutFormula,
+    /// A number outside its possible range.
+    #[error(
+        "{quantity} is {}{unit}; it must be from {} to {}{unit}",
+        Plain(*.value), Plain(*.least), Plain(*.most)
+    )]
+    OutOfRange {
+        /// The quantity.
+        quantity: &'static str,
+        /// Its value.
+        value: f64,
+        /// Its unit after a space.
+        unit: &'static str,
+        /// The least possible value.
+        least: f64,
+        /// The largest possible value.
+        most: f64,
+    },
     /// An infinite stiffness for a floating platform.
     #[error(
         "the {what} has an infinite entry, but a floating platform cannot be rigidly supported"

@@ -1,5 +1,6 @@
 //! The foundation: springs against the tower's own stiffness and mass, footings, couplings.
 
+use super::closed_form;
 use super::couplings::{self, Named};
 use super::usual::Usual;
 use super::{Given, floating, frequency_hz};
@@ -31,6 +32,8 @@ pub(super) fn check(tower: &Tower, given: &Given<'_>, warnings: &mut Vec<Warning
     match given.foundation {
         Foundation::Clamped => {}
         Foundation::HalfSpace(footing) => half_space(tower, footing, warnings),
+        Foundation::Monopile(pile) => closed_form::monopile(tower, pile, warnings),
+        Foundation::WinklerPile(pile) => closed_form::winkler_pile(tower, pile, warnings),
         Foundation::Floating(platform) => floating::check(tower, platform, warnings),
         Foundation::Springs(_) => {
             let keys = ["lateral", "rocking", "vertical", "torsion"];

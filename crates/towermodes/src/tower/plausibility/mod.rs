@@ -6,6 +6,7 @@
 //! rows have a quantity, the row that is furthest off is named.
 
 mod bodies;
+mod closed_form;
 mod couplings;
 mod floating;
 mod foundation;

@@ -1,5 +1,6 @@
 //! The checks of the foundation.
 
+use super::closed_form;
 use super::inertia::check_inertia;
 use super::scale::{coordinate, error, finite, length, not_negative, positive, stiffness};
 use crate::space::SpatialMatrix;
@@ -28,6 +29,8 @@ pub(super) fn check_foundation(foundation: &Foundation) -> Result<(), TowerError
         Foundation::Stiffness(foundation) => check_stiffness(foundation),
         Foundation::Springs(springs) => check_springs(springs),
         Foundation::HalfSpace(footing) => check_half_space(footing),
+        Foundation::Monopile(pile) => closed_form::check_monopile(pile),
+        Foundation::WinklerPile(pile) => closed_form::check_winkler_pile(pile),
         Foundation::Floating(platform) => check_platform(platform),
     }
 }
@@ -106,17 +109,16 @@ fn check_half_space(footing: &HalfSpace) -> Result<(), TowerError> {
         g,
         " Pa",
     )?;
-    finite(
-        at("soil_poissons_ratio"),
-        "the soil's Poisson's ratio",
-        nu,
-        "",
-    )?;
-    if (0.0..=0.5).contains(&nu) {
-        return Ok(());
+    check_poissons_ratio_of_soil(nu)
+}
+
+pub(super) fn check_poissons_ratio_of_soil(value: f64) -> Result<(), TowerError> {
+    let place = at("soil_poissons_ratio");
+    finite(place, "the soil's Poisson's ratio", value, "")?;
+    match (0.0..=0.5).contains(&value) {
+        true => Ok(()),
+        false => error(place, Problem::SoilPoissonsRatio { value }),
     }
-    let problem = Problem::SoilPoissonsRatio { value: nu };
-    error(at("soil_poissons_ratio"), problem)
 }
 
 fn check_platform(platform: &FloatingPlatform) -> Result<(), TowerError> {

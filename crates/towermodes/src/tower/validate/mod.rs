@@ -1,5 +1,6 @@
 //! The checks that turn a description into a tower.
 
+mod closed_form;
 mod foundation;
 mod inertia;
 mod rotor;

@@ -40,6 +40,14 @@ pub enum Quantity {
     Embedment,
     /// Radius of a footing over that of the tower.
     FootingRadius,
+    /// Young's modulus of the soil at the depth of one diameter, Pa.
+    SoilYoungsModulus,
+    /// Diameter of a pile or caisson over that of the tower's base.
+    PileDiameter,
+    /// Diameter of a pile over its wall thickness.
+    PileWall,
+    /// Embedded length of a pile over its diameter.
+    PileSlenderness,
     /// Rocking spring over EI/H of the tower.
     RockingStiffness,
     /// Lateral spring over EI/H³ of the tower.
@@ -138,6 +146,14 @@ impl Quantity {
                 "the formulas apply only to shallow footings"),
             Self::FootingRadius => ("the radius of the footing, divided by the radius of the tower,", "",
                 "a footing is wider than the tower; the unit is m"),
+            Self::SoilYoungsModulus => ("Young's modulus of the soil", " Pa",
+                "soft clay has about 5e6, dense sand 1e8 to 3e8 at small strains; the unit is Pa, not kPa"),
+            Self::PileDiameter => ("the diameter of the foundation, divided by that of the tower base,", "",
+                "a pile is about as wide as the tower, a caisson wider; the unit is m"),
+            Self::PileWall => ("the diameter of the pile, divided by its wall thickness,", "",
+                "monopiles have 60 to 160; the unit of both is m"),
+            Self::PileSlenderness => ("the embedded length of the pile, divided by its diameter,", "",
+                "monopiles have 3 to 8; the unit of both is m"),
             Self::RockingStiffness => ("the rocking stiffness, divided by EI/H of the tower,", "",
                 "typical: 1 to 100; check the unit (N m, not kN m) and that lateral and rocking are not exchanged"),
             Self::LateralStiffness => ("the lateral stiffness, divided by EI/H^3 of the tower,", "",

@@ -29,6 +29,16 @@ pub(super) fn foundation(content: &ReportContent) -> String {
              without damping and soil mass."
                 .to_owned()
         }
+        Foundation::Monopile(pile) => format!(
+            "The base is the head of a monopile in elastic soil; its static stiffness follows from {}, without damping and inertia of pile and soil.{}",
+            pile.formula.name(),
+            held(content)
+        ),
+        Foundation::WinklerPile(_) => format!(
+            "The base is the head of an elastic pile on springs along its length, exact for the static beam without shear deformation; damping \
+             and inertia of pile and soil are neglected.{}",
+            held(content)
+        ),
         Foundation::Floating(platform) => floating(platform),
     }
 }
@@ -38,18 +48,24 @@ fn springs(content: &ReportContent) -> String {
     if base.is_clamped() {
         return "The base is clamped: every spring of the foundation is rigid.".to_owned();
     }
-    let held = |(name, moves): (&&'static str, &bool)| (!moves).then_some(*name);
-    let held: Vec<&str> = MOTIONS.iter().zip(&base.moves).filter_map(held).collect();
-    let rigidly = match held.len() {
-        0 => String::new(),
-        _ => format!(" Fixed degrees of freedom: {}.", held.join(", ")),
-    };
+    let rigidly = held(content);
     let what = if base.stiffness == NONE {
         "The free motions of the base have no foundation stiffness."
     } else {
         "The base rests on linear springs, independent of frequency and without damping."
     };
     format!("{what}{rigidly}")
+}
+
+/// The degrees of freedom that are fixed.
+fn held(content: &ReportContent) -> String {
+    let moves = content.tower.base().moves;
+    let held = |(name, moves): (&&'static str, &bool)| (!moves).then_some(*name);
+    let held: Vec<&str> = MOTIONS.iter().zip(&moves).filter_map(held).collect();
+    match held.len() {
+        0 => String::new(),
+        _ => format!(" Fixed degrees of freedom: {}.", held.join(", ")),
+    }
 }
 
 fn inertia(foundation: &StiffnessFoundation) -> &'static str {

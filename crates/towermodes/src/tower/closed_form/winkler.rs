@@ -1,0 +1,106 @@
+//! A pile on springs k(z) that grow with a power of the depth, exactly.
+
+use super::HeadStiffness;
+use super::pile_tube::PileTube;
+use crate::tower::foundation::FoundationSprings;
+
+/// Over a depth of this reduced length ∫ (k/EI)^(1/4) dz the motion dies out to below the rounding
+/// of doubles: exp(−√2 × 26) is 1e-16. Longer piles have the stiffness of this one.
+const LONGEST: f64 = 26.0;
+/// Terms of the series, more than the longest pile needs.
+const MOST_TERMS: usize = 200;
+
+/// A pile below the base of the tower, which stands at the surface of the soil, on springs
+/// k(z) = k_D (z/D)^m per metre of pile, with a free tip.
+///
+/// [`head`](Self::head) is the exact stiffness of the elastic beam on these springs, for any
+/// length; the inertia of the pile and its shear deformation are neglected.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct WinklerPile {
+    /// The pile.
+    pub tube: PileTube,
+    /// Spring k_D at the depth of one diameter, per metre of pile, N/m².
+    pub soil_spring_n_per_m2: f64,
+    /// Exponent m of the depth: 0 for constant springs, 1 for springs that grow linearly.
+    pub exponent: f64,
+    /// Stiffness against z, N/m; infinite: rigid.
+    pub vertical_n_per_m: f64,
+    /// Stiffness against rotation about z, N m; infinite: rigid.
+    pub torsion_n_m: f64,
+}
+
+impl WinklerPile {
+    /// η L with η = (n/EI)^(1/(4+m)), where k = n z^m.
+    pub fn reduced_length(&self) -> f64 {
+        self.per_m() * self.tube.embedded_length_m
+    }
+
+    /// η, 1/m.
+    fn per_m(&self) -> f64 {
+        let (d, m) = (self.tube.diameter_m, self.exponent);
+        // (k_D D^-m/EI)^(1/(4+m)), without the overflow of D^m.
+        let of_one_diameter = self.soil_spring_n_per_m2 * d.powi(4) / self.tube.bending_n_m2();
+        of_one_diameter.powf(1.0 / (4.0 + m)) / d
+    }
+
+    /// The stiffness of the pile's head at the surface of the soil: K_L = c₁ EI η³,
+    /// K_LR = −c₂ EI η², K_R = c₃ EI η.
+    ///
+    /// The factors follow from the four power series that solve y⁗ + ξ^m y = 0 and from moment and
+    /// shear force zero at the tip.
+    pub fn head(&self) -> HeadStiffness {
+        let bending_n_m2 = self.tube.bending_n_m2();
+        let eta = self.per_m();
+        let [lateral, coupling, rocking] = factors(self.exponent, self.reduced_length());
+        HeadStiffness {
+            lateral_n_per_m: lateral * bending_n_m2 * eta.powi(3),
+            coupling_n: -coupling * bending_n_m2 * eta * eta,
+            rocking_n_m: rocking * bending_n_m2 * eta,
+        }
+    }
+
+    /// The springs at the base of the tower.
+    pub fn springs(&self) -> FoundationSprings {
+        self.head().with(self.vertical_n_per_m, self.torsion_n_m)
+    }
+}
+
+/// c₁, c₂, c₃ of a beam of the given reduced length.
+fn factors(exponent: f64, length: f64) -> [f64; 3] {
+    let power = 1.0 + 0.25 * exponent;
+    let end = length.min((LONGEST * power).powf(1.0 / power));
+    // y = Σ c_s φ_s; c_0 is the displacement of the head and c_1 its slope.
+    let tip: [[f64; 2]; 4] = std::array::from_fn(|s| moment_and_shear(s, exponent, end));
+    let determinant = tip[2][0] * tip[3][1] - tip[3][0] * tip[2][1];
+    let second_and_third = |head: [f64; 2]| {
+        let second = (tip[3][0] * head[1] - tip[3][1] * head[0]) / determinant;
+        let third = (tip[2][1] * head[0] - tip[2][0] * head[1]) / determinant;
+        [second, third]
+    };
+    let [curvature, shear] = second_and_third(tip[0]);
+    let [turned, _] = second_and_third(tip[1]);
+    // The force is y‴(0) = 6 c_3. Depth counts downward, so the rotation about y is minus the slope
+    // and its moment is y″(0) = 2 c_2.
+    [6.0 * shear, -2.0 * curvature, -2.0 * turned]
+}
+
+/// Second and third derivative at ξ of the solution that begins with ξ^s.
+fn moment_and_shear(s: usize, exponent: f64, end: f64) -> [f64; 2] {
+    let mut power = s as f64;
+    let mut term = end.powi(s as i32);
+    let step = end.powf(4.0 + exponent);
+    let mut sums = [0.0; 2];
+    for _ in 0..MOST_TERMS {
+        let second = term * power * (power - 1.0) / (end * end);
+        let third = second * (power - 2.0) / end;
+        sums[0] += second;
+        sums[1] += third;
+        power += 4.0 + exponent;
+        term *= -step / (power * (power - 1.0) * (power - 2.0) * (power - 3.0));
+        let is_small = term.abs() * power.powi(3) < f64::EPSILON * (sums[1] * end.powi(3)).abs();
+        if is_small && power > end {
+            break;
+        }
+    }
+    sums
+}
