@@ -371,6 +371,89 @@ fn two_walls_in_steps_agree_with_every_combination() {
     assert!(of.mass_kg[1] <= best * 1.001, "{} {best}", of.mass_kg[1]);
 }
 
+/// Walls in steps with one factor for all diameters: no wall can be a step thinner, or two exchange
+/// a step, with the best factor for that, which bisection finds.
+#[test]
+fn steps_beside_a_factor_are_judged_with_its_best_value() {
+    let base = cans();
+    let factor = "scale(stations[*].diameter)";
+    let mut problem = of_cans(&base, Some(0.002));
+    problem.variables.push(variable(factor, [0.8, 1.2], &base));
+    problem.goals = vec![at_least("fore-aft 1", 0.25)];
+    problem.diameter_to_wall = Some([0.0, 200.0]);
+    let of = found("eight cans in steps, one factor", &base, &problem);
+    let names: Vec<&str> = problem
+        .variables
+        .iter()
+        .map(|of| of.change.name())
+        .collect();
+    let walls = &of.values[..of.values.len() - 1];
+    let lightest = |walls: &[f64]| -> Option<f64> {
+        let at = |scale: f64| solved(&base, &names, &[walls, &[scale]].concat());
+        // Wider is heavier and stiffer, and limited by the walls.
+        let ratio = |i: usize| 200.0 * walls[i / 2] / base.stations[i].outer_diameter_m;
+        let highest = (0..base.stations.len()).map(ratio).fold(1.2, f64::min);
+        let (mut low, mut high) = (0.8, highest);
+        if high < low || at(high).1 < 0.25 {
+            return None;
+        }
+        for _ in 0..30 {
+            let middle = 0.5 * (low + high);
+            *(if at(middle).1 < 0.25 {
+                &mut low
+            } else {
+                &mut high
+            }) = middle;
+        }
+        Some(at(high).0)
+    };
+    let own = lightest(walls).expect("the design is possible");
+    assert!(
+        (of.mass_kg[1] / own - 1.0).abs() < 1e-5,
+        "{} {own}",
+        of.mass_kg[1]
+    );
+    for i in 0..walls.len() {
+        for j in 0..walls.len() {
+            let mut other = walls.to_vec();
+            other[i] -= 0.002;
+            if i != j {
+                other[j] += 0.002;
+            }
+            let falls = other.windows(2).all(|pair| pair[1] <= pair[0] + 1e-9);
+            if let Some(kg) = (falls && other[i] > 0.0119)
+                .then(|| lightest(&other))
+                .flatten()
+            {
+                assert!(kg > own * (1.0 - 1e-6), "{i} {j}: {kg} {own}");
+            }
+        }
+    }
+}
+
+/// A design that begins at a tower in steps that meets all limits never ends at a heavier one.
+#[test]
+fn a_tower_in_steps_does_not_become_heavier() {
+    let base = nrel_5mw();
+    let names = ["stations[0].wall", "stations[1].wall"];
+    let goals = vec![at_least("fore-aft 1", 0.30)];
+    for (lower, upper) in [(20.0, 20.0), (24.0, 18.0), (36.0, 12.0), (15.0, 25.0)] {
+        let mut description = base.clone();
+        description.stations[0].wall_thickness_m = lower / 1e3;
+        description.stations[1].wall_thickness_m = upper / 1e3;
+        let problem = DesignProblem {
+            variables: names
+                .map(|name| stepped(name, [0.010, 0.060], 0.001, &description))
+                .into(),
+            goals: goals.clone(),
+            ..DesignProblem::default()
+        };
+        let of = found("from a tower in steps", &description, &problem);
+        let (mass, hz) = solved(&description, &names, &[lower / 1e3, upper / 1e3]);
+        assert!(hz < 0.30 || of.mass_kg[1] <= mass, "{lower} {upper}");
+    }
+}
+
 #[test]
 fn eight_cans_with_diameters_and_walls() {
     let base = cans();

@@ -102,6 +102,11 @@ pub enum DesignError {
     /// The tower that was found is impossible.
     #[error(transparent)]
     Tower(#[from] TowerError),
+    /// No tower is possible where the search begins.
+    #[error(
+        "no tower is possible at the present values, in the middle or at the ends of the bounds: {0}; check the bounds of the variables (lengths are in m)"
+    )]
+    NoStart(Box<DesignError>),
     /// No tower within the bounds meets the goals.
     #[error("{0}")]
     Infeasible(Box<Infeasible>),

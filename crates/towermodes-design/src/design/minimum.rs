@@ -89,6 +89,16 @@ pub(super) fn least_mass(
     best.ok_or(failure.unwrap_or(DesignError::NoVariables))
 }
 
+/// The least mass from a start near it, with a limited number of solves.
+pub(super) fn from_near(
+    scale: &mut Scale<'_>,
+    start: &[f64],
+    most_solves: usize,
+) -> Result<Minimum, DesignError> {
+    let found = run_once(scale, start, Least::Mass, most_solves)?;
+    ended(scale, found, Least::Mass)
+}
+
 /// Minimizes from one start.
 pub(super) fn from_start(
     scale: &mut Scale<'_>,
@@ -97,7 +107,7 @@ pub(super) fn from_start(
 ) -> Result<Minimum, DesignError> {
     let mut found = ended(scale, start.to_vec(), least)?;
     for run in 0..MOST_RUNS {
-        let next = run_once(scale, &found.scaled, least)?;
+        let next = run_once(scale, &found.scaled, least, MOST_SOLVES)?;
         let next = ended(scale, next, least)?;
         let is_better = match least {
             Least::Mass if next.is_feasible() && found.is_feasible() => {
@@ -161,7 +171,12 @@ pub(super) fn is_relaxed(limit: &Limit, least: Least) -> bool {
 const UNSOLVED: f64 = 1e3;
 
 /// One run of the optimizer over the free variables, and the violation if that is minimized.
-fn run_once(scale: &mut Scale<'_>, start: &[f64], least: Least) -> Result<Vec<f64>, DesignError> {
+fn run_once(
+    scale: &mut Scale<'_>,
+    start: &[f64],
+    least: Least,
+    most_solves: usize,
+) -> Result<Vec<f64>, DesignError> {
     let free = scale.free.clone();
     let at = scale.at(start, true)?;
     let violation = at.limits.iter().fold(0.0_f64, |most, one| most.max(*one));
@@ -242,7 +257,7 @@ fn run_once(scale: &mut Scale<'_>, start: &[f64], least: Least) -> Result<Vec<f6
         &bounds,
         &constraints,
         (),
-        MOST_SOLVES,
+        most_solves,
         Some(tolerances),
     );
     // Also the end of a failed run is where the next one begins, or what is judged.

@@ -176,12 +176,13 @@ pub fn design(
         .map(|of| of.present(base))
         .collect();
     let mut scale = Scale::new(problem, base, options, workspace);
+    let present = scale.scaled(&before);
     let starts = starts(&mut scale, &before)?;
     let minimum = minimum(&mut scale, &starts)?;
     let is_stepped = problem.variables.iter().any(|of| of.step.is_some());
     let (scaled, without_steps_kg) = match is_stepped {
         false => (minimum.scaled.clone(), None),
-        true => match in_steps(&mut scale, &minimum.scaled)? {
+        true => match in_steps(&mut scale, &minimum.scaled, &present)? {
             Some(scaled) => (scaled, Some(minimum.mass * scale.mass_kg)),
             None => {
                 return Err(DesignError::NoCombination {
@@ -233,6 +234,11 @@ fn starts(scale: &mut Scale<'_>, before: &[f64]) -> Result<Vec<Vec<f64>>, Design
     }
     scale.forget();
     match failure {
+        Some(failure @ (DesignError::Sensitivity(_) | DesignError::Tower(_)))
+            if starts.is_empty() =>
+        {
+            Err(DesignError::NoStart(Box::new(failure)))
+        }
         Some(failure) if starts.is_empty() => Err(failure),
         _ => Ok(starts),
     }
@@ -349,7 +355,7 @@ fn written(scale: &Scale<'_>, scaled: &[f64]) -> Vec<f64> {
     let pairs = scale.problem.variables.iter().zip(values);
     pairs
         .map(|(variable, value)| match variable.step {
-            Some(step) => super::steps::multiple((value / step).round(), step),
+            Some(step) => super::moves::multiple((value / step).round(), step),
             None => seven_digits(value).clamp(variable.low, variable.high),
         })
         .collect()
