@@ -4,8 +4,8 @@
 //! speed. `limits` are the limits of the shape, linear in the numbers of the tower; `point` is a
 //! tower with mass, frequencies and all derivatives, which `minimum` gives to the optimizer.
 //! `optimality` proves a minimum by its multipliers, `steps` rounds it to plate thicknesses by
-//! `moves`, `together` with variables that have no steps, and `result` checks and describes the tower
-//! found.
+//! `moves`, `together` with variables that have no steps, and `result` checks and describes the
+//! tower found.
 
 mod error;
 mod limits;

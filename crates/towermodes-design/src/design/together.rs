@@ -64,8 +64,8 @@ pub(super) fn improve_together(
 }
 
 /// The point with the derivatives with respect to the variables with steps, in which the mass is
-/// that after the others are optimized again: dm/ds + Σ λᵢ dgᵢ/ds with the multipliers of the others; and
-/// the derivatives of the limits with respect to the others.
+/// that after the others are optimized again: dm/ds + Σ λᵢ dgᵢ/ds with the multipliers of the
+/// others; and the derivatives of the limits with respect to the others.
 fn with_multipliers(
     scale: &mut Scale<'_>,
     stepped: &Stepped,
