@@ -3,7 +3,7 @@
 use towermodes::ModeName;
 
 use super::pairing::Ambiguity;
-use super::result::{AtBound, Calibration};
+use super::result::{AtBound, Calibration, Direction};
 
 /// Of unknowns with a larger correlation only a combination is known.
 const HIGH_CORRELATION: f64 = 0.95;
@@ -12,6 +12,11 @@ const HIGH_CORRELATION: f64 = 0.95;
 const WEAK: f64 = 1.0;
 /// A part of a combination below this fraction is left out of its sentence.
 const SMALL_PART: f64 = 0.2;
+/// A part that moves the measurements by more than this many standard deviations is never left out.
+const SMALL_EFFECT: f64 = 0.02;
+/// The largest part of a combination in its sentence: a factor of 1.2, for which the change of the
+/// frequencies is nearly linear.
+const LARGEST_MOVE: f64 = 0.18;
 /// A residual above this is unlikely.
 pub(super) const LARGE_RESIDUAL: f64 = 3.0;
 /// The normal deviate that is exceeded with a probability of 1 %.
@@ -161,32 +166,51 @@ impl Calibration {
             .directions
             .iter()
             .filter(|one| one.singular_value < WEAK);
-        weak.map(|direction| {
-            let largest = direction
-                .parts
-                .iter()
-                .fold(0.0_f64, |most, p| most.max(p.abs()));
-            let sign = direction.parts.iter().find(|part| part.abs() == largest);
-            let sign = sign.map_or(1.0, |part| part.signum());
-            let parts = direction
-                .parts
-                .iter()
-                .zip(&direction.scales)
-                .zip(&self.unknowns);
-            let parts = parts.filter(|((part, _), _)| part.abs() > SMALL_PART * largest);
-            let changes = parts.map(|((part, scale), unknown)| UnknownChange {
-                name: unknown.name.clone(),
-                amount: match unknown.is_logarithm {
-                    true => (sign * part).exp(),
-                    false => sign * part * scale,
-                },
-                is_factor: unknown.is_logarithm,
-            });
-            Remark::NotToldApart {
-                changes: changes.collect(),
-                deviations: direction.singular_value,
-            }
-        })
+        weak.map(|direction| self.combination(direction))
+    }
+
+    /// A combination, so short that factors stay near 1 and the linear prediction holds. It leaves
+    /// out only unknowns that are small in it and that the measurements do not feel either.
+    fn combination(&self, direction: &Direction) -> Remark {
+        let largest = direction
+            .parts
+            .iter()
+            .fold(0.0_f64, |most, p| most.max(p.abs()));
+        let sign = direction.parts.iter().find(|part| part.abs() == largest);
+        let length = sign.map_or(1.0, |part| LARGEST_MOVE / part);
+        let moves: Vec<f64> = direction.parts.iter().map(|part| length * part).collect();
+        let is_named = |j: usize| {
+            let mut alone = vec![0.0; moves.len()];
+            alone[j] = moves[j];
+            moves[j].abs() > SMALL_PART * LARGEST_MOVE || self.effect(&alone) > SMALL_EFFECT
+        };
+        let named = (0..moves.len()).map(|j| if is_named(j) { moves[j] } else { 0.0 });
+        let named: Vec<f64> = named.collect();
+        let all = named.iter().zip(&direction.scales).zip(&self.unknowns);
+        let changes = all.filter(|((part, _), _)| **part != 0.0);
+        let changes = changes.map(|((part, scale), unknown)| UnknownChange {
+            name: unknown.name.clone(),
+            amount: if unknown.is_logarithm {
+                part.exp()
+            } else {
+                part * scale
+            },
+            is_factor: unknown.is_logarithm,
+        });
+        Remark::NotToldApart {
+            changes: changes.collect(),
+            deviations: self.effect(&named),
+        }
+    }
+
+    /// By how many standard deviations the measurements change together with these moves, to first
+    /// order: the length of J·moves, with J = U·S·Vᵀ.
+    fn effect(&self, moves: &[f64]) -> f64 {
+        let along = self.directions.iter().map(|direction| {
+            let parts = direction.parts.iter().zip(moves);
+            direction.singular_value * parts.map(|(part, x)| part * x).sum::<f64>()
+        });
+        along.map(|change| change * change).sum::<f64>().sqrt()
     }
 
     fn of_correlations(&self) -> Vec<Remark> {

@@ -1,7 +1,8 @@
 //! What the measurements can and cannot tell.
 
 use super::{Problem, fitted, frequencies, measured, remarks, tower, unknown, with_prior};
-use towermodes_design::calibration::{AtBound, CalibrationError, Unknown};
+use towermodes::Change;
+use towermodes_design::calibration::{AtBound, CalibrationError, Remark, Unknown};
 
 /// One frequency, two springs: a combination is known, the other comes from the priors.
 #[test]
@@ -103,4 +104,57 @@ fn a_fit_without_degrees_of_freedom_says_nothing_about_the_model() {
     let said = remarks(&fitted(&problem).expect("a fit")).join("\n");
     assert!(said.contains("any measurement can be fitted"), "{said}");
     assert!(!said.contains("valid"), "{said}");
+}
+
+/// A stiff unknown with a small part in a weak combination is named too: the tower with the named
+/// changes has the frequencies that the sentence claims.
+#[test]
+fn a_weak_combination_does_what_its_sentence_says() {
+    let base = tower();
+    let names = ["fore-aft 1", "fore-aft 2"];
+    let [first, second] = frequencies(&base, &names)[..] else {
+        panic!("two frequencies");
+    };
+    let deviations = [0.0005, 0.005];
+    let problem = Problem {
+        measured: vec![
+            measured(names[0], first, deviations[0]),
+            measured(names[1], second, deviations[1]),
+        ],
+        unknowns: vec![
+            with_prior(&base, "foundation.lateral", 2e9, 1e9),
+            with_prior(&base, "foundation.rocking", 1e11, 5e10),
+            with_prior(&base, "rna.mass", 350e3, 35e3),
+        ],
+        base: base.clone(),
+    };
+    let result = fitted(&problem).expect("a fit");
+    let mut found = 0;
+    for remark in result.remarks() {
+        let Remark::NotToldApart {
+            changes,
+            deviations: claimed,
+        } = remark
+        else {
+            continue;
+        };
+        let mut moved = result.description.clone();
+        for one in &changes {
+            let change = Change::parse(&one.name, &moved).expect("a change");
+            let at = result.unknowns.iter().find(|u| u.name == one.name);
+            let value = at.expect("an unknown").value;
+            assert!(one.is_factor && (0.8..1.25).contains(&one.amount), "{one}");
+            let digits = one.to_string();
+            let factor: f64 = digits.rsplit(' ').next().unwrap().parse().unwrap();
+            change.apply(&mut moved, value * factor);
+        }
+        let there = frequencies(&moved, &names);
+        let before = frequencies(&result.description, &names);
+        let moves = there.iter().zip(&before).zip(deviations);
+        let moves = moves.map(|((a, b), sigma)| ((a - b) / sigma).powi(2));
+        let effect = moves.sum::<f64>().sqrt();
+        assert!((effect - claimed).abs() < 0.3, "{effect} for {claimed}");
+        found += 1;
+    }
+    assert!(found > 0);
 }
