@@ -19,9 +19,17 @@ impl fmt::Display for UnknownChange {
     }
 }
 
-/// Three digits.
+/// Four digits, so that what is printed of a stiff number has the effect that is stated.
 fn rounded(value: f64) -> f64 {
-    format!("{value:.2e}").parse().unwrap_or(value)
+    format!("{value:.3e}").parse().unwrap_or(value)
+}
+
+/// "a, b and c".
+fn listed(parts: &[String]) -> String {
+    match parts {
+        [first @ .., last] if !first.is_empty() => format!("{} and {last}", first.join(", ")),
+        _ => parts.concat(),
+    }
 }
 
 impl fmt::Display for Remark {
@@ -31,16 +39,16 @@ impl fmt::Display for Remark {
                 changes,
                 deviations,
             } => {
-                let names: Vec<&str> = changes.iter().map(|one| one.name.as_str()).collect();
+                let names: Vec<String> = changes.iter().map(|one| one.name.clone()).collect();
                 let changes: Vec<String> = changes.iter().map(ToString::to_string).collect();
-                let subject = match names[..] {
+                let subject = match &names[..] {
                     [one] => format!("the measurements hardly determine {one}"),
-                    _ => format!("the measurements cannot tell {} apart", names.join(" and ")),
+                    _ => format!("the measurements cannot tell {} apart", listed(&names)),
                 };
-                let changes = changes.join(" and ");
+                let changes = listed(&changes);
                 write!(f, "{subject}: with {changes} the measured frequencies ")?;
                 match *deviations < 0.005 {
-                    true => f.write_str("do not change"),
+                    true => f.write_str("hardly change"),
                     false => write!(f, "change by {deviations:.2} standard deviations only"),
                 }
             }
