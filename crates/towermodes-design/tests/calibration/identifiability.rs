@@ -145,7 +145,12 @@ fn a_weak_combination_does_what_its_sentence_says() {
             let value = at.expect("an unknown").value;
             assert!(one.is_factor && (0.8..1.25).contains(&one.amount), "{one}");
             let digits = one.to_string();
-            let factor: f64 = digits.rsplit(' ').next().unwrap().parse().unwrap();
+            let factor: f64 = digits
+                .rsplit(' ')
+                .next()
+                .expect("a word")
+                .parse()
+                .expect("a factor");
             change.apply(&mut moved, value * factor);
         }
         let there = frequencies(&moved, &names);
