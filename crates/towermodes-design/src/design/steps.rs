@@ -34,31 +34,25 @@ pub(super) fn in_steps(
             break;
         }
     }
-    let Some(scaled) = found else {
+    let Some(mut scaled) = found else {
         return Ok(None);
     };
-    let stepped = Stepped::rounded(scale, variables, present, f64::round);
-    match lighter_present(scale, &stepped, present, &scaled)? {
-        None => Ok(Some(scaled)),
-        Some(lighter) => Ok(Some(improved(scale, stepped, &others, lighter)?)),
+    if !others.is_empty() {
+        let mut stepped = Stepped::rounded(scale, variables.clone(), &scaled, f64::round);
+        improve_together(scale, &mut stepped, &others, &mut scaled)?;
     }
-}
-
-/// A tower in steps that meets all limits, improved.
-fn improved(
-    scale: &mut Scale<'_>,
-    mut stepped: Stepped,
-    others: &[usize],
-    mut scaled: Vec<f64>,
-) -> Result<Vec<f64>, DesignError> {
+    let mut stepped = Stepped::rounded(scale, variables, present, f64::round);
+    let Some(mut lighter) = lighter_present(scale, &stepped, present, &scaled)? else {
+        return Ok(Some(scaled));
+    };
     match others.is_empty() {
         true => {
             scale.set_free(stepped.variables.clone());
-            improve(scale, &mut stepped, &mut scaled)?;
+            improve(scale, &mut stepped, &mut lighter)?;
         }
-        false => improve_together(scale, &mut stepped, others, &mut scaled)?,
+        false => improve_together(scale, &mut stepped, &others, &mut lighter)?,
     }
-    Ok(scaled)
+    Ok(Some(lighter))
 }
 
 /// The search from a rounded minimum; `others` are the variables without steps.
@@ -96,14 +90,7 @@ fn search(
             break;
         }
     }
-    match best {
-        Some((scaled, _)) if !others.is_empty() => {
-            let variables = stepped.variables.clone();
-            let stepped = Stepped::rounded(scale, variables, &scaled, f64::round);
-            improved(scale, stepped, others, scaled).map(Some)
-        }
-        best => Ok(best.map(|(scaled, _)| scaled)),
-    }
+    Ok(best.map(|(scaled, _)| scaled))
 }
 
 /// Moves until all limits are met; false if no move helps.

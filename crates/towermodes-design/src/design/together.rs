@@ -104,23 +104,19 @@ fn can_be_met(
     scaled: &[f64],
     (others, rows): (&[usize], &[Vec<f64>]),
 ) -> bool {
-    let shape: Vec<bool> = scale
-        .limits
-        .iter()
-        .map(|limit| !matches!(limit, Limit::Frequency { .. }))
-        .collect();
     let Ok(at) = scale.at(scaled, false) else {
         return false;
     };
+    let values = at.limits.clone();
     let least = |row: &[f64]| -> f64 {
         let ends = row.iter().zip(others);
         ends.map(|(slope, &i)| (slope * -scaled[i]).min(slope * (1.0 - scaled[i])))
             .sum()
     };
-    let limits = at.limits.iter().zip(rows).zip(shape);
-    limits
-        .filter(|(_, is_shape)| *is_shape)
-        .all(|((limit, row), _)| limit + least(row) <= MET)
+    let mut limits = scale.limits.iter().zip(values).zip(rows);
+    limits.all(|((limit, value), row)| {
+        matches!(limit, Limit::Frequency { .. }) || value + least(row) <= MET
+    })
 }
 
 /// The present values, if they are in steps, meet all limits and make a lighter tower than `found`.
@@ -139,7 +135,10 @@ pub(super) fn lighter_present(
         return Ok(None);
     }
     let least = scale.at(found, false)?.mass;
-    let at = scale.at(&in_steps, false)?;
+    // A present tower that cannot be solved is not lighter.
+    let Ok(at) = scale.at(&in_steps, false) else {
+        return Ok(None);
+    };
     let is_met = at.limits.iter().all(|limit| *limit <= MET);
     Ok((is_met && at.mass < least).then_some(in_steps))
 }
