@@ -3,15 +3,15 @@
 use towermodes::{TowerDescription, Workspace};
 use towermodes_design::design::{Design, DesignError, design};
 use towermodes_files::{DesignStudy, read_design_study, write_design_json};
-use towermodes_report::figures::{self, DesignedMode, TitleWords};
+use towermodes_report::figures::{self, DesignedMode};
 use towermodes_report::svg::Figure;
 
 use crate::args::{DesignArguments, FoundFormat};
 use crate::failure::{Failure, note, note_texts, warn};
 use crate::found::{check_output, study_source, write_tower};
 use crate::input::tower_input;
-use crate::output::{check_not_input, check_not_inputs, check_place, deliver, deliver_bytes};
-use crate::plot::picture_of;
+use crate::output::{check_not_input, check_not_inputs, check_place, deliver};
+use crate::plot::deliver_picture;
 use crate::studies::design::{StudyError, document, located, options, problem, warnings};
 use crate::table;
 
@@ -52,14 +52,8 @@ pub(crate) fn run(arguments: &DesignArguments) -> Result<(), Failure> {
         }
     }
     note_texts(&warnings);
-    if let Some((path, format)) = picture {
-        let words = TitleWords {
-            title: None,
-            computed: None,
-            conclusion: &[],
-        };
-        let figure = figures::titled(figure(&input.description, &found), &tower, &words);
-        deliver_bytes(&picture_of(&figure, format)?, Some(path))?;
+    if let Some(file) = picture {
+        deliver_picture(figure(&input.description, &found), &tower, file)?;
     }
     if let Some(output) = arguments.found.output() {
         write_tower(&input, &found.tower, output)?;

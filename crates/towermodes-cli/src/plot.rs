@@ -2,6 +2,8 @@
 
 mod study;
 
+use std::path::Path;
+
 use towermodes::{Options, Tower, Warning};
 use towermodes_files::{Note, TowerInput};
 use towermodes_report::figures::{TitleWords, titled};
@@ -50,12 +52,23 @@ pub(crate) fn run(arguments: &PlotArguments) -> Result<(), Failure> {
     deliver_bytes(&picture, output)
 }
 
-/// The file of a picture that a command draws beside its result.
-pub(crate) fn picture_of(figure: &Figure, format: PictureFile) -> Result<Vec<u8>, Failure> {
-    match format {
-        PictureFile::Svg => Ok(figure.to_svg(Look::Standalone).into_bytes()),
-        PictureFile::Png => raster::png(figure, Theme::Light, 2.0).map_err(Failure::Picture),
-    }
+/// Writes a picture that a command draws beside its result, with the name of the tower above it.
+pub(crate) fn deliver_picture(
+    figure: Figure,
+    tower: &Tower,
+    (path, format): (&Path, PictureFile),
+) -> Result<(), Failure> {
+    let words = TitleWords {
+        title: None,
+        computed: None,
+        conclusion: &[],
+    };
+    let figure = titled(figure, tower, &words);
+    let picture = match format {
+        PictureFile::Svg => figure.to_svg(Look::Standalone).into_bytes(),
+        PictureFile::Png => raster::png(&figure, Theme::Light, 2.0).map_err(Failure::Picture)?,
+    };
+    deliver_bytes(&picture, Some(path))
 }
 
 /// A picture with its notes and warnings.

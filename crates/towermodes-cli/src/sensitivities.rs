@@ -3,13 +3,13 @@
 use towermodes::{Change, Options, SensitivityError, TowerDescription};
 use towermodes_analysis::influence::{Influences, Tolerance, Tolerances, influences};
 use towermodes_files::{TowerInput, write_sensitivities_csv, write_sensitivities_json};
-use towermodes_report::figures::{self, TitleWords};
+use towermodes_report::figures;
 
 use crate::args::{Format, Prescribed, SensitivitiesArguments};
 use crate::failure::{Failure, note, warn};
 use crate::input::tower_input;
-use crate::output::{check_not_input, check_not_inputs, check_place, deliver, deliver_bytes};
-use crate::plot::picture_of;
+use crate::output::{check_not_input, check_not_inputs, check_place, deliver};
+use crate::plot::deliver_picture;
 use crate::progress::Progress;
 use crate::table;
 
@@ -31,15 +31,9 @@ pub(crate) fn run(arguments: &SensitivitiesArguments) -> Result<(), Failure> {
     let changes = changes(&arguments.names, &input.description)?;
     let tolerances = tolerances(&arguments.tolerances, &input.description)?;
     let influences = influences_of(&input.description, changes.as_deref(), &options)?;
-    if let Some((path, format)) = picture {
-        let words = TitleWords {
-            title: None,
-            computed: None,
-            conclusion: &[],
-        };
+    if let Some(file) = picture {
         let figure = figures::tornado(&input.description, &influences, &tolerances);
-        let figure = figures::titled(figure, &tower, &words);
-        deliver_bytes(&picture_of(&figure, format)?, Some(path))?;
+        deliver_picture(figure, &tower, file)?;
     }
     // What is asked for by name is listed, whatever it does.
     let all = arguments.all || !arguments.names.is_empty();

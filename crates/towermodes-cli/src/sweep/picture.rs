@@ -4,7 +4,7 @@ use std::fs;
 use std::path::Path;
 
 use towermodes_report::figures::{
-    self, ModeColumn, SweepBand, SweepBands, SweepColumns, TitleWords, VariedColumn, ViolatedShare,
+    self, ModeColumn, SweepBand, SweepBands, SweepColumns, VariedColumn, ViolatedShare,
 };
 use towermodes_report::svg::Figure;
 use towermodes_sweep::{MarginCheck, MarginCounts, MarginSummary, Parts, RowSource};
@@ -13,8 +13,8 @@ use super::planned::Planned;
 use super::selection::Selection;
 use crate::args::SweepArguments;
 use crate::failure::Failure;
-use crate::output::{check_place, deliver_bytes};
-use crate::plot::picture_of;
+use crate::output::check_place;
+use crate::plot::deliver_picture;
 
 /// Of more rows a random selection is drawn.
 const MOST_ROWS: u64 = 1_000_000;
@@ -36,11 +36,11 @@ pub(super) fn run(
     parts: &Parts<'_>,
     arguments: &SweepArguments,
 ) -> Result<(), Failure> {
-    let Some((path, format)) = arguments.picture() else {
+    let Some(file) = arguments.picture() else {
         return Ok(());
     };
-    let figure = figure(planned, parts)?;
-    deliver_bytes(&picture_of(&figure, format)?, Some(path))
+    let tower = planned.input.tower().map_err(Failure::Input)?;
+    deliver_picture(figure(planned, parts)?, &tower, file)
 }
 
 fn figure(planned: &Planned, parts: &Parts<'_>) -> Result<Figure, Failure> {
@@ -91,13 +91,7 @@ fn figure(planned: &Planned, parts: &Parts<'_>) -> Result<Figure, Failure> {
     if let Some(check) = &check {
         columns.bands = bands(check, counts.counts(), parts.source().is_independent());
     }
-    let tower = planned.input.tower().map_err(Failure::Input)?;
-    let words = TitleWords {
-        title: None,
-        computed: None,
-        conclusion: &[],
-    };
-    Ok(figures::titled(figures::sweep(&columns), &tower, &words))
+    Ok(figures::sweep(&columns))
 }
 
 /// The margins of 1P and of the blade passing frequency, with the rows that violate them.
