@@ -1,7 +1,7 @@
 //! Files of measured frequencies: every mistake with its line and column, damaged files, the
 //! schema.
 
-use towermodes_files::{ReadError, Source, measured_schema, read_measured, read_tower};
+use towermodes_files::{Diagnostic, ReadError, Source, measured_schema, read_measured, read_tower};
 
 const RIGHT: &str = r#"
 [calibrate.unknowns]
@@ -20,6 +20,15 @@ fn read(text: &str) -> Result<towermodes_files::MeasuredFile, ReadError> {
         name: "measured.toml".to_owned(),
         text: text.to_owned(),
     })
+}
+
+/// The mistakes of a file that is refused.
+#[track_caller]
+fn mistakes(text: &str) -> Vec<Diagnostic> {
+    match read(text) {
+        Err(ReadError::Mistakes { mistakes, .. }) => mistakes,
+        other => panic!("{other:?}"),
+    }
 }
 
 #[test]
@@ -103,10 +112,7 @@ fn every_mistake_is_at_its_place_with_what_would_be_right() {
     ] {
         let text = RIGHT.replacen(old, new, 1);
         assert_ne!(text, RIGHT, "{old}");
-        let error = read(&text).expect_err(new);
-        let ReadError::Mistakes { mistakes, .. } = &error else {
-            panic!("{error:?}")
-        };
+        let mistakes = mistakes(&text);
         let said: Vec<String> = mistakes
             .iter()
             .map(|one| format!("{} {}", one.message(), one.hint.clone().unwrap_or_default()))
@@ -124,10 +130,7 @@ fn every_mistake_is_at_its_place_with_what_would_be_right() {
 #[test]
 fn a_mode_is_measured_once() {
     let again = "[[measured]]\nmode = \"fore-aft 1\"\nfrequency = 0.26\ndeviation = 0.001\n";
-    let error = read(&format!("{RIGHT}{again}")).expect_err("refused");
-    let ReadError::Mistakes { mistakes, .. } = &error else {
-        panic!("{error:?}")
-    };
+    let mistakes = mistakes(&format!("{RIGHT}{again}"));
     assert_eq!(mistakes[0].span.start, RIGHT.len());
     let said = mistakes[0].message();
     assert!(

@@ -248,14 +248,25 @@ const TABLE: &str = "
     soil_poissons_ratio = 0.3
 ";
 
-const MONOPILE: &str = "
+/// A tube on a foundation.
+macro_rules! tube_on {
+    ($foundation:literal) => {
+        concat!(
+            "
     [material]
     density = 8500.0
     youngs_modulus = 2.1e11
     shear_modulus = 8.08e10
     [tower]
     stations = [[0.0, 6.0, 0.027], [87.6, 3.87, 0.019]]
-    [foundation]
+    [foundation]",
+            $foundation
+        )
+    };
+}
+
+const MONOPILE: &str = tube_on!(
+    "
     type = \"monopile\"
     formula = \"en-1998-5\"
     diameter = 6.0
@@ -265,16 +276,11 @@ const MONOPILE: &str = "
     soil_profile = \"linear\"
     soil_youngs_modulus = 5e7
     soil_poissons_ratio = 0.3
-";
+"
+);
 
-const WINKLER_PILE: &str = "
-    [material]
-    density = 8500.0
-    youngs_modulus = 2.1e11
-    shear_modulus = 8.08e10
-    [tower]
-    stations = [[0.0, 6.0, 0.027], [87.6, 3.87, 0.019]]
-    [foundation]
+const WINKLER_PILE: &str = tube_on!(
+    "
     type = \"winkler-pile\"
     diameter = 6.0
     wall_thickness = 0.06
@@ -283,20 +289,16 @@ const WINKLER_PILE: &str = "
     soil_spring = 5e7
     exponent = 1.0
     vertical = 1e10
-";
+"
+);
 
-const STIFFNESS: &str = "
-    [material]
-    density = 8500.0
-    youngs_modulus = 2.1e11
-    shear_modulus = 8.08e10
-    [tower]
-    stations = [[0.0, 6.0, 0.027], [87.6, 3.87, 0.019]]
-    [foundation]
+const STIFFNESS: &str = tube_on!(
+    "
     type = \"stiffness\"
     matrix = [
         [1e9, 0, 0, 0, 0, 0], [0, 1e9, 0, 0, 0, 0], [0, 0, 1e9, 0, 0, 0],
         [0, 0, 0, 1e11, 0, 0], [0, 0, 0, 0, 1e11, 0], [0, 0, 0, 0, 0, 1e11],
     ]
     [gravity]
-";
+"
+);
