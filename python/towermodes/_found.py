@@ -73,7 +73,7 @@ class Design(Found):
 
     __slots__ = ()
 
-    _compute = _rust.Design
+    _compute = _rust.design
     _maker = "Tower.design"
     _list = "variables"
     _value = "after"
@@ -115,7 +115,7 @@ class Calibration(Found):
 
     __slots__ = ()
 
-    _compute = _rust.Calibration
+    _compute = _rust.calibrate
     _maker = "Tower.calibrate"
     _list = "numbers"
     _value = "value"

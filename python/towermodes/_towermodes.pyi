@@ -6,7 +6,7 @@ The classes and functions of the package.
 from _typeshed import Incomplete, SupportsGetItem
 from typing import Final, SupportsFloat, SupportsIndex, final
 
-__all__ = ["VERSION", "Agreement", "Calibration", "Campbell", "Comparison", "Converted", "Design", "Examination", "Solution", "SweepFolder", "Tower", "close", "columns_of_stream", "mode_named", "read", "read_text", "run", "sensitivities", "source", "stream_of_columns", "stream_of_results", "sweep"]
+__all__ = ["VERSION", "Agreement", "Campbell", "Comparison", "Converted", "Examination", "Found", "Solution", "SweepFolder", "Tower", "calibrate", "close", "columns_of_stream", "design", "mode_named", "read", "read_text", "run", "sensitivities", "source", "stream_of_columns", "stream_of_results", "sweep"]
 
 VERSION: Final[str]
 """
@@ -39,29 +39,6 @@ class Agreement:
     def verdict(self, /) -> str:
         """
         The worst verdict: `pass`, `warn` or `fail`.
-        """
-
-@final
-class Calibration:
-    """
-    A tower whose numbers are fitted to measured frequencies.
-    """
-    def __new__(cls, /, tower: Tower, text: str, name: str, free: SupportsGetItem[int, str], options: "dict[str, object]") -> Calibration:
-        """
-        The fit of measurements; `free` are the numbers to be fitted, if not those of the file.
-        """
-    def json(self, /) -> str:
-        """
-        The JSON of the program.
-        """
-    def table(self, /) -> str:
-        """
-        The table of the program.
-        """
-    @property
-    def tower(self, /) -> Tower:
-        """
-        The fitted tower.
         """
 
 @final
@@ -167,29 +144,6 @@ class Converted:
         """
 
 @final
-class Design:
-    """
-    The lightest tower whose frequencies are in given bands.
-    """
-    def __new__(cls, /, tower: Tower, text: str, name: str) -> Design:
-        """
-        The design of a study.
-        """
-    def json(self, /) -> str:
-        """
-        The JSON of the program.
-        """
-    def table(self, /) -> str:
-        """
-        The table of the program.
-        """
-    @property
-    def tower(self, /) -> Tower:
-        """
-        The tower found.
-        """
-
-@final
 class Examination:
     """
     The values of one description.
@@ -205,6 +159,25 @@ class Examination:
     def table(self, /) -> str:
         """
         The table of the program.
+        """
+
+@final
+class Found:
+    """
+    A tower whose numbers are found.
+    """
+    def json(self, /) -> str:
+        """
+        The JSON of the program.
+        """
+    def table(self, /) -> str:
+        """
+        The table of the program.
+        """
+    @property
+    def tower(self, /) -> Tower:
+        """
+        The tower with the numbers found.
         """
 
 @final
@@ -503,6 +476,11 @@ class Tower:
         Input that is possible but probably a mistake.
         """
 
+def calibrate(tower: Tower, text: str, name: str, free: SupportsGetItem[int, str], options: "dict[str, object]") -> Found:
+    """
+    The fit of measurements; `free` are the numbers to be fitted, if not those of the file.
+    """
+
 def close() -> None:
     """
     Lets no other thread come back into Python; Python calls it at its exit.
@@ -511,6 +489,11 @@ def close() -> None:
 def columns_of_stream(capsule: "object") -> "list[tuple[str, Incomplete]]":
     """
     The columns of a table as numbers; a missing value is NaN.
+    """
+
+def design(tower: Tower, text: str, name: str) -> Found:
+    """
+    The lightest tower of a study.
     """
 
 def mode_named(name: str) -> tuple[str, int, str]:

@@ -6,13 +6,12 @@ use std::sync::Arc;
 
 use pyo3::prelude::*;
 use towermodes::{Change, SensitivityError, TowerDescription};
-use towermodes_cli::studies::{calibration, design};
-use towermodes_cli::table;
-use towermodes_design::calibration::{Calibration as Fit, CalibrationError, calibrate};
+use towermodes_cli::studies::design::StudyError;
+use towermodes_cli::{studies, table};
+use towermodes_design::calibration::{CalibrationError, calibrate as fitted};
 use towermodes_design::design::{DesignError, design as designed};
 use towermodes_files::{
-    CalibrationDocument, DesignDocument, ReadError, Source, read_design_study, read_measured,
-    write_calibration_json, write_design_json,
+    ReadError, Source, read_design_study, read_measured, write_calibration_json, write_design_json,
 };
 
 use crate::error::{MADE_HERE, of_read, of_result, of_solve, of_tower, unsolved, usage};
@@ -30,45 +29,20 @@ pub fn source(py: Python<'_>, path: PathBuf) -> PyResult<(String, String)> {
     Ok((source.text, source.name))
 }
 
-/// The lightest tower whose frequencies are in given bands.
+/// A tower whose numbers are found.
 #[pyclass(frozen, module = "towermodes._towermodes")]
-pub struct Design {
-    document: DesignDocument,
+pub struct Found {
+    json: Vec<u8>,
     table: String,
-    found: Arc<Model>,
+    model: Arc<Model>,
 }
 
 #[pymethods]
-impl Design {
-    /// The design of a study.
-    #[new]
-    fn new(py: Python<'_>, tower: &Tower, text: String, name: String) -> PyResult<Self> {
-        let input = &tower.model.input;
-        let study = read_design_study(&Source { name, text }).map_err(of_read)?;
-        let problem = design::problem(&study, input).map_err(|error| match error {
-            design::StudyError::Input(error) => of_read(error),
-            error => usage(error.to_string()),
-        })?;
-        let options = design::options(&study, input);
-        let found = interruptible(py, |workspace| {
-            designed(&input.description, &problem, &options, workspace)
-        })?;
-        let found = found.map_err(|error| {
-            let located = design::located(&error, &study).filter(|_| has_lines(&study.source));
-            no_design(error, located)
-        })?;
-        let warnings = design::warnings(&found);
-        Ok(Self {
-            document: design::document(input, &problem, &found, &warnings),
-            table: table::design(&input.description.name, &problem, &found),
-            found: changed(tower, found.tower)?,
-        })
-    }
-
-    /// The tower found.
+impl Found {
+    /// The tower with the numbers found.
     #[getter]
     fn tower(&self) -> Tower {
-        let model = Arc::clone(&self.found);
+        let model = Arc::clone(&self.model);
         Tower { model }
     }
 
@@ -78,74 +52,73 @@ impl Design {
     }
 
     /// The JSON of the program.
-    fn json(&self) -> PyResult<String> {
-        let mut json = Vec::new();
-        write_design_json(&self.document, &mut json).map_err(|error| of_result(&error))?;
-        Ok(String::from_utf8_lossy(&json).into_owned())
+    fn json(&self) -> String {
+        String::from_utf8_lossy(&self.json).into_owned()
     }
 }
 
-/// A tower whose numbers are fitted to measured frequencies.
-#[pyclass(frozen, module = "towermodes._towermodes")]
-pub struct Calibration {
-    document: CalibrationDocument,
-    table: String,
-    found: Arc<Model>,
+/// The lightest tower of a study.
+#[pyfunction]
+pub fn design(py: Python<'_>, tower: &Tower, text: String, name: String) -> PyResult<Found> {
+    let input = &tower.model.input;
+    let study = read_design_study(&Source { name, text }).map_err(of_read)?;
+    let problem = studies::design::problem(&study, input).map_err(|error| match error {
+        StudyError::Input(error) => of_read(error),
+        error => usage(error.to_string()),
+    })?;
+    let options = studies::design::options(&study, input);
+    let found = interruptible(py, |workspace| {
+        designed(&input.description, &problem, &options, workspace)
+    })?;
+    let found = found.map_err(|error| {
+        let located = studies::design::located(&error, &study);
+        no_design(error, located.filter(|_| has_lines(&study.source)))
+    })?;
+    let warnings = studies::design::warnings(&found);
+    let document = studies::design::document(input, &problem, &found, &warnings);
+    let mut json = Vec::new();
+    write_design_json(&document, &mut json).map_err(|error| of_result(&error))?;
+    Ok(Found {
+        json,
+        table: table::design(&input.description.name, &problem, &found),
+        model: changed(tower, found.tower)?,
+    })
 }
 
-#[pymethods]
-impl Calibration {
-    /// The fit of measurements; `free` are the numbers to be fitted, if not those of the file.
-    #[new]
-    #[pyo3(signature = (tower, text, name, free, options: "dict[str, object]"))]
-    fn new(
-        py: Python<'_>,
-        tower: &Tower,
-        text: String,
-        name: String,
-        free: Vec<String>,
-        options: SolveOptions,
-    ) -> PyResult<Self> {
-        let input = &tower.model.input;
-        let file = read_measured(&Source { name, text }).map_err(of_read)?;
-        let free = free
-            .iter()
-            .map(|name| Change::parse(name, &input.description));
-        let free: Result<Vec<Change>, _> = free.collect();
-        let free = free.map_err(|error| usage(error.to_string()))?;
-        let problem = calibration::problem(&input.description, &file, free).map_err(of_read)?;
-        let options = options.of(input)?;
-        let fit = interruptible(py, |workspace| calibrate(&problem, &options, workspace))?;
-        let fit: Fit = fit.map_err(|error| {
-            let located = calibration::located(&error, &file).filter(|_| has_lines(&file.source));
-            no_fit(error, located)
-        })?;
-        Ok(Self {
-            document: calibration::document(input, &fit),
-            table: table::calibration(&input.description.name, &fit),
-            found: changed(tower, fit.description)?,
-        })
-    }
-
-    /// The fitted tower.
-    #[getter]
-    fn tower(&self) -> Tower {
-        let model = Arc::clone(&self.found);
-        Tower { model }
-    }
-
-    /// The table of the program.
-    fn table(&self) -> &str {
-        &self.table
-    }
-
-    /// The JSON of the program.
-    fn json(&self) -> PyResult<String> {
-        let mut json = Vec::new();
-        let done = write_calibration_json(&self.document, &mut json);
-        done.map_err(|error| of_result(&error))?;
-        Ok(String::from_utf8_lossy(&json).into_owned())
-    }
+/// The fit of measurements; `free` are the numbers to be fitted, if not those of the file.
+#[pyfunction]
+#[pyo3(signature = (tower, text, name, free, options: "dict[str, object]"))]
+pub fn calibrate(
+    py: Python<'_>,
+    tower: &Tower,
+    text: String,
+    name: String,
+    free: Vec<String>,
+    options: SolveOptions,
+) -> PyResult<Found> {
+    let input = &tower.model.input;
+    let file = read_measured(&Source { name, text }).map_err(of_read)?;
+    let free = free
+        .iter()
+        .map(|name| Change::parse(name, &input.description));
+    let free: Result<Vec<Change>, _> = free.collect();
+    let free = free.map_err(|error| usage(error.to_string()))?;
+    let problem = studies::calibration::problem(&input.description, &file, free);
+    let problem = problem.map_err(of_read)?;
+    let options = options.of(input)?;
+    let fit = interruptible(py, |workspace| fitted(&problem, &options, workspace))?;
+    let fit = fit.map_err(|error| {
+        let located = studies::calibration::located(&error, &file);
+        no_fit(error, located.filter(|_| has_lines(&file.source)))
+    })?;
+    let document = studies::calibration::document(input, &fit);
+    let mut json = Vec::new();
+    write_calibration_json(&document, &mut json).map_err(|error| of_result(&error))?;
+    Ok(Found {
+        json,
+        table: table::calibration(&input.description.name, &fit),
+        model: changed(tower, fit.description)?,
+    })
 }
 
 /// Whether the lines of a text mean something to the user.

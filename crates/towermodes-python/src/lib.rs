@@ -37,7 +37,7 @@ mod _towermodes {
     #[pymodule_export]
     use crate::converted::Converted;
     #[pymodule_export]
-    use crate::found::{Calibration, Design, source};
+    use crate::found::{Found, calibrate, design, source};
     #[pymodule_export]
     use crate::lock::close;
     #[pymodule_export]
