@@ -26,6 +26,13 @@ def test_the_import_needs_no_numpy() -> None:
     assert python(code).stdout == "False\n"
 
 
+def test_the_import_loads_no_other_module_that_takes_time() -> None:
+    code = "import sys; old = set(sys.modules); import towermodes; print(*(set(sys.modules) - old))"
+    loaded = python(code).stdout.split()
+    assert "towermodes._sweep" in loaded
+    assert not {"collections", "dataclasses", "inspect", "json", "typing"} & set(loaded)
+
+
 def test_every_public_name_is_documented_and_there() -> None:
     for name in tm.__all__:
         assert getattr(tm, name).__doc__

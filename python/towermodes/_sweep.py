@@ -5,7 +5,6 @@ from __future__ import annotations
 from towermodes import _towermodes as _rust
 from towermodes._checks import whole_or_none, word_or_none
 from towermodes._columns import columns_of
-from towermodes._failures import Failures
 from towermodes._names import modes_chosen, place_of
 
 TYPE_CHECKING = False
@@ -17,6 +16,7 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     from towermodes._columns import Table
+    from towermodes._failures import Failures
     from towermodes._names import Family, Modes
     from towermodes._tower import Tower
 
@@ -92,6 +92,9 @@ class SweepResult:
     """The first of these rows, up to five: the row, from 0, and the message."""
 
     def __init__(self, inputs: list[tuple[str, Array]], solved: tuple[Any, ...]) -> None:
+        # It needs `collections`, whose import takes two milliseconds.
+        from towermodes._failures import Failures
+
         modes, frequency_hz, error_hz, mass_kg, certified, failures, warned = solved
         self._inputs: list[tuple[str, Array]] = inputs
         self._modes: list[tuple[Family, int, str]] = modes
