@@ -279,7 +279,7 @@ fn soil(height_m: f64, x: f64, y: f64, z: f64) -> SoilRow {
             x_n_per_m2: x,
             y_n_per_m2: y,
             z_n_per_m2: z,
-            torsion_n: 0.0,
+            ..SoilStiffness::default()
         },
     }
 }

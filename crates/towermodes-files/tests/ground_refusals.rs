@@ -508,7 +508,7 @@ fn soil_that_cannot_be() {
         "[-30.0, 2e7, 3e7]",
         "[-30.0, 2e7]",
         "10:3",
-        "row 1 of the soil has 2 values instead of 3 to 5",
+        "row 1 of the soil has 2 values instead of 3 to 5 or 7",
         "a row is [height in m, spring in x, spring in y]",
     );
     refused(
@@ -516,7 +516,7 @@ fn soil_that_cannot_be() {
         "[-30.0, 2e7, 3e7]",
         "[-30.0, 1, 2, 3, 4, 5]",
         "10:3",
-        "row 1 of the soil has 6 values instead of 3 to 5",
+        "row 1 of the soil has 6 values instead of 3 to 5 or 7",
         "in torsion (N)",
     );
     refused(

@@ -356,13 +356,15 @@ fn monopile(formula: PileFormula, soil_profile: SoilProfile) -> Foundation {
 
 #[test]
 fn soil_water_added_mass_and_wires() {
-    let soil = |height_m, values: [f64; 4]| SoilRow {
+    let soil = |height_m, values: [f64; 6]| SoilRow {
         height_m,
         stiffness: SoilStiffness {
             x_n_per_m2: values[0],
             y_n_per_m2: values[1],
             z_n_per_m2: values[2],
             torsion_n: values[3],
+            rotation_x_n: values[4],
+            rotation_y_n: values[5],
         },
     };
     let added = |height_m, mass_kg_per_m| AddedMassRow {
@@ -377,9 +379,26 @@ fn soil_water_added_mass_and_wires() {
     };
     let description = TowerDescription {
         soil: vec![
-            vec![soil(0.0, [1e8, 2e8, 0.0, 0.0]), soil(5.0, [0.0; 4])],
-            vec![soil(1.0, [1e8, 2e8, 3.0, 0.0]), soil(5.0, [0.0; 4])],
-            vec![soil(2.0, [1e8, 2e8, 0.0, 4.0]), soil(5.0, [0.0; 4])],
+            vec![
+                soil(0.0, [1e8, 2e8, 0.0, 0.0, 0.0, 0.0]),
+                soil(5.0, [0.0; 6]),
+            ],
+            vec![
+                soil(1.0, [1e8, 2e8, 3.0, 0.0, 0.0, 0.0]),
+                soil(5.0, [0.0; 6]),
+            ],
+            vec![
+                soil(2.0, [1e8, 2e8, 0.0, 4.0, 0.0, 0.0]),
+                soil(5.0, [0.0; 6]),
+            ],
+            vec![
+                soil(3.0, [0.0, 0.0, 0.0, 0.0, 5.0, 0.0]),
+                soil(5.0, [0.0; 6]),
+            ],
+            vec![
+                soil(4.0, [1.0, 2.0, 0.0, 0.0, 5.0, 6.0]),
+                soil(5.0, [0.0; 6]),
+            ],
         ],
         added_mass: vec![
             vec![
@@ -730,14 +749,16 @@ fn any_foundation() -> BoxedStrategy<Foundation> {
 }
 
 fn around() -> BoxedStrategy<TowerDescription> {
-    let soil = prop::collection::vec(prop::array::uniform5(value()), 0..4).prop_map(|rows| {
-        let row = |[height_m, x, y, z, torsion]: [f64; 5]| SoilRow {
+    let soil = prop::collection::vec(prop::array::uniform7(value()), 0..4).prop_map(|rows| {
+        let row = |[height_m, x, y, z, torsion, rotation_x_n, rotation_y_n]: [f64; 7]| SoilRow {
             height_m,
             stiffness: SoilStiffness {
                 x_n_per_m2: x,
                 y_n_per_m2: y,
                 z_n_per_m2: z,
                 torsion_n: torsion,
+                rotation_x_n,
+                rotation_y_n,
             },
         };
         rows.into_iter().map(row).collect::<Vec<_>>()

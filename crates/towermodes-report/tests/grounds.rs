@@ -134,6 +134,7 @@ fn much_around_a_tower() {
             y_n_per_m2: 0.8 * stiffness,
             z_n_per_m2: 1e6,
             torsion_n: 1e7,
+            ..SoilStiffness::default()
         };
         [from, to]
             .map(|height_m| SoilRow {

@@ -51,6 +51,8 @@ fn counts_and_solves_equal_those_of_dense_matrices() {
                 y_n_per_m2: 2e6,
                 z_n_per_m2: 3e6,
                 torsion_n: 4e6,
+                rotation_x_n: 2e8,
+                rotation_y_n: 3e8,
             },
         };
         tower.soil = vec![vec![soil(0.0), soil(30.0)]];

@@ -219,6 +219,8 @@ fn soil(height_m: f64, x_n_per_m2: f64, y_n_per_m2: f64) -> SoilRow {
             y_n_per_m2,
             z_n_per_m2: 1e6,
             torsion_n: 1e7,
+            rotation_x_n: 5e8,
+            rotation_y_n: 7e8,
         },
     }
 }

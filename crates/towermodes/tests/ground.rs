@@ -135,6 +135,7 @@ fn soil(height_m: f64, [x, y, z, torsion]: [f64; 4]) -> SoilRow {
             y_n_per_m2: y,
             z_n_per_m2: z,
             torsion_n: torsion,
+            ..SoilStiffness::default()
         },
     }
 }
@@ -238,7 +239,7 @@ fn firmer(tower: &mut TowerDescription, change: fn(&mut SoilStiffness)) {
 
 /// Changes that leave the mesh as it is, so that the k-th eigenvalue of the chain itself cannot
 /// fall (Weyl).
-const STIFFER: [(&str, Change); 9] = [
+const STIFFER: [(&str, Change); 11] = [
     ("lateral", |t| of_springs(t, |s| s.lateral_n_per_m *= 2.0)),
     ("rocking", |t| of_springs(t, |s| s.rocking_n_m *= 2.0)),
     ("vertical", |t| of_springs(t, |s| s.vertical_n_per_m *= 2.0)),
@@ -247,6 +248,8 @@ const STIFFER: [(&str, Change); 9] = [
     ("soil y", |t| firmer(t, |s| s.y_n_per_m2 *= 1.5)),
     ("soil z", |t| firmer(t, |s| s.z_n_per_m2 *= 1.5)),
     ("soil torsion", |t| firmer(t, |s| s.torsion_n *= 1.5)),
+    ("soil rotation x", |t| firmer(t, |s| s.rotation_x_n += 1e9)),
+    ("soil rotation y", |t| firmer(t, |s| s.rotation_y_n += 1e9)),
     ("wires", |t| {
         t.wires.push(Wires {
             count: 4,

@@ -22,6 +22,7 @@ mod pencils;
 mod plausibility;
 mod real_towers;
 mod refusal;
+mod rotational_springs;
 mod sensitivities;
 mod tables;
 mod towers;

@@ -196,6 +196,7 @@ fn held() -> TowerDescription {
             y_n_per_m2: 1.3 * spring,
             z_n_per_m2: 0.5 * spring,
             torsion_n: 2.0 * spring,
+            ..SoilStiffness::default()
         },
     };
     TowerDescription {

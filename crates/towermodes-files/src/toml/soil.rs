@@ -9,15 +9,17 @@ use super::table::{Table, every_table, with_names};
 use super::values::{Value, every_row, list, number, row_of};
 use crate::places::TABLE;
 
-const ROW: &str = "a row is [height in m, spring in x, spring in y] in N/m2, then, if wanted, in z (N/m2) and in torsion (N)";
+const ROW: &str = "a row is [height in m, spring in x, spring in y] in N/m2, then, if wanted, in z (N/m2), in torsion and against rotation about x and y (N)";
 
 /// The values of a row: their names in the tower's checks and in messages.
-const COLUMNS: [(&str, &str); 5] = [
+const COLUMNS: [(&str, &str); 7] = [
     ("height", "height"),
     ("x", "the soil spring in x"),
     ("y", "the soil spring in y"),
     ("z", "the soil spring in z"),
     ("torsion", "the soil spring in torsion"),
+    ("rotation_x", "the soil spring against rotation about x"),
+    ("rotation_y", "the soil spring against rotation about y"),
 ];
 
 /// All `[[soil]]` with their names.
@@ -48,14 +50,15 @@ fn layer(index: usize, value: &Value<'_>, reading: &mut Reading) -> Option<(Vec<
     Some((rows?, name?))
 }
 
+/// The springs against rotation come as a pair.
 fn is_row(length: usize) -> bool {
-    (3..=COLUMNS.len()).contains(&length)
+    matches!(length, 3..=5 | 7)
 }
 
 /// How many values a row should have, if a number of values is wrong: as many as the first row.
 fn expected(count: usize, length: Option<usize>) -> Option<String> {
     match length {
-        _ if !is_row(count) => Some("3 to 5".to_owned()),
+        _ if !is_row(count) => Some("3 to 5 or 7".to_owned()),
         Some(length) if length != count => Some(format!("{length} as the first row")),
         _ => None,
     }
@@ -72,7 +75,7 @@ fn soil_row(
         reading.remember(at(key), value.span());
         *entry = number(value, what, reading);
     }
-    let [height, x, y, z, torsion] = row;
+    let [height, x, y, z, torsion, rotation_x, rotation_y] = row;
     Some(SoilRow {
         height_m: height?,
         stiffness: SoilStiffness {
@@ -80,6 +83,8 @@ fn soil_row(
             y_n_per_m2: y?,
             z_n_per_m2: z?,
             torsion_n: torsion?,
+            rotation_x_n: rotation_x?,
+            rotation_y_n: rotation_y?,
         },
     })
 }

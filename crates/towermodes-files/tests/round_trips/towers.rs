@@ -219,7 +219,7 @@ pub fn in_soil() -> TowerDescription {
             x_n_per_m2: x,
             y_n_per_m2: x,
             z_n_per_m2: 0.0,
-            torsion_n: 0.0,
+            ..SoilStiffness::default()
         },
     };
     TowerDescription {

@@ -871,7 +871,7 @@ fn columns_without_numbers_are_left_out() {
     );
     assert!(
         text.contains(
-            "linear between rows; columns not shown because all values are zero: z, torsion."
+            "linear between rows; columns not shown because all values are zero: z, torsion, rotation about x, rotation about y."
         ),
         "{text}"
     );

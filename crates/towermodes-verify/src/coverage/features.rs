@@ -50,6 +50,8 @@ fn stiffness(transverse: f64) -> SoilStiffness {
         y_n_per_m2: transverse,
         z_n_per_m2: 0.3 * transverse,
         torsion_n: 2.0 * transverse,
+        rotation_x_n: 20.0 * transverse,
+        rotation_y_n: 30.0 * transverse,
     }
 }
 

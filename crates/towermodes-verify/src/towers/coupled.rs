@@ -141,6 +141,7 @@ fn soil_with_a_firm_layer() -> Vec<Vec<SoilRow>> {
             y_n_per_m2: x_n_per_m2,
             z_n_per_m2,
             torsion_n,
+            ..SoilStiffness::default()
         },
     };
     vec![

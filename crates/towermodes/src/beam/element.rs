@@ -248,8 +248,8 @@ fn soil(soil: &SoilStiffness) -> [f64; 6] {
         soil.x_n_per_m2,
         soil.y_n_per_m2,
         soil.z_n_per_m2,
-        0.0,
-        0.0,
+        soil.rotation_x_n,
+        soil.rotation_y_n,
         soil.torsion_n,
     ]
 }

@@ -124,13 +124,14 @@ impl Assembly<'_> {
     }
 }
 
-/// Constant springs along a rod of a length (m), about its middle: k l against moving, k l³/12
-/// against turning.
+/// Constant springs along a rod of a length (m), about its middle: k l against moving, k l³/12 and
+/// k_r l against rotation.
 fn prismatic_soil(soil: &SoilStiffness, length: f64) -> Axisymmetric {
     Axisymmetric {
-        bending: soil
-            .transverse()
-            .map(|k| [k * length, 0.0, k * length.powi(3) / 12.0]),
+        bending: soil.transverse().zip(soil.rotation(), |k, rotation| {
+            let of_arms = k * length.powi(3) / 12.0;
+            [k * length, 0.0, of_arms + rotation * length]
+        }),
         torsion: soil.torsion_n * length,
         axial: soil.z_n_per_m2 * length,
     }

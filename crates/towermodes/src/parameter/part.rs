@@ -60,15 +60,23 @@ pub(super) fn is_there(_: &TowerDescription, _: Indices) -> bool {
     true
 }
 
+/// The first of one or two expressions.
+macro_rules! first_of {
+    ($first:expr $(, $second:expr)?) => {
+        $first
+    };
+}
+pub(super) use first_of;
+
 /// The numbers of a part that are fields of one type. The first two lines give the part for
 /// reading and for writing, the third its place for a key; each other line is key, unit, meaning
-/// and field.
+/// and field, and `listed` with the condition if the number is not always listed.
 macro_rules! fields {
     (
         get |$d:ident, $i:ident| $part:expr;
         set |$dm:ident, $im:ident| $part_mut:expr;
         place |$at:ident, $key:ident| $place:expr;
-        $($name:literal $unit:literal $meaning:literal, $place_key:literal $field:ident $(. $inner:ident)? $([$n:literal])?;)+
+        $($name:literal $unit:literal $meaning:literal, $place_key:literal $field:ident $(. $inner:ident)? $([$n:literal])? $(, listed $listed:expr)?;)+
     ) => {
         &[$(
             crate::parameter::part::Key {
@@ -78,7 +86,7 @@ macro_rules! fields {
                 place: |$at| { let _ = $at; let $key = $place_key; $place },
                 get: |$d, $i| { let _ = $i; Some($part.$field$(.$inner)?$([$n])?) },
                 set: |$dm, $im, value| { let _ = $im; $part_mut.$field$(.$inner)?$([$n])? = value; Some(()) },
-                is_listed: crate::parameter::part::is_there,
+                is_listed: crate::parameter::part::first_of!($($listed,)? crate::parameter::part::is_there),
             }
         ),+]
     };

@@ -1,7 +1,7 @@
 //! The numbers of soil, added mass, water, guy wires and gravity.
 
-use super::part::{Key, Part, fields, is_there};
-use crate::tower::{Place, TowerDescription};
+use super::part::{Indices, Key, Part, fields, is_there};
+use crate::tower::{Place, Planes, TowerDescription};
 
 /// `[[soil]]`.
 pub(super) static SOIL: Part = Part {
@@ -19,6 +19,8 @@ pub(super) static SOIL: Part = Part {
         "y" "N/m2" "spring in y per length", "y" stiffness.y_n_per_m2;
         "z" "N/m2" "spring in z per length", "z" stiffness.z_n_per_m2;
         "torsion" "N" "spring in torsion per length", "torsion" stiffness.torsion_n;
+        "rotation_x" "N" "spring against rotation about x per length", "rotation_x" stiffness.rotation_x_n, listed resists_rotation;
+        "rotation_y" "N" "spring against rotation about y per length", "rotation_y" stiffness.rotation_y_n, listed resists_rotation;
     },
 };
 
@@ -122,6 +124,13 @@ pub(super) static GRAVITY: Part = Part {
         is_listed: is_there,
     }],
 };
+
+/// Whether the layer of a row has springs against rotation, which few files give.
+fn resists_rotation(description: &TowerDescription, indices: Indices) -> bool {
+    let rows = description.soil.get(indices[0]).into_iter().flatten();
+    let mut rotations = rows.map(|row| row.stiffness.rotation());
+    rotations.any(|springs| springs != Planes::default())
+}
 
 /// The height of the ground: that of the lowest station where the file does not give it.
 fn bed_m(description: &TowerDescription) -> Option<f64> {

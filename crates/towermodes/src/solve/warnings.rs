@@ -87,7 +87,8 @@ pub(super) fn is_uncertain_end(
 }
 
 /// Warns if the Winkler decay length is below the mesh size: (4EI/k)^¼ in bending, (EA/k)^½ along
-/// and (GJ/k)^½ about the axis. An element of degree p resolves a p-th of its length.
+/// and (GJ/k)^½ about the axis, (EI/k)^½ for springs against rotation. An element of degree p
+/// resolves a p-th of its length.
 fn soil_unresolved(tower: &Tower, mesh: &Mesh, degree: Option<usize>) -> Option<Warning> {
     let parts = degree.unwrap_or(1) as f64;
     let mut worst: Option<(f64, f64)> = None;
@@ -105,6 +106,8 @@ fn soil_unresolved(tower: &Tower, mesh: &Mesh, degree: Option<usize>) -> Option<
             (4.0 * bending.side_side / transverse.side_side).powf(0.25),
             (section.axial_n / soil.z_n_per_m2).sqrt(),
             (section.torsion_n_m2 / soil.torsion_n).sqrt(),
+            (bending.fore_aft / soil.rotation_y_n).sqrt(),
+            (bending.side_side / soil.rotation_x_n).sqrt(),
         ];
         let penetration_m = lengths_m.into_iter().fold(f64::INFINITY, f64::min);
         let segment_m = (border[1] - border[0]) / parts;

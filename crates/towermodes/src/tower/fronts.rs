@@ -5,7 +5,7 @@
 //! or leaves bare, is a sliver: a spring and a mass at the border.
 
 use super::description::TowerDescription;
-use super::immersion::{fronts_m, jumps_at_fronts};
+use super::immersion::{SpringsAndMass, fronts_m, jumps_at_fronts};
 use super::model::Tower;
 use super::piece::{Piece, Profile};
 
@@ -33,7 +33,7 @@ pub(crate) struct Sliver {
     /// The border: 0 for the base.
     pub(crate) border: usize,
     /// Springs against x, y, z and torsion, N/m and N m, and the mass of water, kg.
-    pub(crate) springs_and_mass: [f64; 5],
+    pub(crate) springs_and_mass: SpringsAndMass,
 }
 
 /// The heights of the rows of a tower, m.

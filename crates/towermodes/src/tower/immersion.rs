@@ -31,22 +31,26 @@ pub(super) fn fronts_m(description: &TowerDescription, base_m: f64) -> Vec<f64> 
     fronts_m
 }
 
+/// Soil springs (N/m², N), then the mass of water (kg/m) around a tube.
+pub(super) type SpringsAndMass = [f64; SoilStiffness::SPRINGS + 1];
+
 /// By how much the soil springs and the water at each of the [`fronts_m`] are larger below than
-/// above: four springs (N/m², N), then the mass of water (kg/m) around a tube.
+/// above.
 pub(super) fn jumps_at_fronts(
     description: &TowerDescription,
     tube: Option<&Tube>,
-) -> Vec<[f64; 5]> {
+) -> Vec<SpringsAndMass> {
     let mut jumps = Vec::new();
     for rows in &description.soil {
         let values = |row: &SoilRow| {
-            let [x, y, z, torsion] = row.stiffness.values();
-            [x, y, z, torsion, 0.0]
+            let mut values = mass(0.0);
+            values[..SoilStiffness::SPRINGS].copy_from_slice(&row.stiffness.values());
+            values
         };
         add_jumps(rows, |row| row.height_m, values, &mut jumps);
     }
     for rows in &description.added_mass {
-        let values = |row: &AddedMassRow| [0.0, 0.0, 0.0, 0.0, row.mass_kg_per_m];
+        let values = |row: &AddedMassRow| mass(row.mass_kg_per_m);
         add_jumps(rows, |row| row.height_m, values, &mut jumps);
     }
     if let Some(water) = &description.water {
@@ -56,18 +60,24 @@ pub(super) fn jumps_at_fronts(
         let inside = tube.map_or(0.0, |tube| square(tube.inner_diameter_m()));
         let outside = outside * water.added_mass_coefficient;
         let inside = if water.flooded { inside } else { 0.0 };
-        jumps.push([0.0, 0.0, 0.0, 0.0, outside + inside]);
-        jumps.push([0.0, 0.0, 0.0, 0.0, -outside]);
+        jumps.push(mass(outside + inside));
+        jumps.push(mass(-outside));
     }
     jumps
+}
+
+fn mass(kg_per_m: f64) -> SpringsAndMass {
+    let mut values = [0.0; SoilStiffness::SPRINGS + 1];
+    values[SoilStiffness::SPRINGS] = kg_per_m;
+    values
 }
 
 /// A table begins and ends at its first and last row, and at two rows of one height.
 fn add_jumps<R>(
     rows: &[R],
     height_m: impl Fn(&R) -> f64,
-    values: impl Fn(&R) -> [f64; 5],
-    jumps: &mut Vec<[f64; 5]>,
+    values: impl Fn(&R) -> SpringsAndMass,
+    jumps: &mut Vec<SpringsAndMass>,
 ) {
     let is_joined = |below: usize| {
         let pair = rows.get(below).zip(rows.get(below + 1));

@@ -167,7 +167,8 @@ impl MassIntegrals {
 }
 
 /// What soil springs do to `piece` between two heights (m) inside it, as a rigid body about
-/// `reference_m`: ∫ k dz, ∫ k (z − z₀) dz and ∫ k (z − z₀)² dz in each plane, ∫ k_t dz, ∫ k_z dz.
+/// `reference_m`: ∫ k dz, ∫ k (z − z₀) dz and ∫ (k (z − z₀)² + k_r) dz in each plane, ∫ k_t dz,
+/// ∫ k_z dz.
 /// None if there is no soil.
 pub fn soil_integrals(
     piece: &Piece,
@@ -187,6 +188,9 @@ pub fn soil_integrals(
             let k = weight * k;
             [a + k, b + k * arm, c + k * arm * arm]
         });
+        sum.bending = sum
+            .bending
+            .zip(soil.rotation(), |[a, b, c], k| [a, b, c + weight * k]);
         sum.axial += weight * soil.z_n_per_m2;
         sum.torsion += weight * soil.torsion_n;
     }

@@ -7,6 +7,7 @@ use super::neighbour::Neighbour;
 use super::piece::{Piece, Profile};
 use super::properties::Properties;
 use super::shear::Shear;
+use super::surroundings::SoilStiffness;
 use crate::space::SpatialMatrix;
 
 /// Where a number is in the list.
@@ -28,8 +29,8 @@ const OF_BASE: usize = 3 + 2 * MATRIX;
 const OF_ATTACHMENT: usize = 3 + 2 * MATRIX;
 const OF_PIECE: usize = 1 + OF_PROFILE + OF_SOIL + 4;
 const OF_PROFILE: usize = 20;
-const OF_SOIL: usize = 8;
-const OF_SLIVER: usize = 5;
+const OF_SOIL: usize = 2 * SoilStiffness::SPRINGS;
+const OF_SLIVER: usize = SoilStiffness::SPRINGS + 1;
 
 impl Places {
     /// Of a tower.
@@ -45,7 +46,7 @@ impl Places {
         self.sliver(self.pieces + 1)
     }
 
-    /// The soil and the water just beyond a border between pieces: four springs and a mass.
+    /// The soil and the water just beyond a border between pieces: the springs and a mass.
     pub(crate) fn sliver(self, border: usize) -> Place {
         self.piece(self.pieces) + border * OF_SLIVER
     }
@@ -79,7 +80,7 @@ impl Places {
         self.piece(piece) + 1
     }
 
-    /// The soil springs of a piece: four at each end.
+    /// The soil springs of a piece: all at the lower end, then all at the upper end.
     pub(crate) fn soil(self, piece: usize) -> Place {
         self.profile(piece) + OF_PROFILE
     }

@@ -161,7 +161,8 @@ impl Piece {
     }
 
     fn soil_is_round(&self) -> bool {
-        let is_round = |soil: &SoilStiffness| soil.transverse().are_equal();
+        let is_round =
+            |soil: &SoilStiffness| soil.transverse().are_equal() && soil.rotation().are_equal();
         self.environment
             .soil
             .is_none_or(|ends| ends.iter().all(is_round))

@@ -131,16 +131,18 @@ impl Section {
     }
 
     /// All its values, to compare sections by.
-    pub(super) fn values(&self) -> [f64; 15] {
+    pub(super) fn values(&self) -> [f64; 17] {
         let (rotary, bending) = (self.masses.rotary_inertia_kg_m, self.bending_n_m2);
         let shear = self.shear_flexibility_per_n;
-        let [soil_x, soil_y, soil_z, soil_torsion] = self.soil.values();
+        let [soil_x, soil_y, soil_z, soil_torsion, soil_rx, soil_ry] = self.soil.values();
         [
             self.masses.water_kg_per_m,
             soil_x,
             soil_y,
             soil_z,
             soil_torsion,
+            soil_rx,
+            soil_ry,
             self.masses.mass_kg_per_m,
             rotary.fore_aft,
             rotary.side_side,
@@ -156,7 +158,7 @@ impl Section {
 
     /// The properties used by an Euler-Bernoulli beam without rotary inertia, with names for
     /// messages.
-    pub(crate) fn quantities(&self) -> [(&'static str, f64); 10] {
+    pub(crate) fn quantities(&self) -> [(&'static str, f64); 11] {
         let (masses, bending, soil) = (&self.masses, self.bending_n_m2, &self.soil);
         [
             ("mass", masses.mass_kg_per_m),
@@ -172,6 +174,10 @@ impl Section {
             ),
             ("vertical soil stiffness", soil.z_n_per_m2),
             ("torsional soil stiffness", soil.torsion_n),
+            (
+                "rotational soil stiffness",
+                soil.rotation_x_n.max(soil.rotation_y_n),
+            ),
         ]
     }
 }

@@ -22,9 +22,19 @@ pub struct SoilStiffness {
     pub z_n_per_m2: f64,
     /// Against rotation about the axis, N m per radian and metre.
     pub torsion_n: f64,
+    /// Against rotation of the section about x (in the side-side plane), N m per radian and metre.
+    ///
+    /// Friction along the wall of a wide pile resists its rotation: the m-ψ springs of PISA (Byrne
+    /// et al. 2020). A section of a beam that shears rotates by less than its axis.
+    pub rotation_x_n: f64,
+    /// Against rotation of the section about y (in the fore-aft plane), N m per radian and metre.
+    pub rotation_y_n: f64,
 }
 
 impl SoilStiffness {
+    /// How many springs there are.
+    pub(crate) const SPRINGS: usize = 6;
+
     /// Against deflection in each plane.
     #[inline]
     pub fn transverse(&self) -> Planes<f64> {
@@ -34,22 +44,44 @@ impl SoilStiffness {
         }
     }
 
+    /// Against rotation of the section in each plane.
+    #[inline]
+    pub fn rotation(&self) -> Planes<f64> {
+        Planes {
+            fore_aft: self.rotation_y_n,
+            side_side: self.rotation_x_n,
+        }
+    }
+
     /// All its values.
-    pub(crate) fn values(&self) -> [f64; 4] {
+    pub(crate) fn values(&self) -> [f64; Self::SPRINGS] {
         [
             self.x_n_per_m2,
             self.y_n_per_m2,
             self.z_n_per_m2,
             self.torsion_n,
+            self.rotation_x_n,
+            self.rotation_y_n,
         ]
     }
 
-    fn from_values([x_n_per_m2, y_n_per_m2, z_n_per_m2, torsion_n]: [f64; 4]) -> Self {
+    fn from_values(
+        [
+            x_n_per_m2,
+            y_n_per_m2,
+            z_n_per_m2,
+            torsion_n,
+            rotation_x_n,
+            rotation_y_n,
+        ]: [f64; Self::SPRINGS],
+    ) -> Self {
         Self {
             x_n_per_m2,
             y_n_per_m2,
             z_n_per_m2,
             torsion_n,
+            rotation_x_n,
+            rotation_y_n,
         }
     }
 

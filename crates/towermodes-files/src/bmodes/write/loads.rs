@@ -41,6 +41,7 @@ pub(super) fn loads(
     notes: &mut Vec<Note>,
 ) -> Result<Loads, BmodesWriteError> {
     check_round(tower, layout)?;
+    notes.extend(rotation_note(tower));
     let (vertical_n_per_m, torsion_n_m) = axial_springs(tower, layout);
     let mut loads = Loads {
         added_mass: table(tower, layout, |piece, height_m, _| {
@@ -61,6 +62,24 @@ pub(super) fn loads(
     }
     notes.push(axial_note(vertical_n_per_m, torsion_n_m, is_free));
     Ok(loads)
+}
+
+/// The note on springs against rotation along a tower.
+fn rotation_note(tower: &Tower) -> Option<Note> {
+    let ends = tower
+        .pieces()
+        .iter()
+        .filter_map(|piece| piece.environment.soil);
+    let springs = ends
+        .flatten()
+        .flat_map(|soil| [soil.rotation_x_n, soil.rotation_y_n]);
+    let largest_n = springs.fold(0.0, f64::max);
+    (largest_n > 0.0).then(|| {
+        Note::left_out(format!(
+            "BModes has no springs against rotation along a tower: those of the soil, up to {} N m per radian and metre, are left out",
+            Rounded(largest_n)
+        ))
+    })
 }
 
 /// The note on vertical and torsional springs along a tower, which become springs of a free base.

@@ -38,14 +38,20 @@ fn soil(layer: &[SoilRow], name: Option<&String>, writing: &mut Writing) {
             springs.y_n_per_m2,
             springs.z_n_per_m2,
             springs.torsion_n,
+            springs.rotation_x_n,
+            springs.rotation_y_n,
         ]
     };
-    let rows: Vec<[f64; 5]> = layer.iter().map(values).collect();
+    let rows: Vec<[f64; 7]> = layer.iter().map(values).collect();
     let is_used = |column: usize| rows.iter().any(|row| row[column] != 0.0);
-    let (columns, more) = match (is_used(3), is_used(4)) {
-        (_, true) => (5, ", in z (N/m2), in torsion (N)"),
-        (true, false) => (4, ", in z (N/m2)"),
-        (false, false) => (3, ""),
+    let (columns, more) = match (3..7).rev().find(|column| is_used(*column)) {
+        Some(5 | 6) => (
+            7,
+            ", in z (N/m2), in torsion, against rotation about x and y (N)",
+        ),
+        Some(4) => (5, ", in z (N/m2), in torsion (N)"),
+        Some(3) => (4, ", in z (N/m2)"),
+        _ => (3, ""),
     };
     writing.section(&schema::SOIL);
     writing.name(name);

@@ -53,6 +53,8 @@ fn soil_layer(which: &str, rows: &[SoilRow]) -> Table {
             "#y (N/m²)",
             "#z (N/m²)",
             "#torsion (N)",
+            "#rotation about x (N)",
+            "#rotation about y (N)",
         ],
     );
     for row in rows {
@@ -63,6 +65,8 @@ fn soil_layer(which: &str, rows: &[SoilRow]) -> Table {
             given(soil.y_n_per_m2),
             given(soil.z_n_per_m2),
             given(soil.torsion_n),
+            given(soil.rotation_x_n),
+            given(soil.rotation_y_n),
         ]);
     }
     table.without_empty_columns().shortened()

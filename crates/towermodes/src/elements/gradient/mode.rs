@@ -16,7 +16,7 @@ use super::numbers::{MassFactors, Numbers};
 use super::segments::{Joint, MASS_POINTS, Segment, Segments};
 use crate::elements::Mesh;
 use crate::subsystem::JointState;
-use crate::tower::{Attachment, Places, Plane, SectionMasses, Tower};
+use crate::tower::{Attachment, Places, Plane, SectionMasses, SoilStiffness, Tower};
 
 /// A walk up the chain in a mode.
 pub(super) struct Walk<'a> {
@@ -167,7 +167,8 @@ impl Walk<'_> {
         for (spring, factor) in factors.soil.into_iter().enumerate() {
             self.numbers.add(first + spring, factor);
         }
-        self.numbers.add(first + 4, factors.water);
+        self.numbers
+            .add(first + SoilStiffness::SPRINGS, factors.water);
     }
 
     fn pass_segment(&mut self, index: usize) {
@@ -244,7 +245,7 @@ impl Walk<'_> {
             water: -lambda * (x + y),
             rotary: [of_rotary * ry, of_rotary * rx],
             polar: -lambda * rz,
-            soil: [x, y, z, rz],
+            soil: [x, y, z, rz, rx, ry],
         }
     }
 
@@ -342,7 +343,11 @@ fn per(strain: f64, flexibility: f64) -> f64 {
 }
 
 /// Factors times what they are of.
-fn sum_of(factors: &MassFactors, masses: &SectionMasses, soil: &[f64; 4]) -> f64 {
+fn sum_of(
+    factors: &MassFactors,
+    masses: &SectionMasses,
+    soil: &[f64; SoilStiffness::SPRINGS],
+) -> f64 {
     let rotary = masses.rotary_inertia_kg_m;
     let springs = factors.soil.iter().zip(soil).map(|(f, k)| f * k);
     factors.mass * masses.mass_kg_per_m

@@ -1,7 +1,7 @@
 //! Derivatives with respect to the numbers of a tower, being summed.
 
 use super::segments::{At, FlexiblePoint, MassPoint, Segment};
-use crate::tower::{NumberPlace, Places, Profile, Tower};
+use crate::tower::{NumberPlace, Places, Profile, SoilStiffness, Tower};
 
 /// The sums, and the slopes of what is linear over a piece.
 pub(super) struct Numbers<'a> {
@@ -21,7 +21,7 @@ pub(super) struct MassFactors {
     pub(super) water: f64,
     pub(super) rotary: [f64; 2],
     pub(super) polar: f64,
-    pub(super) soil: [f64; 4],
+    pub(super) soil: [f64; SoilStiffness::SPRINGS],
 }
 
 /// A quantity that is linear over a piece: its places at the lower and at the upper end.
@@ -161,7 +161,7 @@ impl<'a> Numbers<'a> {
             .is_some()
         {
             for (spring, factor) in factors.soil.iter().enumerate() {
-                let line = [soil + spring, soil + 4 + spring];
+                let line = [soil + spring, soil + SoilStiffness::SPRINGS + spring];
                 by_rise += self.add_line(line, at, factor * weight);
             }
         }

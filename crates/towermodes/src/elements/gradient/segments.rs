@@ -6,7 +6,7 @@ use std::ops::Range;
 use crate::elements::Mesh;
 use crate::tower::{
     Compliance, FlexibilitySlopes, MassSlopes, Piece, Plane, Profile, Section, SectionMasses,
-    Tower, compliance, for_each_flexible_point, for_each_mass_point,
+    SoilStiffness, Tower, compliance, for_each_flexible_point, for_each_mass_point,
 };
 
 /// A point at which flexibilities are integrated.
@@ -22,7 +22,7 @@ pub(super) struct MassPoint {
     pub(super) at: At,
     pub(super) masses: SectionMasses,
     /// The soil springs there.
-    pub(super) soil: [f64; 4],
+    pub(super) soil: [f64; SoilStiffness::SPRINGS],
     pub(super) slopes: MassSlopes,
 }
 

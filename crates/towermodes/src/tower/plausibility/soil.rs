@@ -4,7 +4,7 @@ use super::Given;
 use super::usual::{Usual, check_worst};
 use crate::tower::Warning;
 use crate::tower::{Ineffective, Quantity, Site};
-use crate::tower::{Piece, Place, Plane, SoilRow, Tower};
+use crate::tower::{Piece, Place, Plane, SoilRow, SoilStiffness, Tower};
 
 /// The stiffest row of a layer is at least as stiff as very soft clay; no rock is stiffer than the
 /// other.
@@ -36,7 +36,10 @@ pub(super) fn check(tower: &Tower, given: &Given<'_>, warnings: &mut Vec<Warning
 
 fn of_layer(layer: usize, rows: &[SoilRow], warnings: &mut Vec<Warning>) {
     let at = |row, key| Site::at(Place::Soil { layer, row, key });
-    if rows.iter().all(|row| row.stiffness.values() == [0.0; 4]) {
+    if rows
+        .iter()
+        .all(|row| row.stiffness == SoilStiffness::default())
+    {
         let (site, what) = (at(0, "rows"), Ineffective::SoilOfZeros);
         warnings.push(Warning::NoEffect { site, what });
         return;

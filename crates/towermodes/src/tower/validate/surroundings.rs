@@ -50,6 +50,18 @@ fn check_soil(layer: usize, rows: &[SoilRow], base_m: f64, top_m: f64) -> Result
                 springs.torsion_n,
                 " N",
             ),
+            (
+                "rotation_x",
+                "the soil spring against rotation about x",
+                springs.rotation_x_n,
+                " N",
+            ),
+            (
+                "rotation_y",
+                "the soil spring against rotation about y",
+                springs.rotation_y_n,
+                " N",
+            ),
         ];
         for (key, quantity, value, unit) in values {
             stiffness(at(row, key), quantity, value, unit)?;
