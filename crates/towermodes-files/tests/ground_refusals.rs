@@ -517,7 +517,7 @@ fn soil_that_cannot_be() {
         "[-30.0, 1, 2, 3, 4, 5]",
         "10:3",
         "row 1 of the soil has 6 values instead of 3 to 5 or 7",
-        "in torsion (N)",
+        "in torsion and against rotation about x and y (N)",
     );
     refused(
         SOIL,
