@@ -79,6 +79,10 @@ fn table_of(place: Place) -> Place {
         Place::Material { index, .. } => Place::Material { index, key },
         Place::PointMass { index, .. } => Place::PointMass { index, key },
         Place::Soil { layer, .. } => Place::Soil { layer, row: 0, key },
+        Place::Ground { .. } => Place::Ground { key },
+        Place::GroundLayer { index, .. } | Place::GroundRow { layer: index, .. } => {
+            Place::GroundLayer { index, key }
+        }
         Place::AddedMass { table, .. } => Place::AddedMass { table, row: 0, key },
         Place::Rotor { .. } => Place::Rotor { key },
         Place::Water { .. } => Place::Water { key },

@@ -84,10 +84,11 @@ pub use solve::{
     solve_certain, solve_frequencies, solve_until, solve_with,
 };
 pub use tower::{
-    AddedMassRow, FloatingPlatform, Foundation, FoundationSprings, HalfSpace, HeadStiffness,
-    Ineffective, Inertia, Material, Monopile, PartNames, PileBehaviour, PileFormula, PileTube,
-    Place, Plane, Planes, PointMass, Problem, Properties, PropertyStation, Quantity,
-    ReferredMatrix, RigidBody, Rna, Rotor, Shear, Site, Slenderness, SoilProfile, SoilRow,
+    AddedMassRow, AxialModel, Clay, FloatingPlatform, Foundation, FoundationSprings, Ground,
+    GroundLayer, HalfSpace, HeadStiffness, Ineffective, Inertia, LayerSoil, Material, Monopile,
+    PartNames, PileBehaviour, PileFormula, PileTube, Place, Plane, Planes, PointMass, Problem,
+    Properties, PropertyStation, PyRow, Quantity, ReferredMatrix, RigidBody, Rna, Rock, Rotor,
+    Sand, Scour, Shear, ShearModulus, Site, Slenderness, SoilModel, SoilProfile, SoilRow,
     SoilStiffness, Station, StiffnessFoundation, Tower, TowerDescription, TowerError, Warning,
     Water, WinklerPile, Wires, is_printable, printable,
 };

@@ -1,6 +1,7 @@
 //! The description of a tower as a user gives it, before it is checked.
 
 use super::foundation::Foundation;
+use super::ground::Ground;
 use super::inertia::Inertia;
 use super::material::Material;
 use super::part_names::PartNames;
@@ -138,6 +139,8 @@ pub struct TowerDescription {
     /// Layers of soil around the tower, each rows by rising height; where layers overlap their
     /// springs add up.
     pub soil: Vec<Vec<SoilRow>>,
+    /// Soil in layers around the pile, from which more springs follow; none by default.
+    pub ground: Option<Ground>,
     /// Tables of mass that moves with the tower transversely, as water does, each rows by rising
     /// height; where they overlap they add up.
     pub added_mass: Vec<Vec<AddedMassRow>>,
@@ -167,6 +170,7 @@ impl Default for TowerDescription {
             point_masses: Vec::new(),
             foundation: Foundation::Clamped,
             soil: Vec::new(),
+            ground: None,
             added_mass: Vec::new(),
             water: None,
             wires: Vec::new(),

@@ -10,6 +10,7 @@ mod environment;
 mod error;
 mod foundation;
 mod fronts;
+mod ground;
 mod immersion;
 mod independent;
 mod inertia;
@@ -50,6 +51,10 @@ pub use environment::Environment;
 pub use error::{FreeMotions, Place, Problem, TowerError};
 pub use foundation::{
     FloatingPlatform, Foundation, FoundationSprings, HalfSpace, ReferredMatrix, StiffnessFoundation,
+};
+pub use ground::{
+    AxialModel, Clay, Ground, GroundLayer, LayerSoil, PyRow, Rock, Sand, Scour, ShearModulus,
+    SoilModel,
 };
 pub use independent::{Component, Motion, Motions};
 pub use inertia::Inertia;

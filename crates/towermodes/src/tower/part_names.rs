@@ -13,6 +13,8 @@ pub struct PartNames {
     pub point_masses: Vec<String>,
     /// Of the layers of soil.
     pub soil: Vec<String>,
+    /// Of the layers of the ground.
+    pub ground: Vec<String>,
     /// Of the tables of added mass.
     pub added_mass: Vec<String>,
     /// Of the sets of wires.

@@ -52,6 +52,28 @@ pub enum Place {
         /// Which of its values.
         key: &'static str,
     },
+    /// One value of the ground: `surface`, `factor`, `submerged`, `axial`, `scour`, or of its scour
+    /// `general` or `local`.
+    Ground {
+        /// Which of its values.
+        key: &'static str,
+    },
+    /// One value of a layer of the ground: its key, or `type` or `model`.
+    GroundLayer {
+        /// Which layer.
+        index: usize,
+        /// Which of its values.
+        key: &'static str,
+    },
+    /// One value of a row of a layer that is a table: `height`, `displacement`, `reaction`.
+    GroundRow {
+        /// Which layer.
+        layer: usize,
+        /// Which of its rows.
+        row: usize,
+        /// Which of its values.
+        key: &'static str,
+    },
     /// One value of a table of added mass: `rows`, or of one of its rows `height` or `mass`.
     AddedMass {
         /// Which table.
@@ -97,6 +119,11 @@ impl fmt::Display for Place {
             Self::Foundation { .. } => write!(f, "foundation"),
             Self::Soil { layer, row, .. } => {
                 write!(f, "row {} of soil layer {}", row + 1, layer + 1)
+            }
+            Self::Ground { .. } => write!(f, "ground"),
+            Self::GroundLayer { index, .. } => write!(f, "ground layer {}", index + 1),
+            Self::GroundRow { layer, row, .. } => {
+                write!(f, "row {} of ground layer {}", row + 1, layer + 1)
             }
             Self::AddedMass { table, row, .. } => {
                 write!(f, "row {} of added mass {}", row + 1, table + 1)

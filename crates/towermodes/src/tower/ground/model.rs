@@ -1,0 +1,31 @@
+//! The models by which springs follow from soil.
+
+/// A model of the springs that a layer of soil gives to a pile at small displacements.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum SoilModel {
+    /// API RP 2GEO. Sand: k z, the initial stiffness of the curve. Clay (Matlock 1970), whose curve
+    /// has no initial stiffness: the secant to 0.23 of the strength, at 0.1 y₅₀.
+    Api,
+    /// DNV. Sand as API; clay: ξ p_u/(D ε₅₀^0.25).
+    Dnv,
+    /// Reese, Cox & Koop (1975), stiff clay: the secant of COSPIN.
+    ReeseStiffClay,
+    /// Kallehave, Le Blanc Thilsted & Liingaard (2012), sand and large diameters.
+    Kallehave,
+    /// Sørensen, Ibsen & Augustesen (2010), sand and large diameters.
+    Sorensen,
+    /// PISA, stiff clay (Cowden till): Byrne et al. (2020).
+    PisaCowden,
+    /// PISA, soft clay (Bothkennar): Byrne et al. (2020).
+    PisaBothkennar,
+    /// PISA, sand (Dunkirk): Burd et al. (2020).
+    PisaDunkirk,
+    /// 1.2 E: from Young's modulus.
+    Winkler,
+    /// Vesić (1961), from Young's modulus and the stiffness of the pile.
+    Vesic,
+    /// Reese (1997), weak rock.
+    WeakRock,
+    /// The secants of a table.
+    Table,
+}
