@@ -18,6 +18,9 @@ pub struct Ground {
     pub factor: f64,
     /// Whether the soil is under water: the groundwater table is at the surface or above it.
     pub submerged: bool,
+    /// Outer diameter of the pile, m, for a tower that is given by a table of properties; none: that
+    /// of the stations.
+    pub pile_diameter_m: Option<f64>,
     /// The springs along and about the axis of the pile; none if these motions are held otherwise.
     pub axial: Option<AxialModel>,
     /// The layers from the surface down, each below the previous one.

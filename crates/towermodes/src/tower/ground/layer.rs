@@ -23,6 +23,10 @@ pub struct GroundLayer {
     pub shear_modulus: Option<ShearModulus>,
     /// Poisson's ratio ν, for the models that need it.
     pub poissons_ratio: Option<f64>,
+    /// Largest friction on the shaft, t_max, at top and bottom, Pa, for the axial springs of API.
+    pub shaft_friction_pa: Option<[f64; 2]>,
+    /// Largest pressure under the tip, q, Pa, for the axial springs of API.
+    pub end_bearing_pa: Option<f64>,
 }
 
 /// The kind of soil of a layer.

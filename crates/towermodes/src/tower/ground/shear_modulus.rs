@@ -47,9 +47,11 @@ pub enum ShearModulus {
         /// Coefficient of earth pressure at rest K₀.
         earth_pressure_at_rest: f64,
     },
-    /// Blow count of the standard penetration test.
+    /// Blow count of the standard penetration test: Imai & Tonouchi (1982).
     BlowCount {
         /// Blows N per 0.3 m.
         blow_count: [f64; 2],
+        /// Density ρ of soil with its water, kg/m³.
+        density_kg_per_m3: f64,
     },
 }
