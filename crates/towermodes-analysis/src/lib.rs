@@ -8,6 +8,7 @@
 //! | How far do the methods differ? | [`compare`] | [`study`] |
 //! | How do frequencies converge as the number of segments increases? | [`converge`] | [`study`] |
 //! | Does the rotor excite a mode of the tower? | [`campbell`] | [`resonance`] |
+//! | What if the soil is softer? | [`soil_band`](soil_band::soil_band) | [`mod@soil_band`] |
 //! | Do two descriptions describe the same tower? | [`agree`] | [`agreement`] |
 //! | Which numbers do the frequencies depend on? | [`influences`] | [`influence`] |
 //! | Which mode shapes does ElastoDyn need? | [`tower_shapes`] | [`elastodyn`] |
@@ -70,6 +71,7 @@ pub mod elastodyn;
 pub mod influence;
 mod mac;
 pub mod resonance;
+pub mod soil_band;
 pub mod study;
 mod verdict;
 

@@ -7,5 +7,6 @@ mod elastodyn_modes;
 mod elastodyn_rows;
 mod elastodyn_shapes;
 mod elastodyn_towers;
+mod soil_band;
 mod study;
 mod towers;

@@ -5,6 +5,7 @@ use towermodes_analysis::Verdict;
 use towermodes_analysis::resonance::{
     Assessment, Campbell, ChosenRotor, assess, reach_hz, solve_to_reach,
 };
+use towermodes_analysis::soil_band::{SoilBand, soil_band};
 use towermodes_files::{Note, RotorNotes, TowerInput, write_campbell_csv, write_campbell_json};
 
 use crate::args::{CampbellArguments, Format, Prescribed, RotorArguments};
@@ -26,11 +27,17 @@ pub(crate) fn run(arguments: &CampbellArguments) -> Result<(), Failure> {
     let tower = input.tower().map_err(Failure::Input)?;
     // Reported before a long solve.
     rotor_of(&input, &arguments.rotor)?;
+    let factors = arguments.soil.factors(&input.description);
+    factors.map_err(Failure::Usage)?;
     let prescribed = Prescribed::of(&mut input);
     let mut options = arguments.options(prescribed).map_err(Failure::Usage)?;
     let is_given = arguments.has_modes();
     let solution = solved_to_reach(&input, &tower, &arguments.rotor, &mut options, is_given)?;
     let (campbell, rotor_notes) = campbell_of(&input, &tower, &solution, &arguments.rotor)?;
+    let band = match format {
+        Format::Csv => None,
+        Format::Table | Format::Json => band(&input, &solution, &options, arguments)?,
+    };
     let notes = [std::mem::take(&mut input.notes), rotor_notes].concat();
     let mut result = Vec::new();
     match format {
@@ -38,9 +45,18 @@ pub(crate) fn run(arguments: &CampbellArguments) -> Result<(), Failure> {
             let has_blade = input.blade.is_some();
             let text = table::campbell(&tower, &campbell, has_blade, arguments.all);
             result.extend(text.into_bytes());
+            let band = band.iter().map(table::soil_band);
+            result.extend(band.flat_map(|text| format!("\n{text}").into_bytes()));
         }
         Format::Json => {
-            write_campbell_json(&tower, &campbell, &notes, &solution.warnings, &mut result)?;
+            write_campbell_json(
+                &tower,
+                &campbell,
+                band.as_ref(),
+                &notes,
+                &solution.warnings,
+                &mut result,
+            )?;
         }
         Format::Csv => write_campbell_csv(&campbell, &mut result)?,
     }
@@ -48,6 +64,29 @@ pub(crate) fn run(arguments: &CampbellArguments) -> Result<(), Failure> {
     warn(&solution.warnings, &input);
     deliver(&result, output)?;
     judged(&campbell)
+}
+
+/// Frequencies and verdicts for softer and stiffer soil; none without soil.
+fn band(
+    input: &TowerInput,
+    solution: &Solution,
+    options: &Options,
+    arguments: &CampbellArguments,
+) -> Result<Option<SoilBand>, Failure> {
+    let factors = arguments.soil.factors(&input.description);
+    let Some(factors) = factors.map_err(Failure::Usage)? else {
+        return Ok(None);
+    };
+    let (rotor, limits) = (
+        rotor_of(input, &arguments.rotor)?.rotor,
+        arguments.rotor.options(),
+    );
+    let of_rotor = Some((&rotor, &limits));
+    let band = soil_band(&input.description, solution, factors, of_rotor, |tower| {
+        solve(tower, options)
+    });
+    band.map(Some)
+        .map_err(|error| Failure::Refused(error.to_string()))
 }
 
 /// Solves for the modes that the options ask for and, if no number was given, for as many more as

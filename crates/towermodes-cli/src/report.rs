@@ -55,6 +55,8 @@ fn content(
     let prescribed = Prescribed::of(input);
     let options = arguments.options(prescribed).map_err(Failure::Usage)?;
     let rotor = chosen_rotor(input, arguments)?;
+    let soil_factors = arguments.soil.factors(&input.description);
+    let soil_factors = soil_factors.map_err(Failure::Usage)?;
     // On a monopile the ElastoDyn tower is the part above it.
     let shapes_from_m = input.joint_m.unwrap_or(tower.base_m());
     let shapes_tower = input.tower_for_shapes().map_err(Failure::Input)?;
@@ -67,6 +69,7 @@ fn content(
         rotor: rotor.map(|chosen| chosen.rotor),
         blade: input.blade.clone(),
         campbell: arguments.rotor.options(),
+        soil_factors: soil_factors.map(<[f64]>::to_vec),
         sensitivities: arguments.sensitivities,
         compared_segments: arguments.segments.unwrap_or(COMPARED_SEGMENTS),
         elastodyn: elastodyn(&shapes_tower, shapes_from_m),

@@ -156,7 +156,7 @@ impl Campbell {
         let notes = [self.model.input.notes.as_slice(), &self.notes].concat();
         let (tower, warnings) = (&self.model.tower, &self.solution.warnings);
         let mut json = Vec::new();
-        let done = write_campbell_json(tower, &self.diagram, &notes, warnings, &mut json);
+        let done = write_campbell_json(tower, &self.diagram, None, &notes, warnings, &mut json);
         done.map_err(|error| of_result(&error))?;
         Ok(String::from_utf8_lossy(&json).into_owned())
     }

@@ -8,6 +8,7 @@ use super::model::{ModelArguments, up_to_excitations};
 use super::parsers::{method_parser, number_parser};
 use super::prescribed::Prescribed;
 use super::rotor::RotorArguments;
+use super::soil::SoilArguments;
 use super::{Destination, Format, csv_lines};
 
 const EXAMPLES: &str = "Examples:
@@ -18,6 +19,8 @@ const EXAMPLES: &str = "Examples:
 An excitation nP is n times the rotor speed. The distance is the difference of excitation and natural frequency in percent of the natural frequency, at the operating speed where it is smallest. The margin is the required distance.
 
 FAIL: 1P or the blade passing frequency is closer to a tower mode than the margin. WARN: 1P or the blade passing frequency is closer to a tower mode than twice the margin; or another multiple is closer to a tower mode than the margin; or any excitation is closer to a blade mode than the margin; or a blade mode could not be followed over all operating speeds. Tower modes are all modes except blade modes; torsion and the rigid-body motions of a floating platform are tower modes too.
+
+Where the tower stands in soil or on an elastic foundation, a second table has the frequencies and verdicts for half and twice its stiffness. They do not change the exit code.
 
 Exit codes: 0 no pair fails; 1 at least one pair fails, or the computation or the output failed; 2 wrong usage or wrong input.";
 
@@ -41,6 +44,9 @@ pub(crate) struct CampbellArguments {
 
     #[command(flatten)]
     pub(crate) rotor: RotorArguments,
+
+    #[command(flatten)]
+    pub(crate) soil: SoilArguments,
 
     /// Show every pair of mode and excitation in the table, including pairs whose frequencies
     /// differ by more than a factor of 2
@@ -77,6 +83,11 @@ impl CampbellArguments {
     pub(crate) fn check(&self, format: Format) -> Result<(), &'static str> {
         if self.all && format != Format::Table {
             return Err("--all applies only to the table; JSON and CSV contain all pairs");
+        }
+        if self.soil.is_given() && format == Format::Csv {
+            return Err(
+                "--soil-factor applies to the table and to JSON; CSV contains the pairs for the soil of the file",
+            );
         }
         Ok(())
     }

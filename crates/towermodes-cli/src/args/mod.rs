@@ -21,6 +21,7 @@ mod prescribed;
 mod report;
 mod rotor;
 mod sensitivities;
+mod soil;
 mod solve;
 mod sweep;
 mod verify;

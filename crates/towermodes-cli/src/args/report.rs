@@ -13,6 +13,7 @@ use super::model::{ModelArguments, up_to_excitations};
 use super::parsers::{method_parser, number_parser};
 use super::prescribed::Prescribed;
 use super::rotor::RotorArguments;
+use super::soil::SoilArguments;
 
 const EXAMPLES: &str = "Examples:
   towermodes report examples/nrel-5mw.toml --output report.html
@@ -53,6 +54,9 @@ pub(crate) struct ReportArguments {
 
     #[command(flatten)]
     pub(crate) rotor: RotorArguments,
+
+    #[command(flatten)]
+    pub(crate) soil: SoilArguments,
 
     /// Add a section on the influence of every number on the lowest frequencies
     #[arg(long)]

@@ -6,6 +6,7 @@ use serde::Serialize;
 use towermodes::{Family, Rotor, Tower, Warning};
 use towermodes_analysis::Verdict;
 use towermodes_analysis::resonance::{Campbell, Excited, FrequencyLine, Margin, StiffnessClass};
+use towermodes_analysis::soil_band::SoilBand;
 
 use super::{ResultError, write_records_csv, write_result_json};
 use crate::input::Note;
@@ -37,6 +38,8 @@ pub(super) struct CampbellDocument<'a> {
     /// The stiffness class of the lowest fore-aft and of the lowest side-side bending mode; one
     /// coupled mode may be both.
     classes: Vec<ClassJson>,
+    /// Frequencies and verdicts for softer and stiffer soil; null without soil.
+    soil_band: Option<&'a SoilBand>,
     /// Assumptions of the reader, data that it omits, and possible input mistakes.
     warnings: Vec<String>,
 }
@@ -118,6 +121,7 @@ struct ClassJson {
 pub fn write_campbell_json(
     tower: &Tower,
     campbell: &Campbell,
+    soil_band: Option<&SoilBand>,
     notes: &[Note],
     warnings: &[Warning],
     writer: impl Write,
@@ -137,6 +141,7 @@ pub fn write_campbell_json(
             .map(|margin| margin_json(campbell, margin))
             .collect(),
         classes: campbell.classes.iter().map(class_json).collect(),
+        soil_band,
         warnings: notes.chain(warnings).collect(),
     };
     write_result_json(&document, writer)

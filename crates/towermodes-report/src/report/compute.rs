@@ -9,6 +9,7 @@ use towermodes_analysis::influence::{Influences, influences};
 use towermodes_analysis::resonance::{
     Assessment, Campbell, CampbellError, CampbellOptions, assess, reach_hz, solve_to_reach,
 };
+use towermodes_analysis::soil_band::{SoilBand, SoilBandError, soil_band};
 use towermodes_analysis::study::{Comparison, compare_all_methods};
 
 use super::content::{Circumstances, ElastoDynShapes, ReportContent};
@@ -30,6 +31,9 @@ pub struct ReportRequest {
     pub blade: Option<BladeDescription>,
     /// The options of the resonance check.
     pub campbell: CampbellOptions,
+    /// The factors of the soil stiffness for which frequencies are given too; none for no such
+    /// section.
+    pub soil_factors: Option<Vec<f64>>,
     /// Whether the influence of the numbers on the frequencies is a section of the report.
     pub sensitivities: bool,
     /// Number of segments of each method in the comparison of methods.
@@ -85,6 +89,9 @@ pub enum ContentError {
     /// The rotor or its options are invalid.
     #[error(transparent)]
     Campbell(#[from] CampbellError),
+    /// A factor of the soil stiffness is out of range, or the tower has no soil.
+    #[error(transparent)]
+    SoilBand(#[from] SoilBandError),
 }
 
 impl ReportContent {
@@ -99,6 +106,7 @@ impl ReportContent {
     ) -> Result<Self, ContentError> {
         let solution = solved(&mut request, computation)?;
         let (campbell, remarks) = assessed(&request, &solution)?.unzip();
+        let soil_band = soil_band_of(&request, &solution, computation).transpose()?;
         let mut circumstances = request.circumstances;
         let remarks = remarks.into_iter().flatten();
         let remarks = remarks.chain(request.notes_on_shapes);
@@ -115,12 +123,33 @@ impl ReportContent {
             options,
             solution,
             influences,
+            soil_band,
             campbell: campbell.map(Ok),
             elastodyn: request.elastodyn,
             shapes_from_m: request.shapes_from_m,
             circumstances,
         })
     }
+}
+
+/// The modes for softer and stiffer soil, if they are asked for.
+fn soil_band_of(
+    request: &ReportRequest,
+    solution: &Solution,
+    computation: &mut impl Computation,
+) -> Option<Result<SoilBand, SoilBandError>> {
+    let rotor = request
+        .rotor
+        .as_ref()
+        .map(|rotor| (rotor, &request.campbell));
+    let factors = request.soil_factors.as_ref()?;
+    Some(soil_band(
+        &request.description,
+        solution,
+        factors,
+        rotor,
+        |tower| computation.solve(tower, &request.options),
+    ))
 }
 
 /// The influence of every number on the lowest modes.

@@ -7,6 +7,7 @@ use towermodes::{
 use towermodes_analysis::elastodyn::TowerShapes;
 use towermodes_analysis::influence::Influences;
 use towermodes_analysis::resonance::{Campbell, CampbellError};
+use towermodes_analysis::soil_band::SoilBand;
 use towermodes_analysis::study::Comparison;
 
 /// Everything that a report contains.
@@ -24,6 +25,8 @@ pub struct ReportContent {
     pub comparison: Result<Comparison, SolveError>,
     /// The resonance check, or why a blade could not be solved; none without a rotor.
     pub campbell: Option<Result<Campbell, CampbellError>>,
+    /// The modes for softer and stiffer soil; none without soil, and if not asked for.
+    pub soil_band: Option<SoilBand>,
     /// The influence of the numbers on the frequencies, or why there is none; only if requested.
     pub influences: Option<Result<Influences, SensitivityError>>,
     /// The shapes for ElastoDyn as its tower file has them, or why there are none.

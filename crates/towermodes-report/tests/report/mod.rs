@@ -91,6 +91,7 @@ fn content_by(
         elastodyn: elastodyn(&tower),
         shapes_from_m: tower.base_m(),
         campbell: rotor.map(diagram),
+        soil_band: None,
         influences: None,
         description,
         tower,
@@ -127,6 +128,7 @@ fn request(covers_excitations: bool) -> ReportRequest {
         rotor: Some(ROTOR),
         blade: None,
         campbell: CampbellOptions::default(),
+        soil_factors: None,
         sensitivities: false,
         compared_segments: 20,
         circumstances: Circumstances {

@@ -33,6 +33,7 @@ mod rotor;
 mod section;
 mod shear;
 mod slopes;
+mod soil_factor;
 mod surroundings;
 mod validate;
 mod warning;

@@ -92,6 +92,11 @@ impl SoilStiffness {
         Self::from_values(std::array::from_fn(|i| a[i] + s * (b[i] - a[i])))
     }
 
+    /// The springs multiplied by a factor.
+    pub(super) fn times(&self, factor: f64) -> Self {
+        Self::from_values(self.values().map(|spring| factor * spring))
+    }
+
     /// These and others together.
     pub(super) fn and(&self, other: &Self) -> Self {
         let (a, b) = (self.values(), other.values());

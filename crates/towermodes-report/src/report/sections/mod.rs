@@ -14,6 +14,7 @@ mod notes;
 mod reproduction;
 mod resonance;
 mod sensitivities;
+mod soil_band;
 mod summary;
 mod surroundings;
 
@@ -71,13 +72,19 @@ fn body(content: &ReportContent) -> Vec<Section> {
             reproduction::blocks(content),
         ),
     ];
-    // Only on request; after the resonance that they explain.
-    if content.influences.is_some() {
-        let resonance = sections
-            .iter()
-            .position(|section| section.id == "resonance");
-        sections.insert(resonance.map_or(0, |at| at + 1), influences);
+    // After the resonance that they explain.
+    let mut explaining = Vec::new();
+    if let Some(band) = &content.soil_band {
+        let blocks = soil_band::blocks(band);
+        explaining.push(section("soil", "Soil stiffness", blocks));
     }
+    if content.influences.is_some() {
+        explaining.push(influences);
+    }
+    let mut places = sections.iter();
+    let resonance = places.position(|section| section.id == "resonance");
+    let after = resonance.map_or(0, |at| at + 1);
+    sections.splice(after..after, explaining);
     sections
 }
 

@@ -1,0 +1,251 @@
+//! Frequencies and their verdicts over a band of soil stiffness, because the stiffness of soil is
+//! known within a factor of two at best.
+
+use thiserror::Error;
+use towermodes::{Family, Mode, Rotor, Solution, SolveError, Tower, TowerDescription, TowerError};
+
+use crate::resonance::{CampbellOptions, tower_margin};
+use crate::verdict::Verdict;
+
+/// The factors of the soil stiffness that show the band if nothing else is asked for.
+pub const DEFAULT_FACTORS: [f64; 3] = [0.5, 1.0, 2.0];
+
+/// The lowest and the highest factor.
+pub const FACTORS: [f64; 2] = [1e-3, 1e3];
+
+/// The frequencies of a tower for several factors of its soil stiffness.
+#[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+pub struct SoilBand {
+    /// The factors, rising; 1, the soil of the input, is one of them.
+    pub factors: Vec<f64>,
+    /// The modes of the tower in the soil of the input, by frequency.
+    pub modes: Vec<BandMode>,
+    /// The factors at which the tower could not be solved, with the reason.
+    pub failed: Vec<FailedFactor>,
+}
+
+/// A mode over the band.
+#[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+pub struct BandMode {
+    /// Its name, as "1st fore-aft bending".
+    pub label: String,
+    /// Its family.
+    pub family: Family,
+    /// Its order in the family, from 1.
+    pub order: usize,
+    /// Its values at each factor; null where the tower could not be solved or has no mode of this
+    /// name among the modes asked for.
+    pub at: Vec<Option<BandValue>>,
+}
+
+/// A mode at one factor.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+pub struct BandValue {
+    /// Natural frequency, Hz.
+    pub frequency_hz: f64,
+    /// Its estimated error, Hz.
+    pub error_hz: f64,
+    /// The worst verdict of its distances from the multiples of the rotor speed, by the rules of
+    /// the resonance check; null without a rotor, and for a frequency of 0.
+    pub verdict: Option<Verdict>,
+}
+
+/// A factor at which the tower could not be solved.
+#[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+pub struct FailedFactor {
+    /// The factor.
+    pub factor: f64,
+    /// Why.
+    pub reason: String,
+}
+
+/// Why there is no band.
+#[derive(Debug, Clone, PartialEq, Error)]
+#[non_exhaustive]
+pub enum SoilBandError {
+    /// A factor is not in [`FACTORS`].
+    #[error("the soil factor is {factor}, but it must be {} to {}", FACTORS[0], FACTORS[1])]
+    Factor {
+        /// The factor.
+        factor: f64,
+    },
+    /// No frequency depends on soil.
+    #[error(
+        "the tower has no soil: its base is clamped or floats, and there are no soil springs; a soil factor has no effect"
+    )]
+    NoSoil,
+}
+
+/// A tower that cannot be solved at a factor.
+#[derive(Debug, Error)]
+enum Unsolved {
+    #[error(transparent)]
+    Tower(#[from] TowerError),
+    #[error(transparent)]
+    Solve(#[from] SolveError),
+}
+
+/// The frequencies of a tower for several factors of its soil stiffness
+/// ([`TowerDescription::with_soil_factor`]), with the verdicts on them if there is a rotor.
+///
+/// `solution` is that of the tower as it is; `solve` solves the changed towers, for the same modes.
+/// A mode is the one of the same name at every factor.
+///
+/// # Errors
+/// [`SoilBandError`]: a factor is out of range, or the tower has no soil.
+///
+/// # Example
+/// Half and twice the stiffness of a footing:
+/// ```
+/// use towermodes::{Foundation, HalfSpace, Material, Options, Rna, Station, TowerDescription};
+/// use towermodes::{Tower, solve};
+/// use towermodes_analysis::soil_band::{DEFAULT_FACTORS, soil_band};
+///
+/// let description = TowerDescription {
+///     materials: vec![Material::from_shear_modulus(8500.0, 2.1e11, 8.08e10)],
+///     stations: vec![Station::new(0.0, 6.0, 0.027), Station::new(87.6, 3.87, 0.019)],
+///     rna: Rna::point(350e3),
+///     foundation: Foundation::HalfSpace(HalfSpace {
+///         radius_m: 8.0,
+///         embedment_m: 0.0,
+///         shear_modulus_pa: 3e7,
+///         poissons_ratio: 0.35,
+///     }),
+///     ..TowerDescription::default()
+/// };
+/// let options = Options { modes: 2, ..Options::default() };
+/// let solution = solve(&Tower::new(description.clone())?, &options)?;
+/// let band = soil_band(&description, &solution, &DEFAULT_FACTORS, None, |tower| {
+///     solve(tower, &options)
+/// })?;
+/// let hz: Vec<f64> = band.modes[0].at.iter().flatten().map(|at| at.frequency_hz).collect();
+/// assert!(hz[0] < hz[1] && hz[1] < hz[2]);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub fn soil_band(
+    description: &TowerDescription,
+    solution: &Solution,
+    factors: &[f64],
+    rotor: Option<(&Rotor, &CampbellOptions)>,
+    mut solve: impl FnMut(&Tower) -> Result<Solution, SolveError>,
+) -> Result<SoilBand, SoilBandError> {
+    if !description.stands_in_soil() {
+        return Err(SoilBandError::NoSoil);
+    }
+    let factors = rising_with_one(factors)?;
+    let modes = solution.modes.iter().map(|mode| BandMode {
+        label: mode.label(),
+        family: mode.family,
+        order: mode.order,
+        at: Vec::with_capacity(factors.len()),
+    });
+    let mut band = SoilBand {
+        modes: modes.collect(),
+        failed: Vec::new(),
+        factors,
+    };
+    for &factor in &band.factors {
+        let solved = match factor {
+            1.0 => Ok(None),
+            factor => solved(description, factor, &mut solve).map(Some),
+        };
+        let modes = match &solved {
+            Ok(None) => &solution.modes[..],
+            Ok(Some(solution)) => &solution.modes,
+            Err(error) => {
+                let reason = error.to_string();
+                band.failed.push(FailedFactor { factor, reason });
+                &[]
+            }
+        };
+        for mode in &mut band.modes {
+            let same = |other: &&Mode| (other.family, other.order) == (mode.family, mode.order);
+            let value = modes.iter().find(same).map(|found| value(found, rotor));
+            mode.at.push(value);
+        }
+    }
+    Ok(band)
+}
+
+impl SoilBand {
+    /// The place of the factor 1 in the list.
+    pub fn of_input(&self) -> usize {
+        self.factors.iter().position(|f| *f == 1.0).unwrap_or(0)
+    }
+
+    /// The first bending modes of both planes, and all modes whose verdict is not the same over the
+    /// band.
+    pub fn of_interest(&self) -> impl Iterator<Item = &BandMode> {
+        self.modes.iter().filter(|mode| {
+            let bends = matches!(
+                mode.family,
+                Family::ForeAft | Family::SideSide | Family::Coupled
+            );
+            (bends && mode.order == 1) || mode.changes_verdict()
+        })
+    }
+}
+
+impl BandMode {
+    /// The frequency at a factor by its place in the list, relative to that in the soil of the
+    /// input, minus 1; none at the factor 1 and where one of both is unknown or 0.
+    pub fn change(&self, band: &SoilBand, place: usize) -> Option<f64> {
+        let of_input = band.of_input();
+        let [at, given] = [place, of_input].map(|place| self.at.get(place).copied().flatten());
+        let (at_hz, given_hz) = (at?.frequency_hz, given?.frequency_hz);
+        (place != of_input && given_hz > 0.0).then(|| at_hz / given_hz - 1.0)
+    }
+
+    /// Whether its verdict differs between factors.
+    pub fn changes_verdict(&self) -> bool {
+        let mut verdicts = self.at.iter().flatten().map(|at| at.verdict);
+        verdicts
+            .next()
+            .is_some_and(|first| verdicts.any(|other| other != first))
+    }
+}
+
+/// The factors in rising order, each once, with 1 among them.
+fn rising_with_one(factors: &[f64]) -> Result<Vec<f64>, SoilBandError> {
+    let is_in_range = |factor: f64| (FACTORS[0]..=FACTORS[1]).contains(&factor);
+    if let Some(&factor) = factors.iter().find(|factor| !is_in_range(**factor)) {
+        return Err(SoilBandError::Factor { factor });
+    }
+    let mut factors = [factors, &[1.0]].concat();
+    factors.sort_by(f64::total_cmp);
+    factors.dedup();
+    Ok(factors)
+}
+
+fn solved(
+    description: &TowerDescription,
+    factor: f64,
+    solve: &mut impl FnMut(&Tower) -> Result<Solution, SolveError>,
+) -> Result<Solution, Unsolved> {
+    let tower = Tower::new(description.with_soil_factor(factor))?;
+    Ok(solve(&tower)?)
+}
+
+fn value(mode: &Mode, rotor: Option<(&Rotor, &CampbellOptions)>) -> BandValue {
+    let (frequency_hz, error_hz) = (mode.frequency_hz, mode.error_hz());
+    let worst = |(rotor, options): (&Rotor, &CampbellOptions)| {
+        let multiples = options.multiples_of(rotor).into_iter();
+        let margins = multiples.filter_map(|multiple| {
+            tower_margin(frequency_hz, error_hz, multiple, rotor, options.margin)
+        });
+        margins.map(|margin| margin.verdict).max()
+    };
+    BandValue {
+        frequency_hz,
+        error_hz,
+        verdict: rotor.and_then(worst),
+    }
+}
