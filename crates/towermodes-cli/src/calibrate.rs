@@ -70,10 +70,12 @@ fn failure(error: CalibrationError, file: &MeasuredFile) -> Failure {
         CalibrationError::Tower(error) => Failure::Tower(error),
         CalibrationError::Solve(error) => Failure::Unsolved(error),
         error => {
-            let message = located(&error, file).unwrap_or_else(|| error.to_string());
-            match error.is_usage() {
-                true => Failure::WrongStudy(message),
-                false => Failure::Calibration(message),
+            let is_usage = error.is_usage();
+            match located(&error, file) {
+                Some(error) if is_usage => Failure::Input(error),
+                Some(error) => Failure::Unreached(error),
+                None if is_usage => Failure::WrongStudy(format!("{}: {error}", file.source.name)),
+                None => Failure::Calibration(error.to_string()),
             }
         }
     }

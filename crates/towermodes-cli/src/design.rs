@@ -38,7 +38,7 @@ pub(crate) fn run(arguments: &DesignArguments) -> Result<(), Failure> {
     let options = options(&study, &input);
     let mut workspace = Workspace::default();
     let found = design(&input.description, &problem, &options, &mut workspace);
-    let found = found.map_err(|error| failure(error, &study))?;
+    let found = found.map_err(|error| failure(error, &study, &input.description))?;
     let warnings = warnings(&found);
     let mut result = Vec::new();
     match arguments.found.format {
@@ -78,16 +78,16 @@ fn figure(before: &TowerDescription, found: &Design) -> Figure {
 
 fn refused(error: StudyError) -> Failure {
     match error {
-        StudyError::Input(error) => Failure::Input(error),
+        StudyError::Input(error) | StudyError::Window(error) => Failure::Input(error),
         StudyError::NoRotorSpeeds => Failure::NoRotorSpeeds,
-        StudyError::Window(message) => Failure::WrongStudy(message),
     }
 }
 
 /// Errors that a line of the study explains name it.
-fn failure(error: DesignError, study: &DesignStudy) -> Failure {
-    match located(&error, study) {
-        Some(message) => Failure::WrongStudy(message),
-        None => Failure::Design(error),
+fn failure(error: DesignError, study: &DesignStudy, tower: &TowerDescription) -> Failure {
+    match (located(&error, study, tower), &error) {
+        (Some(place), DesignError::NoDerivative { .. }) => Failure::Unreached(place),
+        (Some(place), _) => Failure::Input(place),
+        (None, _) => Failure::Design(error),
     }
 }

@@ -33,6 +33,9 @@ pub(crate) enum Failure {
     /// A file cannot be read or does not describe a tower.
     #[error("{0}")]
     Input(ReadError),
+    /// The computation cannot do what a line of a file asks for.
+    #[error("{0}")]
+    Unreached(ReadError),
     /// A number cannot be set by name.
     #[error("--set: {0}")]
     Setting(SettingError),
@@ -192,6 +195,10 @@ impl Failure {
             Self::Input(ReadError::Mistakes {
                 source_file,
                 mistakes,
+            })
+            | Self::Unreached(ReadError::Mistakes {
+                source_file,
+                mistakes,
             }) => say(&mistakes_text(source_file, mistakes, "")),
             failure => {
                 let hint = failure.hint();
@@ -289,7 +296,7 @@ impl Failure {
                 | DesignError::Sensitivity(_)
                 | DesignError::NoDerivative { .. },
             ) => 1,
-            Self::Calibration(_) => 1,
+            Self::Calibration(_) | Self::Unreached(_) => 1,
             Self::TowerFile(_) | Self::Refused(_) | Self::Unfit { .. } | Self::Disagree => 1,
             Self::Campbell(CampbellError::Blade { .. }) | Self::Resonant { .. } => 1,
             Self::Picture(RasterError::Encoding(_)) => 1,

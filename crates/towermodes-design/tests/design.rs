@@ -608,4 +608,90 @@ fn impossible_problems_are_refused() {
     let factor = variable("scale(stations[*].wall)", [-0.5, 2.0], &base);
     let error = refused(&|p| p.variables = vec![factor.clone()]);
     assert!(matches!(error, DesignError::Factor { .. }));
+    for name in ["stations[0].wall", "stations[*].diameter"] {
+        let size = variable(name, [0.0, 2.0], &base);
+        let error = refused(&|p| p.variables = vec![size.clone()]);
+        assert_eq!(error.variable(), Some(name));
+        assert!(matches!(error, DesignError::NotPositive { low: 0.0, .. }));
+    }
+    for (name, high) in [("stations[0].wall", 36.0), ("stations[0].wall", 1e300)] {
+        let wide = variable(name, [0.010, high], &base);
+        let error = refused(&|p| p.variables = vec![wide.clone()]);
+        assert!(
+            matches!(
+                error,
+                DesignError::Wide {
+                    present: 0.0351,
+                    ..
+                }
+            ),
+            "{error}"
+        );
+    }
+    let wide = variable("scale(stations[*].wall)", [0.5, 1e6], &base);
+    let error = refused(&|p| p.variables = vec![wide.clone()]);
+    let said = error.to_string();
+    assert!(
+        said.contains(
+            "are 0.5 and 1000000, but its present value is 1: bounds may be up to 1000 times"
+        ),
+        "{said}"
+    );
+}
+
+/// The widest bounds that are accepted lead to the same tower as narrow ones, and no limit that is
+/// not reached has a multiplier.
+#[test]
+fn wide_bounds_do_not_matter() {
+    let base = nrel_5mw();
+    let walls = |low: f64, high: f64| DesignProblem {
+        variables: vec![
+            variable("stations[0].wall", [low, high], &base),
+            variable("stations[1].wall", [low, high], &base),
+        ],
+        goals: vec![at_least("fore-aft 1", 0.31)],
+        ..DesignProblem::default()
+    };
+    let narrow = found("two walls, narrow bounds", &base, &walls(0.010, 0.060));
+    let wide = found("two walls, wide bounds", &base, &walls(1e-6, 24.0));
+    // Without a lower bound that decides, the upper wall is as thin as it wants to be.
+    assert!(wide.mass_kg[1] <= narrow.mass_kg[1] * (1.0 + 1e-6));
+    for one in &wide.active {
+        assert!(matches!(one.limit, Limit::Frequency { .. }), "{one:?}");
+    }
+    let factor = |high: f64| DesignProblem {
+        variables: vec![variable("scale(stations[*].wall)", [0.5, high], &base)],
+        ..walls(0.0, 0.0)
+    };
+    let [narrow, wide] = [2.0, 1000.0].map(|high| found("one factor", &base, &factor(high)));
+    assert!((wide.values[0] / narrow.values[0] - 1.0).abs() < 1e-6);
+}
+
+/// Where both directions are equal, bands that exclude each other are explained.
+#[test]
+fn bands_that_symmetry_excludes_are_explained() {
+    let mut base = nrel_5mw();
+    base.rna = towermodes::Rna::point(350e3);
+    let problem = |goals| DesignProblem {
+        variables: vec![variable("stations[0].wall", [0.010, 0.060], &base)],
+        goals,
+        ..DesignProblem::default()
+    };
+    let refused = |goals| {
+        let problem = problem(goals);
+        match design(&base, &problem, &options(), &mut Workspace::default()) {
+            Err(DesignError::Infeasible(why)) => why.to_string(),
+            other => panic!("{other:?}"),
+        }
+    };
+    let said = refused(vec![
+        at_least("fore-aft 1", 0.33),
+        goal("side-side 1", 0.0, 0.30),
+    ]);
+    assert!(
+        said.contains("; fore-aft 1 and side-side 1 have the same frequency, because the tower is equal in both directions"),
+        "{said}"
+    );
+    let said = refused(vec![at_least("fore-aft 1", 0.60)]);
+    assert!(!said.contains("equal in both"), "{said}");
 }

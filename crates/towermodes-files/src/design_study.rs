@@ -106,6 +106,8 @@ pub struct DesignChoices {
 pub struct DesignChoice {
     /// What it changes.
     pub change: Change,
+    /// The entry of [`DesignStudy::variables`] that it belongs to.
+    pub entry: usize,
     /// Its lowest and highest value.
     pub between: [f64; 2],
     /// Values are multiples of it.

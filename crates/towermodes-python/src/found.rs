@@ -63,7 +63,7 @@ pub fn design(py: Python<'_>, tower: &Tower, text: String, name: String) -> PyRe
     let input = &tower.model.input;
     let study = read_design_study(&Source { name, text }).map_err(of_read)?;
     let problem = studies::design::problem(&study, input).map_err(|error| match error {
-        StudyError::Input(error) => of_read(error),
+        StudyError::Input(error) | StudyError::Window(error) => of_read(error),
         error => usage(error.to_string()),
     })?;
     let options = studies::design::options(&study, input);
@@ -71,8 +71,9 @@ pub fn design(py: Python<'_>, tower: &Tower, text: String, name: String) -> PyRe
         designed(&input.description, &problem, &options, workspace)
     })?;
     let found = found.map_err(|error| {
-        let located = studies::design::located(&error, &study);
-        no_design(error, located.filter(|_| has_lines(&study.source)))
+        let located = studies::design::located(&error, &study, &input.description);
+        let located = located.filter(|_| has_lines(&study.source));
+        no_design(error, located.map(|error| error.to_string()))
     })?;
     let warnings = studies::design::warnings(&found);
     let document = studies::design::document(input, &problem, &found, &warnings);
@@ -109,7 +110,8 @@ pub fn calibrate(
     let fit = interruptible(py, |workspace| fitted(&problem, &options, workspace))?;
     let fit = fit.map_err(|error| {
         let located = studies::calibration::located(&error, &file);
-        no_fit(error, located.filter(|_| has_lines(&file.source)))
+        let located = located.filter(|_| has_lines(&file.source));
+        no_fit(error, located.map(|error| error.to_string()))
     })?;
     let document = studies::calibration::document(input, &fit);
     let mut json = Vec::new();
@@ -161,7 +163,7 @@ fn no_fit(error: CalibrationError, located: Option<String>) -> PyErr {
     }
 }
 
-fn no_derivatives(error: &SensitivityError) -> PyErr {
+pub fn no_derivatives(error: &SensitivityError) -> PyErr {
     match error {
         SensitivityError::Tower(error) => of_tower(error),
         SensitivityError::Solve(error) => of_solve(error),

@@ -249,6 +249,39 @@ fn a_product_of_powers_has_the_closed_form() {
     }
 }
 
+/// f ∝ 1/√ρ: a deviation d of the density moves the mean by ½ (1/√(1 + d) + 1/√(1 − d)) − 1, and
+/// the frequency has the deviation d/2.
+#[test]
+fn a_large_shift_of_the_mean_is_a_doubt() {
+    let results = SweepResults {
+        modes: SweepModes::Lowest(2),
+        rotary_inertia: true,
+        ..SweepResults::default()
+    };
+    let base = Base::from(bare().base().clone());
+    let density = "scale(material.density)";
+    let sweep = sweep(base, &[density], &results);
+    let doubts = |deviation: f64| {
+        let vary = vec![varied(density, lognormal(1.0, deviation))];
+        let found = sweep.first_order(&sampling(1, vary, Vec::new()), None);
+        found.expect("first order").doubts()
+    };
+    assert_eq!(doubts(0.1), Vec::<String>::new());
+    let said = doubts(0.4);
+    assert_eq!(said.len(), 2, "{said:?}");
+    let shift = 0.5 * (1.4_f64.powf(-0.5) + 0.6_f64.powf(-0.5)) - 1.0;
+    let percent = format!("{:.0} % of its standard deviation", 100.0 * shift / 0.2);
+    assert!(
+        said[0].starts_with("fore-aft 1: the curvature moves the mean by 0.0"),
+        "{said:?}"
+    );
+    assert!(said[0].contains(&percent), "{said:?} {percent}");
+    assert!(
+        said[0].ends_with("not to be trusted; solve rows"),
+        "{said:?}"
+    );
+}
+
 /// The exact mean and deviation of the lognormal frequency of the same tower, of which the first
 /// order misses what the series of the exponential say.
 #[test]

@@ -6,9 +6,13 @@ use towermodes_design::calibration::{
     Unknown,
 };
 use towermodes_files::{
-    CalibrationDocument, FittedDirection, FittedFrequency, FittedNumber, FittedShare, MeasuredFile,
-    MeasuredMode, NamedUnknown, ReadError, TowerInput,
+    CalibrationDocument, Diagnostic, DiagnosticKind, FittedDirection, FittedFrequency,
+    FittedNumber, FittedShare, MeasuredFile, MeasuredMode, NamedUnknown, ReadError, TowerInput,
 };
+
+/// What to do where there are too few measurements.
+const NO_PRIOR: &str =
+    "give it { prior = [mean, standard deviation] }, or name fewer numbers, here or by --free";
 
 /// The problem of a file for its tower: with the unknowns of the file, or with those that are
 /// `free` and what the file knows of them.
@@ -40,8 +44,8 @@ pub fn problem(
     })
 }
 
-/// The message of an error that the file explains, with its place; none for others.
-pub fn located(error: &CalibrationError, file: &MeasuredFile) -> Option<String> {
+/// An error at the place of the file that explains it; none for others.
+pub fn located(error: &CalibrationError, file: &MeasuredFile) -> Option<ReadError> {
     let of_mode = error
         .measurement()
         .and_then(|index| file.measured.get(index));
@@ -49,13 +53,14 @@ pub fn located(error: &CalibrationError, file: &MeasuredFile) -> Option<String> 
         let mut all = file.unknowns.iter();
         all.find(|one| one.name.value.trim() == name)
     });
-    let byte = of_mode.map(|one| one.span.start);
-    let place = match byte.or(of_unknown.map(|one| one.name.span.start)) {
-        Some(byte) => file.source.place(byte),
-        None if error.is_usage() => file.source.name.clone(),
-        None => return None,
+    let span = of_mode.map(|one| one.span.clone());
+    let span = span.or(of_unknown.map(|one| one.name.span.clone()))?;
+    let mistake = Diagnostic::new(span, DiagnosticKind::Contradiction(error.to_string()));
+    let mistake = match error {
+        CalibrationError::TooFewMeasurements { .. } => mistake.with_hint(NO_PRIOR),
+        _ => mistake,
     };
-    Some(format!("{place}: {error}"))
+    Some(ReadError::mistakes(&file.source, vec![mistake]))
 }
 
 fn unknown(named: &NamedUnknown, change: Change) -> Unknown {

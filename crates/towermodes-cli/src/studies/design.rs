@@ -1,12 +1,14 @@
 //! Studies of designs.
 
+use std::ops::Range;
+
 use thiserror::Error;
-use towermodes::{Options, Rotor};
+use towermodes::{Options, Rotor, TowerDescription};
 use towermodes_analysis::resonance::DEFAULT_MARGIN;
 use towermodes_design::design::{Design, DesignError, DesignProblem, Goal, Variable, window_hz};
 use towermodes_files::{
     DesignBand, DesignDocument, DesignFrequency, DesignStudy, DesignedFrequency, DesignedLimit,
-    DesignedVariable, ReadError, TowerInput,
+    DesignedVariable, Diagnostic, DiagnosticKind, ReadError, TowerInput,
 };
 
 /// Why a study has no problem.
@@ -22,7 +24,7 @@ pub enum StudyError {
     NoRotorSpeeds,
     /// A window between multiples of the rotor speed is empty.
     #[error("{0}")]
-    Window(String),
+    Window(ReadError),
 }
 
 /// How the towers of a study are solved.
@@ -79,8 +81,8 @@ fn goal(
             let rotor = rotor.ok_or(StudyError::NoRotorSpeeds)?;
             let window = window_hz(rotor, multiples, margin.unwrap_or(DEFAULT_MARGIN));
             window.map_err(|error| {
-                let place = study.source.place(frequency.span.start);
-                StudyError::Window(format!("{place}: {error}"))
+                let span = frequency.span.clone();
+                StudyError::Window(mistake(span, error.to_string(), study))
             })?
         }
     };
@@ -91,15 +93,30 @@ fn goal(
     })
 }
 
-/// The message of an error that a line of the study explains, with its place; none for others.
-pub fn located(error: &DesignError, study: &DesignStudy) -> Option<String> {
-    let DesignError::NoMode { mode, .. } = error else {
-        return None;
+/// An error at the line of the study that explains it; none for others.
+pub fn located(
+    error: &DesignError,
+    study: &DesignStudy,
+    tower: &TowerDescription,
+) -> Option<ReadError> {
+    let of_variable = |name: &str| {
+        let choices = study.choices(tower).ok()?.variables;
+        let choice = choices.iter().find(|choice| choice.change.name() == name)?;
+        Some(study.variables.get(choice.entry)?.name.span.clone())
     };
-    let mut all = study.frequencies.iter();
-    let frequency = all.find(|frequency| frequency.mode == *mode)?;
-    let place = study.source.place(frequency.span.start);
-    Some(format!("{place}: {error}"))
+    let of_mode = |mode| {
+        let mut all = study.frequencies.iter();
+        let frequency = all.find(|frequency| frequency.mode == mode)?;
+        Some(frequency.span.clone())
+    };
+    let variable = error.variable().and_then(of_variable);
+    let span = variable.or(error.mode().and_then(of_mode))?;
+    Some(mistake(span, error.to_string(), study))
+}
+
+fn mistake(span: Range<usize>, sentence: String, study: &DesignStudy) -> ReadError {
+    let mistake = Diagnostic::new(span, DiagnosticKind::Contradiction(sentence));
+    ReadError::mistakes(&study.source, vec![mistake])
 }
 
 /// What a user must know about a result.
@@ -132,9 +149,11 @@ pub fn document(
     found: &Design,
     warnings: &[String],
 ) -> DesignDocument {
-    let pairs = found.before.iter().zip(&found.values);
+    let means = found.before_is_mean.iter();
+    let pairs = found.before.iter().zip(means).zip(&found.values);
     let variables = problem.variables.iter().zip(pairs);
-    let variables = variables.map(|(of, (before, after))| DesignedVariable {
+    let variables = variables.map(|(of, ((before, is_mean), after))| DesignedVariable {
+        before_is_mean: *is_mean,
         name: of.change.name().to_owned(),
         unit: of.change.unit(),
         before: *before,

@@ -3,3 +3,4 @@
 
 pub mod calibration;
 pub mod design;
+pub mod first_order;

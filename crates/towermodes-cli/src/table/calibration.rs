@@ -13,6 +13,10 @@ pub fn calibration(name: &str, result: &Calibration) -> String {
     text.push_str("\n\n");
     text.push_str(&measured(result));
     text.push_str("\n\n");
+    if result.unknowns.iter().any(|one| one.prior.is_some()) {
+        text.push_str(&priors(result));
+        text.push_str("\n\n");
+    }
     if result.unknowns.len() > 1 {
         text.push_str(&correlations(result));
         text.push_str("\n\n");
@@ -114,6 +118,31 @@ fn measured(result: &Calibration) -> String {
         "residual/std. dev.",
     ];
     text_table(header, rows, 1..6)
+}
+
+/// A row for each prior: how far the fit moved the number away from it.
+fn priors(result: &Calibration) -> String {
+    let with_prior = result.unknowns.iter().filter_map(|one| {
+        let prior = one.prior?;
+        Some([
+            one.name.clone(),
+            one.unit.to_owned(),
+            short(prior.mean),
+            digits_or_power(prior.deviation, 2),
+            short(one.value),
+            one.prior_residual
+                .map_or("-".to_owned(), |residual| format!("{residual:+.2}")),
+        ])
+    });
+    let header = [
+        "prior of",
+        "unit",
+        "mean",
+        "std. dev.",
+        "fitted",
+        "residual/std. dev.",
+    ];
+    text_table(header, with_prior, 2..6)
 }
 
 fn correlations(result: &Calibration) -> String {

@@ -24,16 +24,21 @@ pub fn design(name: &str, problem: &DesignProblem, found: &Design) -> String {
 
 /// A row for each variable.
 fn values(problem: &DesignProblem, found: &Design) -> String {
-    let pairs = found.before.iter().zip(&found.values);
+    let means = found.before_is_mean.iter();
+    let pairs = found.before.iter().zip(means).zip(&found.values);
     let rows = problem.variables.iter().zip(pairs);
-    let rows = rows.map(|(of, (before, after))| {
+    let rows = rows.map(|(of, ((before, is_mean), after))| {
+        let before = digits(*before, 5);
         let name = match of.change.unit() {
             "" => of.change.name().to_owned(),
             unit => format!("{}, {unit}", of.change.name()),
         };
         [
             name,
-            digits(*before, 5),
+            match is_mean {
+                true => format!("mean {before}"),
+                false => before,
+            },
             Plain(*after).to_string(),
             format!("{} to {}", Plain(of.low), Plain(of.high)),
         ]

@@ -8,7 +8,7 @@ use super::text::{align_right, aligned, plain_table, title, wrapped};
 
 /// Mean and deviation of each mode; the share of each input; the probability that a margin is
 /// violated; what the numbers mean.
-pub(crate) fn first_order(
+pub fn first_order(
     tower: &Tower,
     found: &FirstOrder,
     check: Option<&MarginCheck>,

@@ -26,7 +26,7 @@ pub use comparison::comparison;
 pub(crate) use convergence::convergence;
 pub use design::design;
 pub(crate) use elastodyn::{changes, fits, judgements};
-pub(crate) use first_order::first_order;
+pub use first_order::first_order;
 pub(crate) use parameters::parameters;
 pub(crate) use sensitivities::sensitivities;
 pub(crate) use several::several;

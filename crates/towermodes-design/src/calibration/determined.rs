@@ -9,11 +9,24 @@ use super::variable::Variable;
 const UNDETERMINED: f64 = 1e-9;
 /// An unknown that moves the measurements by fewer standard deviations than this when it changes by
 /// its own size has no effect within the errors of derivatives.
-const NO_EFFECT: f64 = 1e-6;
+pub(super) const NO_EFFECT: f64 = 1e-6;
+
+/// The free unknowns that neither measurements nor priors determine.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) enum Undetermined {
+    /// Nothing moves with these.
+    NoEffect(Vec<String>),
+    /// Their columns are linearly dependent.
+    Dependent(Vec<String>),
+}
 
 /// The names of the free unknowns that neither measurements nor priors determine: alone, or because
 /// their columns are linearly dependent. Units do not matter.
-pub(super) fn undetermined(point: &Point, variables: &[Variable], is_free: &[bool]) -> Vec<String> {
+pub(super) fn undetermined(
+    point: &Point,
+    variables: &[Variable],
+    is_free: &[bool],
+) -> Option<Undetermined> {
     let lengths = point.lengths();
     let free: Vec<usize> = (0..variables.len()).filter(|j| is_free[*j]).collect();
     let names = |unknowns: &[usize]| -> Vec<String> {
@@ -26,18 +39,16 @@ pub(super) fn undetermined(point: &Point, variables: &[Variable], is_free: &[boo
     };
     let without: Vec<usize> = free.iter().copied().filter(|&j| !has_effect(j)).collect();
     if !without.is_empty() {
-        return names(&without);
+        return Some(Undetermined::NoEffect(names(&without)));
     }
     let units: Vec<f64> = lengths.iter().map(|length| 1.0 / length).collect();
     let columns = point.scaled(&units, is_free);
     let singular = Singular::of(columns);
     let largest = singular.values.first().copied().unwrap_or(1.0);
     let is_small = |s: &f64| *s <= UNDETERMINED * largest;
-    let Some(direction) = singular.values.iter().position(is_small) else {
-        return Vec::new();
-    };
+    let direction = singular.values.iter().position(is_small)?;
     let parts = free.iter().zip(&singular.right[direction]);
     let parts = parts.filter(|(_, part)| part.abs() > 0.1);
     let parts: Vec<usize> = parts.map(|(j, _)| *j).collect();
-    names(&parts)
+    Some(Undetermined::Dependent(names(&parts)))
 }

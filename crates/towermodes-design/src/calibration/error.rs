@@ -1,8 +1,19 @@
 //! Why there is no fit.
 
 use thiserror::Error;
-use towermodes::number::{Plain, Rounded};
+use towermodes::number::{Plain, Rounded, digits};
 use towermodes::{ModeName, NoDerivative, SensitivityError, SolveError, TowerError};
+
+/// The least standard deviation, relative to the measured frequency or the mean: far below what
+/// any instrument has, and above the errors of computed frequencies.
+const LEAST_DEVIATION: f64 = 1e-9;
+/// The largest one, beyond which nothing is known.
+const MOST_DEVIATION: f64 = 1e6;
+
+/// Whether a standard deviation is in proportion to a number.
+pub(super) fn is_in_proportion(deviation: f64, of: f64) -> bool {
+    (LEAST_DEVIATION..=MOST_DEVIATION).contains(&(deviation / of).abs())
+}
 
 /// Why there is no fit.
 #[derive(Debug, Clone, PartialEq, Error)]
@@ -13,10 +24,12 @@ pub enum CalibrationError {
     NoUnknowns,
     /// Too few measurements for the unknowns.
     #[error(
-        "{unknowns} unknowns cannot be found from {} and {}; measure more modes, fit fewer unknowns, or give an unknown a prior",
+        "{unknowns} unknowns cannot be found from {} and {}; measure more modes, fit fewer unknowns, or give an unknown a prior, such as `{beyond}`",
         counted(*.measured, "measurement"), counted(*.priors, "prior")
     )]
     TooFewMeasurements {
+        /// The first unknown without a prior for which there is no measurement.
+        beyond: String,
         /// The number of measurements.
         measured: usize,
         /// The number of unknowns with a prior.
@@ -33,6 +46,19 @@ pub enum CalibrationError {
         what: &'static str,
         /// The number.
         value: f64,
+    },
+    /// A standard deviation that no measurement has.
+    #[error(
+        "the standard deviation of measurement {} is {} Hz, {} times its frequency of {} Hz; it must be between {LEAST_DEVIATION:e} and {MOST_DEVIATION:e} times the frequency",
+        .index + 1, Plain(*.deviation_hz), times(*.deviation_hz, *.frequency_hz), Plain(*.frequency_hz)
+    )]
+    DeviationRange {
+        /// The measurement, from 0.
+        index: usize,
+        /// The standard deviation, Hz.
+        deviation_hz: f64,
+        /// The frequency, Hz.
+        frequency_hz: f64,
     },
     /// Two measurements are of one mode.
     #[error(
@@ -93,6 +119,38 @@ pub enum CalibrationError {
         mean: f64,
         /// The deviation.
         deviation: f64,
+    },
+    /// A prior with an impossible mean.
+    #[error(
+        "the prior mean of `{change}` is {}, but the number cannot be {}; give a positive mean",
+        Plain(*.mean), if *.mean < 0.0 { "negative" } else { "0" }
+    )]
+    PriorNotPositive {
+        /// The unknown.
+        change: String,
+        /// The mean.
+        mean: f64,
+    },
+    /// A prior whose deviation is out of proportion to its mean.
+    #[error(
+        "the prior of `{change}` has a standard deviation of {}, {} times its mean {}; it must be between {LEAST_DEVIATION:e} and {MOST_DEVIATION:e} times the mean",
+        Plain(*.deviation), times(*.deviation, *.mean), Plain(*.mean)
+    )]
+    PriorRange {
+        /// The unknown.
+        change: String,
+        /// The mean.
+        mean: f64,
+        /// The deviation.
+        deviation: f64,
+    },
+    /// Bounds of a positive number that contain none.
+    #[error("the upper bound of `{change}` is {}, but the number must be positive", Plain(*.high))]
+    BoundsNotPositive {
+        /// The unknown.
+        change: String,
+        /// The upper bound.
+        high: f64,
     },
     /// A prior whose mean the bounds exclude.
     #[error(
@@ -172,6 +230,18 @@ pub enum CalibrationError {
         /// The unknowns, in backquotes.
         names: Vec<String>,
     },
+    /// Unknowns without a prior on which no measured frequency depends.
+    #[error(
+        "{} not move any measured frequency (at {values}); give {} a prior, do not fit it, or measure other modes",
+        match &names[..] { [one] => format!("{one} does"), all => format!("{} do", all.join(" and ")) },
+        if .names.len() == 1 { "it" } else { "each of these" }
+    )]
+    NoEffect {
+        /// The unknowns, in backquotes.
+        names: Vec<String>,
+        /// All unknowns with their values there.
+        values: String,
+    },
     /// No values of the unknowns explain a frequency, not even the largest and the smallest.
     #[error(
         "no value of the fitted numbers gives {mode} the measured frequency of {} Hz; the nearest is {} Hz with {values}; check the measurement and its mode, or fit other numbers",
@@ -188,6 +258,23 @@ pub enum CalibrationError {
         nearest_hz: f64,
         /// The unknowns with their values there.
         values: String,
+    },
+    /// Every unknown that could bring a frequency nearer is at a bound.
+    #[error(
+        "no values within the bounds give {mode} the measured frequency of {} Hz; the nearest is {} Hz, with {bounds} in the way; widen the bounds, check the measurement and its mode, or fit other numbers",
+        Plain(*.measured_hz), Rounded(*.nearest_hz)
+    )]
+    OutsideBounds {
+        /// The measurement, from 0.
+        index: usize,
+        /// Its mode.
+        mode: ModeName,
+        /// Its frequency, Hz.
+        measured_hz: f64,
+        /// The nearest frequency, Hz.
+        nearest_hz: f64,
+        /// The bounds in words.
+        bounds: String,
     },
     /// The iteration did not end.
     #[error(
@@ -206,10 +293,12 @@ impl CalibrationError {
     pub fn measurement(&self) -> Option<usize> {
         match self {
             Self::NotPositive { index, .. }
+            | Self::DeviationRange { index, .. }
             | Self::Repeated { index, .. }
             | Self::Shape { index }
             | Self::SensorOutside { index, .. }
             | Self::Unreachable { index, .. }
+            | Self::OutsideBounds { index, .. }
             | Self::NoMode { index, .. } => Some(*index),
             _ => None,
         }
@@ -220,6 +309,10 @@ impl CalibrationError {
         match self {
             Self::Bounds { change, .. }
             | Self::Prior { change, .. }
+            | Self::PriorNotPositive { change, .. }
+            | Self::PriorRange { change, .. }
+            | Self::BoundsNotPositive { change, .. }
+            | Self::TooFewMeasurements { beyond: change, .. }
             | Self::PriorOutside { change, .. }
             | Self::Overlap { change, .. }
             | Self::NoStart { change, .. }
@@ -237,10 +330,21 @@ impl CalibrationError {
                 | Self::Solve(_)
                 | Self::NoDerivative { .. }
                 | Self::Undetermined { .. }
+                | Self::NoEffect { .. }
                 | Self::Unreachable { .. }
+                | Self::OutsideBounds { .. }
                 | Self::NotConverged { .. }
         );
         !is_computed
+    }
+}
+
+/// How many times the size of one number another is, with two digits.
+fn times(number: f64, of: f64) -> String {
+    let ratio = (number / of).abs();
+    match ratio {
+        1e-3..1e3 => digits(ratio, 2),
+        _ => format!("{ratio:.0e}"),
     }
 }
 

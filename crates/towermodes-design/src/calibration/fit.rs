@@ -5,10 +5,11 @@ use towermodes::{
     ModeFrequency, ModeName, Operation, Options, TowerDescription, Workspace, sensitivities,
 };
 
-use super::determined::undetermined;
+use super::determined::{Undetermined, undetermined};
 use super::error::CalibrationError;
 use super::problem::Problem;
 use super::remark::LARGE_RESIDUAL;
+use super::result::AtBound;
 use super::singular::{Singular, norm};
 use super::variable::{Variable, apply};
 
@@ -135,28 +136,65 @@ impl<'a> Towers<'a> {
         is_free: Vec<bool>,
         iterations: usize,
     ) -> Result<Found, CalibrationError> {
-        let names = undetermined(&point, self.variables, &is_free);
-        if names.is_empty() {
-            return Ok(Found {
-                point,
-                is_free,
-                iterations,
-            });
-        }
-        // A frequency that cannot be reached drives an unknown to where it has no effect.
+        let undetermined = undetermined(&point, self.variables, &is_free);
         let residuals = point.residuals.iter().take(self.names.len());
         let residuals = residuals.map(|residual| residual.abs()).enumerate();
         let worst = residuals.max_by(|a, b| a.1.total_cmp(&b.1));
-        match worst.filter(|(_, residual)| *residual > LARGE_RESIDUAL) {
-            None => Err(CalibrationError::Undetermined { names }),
-            Some((index, _)) => Err(CalibrationError::Unreachable {
+        let worst = worst.filter(|(_, residual)| *residual > LARGE_RESIDUAL);
+        if let Some((index, _)) = worst {
+            self.check_bounds(&point, &is_free, index)?;
+        }
+        let values = || values_at(self.variables, &point.x);
+        match (undetermined, worst) {
+            (None, _) => Ok(Found {
+                point,
+                is_free,
+                iterations,
+            }),
+            // A frequency that cannot be reached drives an unknown to where it has no effect.
+            (Some(_), Some((index, _))) => Err(CalibrationError::Unreachable {
                 index,
                 mode: self.names[index],
                 measured_hz: self.problem.measured[index].frequency_hz,
                 nearest_hz: point.frequencies_hz[index],
-                values: values_at(self.variables, &point.x),
+                values: values(),
             }),
+            (Some(Undetermined::NoEffect(names)), None) => Err(CalibrationError::NoEffect {
+                names,
+                values: values(),
+            }),
+            (Some(Undetermined::Dependent(names)), None) => {
+                Err(CalibrationError::Undetermined { names })
+            }
         }
+    }
+
+    /// Refuses a fit in which every unknown is at a bound, and given bounds keep a frequency from
+    /// its measurement: nothing was fitted. That a mass is not negative is no given bound.
+    fn check_bounds(
+        &self,
+        point: &Point,
+        is_free: &[bool],
+        index: usize,
+    ) -> Result<(), CalibrationError> {
+        let held = point.held_by(self.variables, index);
+        let is_given = |(j, _): &(usize, _)| self.problem.unknowns[*j].bounds.is_some();
+        if !held.iter().any(is_given) || is_free.contains(&true) {
+            return Ok(());
+        }
+        let bounds = held.iter().map(|&(j, bound)| {
+            let variable = &self.variables[j];
+            let value = Rounded(variable.value(point.x[j]));
+            format!("the {bound} bound {value} of {}", variable.change.name())
+        });
+        let bounds: Vec<String> = bounds.collect();
+        Err(CalibrationError::OutsideBounds {
+            index,
+            mode: self.names[index],
+            measured_hz: self.problem.measured[index].frequency_hz,
+            nearest_hz: point.frequencies_hz[index],
+            bounds: bounds.join(" and "),
+        })
     }
 
     fn add_priors(&self, point: &mut Point) {
@@ -224,6 +262,21 @@ impl Point {
             (None, false) => 1.0,
         };
         all.map(unit).collect()
+    }
+
+    /// The unknowns at bounds beyond which a frequency would be nearer to its measurement.
+    pub(super) fn held_by(&self, variables: &[Variable], index: usize) -> Vec<(usize, AtBound)> {
+        let all = variables.iter().zip(&self.x).zip(&self.columns).enumerate();
+        let held = all.filter_map(|(j, ((variable, x), column))| {
+            let [low, high] = variable.bounds;
+            let gradient = self.residuals[index] * column[index];
+            match gradient {
+                g if g > 0.0 && *x <= low => Some((j, AtBound::Lower)),
+                g if g < 0.0 && *x >= high => Some((j, AtBound::Upper)),
+                _ => None,
+            }
+        });
+        held.collect()
     }
 
     /// The unknowns that are not at a bound towards which the sum of squares falls.

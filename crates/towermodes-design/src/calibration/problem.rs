@@ -4,7 +4,7 @@ use std::collections::HashSet;
 
 use towermodes::{Change, ModeName, TowerDescription};
 
-use super::error::CalibrationError;
+use super::error::{CalibrationError, is_in_proportion};
 
 /// A tower, what was measured on it, and the numbers that are to explain it.
 #[derive(Debug, Clone, PartialEq)]
@@ -106,7 +106,10 @@ impl Problem {
         let priors = self.unknowns.iter().filter(|one| one.prior.is_some());
         let (priors, measured) = (priors.count(), self.measured.len());
         if measured == 0 || measured + priors < self.unknowns.len() {
+            let mut without = self.unknowns.iter().filter(|one| one.prior.is_none());
+            let beyond = without.nth(measured).unwrap_or(&self.unknowns[0]);
             return Err(CalibrationError::TooFewMeasurements {
+                beyond: beyond.change.name().to_owned(),
                 measured,
                 priors,
                 unknowns: self.unknowns.len(),
@@ -142,6 +145,14 @@ impl Measured {
                 return Err(CalibrationError::NotPositive { index, what, value });
             }
         }
+        let (deviation_hz, frequency_hz) = (self.deviation_hz, self.frequency_hz);
+        if !is_in_proportion(deviation_hz, frequency_hz) {
+            return Err(CalibrationError::DeviationRange {
+                index,
+                deviation_hz,
+                frequency_hz,
+            });
+        }
         let Some(shape) = &self.shape else {
             return Ok(());
         };
@@ -173,6 +184,13 @@ impl Unknown {
         };
         if !(deviation > 0.0 && deviation.is_finite() && mean.is_finite()) {
             return Err(CalibrationError::Prior {
+                change: name(),
+                mean,
+                deviation,
+            });
+        }
+        if mean != 0.0 && !is_in_proportion(deviation, mean) {
+            return Err(CalibrationError::PriorRange {
                 change: name(),
                 mean,
                 deviation,

@@ -2,8 +2,9 @@
 
 use towermodes::ModeName;
 
+use super::determined::NO_EFFECT;
 use super::pairing::Ambiguity;
-use super::result::{AtBound, Calibration, Direction};
+use super::result::{AtBound, Calibration, Direction, Explained};
 
 /// Of unknowns with a larger correlation only a combination is known.
 const HIGH_CORRELATION: f64 = 0.95;
@@ -57,8 +58,26 @@ pub enum Remark {
     FromPrior {
         /// The unknown.
         name: String,
+        /// The share of its variance that comes from its prior.
+        share: f64,
+    },
+    /// Most of the variance of a number comes from the priors of others.
+    FromOtherPriors {
+        /// The unknown.
+        name: String,
+        /// The other with the largest share.
+        other: String,
         /// The share of its variance that comes from priors.
         share: f64,
+        /// Whether its own prior is among them.
+        has_prior: bool,
+    },
+    /// No measured frequency depends on a number at the fitted values.
+    NoEffect {
+        /// The unknown.
+        name: String,
+        /// Whether it has a prior.
+        has_prior: bool,
     },
     /// A measurement could be of another mode.
     Pairing {
@@ -79,6 +98,19 @@ pub enum Remark {
         mode: ModeName,
         /// (fitted − measured)/deviation.
         residual: f64,
+    },
+    /// A frequency is not explained, and bounds are in the way.
+    OutsideBounds {
+        /// The mode.
+        mode: ModeName,
+        /// The measured frequency, Hz.
+        measured_hz: f64,
+        /// The fitted frequency, Hz.
+        fitted_hz: f64,
+        /// (fitted − measured)/deviation.
+        residual: f64,
+        /// The unknowns at bounds beyond which the frequency would be nearer, and their bounds.
+        bounds: Vec<(String, AtBound, f64)>,
     },
     /// All residuals together are larger than their standard deviations allow.
     PoorFit {
@@ -110,6 +142,7 @@ impl Calibration {
         remarks.extend(self.of_pairing());
         remarks.extend(self.of_residuals());
         remarks.extend(self.of_bounds());
+        remarks.extend(self.without_effect());
         remarks.extend(self.not_told_apart());
         remarks.extend(self.of_correlations());
         remarks.extend(self.of_priors());
@@ -135,9 +168,12 @@ impl Calibration {
             .measured
             .iter()
             .filter(|one| one.residual.abs() > LARGE_RESIDUAL);
-        let large = large.map(|one| Remark::LargeResidual {
-            mode: one.mode,
-            residual: one.residual,
+        let large = large.map(|one| match one.held_by.is_empty() {
+            true => Remark::LargeResidual {
+                mode: one.mode,
+                residual: one.residual,
+            },
+            false => self.outside_bounds(one),
         });
         let (chi_square, degrees_of_freedom) = (self.chi_square, self.degrees_of_freedom);
         let of_all = match degrees_of_freedom {
@@ -151,8 +187,40 @@ impl Calibration {
         of_all.into_iter().chain(large)
     }
 
+    fn outside_bounds(&self, one: &Explained) -> Remark {
+        let bounds = one.held_by.iter().map(|&(j, bound)| {
+            let unknown = &self.unknowns[j];
+            (unknown.name.clone(), bound, unknown.value)
+        });
+        Remark::OutsideBounds {
+            mode: one.mode,
+            measured_hz: one.measured_hz,
+            fitted_hz: one.fitted_hz,
+            residual: one.residual,
+            bounds: bounds.collect(),
+        }
+    }
+
+    /// Whether some measured frequency depends on an unknown within the errors of derivatives.
+    fn has_effect(&self, j: usize) -> bool {
+        let mut alone = vec![0.0; self.unknowns.len()];
+        alone[j] = 1.0;
+        self.effect(&alone) > NO_EFFECT
+    }
+
+    fn without_effect(&self) -> impl Iterator<Item = Remark> {
+        let all = self.unknowns.iter().enumerate();
+        let without = all.filter(|(j, _)| !self.has_effect(*j));
+        without.map(|(_, one)| Remark::NoEffect {
+            name: one.name.clone(),
+            has_prior: one.prior.is_some(),
+        })
+    }
+
     fn of_bounds(&self) -> impl Iterator<Item = Remark> {
-        self.unknowns.iter().filter_map(|one| {
+        let all = self.unknowns.iter().enumerate();
+        let moving = all.filter(|(j, _)| self.has_effect(*j));
+        moving.filter_map(|(_, one)| {
             Some(Remark::Bound {
                 name: one.name.clone(),
                 bound: one.at_bound?,
@@ -166,7 +234,16 @@ impl Calibration {
             .directions
             .iter()
             .filter(|one| one.singular_value < WEAK);
-        weak.map(|direction| self.combination(direction))
+        let all = weak.map(|direction| self.combination(direction));
+        // Of a number without any effect it is said alone.
+        all.filter(|remark| match remark {
+            Remark::NotToldApart { changes, .. } => changes.iter().any(|one| {
+                let mut all = self.unknowns.iter();
+                let place = all.position(|unknown| unknown.name == one.name);
+                place.is_some_and(|j| self.has_effect(j))
+            }),
+            _ => true,
+        })
     }
 
     /// A combination, so short that factors stay near 1 and the linear prediction holds. It leaves
@@ -230,15 +307,48 @@ impl Calibration {
     }
 
     fn of_priors(&self) -> impl Iterator<Item = Remark> {
-        let data = self.measured.len();
-        let all = self.unknowns.iter().zip(&self.shares);
-        all.filter_map(move |(unknown, shares)| {
-            let share: f64 = shares.iter().skip(data).sum();
-            (share > 0.5).then(|| Remark::FromPrior {
-                name: unknown.name.clone(),
-                share,
-            })
+        let all = self.unknowns.iter().zip(&self.shares).enumerate();
+        let moving = all.filter(|(j, _)| self.has_effect(*j));
+        moving.filter_map(|(_, (unknown, shares))| {
+            let share: f64 = shares.iter().skip(self.measured.len()).sum();
+            let name = unknown.name.clone();
+            let own = self.prior_share(&unknown.name, shares);
+            match share > 0.5 {
+                false => None,
+                true if own > 0.5 => Some(Remark::FromPrior { name, share: own }),
+                true => Some(Remark::FromOtherPriors {
+                    other: self.largest_prior(&unknown.name, shares)?,
+                    name,
+                    share,
+                    has_prior: unknown.prior.is_some(),
+                }),
+            }
         })
+    }
+
+    /// The unknowns with priors, and the share of each prior in a variance.
+    fn prior_shares<'a>(
+        &'a self,
+        shares: &'a [f64],
+    ) -> impl Iterator<Item = (&'a str, f64)> + use<'a> {
+        let with_prior = self.unknowns.iter().filter(|one| one.prior.is_some());
+        let shares = shares.iter().skip(self.measured.len());
+        with_prior
+            .zip(shares)
+            .map(|(one, share)| (&*one.name, *share))
+    }
+
+    /// The share of an unknown's own prior.
+    fn prior_share(&self, name: &str, shares: &[f64]) -> f64 {
+        let own = self.prior_shares(shares).find(|(of, _)| *of == name);
+        own.map_or(0.0, |(_, share)| share)
+    }
+
+    /// The other unknown whose prior has the largest share.
+    fn largest_prior(&self, name: &str, shares: &[f64]) -> Option<String> {
+        let others = self.prior_shares(shares).filter(|(of, _)| *of != name);
+        let largest = others.max_by(|a, b| a.1.total_cmp(&b.1));
+        largest.map(|(of, _)| of.to_owned())
     }
 }
 

@@ -1,5 +1,7 @@
 //! What comes out of a fit.
 
+use std::fmt;
+
 use towermodes::{ModeName, TowerDescription};
 
 use super::fit::{Found, Point};
@@ -72,6 +74,15 @@ pub enum AtBound {
     Upper,
 }
 
+impl fmt::Display for AtBound {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::Lower => "lower",
+            Self::Upper => "upper",
+        })
+    }
+}
+
 /// A measurement and what the tower has instead.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Explained {
@@ -87,6 +98,9 @@ pub struct Explained {
     pub fitted_hz: f64,
     /// (fitted − measured)/deviation.
     pub residual: f64,
+    /// The bounds beyond which the frequency would be nearer: the unknowns, from 0, and which of
+    /// their bounds.
+    pub held_by: Vec<(usize, AtBound)>,
     /// Another mode that may have been measured.
     pub ambiguity: Option<Ambiguity>,
 }
@@ -132,7 +146,7 @@ pub(super) fn result(
     Calibration {
         correlations: spread.correlations(variables.len()),
         shares: (0..variables.len()).map(|j| spread.shares(j)).collect(),
-        measured: explained(problem, pairing, before, point),
+        measured: explained(problem, variables, pairing, [before, point]),
         directions: directions(variables, point, data),
         chi_square: point.chi_square(),
         degrees_of_freedom: point.residuals.len().saturating_sub(free),
@@ -169,9 +183,9 @@ fn fitted(variable: &Variable, x: f64, deviation: Option<f64>) -> Fitted {
 
 fn explained(
     problem: &Problem,
+    variables: &[Variable],
     pairing: &Pairing,
-    before: &Point,
-    point: &Point,
+    [before, point]: [&Point; 2],
 ) -> Vec<Explained> {
     let one = |index: usize| {
         let measured = &problem.measured[index];
@@ -182,6 +196,7 @@ fn explained(
             before_hz: before.frequencies_hz[index],
             fitted_hz: point.frequencies_hz[index],
             residual: point.residuals[index],
+            held_by: point.held_by(variables, index),
             ambiguity: pairing.ambiguities[index],
         }
     };

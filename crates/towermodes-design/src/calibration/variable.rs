@@ -62,6 +62,9 @@ pub(super) fn apply_rounded(variables: &[Variable], x: &[f64], description: &mut
 fn variable(unknown: &Unknown, base: &TowerDescription) -> Result<Variable, CalibrationError> {
     let change = unknown.change.clone();
     let present = present_value(&change, base);
+    if is_positive(&change, base) {
+        check_positive(unknown, present)?;
+    }
     let mean = unknown.prior.map(|prior| prior.mean);
     let usable = present.filter(|value| value.is_finite());
     let start = usable.or(mean);
@@ -96,6 +99,25 @@ fn variable(unknown: &Unknown, base: &TowerDescription) -> Result<Variable, Cali
         bounds,
         change,
     })
+}
+
+/// Refuses what is known of a positive number if it says otherwise. Only a number that is 0 on the
+/// tower may have the mean 0.
+fn check_positive(unknown: &Unknown, present: Option<f64>) -> Result<(), CalibrationError> {
+    let change = || unknown.change.name().to_owned();
+    if let Some([_, high]) = unknown.bounds
+        && high <= 0.0
+    {
+        let change = change();
+        return Err(CalibrationError::BoundsNotPositive { change, high });
+    }
+    match unknown.prior.map(|prior| prior.mean) {
+        Some(mean) if mean < 0.0 || mean == 0.0 && present != Some(0.0) => {
+            let change = change();
+            Err(CalibrationError::PriorNotPositive { change, mean })
+        }
+        _ => Ok(()),
+    }
 }
 
 fn scale(

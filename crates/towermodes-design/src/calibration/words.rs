@@ -7,7 +7,6 @@ use towermodes::number::Rounded;
 
 use super::pairing::Ambiguity;
 use super::remark::{Remark, UnknownChange};
-use super::result::AtBound;
 
 impl fmt::Display for UnknownChange {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
@@ -61,17 +60,40 @@ impl fmt::Display for Remark {
                 "{first} and {second} have the correlation {correlation:.3}: a combination of them is known better than either"
             ),
             Self::Bound { name, bound, value } => {
-                let bound = match bound {
-                    AtBound::Lower => "lower",
-                    AtBound::Upper => "upper",
-                };
                 let value = Rounded(*value);
                 write!(f, "{name} is at its {bound} bound {value}: the measurements ask for a value beyond it")
             }
             Self::FromPrior { name, share } => write!(
                 f,
-                "{name} is known mostly from priors: {:.0} % of its variance comes from them",
+                "{name} is known mostly from its prior: {:.0} % of its variance comes from there",
                 100.0 * share
+            ),
+            Self::FromOtherPriors {
+                name,
+                other,
+                share,
+                has_prior,
+            } => {
+                let percent = 100.0 * share;
+                match has_prior {
+                    true => write!(
+                        f,
+                        "{name} is known mostly from priors: {percent:.0} % of its variance comes from its own and from those of other numbers, such as {other}"
+                    ),
+                    false => write!(
+                        f,
+                        "{name} has no prior, but {percent:.0} % of its variance comes from the priors of other numbers, most of it from that of {other}"
+                    ),
+                }
+            }
+            Self::NoEffect { name, has_prior } => write!(
+                f,
+                "{name} does not move any measured frequency: {}",
+                if *has_prior {
+                    "its value and deviation are those of its prior"
+                } else {
+                    "its value is arbitrary; do not fit it"
+                }
             ),
             Self::Pairing {
                 index,
@@ -88,6 +110,26 @@ impl fmt::Display for Remark {
                 f,
                 "{mode} is not explained: the fitted frequency differs by {residual:+.1} standard deviations"
             ),
+            Self::OutsideBounds {
+                mode,
+                measured_hz,
+                fitted_hz,
+                residual,
+                bounds,
+            } => {
+                let bounds = bounds.iter().map(|(name, bound, value)| {
+                    format!("the {bound} bound {} of {name}", Rounded(*value))
+                });
+                let bounds: Vec<String> = bounds.collect();
+                let are = if bounds.len() == 1 { "is" } else { "are" };
+                write!(
+                    f,
+                    "{mode} is not explained: {} Hz was measured, {} Hz is fitted ({residual:+.1} standard deviations), and {} {are} in the way",
+                    Rounded(*measured_hz),
+                    Rounded(*fitted_hz),
+                    listed(&bounds)
+                )
+            }
             Self::PoorFit {
                 chi_square,
                 degrees_of_freedom,

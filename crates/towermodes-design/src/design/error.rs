@@ -1,8 +1,10 @@
 //! Why there is no design.
 
 use thiserror::Error;
+use towermodes::number::Plain;
 use towermodes::{ModeName, NoDerivative, SensitivityError, SolveError, TowerError};
 
+use super::problem::WIDEST;
 use super::result::Infeasible;
 
 /// Why there is no design.
@@ -32,6 +34,31 @@ pub enum DesignError {
         variable: String,
         /// The lower bound.
         low: f64,
+    },
+    /// A diameter or a wall thickness that is not positive within its bounds.
+    #[error(
+        "the lower bound of `{variable}` is {low}, but diameters and wall thicknesses must be positive"
+    )]
+    NotPositive {
+        /// The name of the variable.
+        variable: String,
+        /// The lower bound.
+        low: f64,
+    },
+    /// Bounds so far from the present value that the search would find nothing between them.
+    #[error(
+        "the bounds of `{variable}` are {} and {}, but its present value is {}: bounds may be up to {WIDEST} times the present value; check the unit (lengths are in m)",
+        Plain(*.low), Plain(*.high), Plain(*.present)
+    )]
+    Wide {
+        /// The name of the variable.
+        variable: String,
+        /// The lower bound.
+        low: f64,
+        /// The upper bound.
+        high: f64,
+        /// The largest number that it changes, or 1 for a factor.
+        present: f64,
     },
     /// No value of a stepped variable is within its bounds.
     #[error("no multiple of the step {step} of `{variable}` is between {low} and {high}")]
@@ -119,4 +146,30 @@ pub enum DesignError {
         /// Mass of the tower without steps, kg.
         kg: f64,
     },
+}
+
+impl DesignError {
+    /// The name of the variable that is wrong; none if the error is not that of one variable.
+    pub fn variable(&self) -> Option<&str> {
+        match self {
+            Self::Bounds { variable, .. }
+            | Self::Factor { variable, .. }
+            | Self::NotPositive { variable, .. }
+            | Self::Wide { variable, .. }
+            | Self::NoStep { variable, .. }
+            | Self::Twice {
+                second: variable, ..
+            }
+            | Self::NoDerivative { variable, .. } => Some(variable),
+            _ => None,
+        }
+    }
+
+    /// The mode whose goal is wrong; none if the error is not that of one goal.
+    pub fn mode(&self) -> Option<ModeName> {
+        match self {
+            Self::Band { mode, .. } | Self::NoMode { mode, .. } => Some(*mode),
+            _ => None,
+        }
+    }
 }

@@ -121,7 +121,7 @@ pub(super) fn rows(problem: &DesignProblem, base: &TowerDescription) -> Vec<Row>
 /// By how much the variables can change a row: its natural unit.
 fn range(row: &Row, problem: &DesignProblem, base: &TowerDescription) -> f64 {
     let variables = problem.variables.iter();
-    let changes = variables.map(|one| row.derivative(one, base).abs() * (one.high - one.low));
+    let changes = variables.map(|one| row.derivative(one, base).abs() * one.unit(base));
     changes.fold(f64::MIN_POSITIVE, f64::max)
 }
 

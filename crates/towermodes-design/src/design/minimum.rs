@@ -139,6 +139,7 @@ pub(super) fn from_start(
 fn ended(scale: &mut Scale<'_>, scaled: Vec<f64>, least: Least) -> Result<Minimum, DesignError> {
     let free = scale.free.clone();
     let limits = scale.limits.clone();
+    let highest = scale.highest.clone();
     let at = scale.at(&scaled, true)?;
     let violation = at
         .limits
@@ -148,7 +149,7 @@ fn ended(scale: &mut Scale<'_>, scaled: Vec<f64>, least: Least) -> Result<Minimu
         .map(|(value, _)| *value)
         .fold(0.0, f64::max);
     let mass = at.mass;
-    let optimality = optimality(at, &limits, &free, &scaled, (least, violation));
+    let optimality = optimality(at, &limits, &free, [&scaled, &highest], (least, violation));
     Ok(Minimum {
         mass,
         violation,
@@ -187,7 +188,8 @@ fn run_once(
         .collect();
     let is_phase_one = least != Least::Mass;
     let mut x: Vec<f64> = free.iter().map(|i| start[*i]).collect();
-    let mut bounds = vec![(0.0, 1.0); x.len()];
+    let highest = scale.highest.clone();
+    let mut bounds: Vec<(f64, f64)> = free.iter().map(|i| (0.0, highest[*i])).collect();
     if is_phase_one {
         x.push(violation);
         bounds.push((0.0, violation.max(1.0) * 2.0));
@@ -195,8 +197,8 @@ fn run_once(
     let count = free.len();
     let full = |x: &[f64]| {
         let mut scaled = start.to_vec();
-        let within = x.iter().map(|z| z.clamp(0.0, 1.0));
-        free.iter().zip(within).for_each(|(i, z)| scaled[*i] = z);
+        let all = free.iter().zip(x);
+        all.for_each(|(&i, z)| scaled[i] = z.clamp(0.0, highest[i]));
         scaled
     };
     let scale = RefCell::new(scale);

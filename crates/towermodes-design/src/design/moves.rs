@@ -36,7 +36,7 @@ impl Stepped {
         for (&i, count) in self.variables.iter().zip(&self.counts) {
             let variable = &scale.problem.variables[i];
             let value = multiple(*count, variable.step.unwrap_or(1.0));
-            scaled[i] = (value - variable.low) / (variable.high - variable.low);
+            scaled[i] = (value - variable.low) / scale.units[i];
         }
     }
 
@@ -61,7 +61,7 @@ impl Stepped {
     fn sizes(&self, scale: &Scale<'_>) -> Vec<f64> {
         let size = |i: &usize| {
             let variable = &scale.problem.variables[*i];
-            variable.step.unwrap_or(1.0) / (variable.high - variable.low)
+            variable.step.unwrap_or(1.0) / scale.units[*i]
         };
         self.variables.iter().map(size).collect()
     }

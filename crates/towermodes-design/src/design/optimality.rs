@@ -12,6 +12,9 @@ use super::scaled::Scaled;
 
 /// A limit nearer than this, scaled, is active.
 const ACTIVE: f64 = 1e-6;
+/// The same of a bound. The optimizer ends on bounds exactly, and a unit may be ten times the
+/// value.
+const ACTIVE_BOUND: f64 = 1e-8;
 
 /// The multipliers of the active limits, and how well they prove the minimum.
 #[derive(Debug, Clone, PartialEq)]
@@ -22,12 +25,13 @@ pub(super) struct Optimality {
     pub(super) residual: f64,
 }
 
-/// The proof of the minimum of the mass, or of the violation, which is given, at a point.
+/// The proof of the minimum of the mass, or of the violation, which is given, at a point with its
+/// upper bounds.
 pub(super) fn optimality(
     at: &Scaled,
     limits: &[Limit],
     free: &[usize],
-    scaled: &[f64],
+    [scaled, highest]: [&[f64]; 2],
     (least, violation): (Least, f64),
 ) -> Optimality {
     let Some(slopes) = &at.slopes else {
@@ -55,9 +59,9 @@ pub(super) fn optimality(
         for (side, sign) in sides {
             let distance = match side {
                 Side::Lowest => scaled[variable],
-                Side::Highest => 1.0 - scaled[variable],
+                Side::Highest => highest[variable] - scaled[variable],
             };
-            if distance <= ACTIVE {
+            if distance <= ACTIVE_BOUND {
                 let mut column = vec![0.0; count + 1];
                 column[place] = sign;
                 columns.push(column);
@@ -73,8 +77,13 @@ pub(super) fn optimality(
     let multipliers = nonnegative(&columns, &target);
     let rest = residual(&columns, &multipliers, &target);
     let size = |v: &[f64]| v.iter().map(|entry| entry * entry).sum::<f64>().sqrt();
+    let residual = size(&rest) / size(&target).max(f64::MIN_POSITIVE);
     Optimality {
         active: active.into_iter().zip(multipliers).collect(),
-        residual: size(&rest) / size(&target).max(f64::MIN_POSITIVE),
+        // What overflows proves nothing.
+        residual: match residual.is_nan() {
+            true => f64::INFINITY,
+            false => residual,
+        },
     }
 }

@@ -6,6 +6,12 @@ use towermodes::{Change, ModeName, Operation, Parameter, TowerDescription};
 
 use super::error::DesignError;
 
+/// Bounds may be this many times as large as the present value: beyond it a unit is mistaken.
+pub(super) const WIDEST: f64 = 1e3;
+/// The search moves in units of the range, but of at most this many times the present value: wider
+/// bounds would hide the values that matter.
+const LARGEST_UNIT: f64 = 10.0;
+
 /// A number, or several that change together, that the design chooses.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Variable {
@@ -70,6 +76,13 @@ impl Variable {
         }
     }
 
+    /// Whether it sets several numbers that differ on a tower.
+    pub(super) fn has_different(&self, base: &TowerDescription) -> bool {
+        let mut values = self.change.parameters().iter().map(|one| one.value(base));
+        let first = values.next();
+        self.change.operation() == Operation::Set && values.any(|value| Some(value) != first)
+    }
+
     /// The lowest and highest multiple of the step within the bounds.
     pub(super) fn multiples(&self, step: f64) -> [f64; 2] {
         /// A bound that is a multiple up to rounding counts.
@@ -94,6 +107,10 @@ impl Variable {
             let variable = variable();
             return Err(DesignError::Factor { variable, low });
         }
+        if self.is_size() && low <= 0.0 {
+            let variable = variable();
+            return Err(DesignError::NotPositive { variable, low });
+        }
         let Some(step) = self.step else { return Ok(()) };
         let [first, last] = self.multiples(step);
         match step > 0.0 && first <= last {
@@ -108,7 +125,65 @@ impl Variable {
     }
 }
 
+impl Variable {
+    /// Whether its values are diameters or wall thicknesses.
+    fn is_size(&self) -> bool {
+        let is_size = |number: &Parameter| {
+            let name = number.to_string();
+            name.ends_with(".wall") || name.ends_with(".diameter")
+        };
+        self.change.operation() == Operation::Set && self.change.parameters().iter().any(is_size)
+    }
+
+    /// The size of its numbers: the largest on a tower, 1 for a factor.
+    fn size(&self, base: &TowerDescription) -> f64 {
+        match self.change.operation() {
+            Operation::Scale => 1.0,
+            Operation::Set | Operation::Add => {
+                let numbers = self.change.parameters().iter();
+                let sizes = numbers.map(|number| number.value(base).abs());
+                sizes.filter(|size| size.is_finite()).fold(0.0, f64::max)
+            }
+        }
+    }
+
+    /// The unit in which the search moves.
+    pub(super) fn unit(&self, base: &TowerDescription) -> f64 {
+        let range = self.high - self.low;
+        match self.size(base) {
+            0.0 => range,
+            size => range.min(LARGEST_UNIT * size),
+        }
+    }
+
+    /// Refuses bounds far beyond the present value.
+    fn check_width(&self, base: &TowerDescription) -> Result<(), DesignError> {
+        let present = self.size(base);
+        let (low, high) = (self.low, self.high);
+        // Of a number that is 0 no size is known, but double precision has its limits.
+        let widest = match present == 0.0 {
+            true => 1e15,
+            false => WIDEST * present,
+        };
+        match low.abs().max(high.abs()) <= widest {
+            true => Ok(()),
+            false => Err(DesignError::Wide {
+                variable: self.change.name().to_owned(),
+                low,
+                high,
+                present,
+            }),
+        }
+    }
+}
+
 impl DesignProblem {
+    /// Refuses bounds that are far beyond the values of the tower.
+    pub(super) fn check_widths(&self, base: &TowerDescription) -> Result<(), DesignError> {
+        let mut variables = self.variables.iter();
+        variables.try_for_each(|variable| variable.check_width(base))
+    }
+
     /// # Errors
     /// [`DesignError`] for what contradicts itself, whatever the tower.
     pub fn check(&self) -> Result<(), DesignError> {

@@ -2,7 +2,10 @@
 
 use std::fmt;
 
-use towermodes::{Certificate, Operation, Options, Tower, TowerDescription, Workspace, solve_with};
+use towermodes::{
+    Certificate, Family, ModeName, Operation, Options, Tower, TowerDescription, Workspace,
+    solve_with,
+};
 
 use super::error::DesignError;
 use super::limits::Limit;
@@ -19,6 +22,8 @@ pub struct Design {
     pub tower: TowerDescription,
     /// The value of each variable before: of a list of different numbers their mean.
     pub before: Vec<f64>,
+    /// Whether that is the mean of different numbers.
+    pub before_is_mean: Vec<bool>,
     /// The value of each variable, in steps or with seven significant digits.
     pub values: Vec<f64>,
     /// Mass of the original tower and of this one, kg.
@@ -74,6 +79,8 @@ pub struct Infeasible {
     pub in_the_way: Vec<String>,
     /// The values of the variables of the nearest tower.
     pub values: Vec<f64>,
+    /// Modes of equal frequency by symmetry whose bands exclude each other.
+    pub equal: Vec<[ModeName; 2]>,
 }
 
 /// A limit that no tower meets together with the others.
@@ -115,10 +122,16 @@ impl fmt::Display for Infeasible {
             text.push(format!("{wanted} (nearest: {nearest})"));
         }
         write!(f, "no tower meets {}", text.join(" and "))?;
-        match self.in_the_way.is_empty() {
-            true => Ok(()),
-            false => write!(f, "; what prevents it: {}", self.in_the_way.join(", ")),
+        if !self.in_the_way.is_empty() {
+            write!(f, "; what prevents it: {}", self.in_the_way.join(", "))?;
         }
+        for [first, second] in &self.equal {
+            write!(
+                f,
+                "; {first} and {second} have the same frequency, because the tower is equal in both directions, so that their bands must overlap"
+            )?;
+        }
+        Ok(())
     }
 }
 
@@ -170,6 +183,7 @@ pub fn design(
     workspace: &mut Workspace,
 ) -> Result<Design, DesignError> {
     problem.check()?;
+    problem.check_widths(base)?;
     let before: Vec<f64> = problem
         .variables
         .iter()
@@ -196,9 +210,11 @@ pub fn design(
     let solves = scale.solves;
     let tower = tower_with(problem, base, &values);
     let (reached, masses, certificate) = checked(base, &tower, problem, options, workspace)?;
+    let variables = problem.variables.iter();
     Ok(Design {
         tower,
         before,
+        before_is_mean: variables.map(|of| of.has_different(base)).collect(),
         values,
         mass_kg: masses,
         reached,
@@ -343,10 +359,33 @@ fn infeasible(scale: &mut Scale<'_>, nearest: &Minimum) -> DesignError {
         .map(|(limit, _)| problem.words(limit))
         .collect();
     DesignError::Infeasible(Box::new(Infeasible {
+        equal: excluded_by_symmetry(&problem.goals, &at.point.frequencies_hz),
         in_the_way,
         values,
         violated: violated.into_iter().map(|(_, conflict)| conflict).collect(),
     }))
+}
+
+/// The pairs of fore-aft and side-side modes of one order that have the same frequency, although
+/// their bands exclude each other.
+fn excluded_by_symmetry(goals: &[Goal], frequencies_hz: &[f64]) -> Vec<[ModeName; 2]> {
+    /// Equal up to rounding.
+    const EQUAL: f64 = 1e-9;
+    let of = |family| {
+        let all = goals.iter().zip(frequencies_hz);
+        all.filter(move |(goal, _)| goal.mode.family == family)
+    };
+    let mut pairs = Vec::new();
+    for (first, hz) in of(Family::ForeAft) {
+        for (second, other_hz) in of(Family::SideSide) {
+            let is_pair =
+                first.mode.order == second.mode.order && (hz - other_hz).abs() <= EQUAL * hz.abs();
+            if is_pair && (first.max_hz < second.min_hz || second.max_hz < first.min_hz) {
+                pairs.push([first.mode, second.mode]);
+            }
+        }
+    }
+    pairs
 }
 
 /// The values as they are written: steps, bounds, and other values with seven digits.

@@ -1,5 +1,5 @@
-//! The design in scaled numbers: variables from 0 to 1, mass relative to that of the start, limits
-//! as functions that must not be positive.
+//! The design in scaled numbers: variables in their units above the lower bound, mass relative to
+//! that of the start, limits as functions that must not be positive.
 
 use towermodes::{Options, TowerDescription, Workspace};
 
@@ -39,6 +39,10 @@ pub(super) struct Scale<'d> {
     pub(super) limits: Vec<Limit>,
     /// The variables that are chosen; the others keep their values.
     pub(super) free: Vec<usize>,
+    /// The unit of each variable.
+    pub(super) units: Vec<f64>,
+    /// The upper bound of each scaled variable, 1 unless the bounds are wide.
+    pub(super) highest: Vec<f64>,
     /// Mass of the start, kg.
     pub(super) mass_kg: f64,
     /// How many towers were solved.
@@ -66,7 +70,12 @@ impl<'d> Scale<'d> {
             }
         }
         limits.extend(rows.iter().map(|row| row.limit));
+        let variables = problem.variables.iter();
+        let units: Vec<f64> = variables.map(|of| of.unit(base)).collect();
+        let ranges = problem.variables.iter().zip(&units);
         Self {
+            highest: ranges.map(|(of, unit)| (of.high - of.low) / unit).collect(),
+            units,
             free: (0..problem.variables.len()).collect(),
             modes: options.modes.min(2 + 2 * problem.goals.len()),
             mass_kg: 1.0,
@@ -83,22 +92,20 @@ impl<'d> Scale<'d> {
 
     /// The values of the variables of scaled ones.
     pub(super) fn values(&self, scaled: &[f64]) -> Vec<f64> {
-        let pairs = self.problem.variables.iter().zip(scaled);
-        pairs
-            .map(|(of, z)| match *z {
-                // The ends exactly.
-                0.0 => of.low,
-                1.0 => of.high,
-                z => of.low + z * (of.high - of.low),
-            })
-            .collect()
+        let all = self.problem.variables.iter().zip(scaled).enumerate();
+        all.map(|(i, (of, z))| match *z {
+            // The ends exactly.
+            0.0 => of.low,
+            z if z == self.highest[i] => of.high,
+            z => of.low + z * self.units[i],
+        })
+        .collect()
     }
 
     /// The scaled variables of values.
     pub(super) fn scaled(&self, values: &[f64]) -> Vec<f64> {
-        let pairs = self.problem.variables.iter().zip(values);
-        pairs
-            .map(|(of, value)| ((value - of.low) / (of.high - of.low)).clamp(0.0, 1.0))
+        let all = self.problem.variables.iter().zip(values).enumerate();
+        all.map(|(i, (of, value))| ((value - of.low) / self.units[i]).clamp(0.0, self.highest[i]))
             .collect()
     }
 
@@ -146,7 +153,7 @@ impl<'d> Scale<'d> {
                     Side::Lowest => of.low,
                     Side::Highest => of.high,
                 };
-                (bound, 1.0 / (of.high - of.low))
+                (bound, 1.0 / self.units[variable])
             }
             Limit::Frequency { .. } => {
                 let hz = self.of_goal(limit).map_or(1.0, |(_, _, hz)| hz);
@@ -195,10 +202,7 @@ impl<'d> Scale<'d> {
                 limits: Vec::new(),
             };
         };
-        let range = |index: usize| {
-            let of = &self.problem.variables[self.free[index]];
-            of.high - of.low
-        };
+        let range = |index: usize| self.units[self.free[index]];
         let scaled = |row: &[f64], by: f64| -> Vec<f64> {
             let entries = row.iter().enumerate();
             entries.map(|(index, d)| d * range(index) * by).collect()

@@ -78,7 +78,7 @@ fn with_multipliers(
         &of_others,
         &scale.limits,
         others,
-        scaled,
+        [scaled, &scale.highest],
         (Least::Mass, 0.0),
     );
     scale.set_free(stepped.variables.clone());
@@ -110,7 +110,7 @@ fn can_be_met(
     let values = at.limits.clone();
     let least = |row: &[f64]| -> f64 {
         let ends = row.iter().zip(others);
-        ends.map(|(slope, &i)| (slope * -scaled[i]).min(slope * (1.0 - scaled[i])))
+        ends.map(|(slope, &i)| (slope * -scaled[i]).min(slope * (scale.highest[i] - scaled[i])))
             .sum()
     };
     let mut limits = scale.limits.iter().zip(values).zip(rows);

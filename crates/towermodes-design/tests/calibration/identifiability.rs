@@ -52,13 +52,64 @@ fn unknowns_without_effect_are_refused_with_their_names() {
     };
     let error = fitted(&problem).expect_err("refused");
     assert!(
-        matches!(error, CalibrationError::Undetermined { .. }),
+        matches!(error, CalibrationError::NoEffect { .. }),
         "{error}"
     );
     let text = error.to_string();
     assert!(
-        text.contains("do not determine `foundation.torsion`; give it a prior"),
+        text.starts_with("`foundation.torsion` does not move any measured frequency (at "),
         "{text}"
+    );
+    assert!(text.contains("; give it a prior, do not fit it"), "{text}");
+}
+
+#[test]
+fn an_unknown_without_effect_is_not_said_to_be_at_a_bound_or_to_be_hardly_determined() {
+    let base = tower();
+    let torsion = Unknown {
+        bounds: Some([5e10, 2e11]),
+        ..with_prior(&base, "foundation.torsion", 1e11, 1e10)
+    };
+    let problem = Problem {
+        measured: vec![
+            measured("fore-aft 1", 0.26, 0.001),
+            measured("fore-aft 2", 1.95, 0.01),
+        ],
+        unknowns: vec![unknown(&base, "foundation.rocking"), torsion],
+        base,
+    };
+    let said = remarks(&fitted(&problem).expect("a fit"));
+    let of_torsion = said.iter().filter(|one| one.contains("foundation.torsion"));
+    let of_torsion: Vec<&String> = of_torsion.collect();
+    assert_eq!(
+        of_torsion,
+        [
+            "foundation.torsion does not move any measured frequency: its value and deviation are those of its prior"
+        ]
+    );
+}
+
+/// One frequency, two stiffnesses of which one has a prior: the prior of that one decides both.
+#[test]
+fn a_number_without_a_prior_is_not_said_to_have_one() {
+    let base = tower();
+    let hz = frequencies(&base, &["fore-aft 1"])[0];
+    let problem = Problem {
+        measured: vec![measured("fore-aft 1", hz, 1e-4)],
+        unknowns: vec![
+            unknown(&base, "scale(stations[*].wall)"),
+            with_prior(&base, "rna.mass", 350e3, 35e3),
+        ],
+        base,
+    };
+    let said = remarks(&fitted(&problem).expect("a fit")).join("\n");
+    assert!(
+        said.contains("scale(stations[*].wall) has no prior, but 100 % of its variance comes from the priors of other numbers, most of it from that of rna.mass"),
+        "{said}"
+    );
+    assert!(
+        said.contains("rna.mass is known mostly from its prior: 100 % of its variance"),
+        "{said}"
     );
 }
 
@@ -70,10 +121,13 @@ fn a_bound_that_is_reached_is_said() {
             measured("fore-aft 1", 0.2, 0.001),
             measured("fore-aft 2", 1.6, 0.1),
         ],
-        unknowns: vec![Unknown {
-            bounds: Some([5e10, 2e11]),
-            ..unknown(&base, "foundation.rocking")
-        }],
+        unknowns: vec![
+            Unknown {
+                bounds: Some([5e10, 2e11]),
+                ..unknown(&base, "foundation.rocking")
+            },
+            with_prior(&base, "rna.mass", 350e3, 1e2),
+        ],
         base,
     };
     let result = fitted(&problem).expect("a fit");
@@ -86,7 +140,14 @@ fn a_bound_that_is_reached_is_said() {
         said.contains("foundation.rocking is at its lower bound 5e10"),
         "{said}"
     );
-    assert!(said.contains("fore-aft 1 is not explained"), "{said}");
+    assert!(
+        said.contains("fore-aft 1 is not explained: 0.2 Hz was measured, 0.2"),
+        "{said}"
+    );
+    assert!(
+        said.contains("and the lower bound 5e10 of foundation.rocking is in the way"),
+        "{said}"
+    );
     assert!(
         said.contains("the residuals are larger than the standard deviations allow"),
         "{said}"

@@ -1,8 +1,8 @@
 //! Every problem that cannot be solved is refused with its numbers and a remedy.
 
-use super::{Problem, fitted, measured, remarks, tower, unknown, with_prior};
-use towermodes::{Foundation, TowerDescription};
-use towermodes_design::calibration::{Measured, MeasuredShape, Unknown};
+use super::{Problem, fitted, frequencies, measured, tower, unknown, with_prior};
+use towermodes::{Change, Foundation, TowerDescription};
+use towermodes_design::calibration::{CalibrationError, Measured, MeasuredShape, Unknown};
 
 #[track_caller]
 fn refused(base: TowerDescription, unknowns: Vec<Unknown>, measured: Vec<Measured>, words: &str) {
@@ -32,7 +32,7 @@ fn too_few_measurements_are_refused_with_the_remedy() {
         base.clone(),
         both(&base),
         vec![first()],
-        "2 unknowns cannot be found from 1 measurement and 0 priors; measure more modes, fit fewer unknowns, or give",
+        "2 unknowns cannot be found from 1 measurement and 0 priors; measure more modes, fit fewer unknowns, or give an unknown a prior, such as `foundation.lateral`",
     );
     let priors = vec![with_prior(&base, "foundation.rocking", 1e11, 1e10)];
     refused(base.clone(), priors, vec![], "from 0 measurements");
@@ -206,12 +206,94 @@ fn a_frequency_that_cannot_be_reached_is_refused_with_the_nearest() {
         bounds: Some([1e10, 1e12]),
         ..unknown(&base, "foundation.rocking")
     };
+    let far = vec![measured("fore-aft 1", 5.0, 0.001)];
     let problem = Problem {
         unknowns: vec![bounded],
-        measured: vec![measured("fore-aft 1", 5.0, 0.001)],
+        measured: far,
         base,
     };
-    let said = remarks(&fitted(&problem).expect("the upper bound")).join("\n");
-    assert!(said.contains("fore-aft 1 is not explained"), "{said}");
-    assert!(said.contains("is at its upper bound 1e12"), "{said}");
+    let error = fitted(&problem).expect_err("refused");
+    let highest = frequencies(
+        &with_value(&problem.base, "foundation.rocking", 1e12),
+        &["fore-aft 1"],
+    )[0];
+    let CalibrationError::OutsideBounds { nearest_hz, .. } = error else {
+        panic!("{error}");
+    };
+    assert!((nearest_hz / highest - 1.0).abs() < 1e-9, "{nearest_hz}");
+    assert_eq!(error.measurement(), Some(0));
+    let said = error.to_string();
+    assert!(
+        said.contains("give fore-aft 1 the measured frequency of 5 Hz; the nearest is 0.2"),
+        "{said}"
+    );
+    assert!(
+        said.contains("with the upper bound 1e12 of foundation.rocking in the way"),
+        "{said}"
+    );
+}
+
+fn with_value(base: &TowerDescription, name: &str, value: f64) -> TowerDescription {
+    let mut tower = base.clone();
+    let change = Change::parse(name, base).expect("a change");
+    change.apply(&mut tower, value);
+    tower
+}
+
+/// A stiffness, a mass and a factor are positive, a height is not.
+#[test]
+fn priors_that_a_positive_number_cannot_have_are_refused() {
+    let base = tower();
+    let prior = |name: &str, mean, deviation| vec![with_prior(&base, name, mean, deviation)];
+    for (name, mean, words) in [
+        (
+            "foundation.rocking",
+            -1e6,
+            "the prior mean of `foundation.rocking` is -1000000, but the number cannot be negative",
+        ),
+        ("foundation.rocking", 0.0, "but the number cannot be 0"),
+        ("scale(stations[*].wall)", -1.0, "cannot be negative"),
+    ] {
+        refused(base.clone(), prior(name, mean, 0.1), vec![first()], words);
+    }
+    let height = prior("rna.center[0]", -0.41, 0.1);
+    let problem = Problem {
+        base: base.clone(),
+        unknowns: [height, vec![unknown(&base, "foundation.rocking")]].concat(),
+        measured: vec![first()],
+    };
+    assert!(fitted(&problem).is_ok());
+    let bounded = vec![Unknown {
+        bounds: Some([-2.0, -1.0]),
+        ..unknown(&base, "scale(stations[*].wall)")
+    }];
+    refused(
+        base.clone(),
+        bounded,
+        vec![first()],
+        "the upper bound of `scale(stations[*].wall)` is -1",
+    );
+    for deviation in [1.0, 1e20] {
+        refused(
+            base.clone(),
+            prior("foundation.rocking", 1e11, deviation),
+            vec![first()],
+            "it must be between 1e-9 and 1e6 times the mean",
+        );
+    }
+}
+
+#[test]
+fn standard_deviations_that_no_measurement_has_are_refused() {
+    let base = tower();
+    for deviation in [1e-300, 1e-11, 1e7] {
+        let rocking = vec![unknown(&base, "foundation.rocking")];
+        let of = vec![measured("fore-aft 1", 0.26, deviation)];
+        refused(
+            base.clone(),
+            rocking,
+            of,
+            "it must be between 1e-9 and 1e6 times the frequency",
+        );
+    }
 }

@@ -46,6 +46,8 @@ pub struct DesignedVariable {
     pub unit: &'static str,
     /// Its value on the original tower.
     pub before: f64,
+    /// Whether that is the mean of numbers that differ.
+    pub before_is_mean: bool,
     /// Its value on the tower found.
     pub after: f64,
     /// Its lowest value.

@@ -34,7 +34,7 @@ pub enum CorrelationError {
     )]
     Grid,
     /// A coefficient outside its range.
-    #[error("the correlation coefficient is {}; it must be from -1 to 1", Plain(*.coefficient))]
+    #[error("the correlation coefficient is {}; it must be from -1 to 1", given(*.coefficient))]
     Coefficient {
         /// The coefficient.
         coefficient: f64,
@@ -72,7 +72,7 @@ pub enum CorrelationError {
     /// A coefficient that values with these distributions cannot have.
     #[error(
         "`{}` and `{}` cannot have the correlation {}: with their distributions it can be {}",
-        between[0], between[1], Plain(*.coefficient), Limits(*.limits)
+        between[0], between[1], given(*.coefficient), Limits(*.limits)
     )]
     Unreachable {
         /// The names.
@@ -95,12 +95,20 @@ pub enum CorrelationError {
     },
 }
 
+/// A coefficient with all its digits: 1.0000001 is not 1.
+fn given(coefficient: f64) -> String {
+    match coefficient.abs() {
+        1e-4..1e6 => format!("{coefficient}"),
+        _ => Plain(coefficient).to_string(),
+    }
+}
+
 fn contradiction([a, b]: &[String; 2], coefficient: Option<f64>, limits: [f64; 2]) -> String {
     let limits = Limits(limits);
     match coefficient {
         Some(coefficient) => format!(
             "`{a}` and `{b}` cannot have {} beside the other coefficients, which allow {limits}; a pair that is not listed has 0",
-            Plain(coefficient)
+            given(coefficient)
         ),
         None => format!(
             "`{a}` and `{b}` have no coefficient and are taken as independent, but the other coefficients allow {limits}; add one, or reduce the others"
@@ -181,6 +189,16 @@ impl Sampling {
 #[cfg(test)]
 mod tests {
     use super::Limits;
+
+    #[test]
+    fn a_coefficient_that_is_hardly_wrong_has_all_its_digits() {
+        let coefficient = 1.000_000_1;
+        let said = super::CorrelationError::Coefficient { coefficient }.to_string();
+        assert_eq!(
+            said,
+            "the correlation coefficient is 1.0000001; it must be from -1 to 1"
+        );
+    }
 
     #[test]
     fn limits_are_rounded_inwards() {

@@ -5,6 +5,7 @@ mod compute;
 mod normal;
 
 use thiserror::Error;
+use towermodes::number::digits;
 use towermodes::{ModeName, NoDerivative, SensitivityError};
 use towermodes_files::SamplingError;
 
@@ -63,6 +64,43 @@ pub struct Scatter {
     /// For each multiple of the rotor speed of the check, the probability that the required
     /// distance is violated, with a normal distribution of the frequency.
     pub violated: Vec<f64>,
+}
+
+/// A shift of the mean by curvature above this share of the standard deviation is too large for
+/// the first order: with one normal input the standard deviation is then 4 % too small.
+const LARGEST_SHIFT: f64 = 0.2;
+
+impl FirstOrder {
+    /// For each mode whose mean the curvature moves by more than a fifth of its standard deviation,
+    /// a sentence that the first order is not to be trusted.
+    pub fn doubts(&self) -> Vec<String> {
+        let doubt = |mode: &ModeScatter| {
+            let scatter = mode.scatter.as_ref().ok()?;
+            let (shift_hz, deviation_hz) = (scatter.mean_shift_hz?, scatter.deviation_hz);
+            if shift_hz.abs() <= LARGEST_SHIFT * deviation_hz {
+                return None;
+            }
+            let compared = match deviation_hz > 0.0 {
+                true => format!(
+                    ", {} of its standard deviation of {} Hz",
+                    percent(shift_hz.abs() / deviation_hz),
+                    digits(deviation_hz, 3)
+                ),
+                false => ", while its standard deviation to first order is 0".to_owned(),
+            };
+            let shift = digits(shift_hz, 3);
+            Some(format!(
+                "{}: the curvature moves the mean by {shift} Hz{compared}: the first order is not to be trusted; solve rows",
+                mode.name
+            ))
+        };
+        self.modes.iter().filter_map(doubt).collect()
+    }
+}
+
+/// "34 %".
+fn percent(share: f64) -> String {
+    format!("{} %", digits(100.0 * share, 2))
 }
 
 /// Why a frequency has no scatter to first order.

@@ -15,9 +15,9 @@ impl DesignStudy {
     pub fn choices(&self, tower: &TowerDescription) -> Result<DesignChoices, ReadError> {
         let mut choices = DesignChoices::default();
         let mut mistakes = Vec::new();
-        for variable in &self.variables {
+        for (entry, variable) in self.variables.iter().enumerate() {
             match groups(variable, tower) {
-                Ok(groups) => add(variable, &groups, tower, &mut choices),
+                Ok(groups) => add((entry, variable), &groups, tower, &mut choices),
                 Err(kind) => mistakes.push(Diagnostic::new(variable.name.span.clone(), kind)),
             }
         }
@@ -112,7 +112,7 @@ fn height_m(number: Parameter, tower: &TowerDescription) -> Option<f64> {
 }
 
 fn add(
-    variable: &DesignVariable,
+    (entry, variable): (usize, &DesignVariable),
     groups: &[Vec<Parameter>],
     tower: &TowerDescription,
     choices: &mut DesignChoices,
@@ -130,6 +130,7 @@ fn add(
         if let Ok(change) = Change::parse(&name, tower) {
             choices.variables.push(DesignChoice {
                 change,
+                entry,
                 between: variable.between,
                 step: variable.step,
             });

@@ -53,13 +53,7 @@ fn variable(
     }
     let table = Table::of(value, &what, &VARIABLE, reading)?;
     let between = table.require("between", HINT, reading);
-    let between = between.and_then(|value| {
-        let [low, high] = range(value, "between", HINT, reading)?;
-        if is_positive(name) {
-            positive(value, "the lower limit", low, reading)?;
-        }
-        Some([low, high])
-    });
+    let between = between.and_then(|value| range(value, "between", HINT, reading));
     let step = table.get("step").map(|value| {
         let step = number(value, "step", reading)?;
         positive(value, "step", step, reading)
@@ -95,14 +89,6 @@ fn variable(
         each: each?,
         is_falling: is_falling?,
     })
-}
-
-/// Whether the values of a change are possible only if they are positive: factors, diameters and
-/// walls.
-fn is_positive(name: &str) -> bool {
-    let inner = name.trim_end_matches(')');
-    let is_size = inner.ends_with(".wall") || inner.ends_with(".diameter");
-    name.starts_with("scale(") || is_size && !name.starts_with("add(")
 }
 
 /// A choice by name.
