@@ -24,6 +24,7 @@ mod real_towers;
 mod refusal;
 mod rotational_springs;
 mod sensitivities;
+mod soil_layers;
 mod tables;
 mod towers;
 mod watch;

@@ -6,12 +6,13 @@
 //! to read or change a value afterwards costs nanoseconds.
 //!
 //! `part` defines how parts and their numbers are written down; `structure`, `bodies`,
-//! `foundation` and `surroundings` list them; `name` reads names.
+//! `foundation`, `ground` and `surroundings` list them; `name` reads names.
 
 mod bodies;
 mod change;
 mod error;
 mod foundation;
+mod ground;
 mod name;
 mod part;
 mod structure;
@@ -27,7 +28,7 @@ use name::Name;
 use part::{Key, Part};
 
 /// The parts of a tower in the order of the tower file.
-static PARTS: [&Part; 23] = [
+static PARTS: [&Part; 26] = [
     &structure::MATERIAL,
     &structure::MATERIALS,
     &structure::TOWER,
@@ -47,6 +48,9 @@ static PARTS: [&Part; 23] = [
     &foundation::FLOATING_HYDROSTATIC,
     &foundation::FLOATING_MOORING,
     &surroundings::SOIL,
+    &ground::GROUND,
+    &ground::LAYERS,
+    &ground::ROWS,
     &surroundings::ADDED_MASS,
     &surroundings::WATER,
     &surroundings::WIRES,
@@ -156,7 +160,8 @@ impl Parameter {
     pub fn is_height(self) -> bool {
         let name = self.key().name;
         let is_of_water = self.part().name == "water" && matches!(name, "level" | "bed");
-        is_of_water || name == "height"
+        let is_of_ground = self.is_of_ground() && matches!(name, "surface" | "top" | "bottom");
+        is_of_water || is_of_ground || name == "height"
     }
 
     /// Whether it is the acceleration of gravity.
@@ -164,17 +169,26 @@ impl Parameter {
         self.part().name == "gravity"
     }
 
+    /// Whether it is a number of the ground, on which springs depend in many ways.
+    pub(crate) fn is_of_ground(self) -> bool {
+        self.part().name.starts_with("ground")
+    }
+
     /// Whether it is a number of a row of the property table.
     pub(crate) fn is_of_rows(self) -> bool {
         self.part().name == "properties[]"
     }
 
-    /// Whether both are heights of the rows of one list.
+    /// Whether both are heights of the rows of one list, or of layers of the ground, of which one
+    /// begins where the other ends.
     pub(crate) fn is_height_like(self, other: Self) -> bool {
         let is_list = self.part().name != "point_mass[]" && self.part().name != "wires[]";
         let is_same = (self.part, self.key) == (other.part, other.key);
         let is_of_one_list =
             !self.part().name.contains("[].") || self.indices[0] == other.indices[0];
+        if self.is_of_ground() && other.is_of_ground() {
+            return self.is_height() && other.is_height();
+        }
         is_same && is_list && is_of_one_list && self.is_height()
     }
 

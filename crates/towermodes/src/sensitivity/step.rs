@@ -93,6 +93,7 @@ pub(super) fn is_quadratic(change: &Change) -> bool {
         let is_of_profile = name.ends_with(".diameter") || name.ends_with(".wall");
         // Between the rows of a table inertias are masses times squared radii of gyration.
         let is_of_rows = parameter.is_of_rows();
-        is_of_profile || !(is_of_rows || CURVED.contains(&parameter.unit()))
+        let is_excluded = is_of_rows || parameter.is_of_ground();
+        is_of_profile || !(is_excluded || CURVED.contains(&parameter.unit()))
     })
 }

@@ -19,7 +19,7 @@ const GAUSS_3: [(f64, f64); 3] = [
 ];
 
 /// Gauss-Legendre nodes and weights on [−1, 1] with five points: exact to degree 9.
-const GAUSS_5: [(f64, f64); 5] = [
+pub(super) const GAUSS_5: [(f64, f64); 5] = [
     (-0.906_179_845_938_664, 0.236_926_885_056_189_08),
     (-0.538_469_310_105_683_1, 0.478_628_670_499_366_47),
     (0.0, 0.568_888_888_888_888_9),

@@ -4,12 +4,13 @@ use super::attachment::Attachment;
 use super::base::Base;
 use super::description::TowerDescription;
 use super::error::TowerError;
+use super::ground::{Plan, with_rows};
 use super::immersion::in_environment;
 use super::independent::{self, Motion, Motions};
 use super::model::Tower;
 use super::name::printable;
 use super::piece::{self, Piece, Rows};
-use super::plausibility::{self, rotor_plausibility};
+use super::plausibility::{self, Given, rotor_plausibility};
 use super::rotor::Rotor;
 use super::weight::Above;
 use super::{rigid_body_modes, validate};
@@ -23,21 +24,30 @@ impl Tower {
     /// [`TowerError`] with the place and the numbers of the first thing that no tower can have.
     pub fn new(description: TowerDescription) -> Result<Self, TowerError> {
         validate::validate(&description)?;
-        let pieces = pieces_of(&description, Rows::Fewest);
+        if description.ground.is_some() {
+            return Self::in_ground(&description);
+        }
         let mut description = description;
-        let mut tower = Self::made_of(&mut description, pieces);
+        let mut tower = Self::supported(&mut description)?;
+        tower.warnings = plausibility::plausibility(&tower, &Given::of(&description));
+        Ok(tower)
+    }
+
+    /// The tower of a description that was checked, in soil by layers.
+    fn in_ground(description: &TowerDescription) -> Result<Self, TowerError> {
+        let mut rows = with_rows(description.clone(), &Plan::of(description));
+        validate::check_springs_of_ground(&rows, description.soil.len())?;
+        let mut tower = Self::supported(&mut rows)?;
+        tower.warnings = plausibility::plausibility(&tower, &Given::of(description));
+        Ok(tower)
+    }
+
+    /// The tower of a description that was checked, if something holds it.
+    fn supported(description: &mut TowerDescription) -> Result<Self, TowerError> {
+        let pieces = pieces_of(description, Rows::Fewest);
+        let mut tower = Self::made_of(description, pieces);
         rigid_body_modes::check(&tower)?;
         tower.base.units = tower.base_units();
-        let given = plausibility::Given {
-            materials: &description.materials,
-            foundation: &description.foundation,
-            soil: &description.soil,
-            added_mass: &description.added_mass,
-            water: description.water.as_ref(),
-            wires: &description.wires,
-            rna_is_point: description.rna_is_point,
-        };
-        tower.warnings = plausibility::plausibility(&tower, &given);
         Ok(tower)
     }
 

@@ -4,6 +4,7 @@ use super::attachment::Attachment;
 use super::description::TowerDescription;
 use super::error::TowerError;
 use super::fronts::{Fronts, Sliver};
+use super::ground::{Plan, with_rows};
 use super::immersion::cut_in_environment;
 use super::independent::Motions;
 use super::make::{attachments_of, pieces_of};
@@ -23,6 +24,8 @@ pub(crate) struct Neighbours {
     tower: Tower,
     /// Where each attachment of the description is in the tower's list.
     places: Vec<usize>,
+    /// Where the springs of the ground are cut into rows.
+    plan: Plan,
     /// The cuts of the tower by soil and water.
     fronts: Fronts,
 }
@@ -46,14 +49,17 @@ impl Neighbours {
     /// [`TowerError`], as [`Tower::new`].
     pub(crate) fn of(description: &TowerDescription) -> Result<Self, TowerError> {
         let checked = Tower::new(description.clone())?;
-        let pieces = pieces_of(description, Rows::Each);
-        let mut tower = Tower::made_of(&mut description.clone(), pieces);
+        let plan = Plan::of(description);
+        let rows = with_rows(description.clone(), &plan);
+        let pieces = pieces_of(&rows, Rows::Each);
+        let mut tower = Tower::made_of(&mut rows.clone(), pieces);
         tower.base.units = checked.base.units;
         tower.planes_are_equal = false;
         tower.planes_are_apart = true;
         Ok(Self {
-            places: places(&attachments_of(description, tower.top_m())),
-            fronts: Fronts::of(description, &tower),
+            places: places(&attachments_of(&rows, tower.top_m())),
+            fronts: Fronts::of(&rows, &tower),
+            plan,
             description: description.clone(),
             tower,
         })
@@ -72,6 +78,14 @@ impl Neighbours {
     /// The tower of a description near that of the first; none if its structure is another one.
     /// It is not checked.
     pub(crate) fn near(&self, description: &TowerDescription) -> Option<Neighbour> {
+        let in_rows;
+        let description = match description.ground {
+            Some(_) => {
+                in_rows = with_rows(description.clone(), &self.plan);
+                &in_rows
+            }
+            None => description,
+        };
         let pieces = pieces_of(description, Rows::Each);
         if pieces.is_empty() {
             return None;

@@ -65,7 +65,7 @@ impl SoilStiffness {
         ]
     }
 
-    fn from_values(
+    pub(super) fn from_values(
         [
             x_n_per_m2,
             y_n_per_m2,

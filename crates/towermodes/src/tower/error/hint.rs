@@ -70,6 +70,32 @@ impl Problem {
                 "give the added mass per length in [[added_mass]], or describe the tower by stations"
             }
             Self::BedAboveWater { .. } => "omit bed if the seabed is at the lowest station",
+            Self::SurfaceAboveTower { .. }
+            | Self::PileAboveSoil { .. }
+            | Self::FirstLayerOffSurface { .. } => {
+                "all heights use the datum of the stations; the stations reach down to the tip of the pile"
+            }
+            Self::PileWithoutDiameter => {
+                "give pile_diameter in [ground], or describe the tower by stations"
+            }
+            Self::PileWithTwoDiameters => "remove pile_diameter",
+            Self::NoLayers => "give at least one [[ground.layer]] with top and bottom",
+            Self::LayersApart { .. } => {
+                "list the layers from the surface down; each begins where the one above ends"
+            }
+            Self::LayerUpsideDown { .. } => {
+                "top and bottom are heights, not depths: the bottom has the smaller value"
+            }
+            Self::LayersAboveTip { .. } => "give the soil down to the tip of the pile",
+            Self::SoilValueMissing { .. } => "give the value, or choose another model",
+            Self::ModelOfOtherSoil { .. } => {
+                "sand: api, dnv, kallehave, sorensen, pisa-dunkirk, winkler, vesic; clay: api, dnv, reese-stiff-clay, pisa-cowden, pisa-bothkennar, winkler, vesic; \
+                 elastic: winkler, vesic; rock: weak-rock"
+            }
+            Self::TableRowsRise { .. } => "list the rows from the top of the layer down",
+            Self::TableShorterThanLayer { .. } => {
+                "give rows at the top and at the bottom of the layer, or beyond"
+            }
             Self::TooFewWires { .. } => "count is the number of equally spaced guy wires",
             Self::WireAngle { .. } => "for a wire at 45 degrees write angle_deg = 45",
             Self::StationsAndProperties => "remove one of the two",

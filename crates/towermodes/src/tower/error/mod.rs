@@ -313,6 +313,126 @@ pub enum Problem {
         /// Height of the top, m.
         top_m: f64,
     },
+    /// A surface of the ground above the tower.
+    #[error(
+        "the surface of the ground at {} m is above the tower top at {} m",
+        Apart(*.surface_m, *.top_m), Apart(*.top_m, *.surface_m)
+    )]
+    SurfaceAboveTower {
+        /// Height of the surface, m.
+        surface_m: f64,
+        /// Height of the top, m.
+        top_m: f64,
+    },
+    /// A tower whose lowest station is not in the ground.
+    #[error(
+        "the tower does not reach into the soil: its lowest station is at {} m, the surface of the ground at {} m with scour of {} m",
+        Plain(*.tip_m), Plain(*.surface_m), Plain(*.scour_m)
+    )]
+    PileAboveSoil {
+        /// Height of the surface before scour, m.
+        surface_m: f64,
+        /// Depth of general and local scour together, m.
+        scour_m: f64,
+        /// Height of the lowest station, m.
+        tip_m: f64,
+    },
+    /// A pile in the ground that is given by a table of properties without diameter.
+    #[error("the ground needs the diameter of the pile; a table of properties has none")]
+    PileWithoutDiameter,
+    /// A diameter beside those of the stations.
+    #[error("the diameter of the pile is given twice: the stations have diameters")]
+    PileWithTwoDiameters,
+    /// Ground without layers.
+    #[error("the ground has no layers")]
+    NoLayers,
+    /// A first layer that does not begin at the surface.
+    #[error(
+        "the first layer begins at {} m, but the surface of the ground is at {} m",
+        Apart(*.top_m, *.surface_m), Apart(*.surface_m, *.top_m)
+    )]
+    FirstLayerOffSurface {
+        /// Height of the layer's top, m.
+        top_m: f64,
+        /// Height of the surface, m.
+        surface_m: f64,
+    },
+    /// Layers with a gap between them or that overlap.
+    #[error(
+        "the layer begins at {} m, but the layer above ends at {} m: {}",
+        Apart(*.top_m, *.above_m), Apart(*.above_m, *.top_m),
+        if .top_m < .above_m { "there is a gap between them" } else { "they overlap" }
+    )]
+    LayersApart {
+        /// Height of the layer's top, m.
+        top_m: f64,
+        /// Height of the bottom of the layer above, m.
+        above_m: f64,
+    },
+    /// A layer that ends above its top.
+    #[error(
+        "the bottom of the layer at {} m is not below its top at {} m",
+        Plain(*.bottom_m), Plain(*.top_m)
+    )]
+    LayerUpsideDown {
+        /// Height of its top, m.
+        top_m: f64,
+        /// Height of its bottom, m.
+        bottom_m: f64,
+    },
+    /// Layers that do not reach down to the tip of the pile.
+    #[error(
+        "the lowest layer ends at {} m, above the tip of the pile at {} m",
+        Apart(*.bottom_m, *.tip_m), Apart(*.tip_m, *.bottom_m)
+    )]
+    LayersAboveTip {
+        /// Height of the bottom of the lowest layer, m.
+        bottom_m: f64,
+        /// Height of the lowest station, m.
+        tip_m: f64,
+    },
+    /// A model of soil without a number that it needs.
+    #[error("{user} needs {value}")]
+    SoilValueMissing {
+        /// What is missing.
+        value: &'static str,
+        /// What needs it.
+        user: &'static str,
+    },
+    /// A model of soil that has no formula for the kind of soil.
+    #[error("the model {model} has no formula for {soil}")]
+    ModelOfOtherSoil {
+        /// The model.
+        model: &'static str,
+        /// The kind of soil.
+        soil: &'static str,
+    },
+    /// Rows of a table of p-y curves that do not go down.
+    #[error(
+        "height {} m is not below the previous row at {} m",
+        Plain(*.height_m), Plain(*.previous_m)
+    )]
+    TableRowsRise {
+        /// This row's height, m.
+        height_m: f64,
+        /// The height of the row before, m.
+        previous_m: f64,
+    },
+    /// A table of p-y curves that does not cover its layer.
+    #[error(
+        "the rows reach from {} m down to {} m, but the layer from {} m to {} m",
+        Plain(*.first_m), Plain(*.last_m), Plain(*.top_m), Plain(*.bottom_m)
+    )]
+    TableShorterThanLayer {
+        /// Height of the first row, m.
+        first_m: f64,
+        /// Height of the last row, m.
+        last_m: f64,
+        /// Height of the layer's top, m.
+        top_m: f64,
+        /// Height of the layer's bottom, m.
+        bottom_m: f64,
+    },
     /// Fewer than three wires.
     #[error("at least three equally spaced guy wires are needed, but the set has {count}")]
     TooFewWires {

@@ -6,8 +6,8 @@ use super::layer::GroundLayer;
 ///
 /// The pile is a part of the tower: its stations reach down to its tip, the lowest station. The
 /// springs along it follow from the layers, each by its model; they add to the rows of
-/// [`TowerDescription::soil`](crate::TowerDescription::soil). At the tip act base springs, where the
-/// models have such, which add to the stiffness of the foundation.
+/// [`TowerDescription::soil`](crate::TowerDescription::soil). At the tip act base springs, where
+/// the models have such, which add to the stiffness of the foundation.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Ground {
     /// Height of the surface before scour in the datum of the stations, m: mudline or terrain.
@@ -18,8 +18,8 @@ pub struct Ground {
     pub factor: f64,
     /// Whether the soil is under water: the groundwater table is at the surface or above it.
     pub submerged: bool,
-    /// Outer diameter of the pile, m, for a tower that is given by a table of properties; none: that
-    /// of the stations.
+    /// Outer diameter of the pile, m, for a tower that is given by a table of properties; none:
+    /// that of the stations.
     pub pile_diameter_m: Option<f64>,
     /// The springs along and about the axis of the pile; none if these motions are held otherwise.
     pub axial: Option<AxialModel>,
@@ -45,4 +45,15 @@ pub enum AxialModel {
     Kraft,
     /// Randolph & Wroth (1978): from the shear modulus; torsion too.
     RandolphWroth,
+}
+
+impl AxialModel {
+    /// Its name, as in the tower file.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Api => "api",
+            Self::Kraft => "kraft",
+            Self::RandolphWroth => "randolph-wroth",
+        }
+    }
 }

@@ -86,3 +86,16 @@ pub struct PyRow {
     /// Reaction p per length, N/m.
     pub reaction_n_per_m: f64,
 }
+
+impl LayerSoil {
+    /// What it is, in a sentence.
+    pub fn noun(&self) -> &'static str {
+        match self {
+            Self::Sand(_) => "sand",
+            Self::Clay(_) => "clay",
+            Self::Elastic => "elastic soil",
+            Self::Rock(_) => "rock",
+            Self::Table(_) => "a table of p-y curves",
+        }
+    }
+}

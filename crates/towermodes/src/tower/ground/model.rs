@@ -29,3 +29,23 @@ pub enum SoilModel {
     /// The secants of a table.
     Table,
 }
+
+impl SoilModel {
+    /// Its name, as in the tower file.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Api => "api",
+            Self::Dnv => "dnv",
+            Self::ReeseStiffClay => "reese-stiff-clay",
+            Self::Kallehave => "kallehave",
+            Self::Sorensen => "sorensen",
+            Self::PisaCowden => "pisa-cowden",
+            Self::PisaBothkennar => "pisa-bothkennar",
+            Self::PisaDunkirk => "pisa-dunkirk",
+            Self::Winkler => "winkler",
+            Self::Vesic => "vesic",
+            Self::WeakRock => "weak-rock",
+            Self::Table => "py",
+        }
+    }
+}

@@ -11,6 +11,7 @@ mod couplings;
 mod floating;
 mod foundation;
 mod geometry;
+mod ground;
 mod materials;
 mod out_of_line;
 mod soil;
@@ -22,7 +23,8 @@ mod wires;
 pub(crate) use bodies::inertia as inertia_plausibility;
 
 use super::foundation::Foundation;
-use super::{AddedMassRow, SoilRow, Tower, Water, Wires};
+use super::ground::Ground;
+use super::{AddedMassRow, SoilRow, Tower, TowerDescription, Water, Wires};
 use super::{Place, material::Material};
 use crate::tower::Rotor;
 use crate::tower::Warning;
@@ -34,11 +36,27 @@ pub(super) struct Given<'a> {
     pub(super) materials: &'a [Material],
     pub(super) foundation: &'a Foundation,
     pub(super) soil: &'a [Vec<SoilRow>],
+    pub(super) ground: Option<&'a Ground>,
     pub(super) added_mass: &'a [Vec<AddedMassRow>],
     pub(super) water: Option<&'a Water>,
     pub(super) wires: &'a [Wires],
     /// Whether the user confirmed that the rotor-nacelle assembly has no inertia.
     pub(super) rna_is_point: bool,
+}
+
+impl<'a> Given<'a> {
+    pub(super) fn of(description: &'a TowerDescription) -> Self {
+        Self {
+            materials: &description.materials,
+            foundation: &description.foundation,
+            soil: &description.soil,
+            ground: description.ground.as_ref(),
+            added_mass: &description.added_mass,
+            water: description.water.as_ref(),
+            wires: &description.wires,
+            rna_is_point: description.rna_is_point,
+        }
+    }
 }
 
 /// The warnings that the input alone gives rise to.
@@ -49,6 +67,7 @@ pub(super) fn plausibility(tower: &Tower, given: &Given<'_>) -> Vec<Warning> {
     table::check(tower, &mut warnings);
     bodies::check(tower, given, &mut warnings);
     foundation::check(tower, given, &mut warnings);
+    ground::check(tower, given, &mut warnings);
     soil::check(tower, given, &mut warnings);
     wires::check(tower, given.wires, &mut warnings);
     water::check(tower, given, &mut warnings);

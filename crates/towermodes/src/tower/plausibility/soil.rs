@@ -22,7 +22,7 @@ pub(super) fn check(tower: &Tower, given: &Given<'_>, warnings: &mut Vec<Warning
         of_layer(layer, rows, warnings);
     }
     let is_odd = warnings.len() > before;
-    if given.soil.is_empty() {
+    if given.soil.is_empty() && given.ground.is_none() {
         return;
     }
     let surrounds = |piece: &Piece| piece.environment.soil.is_some();
@@ -30,7 +30,7 @@ pub(super) fn check(tower: &Tower, given: &Given<'_>, warnings: &mut Vec<Warning
         warnings.push(Warning::SoilAndClamp);
     }
     if !is_odd {
-        holds(tower, warnings);
+        holds(tower, given.ground.is_some(), warnings);
     }
 }
 
@@ -62,7 +62,7 @@ fn of_layer(layer: usize, rows: &[SoilRow], warnings: &mut Vec<Warning>) {
 }
 
 /// Whether soil that alone holds the tower can do so.
-fn holds(tower: &Tower, warnings: &mut Vec<Warning>) {
+fn holds(tower: &Tower, is_in_layers: bool, warnings: &mut Vec<Warning>) {
     let base = tower.base();
     let section = tower.pieces()[0].section_at(tower.base_m());
     let planes = [(Plane::ForeAft, 0, 4), (Plane::SideSide, 1, 3)];
@@ -79,7 +79,10 @@ fn holds(tower: &Tower, warnings: &mut Vec<Warning>) {
         });
     if let Some(least) = lengths.min_by(f64::total_cmp) {
         let (layer, row, key) = (0, 0, "x");
-        let site = Site::at(Place::Soil { layer, row, key });
+        let site = Site::at(match is_in_layers {
+            true => Place::Ground { key: "layer" },
+            false => Place::Soil { layer, row, key },
+        });
         WINKLER.check(least, site, warnings);
     }
 }

@@ -2,15 +2,18 @@
 
 mod closed_form;
 mod foundation;
+mod ground;
 mod inertia;
 mod rotor;
 mod scale;
 mod surroundings;
 
 pub(super) use foundation::largest_asymmetry;
+pub(super) use ground::check_springs_of_ground;
 pub(crate) use rotor::check_rotor;
 
 use foundation::{check_buoyancy, check_foundation};
+use ground::check_ground;
 use inertia::check_inertia;
 use scale::{coordinate, error, length, not_negative, positive};
 use surroundings::check_surroundings;
@@ -49,6 +52,7 @@ pub(super) fn validate(description: &TowerDescription) -> Result<(), TowerError>
     check_foundation(&description.foundation)?;
     check_buoyancy(description)?;
     check_surroundings(description, base_m, top_m)?;
+    check_ground(description, base_m, top_m)?;
     description.rotor.as_ref().map_or(Ok(()), check_rotor)
 }
 

@@ -18,6 +18,8 @@ pub enum Ineffective {
     UnusedMaterial,
     /// Soil whose springs are all zero.
     SoilOfZeros,
+    /// A layer of soil below the tip of the pile.
+    LayerBelowTip,
     /// A table of added mass that is all zero.
     AddedMassOfZeros,
     /// Water that adds no mass outside and is not inside.
@@ -43,6 +45,9 @@ impl fmt::Display for Ineffective {
                 "this material is not used by any station, so it has no effect; name it in the stations made of it"
             }
             Self::SoilOfZeros => "all springs of this soil layer are zero, so it has no effect",
+            Self::LayerBelowTip => {
+                "this layer is below the tip of the pile and not next to it, so it has no effect"
+            }
             Self::AddedMassOfZeros => "all masses of this table are zero, so it has no effect",
             Self::WaterOfZeros => {
                 "the added mass coefficient is zero and the tower is not flooded, so the water has no effect"

@@ -74,6 +74,28 @@ pub enum Quantity {
     SoilPlaneRatio,
     /// Soil spring, N/m².
     SoilSpring,
+    /// Effective friction angle of sand, degrees.
+    FrictionAngle,
+    /// Effective unit weight of soil under water, N/m³.
+    BuoyantUnitWeight,
+    /// Unit weight of soil above water, N/m³.
+    SoilUnitWeight,
+    /// Undrained shear strength of clay, Pa.
+    UndrainedStrength,
+    /// Strain of clay at half its strength.
+    StrainAtHalfStrength,
+    /// Modulus k of the springs k z of sand, N/m³.
+    SubgradeModulus,
+    /// Velocity of shear waves in soil, m/s.
+    SoilWaveVelocity,
+    /// Density of soil with its water, kg/m³.
+    SoilDensity,
+    /// Cone resistance, Pa.
+    ConeResistance,
+    /// Blow count of the standard penetration test.
+    BlowCount,
+    /// Friction on the shaft of a pile, Pa.
+    ShaftFriction,
     /// Diameter of a steel wire with the stiffness given, m.
     WireDiameter,
     /// Number of wires in a set.
@@ -180,6 +202,28 @@ impl Quantity {
                 "soil is about equally stiff in both directions; check the exponents"),
             Self::SoilSpring => ("the soil spring", " N/m2",
                 "sand has about 1e8, rock 1e10; the unit is N/m2: N/m per metre of tower"),
+            Self::FrictionAngle => ("the friction angle", " degrees",
+                "loose sand has about 28, very dense sand 42; the unit is degrees (0.6 rad is 34 degrees)"),
+            Self::BuoyantUnitWeight => ("the effective unit weight under water", " N/m3",
+                "typical: 6000 to 11000: the weight of the saturated soil less that of water; the unit is N/m3, not kN/m3"),
+            Self::SoilUnitWeight => ("the unit weight above water", " N/m3",
+                "typical: 15000 to 21000; the unit is N/m3, not kN/m3"),
+            Self::UndrainedStrength => ("the undrained shear strength", " Pa",
+                "soft clay has 1e4 to 4e4, hard clay 2e5; the unit is Pa, not kPa"),
+            Self::StrainAtHalfStrength => ("the strain at half the strength", "",
+                "soft clay has about 0.02, stiff clay 0.005; it is a fraction, not percent"),
+            Self::SubgradeModulus => ("the subgrade modulus", " N/m3",
+                "loose sand has about 5e6, dense sand 4e7; the unit is N/m3, not kN/m3"),
+            Self::SoilWaveVelocity => ("the velocity of shear waves", " m/s",
+                "soft clay has about 100, dense sand 300, rock 1500; the unit is m/s"),
+            Self::SoilDensity => ("the density of the soil", " kg/m3",
+                "soil with its water has 1600 to 2200; the unit is kg/m3"),
+            Self::ConeResistance => ("the cone resistance", " Pa",
+                "clay has 3e5 to 3e6, dense sand 2e7 to 6e7; the unit is Pa, not MPa"),
+            Self::BlowCount => ("the blow count", "",
+                "typical: 2 to 60 blows per 0.3 m"),
+            Self::ShaftFriction => ("the shaft friction", " Pa",
+                "typical: 1e4 to 1.2e5; the unit is Pa, not kPa"),
             Self::WireDiameter => ("the diameter of a steel wire with this stiffness and length", " m",
                 "typical: 0.01 to 0.1 m; the unit of the stiffness EA/L is N/m, not kN/m"),
             Self::WireCount => ("the number of guy wires in the set", "",

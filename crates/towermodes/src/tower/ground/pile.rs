@@ -1,0 +1,177 @@
+//! The part of a tower that is in the ground.
+
+use super::description::Ground;
+use super::layer::{GroundLayer, LayerSoil};
+use crate::tower::description::TowerDescription;
+use crate::tower::section::Tube;
+
+/// The effective stress is the unreduced one from this many diameters below a hole of local scour.
+const OVERBURDEN_DIAMETERS: f64 = 6.0;
+
+/// A tower in the ground: heights, depths, the sections of the pile, the weight of the soil.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Pile<'a> {
+    description: &'a TowerDescription,
+    pub(super) ground: &'a Ground,
+    /// Height of the tip, m.
+    pub(super) tip_m: f64,
+    /// Height of the surface after general scour, m.
+    pub(super) bed_m: f64,
+    /// Height of the bottom of the hole of local scour, m: soil begins here.
+    pub(super) hole_m: f64,
+}
+
+impl<'a> Pile<'a> {
+    /// Of a tower with ground.
+    pub(super) fn of(description: &'a TowerDescription) -> Option<Self> {
+        let ground = description.ground.as_ref()?;
+        let bed_m = ground.surface_m - ground.scour.general_m;
+        let lowest_station = description.stations.first().map(|row| row.height_m);
+        let lowest_row = description.properties.first().map(|row| row.height_m);
+        Some(Self {
+            description,
+            ground,
+            tip_m: lowest_station.or(lowest_row)?,
+            bed_m,
+            hole_m: bed_m - ground.scour.local_m,
+        })
+    }
+
+    /// Embedded length L, m.
+    pub(super) fn length_m(&self) -> f64 {
+        self.hole_m - self.tip_m
+    }
+
+    /// Depth below the bottom of the hole, m.
+    pub(super) fn depth_m(&self, height_m: f64) -> f64 {
+        self.hole_m - height_m
+    }
+
+    /// The depth at which undisturbed soil has the same effective stress, m: in a hole of depth S
+    /// min(z, (z − S)(S + 6D)/(6D)), with z below the surface around the hole.
+    ///
+    /// Source: API RP 2GEO, commentary on scour: no stress at the bottom of the hole, the full one
+    /// six diameters deeper (not checked against the original).
+    pub(super) fn overburden_depth_m(&self, height_m: f64) -> f64 {
+        let (depth_m, local_m) = (self.bed_m - height_m, self.ground.scour.local_m);
+        if local_m == 0.0 || height_m <= self.full_overburden_m() {
+            return depth_m;
+        }
+        let reach_m = self.overburden_reach_m();
+        (depth_m - local_m) * (local_m + reach_m) / reach_m
+    }
+
+    /// Height below which the hole does not reduce the effective stress, m.
+    pub(super) fn full_overburden_m(&self) -> f64 {
+        self.hole_m - self.overburden_reach_m()
+    }
+
+    fn overburden_reach_m(&self) -> f64 {
+        OVERBURDEN_DIAMETERS * self.diameter_m(self.hole_m)
+    }
+
+    /// Vertical effective stress in the undisturbed soil before scour, Pa.
+    pub(super) fn stress_before_scour_pa(&self, height_m: f64) -> f64 {
+        self.weight_above_pa(height_m, self.ground.surface_m)
+    }
+
+    /// Vertical effective stress with scour, Pa.
+    pub(super) fn effective_stress_pa(&self, height_m: f64) -> f64 {
+        let unreduced_pa = self.weight_above_pa(height_m, self.bed_m);
+        let full_m = self.full_overburden_m();
+        if self.ground.scour.local_m == 0.0 || height_m <= full_m {
+            return unreduced_pa;
+        }
+        let share = self.depth_m(height_m) / self.overburden_reach_m();
+        let reduced_pa = share * self.weight_above_pa(full_m, self.bed_m);
+        reduced_pa.min(unreduced_pa)
+    }
+
+    /// Weight of the soil between two heights, Pa; below the layers the last one goes on.
+    fn weight_above_pa(&self, height_m: f64, surface_m: f64) -> f64 {
+        let layers = &self.ground.layers;
+        let last = layers.len().saturating_sub(1);
+        let weight = |(index, layer): (usize, &GroundLayer)| {
+            let top_m = layer.top_m.min(surface_m);
+            let bottom_m = match index == last {
+                true => height_m,
+                false => layer.bottom_m.max(height_m),
+            };
+            let thickness_m = (top_m - bottom_m).max(0.0);
+            match thickness_m > 0.0 {
+                true => layer.effective_unit_weight_n_per_m3.unwrap_or(f64::NAN) * thickness_m,
+                false => 0.0,
+            }
+        };
+        layers.iter().enumerate().map(weight).sum()
+    }
+
+    /// Outer diameter D, m; at a step that of the tube above it.
+    pub(super) fn diameter_m(&self, height_m: f64) -> f64 {
+        let given = self.ground.pile_diameter_m;
+        let own = || self.tube(height_m).map(|(tube, _)| tube.outer_diameter_m);
+        given.or_else(own).unwrap_or(f64::NAN)
+    }
+
+    /// Bending stiffness E I, N m²; the smaller one of a table whose planes differ.
+    pub(super) fn bending_n_m2(&self, height_m: f64) -> f64 {
+        if let Some((tube, youngs_modulus_pa)) = self.tube(height_m) {
+            return youngs_modulus_pa * tube.second_moment_of_area_m4();
+        }
+        let rows = &self.description.properties;
+        let around = around(rows.len(), height_m, |index| rows[index].height_m);
+        around.map_or(f64::NAN, |(below, share)| {
+            let planes = |index: usize| rows[index].properties.bending_n_m2;
+            let (low, high) = (planes(below), planes(below + 1));
+            let blend = |a: f64, b: f64| a + share * (b - a);
+            let fore_aft = blend(low.fore_aft, high.fore_aft);
+            fore_aft.min(blend(low.side_side, high.side_side))
+        })
+    }
+
+    /// The tube at a height with its Young's modulus, Pa; none for a table of properties.
+    fn tube(&self, height_m: f64) -> Option<(Tube, f64)> {
+        let stations = &self.description.stations;
+        let (below, share) = around(stations.len(), height_m, |index| stations[index].height_m)?;
+        let tube = |index: usize| Tube {
+            outer_diameter_m: stations[index].outer_diameter_m,
+            wall_thickness_m: stations[index].wall_thickness_m,
+        };
+        let material = self
+            .description
+            .materials
+            .get(stations[below].material)
+            .map(|material| material.youngs_modulus_pa);
+        let tube = tube(below).blend(&tube(below + 1), share);
+        Some((tube, material.unwrap_or(f64::NAN)))
+    }
+
+    /// The layer, and how far down in it a height is: 0 at its top, 1 at its bottom.
+    pub(super) fn layer(&self, index: usize, height_m: f64) -> (&'a GroundLayer, f64) {
+        let layer = &self.ground.layers[index];
+        let share = (layer.top_m - height_m) / (layer.top_m - layer.bottom_m);
+        (layer, share)
+    }
+
+    /// Height of the surface of the rock to which a layer of rock belongs, m.
+    pub(super) fn rock_surface_m(&self, index: usize) -> f64 {
+        let above = self.ground.layers[..=index].iter().rev();
+        let rock = above.take_while(|layer| matches!(layer.soil, LayerSoil::Rock(_)));
+        let top_m = rock.map(|layer| layer.top_m).fold(f64::MIN, f64::max);
+        top_m.min(self.hole_m)
+    }
+}
+
+/// Of rows by rising height the one below a height, and how far above it the height is, as a
+/// fraction of the way to the next one; at the ends the nearest piece.
+fn around(count: usize, height_m: f64, row_m: impl Fn(usize) -> f64) -> Option<(usize, f64)> {
+    let above = (0..count).find(|&index| row_m(index) > height_m);
+    let upper = above.unwrap_or(count.checked_sub(1)?).max(1);
+    let below = upper - 1;
+    let length_m = row_m(upper) - row_m(below);
+    let share = match length_m > 0.0 {
+        true => (height_m - row_m(below)) / length_m,
+        false => 0.0,
+    };
+    (upper < count).then(|| (below, share.clamp(0.0, 1.0)))
+}

@@ -1,0 +1,90 @@
+//! Derivatives of frequencies with respect to the numbers of the ground.
+
+use super::{clay, first_hz, ground_of, layer, oc3};
+use towermodes::{
+    Change, LayerSoil, Options, Parameter, ShearModulus, SoilModel, TowerDescription, Workspace,
+    every_change, sensitivities,
+};
+
+/// Sand, clay and elastic soil, with scour of both kinds.
+fn mixed() -> TowerDescription {
+    let mut description = oc3(SoilModel::Kallehave);
+    let ground = ground_of(&mut description);
+    ground.scour.general_m = 0.5;
+    ground.scour.local_m = 2.0;
+    ground.layers[1] = layer([-25.0, -34.0], LayerSoil::Clay(clay()), SoilModel::Api);
+    let mut last = layer([-34.0, -60.0], LayerSoil::Elastic, SoilModel::Vesic);
+    last.poissons_ratio = Some(0.3);
+    last.shear_modulus = Some(ShearModulus::RixStokoe {
+        cone_resistance_pa: [2e7, 4e7],
+    });
+    ground.layers[2] = last;
+    description
+}
+
+#[test]
+fn every_number_of_the_ground_has_the_derivative_of_solves() {
+    let description = mixed();
+    let changes = every_change(&description);
+    let of_ground: Vec<Change> = changes
+        .into_iter()
+        .filter(|change| change.name().contains("ground."))
+        .collect();
+    let names: Vec<&str> = of_ground.iter().map(Change::name).collect();
+    for name in [
+        "ground.factor",
+        "ground.scour.local",
+        "ground.layer[0].friction_angle",
+        "ground.layer[1].undrained_strength[0]",
+        "ground.layer[2].cone_resistance[1]",
+        "add(ground.surface,ground.layer[0].top)",
+        "add(ground.layer[0].bottom,ground.layer[1].top)",
+    ] {
+        assert!(names.contains(&name), "{name} in {names:?}");
+    }
+    let options = Options {
+        modes: 2,
+        ..Options::default()
+    };
+    let mut workspace = Workspace::default();
+    let result = sensitivities(&description, &of_ground, &options, &mut workspace).expect("solved");
+    for (change, derivatives) in of_ground.iter().zip(&result.changes) {
+        let name = change.name();
+        let got = derivatives.modes[0].expect(name).hz_per_unit;
+        let present = match name.starts_with("add") {
+            true => 0.0,
+            false => change.parameters()[0].value(&description),
+        };
+        let step = 1e-3 * if present == 0.0 { 1.0 } else { present.abs() };
+        let at = |sign: f64| {
+            let mut near = description.clone();
+            change.apply(&mut near, present + sign * step);
+            first_hz(&near)
+        };
+        let expected = (at(1.0) - at(-1.0)) / (2.0 * step);
+        let scale = first_hz(&description) / step;
+        let difference = (got - expected).abs();
+        let allowed = 1e-3 * expected.abs() + 1e-9 * scale;
+        assert!(difference <= allowed, "{name}: {got} for {expected}");
+    }
+}
+
+#[test]
+fn names_set_the_numbers_of_the_ground() {
+    let mut description = mixed();
+    for (name, value) in [
+        ("ground.factor", 0.5),
+        ("ground.scour.general", 1.5),
+        ("ground.layer[1].undrained_strength[1]", 2e5),
+        ("ground.layer[2].poissons_ratio", 0.4),
+    ] {
+        let parameter = Parameter::parse(name, &description).expect(name);
+        parameter.set(&mut description, value);
+        assert_eq!(parameter.value(&description), value, "{name}");
+        assert_eq!(parameter.to_string(), name);
+    }
+    assert_eq!(ground_of(&mut description).factor, 0.5);
+    let error = Parameter::parse("ground.layer[0].undrained_strength[0]", &description);
+    let message = error.expect_err("sand has none").to_string();
+    assert!(message.contains("undrained strength"), "{message}");
+}

@@ -1,0 +1,319 @@
+//! Mistakes: each at its place, with its numbers.
+
+use super::{clay, ground_of, layer, oc3, sand};
+use towermodes::{
+    AxialModel, Foundation, LayerSoil, Place, Problem, PyRow, Quantity, Sand, ShearModulus,
+    SoilModel, Tower, TowerDescription, Warning,
+};
+
+type Change = fn(&mut TowerDescription);
+
+fn of(index: usize, key: &'static str) -> Place {
+    Place::GroundLayer { index, key }
+}
+
+fn clay_layer(description: &mut TowerDescription, change: fn(&mut towermodes::Clay)) {
+    let mut soil = clay();
+    change(&mut soil);
+    let layers = &mut ground_of(description).layers;
+    layers[1] = layer([-25.0, -34.0], LayerSoil::Clay(soil), SoilModel::Api);
+}
+
+/// What the place is, and what the message says.
+const REFUSALS: &[(Change, Place, &str)] = &[
+    (
+        |d| ground_of(d).layers[1].top_m = -25.5,
+        Place::GroundLayer {
+            index: 1,
+            key: "top",
+        },
+        "the layer begins at -25.5 m, but the layer above ends at -25 m: there is a gap between them",
+    ),
+    (
+        |d| ground_of(d).layers[1].top_m = -24.0,
+        Place::GroundLayer {
+            index: 1,
+            key: "top",
+        },
+        "the layer begins at -24 m, but the layer above ends at -25 m: they overlap",
+    ),
+    (
+        |d| ground_of(d).layers[0].top_m = -19.0,
+        Place::GroundLayer {
+            index: 0,
+            key: "top",
+        },
+        "the first layer begins at -19 m, but the surface of the ground is at -20 m",
+    ),
+    (
+        |d| ground_of(d).surface_m = -56.0,
+        Place::Ground { key: "surface" },
+        "the tower does not reach into the soil: its lowest station is at -56 m, the surface of the ground at -56 m with scour of 0 m",
+    ),
+    (
+        |d| ground_of(d).scour.local_m = 40.0,
+        Place::Ground { key: "scour" },
+        "the tower does not reach into the soil: its lowest station is at -56 m, the surface of the ground at -20 m with scour of 40 m",
+    ),
+    (
+        |d| ground_of(d).surface_m = 100.0,
+        Place::Ground { key: "surface" },
+        "the surface of the ground at 100 m is above the tower top at 87.6 m",
+    ),
+    (
+        |d| ground_of(d).layers[2].bottom_m = -50.0,
+        Place::GroundLayer {
+            index: 2,
+            key: "bottom",
+        },
+        "the lowest layer ends at -50 m, above the tip of the pile at -56 m",
+    ),
+    (
+        |d| ground_of(d).layers[0].bottom_m = -15.0,
+        Place::GroundLayer {
+            index: 0,
+            key: "bottom",
+        },
+        "the bottom of the layer at -15 m is not below its top at -20 m",
+    ),
+    (
+        |d| ground_of(d).layers.clear(),
+        Place::Ground { key: "layer" },
+        "the ground has no layers",
+    ),
+    (
+        |d| ground_of(d).factor = 0.0,
+        Place::Ground { key: "factor" },
+        "the factor on the soil is 0; it must be positive",
+    ),
+    (
+        |d| ground_of(d).scour.general_m = -1.0,
+        Place::Ground {
+            key: "scour.general",
+        },
+        "the depth of general scour is -1 m; it must not be negative",
+    ),
+    (
+        |d| clay_layer(d, |clay| clay.undrained_strength_pa = Some([5e4, -1.0])),
+        Place::GroundLayer {
+            index: 1,
+            key: "undrained_strength",
+        },
+        "the undrained strength is -1 Pa; it must be positive",
+    ),
+    (
+        |d| clay_layer(d, |clay| clay.strength_factor = None),
+        Place::GroundLayer {
+            index: 1,
+            key: "strength_factor",
+        },
+        "api needs the factor J (0.5 for soft, 0.25 for stiff clay)",
+    ),
+    (
+        |d| {
+            clay_layer(d, |_| {});
+            ground_of(d).layers[0].effective_unit_weight_n_per_m3 = None;
+        },
+        Place::GroundLayer {
+            index: 0,
+            key: "effective_unit_weight",
+        },
+        "the weight of the soil above, on which this layer or one below depends, needs the effective unit weight",
+    ),
+    (
+        |d| ground_of(d).layers[1].model = SoilModel::PisaCowden,
+        Place::GroundLayer {
+            index: 1,
+            key: "model",
+        },
+        "the model pisa-cowden has no formula for sand",
+    ),
+    (
+        |d| ground_of(d).layers[1].model = SoilModel::PisaDunkirk,
+        Place::GroundLayer {
+            index: 1,
+            key: "relative_density",
+        },
+        "pisa-dunkirk needs the relative density",
+    ),
+    (
+        |d| {
+            ground_of(d).layers[1].soil = LayerSoil::Sand(Sand {
+                relative_density: Some(75.0),
+                ..Sand::default()
+            });
+        },
+        Place::GroundLayer {
+            index: 1,
+            key: "relative_density",
+        },
+        "the relative density is 75; it must be from 0 to 1",
+    ),
+    (
+        |d| ground_of(d).axial = Some(AxialModel::Kraft),
+        Place::GroundLayer {
+            index: 0,
+            key: "shear_modulus",
+        },
+        "kraft needs the shear modulus",
+    ),
+    (
+        |d| ground_of(d).pile_diameter_m = Some(6.0),
+        Place::Ground {
+            key: "pile_diameter",
+        },
+        "the diameter of the pile is given twice: the stations have diameters",
+    ),
+];
+
+#[test]
+fn each_mistake_is_refused_at_its_place_with_its_numbers() {
+    for (change, place, message) in REFUSALS {
+        let mut description = oc3(SoilModel::Api);
+        change(&mut description);
+        let error = Tower::new(description).expect_err(message);
+        assert_eq!(error.place, *place, "{message}");
+        assert!(
+            error.problem.to_string().contains(message),
+            "{}",
+            error.problem
+        );
+        let says_how = error.hint().is_some() || message.contains("must");
+        assert!(says_how, "{message} has no hint");
+    }
+}
+
+#[test]
+fn tables_cover_their_layer_from_the_top_down() {
+    let row = |height_m| PyRow {
+        height_m,
+        displacement_m: 0.001,
+        reaction_n_per_m: 1e5,
+    };
+    let with = |rows: &[PyRow]| {
+        let mut description = oc3(SoilModel::Api);
+        let soil = LayerSoil::Table(rows.to_vec());
+        ground_of(&mut description).layers[1] = layer([-25.0, -34.0], soil, SoilModel::Table);
+        Tower::new(description).map_err(|error| (error.place, error.problem))
+    };
+    assert!(with(&[row(-25.0), row(-30.0), row(-34.0)]).is_ok());
+    let (place, problem) = with(&[row(-25.0), row(-33.0)]).expect_err("too short");
+    let (layer, key) = (1, "height");
+    assert_eq!(place, Place::GroundRow { layer, row: 0, key });
+    assert!(matches!(problem, Problem::TableShorterThanLayer { .. }));
+    let (place, problem) = with(&[row(-34.0), row(-25.0)]).expect_err("rises");
+    assert_eq!(place, Place::GroundRow { layer, row: 1, key });
+    assert!(matches!(problem, Problem::TableRowsRise { .. }));
+    let (_, problem) = with(&[row(-25.0)]).expect_err("one row");
+    assert!(matches!(problem, Problem::TooFewRows { .. }));
+}
+
+fn warnings_of(change: Change) -> Vec<Warning> {
+    let mut description = oc3(SoilModel::Api);
+    change(&mut description);
+    Tower::new(description)
+        .expect("possible")
+        .warnings()
+        .to_vec()
+}
+
+#[test]
+fn correct_ground_has_no_warning() {
+    for model in [SoilModel::Api, SoilModel::Kallehave, SoilModel::Sorensen] {
+        let tower = Tower::new(oc3(model)).expect("valid");
+        assert!(tower.warnings().is_empty(), "{:?}", tower.warnings());
+    }
+}
+
+#[test]
+fn wrong_units_are_warned_of() {
+    let cases: [(Change, Quantity, Place); 6] = [
+        (
+            |d| ground_of(d).layers[0] = sand(-20.0, -25.0, 0.576, SoilModel::Api),
+            Quantity::FrictionAngle,
+            of(0, "friction_angle"),
+        ),
+        (
+            |d| ground_of(d).layers[0] = sand(-20.0, -25.0, 52.0, SoilModel::Api),
+            Quantity::FrictionAngle,
+            of(0, "friction_angle"),
+        ),
+        (
+            |d| clay_layer(d, |clay| clay.undrained_strength_pa = Some([40.0, 120.0])),
+            Quantity::UndrainedStrength,
+            of(1, "undrained_strength"),
+        ),
+        (
+            |d| ground_of(d).layers[2].effective_unit_weight_n_per_m3 = Some(1.9e4),
+            Quantity::BuoyantUnitWeight,
+            of(2, "effective_unit_weight"),
+        ),
+        (
+            |d| {
+                ground_of(d).submerged = false;
+                ground_of(d).layers[2].effective_unit_weight_n_per_m3 = Some(18.0);
+            },
+            Quantity::SoilUnitWeight,
+            of(2, "effective_unit_weight"),
+        ),
+        (
+            |d| {
+                ground_of(d).layers[2].shear_modulus = Some(ShearModulus::RixStokoe {
+                    cone_resistance_pa: [20.0, 40.0],
+                });
+            },
+            Quantity::ConeResistance,
+            of(2, "cone_resistance"),
+        ),
+    ];
+    for (change, expected, place) in cases {
+        let warnings = warnings_of(change);
+        let found = warnings.iter().any(|warning| {
+            matches!(warning, Warning::Unusual { quantity, site, .. }
+                if *quantity == expected && site.place == Some(place))
+        });
+        assert!(found, "{expected:?}: {warnings:?}");
+    }
+}
+
+#[test]
+fn clamped_tips_and_unused_layers_are_warned_of() {
+    let warnings = warnings_of(|d| d.foundation = Foundation::Clamped);
+    assert!(warnings.contains(&Warning::SoilAndClamp), "{warnings:?}");
+    let warnings = warnings_of(|d| {
+        for (top_m, bottom_m) in [(-56.0, -60.0), (-60.0, -70.0)] {
+            ground_of(d)
+                .layers
+                .push(sand(top_m, bottom_m, 35.0, SoilModel::Api));
+        }
+    });
+    let places: Vec<_> = warnings
+        .iter()
+        .map(|warning| warning.site().and_then(|site| site.place))
+        .collect();
+    assert_eq!(places, [Some(of(4, "top"))], "{warnings:?}");
+}
+
+#[test]
+fn pisa_out_of_range_is_warned_of() {
+    let warnings = warnings_of(|d| {
+        let soil = LayerSoil::Sand(Sand {
+            relative_density: Some(0.3),
+            ..Sand::default()
+        });
+        let mut last = layer([-34.0, -56.0], soil, SoilModel::PisaDunkirk);
+        last.shear_modulus = Some(ShearModulus::Given {
+            shear_modulus_pa: [5e7, 1e8],
+        });
+        ground_of(d).layers[2] = last;
+        ground_of(d).scour.general_m = 26.0;
+    });
+    let values: Vec<f64> = warnings
+        .iter()
+        .filter_map(|warning| match warning {
+            Warning::OutsideFormula { value, .. } => Some(*value),
+            _ => None,
+        })
+        .collect();
+    assert_eq!(values, [10.0 / 6.0, 0.3], "{warnings:?}");
+}

@@ -1,0 +1,296 @@
+//! The springs of each model at a height, by hand.
+
+use super::{clay, free_tip, ground, ground_of, layer, oc3, sand};
+use crate::towers::assert_close;
+use std::f64::consts::PI;
+use towermodes::{
+    AxialModel, GroundLayer, LayerSoil, PyRow, Rock, Sand, ShearModulus, SoilModel, SoilStiffness,
+    Tower, TowerDescription,
+};
+
+/// The OC3 monopile (D = 6 m) in one layer from −20 m to −56 m.
+fn in_layer(own: GroundLayer) -> TowerDescription {
+    let mut description = oc3(SoilModel::Api);
+    description.ground = Some(ground(vec![own]));
+    description.foundation = free_tip();
+    description
+}
+
+const ENDS_M: [f64; 2] = [-20.0, -56.0];
+
+/// The springs at a depth below the surface at −20 m.
+fn springs(description: &TowerDescription, depth_m: f64) -> SoilStiffness {
+    let tower = Tower::new(description.clone()).expect("valid");
+    let height_m = -20.0 - depth_m;
+    let pieces = tower.pieces();
+    let inside = |piece: &&towermodes::tower::Piece| piece.top_m > height_m;
+    let piece = pieces.iter().find(inside).expect("a piece");
+    let share = (height_m - piece.base_m) / piece.length_m();
+    let [low, high] = piece.environment.soil.expect("soil");
+    let blend = |a: f64, b: f64| a + share * (b - a);
+    SoilStiffness {
+        x_n_per_m2: blend(low.x_n_per_m2, high.x_n_per_m2),
+        y_n_per_m2: blend(low.y_n_per_m2, high.y_n_per_m2),
+        z_n_per_m2: blend(low.z_n_per_m2, high.z_n_per_m2),
+        torsion_n: blend(low.torsion_n, high.torsion_n),
+        rotation_x_n: blend(low.rotation_x_n, high.rotation_x_n),
+        rotation_y_n: blend(low.rotation_y_n, high.rotation_y_n),
+    }
+}
+
+/// The digits of the table of API's modulus by the fit, below water, MN/m³.
+#[test]
+fn sand_has_the_modulus_of_its_friction_angle() {
+    let table = [
+        (25.0, 5.4),
+        (28.0, 5.4),
+        (30.0, 7.9),
+        (33.0, 14.6),
+        (35.0, 21.0),
+        (36.0, 24.8),
+        (38.0, 33.6),
+        (38.5, 36.1),
+        (40.0, 44.0),
+    ];
+    for (angle_deg, expected) in table {
+        let description = in_layer(sand(-20.0, -56.0, angle_deg, SoilModel::Api));
+        let k = springs(&description, 10.0).x_n_per_m2 / 10.0 / 1e6;
+        assert!((k - expected).abs() < 0.051, "{angle_deg}: {k}");
+        // Linear from zero at the surface.
+        let deep = springs(&description, 30.0).x_n_per_m2 / 30.0 / 1e6;
+        assert_close(deep, k, 1e-12, "k z");
+    }
+    let mut given = sand(-20.0, -56.0, 30.0, SoilModel::Api);
+    given.soil = LayerSoil::Sand(Sand {
+        subgrade_modulus_n_per_m3: Some(2.2e7),
+        ..Sand::default()
+    });
+    assert_close(
+        springs(&in_layer(given), 10.0).y_n_per_m2,
+        2.2e8,
+        1e-12,
+        "given",
+    );
+}
+
+/// Clay at 10 m with S_u = 40 + 80 · 10/36 kPa, γ′ = 10 kN/m³, ε₅₀ = 0.01, J = 0.5.
+#[test]
+fn clay_has_the_stated_secants() {
+    let strength = 4e4 + 8e4 * 10.0 / 36.0;
+    let shallow: f64 = (3.0 * strength + 1e5) * 6.0 + 0.5 * strength * 10.0;
+    let ultimate = shallow.min(9.0 * strength * 6.0);
+    let cases = [
+        (SoilModel::Api, 2.3 * ultimate / (2.5 * 0.01 * 6.0)),
+        (
+            SoilModel::Dnv,
+            10.0 * ultimate / (6.0 * 0.01_f64.powf(0.25)),
+        ),
+        (
+            SoilModel::ReeseStiffClay,
+            5.0 * ultimate * 0.1_f64.sqrt() / 0.06,
+        ),
+    ];
+    for (model, expected) in cases {
+        let description = in_layer(layer(ENDS_M, LayerSoil::Clay(clay()), model));
+        let got = springs(&description, 10.0).x_n_per_m2;
+        // The rows replace a curve by lines with the same force and moment.
+        assert_close(got, expected, 5e-4, model.name());
+    }
+}
+
+#[test]
+fn rock_tables_and_elastic_soil_have_their_springs() {
+    let rock = LayerSoil::Rock(Rock {
+        youngs_modulus_pa: Some([1e8, 1e8]),
+    });
+    let rock = in_layer(layer(ENDS_M, rock, SoilModel::WeakRock));
+    assert_close(springs(&rock, 9.0).x_n_per_m2, 3e10, 1e-12, "rock");
+    assert_close(
+        springs(&rock, 18.0 + 1e-9).x_n_per_m2,
+        5e10,
+        1e-9,
+        "deep rock",
+    );
+    let row = |height_m, reaction_n_per_m| PyRow {
+        height_m,
+        displacement_m: 0.002,
+        reaction_n_per_m,
+    };
+    let rows = vec![row(-20.0, 1e5), row(-30.0, 3e5), row(-60.0, 3e5)];
+    let table = in_layer(layer(ENDS_M, LayerSoil::Table(rows), SoilModel::Table));
+    assert_close(springs(&table, 5.0).x_n_per_m2, 1e8, 1e-12, "table");
+    assert_close(springs(&table, 20.0).x_n_per_m2, 1.5e8, 1e-12, "table");
+    let elastic = |model| {
+        let mut own = layer(ENDS_M, LayerSoil::Elastic, model);
+        own.poissons_ratio = Some(0.25);
+        own.shear_modulus = Some(ShearModulus::Youngs {
+            youngs_modulus_pa: [2e7, 2e7],
+        });
+        springs(&in_layer(own), 10.0).x_n_per_m2
+    };
+    assert_close(elastic(SoilModel::Winkler), 2.4e7, 1e-12, "Winkler");
+    let bending = 2.1e11 * PI / 64.0 * (6.0_f64.powi(4) - 5.88_f64.powi(4));
+    let ratio = (2e7 * 6.0_f64.powi(4) / bending).powf(1.0 / 12.0);
+    let expected = 0.65 * ratio * 2e7 / (1.0 - 0.0625);
+    assert_close(elastic(SoilModel::Vesic), expected, 1e-12, "Vesic");
+}
+
+/// Shear moduli by correlation, from Winkler springs 1.2 · 2 (1 + ν) G at 10 m.
+#[test]
+fn shear_moduli_follow_from_soundings() {
+    let modulus = |shear_modulus| {
+        let mut own = layer(ENDS_M, LayerSoil::Elastic, SoilModel::Winkler);
+        own.poissons_ratio = Some(0.25);
+        own.shear_modulus = Some(shear_modulus);
+        springs(&in_layer(own), 10.0).x_n_per_m2 / 3.0
+    };
+    let cone_resistance_pa = [1e7, 1e7];
+    let (velocity, density_kg_per_m3) = (200.0, 1900.0);
+    let cases = [
+        (
+            ShearModulus::WaveVelocity {
+                velocity_m_per_s: [velocity; 2],
+                density_kg_per_m3,
+            },
+            7.6e7,
+        ),
+        (
+            ShearModulus::RixStokoe { cone_resistance_pa },
+            1634e3 * 1e4_f64.powf(0.25) * 100.0_f64.powf(0.375),
+        ),
+        (
+            ShearModulus::MayneRix { cone_resistance_pa },
+            2.78e3 * 1e4_f64.powf(1.335),
+        ),
+        (
+            ShearModulus::RobertsonCabal {
+                cone_resistance_pa,
+                behaviour_index: 2.0,
+                density_kg_per_m3,
+            },
+            density_kg_per_m3 * 10_f64.powf(2.78) * (1e7 - 2e5) / 101.3e3,
+        ),
+        (
+            ShearModulus::Hardin {
+                void_ratio: 0.628,
+                earth_pressure_at_rest: 0.4,
+            },
+            875.0 * 101.3e3 / (0.3 + 0.7 * 0.628 * 0.628) * (6e4_f64 / 101.3e3).sqrt(),
+        ),
+        (
+            ShearModulus::BlowCount {
+                blow_count: [20.0; 2],
+                density_kg_per_m3,
+            },
+            density_kg_per_m3 * (97.0 * 20.0_f64.powf(0.314)).powi(2),
+        ),
+    ];
+    for (shear_modulus, expected) in cases {
+        assert_close(
+            modulus(shear_modulus),
+            expected,
+            2e-3,
+            &format!("{shear_modulus:?}"),
+        );
+    }
+}
+
+/// Along the axis: per metre of a shaft of D = 6 m, and at the tip.
+#[test]
+fn axial_springs_have_their_formulas() {
+    let mut own = layer(ENDS_M, LayerSoil::Clay(clay()), SoilModel::Api);
+    own.shaft_friction_pa = Some([3e4, 3e4]);
+    own.end_bearing_pa = Some(1e6);
+    own.poissons_ratio = Some(0.5);
+    own.shear_modulus = Some(ShearModulus::Given {
+        shear_modulus_pa: [4e7, 4e7],
+    });
+    let mut description = in_layer(own);
+    let zone = (2.5 * 36.0 * 0.5 / 3.0_f64).ln();
+    let cases = [
+        (AxialModel::Api, PI * 3e4 * 0.3 / 0.0016, 0.0),
+        (AxialModel::Kraft, 2.0 * PI * 4e7 / 10.0_f64.ln(), 0.0),
+        (
+            AxialModel::RandolphWroth,
+            2.0 * PI * 4e7 / zone,
+            4.0 * PI * 4e7 * 9.0,
+        ),
+    ];
+    for (axial, vertical, torsion) in cases {
+        ground_of(&mut description).axial = Some(axial);
+        let got = springs(&description, 12.0);
+        assert_close(got.z_n_per_m2, vertical, 1e-12, axial.name());
+        assert!(
+            (got.torsion_n - torsion).abs() <= 1e-12 * torsion,
+            "{axial:?}"
+        );
+    }
+    // A tip that rests on the soil alone.
+    let tips = [
+        (AxialModel::Api, 0.25e6 * PI * 9.0 / 0.012, 0.0),
+        (
+            AxialModel::RandolphWroth,
+            4.0 * 4e7 * 3.0 / 0.5,
+            16.0 * 4e7 * 27.0 / 3.0,
+        ),
+    ];
+    for (axial, vertical, torsion) in tips {
+        ground_of(&mut description).axial = Some(axial);
+        let springs = towermodes::FoundationSprings {
+            lateral_n_per_m: 0.0,
+            rocking_n_m: 0.0,
+            coupling_n: 0.0,
+            vertical_n_per_m: 0.0,
+            torsion_n_m: if torsion > 0.0 { 0.0 } else { f64::INFINITY },
+        };
+        description.foundation = towermodes::Foundation::Springs(springs);
+        let tower = Tower::new(description.clone()).expect("valid");
+        let base = tower.base();
+        assert_close(base.stiffness[2][2], vertical, 1e-12, axial.name());
+        assert!((base.stiffness[5][5] - torsion).abs() <= 1e-12 * torsion);
+    }
+}
+
+/// The factor multiplies every spring, those at the tip too; the tip's add to the foundation.
+#[test]
+fn the_factor_multiplies_everything() {
+    let mut own = layer(ENDS_M, LayerSoil::Clay(clay()), SoilModel::PisaCowden);
+    own.shear_modulus = Some(ShearModulus::Given {
+        shear_modulus_pa: [4e7, 4e7],
+    });
+    let mut description = in_layer(own);
+    let tip = |description: &TowerDescription| {
+        let tower = Tower::new(description.clone()).expect("valid");
+        [tower.base().stiffness[0][0], tower.base().stiffness[4][4]]
+    };
+    let (single, base) = (springs(&description, 12.0), tip(&description));
+    assert_close(base[0], (2.717 - 0.3575 * 6.0) * 4e7 * 6.0, 1e-12, "shear");
+    assert_close(
+        base[1],
+        (0.2146 - 0.002132 * 6.0) * 4e7 * 216.0,
+        1e-12,
+        "moment",
+    );
+    assert_close(
+        single.x_n_per_m2,
+        (10.6 - 1.65 * 2.0) * 4e7,
+        1e-12,
+        "lateral",
+    );
+    let rotation = (1.42 - 0.09643 * 2.0) * 4e7 * 36.0;
+    assert_close(single.rotation_y_n, rotation, 1e-12, "rotation");
+    ground_of(&mut description).factor = 2.0;
+    let (double, doubled) = (springs(&description, 12.0), tip(&description));
+    assert_close(double.x_n_per_m2, 2.0 * single.x_n_per_m2, 1e-12, "factor");
+    assert_close(
+        double.rotation_x_n,
+        2.0 * single.rotation_x_n,
+        1e-12,
+        "factor",
+    );
+    assert_close(doubled[0], 2.0 * base[0], 1e-12, "factor");
+    if let towermodes::Foundation::Springs(springs) = &mut description.foundation {
+        springs.lateral_n_per_m = 1e9;
+    }
+    assert_close(tip(&description)[0], 2.0 * base[0] + 1e9, 1e-12, "sum");
+}
