@@ -21,6 +21,7 @@ from towermodes import _towermodes
 from towermodes._campbell import Campbell
 from towermodes._convert import Converted
 from towermodes._errors import Mistake, OptionError, SolveError, TowerError
+from towermodes._first_order import FirstOrder
 from towermodes._found import Calibration, Design
 from towermodes._picture import Picture
 from towermodes._read import read
@@ -39,6 +40,7 @@ __all__ = [
     "Converted",
     "Design",
     "Examination",
+    "FirstOrder",
     "Mistake",
     "Mode",
     "OptionError",

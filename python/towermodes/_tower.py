@@ -15,6 +15,7 @@ from towermodes._checks import (
 )
 from towermodes._convert import Converted
 from towermodes._errors import TowerError
+from towermodes._first_order import FirstOrder, with_base
 from towermodes._found import Calibration, Design, study_text
 from towermodes._picture import Picture
 from towermodes._sensitivity import Sensitivities
@@ -397,6 +398,45 @@ class Tower:
             names = [names]
         chosen = None if names is None else [word("a name of a number", name) for name in names]
         return Sensitivities(_rust.sensitivities(self._core, chosen, options))
+
+    def first_order(
+        self,
+        study: Study,
+        *,
+        modes: Modes | None = None,
+        segments: SupportsIndex | None = None,
+        method: Method | None = None,
+        rotary_inertia: bool = True,
+    ) -> FirstOrder:
+        """Mean and standard deviation of the frequencies, if numbers of this tower are uncertain.
+
+        It is the `sweep --first-order` of the program: the frequencies are linear functions of the
+        varied numbers, with the exact derivatives at their means, and no rows are solved. Other
+        Python threads run meanwhile.
+
+        Args:
+            study: The path of the study of a sweep with [sweep.vary], whose `base` is not read, or
+                a dict with the same tables, in which only the distributions are needed.
+            modes: As in `sweep`; by default those of the study.
+            segments: As in `sweep`; by default those of the study.
+            method: As in `sweep`; by default that of the study.
+            rotary_inertia: Whether sections have rotary inertia in bending.
+
+        Raises:
+            TowerError: The study has mistakes; of a file the exception has their places.
+            ValueError: The study has no distributions, or they have no first order.
+            SolveError: The tower at the mean values cannot be solved.
+            OSError: The file cannot be read.
+
+        >>> import towermodes as tm
+        >>> tower = tm.read("examples/nrel-5mw.toml")
+        >>> scatter = tower.first_order("examples/studies/uncertainty.toml")
+        >>> scatter.deviation_hz["fore-aft 1"]
+        0.00533...
+        """
+        options = sweep_options(modes, segments, method, rotary_inertia, None)
+        given = with_base(study) if isinstance(study, dict) else study
+        return FirstOrder._of((self,), *study_text(given), options)
 
     def design(self, study: Study) -> Design:
         """Finds the lightest tower whose frequencies are in given bands.

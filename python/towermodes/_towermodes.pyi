@@ -6,7 +6,7 @@ The classes and functions of the package.
 from _typeshed import Incomplete, SupportsGetItem
 from typing import Final, SupportsFloat, SupportsIndex, final
 
-__all__ = ["VERSION", "Agreement", "Campbell", "Comparison", "Converted", "Examination", "Found", "Solution", "SweepFolder", "Tower", "calibrate", "close", "columns_of_stream", "design", "mode_named", "read", "read_text", "run", "sensitivities", "source", "stream_of_columns", "stream_of_results", "sweep"]
+__all__ = ["VERSION", "Agreement", "Campbell", "Comparison", "Converted", "Examination", "FirstOrder", "Found", "Solution", "SweepFolder", "Tower", "calibrate", "close", "columns_of_stream", "design", "mode_named", "read", "read_text", "run", "sensitivities", "source", "stream_of_columns", "stream_of_results", "sweep"]
 
 VERSION: Final[str]
 """
@@ -151,6 +151,24 @@ class Examination:
     def __new__(cls, /, tower: Tower) -> Examination:
         """
         Summarises a tower.
+        """
+    def json(self, /) -> str:
+        """
+        The JSON of the program.
+        """
+    def table(self, /) -> str:
+        """
+        The table of the program.
+        """
+
+@final
+class FirstOrder:
+    """
+    Mean and standard deviation of frequencies from derivatives.
+    """
+    def __new__(cls, /, tower: Tower, text: str, name: str, options: "dict[str, object]") -> FirstOrder:
+        """
+        The distributions of a study, on a tower in place of its base.
         """
     def json(self, /) -> str:
         """

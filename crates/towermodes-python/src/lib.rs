@@ -10,6 +10,7 @@ mod campbell;
 mod comparison;
 mod converted;
 mod error;
+mod first_order;
 mod found;
 mod interrupt;
 mod lock;
@@ -36,6 +37,8 @@ mod _towermodes {
     use crate::comparison::Comparison;
     #[pymodule_export]
     use crate::converted::Converted;
+    #[pymodule_export]
+    use crate::first_order::FirstOrder;
     #[pymodule_export]
     use crate::found::{Found, calibrate, design, source};
     #[pymodule_export]

@@ -1,0 +1,74 @@
+//! The scatter of frequencies to first order in what varies.
+
+use pyo3::prelude::*;
+use towermodes_cli::{studies, table};
+use towermodes_files::{Sampling, Source, SweepRows, read_sweep_study, write_first_order_json};
+use towermodes_sweep::{Base, FirstOrder as Scatter, FirstOrderError, MarginCheck, Sweep};
+
+use crate::error::{of_read, of_result, unsolved, usage};
+use crate::found::no_derivatives;
+use crate::lock::released;
+use crate::sweep::{SweepOptions, refused};
+use crate::tower::Tower;
+
+/// Mean and standard deviation of frequencies from derivatives.
+#[pyclass(frozen, module = "towermodes._towermodes")]
+pub struct FirstOrder {
+    json: Vec<u8>,
+    table: String,
+}
+
+#[pymethods]
+impl FirstOrder {
+    /// The distributions of a study, on a tower in place of its base.
+    #[new]
+    #[pyo3(signature = (tower, text, name, options: "dict[str, object]"))]
+    fn new(
+        py: Python<'_>,
+        tower: &Tower,
+        text: String,
+        name: String,
+        options: SweepOptions,
+    ) -> PyResult<Self> {
+        let input = &tower.model.input;
+        let study = read_sweep_study(&Source { name, text }).map_err(of_read)?;
+        let SweepRows::Sampled { sampling, .. } = &study.rows else {
+            return Err(usage(
+                "the study has a table of values; the first order needs distributions in [sweep.vary]",
+            ));
+        };
+        let changes = study.changes(&input.description).map_err(of_read)?;
+        let results = options.over(study.results.clone())?;
+        let (found, check) = released(py, || {
+            let sweep = Sweep::new(Base::from(input), changes, &results).map_err(refused)?;
+            scatter(&sweep, sampling)
+        })?;
+        let document = studies::first_order::document(input, sampling, &found, check.as_ref());
+        let mut json = Vec::new();
+        write_first_order_json(&document, &mut json).map_err(|error| of_result(&error))?;
+        let is_correlated = !sampling.correlations.is_empty();
+        let table = table::first_order(&tower.model.tower, &found, check.as_ref(), is_correlated);
+        Ok(Self { json, table })
+    }
+
+    /// The table of the program.
+    fn table(&self) -> &str {
+        &self.table
+    }
+
+    /// The JSON of the program.
+    fn json(&self) -> String {
+        String::from_utf8_lossy(&self.json).into_owned()
+    }
+}
+
+fn scatter(sweep: &Sweep, sampling: &Sampling) -> PyResult<(Scatter, Option<MarginCheck>)> {
+    let check = sweep.margin_check();
+    let found = sweep.first_order(sampling, check.as_ref());
+    let found = found.map_err(|error| match error {
+        FirstOrderError::Sensitivity(error) => no_derivatives(&error),
+        error @ FirstOrderError::Means { .. } => unsolved(&error.to_string(), None),
+        error => usage(error.to_string()),
+    })?;
+    Ok((found, check))
+}
