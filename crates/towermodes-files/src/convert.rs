@@ -147,11 +147,17 @@ fn to_bmodes(input: &TowerInput, options: &ConvertOptions) -> Result<Converted, 
         sections_file: sections_file.clone(),
         ..BmodesWriteOptions::default()
     };
-    let files = write_bmodes(&tower, &input.description, &options)?;
+    let description = input.description.with_ground_as_soil();
+    let files = write_bmodes(&tower, &description, &options)?;
+    let mut notes = files.notes;
+    if input.description.ground.is_some() {
+        let message = "the layers of the ground are written as the springs that follow from them";
+        notes.push(Note::approximation(message));
+    }
     Ok(Converted {
         text: files.deck,
         companion: Some((sections_file.clone(), files.sections)),
-        notes: files.notes,
+        notes,
     })
 }
 

@@ -164,7 +164,7 @@ fn both([first, second]: [TowerDescription; 2]) -> Result<[Tower; 2], AgreementE
 fn is_more_than_bare(description: &TowerDescription) -> bool {
     description.rna.mass_kg != 0.0
         || description.foundation != Foundation::Clamped
-        || !description.soil.is_empty()
+        || description.has_soil()
         || !description.added_mass.is_empty()
         || description.water.is_some()
         || !description.wires.is_empty()

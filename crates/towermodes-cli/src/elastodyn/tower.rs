@@ -32,7 +32,7 @@ pub(crate) fn run(arguments: &TowerArguments) -> Result<(), Failure> {
 /// A note if the tower begins in soil or water, which is unlikely for ElastoDyn.
 fn surrounded_base(input: &TowerInput, from_m: Option<f64>) -> Vec<Note> {
     let d = &input.description;
-    let is_surrounded = !d.soil.is_empty() || d.water.is_some() || !d.added_mass.is_empty();
+    let is_surrounded = d.has_soil() || d.water.is_some() || !d.added_mass.is_empty();
     if from_m.is_some() || !is_surrounded {
         return Vec::new();
     }

@@ -24,7 +24,7 @@ pub fn left_out(description: &TowerDescription) -> Vec<Note> {
             d.foundation != Foundation::Clamped,
             "the foundation, whose motion is removed from the shapes",
         ),
-        (!d.soil.is_empty(), "the soil"),
+        (d.has_soil(), "the soil"),
         (
             d.water.is_some() || !d.added_mass.is_empty(),
             "the water's mass",

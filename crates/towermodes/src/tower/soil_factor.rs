@@ -5,12 +5,13 @@ use super::foundation::{Foundation, FoundationSprings, StiffnessFoundation};
 use super::surroundings::SoilStiffness;
 
 impl TowerDescription {
-    /// Whether its frequencies depend on soil: it has soil springs, or its base is held by an
+    /// Whether its frequencies depend on soil: it has soil springs or layers of soil, or its base is held by an
     /// elastic foundation.
     pub fn stands_in_soil(&self) -> bool {
         let springs = |soil: &SoilStiffness| *soil != SoilStiffness::default();
         let rows = self.soil.iter().flatten();
-        rows.map(|row| &row.stiffness).any(springs) || is_elastic(&self.foundation)
+        let has_rows = rows.map(|row| &row.stiffness).any(springs);
+        has_rows || self.ground.is_some() || is_elastic(&self.foundation)
     }
 
     /// The same tower with the stiffness of its soil multiplied by `factor`.
@@ -42,6 +43,9 @@ impl TowerDescription {
         let mut tower = self.clone();
         for row in tower.soil.iter_mut().flatten() {
             row.stiffness = row.stiffness.times(factor);
+        }
+        if let Some(ground) = &mut tower.ground {
+            ground.factor *= factor;
         }
         tower.foundation = on_soil(&self.foundation, factor);
         tower

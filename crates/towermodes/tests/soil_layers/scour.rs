@@ -57,7 +57,7 @@ fn scour_lowers_the_first_frequency_of_any_site() {
 }
 
 /// A pile in one to four layers with numbers at random.
-fn random_site(random: &mut Random) -> TowerDescription {
+pub(super) fn random_site(random: &mut Random) -> TowerDescription {
     let mut description = oc3(SoilModel::Api);
     let count = 1 + (4.0 * random.next()) as usize;
     let thickness_m = 40.0 / count as f64;

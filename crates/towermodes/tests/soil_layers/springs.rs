@@ -1,11 +1,12 @@
 //! The springs of each model at a height, by hand.
 
-use super::{clay, free_tip, ground, ground_of, layer, oc3, sand};
+use super::scour::random_site;
+use super::{Random, clay, first_hz, free_tip, ground, ground_of, layer, oc3, sand};
 use crate::towers::assert_close;
 use std::f64::consts::PI;
 use towermodes::{
-    AxialModel, GroundLayer, LayerSoil, PyRow, Rock, Sand, ShearModulus, SoilModel, SoilStiffness,
-    Tower, TowerDescription,
+    AxialModel, GroundLayer, LayerSoil, Method, Options, Problem, Properties, PropertyStation,
+    PyRow, Rock, Sand, ShearModulus, SoilModel, SoilStiffness, Tower, TowerDescription,
 };
 
 /// The OC3 monopile (D = 6 m) in one layer from −20 m to −56 m.
@@ -293,4 +294,120 @@ fn the_factor_multiplies_everything() {
         springs.lateral_n_per_m = 1e9;
     }
     assert_close(tip(&description)[0], 2.0 * base[0] + 1e9, 1e-12, "sum");
+}
+
+/// Thinner layers of the same soil are divided into shorter rows: no first frequency changes.
+#[test]
+fn rows_are_as_fine_as_they_need_to_be() {
+    let mut random = Random(5);
+    for site in 0..60 {
+        let coarse = random_site(&mut random);
+        let mut fine = coarse.clone();
+        let ground = ground_of(&mut fine);
+        ground.layers = ground.layers.iter().flat_map(thin).collect();
+        let difference = beam_hz(&fine) / beam_hz(&coarse) - 1.0;
+        assert!(difference.abs() < 1e-6, "site {site}: {difference:.1e}");
+    }
+}
+
+/// The first frequency of the beam itself, without an error of segments.
+fn beam_hz(description: &TowerDescription) -> f64 {
+    let options = Options {
+        method: Method::Spectral,
+        modes: 2,
+        ..Options::default()
+    };
+    crate::towers::solved(description, &options).modes[0].frequency_hz
+}
+
+/// The same soil in eight layers.
+fn thin(layer: &GroundLayer) -> Vec<GroundLayer> {
+    let share = |part: usize, [top, bottom]: [f64; 2]| {
+        let at = |part: usize| match part {
+            0 => top,
+            8 => bottom,
+            part => top + part as f64 / 8.0 * (bottom - top),
+        };
+        [at(part), at(part + 1)]
+    };
+    let part = |part: usize| {
+        let mut own = layer.clone();
+        [own.top_m, own.bottom_m] = share(part, [layer.top_m, layer.bottom_m]);
+        if let Some(ShearModulus::Given { shear_modulus_pa }) = &mut own.shear_modulus {
+            *shear_modulus_pa = share(part, *shear_modulus_pa);
+        }
+        if let LayerSoil::Clay(clay) = &mut own.soil {
+            clay.undrained_strength_pa = clay.undrained_strength_pa.map(|pair| share(part, pair));
+        }
+        own
+    };
+    (0..8).map(part).collect()
+}
+
+/// The rows of a tower in the ground, given as such, are the same tower.
+#[test]
+fn the_ground_as_rows_of_soil_is_the_same_tower() {
+    let mut random = Random(7);
+    for _ in 0..10 {
+        let mut description = random_site(&mut random);
+        ground_of(&mut description).scour.local_m = 2.0;
+        description.part_names.ground = vec!["upper".into()];
+        let rows = description.with_ground_as_soil();
+        assert_eq!(rows.ground, None);
+        assert_eq!(rows.part_names.soil[0], "upper");
+        assert_eq!(first_hz(&rows), first_hz(&description));
+        // Half the soil is half of its rows.
+        let [soft, softer] =
+            [description, rows].map(|tower| first_hz(&tower.with_soil_factor(0.5)));
+        assert_close(soft, softer, 1e-12, "factor");
+    }
+    // PISA's springs under the tip are in the foundation.
+    let mut own = layer(ENDS_M, LayerSoil::Clay(clay()), SoilModel::PisaCowden);
+    own.shear_modulus = Some(ShearModulus::Given {
+        shear_modulus_pa: [4e7, 8e7],
+    });
+    let description = in_layer(own);
+    let rows = description.with_ground_as_soil();
+    assert_eq!(first_hz(&rows), first_hz(&description));
+    assert!(matches!(
+        rows.foundation,
+        towermodes::Foundation::Stiffness(_)
+    ));
+    assert_eq!(rows.with_ground_as_soil(), rows);
+}
+
+/// A tower that is given by a table of properties needs the diameter of its pile, and no more.
+#[test]
+fn a_table_of_properties_stands_in_the_ground_too() {
+    for model in [SoilModel::Kallehave, SoilModel::Sorensen] {
+        let tubes = oc3(model);
+        let tower = Tower::new(tubes.clone()).expect("valid");
+        let mut table = tubes.clone();
+        table.stations.clear();
+        table.materials.clear();
+        let ends = tower.pieces().iter().flat_map(|piece| {
+            [piece.base_m, piece.top_m].map(|height_m| (height_m, piece.section_at(height_m)))
+        });
+        table.properties = ends
+            .map(|(height_m, section)| PropertyStation {
+                height_m,
+                properties: Properties {
+                    mass_kg_per_m: section.masses.mass_kg_per_m,
+                    rotary_inertia_kg_m: section.masses.rotary_inertia_kg_m,
+                    polar_inertia_kg_m: section.masses.polar_inertia_kg_m,
+                    bending_n_m2: section.bending_n_m2,
+                    torsion_n_m2: section.torsion_n_m2,
+                    axial_n: section.axial_n,
+                    shear_n: None,
+                },
+            })
+            .collect();
+        let error = Tower::new(table.clone()).expect_err("no diameter");
+        assert_eq!(error.problem, Problem::PileWithoutDiameter);
+        ground_of(&mut table).pile_diameter_m = Some(6.0);
+        let mut with_rows = table.clone();
+        with_rows.ground = None;
+        with_rows.soil = tubes.with_ground_as_soil().soil;
+        assert_close(first_hz(&table), first_hz(&with_rows), 1e-6, model.name());
+    }
 }

@@ -13,7 +13,7 @@ pub(super) fn notes(description: &TowerDescription) -> Vec<Note> {
             d.foundation != Foundation::Clamped,
             "the foundation is left out: windIO has no soil or foundation",
         ),
-        (!d.soil.is_empty(), "the soil is left out"),
+        (d.has_soil(), "the soil is left out"),
         (d.water.is_some(), "the water is left out"),
         (!d.added_mass.is_empty(), "the added mass is left out"),
         (!d.wires.is_empty(), "the guy wires are left out"),

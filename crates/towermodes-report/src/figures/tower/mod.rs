@@ -40,6 +40,7 @@ use surroundings::draw_water_and_ground;
 /// bending stiffness with t = D/200, which is proportional to the fourth root of EI. RNA and
 /// platform are nominal silhouettes with their centres of mass to scale.
 pub fn tower(description: &TowerDescription, tower: &Tower) -> Figure {
+    let description = &description.with_ground_as_soil();
     let (view, height) = sheet(description, tower);
     let mut drawing = Drawing::new(WIDTH, height);
     draw_scene(&mut drawing, &view, description, tower);

@@ -78,7 +78,7 @@ fn lacks(content: &ReportContent) -> Option<String> {
             content.shapes_from_m > content.tower.base_m(),
             "the structure below",
         ),
-        (!d.soil.is_empty(), "the soil"),
+        (d.has_soil(), "the soil"),
         (
             d.water.is_some() || !d.added_mass.is_empty(),
             "the added mass of the water",
@@ -98,7 +98,7 @@ fn lacks(content: &ReportContent) -> Option<String> {
 
 fn begins_in_soil_or_water(content: &ReportContent) -> bool {
     let d = &content.description;
-    let is_surrounded = !d.soil.is_empty() || d.water.is_some() || !d.added_mass.is_empty();
+    let is_surrounded = d.has_soil() || d.water.is_some() || !d.added_mass.is_empty();
     is_surrounded && content.shapes_from_m == content.tower.base_m()
 }
 

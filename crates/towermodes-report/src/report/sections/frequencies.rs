@@ -101,9 +101,9 @@ fn total(content: &ReportContent) -> String {
     let there = parts.into_iter().filter(|(is_there, _)| *is_there);
     let there = ["the tower"].into_iter().chain(there.map(|(_, name)| name));
     let there: Vec<String> = there.map(str::to_owned).collect();
-    let soil = match d.soil.is_empty() {
-        true => "",
-        false => " The soil has no mass.",
+    let soil = match d.has_soil() {
+        false => "",
+        true => " The soil has no mass.",
     };
     format!("The total includes {}.{soil}", listed(&there))
 }

@@ -7,9 +7,11 @@ use super::reaction::{are_linear, ignore_diameter};
 use super::rock::GROWS_DIAMETERS;
 use crate::tower::description::TowerDescription;
 
-/// Parts of a layer whose springs are not linear in height. Straight lines with the force and the
-/// moment of the springs of each part then change no first frequency by more than 1e-6.
-const PARTS: f64 = 8.0;
+/// Parts of a pile in soil whose springs are not linear in height, at equal steps of the root of the
+/// depth: springs that grow with a power of the depth bend most near the surface. Straight lines
+/// with the force and the moment of the springs of each part then change no first frequency by more
+/// than 1e-6.
+const PARTS: f64 = 16.0;
 
 /// The sections of the pile within which springs are smooth, and how they are divided.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -95,28 +97,26 @@ fn sections_of(description: &TowerDescription, pile: &Pile<'_>, layer: usize) ->
     ends.sort_by(|a, b| height(a).total_cmp(&height(b)));
     ends.dedup_by(|a, b| height(a) == height(b));
     let pairs = ends.windows(2).map(|pair| (pair[0], pair[1]));
-    let section = |(lower, upper): (Guide, Guide)| {
-        let ends_m = [height(&lower), height(&upper)];
-        let share = (ends_m[1] - ends_m[0]) / (upper_m - lower_m);
-        Section {
-            layer,
-            lower,
-            upper,
-            parts: parts(pile, layer, ends_m, share),
-        }
+    let section = |(lower, upper): (Guide, Guide)| Section {
+        layer,
+        lower,
+        upper,
+        parts: parts(pile, layer, [height(&lower), height(&upper)]),
     };
     pairs.map(section).collect()
 }
 
-/// Into how many parts a section is divided that is a share of its layer.
-fn parts(pile: &Pile<'_>, layer: usize, [lower_m, upper_m]: [f64; 2], share: f64) -> usize {
+/// Into how many parts a section between two heights is divided.
+fn parts(pile: &Pile<'_>, layer: usize, [lower_m, upper_m]: [f64; 2]) -> usize {
     let (own, axial) = (&pile.ground.layers[layer], pile.ground.axial);
     let inside = |s: f64| pile.diameter_m(lower_m + s * (upper_m - lower_m));
     let is_prism = inside(0.25) == inside(0.75) || ignore_diameter(own, axial);
-    match is_prism && are_linear(own, axial) {
-        true => 1,
-        false => (PARTS * share).ceil().max(2.0) as usize,
+    if is_prism && are_linear(own, axial) {
+        return 1;
     }
+    let root = |height_m: f64| (pile.depth_m(height_m) / pile.length_m()).sqrt();
+    let steps = PARTS * (root(lower_m) - root(upper_m));
+    steps.ceil().clamp(2.0, PARTS) as usize
 }
 
 /// Where the springs of a layer may change their slope.

@@ -12,6 +12,37 @@ use crate::tower::foundation::{Foundation, StiffnessFoundation};
 use crate::tower::integrals::GAUSS_5;
 use crate::tower::surroundings::{SoilRow, SoilStiffness};
 
+impl TowerDescription {
+    /// Whether soil surrounds the tower, as rows or in layers.
+    pub fn has_soil(&self) -> bool {
+        !self.soil.is_empty() || self.ground.is_some()
+    }
+
+    /// The same tower with rows of [`soil`](Self::soil) in place of the layers of
+    /// [`ground`](Self::ground): the springs of each layer along the pile, with its name; those
+    /// under the tip in the stiffness of the foundation; the bed of the water as low as the soil is
+    /// scoured. Its frequencies are the same.
+    ///
+    /// For programs and formats that know springs only. A description that
+    /// [`Tower::new`](crate::Tower::new) refuses can give springs that are not finite.
+    #[must_use]
+    pub fn with_ground_as_soil(&self) -> Self {
+        let plan = Plan::of(self);
+        let mut rows = with_rows(self.clone(), &plan);
+        rows.part_names.soil.resize(self.soil.len(), String::new());
+        let layers = plan.sections.chunk_by(|a, b| a.layer == b.layer);
+        for layer in layers.filter_map(|sections| sections.first()) {
+            let name = self.part_names.ground.get(layer.layer);
+            rows.part_names.soil.push(name.cloned().unwrap_or_default());
+        }
+        if self.ground.is_none() {
+            rows.part_names.soil.clone_from(&self.part_names.soil);
+        }
+        rows.part_names.ground.clear();
+        rows
+    }
+}
+
 /// The description with rows of soil in place of the ground: springs along the pile, springs at its
 /// tip in the foundation, the bed of the water scoured.
 pub(in crate::tower) fn with_rows(
@@ -45,17 +76,17 @@ fn soil(description: &TowerDescription, pile: &Pile<'_>, plan: &Plan) -> Vec<Vec
         .collect()
 }
 
-/// Two rows for each part of a section. Parts are shorter near the surface, where springs that grow
-/// with a power of the depth bend most.
+/// Two rows for each part of a section; the parts are equal steps of the root of the depth.
 fn rows_of(description: &TowerDescription, pile: &Pile<'_>, section: &Section) -> Vec<SoilRow> {
     let [lower_m, upper_m] =
         [section.lower, section.upper].map(|guide| guide.height_m(description, pile));
-    let border_m = |part: usize| {
-        let share = (section.parts - part) as f64 / section.parts as f64;
-        match part {
-            0 => lower_m,
-            part if part == section.parts => upper_m,
-            _ => upper_m - (upper_m - lower_m) * share * share,
+    let [deep, shallow] = [lower_m, upper_m].map(|end_m| pile.depth_m(end_m).max(0.0).sqrt());
+    let border_m = |part: usize| match part {
+        0 => lower_m,
+        part if part == section.parts => upper_m,
+        part => {
+            let share = part as f64 / section.parts as f64;
+            pile.hole_m - (deep + share * (shallow - deep)).powi(2)
         }
     };
     let parts = 0..section.parts;

@@ -133,7 +133,7 @@ fn rna(content: &ReportContent) -> String {
 
 fn surroundings(description: &TowerDescription) -> Vec<String> {
     let mut points = Vec::new();
-    if !description.soil.is_empty() {
+    if description.has_soil() {
         points.push(
             "Soil is modelled by distributed linear springs (Winkler) without mass or damping."
                 .to_owned(),
@@ -163,7 +163,7 @@ fn surroundings(description: &TowerDescription) -> Vec<String> {
 fn left_out(description: &TowerDescription) -> String {
     let has_water = description.water.is_some() || !description.added_mass.is_empty();
     let kinds = [
-        (description.soil.is_empty(), "soil along the tower"),
+        (!description.has_soil(), "soil along the tower"),
         (!has_water, "water along the tower"),
         (description.wires.is_empty(), "guy wires"),
         (description.point_masses.is_empty(), "point masses"),
