@@ -5,8 +5,8 @@ use super::foundation::{Foundation, FoundationSprings, StiffnessFoundation};
 use super::surroundings::SoilStiffness;
 
 impl TowerDescription {
-    /// Whether its frequencies depend on soil: it has soil springs or layers of soil, or its base is held by an
-    /// elastic foundation.
+    /// Whether its frequencies depend on soil: it has soil springs or layers of soil, or its base
+    /// is held by an elastic foundation.
     pub fn stands_in_soil(&self) -> bool {
         let springs = |soil: &SoilStiffness| *soil != SoilStiffness::default();
         let rows = self.soil.iter().flatten();

@@ -7,10 +7,10 @@ use super::reaction::{are_linear, ignore_diameter};
 use super::rock::GROWS_DIAMETERS;
 use crate::tower::description::TowerDescription;
 
-/// Parts of a pile in soil whose springs are not linear in height, at equal steps of the root of the
-/// depth: springs that grow with a power of the depth bend most near the surface. Straight lines
-/// with the force and the moment of the springs of each part then change no first frequency by more
-/// than 1e-6.
+/// Parts of a pile in soil whose springs are not linear in height, at equal steps of the root of
+/// the depth: springs that grow with a power of the depth bend most near the surface. Straight
+/// lines with the force and the moment of the springs of each part then change no first frequency
+/// by more than 1e-6.
 const PARTS: f64 = 16.0;
 
 /// The sections of the pile within which springs are smooth, and how they are divided.
