@@ -119,7 +119,9 @@ pub struct AddedMassRow {
 pub struct Water {
     /// Height of the surface in the datum of the stations, m.
     pub level_m: f64,
-    /// Height of the ground, m; `None` is the lowest station.
+    /// Height of the ground, m; `None` is the lowest station, or the surface of
+    /// [`TowerDescription::ground`](crate::TowerDescription::ground), with whose scour it goes
+    /// down.
     pub bed_m: Option<f64>,
     /// Density ρ, kg/m³.
     pub density_kg_per_m3: f64,

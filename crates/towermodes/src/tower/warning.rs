@@ -282,6 +282,19 @@ pub enum Warning {
         "the base is clamped although soil springs are given; for a pile in soil give [foundation] with type = \"springs\" for the pile tip"
     )]
     SoilAndClamp,
+    /// Water whose bed is not at the surface of the ground.
+    #[error(
+        "{}the bed of the water is at {} m, but the surface of the ground at {} m; omit bed: it follows from the surface and its scour",
+        .site.before(), Plain(*.bed_m), Plain(*.surface_m)
+    )]
+    BedOffSurface {
+        /// The bed.
+        site: Site,
+        /// Height of the bed, m.
+        bed_m: f64,
+        /// Height of the surface before scour, m.
+        surface_m: f64,
+    },
     /// A matrix of a floating platform was not symmetric.
     #[error(
         "the {what} of the platform is not symmetric (entries differ by up to {:.2} %); the mean of both triangles is used",

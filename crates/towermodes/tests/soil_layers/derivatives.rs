@@ -1,5 +1,7 @@
 //! Derivatives of frequencies with respect to the numbers of the ground.
 
+use crate::towers::assert_close;
+
 use super::{clay, first_hz, ground_of, layer, oc3};
 use towermodes::{
     Change, LayerSoil, Options, Parameter, ShearModulus, SoilModel, TowerDescription, Workspace,
@@ -87,4 +89,32 @@ fn names_set_the_numbers_of_the_ground() {
     let error = Parameter::parse("ground.layer[0].undrained_strength[0]", &description);
     let message = error.expect_err("sand has none").to_string();
     assert!(message.contains("undrained strength"), "{message}");
+}
+
+/// Scour that is not there yet: the first metre costs what solves say.
+#[test]
+fn scour_of_zero_has_a_derivative() {
+    for model in [SoilModel::Api, SoilModel::Kallehave] {
+        let description = oc3(model);
+        let names = ["ground.scour.general", "ground.scour.local"];
+        let changes = names.map(|name| Change::parse(name, &description).expect(name));
+        let options = Options {
+            modes: 2,
+            ..Options::default()
+        };
+        let mut workspace = Workspace::default();
+        let result = sensitivities(&description, &changes, &options, &mut workspace);
+        let result = result.expect("solved");
+        for (change, derivatives) in changes.iter().zip(&result.changes) {
+            let got = derivatives.modes[0].expect("a derivative").hz_per_unit;
+            let at = |depth_m: f64| {
+                let mut scoured = description.clone();
+                change.apply(&mut scoured, depth_m);
+                first_hz(&scoured)
+            };
+            // One-sided, of second order.
+            let expected = (4.0 * at(0.01) - at(0.02) - 3.0 * at(0.0)) / 0.02;
+            assert_close(got, expected, 2e-3, &format!("{model:?} {}", change.name()));
+        }
+    }
 }

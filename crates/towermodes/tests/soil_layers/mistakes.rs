@@ -1,9 +1,10 @@
 //! Mistakes: each at its place, with its numbers.
 
-use super::{clay, ground_of, layer, oc3, sand};
+use super::scour::random_site;
+use super::{Random, clay, ground_of, layer, oc3, sand};
 use towermodes::{
-    AxialModel, Foundation, LayerSoil, Place, Problem, PyRow, Quantity, Sand, ShearModulus,
-    SoilModel, Tower, TowerDescription, Warning,
+    AxialModel, Foundation, LayerSoil, Parameter, Place, Problem, PyRow, Quantity, Sand,
+    ShearModulus, SoilModel, Tower, TowerDescription, Warning, Water,
 };
 
 type Change = fn(&mut TowerDescription);
@@ -316,4 +317,71 @@ fn pisa_out_of_range_is_warned_of() {
         })
         .collect();
     assert_eq!(values, [10.0 / 6.0, 0.3], "{warnings:?}");
+}
+
+#[test]
+fn a_bed_of_the_water_off_the_surface_is_warned_of() {
+    let with_bed = |d: &mut TowerDescription, bed_m| {
+        d.water = Some(Water {
+            level_m: 0.0,
+            bed_m: Some(bed_m),
+            density_kg_per_m3: 1025.0,
+            added_mass_coefficient: 1.0,
+            flooded: false,
+        });
+    };
+    let warns = |warnings: Vec<Warning>| {
+        let is_off = |warning: &Warning| matches!(warning, Warning::BedOffSurface { .. });
+        warnings.iter().any(is_off)
+    };
+    let mut description = oc3(SoilModel::Api);
+    for (bed_m, expected) in [(-20.0, false), (-22.0, true)] {
+        with_bed(&mut description, bed_m);
+        let tower = Tower::new(description.clone()).expect("possible");
+        assert_eq!(warns(tower.warnings().to_vec()), expected, "{bed_m}");
+    }
+}
+
+/// Any number of the ground at any size: a tower or an error, never a panic, and no frequency that
+/// is not a number.
+#[test]
+fn no_number_makes_the_ground_panic() {
+    let mut sites = Random(99);
+    let sizes = [
+        0.0,
+        -1.0,
+        1e-300,
+        1e-9,
+        1e9,
+        1e29,
+        1e300,
+        f64::NAN,
+        f64::INFINITY,
+        -20.0,
+        -56.0,
+    ];
+    for _ in 0..20 {
+        let mut description = random_site(&mut sites);
+        ground_of(&mut description).scour.local_m = 1.0;
+        let names = Parameter::all(&description);
+        let of_ground = names
+            .iter()
+            .filter(|name| name.to_string().starts_with("ground"));
+        for parameter in of_ground {
+            for size in sizes {
+                let mut changed = description.clone();
+                parameter.set(&mut changed, size);
+                if let Ok(tower) = Tower::new(changed) {
+                    let environments = tower.pieces().iter().map(|piece| piece.environment);
+                    let soil = environments
+                        .filter_map(|environment| environment.soil)
+                        .flatten();
+                    for springs in soil {
+                        let lateral = springs.x_n_per_m2;
+                        assert!(lateral.is_finite() && lateral >= 0.0, "{parameter} {size}");
+                    }
+                }
+            }
+        }
+    }
 }

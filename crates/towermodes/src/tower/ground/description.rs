@@ -8,6 +8,63 @@ use super::layer::GroundLayer;
 /// springs along it follow from the layers, each by its model; they add to the rows of
 /// [`TowerDescription::soil`](crate::TowerDescription::soil). At the tip act base springs, where
 /// the models have such, which add to the stiffness of the foundation.
+///
+/// # Example
+/// A monopile of 6 m in 36 m of sand and clay. Its tip is free to move sideways and to turn.
+/// ```
+/// use towermodes::{
+///     Clay, Foundation, FoundationSprings, Ground, GroundLayer, LayerSoil, Material, Options, Rna,
+///     Sand, Scour, SoilModel, Station, Tower, TowerDescription, solve,
+/// };
+///
+/// let layer = |top_m, bottom_m, soil| GroundLayer {
+///     top_m,
+///     bottom_m,
+///     soil,
+///     model: SoilModel::Api,
+///     effective_unit_weight_n_per_m3: Some(1e4),
+///     shear_modulus: None,
+///     poissons_ratio: None,
+///     shaft_friction_pa: None,
+///     end_bearing_pa: None,
+/// };
+/// let sand = Sand { friction_angle_deg: Some(35.0), ..Sand::default() };
+/// let clay = Clay {
+///     undrained_strength_pa: Some([8e4, 1.5e5]),
+///     strain_at_half_strength: Some(0.007),
+///     strength_factor: Some(0.25),
+///     stiffness_factor: None,
+/// };
+/// let tower = |local_m| TowerDescription {
+///     materials: vec![Material::from_shear_modulus(8500.0, 2.1e11, 8.08e10)],
+///     stations: vec![Station::new(-56.0, 6.0, 0.06), Station::new(87.6, 3.87, 0.019)],
+///     rna: Rna::point(350e3),
+///     foundation: Foundation::Springs(FoundationSprings {
+///         lateral_n_per_m: 0.0,
+///         rocking_n_m: 0.0,
+///         ..FoundationSprings::RIGID
+///     }),
+///     ground: Some(Ground {
+///         surface_m: -20.0,
+///         scour: Scour { general_m: 0.0, local_m },
+///         factor: 1.0,
+///         submerged: true,
+///         pile_diameter_m: None,
+///         axial: None,
+///         layers: vec![
+///             layer(-20.0, -32.0, LayerSoil::Sand(sand)),
+///             layer(-32.0, -60.0, LayerSoil::Clay(clay)),
+///         ],
+///     }),
+///     ..TowerDescription::default()
+/// };
+/// let first_hz = |local_m| {
+///     let tower = Tower::new(tower(local_m)).expect("a tower");
+///     solve(&tower, &Options::default()).expect("a solution").modes[0].frequency_hz
+/// };
+/// let loss = 1.0 - first_hz(6.0) / first_hz(0.0);
+/// assert!((0.02..0.06).contains(&loss), "{loss}");
+/// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct Ground {
     /// Height of the surface before scour in the datum of the stations, m: mudline or terrain.

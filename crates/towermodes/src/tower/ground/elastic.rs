@@ -7,15 +7,15 @@ pub(super) fn youngs_modulus_pa(shear_modulus_pa: f64, poissons_ratio: f64) -> f
 
 /// 1.2 E, N/m².
 ///
-/// Source: Gazetas (1991), for piles that are long and free at the head.
+/// Source: Gazetas (1991), not checked against the original.
 pub(super) fn winkler(youngs_modulus_pa: f64) -> f64 {
     1.2 * youngs_modulus_pa
 }
 
 /// 0.65 (E D⁴/(E_p I))^(1/12) E/(1 − ν²), N/m², with the bending stiffness E_p I of the pile.
 ///
-/// Derived for long beams on an elastic half-space; about half of what a continuum around a pile
-/// gives.
+/// Derived for long beams on the surface of an elastic half-space: softer than the soil around a
+/// pile.
 ///
 /// Source: Vesić, *Bending of beams resting on isotropic elastic solid*, J. Eng. Mech. Div. ASCE 87
 /// (1961).

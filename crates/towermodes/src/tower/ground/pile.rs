@@ -9,7 +9,7 @@ use crate::tower::section::Tube;
 const OVERBURDEN_DIAMETERS: f64 = 6.0;
 
 /// A tower in the ground: heights, depths, the sections of the pile, the weight of the soil.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone)]
 pub(super) struct Pile<'a> {
     description: &'a TowerDescription,
     pub(super) ground: &'a Ground,
@@ -19,6 +19,8 @@ pub(super) struct Pile<'a> {
     pub(super) bed_m: f64,
     /// Height of the bottom of the hole of local scour, m: soil begins here.
     pub(super) hole_m: f64,
+    /// Weight of the soil above the top of each layer before scour, Pa.
+    weights_to_top_pa: Vec<f64>,
 }
 
 impl<'a> Pile<'a> {
@@ -34,6 +36,7 @@ impl<'a> Pile<'a> {
             tip_m: lowest_station.or(lowest_row)?,
             bed_m,
             hole_m: bed_m - ground.scour.local_m,
+            weights_to_top_pa: weights_to_top_pa(ground),
         })
     }
 
@@ -87,23 +90,22 @@ impl<'a> Pile<'a> {
         reduced_pa.min(unreduced_pa)
     }
 
-    /// Weight of the soil between two heights, Pa; below the layers the last one goes on.
+    /// Weight of the soil between a height and the surface with or without scour, Pa.
     fn weight_above_pa(&self, height_m: f64, surface_m: f64) -> f64 {
+        self.weight_to_pa(height_m) - self.weight_to_pa(surface_m)
+    }
+
+    /// Weight of the soil between a height and the surface before scour, Pa: beyond the layers the
+    /// first and the last one go on.
+    fn weight_to_pa(&self, height_m: f64) -> f64 {
         let layers = &self.ground.layers;
-        let last = layers.len().saturating_sub(1);
-        let weight = |(index, layer): (usize, &GroundLayer)| {
-            let top_m = layer.top_m.min(surface_m);
-            let bottom_m = match index == last {
-                true => height_m,
-                false => layer.bottom_m.max(height_m),
-            };
-            let thickness_m = (top_m - bottom_m).max(0.0);
-            match thickness_m > 0.0 {
-                true => layer.effective_unit_weight_n_per_m3.unwrap_or(f64::NAN) * thickness_m,
-                false => 0.0,
-            }
+        let below = layers.partition_point(|layer| layer.bottom_m > height_m);
+        let index = below.min(layers.len().saturating_sub(1));
+        let Some(layer) = layers.get(index) else {
+            return f64::NAN;
         };
-        layers.iter().enumerate().map(weight).sum()
+        let weight = layer.effective_unit_weight_n_per_m3.unwrap_or(f64::NAN);
+        self.weights_to_top_pa[index] + weight * (layer.top_m - height_m)
     }
 
     /// Outer diameter D, m; at a step that of the tube above it.
@@ -119,7 +121,7 @@ impl<'a> Pile<'a> {
             return youngs_modulus_pa * tube.second_moment_of_area_m4();
         }
         let rows = &self.description.properties;
-        let around = around(rows.len(), height_m, |index| rows[index].height_m);
+        let around = around(rows, height_m, |row| row.height_m);
         around.map_or(f64::NAN, |(below, share)| {
             let planes = |index: usize| rows[index].properties.bending_n_m2;
             let (low, high) = (planes(below), planes(below + 1));
@@ -132,7 +134,7 @@ impl<'a> Pile<'a> {
     /// The tube at a height with its Young's modulus, Pa; none for a table of properties.
     fn tube(&self, height_m: f64) -> Option<(Tube, f64)> {
         let stations = &self.description.stations;
-        let (below, share) = around(stations.len(), height_m, |index| stations[index].height_m)?;
+        let (below, share) = around(stations, height_m, |row| row.height_m)?;
         let tube = |index: usize| Tube {
             outer_diameter_m: stations[index].outer_diameter_m,
             wall_thickness_m: stations[index].wall_thickness_m,
@@ -162,16 +164,26 @@ impl<'a> Pile<'a> {
     }
 }
 
+fn weights_to_top_pa(ground: &Ground) -> Vec<f64> {
+    let weights = ground.layers.iter().scan(0.0, |above_pa, layer| {
+        let to_top_pa = *above_pa;
+        let weight = layer.effective_unit_weight_n_per_m3.unwrap_or(f64::NAN);
+        *above_pa += weight * (layer.top_m - layer.bottom_m);
+        Some(to_top_pa)
+    });
+    weights.collect()
+}
+
 /// Of rows by rising height the one below a height, and how far above it the height is, as a
 /// fraction of the way to the next one; at the ends the nearest piece.
-fn around(count: usize, height_m: f64, row_m: impl Fn(usize) -> f64) -> Option<(usize, f64)> {
-    let above = (0..count).find(|&index| row_m(index) > height_m);
-    let upper = above.unwrap_or(count.checked_sub(1)?).max(1);
+fn around<R>(rows: &[R], height_m: f64, row_m: impl Fn(&R) -> f64) -> Option<(usize, f64)> {
+    let above = rows.partition_point(|row| row_m(row) <= height_m);
+    let upper = above.min(rows.len().checked_sub(1)?).max(1);
     let below = upper - 1;
-    let length_m = row_m(upper) - row_m(below);
-    let share = match length_m > 0.0 {
-        true => (height_m - row_m(below)) / length_m,
+    let (low_m, high_m) = (row_m(rows.get(below)?), row_m(rows.get(upper)?));
+    let share = match high_m > low_m {
+        true => (height_m - low_m) / (high_m - low_m),
         false => 0.0,
     };
-    (upper < count).then(|| (below, share.clamp(0.0, 1.0)))
+    Some((below, share.clamp(0.0, 1.0)))
 }

@@ -4,11 +4,11 @@ use super::layer::{GroundLayer, LayerSoil};
 use super::model::SoilModel;
 
 /// The constants of one soil of the PISA project, for reactions at zero load: the lateral springs
-/// k_p G₀ [N/m²], the springs against rotation k_m G₀ D² [N m/rad per m], at the tip shear k_H G₀ D
-/// and moment k_M G₀ D³. They belong to a pile with shear deformation.
+/// k_p G₀ [N/m²], the springs against rotation k_m G₀ D² [N m/rad per m], at the tip shear
+/// k_H G₀ D and moment k_M G₀ D³. They belong to a pile with shear deformation.
 ///
-/// For 5 m ≤ D ≤ 10 m and 2 ≤ L/D ≤ 6. A factor that the lines make negative, below about 6 D, is
-/// zero.
+/// For 2 ≤ L/D ≤ 6 and 5 m ≤ D ≤ 10 m (the diameters are not checked against the originals). A
+/// factor that the lines make negative, below about 6 D, is zero.
 ///
 /// Sources: Byrne et al., *PISA design model for monopiles for offshore wind turbines: application
 /// to a stiff glacial clay till*, and Burd et al., *… application to a marine sand*, Géotechnique

@@ -14,7 +14,7 @@ const EXPONENT: f64 = 0.6;
 /// - below water: max(0.1978 φ′² − 10.232 φ′ + 136.82, 5.4),
 /// - above water: max(0.2153 φ′² − 8.232 φ′ + 63.657, 5.4).
 ///
-/// The figure ends at about 45 degrees. The first fit gives 5.4 for all angles up to 28.6 degrees.
+/// The first fit gives 5.4 for all angles up to 28.6 degrees.
 ///
 /// Source: the fit of the open program openpile to the figure.
 pub(super) fn subgrade_modulus_n_per_m3(sand: &Sand, submerged: bool) -> f64 {
@@ -32,8 +32,8 @@ pub(super) fn subgrade_modulus_n_per_m3(sand: &Sand, submerged: bool) -> f64 {
 
 /// k z₀ (z/z₀)^0.6 (D/D₀)^0.5 with z₀ = 2.5 m, D₀ = 0.61 m, N/m².
 ///
-/// For monopiles of 4 to 6 m; it corrects API's stiffness, which is too soft near the surface and
-/// too stiff at depth.
+/// It corrects API's stiffness for wide piles, for which that is too soft near the surface and too
+/// stiff at depth. The exponent fitted to single sites was 0.4 to 0.7.
 ///
 /// Source: Kallehave, Le Blanc Thilsted & Liingaard, *Modification of the API p-y formulation of
 /// initial stiffness of sand*, OSIG 2012, as quoted by Beuckelaers (2013).
@@ -44,8 +44,7 @@ pub(super) fn kallehave(k_n_per_m3: f64, depth_m: f64, diameter_m: f64) -> f64 {
 
 /// 50 MPa (z/1 m)^0.6 (D/1 m)^0.5 φ′^3.6 with φ′ in radians, N/m².
 ///
-/// From finite elements for piles of 1 to 7 m in sand of 30 to 40 degrees; about six times softer
-/// than Kallehave near the surface.
+/// Much softer than Kallehave: about six times, as Beuckelaers found.
 ///
 /// Source: Sørensen, Ibsen & Augustesen, *Effects of diameter on initial stiffness of p-y curves
 /// for large-diameter piles in sand*, NUMGE 2010, as quoted by Beuckelaers (2013).

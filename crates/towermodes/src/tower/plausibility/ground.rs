@@ -19,7 +19,8 @@ const CONE: Usual = Usual::new(Quantity::ConeResistance, 2e4, 1.5e8);
 const BLOWS: Usual = Usual::new(Quantity::BlowCount, 1.0, 100.0);
 const FRICTION: Usual = Usual::new(Quantity::ShaftFriction, 1e3, 5e5);
 
-/// Ranges of PISA: the diameter in m, the embedded length over it, the relative density.
+/// Ranges of PISA: the diameter in m, the embedded length over it, the relative density. Only that
+/// of the length is checked against a source.
 const PISA_DIAMETERS_M: [f64; 2] = [5.0, 10.0];
 const PISA_LENGTHS: [f64; 2] = [2.0, 6.0];
 const PISA_DENSITIES: [f64; 2] = [0.45, 0.9];
@@ -53,6 +54,17 @@ pub(super) fn check(tower: &Tower, given: &Given<'_>, warnings: &mut Vec<Warning
         }
     }
     range_of_pisa(tower, ground, warnings);
+    warnings.extend(bed_off_surface(given, ground));
+}
+
+/// The bed goes down with the scour from the height at which it is given.
+fn bed_off_surface(given: &Given<'_>, ground: &Ground) -> Option<Warning> {
+    let (bed_m, surface_m) = (given.water?.bed_m?, ground.surface_m);
+    (bed_m != surface_m).then(|| Warning::BedOffSurface {
+        site: Site::at(Place::Water { key: "bed" }),
+        bed_m,
+        surface_m,
+    })
 }
 
 /// The layer that the tip stands on may give springs under the tip.
