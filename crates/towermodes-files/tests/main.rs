@@ -14,6 +14,7 @@ mod elastodyn;
 mod elastodyn_formulas;
 mod elastodyn_writer;
 mod ground;
+mod ground_layers;
 mod ground_refusals;
 mod hawc2;
 mod large_files;

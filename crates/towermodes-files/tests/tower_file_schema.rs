@@ -90,6 +90,9 @@ fn file_with_a_date(table: &TableSchema, key: &str) -> String {
         None if table.name == "inertia" => {
             format!("[rna]\nmass = 1\ninertia = {{ {} }}\n", lines.join(", "))
         }
+        None if table.name == "scour" => {
+            format!("[ground]\nscour = {{ {} }}\n", lines.join(", "))
+        }
         None if table.name == "[tower]" => {
             format!("[tower]\n{}\n[material]\n{STEEL}", lines.join("\n"))
         }
@@ -144,7 +147,15 @@ const NO_PARAMETERS: [(&str, &str); 3] = [
 #[test]
 fn every_number_of_the_tower_file_is_a_parameter() {
     let floating = text("examples/floating.toml");
-    let files = [TUBES, TABLE, STIFFNESS, MONOPILE, WINKLER_PILE, &floating];
+    let files = [
+        TUBES,
+        TABLE,
+        STIFFNESS,
+        MONOPILE,
+        WINKLER_PILE,
+        GROUND,
+        &floating,
+    ];
     let towers = files.map(description);
     for table in tower_file_schema() {
         for key in table.keys {
@@ -173,6 +184,7 @@ fn names_of_parameters(table: &TableSchema, key: &KeySchema) -> Vec<String> {
     let part = match part {
         "[tower.properties]" => "properties[*]".to_owned(),
         "inertia" => "rna.inertia".to_owned(),
+        "scour" => "ground.scour".to_owned(),
         part => part
             .replace("[[", "")
             .replace("]]", "[*]")
@@ -182,8 +194,15 @@ fn names_of_parameters(table: &TableSchema, key: &KeySchema) -> Vec<String> {
     let rows = |of: &str, columns: &[&str]| columns.iter().map(|c| format!("{of}.{c}")).collect();
     match (part.as_str(), key.kind, key.name) {
         ("tower", Rows, _) => rows("stations[*]", &["height", "diameter", "wall"]),
-        ("soil[*]", Rows, _) => rows("soil[*].rows[*]", &["height", "x", "y", "z", "torsion"]),
+        ("soil[*]", Rows, _) => rows(
+            "soil[*].rows[*]",
+            &["height", "x", "y", "z", "torsion", "rotation_x"],
+        ),
         ("added_mass[*]", Rows, _) => rows("added_mass[*].rows[*]", &["height", "mass"]),
+        ("ground.layer[*]", Rows, _) => rows(
+            "ground.layer[*].rows[*]",
+            &["height", "displacement", "reaction"],
+        ),
         (_, Matrix, name) => vec![format!("{part}.{name}[*][*]")],
         (_, Numbers, "center") => (0..3).map(|i| format!("{part}.center[{i}]")).collect(),
         (_, _, name) => vec![format!("{part}.{name}")],
@@ -291,6 +310,58 @@ const WINKLER_PILE: &str = tube_on!(
     vertical = 1e10
 "
 );
+
+const GROUND: &str = "
+    [tower.properties]
+    z_m = [-40.0, 80.0]
+    mass_kg_per_m = [4e3, 2e3]
+    ei_fore_aft_n_m2 = [5e11, 1e11]
+    [ground]
+    surface = 0.0
+    submerged = true
+    model = \"api\"
+    axial = \"api\"
+    factor = 2.0
+    pile_diameter = 6.0
+    scour = { general = 1.0, local = 2.0 }
+    [[ground.layer]]
+    type = \"sand\"
+    top = 0.0
+    bottom = -8.0
+    effective_unit_weight = 10e3
+    friction_angle = 35.0
+    subgrade_modulus = 2e7
+    relative_density = 0.6
+    cone_resistance = [1e7, 2e7]
+    correlation = \"robertson-cabal\"
+    behaviour_index = 2.0
+    density = 1900
+    poissons_ratio = 0.3
+    shaft_friction = [0, 5e4]
+    end_bearing = 5e6
+    [[ground.layer]]
+    type = \"clay\"
+    top = -8.0
+    bottom = -16.0
+    undrained_strength = 5e4
+    strain_at_half_strength = 0.01
+    strength_factor = 0.5
+    stiffness_factor = 10
+    shear_wave_velocity = 150
+    density = 1800
+    [[ground.layer]]
+    type = \"elastic\"
+    model = \"winkler\"
+    top = -16.0
+    bottom = -24.0
+    void_ratio = 0.7
+    earth_pressure_at_rest = 0.4
+    [[ground.layer]]
+    type = \"py\"
+    top = -24.0
+    bottom = -40.0
+    rows = [[-24.0, 0.01, 1e5], [-40.0, 0.01, 3e5]]
+";
 
 const STIFFNESS: &str = tube_on!(
     "

@@ -5,6 +5,7 @@ use towermodes::{PartNames, TowerDescription};
 use super::added_mass::added_mass;
 use super::foundation::foundation;
 use super::gravity::gravity;
+use super::ground::{default_foundation, ground};
 use super::masses::{is_point_mass, point_masses, rna};
 use super::materials::{Materials, materials};
 use super::properties::properties;
@@ -55,6 +56,7 @@ pub(super) fn description(root: &Table<'_>, reading: &mut Reading) -> Option<Tow
 /// Everything but the tower itself: its foundation and surroundings, the bodies on it, gravity.
 fn around(root: &Table<'_>, reading: &mut Reading) -> Option<TowerDescription> {
     let (foundation, soil) = (foundation(root, reading), soil(root, reading));
+    let ground = ground(root, reading);
     let added_mass = added_mass(root, reading);
     let (water, wires) = (water(root, reading), wires(root, reading));
     let (gravity, rotor) = (gravity(root, reading), rotor(root, reading));
@@ -63,12 +65,17 @@ fn around(root: &Table<'_>, reading: &mut Reading) -> Option<TowerDescription> {
     let (point_masses, point_mass_names) = point_masses(root, reading)?;
     let ((soil, soil_names), (wires, wires_names)) = (soil?, wires?);
     let (added_mass, added_mass_names) = added_mass?;
+    let (ground, ground_names) = ground?.unzip();
+    let of_tip = ground
+        .as_ref()
+        .and_then(|ground| default_foundation(root, ground, reading));
     Some(TowerDescription {
         rna: rna.unwrap_or_default(),
         rna_is_point,
         point_masses,
-        foundation: foundation?,
+        foundation: of_tip.or(foundation)?,
         soil,
+        ground,
         added_mass,
         water: water?,
         wires,
@@ -77,6 +84,7 @@ fn around(root: &Table<'_>, reading: &mut Reading) -> Option<TowerDescription> {
         part_names: PartNames {
             point_masses: point_mass_names,
             soil: soil_names,
+            ground: ground_names.unwrap_or_default(),
             added_mass: added_mass_names,
             wires: wires_names,
             ..PartNames::default()

@@ -2,10 +2,12 @@
 
 mod added_mass;
 mod body;
+mod choice;
 mod design;
 mod file;
 mod foundation;
 mod gravity;
+mod ground;
 mod masses;
 mod materials;
 mod matrix;

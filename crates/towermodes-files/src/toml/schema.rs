@@ -122,6 +122,7 @@ tables! {
         optional "point_mass" Table "" "a point mass, as often as needed";
         optional "foundation" Table "" "the foundation; without it the base is clamped";
         optional "soil" Table "" "a layer of soil springs, as often as needed";
+        optional "ground" Table "" "soil in layers around the embedded pile";
         optional "added_mass" Table "" "a table of added mass, as often as needed";
         optional "water" Table "" "the water around the tower";
         optional "wires" Table "" "a set of guy wires, as often as needed";
@@ -251,7 +252,122 @@ tables! {
     /// `[[soil]]`.
     SOIL = "[[soil]]":
         optional "name" Text "" "";
-        required "rows" Rows "" "height in m, springs in x, in y (N/m2), in z (N/m2), in torsion (N)";
+        required "rows" Rows "" "height in m, springs in x, in y (N/m2), in z (N/m2), in torsion, against rotation about x and y (N)";
+
+    /// `[ground]`.
+    GROUND = "[ground]":
+        required "surface" Number "m" "height of the mudline or terrain before scour";
+        required "submerged" Flag "" "whether the soil is under water";
+        optional "model" Text "" "of the springs: api, dnv, reese-stiff-clay, kallehave, sorensen, pisa-cowden, pisa-bothkennar, pisa-dunkirk, winkler or vesic";
+        optional "axial" Text "" "model of the axial springs: api, kraft or randolph-wroth";
+        optional "factor" Number "" "on all springs of the ground";
+        optional "pile_diameter" Number "m" "for a tower given by a table of properties";
+        optional "scour" Table "" "";
+        required "layer" Table "" "a layer of soil, as often as needed, from the surface down";
+
+    /// `scour` of `[ground]`.
+    SCOUR = "scour":
+        optional "general" Number "m" "depth by which the whole surface goes down";
+        optional "local" Number "m" "depth of the hole around the pile below that";
+
+    /// `[[ground.layer]]` of type `sand`.
+    SAND = "[[ground.layer]] of type \"sand\"":
+        optional "name" Text "" "";
+        required "type" Text "" "kind of soil: sand, clay, elastic, rock or py";
+        optional "model" Text "" "of the springs, in place of that of [ground]";
+        required "top" Number "m" "height";
+        required "bottom" Number "m" "height";
+        optional "effective_unit_weight" Number "N/m3" "under water the buoyant one";
+        optional "friction_angle" Number "degrees" "";
+        optional "subgrade_modulus" Number "N/m3" "in place of friction_angle for api";
+        optional "relative_density" Number "" "as a fraction";
+        optional "shear_modulus" Any "Pa" "at small strains; one number or [top, bottom]";
+        optional "youngs_modulus" Any "Pa" "at small strains; one number or [top, bottom]";
+        optional "shear_wave_velocity" Any "m/s" "one number or [top, bottom]";
+        optional "cone_resistance" Any "Pa" "one number or [top, bottom]";
+        optional "correlation" Text "" "of the cone resistance: rix-stokoe, mayne-rix or robertson-cabal";
+        optional "behaviour_index" Number "" "soil behaviour type index I_c";
+        optional "blow_count" Any "" "standard penetration test; one number or [top, bottom]";
+        optional "void_ratio" Number "" "";
+        optional "earth_pressure_at_rest" Number "" "coefficient K0";
+        optional "density" Number "kg/m3" "of the soil with its water";
+        optional "poissons_ratio" Number "" "";
+        optional "shaft_friction" Any "Pa" "largest, for axial = \"api\"; one number or [top, bottom]";
+        optional "end_bearing" Number "Pa" "largest, for axial = \"api\"";
+
+    /// `[[ground.layer]]` of type `clay`.
+    CLAY = "[[ground.layer]] of type \"clay\"":
+        optional "name" Text "" "";
+        required "type" Text "" "kind of soil: sand, clay, elastic, rock or py";
+        optional "model" Text "" "of the springs, in place of that of [ground]";
+        required "top" Number "m" "height";
+        required "bottom" Number "m" "height";
+        optional "effective_unit_weight" Number "N/m3" "under water the buoyant one";
+        optional "undrained_strength" Any "Pa" "one number or [top, bottom]";
+        optional "strain_at_half_strength" Number "" "eps50";
+        optional "strength_factor" Number "" "J of Matlock, near the surface";
+        optional "stiffness_factor" Number "" "for dnv: 10 normally consolidated, 30 overconsolidated";
+        optional "shear_modulus" Any "Pa" "at small strains; one number or [top, bottom]";
+        optional "youngs_modulus" Any "Pa" "at small strains; one number or [top, bottom]";
+        optional "shear_wave_velocity" Any "m/s" "one number or [top, bottom]";
+        optional "cone_resistance" Any "Pa" "one number or [top, bottom]";
+        optional "correlation" Text "" "of the cone resistance: rix-stokoe, mayne-rix or robertson-cabal";
+        optional "behaviour_index" Number "" "soil behaviour type index I_c";
+        optional "blow_count" Any "" "standard penetration test; one number or [top, bottom]";
+        optional "void_ratio" Number "" "";
+        optional "earth_pressure_at_rest" Number "" "coefficient K0";
+        optional "density" Number "kg/m3" "of the soil with its water";
+        optional "poissons_ratio" Number "" "";
+        optional "shaft_friction" Any "Pa" "largest, for axial = \"api\"; one number or [top, bottom]";
+        optional "end_bearing" Number "Pa" "largest, for axial = \"api\"";
+
+    /// `[[ground.layer]]` of type `elastic`.
+    ELASTIC = "[[ground.layer]] of type \"elastic\"":
+        optional "name" Text "" "";
+        required "type" Text "" "kind of soil: sand, clay, elastic, rock or py";
+        optional "model" Text "" "of the springs, in place of that of [ground]";
+        required "top" Number "m" "height";
+        required "bottom" Number "m" "height";
+        optional "effective_unit_weight" Number "N/m3" "under water the buoyant one";
+        optional "shear_modulus" Any "Pa" "at small strains; one number or [top, bottom]";
+        optional "youngs_modulus" Any "Pa" "at small strains; one number or [top, bottom]";
+        optional "shear_wave_velocity" Any "m/s" "one number or [top, bottom]";
+        optional "cone_resistance" Any "Pa" "one number or [top, bottom]";
+        optional "correlation" Text "" "of the cone resistance: rix-stokoe, mayne-rix or robertson-cabal";
+        optional "behaviour_index" Number "" "soil behaviour type index I_c";
+        optional "blow_count" Any "" "standard penetration test; one number or [top, bottom]";
+        optional "void_ratio" Number "" "";
+        optional "earth_pressure_at_rest" Number "" "coefficient K0";
+        optional "density" Number "kg/m3" "of the soil with its water";
+        optional "poissons_ratio" Number "" "";
+        optional "shaft_friction" Any "Pa" "largest, for axial = \"api\"; one number or [top, bottom]";
+        optional "end_bearing" Number "Pa" "largest, for axial = \"api\"";
+
+    /// `[[ground.layer]]` of type `rock`.
+    ROCK = "[[ground.layer]] of type \"rock\"":
+        optional "name" Text "" "";
+        required "type" Text "" "kind of soil: sand, clay, elastic, rock or py";
+        optional "model" Text "" "of the springs, in place of that of [ground]";
+        required "top" Number "m" "height";
+        required "bottom" Number "m" "height";
+        optional "effective_unit_weight" Number "N/m3" "under water the buoyant one";
+        optional "youngs_modulus" Any "Pa" "initial, of the rock mass; one number or [top, bottom]";
+        optional "poissons_ratio" Number "" "";
+        optional "shaft_friction" Any "Pa" "largest, for axial = \"api\"; one number or [top, bottom]";
+        optional "end_bearing" Number "Pa" "largest, for axial = \"api\"";
+
+    /// `[[ground.layer]]` of type `py`.
+    PY_TABLE = "[[ground.layer]] of type \"py\"":
+        optional "name" Text "" "";
+        required "type" Text "" "kind of soil: sand, clay, elastic, rock or py";
+        optional "model" Text "" "of the springs, in place of that of [ground]";
+        required "top" Number "m" "height";
+        required "bottom" Number "m" "height";
+        optional "effective_unit_weight" Number "N/m3" "under water the buoyant one";
+        required "rows" Rows "" "height in m, displacement in m, reaction in N/m";
+        optional "poissons_ratio" Number "" "";
+        optional "shaft_friction" Any "Pa" "largest, for axial = \"api\"; one number or [top, bottom]";
+        optional "end_bearing" Number "Pa" "largest, for axial = \"api\"";
 
     /// `[[added_mass]]`.
     ADDED_MASS = "[[added_mass]]":

@@ -67,7 +67,7 @@ fn half_space(footing: &HalfSpace, writing: &mut Writing) {
 }
 
 /// The name of a choice in quotation marks.
-fn named<T: PartialEq>(choices: &[(&'static str, T)], choice: &T) -> String {
+pub(super) fn named<T: PartialEq>(choices: &[(&'static str, T)], choice: &T) -> String {
     let name = choices.iter().find(|(_, other)| other == choice);
     format!("\"{}\"", name.map_or("", |(name, _)| *name))
 }

@@ -2,6 +2,7 @@
 
 mod bodies;
 mod foundation;
+mod ground;
 mod materials;
 mod properties;
 mod surroundings;
@@ -33,6 +34,9 @@ pub fn write_toml(description: &TowerDescription) -> (String, Vec<Note>) {
     let names = &description.part_names.point_masses;
     bodies::point_masses(&description.point_masses, names, &mut writing);
     foundation::foundation(&description.foundation, &mut writing);
+    if let Some(ground) = &description.ground {
+        ground::ground(ground, &description.part_names.ground, &mut writing);
+    }
     surroundings::surroundings(description, &mut writing);
     (writing.text, writing.notes)
 }

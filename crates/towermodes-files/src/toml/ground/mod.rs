@@ -1,0 +1,150 @@
+//! `[ground]` and `[[ground.layer]]`: soil in layers around the embedded part of the tower.
+
+mod layer;
+mod shear_modulus;
+mod soil;
+
+use towermodes::{AxialModel, Foundation, FoundationSprings, Ground, Place, Scour, SoilModel};
+
+use super::choice::{choices_hint, chosen};
+use super::reading::Reading;
+use super::schema;
+use super::table::{Table, every_table, with_names};
+use super::values::truth;
+use crate::places::TABLE;
+use layer::layer;
+
+/// The models of springs along the pile.
+pub(super) const MODELS: [(&str, SoilModel); 12] = [
+    ("api", SoilModel::Api),
+    ("dnv", SoilModel::Dnv),
+    ("reese-stiff-clay", SoilModel::ReeseStiffClay),
+    ("kallehave", SoilModel::Kallehave),
+    ("sorensen", SoilModel::Sorensen),
+    ("pisa-cowden", SoilModel::PisaCowden),
+    ("pisa-bothkennar", SoilModel::PisaBothkennar),
+    ("pisa-dunkirk", SoilModel::PisaDunkirk),
+    ("winkler", SoilModel::Winkler),
+    ("vesic", SoilModel::Vesic),
+    ("weak-rock", SoilModel::WeakRock),
+    ("py", SoilModel::Table),
+];
+
+/// The models of springs along the axis of the pile.
+pub(super) const AXIAL_MODELS: [(&str, AxialModel); 3] = [
+    ("api", AxialModel::Api),
+    ("kraft", AxialModel::Kraft),
+    ("randolph-wroth", AxialModel::RandolphWroth),
+];
+
+const NO_FOUNDATION: &str = "there is no [foundation]: the tip of the pile, the lowest station, is free to move sideways and to rotate about x and y";
+const RIGID_AXIS: &str = "there is no [foundation] and no axial model in [ground]: the tip of the pile, the lowest station, is free to move sideways and to rotate about x and y, and rigid along and about the axis";
+
+fn at(key: &'static str) -> Place {
+    Place::Ground { key }
+}
+
+/// The ground with the names of its layers: `Some(None)` if there is none, `None` after a mistake.
+pub(super) fn ground(
+    root: &Table<'_>,
+    reading: &mut Reading,
+) -> Option<Option<(Ground, Vec<String>)>> {
+    let Some(value) = root.get("ground") else {
+        return Some(None);
+    };
+    reading.remember(at(TABLE), value.span());
+    let table = Table::of(value, "[ground]", &schema::GROUND, reading)?;
+    let hint = "height of the mudline or of the terrain in m, in the datum of the stations";
+    let surface = table.required_number("surface", hint, at("surface"), reading);
+    let factor = table.number_or(1.0, "factor", at("factor"), reading);
+    let diameter = table.optional_number("pile_diameter", at("pile_diameter"), reading);
+    let submerged = submerged(&table, reading);
+    let (scour, axial) = (scour(&table, reading), axial(&table, reading));
+    let hint = "write [[ground.layer]] once for each layer, from the surface down";
+    let layers = table.require("layer", hint, reading).and_then(|_| {
+        let layers = every_table(&table, "layer", "layer", reading, layer);
+        with_names(layers)
+    });
+    let model = model(&table, reading);
+    let (layers, names) = layers?;
+    let ground = Ground {
+        surface_m: surface?,
+        scour: scour?,
+        factor: factor?,
+        submerged: submerged?,
+        axial: axial?,
+        pile_diameter_m: diameter?,
+        layers: layer::with_models(layers, model?, &table, reading)?,
+    };
+    Some(Some((ground, names)))
+}
+
+/// The support of the tip of a pile in ground, if the file has no `[foundation]`.
+pub(super) fn default_foundation(
+    root: &Table<'_>,
+    ground: &Ground,
+    reading: &mut Reading,
+) -> Option<Foundation> {
+    if root.get("foundation").is_some() {
+        return None;
+    }
+    let place = root.get("ground").map_or(0, |value| value.span().start);
+    let (message, vertical_n_per_m) = match ground.axial {
+        Some(_) => (NO_FOUNDATION, 0.0),
+        None => (RIGID_AXIS, f64::INFINITY),
+    };
+    reading.note(place, message);
+    let torsion_n_m = match ground.axial {
+        Some(AxialModel::RandolphWroth) => 0.0,
+        _ => f64::INFINITY,
+    };
+    Some(Foundation::Springs(FoundationSprings {
+        lateral_n_per_m: 0.0,
+        rocking_n_m: 0.0,
+        coupling_n: 0.0,
+        vertical_n_per_m,
+        torsion_n_m,
+    }))
+}
+
+fn submerged(table: &Table<'_>, reading: &mut Reading) -> Option<bool> {
+    let hint = "submerged = true if the water table is at the surface or above it, else false";
+    let value = table.require("submerged", hint, reading)?;
+    reading.remember(at("submerged"), value.span());
+    truth(value, "submerged", reading)
+}
+
+fn scour(table: &Table<'_>, reading: &mut Reading) -> Option<Scour> {
+    let Some(value) = table.get("scour") else {
+        return Some(Scour::default());
+    };
+    reading.remember(at("scour"), value.span());
+    let table = Table::of(value, "scour", &schema::SCOUR, reading)?;
+    let general = table.number_or(0.0, "general", at("general"), reading);
+    let local = table.number_or(0.0, "local", at("local"), reading);
+    Some(Scour {
+        general_m: general?,
+        local_m: local?,
+    })
+}
+
+fn axial(table: &Table<'_>, reading: &mut Reading) -> Option<Option<AxialModel>> {
+    let Some(value) = table.get("axial") else {
+        return Some(None);
+    };
+    reading.remember(at("axial"), value.span());
+    chosen(value, "axial model", &AXIAL_MODELS, reading).map(Some)
+}
+
+/// The model of the layers that name none.
+fn model(table: &Table<'_>, reading: &mut Reading) -> Option<Option<SoilModel>> {
+    let Some(value) = table.get("model") else {
+        return Some(None);
+    };
+    chosen(value, "soil model", &MODELS, reading).map(Some)
+}
+
+/// The hint on a missing model.
+fn model_hint() -> String {
+    choices_hint("model", &MODELS)
+}

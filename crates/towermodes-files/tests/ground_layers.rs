@@ -1,0 +1,212 @@
+//! `[ground]`: read, written, refused.
+
+use towermodes::{
+    AxialModel, Clay, Foundation, Ground, LayerSoil, PyRow, Rock, Sand, Scour, ShearModulus,
+    SoilModel, TowerDescription,
+};
+use towermodes_files::{
+    InMemory, Input, ReadOptions, Source, description_from_toml, read_source, write_toml,
+};
+
+/// A pile in sand over clay.
+const PILE: &str = "\
+[material]
+density = 8500.0
+youngs_modulus = 2.1e11
+poissons_ratio = 0.3
+[tower]
+stations = [[-36.0, 6.0, 0.06], [10.0, 6.0, 0.06], [87.6, 3.87, 0.019]]
+[ground]
+surface = 0.0
+submerged = true
+model = \"api\"
+scour = { local = 3.0 }
+[[ground.layer]]
+name = \"loose sand\"
+type = \"sand\"
+top = 0.0
+bottom = -14.0
+friction_angle = 33.0
+effective_unit_weight = 10e3
+[[ground.layer]]
+type = \"clay\"
+top = -14.0
+bottom = -40.0
+undrained_strength = [8e4, 2e5]
+strain_at_half_strength = 0.01
+strength_factor = 0.5
+effective_unit_weight = 9e3
+";
+
+fn described(text: &str) -> TowerDescription {
+    description_from_toml(text).unwrap_or_else(|mistakes| panic!("{mistakes:?}"))
+}
+
+#[test]
+fn layers_are_read_with_the_model_of_the_ground() {
+    let tower = described(PILE);
+    let ground = tower.ground.expect("a ground");
+    assert_eq!(
+        (ground.surface_m, ground.submerged, ground.factor),
+        (0.0, true, 1.0)
+    );
+    assert_eq!(
+        ground.scour,
+        Scour {
+            general_m: 0.0,
+            local_m: 3.0
+        }
+    );
+    assert_eq!((ground.axial, ground.pile_diameter_m), (None, None));
+    assert_eq!(tower.part_names.ground, ["loose sand", ""]);
+    let [sand, clay] = &ground.layers[..] else {
+        panic!("{:?}", ground.layers)
+    };
+    assert_eq!(
+        (sand.top_m, sand.bottom_m, sand.model),
+        (0.0, -14.0, SoilModel::Api)
+    );
+    assert_eq!(
+        sand.soil,
+        LayerSoil::Sand(Sand {
+            friction_angle_deg: Some(33.0),
+            ..Sand::default()
+        })
+    );
+    assert_eq!(
+        clay.soil,
+        LayerSoil::Clay(Clay {
+            undrained_strength_pa: Some([8e4, 2e5]),
+            strain_at_half_strength: Some(0.01),
+            strength_factor: Some(0.5),
+            stiffness_factor: None,
+        })
+    );
+}
+
+#[test]
+fn without_a_foundation_the_tip_is_free_and_a_note_says_so() {
+    let tower = described(PILE);
+    let Foundation::Springs(springs) = &tower.foundation else {
+        panic!("{:?}", tower.foundation)
+    };
+    assert_eq!((springs.lateral_n_per_m, springs.rocking_n_m), (0.0, 0.0));
+    assert_eq!(springs.vertical_n_per_m, f64::INFINITY);
+    assert_eq!(springs.torsion_n_m, f64::INFINITY);
+    let source = Source {
+        name: "pile.toml".to_owned(),
+        text: PILE.to_owned(),
+    };
+    let input = read_source(source, &InMemory::default(), &ReadOptions::default());
+    let Ok(Input::Tower(input)) = input else {
+        panic!("{input:?}")
+    };
+    let notes: Vec<String> = input.notes.iter().map(ToString::to_string).collect();
+    assert!(
+        notes
+            .iter()
+            .any(|note| note.contains("there is no [foundation]")),
+        "{notes:?}"
+    );
+    let clamped = described(&format!("{PILE}[foundation]\ntype = \"clamped\"\n"));
+    assert_eq!(clamped.foundation, Foundation::Clamped);
+}
+
+/// Each kind of soil and each source of the shear modulus comes back number by number.
+#[test]
+fn every_ground_is_written_and_read_back() {
+    let base = described(PILE);
+    let ground = base.ground.clone().expect("a ground");
+    let soils = [
+        LayerSoil::Sand(Sand {
+            friction_angle_deg: None,
+            subgrade_modulus_n_per_m3: Some(2.5e7),
+            relative_density: Some(0.6),
+        }),
+        LayerSoil::Clay(Clay {
+            undrained_strength_pa: Some([1e5; 2]),
+            stiffness_factor: Some(30.0),
+            ..Clay::default()
+        }),
+        LayerSoil::Elastic,
+        LayerSoil::Rock(Rock {
+            youngs_modulus_pa: Some([1e9, 2e9]),
+        }),
+        LayerSoil::Table(vec![
+            PyRow {
+                height_m: 0.0,
+                displacement_m: 0.01,
+                reaction_n_per_m: 1e5,
+            },
+            PyRow {
+                height_m: -14.0,
+                displacement_m: 0.02,
+                reaction_n_per_m: 3e5,
+            },
+        ]),
+    ];
+    let moduli = [
+        None,
+        Some(ShearModulus::Given {
+            shear_modulus_pa: [1e7, 3e7],
+        }),
+        Some(ShearModulus::Youngs {
+            youngs_modulus_pa: [2e7; 2],
+        }),
+        Some(ShearModulus::WaveVelocity {
+            velocity_m_per_s: [100.0, 200.0],
+            density_kg_per_m3: 1900.0,
+        }),
+        Some(ShearModulus::RixStokoe {
+            cone_resistance_pa: [1e7; 2],
+        }),
+        Some(ShearModulus::MayneRix {
+            cone_resistance_pa: [1e6, 2e6],
+        }),
+        Some(ShearModulus::RobertsonCabal {
+            cone_resistance_pa: [1e6; 2],
+            behaviour_index: 2.1,
+            density_kg_per_m3: 1900.0,
+        }),
+        Some(ShearModulus::Hardin {
+            void_ratio: 0.628,
+            earth_pressure_at_rest: 0.4,
+        }),
+        Some(ShearModulus::BlowCount {
+            blow_count: [10.0, 30.0],
+            density_kg_per_m3: 1900.0,
+        }),
+    ];
+    for soil in soils {
+        let has_modulus = !matches!(soil, LayerSoil::Rock(_) | LayerSoil::Table(_));
+        let moduli = moduli
+            .iter()
+            .filter(|modulus| has_modulus || modulus.is_none());
+        for modulus in moduli {
+            let mut ground = Ground {
+                scour: Scour {
+                    general_m: 0.5,
+                    local_m: 0.25,
+                },
+                factor: 0.5,
+                submerged: false,
+                axial: Some(AxialModel::Api),
+                ..ground.clone()
+            };
+            let layer = &mut ground.layers[0];
+            layer.soil = soil.clone();
+            layer.shear_modulus = *modulus;
+            layer.model = SoilModel::Dnv;
+            layer.poissons_ratio = Some(0.3);
+            layer.shaft_friction_pa = Some([0.0, 5e4]);
+            layer.end_bearing_pa = Some(5e6);
+            let tower = TowerDescription {
+                ground: Some(ground),
+                ..base.clone()
+            };
+            let (text, notes) = write_toml(&tower);
+            assert!(notes.is_empty(), "{notes:?}");
+            assert_eq!(described(&text), tower, "{text}");
+        }
+    }
+}
