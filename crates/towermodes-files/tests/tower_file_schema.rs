@@ -316,6 +316,9 @@ const GROUND: &str = "
     z_m = [-40.0, 80.0]
     mass_kg_per_m = [4e3, 2e3]
     ei_fore_aft_n_m2 = [5e11, 1e11]
+    gj_n_m2 = [4e11, 1e11]
+    ea_n = [1e11, 5e10]
+    polar_inertia_kg_m = [2e4, 1e4]
     [ground]
     surface = 0.0
     submerged = true
