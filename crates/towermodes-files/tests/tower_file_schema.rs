@@ -165,9 +165,13 @@ fn every_number_of_the_tower_file_is_a_parameter() {
             }
             let names = names_of_parameters(table, key);
             for name in names {
-                let found = towers.iter().find_map(|tower| {
-                    let every = Parameter::parse_every(&name, tower).ok()?;
-                    Some(every[0].unit())
+                // Layers of the ground have different numbers.
+                let of_layers = (0..4).map(|i| name.replace("layer[*]", &format!("layer[{i}]")));
+                let found = of_layers.into_iter().find_map(|name| {
+                    towers.iter().find_map(|tower| {
+                        let every = Parameter::parse_every(&name, tower).ok()?;
+                        Some(every[0].unit())
+                    })
                 });
                 let unit = found.unwrap_or_else(|| panic!("{} {name}: no parameter", table.name));
                 if key.kind != Rows {

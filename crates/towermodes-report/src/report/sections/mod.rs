@@ -7,6 +7,7 @@ mod elastodyn;
 mod files;
 mod foundation;
 mod frequencies;
+mod ground;
 mod input;
 mod methods;
 mod modes;

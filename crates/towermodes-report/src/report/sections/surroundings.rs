@@ -16,6 +16,13 @@ pub(super) fn surroundings(description: &TowerDescription) -> Vec<Block> {
     let soil = description.soil.iter().enumerate().take(MOST_TABLES);
     let which_layer = |index| which(index, description.soil.len(), &names.soil);
     tables.extend(soil.map(|(index, rows)| soil_layer(&which_layer(index), rows)));
+    let ground = description.ground.as_ref();
+    tables.extend(
+        ground
+            .map(|ground| super::ground::ground(ground, &names.ground))
+            .into_iter()
+            .flatten(),
+    );
     tables.extend(description.water.as_ref().map(water));
     let added = description.added_mass.iter().enumerate().take(MOST_TABLES);
     let which_table = |index| which(index, description.added_mass.len(), &names.added_mass);
