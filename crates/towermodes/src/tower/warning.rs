@@ -295,6 +295,19 @@ pub enum Warning {
         /// Height of the surface before scour, m.
         surface_m: f64,
     },
+    /// Soil above the water table with water over it.
+    #[error(
+        "{}the soil is above the water table (submerged = false), but the water level at {} m is above the surface of the ground at {} m",
+        .site.before(), Plain(*.level_m), Plain(*.surface_m)
+    )]
+    DryUnderWater {
+        /// Where the soil is said to be dry.
+        site: Site,
+        /// Height of the water's surface, m.
+        level_m: f64,
+        /// Height of the ground's surface before scour, m.
+        surface_m: f64,
+    },
     /// A matrix of a floating platform was not symmetric.
     #[error(
         "the {what} of the platform is not symmetric (entries differ by up to {:.2} %); the mean of both triangles is used",

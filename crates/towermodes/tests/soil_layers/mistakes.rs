@@ -319,27 +319,43 @@ fn pisa_out_of_range_is_warned_of() {
     assert_eq!(values, [10.0 / 6.0, 0.3], "{warnings:?}");
 }
 
+/// Water that does not fit the ground: the bed off the surface, dry soil under water, a level below
+/// the surface.
 #[test]
-fn a_bed_of_the_water_off_the_surface_is_warned_of() {
-    let with_bed = |d: &mut TowerDescription, bed_m| {
-        d.water = Some(Water {
-            level_m: 0.0,
-            bed_m: Some(bed_m),
+fn water_that_contradicts_the_ground_is_warned_of() {
+    let warnings = |level_m, bed_m, submerged| {
+        let mut description = oc3(SoilModel::Api);
+        ground_of(&mut description).submerged = submerged;
+        for layer in &mut ground_of(&mut description).layers {
+            layer.effective_unit_weight_n_per_m3 = None;
+        }
+        description.water = Some(Water {
+            level_m,
+            bed_m,
             density_kg_per_m3: 1025.0,
             added_mass_coefficient: 1.0,
             flooded: false,
         });
+        Tower::new(description)
+            .expect("possible")
+            .warnings()
+            .to_vec()
     };
-    let warns = |warnings: Vec<Warning>| {
-        let is_off = |warning: &Warning| matches!(warning, Warning::BedOffSurface { .. });
-        warnings.iter().any(is_off)
-    };
-    let mut description = oc3(SoilModel::Api);
-    for (bed_m, expected) in [(-20.0, false), (-22.0, true)] {
-        with_bed(&mut description, bed_m);
-        let tower = Tower::new(description.clone()).expect("possible");
-        assert_eq!(warns(tower.warnings().to_vec()), expected, "{bed_m}");
+    for bed_m in [None, Some(-20.0)] {
+        assert_eq!(warnings(0.0, bed_m, true), []);
     }
+    let off = warnings(0.0, Some(-22.0), true);
+    assert!(
+        matches!(off[..], [Warning::BedOffSurface { .. }]),
+        "{off:?}"
+    );
+    let dry = warnings(0.0, None, false);
+    assert!(
+        matches!(dry[..], [Warning::DryUnderWater { .. }]),
+        "{dry:?}"
+    );
+    let low = warnings(-21.0, None, false);
+    assert!(matches!(low[..], [Warning::NoEffect { .. }]), "{low:?}");
 }
 
 /// Any number of the ground at any size: a tower or an error, never a panic, and no frequency that

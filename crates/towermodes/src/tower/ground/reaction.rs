@@ -41,22 +41,6 @@ fn lateral_n_per_m2(pile: &Pile<'_>, index: usize, height_m: f64) -> f64 {
     let diameter_m = pile.diameter_m(height_m);
     match (&layer.soil, layer.model) {
         (LayerSoil::Table(rows), _) => secant_n_per_m2(rows, height_m),
-        (LayerSoil::Sand(sand), SoilModel::Api | SoilModel::Dnv) => {
-            let k = subgrade_modulus_n_per_m3(sand, pile.ground.submerged);
-            k * pile.overburden_depth_m(height_m)
-        }
-        (LayerSoil::Sand(sand), SoilModel::Kallehave) => {
-            let k = subgrade_modulus_n_per_m3(sand, pile.ground.submerged);
-            kallehave(k, pile.overburden_depth_m(height_m), diameter_m)
-        }
-        (LayerSoil::Sand(sand), SoilModel::Sorensen) => {
-            let angle_deg = sand.friction_angle_deg.unwrap_or(f64::NAN);
-            sorensen(angle_deg, pile.overburden_depth_m(height_m), diameter_m)
-        }
-        (LayerSoil::Clay(clay), SoilModel::Api | SoilModel::Dnv | SoilModel::ReeseStiffClay) => {
-            let strength_n_per_m = clay_strength_n_per_m(pile, clay, share, height_m);
-            of_clay(layer.model, clay, strength_n_per_m, diameter_m)
-        }
         (LayerSoil::Rock(rock), _) => {
             let modulus_pa = rock
                 .youngs_modulus_pa
@@ -70,10 +54,31 @@ fn lateral_n_per_m2(pile: &Pile<'_>, index: usize, height_m: f64) -> f64 {
             let bending_n_m2 = pile.bending_n_m2(height_m);
             vesic(modulus_pa, poissons_ratio, diameter_m, bending_n_m2)
         }
-        _ => Pisa::of(layer).map_or(f64::NAN, |pisa| {
-            let depth = pile.depth_m(height_m) / diameter_m;
-            pisa.lateral(depth) * shear_modulus_pa(pile, index, height_m)
-        }),
+        _ => match (Pisa::of(layer), &layer.soil) {
+            (Some(pisa), _) => {
+                let depth = pile.depth_m(height_m) / diameter_m;
+                pisa.lateral(depth) * shear_modulus_pa(pile, index, height_m)
+            }
+            (None, LayerSoil::Sand(sand)) => of_sand(layer.model, sand, pile, height_m),
+            (None, LayerSoil::Clay(clay)) => {
+                let strength_n_per_m = clay_strength_n_per_m(pile, clay, share, height_m);
+                of_clay(layer.model, clay, strength_n_per_m, diameter_m)
+            }
+            _ => f64::NAN,
+        },
+    }
+}
+
+fn of_sand(model: SoilModel, sand: &Sand, pile: &Pile<'_>, height_m: f64) -> f64 {
+    let (depth_m, diameter_m) = (pile.overburden_depth_m(height_m), pile.diameter_m(height_m));
+    let modulus_n_per_m3 = || subgrade_modulus_n_per_m3(sand, pile.ground.submerged);
+    match model {
+        SoilModel::Kallehave => kallehave(modulus_n_per_m3(), depth_m, diameter_m),
+        SoilModel::Sorensen => {
+            let angle_deg = sand.friction_angle_deg.unwrap_or(f64::NAN);
+            sorensen(angle_deg, depth_m, diameter_m)
+        }
+        _ => modulus_n_per_m3() * depth_m,
     }
 }
 

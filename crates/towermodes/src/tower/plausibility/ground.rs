@@ -3,7 +3,7 @@
 use super::Given;
 use super::usual::Usual;
 use crate::tower::ground::{Clay, Ground, GroundLayer, LayerSoil, Sand, ShearModulus, SoilModel};
-use crate::tower::{Ineffective, Place, Quantity, Site, Tower, Warning};
+use crate::tower::{Ineffective, Place, Quantity, Site, Tower, Warning, Water};
 
 const FRICTION_ANGLE: Usual = Usual::new(Quantity::FrictionAngle, 20.0, 50.0);
 const BUOYANT_WEIGHT: Usual = Usual::new(Quantity::BuoyantUnitWeight, 3e3, 14e3);
@@ -54,17 +54,34 @@ pub(super) fn check(tower: &Tower, given: &Given<'_>, warnings: &mut Vec<Warning
         }
     }
     range_of_pisa(tower, ground, warnings);
-    warnings.extend(bed_off_surface(given, ground));
+    if let Some(water) = given.water {
+        water_over(ground, water, warnings);
+    }
 }
 
-/// The bed goes down with the scour from the height at which it is given.
-fn bed_off_surface(given: &Given<'_>, ground: &Ground) -> Option<Warning> {
-    let (bed_m, surface_m) = (given.water?.bed_m?, ground.surface_m);
-    (bed_m != surface_m).then(|| Warning::BedOffSurface {
-        site: Site::at(Place::Water { key: "bed" }),
-        bed_m,
-        surface_m,
-    })
+/// Water and ground that contradict each other. The bed goes down with the scour from the height
+/// at which it is given.
+fn water_over(ground: &Ground, water: &Water, warnings: &mut Vec<Warning>) {
+    let (surface_m, level_m) = (ground.surface_m, water.level_m);
+    let at = |key| Site::at(Place::Water { key });
+    if let Some(bed_m) = water.bed_m.filter(|bed_m| *bed_m != surface_m) {
+        warnings.push(Warning::BedOffSurface {
+            site: at("bed"),
+            bed_m,
+            surface_m,
+        });
+    }
+    if !ground.submerged && level_m > surface_m {
+        warnings.push(Warning::DryUnderWater {
+            site: Site::at(Place::Ground { key: "submerged" }),
+            level_m,
+            surface_m,
+        });
+    }
+    if water.bed_m.is_none() && !water.flooded && level_m <= surface_m {
+        let (site, what) = (at("level"), Ineffective::WaterBelowGround);
+        warnings.push(Warning::NoEffect { site, what });
+    }
 }
 
 /// The layer that the tip stands on may give springs under the tip.

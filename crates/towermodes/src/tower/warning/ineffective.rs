@@ -24,6 +24,8 @@ pub enum Ineffective {
     AddedMassOfZeros,
     /// Water that adds no mass outside and is not inside.
     WaterOfZeros,
+    /// Water whose level is below the surface of the ground.
+    WaterBelowGround,
     /// Vertical guy wires, which have no horizontal stiffness.
     UprightWires,
 }
@@ -51,6 +53,9 @@ impl fmt::Display for Ineffective {
             Self::AddedMassOfZeros => "all masses of this table are zero, so it has no effect",
             Self::WaterOfZeros => {
                 "the added mass coefficient is zero and the tower is not flooded, so the water has no effect"
+            }
+            Self::WaterBelowGround => {
+                "the water level is not above the surface of the ground, so there is no water around the tower"
             }
             Self::UprightWires => {
                 "vertical guy wires have no horizontal stiffness; the angle is measured from the horizontal"

@@ -1,0 +1,189 @@
+//! The checks of soil in layers.
+
+mod model;
+mod values;
+
+use super::scale::{coordinate, error, length, not_negative, positive};
+use crate::tower::description::TowerDescription;
+use crate::tower::error::{Place, Problem, TowerError};
+use crate::tower::ground::{Ground, GroundLayer, LayerSoil, SoilModel};
+
+type Checked = Result<(), TowerError>;
+
+fn at(key: &'static str) -> Place {
+    Place::Ground { key }
+}
+
+/// The layer that is checked, and its number.
+#[derive(Clone, Copy)]
+struct Layer<'a> {
+    index: usize,
+    own: &'a GroundLayer,
+}
+
+pub(in crate::tower::validate) fn check_ground(
+    description: &TowerDescription,
+    base_m: f64,
+    top_m: f64,
+) -> Checked {
+    let Some(ground) = &description.ground else {
+        return Ok(());
+    };
+    check_heights(ground, base_m, top_m)?;
+    check_diameter(description, ground)?;
+    positive(at("factor"), "the factor on the soil", ground.factor, "")?;
+    check_layers(ground, base_m)?;
+    for (index, own) in ground.layers.iter().enumerate() {
+        let layer = Layer { index, own };
+        layer.check_values()?;
+        layer.check_model()?;
+        layer.check_axial(ground.axial)?;
+    }
+    check_weights(ground)
+}
+
+fn check_heights(ground: &Ground, base_m: f64, top_m: f64) -> Checked {
+    let surface_m = ground.surface_m;
+    coordinate(at("surface"), "the height of the surface", surface_m)?;
+    let (general_m, local_m) = (ground.scour.general_m, ground.scour.local_m);
+    not_negative(
+        at("scour.general"),
+        "the depth of general scour",
+        general_m,
+        " m",
+    )?;
+    not_negative(at("scour.local"), "the depth of local scour", local_m, " m")?;
+    coordinate(at("scour.general"), "the depth of general scour", general_m)?;
+    coordinate(at("scour.local"), "the depth of local scour", local_m)?;
+    if surface_m > top_m {
+        return error(
+            at("surface"),
+            Problem::SurfaceAboveTower { surface_m, top_m },
+        );
+    }
+    let scoured_m = surface_m - general_m - local_m;
+    if scoured_m > base_m {
+        return Ok(());
+    }
+    let (key, scour_m) = match surface_m > base_m {
+        true => ("scour", general_m + local_m),
+        false => ("surface", 0.0),
+    };
+    let problem = Problem::PileAboveSoil {
+        surface_m,
+        scour_m,
+        tip_m: base_m,
+    };
+    error(at(key), problem)
+}
+
+/// A table of properties has no diameters, and stations have their own.
+fn check_diameter(description: &TowerDescription, ground: &Ground) -> Checked {
+    let key = "pile_diameter";
+    match (ground.pile_diameter_m, description.stations.is_empty()) {
+        (Some(diameter_m), true) => length(at(key), "the pile's diameter", diameter_m),
+        (None, true) => error(at(key), Problem::PileWithoutDiameter),
+        (Some(_), false) => error(at(key), Problem::PileWithTwoDiameters),
+        (None, false) => Ok(()),
+    }
+}
+
+/// The layers: each below the previous one, from the surface to the tip of the pile.
+fn check_layers(ground: &Ground, tip_m: f64) -> Checked {
+    let Some(last) = ground.layers.last() else {
+        return error(at("layer"), Problem::NoLayers);
+    };
+    let mut above_m = ground.surface_m;
+    for (index, layer) in ground.layers.iter().enumerate() {
+        let at = |key| Place::GroundLayer { index, key };
+        let (top_m, bottom_m) = (layer.top_m, layer.bottom_m);
+        coordinate(at("top"), "the height of the layer's top", top_m)?;
+        coordinate(at("bottom"), "the height of the layer's bottom", bottom_m)?;
+        if top_m != above_m {
+            let problem = match index {
+                0 => Problem::FirstLayerOffSurface {
+                    top_m,
+                    surface_m: above_m,
+                },
+                _ => Problem::LayersApart { top_m, above_m },
+            };
+            return error(at("top"), problem);
+        }
+        if bottom_m >= top_m {
+            return error(at("bottom"), Problem::LayerUpsideDown { top_m, bottom_m });
+        }
+        above_m = bottom_m;
+    }
+    if last.bottom_m <= tip_m {
+        return Ok(());
+    }
+    let index = ground.layers.len() - 1;
+    let problem = Problem::LayersAboveTip {
+        bottom_m: last.bottom_m,
+        tip_m,
+    };
+    error(
+        Place::GroundLayer {
+            index,
+            key: "bottom",
+        },
+        problem,
+    )
+}
+
+impl Layer<'_> {
+    fn at(&self, key: &'static str) -> Place {
+        let index = self.index;
+        Place::GroundLayer { index, key }
+    }
+
+    fn needs(
+        &self,
+        key: &'static str,
+        value: &'static str,
+        user: &'static str,
+        is_there: bool,
+    ) -> Checked {
+        match is_there {
+            true => Ok(()),
+            false => error(self.at(key), Problem::SoilValueMissing { value, user }),
+        }
+    }
+}
+
+/// Every layer above one that depends on the weight of the soil, and this one, has a unit weight.
+fn check_weights(ground: &Ground) -> Checked {
+    let needs_weight = |layer: &GroundLayer| {
+        let is_clay = matches!(layer.soil, LayerSoil::Clay(_));
+        let by_model = matches!(
+            layer.model,
+            SoilModel::Api | SoilModel::Dnv | SoilModel::ReeseStiffClay
+        );
+        let by_modulus = layer
+            .shear_modulus
+            .is_some_and(|modulus| modulus.needs_stress());
+        (is_clay && by_model) || by_modulus
+    };
+    let Some(deepest) = ground.layers.iter().rposition(needs_weight) else {
+        return Ok(());
+    };
+    let user = "the weight of the soil above, on which this layer or one below depends,";
+    let layers = ground.layers[..=deepest].iter().enumerate();
+    for (index, own) in layers {
+        let is_there = own.effective_unit_weight_n_per_m3.is_some();
+        let value = "the effective unit weight";
+        Layer { index, own }.needs("effective_unit_weight", value, user, is_there)?;
+    }
+    Ok(())
+}
+
+/// Springs that follow from numbers far outside their range can be infinite.
+pub(in crate::tower) fn check_springs_of_ground(rows: &TowerDescription, given: usize) -> Checked {
+    let of_ground = rows.soil.iter().skip(given).flatten();
+    let mut values = of_ground.flat_map(|row| row.stiffness.values());
+    let quantity = "a spring that follows from the ground";
+    match values.find(|value| !value.is_finite()) {
+        Some(value) => error(at("layer"), Problem::NotFinite { quantity, value }),
+        None => Ok(()),
+    }
+}
