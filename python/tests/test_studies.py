@@ -25,12 +25,48 @@ def test_margins_are_those_of_the_program(nrel: tm.Tower) -> None:
     assert campbell.warnings == []
 
 
+def test_damping_is_that_of_the_program() -> None:
+    file = "examples/monopile.toml"
+    options = ["--loss-factor", "tower=0.004", "--loss-factor", "soil=0.02", "--chord-moment=6073"]
+    damping = tm.read(file).damping({"tower": 0.004, "soil": 0.02}, chord_moment_m3=6073)
+    assert damping.to_json() == program("damping", file, *options, "--format", "json")
+    assert damping.to_csv() == program("damping", file, *options, "--format", "csv")
+    assert repr(damping).startswith(program("damping", file, *options).rstrip("\n"))
+    assert any("damping of the foundation is not included" in note for note in damping.notes)
+    assert damping.warnings == []
+    first = damping.modes[0]
+    ratios = [part["damping_ratio"] or 0.0 for part in first["parts"]]
+    assert first["damping_ratio"] == pytest.approx(sum(ratios), rel=1e-14)
+
+
+def test_damping_of_numbers_and_its_refusals(nrel: tm.Tower) -> None:
+    tower = tm.Tower(
+        stations=[[0.0, 6.0, 0.027], [87.6, 3.87, 0.019]],
+        material={"density": 8500.0, "youngs_modulus": 2.1e11, "shear_modulus": 8.08e10},
+        rna={"mass": 350e3},
+        damping={"tower_loss_factor": 0.01},
+    )
+    ratios = [mode["damping_ratio"] for mode in tower.damping().modes]
+    assert ratios == pytest.approx([0.005] * 8, rel=1e-14)
+    with pytest.raises(ValueError, match="`steel`, which is no part of the tower"):
+        nrel.damping({"steel": 0.004})
+    with pytest.raises(ValueError, match="must be from 0 to 1"):
+        nrel.damping({"tower": 4})
+    with pytest.raises(ValueError, match="without the chord moment"):
+        nrel.damping(lift_slope=5.0)
+    with pytest.raises(ValueError, match="must be positive"):
+        nrel.damping(chord_moment_m3=-1.0)
+    with pytest.raises(TypeError, match="the loss factor of soil is 'much'"):
+        nrel.damping({"soil": "much"})  # type: ignore[dict-item]
+
+
 def test_results_go_from_process_to_process(nrel: tm.Tower) -> None:
     results = [
         nrel.solve(modes=3, points=11),
         nrel.campbell(margin=0.1),
         nrel.check(tm.read("examples/nrel-5mw.yaml")),
         nrel.examine(),
+        nrel.damping({"tower": 0.004}, modes=2),
     ]
     for result in results:
         other = pickle.loads(pickle.dumps(result))

@@ -20,6 +20,7 @@ import atexit
 from towermodes import _towermodes
 from towermodes._campbell import Campbell
 from towermodes._convert import Converted
+from towermodes._damping import Damping
 from towermodes._errors import Mistake, OptionError, SolveError, TowerError
 from towermodes._first_order import FirstOrder
 from towermodes._found import Calibration, Design
@@ -38,6 +39,7 @@ __all__ = [
     "Campbell",
     "Comparison",
     "Converted",
+    "Damping",
     "Design",
     "Examination",
     "FirstOrder",

@@ -14,6 +14,7 @@ from towermodes._checks import (
     word_or_none,
 )
 from towermodes._convert import Converted
+from towermodes._damping import Damping
 from towermodes._errors import TowerError
 from towermodes._first_order import FirstOrder, with_base
 from towermodes._found import Calibration, Design, study_text
@@ -69,6 +70,7 @@ class Tower:
         wires: Sets of guy wires: dicts.
         gravity: `acceleration`; or a number, the acceleration in m/s².
         rotor: `blades` and `rpm`.
+        damping: Loss factors, and data of the blades: `tower_loss_factor` and others.
 
     Raises:
         TowerError: The numbers do not describe a valid tower.
@@ -106,6 +108,7 @@ class Tower:
         wires: Sequence[Table] | None = None,
         gravity: Table | SupportsFloat | None = None,
         rotor: Table | None = None,
+        damping: Table | None = None,
     ) -> None:
         tower = {
             "stations": stations,
@@ -128,6 +131,7 @@ class Tower:
                 "water": water,
                 "wires": wires,
                 "gravity": first_of_table("acceleration", gravity),
+                "damping": damping,
             }
         )
         self._core = _rust.read_text(text, "<description>")
@@ -540,6 +544,66 @@ class Tower:
         }
         options = _solve_options(modes, method, segments, None, 2, [], True)
         return Campbell._of((self,), rotor, options)
+
+    def damping(
+        self,
+        loss_factors: Mapping[str, float] | None = None,
+        *,
+        chord_moment_m3: float | None = None,
+        lift_slope: float | None = None,
+        air_density_kg_per_m3: float | None = None,
+        rpm: Sequence[float] | float | None = None,
+        blades: SupportsIndex | None = None,
+        modes: SupportsIndex | None = None,
+        method: Method | None = None,
+        segments: SupportsIndex | None = None,
+    ) -> Damping:
+        """Damping ratios of the modes, by the parts of the tower and by the rotor in the wind.
+
+        A part contributes half its loss factor times its fraction of the strain energy of the mode;
+        water, of the kinetic energy. Nothing is assumed: parts without a loss factor contribute
+        nothing, and the notes name them.
+
+        Args:
+            loss_factors: Loss factors (twice the damping ratio) by part: "tower", "foundation",
+                "soil", "wires", "water" or the name of a material; by default those of the file.
+            chord_moment_m3: Integral of chord times radius over one blade; by default that of the
+                file. Without it there is no aerodynamic damping.
+            lift_slope: Slope of the lift coefficient, per rad; by default that of the file,
+                otherwise 2 pi.
+            air_density_kg_per_m3: By default that of the file, otherwise 1.225.
+            rpm: As in `campbell`.
+            blades: As in `campbell`.
+            modes: Number of modes, from the lowest.
+            method: As in `solve`.
+            segments: As in `solve`.
+
+        Raises:
+            ValueError: The tower has no such part, or a value is impossible.
+            SolveError: The tower is not solved.
+
+        >>> import towermodes as tm
+        >>> tower = tm.read("examples/nrel-5mw.toml")
+        >>> first = tower.damping(chord_moment_m3=6073, modes=2).modes[1]
+        >>> [round(100 * at["damping_ratio"], 1) for at in first["aerodynamic"]]
+        [2.8, 5.0]
+        """
+        parts = (loss_factors or {}).items()
+        given: dict[str, object] = {
+            "loss_factors": [
+                (word("a part", part), number(f"the loss factor of {part}", value))
+                for part, value in parts
+            ],
+            "chord_moment_m3": number_or_none("chord_moment_m3", chord_moment_m3),
+            "lift_slope": number_or_none("lift_slope", lift_slope),
+            "air_density_kg_per_m3": number_or_none(
+                "air_density_kg_per_m3", air_density_kg_per_m3
+            ),
+            "rpm": _speeds(rpm),
+            "blades": whole_or_none("blades", blades, 1),
+        }
+        options = _solve_options(modes, method, segments, None, 2, [], True)
+        return Damping._of((self,), given, options)
 
     def compare(
         self,

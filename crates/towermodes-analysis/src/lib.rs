@@ -11,6 +11,7 @@
 //! | What if the soil is softer? | [`soil_band`](soil_band::soil_band) | [`mod@soil_band`] |
 //! | Do two descriptions describe the same tower? | [`agree`] | [`agreement`] |
 //! | Which numbers do the frequencies depend on? | [`influences`] | [`influence`] |
+//! | How are the modes damped? | [`damping()`] | [`mod@damping`] |
 //! | Which mode shapes does ElastoDyn need? | [`tower_shapes`] | [`elastodyn`] |
 //!
 //! With the feature `serde` results can be serialized, with `schema` they have JSON schemas.
@@ -67,6 +68,7 @@
 //! ```
 
 pub mod agreement;
+pub mod damping;
 pub mod elastodyn;
 pub mod influence;
 mod mac;
@@ -76,6 +78,7 @@ pub mod study;
 mod verdict;
 
 pub use agreement::agree;
+pub use damping::damping;
 pub use elastodyn::tower_shapes;
 pub use influence::influences;
 pub use mac::mac;

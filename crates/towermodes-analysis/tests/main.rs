@@ -2,6 +2,7 @@
 
 mod blade_sweep;
 mod campbell;
+mod damping;
 mod elastodyn_model;
 mod elastodyn_modes;
 mod elastodyn_rows;

@@ -10,6 +10,7 @@ use towermodes::{
     BladeError, EigenError, Family, ParameterError, SensitivityError, SolveError, TowerError,
     Warning,
 };
+use towermodes_analysis::damping::GivenDampingError;
 use towermodes_analysis::elastodyn::{MakeError, ShapesError};
 use towermodes_analysis::resonance::CampbellError;
 use towermodes_design::design::DesignError;
@@ -120,6 +121,9 @@ pub(crate) enum Failure {
         /// The format of the input file.
         format: FileFormat,
     },
+    /// The damping data of the command line are wrong.
+    #[error("{0}")]
+    Damping(GivenDampingError),
     /// The Campbell diagram cannot be computed.
     #[error("{0}")]
     Campbell(CampbellError),
@@ -251,6 +255,9 @@ impl Failure {
                 "widen the bounds of the variables, the bands or the limits that are named"
             }
             Self::Design(DesignError::Solve(error)) => hint_for_sweep(error)?,
+            Self::Damping(GivenDampingError::NoChords) => {
+                "give --chord-moment, or chord_moment in [damping] of the tower file"
+            }
             Self::NoRotorSpeeds => ROTOR,
             Self::NoRotor {
                 format: FileFormat::Toml,

@@ -13,6 +13,7 @@ mod check;
 mod compare;
 mod converge;
 mod convert;
+mod damping;
 mod design;
 mod elastodyn;
 mod failure;
@@ -73,6 +74,7 @@ fn done(command: Command, words: &[OsString]) -> Result<(), failure::Failure> {
         Command::Plot(arguments) => plot::run(&arguments),
         Command::Report(arguments) => report::run(&arguments, words),
         Command::Campbell(arguments) => campbell::run(&arguments),
+        Command::Damping(arguments) => damping::run(&arguments),
         Command::Convert(arguments) => convert::run(&arguments),
         Command::Check(arguments) => check::run(&arguments),
         Command::Elastodyn(arguments) => elastodyn::run(&arguments),

@@ -8,6 +8,7 @@ mod bmodes_unread;
 mod bmodes_write;
 mod bmodes_write_support;
 mod damaged_files;
+mod damping;
 mod decks;
 mod design_studies;
 mod elastodyn;

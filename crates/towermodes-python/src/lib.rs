@@ -9,6 +9,7 @@ mod arrow;
 mod campbell;
 mod comparison;
 mod converted;
+mod damping;
 mod error;
 mod first_order;
 mod found;
@@ -39,6 +40,7 @@ mod _towermodes {
     use crate::converted::Converted;
     #[pymodule_export]
     use crate::first_order::FirstOrder;
+    use crate::damping::Damping;
     #[pymodule_export]
     use crate::found::{Found, calibrate, design, source};
     #[pymodule_export]

@@ -63,6 +63,7 @@ impl SolveOptions {
             heights_m: self.heights_m.clone(),
             rotary_inertia: self.rotary_inertia,
             hinge_position: self.hinge_position.unwrap_or(GAUSS_HINGE_POSITION),
+            energy_parts: false,
             limits: self.limits,
         })
     }

@@ -69,7 +69,10 @@ pub mod tower;
 pub use blade::{Blade, BladeDescription, BladeError, BladeSection};
 pub use eigen::{EigenError, Statistics};
 pub use method::Method;
-pub use modes::{ByMotion, Energy, Family, ModeName, ModeNameError, ShapePoint};
+pub use modes::{
+    ByMotion, Energy, EnergyParts, Family, KineticParts, ModeName, ModeNameError, ShapePoint,
+    StrainParts,
+};
 pub use number::Plain;
 pub use parameter::{Change, Operation, Parameter, ParameterError};
 pub use sensitivity::{
@@ -84,11 +87,11 @@ pub use solve::{
     solve_certain, solve_frequencies, solve_until, solve_with,
 };
 pub use tower::{
-    AddedMassRow, AxialModel, Clay, FloatingPlatform, Foundation, FoundationSprings, Ground,
-    GroundLayer, HalfSpace, HeadStiffness, Ineffective, Inertia, LayerSoil, Material, Monopile,
-    PartNames, PileBehaviour, PileFormula, PileTube, Place, Plane, Planes, PointMass, Problem,
-    Properties, PropertyStation, PyRow, Quantity, ReferredMatrix, RigidBody, Rna, Rock, Rotor,
-    Sand, Scour, Shear, ShearModulus, Site, Slenderness, SoilModel, SoilProfile, SoilRow,
-    SoilStiffness, Station, StiffnessFoundation, Tower, TowerDescription, TowerError, Warning,
-    Water, WinklerPile, Wires, is_printable, printable,
+    AddedMassRow, AxialModel, Clay, Damping, FloatingPlatform, Foundation, FoundationSprings,
+    Ground, GroundLayer, HalfSpace, HeadStiffness, Ineffective, Inertia, LayerSoil, LossFactors,
+    Material, Monopile, PartNames, PileBehaviour, PileFormula, PileTube, Place, Plane, Planes,
+    PointMass, Problem, Properties, PropertyStation, PyRow, Quantity, ReferredMatrix, RigidBody,
+    Rna, Rock, Rotor, RotorAerodynamics, Sand, Scour, Shear, ShearModulus, Site, Slenderness,
+    SoilModel, SoilProfile, SoilRow, SoilStiffness, Station, StiffnessFoundation, Tower,
+    TowerDescription, TowerError, Warning, Water, WinklerPile, Wires, is_printable, printable,
 };

@@ -11,6 +11,7 @@ mod closed_forms;
 mod convergence;
 mod dense;
 mod eigensolver;
+mod energy_parts;
 mod estimates;
 mod frequencies;
 mod ground;

@@ -6,6 +6,7 @@ mod check;
 mod compare;
 mod converge;
 mod convert;
+mod damping;
 mod deferred;
 mod design;
 mod elastodyn;
@@ -32,6 +33,7 @@ pub(crate) use check::CheckArguments;
 pub(crate) use compare::CompareArguments;
 pub(crate) use converge::ConvergeArguments;
 pub(crate) use convert::{ConvertArguments, Target};
+pub(crate) use damping::DampingArguments;
 pub(crate) use design::DesignArguments;
 pub(crate) use elastodyn::{
     DeckArguments, ElastoDynArguments, ElastoDynCommand, PatchArguments, ReportFormat,
@@ -96,6 +98,9 @@ pub(crate) enum Command {
     Converge(Deferred<ConvergeArguments>),
     /// Check resonance margins (Campbell diagram).
     Campbell(Deferred<CampbellArguments>),
+    /// Compute the damping ratios of the modes from the loss factors of the parts of the tower, and
+    /// the aerodynamic damping by the rotor.
+    Damping(Deferred<DampingArguments>),
     /// Draw the tower, its mode shapes, its Campbell diagram or the errors of methods as SVG or
     /// PNG.
     Plot(Deferred<PlotArguments>),
@@ -129,7 +134,7 @@ pub(crate) enum Command {
     #[command(after_help = "Example:\n  towermodes man solve | man -l -")]
     Man {
         /// The command [default: the program].
-        #[arg(value_name = "COMMAND", value_parser = ["solve", "parameters", "sensitivities", "sweep", "design", "calibrate", "compare", "converge", "campbell", "plot", "report", "convert", "check", "elastodyn", "verify", "completions", "schema", "man"])]
+        #[arg(value_name = "COMMAND", value_parser = ["solve", "parameters", "sensitivities", "sweep", "design", "calibrate", "compare", "converge", "campbell", "damping", "plot", "report", "convert", "check", "elastodyn", "verify", "completions", "schema", "man"])]
         of: Option<String>,
     },
     /// Print every command with its arguments and options as a chapter of the book.

@@ -27,6 +27,7 @@ pub(super) fn schema_parser() -> PossibleValuesParser {
         PossibleValue::new("compare"),
         PossibleValue::new("converge"),
         PossibleValue::new("campbell"),
+        PossibleValue::new("damping"),
         PossibleValue::new("check").help("result of `check` for two files"),
         PossibleValue::new("check-one").help("result of `check` for one file"),
         PossibleValue::new("validate").help("result of `elastodyn validate`"),
@@ -92,6 +93,27 @@ pub(super) fn height_parser(text: &str) -> Result<f64, String> {
         .ok()
         .filter(|height_m: &f64| height_m.is_finite());
     height_m.ok_or_else(|| "must be a number, in m".into())
+}
+
+/// A positive number.
+pub(super) fn positive_parser(text: &str) -> Result<f64, String> {
+    let number = text.parse().ok();
+    let number = number.filter(|number: &f64| number.is_finite() && *number > 0.0);
+    number.ok_or_else(|| "must be a number greater than 0".into())
+}
+
+/// The loss factor of a part: `soil=0.02`.
+pub(super) fn loss_factor_parser(text: &str) -> Result<(String, f64), String> {
+    let (part, value) = text
+        .rsplit_once('=')
+        .filter(|(part, _)| !part.trim().is_empty())
+        .ok_or("must be PART=VALUE, for example soil=0.02")?;
+    let value = value.trim().parse().ok();
+    let value = value.filter(|value: &f64| (0.0..=1.0).contains(value));
+    let value = value.ok_or(
+        "a loss factor is a number from 0 to 1: twice the damping ratio, as a fraction and not in percent",
+    )?;
+    Ok((part.trim().to_owned(), value))
 }
 
 /// A damping ratio in percent of critical.

@@ -1,6 +1,6 @@
 //! The properties of a tower that a tower file of ElastoDyn does not contain.
 
-use towermodes::{Foundation, Inertia, Shear, TowerDescription};
+use towermodes::{Foundation, Inertia, LossFactors, Shear, TowerDescription};
 
 use crate::note::Note;
 
@@ -35,6 +35,10 @@ pub fn left_out(description: &TowerDescription) -> Vec<Note> {
             "gravity, which is in the main file",
         ),
         (d.rotor.is_some(), "the rotor, which is in the main file"),
+        (
+            d.damping.loss_factors != LossFactors::default(),
+            "the loss factors; the file has damping ratios of its own",
+        ),
         (shears, "shear deformation"),
         (
             masses.any(|mass| mass.inertia_kg_m2 != Inertia::default()),

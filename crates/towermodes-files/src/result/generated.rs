@@ -11,6 +11,7 @@ use towermodes_analysis::study::{Comparison, Convergence};
 use super::blade::BladeDocument;
 use super::calibration::CalibrationDocument;
 use super::campbell::CampbellDocument;
+use super::damping::DampingDocument;
 use super::design::DesignDocument;
 use super::first_order::FirstOrderDocument;
 use super::parameters::ParametersDocument;
@@ -38,6 +39,9 @@ pub fn generated_schema(kind: ResultKind) -> Result<String, ResultError> {
         ),
         ResultKind::Campbell => {
             generated_schema_of::<CampbellDocument<'static>>("towermodes campbell", "campbell")
+        }
+        ResultKind::Damping => {
+            generated_schema_of::<DampingDocument<'static>>("towermodes damping", "damping")
         }
         ResultKind::Parameters => generated_schema_of::<ParametersDocument<'static>>(
             "towermodes parameters",

@@ -6,6 +6,7 @@
 mod blade;
 mod calibration;
 mod campbell;
+mod damping;
 mod design;
 mod first_order;
 #[cfg(feature = "schema")]
@@ -24,6 +25,7 @@ pub use calibration::{
     write_calibration_json,
 };
 pub use campbell::{write_campbell_csv, write_campbell_json};
+pub use damping::{write_damping_csv, write_damping_json};
 pub use design::{
     DesignDocument, DesignedFrequency, DesignedLimit, DesignedVariable, write_design_json,
 };

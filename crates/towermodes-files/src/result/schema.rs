@@ -24,6 +24,8 @@ pub enum ResultKind {
     FirstOrder,
     /// Of `towermodes campbell`.
     Campbell,
+    /// Of `towermodes damping`.
+    Damping,
     /// Of `towermodes compare`.
     Comparison,
     /// Of `towermodes converge`.
@@ -38,7 +40,7 @@ pub enum ResultKind {
 
 impl ResultKind {
     /// All kinds.
-    pub const ALL: [Self; 14] = [
+    pub const ALL: [Self; 15] = [
         Self::Solution,
         Self::Several,
         Self::Blade,
@@ -48,6 +50,7 @@ impl ResultKind {
         Self::Calibration,
         Self::FirstOrder,
         Self::Campbell,
+        Self::Damping,
         Self::Comparison,
         Self::Convergence,
         Self::Agreement,
@@ -67,6 +70,7 @@ impl ResultKind {
             Self::Calibration => "calibrate",
             Self::FirstOrder => "first-order",
             Self::Campbell => "campbell",
+            Self::Damping => "damping",
             Self::Comparison => "compare",
             Self::Convergence => "converge",
             Self::Agreement => "check",
@@ -92,6 +96,7 @@ impl ResultKind {
             Self::Calibration => include_str!("../../schemas/calibrate.json"),
             Self::FirstOrder => include_str!("../../schemas/first-order.json"),
             Self::Campbell => include_str!("../../schemas/campbell.json"),
+            Self::Damping => include_str!("../../schemas/damping.json"),
             Self::Comparison => include_str!("../../schemas/compare.json"),
             Self::Convergence => include_str!("../../schemas/converge.json"),
             Self::Agreement => include_str!("../../schemas/check.json"),

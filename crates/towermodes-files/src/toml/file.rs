@@ -3,6 +3,7 @@
 use towermodes::{PartNames, TowerDescription};
 
 use super::added_mass::added_mass;
+use super::damping::damping;
 use super::foundation::foundation;
 use super::gravity::gravity;
 use super::ground::{default_foundation, ground};
@@ -33,6 +34,11 @@ pub(super) fn description(root: &Table<'_>, reading: &mut Reading) -> Option<Tow
     let hint = "add [tower] with stations = [[height, diameter, wall], ...]";
     let value = root.require("tower", hint, reading)?;
     let tower = Table::of(value, "[tower]", &schema::TOWER, reading)?;
+    let names = match &materials {
+        Some(materials) => materials.as_ref().map(|materials| &materials.names[..]),
+        None => Some(&[][..]),
+    };
+    let damping = damping(root, names, reading);
     let body = match materials {
         Some(materials) => of_tubes(&tower, materials, reading),
         None => of_properties(root, &tower, reading),
@@ -45,6 +51,7 @@ pub(super) fn description(root: &Table<'_>, reading: &mut Reading) -> Option<Tow
         materials: body.materials,
         shear: body.shear,
         outfitting_factor: outfitting_factor(&tower, reading)?,
+        damping: damping?,
         part_names: PartNames {
             materials: body.part_names.materials,
             ..around.part_names

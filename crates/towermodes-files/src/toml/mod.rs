@@ -3,6 +3,7 @@
 mod added_mass;
 mod body;
 mod choice;
+mod damping;
 mod design;
 mod file;
 mod foundation;

@@ -127,6 +127,7 @@ tables! {
         optional "water" Table "" "the water around the tower";
         optional "wires" Table "" "a set of guy wires, as often as needed";
         optional "gravity" Table "" "gravity, which softens the tower";
+        optional "damping" Table "" "what dissipates energy, for `towermodes damping`";
 
     /// `[material]` and `[materials.NAME]`.
     MATERIAL = "[material]":
@@ -394,6 +395,18 @@ tables! {
     /// `[gravity]`.
     GRAVITY = "[gravity]":
         optional "acceleration" Number "m/s2" "";
+
+    /// `[damping]`.
+    DAMPING = "[damping]":
+        optional "tower_loss_factor" Number "" "of the tower's materials: 2 times the damping ratio";
+        optional "material_loss_factors" Table "" "of materials by their names, in place of tower_loss_factor";
+        optional "foundation_loss_factor" Number "" "of the foundation";
+        optional "soil_loss_factor" Number "" "of the soil along the tower";
+        optional "wires_loss_factor" Number "" "of the guy wires";
+        optional "water_loss_factor" Number "" "of the water, of its kinetic energy";
+        optional "chord_moment" Number "m3" "integral of chord times radius over one blade";
+        optional "lift_slope" Number "1/rad" "of the blade sections, 2 pi by default";
+        optional "air_density" Number "kg/m3" "1.225 by default";
 }
 
 /// The types of foundation with their names.

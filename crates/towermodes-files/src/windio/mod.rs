@@ -5,6 +5,7 @@
 
 mod airfoils;
 mod body;
+mod chords;
 mod comparison;
 mod curve;
 mod elastic;
@@ -30,7 +31,7 @@ mod water;
 mod write;
 mod yaml;
 
-use towermodes::{Rna, Rotor, TowerDescription};
+use towermodes::{Damping, Rna, Rotor, TowerDescription};
 
 use crate::diagnostic::{Diagnostic, DiagnosticKind};
 use crate::error::ReadError;
@@ -113,10 +114,16 @@ fn describe(options: &ReadOptions, reading: &mut Reading<'_>) -> Option<Describe
     let description = reading.keep(description)?;
     let name = outline.name.as_ref();
     let name = name.map(|name| name.name(&reading.source.text));
+    let has_rotor = options.part != TowerPart::Monopile;
+    let aerodynamics = has_rotor.then(|| chords::aerodynamics(&outline)).flatten();
     Some(Described {
         description: TowerDescription {
             name: name.unwrap_or_default().to_owned(),
             rna,
+            damping: Damping {
+                rotor: aerodynamics,
+                ..Damping::default()
+            },
             rotor: rotor?,
             ..description
         },

@@ -38,13 +38,15 @@ pub(super) struct Components {
     pub(super) unknown: Vec<String>,
 }
 
-/// The part of a blade that gives its mass.
+/// The parts of a blade that give its mass and its chords.
 #[derive(Debug, Default, Deserialize)]
 pub(super) struct Blade {
     /// Version 2.
     reference_axis: Option<Node>,
     /// Version 1.
     outer_shape_bem: Option<BladeShape>,
+    /// Version 2.
+    outer_shape: Option<BladeShape>,
     /// Version 2.
     structure: Option<BladeStructure>,
     /// Version 1.
@@ -54,6 +56,7 @@ pub(super) struct Blade {
 #[derive(Debug, Default, Deserialize)]
 struct BladeShape {
     reference_axis: Option<Node>,
+    chord: Option<Node>,
 }
 
 #[derive(Debug, Default, Deserialize)]
@@ -76,6 +79,13 @@ impl Blade {
         let shape = self.outer_shape_bem.as_ref();
         let older = shape.and_then(|shape| shape.reference_axis.as_ref());
         self.reference_axis.as_ref().or(older)
+    }
+
+    /// The chords along the blade.
+    pub(super) fn chord(&self) -> Option<&Node> {
+        let shapes = [&self.outer_shape, &self.outer_shape_bem];
+        let mut chords = shapes.into_iter().flatten().map(|shape| &shape.chord);
+        chords.find_map(Option::as_ref)
     }
 
     /// Mass and inertia along the blade.

@@ -222,6 +222,12 @@ impl<const D: usize> Beam<D> {
         }
     }
 
+    /// Height of the middle of an element, m.
+    pub fn middle_m(&self, element: usize) -> f64 {
+        let (base_m, length_m) = self.ends[element];
+        base_m + 0.5 * length_m
+    }
+
     /// Length of an element, m.
     pub fn length_m(&self, element: usize) -> f64 {
         self.ends[element].1

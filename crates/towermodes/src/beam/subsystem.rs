@@ -91,6 +91,15 @@ impl<const D: usize> Subsystem for BeamSubsystem<D> {
         energy.iter().sum()
     }
 
+    fn strain_energies(&self, x: &[f64], part: &mut dyn FnMut(f64, f64)) {
+        let own = &x[self.beam.base_coordinates()..];
+        let of_elements = own.chunks_exact(self.beam.coordinates().max(1));
+        for (element, own) in of_elements.enumerate() {
+            let energy = own.iter().map(|x| x * x).sum();
+            part(self.beam.middle_m(element), energy);
+        }
+    }
+
     fn resultant(&mut self, a: &Coefficients, x: &[f64], _: f64) -> Resultant {
         let (force, energy) = product::resultant(&self.beam, a, &mut self.loads, x);
         Resultant {

@@ -291,6 +291,22 @@ pub fn energies<const D: usize>(chain: &Chain<D>, x: &[f64]) -> Energies {
     }
 }
 
+/// Tells `part` the height (m) of each joint and the part of xᵀ x of its springs.
+pub fn strain_energies<const D: usize>(
+    chain: &Chain<D>,
+    x: &[f64],
+    part: &mut dyn FnMut(f64, f64),
+) {
+    let mut rest = x;
+    for link in &chain.links {
+        let (own, above) = rest.split_at(link.moving);
+        rest = above;
+        if link.spring != 0.0 {
+            part(link.height_m, squares(own));
+        }
+    }
+}
+
 /// Σ x², in four running sums.
 fn squares(x: &[f64]) -> f64 {
     let fours = x.chunks_exact(4);

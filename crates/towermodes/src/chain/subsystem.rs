@@ -93,6 +93,10 @@ impl<const D: usize> Subsystem for ChainSubsystem<D> {
         product::energies(&self.chain, x)
     }
 
+    fn strain_energies(&self, x: &[f64], part: &mut dyn FnMut(f64, f64)) {
+        product::strain_energies(&self.chain, x, part);
+    }
+
     fn internal_forces(&self, x: &[f64], forces: &mut InternalForces) -> bool {
         transfer::internal_forces(&self.chain, x, forces);
         true

@@ -3,6 +3,7 @@
 
 mod discretization;
 mod energy;
+mod energy_parts;
 mod family;
 mod mode_name;
 mod rigid;
@@ -14,6 +15,7 @@ mod shape;
 pub use discretization::{Estimate, richardson};
 pub(crate) use discretization::{extrapolate, without_powers};
 pub use energy::{ByMotion, Energy};
+pub use energy_parts::{EnergyParts, KineticParts, StrainParts};
 pub use family::{Family, Ordinal};
 pub use mode_name::{ModeName, ModeNameError};
 pub(crate) use rigid::{RigidNames, RigidTower};

@@ -10,6 +10,7 @@ mod certain;
 mod checks;
 mod cost;
 mod cut;
+mod energy_parts;
 mod error;
 mod estimate;
 mod frequencies;

@@ -7,7 +7,9 @@ use crate::blade::Blade;
 use crate::chain::Chains;
 use crate::elements::{Element, Mesh, assemble_chains};
 use crate::modes::ByMotion;
-use crate::subsystem::{Coefficients, Eigenproblem, Resultant, Subsystem, SubsystemPencil};
+use crate::subsystem::{
+    Coefficients, Eigenproblem, Energies, Resultant, Subsystem, SubsystemPencil,
+};
 use crate::tower::{Motions, Tower};
 
 /// The subsystems of a tower or a blade, with the memory to work on them.
@@ -149,6 +151,11 @@ impl Model {
     ) -> Resultant {
         let base_m = self.base_m;
         subsystem_mut(&mut self.chains, &mut self.beams, index).resultant(a, vector, base_m)
+    }
+
+    /// xᵀ A x of a vector of a subsystem for each of its matrices.
+    pub(super) fn energies(&mut self, index: usize, vector: &[f64]) -> Energies {
+        subsystem_mut(&mut self.chains, &mut self.beams, index).energies(vector)
     }
 
     /// The forces and the energy of an eigenvector of a subsystem.

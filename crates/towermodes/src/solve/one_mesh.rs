@@ -3,6 +3,7 @@
 use super::checks::check_size;
 use super::cost::Cost;
 use super::cut::Cut;
+use super::energy_parts::energy_parts;
 use super::error::SolveError;
 use super::naming::{Naming, Wanted, identify};
 use super::options::Options;
@@ -157,7 +158,14 @@ pub(super) fn describe(
         (listed, Wanted::All),
         naming,
     );
-    let modes = shapes(tower, &cut.mesh, options, listed, workspace)?;
+    let mut modes = shapes(tower, &cut.mesh, options, listed, workspace)?;
+    if options.energy_parts {
+        let listed = &listed[..modes.len()];
+        let parts = energy_parts(tower, cut, options, listed, workspace);
+        for (mode, parts) in modes.iter_mut().zip(parts) {
+            mode.energy_parts = Some(parts);
+        }
+    }
     let (origin, last) = (workspace.model.origin, &found[options.modes - 1]);
     let identities = &workspace.naming.identities;
     let next = listed.get(options.modes).zip(identities.get(options.modes));

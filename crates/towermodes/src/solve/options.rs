@@ -47,6 +47,9 @@ pub struct Options {
     /// Position of the hinges of [`Method::Cardanic`], as a fraction k of the segment from each
     /// end, 0 < k < 1/2; (1 − 1/√3)/2 by default.
     pub hinge_position: f64,
+    /// Whether modes have their energy by the parts of the tower:
+    /// [`Mode::energy_parts`](crate::Mode::energy_parts).
+    pub energy_parts: bool,
     /// Whether a solve whose estimated cost is above [`MAX_BYTES`] or
     /// [`MAX_SECONDS`](crate::MAX_SECONDS) is refused before it begins.
     pub limits: bool,
@@ -64,6 +67,7 @@ impl Default for Options {
             heights_m: Vec::new(),
             rotary_inertia: true,
             hinge_position: GAUSS_HINGE_POSITION,
+            energy_parts: false,
             limits: true,
         }
     }
@@ -75,6 +79,7 @@ impl Options {
         Self {
             points: 2,
             heights_m: Vec::new(),
+            energy_parts: false,
             ..self.clone()
         }
     }

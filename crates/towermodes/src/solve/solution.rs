@@ -4,7 +4,7 @@ use super::naming::Identity;
 use super::spectrum::{Found, ModeKey, Proof};
 use crate::Method;
 use crate::eigen::Statistics;
-use crate::modes::{ByMotion, Energy, Family, ModeCurve, ShapePoint};
+use crate::modes::{ByMotion, Energy, EnergyParts, Family, ModeCurve, ShapePoint};
 use crate::space::SpatialMatrix;
 use crate::tower::Warning;
 
@@ -49,6 +49,9 @@ pub struct Mode {
     pub modal_mass: f64,
     /// Distribution of its energy over the motions.
     pub energy: Energy,
+    /// Distribution of its energy over the parts of the tower; only with
+    /// [`Options::energy_parts`](crate::Options::energy_parts).
+    pub energy_parts: Option<EnergyParts>,
     /// Effective modal masses in x, y, z, kg, and about the axes x, y, z through the base, kg m²:
     /// (uᵀ M r)²/(uᵀ M u) with r the rigid motion of 1 in that direction. Over all modes they add
     /// up to the diagonal of [`Solution::rigid_inertia`].
@@ -81,6 +84,7 @@ impl Mode {
             family: identity.family,
             order: identity.order,
             energy: identity.energy,
+            energy_parts: None,
             effective_mass: identity.effective_mass,
             key: found.key,
             algebraic_error_hz: found.eigenvalue.frequency_error_hz(),
@@ -104,6 +108,7 @@ impl Mode {
             family: identity.family,
             order: identity.order,
             energy: identity.energy,
+            energy_parts: None,
             effective_mass: identity.effective_mass,
             key: found.key,
             shape: turned(&self.shape),

@@ -83,6 +83,10 @@ pub trait Subsystem: Send + Sync {
         }
     }
 
+    /// Tells `part` the height (m) and the part of xᵀ x of each joint or element: its strain
+    /// energy, times 2. The base has none.
+    fn strain_energies(&self, x: &[f64], part: &mut dyn FnMut(f64, f64));
+
     /// The internal forces of a vector; false if a vector of this kind of model cannot be carried
     /// to another mesh by them.
     fn internal_forces(&self, _x: &[f64], _forces: &mut InternalForces) -> bool {

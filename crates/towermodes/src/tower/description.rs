@@ -1,5 +1,6 @@
 //! The description of a tower as a user gives it, before it is checked.
 
+use super::damping::Damping;
 use super::foundation::Foundation;
 use super::ground::Ground;
 use super::inertia::Inertia;
@@ -152,6 +153,8 @@ pub struct TowerDescription {
     pub gravity_m_per_s2: f64,
     /// The rotor, for the resonance check; none by default.
     pub rotor: Option<Rotor>,
+    /// What dissipates the energy of vibrations; nothing is known by default.
+    pub damping: Damping,
     /// The names of its parts; none by default.
     pub part_names: PartNames,
 }
@@ -176,6 +179,7 @@ impl Default for TowerDescription {
             wires: Vec::new(),
             gravity_m_per_s2: 0.0,
             rotor: None,
+            damping: Damping::default(),
             part_names: PartNames::default(),
         }
     }

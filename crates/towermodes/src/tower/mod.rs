@@ -5,6 +5,7 @@ mod attachment;
 mod axisymmetric;
 mod base;
 mod closed_form;
+mod damping;
 mod description;
 mod environment;
 mod error;
@@ -34,6 +35,7 @@ mod section;
 mod shear;
 mod slopes;
 mod soil_factor;
+mod stripped;
 mod surroundings;
 mod validate;
 mod warning;
@@ -47,6 +49,7 @@ pub use closed_form::{
     HeadStiffness, Monopile, PileBehaviour, PileFormula, PileTube, Slenderness, SoilProfile,
     WinklerPile,
 };
+pub use damping::{Damping, LossFactors, RotorAerodynamics};
 pub use description::{PointMass, PropertyStation, Rna, Station, TowerDescription};
 pub use environment::Environment;
 pub use error::{FreeMotions, Place, Problem, TowerError};
@@ -82,3 +85,4 @@ pub(crate) use neighbour::{Neighbour, Neighbours};
 pub(crate) use numbers::{Place as NumberPlace, Places};
 pub(crate) use plausibility::inertia_plausibility;
 pub(crate) use slopes::{FlexibilitySlopes, MassSlopes};
+pub(crate) use stripped::Strippable;

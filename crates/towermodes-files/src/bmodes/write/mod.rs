@@ -15,7 +15,7 @@ mod spread;
 mod support;
 mod tip;
 
-use towermodes::{Shear, Tower, TowerDescription};
+use towermodes::{LossFactors, Shear, Tower, TowerDescription};
 
 use crate::note::Note;
 
@@ -115,6 +115,11 @@ fn note_whole(
             "a tower deck has no rotor: its {} blades and its speeds ({} to {} rpm) are left out",
             rotor.blades, rotor.lowest_rpm, rotor.highest_rpm
         )));
+    }
+    if description.damping.loss_factors != LossFactors::default() {
+        notes.push(Note::left_out(
+            "a deck has no damping: the loss factors are left out",
+        ));
     }
     if tower.shears() {
         notes.push(shear_note(description));

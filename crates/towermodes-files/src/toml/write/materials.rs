@@ -37,7 +37,7 @@ impl MaterialNames {
     }
 
     /// As many digits in every number: materials are read in the order of their names.
-    fn name(&self, index: usize) -> String {
+    pub(super) fn name(&self, index: usize) -> String {
         let own = self.own.as_ref().and_then(|own| own.get(index));
         if let Some(own) = own {
             return own.clone();
@@ -84,7 +84,7 @@ fn poissons_ratio(material: &Material) -> Option<f64> {
 }
 
 /// A name as a key: bare where TOML allows that.
-fn key(name: &str) -> String {
+pub(super) fn key(name: &str) -> String {
     let is_bare = |c: char| c.is_ascii_alphanumeric() || c == '_' || c == '-';
     match name.chars().all(is_bare) {
         true => name.to_owned(),

@@ -1,6 +1,7 @@
 //! A description of a tower as a TOML file.
 
 mod bodies;
+mod damping;
 mod foundation;
 mod ground;
 mod materials;
@@ -38,6 +39,8 @@ pub fn write_toml(description: &TowerDescription) -> (String, Vec<Note>) {
         ground::ground(ground, &description.part_names.ground, &mut writing);
     }
     surroundings::surroundings(description, &mut writing);
+    let names = MaterialNames::of(description);
+    damping::damping(&description.damping, &names, &mut writing);
     (writing.text, writing.notes)
 }
 

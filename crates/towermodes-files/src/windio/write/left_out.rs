@@ -1,6 +1,6 @@
 //! The properties of a tower that windIO cannot hold.
 
-use towermodes::{Foundation, Inertia, Shear, TowerDescription};
+use towermodes::{Foundation, Inertia, LossFactors, Shear, TowerDescription};
 
 use crate::note::Note;
 
@@ -17,6 +17,10 @@ pub(super) fn notes(description: &TowerDescription) -> Vec<Note> {
         (d.water.is_some(), "the water is left out"),
         (!d.added_mass.is_empty(), "the added mass is left out"),
         (!d.wires.is_empty(), "the guy wires are left out"),
+        (
+            d.damping.loss_factors != LossFactors::default(),
+            "the loss factors are left out: windIO has none",
+        ),
         (
             d.gravity_m_per_s2 != 0.0,
             "gravity is left out: windIO does not specify it",

@@ -1,6 +1,6 @@
 //! The input as a drawing and in tables.
 
-use towermodes::TowerDescription;
+use towermodes::{Damping, TowerDescription};
 
 use super::super::content::ReportContent;
 use super::super::document::Block;
@@ -74,7 +74,40 @@ fn overview(content: &ReportContent) -> Table {
             speed_range(rotor),
         ));
     }
+    facts.extend(damping(&description.damping));
     Table::of_facts("Overview", facts)
+}
+
+/// The loss factors and the data of the blades that are given.
+fn damping(damping: &Damping) -> impl Iterator<Item = (&'static str, String)> {
+    let factors = &damping.loss_factors;
+    let rotor = damping.rotor.as_ref();
+    let largest = factors.materials.iter().flatten().copied();
+    let facts = [
+        ("loss factor of the tower (−)", factors.tower),
+        (
+            "largest loss factor of a named material (−)",
+            largest.reduce(f64::max),
+        ),
+        ("loss factor of the foundation (−)", factors.foundation),
+        ("loss factor of the soil (−)", factors.soil),
+        ("loss factor of the wires (−)", factors.wires),
+        ("loss factor of the water (−)", factors.water),
+        (
+            "chord moment ∫ c r dr of a blade (m³)",
+            rotor.map(|rotor| rotor.chord_moment_m3),
+        ),
+        (
+            "lift slope of the blades (1/rad)",
+            rotor.map(|rotor| rotor.lift_slope),
+        ),
+        (
+            "density of air (kg/m³)",
+            rotor.map(|rotor| rotor.air_density_kg_per_m3),
+        ),
+    ];
+    let facts = facts.into_iter();
+    facts.filter_map(|(name, value)| Some((name, given(value?))))
 }
 
 fn described(name: &str) -> String {

@@ -108,6 +108,9 @@ impl Problem {
             Self::ShearCoefficient { .. } => {
                 "a thin-walled tube has about 0.53; shear = true uses Cowper's value"
             }
+            Self::LossFactor { .. } => {
+                "a loss factor is twice the damping ratio, as a fraction and not in percent: 0.004 for a damping ratio of 0.2 %"
+            }
             Self::SpeedsFall { .. } => {
                 "write rpm = [lowest, highest], or one number for constant speed"
             }

@@ -463,6 +463,14 @@ pub enum Problem {
         /// The value given.
         value: f64,
     },
+    /// A loss factor that no part has.
+    #[error("the loss factor of {part} is {}; it must be from 0 to 1", Plain(*.value))]
+    LossFactor {
+        /// The part.
+        part: &'static str,
+        /// The value given.
+        value: f64,
+    },
     /// A rotor without blades, or with more than any has.
     #[error("the rotor has {count} blades; the number must be from 1 to {most}")]
     Blades {

@@ -100,6 +100,11 @@ pub enum Place {
         /// Which of its values.
         key: &'static str,
     },
+    /// One value of the damping: its key.
+    Damping {
+        /// Which of its values.
+        key: &'static str,
+    },
     /// The acceleration of gravity.
     Gravity,
     /// The outfitting factor.
@@ -131,6 +136,7 @@ impl fmt::Display for Place {
             Self::Water { .. } => write!(f, "water"),
             Self::Wires { index, .. } => write!(f, "wires {}", index + 1),
             Self::Rotor { .. } => write!(f, "rotor"),
+            Self::Damping { .. } => write!(f, "damping"),
             Self::Gravity => write!(f, "gravity"),
             Self::OutfittingFactor => write!(f, "outfitting factor"),
             Self::Shear => write!(f, "shear"),

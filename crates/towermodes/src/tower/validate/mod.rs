@@ -1,6 +1,7 @@
 //! The checks that turn a description into a tower.
 
 mod closed_form;
+mod damping;
 mod foundation;
 mod ground;
 mod inertia;
@@ -12,6 +13,7 @@ pub(super) use foundation::largest_asymmetry;
 pub(super) use ground::check_springs_of_ground;
 pub(crate) use rotor::check_rotor;
 
+use damping::check_damping;
 use foundation::{check_buoyancy, check_foundation};
 use ground::check_ground;
 use inertia::check_inertia;
@@ -53,7 +55,8 @@ pub(super) fn validate(description: &TowerDescription) -> Result<(), TowerError>
     check_buoyancy(description)?;
     check_surroundings(description, base_m, top_m)?;
     check_ground(description, base_m, top_m)?;
-    description.rotor.as_ref().map_or(Ok(()), check_rotor)
+    description.rotor.as_ref().map_or(Ok(()), check_rotor)?;
+    check_damping(&description.damping)
 }
 
 fn check_material(index: usize, material: &Material) -> Result<(), TowerError> {

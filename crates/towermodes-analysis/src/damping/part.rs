@@ -1,0 +1,122 @@
+//! The parts of a tower with their loss factors and their fractions of a mode's energy.
+
+use std::fmt;
+
+use towermodes::{EnergyParts, Foundation, TowerDescription, printable};
+
+/// A part of a tower that dissipates energy.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[cfg_attr(feature = "serde", serde(rename_all = "kebab-case"))]
+pub enum DampedPart {
+    /// The tower itself in one of its materials, or a table of properties.
+    Tower,
+    /// The foundation.
+    Foundation,
+    /// The soil springs along the tower.
+    Soil,
+    /// The guy wires.
+    Wires,
+    /// The water, by its kinetic energy.
+    Water,
+}
+
+impl fmt::Display for DampedPart {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::Tower => "tower",
+            Self::Foundation => "foundation",
+            Self::Soil => "soil",
+            Self::Wires => "wires",
+            Self::Water => "water",
+        })
+    }
+}
+
+/// The damping of a mode by one part.
+#[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+pub struct PartDamping {
+    /// The part.
+    pub part: DampedPart,
+    /// The name of the material; empty for other parts and for a material without a name.
+    pub material: String,
+    /// Its loss factor; none if it is not given.
+    pub loss_factor: Option<f64>,
+    /// Its fraction of the strain energy of the mode; of the kinetic energy for water.
+    pub energy_fraction: f64,
+    /// ½ loss factor × fraction; none if the loss factor is not given.
+    pub damping_ratio: Option<f64>,
+}
+
+impl PartDamping {
+    fn new(part: DampedPart, loss_factor: Option<f64>, energy_fraction: f64) -> Self {
+        Self {
+            part,
+            material: String::new(),
+            loss_factor,
+            energy_fraction,
+            damping_ratio: loss_factor.map(|eta| 0.5 * eta * energy_fraction),
+        }
+    }
+
+    /// Its name in tables: that of the material, if it has one.
+    pub fn name(&self) -> String {
+        match self.material.is_empty() {
+            true => self.part.to_string(),
+            false => printable(&self.material),
+        }
+    }
+}
+
+/// The parts that a tower has, with their fractions of the energy of a mode.
+pub(super) fn parts(description: &TowerDescription, energy: &EnergyParts) -> Vec<PartDamping> {
+    let factors = &description.damping.loss_factors;
+    let (strain, kinetic) = (&energy.strain, &energy.kinetic);
+    let materials = strain.materials.iter().enumerate();
+    let mut parts: Vec<PartDamping> = materials
+        .filter(|(index, _)| is_used(description, *index))
+        .map(|(index, fraction)| {
+            let name = description.part_names.materials.get(index);
+            PartDamping {
+                material: name.cloned().unwrap_or_default(),
+                ..PartDamping::new(DampedPart::Tower, factors.of_material(index), *fraction)
+            }
+        })
+        .collect();
+    let others = [
+        (
+            DampedPart::Foundation,
+            factors.foundation,
+            strain.foundation,
+        ),
+        (DampedPart::Soil, factors.soil, strain.soil),
+        (DampedPart::Wires, factors.wires, strain.wires),
+        (DampedPart::Water, factors.water, kinetic.water),
+    ];
+    let others = others
+        .into_iter()
+        .filter(|(part, ..)| has(description, *part));
+    parts.extend(others.map(|(part, factor, fraction)| PartDamping::new(part, factor, fraction)));
+    parts
+}
+
+/// Whether a tower has a part.
+pub(super) fn has(description: &TowerDescription, part: DampedPart) -> bool {
+    match part {
+        DampedPart::Tower => true,
+        DampedPart::Foundation => description.foundation != Foundation::Clamped,
+        DampedPart::Soil => !description.soil.is_empty(),
+        DampedPart::Wires => !description.wires.is_empty(),
+        DampedPart::Water => description.water.is_some() || !description.added_mass.is_empty(),
+    }
+}
+
+/// Whether any piece of the tower is of a material. That of the top row has no piece above it.
+fn is_used(description: &TowerDescription, index: usize) -> bool {
+    let mut pieces = description.stations.windows(2);
+    description.stations.is_empty()
+        || pieces.any(|ends| ends[0].material == index && ends[0].height_m < ends[1].height_m)
+}

@@ -1,0 +1,130 @@
+//! What is not included in the damping of modes, has no effect, or is probably a mistake.
+
+use std::fmt;
+
+use towermodes::number::four_digits;
+use towermodes::{Plain, Rotor, TowerDescription};
+
+use super::ModeDamping;
+use super::part::{DampedPart, has};
+
+/// Larger loss factors, a damping ratio of 10 %, are probably a mistake.
+const UNUSUAL: f64 = 0.2;
+/// A part with less than this fraction of the energy of every mode needs no loss factor.
+const NEGLIGIBLE: f64 = 1e-4;
+
+/// What is not included in the damping of modes, has no effect, or is probably a mistake.
+#[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
+pub enum DampingRemark {
+    /// There is no damping data at all.
+    Nothing,
+    /// A part has energy but no loss factor.
+    Missing {
+        /// Its name.
+        name: String,
+        /// The largest fraction of energy that it has in a mode.
+        fraction: f64,
+        /// The name of that mode.
+        mode: String,
+    },
+    /// A loss factor of a part that the tower does not have.
+    Unused {
+        /// The part.
+        part: DampedPart,
+    },
+    /// A loss factor that hardly any part has.
+    Unusual {
+        /// The name of the part.
+        name: String,
+        /// Its loss factor.
+        loss_factor: f64,
+    },
+    /// The rotor is known but its speed is not.
+    NoSpeed,
+}
+
+impl fmt::Display for DampingRemark {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Nothing => write!(
+                f,
+                "no loss factors are given: the table has only the energy of each part; add [damping] to the tower file, or use --loss-factor"
+            ),
+            Self::Missing {
+                name,
+                fraction,
+                mode,
+            } => write!(
+                f,
+                "the damping of the {name} is not included: it has {} % of the energy of the {mode} and no loss factor",
+                four_digits(100.0 * fraction)
+            ),
+            Self::Unused { part } => write!(
+                f,
+                "the loss factor of the {part} has no effect: the tower has no {part}"
+            ),
+            Self::Unusual { name, loss_factor } => write!(
+                f,
+                "the loss factor of the {name} is {}, a damping ratio of {} %: a loss factor is twice the damping ratio, as a fraction and not in percent",
+                Plain(*loss_factor),
+                Plain(50.0 * loss_factor)
+            ),
+            Self::NoSpeed => write!(
+                f,
+                "the aerodynamic damping is not included: the rotor speed is not given; add [rotor] with blades and rpm to the tower file, or use --rpm"
+            ),
+        }
+    }
+}
+
+/// All remarks.
+pub(super) fn remarks(
+    description: &TowerDescription,
+    modes: &[ModeDamping],
+    rotor: Option<&Rotor>,
+) -> Vec<DampingRemark> {
+    let damping = &description.damping;
+    let mut remarks = Vec::new();
+    if damping.rotor.is_some() && rotor.is_none() {
+        remarks.push(DampingRemark::NoSpeed);
+    }
+    let parts = modes.first().map_or(&[][..], |mode| &mode.parts);
+    let is_nothing = parts.iter().all(|part| part.loss_factor.is_none());
+    match is_nothing {
+        true if damping.rotor.is_none() => remarks.push(DampingRemark::Nothing),
+        _ => remarks.extend((0..parts.len()).filter_map(|place| missing(modes, place))),
+    }
+    for part in parts {
+        if let Some(loss_factor) = part.loss_factor.filter(|factor| *factor > UNUSUAL) {
+            let name = part.name();
+            remarks.push(DampingRemark::Unusual { name, loss_factor });
+        }
+    }
+    let factors = &damping.loss_factors;
+    let others = [
+        (DampedPart::Foundation, factors.foundation),
+        (DampedPart::Soil, factors.soil),
+        (DampedPart::Wires, factors.wires),
+        (DampedPart::Water, factors.water),
+    ];
+    let unused = others.into_iter();
+    let unused = unused.filter(|(part, factor)| factor.is_some() && !has(description, *part));
+    remarks.extend(unused.map(|(part, _)| DampingRemark::Unused { part }));
+    remarks
+}
+
+/// The remark on a part without a loss factor, by its place in the list of parts.
+fn missing(modes: &[ModeDamping], place: usize) -> Option<DampingRemark> {
+    let fraction = |mode: &ModeDamping| mode.parts[place].energy_fraction;
+    let largest = modes
+        .iter()
+        .max_by(|a, b| fraction(a).total_cmp(&fraction(b)))?;
+    let part = &largest.parts[place];
+    let is_missing = part.loss_factor.is_none() && fraction(largest) > NEGLIGIBLE;
+    is_missing.then(|| DampingRemark::Missing {
+        name: part.name(),
+        fraction: fraction(largest),
+        mode: largest.label.clone(),
+    })
+}

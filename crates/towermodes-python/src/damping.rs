@@ -1,0 +1,138 @@
+//! The damping of the modes of a tower.
+
+use std::sync::Arc;
+
+use pyo3::prelude::*;
+use towermodes::{Options, Solution, Tower as CheckedTower, solve_certain};
+use towermodes_analysis::damping::{GivenDamping, ModalDamping, damping};
+use towermodes_analysis::resonance::GivenRotor;
+use towermodes_cli::table;
+use towermodes_files::{Note, write_damping_csv, write_damping_json};
+
+use crate::error::{of_result, of_solve, usage};
+use crate::interrupt::interruptible;
+use crate::options::SolveOptions;
+use crate::tower::{Model, Tower};
+
+/// The damping of modes.
+#[pyclass(frozen, module = "towermodes._towermodes")]
+pub struct Damping {
+    model: Arc<Model>,
+    solution: Solution,
+    damping: ModalDamping,
+    notes: Vec<Note>,
+}
+
+/// Damping data in place of those of the file.
+#[derive(FromPyObject)]
+#[pyo3(from_item_all)]
+pub struct DampingOptions {
+    loss_factors: Vec<(String, f64)>,
+    chord_moment_m3: Option<f64>,
+    lift_slope: Option<f64>,
+    air_density_kg_per_m3: Option<f64>,
+    rpm: Option<(f64, f64)>,
+    blades: Option<usize>,
+}
+
+impl DampingOptions {
+    fn of_library(&self) -> GivenDamping {
+        GivenDamping {
+            loss_factors: self.loss_factors.clone(),
+            chord_moment_m3: self.chord_moment_m3,
+            lift_slope: self.lift_slope,
+            air_density_kg_per_m3: self.air_density_kg_per_m3,
+        }
+    }
+
+    fn rotor(&self) -> GivenRotor {
+        GivenRotor {
+            speeds_rpm: self.rpm,
+            blades: self.blades,
+        }
+    }
+}
+
+fn solved(py: Python<'_>, tower: &CheckedTower, options: Options) -> PyResult<Solution> {
+    let mut options = Options {
+        energy_parts: true,
+        ..options
+    };
+    let solution = interruptible(py, |workspace| {
+        solve_certain(tower, &mut options, workspace)
+    })?;
+    solution.map_err(|error| of_solve(&error))
+}
+
+#[pymethods]
+impl Damping {
+    /// The damping of the modes of a tower.
+    #[new]
+    #[pyo3(signature = (tower, given: "dict[str, object]", options: "dict[str, object]"))]
+    fn new(
+        py: Python<'_>,
+        tower: &Tower,
+        given: DampingOptions,
+        options: SolveOptions,
+    ) -> PyResult<Self> {
+        let model = Arc::clone(&tower.model);
+        let Model { tower, input } = &*model;
+        let mut description = input.description.clone();
+        let set = given.of_library().set(&mut description);
+        set.map_err(|error| usage(error.to_string()))?;
+        let chosen = given.rotor();
+        let chosen = chosen.in_place_of(description.rotor, input.blades);
+        let chosen = chosen.filter(|_| description.damping.rotor.is_some());
+        if let Some(chosen) = &chosen {
+            let checked = chosen.rotor.validate();
+            checked.map_err(|error| usage(error.to_string()))?;
+        }
+        let solution = solved(py, tower, options.of(input)?)?;
+        let rotor = chosen.as_ref().map(|chosen| &chosen.rotor);
+        let damping = damping(&description, &solution, rotor);
+        let damping = damping.map_err(|error| usage(error.to_string()))?;
+        let remarks = damping.remarks.iter();
+        let notes = remarks.map(|remark| Note::new(remark.to_string()));
+        Ok(Self {
+            notes: notes.collect(),
+            model,
+            solution,
+            damping,
+        })
+    }
+
+    /// The notes of the reader, and what the damping does not include.
+    #[getter]
+    fn notes(&self) -> Vec<String> {
+        let own = self.notes.iter().map(Note::to_string);
+        self.model.notes().into_iter().chain(own).collect()
+    }
+
+    /// Possible mistakes of the input, and limits of the results.
+    #[getter]
+    fn warnings(&self) -> Vec<String> {
+        self.model.located(&self.solution.warnings)
+    }
+
+    /// The table of the program.
+    fn table(&self) -> String {
+        table::damping(&self.model.tower, &self.damping)
+    }
+
+    /// The JSON of the program.
+    fn json(&self) -> PyResult<String> {
+        let notes = [self.model.input.notes.as_slice(), &self.notes].concat();
+        let mut json = Vec::new();
+        let done = write_damping_json(self.model.tower.name(), &self.damping, &notes, &mut json);
+        done.map_err(|error| of_result(&error))?;
+        Ok(String::from_utf8_lossy(&json).into_owned())
+    }
+
+    /// The CSV of the program.
+    fn csv(&self) -> PyResult<String> {
+        let mut csv = Vec::new();
+        let done = write_damping_csv(&self.damping, &mut csv);
+        done.map_err(|error| of_result(&error))?;
+        Ok(String::from_utf8_lossy(&csv).into_owned())
+    }
+}

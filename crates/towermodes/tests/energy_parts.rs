@@ -1,0 +1,394 @@
+//! The energy of modes by the parts of the tower: against differences of the eigenvalue, which is
+//! what the fractions are the derivatives of, and against sums by hand.
+
+use crate::towers;
+
+use towermodes::{
+    EnergyParts, Foundation, FoundationSprings, Material, Method, Mode, Options, Planes, PointMass,
+    Properties, PropertyStation, Rna, Shear, SoilRow, SoilStiffness, Station, TowerDescription,
+    Water, Wires,
+};
+use towers::{floater, solved};
+
+/// Every method with its energy by parts, on a mesh of its own that does not depend on the tower.
+fn options(method: Method) -> Options {
+    Options {
+        method,
+        segments: (method != Method::Spectral).then_some(24),
+        degree: (method == Method::Spectral).then_some(8),
+        modes: 8,
+        points: 2,
+        energy_parts: true,
+        ..Options::default()
+    }
+}
+
+/// A steel tower on a concrete one with everything that has a fraction: springs with inertia, soil,
+/// water, added mass, wires, a point mass and an RNA that couples all motions.
+fn everything() -> TowerDescription {
+    let steel = Material::from_shear_modulus(7850.0, 2.1e11, 8.08e10);
+    let concrete = Material::from_shear_modulus(2450.0, 3.6e10, 1.5e10);
+    let station = |height_m, diameter, wall, material| Station {
+        material,
+        ..Station::new(height_m, diameter, wall)
+    };
+    let soil = |height_m, k| SoilRow {
+        height_m,
+        stiffness: SoilStiffness {
+            x_n_per_m2: k,
+            y_n_per_m2: 1.2 * k,
+            z_n_per_m2: 0.3 * k,
+            torsion_n: 2.0 * k,
+            rotation_x_n: 20.0 * k,
+            rotation_y_n: 20.0 * k,
+        },
+    };
+    TowerDescription {
+        materials: vec![steel, concrete],
+        stations: vec![
+            station(-20.0, 7.0, 0.4, 1),
+            station(30.0, 6.0, 0.35, 1),
+            station(30.0, 6.0, 0.04, 0),
+            station(100.0, 4.0, 0.02, 0),
+        ],
+        shear: Shear::Cowper,
+        rna: Rna {
+            mass_kg: 250e3,
+            center_m: [-2.0, 0.4, 2.5],
+            inertia_kg_m2: towermodes::Inertia {
+                xx: 4e7,
+                yy: 2.2e7,
+                zz: 2.5e7,
+                ..Default::default()
+            },
+        },
+        point_masses: vec![PointMass {
+            height_m: 60.0,
+            mass_kg: 30e3,
+            inertia_kg_m2: Default::default(),
+        }],
+        foundation: Foundation::Springs(FoundationSprings {
+            lateral_n_per_m: 4e8,
+            rocking_n_m: 3e10,
+            coupling_n: -5e8,
+            vertical_n_per_m: 3e9,
+            torsion_n_m: 2e10,
+        }),
+        soil: vec![vec![soil(-20.0, 4e7), soil(0.0, 1e7)]],
+        water: Some(Water {
+            level_m: 20.0,
+            bed_m: Some(0.0),
+            density_kg_per_m3: 1025.0,
+            added_mass_coefficient: 1.0,
+            flooded: true,
+        }),
+        wires: vec![Wires {
+            height_m: 70.0,
+            count: 3,
+            stiffness_n_per_m: 4e5,
+            angle_deg: 40.0,
+        }],
+        ..TowerDescription::default()
+    }
+}
+
+/// A change of a tower by a factor of one of its parts, and what the part has of the energy.
+struct Part {
+    name: &'static str,
+    scale: fn(&mut TowerDescription, f64),
+    /// The fraction of the strain energy less that of the kinetic energy.
+    fraction: fn(&EnergyParts) -> f64,
+}
+
+fn scale_moduli(material: &mut Material, factor: f64) {
+    material.youngs_modulus_pa *= factor;
+    material.shear_modulus_pa *= factor;
+}
+
+fn scale_springs(description: &mut TowerDescription, factor: f64) {
+    let Foundation::Springs(springs) = &mut description.foundation else {
+        panic!("the tower has springs");
+    };
+    springs.lateral_n_per_m *= factor;
+    springs.rocking_n_m *= factor;
+    springs.coupling_n *= factor;
+    springs.vertical_n_per_m *= factor;
+    springs.torsion_n_m *= factor;
+}
+
+fn scale_soil(description: &mut TowerDescription, factor: f64) {
+    for row in description.soil.iter_mut().flatten() {
+        row.stiffness.x_n_per_m2 *= factor;
+        row.stiffness.y_n_per_m2 *= factor;
+        row.stiffness.z_n_per_m2 *= factor;
+        row.stiffness.torsion_n *= factor;
+        row.stiffness.rotation_x_n *= factor;
+        row.stiffness.rotation_y_n *= factor;
+    }
+}
+
+fn scale_rna(description: &mut TowerDescription, factor: f64) {
+    let rna = &mut description.rna;
+    rna.mass_kg *= factor;
+    rna.inertia_kg_m2.xx *= factor;
+    rna.inertia_kg_m2.yy *= factor;
+    rna.inertia_kg_m2.zz *= factor;
+}
+
+const STIFF: [Part; 5] = [
+    Part {
+        name: "steel",
+        scale: |d, factor| scale_moduli(&mut d.materials[0], factor),
+        fraction: |parts| parts.strain.materials[0],
+    },
+    Part {
+        name: "concrete",
+        scale: |d, factor| scale_moduli(&mut d.materials[1], factor),
+        fraction: |parts| parts.strain.materials[1],
+    },
+    Part {
+        name: "foundation",
+        scale: scale_springs,
+        fraction: |parts| parts.strain.foundation,
+    },
+    Part {
+        name: "soil",
+        scale: scale_soil,
+        fraction: |parts| parts.strain.soil,
+    },
+    Part {
+        name: "wires",
+        scale: |d, factor| d.wires[0].stiffness_n_per_m *= factor,
+        fraction: |parts| parts.strain.wires,
+    },
+];
+
+const GRAVITY: Part = Part {
+    name: "gravity",
+    scale: |d, factor| d.gravity_m_per_s2 *= factor,
+    fraction: |parts| parts.strain.gravity,
+};
+
+/// These change the compression by self-weight too, so the tower must have none.
+const HEAVY: [Part; 4] = [
+    Part {
+        name: "tower",
+        scale: |d, factor| {
+            for material in &mut d.materials {
+                material.density_kg_per_m3 *= factor;
+            }
+        },
+        fraction: |parts| -parts.kinetic.tower,
+    },
+    Part {
+        name: "rna",
+        scale: scale_rna,
+        fraction: |parts| -parts.kinetic.rna,
+    },
+    Part {
+        name: "point mass",
+        scale: |d, factor| d.point_masses[0].mass_kg *= factor,
+        fraction: |parts| -parts.kinetic.point_masses,
+    },
+    Part {
+        name: "water",
+        scale: |d, factor| {
+            if let Some(water) = &mut d.water {
+                water.density_kg_per_m3 *= factor;
+            }
+        },
+        fraction: |parts| -parts.kinetic.water,
+    },
+];
+
+fn parts(mode: &Mode) -> &EnergyParts {
+    mode.energy_parts.as_ref().expect("the parts are requested")
+}
+
+/// d(ln λ)/d(ln factor) of each mode by central differences of four solves: O(h⁴).
+fn slopes(description: &TowerDescription, options: &Options, part: &Part) -> Vec<f64> {
+    let modes = solved(description, options).modes;
+    let logarithms = |factor: f64| -> Vec<f64> {
+        let mut changed = description.clone();
+        (part.scale)(&mut changed, factor);
+        let solution = solved(&changed, options);
+        let of = |mode: &Mode| {
+            let same = solution.modes.iter().find(|other| other.is_same_as(mode));
+            same.map_or(f64::NAN, |same| 2.0 * same.frequency_hz.ln())
+        };
+        modes.iter().map(of).collect()
+    };
+    let difference = |h: f64| -> Vec<f64> {
+        let (above, below) = (logarithms(h.exp()), logarithms((-h).exp()));
+        let pairs = above.iter().zip(&below);
+        pairs.map(|(a, b)| (a - b) / (2.0 * h)).collect()
+    };
+    let (wide, narrow) = (difference(0.01), difference(0.005));
+    let pairs = wide.iter().zip(&narrow);
+    pairs.map(|(w, n)| n + (n - w) / 3.0).collect()
+}
+
+fn assert_slopes(description: &TowerDescription, method: Method, part: &Part) {
+    let options = options(method);
+    let solution = solved(description, &options);
+    let slopes = slopes(description, &options, part);
+    // The last modes may leave the list when the tower changes.
+    for (mode, slope) in solution.modes[..6].iter().zip(slopes) {
+        let fraction = (part.fraction)(parts(mode));
+        assert!(
+            (fraction - slope).abs() < 1e-7,
+            "{} of {} by {}: {fraction}, but the slope is {slope}",
+            part.name,
+            mode.label(),
+            method.name()
+        );
+    }
+}
+
+#[test]
+fn fractions_of_stiffness_are_the_slopes_of_the_eigenvalue() {
+    let heavy = TowerDescription {
+        gravity_m_per_s2: 9.81,
+        ..everything()
+    };
+    for method in Method::ALL {
+        for part in STIFF.iter().chain([&GRAVITY]) {
+            assert_slopes(&heavy, method, part);
+        }
+    }
+}
+
+#[test]
+fn fractions_of_masses_are_the_slopes_of_the_eigenvalue() {
+    for method in Method::ALL {
+        for part in &HEAVY {
+            assert_slopes(&everything(), method, part);
+        }
+    }
+}
+
+/// Planes that are equal have one mode for both, and uncoupled motions have subsystems of their
+/// own.
+#[test]
+fn uncoupled_motions_have_the_same_fractions() {
+    let mut round = everything();
+    round.rna.center_m = [0.0; 3];
+    round.rna.inertia_kg_m2 = Default::default();
+    for row in round.soil.iter_mut().flatten() {
+        row.stiffness.y_n_per_m2 = row.stiffness.x_n_per_m2;
+    }
+    for method in [Method::RmjeExact, Method::Bmodes, Method::Spectral] {
+        for part in &STIFF {
+            assert_slopes(&round, method, part);
+        }
+        let modes = solved(&round, &options(method)).modes;
+        assert_eq!(parts(&modes[0]), parts(&modes[1]), "both planes");
+    }
+}
+
+#[test]
+fn fractions_sum_to_one() {
+    for method in Method::ALL {
+        for description in [everything(), floater()] {
+            for mode in &solved(&description, &options(method)).modes {
+                let EnergyParts { strain, kinetic } = parts(mode);
+                let sum = strain.tower()
+                    + strain.foundation
+                    + strain.soil
+                    + strain.wires
+                    + strain.gravity;
+                let is_free = mode.frequency_hz == 0.0;
+                assert!(
+                    (sum - if is_free { 0.0 } else { 1.0 }).abs() < 1e-12,
+                    "{sum}"
+                );
+                let sum = kinetic.tower
+                    + kinetic.rna
+                    + kinetic.point_masses
+                    + kinetic.water
+                    + kinetic.foundation;
+                assert!((sum - 1.0).abs() < 1e-12, "{sum}");
+            }
+        }
+    }
+}
+
+#[test]
+fn nothing_is_computed_without_a_request() {
+    let options = Options {
+        energy_parts: false,
+        ..options(Method::default())
+    };
+    let modes = solved(&everything(), &options).modes;
+    assert!(modes.iter().all(|mode| mode.energy_parts.is_none()));
+}
+
+/// A rigid column of 50 m and 1000 kg/m under a point mass on a rocking spring.
+fn rigid_column() -> TowerDescription {
+    let row = |height_m| PropertyStation {
+        height_m,
+        properties: Properties {
+            mass_kg_per_m: 1000.0,
+            rotary_inertia_kg_m: Planes::default(),
+            polar_inertia_kg_m: 0.0,
+            bending_n_m2: Planes::both(1e22),
+            torsion_n_m2: f64::INFINITY,
+            axial_n: f64::INFINITY,
+            shear_n: None,
+        },
+    };
+    TowerDescription {
+        properties: vec![row(0.0), row(50.0)],
+        rna: Rna::point(100e3),
+        rna_is_point: true,
+        foundation: Foundation::Springs(FoundationSprings {
+            rocking_n_m: 2e9,
+            ..FoundationSprings::RIGID
+        }),
+        ..TowerDescription::default()
+    }
+}
+
+/// What a rigid column that turns about its base has of the energy is in no way a matter of modes.
+#[test]
+fn a_rigid_column_has_the_fractions_of_its_springs_and_masses() {
+    let close = |got: f64, expected: f64| assert!((got - expected).abs() < 1e-9, "{got}");
+    for method in Method::ALL {
+        let options = Options {
+            modes: 1,
+            ..options(method)
+        };
+        let first =
+            |description: &TowerDescription| parts(&solved(description, &options).modes[0]).clone();
+        let alone = first(&rigid_column());
+        close(alone.strain.foundation, 1.0);
+        close(alone.strain.tower(), 0.0);
+        // m h²/3 of the column, M h² on top.
+        let column = 50e3 / 3.0 / (50e3 / 3.0 + 100e3);
+        close(alone.kinetic.tower, column);
+        close(alone.kinetic.rna, 1.0 - column);
+
+        // Wires at the height h hold with k h², and have k h²/(k h² + k_rocking).
+        let wires = Wires {
+            height_m: 40.0,
+            count: 4,
+            stiffness_n_per_m: 1e6,
+            angle_deg: 0.0,
+        };
+        let held = first(&TowerDescription {
+            wires: vec![wires],
+            ..rigid_column()
+        });
+        let of_wires = 2e6 * 40.0 * 40.0;
+        close(held.strain.wires, of_wires / (of_wires + 2e9));
+
+        // Under gravity the weights W h turn over, and the sum is less than the spring alone.
+        let heavy = first(&TowerDescription {
+            gravity_m_per_s2: 10.0,
+            ..rigid_column()
+        });
+        let overturning = 10.0 * (100e3 * 50.0 + 50e3 * 25.0);
+        close(heavy.strain.gravity, -overturning / (2e9 - overturning));
+        close(heavy.strain.foundation, 2e9 / (2e9 - overturning));
+    }
+}

@@ -1,0 +1,54 @@
+"""Damping of modes."""
+
+from __future__ import annotations
+
+from towermodes import _towermodes as _rust
+from towermodes._computed import Tabular
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from typing import Any
+
+
+class Damping(Tabular):
+    """Damping ratios of the modes, by the parts of the tower and by the rotor in the wind.
+
+    >>> import towermodes as tm
+    >>> damping = tm.read("examples/nrel-5mw.toml").damping({"tower": 0.004}, modes=2)
+    >>> damping.modes[0]["label"], round(damping.modes[0]["damping_ratio"], 9)
+    ('1st side-side bending', 0.002)
+    """
+
+    __slots__ = ()
+
+    _compute = _rust.Damping
+    _maker = "Tower.damping"
+    _core: _rust.Damping
+
+    @property
+    def modes(self) -> list[dict[str, Any]]:
+        """The modes with the keys of the program's JSON.
+
+        `damping_ratio` is the sum of the parts whose loss factor is given, or None; `parts` has the
+        energy and the damping of each part, `aerodynamic` the damping by the rotor at its lowest
+        and at its highest speed, `energy_parts` the fractions of all energy.
+        """
+        modes: list[dict[str, Any]] = self.data["modes"]
+        return modes
+
+    @property
+    def notes(self) -> list[str]:
+        """Assumptions when the file was read, and what the damping does not include."""
+        return self._core.notes
+
+    @property
+    def warnings(self) -> list[str]:
+        """Possible mistakes of the input and limits of the results."""
+        return self._core.warnings
+
+    def to_csv(self) -> str:
+        """One line per mode and part as CSV, as the program writes it."""
+        return self._core.csv()
+
+    def _said(self) -> list[str]:
+        return [*self.notes, *self.warnings]
