@@ -9,6 +9,7 @@ use towermodes::{
     Water, solve,
 };
 use towermodes_analysis::damping::{DampingError, DampingRemark, ModalDamping, damping};
+use towermodes_verify::towers::floater;
 
 const ROTOR: Rotor = Rotor {
     blades: 3,
@@ -295,6 +296,23 @@ fn what_is_left_out_is_remarked() {
         ..mixed()
     };
     assert_eq!(damped_by(&still, 4).remarks[0], DampingRemark::NoSpeed);
+}
+
+/// The water plane of a floating tower is no material: a loss factor of it would damp rigid-body
+/// modes by the difference of buoyancy and weight, which may be negative.
+#[test]
+fn a_floating_platform_has_no_loss_factor() {
+    let factors = LossFactors {
+        tower: Some(0.01),
+        foundation: Some(0.02),
+        ..LossFactors::default()
+    };
+    let damping = damped_by(&with_loss_factors(factors, floater()), 8);
+    assert_eq!(damping.remarks, [DampingRemark::Afloat]);
+    for (mode, of) in damping.modes.iter().enumerate() {
+        let by_tower = 0.005 * of.energy_parts.strain.tower();
+        assert!((ratio(&damping, mode) - by_tower).abs() < 1e-15 && by_tower >= 0.0);
+    }
 }
 
 #[test]

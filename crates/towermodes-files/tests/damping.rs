@@ -107,7 +107,7 @@ fn mistakes_have_their_place() {
         "soil_loss_factor",
         "sol_loss_factor",
         "20:1",
-        "unknown key",
+        "is not a key of [damping]",
         "did you mean `soil_loss_factor`?",
     );
     refused("6073", "-6073", "23:16", "must be positive", "");

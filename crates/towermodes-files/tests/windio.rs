@@ -178,6 +178,31 @@ fn a_rotor_of_straight_blades_has_its_moments() {
     assert!(!has_note(&input, "INCOMPLETE"));
 }
 
+#[test]
+fn chords_of_straight_blades_have_their_moment() {
+    // Chords of 1 m from 1 m to 11 m: (11^2 - 1)/2 = 60 m3.
+    let rotor = |text: &str| read(text).description.damping.rotor;
+    let moment_m3 = rotor(VERSION_1).expect("it has chords").chord_moment_m3;
+    near(moment_m3, 60.0, 1e-14);
+    // Tapered to a point at the tip, over the same kinked axis: chords (11 - r)/10 m.
+    let constant = "chord: {grid: [0, 1], values: [1, 1]}";
+    let tapered = "chord: {grid: [0, 0.3, 1], values: [1, 0.7, 0]}";
+    let moment_m3 = rotor(&VERSION_1.replace(constant, tapered)).map(|r| r.chord_moment_m3);
+    // Integral of r (11 - r)/10 from 1 to 11.
+    let by_hand = (11.0 * 60.0 - (1331.0 - 1.0) / 3.0) / 10.0;
+    near(moment_m3.expect("it has chords"), by_hand, 1e-13);
+    // A mistake in them refuses no tower.
+    for wrong in [
+        "chord: {grid: [0, 1], values: [1]}",
+        "chord: 3",
+        "chord: {grid: [0, 1], values: [-1, -1]}",
+    ] {
+        assert_eq!(rotor(&VERSION_1.replace(constant, wrong)), None, "{wrong}");
+    }
+    let alone = read_part(VERSION_1, TowerPart::Monopile).expect("a monopile");
+    assert_eq!(alone.description.damping.rotor, None);
+}
+
 struct J {
     xx: f64,
     zz: f64,

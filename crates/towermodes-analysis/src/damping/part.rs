@@ -107,8 +107,14 @@ pub(super) fn parts(description: &TowerDescription, energy: &EnergyParts) -> Vec
 pub(super) fn has(description: &TowerDescription, part: DampedPart) -> bool {
     match part {
         DampedPart::Tower => true,
-        DampedPart::Foundation => description.foundation != Foundation::Clamped,
-        DampedPart::Soil => !description.soil.is_empty(),
+        // Soil in layers has springs at the tip of the pile, which are part of the foundation.
+        // Water plane and moorings are no material, and the energy of buoyancy may be negative.
+        DampedPart::Foundation => match description.foundation {
+            Foundation::Clamped => description.ground.is_some(),
+            Foundation::Floating(_) => false,
+            _ => true,
+        },
+        DampedPart::Soil => !description.soil.is_empty() || description.ground.is_some(),
         DampedPart::Wires => !description.wires.is_empty(),
         DampedPart::Water => description.water.is_some() || !description.added_mass.is_empty(),
     }

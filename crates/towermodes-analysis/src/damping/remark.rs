@@ -3,7 +3,7 @@
 use std::fmt;
 
 use towermodes::number::four_digits;
-use towermodes::{Plain, Rotor, TowerDescription};
+use towermodes::{Foundation, Plain, Rotor, TowerDescription};
 
 use super::ModeDamping;
 use super::part::{DampedPart, has};
@@ -33,6 +33,8 @@ pub enum DampingRemark {
         /// The part.
         part: DampedPart,
     },
+    /// The tower floats: the damping of its platform is not computed.
+    Afloat,
     /// A loss factor that hardly any part has.
     Unusual {
         /// The name of the part.
@@ -63,6 +65,10 @@ impl fmt::Display for DampingRemark {
             Self::Unused { part } => write!(
                 f,
                 "the loss factor of the {part} has no effect: the tower has no {part}"
+            ),
+            Self::Afloat => write!(
+                f,
+                "the damping of the floating platform by waves, drag and moorings is not included: it follows from no loss factor"
             ),
             Self::Unusual { name, loss_factor } => write!(
                 f,
@@ -101,6 +107,8 @@ pub(super) fn remarks(
             remarks.push(DampingRemark::Unusual { name, loss_factor });
         }
     }
+    let is_afloat = matches!(description.foundation, Foundation::Floating(_));
+    remarks.extend(is_afloat.then_some(DampingRemark::Afloat));
     let factors = &damping.loss_factors;
     let others = [
         (DampedPart::Foundation, factors.foundation),
@@ -110,6 +118,7 @@ pub(super) fn remarks(
     ];
     let unused = others.into_iter();
     let unused = unused.filter(|(part, factor)| factor.is_some() && !has(description, *part));
+    let unused = unused.filter(|(part, _)| !is_afloat || *part != DampedPart::Foundation);
     remarks.extend(unused.map(|(part, _)| DampingRemark::Unused { part }));
     remarks
 }

@@ -31,14 +31,14 @@ pub(super) fn description(root: &Table<'_>, reading: &mut Reading) -> Option<Tow
     // A table of properties needs no material.
     let materials = (!has_properties).then(|| materials(root, reading));
     let around = around(root, reading);
-    let hint = "add [tower] with stations = [[height, diameter, wall], ...]";
-    let value = root.require("tower", hint, reading)?;
-    let tower = Table::of(value, "[tower]", &schema::TOWER, reading)?;
     let names = match &materials {
         Some(materials) => materials.as_ref().map(|materials| &materials.names[..]),
         None => Some(&[][..]),
     };
     let damping = damping(root, names, reading);
+    let hint = "add [tower] with stations = [[height, diameter, wall], ...]";
+    let value = root.require("tower", hint, reading)?;
+    let tower = Table::of(value, "[tower]", &schema::TOWER, reading)?;
     let body = match materials {
         Some(materials) => of_tubes(&tower, materials, reading),
         None => of_properties(root, &tower, reading),

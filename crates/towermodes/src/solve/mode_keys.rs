@@ -4,7 +4,7 @@ use serde::{Serialize, Serializer};
 
 use super::Mode;
 use crate::modes::serialized::{directions, shape};
-use crate::modes::{Energy, EnergyParts, Family, ShapePoint};
+use crate::modes::{Energy, Family, ShapePoint};
 
 /// A natural mode.
 #[derive(Serialize)]
@@ -40,9 +40,6 @@ struct ModeKeys {
     modal_inertia_kg_m2: Option<f64>,
     /// Where its energy is.
     energy: Energy,
-    /// The parts of the tower that have its energy; only where they were requested.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    energy_parts: Option<EnergyParts>,
     /// Effective modal masses: over all modes they add up to the diagonal of the tower's rigid
     /// inertia.
     #[serde(serialize_with = "directions")]
