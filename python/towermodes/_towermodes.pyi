@@ -6,7 +6,7 @@ The classes and functions of the package.
 from _typeshed import Incomplete, SupportsGetItem
 from typing import Final, SupportsFloat, SupportsIndex, final
 
-__all__ = ["VERSION", "Agreement", "Campbell", "Comparison", "Converted", "Examination", "FirstOrder", "Found", "Solution", "SweepFolder", "Tower", "calibrate", "close", "columns_of_stream", "design", "mode_named", "read", "read_text", "run", "sensitivities", "source", "stream_of_columns", "stream_of_results", "sweep"]
+__all__ = ["VERSION", "Agreement", "Campbell", "Comparison", "Converted", "Damping", "Examination", "FirstOrder", "Found", "Solution", "SweepFolder", "Tower", "calibrate", "close", "columns_of_stream", "design", "mode_named", "read", "read_text", "run", "sensitivities", "source", "stream_of_columns", "stream_of_results", "sweep"]
 
 VERSION: Final[str]
 """
@@ -141,6 +141,38 @@ class Converted:
     def text(self, /) -> str:
         """
         The text of the file.
+        """
+
+@final
+class Damping:
+    """
+    The damping of modes.
+    """
+    def __new__(cls, /, tower: Tower, given: "dict[str, object]", options: "dict[str, object]") -> Damping:
+        """
+        The damping of the modes of a tower.
+        """
+    def csv(self, /) -> str:
+        """
+        The CSV of the program.
+        """
+    def json(self, /) -> str:
+        """
+        The JSON of the program.
+        """
+    @property
+    def notes(self, /) -> list[str]:
+        """
+        The notes of the reader, and what the damping does not include.
+        """
+    def table(self, /) -> str:
+        """
+        The table of the program.
+        """
+    @property
+    def warnings(self, /) -> list[str]:
+        """
+        Possible mistakes of the input, and limits of the results.
         """
 
 @final

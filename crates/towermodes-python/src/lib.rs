@@ -39,8 +39,9 @@ mod _towermodes {
     #[pymodule_export]
     use crate::converted::Converted;
     #[pymodule_export]
-    use crate::first_order::FirstOrder;
     use crate::damping::Damping;
+    #[pymodule_export]
+    use crate::first_order::FirstOrder;
     #[pymodule_export]
     use crate::found::{Found, calibrate, design, source};
     #[pymodule_export]
