@@ -51,6 +51,41 @@ soil_profile = "homogeneous"
 soil_youngs_modulus = 3e7
 soil_poissons_ratio = 0.3
 "#;
+const CIRCULAR_FOOTING: &str = r#"[foundation]
+type = "circular-footing"
+radius = 9.0
+soil_shear_modulus = 5e7
+soil_poissons_ratio = 0.35
+soil_thickness = 20.0
+embedment = 2.0
+"#;
+const RECTANGULAR_FOOTING: &str = r#"[foundation]
+type = "rectangular-footing"
+formula = "gazetas"
+length_x = 18.0
+length_y = 14.0
+soil_shear_modulus = 5e7
+soil_poissons_ratio = 0.35
+"#;
+const SUCTION_CAISSON: &str = r#"[foundation]
+type = "suction-caisson"
+diameter = 10.0
+skirt_length = 9.0
+soil_profile = "linear"
+soil_youngs_modulus = 4e7
+soil_poissons_ratio = 0.3
+"#;
+const WINKLER_PILE: &str = r#"[foundation]
+type = "winkler-pile"
+diameter = 7.0
+wall_thickness = 0.08
+embedded_length = 30.0
+youngs_modulus = 2.1e11
+spring_formula = "vesic"
+soil_youngs_modulus = 3e7
+soil_poissons_ratio = 0.3
+exponent = 0.0
+"#;
 const FLOATING: &str = r#"[foundation]
 type = "floating"
 mass = 7.5e6
@@ -101,7 +136,18 @@ fn refused(good: &str, from: &str, to: &str, place: &str, message: &str, hint: &
 #[test]
 fn without_a_mistake_all_are_good() {
     for good in [
-        STIFFNESS, SPRINGS, HALF_SPACE, MONOPILE, FLOATING, SOIL, WATER, WIRES,
+        STIFFNESS,
+        SPRINGS,
+        HALF_SPACE,
+        CIRCULAR_FOOTING,
+        RECTANGULAR_FOOTING,
+        SUCTION_CAISSON,
+        MONOPILE,
+        WINKLER_PILE,
+        FLOATING,
+        SOIL,
+        WATER,
+        WIRES,
     ] {
         let tower = tower_from_toml(&format!("{TOWER}{good}"));
         assert!(tower.is_ok(), "{good}{tower:?}");
@@ -287,7 +333,7 @@ fn footings_that_cannot_be() {
         "gazetas",
         "9:11",
         "there is no formula `gazetas`",
-        "names: shadlou-bhattacharya, randolph, en-1998-5",
+        "names: shadlou-bhattacharya, randolph, en-1998-5, carter-kulhawy",
     );
     refused(
         MONOPILE,
@@ -439,6 +485,107 @@ fn platforms_that_do_not_float() {
     );
 }
 
+/// Strata, sides, skirts and springs: each mistake at its place.
+#[test]
+fn strata_caissons_and_springs_that_cannot_be() {
+    refused(
+        CIRCULAR_FOOTING,
+        "20.0",
+        "1.5",
+        "13:13",
+        "the underside of the footing is 2 m below the surface of the soil, and the stratum ends at 1.5 m",
+        "soil_thickness is the depth of the rock",
+    );
+    refused(
+        CIRCULAR_FOOTING,
+        "soil_thickness = 20.0",
+        "soil_thickness = 20.0\nlower_shear_modulus = 5e8",
+        "14:13",
+        "the footing is embedded by 2 m in a stratum over another stratum",
+        "write embedment = 0, or omit lower_shear_modulus",
+    );
+    refused(
+        CIRCULAR_FOOTING,
+        "soil_thickness = 20.0",
+        "lower_shear_modulus = 5e8",
+        "12:23",
+        "`lower_shear_modulus` has no effect without `soil_thickness`",
+        "add the thickness of the stratum",
+    );
+    refused(
+        CIRCULAR_FOOTING,
+        "embedment = 2.0",
+        "coupled = 1",
+        "13:11",
+        "coupled",
+        "",
+    );
+    refused(
+        RECTANGULAR_FOOTING,
+        "18.0",
+        "-18.0",
+        "10:12",
+        "the footing's side along x is -18 m",
+        "",
+    );
+    refused(
+        RECTANGULAR_FOOTING,
+        "length_y",
+        "width",
+        "11:1",
+        "`width` is not a key",
+        "`length_y`",
+    );
+    refused(
+        RECTANGULAR_FOOTING,
+        "gazetas",
+        "arya",
+        "9:11",
+        "there is no formula `arya`",
+        "names: gazetas, pais-kausel",
+    );
+    refused(
+        SUCTION_CAISSON,
+        "skirt_length = 9.0",
+        "skirt_length = 0",
+        "10:16",
+        "the length of the caisson's skirt is 0 m",
+        "",
+    );
+    refused(
+        WINKLER_PILE,
+        "spring_formula = \"vesic\"\n",
+        "",
+        "13:23",
+        "`soil_youngs_modulus` has no effect without `spring_formula`",
+        "add spring_formula",
+    );
+    refused(
+        WINKLER_PILE,
+        "\"vesic\"",
+        "\"gazetas\"",
+        "15:23",
+        "`soil_poissons_ratio` has no effect with spring_formula = \"gazetas\"",
+        "remove it",
+    );
+    refused(
+        WINKLER_PILE,
+        "exponent",
+        "soil_spring = 1e8\nexponent",
+        "16:15",
+        "`soil_spring` has no effect beside `spring_formula`",
+        "keep one of the two",
+    );
+    refused(
+        WINKLER_PILE,
+        "exponent = 0.0",
+        "exponent = 1.0\nformula = \"poulos-davis\"",
+        "16:12",
+        "here they grow with the power 1.0833 of the depth",
+        "use formula = \"exact\"",
+    );
+}
+
 #[test]
 fn types_and_their_keys() {
     refused(
@@ -455,7 +602,7 @@ fn types_and_their_keys() {
         "\"jelly\"",
         "8:8",
         "there is no foundation of type `jelly`",
-        "types: clamped, stiffness, springs, half-space, monopile, winkler-pile, floating",
+        "types: clamped, stiffness, springs, half-space, circular-footing, rectangular-footing, suction-caisson, monopile, winkler-pile, floating",
     );
     refused(
         SPRINGS,

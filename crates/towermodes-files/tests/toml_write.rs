@@ -2,10 +2,11 @@
 
 use proptest::prelude::*;
 use towermodes::{
-    AddedMassRow, FloatingPlatform, Foundation, FoundationSprings, HalfSpace, Inertia, Material,
-    Monopile, PartNames, PileFormula, PileTube, Planes, PointMass, Properties, PropertyStation,
-    ReferredMatrix, Rna, Rotor, Shear, SoilProfile, SoilRow, SoilStiffness, Station,
-    StiffnessFoundation, TowerDescription, Water, WinklerPile, Wires,
+    AddedMassRow, BeamFormula, CircularFooting, FloatingPlatform, FootingFormula, Foundation,
+    FoundationSprings, HalfSpace, Inertia, Material, Monopile, PartNames, PileFormula, PileTube,
+    Planes, PointMass, Properties, PropertyStation, RectangularFooting, ReferredMatrix, Rna, Rotor,
+    Shear, SoilProfile, SoilRow, SoilSpring, SoilStiffness, Station, StiffnessFoundation,
+    SuctionCaisson, TowerDescription, Water, WinklerPile, Wires,
 };
 use towermodes_files::{description_from_toml, tower_from_toml, write_toml};
 
@@ -316,11 +317,48 @@ fn every_foundation() {
             poissons_ratio: 0.0,
         }),
         monopile(PileFormula::ShadlouBhattacharya, SoilProfile::Parabolic),
+        Foundation::CircularFooting(Box::new(circular_footing(
+            0.0,
+            f64::INFINITY,
+            f64::INFINITY,
+        ))),
+        Foundation::CircularFooting(Box::new(circular_footing(2.5, 21.0, f64::INFINITY))),
+        Foundation::CircularFooting(Box::new(circular_footing(0.0, 21.0, 6e8))),
+        Foundation::CircularFooting(Box::new(circular_footing(0.0, f64::INFINITY, 6e8))),
+        Foundation::RectangularFooting(Box::new(RectangularFooting {
+            formula: FootingFormula::PaisKausel,
+            length_x_m: 18.0,
+            length_y_m: 14.5,
+            embedment_m: 1.5,
+            shear_modulus_pa: 5e7,
+            poissons_ratio: 0.35,
+            is_coupled: true,
+        })),
+        Foundation::SuctionCaisson(Box::new(SuctionCaisson {
+            diameter_m: 11.0,
+            skirt_length_m: 9.5,
+            soil_profile: SoilProfile::Parabolic,
+            soil_youngs_modulus_pa: 4e7,
+            soil_poissons_ratio: 0.45,
+            vertical_n_per_m: 3e9,
+            torsion_n_m: f64::INFINITY,
+        })),
+        winkler_pile(SoilSpring::Gazetas {
+            youngs_modulus_pa: 3e7,
+        }),
+        winkler_pile(SoilSpring::Vesic {
+            youngs_modulus_pa: 3e7,
+            poissons_ratio: 0.25,
+        }),
+        monopile(PileFormula::CarterKulhawy, SoilProfile::Homogeneous),
         monopile(PileFormula::Randolph, SoilProfile::Linear),
         monopile(PileFormula::En1998, SoilProfile::Homogeneous),
         Foundation::WinklerPile(Box::new(WinklerPile {
             tube: PILE,
-            soil_spring_n_per_m2: 1.5e8,
+            formula: BeamFormula::Exact,
+            soil_spring: SoilSpring::Given {
+                spring_n_per_m2: 1.5e8,
+            },
             exponent: 0.6,
             vertical_n_per_m: f64::INFINITY,
             torsion_n_m: 3e11,
@@ -341,6 +379,29 @@ const PILE: PileTube = PileTube {
     embedded_length_m: 30.0,
     youngs_modulus_pa: 2.1e11,
 };
+
+fn circular_footing(embedment_m: f64, thickness_m: f64, lower_pa: f64) -> CircularFooting {
+    CircularFooting {
+        radius_m: 9.0,
+        embedment_m,
+        shear_modulus_pa: 5e7,
+        poissons_ratio: 0.35,
+        stratum_thickness_m: thickness_m,
+        lower_shear_modulus_pa: lower_pa,
+        is_coupled: embedment_m > 0.0,
+    }
+}
+
+fn winkler_pile(soil_spring: SoilSpring) -> Foundation {
+    Foundation::WinklerPile(Box::new(WinklerPile {
+        tube: PILE,
+        formula: BeamFormula::PoulosDavis,
+        soil_spring,
+        exponent: 0.0,
+        vertical_n_per_m: f64::INFINITY,
+        torsion_n_m: 3e11,
+    }))
+}
 
 fn monopile(formula: PileFormula, soil_profile: SoilProfile) -> Foundation {
     Foundation::Monopile(Box::new(Monopile {

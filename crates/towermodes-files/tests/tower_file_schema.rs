@@ -154,8 +154,12 @@ fn every_number_of_the_tower_file_is_a_parameter() {
         TUBES,
         TABLE,
         STIFFNESS,
+        CIRCULAR_FOOTING,
+        RECTANGULAR_FOOTING,
+        SUCTION_CAISSON,
         MONOPILE,
         WINKLER_PILE,
+        VESIC_PILE,
         GROUND,
         &floating,
     ];
@@ -373,6 +377,58 @@ const GROUND: &str = "
     bottom = -40.0
     rows = [[-24.0, 0.01, 1e5], [-40.0, 0.01, 3e5]]
 ";
+
+const VESIC_PILE: &str = tube_on!(
+    "
+    type = \"winkler-pile\"
+    formula = \"poulos-davis\"
+    diameter = 6.0
+    wall_thickness = 0.06
+    embedded_length = 36.0
+    youngs_modulus = 2.1e11
+    spring_formula = \"vesic\"
+    soil_youngs_modulus = 5e7
+    soil_poissons_ratio = 0.3
+    exponent = 0.0
+"
+);
+
+const CIRCULAR_FOOTING: &str = tube_on!(
+    "
+    type = \"circular-footing\"
+    radius = 9.0
+    embedment = 1.0
+    soil_shear_modulus = 5e7
+    soil_poissons_ratio = 0.3
+    soil_thickness = 20.0
+    coupled = true
+"
+);
+
+const RECTANGULAR_FOOTING: &str = tube_on!(
+    "
+    type = \"rectangular-footing\"
+    formula = \"pais-kausel\"
+    length_x = 18.0
+    length_y = 14.0
+    embedment = 1.0
+    soil_shear_modulus = 5e7
+    soil_poissons_ratio = 0.3
+    coupled = false
+"
+);
+
+const SUCTION_CAISSON: &str = tube_on!(
+    "
+    type = \"suction-caisson\"
+    diameter = 10.0
+    skirt_length = 9.0
+    soil_profile = \"parabolic\"
+    soil_youngs_modulus = 4e7
+    soil_poissons_ratio = 0.3
+    torsion = 1e11
+"
+);
 
 const STIFFNESS: &str = tube_on!(
     "

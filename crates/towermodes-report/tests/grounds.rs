@@ -4,9 +4,10 @@ use crate::pictures;
 
 use pictures::{look, plain, steel};
 use towermodes::{
-    AddedMassRow, FloatingPlatform, Foundation, FoundationSprings, HalfSpace, Inertia, Monopile,
-    PileFormula, PileTube, ReferredMatrix, Rna, SoilProfile, SoilRow, SoilStiffness, Station,
-    StiffnessFoundation, Tower, TowerDescription, Water, WinklerPile, Wires,
+    AddedMassRow, BeamFormula, CircularFooting, FloatingPlatform, FootingFormula, Foundation,
+    FoundationSprings, HalfSpace, Inertia, Monopile, PileFormula, PileTube, RectangularFooting,
+    ReferredMatrix, Rna, SoilProfile, SoilRow, SoilSpring, SoilStiffness, Station,
+    StiffnessFoundation, SuctionCaisson, Tower, TowerDescription, Water, WinklerPile, Wires,
 };
 use towermodes_report::figures;
 use towermodes_report::svg::Look;
@@ -33,9 +34,53 @@ fn monopile() -> Foundation {
 fn winkler_pile() -> Foundation {
     Foundation::WinklerPile(Box::new(WinklerPile {
         tube: PILE,
-        soil_spring_n_per_m2: 1e8,
+        formula: BeamFormula::Exact,
+        soil_spring: SoilSpring::Given {
+            spring_n_per_m2: 1e8,
+        },
         exponent: 1.0,
         vertical_n_per_m: 1e9,
+        torsion_n_m: f64::INFINITY,
+    }))
+}
+
+fn circular_footing(embedment_m: f64) -> Foundation {
+    let lower_pa = if embedment_m > 0.0 {
+        f64::INFINITY
+    } else {
+        1e9
+    };
+    Foundation::CircularFooting(Box::new(CircularFooting {
+        radius_m: 9.0,
+        embedment_m,
+        shear_modulus_pa: 5e7,
+        poissons_ratio: 0.3,
+        stratum_thickness_m: 20.0,
+        lower_shear_modulus_pa: lower_pa,
+        is_coupled: true,
+    }))
+}
+
+fn rectangular_footing(length_x_m: f64, length_y_m: f64) -> Foundation {
+    Foundation::RectangularFooting(Box::new(RectangularFooting {
+        formula: FootingFormula::Gazetas,
+        length_x_m,
+        length_y_m,
+        embedment_m: 2.0,
+        shear_modulus_pa: 5e7,
+        poissons_ratio: 0.3,
+        is_coupled: false,
+    }))
+}
+
+fn caisson(skirt_length_m: f64) -> Foundation {
+    Foundation::SuctionCaisson(Box::new(SuctionCaisson {
+        diameter_m: 10.0,
+        skirt_length_m,
+        soil_profile: SoilProfile::Linear,
+        soil_youngs_modulus_pa: 4e7,
+        soil_poissons_ratio: 0.3,
+        vertical_n_per_m: f64::INFINITY,
         torsion_n_m: f64::INFINITY,
     }))
 }
@@ -77,6 +122,12 @@ fn every_foundation() {
         ("footing", half_space(9.0, 3.0)),
         ("wide deep footing", half_space(300.0, 500.0)),
         ("footing on the surface", half_space(9.0, 0.0)),
+        ("footing over rock", circular_footing(3.0)),
+        ("footing over a stratum", circular_footing(0.0)),
+        ("long footing", rectangular_footing(18.0, 12.0)),
+        ("wide footing", rectangular_footing(12.0, 400.0)),
+        ("caisson", caisson(9.0)),
+        ("deep caisson", caisson(30.0)),
         ("monopile", monopile()),
         ("pile on springs", winkler_pile()),
     ] {

@@ -87,11 +87,12 @@ pub use solve::{
     solve_certain, solve_frequencies, solve_until, solve_with,
 };
 pub use tower::{
-    AddedMassRow, AxialModel, Clay, Damping, FloatingPlatform, Foundation, FoundationSprings,
-    Ground, GroundLayer, HalfSpace, HeadStiffness, Ineffective, Inertia, LayerSoil, LossFactors,
-    Material, Monopile, PartNames, PileBehaviour, PileFormula, PileTube, Place, Plane, Planes,
-    PointMass, Problem, Properties, PropertyStation, PyRow, Quantity, ReferredMatrix, RigidBody,
-    Rna, Rock, Rotor, RotorAerodynamics, Sand, Scour, Shear, ShearModulus, Site, Slenderness,
-    SoilModel, SoilProfile, SoilRow, SoilStiffness, Station, StiffnessFoundation, Tower,
+    AddedMassRow, AxialModel, BeamFormula, CircularFooting, Clay, Damping, FloatingPlatform,
+    FootingFormula, Foundation, FoundationSprings, Ground, GroundLayer, HalfSpace, HeadStiffness,
+    Ineffective, Inertia, LayerSoil, LossFactors, Material, Monopile, PartNames, PileBehaviour,
+    PileFormula, PileTube, Place, Plane, Planes, PointMass, Problem, Properties, PropertyStation,
+    PyRow, Quantity, RectangularFooting, ReferredMatrix, RigidBody, Rna, Rock, Rotor,
+    RotorAerodynamics, Sand, Scour, Shear, ShearModulus, Site, Slenderness, SoilModel, SoilProfile,
+    SoilRow, SoilSpring, SoilStiffness, Station, StiffnessFoundation, SuctionCaisson, Tower,
     TowerDescription, TowerError, Warning, Water, WinklerPile, Wires, is_printable, printable,
 };

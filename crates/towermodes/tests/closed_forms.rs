@@ -5,9 +5,10 @@ use std::f64::consts::SQRT_2;
 use crate::towers;
 
 use towermodes::{
-    Change, Foundation, HeadStiffness, Material, Method, Monopile, Options, PileBehaviour,
-    PileFormula, PileTube, Place, Problem, Rna, SoilProfile, SoilRow, SoilStiffness, Station,
-    Tower, TowerDescription, Warning, WinklerPile, Workspace, sensitivities,
+    BeamFormula, Change, Foundation, HeadStiffness, Material, Method, Monopile, Options,
+    PileBehaviour, PileFormula, PileTube, Place, Problem, Rna, SoilProfile, SoilRow, SoilSpring,
+    SoilStiffness, Station, Tower, TowerDescription, Warning, WinklerPile, Workspace,
+    sensitivities,
 };
 use towers::{all_frequencies, assert_close, solved};
 
@@ -20,7 +21,10 @@ fn unit_pile(exponent: f64, length: f64) -> WinklerPile {
             embedded_length_m: length,
             youngs_modulus_pa: 64.0 / std::f64::consts::PI,
         },
-        soil_spring_n_per_m2: 1.0,
+        formula: BeamFormula::Exact,
+        soil_spring: SoilSpring::Given {
+            spring_n_per_m2: 1.0,
+        },
         exponent,
         vertical_n_per_m: f64::INFINITY,
         torsion_n_m: f64::INFINITY,
@@ -290,6 +294,105 @@ fn randolph_in_linear_soil() {
     assert!(moment.abs() < 1e-10 * head.rocking_n_m * theta, "{moment}");
 }
 
+/// Carter & Kulhawy as stiffness, in another fit of the same authors' results: within 3 %.
+#[test]
+fn carter_and_kulhawy_have_two_forms() {
+    for slenderness in [1.0, 2.0, 4.0, 10.0] {
+        let (d, nu) = (9.0, 0.3);
+        let mut pile = Monopile {
+            formula: PileFormula::CarterKulhawy,
+            ..dtu()
+        };
+        pile.tube.embedded_length_m = slenderness * d;
+        let l = slenderness * d;
+        let g_star = 3e7 / (2.0 * (1.0 + nu)) * (1.0 + 0.75 * nu);
+        let n = 1.0 - 0.28 * (2.0 * l / d).powf(0.25);
+        let expected = [
+            3.15 * g_star * d.powf(2.0 / 3.0) * l.powf(1.0 / 3.0) / n,
+            -2.0 * g_star * d.powf(7.0 / 8.0) * l.powf(9.0 / 8.0) / n,
+            4.0 * g_star * d.powf(4.0 / 3.0) * l.powf(5.0 / 3.0) / n,
+        ];
+        digits(pile.head(), expected, 0.03, &format!("L/D = {slenderness}"));
+    }
+}
+
+/// Poulos & Davis against the exact beam: within 1.5 % for long piles and 1 % for short ones; the
+/// rigid form is an upper bound everywhere.
+#[test]
+fn poulos_and_davis_are_near_the_exact_beam() {
+    let by = |formula, m, length| WinklerPile {
+        formula,
+        ..unit_pile(m, length)
+    };
+    let largest = |m, length| {
+        let theirs = by(BeamFormula::PoulosDavis, m, length).head();
+        let exact = by(BeamFormula::Exact, m, length).head();
+        let pairs = [
+            (theirs.lateral_n_per_m, exact.lateral_n_per_m),
+            (theirs.coupling_n, exact.coupling_n),
+            (theirs.rocking_n_m, exact.rocking_n_m),
+        ];
+        let off = pairs.map(|(theirs, exact)| (theirs / exact - 1.0).abs());
+        off.into_iter().fold(0.0, f64::max)
+    };
+    for m in [0.0, 1.0] {
+        for length in [8.0, 12.0, 30.0] {
+            assert!(
+                largest(m, length) < 0.015,
+                "long, {m}: {}",
+                largest(m, length)
+            );
+        }
+        for length in [0.1, 0.3, 0.5] {
+            assert!(
+                largest(m, length) < 0.01,
+                "short, {m}: {}",
+                largest(m, length)
+            );
+        }
+        let [rigid, flexible] = by(BeamFormula::PoulosDavis, m, 1.0).limits_of_poulos_davis();
+        for length in [rigid, 0.5 * (rigid + flexible), flexible] {
+            let theirs = by(BeamFormula::PoulosDavis, m, length).head();
+            let exact = by(BeamFormula::Exact, m, length).head();
+            let ratio = theirs.free_rocking_n_m() / exact.free_rocking_n_m();
+            assert!((0.97..1.6).contains(&ratio), "{m}, {length}: {ratio}");
+        }
+    }
+}
+
+/// Springs from the modulus of the soil: 1.2 E, and Vesić's, which grow with E^(13/12).
+#[test]
+fn springs_from_the_modulus_of_the_soil() {
+    let tube = dtu().tube;
+    let youngs_modulus_pa = 3e7;
+    let gazetas = SoilSpring::Gazetas { youngs_modulus_pa };
+    assert_close(gazetas.of(&tube), 3.6e7, 1e-15, "Gazetas");
+    let vesic = |youngs_modulus_pa| SoilSpring::Vesic {
+        youngs_modulus_pa,
+        poissons_ratio: 0.3,
+    };
+    let ratio = vesic(2.0 * youngs_modulus_pa).of(&tube) / vesic(youngs_modulus_pa).of(&tube);
+    assert_close(ratio, 2.0_f64.powf(13.0 / 12.0), 1e-13, "Vesic");
+    assert_close(vesic(1.0).exponent(1.0), 13.0 / 12.0, 1e-15, "exponent");
+    // K_L, K_LR, K_R of the pile of the DTU 10 MW turbine by another implementation.
+    let pile = |soil_spring| WinklerPile {
+        tube,
+        formula: BeamFormula::Exact,
+        soil_spring,
+        exponent: 0.0,
+        vertical_n_per_m: f64::INFINITY,
+        torsion_n_m: f64::INFINITY,
+    };
+    let expected = [0.96e9, -15.1e9, 382e9];
+    digits(pile(gazetas).head(), expected, 6e-3, "k = 1.2 E");
+    let expected = [0.50e9, -9.0e9, 242e9];
+    let vesic = SoilSpring::Vesic {
+        youngs_modulus_pa,
+        poissons_ratio: 0.25,
+    };
+    digits(pile(vesic).head(), expected, 2.5e-2, "Vesic");
+}
+
 fn tower_on(foundation: Foundation) -> TowerDescription {
     TowerDescription {
         materials: vec![Material::from_shear_modulus(8500.0, 2.1e11, 8.08e10)],
@@ -343,6 +446,48 @@ fn a_pile_outside_its_formula_is_told_with_the_numbers() {
     );
 }
 
+/// Piles on springs by Poulos & Davis between their limits, and rigid ones that bend.
+#[test]
+fn formulas_with_limits_tell_where_they_end() {
+    let pile = |length| {
+        let mut pile = unit_pile(1.0, length);
+        pile.formula = BeamFormula::PoulosDavis;
+        pile.tube.diameter_m = 8.0;
+        pile.tube.wall_thickness_m = 0.08;
+        pile.tube.youngs_modulus_pa = 2.1e11;
+        pile.soil_spring = SoilSpring::Given {
+            spring_n_per_m2: 1e8,
+        };
+        pile.tube.embedded_length_m *= length / pile.reduced_length();
+        assert_close(pile.reduced_length(), length, 1e-12, "reduced length");
+        let description = tower_on(Foundation::WinklerPile(Box::new(pile)));
+        let tower = Tower::new(description).expect("a possible tower");
+        tower.warnings().to_vec()
+    };
+    for (length, is_between) in [(1.9, false), (3.0, true), (4.1, false)] {
+        let warned = pile(length)
+            .iter()
+            .any(|w| matches!(w, Warning::BetweenRigidAndFlexible { .. }));
+        assert_eq!(warned, is_between, "{length}: {:?}", pile(length));
+    }
+    let formula = PileFormula::CarterKulhawy;
+    let told = warnings(Monopile { formula, ..dtu() });
+    let [Warning::OutsideFormula { value, most, .. }] = told[..] else {
+        panic!("{told:?}");
+    };
+    assert_close(value, 42.0 / 9.0, 1e-12, "value");
+    assert_close(most, 1.87, 3e-3, "most");
+    let mut pile = unit_pile(0.5, 3.0);
+    pile.formula = BeamFormula::PoulosDavis;
+    let refused = Tower::new(tower_on(Foundation::WinklerPile(Box::new(pile))));
+    let problem = refused.expect_err("no form for this exponent").problem;
+    let is_so = matches!(
+        problem,
+        Problem::ExponentWithoutFormula { exponent: 0.5, .. }
+    );
+    assert!(is_so, "{problem:?}");
+}
+
 #[test]
 fn impossible_piles_are_refused() {
     let problem = |change: fn(&mut Monopile)| {
@@ -369,7 +514,12 @@ fn impossible_piles_are_refused() {
         pile.formula = PileFormula::Randolph;
         pile.soil_profile = SoilProfile::Parabolic;
     });
-    assert!(matches!(profile, Problem::ProfileWithoutFormula));
+    assert!(matches!(profile, Problem::ProfileWithoutFormula { .. }));
+    let profile = problem(|pile| {
+        pile.formula = PileFormula::CarterKulhawy;
+        pile.soil_profile = SoilProfile::Linear;
+    });
+    assert!(matches!(profile, Problem::ProfileWithoutFormula { .. }));
     // So soft a soil that the coupling is larger than both stiffnesses allow.
     let soft = problem(|pile| {
         pile.soil_youngs_modulus_pa = 1.0;
@@ -392,7 +542,10 @@ fn a_condensed_pile_is_the_pile_in_the_tower() {
     };
     let condensed = tower_on(Foundation::WinklerPile(Box::new(WinklerPile {
         tube,
-        soil_spring_n_per_m2: spring,
+        formula: BeamFormula::Exact,
+        soil_spring: SoilSpring::Given {
+            spring_n_per_m2: spring,
+        },
         exponent: 1.0,
         vertical_n_per_m: f64::INFINITY,
         torsion_n_m: f64::INFINITY,

@@ -13,6 +13,7 @@ mod dense;
 mod eigensolver;
 mod energy_parts;
 mod estimates;
+mod footings;
 mod frequencies;
 mod ground;
 mod independence;

@@ -3,11 +3,12 @@
 use std::collections::{BTreeSet, HashSet};
 
 use towermodes::{
-    AddedMassRow, Change, FloatingPlatform, Foundation, FoundationSprings, HalfSpace, Inertia,
-    Material, Monopile, Operation, Parameter, ParameterError, PartNames, PileFormula, PileTube,
-    Place, Planes, PointMass, Properties, PropertyStation, ReferredMatrix, Rna, Rotor, Shear,
-    SoilProfile, SoilRow, SoilStiffness, Station, StiffnessFoundation, TowerDescription, Water,
-    WinklerPile, Wires,
+    AddedMassRow, BeamFormula, Change, CircularFooting, FloatingPlatform, FootingFormula,
+    Foundation, FoundationSprings, HalfSpace, Inertia, Material, Monopile, Operation, Parameter,
+    ParameterError, PartNames, PileFormula, PileTube, Place, Planes, PointMass, Properties,
+    PropertyStation, RectangularFooting, ReferredMatrix, Rna, Rotor, Shear, SoilProfile, SoilRow,
+    SoilSpring, SoilStiffness, Station, StiffnessFoundation, SuctionCaisson, TowerDescription,
+    Water, WinklerPile, Wires,
 };
 
 fn tubes() -> TowerDescription {
@@ -122,14 +123,57 @@ fn towers() -> Vec<TowerDescription> {
             vertical_n_per_m: 1e9,
             torsion_n_m: 1e11,
         }))),
-        table(Foundation::WinklerPile(Box::new(WinklerPile {
-            tube: PILE,
-            soil_spring_n_per_m2: 1e8,
-            exponent: 0.5,
+        table(Foundation::CircularFooting(Box::new(CircularFooting {
+            radius_m: 9.0,
+            embedment_m: 1.0,
+            shear_modulus_pa: 5e7,
+            poissons_ratio: 0.3,
+            stratum_thickness_m: 20.0,
+            lower_shear_modulus_pa: 1e9,
+            is_coupled: false,
+        }))),
+        table(Foundation::RectangularFooting(Box::new(
+            RectangularFooting {
+                formula: FootingFormula::Gazetas,
+                length_x_m: 20.0,
+                length_y_m: 12.0,
+                embedment_m: 1.0,
+                shear_modulus_pa: 5e7,
+                poissons_ratio: 0.3,
+                is_coupled: true,
+            },
+        ))),
+        table(Foundation::SuctionCaisson(Box::new(SuctionCaisson {
+            diameter_m: 12.0,
+            skirt_length_m: 9.0,
+            soil_profile: SoilProfile::Linear,
+            soil_youngs_modulus_pa: 4e7,
+            soil_poissons_ratio: 0.2,
             vertical_n_per_m: 1e9,
             torsion_n_m: 1e11,
         }))),
+        table(winkler_pile(SoilSpring::Given {
+            spring_n_per_m2: 1e8,
+        })),
+        table(winkler_pile(SoilSpring::Gazetas {
+            youngs_modulus_pa: 3e7,
+        })),
+        table(winkler_pile(SoilSpring::Vesic {
+            youngs_modulus_pa: 3e7,
+            poissons_ratio: 0.3,
+        })),
     ]
+}
+
+fn winkler_pile(soil_spring: SoilSpring) -> Foundation {
+    Foundation::WinklerPile(Box::new(WinklerPile {
+        tube: PILE,
+        formula: BeamFormula::Exact,
+        soil_spring,
+        exponent: 0.5,
+        vertical_n_per_m: 1e9,
+        torsion_n_m: 1e11,
+    }))
 }
 
 #[test]

@@ -211,10 +211,43 @@ tables! {
         required "soil_shear_modulus" Number "Pa" "";
         required "soil_poissons_ratio" Number "" "";
 
+    /// `[foundation]` of type `circular-footing`.
+    CIRCULAR_FOOTING = "[foundation] of type \"circular-footing\"":
+        required "type" Text "" "type of the foundation";
+        required "radius" Number "m" "";
+        optional "embedment" Number "m" "";
+        required "soil_shear_modulus" Number "Pa" "of the stratum";
+        required "soil_poissons_ratio" Number "" "";
+        optional "soil_thickness" Number "m" "of the stratum below the surface; without it a half-space";
+        optional "lower_shear_modulus" Number "Pa" "below the stratum; without it rock";
+        optional "coupled" Flag "" "whether the embedment couples sliding and rocking";
+
+    /// `[foundation]` of type `rectangular-footing`.
+    RECTANGULAR_FOOTING = "[foundation] of type \"rectangular-footing\"":
+        required "type" Text "" "type of the foundation";
+        required "formula" Text "" "gazetas or pais-kausel";
+        required "length_x" Number "m" "side along x";
+        required "length_y" Number "m" "side along y";
+        optional "embedment" Number "m" "";
+        required "soil_shear_modulus" Number "Pa" "";
+        required "soil_poissons_ratio" Number "" "";
+        optional "coupled" Flag "" "whether the embedment couples sliding and rocking";
+
+    /// `[foundation]` of type `suction-caisson`.
+    SUCTION_CAISSON = "[foundation] of type \"suction-caisson\"":
+        required "type" Text "" "type of the foundation";
+        required "diameter" Number "m" "";
+        required "skirt_length" Number "m" "";
+        required "soil_profile" Text "" "homogeneous, parabolic or linear";
+        required "soil_youngs_modulus" Number "Pa" "at the depth of one diameter";
+        required "soil_poissons_ratio" Number "" "";
+        optional "vertical" Number "N/m" "inf is rigid";
+        optional "torsion" Number "N m" "";
+
     /// `[foundation]` of type `monopile`.
     MONOPILE = "[foundation] of type \"monopile\"":
         required "type" Text "" "type of the foundation";
-        required "formula" Text "" "shadlou-bhattacharya, randolph or en-1998-5";
+        required "formula" Text "" "shadlou-bhattacharya, randolph, en-1998-5 or carter-kulhawy";
         required "diameter" Number "m" "of the pile";
         required "wall_thickness" Number "m" "";
         required "embedded_length" Number "m" "";
@@ -232,8 +265,12 @@ tables! {
         required "wall_thickness" Number "m" "";
         required "embedded_length" Number "m" "";
         required "youngs_modulus" Number "Pa" "of the pile";
-        required "soil_spring" Number "N/m2" "per metre of pile, at the depth of one diameter";
-        required "exponent" Number "" "of the depth in the soil spring: 0 constant, 1 linear";
+        optional "formula" Text "" "exact or poulos-davis";
+        optional "soil_spring" Number "N/m2" "per metre of pile, at the depth of one diameter";
+        optional "spring_formula" Text "" "in place of soil_spring: gazetas or vesic";
+        optional "soil_youngs_modulus" Number "Pa" "at the depth of one diameter";
+        optional "soil_poissons_ratio" Number "" "for vesic";
+        required "exponent" Number "" "of the depth in the spring or the modulus: 0 constant, 1 linear";
         optional "vertical" Number "N/m" "inf is rigid";
         optional "torsion" Number "N m" "";
 
@@ -410,11 +447,14 @@ tables! {
 }
 
 /// The types of foundation with their names.
-pub(super) static FOUNDATIONS: [&TableSchema; 7] = [
+pub(super) static FOUNDATIONS: [&TableSchema; 10] = [
     &CLAMPED,
     &STIFFNESS,
     &SPRINGS,
     &HALF_SPACE,
+    &CIRCULAR_FOOTING,
+    &RECTANGULAR_FOOTING,
+    &SUCTION_CAISSON,
     &MONOPILE,
     &WINKLER_PILE,
     &FLOATING,

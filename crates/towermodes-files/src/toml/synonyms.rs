@@ -2,7 +2,7 @@
 
 /// Names and the keys that they may mean, the likeliest first, each separated by blanks. Names are
 /// in small letters and without a unit at their end. The types of a foundation are here too.
-const SYNONYMS: [(&str, &str); 56] = [
+const SYNONYMS: [(&str, &str); 63] = [
     (
         "cg cog com cm centre centroid center_of_mass centre_of_mass center_of_gravity centre_of_gravity cg_offset position location offset",
         "center",
@@ -117,6 +117,25 @@ const SYNONYMS: [(&str, &str); 56] = [
         "floating",
     ),
     ("footing half_space halfspace gravity_base", "half-space"),
+    (
+        "circular round_footing stratum layered_half_space",
+        "circular-footing",
+    ),
+    (
+        "rectangle rectangular rectangular_foundation raft",
+        "rectangular-footing",
+    ),
+    (
+        "caisson bucket suction_bucket suction_caisson skirt",
+        "suction-caisson",
+    ),
+    ("length_fore_aft lx side_x", "length_x"),
+    ("length_side_side width breadth ly side_y", "length_y"),
+    ("skirt_depth skirt_height", "skirt_length"),
+    (
+        "stratum_thickness layer_thickness depth_to_rock",
+        "soil_thickness",
+    ),
     ("pile mono_pile", "monopile"),
     ("winkler winkler_pile", "winkler-pile"),
 ];

@@ -4,9 +4,10 @@
 use std::f64::consts::PI;
 
 use towermodes::{
-    AddedMassRow, Foundation, FoundationSprings, HalfSpace, Inertia, Material, Planes, PointMass,
-    Properties, PropertyStation, Rna, Shear, SoilRow, SoilStiffness, Station, StiffnessFoundation,
-    TowerDescription, Water, Wires,
+    AddedMassRow, FootingFormula, Foundation, FoundationSprings, HalfSpace, Inertia, Material,
+    Monopile, PileFormula, PileTube, Planes, PointMass, Properties, PropertyStation,
+    RectangularFooting, Rna, Shear, SoilProfile, SoilRow, SoilStiffness, Station,
+    StiffnessFoundation, SuctionCaisson, TowerDescription, Water, Wires,
 };
 use towermodes_files::description_from_toml;
 
@@ -41,6 +42,10 @@ pub fn examples() -> Vec<Named> {
             include_str!("../../../../examples/floating.toml"),
         ),
         ("guyed", include_str!("../../../../examples/guyed.toml")),
+        (
+            "monopile-foundation",
+            include_str!("../../../../examples/monopile-foundation.toml"),
+        ),
     ];
     let read = |text| description_from_toml(text).expect("an example");
     files.map(|(name, text)| (name, read(text))).into()
@@ -71,6 +76,9 @@ fn by_hand() -> Vec<Named> {
         ("flooded", flooded()),
         ("wires", wired()),
         ("half-space", on_half_space()),
+        ("rectangular footing", on_rectangular_footing()),
+        ("suction caisson", on_caisson()),
+        ("monopile", on_monopile()),
         ("partly infinite base", axially_held()),
     ]
 }
@@ -288,6 +296,59 @@ pub fn on_half_space() -> TowerDescription {
             shear_modulus_pa: 5e7,
             poissons_ratio: 0.35,
         }),
+        ..plain()
+    }
+}
+
+/// On a footing that is stiffer in x and whose sides are in the soil.
+pub fn on_rectangular_footing() -> TowerDescription {
+    TowerDescription {
+        foundation: Foundation::RectangularFooting(Box::new(RectangularFooting {
+            formula: FootingFormula::Gazetas,
+            length_x_m: 18.0,
+            length_y_m: 12.0,
+            embedment_m: 2.0,
+            shear_modulus_pa: 5e7,
+            poissons_ratio: 0.35,
+            is_coupled: true,
+        })),
+        ..plain()
+    }
+}
+
+/// On a caisson that is rigid along and about its axis.
+pub fn on_caisson() -> TowerDescription {
+    TowerDescription {
+        foundation: Foundation::SuctionCaisson(Box::new(SuctionCaisson {
+            diameter_m: 12.0,
+            skirt_length_m: 10.0,
+            soil_profile: SoilProfile::Linear,
+            soil_youngs_modulus_pa: 4e7,
+            soil_poissons_ratio: 0.3,
+            vertical_n_per_m: f64::INFINITY,
+            torsion_n_m: f64::INFINITY,
+        })),
+        ..plain()
+    }
+}
+
+/// On a flexible pile.
+pub fn on_monopile() -> TowerDescription {
+    TowerDescription {
+        foundation: Foundation::Monopile(Box::new(Monopile {
+            tube: PileTube {
+                diameter_m: 6.0,
+                wall_thickness_m: 0.06,
+                embedded_length_m: 60.0,
+                youngs_modulus_pa: 2.1e11,
+            },
+            formula: PileFormula::Randolph,
+            soil_profile: SoilProfile::Linear,
+            soil_youngs_modulus_pa: 4e7,
+            soil_poissons_ratio: 0.3,
+            vertical_n_per_m: 1e10,
+            torsion_n_m: 1e11,
+        })),
         ..plain()
     }
 }

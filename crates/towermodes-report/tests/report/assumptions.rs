@@ -3,10 +3,10 @@
 use std::path::Path;
 
 use towermodes::{
-    FloatingPlatform, Foundation, FoundationSprings, HalfSpace, Method, Monopile, Options,
-    PileFormula, PileTube, Planes, PointMass, Properties, PropertyStation, ReferredMatrix, Rna,
-    Shear, SoilProfile, SoilRow, SoilStiffness, StiffnessFoundation, TowerDescription, Water,
-    Wires,
+    CircularFooting, FloatingPlatform, Foundation, FoundationSprings, HalfSpace, Method, Monopile,
+    Options, PileFormula, PileTube, Planes, PointMass, Properties, PropertyStation, ReferredMatrix,
+    Rna, Shear, SoilProfile, SoilRow, SoilStiffness, StiffnessFoundation, SuctionCaisson,
+    TowerDescription, Water, Wires,
 };
 use towermodes_files::{Input, ReadOptions, read};
 
@@ -233,6 +233,24 @@ fn grounds() -> Vec<Row> {
         shear_modulus_pa: 5e7,
         poissons_ratio: 0.3,
     };
+    let stratum = CircularFooting {
+        radius_m: 9.0,
+        embedment_m: 2.0,
+        shear_modulus_pa: 5e7,
+        poissons_ratio: 0.3,
+        stratum_thickness_m: 20.0,
+        lower_shear_modulus_pa: f64::INFINITY,
+        is_coupled: true,
+    };
+    let caisson = SuctionCaisson {
+        diameter_m: 10.0,
+        skirt_length_m: 9.0,
+        soil_profile: SoilProfile::Linear,
+        soil_youngs_modulus_pa: 3e7,
+        soil_poissons_ratio: 0.3,
+        vertical_n_per_m: f64::INFINITY,
+        torsion_n_m: f64::INFINITY,
+    };
     let pile = Monopile {
         tube: PileTube {
             diameter_m: 7.0,
@@ -284,6 +302,25 @@ fn grounds() -> Vec<Row> {
             "half-space",
             on(Foundation::HalfSpace(footing)),
             &["elastic half-space"],
+            &["clamped"],
+        ),
+        row(
+            "circular footing",
+            on(Foundation::CircularFooting(Box::new(stratum))),
+            &[
+                "elastic stratum over rock",
+                "static, coupled springs (DNV-OS-J101, Appendix G)",
+            ],
+            &["clamped", "half-space"],
+        ),
+        row(
+            "suction caisson",
+            on(Foundation::SuctionCaisson(Box::new(caisson))),
+            &[
+                "the lid of a rigid suction caisson",
+                "Jalbi, Shadlou & Bhattacharya (2018)",
+                "Fixed degrees of freedom: z, rotation about z.",
+            ],
             &["clamped"],
         ),
         row(

@@ -1,7 +1,9 @@
 //! A tower turned about its axis.
 
 use towermodes::space::SpatialMatrix;
-use towermodes::{FloatingPlatform, Foundation, Inertia, ReferredMatrix, TowerDescription};
+use towermodes::{
+    FloatingPlatform, Foundation, Inertia, ReferredMatrix, StiffnessFoundation, TowerDescription,
+};
 
 /// A 3×3 matrix.
 type Matrix = [[f64; 3]; 3];
@@ -26,11 +28,20 @@ pub fn rotated(description: &TowerDescription, azimuth_rad: f64) -> TowerDescrip
             foundation.stiffness = turn.matrix(&foundation.stiffness);
             foundation.inertia = turn.matrix(&foundation.inertia);
         }
+        Foundation::RectangularFooting(footing) => {
+            let stiffness = turn.matrix(&footing.stiffness());
+            turned.foundation = Foundation::Stiffness(Box::new(StiffnessFoundation {
+                stiffness,
+                ..StiffnessFoundation::default()
+            }));
+        }
         Foundation::Floating(platform) => **platform = turn.platform(platform),
         // The same in both planes.
         Foundation::Clamped
         | Foundation::Springs(_)
         | Foundation::HalfSpace(_)
+        | Foundation::CircularFooting(_)
+        | Foundation::SuctionCaisson(_)
         | Foundation::Monopile(_)
         | Foundation::WinklerPile(_) => {}
     }

@@ -1,10 +1,11 @@
 //! The numbers of the foundation.
 
-use super::part::{Indices, Key, Part, fields};
+use super::part::{Indices, Key, Part, fields, is_there};
 use crate::space::SpatialMatrix;
 use crate::tower::{
-    FloatingPlatform, Foundation, FoundationSprings, HalfSpace, Monopile, Place,
-    StiffnessFoundation, TowerDescription, WinklerPile,
+    CircularFooting, FloatingPlatform, Foundation, FoundationSprings, HalfSpace, Monopile, Place,
+    RectangularFooting, SoilSpring, StiffnessFoundation, SuctionCaisson, TowerDescription,
+    WinklerPile,
 };
 
 /// The foundation of one type, for reading and for writing.
@@ -28,6 +29,14 @@ macro_rules! foundation_of {
 
 foundation_of!(springs, springs_mut, Springs, FoundationSprings);
 foundation_of!(half_space, half_space_mut, HalfSpace, HalfSpace);
+foundation_of!(circular, circular_mut, CircularFooting, CircularFooting);
+foundation_of!(
+    rectangular,
+    rectangular_mut,
+    RectangularFooting,
+    RectangularFooting
+);
+foundation_of!(caisson, caisson_mut, SuctionCaisson, SuctionCaisson);
 foundation_of!(monopile, monopile_mut, Monopile, Monopile);
 foundation_of!(winkler_pile, winkler_pile_mut, WinklerPile, WinklerPile);
 foundation_of!(stiffness, stiffness_mut, Stiffness, StiffnessFoundation);
@@ -70,6 +79,65 @@ pub(super) static HALF_SPACE: Part = Part {
     },
 };
 
+/// `[foundation]` of type `circular-footing`.
+pub(super) static CIRCULAR_FOOTING: Part = Part {
+    name: "foundation",
+    noun: "foundation of type \"circular-footing\"",
+    count: |d| usize::from(circular(d).is_some()),
+    rows: |_, _| 1,
+    is_symmetric: false,
+    keys: fields! {
+        get |d, _i| circular(d)?;
+        set |d, _i| circular_mut(d)?;
+        place |_i, key| Place::Foundation { key };
+        "radius" "m" "radius", "radius" radius_m;
+        "embedment" "m" "depth of embedment", "embedment" embedment_m;
+        "soil_shear_modulus" "Pa" "shear modulus of the stratum", "soil_shear_modulus" shear_modulus_pa;
+        "soil_poissons_ratio" "" "Poisson's ratio of the stratum", "soil_poissons_ratio" poissons_ratio;
+        "soil_thickness" "m" "thickness of the stratum", "soil_thickness" stratum_thickness_m;
+        "lower_shear_modulus" "Pa" "shear modulus below the stratum", "lower_shear_modulus" lower_shear_modulus_pa;
+    },
+};
+
+/// `[foundation]` of type `rectangular-footing`.
+pub(super) static RECTANGULAR_FOOTING: Part = Part {
+    name: "foundation",
+    noun: "foundation of type \"rectangular-footing\"",
+    count: |d| usize::from(rectangular(d).is_some()),
+    rows: |_, _| 1,
+    is_symmetric: false,
+    keys: fields! {
+        get |d, _i| rectangular(d)?;
+        set |d, _i| rectangular_mut(d)?;
+        place |_i, key| Place::Foundation { key };
+        "length_x" "m" "side along x", "length_x" length_x_m;
+        "length_y" "m" "side along y", "length_y" length_y_m;
+        "embedment" "m" "depth of embedment", "embedment" embedment_m;
+        "soil_shear_modulus" "Pa" "shear modulus of the soil", "soil_shear_modulus" shear_modulus_pa;
+        "soil_poissons_ratio" "" "Poisson's ratio of the soil", "soil_poissons_ratio" poissons_ratio;
+    },
+};
+
+/// `[foundation]` of type `suction-caisson`.
+pub(super) static SUCTION_CAISSON: Part = Part {
+    name: "foundation",
+    noun: "foundation of type \"suction-caisson\"",
+    count: |d| usize::from(caisson(d).is_some()),
+    rows: |_, _| 1,
+    is_symmetric: false,
+    keys: fields! {
+        get |d, _i| caisson(d)?;
+        set |d, _i| caisson_mut(d)?;
+        place |_i, key| Place::Foundation { key };
+        "diameter" "m" "diameter of the caisson", "diameter" diameter_m;
+        "skirt_length" "m" "length of the skirt", "skirt_length" skirt_length_m;
+        "soil_youngs_modulus" "Pa" "Young's modulus of the soil at the depth of one diameter", "soil_youngs_modulus" soil_youngs_modulus_pa;
+        "soil_poissons_ratio" "" "Poisson's ratio of the soil", "soil_poissons_ratio" soil_poissons_ratio;
+        "vertical" "N/m" "stiffness against z", "vertical" vertical_n_per_m;
+        "torsion" "N m" "stiffness against rotation about z", "torsion" torsion_n_m;
+    },
+};
+
 /// `[foundation]` of type `monopile`.
 pub(super) static MONOPILE: Part = Part {
     name: "foundation",
@@ -107,12 +175,77 @@ pub(super) static WINKLER_PILE: Part = Part {
         "wall_thickness" "m" "wall thickness of the pile", "wall_thickness" tube.wall_thickness_m;
         "embedded_length" "m" "embedded length of the pile", "embedded_length" tube.embedded_length_m;
         "youngs_modulus" "Pa" "Young's modulus of the pile", "youngs_modulus" tube.youngs_modulus_pa;
-        "soil_spring" "N/m2" "soil spring at the depth of one diameter", "soil_spring" soil_spring_n_per_m2;
-        "exponent" "" "exponent of the depth in the soil spring", "exponent" exponent;
+        "exponent" "" "exponent of the depth in the soil spring, or in the modulus of the soil", "exponent" exponent;
         "vertical" "N/m" "stiffness against z", "vertical" vertical_n_per_m;
         "torsion" "N m" "stiffness against rotation about z", "torsion" torsion_n_m;
     },
 };
+
+/// A number of the springs along a pile, which has it or not.
+macro_rules! of_springs {
+    ($($(#[$doc:meta])+ $id:ident = $key:literal $unit:literal $meaning:literal, $get:ident;)+) => {
+        $($(#[$doc])+ pub(super) static $id: Part = Part {
+            name: "foundation",
+            noun: "foundation of type \"winkler-pile\"",
+            count: |d| usize::from(of_springs(d, $get).is_some()),
+            rows: |_, _| 1,
+            is_symmetric: false,
+            keys: &[Key {
+                name: $key,
+                unit: $unit,
+                meaning: $meaning,
+                place: |_| Place::Foundation { key: $key },
+                get: |d, _| of_springs(d, $get),
+                set: |d, _, value| {
+                    *$get(&mut winkler_pile_mut(d)?.soil_spring)? = value;
+                    Some(())
+                },
+                is_listed: is_there,
+            }],
+        };)+
+    };
+}
+
+of_springs! {
+    /// `soil_spring` of a pile.
+    SOIL_SPRING = "soil_spring" "N/m2" "soil spring at the depth of one diameter", given_spring;
+    /// `soil_youngs_modulus` of a pile whose springs follow from it.
+    SPRING_MODULUS = "soil_youngs_modulus" "Pa" "Young's modulus of the soil at the depth of one diameter", spring_modulus;
+    /// `soil_poissons_ratio` of a pile whose springs follow from it.
+    SPRING_RATIO = "soil_poissons_ratio" "" "Poisson's ratio of the soil", spring_ratio;
+}
+
+fn of_springs(
+    description: &TowerDescription,
+    number: fn(&mut SoilSpring) -> Option<&mut f64>,
+) -> Option<f64> {
+    let mut spring = winkler_pile(description)?.soil_spring;
+    number(&mut spring).copied()
+}
+
+fn given_spring(spring: &mut SoilSpring) -> Option<&mut f64> {
+    match spring {
+        SoilSpring::Given { spring_n_per_m2 } => Some(spring_n_per_m2),
+        SoilSpring::Gazetas { .. } | SoilSpring::Vesic { .. } => None,
+    }
+}
+
+fn spring_modulus(spring: &mut SoilSpring) -> Option<&mut f64> {
+    match spring {
+        SoilSpring::Given { .. } => None,
+        SoilSpring::Gazetas { youngs_modulus_pa }
+        | SoilSpring::Vesic {
+            youngs_modulus_pa, ..
+        } => Some(youngs_modulus_pa),
+    }
+}
+
+fn spring_ratio(spring: &mut SoilSpring) -> Option<&mut f64> {
+    match spring {
+        SoilSpring::Given { .. } | SoilSpring::Gazetas { .. } => None,
+        SoilSpring::Vesic { poissons_ratio, .. } => Some(poissons_ratio),
+    }
+}
 
 /// `[foundation]` of type `floating`.
 pub(super) static FLOATING: Part = Part {

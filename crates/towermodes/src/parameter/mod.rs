@@ -28,7 +28,7 @@ use name::Name;
 use part::{Key, Part};
 
 /// The parts of a tower in the order of the tower file.
-static PARTS: [&Part; 26] = [
+static PARTS: [&Part; 32] = [
     &structure::MATERIAL,
     &structure::MATERIALS,
     &structure::TOWER,
@@ -41,8 +41,14 @@ static PARTS: [&Part; 26] = [
     &foundation::STIFFNESS_MASS,
     &foundation::SPRINGS,
     &foundation::HALF_SPACE,
+    &foundation::CIRCULAR_FOOTING,
+    &foundation::RECTANGULAR_FOOTING,
+    &foundation::SUCTION_CAISSON,
     &foundation::MONOPILE,
     &foundation::WINKLER_PILE,
+    &foundation::SOIL_SPRING,
+    &foundation::SPRING_MODULUS,
+    &foundation::SPRING_RATIO,
     &foundation::FLOATING,
     &foundation::FLOATING_ADDED_MASS,
     &foundation::FLOATING_HYDROSTATIC,

@@ -54,7 +54,7 @@ impl<'n> Name<'n> {
                     continue;
                 };
                 if (of.count)(description) == 0 {
-                    absent = Some(of.noun);
+                    absent = absent.or(Some(of.noun));
                     continue;
                 }
                 let all = self.every(of, &given, description)?;

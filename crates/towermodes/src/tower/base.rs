@@ -40,6 +40,13 @@ impl Base {
             }
             Foundation::Springs(springs) => Self::on_springs(springs),
             Foundation::HalfSpace(footing) => Self::on_springs(&footing.springs()),
+            Foundation::CircularFooting(footing) => Self::on_springs(&footing.springs()),
+            Foundation::RectangularFooting(footing) => Self {
+                moves: [true; 6],
+                stiffness: footing.stiffness(),
+                ..Self::default()
+            },
+            Foundation::SuctionCaisson(caisson) => Self::on_springs(&caisson.springs()),
             Foundation::Monopile(pile) => Self::on_springs(&pile.springs()),
             Foundation::WinklerPile(pile) => Self::on_springs(&pile.springs()),
             Foundation::Floating(platform) => Self::afloat(platform, base_m, mass_kg),

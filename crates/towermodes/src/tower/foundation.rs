@@ -1,6 +1,8 @@
 //! The foundation of a tower as its user describes it.
 
-use super::closed_form::{Monopile, WinklerPile};
+use super::closed_form::{
+    CircularFooting, Monopile, RectangularFooting, SuctionCaisson, WinklerPile,
+};
 use super::inertia::Inertia;
 use crate::space::SpatialMatrix;
 
@@ -37,6 +39,12 @@ pub enum Foundation {
     Springs(FoundationSprings),
     /// A rigid circular footing on elastic soil.
     HalfSpace(HalfSpace),
+    /// A rigid circular footing in a stratum over rock or over another stratum.
+    CircularFooting(Box<CircularFooting>),
+    /// A rigid rectangular footing on or in elastic soil.
+    RectangularFooting(Box<RectangularFooting>),
+    /// A rigid suction caisson in an elastic continuum.
+    SuctionCaisson(Box<SuctionCaisson>),
     /// A monopile in an elastic continuum, by a closed form.
     Monopile(Box<Monopile>),
     /// A pile on springs along its length, exactly.
@@ -46,15 +54,26 @@ pub enum Foundation {
 }
 
 impl Foundation {
-    /// The springs that follow from the dimensions and the soil of a foundation that is given by
-    /// these; none for the others.
-    pub fn derived_springs(&self) -> Option<FoundationSprings> {
+    /// The stiffness that follows from the dimensions and the soil of a foundation that is given by
+    /// these, as in [`StiffnessFoundation`]; none for the others.
+    pub fn derived_stiffness(&self) -> Option<SpatialMatrix> {
         match self {
-            Self::HalfSpace(footing) => Some(footing.springs()),
-            Self::Monopile(pile) => Some(pile.springs()),
-            Self::WinklerPile(pile) => Some(pile.springs()),
+            Self::HalfSpace(footing) => Some(footing.springs().matrix()),
+            Self::CircularFooting(footing) => Some(footing.springs().matrix()),
+            Self::RectangularFooting(footing) => Some(footing.stiffness()),
+            Self::SuctionCaisson(caisson) => Some(caisson.springs().matrix()),
+            Self::Monopile(pile) => Some(pile.springs().matrix()),
+            Self::WinklerPile(pile) => Some(pile.springs().matrix()),
             Self::Clamped | Self::Stiffness(_) | Self::Springs(_) | Self::Floating(_) => None,
         }
+    }
+
+    /// Whether it is a pile or a caisson by closed form, which contains the soil around it.
+    pub(super) fn contains_soil(&self) -> bool {
+        matches!(
+            self,
+            Self::Monopile(_) | Self::WinklerPile(_) | Self::SuctionCaisson(_)
+        )
     }
 }
 
@@ -110,6 +129,20 @@ impl FoundationSprings {
         vertical_n_per_m: f64::INFINITY,
         torsion_n_m: f64::INFINITY,
     };
+
+    /// The stiffness for the motion (x, y, z, rotation about x, y, z) of the base; a rigid spring
+    /// is infinite on its diagonal.
+    pub(super) fn matrix(&self) -> SpatialMatrix {
+        let mut matrix = SpatialMatrix::default();
+        for (i, value) in self.diagonal().into_iter().enumerate() {
+            matrix[i][i] = value;
+        }
+        for (translation, rotation, sign) in [(0, 4, 1.0), (1, 3, -1.0)] {
+            matrix[translation][rotation] = sign * self.coupling_n;
+            matrix[rotation][translation] = sign * self.coupling_n;
+        }
+        matrix
+    }
 
     /// Along the diagonal of the stiffness: x, y, z, rotation about x, y, z.
     pub(super) fn diagonal(&self) -> [f64; 6] {

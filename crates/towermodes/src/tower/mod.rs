@@ -46,8 +46,9 @@ pub(crate) use attachment::spatial_inertia;
 pub use axisymmetric::Axisymmetric;
 pub use base::Base;
 pub use closed_form::{
-    HeadStiffness, Monopile, PileBehaviour, PileFormula, PileTube, Slenderness, SoilProfile,
-    WinklerPile,
+    BeamFormula, CircularFooting, FootingFormula, HeadStiffness, Monopile, PileBehaviour,
+    PileFormula, PileTube, RectangularFooting, Slenderness, SoilProfile, SoilSpring,
+    SuctionCaisson, WinklerPile,
 };
 pub use damping::{Damping, LossFactors, RotorAerodynamics};
 pub use description::{PointMass, PropertyStation, Rna, Station, TowerDescription};

@@ -61,7 +61,12 @@ fn is_elastic(foundation: &Foundation) -> bool {
         Foundation::Stiffness(base) => {
             (0..6).any(|motion| is_spring(base.stiffness[motion][motion]))
         }
-        Foundation::HalfSpace(_) | Foundation::Monopile(_) | Foundation::WinklerPile(_) => true,
+        Foundation::HalfSpace(_)
+        | Foundation::CircularFooting(_)
+        | Foundation::RectangularFooting(_)
+        | Foundation::SuctionCaisson(_)
+        | Foundation::Monopile(_)
+        | Foundation::WinklerPile(_) => true,
     }
 }
 
@@ -80,7 +85,14 @@ fn on_soil(foundation: &Foundation, factor: f64) -> Foundation {
         }
         Foundation::HalfSpace(footing) => footing.shear_modulus_pa *= factor,
         Foundation::Monopile(pile) => pile.soil_youngs_modulus_pa *= factor,
-        Foundation::WinklerPile(pile) => pile.soil_spring_n_per_m2 *= factor,
+        Foundation::CircularFooting(footing) => {
+            footing.shear_modulus_pa *= factor;
+            // Infinite for rock, which stays rigid.
+            footing.lower_shear_modulus_pa *= factor;
+        }
+        Foundation::RectangularFooting(footing) => footing.shear_modulus_pa *= factor,
+        Foundation::SuctionCaisson(caisson) => caisson.soil_youngs_modulus_pa *= factor,
+        Foundation::WinklerPile(pile) => pile.soil_spring = pile.soil_spring.times(factor),
     }
     changed
 }

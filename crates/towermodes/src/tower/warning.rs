@@ -215,18 +215,20 @@ pub enum Warning {
     },
     /// A pile between the ranges of the formulas for rigid and for flexible piles.
     #[error(
-        "the pile is neither rigid nor flexible: its embedded length divided by its diameter is {}; the formulas of {formula} hold for rigid \
+        "the pile is neither rigid nor flexible: {measure} is {}; the formulas of {formula} hold for rigid \
          piles, up to {}, and for flexible piles, from {}; the form with the smaller stiffness is used, which is too stiff; check the result with type = \
-         \"winkler-pile\" or with [[soil]] along the pile",
-        Plain(rounded(*.slenderness)), Plain(rounded(*.rigid_at_most)), Plain(rounded(*.flexible_at_least))
+         \"winkler-pile\" and formula = \"exact\", or with [[soil]] along the pile",
+        Plain(rounded(*.length)), Plain(rounded(*.rigid_at_most)), Plain(rounded(*.flexible_at_least))
     )]
     BetweenRigidAndFlexible {
         /// The key with the length of the pile.
         site: Site,
         /// The formula.
         formula: &'static str,
-        /// Length over diameter.
-        slenderness: f64,
+        /// What the limits are about.
+        measure: &'static str,
+        /// Its value.
+        length: f64,
         /// Up to this a pile is rigid.
         rigid_at_most: f64,
         /// From this a pile is flexible.
@@ -252,6 +254,24 @@ pub enum Warning {
         most: f64,
         /// What to do.
         remedy: &'static str,
+    },
+    /// Soil springs on the tower together with a foundation that contains the soil.
+    #[error(
+        "there is soil along the tower, and the stiffness of this foundation contains the soil already: the soil may be counted twice; model the \
+         pile either by stations in soil, or by [foundation] with the lowest station at the surface of the soil"
+    )]
+    SoilTwice {
+        /// The type of the foundation.
+        site: Site,
+    },
+    /// Springs without coupling at a base under water.
+    #[error(
+        "the base is under water and its lateral and rocking springs have no coupling; the springs of the head of a pile are coupled, \
+         and without the coupling the frequencies are too high: give the coupling, which is negative; a footing has none"
+    )]
+    NoCoupling {
+        /// The key of the coupling.
+        site: Site,
     },
     /// A tower that is under water.
     #[error(
@@ -495,6 +515,8 @@ impl Warning {
             | Self::ActsAbove { site, .. }
             | Self::BetweenRigidAndFlexible { site, .. }
             | Self::OutsideFormula { site, .. }
+            | Self::SoilTwice { site }
+            | Self::NoCoupling { site }
             | Self::UnderWater { site, .. }
             | Self::TriangleInequality { site, .. } => Some(site),
             _ => None,

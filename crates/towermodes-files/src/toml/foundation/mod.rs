@@ -2,12 +2,14 @@
 
 mod choice;
 mod floating;
+mod footings;
 mod half_space;
 mod pile;
 mod springs;
 mod stiffness;
 
-pub(super) use pile::{FORMULAS, PROFILES};
+pub(super) use footings::FOOTING_FORMULAS;
+pub(super) use pile::{BEAM_FORMULAS, FORMULAS, PROFILES, SPRING_FORMULAS, SpringFormula};
 
 use towermodes::{Foundation, Place};
 
@@ -27,11 +29,14 @@ struct Kind {
     read: fn(&Table<'_>, &mut Reading) -> Option<Foundation>,
 }
 
-static KINDS: [Kind; 7] = [
+static KINDS: [Kind; 10] = [
     CLAMPED,
     stiffness::KIND,
     springs::KIND,
     half_space::KIND,
+    footings::CIRCULAR,
+    footings::RECTANGULAR,
+    footings::CAISSON,
     pile::MONOPILE,
     pile::WINKLER_PILE,
     floating::KIND,
@@ -46,6 +51,22 @@ const CLAMPED: Kind = Kind {
 
 fn at(key: &'static str) -> Place {
     Place::Foundation { key }
+}
+
+/// Refuses a key that has no effect because of another one.
+fn without_effect<T>(
+    table: &Table<'_>,
+    key: &str,
+    because: &str,
+    hint: &str,
+    reading: &mut Reading,
+) -> Option<T> {
+    let place = table.get(key)?.span();
+    let kind = DiagnosticKind::UnusedKey {
+        key: key.to_owned(),
+        because: because.to_owned(),
+    };
+    reading.refuse(Diagnostic::new(place, kind).with_hint(hint))
 }
 
 /// The foundation; clamped by default.

@@ -1,10 +1,12 @@
 //! `[foundation] type = "monopile"` and `type = "winkler-pile"`: piles that are not part of the
 //! tower.
 
-use towermodes::{Foundation, Monopile, PileFormula, PileTube, SoilProfile, WinklerPile};
+use towermodes::{
+    BeamFormula, Foundation, Monopile, PileFormula, PileTube, SoilProfile, SoilSpring, WinklerPile,
+};
 
 use super::choice::choice;
-use super::{Kind, at};
+use super::{Kind, at, without_effect};
 use crate::toml::reading::Reading;
 use crate::toml::schema;
 use crate::toml::table::Table;
@@ -25,10 +27,30 @@ pub(super) const WINKLER_PILE: Kind = Kind {
 };
 
 /// The names of the formulas.
-pub(in crate::toml) const FORMULAS: [(&str, PileFormula); 3] = [
+pub(in crate::toml) const FORMULAS: [(&str, PileFormula); 4] = [
     ("shadlou-bhattacharya", PileFormula::ShadlouBhattacharya),
     ("randolph", PileFormula::Randolph),
     ("en-1998-5", PileFormula::En1998),
+    ("carter-kulhawy", PileFormula::CarterKulhawy),
+];
+
+/// The names of the formulas for piles on springs.
+pub(in crate::toml) const BEAM_FORMULAS: [(&str, BeamFormula); 2] = [
+    ("exact", BeamFormula::Exact),
+    ("poulos-davis", BeamFormula::PoulosDavis),
+];
+
+/// A formula for the springs along a pile.
+#[derive(Clone, Copy, PartialEq)]
+pub(in crate::toml) enum SpringFormula {
+    Gazetas,
+    Vesic,
+}
+
+/// The names of the formulas for the springs along a pile.
+pub(in crate::toml) const SPRING_FORMULAS: [(&str, SpringFormula); 2] = [
+    ("gazetas", SpringFormula::Gazetas),
+    ("vesic", SpringFormula::Vesic),
 ];
 
 /// The names of the profiles.
@@ -59,25 +81,78 @@ fn read_monopile(table: &Table<'_>, reading: &mut Reading) -> Option<Foundation>
 
 fn read_winkler_pile(table: &Table<'_>, reading: &mut Reading) -> Option<Foundation> {
     let tube = tube(table, reading);
-    let (key, hint) = (
-        "soil_spring",
-        "N/m2 per metre of pile at the depth of one diameter",
-    );
-    let spring = table.required_number(key, hint, at(key), reading);
+    let formula = match table.get("formula") {
+        None => Some(BeamFormula::Exact),
+        Some(_) => choice(table, "formula", "formula", &BEAM_FORMULAS, reading),
+    };
+    let spring = soil_spring(table, reading);
     let (key, hint) = (
         "exponent",
-        "0 for constant springs, 1 for springs that grow linearly",
+        "of the depth: 0 for constant springs or modulus, 1 for linear growth",
     );
     let exponent = table.required_number(key, hint, at(key), reading);
     let vertical = rigid_or(table, "vertical", reading);
     let torsion = rigid_or(table, "torsion", reading);
     Some(Foundation::WinklerPile(Box::new(WinklerPile {
         tube: tube?,
-        soil_spring_n_per_m2: spring?,
+        formula: formula?,
+        soil_spring: spring?,
         exponent: exponent?,
         vertical_n_per_m: vertical?,
         torsion_n_m: torsion?,
     })))
+}
+
+/// Springs that are given, or that follow from the modulus of the soil by a formula that is named.
+fn soil_spring(table: &Table<'_>, reading: &mut Reading) -> Option<SoilSpring> {
+    if table.get("spring_formula").is_none() {
+        return given_spring(table, reading);
+    }
+    let what = "formula for the springs";
+    let formula = choice(table, "spring_formula", what, &SPRING_FORMULAS, reading);
+    if table.get("soil_spring").is_some() {
+        let hint = "keep one of the two";
+        return without_effect(
+            table,
+            "soil_spring",
+            "beside `spring_formula`",
+            hint,
+            reading,
+        );
+    }
+    let modulus = soil_modulus(table, reading);
+    match formula? {
+        SpringFormula::Gazetas => {
+            let key = "soil_poissons_ratio";
+            if table.get(key).is_some() {
+                let because = "with spring_formula = \"gazetas\"";
+                return without_effect(table, key, because, "remove it", reading);
+            }
+            let youngs_modulus_pa = modulus?;
+            Some(SoilSpring::Gazetas { youngs_modulus_pa })
+        }
+        SpringFormula::Vesic => {
+            let ratio = soil_poissons_ratio(table, reading);
+            Some(SoilSpring::Vesic {
+                youngs_modulus_pa: modulus?,
+                poissons_ratio: ratio?,
+            })
+        }
+    }
+}
+
+fn given_spring(table: &Table<'_>, reading: &mut Reading) -> Option<SoilSpring> {
+    let is_misspelled = table.has_misspelled("spring_formula");
+    for key in ["soil_youngs_modulus", "soil_poissons_ratio"] {
+        if table.get(key).is_some() && !is_misspelled {
+            let hint = "add spring_formula = \"gazetas\" or \"vesic\", or give soil_spring alone";
+            return without_effect(table, key, "without `spring_formula`", hint, reading);
+        }
+    }
+    let hint = "N/m2 per metre of pile at the depth of one diameter; or spring_formula with the modulus of the soil";
+    let key = "soil_spring";
+    let spring = table.required_number(key, hint, at(key), reading);
+    spring.map(|spring_n_per_m2| SoilSpring::Given { spring_n_per_m2 })
 }
 
 fn tube(table: &Table<'_>, reading: &mut Reading) -> Option<PileTube> {

@@ -1,12 +1,11 @@
-//! The foundation in space: springs, a footing, a platform with its moorings.
+//! The foundation in space: springs, a footing or a pile, a platform with its moorings.
 
 use towermodes::space::SpatialMatrix;
-use towermodes::{
-    FloatingPlatform, Foundation, FoundationSprings, HalfSpace, Tower, TowerDescription,
-};
+use towermodes::{FloatingPlatform, Foundation, FoundationSprings, Tower, TowerDescription};
 
 use super::solids::{ball, block, circle, link, ring, solid};
 use super::{Body, FAR, Form, HALF_SIDE, MASS, Substance};
+use crate::figures::buried::{Buried, buried};
 use crate::figures::outline::outer_diameter_m;
 use crate::figures::tower::{keel_m, on_diagonal};
 
@@ -15,6 +14,8 @@ const SPRING: f64 = 0.08;
 const FOOTING: f64 = 0.025;
 /// Depth of the soil below a footing, as a fraction of the tower's height.
 const HALF_SPACE: f64 = 0.12;
+/// The deepest pile that is drawn, as a fraction of the tower's height.
+const DEEPEST: f64 = 0.45;
 /// Where moorings end, as a fraction of the tower's height to the side.
 const ANCHORS: f64 = 0.45;
 
@@ -24,10 +25,8 @@ pub(super) fn foundation(description: &TowerDescription, tower: &Tower) -> Vec<B
         Foundation::Clamped => Vec::new(),
         Foundation::Springs(given) => springs(tower, given),
         Foundation::Stiffness(matrices) => springs(tower, &on_diagonal(matrices)),
-        Foundation::HalfSpace(half_space) => footing(tower, half_space),
-        Foundation::Monopile(pile) => springs(tower, &pile.springs()),
-        Foundation::WinklerPile(pile) => springs(tower, &pile.springs()),
         Foundation::Floating(platform) => floating(tower, platform),
+        by_dimensions => buried(by_dimensions).map_or_else(Vec::new, |of| in_soil(tower, of)),
     }
 }
 
@@ -76,22 +75,29 @@ fn post([x, y, z]: [f64; 3], half_m: f64) -> Body {
     solid(None, Substance::Ground, corners.collect())
 }
 
-/// A round footing that moves with the base, and the soil under it.
-fn footing(tower: &Tower, half_space: &HalfSpace) -> Vec<Body> {
+/// A footing or a pile that moves with the base, and the soil under or around it.
+fn in_soil(tower: &Tower, of: Buried) -> Vec<Body> {
     let (base_m, height_m) = (tower.base_m(), tower.height_m());
-    let depth_m = half_space
-        .embedment_m
-        .clamp(FOOTING * height_m, HALF_SPACE * height_m);
-    let radius_m = half_space.radius_m.min(HALF_SIDE * height_m);
-    let surface_m = match half_space.embedment_m > 0.0 {
+    let deepest_m = if of.is_deep { DEEPEST } else { HALF_SPACE } * height_m;
+    let depth_m = of.depth_m.clamp(FOOTING * height_m, deepest_m);
+    let [x_m, y_m] = of.half_m.map(|half_m| half_m.min(HALF_SIDE * height_m));
+    let surface_m = match of.depth_m > 0.0 {
         true => base_m,
         false => base_m - depth_m,
     };
     let soil_m = [surface_m - HALF_SPACE * height_m - depth_m, surface_m];
-    let rims = ring(radius_m, base_m - depth_m).chain(ring(radius_m, base_m));
+    let outline = |height_m: f64| -> Vec<[f64; 3]> {
+        match of.is_round {
+            true => ring(x_m, height_m).collect(),
+            false => [(-x_m, -y_m), (x_m, -y_m), (x_m, y_m), (-x_m, y_m)]
+                .map(|(x, y)| [x, y, height_m])
+                .to_vec(),
+        }
+    };
+    let corners = [outline(base_m - depth_m), outline(base_m)].concat();
     vec![
         block(Substance::Soil, HALF_SIDE * height_m, soil_m),
-        solid(Some(base_m), Substance::Foundation, rims.collect()),
+        solid(Some(base_m), Substance::Foundation, corners),
     ]
 }
 

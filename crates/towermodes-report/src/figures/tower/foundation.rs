@@ -1,9 +1,10 @@
-//! The foundation: hatching, springs, a footing.
+//! The foundation: hatching, springs, a footing or a pile.
 
-use towermodes::{Foundation, FoundationSprings, HalfSpace, StiffnessFoundation, Tower};
+use towermodes::{Foundation, FoundationSprings, StiffnessFoundation, Tower};
 
 use super::callouts::{Callout, Subject};
 use super::view::View;
+use crate::figures::buried::{Buried, buried};
 use crate::figures::outline::outer_diameter_m;
 use crate::figures::symbols::{held_below, held_left, rigid_link, spiral, spring, turn};
 use crate::number::{length, mass, stiffness};
@@ -31,10 +32,12 @@ pub(super) fn draw_foundation(
             draw_springs(drawing, view, tower, &on_diagonal(matrices));
         }
         Foundation::Springs(springs) => draw_springs(drawing, view, tower, springs),
-        Foundation::HalfSpace(footing) => draw_footing(drawing, view, tower, footing),
-        Foundation::Monopile(pile) => draw_springs(drawing, view, tower, &pile.springs()),
-        Foundation::WinklerPile(pile) => draw_springs(drawing, view, tower, &pile.springs()),
         Foundation::Floating(_) => {}
+        by_dimensions => {
+            if let Some(of) = buried(by_dimensions) {
+                draw_in_soil(drawing, view, &InSoil::new(view, tower, of));
+            }
+        }
     }
 }
 
@@ -115,8 +118,9 @@ fn is_rigid(springs: &FoundationSprings) -> bool {
     values.iter().all(|value| value.is_infinite())
 }
 
-/// A footing as it is drawn.
-struct Footing {
+/// A footing or a pile as it is drawn.
+struct InSoil {
+    top: f64,
     half_width: f64,
     depth: f64,
     /// Where the ground's surface is.
@@ -124,37 +128,32 @@ struct Footing {
     is_to_scale: bool,
 }
 
-impl Footing {
-    fn new(view: &View, tower: &Tower, footing: &HalfSpace) -> Self {
+impl InSoil {
+    fn new(view: &View, tower: &Tower, of: Buried) -> Self {
         let y = view.y(tower.base_m());
-        let wished = view.radius(2.0 * footing.radius_m);
+        let wished = view.radius(2.0 * of.half_m[0]);
         let most = 0.5 * (view.frame.right - view.frame.left) - 16.0;
         let half_width = wished.min(most);
-        let embedded = footing.embedment_m * view.per_m;
+        let embedded = of.depth_m * view.per_m;
         let depth = embedded.clamp(9.0, 48.0);
         Self {
+            top: y,
             half_width,
             depth,
-            ground: if footing.embedment_m > 0.0 {
-                y
-            } else {
-                y + depth
-            },
+            ground: if of.depth_m > 0.0 { y } else { y + depth },
             is_to_scale: half_width == wished && embedded <= 48.0,
         }
     }
 }
 
-fn draw_footing(drawing: &mut Drawing, view: &View, tower: &Tower, half_space: &HalfSpace) {
-    let footing = Footing::new(view, tower, half_space);
+fn draw_in_soil(drawing: &mut Drawing, view: &View, body: &InSoil) {
     let frame = view.frame;
-    let size = (frame.right - frame.left, frame.bottom - footing.ground);
-    drawing.rectangle((frame.left, footing.ground), size, Colour::Soil, None);
-    held_below(drawing, frame.left + 6.0, frame.right, footing.ground);
-    let y = view.y(tower.base_m());
-    let left_top = (view.axis_x - footing.half_width, y);
+    let size = (frame.right - frame.left, frame.bottom - body.ground);
+    drawing.rectangle((frame.left, body.ground), size, Colour::Soil, None);
+    held_below(drawing, frame.left + 6.0, frame.right, body.ground);
+    let left_top = (view.axis_x - body.half_width, body.top);
     let edge = Stroke::new(Colour::Ink, 1.2);
-    let size = (2.0 * footing.half_width, footing.depth);
+    let size = (2.0 * body.half_width, body.depth);
     drawing.rectangle(left_top, size, Colour::Band, Some(&edge));
 }
 
@@ -170,16 +169,12 @@ pub(super) fn callout(view: &View, tower: &Tower, foundation: &Foundation) -> Op
         ),
         Foundation::Springs(springs) => ((x + half + 27.0, y + 6.0), spring_lines(springs)),
         Foundation::Stiffness(matrices) => ((x + half + 27.0, y + 6.0), matrix_lines(matrices)),
-        Foundation::HalfSpace(half_space) => {
-            let footing = Footing::new(view, tower, half_space);
-            let at = (x + footing.half_width, y + 0.6 * footing.depth);
-            (at, footing_lines(half_space, footing.is_to_scale))
-        }
-        Foundation::Monopile(pile) => ((x + half + 27.0, y + 6.0), spring_lines(&pile.springs())),
-        Foundation::WinklerPile(pile) => {
-            ((x + half + 27.0, y + 6.0), spring_lines(&pile.springs()))
-        }
         Foundation::Floating(_) => return None,
+        by_dimensions => {
+            let body = InSoil::new(view, tower, buried(by_dimensions)?);
+            let at = (x + body.half_width, body.top + 0.6 * body.depth);
+            (at, dimension_lines(by_dimensions, body.is_to_scale))
+        }
     };
     Some(Callout {
         at,
@@ -228,18 +223,73 @@ fn matrix_lines(foundation: &StiffnessFoundation) -> Vec<String> {
     lines
 }
 
-fn footing_lines(footing: &HalfSpace, is_to_scale: bool) -> Vec<String> {
-    let beyond = if is_to_scale { "" } else { ", not to scale" };
-    vec![
-        format!(
-            "footing: radius {} m, embedded {} m{beyond}",
-            length(footing.radius_m),
-            length(footing.embedment_m)
-        ),
-        format!(
-            "half-space: G {}, ν {}",
-            stiffness(footing.shear_modulus_pa, "Pa"),
-            length(footing.poissons_ratio)
-        ),
-    ]
+/// What a foundation is, with its dimensions, and the soil or the springs that follow.
+fn dimension_lines(foundation: &Foundation, is_to_scale: bool) -> Vec<String> {
+    let scale = if is_to_scale { "" } else { ", not to scale" };
+    let soil = |what: &str, modulus_pa: f64, ratio: f64| {
+        let modulus = stiffness(modulus_pa, "Pa");
+        format!("{what}: G {modulus}, ν {}", length(ratio))
+    };
+    let round = |radius_m: f64, depth_m: f64| {
+        let (radius, depth) = (length(radius_m), length(depth_m));
+        format!("footing: radius {radius} m, embedded {depth} m{scale}")
+    };
+    let deep = |what: &str, diameter_m: f64, depth_m: f64, springs: &FoundationSprings| {
+        let (diameter, depth) = (length(diameter_m), length(depth_m));
+        let mut lines = vec![format!(
+            "{what}: diameter {diameter} m, {depth} m deep{scale}"
+        )];
+        lines.extend(spring_lines(springs));
+        lines
+    };
+    match foundation {
+        Foundation::HalfSpace(of) => vec![
+            round(of.radius_m, of.embedment_m),
+            soil("half-space", of.shear_modulus_pa, of.poissons_ratio),
+        ],
+        Foundation::CircularFooting(of) => {
+            let what = match of.stratum_thickness_m.is_finite() {
+                true => format!("stratum of {} m", length(of.stratum_thickness_m)),
+                false => "half-space".to_owned(),
+            };
+            vec![
+                round(of.radius_m, of.embedment_m),
+                soil(&what, of.shear_modulus_pa, of.poissons_ratio),
+            ]
+        }
+        Foundation::RectangularFooting(of) => vec![
+            format!(
+                "footing: {} m × {} m, embedded {} m{scale}",
+                length(of.length_x_m),
+                length(of.length_y_m),
+                length(of.embedment_m)
+            ),
+            soil("half-space", of.shear_modulus_pa, of.poissons_ratio),
+        ],
+        Foundation::SuctionCaisson(of) => {
+            deep("caisson", of.diameter_m, of.skirt_length_m, &of.springs())
+        }
+        Foundation::Monopile(of) => {
+            let tube = &of.tube;
+            deep(
+                "pile",
+                tube.diameter_m,
+                tube.embedded_length_m,
+                &of.springs(),
+            )
+        }
+        Foundation::WinklerPile(of) => {
+            let tube = &of.tube;
+            deep(
+                "pile",
+                tube.diameter_m,
+                tube.embedded_length_m,
+                &of.springs(),
+            )
+        }
+        Foundation::Clamped
+        | Foundation::Stiffness(_)
+        | Foundation::Springs(_)
+        | Foundation::Floating(_) => Vec::new(),
+    }
 }

@@ -9,6 +9,7 @@ use super::super::document::Block;
 use super::super::table::Table;
 use super::bodies::inertia;
 use super::closed_form;
+use super::footings;
 use super::{paragraph, table};
 use crate::number::{digits, given, length};
 
@@ -27,6 +28,9 @@ pub(super) fn foundation(description: &TowerDescription) -> Vec<Block> {
             ))]
         }
         Foundation::HalfSpace(footing) => of_half_space(footing),
+        Foundation::CircularFooting(footing) => footings::of_circular(footing),
+        Foundation::RectangularFooting(footing) => footings::of_rectangular(footing),
+        Foundation::SuctionCaisson(caisson) => closed_form::of_caisson(caisson),
         Foundation::Monopile(pile) => closed_form::of_monopile(pile),
         Foundation::WinklerPile(pile) => closed_form::of_winkler_pile(pile),
         Foundation::Floating(platform) => floating(platform, description.gravity_m_per_s2),
@@ -35,10 +39,10 @@ pub(super) fn foundation(description: &TowerDescription) -> Vec<Block> {
 
 fn of_stiffness(foundation: &StiffnessFoundation) -> Vec<Block> {
     let stiffness = "Stiffness about the base (N/m, N, N m)";
-    let mut blocks = vec![table(matrix(stiffness, &foundation.stiffness))];
+    let mut blocks = vec![table(matrix(stiffness, &foundation.stiffness, given))];
     if foundation.inertia != [[0.0; 6]; 6] {
         let inertia = "Inertia about the base (kg, kg m, kg m²)";
-        blocks.push(table(matrix(inertia, &foundation.inertia)));
+        blocks.push(table(matrix(inertia, &foundation.inertia, given)));
     }
     blocks
 }
@@ -120,16 +124,20 @@ fn referred_matrix(name: &str, referred: &ReferredMatrix) -> Option<Block> {
         "{name} about the axis at z = {} m",
         length(referred.height_m)
     );
-    Some(table(matrix(&caption, &referred.matrix)))
+    Some(table(matrix(&caption, &referred.matrix, given)))
 }
 
-fn matrix(caption: &str, matrix: &[[f64; 6]; 6]) -> Table {
+pub(super) fn matrix(
+    caption: &str,
+    matrix: &[[f64; 6]; 6],
+    number: impl Fn(f64) -> String,
+) -> Table {
     let names = MOTIONS.map(|motion| format!("#{motion}"));
     let header = ["motion"].into_iter();
     let mut table = Table::new(caption, header.chain(names.iter().map(String::as_str)));
     for (motion, row) in MOTIONS.into_iter().zip(matrix) {
         let mut cells = vec![motion.to_owned()];
-        cells.extend(row.iter().map(|value| given(*value)));
+        cells.extend(row.iter().map(|value| number(*value)));
         table.push(cells);
     }
     table

@@ -5,6 +5,7 @@ mod bodies;
 mod closed_form;
 mod elastodyn;
 mod files;
+mod footings;
 mod foundation;
 mod frequencies;
 mod ground;

@@ -13,12 +13,7 @@ pub(super) fn randolph(tube: &PileTube, g_star_pa: f64, profile: SoilProfile) ->
     let displacement_by_force = q * 0.27 / h;
     let coupled = q * 0.30 / (h * h);
     let rotation_by_moment = q * 0.80 * homogeneity.sqrt() / h.powi(3);
-    let determinant = displacement_by_force * rotation_by_moment - coupled * coupled;
-    HeadStiffness {
-        lateral_n_per_m: rotation_by_moment / determinant,
-        coupling_n: -coupled / determinant,
-        rocking_n_m: displacement_by_force / determinant,
-    }
+    HeadStiffness::from_compliance(displacement_by_force, coupled, rotation_by_moment)
 }
 
 /// The length l_c over which a flexible pile moves, m: D (E_pe/G_c)^(2/7), solved for l_c where

@@ -1,15 +1,25 @@
 //! Foundations whose stiffness at the base follows by a closed form from their dimensions and the
 //! soil: pure functions of the numbers in the tower file.
 
+mod carter_kulhawy;
+mod circular_footing;
 mod flexible_pile;
 mod monopile;
 mod pile_tube;
+mod poulos_davis;
+mod rectangular_footing;
 mod shadlou;
+mod soil_spring;
+mod suction_caisson;
 mod winkler;
 
+pub use circular_footing::CircularFooting;
 pub use monopile::{Monopile, PileBehaviour, PileFormula, Slenderness};
 pub use pile_tube::PileTube;
-pub use winkler::WinklerPile;
+pub use rectangular_footing::{FootingFormula, RectangularFooting};
+pub use soil_spring::SoilSpring;
+pub use suction_caisson::SuctionCaisson;
+pub use winkler::{BeamFormula, WinklerPile};
 
 use super::foundation::FoundationSprings;
 
@@ -40,6 +50,20 @@ impl HeadStiffness {
     /// Moment per rotation where the head is free to move sideways, K_R − K_LR²/K_L, N m.
     pub fn free_rocking_n_m(&self) -> f64 {
         self.rocking_n_m - self.coupling_n * self.coupling_n / self.lateral_n_per_m
+    }
+
+    /// From the displacement and rotation of the head by a force of 1 N and by a moment of 1 N m.
+    pub(super) fn from_compliance(
+        displacement_by_force: f64,
+        coupled: f64,
+        rotation_by_moment: f64,
+    ) -> Self {
+        let determinant = displacement_by_force * rotation_by_moment - coupled * coupled;
+        Self {
+            lateral_n_per_m: rotation_by_moment / determinant,
+            coupling_n: -coupled / determinant,
+            rocking_n_m: displacement_by_force / determinant,
+        }
     }
 
     /// With springs against the motions that the formula does not cover.

@@ -1,5 +1,6 @@
 //! A monopile in an elastic continuum.
 
+use super::carter_kulhawy::carter_kulhawy;
 use super::flexible_pile::{en_1998_5, randolph};
 use super::pile_tube::PileTube;
 use super::shadlou;
@@ -62,6 +63,9 @@ pub enum PileFormula {
     Randolph,
     /// EN 1998-5:2004, Annex C, flexible piles. Its constants are not checked against the original.
     En1998,
+    /// Carter & Kulhawy (1992), rigid piles and sockets in homogeneous soil or rock. Its constants
+    /// are not checked against the original.
+    CarterKulhawy,
 }
 
 /// Length over diameter of a pile with the limits of rigid and flexible behaviour by Randolph
@@ -107,6 +111,16 @@ impl PileFormula {
             Self::ShadlouBhattacharya => "Shadlou & Bhattacharya (2016)",
             Self::Randolph => "Randolph (1981)",
             Self::En1998 => "EN 1998-5, Annex C",
+            Self::CarterKulhawy => "Carter & Kulhawy (1992)",
+        }
+    }
+
+    /// Whether it has a form for a profile of the soil.
+    pub fn has(self, profile: SoilProfile) -> bool {
+        match self {
+            Self::ShadlouBhattacharya | Self::En1998 => true,
+            Self::Randolph => profile != SoilProfile::Parabolic,
+            Self::CarterKulhawy => profile == SoilProfile::Homogeneous,
         }
     }
 }
@@ -154,10 +168,12 @@ impl Monopile {
     ///   over l_c and ρ_c = G*(l_c/4)/G*(l_c/2).
     /// - EN 1998-5: K_L = a D E_SO x^b, K_LR = −a D² E_SO x^b, K_R = a D³ E_SO x^b with
     ///   x = E_pe/E_SO.
+    /// - Carter & Kulhawy: u = 0.4 H/(G*D) x^(−1/3) + 0.3 M/(G*D²) x^(−7/8), θ = 0.3 H/(G*D²)
+    ///   x^(−7/8) + 0.8 M/(G*D³) x^(−5/3), inverted, with x = 2L/D.
     ///
     /// Sources: Shadlou & Bhattacharya, *Soil Dyn. Earthq. Eng.* 88 (2016) 15–32, in the form of Yu
     /// & Amdahl, *Mar. Struct.* 92 (2023) 103482; Randolph, *Géotechnique* 31 (1981) 247–259;
-    /// EN 1998-5:2004.
+    /// EN 1998-5:2004; Carter & Kulhawy, *J. Geotech. Eng.* 118 (1992) 839–855.
     pub fn head(&self) -> HeadStiffness {
         match self.formula {
             PileFormula::ShadlouBhattacharya => self.shadlou(self.form()),
@@ -165,6 +181,7 @@ impl Monopile {
             PileFormula::En1998 => {
                 en_1998_5(&self.tube, self.soil_youngs_modulus_pa, self.soil_profile)
             }
+            PileFormula::CarterKulhawy => carter_kulhawy(&self.tube, self.soil_g_star_pa()),
         }
     }
 

@@ -2,6 +2,8 @@
 
 use super::HeadStiffness;
 use super::pile_tube::PileTube;
+use super::poulos_davis::Pile;
+use super::soil_spring::SoilSpring;
 use crate::tower::foundation::FoundationSprings;
 
 /// Over a depth of this reduced length ∫ (k/EI)^(1/4) dz the motion dies out to below the rounding
@@ -13,15 +15,19 @@ const MOST_TERMS: usize = 200;
 /// A pile below the base of the tower, which stands at the surface of the soil, on springs
 /// k(z) = k_D (z/D)^m per metre of pile, with a free tip.
 ///
-/// [`head`](Self::head) is the exact stiffness of the elastic beam on these springs, for any
-/// length; the inertia of the pile and its shear deformation are neglected.
+/// [`head`](Self::head) is the stiffness of the elastic beam on these springs, exact for any length
+/// or by Poulos & Davis; the inertia of the pile and its shear deformation are neglected.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct WinklerPile {
     /// The pile.
     pub tube: PileTube,
-    /// Spring k_D at the depth of one diameter, per metre of pile, N/m².
-    pub soil_spring_n_per_m2: f64,
-    /// Exponent m of the depth: 0 for constant springs, 1 for springs that grow linearly.
+    /// The formula for its head stiffness.
+    pub formula: BeamFormula,
+    /// Spring k_D at the depth of one diameter, per metre of pile, or the modulus of the soil that
+    /// it follows from.
+    pub soil_spring: SoilSpring,
+    /// Exponent of the depth in the spring, or in the modulus that the spring follows from: 0 for
+    /// constant, 1 for linear growth.
     pub exponent: f64,
     /// Stiffness against z, N/m; infinite: rigid.
     pub vertical_n_per_m: f64,
@@ -29,7 +35,53 @@ pub struct WinklerPile {
     pub torsion_n_m: f64,
 }
 
+/// A formula for the head stiffness of a pile on springs.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum BeamFormula {
+    /// The exact solution.
+    Exact,
+    /// Poulos & Davis (1980): rigid or flexible piles on springs that are constant or grow
+    /// linearly. Its constants are not checked against the original.
+    PoulosDavis,
+}
+
+impl BeamFormula {
+    /// Authors and year, or how it is computed.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Exact => "the exact solution",
+            Self::PoulosDavis => "Poulos & Davis (1980)",
+        }
+    }
+}
+
 impl WinklerPile {
+    /// k_D, N/m².
+    pub fn spring_n_per_m2(&self) -> f64 {
+        self.soil_spring.of(&self.tube)
+    }
+
+    /// The exponent m of the depth in the springs.
+    pub fn spring_exponent(&self) -> f64 {
+        self.soil_spring.exponent(self.exponent)
+    }
+
+    /// The reduced length up to which Poulos & Davis take a pile for rigid, and that from which
+    /// they take it for flexible: 1.5 and 2.5 for constant springs, 2 and 4 for springs that grow
+    /// linearly.
+    pub fn limits_of_poulos_davis(&self) -> [f64; 2] {
+        self.of_poulos_davis().limits()
+    }
+
+    fn of_poulos_davis(&self) -> Pile {
+        Pile {
+            is_linear: self.spring_exponent() > 0.5,
+            bending_n_m2: self.tube.bending_n_m2(),
+            length_m: self.tube.embedded_length_m,
+            per_m: self.per_m(),
+        }
+    }
+
     /// η L with η = (n/EI)^(1/(4+m)), where k = n z^m.
     pub fn reduced_length(&self) -> f64 {
         self.per_m() * self.tube.embedded_length_m
@@ -37,21 +89,33 @@ impl WinklerPile {
 
     /// η, 1/m.
     fn per_m(&self) -> f64 {
-        let (d, m) = (self.tube.diameter_m, self.exponent);
+        let (d, m) = (self.tube.diameter_m, self.spring_exponent());
         // (k_D D^-m/EI)^(1/(4+m)), without the overflow of D^m.
-        let of_one_diameter = self.soil_spring_n_per_m2 * d.powi(4) / self.tube.bending_n_m2();
+        let of_one_diameter = self.spring_n_per_m2() * d.powi(4) / self.tube.bending_n_m2();
         of_one_diameter.powf(1.0 / (4.0 + m)) / d
     }
 
     /// The stiffness of the pile's head at the surface of the soil: K_L = c₁ EI η³,
     /// K_LR = −c₂ EI η², K_R = c₃ EI η.
     ///
-    /// The factors follow from the four power series that solve y⁗ + ξ^m y = 0 and from moment and
-    /// shear force zero at the tip.
+    /// - Exact: the factors follow from the four power series that solve y⁗ + ξ^m y = 0 and from
+    ///   moment and shear force zero at the tip.
+    /// - Poulos & Davis, constant springs: c = √2, 1, √2 for flexible piles; springs that grow
+    ///   linearly: c = 1.074, 0.99, 1.48. Rigid piles: c = λ^(m+1)/(m+1), λ^(m+2)/(m+2),
+    ///   λ^(m+3)/(m+3) with λ = ηL. Between the limits the form with the smaller K_R − K_LR²/K_L.
+    ///
+    /// Source: Poulos & Davis, *Pile Foundation Analysis and Design* (1980).
     pub fn head(&self) -> HeadStiffness {
+        match self.formula {
+            BeamFormula::Exact => self.exact_head(),
+            BeamFormula::PoulosDavis => self.of_poulos_davis().head(),
+        }
+    }
+
+    fn exact_head(&self) -> HeadStiffness {
         let bending_n_m2 = self.tube.bending_n_m2();
         let eta = self.per_m();
-        let [lateral, coupling, rocking] = factors(self.exponent, self.reduced_length());
+        let [lateral, coupling, rocking] = factors(self.spring_exponent(), self.reduced_length());
         HeadStiffness {
             lateral_n_per_m: lateral * bending_n_m2 * eta.powi(3),
             coupling_n: -coupling * bending_n_m2 * eta * eta,

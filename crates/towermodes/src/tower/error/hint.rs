@@ -50,8 +50,17 @@ impl Problem {
             }
             Self::CouplingOfRigid => "omit coupling, or give finite lateral and rocking springs",
             Self::SoilPoissonsRatio { .. } => "sand has about 0.3, saturated clay 0.5",
-            Self::ProfileWithoutFormula => {
-                "use soil_profile = \"homogeneous\" or \"linear\", or another formula"
+            Self::ProfileWithoutFormula { .. } => {
+                "use soil_profile = \"homogeneous\", or another formula"
+            }
+            Self::ExponentWithoutFormula { .. } => {
+                "use formula = \"exact\", which holds for every exponent"
+            }
+            Self::EmbeddedInTwoStrata { .. } => {
+                "write embedment = 0, or omit lower_shear_modulus for rock below the stratum"
+            }
+            Self::EmbeddedBelowStratum { .. } => {
+                "soil_thickness is the depth of the rock below the surface of the soil, in m"
             }
             Self::OutOfRange { .. } => "check value and unit",
             Self::InfiniteAndFloating { .. } => {

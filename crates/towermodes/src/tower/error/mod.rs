@@ -208,8 +208,43 @@ pub enum Problem {
         value: f64,
     },
     /// A formula for piles that has no form for this profile of the soil.
-    #[error("the formula of Randolph has no form for a parabolic profile of the soil")]
-    ProfileWithoutFormula,
+    #[error("the formula of {formula} has no form for this profile of the soil")]
+    ProfileWithoutFormula {
+        /// Authors and year.
+        formula: &'static str,
+    },
+    /// A formula for piles on springs that has no form for this exponent of the depth.
+    #[error(
+        "the formula of {formula} holds for constant springs and for springs that grow with the depth; here they grow with the power {} of the depth",
+        Plain(rounded(*.exponent))
+    )]
+    ExponentWithoutFormula {
+        /// Authors and year.
+        formula: &'static str,
+        /// The exponent of the depth in the springs.
+        exponent: f64,
+    },
+    /// A footing that is embedded in the upper one of two strata.
+    #[error(
+        "the footing is embedded by {} m in a stratum over another stratum; the formulas hold for a footing on the surface of two strata and for \
+         an embedded one over rock",
+        Plain(*.embedment_m)
+    )]
+    EmbeddedInTwoStrata {
+        /// The embedment, m.
+        embedment_m: f64,
+    },
+    /// A footing whose underside is not above the bottom of its stratum.
+    #[error(
+        "the underside of the footing is {} m below the surface of the soil, and the stratum ends at {} m",
+        Plain(*.embedment_m), Plain(*.thickness_m)
+    )]
+    EmbeddedBelowStratum {
+        /// The embedment, m.
+        embedment_m: f64,
+        /// Thickness of the stratum, m.
+        thickness_m: f64,
+    },
     /// A number outside its possible range.
     #[error(
         "{quantity} is {}{unit}; it must be from {} to {}{unit}",

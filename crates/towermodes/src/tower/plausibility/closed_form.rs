@@ -2,7 +2,8 @@
 
 use super::usual::Usual;
 use crate::tower::closed_form::{
-    Monopile, PileBehaviour, PileFormula, PileTube, Slenderness, WinklerPile,
+    BeamFormula, Monopile, PileBehaviour, PileFormula, PileTube, Slenderness, SoilSpring,
+    SuctionCaisson, WinklerPile,
 };
 use crate::tower::{Place, Quantity, Site, Tower, Warning};
 
@@ -26,7 +27,71 @@ pub(super) fn monopile(tower: &Tower, pile: &Monopile, warnings: &mut Vec<Warnin
 
 pub(super) fn winkler_pile(tower: &Tower, pile: &WinklerPile, warnings: &mut Vec<Warning>) {
     tube(tower, &pile.tube, warnings);
-    SOIL_SPRING.check(pile.soil_spring_n_per_m2, at("soil_spring"), warnings);
+    match pile.soil_spring {
+        SoilSpring::Given { spring_n_per_m2 } => {
+            SOIL_SPRING.check(spring_n_per_m2, at("soil_spring"), warnings);
+        }
+        SoilSpring::Gazetas { youngs_modulus_pa }
+        | SoilSpring::Vesic {
+            youngs_modulus_pa, ..
+        } => {
+            SOIL_MODULUS.check(youngs_modulus_pa, at("soil_youngs_modulus"), warnings);
+        }
+    }
+    warnings.extend(between(pile));
+}
+
+pub(super) fn caisson(tower: &Tower, caisson: &SuctionCaisson, warnings: &mut Vec<Warning>) {
+    if let Some(station) = tower.stations().first() {
+        let ratio = caisson.diameter_m / station.outer_diameter_m;
+        PILE_DIAMETER.check(ratio, at("diameter"), warnings);
+    }
+    let modulus_pa = caisson.soil_youngs_modulus_pa;
+    SOIL_MODULUS.check(modulus_pa, at("soil_youngs_modulus"), warnings);
+    warnings.extend(outside(
+        at("skirt_length"),
+        SuctionCaisson::FORMULA,
+        "the length of the skirt, divided by the diameter,",
+        caisson.slenderness(),
+        SuctionCaisson::SLENDERNESS,
+        "a longer one is a pile, a shorter one a footing; the unit of both is m",
+    ));
+}
+
+/// A value for which a formula was not derived.
+pub(super) fn outside(
+    site: Site,
+    formula: &'static str,
+    quantity: &'static str,
+    value: f64,
+    [least, most]: [f64; 2],
+    remedy: &'static str,
+) -> Option<Warning> {
+    (!(least..=most).contains(&value)).then_some(Warning::OutsideFormula {
+        site,
+        formula,
+        quantity,
+        value,
+        least,
+        most,
+        remedy,
+    })
+}
+
+/// Poulos & Davis, neither rigid nor flexible.
+fn between(pile: &WinklerPile) -> Option<Warning> {
+    let [rigid_at_most, flexible_at_least] = pile.limits_of_poulos_davis();
+    let length = pile.reduced_length();
+    let is_between = rigid_at_most < length && length < flexible_at_least;
+    let is_theirs = pile.formula == BeamFormula::PoulosDavis;
+    (is_theirs && is_between).then_some(Warning::BetweenRigidAndFlexible {
+        site: at("embedded_length"),
+        formula: pile.formula.name(),
+        measure: "its reduced length (n/EI)^(1/(4+m)) L on springs n z^m",
+        length,
+        rigid_at_most,
+        flexible_at_least,
+    })
 }
 
 fn tube(tower: &Tower, tube: &PileTube, warnings: &mut Vec<Warning>) {
@@ -47,27 +112,29 @@ fn range_of_formula(pile: &Monopile) -> Option<Warning> {
         rigid_at_most,
         flexible_at_least,
     } = pile.slenderness();
-    let behaviour = pile.slenderness().behaviour();
     let (site, formula) = (at("embedded_length"), pile.formula.name());
-    match (pile.formula, behaviour) {
-        (_, PileBehaviour::Flexible) | (PileFormula::ShadlouBhattacharya, PileBehaviour::Rigid) => {
-            None
+    let quantity = "the embedded length of the pile, divided by its diameter,";
+    let softer = "a shorter pile is softer: use type = \"winkler-pile\" or [[soil]] along the pile";
+    let bends = "a longer pile bends: use type = \"winkler-pile\" or [[soil]] along the pile";
+    match pile.formula {
+        PileFormula::ShadlouBhattacharya => {
+            let is_between = pile.slenderness().behaviour() == PileBehaviour::Between;
+            is_between.then_some(Warning::BetweenRigidAndFlexible {
+                site,
+                formula,
+                measure: "its embedded length divided by its diameter",
+                length: ratio,
+                rigid_at_most,
+                flexible_at_least,
+            })
         }
-        (PileFormula::ShadlouBhattacharya, _) => Some(Warning::BetweenRigidAndFlexible {
-            site,
-            formula,
-            slenderness: ratio,
-            rigid_at_most,
-            flexible_at_least,
-        }),
-        _ => Some(Warning::OutsideFormula {
-            site,
-            formula,
-            quantity: "the embedded length of the pile, divided by its diameter,",
-            value: ratio,
-            least: flexible_at_least,
-            most: f64::INFINITY,
-            remedy: "a shorter pile is softer: use type = \"winkler-pile\" or [[soil]] along the pile",
-        }),
+        PileFormula::Randolph | PileFormula::En1998 => {
+            let range = [flexible_at_least, f64::INFINITY];
+            outside(site, formula, quantity, ratio, range, softer)
+        }
+        PileFormula::CarterKulhawy => {
+            let range = [f64::NEG_INFINITY, rigid_at_most];
+            outside(site, formula, quantity, ratio, range, bends)
+        }
     }
 }

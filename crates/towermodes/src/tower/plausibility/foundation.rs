@@ -3,15 +3,11 @@
 use super::closed_form;
 use super::couplings::{self, Named};
 use super::usual::Usual;
-use super::{Given, floating, frequency_hz};
+use super::{Given, floating, footings, frequency_hz};
 use crate::tower::Warning;
-use crate::tower::foundation::{Foundation, HalfSpace};
+use crate::tower::foundation::Foundation;
 use crate::tower::{Place, Tower};
 use crate::tower::{Quantity, Site};
-
-const SOIL_MODULUS: Usual = Usual::new(Quantity::SoilShearModulus, 1e6, 5e10);
-const EMBEDMENT: Usual = Usual::new(Quantity::Embedment, 0.0, 2.0);
-const FOOTING: Usual = Usual::new(Quantity::FootingRadius, 1.0, 20.0);
 
 /// Softer than this a foundation turns more than the tower bends by an order of magnitude.
 const ROCKING: Usual = Usual::at_least(Quantity::RockingStiffness, 0.2);
@@ -22,6 +18,8 @@ const VERTICAL_HZ: Usual = Usual::at_least(Quantity::VerticalFrequency, 1.5);
 /// The lever of springs is at least this fraction of the section's radius of gyration: a footing is
 /// wider than the tower, a pile as wide.
 const LEVER: f64 = 0.5;
+/// The lever of the head of a pile is at least this many of its radii.
+const PILE_LEVER: f64 = 2.0;
 /// Speed of sound in steel, m/s.
 const SOUND_M_PER_S: f64 = 5000.0;
 /// A foundation's centre may be above the base by this fraction of the tower's height: entries are
@@ -29,9 +27,17 @@ const SOUND_M_PER_S: f64 = 5000.0;
 const ABOVE: f64 = 0.005;
 
 pub(super) fn check(tower: &Tower, given: &Given<'_>, warnings: &mut Vec<Warning>) {
+    if given.foundation.contains_soil() && has_soil(given) {
+        warnings.push(Warning::SoilTwice { site: at("type") });
+    }
     match given.foundation {
         Foundation::Clamped => {}
-        Foundation::HalfSpace(footing) => half_space(tower, footing, warnings),
+        Foundation::HalfSpace(footing) => footings::half_space(tower, footing, warnings),
+        Foundation::CircularFooting(footing) => footings::circular(tower, footing, warnings),
+        Foundation::RectangularFooting(footing) => {
+            footings::rectangular(tower, footing, warnings);
+        }
+        Foundation::SuctionCaisson(caisson) => closed_form::caisson(tower, caisson, warnings),
         Foundation::Monopile(pile) => closed_form::monopile(tower, pile, warnings),
         Foundation::WinklerPile(pile) => closed_form::winkler_pile(tower, pile, warnings),
         Foundation::Floating(platform) => floating::check(tower, platform, warnings),
@@ -39,10 +45,12 @@ pub(super) fn check(tower: &Tower, given: &Given<'_>, warnings: &mut Vec<Warning
             let keys = ["lateral", "rocking", "vertical", "torsion"];
             springs(tower, given, keys, warnings);
             coupling(tower, "springs", "coupling", warnings);
+            no_coupling(tower, given, "coupling", warnings);
         }
         Foundation::Stiffness(foundation) => {
             springs(tower, given, ["matrix"; 4], warnings);
             coupling(tower, "foundation's stiffness", "matrix", warnings);
+            no_coupling(tower, given, "matrix", warnings);
             couplings::check(
                 &Named {
                     what: "foundation's mass matrix",
@@ -57,19 +65,13 @@ pub(super) fn check(tower: &Tower, given: &Given<'_>, warnings: &mut Vec<Warning
     }
 }
 
-fn at(key: &'static str) -> Site {
-    Site::at(Place::Foundation { key })
+/// Whether there is soil along the tower, as springs or in layers.
+fn has_soil(given: &Given<'_>) -> bool {
+    !given.soil.is_empty() || given.ground.is_some()
 }
 
-fn half_space(tower: &Tower, footing: &HalfSpace, warnings: &mut Vec<Warning>) {
-    let modulus = footing.shear_modulus_pa;
-    SOIL_MODULUS.check(modulus, at("soil_shear_modulus"), warnings);
-    let depth = footing.embedment_m / footing.radius_m;
-    EMBEDMENT.check(depth, at("embedment"), warnings);
-    if let Some(station) = tower.stations().first() {
-        let radius_m = 0.5 * station.outer_diameter_m;
-        FOOTING.check(footing.radius_m / radius_m, at("radius"), warnings);
-    }
+fn at(key: &'static str) -> Site {
+    Site::at(Place::Foundation { key })
 }
 
 fn coupling(tower: &Tower, what: &'static str, key: &'static str, warnings: &mut Vec<Warning>) {
@@ -83,6 +85,26 @@ fn coupling(tower: &Tower, what: &'static str, key: &'static str, warnings: &mut
         },
         warnings,
     );
+}
+
+/// The springs of the head of a pile are coupled. Those of a footing are not: under water, where
+/// most towers stand on piles, springs without coupling whose lever is that of a pile are doubtful.
+fn no_coupling(tower: &Tower, given: &Given<'_>, key: &'static str, warnings: &mut Vec<Warning>) {
+    let k = &tower.base().stiffness;
+    let is_under_water = given
+        .water
+        .is_some_and(|water| water.level_m > tower.base_m());
+    let is_coupled = k[0][4] != 0.0 || k[1][3] != 0.0;
+    let Some(station) = tower.stations().first() else {
+        return;
+    };
+    if !is_under_water || is_coupled || has_soil(given) || k[0][0] <= 0.0 || k[4][4] <= 0.0 {
+        return;
+    }
+    let lever_m = (k[4][4] / k[0][0]).sqrt();
+    if lever_m > PILE_LEVER * 0.5 * station.outer_diameter_m {
+        warnings.push(Warning::NoCoupling { site: at(key) });
+    }
 }
 
 /// Springs that alone hold the tower, against its own stiffness and mass; soil and wires may do

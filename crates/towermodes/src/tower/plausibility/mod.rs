@@ -9,6 +9,7 @@ mod bodies;
 mod closed_form;
 mod couplings;
 mod floating;
+mod footings;
 mod foundation;
 mod geometry;
 mod ground;

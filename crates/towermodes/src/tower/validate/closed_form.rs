@@ -4,7 +4,7 @@ use super::foundation::check_poissons_ratio_of_soil;
 use super::scale::{error, length, positive, stiffness};
 use crate::symmetric::eigenpairs;
 use crate::tower::closed_form::{
-    HeadStiffness, Monopile, PileFormula, PileTube, SoilProfile, WinklerPile,
+    BeamFormula, HeadStiffness, Monopile, PileTube, SoilSpring, SuctionCaisson, WinklerPile,
 };
 use crate::tower::error::{Place, Problem, TowerError};
 
@@ -17,11 +17,14 @@ fn at(key: &'static str) -> Place {
 
 pub(super) fn check_monopile(pile: &Monopile) -> Result<(), TowerError> {
     check_tube(&pile.tube)?;
-    if pile.formula == PileFormula::Randolph && pile.soil_profile == SoilProfile::Parabolic {
-        return error(at("soil_profile"), Problem::ProfileWithoutFormula);
+    if !pile.formula.has(pile.soil_profile) {
+        let formula = pile.formula.name();
+        return error(
+            at("soil_profile"),
+            Problem::ProfileWithoutFormula { formula },
+        );
     }
-    let (key, quantity) = ("soil_youngs_modulus", "the soil's Young's modulus");
-    positive(at(key), quantity, pile.soil_youngs_modulus_pa, " Pa")?;
+    check_soil_modulus(pile.soil_youngs_modulus_pa)?;
     check_poissons_ratio_of_soil(pile.soil_poissons_ratio)?;
     check_others(pile.vertical_n_per_m, pile.torsion_n_m)?;
     check_head("formula", &pile.head())
@@ -29,22 +32,50 @@ pub(super) fn check_monopile(pile: &Monopile) -> Result<(), TowerError> {
 
 pub(super) fn check_winkler_pile(pile: &WinklerPile) -> Result<(), TowerError> {
     check_tube(&pile.tube)?;
-    let quantity = "the soil spring";
-    positive(
-        at("soil_spring"),
-        quantity,
-        pile.soil_spring_n_per_m2,
-        " N/m2",
-    )?;
-    within(
-        "exponent",
-        "the exponent of the depth",
-        pile.exponent,
-        "",
-        EXPONENTS,
-    )?;
+    check_soil_spring(&pile.soil_spring)?;
+    let quantity = "the exponent of the depth";
+    within("exponent", quantity, pile.exponent, "", EXPONENTS)?;
+    let exponent = pile.spring_exponent();
+    if pile.formula == BeamFormula::PoulosDavis && exponent != 0.0 && exponent != 1.0 {
+        let formula = pile.formula.name();
+        let problem = Problem::ExponentWithoutFormula { formula, exponent };
+        return error(at("exponent"), problem);
+    }
     check_others(pile.vertical_n_per_m, pile.torsion_n_m)?;
-    check_head("soil_spring", &pile.head())
+    check_head("type", &pile.head())
+}
+
+fn check_soil_spring(spring: &SoilSpring) -> Result<(), TowerError> {
+    match *spring {
+        SoilSpring::Given { spring_n_per_m2 } => {
+            let (key, quantity) = ("soil_spring", "the soil spring");
+            positive(at(key), quantity, spring_n_per_m2, " N/m2")
+        }
+        SoilSpring::Gazetas { youngs_modulus_pa } => check_soil_modulus(youngs_modulus_pa),
+        SoilSpring::Vesic {
+            youngs_modulus_pa,
+            poissons_ratio,
+        } => {
+            check_soil_modulus(youngs_modulus_pa)?;
+            check_poissons_ratio_of_soil(poissons_ratio)
+        }
+    }
+}
+
+pub(super) fn check_caisson(caisson: &SuctionCaisson) -> Result<(), TowerError> {
+    let quantity = "the caisson's diameter";
+    length(at("diameter"), quantity, caisson.diameter_m)?;
+    let quantity = "the length of the caisson's skirt";
+    length(at("skirt_length"), quantity, caisson.skirt_length_m)?;
+    check_soil_modulus(caisson.soil_youngs_modulus_pa)?;
+    check_poissons_ratio_of_soil(caisson.soil_poissons_ratio)?;
+    check_others(caisson.vertical_n_per_m, caisson.torsion_n_m)?;
+    check_head("skirt_length", &caisson.head())
+}
+
+fn check_soil_modulus(youngs_modulus_pa: f64) -> Result<(), TowerError> {
+    let (key, quantity) = ("soil_youngs_modulus", "the soil's Young's modulus");
+    positive(at(key), quantity, youngs_modulus_pa, " Pa")
 }
 
 fn check_tube(tube: &PileTube) -> Result<(), TowerError> {

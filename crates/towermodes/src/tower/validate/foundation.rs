@@ -1,8 +1,9 @@
 //! The checks of the foundation.
 
 use super::closed_form;
+use super::footings;
 use super::inertia::check_inertia;
-use super::scale::{coordinate, error, finite, length, not_negative, positive, stiffness};
+use super::scale::{coordinate, error, finite, length, positive, stiffness};
 use crate::space::SpatialMatrix;
 use crate::symmetric::eigenpairs;
 use crate::tower::base::Base;
@@ -29,6 +30,9 @@ pub(super) fn check_foundation(foundation: &Foundation) -> Result<(), TowerError
         Foundation::Stiffness(foundation) => check_stiffness(foundation),
         Foundation::Springs(springs) => check_springs(springs),
         Foundation::HalfSpace(footing) => check_half_space(footing),
+        Foundation::CircularFooting(footing) => footings::check_circular(footing),
+        Foundation::RectangularFooting(footing) => footings::check_rectangular(footing),
+        Foundation::SuctionCaisson(caisson) => closed_form::check_caisson(caisson),
         Foundation::Monopile(pile) => closed_form::check_monopile(pile),
         Foundation::WinklerPile(pile) => closed_form::check_winkler_pile(pile),
         Foundation::Floating(platform) => check_platform(platform),
@@ -99,17 +103,9 @@ fn check_springs(springs: &FoundationSprings) -> Result<(), TowerError> {
 }
 
 fn check_half_space(footing: &HalfSpace) -> Result<(), TowerError> {
-    let (g, nu) = (footing.shear_modulus_pa, footing.poissons_ratio);
     length(at("radius"), "the footing's radius", footing.radius_m)?;
-    let embedment = footing.embedment_m;
-    not_negative(at("embedment"), "the embedment", embedment, " m")?;
-    positive(
-        at("soil_shear_modulus"),
-        "the soil's shear modulus",
-        g,
-        " Pa",
-    )?;
-    check_poissons_ratio_of_soil(nu)
+    footings::check_embedment(footing.embedment_m)?;
+    footings::check_soil(footing.shear_modulus_pa, footing.poissons_ratio)
 }
 
 pub(super) fn check_poissons_ratio_of_soil(value: f64) -> Result<(), TowerError> {
@@ -167,7 +163,7 @@ pub(super) fn check_buoyancy(description: &TowerDescription) -> Result<(), Tower
     error(at("type"), Problem::WeightsWithoutBuoyancy)
 }
 
-fn check_finite(
+pub(super) fn check_finite(
     key: &'static str,
     what: &'static str,
     matrix: &SpatialMatrix,
@@ -223,7 +219,7 @@ pub(in crate::tower) fn largest_asymmetry(matrix: &SpatialMatrix) -> f64 {
 
 /// Refuses a matrix with a negative eigenvalue; whether it is negative is judged where its diagonal
 /// is scaled to one.
-fn check_not_indefinite(
+pub(super) fn check_not_indefinite(
     key: &'static str,
     what: &'static str,
     matrix: &SpatialMatrix,

@@ -2,6 +2,7 @@
 
 mod closed_form;
 mod damping;
+mod footings;
 mod foundation;
 mod ground;
 mod inertia;

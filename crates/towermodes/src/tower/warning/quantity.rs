@@ -40,6 +40,8 @@ pub enum Quantity {
     Embedment,
     /// Radius of a footing over that of the tower.
     FootingRadius,
+    /// Half of the shorter side of a footing over the radius of the tower.
+    FootingSide,
     /// Young's modulus of the soil at the depth of one diameter, Pa.
     SoilYoungsModulus,
     /// Diameter of a pile or caisson over that of the tower's base.
@@ -167,6 +169,8 @@ impl Quantity {
             Self::Embedment => ("the embedment of the footing, divided by its radius,", "",
                 "the formulas apply only to shallow footings"),
             Self::FootingRadius => ("the radius of the footing, divided by the radius of the tower,", "",
+                "a footing is wider than the tower; the unit is m"),
+            Self::FootingSide => ("half of the shorter side of the footing, divided by the radius of the tower,", "",
                 "a footing is wider than the tower; the unit is m"),
             Self::SoilYoungsModulus => ("Young's modulus of the soil", " Pa",
                 "soft clay has about 5e6, dense sand 1e8 to 3e8 at small strains; the unit is Pa, not kPa"),
