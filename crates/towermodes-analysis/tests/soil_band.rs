@@ -138,3 +138,57 @@ fn without_soil_there_is_no_band() {
         3e7
     );
 }
+
+#[test]
+fn scour_lowers_the_frequencies_and_without_ground_there_is_no_curve() {
+    use towermodes::{Ground, GroundLayer, LayerSoil, Sand, Scour, SoilModel};
+    use towermodes_analysis::soil_band::scour_curve;
+
+    let springs = FoundationSprings {
+        lateral_n_per_m: 0.0,
+        rocking_n_m: 0.0,
+        ..FoundationSprings::RIGID
+    };
+    let layer = GroundLayer {
+        top_m: 30.0,
+        bottom_m: 0.0,
+        soil: LayerSoil::Sand(Sand {
+            friction_angle_deg: Some(35.0),
+            ..Sand::default()
+        }),
+        model: SoilModel::Api,
+        effective_unit_weight_n_per_m3: Some(1e4),
+        shear_modulus: None,
+        poissons_ratio: None,
+        shaft_friction_pa: None,
+        end_bearing_pa: None,
+    };
+    let pile = TowerDescription {
+        foundation: Foundation::Springs(springs),
+        ground: Some(Ground {
+            surface_m: 30.0,
+            scour: Scour::default(),
+            factor: 1.0,
+            submerged: true,
+            axial: None,
+            pile_diameter_m: None,
+            layers: vec![layer],
+        }),
+        ..rocking()
+    };
+    let solution = of(&pile);
+    let depths_m = [0.0, 5.0, 40.0];
+    let curve = scour_curve(&pile, &solution, &depths_m, None, solved).expect("a curve");
+    let at = &curve.modes[0].at;
+    let hz = |place: usize| at[place].map(|at| at.frequency_hz);
+    assert_eq!(hz(0), Some(solution.modes[0].frequency_hz));
+    assert!(hz(1) < hz(0));
+    // The hole is deeper than the pile.
+    assert_eq!(hz(2), None);
+    assert_eq!(curve.failed.len(), 1);
+    assert_eq!(curve.failed[0].0, 40.0);
+    assert_eq!(
+        scour_curve(&rocking(), &solution, &depths_m, None, solved),
+        None
+    );
+}

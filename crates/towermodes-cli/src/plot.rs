@@ -1,5 +1,6 @@
 //! `towermodes plot`.
 
+mod soil;
 mod study;
 
 use std::path::Path;
@@ -113,6 +114,8 @@ fn drawn(
         What::Campbell => campbell(input, tower, arguments),
         What::Convergence => study::convergence(tower, arguments),
         What::Error => study::error(tower, arguments),
+        What::Soil => soil::stiffness(input, tower, arguments),
+        What::Scour => soil::scour(input, tower, arguments),
     }
 }
 

@@ -105,6 +105,28 @@ fn every_picture_of_every_example_is_drawn() {
     assert!(count >= 40, "{count} pictures");
 }
 
+/// Soil in layers has pictures of its own; other towers are told what is missing.
+#[test]
+fn soil_and_scour_have_pictures_where_there_is_soil() {
+    let layers = "examples/monopile-layers.toml";
+    for what in ["soil", "scour"] {
+        let drawing = svg(&[layers, "--what", what]);
+        assert!(drawing.contains("1st fore-aft bending"), "{what}");
+        let clamped = towermodes(&["plot", TOWER, "--what", what]).output();
+        let said = clamped.expect("the program runs");
+        assert_eq!(said.status.code(), Some(2));
+        let said = String::from_utf8_lossy(&said.stderr).into_owned();
+        assert!(
+            said.contains(&format!("--what {what} needs soil")),
+            "{said}"
+        );
+    }
+    // 1P up to 0.2017 Hz is not in the field, but at 14 rpm it is.
+    assert!(!svg(&[layers, "--what", "soil"]).contains("1P in operation"));
+    let fast = svg(&[layers, "--what", "soil", "--rpm", "7,14"]);
+    assert!(fast.contains("1P in operation"));
+}
+
 #[test]
 fn pictures_are_the_same_every_time() {
     for picture in PICTURES {

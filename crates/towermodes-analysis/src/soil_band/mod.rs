@@ -1,11 +1,15 @@
 //! Frequencies and their verdicts over a band of soil stiffness, because the stiffness of soil is
-//! known within a factor of two at best.
+//! known within a factor of two at best; and over depths of scour.
+
+mod scour;
 
 use thiserror::Error;
 use towermodes::{Family, Mode, Rotor, Solution, SolveError, Tower, TowerDescription, TowerError};
 
 use crate::resonance::{CampbellOptions, tower_margin};
 use crate::verdict::Verdict;
+
+pub use scour::{ScourCurve, scour_curve};
 
 /// The factors of the soil stiffness that show the band if nothing else is asked for.
 pub const DEFAULT_FACTORS: [f64; 3] = [0.5, 1.0, 2.0];
@@ -141,38 +145,55 @@ pub fn soil_band(
         return Err(SoilBandError::NoSoil);
     }
     let factors = rising_with_one(factors)?;
+    let in_soil = |factor: f64| (factor != 1.0).then(|| description.with_soil_factor(factor));
+    let (modes, failed) = solve_each(solution, &factors, in_soil, rotor, &mut solve);
+    let failed = failed.into_iter();
+    Ok(SoilBand {
+        factors,
+        modes,
+        failed: failed
+            .map(|(factor, reason)| FailedFactor { factor, reason })
+            .collect(),
+    })
+}
+
+/// The modes of a solution in each of the towers that `changed` makes of the values, and the values
+/// at which the tower could not be solved; without a changed tower the solution itself counts.
+fn solve_each(
+    solution: &Solution,
+    values: &[f64],
+    changed: impl Fn(f64) -> Option<TowerDescription>,
+    rotor: Option<(&Rotor, &CampbellOptions)>,
+    solve: &mut impl FnMut(&Tower) -> Result<Solution, SolveError>,
+) -> (Vec<BandMode>, Vec<(f64, String)>) {
     let modes = solution.modes.iter().map(|mode| BandMode {
         label: mode.label(),
         family: mode.family,
         order: mode.order,
-        at: Vec::with_capacity(factors.len()),
+        at: Vec::with_capacity(values.len()),
     });
-    let mut band = SoilBand {
-        modes: modes.collect(),
-        failed: Vec::new(),
-        factors,
-    };
-    for &factor in &band.factors {
-        let solved = match factor {
-            1.0 => Ok(None),
-            factor => solved(description, factor, &mut solve).map(Some),
-        };
-        let modes = match &solved {
+    let (mut modes, mut failed): (Vec<BandMode>, _) = (modes.collect(), Vec::new());
+    for &value in values {
+        let solved = changed(value).map(|tower| solved(tower, solve)).transpose();
+        let found = match &solved {
             Ok(None) => &solution.modes[..],
             Ok(Some(solution)) => &solution.modes,
             Err(error) => {
-                let reason = error.to_string();
-                band.failed.push(FailedFactor { factor, reason });
+                failed.push((value, error.to_string()));
                 &[]
             }
         };
-        for mode in &mut band.modes {
+        for mode in &mut modes {
             let same = |other: &&Mode| (other.family, other.order) == (mode.family, mode.order);
-            let value = modes.iter().find(same).map(|found| value(found, rotor));
-            mode.at.push(value);
+            mode.at.push(
+                found
+                    .iter()
+                    .find(same)
+                    .map(|found| self::value(found, rotor)),
+            );
         }
     }
-    Ok(band)
+    (modes, failed)
 }
 
 impl SoilBand {
@@ -226,12 +247,10 @@ fn rising_with_one(factors: &[f64]) -> Result<Vec<f64>, SoilBandError> {
 }
 
 fn solved(
-    description: &TowerDescription,
-    factor: f64,
+    description: TowerDescription,
     solve: &mut impl FnMut(&Tower) -> Result<Solution, SolveError>,
 ) -> Result<Solution, Unsolved> {
-    let tower = Tower::new(description.with_soil_factor(factor))?;
-    Ok(solve(&tower)?)
+    Ok(solve(&Tower::new(description)?)?)
 }
 
 fn value(mode: &Mode, rotor: Option<(&Rotor, &CampbellOptions)>) -> BandValue {

@@ -95,6 +95,12 @@ pub(crate) enum What {
     Campbell,
     /// Difference of each method from the reference solution, mode by mode.
     Error,
+    /// First bending frequencies over the stiffness of soil and foundation, from a quarter to four
+    /// times that of the file.
+    Soil,
+    /// First bending frequencies over the depth of local scour, up to two pile diameters; only with
+    /// soil in layers.
+    Scour,
 }
 
 /// The format of a picture.
@@ -126,7 +132,7 @@ impl PlotArguments {
         let has_method = solves && self.what != What::Error;
         if !has_method && self.method.is_some() {
             return Err(
-                "--method applies only to --what shapes, campbell and convergence; --what error shows all methods",
+                "--method does not apply to --what tower, which is not solved, and to --what error, which shows all methods",
             );
         }
         if !solves && (self.model.is_given() || !self.segments.is_empty()) {
@@ -137,8 +143,11 @@ impl PlotArguments {
         if self.what == What::Convergence {
             self.model.check(self.method.unwrap_or_default())?;
         }
-        if self.what != What::Campbell && self.rotor.is_given() {
-            return Err("--rpm, --blades, --multiples and --margin apply only to --what campbell");
+        let has_rotor = matches!(self.what, What::Campbell | What::Soil | What::Scour);
+        if !has_rotor && self.rotor.is_given() {
+            return Err(
+                "--rpm, --blades, --multiples and --margin apply only to --what campbell, soil and scour",
+            );
         }
         if self.what != What::Convergence && self.segments.len() > 1 {
             return Err(

@@ -15,6 +15,7 @@ mod outline;
 mod scene;
 mod shapes;
 mod slope;
+mod soil;
 mod sweep;
 mod symbols;
 mod title;
@@ -29,6 +30,7 @@ pub use error::error;
 pub use first_frequencies::first_frequencies;
 pub use scene::{Body, Form, Substance};
 pub use shapes::shapes;
+pub use soil::{scour, soil};
 pub use sweep::{
     ModeColumn, SweepBand, SweepBands, SweepColumns, VariedColumn, ViolatedShare, sweep,
 };
