@@ -202,7 +202,8 @@ impl Against<'_> {
     }
 }
 
-/// The ranges of 1P and of the blade passing frequency in operation, as far as they are in the field.
+/// The ranges of 1P and of the blade passing frequency in operation, as far as they are in the
+/// field.
 fn excitations(drawing: &mut Drawing, axes: &Axes, [low, high]: [f64; 2], rotor: &Rotor) {
     let Frame { left, right, .. } = axes.frame;
     for multiple in [1, rotor.blades] {
