@@ -210,3 +210,85 @@ fn every_ground_is_written_and_read_back() {
         }
     }
 }
+
+#[test]
+fn mistakes_of_a_ground_are_shown_at_their_values() {
+    let cases = [
+        (
+            "scour = { local = 3.0 }",
+            "scour = { local = -3.0 }",
+            "11:19",
+            "local scour is -3 m",
+        ),
+        (
+            "scour = { local = 3.0 }",
+            "scour = { general = -1 }",
+            "11:21",
+            "general scour is -1 m",
+        ),
+        (
+            "bottom = -14.0",
+            "bottom = -13.0",
+            "21:7",
+            "there is a gap between them",
+        ),
+        (
+            "bottom = -14.0",
+            "bottom = 2.0",
+            "16:10",
+            "is not below its top",
+        ),
+        (
+            "bottom = -40.0",
+            "bottom = -30.0",
+            "22:10",
+            "above the tip of the pile",
+        ),
+        (
+            "surface = 0.0",
+            "surface = -50.0",
+            "8:11",
+            "does not reach into the soil",
+        ),
+        ("[8e4, 2e5]", "[8e4, -2e5]", "23:22", "-200000"),
+        ("[8e4, 2e5]", "[8e4]", "23:22", "has 1 value"),
+        ("[8e4, 2e5]", "true", "23:22", "a number, or [top, bottom]"),
+        (
+            "friction_angle = 33.0",
+            "undrained_strength = 5e4",
+            "17:1",
+            "is not a key",
+        ),
+        (
+            "type = \"clay\"",
+            "type = \"silt\"",
+            "20:8",
+            "there is no soil of type `silt`",
+        ),
+        (
+            "model = \"api\"",
+            "model = \"pisa\"",
+            "10:9",
+            "there is no soil model `pisa`",
+        ),
+        ("submerged = true", "", "7:1", "[ground] has no `submerged`"),
+    ];
+    for (from, to, place, message) in cases {
+        assert!(PILE.contains(from), "{from}");
+        let text = PILE.replacen(from, to, 1);
+        let mistakes = towermodes_files::tower_from_toml(&text).expect_err(to);
+        let first = &mistakes[0];
+        let (line, column) = first.line_and_column(&text);
+        assert!(
+            first.message().contains(message),
+            "{to}: {}",
+            first.message()
+        );
+        assert_eq!(
+            format!("{line}:{column}"),
+            place,
+            "{to}: {}",
+            first.message()
+        );
+    }
+}

@@ -43,6 +43,9 @@ fn springs(description: &TowerDescription, depth_m: f64) -> SoilStiffness {
 #[test]
 fn sand_has_the_modulus_of_its_friction_angle() {
     let table = [
+        // An angle in radians does not become a firm sand.
+        (0.6, 5.4),
+        (15.0, 5.4),
         (25.0, 5.4),
         (28.0, 5.4),
         (30.0, 7.9),

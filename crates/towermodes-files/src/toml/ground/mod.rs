@@ -120,8 +120,8 @@ fn scour(table: &Table<'_>, reading: &mut Reading) -> Option<Scour> {
     };
     reading.remember(at("scour"), value.span());
     let table = Table::of(value, "scour", &schema::SCOUR, reading)?;
-    let general = table.number_or(0.0, "general", at("general"), reading);
-    let local = table.number_or(0.0, "local", at("local"), reading);
+    let general = table.number_or(0.0, "general", at("scour.general"), reading);
+    let local = table.number_or(0.0, "local", at("scour.local"), reading);
     Some(Scour {
         general_m: general?,
         local_m: local?,

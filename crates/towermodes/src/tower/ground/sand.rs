@@ -5,6 +5,8 @@ use super::layer::Sand;
 /// Reference depth and diameter of Kallehave et al., m.
 const REFERENCE_DEPTH_M: f64 = 2.5;
 const REFERENCE_DIAMETER_M: f64 = 0.61;
+/// The modulus of the loosest sand, MN/m³.
+const LEAST_MN_PER_M3: f64 = 5.4;
 /// Exponent of the depth of Kallehave et al. and of Sørensen et al.
 const EXPONENT: f64 = 0.6;
 
@@ -12,9 +14,10 @@ const EXPONENT: f64 = 0.6;
 /// degrees the fit to the figure of API RP 2GEO and DNV-RP-C212, in MN/m³
 ///
 /// - below water: max(0.1978 φ′² − 10.232 φ′ + 136.82, 5.4),
-/// - above water: max(0.2153 φ′² − 8.232 φ′ + 63.657, 5.4).
+/// - above water: max(0.2153 φ′² − 8.232 φ′ + 63.657, 5.4),
 ///
-/// The first fit gives 5.4 for all angles up to 28.6 degrees.
+/// and 5.4 below the minimum of each parabola, at 25.9 and 19.1 degrees. The first fit gives 5.4 for
+/// all angles up to 28.6 degrees.
 ///
 /// Source: the fit of the open program openpile to the figure.
 pub(super) fn subgrade_modulus_n_per_m3(sand: &Sand, submerged: bool) -> f64 {
@@ -22,12 +25,18 @@ pub(super) fn subgrade_modulus_n_per_m3(sand: &Sand, submerged: bool) -> f64 {
         return given;
     }
     let phi = sand.friction_angle_deg.unwrap_or(f64::NAN);
-    let fit = match submerged {
-        true => 0.1978 * phi * phi - 10.232 * phi + 136.82,
-        false => 0.2153 * phi * phi - 8.232 * phi + 63.657,
+    let [square, slope, constant] = match submerged {
+        true => [0.1978, -10.232, 136.82],
+        false => [0.2153, -8.232, 63.657],
     };
+    let fit = square * phi * phi + slope * phi + constant;
+    // Below its minimum the parabola rises towards smaller angles, which the figure does not.
+    let is_below_minimum = 2.0 * square * phi + slope < 0.0;
     // `max` would hide a value that is missing.
-    1e6 * if fit < 5.4 { 5.4 } else { fit }
+    1e6 * match fit < LEAST_MN_PER_M3 || is_below_minimum {
+        true => LEAST_MN_PER_M3,
+        false => fit,
+    }
 }
 
 /// k z₀ (z/z₀)^0.6 (D/D₀)^0.5 with z₀ = 2.5 m, D₀ = 0.61 m, N/m².
