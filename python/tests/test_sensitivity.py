@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from typing import Any
 
 import numpy as np
 import pytest
@@ -91,3 +92,16 @@ def test_wrong_names_say_what_is_wrong(
 ) -> None:
     with pytest.raises(kind, match=message):
         nrel.sensitivities(names)
+
+
+@pytest.mark.parametrize("method", [None, "cardanic", "bmodes", "spectral"])
+def test_a_solution_has_the_derivatives_of_its_modes(nrel: tm.Tower, method: str | None) -> None:
+    options: dict[str, Any] = {"method": method}
+    solution = nrel.solve(3, **options)
+    result = solution.sensitivities(NAMES)
+    assert result.modes == solution.names
+    expected = nrel.sensitivities(NAMES, modes=solution.names, **options)
+    assert np.array_equal(result.hz_per_unit, expected.hz_per_unit, equal_nan=True)
+    finer = nrel.solve(3, segments=60, rotary_inertia=False).sensitivities(NAMES)
+    expected = nrel.sensitivities(NAMES, modes=finer.modes, segments=60, rotary_inertia=False)
+    assert np.array_equal(finer.hz_per_unit, expected.hz_per_unit, equal_nan=True)

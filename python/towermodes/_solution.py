@@ -9,13 +9,14 @@ from towermodes._picture import Picture
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Iterator
+    from collections.abc import Iterable, Iterator
 
     import numpy as np
     from numpy.typing import NDArray
 
     from towermodes import _towermodes as _rust
     from towermodes._names import Family
+    from towermodes._sensitivity import Sensitivities
     from towermodes._tower import Tower
 
     Array = NDArray[np.float64]
@@ -258,6 +259,34 @@ class Solution(Computed):
         '1st torsion'
         """
         return Mode(self, place_of(self.names, family, order))
+
+    def sensitivities(self, names: Iterable[str] | None = None) -> Sensitivities:
+        """Derivatives of the frequencies of these modes with respect to the numbers of the tower.
+
+        They are those of `Tower.sensitivities` for the same modes, method, rotary inertia and,
+        if it was given, number of segments. Options of `Tower.solve` that it does not have have no
+        effect: `degree` and `hinge_position`.
+
+        Args:
+            names: As in `Tower.sensitivities`; by default each number of the tower.
+
+        Raises:
+            ValueError: As in `Tower.sensitivities`.
+            SolveError: A neighbour of the tower cannot be solved.
+
+        >>> import towermodes as tm
+        >>> solution = tm.read("examples/nrel-5mw.toml").solve(modes=2)
+        >>> solution.sensitivities(["rna.mass"]).elasticity
+        array([[-0.42..., -0.42...]])
+        """
+        options = self._arguments[0]
+        return self.tower.sensitivities(
+            names,
+            modes=self.names,
+            method=options["method"],
+            segments=options["segments"],
+            rotary_inertia=options["rotary_inertia"],
+        )
 
     def to_json(self) -> str:
         """All results as JSON, as the program writes it."""
