@@ -16,8 +16,8 @@ const EXPONENT: f64 = 0.6;
 /// - below water: max(0.1978 φ′² − 10.232 φ′ + 136.82, 5.4),
 /// - above water: max(0.2153 φ′² − 8.232 φ′ + 63.657, 5.4),
 ///
-/// and 5.4 below the minimum of each parabola, at 25.9 and 19.1 degrees. The first fit gives 5.4 for
-/// all angles up to 28.6 degrees.
+/// and 5.4 below the minimum of each parabola, at 25.9 and 19.1 degrees. The first fit gives 5.4
+/// for all angles up to 28.6 degrees.
 ///
 /// Source: the fit of the open program openpile to the figure.
 pub(super) fn subgrade_modulus_n_per_m3(sand: &Sand, submerged: bool) -> f64 {
