@@ -86,6 +86,7 @@ fn table_of(place: Place) -> Place {
         Place::AddedMass { table, .. } => Place::AddedMass { table, row: 0, key },
         Place::Rotor { .. } => Place::Rotor { key },
         Place::Damping { .. } => Place::Damping { key },
+        Place::Drivetrain { .. } => Place::Drivetrain { key },
         Place::Water { .. } => Place::Water { key },
         Place::Wires { index, .. } => Place::Wires { index, key },
         other => other,

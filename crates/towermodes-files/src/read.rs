@@ -2,14 +2,15 @@
 
 use std::path::Path;
 
-use towermodes::Tower;
+use towermodes::number::Plain;
+use towermodes::{Tower, TowerDescription};
 
 use crate::bmodes::{BmodesInput, read_bmodes};
 use crate::diagnostic::{Diagnostic, DiagnosticKind};
 use crate::elastodyn::{read_elastodyn, read_elastodyn_tower};
 use crate::error::ReadError;
 use crate::hawc2::read_hawc2;
-use crate::input::{BladeInput, FileFormat, ReadOptions, TowerInput};
+use crate::input::{BladeInput, FileFormat, ReadOptions, RotorLock, TowerInput};
 use crate::note::Note;
 use crate::recognize::{recognize, unknown_file};
 use crate::resolver::{FileResolver, SiblingFiles};
@@ -99,7 +100,7 @@ pub fn read_source(
 ) -> Result<Input, ReadError> {
     source.check_is_itself()?;
     let mut tower = match recognize(&source) {
-        Some(FileFormat::Toml) => read_toml(source, files)?,
+        Some(FileFormat::Toml) => with_rotor(read_toml(source, files)?, options)?,
         Some(FileFormat::Bmodes) => match read_bmodes(source, files, options)? {
             BmodesInput::Tower(tower) => *tower,
             BmodesInput::Blade(blade) => return Ok(Input::Blade(blade)),
@@ -117,6 +118,30 @@ pub fn read_source(
         tower.description.gravity_m_per_s2 = 0.0;
     }
     Ok(Input::Tower(Box::new(tower)))
+}
+
+/// The tower of a tower file with its rotor free, if the options say so.
+fn with_rotor(mut tower: TowerInput, options: &ReadOptions) -> Result<TowerInput, ReadError> {
+    if options.rotor == RotorLock::Locked || options.without_rna {
+        return Ok(tower);
+    }
+    let Some(freed) = tower.description.with_free_rotor() else {
+        let kind = DiagnosticKind::missing_key("the file", "drivetrain");
+        let hint =
+            "a free rotor needs [drivetrain] with rotor_inertia, generator_inertia and gear_ratio";
+        let mistake = Diagnostic::new(0..0, kind).with_hint(hint);
+        return Err(ReadError::mistakes(&tower.sources[0], vec![mistake]));
+    };
+    // The drivetrain is checked with the tower in which it is locked.
+    tower.tower()?;
+    let xx = |description: &TowerDescription| description.rna.inertia_kg_m2.xx;
+    tower.notes.push(Note::new(format!(
+        "the rotor turns freely: the inertia xx of the RNA is {} kg m2 instead of {} kg m2",
+        Plain(xx(&freed)),
+        Plain(xx(&tower.description))
+    )));
+    tower.description = freed;
+    Ok(tower)
 }
 
 fn remove_rna(tower: &mut TowerInput) {

@@ -945,3 +945,31 @@ proptest! {
         comes_back(&description);
     }
 }
+
+/// The rotor of the SWiFT V27: locked in the file, free by the option; written and read back.
+#[test]
+fn a_drivetrain_is_written_and_frees_the_rotor() {
+    let text = include_str!("../../../examples/measured/swift-v27.toml");
+    let tower = description_from_toml(text).expect("a tower");
+    let (written, notes) = write_toml(&tower);
+    assert!(notes.is_empty(), "{notes:?}");
+    assert_eq!(description_from_toml(&written).expect("a tower"), tower);
+    let freed = tower.with_free_rotor().expect("a drivetrain");
+    assert!((freed.rna.inertia_kg_m2.xx - 30_826.0).abs() < 1.0);
+    assert_eq!(freed.drivetrain, None);
+    // As much as the assembly has: more is impossible.
+    let heavy = text.replace("rotor_inertia = 61610.0", "rotor_inertia = 71610.0");
+    let refused = towermodes_files::tower_from_toml(&heavy).expect_err("too heavy");
+    assert!(
+        refused[0].message().contains("71660 kg m2"),
+        "{}",
+        refused[0].message()
+    );
+    let (line, _) = refused[0].line_and_column(&heavy);
+    assert!(
+        heavy
+            .lines()
+            .nth(line - 1)
+            .is_some_and(|line| line.starts_with("rotor_inertia"))
+    );
+}

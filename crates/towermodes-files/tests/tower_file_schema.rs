@@ -137,7 +137,10 @@ fn every_key_is_read() {
 
 /// Numbers of the tower file that are no parameters: whole numbers, text for the eye, and what
 /// other numbers stand for.
-const NO_PARAMETERS: [(&str, &str); 3] = [
+const NO_PARAMETERS: [(&str, &str); 6] = [
+    ("[drivetrain]", "rotor_inertia"),
+    ("[drivetrain]", "generator_inertia"),
+    ("[drivetrain]", "gear_ratio"),
     ("[rotor]", "blades"),
     ("[[wires]]", "count"),
     ("[[wires]]", "azimuth_deg"),

@@ -43,7 +43,8 @@ pub(crate) struct ReadingArguments {
     #[arg(help_heading = MODEL, long = "set", value_name = "NAME=VALUE", value_parser = setting_parser)]
     pub(crate) settings: Vec<Setting>,
 
-    /// Rotation of the rotor about its shaft in an ElastoDyn model
+    /// Rotation of the rotor about its shaft, in an ElastoDyn model or a tower file with
+    /// [drivetrain]
     #[arg(help_heading = OTHERS, long, value_enum, default_value_t = Rotor::Locked, conflicts_with = "no_rna")]
     rotor: Rotor,
 
@@ -153,8 +154,8 @@ impl ReadingArguments {
             ),
             (
                 given.rotor != RotorLock::Locked,
-                &[FileFormat::ElastoDyn],
-                "--rotor applies only to ElastoDyn models, which contain rotor and generator data",
+                &[FileFormat::ElastoDyn, FileFormat::Toml],
+                "--rotor applies only to ElastoDyn models and tower files, which contain rotor and generator data",
             ),
             (
                 given.part != TowerPart::All,

@@ -4,6 +4,7 @@ use towermodes::{PartNames, TowerDescription};
 
 use super::added_mass::added_mass;
 use super::damping::damping;
+use super::drivetrain::drivetrain;
 use super::foundation::foundation;
 use super::gravity::gravity;
 use super::ground::{default_foundation, ground};
@@ -67,6 +68,7 @@ fn around(root: &Table<'_>, reading: &mut Reading) -> Option<TowerDescription> {
     let added_mass = added_mass(root, reading);
     let (water, wires) = (water(root, reading), wires(root, reading));
     let (gravity, rotor) = (gravity(root, reading), rotor(root, reading));
+    let drivetrain = drivetrain(root, reading);
     let rna = root.get("rna").and_then(|value| rna(value, reading));
     let rna_is_point = is_point_mass(root, rna.as_ref());
     let (point_masses, point_mass_names) = point_masses(root, reading)?;
@@ -88,6 +90,7 @@ fn around(root: &Table<'_>, reading: &mut Reading) -> Option<TowerDescription> {
         wires,
         gravity_m_per_s2: gravity?,
         rotor: rotor?,
+        drivetrain: drivetrain?,
         part_names: PartNames {
             point_masses: point_mass_names,
             soil: soil_names,

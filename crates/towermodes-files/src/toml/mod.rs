@@ -5,6 +5,7 @@ mod body;
 mod choice;
 mod damping;
 mod design;
+mod drivetrain;
 mod file;
 mod foundation;
 mod gravity;

@@ -119,6 +119,7 @@ tables! {
         required "tower" Table "" "the stations or properties of the tower";
         optional "rna" Table "" "the rotor-nacelle assembly";
         optional "rotor" Table "" "the rotor";
+        optional "drivetrain" Table "" "rotor and generator, for a rotor that turns freely";
         optional "point_mass" Table "" "a point mass, as often as needed";
         optional "foundation" Table "" "the foundation; without it the base is clamped";
         optional "soil" Table "" "a layer of soil springs, as often as needed";
@@ -432,6 +433,12 @@ tables! {
     /// `[gravity]`.
     GRAVITY = "[gravity]":
         optional "acceleration" Number "m/s2" "";
+
+    /// `[drivetrain]`.
+    DRIVETRAIN = "[drivetrain]":
+        required "rotor_inertia" Number "kg m2" "of rotor and hub about the shaft";
+        optional "generator_inertia" Number "kg m2" "about its own shaft";
+        optional "gear_ratio" Number "" "turns of the generator per turn of the rotor; 1 by default";
 
     /// `[damping]`.
     DAMPING = "[damping]":

@@ -1,6 +1,7 @@
 //! The description of a tower as a user gives it, before it is checked.
 
 use super::damping::Damping;
+use super::drivetrain::Drivetrain;
 use super::foundation::Foundation;
 use super::ground::Ground;
 use super::inertia::Inertia;
@@ -155,6 +156,9 @@ pub struct TowerDescription {
     pub rotor: Option<Rotor>,
     /// What dissipates the energy of vibrations; nothing is known by default.
     pub damping: Damping,
+    /// Rotor and generator, for a rotor that turns freely
+    /// ([`with_free_rotor`](Self::with_free_rotor)); none by default. As it is, the rotor is locked.
+    pub drivetrain: Option<Drivetrain>,
     /// The names of its parts; none by default.
     pub part_names: PartNames,
 }
@@ -180,6 +184,7 @@ impl Default for TowerDescription {
             gravity_m_per_s2: 0.0,
             rotor: None,
             damping: Damping::default(),
+            drivetrain: None,
             part_names: PartNames::default(),
         }
     }

@@ -7,6 +7,7 @@ mod base;
 mod closed_form;
 mod damping;
 mod description;
+mod drivetrain;
 mod environment;
 mod error;
 mod foundation;
@@ -52,6 +53,7 @@ pub use closed_form::{
 };
 pub use damping::{Damping, LossFactors, RotorAerodynamics};
 pub use description::{PointMass, PropertyStation, Rna, Station, TowerDescription};
+pub use drivetrain::Drivetrain;
 pub use environment::Environment;
 pub use error::{FreeMotions, Place, Problem, TowerError};
 pub use foundation::{

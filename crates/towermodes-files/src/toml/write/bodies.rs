@@ -1,6 +1,6 @@
 //! `[rna]`, `[rotor]` and `[[point_mass]]`.
 
-use towermodes::{Inertia, PointMass, Rna, Rotor};
+use towermodes::{Drivetrain, Inertia, PointMass, Rna, Rotor};
 
 use super::text::number;
 use super::writing::Writing;
@@ -77,4 +77,18 @@ pub(super) fn inertia_with(inertia: &Inertia, required: &[&str], writing: &mut W
 /// `[x, y, z]`.
 pub(super) fn triple(values: [f64; 3]) -> String {
     format!("[{}]", values.map(number).join(", "))
+}
+
+pub(super) fn drivetrain(drivetrain: Option<&Drivetrain>, writing: &mut Writing) {
+    let Some(drivetrain) = drivetrain else {
+        return;
+    };
+    writing.section(&schema::DRIVETRAIN);
+    writing.number("rotor_inertia", drivetrain.rotor_inertia_kg_m2);
+    if drivetrain.generator_inertia_kg_m2 != 0.0 {
+        writing.number("generator_inertia", drivetrain.generator_inertia_kg_m2);
+    }
+    if drivetrain.gear_ratio != 1.0 {
+        writing.number("gear_ratio", drivetrain.gear_ratio);
+    }
 }

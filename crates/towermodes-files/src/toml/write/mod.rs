@@ -32,6 +32,7 @@ pub fn write_toml(description: &TowerDescription) -> (String, Vec<Note>) {
     tower(description, &mut writing);
     bodies::rna(&description.rna, description.rna_is_point, &mut writing);
     bodies::rotor(description.rotor.as_ref(), &mut writing);
+    bodies::drivetrain(description.drivetrain.as_ref(), &mut writing);
     let names = &description.part_names.point_masses;
     bodies::point_masses(&description.point_masses, names, &mut writing);
     foundation::foundation(&description.foundation, &mut writing);

@@ -48,6 +48,12 @@ impl Problem {
             Self::Free { .. } => {
                 "clamp the base, add springs or soil for this motion, or use type = \"floating\""
             }
+            Self::GearRatio { .. } => {
+                "turns of the generator per turn of the rotor, for example 97; 1 without a gearbox"
+            }
+            Self::DrivetrainBeyondRna { .. } => {
+                "give [rna] inertia xx with the rotor locked: it contains rotor and generator once each; the generator's inertia is that about its own shaft"
+            }
             Self::CouplingOfRigid => "omit coupling, or give finite lateral and rocking springs",
             Self::SoilPoissonsRatio { .. } => "sand has about 0.3, saturated clay 0.5",
             Self::ProfileWithoutFormula { .. } => {

@@ -378,6 +378,23 @@ pub enum Problem {
     /// A diameter beside those of the stations.
     #[error("the diameter of the pile is given twice: the stations have diameters")]
     PileWithTwoDiameters,
+    /// A gear ratio that no gearbox has.
+    #[error("the gear ratio is {}; it must be 0.001 to 10 000, or negative for the other way", Plain(*.gear_ratio))]
+    GearRatio {
+        /// The ratio.
+        gear_ratio: f64,
+    },
+    /// A rotor and a generator with more inertia than the assembly that contains them.
+    #[error(
+        "rotor and generator have {} kg m2 about the shaft, more than the inertia xx of the rotor-nacelle assembly that contains them, {} kg m2",
+        Apart(*.locked_kg_m2, *.xx_kg_m2), Apart(*.xx_kg_m2, *.locked_kg_m2)
+    )]
+    DrivetrainBeyondRna {
+        /// Of rotor and generator, kg m².
+        locked_kg_m2: f64,
+        /// Of the assembly, kg m².
+        xx_kg_m2: f64,
+    },
     /// Ground without layers.
     #[error("the ground has no layers")]
     NoLayers,

@@ -105,6 +105,11 @@ pub enum Place {
         /// Which of its values.
         key: &'static str,
     },
+    /// One value of the drivetrain: its key.
+    Drivetrain {
+        /// Which of its values.
+        key: &'static str,
+    },
     /// The acceleration of gravity.
     Gravity,
     /// The outfitting factor.
@@ -137,6 +142,7 @@ impl fmt::Display for Place {
             Self::Wires { index, .. } => write!(f, "wires {}", index + 1),
             Self::Rotor { .. } => write!(f, "rotor"),
             Self::Damping { .. } => write!(f, "damping"),
+            Self::Drivetrain { .. } => write!(f, "drivetrain"),
             Self::Gravity => write!(f, "gravity"),
             Self::OutfittingFactor => write!(f, "outfitting factor"),
             Self::Shear => write!(f, "shear"),

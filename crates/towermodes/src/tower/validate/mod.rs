@@ -2,6 +2,7 @@
 
 mod closed_form;
 mod damping;
+mod drivetrain;
 mod footings;
 mod foundation;
 mod ground;
@@ -15,6 +16,7 @@ pub(super) use ground::check_springs_of_ground;
 pub(crate) use rotor::check_rotor;
 
 use damping::check_damping;
+use drivetrain::check_drivetrain;
 use foundation::{check_buoyancy, check_foundation};
 use ground::check_ground;
 use inertia::check_inertia;
@@ -57,6 +59,9 @@ pub(super) fn validate(description: &TowerDescription) -> Result<(), TowerError>
     check_surroundings(description, base_m, top_m)?;
     check_ground(description, base_m, top_m)?;
     description.rotor.as_ref().map_or(Ok(()), check_rotor)?;
+    if let Some(drivetrain) = &description.drivetrain {
+        check_drivetrain(drivetrain, description.rna.inertia_kg_m2.xx)?;
+    }
     check_damping(&description.damping)
 }
 

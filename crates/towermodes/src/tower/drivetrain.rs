@@ -1,0 +1,62 @@
+//! The rotor that turns freely about its shaft, geared to the generator.
+
+use super::description::TowerDescription;
+
+/// Inertias about the shaft, for a rotor that turns freely. The inertia xx of the rotor-nacelle
+/// assembly contains them as if the rotor was locked; the tilt of the shaft is neglected.
+///
+/// # Example
+/// The Vestas V27 of the SWiFT site: the inertia about the wind direction is less than half when
+/// the rotor is free.
+/// ```
+/// use towermodes::Drivetrain;
+///
+/// let v27 = Drivetrain {
+///     rotor_inertia_kg_m2: 61_610.0,
+///     generator_inertia_kg_m2: 50.0,
+///     gear_ratio: 27.5647,
+/// };
+/// let nacelle = 70_660.0 - v27.locked_kg_m2();
+/// assert!((nacelle + v27.free_kg_m2() - 30_826.0).abs() < 1.0);
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Drivetrain {
+    /// Inertia of rotor and hub about the shaft, kg m².
+    pub rotor_inertia_kg_m2: f64,
+    /// Inertia of the generator about its own shaft, kg m².
+    pub generator_inertia_kg_m2: f64,
+    /// Turns of the generator per turn of the rotor relative to the nacelle; 1 without a gearbox,
+    /// negative if it turns the other way.
+    pub gear_ratio: f64,
+}
+
+impl Drivetrain {
+    /// What rotor and generator add to the roll inertia of a nacelle in which they are locked:
+    /// J_r + J_g.
+    pub fn locked_kg_m2(&self) -> f64 {
+        self.rotor_inertia_kg_m2 + self.generator_inertia_kg_m2
+    }
+
+    /// What they add if no torque acts on the shaft: J_r J_g (1 − q)²/(J_r + J_g q²).
+    ///
+    /// When the nacelle rolls by θ and the rotor turns by φ, the generator turns by
+    /// θ + q (φ − θ). The kinetic energy (J_r φ′² + J_g (θ′ + q (φ′ − θ′))²)/2 is smallest for the
+    /// free φ, and then it is half of this inertia times θ′².
+    pub fn free_kg_m2(&self) -> f64 {
+        let (rotor, generator) = (self.rotor_inertia_kg_m2, self.generator_inertia_kg_m2);
+        let q = self.gear_ratio;
+        rotor * generator * (1.0 - q) * (1.0 - q) / (rotor + generator * q * q)
+    }
+}
+
+impl TowerDescription {
+    /// The same tower with a rotor that turns freely, without [`Drivetrain`]; none if it has none.
+    pub fn with_free_rotor(&self) -> Option<Self> {
+        let drivetrain = self.drivetrain?;
+        let mut tower = self.clone();
+        tower.drivetrain = None;
+        let inertia = &mut tower.rna.inertia_kg_m2;
+        inertia.xx += drivetrain.free_kg_m2() - drivetrain.locked_kg_m2();
+        Some(tower)
+    }
+}
