@@ -157,7 +157,8 @@ pub struct TowerDescription {
     /// What dissipates the energy of vibrations; nothing is known by default.
     pub damping: Damping,
     /// Rotor and generator, for a rotor that turns freely
-    /// ([`with_free_rotor`](Self::with_free_rotor)); none by default. As it is, the rotor is locked.
+    /// ([`with_free_rotor`](Self::with_free_rotor)); none by default. Without that call it is
+    /// locked.
     pub drivetrain: Option<Drivetrain>,
     /// The names of its parts; none by default.
     pub part_names: PartNames,
