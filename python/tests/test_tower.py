@@ -271,3 +271,11 @@ def test_a_deck_without_its_method_has_a_note() -> None:
         notes = deck.convert(format).notes
         assert any("solved by the method bmodes with" in note for note in notes)
     assert not any("solved by the method" in note for note in deck.convert("bmodes").notes)
+
+
+def test_a_tower_file_with_a_drivetrain_has_a_free_rotor() -> None:
+    path = "examples/measured/swift-v27.toml"
+    locked, free = (tm.read(path, rotor=rotor).solve(2) for rotor in ("locked", "free"))
+    assert locked.mode("side-side", 1).frequency_hz == pytest.approx(1.0378, abs=5e-5)
+    assert free.mode("side-side", 1).frequency_hz == pytest.approx(1.0441, abs=5e-5)
+    assert free.mode("fore-aft", 1).frequency_hz == locked.mode("fore-aft", 1).frequency_hz

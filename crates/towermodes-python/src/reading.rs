@@ -123,7 +123,7 @@ impl Reading {
             (
                 self.rotor != "locked",
                 &[ElastoDyn],
-                "rotor applies only to ElastoDyn models, which contain rotor and generator data",
+                "rotor applies only to ElastoDyn models and tower files, which contain rotor and generator data",
             ),
             (
                 self.part != "all",
