@@ -140,7 +140,7 @@ def test_reading_options_are_those_of_the_program() -> None:
     ("options", "message"),
     [
         ({"part": "tower"}, "part applies only to windIO"),
-        ({"rotor": "free"}, "rotor applies only to ElastoDyn"),
+        ({"rotor": "free"}, "the file has no `drivetrain`"),
         ({"bmodes_quirks": True}, "bmodes_quirks applies only to BModes"),
         ({"subset": (1, 1)}, "subset applies only to HAWC2"),
         ({"tower_height_m": 80.0}, "tower_height_m applies only"),

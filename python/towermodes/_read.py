@@ -36,7 +36,8 @@ def read(
         part: The part of a windIO turbine that is read.
         no_rna: Omit the rotor-nacelle assembly.
         no_gravity: Omit gravity (no geometric stiffness).
-        rotor: Whether the rotor of an ElastoDyn model is locked or free to rotate.
+        rotor: Whether the rotor of an ElastoDyn model, or of a tower file with `[drivetrain]`, is
+            locked or free to rotate.
         bmodes_quirks: Interpret a BModes deck exactly as BModes 3.00 does, with its known errors.
         tower_height_m: Height of the tower top above ground or sea level, m, of an ElastoDyn tower
             file that is read without its main file.

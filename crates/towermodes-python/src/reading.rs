@@ -113,7 +113,7 @@ impl Reading {
 
     /// Refuses an option that has no effect on files of this format.
     fn check(&self, format: FileFormat) -> PyResult<()> {
-        use FileFormat::{Bmodes, ElastoDyn, ElastoDynTower, Hawc2, WindIo};
+        use FileFormat::{Bmodes, ElastoDyn, ElastoDynTower, Hawc2, Toml, WindIo};
         let options: [(bool, &[FileFormat], &str); 6] = [
             (
                 self.bmodes_quirks,
@@ -122,7 +122,7 @@ impl Reading {
             ),
             (
                 self.rotor != "locked",
-                &[ElastoDyn],
+                &[ElastoDyn, Toml],
                 "rotor applies only to ElastoDyn models and tower files, which contain rotor and generator data",
             ),
             (
