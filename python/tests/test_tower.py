@@ -278,4 +278,6 @@ def test_a_tower_file_with_a_drivetrain_has_a_free_rotor() -> None:
     locked, free = (tm.read(path, rotor=rotor).solve(2) for rotor in ("locked", "free"))
     assert locked.mode("side-side", 1).frequency_hz == pytest.approx(1.0378, abs=5e-5)
     assert free.mode("side-side", 1).frequency_hz == pytest.approx(1.0441, abs=5e-5)
-    assert free.mode("fore-aft", 1).frequency_hz == locked.mode("fore-aft", 1).frequency_hz
+    # The centre of mass beside the axis couples the planes slightly.
+    both = [solution.mode("fore-aft", 1).frequency_hz for solution in (locked, free)]
+    assert both[0] == pytest.approx(both[1], rel=1e-6)

@@ -59,7 +59,7 @@ fn solved(py: Python<'_>, tower: &CheckedTower, options: Options) -> PyResult<So
         ..options
     };
     let solution = interruptible(py, |workspace| {
-        solve_certain(tower, &mut options, workspace)
+        solve_certain(tower, &options, workspace)
     })?;
     solution.map_err(|error| of_solve(&error))
 }
