@@ -54,13 +54,11 @@ impl DampingOptions {
 }
 
 fn solved(py: Python<'_>, tower: &CheckedTower, options: Options) -> PyResult<Solution> {
-    let mut options = Options {
+    let options = Options {
         energy_parts: true,
         ..options
     };
-    let solution = interruptible(py, |workspace| {
-        solve_certain(tower, &options, workspace)
-    })?;
+    let solution = interruptible(py, |workspace| solve_certain(tower, &options, workspace))?;
     solution.map_err(|error| of_solve(&error))
 }
 
