@@ -42,113 +42,80 @@ foundation_of!(winkler_pile, winkler_pile_mut, WinklerPile, WinklerPile);
 foundation_of!(stiffness, stiffness_mut, Stiffness, StiffnessFoundation);
 foundation_of!(floating, floating_mut, Floating, FloatingPlatform);
 
-/// `[foundation]` of type `springs`.
-pub(super) static SPRINGS: Part = Part {
-    name: "foundation",
-    noun: "foundation of type \"springs\"",
-    count: |d| usize::from(springs(d).is_some()),
-    rows: |_, _| 1,
-    is_symmetric: false,
-    keys: fields! {
-        get |d, _i| springs(d)?;
-        set |d, _i| springs_mut(d)?;
-        place |_i, key| Place::Foundation { key };
+/// The numbers of a foundation of one type.
+macro_rules! foundation {
+    ($(#[$doc:meta])+ $id:ident = $noun:literal, $get:ident $get_mut:ident: $($keys:tt)+) => {
+        $(#[$doc])+
+        pub(super) static $id: Part = Part {
+            name: "foundation",
+            noun: $noun,
+            count: |d| usize::from($get(d).is_some()),
+            rows: |_, _| 1,
+            is_symmetric: false,
+            keys: fields! {
+                get |d, _i| $get(d)?;
+                set |d, _i| $get_mut(d)?;
+                place |_i, key| Place::Foundation { key };
+                $($keys)+
+            },
+        };
+    };
+}
+
+foundation! {
+    /// `[foundation]` of type `springs`.
+    SPRINGS = "foundation of type \"springs\"", springs springs_mut:
         "lateral" "N/m" "stiffness against x and y", "lateral" lateral_n_per_m;
         "rocking" "N m" "stiffness against rotation about x and y", "rocking" rocking_n_m;
         "coupling" "N" "stiffness between x and rotation about y", "coupling" coupling_n;
         "vertical" "N/m" "stiffness against z", "vertical" vertical_n_per_m;
         "torsion" "N m" "stiffness against rotation about z", "torsion" torsion_n_m;
-    },
-};
+}
 
-/// `[foundation]` of type `half-space`.
-pub(super) static HALF_SPACE: Part = Part {
-    name: "foundation",
-    noun: "foundation of type \"half-space\"",
-    count: |d| usize::from(half_space(d).is_some()),
-    rows: |_, _| 1,
-    is_symmetric: false,
-    keys: fields! {
-        get |d, _i| half_space(d)?;
-        set |d, _i| half_space_mut(d)?;
-        place |_i, key| Place::Foundation { key };
+foundation! {
+    /// `[foundation]` of type `half-space`.
+    HALF_SPACE = "foundation of type \"half-space\"", half_space half_space_mut:
         "radius" "m" "radius", "radius" radius_m;
         "embedment" "m" "depth of embedment", "embedment" embedment_m;
         "soil_shear_modulus" "Pa" "shear modulus of the soil", "soil_shear_modulus" shear_modulus_pa;
         "soil_poissons_ratio" "" "Poisson's ratio of the soil", "soil_poissons_ratio" poissons_ratio;
-    },
-};
+}
 
-/// `[foundation]` of type `circular-footing`.
-pub(super) static CIRCULAR_FOOTING: Part = Part {
-    name: "foundation",
-    noun: "foundation of type \"circular-footing\"",
-    count: |d| usize::from(circular(d).is_some()),
-    rows: |_, _| 1,
-    is_symmetric: false,
-    keys: fields! {
-        get |d, _i| circular(d)?;
-        set |d, _i| circular_mut(d)?;
-        place |_i, key| Place::Foundation { key };
+foundation! {
+    /// `[foundation]` of type `circular-footing`.
+    CIRCULAR_FOOTING = "foundation of type \"circular-footing\"", circular circular_mut:
         "radius" "m" "radius", "radius" radius_m;
         "embedment" "m" "depth of embedment", "embedment" embedment_m;
         "soil_shear_modulus" "Pa" "shear modulus of the stratum", "soil_shear_modulus" shear_modulus_pa;
         "soil_poissons_ratio" "" "Poisson's ratio of the stratum", "soil_poissons_ratio" poissons_ratio;
         "soil_thickness" "m" "thickness of the stratum", "soil_thickness" stratum_thickness_m;
         "lower_shear_modulus" "Pa" "shear modulus below the stratum", "lower_shear_modulus" lower_shear_modulus_pa;
-    },
-};
+}
 
-/// `[foundation]` of type `rectangular-footing`.
-pub(super) static RECTANGULAR_FOOTING: Part = Part {
-    name: "foundation",
-    noun: "foundation of type \"rectangular-footing\"",
-    count: |d| usize::from(rectangular(d).is_some()),
-    rows: |_, _| 1,
-    is_symmetric: false,
-    keys: fields! {
-        get |d, _i| rectangular(d)?;
-        set |d, _i| rectangular_mut(d)?;
-        place |_i, key| Place::Foundation { key };
+foundation! {
+    /// `[foundation]` of type `rectangular-footing`.
+    RECTANGULAR_FOOTING = "foundation of type \"rectangular-footing\"", rectangular rectangular_mut:
         "length_x" "m" "side along x", "length_x" length_x_m;
         "length_y" "m" "side along y", "length_y" length_y_m;
         "embedment" "m" "depth of embedment", "embedment" embedment_m;
         "soil_shear_modulus" "Pa" "shear modulus of the soil", "soil_shear_modulus" shear_modulus_pa;
         "soil_poissons_ratio" "" "Poisson's ratio of the soil", "soil_poissons_ratio" poissons_ratio;
-    },
-};
+}
 
-/// `[foundation]` of type `suction-caisson`.
-pub(super) static SUCTION_CAISSON: Part = Part {
-    name: "foundation",
-    noun: "foundation of type \"suction-caisson\"",
-    count: |d| usize::from(caisson(d).is_some()),
-    rows: |_, _| 1,
-    is_symmetric: false,
-    keys: fields! {
-        get |d, _i| caisson(d)?;
-        set |d, _i| caisson_mut(d)?;
-        place |_i, key| Place::Foundation { key };
+foundation! {
+    /// `[foundation]` of type `suction-caisson`.
+    SUCTION_CAISSON = "foundation of type \"suction-caisson\"", caisson caisson_mut:
         "diameter" "m" "diameter of the caisson", "diameter" diameter_m;
         "skirt_length" "m" "length of the skirt", "skirt_length" skirt_length_m;
         "soil_youngs_modulus" "Pa" "Young's modulus of the soil at the depth of one diameter", "soil_youngs_modulus" soil_youngs_modulus_pa;
         "soil_poissons_ratio" "" "Poisson's ratio of the soil", "soil_poissons_ratio" soil_poissons_ratio;
         "vertical" "N/m" "stiffness against z", "vertical" vertical_n_per_m;
         "torsion" "N m" "stiffness against rotation about z", "torsion" torsion_n_m;
-    },
-};
+}
 
-/// `[foundation]` of type `monopile`.
-pub(super) static MONOPILE: Part = Part {
-    name: "foundation",
-    noun: "foundation of type \"monopile\"",
-    count: |d| usize::from(monopile(d).is_some()),
-    rows: |_, _| 1,
-    is_symmetric: false,
-    keys: fields! {
-        get |d, _i| monopile(d)?;
-        set |d, _i| monopile_mut(d)?;
-        place |_i, key| Place::Foundation { key };
+foundation! {
+    /// `[foundation]` of type `monopile`.
+    MONOPILE = "foundation of type \"monopile\"", monopile monopile_mut:
         "diameter" "m" "outer diameter of the pile", "diameter" tube.diameter_m;
         "wall_thickness" "m" "wall thickness of the pile", "wall_thickness" tube.wall_thickness_m;
         "embedded_length" "m" "embedded length of the pile", "embedded_length" tube.embedded_length_m;
@@ -157,20 +124,11 @@ pub(super) static MONOPILE: Part = Part {
         "soil_poissons_ratio" "" "Poisson's ratio of the soil", "soil_poissons_ratio" soil_poissons_ratio;
         "vertical" "N/m" "stiffness against z", "vertical" vertical_n_per_m;
         "torsion" "N m" "stiffness against rotation about z", "torsion" torsion_n_m;
-    },
-};
+}
 
-/// `[foundation]` of type `winkler-pile`.
-pub(super) static WINKLER_PILE: Part = Part {
-    name: "foundation",
-    noun: "foundation of type \"winkler-pile\"",
-    count: |d| usize::from(winkler_pile(d).is_some()),
-    rows: |_, _| 1,
-    is_symmetric: false,
-    keys: fields! {
-        get |d, _i| winkler_pile(d)?;
-        set |d, _i| winkler_pile_mut(d)?;
-        place |_i, key| Place::Foundation { key };
+foundation! {
+    /// `[foundation]` of type `winkler-pile`.
+    WINKLER_PILE = "foundation of type \"winkler-pile\"", winkler_pile winkler_pile_mut:
         "diameter" "m" "outer diameter of the pile", "diameter" tube.diameter_m;
         "wall_thickness" "m" "wall thickness of the pile", "wall_thickness" tube.wall_thickness_m;
         "embedded_length" "m" "embedded length of the pile", "embedded_length" tube.embedded_length_m;
@@ -178,8 +136,7 @@ pub(super) static WINKLER_PILE: Part = Part {
         "exponent" "" "exponent of the depth in the soil spring, or in the modulus of the soil", "exponent" exponent;
         "vertical" "N/m" "stiffness against z", "vertical" vertical_n_per_m;
         "torsion" "N m" "stiffness against rotation about z", "torsion" torsion_n_m;
-    },
-};
+}
 
 /// A number of the springs along a pile, which has it or not.
 macro_rules! of_springs {
@@ -247,17 +204,9 @@ fn spring_ratio(spring: &mut SoilSpring) -> Option<&mut f64> {
     }
 }
 
-/// `[foundation]` of type `floating`.
-pub(super) static FLOATING: Part = Part {
-    name: "foundation",
-    noun: "floating platform",
-    count: |d| usize::from(floating(d).is_some()),
-    rows: |_, _| 1,
-    is_symmetric: false,
-    keys: fields! {
-        get |d, _i| floating(d)?;
-        set |d, _i| floating_mut(d)?;
-        place |_i, key| Place::Foundation { key };
+foundation! {
+    /// `[foundation]` of type `floating`.
+    FLOATING = "floating platform", floating floating_mut:
         "mass" "kg" "mass with ballast", "mass" mass_kg;
         "center[0]" "m" "centre of mass from the tower axis, downwind", "center" center_m[0];
         "center[1]" "m" "centre of mass from the tower axis, side-side", "center" center_m[1];
@@ -271,8 +220,7 @@ pub(super) static FLOATING: Part = Part {
         "added_mass_height" "m" "height of the reference point of added_mass", "added_mass" added_mass.height_m;
         "hydrostatic_height" "m" "height of the reference point of hydrostatic", "hydrostatic" hydrostatic.height_m;
         "mooring_height" "m" "height of the reference point of mooring", "mooring" mooring.height_m;
-    },
-};
+}
 
 /// A symmetric 6×6 matrix of a foundation.
 macro_rules! matrix {
