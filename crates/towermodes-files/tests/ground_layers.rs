@@ -1,5 +1,8 @@
 //! `[ground]`: read, written, refused.
 
+use crate::refused;
+
+use refused::refused_text;
 use towermodes::{
     AxialModel, Clay, Foundation, Ground, LayerSoil, PyRow, Rock, Sand, Scour, ShearModulus,
     SoilModel, TowerDescription,
@@ -276,19 +279,6 @@ fn mistakes_of_a_ground_are_shown_at_their_values() {
     for (from, to, place, message) in cases {
         assert!(PILE.contains(from), "{from}");
         let text = PILE.replacen(from, to, 1);
-        let mistakes = towermodes_files::tower_from_toml(&text).expect_err(to);
-        let first = &mistakes[0];
-        let (line, column) = first.line_and_column(&text);
-        assert!(
-            first.message().contains(message),
-            "{to}: {}",
-            first.message()
-        );
-        assert_eq!(
-            format!("{line}:{column}"),
-            place,
-            "{to}: {}",
-            first.message()
-        );
+        refused_text(&text, place, message, "");
     }
 }

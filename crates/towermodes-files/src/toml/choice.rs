@@ -5,6 +5,28 @@ use super::table::suggestion;
 use super::values::{Value, text};
 use crate::diagnostic::{Diagnostic, DiagnosticKind};
 
+/// The words on a choice in messages.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct ChoiceWords {
+    /// The value: "the foundation's type is a number, not a text".
+    pub(super) of_value: &'static str,
+    /// What has no such name: "there is no foundation of type `x`".
+    pub(super) unknown: &'static str,
+    /// Before the list of names: "types:".
+    pub(super) known: &'static str,
+}
+
+impl ChoiceWords {
+    /// With one word for the value and for what has no such name.
+    pub(super) const fn of(what: &'static str) -> Self {
+        Self {
+            of_value: what,
+            unknown: what,
+            known: "names:",
+        }
+    }
+}
+
 /// The choice that a value names.
 pub(super) fn chosen<T: Copy>(
     value: &Value<'_>,
@@ -12,13 +34,23 @@ pub(super) fn chosen<T: Copy>(
     choices: &[(&'static str, T)],
     reading: &mut Reading,
 ) -> Option<T> {
-    let name = text(value, what, reading)?;
+    one_of(value, ChoiceWords::of(what), choices, reading)
+}
+
+/// The same with words of its own.
+pub(super) fn one_of<T: Copy>(
+    value: &Value<'_>,
+    words: ChoiceWords,
+    choices: &[(&'static str, T)],
+    reading: &mut Reading,
+) -> Option<T> {
+    let name = text(value, words.of_value, reading)?;
     if let Some((_, choice)) = choices.iter().find(|(known, _)| *known == name) {
         return Some(*choice);
     }
     let names: Vec<&str> = choices.iter().map(|(name, _)| *name).collect();
-    let hint = suggestion(name, &names, "names:");
-    let name = name.to_owned();
+    let hint = suggestion(name, &names, words.known);
+    let (what, name) = (words.unknown, name.to_owned());
     let kind = DiagnosticKind::UnknownName { what, name };
     reading.refuse(Diagnostic::new(value.span(), kind).with_hint(hint))
 }

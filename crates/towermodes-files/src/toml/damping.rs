@@ -95,15 +95,8 @@ fn rotor(table: &Table<'_>, reading: &mut Reading) -> Option<Option<RotorAerodyn
     let (lift_slope, air_density) = (lift_slope?, air_density?);
     let Some(chord_moment_m3) = chord_moment? else {
         for key in ["lift_slope", "air_density"] {
-            if let Some(value) = table.get(key) {
-                let kind = DiagnosticKind::UnusedKey {
-                    key: key.to_owned(),
-                    because: "without chord_moment".to_owned(),
-                };
-                let hint =
-                    "add chord_moment, the integral of chord times radius over one blade, m3";
-                reading.mistake(Diagnostic::new(value.span(), kind).with_hint(hint));
-            }
+            let hint = "add chord_moment, the integral of chord times radius over one blade, m3";
+            table.refuse_unused(key, "without chord_moment", hint, reading);
         }
         return Some(None);
     };

@@ -20,7 +20,6 @@ use super::table::Table;
 use super::values::text;
 use super::water::water;
 use super::wires::wires;
-use crate::diagnostic::{Diagnostic, DiagnosticKind};
 
 /// The whole file.
 pub(super) fn description(root: &Table<'_>, reading: &mut Reading) -> Option<TowerDescription> {
@@ -141,13 +140,7 @@ fn of_properties(
         (tower, "shear", SHEAR_COLUMNS),
     ];
     for (table, key, hint) in of_tubes {
-        if let Some(value) = table.get(key) {
-            let kind = DiagnosticKind::UnusedKey {
-                key: key.to_owned(),
-                because: "beside [tower.properties]".to_owned(),
-            };
-            reading.mistake(Diagnostic::new(value.span(), kind).with_hint(hint));
-        }
+        table.refuse_unused(key, "beside [tower.properties]", hint, reading);
     }
     let value = tower.require("properties", "", reading)?;
     Some(TowerDescription {

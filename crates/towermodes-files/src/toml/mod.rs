@@ -10,6 +10,7 @@ mod file;
 mod foundation;
 mod gravity;
 mod ground;
+mod kind;
 mod masses;
 mod materials;
 mod matrix;

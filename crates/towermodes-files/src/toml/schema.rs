@@ -13,7 +13,7 @@ pub struct TableSchema {
 }
 
 /// A key of a table.
-#[derive(Debug)]
+#[derive(Debug, Clone, Copy)]
 pub struct KeySchema {
     /// The key.
     pub name: &'static str,
@@ -71,19 +71,62 @@ impl KeySchema {
     }
 }
 
-/// The function that gives all tables, then the tables with a line for each key: whether it is
-/// required, its name, type, unit and meaning.
+/// The number of keys of all parts.
+pub(super) const fn count(parts: &[&[KeySchema]]) -> usize {
+    let (mut count, mut part) = (0, 0);
+    while part < parts.len() {
+        count += parts[part].len();
+        part += 1;
+    }
+    count
+}
+
+/// The keys of all parts in one list.
+pub(super) const fn joined<const N: usize>(parts: &[&[KeySchema]]) -> [KeySchema; N] {
+    let mut keys = [parts[0][0]; N];
+    let (mut key, mut part) = (0, 0);
+    while part < parts.len() {
+        let mut own = 0;
+        while own < parts[part].len() {
+            keys[key] = parts[part][own];
+            (key, own) = (key + 1, own + 1);
+        }
+        part += 1;
+    }
+    keys
+}
+
+/// A line for each key: whether it is required, its name, type, unit and meaning.
+macro_rules! keys {
+    ($($need:ident $key:literal $kind:ident $unit:literal $meaning:literal;)*) => {
+        &[$($crate::toml::schema::KeySchema {
+            name: $key,
+            kind: $crate::toml::schema::ValueKind::$kind,
+            is_required: $crate::toml::schema::keys!(@is_required $need),
+            unit: $unit,
+            meaning: $meaning,
+        }),*]
+    };
+    (@is_required required) => { true };
+    (@is_required optional) => { false };
+}
+
+/// The function that gives all tables, then the tables with their keys; `with` names keys that come
+/// before them, and `+` keys that come after them.
 macro_rules! tables {
-    ($(#[$all_doc:meta])+ $all:ident => $($(#[$doc:meta])+ $id:ident = $table:literal: $($need:ident $key:literal $kind:ident $unit:literal $meaning:literal;)+)+) => {
+    ($(#[$all_doc:meta])+ $all:ident => $($(#[$doc:meta])+ $id:ident = $table:literal $(with $first:ident)?: $($need:ident $key:literal $kind:ident $unit:literal $meaning:literal;)* $(+ $more:ident;)*)+) => {
         $($(#[$doc])+ pub static $id: TableSchema = TableSchema {
             name: $table,
-            keys: &[$(KeySchema {
-                name: $key,
-                kind: ValueKind::$kind,
-                is_required: $crate::toml::schema::tables!(@is_required $need),
-                unit: $unit,
-                meaning: $meaning,
-            }),+],
+            keys: {
+                const PARTS: &[&[KeySchema]] = &[
+                    $($first,)?
+                    $crate::toml::schema::keys!($($need $key $kind $unit $meaning;)*),
+                    $($more),*
+                ];
+                const KEYS: [KeySchema; $crate::toml::schema::count(PARTS)] =
+                    $crate::toml::schema::joined(PARTS);
+                &KEYS
+            },
         };)+
 
         $(#[$all_doc])+
@@ -92,11 +135,41 @@ macro_rules! tables {
             ALL
         }
     };
-    (@is_required required) => { true };
-    (@is_required optional) => { false };
 }
 
+pub(super) use keys;
 pub(super) use tables;
+
+/// Keys of every layer of the ground.
+const LAYER: &[KeySchema] = keys! {
+    optional "name" Text "" "";
+    required "type" Text "" "kind of soil: sand, clay, elastic, rock or py";
+    optional "model" Text "" "of the springs, in place of that of [ground]";
+    required "top" Number "m" "height";
+    required "bottom" Number "m" "height";
+    optional "effective_unit_weight" Number "N/m3" "under water the buoyant one";
+};
+
+/// Keys of the shear modulus of a layer.
+const SHEAR_MODULUS: &[KeySchema] = keys! {
+    optional "shear_modulus" Any "Pa" "at small strains; one number or [top, bottom]";
+    optional "youngs_modulus" Any "Pa" "at small strains; one number or [top, bottom]";
+    optional "shear_wave_velocity" Any "m/s" "one number or [top, bottom]";
+    optional "cone_resistance" Any "Pa" "one number or [top, bottom]";
+    optional "correlation" Text "" "of the cone resistance: rix-stokoe, mayne-rix or robertson-cabal";
+    optional "behaviour_index" Number "" "soil behaviour type index I_c";
+    optional "blow_count" Any "" "standard penetration test; one number or [top, bottom]";
+    optional "void_ratio" Number "" "";
+    optional "earth_pressure_at_rest" Number "" "coefficient K0";
+    optional "density" Number "kg/m3" "of the soil with its water";
+};
+
+/// Keys of a layer for the springs along the axis, and its Poisson's ratio.
+const AXIAL: &[KeySchema] = keys! {
+    optional "poissons_ratio" Number "" "";
+    optional "shaft_friction" Any "Pa" "largest, for axial = \"api\"; one number or [top, bottom]";
+    optional "end_bearing" Number "Pa" "largest, for axial = \"api\"";
+};
 
 tables! {
     /// All tables of the tower file.
@@ -310,103 +383,36 @@ tables! {
         optional "local" Number "m" "depth of the hole around the pile below that";
 
     /// `[[ground.layer]]` of type `sand`.
-    SAND = "[[ground.layer]] of type \"sand\"":
-        optional "name" Text "" "";
-        required "type" Text "" "kind of soil: sand, clay, elastic, rock or py";
-        optional "model" Text "" "of the springs, in place of that of [ground]";
-        required "top" Number "m" "height";
-        required "bottom" Number "m" "height";
-        optional "effective_unit_weight" Number "N/m3" "under water the buoyant one";
+    SAND = "[[ground.layer]] of type \"sand\"" with LAYER:
         optional "friction_angle" Number "degrees" "";
         optional "subgrade_modulus" Number "N/m3" "in place of friction_angle for api";
         optional "relative_density" Number "" "as a fraction";
-        optional "shear_modulus" Any "Pa" "at small strains; one number or [top, bottom]";
-        optional "youngs_modulus" Any "Pa" "at small strains; one number or [top, bottom]";
-        optional "shear_wave_velocity" Any "m/s" "one number or [top, bottom]";
-        optional "cone_resistance" Any "Pa" "one number or [top, bottom]";
-        optional "correlation" Text "" "of the cone resistance: rix-stokoe, mayne-rix or robertson-cabal";
-        optional "behaviour_index" Number "" "soil behaviour type index I_c";
-        optional "blow_count" Any "" "standard penetration test; one number or [top, bottom]";
-        optional "void_ratio" Number "" "";
-        optional "earth_pressure_at_rest" Number "" "coefficient K0";
-        optional "density" Number "kg/m3" "of the soil with its water";
-        optional "poissons_ratio" Number "" "";
-        optional "shaft_friction" Any "Pa" "largest, for axial = \"api\"; one number or [top, bottom]";
-        optional "end_bearing" Number "Pa" "largest, for axial = \"api\"";
+        + SHEAR_MODULUS;
+        + AXIAL;
 
     /// `[[ground.layer]]` of type `clay`.
-    CLAY = "[[ground.layer]] of type \"clay\"":
-        optional "name" Text "" "";
-        required "type" Text "" "kind of soil: sand, clay, elastic, rock or py";
-        optional "model" Text "" "of the springs, in place of that of [ground]";
-        required "top" Number "m" "height";
-        required "bottom" Number "m" "height";
-        optional "effective_unit_weight" Number "N/m3" "under water the buoyant one";
+    CLAY = "[[ground.layer]] of type \"clay\"" with LAYER:
         optional "undrained_strength" Any "Pa" "one number or [top, bottom]";
         optional "strain_at_half_strength" Number "" "eps50";
         optional "strength_factor" Number "" "J of Matlock, near the surface";
         optional "stiffness_factor" Number "" "for dnv: 10 normally consolidated, 30 overconsolidated";
-        optional "shear_modulus" Any "Pa" "at small strains; one number or [top, bottom]";
-        optional "youngs_modulus" Any "Pa" "at small strains; one number or [top, bottom]";
-        optional "shear_wave_velocity" Any "m/s" "one number or [top, bottom]";
-        optional "cone_resistance" Any "Pa" "one number or [top, bottom]";
-        optional "correlation" Text "" "of the cone resistance: rix-stokoe, mayne-rix or robertson-cabal";
-        optional "behaviour_index" Number "" "soil behaviour type index I_c";
-        optional "blow_count" Any "" "standard penetration test; one number or [top, bottom]";
-        optional "void_ratio" Number "" "";
-        optional "earth_pressure_at_rest" Number "" "coefficient K0";
-        optional "density" Number "kg/m3" "of the soil with its water";
-        optional "poissons_ratio" Number "" "";
-        optional "shaft_friction" Any "Pa" "largest, for axial = \"api\"; one number or [top, bottom]";
-        optional "end_bearing" Number "Pa" "largest, for axial = \"api\"";
+        + SHEAR_MODULUS;
+        + AXIAL;
 
     /// `[[ground.layer]]` of type `elastic`.
-    ELASTIC = "[[ground.layer]] of type \"elastic\"":
-        optional "name" Text "" "";
-        required "type" Text "" "kind of soil: sand, clay, elastic, rock or py";
-        optional "model" Text "" "of the springs, in place of that of [ground]";
-        required "top" Number "m" "height";
-        required "bottom" Number "m" "height";
-        optional "effective_unit_weight" Number "N/m3" "under water the buoyant one";
-        optional "shear_modulus" Any "Pa" "at small strains; one number or [top, bottom]";
-        optional "youngs_modulus" Any "Pa" "at small strains; one number or [top, bottom]";
-        optional "shear_wave_velocity" Any "m/s" "one number or [top, bottom]";
-        optional "cone_resistance" Any "Pa" "one number or [top, bottom]";
-        optional "correlation" Text "" "of the cone resistance: rix-stokoe, mayne-rix or robertson-cabal";
-        optional "behaviour_index" Number "" "soil behaviour type index I_c";
-        optional "blow_count" Any "" "standard penetration test; one number or [top, bottom]";
-        optional "void_ratio" Number "" "";
-        optional "earth_pressure_at_rest" Number "" "coefficient K0";
-        optional "density" Number "kg/m3" "of the soil with its water";
-        optional "poissons_ratio" Number "" "";
-        optional "shaft_friction" Any "Pa" "largest, for axial = \"api\"; one number or [top, bottom]";
-        optional "end_bearing" Number "Pa" "largest, for axial = \"api\"";
+    ELASTIC = "[[ground.layer]] of type \"elastic\"" with LAYER:
+        + SHEAR_MODULUS;
+        + AXIAL;
 
     /// `[[ground.layer]]` of type `rock`.
-    ROCK = "[[ground.layer]] of type \"rock\"":
-        optional "name" Text "" "";
-        required "type" Text "" "kind of soil: sand, clay, elastic, rock or py";
-        optional "model" Text "" "of the springs, in place of that of [ground]";
-        required "top" Number "m" "height";
-        required "bottom" Number "m" "height";
-        optional "effective_unit_weight" Number "N/m3" "under water the buoyant one";
+    ROCK = "[[ground.layer]] of type \"rock\"" with LAYER:
         optional "youngs_modulus" Any "Pa" "initial, of the rock mass; one number or [top, bottom]";
-        optional "poissons_ratio" Number "" "";
-        optional "shaft_friction" Any "Pa" "largest, for axial = \"api\"; one number or [top, bottom]";
-        optional "end_bearing" Number "Pa" "largest, for axial = \"api\"";
+        + AXIAL;
 
     /// `[[ground.layer]]` of type `py`.
-    PY_TABLE = "[[ground.layer]] of type \"py\"":
-        optional "name" Text "" "";
-        required "type" Text "" "kind of soil: sand, clay, elastic, rock or py";
-        optional "model" Text "" "of the springs, in place of that of [ground]";
-        required "top" Number "m" "height";
-        required "bottom" Number "m" "height";
-        optional "effective_unit_weight" Number "N/m3" "under water the buoyant one";
+    PY_TABLE = "[[ground.layer]] of type \"py\"" with LAYER:
         required "rows" Rows "" "height in m, displacement in m, reaction in N/m";
-        optional "poissons_ratio" Number "" "";
-        optional "shaft_friction" Any "Pa" "largest, for axial = \"api\"; one number or [top, bottom]";
-        optional "end_bearing" Number "Pa" "largest, for axial = \"api\"";
+        + AXIAL;
 
     /// `[[added_mass]]`.
     ADDED_MASS = "[[added_mass]]":
@@ -452,17 +458,3 @@ tables! {
         optional "lift_slope" Number "1/rad" "of the blade sections, 2 pi by default";
         optional "air_density" Number "kg/m3" "1.225 by default";
 }
-
-/// The types of foundation with their names.
-pub(super) static FOUNDATIONS: [&TableSchema; 10] = [
-    &CLAMPED,
-    &STIFFNESS,
-    &SPRINGS,
-    &HALF_SPACE,
-    &CIRCULAR_FOOTING,
-    &RECTANGULAR_FOOTING,
-    &SUCTION_CAISSON,
-    &MONOPILE,
-    &WINKLER_PILE,
-    &FLOATING,
-];

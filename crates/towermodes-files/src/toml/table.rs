@@ -139,6 +139,22 @@ impl<'a> Table<'a> {
         value
     }
 
+    /// Reports a key that has no effect, if the table has it; nothing is given in place of it.
+    pub(super) fn refuse_unused(
+        &self,
+        key: &str,
+        because: impl Into<String>,
+        hint: &str,
+        reading: &mut Reading,
+    ) -> Option<()> {
+        let Some(value) = self.get(key) else {
+            return Some(());
+        };
+        let (key, because) = (key.to_owned(), because.into());
+        let kind = DiagnosticKind::UnusedKey { key, because };
+        reading.refuse(Diagnostic::new(value.span(), kind).with_hint(hint))
+    }
+
     /// Whether an unknown key looks like this one.
     pub(super) fn has_misspelled(&self, key: &str) -> bool {
         let known = &self.known;

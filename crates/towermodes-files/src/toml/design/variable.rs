@@ -2,10 +2,11 @@
 
 use std::ops::Range;
 
+use super::super::choice::{ChoiceWords, one_of};
 use super::super::reading::Reading;
 use super::super::study::unquoted;
-use super::super::table::{Table, suggestion};
-use super::super::values::{Value, every_row, list, number, text, wrong_kind};
+use super::super::table::Table;
+use super::super::values::{Value, every_row, list, number, wrong_kind};
 use super::positive;
 use super::schema::VARIABLE;
 use crate::design_study::{DesignEach, DesignVariable};
@@ -60,20 +61,16 @@ fn variable(
     });
     let each = match table.get("each") {
         None => Some(DesignEach::All),
-        Some(value) => named(value, "each", &EACH, reading),
+        Some(value) => one_of(value, words("each"), &EACH, reading),
     };
     let is_falling = match table.get("order") {
         None => Some(false),
         Some(value) => {
             let orders = [("falling", true), ("free", false)];
-            let order = named(value, "order", &orders, reading);
+            let order = one_of(value, words("order"), &orders, reading);
             if each == Some(DesignEach::All) {
-                let kind = DiagnosticKind::UnusedKey {
-                    key: "order".to_owned(),
-                    because: "without `each`".to_owned(),
-                };
                 let hint = "add each = \"can\", \"height\" or \"number\", so that there are several values";
-                reading.mistake(Diagnostic::new(value.span(), kind).with_hint(hint));
+                table.refuse_unused("order", "without `each`", hint, reading);
             }
             order
         }
@@ -91,24 +88,11 @@ fn variable(
     })
 }
 
-/// A choice by name.
-fn named<T: Copy>(
-    value: &Value<'_>,
-    what: &'static str,
-    choices: &[(&'static str, T)],
-    reading: &mut Reading,
-) -> Option<T> {
-    let name = text(value, what, reading)?;
-    let found = choices.iter().find(|(own, _)| *own == name);
-    found.map(|(_, choice)| *choice).or_else(|| {
-        let names: Vec<&str> = choices.iter().map(|(own, _)| *own).collect();
-        let hint = suggestion(name, &names, "there are");
-        let kind = DiagnosticKind::UnknownName {
-            what,
-            name: name.to_owned(),
-        };
-        reading.refuse(Diagnostic::new(value.span(), kind).with_hint(hint))
-    })
+fn words(key: &'static str) -> ChoiceWords {
+    ChoiceWords {
+        known: "there are",
+        ..ChoiceWords::of(key)
+    }
 }
 
 /// Two numbers of which the first is lower.

@@ -3,7 +3,6 @@
 use towermodes::{FloatingPlatform, Foundation, ReferredMatrix};
 
 use super::{Kind, at};
-use crate::diagnostic::{Diagnostic, DiagnosticKind};
 use crate::toml::body::{center, inertia};
 use crate::toml::matrix::matrix;
 use crate::toml::reading::Reading;
@@ -75,13 +74,9 @@ fn without_matrix(
     reading: &mut Reading,
 ) -> Option<ReferredMatrix> {
     // A misspelled matrix is reported as an unknown key.
-    if let Some(height) = table.get(height_key).filter(|_| !table.has_misspelled(key)) {
-        let kind = DiagnosticKind::UnusedKey {
-            key: height_key.to_owned(),
-            because: format!("without `{key}`"),
-        };
+    if !table.has_misspelled(key) {
         let hint = "add the matrix, or remove its height";
-        return reading.refuse(Diagnostic::new(height.span(), kind).with_hint(hint));
+        table.refuse_unused(height_key, format!("without `{key}`"), hint, reading)?;
     }
     Some(ReferredMatrix::default())
 }

@@ -5,7 +5,7 @@ use towermodes::{CircularFooting, FootingFormula, Foundation, RectangularFooting
 
 use super::choice::choice;
 use super::pile::{profile, rigid_or, soil_modulus, soil_poissons_ratio};
-use super::{Kind, at, without_effect};
+use super::{Kind, at};
 use crate::toml::reading::Reading;
 use crate::toml::schema;
 use crate::toml::table::Table;
@@ -110,12 +110,10 @@ fn shear_modulus(table: &Table<'_>, reading: &mut Reading) -> Option<f64> {
 /// Rock if it is left out; it needs a stratum above it.
 fn lower_shear_modulus(table: &Table<'_>, reading: &mut Reading) -> Option<f64> {
     let key = "lower_shear_modulus";
-    if table.get(key).is_some()
-        && table.get("soil_thickness").is_none()
-        && !table.has_misspelled("soil_thickness")
-    {
+    let thickness = "soil_thickness";
+    if table.get(thickness).is_none() && !table.has_misspelled(thickness) {
         let hint = "add the thickness of the stratum above it, in m";
-        return without_effect(table, key, "without `soil_thickness`", hint, reading);
+        table.refuse_unused(key, "without `soil_thickness`", hint, reading)?;
     }
     rigid_or(table, key, reading)
 }

@@ -6,7 +6,7 @@ use towermodes::{
 };
 
 use super::choice::choice;
-use super::{Kind, at, without_effect};
+use super::{Kind, at};
 use crate::toml::reading::Reading;
 use crate::toml::schema;
 use crate::toml::table::Table;
@@ -110,24 +110,13 @@ fn soil_spring(table: &Table<'_>, reading: &mut Reading) -> Option<SoilSpring> {
     }
     let what = "formula for the springs";
     let formula = choice(table, "spring_formula", what, &SPRING_FORMULAS, reading);
-    if table.get("soil_spring").is_some() {
-        let hint = "keep one of the two";
-        return without_effect(
-            table,
-            "soil_spring",
-            "beside `spring_formula`",
-            hint,
-            reading,
-        );
-    }
+    let (because, hint) = ("beside `spring_formula`", "keep one of the two");
+    table.refuse_unused("soil_spring", because, hint, reading)?;
     let modulus = soil_modulus(table, reading);
     match formula? {
         SpringFormula::Gazetas => {
-            let key = "soil_poissons_ratio";
-            if table.get(key).is_some() {
-                let because = "with spring_formula = \"gazetas\"";
-                return without_effect(table, key, because, "remove it", reading);
-            }
+            let (key, because) = ("soil_poissons_ratio", "with spring_formula = \"gazetas\"");
+            table.refuse_unused(key, because, "remove it", reading)?;
             let youngs_modulus_pa = modulus?;
             Some(SoilSpring::Gazetas { youngs_modulus_pa })
         }
@@ -144,9 +133,9 @@ fn soil_spring(table: &Table<'_>, reading: &mut Reading) -> Option<SoilSpring> {
 fn given_spring(table: &Table<'_>, reading: &mut Reading) -> Option<SoilSpring> {
     let is_misspelled = table.has_misspelled("spring_formula");
     for key in ["soil_youngs_modulus", "soil_poissons_ratio"] {
-        if table.get(key).is_some() && !is_misspelled {
+        if !is_misspelled {
             let hint = "add spring_formula = \"gazetas\" or \"vesic\", or give soil_spring alone";
-            return without_effect(table, key, "without `spring_formula`", hint, reading);
+            table.refuse_unused(key, "without `spring_formula`", hint, reading)?;
         }
     }
     let hint = "N/m2 per metre of pile at the depth of one diameter; or spring_formula with the modulus of the soil";

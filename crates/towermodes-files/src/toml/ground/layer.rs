@@ -3,11 +3,12 @@
 use towermodes::{GroundLayer, LayerSoil, Place, SoilModel};
 
 use super::shear_modulus::shear_modulus;
-use super::soil::{self, Kind};
+use super::soil::{KINDS, Kind};
 use super::{MODELS, model_hint};
 use crate::diagnostic::{Diagnostic, DiagnosticKind};
 use crate::places::TABLE;
 use crate::toml::choice::chosen;
+use crate::toml::kind::{kind_of, owners};
 use crate::toml::reading::Reading;
 use crate::toml::table::Table;
 use crate::toml::values::{Value, list, number, wrong_kind};
@@ -26,8 +27,11 @@ pub(super) fn layer(
 ) -> Option<(Layer, String)> {
     let at = |key| Place::GroundLayer { index, key };
     reading.remember(at(TABLE), value.span());
-    let kind = soil::kind(index, value, reading)?;
-    let elsewhere = |key: &str| soil::foreign(key, kind);
+    let kind = kind_of(value, at("type"), &KINDS, reading)?;
+    let elsewhere = |key: &str| {
+        let owners = owners(key, &KINDS)?;
+        Some(format!("{owners}; this layer is of type \"{}\"", kind.name))
+    };
     let table = Table::with_elsewhere(value, "[[ground.layer]]", kind.schema, elsewhere, reading)?;
     let name = table.name_of("a layer's name", reading);
     let hint = "height in m, in the datum of the stations";

@@ -3,7 +3,6 @@
 use towermodes::{Place, ShearModulus};
 
 use super::layer::{pair, pair_of};
-use crate::diagnostic::{Diagnostic, DiagnosticKind};
 use crate::toml::choice::{choices_hint, chosen};
 use crate::toml::reading::Reading;
 use crate::toml::table::Table;
@@ -44,14 +43,9 @@ pub(super) fn shear_modulus(
     let Some(source) = given.next() else {
         return unused(table, &[], reading).map(|()| None);
     };
-    if let Some((second, value)) = given.next().and_then(|key| Some((key, table.get(key)?))) {
+    if let Some(second) = given.next() {
         let because = format!("beside {source}: both give the shear modulus");
-        let kind = DiagnosticKind::UnusedKey {
-            key: second.to_owned(),
-            because,
-        };
-        return reading
-            .refuse(Diagnostic::new(value.span(), kind).with_hint("keep one of the two"));
+        table.refuse_unused(second, because, "keep one of the two", reading)?;
     }
     let modulus = match source {
         "cone_resistance" => by_cone(table, at, reading),
@@ -162,17 +156,10 @@ fn unused(table: &Table<'_>, used: &[&str], reading: &mut Reading) -> Option<()>
             "without shear_wave_velocity, blow_count or correlation = \"robertson-cabal\"",
         ),
     ];
-    let unused = keys
-        .into_iter()
-        .find(|(key, _)| !used.contains(key) && table.get(key).is_some());
-    let Some((key, because)) = unused else {
+    let unused = |(key, _): &(&str, &str)| !used.contains(key) && table.get(key).is_some();
+    let Some((key, because)) = keys.into_iter().find(unused) else {
         return Some(());
     };
-    let span = table.get(key)?.span();
-    let kind = DiagnosticKind::UnusedKey {
-        key: key.to_owned(),
-        because: because.to_owned(),
-    };
-    reading
-        .refuse(Diagnostic::new(span, kind).with_hint("remove it, or give the key it belongs to"))
+    let hint = "remove it, or give the key it belongs to";
+    table.refuse_unused(key, because, hint, reading)
 }

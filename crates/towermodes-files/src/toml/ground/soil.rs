@@ -4,16 +4,16 @@ use toml::de::DeArray;
 use towermodes::{Clay, LayerSoil, Place, PyRow, Rock, Sand, SoilModel};
 
 use super::layer::{elastic, pair};
-use crate::diagnostic::{Diagnostic, DiagnosticKind};
-use crate::toml::choice::choices_hint;
+use crate::toml::choice::ChoiceWords;
+use crate::toml::kind::TableKind;
 use crate::toml::reading::Reading;
 use crate::toml::schema::{self, TableSchema};
-use crate::toml::table::{Table, suggestion};
-use crate::toml::values::{Value, every_row, list, number, row_of, text};
+use crate::toml::table::Table;
+use crate::toml::values::{every_row, list, number, row_of};
 
 /// A kind of soil.
 pub(super) struct Kind {
-    name: &'static str,
+    pub(super) name: &'static str,
     pub(super) schema: &'static TableSchema,
     /// Whether it has the keys of a shear modulus.
     pub(super) has_shear_modulus: bool,
@@ -22,7 +22,24 @@ pub(super) struct Kind {
     pub(super) read: fn(&Table<'_>, usize, &mut Reading) -> Option<LayerSoil>,
 }
 
-static KINDS: [Kind; 5] = [
+impl TableKind for Kind {
+    const TABLE: &str = "[[ground.layer]]";
+    const WORDS: ChoiceWords = ChoiceWords {
+        of_value: "the type of the soil",
+        unknown: "soil of type",
+        known: "types:",
+    };
+
+    fn name(&self) -> &'static str {
+        self.name
+    }
+
+    fn schema(&self) -> &'static TableSchema {
+        self.schema
+    }
+}
+
+pub(super) static KINDS: [Kind; 5] = [
     Kind {
         name: "sand",
         schema: &schema::SAND,
@@ -59,40 +76,6 @@ static KINDS: [Kind; 5] = [
         read: py_table,
     },
 ];
-
-/// The kind that a layer names; without one its other keys cannot be checked.
-pub(super) fn kind(
-    index: usize,
-    value: &Value<'_>,
-    reading: &mut Reading,
-) -> Option<&'static Kind> {
-    let table = Table::with_any_keys(value, "[[ground.layer]]", reading)?;
-    let names = KINDS.each_ref().map(|kind| (kind.name, ()));
-    let value = table.require("type", &choices_hint("type", &names), reading)?;
-    let key = "type";
-    reading.remember(Place::GroundLayer { index, key }, value.span());
-    let what = "soil of type";
-    let name = text(value, "the type of the soil", reading)?;
-    KINDS.iter().find(|kind| kind.name == name).or_else(|| {
-        let hint = suggestion(name, &names.map(|(name, ())| name), "types:");
-        let name = name.to_owned();
-        let kind = DiagnosticKind::UnknownName { what, name };
-        reading.refuse(Diagnostic::new(value.span(), kind).with_hint(hint))
-    })
-}
-
-/// The hint on a key that belongs to other kinds of soil.
-pub(super) fn foreign(key: &str, kind: &Kind) -> Option<String> {
-    let owners = KINDS.iter().filter(|other| other.schema.key(key).is_some());
-    let owners: Vec<String> = owners.map(|other| format!("\"{}\"", other.name)).collect();
-    (!owners.is_empty()).then(|| {
-        format!(
-            "it belongs to type = {}; this layer is of type \"{}\"",
-            owners.join(" or "),
-            kind.name
-        )
-    })
-}
 
 fn sand(table: &Table<'_>, index: usize, reading: &mut Reading) -> Option<LayerSoil> {
     let mut optional =

@@ -1,6 +1,6 @@
 //! The schema of measured frequencies: all tables and keys with their types, units and meanings.
 
-use super::super::schema::{KeySchema, TableSchema, ValueKind, tables};
+use super::super::schema::{KeySchema, TableSchema, tables};
 
 tables! {
     /// All tables of a file of measured frequencies.

@@ -90,12 +90,9 @@ fn one_distribution(table: &Table<'_>, what: &str, reading: &mut Reading) -> Opt
     match (given.next(), given.next()) {
         (Some(one), None) => Some(one),
         (Some(first), Some(second)) => {
-            let place = table.get(second).map_or(table.span.clone(), Value::span);
-            let kind = DiagnosticKind::UnusedKey {
-                key: second.to_owned(),
-                because: format!("beside `{first}`"),
-            };
-            reading.refuse(Diagnostic::new(place, kind).with_hint("keep one distribution"))
+            let because = format!("beside `{first}`");
+            table.refuse_unused(second, because, "keep one distribution", reading);
+            None
         }
         (None, _) if DISTRIBUTIONS.iter().any(|key| table.has_misspelled(key)) => None,
         (None, _) => {

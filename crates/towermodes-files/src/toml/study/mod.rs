@@ -111,13 +111,9 @@ fn rows(sweep: &Table<'_>, reading: &mut Reading) -> Option<SweepRows> {
             refuse_keys(sweep, &needless, beside, reading);
             file_of(sweep, "table", reading).map(SweepRows::Table)
         }
-        (Some(table), Some(_)) => {
-            let kind = DiagnosticKind::UnusedKey {
-                key: "table".to_owned(),
-                because: "beside `sampling`".to_owned(),
-            };
-            let mistake = Diagnostic::new(table.span(), kind);
-            reading.refuse(mistake.with_hint("keep one of the two"))
+        (Some(_), Some(_)) => {
+            sweep.refuse_unused("table", "beside `sampling`", "keep one of the two", reading);
+            None
         }
     }
 }
@@ -125,12 +121,6 @@ fn rows(sweep: &Table<'_>, reading: &mut Reading) -> Option<SweepRows> {
 /// Reports keys that have no effect.
 pub(super) fn refuse_keys(table: &Table<'_>, keys: &[&str], because: &str, reading: &mut Reading) {
     for key in keys {
-        if let Some(value) = table.get(key) {
-            let kind = DiagnosticKind::UnusedKey {
-                key: (*key).to_owned(),
-                because: because.to_owned(),
-            };
-            reading.mistake(Diagnostic::new(value.span(), kind).with_hint("remove it"));
-        }
+        table.refuse_unused(key, because, "remove it", reading);
     }
 }

@@ -1,6 +1,6 @@
 //! The schema of the study of a sweep: all tables and keys with their types, units and meanings.
 
-use super::super::schema::{KeySchema, TableSchema, ValueKind, tables};
+use super::super::schema::{KeySchema, TableSchema, tables};
 
 tables! {
     /// All tables of the study of a sweep.
