@@ -178,7 +178,7 @@ fn scour_lowers_the_frequencies_and_without_ground_there_is_no_curve() {
     };
     let solution = of(&pile);
     let depths_m = [0.0, 5.0, 40.0];
-    let curve = scour_curve(&pile, &solution, &depths_m, None, solved).expect("a curve");
+    let curve = scour_curve(&pile, &solution, &depths_m, solved).expect("a curve");
     let at = &curve.modes[0].at;
     let hz = |place: usize| at[place].map(|at| at.frequency_hz);
     assert_eq!(hz(0), Some(solution.modes[0].frequency_hz));
@@ -187,8 +187,5 @@ fn scour_lowers_the_frequencies_and_without_ground_there_is_no_curve() {
     assert_eq!(hz(2), None);
     assert_eq!(curve.failed.len(), 1);
     assert_eq!(curve.failed[0].0, 40.0);
-    assert_eq!(
-        scour_curve(&rocking(), &solution, &depths_m, None, solved),
-        None
-    );
+    assert_eq!(scour_curve(&rocking(), &solution, &depths_m, solved), None);
 }

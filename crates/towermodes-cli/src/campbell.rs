@@ -28,7 +28,7 @@ pub(crate) fn run(arguments: &CampbellArguments) -> Result<(), Failure> {
     // Reported before a long solve.
     rotor_of(&input, &arguments.rotor)?;
     let factors = arguments.soil.factors(&input.description);
-    factors.map_err(Failure::Usage)?;
+    let factors = factors.map_err(Failure::Usage)?;
     let prescribed = Prescribed::of(&mut input);
     let mut options = arguments.options(prescribed).map_err(Failure::Usage)?;
     let is_given = arguments.has_modes();
@@ -36,7 +36,10 @@ pub(crate) fn run(arguments: &CampbellArguments) -> Result<(), Failure> {
     let (campbell, rotor_notes) = campbell_of(&input, &tower, &solution, &arguments.rotor)?;
     let band = match format {
         Format::Csv => None,
-        Format::Table | Format::Json => band(&input, &solution, &options, arguments)?,
+        Format::Table | Format::Json => {
+            let of_factors = |factors| band(&input, &solution, &options, arguments, factors);
+            factors.map(of_factors).transpose()?
+        }
     };
     let notes = [std::mem::take(&mut input.notes), rotor_notes].concat();
     let mut result = Vec::new();
@@ -66,17 +69,14 @@ pub(crate) fn run(arguments: &CampbellArguments) -> Result<(), Failure> {
     judged(&campbell)
 }
 
-/// Frequencies and verdicts for softer and stiffer soil; none without soil.
+/// Frequencies and verdicts for these factors of the stiffness of the soil.
 fn band(
     input: &TowerInput,
     solution: &Solution,
     options: &Options,
     arguments: &CampbellArguments,
-) -> Result<Option<SoilBand>, Failure> {
-    let factors = arguments.soil.factors(&input.description);
-    let Some(factors) = factors.map_err(Failure::Usage)? else {
-        return Ok(None);
-    };
+    factors: &[f64],
+) -> Result<SoilBand, Failure> {
     let (rotor, limits) = (
         rotor_of(input, &arguments.rotor)?.rotor,
         arguments.rotor.options(),
@@ -85,8 +85,7 @@ fn band(
     let band = soil_band(&input.description, solution, factors, of_rotor, |tower| {
         solve(tower, options)
     });
-    band.map(Some)
-        .map_err(|error| Failure::Refused(error.to_string()))
+    band.map_err(|error| Failure::Refused(error.to_string()))
 }
 
 /// Solves for the modes that the options ask for and, if no number was given, for as many more as

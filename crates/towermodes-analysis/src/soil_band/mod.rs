@@ -202,6 +202,12 @@ impl SoilBand {
         self.factors.iter().position(|f| *f == 1.0).unwrap_or(0)
     }
 
+    /// Whether its modes have verdicts: there is a rotor, and a frequency that is not 0.
+    pub fn has_verdicts(&self) -> bool {
+        let values = self.modes.iter().flat_map(|mode| mode.at.iter().flatten());
+        values.into_iter().any(|at| at.verdict.is_some())
+    }
+
     /// The first bending modes of both planes, and all modes whose verdict is not the same over the
     /// band.
     pub fn of_interest(&self) -> impl Iterator<Item = &BandMode> {

@@ -1,9 +1,8 @@
 //! Frequencies against the depth of scour.
 
-use towermodes::{Rotor, Solution, SolveError, Tower, TowerDescription};
+use towermodes::{Solution, SolveError, Tower, TowerDescription};
 
 use super::{BandMode, solve_each};
-use crate::resonance::CampbellOptions;
 
 /// The frequencies of a tower for several depths of local scour.
 #[derive(Debug, Clone, PartialEq)]
@@ -16,15 +15,14 @@ pub struct ScourCurve {
     pub failed: Vec<(f64, String)>,
 }
 
-/// The frequencies of a tower for several depths of local scour, with the verdicts on them if there
-/// is a rotor; none if the tower has no soil in layers.
+/// The frequencies of a tower for several depths of local scour, without verdicts; none if the
+/// tower has no soil in layers.
 ///
 /// `solution` names the modes; `solve` solves the changed towers, for the same modes.
 pub fn scour_curve(
     description: &TowerDescription,
     solution: &Solution,
     depths_m: &[f64],
-    rotor: Option<(&Rotor, &CampbellOptions)>,
     mut solve: impl FnMut(&Tower) -> Result<Solution, SolveError>,
 ) -> Option<ScourCurve> {
     description.ground.as_ref()?;
@@ -35,7 +33,7 @@ pub fn scour_curve(
         }
         Some(tower)
     };
-    let (modes, failed) = solve_each(solution, depths_m, with_scour, rotor, &mut solve);
+    let (modes, failed) = solve_each(solution, depths_m, with_scour, None, &mut solve);
     Some(ScourCurve {
         depths_m: depths_m.to_vec(),
         modes,

@@ -54,11 +54,7 @@ pub(super) fn scour(
 ) -> Result<Drawn, Failure> {
     let options = options(input, arguments)?;
     let description = &input.description;
-    let Some(diameter_m) = description
-        .ground
-        .as_ref()
-        .and_then(|_| pile_diameter_m(input))
-    else {
+    let Some(diameter_m) = pile_diameter_m(input) else {
         return Err(Failure::Usage(
             "--what scour needs soil in layers around the pile: [ground] in the tower file",
         ));
@@ -67,7 +63,7 @@ pub(super) fn scour(
     let step_m = DEEPEST_DIAMETERS * diameter_m / (DEPTHS - 1) as f64;
     let depths_m: Vec<f64> = (0..DEPTHS).map(|step| step as f64 * step_m).collect();
     let each = |tower: &Tower| solve(tower, &options);
-    let Some(curve) = scour_curve(description, &solution, &depths_m, None, each) else {
+    let Some(curve) = scour_curve(description, &solution, &depths_m, each) else {
         return Err(Failure::Refused(
             "the tower has no soil in layers".to_owned(),
         ));
@@ -78,7 +74,8 @@ pub(super) fn scour(
     Ok(drawn(figure, &solution, failed))
 }
 
-/// The outer diameter of the lowest station, or of a pile that is given by a table.
+/// The outer diameter of the pile in soil in layers: that of the lowest station, or given beside a
+/// table.
 fn pile_diameter_m(input: &TowerInput) -> Option<f64> {
     let given = input.description.ground.as_ref()?.pile_diameter_m;
     let lowest = input.description.stations.first();

@@ -31,8 +31,7 @@ pub fn soil_band(band: &SoilBand) -> String {
         text += &(wrapped(&sentence) + "\n");
     }
     let others = band.modes.len() - modes.len();
-    let has_verdicts = band.modes.iter().any(has_verdict);
-    if others > 0 && has_verdicts && band.failed.is_empty() {
+    if others > 0 && band.has_verdicts() && band.failed.is_empty() {
         let keep = if others == 1 {
             "keeps its verdict"
         } else {
@@ -41,10 +40,6 @@ pub fn soil_band(band: &SoilBand) -> String {
         text += &format!("{} {keep} over the band\n", counted(others, "other mode"));
     }
     text
-}
-
-fn has_verdict(mode: &BandMode) -> bool {
-    mode.at.iter().flatten().any(|at| at.verdict.is_some())
 }
 
 /// "0.2410 Hz -1.8 % WARN"; "-" where there is no such mode.

@@ -143,12 +143,17 @@ fn soil_band_of(
         .as_ref()
         .map(|rotor| (rotor, &request.campbell));
     let factors = request.soil_factors.as_ref()?;
+    // No shapes are shown.
+    let options = Options {
+        points: 2,
+        ..request.options.clone()
+    };
     Some(soil_band(
         &request.description,
         solution,
         factors,
         rotor,
-        |tower| computation.solve(tower, &request.options),
+        |tower| computation.solve(tower, &options),
     ))
 }
 

@@ -29,7 +29,7 @@ pub(super) fn blocks(band: &SoilBand) -> Vec<Block> {
 }
 
 fn frequencies(band: &SoilBand) -> Table {
-    let has_verdicts = band.modes.iter().any(has_verdict);
+    let has_verdicts = band.has_verdicts();
     let mut header = vec!["mode".to_owned()];
     for factor in &band.factors {
         header.push(format!("#f at factor {} (Hz)", Plain(*factor)));
@@ -78,13 +78,9 @@ fn cells(band: &SoilBand, mode: &BandMode, place: usize, has_verdicts: bool) -> 
     cells
 }
 
-fn has_verdict(mode: &BandMode) -> bool {
-    mode.at.iter().flatten().any(|at| at.verdict.is_some())
-}
-
 /// Which verdicts depend on the soil.
 fn conclusion(band: &SoilBand) -> Option<String> {
-    if !band.modes.iter().any(has_verdict) {
+    if !band.has_verdicts() {
         return None;
     }
     let changing = band.modes.iter().filter(|mode| mode.changes_verdict());
