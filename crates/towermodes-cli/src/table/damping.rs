@@ -23,7 +23,7 @@ pub fn damping(tower: &Tower, damping: &ModalDamping) -> String {
         text += &ratios(first, &damping.modes);
         text.push('\n');
         sentences.extend(has_ratios.then_some(
-            "a part gives half its loss factor times its fraction of the strain energy; water, of the kinetic energy"
+            "the damping ratio of a part is half its loss factor times its fraction of the strain energy, for water of the kinetic energy"
                 .to_owned(),
         ));
         sentences.extend(damping.rotor.as_ref().map(rotor));
