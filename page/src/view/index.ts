@@ -1,0 +1,4 @@
+// The tower in three dimensions, in the explorer and in reports.
+
+export type * from "./scene.js";
+export { TowerView, isSupported } from "./view.js";
