@@ -1,11 +1,11 @@
 // What the page asks the program, and what it answers. All addresses are relative to that of the page, which contains
 // the token. Bodies and answers are JSON; a broken request is answered with an error status and a text.
 //
-//   GET  sheet                        → Sheet
-//   POST solve          State         → Answer | Refusal
-//   POST elasticities   State + mode  → Elasticities | Refusal
-//   POST reproduce      State         → Reproduction
-//   POST take           State + Take  → the file, with its name in Content-Disposition
+//   GET  sheet                             → Sheet
+//   POST solve          State              → Answer | Refusal
+//   POST elasticities   ElasticityQuestion → Elasticities | Refusal
+//   POST reproduce      State              → Reproduction
+//   POST take           State & Take       → the file, with its name in Content-Disposition
 
 import type { TowerScene, Shape } from "../view/scene.js";
 
@@ -128,6 +128,12 @@ export interface Resonance {
 /** A tower that cannot be, or cannot be solved. */
 export interface Refusal {
   refused: { message: string; hint: string | null; parameters: string[] };
+}
+
+/** What the elasticities of a mode are asked with. */
+export interface ElasticityQuestion extends State {
+  /** Place of the mode in the list of the answer to this state, from 1. */
+  mode: number;
 }
 
 /** d ln f / d ln p of a mode. */
