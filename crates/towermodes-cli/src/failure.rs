@@ -6,10 +6,7 @@ use std::io::{self, Write as _};
 use annotate_snippets::{AnnotationKind, Group, Level, Renderer, Snippet};
 use thiserror::Error;
 use towermodes::number;
-use towermodes::{
-    BladeError, EigenError, Family, ParameterError, SensitivityError, SolveError, TowerError,
-    Warning,
-};
+use towermodes::{BladeError, ParameterError, SensitivityError, SolveError, TowerError, Warning};
 use towermodes_analysis::damping::GivenDampingError;
 use towermodes_analysis::elastodyn::{MakeError, ShapesError};
 use towermodes_analysis::resonance::CampbellError;
@@ -19,7 +16,7 @@ use towermodes_files::{
     Diagnostic, FileFormat, Note, ReadError, ResultError, SettingError, Source, TowerInput,
 };
 use towermodes_report::raster::RasterError;
-use towermodes_report::wording::printable;
+use towermodes_report::wording::{printable, remedy};
 
 use towermodes_sweep::{PartsError, RunError, SweepError, TableError};
 
@@ -37,6 +34,14 @@ pub(crate) enum Failure {
     /// The computation cannot do what a line of a file asks for.
     #[error("{0}")]
     Unreached(ReadError),
+    /// The page cannot be served.
+    #[error("{}", no_server(*.port, .error))]
+    Server {
+        /// The port that was asked for.
+        port: Option<u16>,
+        /// The error of the system.
+        error: io::Error,
+    },
     /// A number cannot be set by name.
     #[error("--set: {0}")]
     Setting(SettingError),
@@ -241,9 +246,12 @@ impl Failure {
     fn hint(&self) -> Option<Cow<'static, str>> {
         let hint = match self {
             Self::ManyRows { .. } => "give --output FOLDER",
+            Self::Server { port: Some(_), .. } => {
+                "without --port the program takes any port that is free"
+            }
             Self::Unsolved(error)
             | Self::TowerFile(MakeError::Shapes(ShapesError::Solve(error)))
-            | Self::Campbell(CampbellError::Blade { error, .. }) => hint(error)?,
+            | Self::Campbell(CampbellError::Blade { error, .. }) => remedy(error)?,
             Self::Sweep(SweepError::Unsolved(error)) => hint_for_sweep(error)?,
             Self::Tower(error) => error.hint()?,
             Self::Setting(SettingError::Parameter(_)) | Self::NoChange(_) => {
@@ -373,40 +381,22 @@ pub(crate) fn warning_text(warning: &Warning, input: &TowerInput) -> Option<Stri
     Some(format!("{file}:{line}: {warning}"))
 }
 
+/// The sentence on a page that cannot be served.
+fn no_server(port: Option<u16>, error: &io::Error) -> String {
+    match port {
+        Some(port) => format!("port {port} cannot be used: {error}"),
+        None => format!("the page cannot be served on this machine: {error}"),
+    }
+}
+
+/// A message of a program that goes on.
+pub(crate) fn hear(text: &str) {
+    say(&message(Level::INFO, text, None));
+}
+
 /// If standard error is closed, the message is lost.
 fn say(text: &str) {
     let _ = anstream::stderr().lock().write_all(text.as_bytes());
-}
-
-fn hint(error: &SolveError) -> Option<&'static str> {
-    match error {
-        SolveError::TooManyModes { .. } => {
-            Some("increase --segments (for --method spectral: --degree) or reduce --modes")
-        }
-        SolveError::TooLarge { .. } | SolveError::TooSlow { .. } => Some(
-            "reduce --modes or --segments (an even number of segments needs no finer mesh for the error estimate), or use --no-limits",
-        ),
-        SolveError::Buckles { .. } => Some(
-            "reduce the mass, increase the diameter or the wall thickness, or use --no-gravity to omit gravity",
-        ),
-        SolveError::Eigen(EigenError::TooStiff) => Some(
-            "check the units: foundation, soil and guy wires are not a million times stiffer than the tower",
-        ),
-        SolveError::Unstable {
-            motion: Family::Roll | Family::Pitch,
-        } => Some(
-            "hydrostatic must not contain the gravity terms of the masses, which [gravity] adds; check also the acceleration and the height of the centre of mass",
-        ),
-        SolveError::Unstable { .. } => Some(
-            "check the signs of the hydrostatic and mooring stiffness for this motion, and the masses",
-        ),
-        SolveError::UnstableBlade { .. } => Some(
-            "check the rotor speed (rot_rpm in rpm, rpm_mult), GJ and the offsets of the sections",
-        ),
-        SolveError::Eigen(EigenError::NotFinite) => Some("check the units of all values"),
-        SolveError::Eigen(_) => Some("reduce --modes, or check the units of all values"),
-        _ => None,
-    }
 }
 
 /// The same for `sweep`, which has fewer options.
@@ -419,7 +409,7 @@ fn hint_for_sweep(error: &SolveError) -> Option<&'static str> {
         SolveError::Buckles { .. } => Some(
             "the base itself must be a tower that stands, even if its rows are; --set NAME=VALUE changes a number of the base",
         ),
-        error => hint(error),
+        error => remedy(error),
     }
 }
 

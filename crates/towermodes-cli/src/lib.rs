@@ -16,6 +16,7 @@ mod convert;
 mod damping;
 mod design;
 mod elastodyn;
+mod explore;
 mod failure;
 mod found;
 mod input;
@@ -75,6 +76,7 @@ fn done(command: Command, words: &[OsString]) -> Result<(), failure::Failure> {
         Command::Report(arguments) => report::run(&arguments, words),
         Command::Campbell(arguments) => campbell::run(&arguments),
         Command::Damping(arguments) => damping::run(&arguments),
+        Command::Explore(arguments) => explore::run(&arguments),
         Command::Convert(arguments) => convert::run(&arguments),
         Command::Check(arguments) => check::run(&arguments),
         Command::Elastodyn(arguments) => elastodyn::run(&arguments),

@@ -4,6 +4,7 @@ use std::ffi::OsString;
 use std::fs;
 use std::path::Path;
 
+use clap::Parser as _;
 use towermodes::{Options, Planes, Solution, SolveError, Tower};
 use towermodes_analysis::elastodyn::{MakeOptions, make_tower};
 use towermodes_analysis::resonance::ChosenRotor;
@@ -14,7 +15,7 @@ use towermodes_report::report::{
     ReportRequest, html, markdown, quoted,
 };
 
-use crate::args::{PageFormat, Prescribed, ReportArguments};
+use crate::args::{Arguments, Command, PageFormat, Prescribed, ReportArguments};
 use crate::campbell::{notes_on, rotor_of};
 use crate::failure::{Failure, note_texts, warn};
 use crate::input::tower_input;
@@ -43,6 +44,19 @@ pub(crate) fn run(arguments: &ReportArguments, words: &[OsString]) -> Result<(),
     note_texts(&content.circumstances.notes);
     warn(&content.solution.warnings, &input);
     deliver(text.as_bytes(), output)
+}
+
+/// The page that a command line of `report` writes, of an input that is read already.
+pub(crate) fn page_of(mut input: TowerInput, words: &[String]) -> Result<String, Failure> {
+    let words: Vec<OsString> = words.iter().map(OsString::from).collect();
+    let parsed = Arguments::try_parse_from(&words);
+    let parsed = parsed.map_err(|error| Failure::Refused(error.to_string()))?;
+    let Command::Report(arguments) = parsed.command else {
+        return Err(Failure::Usage("this is not the command report"));
+    };
+    let tower = input.tower().map_err(Failure::Input)?;
+    let content = content(&mut input, tower, &arguments, &words)?;
+    html(&content).map_err(|error| Failure::Refused(error.to_string()))
 }
 
 /// The content of the report.

@@ -186,24 +186,30 @@ impl ReadingArguments {
 
     /// These options as text for a command line.
     pub(crate) fn typed(&self) -> String {
+        let options = self.words().into_iter().map(|word| quoted(&word));
+        let settings = self.settings.iter().map(Setting::to_string);
+        let settings = settings.map(|setting| format!("--set {}", quoted(&setting)));
+        options.chain(settings).collect::<Vec<_>>().join(" ")
+    }
+
+    /// The options that are given as words of a command line, without the settings.
+    pub(crate) fn words(&self) -> Vec<String> {
         let part = self.part.to_possible_value();
         let part = part.filter(|_| self.part != Part::All);
-        let is_free = self.rotor == Rotor::Free;
+        let subset = self
+            .subset
+            .map(|(set, subset)| format!("--subset={set},{subset}"));
         let words = [
             self.no_rna.then(|| "--no-rna".to_owned()),
             self.no_gravity.then(|| "--no-gravity".to_owned()),
-            is_free.then(|| "--rotor free".to_owned()),
+            (self.rotor == Rotor::Free).then(|| "--rotor=free".to_owned()),
             self.bmodes_quirks.then(|| "--bmodes-quirks".to_owned()),
-            part.map(|part| format!("--part {}", part.get_name())),
-            self.tower_height.map(|m| format!("--tower-height {m}")),
-            self.tower_base.map(|m| format!("--tower-base {m}")),
-            self.subset
-                .map(|(set, subset)| format!("--subset {set},{subset}")),
+            part.map(|part| format!("--part={}", part.get_name())),
+            self.tower_height.map(|m| format!("--tower-height={m}")),
+            self.tower_base.map(|m| format!("--tower-base={m}")),
+            subset,
         ];
-        let settings = self.settings.iter().map(Setting::to_string);
-        let settings = settings.map(|setting| format!("--set {}", quoted(&setting)));
-        let words = words.into_iter().flatten().chain(settings);
-        words.collect::<Vec<_>>().join(" ")
+        words.into_iter().flatten().collect()
     }
 
     /// The options of the readers.

@@ -11,6 +11,7 @@ mod deferred;
 mod design;
 mod elastodyn;
 mod ending;
+mod explore;
 mod found;
 mod input;
 mod model;
@@ -40,6 +41,7 @@ pub(crate) use elastodyn::{
     TowerArguments, ValidateArguments,
 };
 pub(crate) use ending::{Ending, EndingError};
+pub(crate) use explore::ExploreArguments;
 pub(crate) use found::{FoundArguments, FoundFormat};
 pub(crate) use input::{InputArguments, ReadingArguments};
 pub(crate) use parameters::ParametersArguments;
@@ -107,6 +109,8 @@ pub(crate) enum Command {
     /// Write a report for review, as one HTML page or as Markdown: input, assumptions, frequencies
     /// with errors, mode shapes, resonance margins.
     Report(Deferred<ReportArguments>),
+    /// Change the numbers of a tower by sliders on a page in the browser, and see its modes move.
+    Explore(Deferred<ExploreArguments>),
     /// Convert a tower to another format: TOML, BModes, ElastoDyn, windIO.
     Convert(Deferred<ConvertArguments>),
     /// Compare two models of the same tower along its height, or summarise one model.
@@ -134,7 +138,7 @@ pub(crate) enum Command {
     #[command(after_help = "Example:\n  towermodes man solve | man -l -")]
     Man {
         /// The command [default: the program].
-        #[arg(value_name = "COMMAND", value_parser = ["solve", "parameters", "sensitivities", "sweep", "design", "calibrate", "compare", "converge", "campbell", "damping", "plot", "report", "convert", "check", "elastodyn", "verify", "completions", "schema", "man"])]
+        #[arg(value_name = "COMMAND", value_parser = ["solve", "parameters", "sensitivities", "sweep", "design", "calibrate", "compare", "converge", "campbell", "damping", "plot", "report", "explore", "convert", "check", "elastodyn", "verify", "completions", "schema", "man"])]
         of: Option<String>,
     },
     /// Print every command with its arguments and options as a chapter of the book.

@@ -43,6 +43,18 @@ impl ModelArguments {
         self.modes.is_some() || self.no_rotary_inertia || self.hinges.is_some() || self.no_limits
     }
 
+    /// The options that are given as words of a command line.
+    pub(super) fn words(&self) -> Vec<String> {
+        let words = [
+            self.modes.map(|modes| format!("--modes={modes}")),
+            self.no_rotary_inertia
+                .then(|| "--no-rotary-inertia".to_owned()),
+            self.hinges.map(|hinges| format!("--hinges={hinges}")),
+            self.no_limits.then(|| "--no-limits".to_owned()),
+        ];
+        words.into_iter().flatten().collect()
+    }
+
     /// Whether the number of modes is given.
     pub(super) fn has_modes(&self) -> bool {
         self.modes.is_some()

@@ -39,10 +39,7 @@ impl RotorArguments {
     /// The rotor of the file, with the options of the command line in place of its data; none if
     /// the rotor speed is unknown.
     pub(crate) fn rotor(&self, input: &TowerInput) -> Option<ChosenRotor> {
-        let given = GivenRotor {
-            speeds_rpm: self.rpm,
-            blades: self.blades,
-        };
+        let given = self.given();
         given.in_place_of(input.description.rotor, input.blades)
     }
 
@@ -52,6 +49,27 @@ impl RotorArguments {
             || self.rpm.is_some()
             || self.blades.is_some()
             || !self.multiples.is_empty()
+    }
+
+    /// The data that replace those of the file.
+    pub(crate) fn given(&self) -> GivenRotor {
+        GivenRotor {
+            speeds_rpm: self.rpm,
+            blades: self.blades,
+        }
+    }
+
+    /// The options that are given as words of a command line.
+    pub(crate) fn words(&self) -> Vec<String> {
+        let multiples: Vec<String> = self.multiples.iter().map(ToString::to_string).collect();
+        let words = [
+            self.margin.map(|percent| format!("--margin={percent}")),
+            self.rpm
+                .map(|(lowest, highest)| format!("--rpm={lowest},{highest}")),
+            self.blades.map(|blades| format!("--blades={blades}")),
+            (!multiples.is_empty()).then(|| format!("--multiples={}", multiples.join(","))),
+        ];
+        words.into_iter().flatten().collect()
     }
 
     /// The options of the library.

@@ -19,6 +19,6 @@ mod table;
 pub use compute::{Computation, ContentError, ReportRequest, SilentComputation};
 pub use content::{Circumstances, ElastoDynShapes, InputFile, ReportContent, TitleBlock};
 pub use error::ReportError;
-pub use html::html;
+pub use html::{html, page_colours};
 pub use markdown::markdown;
 pub use shell::quoted;

@@ -142,6 +142,17 @@ impl Parameter {
         self.key().meaning
     }
 
+    /// The part of the tower that it belongs to, in a few words: "stations".
+    pub fn noun(self) -> &'static str {
+        self.part().noun
+    }
+
+    /// The name of that part and its own name there, with `[]` for each index: `stations[]` and
+    /// `wall`; the second is empty where the part is one number.
+    pub fn pattern(self) -> [&'static str; 2] {
+        [self.part().name, self.key().name]
+    }
+
     /// Its place in the description, which errors and warnings refer to.
     pub fn place(self) -> Place {
         (self.key().place)(self.indices)

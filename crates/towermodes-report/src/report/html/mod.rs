@@ -125,16 +125,22 @@ fn of_section(mark: &str, section: &Section) -> Result<String, ReportError> {
     ))
 }
 
-/// The rules of the page: colours of both themes, then everything else, then what pictures look
-/// like.
+/// The rules of the page: colours, what pictures look like, everything else.
 fn style() -> String {
+    page_colours() + STYLE
+}
+
+/// The colours of pages as style rules: the variables `--tm-…` of both themes (that of the system,
+/// or the attribute `data-theme` of the page: `light`, `dark`, `auto`), and what the pictures of
+/// [`Look::Inline`](crate::svg::Look::Inline) look like.
+pub fn page_colours() -> String {
     let (light, dark) = (variables(Theme::Light), variables(Theme::Dark));
+    let pictures = stylesheet("svg ", |colour| format!("var(--tm-{})", colour.name()));
     format!(
         ":root{{color-scheme:light;{light}}}\n\
          @media screen and (prefers-color-scheme:dark){{html[data-theme=auto]{{color-scheme:dark;{dark}}}}}\n\
          @media screen{{html[data-theme=dark]{{color-scheme:dark;{dark}}}}}\n\
-         {STYLE}{}",
-        stylesheet("svg ", |colour| format!("var(--tm-{})", colour.name()))
+         {pictures}\n"
     )
 }
 

@@ -1,0 +1,68 @@
+//! `towermodes explore`.
+
+use towermodes_explore::server::Server;
+use towermodes_explore::{Exploration, Explorer, Reporter, State};
+use towermodes_files::TowerInput;
+
+use crate::args::{ExploreArguments, Prescribed, ReadingArguments};
+use crate::failure::{Failure, hear, note, warn};
+use crate::input::{input_of, set_numbers};
+use crate::output::deliver;
+use crate::report::page_of;
+
+/// Reads the tower, opens the page, and serves it until the program is ended.
+pub(crate) fn run(arguments: &ExploreArguments) -> Result<(), Failure> {
+    let file = file(arguments)?;
+    let mut changed = file.clone();
+    set_numbers(&mut changed, &arguments.input.reading)?;
+    let tower = changed.tower().map_err(Failure::Input)?;
+    let state = State::between(&file, &changed);
+    note(&changed.notes);
+    warn(tower.warnings(), &changed);
+    let explorer = Explorer::new(exploration(file, arguments)?);
+    let failed = |error| Failure::Server {
+        port: arguments.port,
+        error,
+    };
+    let server = Server::bind(arguments.port.unwrap_or(0)).map_err(failed)?;
+    let address = server.address() + &state.fragment();
+    deliver(format!("{address}\n").as_bytes(), None)?;
+    let is_opened = !arguments.no_open && open::that_detached(&address).is_ok();
+    hear(match is_opened {
+        true => "the page opens in the browser; Ctrl-C ends the program",
+        false => "open this address in a browser; Ctrl-C ends the program",
+    });
+    server.run(explorer).map_err(failed)
+}
+
+/// The tower of the file, before any number is set: the page can put numbers back.
+fn file(arguments: &ExploreArguments) -> Result<TowerInput, Failure> {
+    let given = &arguments.input.reading;
+    let mut reading: ReadingArguments = given.clone();
+    reading.settings.clear();
+    let file = input_of(&arguments.input.file, &reading)?;
+    given.check(&[file.format]).map_err(Failure::Usage)?;
+    Ok(file)
+}
+
+/// What the explorer needs to know.
+fn exploration(file: TowerInput, arguments: &ExploreArguments) -> Result<Exploration, Failure> {
+    let prescribed = Prescribed::of(&mut file.clone());
+    Ok(Exploration {
+        input: file,
+        options: arguments.options(prescribed).map_err(Failure::Usage)?,
+        covers_excitations: !arguments.has_modes(),
+        rotor: arguments.rotor.given(),
+        campbell: arguments.rotor.options(),
+        file: arguments.input.file.to_string_lossy().into_owned(),
+        reading: arguments.input.reading.words(),
+        solving: arguments.solving_words(),
+        rotating: arguments.rotor.words(),
+        report: reporter(),
+    })
+}
+
+/// Writes the reports of `towermodes report`.
+fn reporter() -> Reporter {
+    Box::new(|input, words| page_of(input, words).map_err(|failure| failure.to_string()))
+}

@@ -1,0 +1,266 @@
+//! A solved tower as a page shows it: numbers with all digits, and as the terminal prints them.
+
+use serde::Serialize;
+use towermodes::number::{four_digits, percent, with_error};
+use towermodes::{Mode, Parameter, Solution, Tower, Warning};
+use towermodes_analysis::Verdict;
+use towermodes_analysis::resonance::{Assessment, Campbell, Excited, Margin};
+use towermodes_files::TowerInput;
+use towermodes_report::figures::{self, AnimationData, animation_data};
+use towermodes_report::svg::Look;
+use towermodes_report::wording::{buckling_load_factor, completeness, computed_by, mode_shape};
+
+use super::explorer::Solved;
+use super::refusal::names_at;
+
+/// A solved tower.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Answer {
+    /// Always null: a refusal has its reason here.
+    refused: (),
+    /// The values of all numbers, in the order of the sheet.
+    pub values: Vec<f64>,
+    /// Masses, height, buckling load factor.
+    pub facts: Vec<Fact>,
+    /// The modes by frequency.
+    pub modes: Vec<AnsweredMode>,
+    /// The proof that no mode is missing, in one line.
+    pub certificate: String,
+    /// Method and mesh.
+    pub method: String,
+    /// Possible input mistakes and limits of the results.
+    pub warnings: Vec<Remark>,
+    /// The resonance check; none if the rotor speed is unknown.
+    pub resonance: Option<Resonance>,
+    /// Its diagram as SVG.
+    pub diagram: Option<String>,
+    /// The tower with its surroundings and the shapes of its modes.
+    pub scene: AnimationData,
+    /// How long it took.
+    #[serde(flatten)]
+    pub time: Timed,
+}
+
+/// How long an answer took, ms.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Serialize)]
+pub struct Timed {
+    /// The solution alone.
+    pub solve_ms: f64,
+    /// All of it.
+    pub answer_ms: f64,
+}
+
+/// A number of the whole tower.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Fact {
+    /// Its key: `tower_mass_kg`.
+    pub key: &'static str,
+    /// Its name: "mass of the tower".
+    pub name: &'static str,
+    /// Its value; none where the tower has none.
+    pub value: Option<f64>,
+    /// Its unit.
+    pub unit: &'static str,
+    /// Value and unit, rounded.
+    pub text: String,
+}
+
+/// A mode of the answer.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct AnsweredMode {
+    /// Its number in the list, from 1.
+    pub number: usize,
+    /// Its name: "1st fore-aft bending".
+    pub label: String,
+    /// The name with other motions that have 1 % of its energy or more.
+    pub shape: String,
+    /// Its family: `fore-aft`.
+    pub family: &'static str,
+    /// Its order in the family, from 1.
+    pub order: usize,
+    /// Natural frequency, Hz, with all digits.
+    pub frequency_hz: f64,
+    /// Estimated error, Hz.
+    pub error_hz: f64,
+    /// The frequency with the digits that its error leaves.
+    pub frequency: String,
+    /// The error with as many decimals.
+    pub error: String,
+    /// Period, s; none of a motion that nothing resists.
+    pub period_s: Option<f64>,
+    /// Effective masses in x, y, z and about x, y, z as fractions of the whole; none where nothing
+    /// moves.
+    pub effective_mass: [Option<f64>; 6],
+    /// Modal mass of the shape of the scene: kg, or kg m² for torsion and yaw.
+    pub modal_mass: f64,
+    /// The verdict on the closest excitation.
+    pub verdict: Option<Verdicted>,
+}
+
+/// The verdict on a mode.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+pub struct Verdicted {
+    /// `pass`, `warn` or `fail`.
+    pub word: &'static str,
+    /// The excitation and its distance: "3P at 0.345 Hz, +7.3 %".
+    pub text: String,
+}
+
+/// A warning with the numbers that it is about.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+pub struct Remark {
+    /// The warning.
+    pub text: String,
+    /// The names of the numbers.
+    pub parameters: Vec<String>,
+}
+
+/// The resonance check as a whole.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+pub struct Resonance {
+    /// The worst verdict: `pass`, `warn` or `fail`.
+    pub word: &'static str,
+    /// The conclusion in sentences, then the remarks of the check.
+    pub conclusion: Vec<String>,
+}
+
+impl Answer {
+    /// The answer for a solved tower; its numbers are in the order of those of its file.
+    pub(crate) fn new(solved: &Solved, file: &TowerInput) -> Self {
+        let (tower, solution) = (&solved.tower, &solved.solution);
+        let description = &solved.input.description;
+        let all = Parameter::all(&file.description).into_iter();
+        let campbell = solved.assessment.as_ref().map(|of| &of.campbell);
+        let of_mode = |mode| AnsweredMode::new(mode, solution, campbell);
+        let warnings = solution.warnings.iter();
+        Self {
+            refused: (),
+            values: all.map(|one| one.value(description)).collect(),
+            facts: facts(tower, solution),
+            modes: solution.modes.iter().map(of_mode).collect(),
+            certificate: completeness(&solution.certificate, solution.modes.len()),
+            method: computed_by(solution),
+            warnings: warnings.map(|one| Remark::new(one, solved)).collect(),
+            resonance: solved.assessment.as_ref().map(Resonance::new),
+            diagram: campbell.map(|of| figures::campbell(of).to_svg(Look::Inline)),
+            scene: animation_data(description, tower, solution),
+            time: Timed::default(),
+        }
+    }
+}
+
+impl Remark {
+    fn new(warning: &Warning, solved: &Solved) -> Self {
+        let description = &solved.input.description;
+        let parameters = warning.place().map(|place| names_at(place, description));
+        Self {
+            text: warning.to_string(),
+            parameters: parameters.unwrap_or_default(),
+        }
+    }
+}
+
+impl Resonance {
+    fn new(of: &Assessment) -> Self {
+        let remarks = of.remarks.iter().map(ToString::to_string);
+        Self {
+            word: word(of.campbell.verdict()),
+            conclusion: of
+                .campbell
+                .conclusion()
+                .into_iter()
+                .chain(remarks)
+                .collect(),
+        }
+    }
+}
+
+impl AnsweredMode {
+    fn new(mode: &Mode, solution: &Solution, campbell: Option<&Campbell>) -> Self {
+        let (hz, error_hz) = (mode.frequency_hz, mode.error_hz());
+        let shares = std::array::from_fn(|axis| {
+            let share = mode.effective_mass[axis] / solution.rigid_inertia[axis][axis];
+            share.is_finite().then_some(share)
+        });
+        Self {
+            number: mode.number,
+            label: mode.label(),
+            shape: mode_shape(mode),
+            family: mode.family.name(),
+            order: mode.order,
+            frequency_hz: hz,
+            error_hz,
+            frequency: with_error(hz, hz, error_hz).trim().to_owned(),
+            error: with_error(error_hz, hz, error_hz).trim().to_owned(),
+            period_s: (hz > 0.0).then(|| mode.period_s()),
+            effective_mass: shares,
+            modal_mass: mode.modal_mass,
+            verdict: campbell.and_then(|of| verdicted(of, mode.number)),
+        }
+    }
+}
+
+/// The verdict on a tower mode by its worst excitation, of equal ones the closest.
+fn verdicted(campbell: &Campbell, number: usize) -> Option<Verdicted> {
+    let is_own = |excited| matches!(excited, Excited::Tower { number: n, .. } if n == number);
+    let line = campbell.lines.iter().position(|line| is_own(line.of))?;
+    let margins = campbell.margins.iter().filter(|one| one.line == line);
+    let worst = margins.max_by(|a, b| {
+        let near = |of: &Margin| -of.distance.abs();
+        let by_verdict = a.verdict.cmp(&b.verdict);
+        by_verdict.then(near(a).total_cmp(&near(b)))
+    })?;
+    Some(Verdicted {
+        word: word(worst.verdict),
+        text: format!(
+            "{}P at {} Hz, {:+} %",
+            worst.multiple,
+            four_digits(worst.excitation_hz),
+            percent(worst.distance)
+        ),
+    })
+}
+
+fn word(verdict: Verdict) -> &'static str {
+    match verdict {
+        Verdict::Pass => "pass",
+        Verdict::Warn => "warn",
+        Verdict::Fail => "fail",
+    }
+}
+
+fn facts(tower: &Tower, solution: &Solution) -> Vec<Fact> {
+    let tonnes = |kg: f64| format!("{} t", four_digits(kg / 1000.0));
+    let fact = |key, name, value: f64, unit, text: String| Fact {
+        key,
+        name,
+        value: value.is_finite().then_some(value),
+        unit,
+        text,
+    };
+    let (own_kg, rna_kg, height_m) = (tower.mass_kg(), tower.rna().mass_kg, tower.height_m());
+    let height = format!("{} m", four_digits(height_m));
+    let mut facts = vec![
+        fact(
+            "tower_mass_kg",
+            "mass of the tower",
+            own_kg,
+            "kg",
+            tonnes(own_kg),
+        ),
+        fact(
+            "rna_mass_kg",
+            "mass of the RNA",
+            rna_kg,
+            "kg",
+            tonnes(rna_kg),
+        ),
+        fact("height_m", "height", height_m, "m", height),
+    ];
+    let buckling = solution.buckling_load_factor.map(|factor| {
+        let (key, name) = ("buckling_load_factor", "buckling load factor");
+        fact(key, name, factor, "", buckling_load_factor(factor))
+    });
+    facts.extend(buckling);
+    facts
+}

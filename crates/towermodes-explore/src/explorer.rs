@@ -1,0 +1,218 @@
+//! A tower as its file describes it, and the answers to what a page asks about it.
+
+use std::sync::{Mutex, PoisonError};
+use std::time::Instant;
+
+use towermodes::{Options, Solution, Tower, Workspace, solve_certain};
+use towermodes_analysis::influence::influences;
+use towermodes_analysis::resonance::{
+    Assessment, CampbellOptions, GivenRotor, assess, reach_hz, solve_to_reach,
+};
+use towermodes_files::TowerInput;
+
+use super::answer::{Answer, Timed};
+use super::elasticity::{Elasticities, ElasticityQuestion};
+use super::refusal::Refusal;
+use super::reproduction::Reproduction;
+use super::sheet::{Sheet, groups_and_parameters};
+use super::state::State;
+use super::take::{Take, TakeError, Taken};
+
+/// Writes the report of an input: the page, or why there is none. The words are the command that
+/// writes the same report.
+pub type Reporter = Box<dyn Fn(TowerInput, &[String]) -> Result<String, String> + Send + Sync>;
+
+/// What an explorer needs to know.
+pub struct Exploration {
+    /// The tower as its file describes it, before any number is changed.
+    pub input: TowerInput,
+    /// The options of each solution.
+    pub options: Options,
+    /// Whether more modes are solved until they cover the excitations of the rotor.
+    pub covers_excitations: bool,
+    /// Rotor data that replace those of the file.
+    pub rotor: GivenRotor,
+    /// The options of the resonance check.
+    pub campbell: CampbellOptions,
+    /// The file as the user wrote it.
+    pub file: String,
+    /// The options of the command line that every command with this file needs, as words.
+    pub reading: Vec<String>,
+    /// The options of method and mesh, as words.
+    pub solving: Vec<String>,
+    /// The options of the rotor, as words.
+    pub rotating: Vec<String>,
+    /// Writes reports.
+    pub report: Reporter,
+}
+
+/// The tower under the user's hand.
+pub struct Explorer {
+    pub(crate) exploration: Exploration,
+    workspace: Mutex<Workspace>,
+}
+
+/// A tower with changed numbers, solved.
+pub(crate) struct Solved {
+    pub(crate) input: TowerInput,
+    pub(crate) tower: Tower,
+    pub(crate) solution: Solution,
+    /// The resonance check, if the rotor speed is known.
+    pub(crate) assessment: Option<Assessment>,
+    pub(crate) solve_ms: f64,
+}
+
+impl Explorer {
+    /// An explorer of a tower.
+    pub fn new(exploration: Exploration) -> Self {
+        Self {
+            exploration,
+            workspace: Mutex::default(),
+        }
+    }
+
+    /// The numbers of the tower with the ranges of their sliders.
+    pub fn sheet(&self) -> Sheet {
+        let input = &self.exploration.input;
+        let (groups, parameters) = groups_and_parameters(&input.description);
+        Sheet {
+            version: env!("CARGO_PKG_VERSION"),
+            file: self.exploration.file.clone(),
+            format: input.format.name(),
+            command: self.command("explore", &State::default()),
+            groups,
+            parameters,
+            notes: input.notes.iter().map(ToString::to_string).collect(),
+        }
+    }
+
+    /// Solves the tower with changed numbers.
+    ///
+    /// # Errors
+    /// [`Refusal`]: the tower cannot be, or cannot be solved.
+    pub fn solve(&self, state: &State) -> Result<Answer, Refusal> {
+        let started = Instant::now();
+        let solved = self.solved(state)?;
+        let mut answer = Answer::new(&solved, &self.exploration.input);
+        answer.time = Timed {
+            solve_ms: solved.solve_ms,
+            answer_ms: milliseconds_since(started),
+        };
+        Ok(answer)
+    }
+
+    /// The elasticities of one mode with respect to all numbers.
+    ///
+    /// # Errors
+    /// [`Refusal`].
+    pub fn elasticities(&self, question: &ElasticityQuestion) -> Result<Elasticities, Refusal> {
+        let (input, _) = self.changed(&question.state)?;
+        let options = Options {
+            modes: question.mode.max(1),
+            points: 2,
+            ..self.options(&input)
+        };
+        let of = influences(&input.description, None, &options, &mut self.workspace());
+        of.map(|of| Elasticities::new(&of, question.mode, &input.description))
+            .map_err(|error| Refusal::new(error.to_string(), None, Vec::new()))
+    }
+
+    /// The lines that reproduce a state.
+    pub fn reproduce(&self, state: &State) -> Reproduction {
+        Reproduction::new(self, state)
+    }
+
+    /// A file of the tower with changed numbers.
+    ///
+    /// # Errors
+    /// [`TakeError`].
+    pub fn take(&self, take: &Take) -> Result<Taken, TakeError> {
+        Taken::new(self, take)
+    }
+
+    /// The tower with changed numbers, and its description checked.
+    pub(crate) fn changed(&self, state: &State) -> Result<(TowerInput, Tower), Refusal> {
+        let input = state.apply(&self.exploration.input);
+        let input = input.map_err(|error| Refusal::of_setting(&error))?;
+        let tower = Tower::new(input.description.clone());
+        match tower {
+            Ok(tower) => Ok((input, tower)),
+            Err(error) => Err(Refusal::of_tower(&error, &input.description)),
+        }
+    }
+
+    pub(crate) fn solved(&self, state: &State) -> Result<Solved, Refusal> {
+        let (input, tower) = self.changed(state)?;
+        let started = Instant::now();
+        let mut options = self.options(&input);
+        let solution = self.solution(&input, &tower, &mut options);
+        let solution = solution.map_err(|error| Refusal::of_solve(&error))?;
+        let solve_ms = milliseconds_since(started);
+        let assessment = self.assessment(&input, &tower, &solution)?;
+        Ok(Solved {
+            input,
+            tower,
+            solution,
+            assessment,
+            solve_ms,
+        })
+    }
+
+    fn solution(
+        &self,
+        input: &TowerInput,
+        tower: &Tower,
+        options: &mut Options,
+    ) -> Result<Solution, towermodes::SolveError> {
+        let of = &self.exploration;
+        let mut workspace = self.workspace();
+        let mut solve = |options: &Options| solve_certain(tower, options, &mut workspace);
+        match self.rotor(input).filter(|_| of.covers_excitations) {
+            Some(rotor) => {
+                let reach_hz = reach_hz(&rotor, &of.campbell);
+                solve_to_reach(options, reach_hz, solve)
+            }
+            None => solve(options),
+        }
+    }
+
+    /// The resonance check of the tower modes. A blade would be solved at many speeds for every
+    /// frame, and no slider changes it: its modes are in the report.
+    fn assessment(
+        &self,
+        input: &TowerInput,
+        tower: &Tower,
+        solution: &Solution,
+    ) -> Result<Option<Assessment>, Refusal> {
+        let Some(rotor) = self.rotor(input) else {
+            return Ok(None);
+        };
+        let assessed = assess(tower, solution, None, &rotor, &self.exploration.campbell);
+        let assessed = assessed.map(Some);
+        assessed.map_err(|error| Refusal::of_campbell(&error, &input.description))
+    }
+
+    fn rotor(&self, input: &TowerInput) -> Option<towermodes::Rotor> {
+        let given = &self.exploration.rotor;
+        let chosen = given.in_place_of(input.description.rotor, input.blades);
+        chosen.map(|chosen| chosen.rotor)
+    }
+
+    /// The options, without the elements of a deck where a height has changed.
+    fn options(&self, input: &TowerInput) -> Options {
+        let mut options = self.exploration.options.clone();
+        options.borders_m = options.borders_m.filter(|_| input.borders_m.is_some());
+        options
+    }
+
+    fn workspace(&self) -> std::sync::MutexGuard<'_, Workspace> {
+        // A workspace is scratch memory: a panic leaves nothing in it that the next solve reads.
+        self.workspace
+            .lock()
+            .unwrap_or_else(PoisonError::into_inner)
+    }
+}
+
+fn milliseconds_since(started: Instant) -> f64 {
+    1e3 * started.elapsed().as_secs_f64()
+}

@@ -1,0 +1,30 @@
+//! The tower under the user's hand: its numbers are sliders, and every frame is a solve.
+//!
+//! An [`Explorer`] holds a tower as its file describes it and answers the questions of a page: the
+//! numbers and their ranges, the modes for changed numbers, elasticities, files to take away. It
+//! keeps no state of the page: each question has all numbers that differ from the file. The page
+//! is `page`, its scripts are built from the folder `page/` of the repository; `server` serves it
+//! on this machine.
+
+mod answer;
+mod elasticity;
+mod explorer;
+mod page;
+mod refusal;
+mod reproduction;
+#[cfg(feature = "server")]
+pub mod server;
+mod sheet;
+mod slider;
+mod state;
+mod take;
+
+pub use answer::{Answer, AnsweredMode, Fact, Remark, Resonance, Timed, Verdicted};
+pub use elasticity::{Elasticities, ElasticityQuestion};
+pub use explorer::{Exploration, Explorer, Reporter};
+pub use page::{PageFile, page_files};
+pub use refusal::{Refusal, Refused};
+pub use reproduction::Reproduction;
+pub use sheet::{Dragged, Group, Sheet, SheetParameter};
+pub use state::State;
+pub use take::{PictureFormat, Take, TakeError, Taken, What};

@@ -1,0 +1,69 @@
+//! Why a tower cannot be, or cannot be solved, and which numbers are concerned.
+
+use serde::Serialize;
+use towermodes::{Parameter, Place, SolveError, TowerDescription, TowerError};
+use towermodes_analysis::resonance::CampbellError;
+use towermodes_files::SettingError;
+use towermodes_report::wording::remedy;
+
+/// A refused tower.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Refusal {
+    /// The refusal.
+    pub refused: Refused,
+}
+
+/// What is wrong, what would be right, and where.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Refused {
+    /// What is wrong.
+    pub message: String,
+    /// What would be right, if that is known.
+    pub hint: Option<String>,
+    /// The names of the numbers concerned; none if the whole tower is.
+    pub parameters: Vec<String>,
+}
+
+impl Refusal {
+    pub(crate) fn new(message: String, hint: Option<&str>, parameters: Vec<String>) -> Self {
+        let hint = hint.map(str::to_owned);
+        Self {
+            refused: Refused {
+                message,
+                hint,
+                parameters,
+            },
+        }
+    }
+
+    /// A tower that cannot be.
+    pub(crate) fn of_tower(error: &TowerError, description: &TowerDescription) -> Self {
+        let parameters = names_at(error.place, description);
+        Self::new(error.to_string(), error.hint(), parameters)
+    }
+
+    /// A tower that cannot be solved.
+    pub(crate) fn of_solve(error: &SolveError) -> Self {
+        Self::new(error.to_string(), remedy(error), Vec::new())
+    }
+
+    /// A rotor whose excitations cannot be compared.
+    pub(crate) fn of_campbell(error: &CampbellError, description: &TowerDescription) -> Self {
+        match error {
+            CampbellError::Rotor(error) => Self::of_tower(error, description),
+            error => Self::new(error.to_string(), None, Vec::new()),
+        }
+    }
+
+    /// Numbers that cannot be set.
+    pub(crate) fn of_setting(error: &SettingError) -> Self {
+        Self::new(error.to_string(), None, Vec::new())
+    }
+}
+
+/// The names of the numbers at a place of a description.
+pub(crate) fn names_at(place: Place, description: &TowerDescription) -> Vec<String> {
+    let all = Parameter::all(description).into_iter();
+    let here = all.filter(|parameter| parameter.place() == place);
+    here.map(|parameter| parameter.to_string()).collect()
+}

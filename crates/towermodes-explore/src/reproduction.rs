@@ -1,0 +1,153 @@
+//! The lines that reproduce a state: for a shell, and for Python.
+
+use std::collections::BTreeMap;
+
+use serde::Serialize;
+use towermodes::Parameter;
+use towermodes::number::Plain;
+use towermodes_files::Setting;
+use towermodes_report::report::quoted;
+
+use super::explorer::Explorer;
+use super::state::State;
+
+/// The lines that reproduce a state.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+pub struct Reproduction {
+    /// Commands for a POSIX shell.
+    pub shell: String,
+    /// A script for Python.
+    pub python: String,
+}
+
+impl Reproduction {
+    pub(crate) fn new(explorer: &Explorer, state: &State) -> Self {
+        let commands = ["solve", "explore"].map(|name| explorer.command(name, state));
+        Self {
+            shell: commands.join("\n") + "\n",
+            python: python(explorer, state),
+        }
+    }
+}
+
+impl Explorer {
+    /// A command on the file with the numbers of a state, for a shell.
+    pub(crate) fn command(&self, name: &str, state: &State) -> String {
+        let words = self.words(name, state);
+        let words: Vec<String> = words.iter().map(|word| quoted(word)).collect();
+        words.join(" ")
+    }
+
+    /// The same as words.
+    pub(crate) fn words(&self, name: &str, state: &State) -> Vec<String> {
+        let of = &self.exploration;
+        let mut words = vec!["towermodes".to_owned(), name.to_owned()];
+        // A file that looks like an option comes last.
+        let is_dashed = of.file.starts_with('-') && of.file != "-";
+        words.extend((!is_dashed).then(|| of.file.clone()));
+        words.extend(of.reading.iter().chain(&of.solving).cloned());
+        // A plain solve compares nothing with the rotor.
+        if name != "solve" {
+            words.extend(of.rotating.iter().cloned());
+        }
+        for setting in self.settings(state) {
+            words.extend(["--set".to_owned(), setting.to_string()]);
+        }
+        if is_dashed {
+            words.extend(["--".to_owned(), of.file.clone()]);
+        }
+        words
+    }
+
+    /// The numbers of a state, and one factor in place of a whole column that is multiplied by it.
+    pub(crate) fn settings(&self, state: &State) -> Vec<Setting> {
+        let columns = self.whole_columns(state);
+        let is_in_column = |name: &str| columns.iter().any(|of| of.names.iter().any(|n| n == name));
+        let singles = state.settings().into_iter();
+        let singles = singles.filter(|setting| !is_in_column(setting.name()));
+        let factors = columns.iter();
+        let factors = factors.map(|of| Setting::new(format!("scale({})", of.column), of.factor));
+        factors.chain(singles).collect()
+    }
+
+    /// The columns of which the state multiplies every number by the same factor, to the last bit.
+    fn whole_columns(&self, state: &State) -> Vec<WholeColumn> {
+        let description = &self.exploration.input.description;
+        let mut columns: BTreeMap<String, Vec<(String, f64)>> = BTreeMap::new();
+        for parameter in super::sheet::groups_and_parameters(description).1 {
+            if let Some(column) = parameter.column {
+                let own = columns.entry(column).or_default();
+                own.push((parameter.name, parameter.value));
+            }
+        }
+        let whole = columns.into_iter().filter_map(|(column, numbers)| {
+            let factor = common_factor(&numbers, state)?;
+            let parameters = Parameter::parse_every(&column, description).ok()?;
+            let names = numbers
+                .into_iter()
+                .map(|(name, _)| name)
+                .collect::<Vec<_>>();
+            (parameters.len() == names.len()).then_some(WholeColumn {
+                column,
+                names,
+                factor,
+            })
+        });
+        whole.collect()
+    }
+}
+
+/// A column whose numbers are all multiplied by one factor.
+struct WholeColumn {
+    column: String,
+    names: Vec<String>,
+    factor: f64,
+}
+
+/// The factor with which each number of the file gives that of the state exactly; for two numbers
+/// or more.
+fn common_factor(numbers: &[(String, f64)], state: &State) -> Option<f64> {
+    let changed = |name: &String| state.numbers.get(name).copied();
+    let (first, old) = numbers.iter().find(|(_, old)| *old != 0.0)?;
+    // The factor of a slider has few digits; a quotient of two numbers may differ in the last bit.
+    let quotient = changed(first)? / old;
+    let short = (1e6 * quotient).round() / 1e6;
+    let is_common = |factor: f64| {
+        let mut all = numbers.iter();
+        let own = |(name, old): &(String, f64)| changed(name).unwrap_or(*old) == old * factor;
+        numbers.len() > 1 && all.all(own)
+    };
+    [short, quotient]
+        .into_iter()
+        .find(|factor| is_common(*factor))
+}
+
+/// The lines of Python. Options that only the program has are left out of them.
+fn python(explorer: &Explorer, state: &State) -> String {
+    let of = &explorer.exploration;
+    let mut text = String::from("import towermodes as tm\n\n");
+    text.push_str(&format!("tower = tm.read({})\n", python_text(&of.file)));
+    let settings = explorer.settings(state);
+    if !settings.is_empty() {
+        text.push_str("tower = tower.with_({\n");
+        for setting in settings {
+            let (name, value) = (python_text(setting.name()), Plain(setting.value()));
+            text.push_str(&format!("    {name}: {value},\n"));
+        }
+        text.push_str("})\n");
+    }
+    text.push_str("print(tower.solve())\n");
+    if !(of.reading.is_empty() && of.solving.is_empty()) {
+        let options = of.reading.iter().chain(&of.solving).cloned();
+        let options: Vec<String> = options.collect();
+        text.push_str(&format!(
+            "# The page was computed with the options {}: give read and solve the same.\n",
+            options.join(" ")
+        ));
+    }
+    text
+}
+
+fn python_text(text: &str) -> String {
+    format!("\"{}\"", text.replace('\\', "\\\\").replace('"', "\\\""))
+}

@@ -1,0 +1,81 @@
+//! Answers of the server.
+
+use http_body_util::Full;
+use hyper::body::Bytes;
+use hyper::header::{
+    CACHE_CONTROL, CONTENT_DISPOSITION, CONTENT_SECURITY_POLICY, CONTENT_TYPE, HeaderName,
+    HeaderValue, REFERRER_POLICY, X_CONTENT_TYPE_OPTIONS, X_FRAME_OPTIONS,
+};
+use hyper::{Response, StatusCode};
+use serde::Serialize;
+
+use super::gate::Refused;
+use crate::take::Taken;
+
+/// The body of an answer.
+pub(super) type Body = Full<Bytes>;
+
+/// What the page may do: its own scripts, styles and requests, pictures that it makes itself.
+const POLICY: &str = "default-src 'none'; script-src 'self'; style-src 'self'; img-src 'self' blob: data:; \
+     connect-src 'self'; base-uri 'none'; form-action 'none'; frame-ancestors 'none'";
+
+/// Headers of every answer.
+const ALWAYS: [(HeaderName, &str); 7] = [
+    (CONTENT_SECURITY_POLICY, POLICY),
+    (X_CONTENT_TYPE_OPTIONS, "nosniff"),
+    (X_FRAME_OPTIONS, "DENY"),
+    (REFERRER_POLICY, "same-origin"),
+    (CACHE_CONTROL, "no-store"),
+    (
+        HeaderName::from_static("cross-origin-opener-policy"),
+        "same-origin",
+    ),
+    (
+        HeaderName::from_static("cross-origin-resource-policy"),
+        "same-origin",
+    ),
+];
+
+/// An answer of a media type.
+pub(super) fn reply(
+    status: StatusCode,
+    media_type: &'static str,
+    content: impl Into<Bytes>,
+) -> Response<Body> {
+    let mut response = Response::new(Full::new(content.into()));
+    *response.status_mut() = status;
+    let headers = response.headers_mut();
+    headers.insert(CONTENT_TYPE, HeaderValue::from_static(media_type));
+    for (name, value) in ALWAYS {
+        headers.insert(name, HeaderValue::from_static(value));
+    }
+    response
+}
+
+/// An answer in JSON.
+pub(super) fn json(value: &impl Serialize) -> Response<Body> {
+    match serde_json::to_vec(value) {
+        Ok(text) => reply(StatusCode::OK, "application/json", text),
+        Err(error) => plain(StatusCode::INTERNAL_SERVER_ERROR, &error.to_string()),
+    }
+}
+
+/// A message.
+pub(super) fn plain(status: StatusCode, message: &str) -> Response<Body> {
+    reply(status, "text/plain; charset=utf-8", format!("{message}\n"))
+}
+
+pub(super) fn refused(refused: Refused) -> Response<Body> {
+    plain(refused.status, refused.message)
+}
+
+/// A file that the browser saves.
+pub(super) fn file(taken: Taken) -> Response<Body> {
+    let mut response = reply(StatusCode::OK, taken.media_type, taken.content);
+    // The name has only letters, digits, `-`, `_` and `.`.
+    let disposition = format!("attachment; filename=\"{}\"", taken.name);
+    if let Ok(value) = HeaderValue::from_str(&disposition) {
+        response.headers_mut().insert(CONTENT_DISPOSITION, value);
+    }
+    response
+}

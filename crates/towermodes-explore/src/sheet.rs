@@ -1,0 +1,157 @@
+//! The numbers of a tower as groups of sliders, from the same list as the names of `--set`.
+
+use serde::Serialize;
+use towermodes::{Parameter, TowerDescription};
+
+use super::slider::Sliders;
+
+/// A tower as its file describes it.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Sheet {
+    /// The version of the program.
+    pub version: &'static str,
+    /// The name of the file.
+    pub file: String,
+    /// Its format: `TOML`, `windIO`.
+    pub format: &'static str,
+    /// The command that explores the file again.
+    pub command: String,
+    /// The parts of the tower, in the order of the tower file.
+    pub groups: Vec<Group>,
+    /// The numbers, in the order of the tower file.
+    pub parameters: Vec<SheetParameter>,
+    /// Notes of the reader.
+    pub notes: Vec<String>,
+}
+
+/// A part of the tower.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+pub struct Group {
+    /// Its name in the tower file: `rna`, `stations[]`.
+    pub name: String,
+    /// What it is, in a few words.
+    pub title: String,
+    /// The names of its columns if it is a list: `stations[*].wall`.
+    pub columns: Vec<String>,
+}
+
+/// A number of the tower with the range of its slider.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct SheetParameter {
+    /// `stations[2].wall`.
+    pub name: String,
+    /// The index of its group.
+    pub group: usize,
+    /// The name of its column, if its group is a list: `stations[*].wall`.
+    pub column: Option<String>,
+    /// Its name within the group: `wall`, `2: wall`.
+    pub label: String,
+    /// What it is, in a few words.
+    pub meaning: &'static str,
+    /// Its unit; empty without one.
+    pub unit: &'static str,
+    /// The value of the file.
+    pub value: f64,
+    /// The lower end of its slider.
+    pub low: f64,
+    /// The upper end of its slider.
+    pub high: f64,
+    /// What of a station it is, if it can be dragged in the view.
+    pub drag: Option<Dragged>,
+}
+
+/// A quantity of a station that can be dragged.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+pub struct Dragged {
+    /// The index of the station, from 0.
+    pub station: usize,
+    /// `height` or `diameter`.
+    pub quantity: &'static str,
+}
+
+/// Groups and numbers of a tower.
+pub(crate) fn groups_and_parameters(
+    description: &TowerDescription,
+) -> (Vec<Group>, Vec<SheetParameter>) {
+    let sliders = Sliders::new(description);
+    let mut groups: Vec<Group> = Vec::new();
+    let mut parameters = Vec::new();
+    for parameter in Parameter::all(description) {
+        let name = parameter.to_string();
+        let parts = Name::new(parameter);
+        let found = groups.iter().position(|group| group.name == parts.group);
+        let group = found.unwrap_or_else(|| {
+            groups.push(Group {
+                name: parts.group.to_owned(),
+                title: parameter.noun().to_owned(),
+                columns: Vec::new(),
+            });
+            groups.len() - 1
+        });
+        let columns = &mut groups[group].columns;
+        if let Some(column) = parts.column.as_ref().filter(|one| !columns.contains(one)) {
+            columns.push(column.clone());
+        }
+        let [low, high] = sliders.range(parameter);
+        parameters.push(SheetParameter {
+            group,
+            column: parts.column,
+            label: parts.label,
+            meaning: parameter.meaning(),
+            unit: parameter.unit(),
+            value: parameter.value(description),
+            low,
+            high,
+            drag: dragged(&name),
+            name,
+        });
+    }
+    (groups, parameters)
+}
+
+/// A name in the pieces that a page shows.
+struct Name {
+    group: &'static str,
+    column: Option<String>,
+    label: String,
+}
+
+impl Name {
+    /// `stations[2].wall` is `wall` of row 2 of `stations[]`, in the column `stations[*].wall`.
+    fn new(parameter: Parameter) -> Self {
+        let [group, key] = parameter.pattern();
+        let name = parameter.to_string();
+        let rows = rows(&name);
+        let is_list = group.contains("[]");
+        let key = match (key, name.rsplit_once('.')) {
+            ("", _) => group,
+            // An entry of a matrix has indices of its own.
+            (_, Some((_, entry))) if key.contains("[]") => entry,
+            (key, _) => key,
+        };
+        Self {
+            group,
+            column: is_list.then(|| format!("{}.{key}", group.replace("[]", "[*]"))),
+            label: match is_list {
+                true => format!("{}: {key}", rows.join(".")),
+                false => key.to_owned(),
+            },
+        }
+    }
+}
+
+/// What stands in the brackets of a name.
+fn rows(name: &str) -> Vec<&str> {
+    let after = name.split('[').skip(1);
+    after
+        .filter_map(|piece| Some(piece.split_once(']')?.0))
+        .collect()
+}
+
+/// Heights and diameters of stations can be dragged.
+fn dragged(name: &str) -> Option<Dragged> {
+    let (index, key) = name.strip_prefix("stations[")?.split_once("].")?;
+    let quantity = ["height", "diameter"].into_iter().find(|one| *one == key)?;
+    let station = index.parse().ok()?;
+    Some(Dragged { station, quantity })
+}

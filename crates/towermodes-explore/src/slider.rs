@@ -1,0 +1,93 @@
+//! The ranges of sliders around the values of a file.
+
+use towermodes::{Parameter, Tower, TowerDescription};
+
+/// A slider reaches this share of the value to both sides.
+const SHARE: f64 = 0.3;
+/// A height moves at most this share of the tower's height, or of the distance to its neighbour.
+const HEIGHT_SHARE: f64 = 0.1;
+/// What remains of the distance to a neighbour.
+const LEFT: f64 = 0.05;
+
+/// The ranges of the sliders of a tower.
+pub(crate) struct Sliders<'d> {
+    description: &'d TowerDescription,
+    all: Vec<Parameter>,
+    /// Height of the tower, m, and mass of tower and RNA, kg; 1 of an impossible tower.
+    height_m: f64,
+    mass_kg: f64,
+}
+
+impl<'d> Sliders<'d> {
+    pub(crate) fn new(description: &'d TowerDescription) -> Self {
+        let tower = Tower::new(description.clone()).ok();
+        let height_m = tower.as_ref().map_or(1.0, Tower::height_m);
+        let mass_kg = tower.map_or(1.0, |tower| tower.mass_kg() + tower.rna().mass_kg);
+        Self {
+            description,
+            all: Parameter::all(description),
+            height_m,
+            mass_kg,
+        }
+    }
+
+    /// The ends of a number's slider; its value is between them.
+    pub(crate) fn range(&self, parameter: Parameter) -> [f64; 2] {
+        let value = parameter.value(self.description);
+        if parameter.is_height() {
+            return self.of_height(parameter, value);
+        }
+        match value {
+            0.0 => self.of_zero(parameter.unit()),
+            _ if value.is_finite() => {
+                let ends = [(1.0 - SHARE) * value, (1.0 + SHARE) * value];
+                [ends[0].min(ends[1]), ends[0].max(ends[1])]
+            }
+            _ => [0.0, 1.0],
+        }
+    }
+
+    /// A height stays between the neighbours of its list.
+    fn of_height(&self, parameter: Parameter, value: f64) -> [f64; 2] {
+        let reach_m = HEIGHT_SHARE * self.height_m;
+        let own = column(parameter);
+        let others = self.all.iter().filter(|one| column(**one) == own);
+        let others = others.map(|one| one.value(self.description));
+        let (mut low, mut high) = (value - reach_m, value + reach_m);
+        for other in others {
+            let left = LEFT * (other - value).abs();
+            if other < value {
+                low = low.max(other + left);
+            } else if other > value {
+                high = high.min(other - left);
+            }
+        }
+        [low, high]
+    }
+
+    /// A number that is zero has no scale of its own: that of the tower is taken.
+    fn of_zero(&self, unit: &str) -> [f64; 2] {
+        let (height_m, mass_kg) = (self.height_m, self.mass_kg);
+        match unit {
+            "m" => [-0.05 * height_m, 0.05 * height_m],
+            "kg" => [0.0, 0.1 * mass_kg],
+            "kg m2" => [0.0, 0.1 * mass_kg * (0.1 * height_m).powi(2)],
+            "kg m" => [-0.01 * mass_kg * height_m, 0.01 * mass_kg * height_m],
+            "kg/m" => [0.0, mass_kg / height_m],
+            "m/s2" => [0.0, 9.81],
+            "deg" => [-10.0, 10.0],
+            _ => [0.0, 1.0],
+        }
+    }
+}
+
+/// The name without its last index, which the rows of one list have in common.
+fn column(parameter: Parameter) -> String {
+    let name = parameter.to_string();
+    match (name.rfind('['), name.rfind(']')) {
+        (Some(open), Some(close)) if open < close => {
+            format!("{}[]{}", &name[..open], &name[close + 1..])
+        }
+        _ => name,
+    }
+}

@@ -1,0 +1,198 @@
+//! Files to take away: the tower, its report, its pictures.
+
+use serde::Deserialize;
+use thiserror::Error;
+use towermodes_files::rewritten;
+use towermodes_report::figures::{self, TitleWords, titled};
+use towermodes_report::raster::{self, RasterError};
+use towermodes_report::svg::{Figure, Look, Theme};
+use towermodes_report::wording::computed_by;
+
+use super::explorer::{Explorer, Solved};
+use super::refusal::Refusal;
+use super::state::State;
+
+/// Pixels for each unit of a picture.
+const SCALE: f64 = 2.0;
+
+/// A file that a page asks for.
+#[derive(Debug, Clone, PartialEq, Deserialize)]
+pub struct Take {
+    /// The changed numbers.
+    #[serde(flatten)]
+    pub state: State,
+    /// What is asked for.
+    pub what: What,
+    /// The format of a picture.
+    #[serde(default)]
+    pub format: PictureFormat,
+}
+
+/// The files.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum What {
+    /// The tower file.
+    Tower,
+    /// The report.
+    Report,
+    /// The drawing of the tower.
+    TowerPicture,
+    /// The mode shapes.
+    ShapesPicture,
+    /// The resonance diagram.
+    ResonancePicture,
+}
+
+/// The formats of pictures.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum PictureFormat {
+    /// SVG.
+    #[default]
+    Svg,
+    /// PNG.
+    Png,
+}
+
+/// A file to take away.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Taken {
+    /// Its name: letters, digits, `-`, `_` and `.`.
+    pub name: String,
+    /// Its media type.
+    pub media_type: &'static str,
+    /// Its content.
+    pub content: Vec<u8>,
+}
+
+/// Why there is no file.
+#[derive(Debug, Clone, PartialEq, Error)]
+#[non_exhaustive]
+pub enum TakeError {
+    /// The tower is refused.
+    #[error("{}", .0.refused.message)]
+    Refused(Refusal),
+    /// There is no resonance diagram without a rotor.
+    #[error("there is no resonance diagram, because the rotor speed is unknown")]
+    NoRotor,
+    /// The picture has too many pixels.
+    #[error(transparent)]
+    Picture(#[from] RasterError),
+    /// The report cannot be made.
+    #[error("{0}")]
+    Report(String),
+}
+
+impl From<Refusal> for TakeError {
+    fn from(refusal: Refusal) -> Self {
+        Self::Refused(refusal)
+    }
+}
+
+impl Taken {
+    pub(crate) fn new(explorer: &Explorer, take: &Take) -> Result<Self, TakeError> {
+        let stem = stem(&explorer.exploration.file);
+        match take.what {
+            What::Tower => {
+                let (input, _) = explorer.changed(&take.state)?;
+                let file = rewritten(&explorer.exploration.input, &input.description);
+                Ok(Self {
+                    name: format!("{stem}.toml"),
+                    media_type: "application/toml",
+                    content: file.text.into_bytes(),
+                })
+            }
+            What::Report => {
+                let (input, _) = explorer.changed(&take.state)?;
+                let words = explorer.words("report", &take.state);
+                let page = (explorer.exploration.report)(input, &words);
+                Ok(Self {
+                    name: format!("{stem}-report.html"),
+                    media_type: "text/html; charset=utf-8",
+                    content: page.map_err(TakeError::Report)?.into_bytes(),
+                })
+            }
+            What::TowerPicture | What::ShapesPicture | What::ResonancePicture => {
+                let solved = explorer.solved(&take.state)?;
+                picture(&solved, take, &stem)
+            }
+        }
+    }
+}
+
+fn picture(solved: &Solved, take: &Take, stem: &str) -> Result<Taken, TakeError> {
+    let (figure, computed, conclusion) = drawn(solved, take.what)?;
+    let words = TitleWords {
+        title: None,
+        computed: computed.as_deref(),
+        conclusion: &conclusion,
+    };
+    let name = figure.name.clone();
+    let figure = titled(figure, &solved.tower, &words);
+    let (ending, media_type, content) = match take.format {
+        PictureFormat::Svg => {
+            let svg = figure.to_svg(Look::Standalone).into_bytes();
+            ("svg", "image/svg+xml", svg)
+        }
+        PictureFormat::Png => (
+            "png",
+            "image/png",
+            raster::png(&figure, Theme::Light, SCALE)?,
+        ),
+    };
+    Ok(Taken {
+        name: format!("{stem}-{name}.{ending}"),
+        media_type,
+        content,
+    })
+}
+
+/// A figure with its method and its conclusion.
+type Drawn = (Figure, Option<String>, Vec<String>);
+
+fn drawn(solved: &Solved, what: What) -> Result<Drawn, TakeError> {
+    let description = &solved.input.description;
+    let computed = Some(computed_by(&solved.solution));
+    match (what, &solved.assessment) {
+        (What::ResonancePicture, None) => Err(TakeError::NoRotor),
+        (What::ResonancePicture, Some(of)) => {
+            let conclusion = of.campbell.conclusion();
+            Ok((figures::campbell(&of.campbell), computed, conclusion))
+        }
+        (What::ShapesPicture, _) => {
+            let figure = figures::shapes(description, &solved.tower, &solved.solution);
+            Ok((figure, computed, Vec::new()))
+        }
+        _ => Ok((figures::tower(description, &solved.tower), None, Vec::new())),
+    }
+}
+
+/// The name of a file without folder and ending, in characters that every system allows.
+fn stem(file: &str) -> String {
+    let name = file.rsplit(['/', '\\']).next().unwrap_or_default();
+    let stem = name.rsplit_once('.').map_or(name, |(stem, _)| stem);
+    let is_plain = |c: char| c.is_ascii_alphanumeric() || matches!(c, '-' | '_');
+    let plain: String = stem
+        .chars()
+        .map(|c| if is_plain(c) { c } else { '-' })
+        .take(100)
+        .collect();
+    match plain.trim_matches('-') {
+        "" => "tower".to_owned(),
+        plain => plain.to_owned(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::stem;
+
+    #[test]
+    fn names_have_no_folders_and_no_quotes() {
+        assert_eq!(stem("examples/nrel-5mw.toml"), "nrel-5mw");
+        assert_eq!(stem("-"), "tower");
+        assert_eq!(stem("a\"b\r\nc.toml"), "a-b--c");
+        assert_eq!(stem(".."), "tower");
+    }
+}

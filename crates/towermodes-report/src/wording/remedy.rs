@@ -1,0 +1,35 @@
+//! What to change where a tower cannot be solved.
+
+use towermodes::{EigenError, Family, SolveError};
+
+/// What to change so that a tower can be solved, for errors that say it.
+pub fn remedy(error: &SolveError) -> Option<&'static str> {
+    match error {
+        SolveError::TooManyModes { .. } => {
+            Some("increase --segments (for --method spectral: --degree) or reduce --modes")
+        }
+        SolveError::TooLarge { .. } | SolveError::TooSlow { .. } => Some(
+            "reduce --modes or --segments (an even number of segments needs no finer mesh for the error estimate), or use --no-limits",
+        ),
+        SolveError::Buckles { .. } => Some(
+            "reduce the mass, increase the diameter or the wall thickness, or use --no-gravity to omit gravity",
+        ),
+        SolveError::Eigen(EigenError::TooStiff) => Some(
+            "check the units: foundation, soil and guy wires are not a million times stiffer than the tower",
+        ),
+        SolveError::Unstable {
+            motion: Family::Roll | Family::Pitch,
+        } => Some(
+            "hydrostatic must not contain the gravity terms of the masses, which [gravity] adds; check also the acceleration and the height of the centre of mass",
+        ),
+        SolveError::Unstable { .. } => Some(
+            "check the signs of the hydrostatic and mooring stiffness for this motion, and the masses",
+        ),
+        SolveError::UnstableBlade { .. } => Some(
+            "check the rotor speed (rot_rpm in rpm, rpm_mult), GJ and the offsets of the sections",
+        ),
+        SolveError::Eigen(EigenError::NotFinite) => Some("check the units of all values"),
+        SolveError::Eigen(_) => Some("reduce --modes, or check the units of all values"),
+        _ => None,
+    }
+}
