@@ -1,0 +1,31 @@
+// Numbers as people type them, and as fields show them.
+
+/** A number, or the sentence that says why the text is none. */
+export type Entry = { value: number } | { problem: string };
+
+const NUMBER = /^[+-]?(\d+\.?\d*|\.\d+)(e[+-]?\d+)?$/i;
+
+/** Reads a number with a decimal point: `0.03`, `-12`, `3.6e5`. */
+export function readNumber(typed: string): Entry {
+  const text = typed.trim().replace("−", "-");
+  if (text === "") return { problem: "Type a number, for example 3.6e5." };
+  if (NUMBER.test(text)) {
+    const value = Number(text);
+    return Number.isFinite(value) ? { value } : { problem: `${text} is too large.` };
+  }
+  const pointed = text.replace(",", ".");
+  if (NUMBER.test(pointed)) return { problem: `Write a decimal point: ${pointed} instead of ${text}.` };
+  return { problem: `“${text}” is not a number. Type digits with a decimal point, for example 3.6e5.` };
+}
+
+/** The shortest text that reads back as the same number. */
+export function writeNumber(value: number): string {
+  const size = Math.abs(value);
+  if (size !== 0 && (size >= 1e7 || size < 1e-4)) return value.toExponential().replace("e+", "e");
+  return String(value);
+}
+
+/** Without the digits beyond twelve that a product of two short numbers gets. */
+export function tidy(value: number): number {
+  return Number(value.toPrecision(12));
+}
