@@ -316,6 +316,7 @@ impl Failure {
             Self::Campbell(CampbellError::Blade { .. }) | Self::Resonant { .. } => 1,
             Self::Picture(RasterError::Encoding(_)) => 1,
             Self::Unwritable(..) | Self::Unverified { .. } => 1,
+            Self::Server { .. } => 1,
             Self::Several { code, .. } => *code,
             Self::Rows(_) => 1,
             Self::Parts(

@@ -69,7 +69,7 @@ impl Folder {
     }
 
     fn started(&self, output: &str) -> Child {
-        let mut command = self.command(output, &["--threads", "1"]);
+        let mut command = with_ctrl_c(&self.command(output, &["--threads", "1"]));
         command.stdout(Stdio::null()).stderr(Stdio::null());
         command.spawn().expect("the program runs")
     }
@@ -115,6 +115,24 @@ impl Folder {
             thread::sleep(Duration::from_millis(2));
         }
     }
+}
+
+/// The same command, which Ctrl-C ends even if whoever runs the tests ignores it, as a background
+/// job does.
+fn with_ctrl_c(command: &Command) -> Command {
+    let mut with = match cfg!(target_os = "linux") {
+        true => {
+            let mut with = Command::new("env");
+            with.arg("--default-signal=INT").arg(command.get_program());
+            with
+        }
+        false => Command::new(command.get_program()),
+    };
+    with.args(command.get_args());
+    if let Some(folder) = command.get_current_dir() {
+        with.current_dir(folder);
+    }
+    with
 }
 
 impl Folder {

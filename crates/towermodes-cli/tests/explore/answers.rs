@@ -1,0 +1,361 @@
+//! The answers of the explorer are those of the other commands, digit by digit.
+
+use std::process::{Command, Output};
+
+use serde_json::{Value, json};
+
+use super::server::Explorer;
+use crate::pages::root;
+use crate::sandbox::PROGRAM;
+
+/// A tower of every format, and every kind of tower.
+const TOWERS: [&str; 10] = [
+    "examples/floating.toml",
+    "examples/guyed.toml",
+    "examples/monopile.toml",
+    "examples/monopile-layers.toml",
+    "examples/nrel-5mw-table.toml",
+    "examples/nrel-5mw.bmi",
+    "examples/nrel-5mw.toml",
+    "examples/nrel-5mw.yaml",
+    "examples/reference-tower.toml",
+    "examples/small-turbine/ElastoDyn.dat",
+];
+
+fn run(arguments: &[&str]) -> Output {
+    let mut command = Command::new(PROGRAM);
+    command.current_dir(root()).args(arguments);
+    command.output().expect("the program runs")
+}
+
+/// The result of a command in JSON.
+#[track_caller]
+fn json_of(arguments: &[&str]) -> Value {
+    let done = run(&[arguments, &["--format", "json"]].concat());
+    let said = String::from_utf8_lossy(&done.stderr);
+    serde_json::from_slice(&done.stdout).unwrap_or_else(|_| panic!("{arguments:?}: {said}"))
+}
+
+/// The frequencies of a list of modes, Hz.
+fn frequencies_hz(modes: &Value) -> Vec<f64> {
+    let modes = modes.as_array().expect("modes").iter();
+    modes
+        .map(|mode| mode["frequency_hz"].as_f64().expect("a number"))
+        .collect()
+}
+
+/// The first number of a tower that every tower has: a property of its material or section.
+fn changed(sheet: &Value) -> (String, f64) {
+    let parameters = sheet["parameters"].as_array().expect("parameters");
+    let is_one = |of: &&Value| {
+        let name = of["name"].as_str().unwrap_or_default();
+        name.ends_with("youngs_modulus") || name.ends_with("[0].ei_fore_aft_n_m2")
+    };
+    let one = parameters.iter().find(is_one).expect("a stiffness");
+    let value = one["value"].as_f64().expect("a number");
+    (
+        one["name"].as_str().expect("a name").to_owned(),
+        1.1 * value,
+    )
+}
+
+#[test]
+fn frequencies_are_those_of_solve() {
+    for tower in TOWERS {
+        let explorer = Explorer::start(&[tower, "--modes", "6"]);
+        let sheet: Value =
+            serde_json::from_slice(&explorer.ask("GET", "sheet", b"").body).expect("JSON");
+        let (name, value) = changed(&sheet);
+        let set = format!("{name}={value:e}");
+        let commands: [(Value, &[&str]); 2] =
+            [(json!({}), &[]), (json!({ name: value }), &["--set", &set])];
+        for (numbers, options) in commands {
+            let answer = explorer.answer("solve", &json!({ "numbers": numbers }));
+            let solved = json_of(&[&["solve", tower, "--modes", "6"], options].concat());
+            let own = frequencies_hz(&answer["modes"]);
+            assert_eq!(own, frequencies_hz(&solved["modes"]), "{tower} {options:?}");
+            let parts = ["discretization_error_hz", "algebraic_error_hz"];
+            let part_hz = parts.map(|part| solved["modes"][0][part].as_f64());
+            let error_hz: f64 = part_hz.iter().flatten().sum();
+            assert_eq!(
+                answer["modes"][0]["error_hz"].as_f64(),
+                Some(error_hz),
+                "{tower}"
+            );
+        }
+    }
+}
+
+/// The page shows what the terminal shows.
+#[test]
+fn texts_are_those_of_the_terminal() {
+    let tower = "examples/monopile.toml";
+    let explorer = Explorer::start(&[tower]);
+    let answer = explorer.answer("solve", &json!({ "numbers": { "rna.mass": 3.6e5 } }));
+    let table = run(&["solve", tower, "--set", "rna.mass=360000"]).stdout;
+    let table = String::from_utf8(table).expect("text");
+    let text = |value: &Value| value.as_str().expect("a text").to_owned();
+    for mode in answer["modes"].as_array().expect("modes") {
+        let line = format!(" {}  ", text(&mode["shape"]));
+        let line = table.lines().find(|of| of.contains(&line)).expect("a line");
+        let words: Vec<&str> = line.split_whitespace().collect();
+        assert!(words.contains(&text(&mode["frequency"]).as_str()), "{line}");
+        assert!(words.contains(&text(&mode["error"]).as_str()), "{line}");
+    }
+    assert!(table.contains(&text(&answer["certificate"])));
+    assert!(table.contains(&text(&answer["method"])));
+    let facts = answer["facts"].as_array().expect("facts");
+    let buckling = facts
+        .iter()
+        .find(|fact| fact["key"] == "buckling_load_factor");
+    let buckling = text(&buckling.expect("with gravity")["text"]);
+    assert!(table.contains(&format!("buckling load factor {buckling}")));
+}
+
+#[test]
+fn verdicts_are_those_of_campbell() {
+    let tower = "examples/monopile.toml";
+    let explorer = Explorer::start(&[tower, "--rpm", "5,9", "--margin", "10"]);
+    let answer = explorer.answer("solve", &json!({ "numbers": {} }));
+    let campbell = json_of(&["campbell", tower, "--rpm", "5,9", "--margin", "10"]);
+    assert_eq!(answer["resonance"]["word"], campbell["verdict"]);
+    for mode in answer["modes"].as_array().expect("modes") {
+        let number = &mode["number"];
+        let margins = campbell["margins"].as_array().expect("margins").iter();
+        let line =
+            |margin: &Value| &campbell["lines"][margin["line"].as_u64().unwrap_or(0) as usize];
+        let own = margins.filter(|margin| line(margin)["number"] == *number);
+        let rank = |word: &str| ["pass", "warn", "fail"].iter().position(|one| *one == word);
+        let worst = own
+            .filter_map(|margin| rank(margin["verdict"].as_str()?))
+            .max();
+        let shown = rank(mode["verdict"]["word"].as_str().expect("a word"));
+        assert_eq!(shown, worst, "mode {number}");
+    }
+    assert!(
+        answer["diagram"]
+            .as_str()
+            .expect("a picture")
+            .starts_with("<svg")
+    );
+}
+
+/// What no tower can have is answered with the numbers concerned; the other answers go on.
+#[test]
+fn refusals_name_their_numbers() {
+    let explorer = Explorer::start(&["examples/monopile.toml"]);
+    let refused = |numbers: Value| {
+        let answer = explorer.answer("solve", &json!({ "numbers": numbers }));
+        let refused = &answer["refused"];
+        let message = refused["message"].as_str().expect("a message").to_owned();
+        (
+            message,
+            refused["parameters"].clone(),
+            refused["hint"].clone(),
+        )
+    };
+    let (message, parameters, _) = refused(json!({ "stations[1].wall": -0.01 }));
+    assert!(
+        message.contains("wall thickness is -0.01 m; it must be positive"),
+        "{message}"
+    );
+    assert_eq!(parameters, json!(["stations[1].wall"]));
+    let (message, parameters, _) = refused(json!({ "material.youngs_modulus": 0.0 }));
+    assert!(message.contains("Young's modulus"), "{message}");
+    assert_eq!(parameters, json!(["material.youngs_modulus"]));
+    let (message, _, hint) = refused(json!({ "rna.mass": 1e8 }));
+    assert!(message.contains("buckle"), "{message}");
+    assert!(
+        hint.as_str().expect("a hint").contains("reduce the mass"),
+        "{hint}"
+    );
+    let (message, ..) = refused(json!({ "rna.mas": 1.0 }));
+    assert!(message.contains("did you mean `rna.mass`?"), "{message}");
+    // The lowest speed above the highest.
+    let (message, parameters, _) = refused(json!({ "rotor.rpm[0]": 20.0 }));
+    assert!(
+        !parameters.as_array().expect("names").is_empty(),
+        "{message}"
+    );
+    explorer.is_well();
+}
+
+/// The names of the sheet are those of `parameters`, and each value is between its ends.
+#[test]
+fn sliders_are_the_numbers_of_the_tower() {
+    for tower in TOWERS {
+        let explorer = Explorer::start(&[tower]);
+        let sheet = explorer.ask("GET", "sheet", b"");
+        let sheet: Value = serde_json::from_slice(&sheet.body).expect("JSON");
+        let listed = json_of(&["parameters", tower]);
+        let names = |list: &Value, key: &str| -> Vec<(String, f64)> {
+            let list = list.as_array().expect("a list").iter();
+            let pair = |one: &Value| {
+                let value = one[key].as_f64().unwrap_or(f64::INFINITY);
+                (one["name"].as_str().expect("a name").to_owned(), value)
+            };
+            list.map(pair).collect()
+        };
+        let own = names(&sheet["parameters"], "value");
+        assert_eq!(own, names(&listed["parameters"], "value"), "{tower}");
+        for one in sheet["parameters"].as_array().expect("parameters") {
+            let ends = ["low", "value", "high"].map(|key| one[key].as_f64());
+            let [Some(low), Some(value), Some(high)] = ends else {
+                continue;
+            };
+            assert!(
+                low <= value && value <= high && low < high,
+                "{tower}: {one}"
+            );
+        }
+    }
+}
+
+#[test]
+fn elasticities_are_those_of_sensitivities() {
+    let tower = "examples/nrel-5mw.toml";
+    let explorer = Explorer::start(&[tower]);
+    let question = json!({ "numbers": { "rna.mass": 3.6e5 }, "mode": 1 });
+    let answer = explorer.answer("elasticities", &question);
+    let command = json_of(&["sensitivities", tower, "--set", "rna.mass=360000"]);
+    let mut compared = 0;
+    for number in command["numbers"].as_array().expect("numbers") {
+        let name = number["name"].as_str().expect("a name");
+        let own = answer["elasticities"][name].as_f64();
+        let theirs = number["modes"][0]["percent_per_percent"].as_f64();
+        if let (Some(own), Some(theirs)) = (own, theirs) {
+            let scale = theirs.abs().max(1e-3);
+            assert!(
+                (own - theirs).abs() < 1e-6 * scale,
+                "{name}: {own} {theirs}"
+            );
+            compared += 1;
+        }
+    }
+    assert!(compared > 10, "{compared}");
+}
+
+/// A file that is taken away and solved has the digits of the page; comments of a tower file stay.
+#[test]
+fn towers_taken_away_have_the_digits_of_the_page() {
+    let folder = std::path::Path::new(env!("CARGO_TARGET_TMPDIR")).join("taken-away");
+    std::fs::create_dir_all(&folder).expect("a folder");
+    for tower in TOWERS {
+        let explorer = Explorer::start(&[tower, "--modes", "6", "--method", "rmje-exact"]);
+        let sheet: Value =
+            serde_json::from_slice(&explorer.ask("GET", "sheet", b"").body).expect("JSON");
+        let (name, value) = changed(&sheet);
+        let numbers = json!({ name: value });
+        let answer = explorer.answer("solve", &json!({ "numbers": numbers }));
+        let question = json!({ "numbers": numbers, "what": "tower" }).to_string();
+        let file = explorer.ask("POST", "take", question.as_bytes());
+        let expected = format!("attachment; filename=\"{}.toml\"", stem(tower));
+        assert_eq!(file.header("content-disposition"), expected);
+        let path = folder.join(stem(tower)).with_extension("toml");
+        std::fs::write(&path, &file.body).expect("written");
+        let path = path.to_string_lossy().into_owned();
+        let solved = json_of(&["solve", &path, "--modes", "6", "--method", "rmje-exact"]);
+        let (own, theirs) = (
+            frequencies_hz(&answer["modes"]),
+            frequencies_hz(&solved["modes"]),
+        );
+        assert_eq!(own, theirs, "{tower}");
+        if tower.ends_with("nrel-5mw.toml") {
+            let original = std::fs::read_to_string(root().join(tower)).expect("a file");
+            let comments = |text: &str| text.matches('#').count();
+            assert_eq!(comments(&file.text()), comments(&original));
+        }
+    }
+}
+
+fn stem(tower: &str) -> String {
+    let stem = std::path::Path::new(tower).file_stem().expect("a name");
+    stem.to_string_lossy().into_owned()
+}
+
+#[test]
+fn reports_taken_away_are_those_of_report() {
+    let tower = "examples/nrel-5mw.toml";
+    let explorer = Explorer::start(&[tower, "--modes", "6"]);
+    let question = json!({ "numbers": { "rna.mass": 3.6e5 }, "what": "report" });
+    let taken = explorer.ask("POST", "take", question.to_string().as_bytes());
+    let arguments = ["report", tower, "--modes=6", "--set", "rna.mass=360000"];
+    let written = run(&[&arguments[..], &["--output", "-"]].concat());
+    // The last arguments are not those of the page.
+    let written = String::from_utf8(written.stdout)
+        .expect("text")
+        .replace(" --output -", "");
+    let taken = taken.text().replace("set by the page", "set by --set");
+    let lines = |text: &str| text.lines().map(str::to_owned).collect::<Vec<_>>();
+    let (taken, written) = (lines(&taken), lines(&written));
+    let other: Vec<_> = taken.iter().zip(&written).filter(|(a, b)| a != b).collect();
+    assert_eq!(taken.len(), written.len());
+    // One note says what has set the number.
+    assert!(other.len() <= 1, "{other:#?}");
+}
+
+#[test]
+fn pictures_taken_away_are_pictures() {
+    let explorer = Explorer::start(&["examples/nrel-5mw.toml"]);
+    for what in ["tower-picture", "shapes-picture", "resonance-picture"] {
+        for (format, start) in [("svg", &b"<svg"[..]), ("png", b"\x89PNG")] {
+            let question = json!({ "numbers": {}, "what": what, "format": format });
+            let taken = explorer.ask("POST", "take", question.to_string().as_bytes());
+            assert_eq!(taken.status, 200, "{what}: {}", taken.text());
+            assert!(taken.body.starts_with(start), "{what} {format}");
+        }
+    }
+    let without = Explorer::start(&["examples/reference-tower.toml"]);
+    let question = json!({ "numbers": {}, "what": "resonance-picture" }).to_string();
+    let taken = without.ask("POST", "take", question.as_bytes());
+    assert_eq!(taken.status, 409);
+    assert!(
+        taken.text().contains("the rotor speed is unknown"),
+        "{}",
+        taken.text()
+    );
+}
+
+/// The command that the page shows gives the digits of the page; a factor of a whole column is one
+/// setting.
+#[test]
+fn the_reproducing_commands_give_the_same_digits() {
+    let tower = "examples/nrel-5mw.toml";
+    let explorer = Explorer::start(&[tower]);
+    let sheet: Value =
+        serde_json::from_slice(&explorer.ask("GET", "sheet", b"").body).expect("JSON");
+    let mut numbers = serde_json::Map::new();
+    for one in sheet["parameters"].as_array().expect("parameters") {
+        if one["column"] == "stations[*].wall" {
+            let value = 1.1 * one["value"].as_f64().expect("a number");
+            numbers.insert(
+                one["name"].as_str().expect("a name").to_owned(),
+                json!(value),
+            );
+        }
+    }
+    numbers.insert("rna.mass".to_owned(), json!(3.6e5));
+    let question = json!({ "numbers": numbers });
+    let shell = explorer.answer("reproduce", &question);
+    let shell = shell["shell"].as_str().expect("text").to_owned();
+    let first = shell.lines().next().expect("a line");
+    let expected = format!(
+        "towermodes solve {tower} --set 'scale(stations[*].wall)=1.1' --set rna.mass=360000"
+    );
+    assert_eq!(first, expected);
+    let set = ["scale(stations[*].wall)=1.1", "rna.mass=360000"];
+    let solved = json_of(&["solve", tower, "--set", set[0], "--set", set[1]]);
+    let answer = explorer.answer("solve", &question);
+    let own = frequencies_hz(&answer["modes"]);
+    let count = own.len().min(8);
+    assert_eq!(own[..count], frequencies_hz(&solved["modes"])[..count]);
+}
+
+/// Numbers that the command line sets are in the address: the page can put them back.
+#[test]
+fn numbers_that_are_set_are_in_the_address() {
+    let set = ["--set", "rna.mass=360000", "--set", "stations[0].wall=0.04"];
+    let explorer = Explorer::start(&[&["examples/nrel-5mw.toml"], &set[..]].concat());
+    let (_, fragment) = explorer.address.split_once('#').expect("a fragment");
+    assert_eq!(fragment, "rna.mass=360000&stations%5B0%5D.wall=0.04");
+}

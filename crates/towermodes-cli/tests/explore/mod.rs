@@ -1,0 +1,6 @@
+//! `towermodes explore`: answers against the other commands, the server against strangers, the page
+//! in a browser.
+
+mod answers;
+mod server;
+mod strangers;
