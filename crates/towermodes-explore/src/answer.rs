@@ -16,8 +16,6 @@ use super::refusal::names_at;
 /// A solved tower.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Answer {
-    /// Always null: a refusal has its reason here.
-    refused: (),
     /// The values of all numbers, in the order of the sheet.
     pub values: Vec<f64>,
     /// Masses, height, buckling load factor.
@@ -134,7 +132,6 @@ impl Answer {
         let of_mode = |mode| AnsweredMode::new(mode, solution, campbell);
         let warnings = solution.warnings.iter();
         Self {
-            refused: (),
             values: all.map(|one| one.value(description)).collect(),
             facts: facts(tower, solution),
             modes: solution.modes.iter().map(of_mode).collect(),

@@ -21,8 +21,6 @@ pub struct ElasticityQuestion {
 /// Percent of a frequency per percent of each number.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Elasticities {
-    /// Always null: a refusal has its reason here.
-    refused: (),
     /// The name of the mode: "1st fore-aft bending".
     pub mode: String,
     /// By the name of the number; those that are zero or have no derivative are left out.
@@ -46,7 +44,6 @@ impl Elasticities {
         }
         let label = of.modes.get(index).map(|mode| mode.label.clone());
         Self {
-            refused: (),
             mode: label.unwrap_or_default(),
             elasticities,
         }

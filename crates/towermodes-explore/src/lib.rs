@@ -10,6 +10,7 @@ mod answer;
 mod elasticity;
 mod explorer;
 mod page;
+mod question;
 mod refusal;
 mod reproduction;
 #[cfg(feature = "server")]
@@ -23,6 +24,7 @@ pub use answer::{Answer, AnsweredMode, Fact, Remark, Resonance, Timed, Verdicted
 pub use elasticity::{Elasticities, ElasticityQuestion};
 pub use explorer::{Exploration, Explorer, Reporter};
 pub use page::{PageFile, page_files};
+pub use question::{Question, Reply};
 pub use refusal::{Refusal, Refused};
 pub use reproduction::Reproduction;
 pub use sheet::{Dragged, Group, Sheet, SheetParameter};

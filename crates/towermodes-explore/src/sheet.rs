@@ -155,3 +155,43 @@ fn dragged(name: &str) -> Option<Dragged> {
     let station = index.parse().ok()?;
     Some(Dragged { station, quantity })
 }
+
+#[cfg(test)]
+mod tests {
+    use towermodes::{Material, Parameter, Station, TowerDescription};
+
+    use super::{Name, dragged};
+
+    #[test]
+    fn names_are_rows_of_columns_of_groups() {
+        let description = TowerDescription {
+            materials: vec![Material::from_shear_modulus(8500.0, 2.1e11, 8.08e10)],
+            stations: vec![Station::new(0.0, 6.0, 0.03), Station::new(80.0, 4.0, 0.02)],
+            gravity_m_per_s2: 9.81,
+            ..TowerDescription::default()
+        };
+        let name = |name| Name::new(Parameter::parse(name, &description).expect("a number"));
+        let wall = name("stations[1].wall");
+        assert_eq!((wall.group, wall.label.as_str()), ("stations[]", "1: wall"));
+        assert_eq!(wall.column.as_deref(), Some("stations[*].wall"));
+        let single = name("rna.mass");
+        assert_eq!((single.group, single.label.as_str()), ("rna", "mass"));
+        assert_eq!(single.column, None);
+        assert_eq!(name("rna.inertia.xx").label, "inertia.xx");
+        assert_eq!(name("rna.inertia.xx").group, "rna");
+    }
+
+    #[test]
+    fn heights_and_diameters_of_stations_can_be_dragged() {
+        let quantity = |name| dragged(name).map(|of| (of.station, of.quantity));
+        assert_eq!(quantity("stations[12].height"), Some((12, "height")));
+        assert_eq!(quantity("stations[0].diameter"), Some((0, "diameter")));
+        for other in [
+            "stations[0].wall",
+            "properties[0].z_m",
+            "stations[x].height",
+        ] {
+            assert_eq!(quantity(other), None, "{other}");
+        }
+    }
+}

@@ -91,3 +91,55 @@ fn column(parameter: Parameter) -> String {
         _ => name,
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use towermodes::{Material, Parameter, Rna, Station, TowerDescription};
+
+    use super::Sliders;
+
+    /// Heights stay between their neighbours; other numbers move by 30 %, also negative ones; zeros
+    /// get a scale.
+    #[test]
+    fn ranges_are_around_the_values() {
+        let mut rna = Rna::point(350e3);
+        rna.center_m = [-2.0, 0.0, 1.0];
+        let description = TowerDescription {
+            materials: vec![Material::from_shear_modulus(8500.0, 2.1e11, 8.08e10)],
+            stations: vec![
+                Station::new(0.0, 6.0, 0.03),
+                Station::new(2.0, 6.0, 0.03),
+                Station::new(100.0, 4.0, 0.02),
+            ],
+            rna,
+            ..TowerDescription::default()
+        };
+        let sliders = Sliders::new(&description);
+        let range = |name| {
+            let parameter = Parameter::parse(name, &description).expect("a number");
+            sliders.range(parameter)
+        };
+        let is = |name, [low, high]: [f64; 2]| {
+            let found = range(name);
+            assert!(
+                (found[0] - low).abs() < 1e-9 * high.abs(),
+                "{name}: {found:?}"
+            );
+            assert!(
+                (found[1] - high).abs() < 1e-9 * high.abs(),
+                "{name}: {found:?}"
+            );
+        };
+        is("rna.mass", [0.7 * 350e3, 1.3 * 350e3]);
+        is("stations[0].wall", [0.021, 0.039]);
+        // Ten metres up would be beyond the next row.
+        is("stations[0].height", [-10.0, 1.9]);
+        is("stations[1].height", [0.1, 12.0]);
+        is("stations[2].height", [90.0, 110.0]);
+        for parameter in Parameter::all(&description) {
+            let value = parameter.value(&description);
+            let [low, high] = sliders.range(parameter);
+            assert!(low <= value && value <= high && low < high, "{parameter}");
+        }
+    }
+}

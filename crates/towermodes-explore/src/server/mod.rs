@@ -126,7 +126,7 @@ async fn answered(
 ) -> Result<Response<reply::Body>, std::convert::Infallible> {
     let (head, body) = request.into_parts();
     Ok(match routes.find(&head) {
-        Err(refused) => refused,
+        Err(refused) => reply::refused(refused),
         Ok(route) => route::answer(routes, route, body).await,
     })
 }

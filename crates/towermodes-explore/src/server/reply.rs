@@ -7,7 +7,6 @@ use hyper::header::{
     HeaderValue, REFERRER_POLICY, X_CONTENT_TYPE_OPTIONS, X_FRAME_OPTIONS,
 };
 use hyper::{Response, StatusCode};
-use serde::Serialize;
 
 use super::gate::Refused;
 use crate::take::Taken;
@@ -52,19 +51,12 @@ pub(super) fn reply(
     response
 }
 
-/// An answer in JSON.
-pub(super) fn json(value: &impl Serialize) -> Response<Body> {
-    match serde_json::to_vec(value) {
-        Ok(text) => reply(StatusCode::OK, "application/json", text),
-        Err(error) => plain(StatusCode::INTERNAL_SERVER_ERROR, &error.to_string()),
-    }
-}
-
 /// A message.
 pub(super) fn plain(status: StatusCode, message: &str) -> Response<Body> {
     reply(status, "text/plain; charset=utf-8", format!("{message}\n"))
 }
 
+/// A request that is not answered.
 pub(super) fn refused(refused: Refused) -> Response<Body> {
     plain(refused.status, refused.message)
 }

@@ -5,18 +5,17 @@ use std::sync::Arc;
 
 use http_body_util::{BodyExt, Limited};
 use hyper::body::{Bytes, Incoming};
-use hyper::header::{ALLOW, HeaderValue};
 use hyper::http::request::Parts;
 use hyper::{Method, Response, StatusCode};
-use serde::de::DeserializeOwned;
 
 use super::SLOW_BODY;
-use super::gate::Gate;
-use super::reply::{self, Body, json, plain, refused, reply};
+use super::gate::{Gate, Refused};
+use super::reply::{Body, file, plain, reply};
 use crate::explorer::Explorer;
 use crate::page::{PageFile, page_files};
-use crate::refusal::Refusal;
-use crate::take::TakeError;
+use crate::question::{Question, Reply};
+
+const JSON: &str = "application/json";
 
 /// The largest body, bytes: the numbers of ten thousand stations.
 const MOST_BYTES: usize = 1 << 20;
@@ -26,16 +25,6 @@ pub(super) struct Routes {
     explorer: Explorer,
     gate: Gate,
     files: Vec<PageFile>,
-}
-
-/// Questions that are answered by computation.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Question {
-    Sheet,
-    Solve,
-    Elasticities,
-    Reproduce,
-    Take,
 }
 
 /// Where a request leads.
@@ -57,38 +46,33 @@ impl Routes {
     }
 
     /// Where a request leads, or why it is refused.
-    pub(super) fn find(&self, head: &Parts) -> Result<Route, Response<Body>> {
-        let path = self.gate.inside(&head.headers, head.uri.path());
-        let path = path.map_err(refused)?;
+    pub(super) fn find(&self, head: &Parts) -> Result<Route, Refused> {
+        let path = self.gate.inside(&head.headers, head.uri.path())?;
         let file = self.files.iter().position(|file| file.name == path);
-        let (route, method) = match (file, path) {
+        let mut questions = Question::ALL.into_iter();
+        let question = questions.find(|question| question.name() == path);
+        let (route, method) = match (file, question) {
             (Some(index), _) => (Route::File(index), Method::GET),
-            (None, "sheet") => (Route::Question(Question::Sheet), Method::GET),
-            (None, "solve") => (Route::Question(Question::Solve), Method::POST),
-            (None, "elasticities") => (Route::Question(Question::Elasticities), Method::POST),
-            (None, "reproduce") => (Route::Question(Question::Reproduce), Method::POST),
-            (None, "take") => (Route::Question(Question::Take), Method::POST),
-            _ => {
-                return Err(plain(
-                    StatusCode::NOT_FOUND,
-                    "there is nothing at this address",
-                ));
+            (None, Some(Question::Sheet)) => (Route::Question(Question::Sheet), Method::GET),
+            (None, Some(question)) => (Route::Question(question), Method::POST),
+            (None, None) => {
+                return Err(Refused {
+                    status: StatusCode::NOT_FOUND,
+                    message: "there is nothing at this address",
+                });
             }
         };
         match head.method == method {
             true => Ok(route),
-            false => Err(other_method(&method)),
+            false => Err(Refused {
+                status: StatusCode::METHOD_NOT_ALLOWED,
+                message: match method {
+                    Method::GET => "this address answers GET only",
+                    _ => "this address answers POST only",
+                },
+            }),
         }
     }
-}
-
-fn other_method(method: &Method) -> Response<Body> {
-    let message = format!("this address is asked by {method}");
-    let mut response = plain(StatusCode::METHOD_NOT_ALLOWED, &message);
-    if let Ok(value) = HeaderValue::from_str(method.as_str()) {
-        response.headers_mut().insert(ALLOW, value);
-    }
-    response
 }
 
 /// Answers a request; what computes runs on a thread of its own.
@@ -136,41 +120,11 @@ async fn whole(body: Incoming) -> Result<Bytes, Response<Body>> {
 }
 
 fn computed(explorer: &Explorer, question: Question, body: &[u8]) -> Response<Body> {
-    match question {
-        Question::Sheet => json(&explorer.sheet()),
-        Question::Solve => asked(body, |state| either(explorer.solve(state))),
-        Question::Elasticities => asked(body, |of| either(explorer.elasticities(of))),
-        Question::Reproduce => asked(body, |state| json(&explorer.reproduce(state))),
-        Question::Take => asked(body, |take| match explorer.take(take) {
-            Ok(taken) => reply::file(taken),
-            Err(TakeError::Refused(refusal)) => {
-                let mut response = json(&refusal);
-                *response.status_mut() = StatusCode::CONFLICT;
-                response
-            }
-            Err(error) => plain(StatusCode::CONFLICT, &error.to_string()),
-        }),
-    }
-}
-
-/// The answer to a question in JSON, if it is one.
-fn asked<Q: DeserializeOwned>(
-    body: &[u8],
-    answer: impl FnOnce(&Q) -> Response<Body>,
-) -> Response<Body> {
-    match serde_json::from_slice(body) {
-        Ok(question) => answer(&question),
-        Err(error) => plain(
-            StatusCode::BAD_REQUEST,
-            &format!("the body is not a question of the page: {error}"),
-        ),
-    }
-}
-
-/// A refused tower is an answer too.
-fn either(result: Result<impl serde::Serialize, Refusal>) -> Response<Body> {
-    match result {
-        Ok(answer) => json(&answer),
-        Err(refusal) => json(&refusal),
+    match explorer.reply(question, body) {
+        Reply::Json(text) => reply(StatusCode::OK, JSON, text),
+        Reply::File(taken) => file(taken),
+        Reply::Refused(text) => reply(StatusCode::CONFLICT, JSON, text),
+        Reply::NoFile(message) => plain(StatusCode::CONFLICT, &message),
+        Reply::Wrong(message) => plain(StatusCode::BAD_REQUEST, &message),
     }
 }

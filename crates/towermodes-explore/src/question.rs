@@ -1,0 +1,114 @@
+//! Questions of a page as text, and their answers as bytes.
+
+use serde::Serialize;
+use serde::de::DeserializeOwned;
+
+use super::explorer::Explorer;
+use super::refusal::Refusal;
+use super::take::{TakeError, Taken};
+
+/// What a page can ask.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Question {
+    /// The numbers of the tower.
+    Sheet,
+    /// The modes for changed numbers.
+    Solve,
+    /// The elasticities of a mode.
+    Elasticities,
+    /// The lines that reproduce a state.
+    Reproduce,
+    /// A file.
+    Take,
+}
+
+/// An answer.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum Reply {
+    /// A document in JSON; the key `refused` of a solved tower is null.
+    Json(Vec<u8>),
+    /// A file.
+    File(Taken),
+    /// There is no such file, with the refusal of the tower in JSON.
+    Refused(Vec<u8>),
+    /// There is no such file, and why.
+    NoFile(String),
+    /// The text is not a question.
+    Wrong(String),
+}
+
+impl Question {
+    /// All questions.
+    pub const ALL: [Self; 5] = [
+        Self::Sheet,
+        Self::Solve,
+        Self::Elasticities,
+        Self::Reproduce,
+        Self::Take,
+    ];
+
+    /// Its name in addresses.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Sheet => "sheet",
+            Self::Solve => "solve",
+            Self::Elasticities => "elasticities",
+            Self::Reproduce => "reproduce",
+            Self::Take => "take",
+        }
+    }
+}
+
+impl Explorer {
+    /// Answers a question, whose text is JSON; that for the sheet is not read.
+    pub fn reply(&self, question: Question, text: &[u8]) -> Reply {
+        match question {
+            Question::Sheet => json(&self.sheet()),
+            Question::Solve => asked(text, |state| either(self.solve(state))),
+            Question::Elasticities => asked(text, |of| either(self.elasticities(of))),
+            Question::Reproduce => asked(text, |state| json(&self.reproduce(state))),
+            Question::Take => asked(text, |take| match self.take(take) {
+                Ok(taken) => Reply::File(taken),
+                Err(TakeError::Refused(refusal)) => match json(&refusal) {
+                    Reply::Json(text) => Reply::Refused(text),
+                    other => other,
+                },
+                Err(error) => Reply::NoFile(error.to_string()),
+            }),
+        }
+    }
+}
+
+/// The answer to a question in JSON, if it is one.
+fn asked<Q: DeserializeOwned>(text: &[u8], answer: impl FnOnce(&Q) -> Reply) -> Reply {
+    match serde_json::from_slice(text) {
+        Ok(question) => answer(&question),
+        Err(error) => Reply::Wrong(format!("the body is not a question of the page: {error}")),
+    }
+}
+
+/// An answer that is not refused.
+#[derive(Serialize)]
+struct Given<T> {
+    refused: (),
+    #[serde(flatten)]
+    answer: T,
+}
+
+/// A refused tower is an answer too.
+fn either(result: Result<impl Serialize, Refusal>) -> Reply {
+    match result {
+        Ok(answer) => json(&Given {
+            refused: (),
+            answer,
+        }),
+        Err(refusal) => json(&refusal),
+    }
+}
+
+fn json(value: &impl Serialize) -> Reply {
+    match serde_json::to_vec(value) {
+        Ok(text) => Reply::Json(text),
+        Err(error) => Reply::NoFile(error.to_string()),
+    }
+}
