@@ -28,6 +28,8 @@ const COLOURS = 7;
 const SIMILAR = 0.5;
 /** Modes whose frequencies differ by less, relatively, are a pair: any combination of their shapes is a shape too. */
 const EQUAL = 1e-6;
+/** Where the identities of a copy begin: beyond those that the first one will ever give. */
+const COPIED = 1e9;
 /** Modes that have left the list and may come back. */
 const MOST_GONE = 24;
 
@@ -53,6 +55,15 @@ export class Follower {
     this.gone = [...left, ...this.gone.filter(({ id }) => !stays.has(id))].slice(0, MOST_GONE);
     this.tracks = followed;
     return followed.map(({ id, name, series, sign }) => ({ id, name, series, sign }));
+  }
+
+  /** Another one that follows a second tower from here, and gives identities of its own to modes that are new. */
+  copy(): Follower {
+    const copy = new Follower();
+    copy.tracks = this.tracks;
+    copy.gone = this.gone;
+    copy.next = this.next + COPIED;
+    return copy;
   }
 
   /** The first answer has the identities from before, if they are as many. */

@@ -27,7 +27,12 @@ export class History {
   }
 
   get canUndo(): boolean {
-    return this.past.length > 0 || !isSame(this.present, this.settled);
+    return this.past.length > 0 || !this.isSettled;
+  }
+
+  /** Whether no slide is on its way. */
+  get isSettled(): boolean {
+    return isSame(this.present, this.settled);
   }
 
   get canRedo(): boolean {

@@ -1,0 +1,202 @@
+// All numbers of the tower as sliders, in groups that fold, with a search.
+
+import { byId, make, setClass, setHidden, setText } from "../dom.js";
+import { baseOf, multiplied, type Base } from "../numbers/column.js";
+import type { Group, Parameter, Sheet } from "../protocol.js";
+import { Row } from "./row.js";
+
+export interface ParameterEvents {
+  /** The user asks for these values. */
+  input(numbers: Record<string, number>): void;
+  /** The slide or the typing is at its end; the key says of what. */
+  settle(key: string): void;
+  /** Groups were opened or closed. */
+  fold(): void;
+}
+
+interface Entry {
+  parameter: Parameter;
+  index: number;
+  row: Row;
+  words: string;
+}
+
+interface Column {
+  row: Row;
+  indices: number[];
+  /** What the factor multiplies while it is being slid. */
+  base: Base | null;
+  words: string;
+}
+
+interface Section {
+  group: Group;
+  element: HTMLDetailsElement;
+  mark: HTMLElement;
+  entries: Entry[];
+  columns: Column[];
+}
+
+export class ParameterPanel {
+  private sections: Section[];
+  private values: number[] = [];
+  private elasticities: Record<string, number> = {};
+  private largest = 0;
+  private refused = new Set<string>();
+  private refusal = "";
+  private query = "";
+  /** Groups that the search has opened. */
+  private opened = new Set<Section>();
+
+  constructor(private sheet: Sheet, private events: ParameterEvents) {
+    this.sections = sheet.groups.map((group, index) => this.section(group, index));
+    byId("groups").append(...this.sections.map(({ element }) => element));
+    const filter = byId<HTMLInputElement>("filter");
+    filter.addEventListener("input", () => this.search(filter.value));
+  }
+
+  private section(group: Group, index: number): Section {
+    const mark = make("span", "mark");
+    const title = make("span", "group-title", group.title.charAt(0).toUpperCase() + group.title.slice(1));
+    const summary = make("summary", "", title, make("code", "", group.name), mark);
+    const element = make("details", "group", summary);
+    const section: Section = { group, element, mark, entries: [], columns: [] };
+    section.columns = group.columns.map((name, place) => this.column(section, name, `column-${index}-${place}`));
+    this.sheet.parameters.forEach((parameter, place) => {
+      if (parameter.group === index) section.entries.push(this.entry(parameter, place));
+    });
+    section.columns = section.columns.filter(({ indices }) => indices.length > 1);
+    element.append(...section.columns.map(({ row }) => row.element), ...section.entries.map(({ row }) => row.element));
+    element.addEventListener("toggle", () => {
+      if (element.open) this.showSection(section);
+      if (!this.query) this.events.fold();
+    });
+    return section;
+  }
+
+  private entry(parameter: Parameter, index: number): Entry {
+    const { name, label, meaning, unit, low, high, value } = parameter;
+    const row = new Row({ id: `number-${index}`, label, meaning, unit }, { low, high, home: value }, {
+      input: (value) => this.events.input({ [name]: value }),
+      settle: () => this.events.settle(name),
+    });
+    return { parameter, index, row, words: `${name} ${meaning} ${label}`.toLowerCase() };
+  }
+
+  private column(section: Section, name: string, id: string): Column {
+    const key = name.slice(name.lastIndexOf(".") + 1);
+    const of = this.sheet.parameters.flatMap((parameter, index) => (parameter.column === name ? [index] : []));
+    const column: Column = { row: undefined as never, indices: of, base: null, words: `${name} ${section.group.title}`.toLowerCase() };
+    column.row = new Row({ id, label: `every ${key} ×`, meaning: "", unit: "" }, { low: 0.5, high: 1.5, home: 1 }, {
+      input: (factor) => this.multiply(column, factor),
+      settle: () => {
+        column.base = null;
+        this.events.settle(name);
+      },
+    });
+    column.row.element.classList.add("column");
+    return column;
+  }
+
+  private multiply(column: Column, factor: number): void {
+    column.base ??= this.base(column);
+    const values = multiplied(column.base, factor);
+    const names = column.indices.map((index) => this.sheet.parameters[index]?.name ?? "");
+    this.events.input(Object.fromEntries(names.map((name, k) => [name, values[k] ?? 0])));
+  }
+
+  private base({ indices }: Column): Base {
+    const ofFile = indices.map((index) => this.sheet.parameters[index]?.value ?? 0);
+    return baseOf(ofFile, indices.map((index) => this.values[index] ?? 0));
+  }
+
+  /** Shows the present values, in the order of the sheet. */
+  show(values: number[]): void {
+    this.values = values;
+    for (const section of this.sections) {
+      if (section.element.open) this.showSection(section);
+      else this.showMark(section);
+    }
+  }
+
+  private showSection(section: Section): void {
+    for (const { row, index, parameter } of section.entries) {
+      row.show(this.values[index] ?? parameter.value);
+      row.refuse(this.refused.has(parameter.name) ? this.refusal : null);
+      row.elasticity(this.elasticities[parameter.name] ?? null, this.largest);
+    }
+    for (const column of section.columns) this.showColumn(column);
+    this.showMark(section);
+  }
+
+  private showColumn(column: Column): void {
+    // While it is slid, the factor is the user's.
+    if (column.base === null) column.row.show(this.base(column).factor);
+    const sum = column.indices.reduce((sum, index) => sum + (this.elasticities[this.sheet.parameters[index]?.name ?? ""] ?? 0), 0);
+    column.row.elasticity(this.largest > 0 ? sum : null, Math.max(this.largest, Math.abs(sum)));
+  }
+
+  /** What a closed group has to say. */
+  private showMark({ mark, entries }: Section): void {
+    const isRefused = entries.some(({ parameter }) => this.refused.has(parameter.name));
+    const changed = entries.filter(({ parameter, index }) => (this.values[index] ?? parameter.value) !== parameter.value).length;
+    setText(mark, isRefused ? "refused" : changed > 0 ? `${changed} changed` : "");
+    setClass(mark, isRefused ? "mark refused" : "mark");
+  }
+
+  /** The numbers that a refusal names, with what it says. */
+  refuse(names: string[], message: string): void {
+    this.refused = new Set(names);
+    this.refusal = message;
+  }
+
+  /** Shows elasticities, by name. */
+  showElasticities(elasticities: Record<string, number>): void {
+    this.elasticities = elasticities;
+    this.largest = Math.max(0, ...Object.values(elasticities).map(Math.abs));
+    for (const section of this.sections) if (section.element.open) this.showSection(section);
+  }
+
+  /** The names of the groups that are open. */
+  open(): string[] {
+    return this.sections.filter((section) => section.element.open && !this.opened.has(section)).map(({ group }) => group.name);
+  }
+
+  /** Opens these groups. */
+  unfold(names: string[]): void {
+    for (const { group, element } of this.sections) if (names.includes(group.name)) element.open = true;
+  }
+
+  /** The group with the number of the largest elasticity. */
+  mostInfluential(): string | null {
+    const size = (name: string): number => Math.abs(this.elasticities[name] ?? 0);
+    const most = this.sheet.parameters.reduce<Parameter | null>(
+      (best, parameter) => (size(parameter.name) > (best ? size(best.name) : 0) ? parameter : best), null);
+    return (most && this.sheet.groups[most.group]?.name) ?? null;
+  }
+
+  private search(query: string): void {
+    this.query = query.trim().toLowerCase();
+    const words = this.query.split(/\s+/);
+    const fits = (text: string): boolean => words.every((word) => text.includes(word));
+    let found = 0;
+    for (const section of this.sections) {
+      const { entries, columns, element, group } = section;
+      const title = `${group.title} ${group.name} `.toLowerCase();
+      for (const { row, words } of [...entries, ...columns]) setHidden(row.element, !fits(title + words));
+      const count = entries.filter(({ row }) => !row.element.hidden).length;
+      found += count;
+      setHidden(element, count === 0);
+      this.openForSearch(section, count > 0);
+    }
+    setText(byId("filter-text"), this.query === "" ? "" : found === 0 ? "No number has these words in its name or meaning." : `${found} found.`);
+  }
+
+  /** Groups that the search opens are closed after it. */
+  private openForSearch(section: Section, isFound: boolean): void {
+    if (this.query !== "" && isFound && !section.element.open) {
+      this.opened.add(section);
+      section.element.open = true;
+    } else if (this.query === "" && this.opened.delete(section)) section.element.open = false;
+  }
+}

@@ -1,0 +1,195 @@
+// One number under the hand: a slider, a field for the exact value, its elasticity, and the way back to the file.
+
+import { button, make, setAttribute, setClass, setHidden, setText } from "../dom.js";
+import { readNumber, tidy, writeNumber } from "../numbers/entry.js";
+import { roundRange, type Range } from "../numbers/range.js";
+
+export interface RowText {
+  /** Begins the ids of its elements. */
+  id: string;
+  label: string;
+  meaning: string;
+  unit: string;
+}
+
+export interface RowRange {
+  low: number;
+  high: number;
+  /** The value to which the row goes back. */
+  home: number;
+}
+
+export interface RowEvents {
+  /** The user asks for a value, in a slide or while typing. */
+  input(value: number): void;
+  /** The slide or the typing is at its end. */
+  settle(): void;
+}
+
+export class Row {
+  readonly element: HTMLElement;
+  private slider = make("input");
+  private field = make("input", "field");
+  private back: HTMLButtonElement;
+  private message = make("p", "message");
+  private bar = make("span", "bar");
+  private elasticityText = make("span", "elasticity-text");
+  private range: Range;
+  private value: number;
+  /** What is wrong with what is typed; it is no number. */
+  private typing: string | null = null;
+  private refusal: string | null = null;
+  /** The user is in the middle of typing. */
+  private isEditing = false;
+
+  constructor(private text: RowText, private given: RowRange, private events: RowEvents) {
+    this.value = given.home;
+    this.range = roundRange(given.low, given.high, given.home);
+    this.back = button("↺", () => this.goBack(), "back");
+    this.element = this.build();
+    this.showRange();
+    this.showValue();
+  }
+
+  private build(): HTMLElement {
+    const { id, label, meaning, unit } = this.text;
+    const name = make("span", "name", make("b", "", label));
+    if (meaning) name.append(` ${meaning}`);
+    name.id = `${id}-name`;
+    name.title = name.textContent;
+    const spoken = [label, meaning, unit && `in ${unit}`].filter(Boolean).join(", ");
+    this.slider.type = "range";
+    this.field.type = "text";
+    this.field.inputMode = "decimal";
+    this.field.autocomplete = "off";
+    this.field.spellcheck = false;
+    this.message.id = `${id}-message`;
+    this.message.hidden = true;
+    for (const input of [this.slider, this.field]) {
+      input.setAttribute("aria-label", spoken);
+      input.setAttribute("aria-describedby", this.message.id);
+    }
+    this.back.setAttribute("aria-label", `Put ${label} back to the value of the file`);
+    this.listen();
+    const elasticity = make("span", "elasticity", this.elasticityText, make("span", "scale", this.bar));
+    const element = make("div", "row", name, elasticity, this.slider, this.field, make("span", "unit", unit), this.back, this.message);
+    element.id = id;
+    return element;
+  }
+
+  private listen(): void {
+    const { slider, field, events } = this;
+    slider.addEventListener("input", () => this.ask(tidy(Number(slider.value))));
+    slider.addEventListener("change", () => events.settle());
+    field.addEventListener("input", () => {
+      this.isEditing = true;
+      const entry = readNumber(field.value);
+      if ("value" in entry) this.ask(entry.value);
+    });
+    field.addEventListener("change", () => this.typed());
+    field.addEventListener("keydown", (event) => {
+      if (event.key !== "ArrowUp" && event.key !== "ArrowDown") return;
+      event.preventDefault();
+      const steps = (event.key === "ArrowUp" ? 1 : -1) * (event.shiftKey ? 10 : 1);
+      this.ask(tidy(this.value + steps * this.range.step));
+      this.field.value = writeNumber(this.value);
+      events.settle();
+    });
+  }
+
+  /** What is typed is complete. */
+  private typed(): void {
+    this.isEditing = false;
+    const entry = readNumber(this.field.value);
+    this.typing = "problem" in entry ? entry.problem : null;
+    this.showProblem();
+    if ("problem" in entry) return;
+    if (entry.value !== this.value) this.ask(entry.value);
+    this.widen();
+    this.events.settle();
+  }
+
+  private ask(value: number): void {
+    this.typing = null;
+    this.value = value;
+    this.events.input(value);
+  }
+
+  private goBack(): void {
+    this.ask(this.given.home);
+    this.events.settle();
+    this.slider.focus();
+  }
+
+  /** Shows the present value, unless the user is typing it. */
+  show(value: number): void {
+    const isOther = value !== this.value;
+    this.value = value;
+    if (isOther) {
+      this.typing = null;
+      this.isEditing = false;
+    }
+    this.widen();
+    this.showValue();
+    this.showProblem();
+  }
+
+  private showValue(): void {
+    const { field, slider, value } = this;
+    const typed = readNumber(field.value);
+    const isTyped = this.isEditing || this.typing !== null || ("value" in typed && typed.value === value);
+    if (!isTyped) field.value = writeNumber(value);
+    if (Number(slider.value) !== value) slider.value = String(value);
+    setAttribute(slider, "aria-valuetext", `${writeNumber(value)} ${this.text.unit}`.trim());
+    const isChanged = value !== this.given.home;
+    this.element.classList.toggle("changed", isChanged);
+    if (this.back.disabled === isChanged) this.back.disabled = !isChanged;
+    const title = isChanged ? `Back to ${writeNumber(this.given.home)} ${this.text.unit}`.trim() : "As in the file";
+    if (this.back.title !== title) this.back.title = title;
+  }
+
+  /** The range grows with the value, and is the first one again at the value of the file. */
+  private widen(): void {
+    if (this.isEditing) return;
+    const { low, high, home } = this.given;
+    const isFirst = this.value === home && document.activeElement !== this.slider;
+    if (this.value >= this.range.low && this.value <= this.range.high && !isFirst) return;
+    this.range = isFirst ? roundRange(low, high, home) : roundRange(this.range.low, this.range.high, this.value);
+    this.showRange();
+  }
+
+  private showRange(): void {
+    const { slider, range } = this;
+    const [min, max, step] = [range.low, range.high, range.step].map(String) as [string, string, string];
+    if (slider.min !== min) slider.min = min;
+    if (slider.max !== max) slider.max = max;
+    if (slider.step !== step) slider.step = step;
+  }
+
+  /** The program refuses the tower because of this number; null if not. */
+  refuse(message: string | null): void {
+    if (message === this.refusal) return;
+    this.refusal = message;
+    this.showProblem();
+  }
+
+  private showProblem(): void {
+    const problem = this.typing ?? this.refusal;
+    setText(this.message, problem ?? "");
+    setHidden(this.message, problem === null);
+    for (const input of [this.slider, this.field]) setAttribute(input, "aria-invalid", problem === null ? null : "true");
+  }
+
+  /** Shows the elasticity of a frequency, with a bar in the scale of the largest one; null if there is none. */
+  elasticity(value: number | null, largest: number): void {
+    setText(this.elasticityText, value === null ? "" : writeElasticity(value));
+    const part = value === null || !(largest > 0) ? 0 : value / largest;
+    this.bar.style.setProperty("--part", String(Math.abs(part)));
+    setClass(this.bar, part < 0 ? "bar negative" : "bar");
+  }
+}
+
+function writeElasticity(value: number): string {
+  if (Math.abs(value) < 5e-4) return "0";
+  return `${value < 0 ? "−" : "+"}${Math.abs(value).toFixed(3)}`;
+}

@@ -1,0 +1,172 @@
+// The tower in three dimensions, with the controls of its motion.
+
+import type * as View from "../../view/index.js";
+import type { Drag, Handle, Tap, TowerScene } from "../../view/scene.js";
+import { byId, make, setClass, setText } from "../dom.js";
+import { Player, type Moving } from "../modes/player.js";
+import type { Mode } from "../protocol.js";
+
+/** The script view.js, which the page loads before. */
+declare const towermodesView: typeof View;
+
+export interface StageEvents {
+  drag(drag: Drag): void;
+  /** A picture of the tower, for browsers that do not draw in three dimensions. */
+  flatPicture(): Promise<Blob>;
+  /** The user has changed what is to be remembered. */
+  changed(): void;
+}
+
+export class Stage {
+  readonly player: Player;
+  private view: View.TowerView | null = null;
+  private flat: HTMLImageElement | null = null;
+  private present: Moving | null = null;
+  private amplitude = byId<HTMLInputElement>("amplitude");
+  private speed = byId<HTMLInputElement>("speed");
+  private lastTap: Tap | null = null;
+
+  constructor(private events: StageEvents) {
+    this.player = new Player((pose, beside) => this.view?.pose(pose, beside));
+    this.open();
+    this.listen();
+    this.readControls();
+  }
+
+  private open(): void {
+    const host = byId("view");
+    if (towermodesView.isSupported()) {
+      this.view = new towermodesView.TowerView(host, "The tower. Arrow keys turn it.", {
+        drag: (drag) => this.events.drag(drag),
+        tap: (tap) => this.release(tap),
+      });
+      return;
+    }
+    this.flat = make("img");
+    this.flat.alt = "The tower to scale";
+    host.append(make("p", "remark", "This browser does not draw in three dimensions (WebGL). Everything else works."), this.flat);
+    byId("motion").hidden = true;
+  }
+
+  private listen(): void {
+    byId("play").addEventListener("click", () => this.toggle());
+    byId("one-mode").addEventListener("click", () => this.setTap(null));
+    byId("after-tap").addEventListener("click", () => this.tapTop());
+    byId("camera").addEventListener("click", () => this.view?.reset());
+    for (const input of [this.amplitude, this.speed]) {
+      input.addEventListener("input", () => {
+        this.readControls();
+        this.player.refresh();
+        this.showMotion();
+      });
+      input.addEventListener("change", () => this.events.changed());
+    }
+  }
+
+  /** The positions of the controls, for a reload. */
+  get controls(): { amplitude: string; speed: string } {
+    return { amplitude: this.amplitude.value, speed: this.speed.value };
+  }
+
+  set controls({ amplitude, speed }: { amplitude: string; speed: string }) {
+    this.amplitude.value = amplitude;
+    this.speed.value = speed;
+    this.readControls();
+  }
+
+  private readControls(): void {
+    this.player.setting.amplitude = Number(this.amplitude.value);
+    this.player.setting.screen_hz = 10 ** Number(this.speed.value);
+  }
+
+  /** Shows a solved tower, and A beside it. */
+  show(present: Moving, other: Moving | null, handles: Handle[]): void {
+    this.present = present;
+    this.view?.show(present.answer.scene, other?.answer.scene ?? null);
+    this.view?.handles(handles);
+    this.player.show(present, other);
+    if (this.view !== null && this.player.isPlaying) this.player.paint();
+    this.showMotion();
+  }
+
+  /** Draws the flat picture again, where there is no other. */
+  async refreshFlat(): Promise<void> {
+    if (this.flat === null) return;
+    const picture = URL.createObjectURL(await this.events.flatPicture());
+    URL.revokeObjectURL(this.flat.src);
+    this.flat.src = picture;
+  }
+
+  choose(id: number): void {
+    this.player.setting.chosen = id;
+    this.setTap(null);
+  }
+
+  toggle(): void {
+    if (this.player.isPlaying) this.player.pause();
+    else this.player.play();
+    this.showMotion();
+  }
+
+  play(): void {
+    this.player.play();
+    this.showMotion();
+  }
+
+  /** Releases the tower from a push at its top in a slanting direction, or as it was tapped last. */
+  tapTop(): void {
+    const top: TowerScene | undefined = this.present?.answer.scene;
+    if (top === undefined) return;
+    this.release(this.lastTap ?? { height_m: top.height_m.at(-1) ?? 0, direction: [Math.SQRT1_2, Math.SQRT1_2] });
+  }
+
+  private release(tap: Tap): void {
+    this.lastTap = tap;
+    this.setTap(tap);
+    this.play();
+  }
+
+  private setTap(tap: Tap | null): void {
+    this.player.setting.tap = tap;
+    this.player.restart();
+    if (this.player.isPlaying) this.player.paint();
+    this.showMotion();
+  }
+
+  private showMotion(): void {
+    const { setting, isPlaying } = this.player;
+    setText(byId("play"), isPlaying ? "Pause" : "Play");
+    byId("play").setAttribute("aria-pressed", String(isPlaying));
+    byId("one-mode").setAttribute("aria-pressed", String(setting.tap === null));
+    byId("after-tap").setAttribute("aria-pressed", String(setting.tap !== null));
+    setText(byId("amplitude-text"), `${(100 * setting.amplitude).toFixed(1)} % of the height`);
+    setText(byId("speed-text"), paceText(this.player.timeFactor()));
+    const tap = setting.tap;
+    setText(byId("motion-text"), tap === null ? "" :
+      `Released from a push at ${tap.height_m.toFixed(1)} m. Each mode oscillates at its own frequency, without damping.`);
+  }
+
+  /** The mode that is shown, in large figures. */
+  readout(mode: Mode | undefined, name: string, series: number): void {
+    setText(byId("readout-name"), name);
+    setClass(byId("readout-swatch"), `swatch series${series}`);
+    setText(byId("readout-frequency"), mode ? `${mode.frequency} Hz` : "");
+    setText(byId("readout-verdict"), mode?.verdict?.word.toUpperCase() ?? "");
+    setClass(byId("readout-verdict"), `verdict ${mode?.verdict?.word ?? ""}`);
+  }
+
+  recolour(): void {
+    this.view?.recolour();
+    this.player.paint();
+  }
+
+  png(): Promise<Blob> {
+    return this.view?.png() ?? Promise.reject(new Error("This browser does not draw in three dimensions."));
+  }
+}
+
+/** How the motion on the screen relates to the real one. */
+function paceText(factor: number): string {
+  if (Math.abs(factor - 1) < 0.05) return "as fast as real";
+  return factor > 1 ? `${factor.toPrecision(2)}× faster than real` : `${(1 / factor).toPrecision(2)}× slower than real`;
+}

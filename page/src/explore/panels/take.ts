@@ -1,0 +1,108 @@
+// What the user takes away: files of the program, the picture of the view, lines that reproduce the state.
+
+import { button, byId, make, setText } from "../dom.js";
+import { reproduce, take } from "../program/program.js";
+import type { State, Take } from "../protocol.js";
+
+export interface TakeSource {
+  /** The state that is shown. */
+  state(): State;
+  /** The picture of the view. */
+  png(): Promise<Blob>;
+  failed(error: unknown): void;
+}
+
+const FILES: [string, Take][] = [
+  ["Tower file", { what: "tower" }],
+  ["Report", { what: "report" }],
+];
+const PICTURES: [string, Take["what"]][] = [
+  ["Tower", "tower-picture"],
+  ["Mode shapes", "shapes-picture"],
+  ["Resonance diagram", "resonance-picture"],
+];
+
+export class TakeMenu {
+  private menu = byId<HTMLDetailsElement>("take");
+
+  constructor(private source: TakeSource, hasRotor: () => boolean) {
+    const list = byId("take-list");
+    for (const [text, what] of FILES) list.append(button(text, () => this.load(what)));
+    const pictures = PICTURES.map(([text, what]) => {
+      const formats = (["svg", "png"] as const).map((format) => {
+        const element = button(format.toUpperCase(), () => this.load({ what, format }));
+        element.setAttribute("aria-label", `${text} as ${format.toUpperCase()}`);
+        return element;
+      });
+      return make("div", "pictures", make("span", "", text), ...formats);
+    });
+    const view = button("PNG", () => this.run(this.source.png().then((picture) => save("tower-3d.png", picture))));
+    view.setAttribute("aria-label", "View as PNG");
+    list.append(...pictures, make("div", "pictures", make("span", "", "View"), view));
+    list.append(button("Shell and Python lines…", () => this.run(this.showLines())));
+    this.menu.addEventListener("toggle", () => {
+      const last = pictures.at(-1);
+      if (last) last.hidden = !hasRotor();
+    });
+    this.closeByItself();
+    this.offerCopies();
+  }
+
+  /** A menu closes by Escape, by a click elsewhere, and when the focus leaves it. */
+  private closeByItself(): void {
+    const { menu } = this;
+    menu.addEventListener("keydown", (event) => {
+      if (event.key !== "Escape" || !menu.open) return;
+      menu.open = false;
+      menu.querySelector("summary")?.focus();
+    });
+    document.addEventListener("pointerdown", (event) => {
+      if (!menu.contains(event.target as Node)) menu.open = false;
+    });
+    menu.addEventListener("focusout", (event) => {
+      if (event.relatedTarget !== null && !menu.contains(event.relatedTarget as Node)) menu.open = false;
+    });
+  }
+
+  private load(what: Take): void {
+    this.run(take(this.source.state(), what).then(({ name, content }) => save(name, content)));
+  }
+
+  private run(work: Promise<void>): void {
+    this.menu.open = false;
+    work.catch((error: unknown) => this.source.failed(error));
+  }
+
+  private async showLines(): Promise<void> {
+    const { shell, python } = await reproduce(this.source.state());
+    setText(byId("shell"), shell);
+    setText(byId("python"), python);
+    setText(byId("copied"), "");
+    byId<HTMLDialogElement>("reproduction").showModal();
+  }
+
+  private offerCopies(): void {
+    for (const element of document.querySelectorAll<HTMLElement>("[data-copy]")) {
+      element.addEventListener("click", () => void copy(byId(element.dataset["copy"] ?? "")));
+    }
+  }
+}
+
+/** Copies a text, or selects it if the browser does not allow that. */
+async function copy(source: HTMLElement): Promise<void> {
+  try {
+    await navigator.clipboard.writeText(source.textContent ?? "");
+    setText(byId("copied"), "Copied.");
+  } catch {
+    getSelection()?.selectAllChildren(source);
+    setText(byId("copied"), "The browser does not allow to copy. The lines are selected: copy them by Ctrl-C.");
+  }
+}
+
+function save(name: string, content: Blob): void {
+  const link = make("a");
+  link.href = URL.createObjectURL(content);
+  link.download = name;
+  link.click();
+  setTimeout(() => URL.revokeObjectURL(link.href), 60_000);
+}
