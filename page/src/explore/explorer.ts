@@ -57,6 +57,7 @@ export class Explorer {
     this.queue = new SolveQueue(solve, {
       done: (state, result, at, since) => this.done(state, result, at, since),
       failed: (error) => this.failed(error),
+      idle: () => this.askElasticities(),
     });
     this.numbers = new ParameterPanel(sheet, {
       input: (values) => this.input(values),
@@ -200,7 +201,6 @@ export class Explorer {
       this.timings.add({ event_ms: drawn - at, frame_ms: now - at, waited_ms: drawn - since, solve_ms, answer_ms });
       setText(byId("timing"), this.timings.text());
     });
-    if (!this.queue.pending) this.askElasticities();
   }
 
   private accept(state: State, answer: Answer): void {

@@ -36,7 +36,7 @@ async function start(): Promise<void> {
 }
 
 function describe({ file, format, version, command, notes }: Sheet): void {
-  document.title = `${file} – towermodes`;
+  document.title = `${file.split(/[\\/]/).at(-1) ?? file} – towermodes`;
   setText(byId("file"), file);
   setText(byId("program"), `towermodes ${version} · ${format} · ${command}`);
   byId("notes").hidden = notes.length === 0;

@@ -24,9 +24,11 @@ function program() {
 test("one request at a time, of those that wait the newest, the last never lost", async () => {
   const { asked, ask, answer } = program();
   const done: [number, number, number][] = [];
+  const idle: boolean[] = [];
   const queue = new SolveQueue(ask, {
     done: (state, _, at, since) => done.push([state.numbers["mass"] ?? NaN, at, since]),
     failed: () => undefined,
+    idle: () => idle.push(queue.pending),
   });
   for (let mass = 1; mass <= 5; mass++) queue.want(state(mass), 10 * mass);
   assert.deepEqual(asked, [1]);
@@ -36,12 +38,13 @@ test("one request at a time, of those that wait the newest, the last never lost"
   await answer();
   assert.deepEqual(done, [[1, 10, 10], [5, 50, 20]]);
   assert.ok(!queue.pending);
+  assert.deepEqual(idle, [false]);
 });
 
 test("after a failure the state that waits is asked for, and the next one too", async () => {
   const { asked, ask, answer } = program();
   let failures = 0;
-  const queue = new SolveQueue(ask, { done: () => undefined, failed: () => failures++ });
+  const queue = new SolveQueue(ask, { done: () => undefined, failed: () => failures++, idle: () => undefined });
   queue.want(state(1), 0);
   queue.want(state(2), 0);
   await answer(false);

@@ -16,6 +16,8 @@ export type Result = Answer | Refusal;
 export interface Listener {
   done(state: State, result: Result, at: number, since: number): void;
   failed(error: unknown): void;
+  /** Nothing more is to come. */
+  idle(): void;
 }
 
 export class SolveQueue {
@@ -44,6 +46,7 @@ export class SolveQueue {
         this.listener.failed(error);
       }
     }
+    this.listener.idle();
   }
 
   private take(): Wish | null {
