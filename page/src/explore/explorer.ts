@@ -361,7 +361,7 @@ export class Explorer {
       const result = await elasticities(of.state, number);
       if (result.refused !== null) return;
       const isFirst = byId("elasticity-text").textContent === "";
-      setText(byId("elasticity-text"), `Right: elasticity of ${result.mode}, % of frequency per % of the number.`);
+      setText(byId("elasticity-text"), `Elasticity of ${result.mode}, % per %`);
       this.numbers.showElasticities(result.elasticities);
       const group = this.numbers.mostInfluential();
       if (isFirst && group !== null && this.numbers.open().length === 0) this.numbers.unfold([group]);

@@ -3,6 +3,7 @@
 import { byId, make, setClass, setCount, setHidden, setText } from "../dom.js";
 import type { Answer, Fact, Remark, Resonance } from "../protocol.js";
 import { signed } from "./modes.js";
+import { showSvg } from "./patch.js";
 
 interface FactRow {
   element: HTMLElement;
@@ -17,6 +18,11 @@ export class Findings {
   private warnings: HTMLElement[] = [];
   private diagram = byId("diagram");
   private drawn: string | null = null;
+
+  constructor() {
+    const button = byId("enlarge");
+    button.addEventListener("click", () => button.setAttribute("aria-pressed", String(this.diagram.classList.toggle("large"))));
+  }
 
   /** Shows an answer, and what A has instead. */
   show(answer: Answer, other: Answer | null): void {
@@ -63,7 +69,8 @@ export class Findings {
   private showDiagram(svg: string | null): void {
     if (svg === this.drawn) return;
     this.drawn = svg;
-    this.diagram.innerHTML = svg ?? "";
+    if (svg === null) this.diagram.replaceChildren();
+    else showSvg(this.diagram, svg);
   }
 
   private showWarnings(remarks: Remark[]): void {

@@ -132,8 +132,12 @@ export class ParameterPanel {
   private showColumn(column: Column): void {
     // While it is slid, the factor is the user's.
     if (column.base === null) column.row.show(this.base(column).factor);
-    const sum = column.indices.reduce((sum, index) => sum + (this.elasticities[this.sheet.parameters[index]?.name ?? ""] ?? 0), 0);
-    column.row.elasticity(this.largest > 0 ? sum : null, Math.max(this.largest, Math.abs(sum)));
+    column.row.elasticity(this.largest > 0 ? this.sum(column) : null, this.largest);
+  }
+
+  /** The elasticity on a factor of all numbers of a column is the sum of theirs. */
+  private sum({ indices }: Column): number {
+    return indices.reduce((sum, index) => sum + (this.elasticities[this.sheet.parameters[index]?.name ?? ""] ?? 0), 0);
   }
 
   /** What a closed group has to say. */
@@ -153,7 +157,8 @@ export class ParameterPanel {
   /** Shows elasticities, by name. */
   showElasticities(elasticities: Record<string, number>): void {
     this.elasticities = elasticities;
-    this.largest = Math.max(0, ...Object.values(elasticities).map(Math.abs));
+    const sums = this.sections.flatMap(({ columns }) => columns.map((column) => this.sum(column)));
+    this.largest = Math.max(0, ...[...Object.values(elasticities), ...sums].map(Math.abs));
     for (const section of this.sections) if (section.element.open) this.showSection(section);
   }
 

@@ -54,7 +54,7 @@ export class Row {
   private build(): HTMLElement {
     const { id, label, meaning, unit } = this.text;
     const name = make("span", "name", make("b", "", label));
-    if (meaning) name.append(` ${meaning}`);
+    if (meaning && !label.endsWith(meaning)) name.append(` ${meaning}`);
     name.id = `${id}-name`;
     name.title = name.textContent;
     const spoken = [label, meaning, unit && `in ${unit}`].filter(Boolean).join(", ");
