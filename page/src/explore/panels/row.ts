@@ -72,7 +72,7 @@ export class Row {
     this.back.setAttribute("aria-label", `Put ${label} back to the value of the file`);
     this.listen();
     const elasticity = make("span", "elasticity", this.elasticityText, make("span", "scale", this.bar));
-    const element = make("div", "row", name, elasticity, this.slider, this.field, make("span", "unit", unit), this.back, this.message);
+    const element = make("div", "row", make("div", "top", name, elasticity), this.slider, this.field, make("span", "unit", unit), this.back, this.message);
     element.id = id;
     return element;
   }
