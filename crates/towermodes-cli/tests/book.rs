@@ -255,6 +255,35 @@ fn the_scripts_do_what_they_should() {
     }
 }
 
+/// A command that serves a page until it is ended.
+#[cfg(unix)]
+const SERVED: &str = "towermodes explore ";
+
+/// Such a command prints the address of its page; then it is ended.
+#[cfg(unix)]
+fn serves(line: &str, sandbox: &Sandbox, path: &std::ffi::OsStr) {
+    use std::io::{BufRead, BufReader};
+    use std::process::Stdio;
+    let mut served = Command::new("sh")
+        .args(["-e", "-c", &format!("exec {line} --no-open")])
+        .current_dir(sandbox.path())
+        .stdin(Stdio::null())
+        .stdout(Stdio::piped())
+        .stderr(Stdio::null())
+        .env("PATH", path)
+        .spawn()
+        .expect("a shell");
+    let mut address = String::new();
+    let output = served.stdout.take().expect("its output");
+    let read = BufReader::new(output).read_line(&mut address);
+    let _ = served.kill();
+    let _ = served.wait();
+    assert!(
+        read.is_ok() && address.starts_with("http://127.0.0.1:"),
+        "{line}: {address:?}"
+    );
+}
+
 #[cfg(unix)]
 fn run_in(sandbox: &Sandbox, scripts: &[&Block]) {
     let path = sandbox.commands();
@@ -266,6 +295,17 @@ fn run_in(sandbox: &Sandbox, scripts: &[&Block]) {
             .stdin(std::process::Stdio::null())
             .env("PATH", &path)
             .env("HOME", sandbox.path());
+        if script.text.contains(SERVED) {
+            for line in script.text.lines() {
+                assert!(
+                    line.starts_with(SERVED),
+                    "{}: {line} with others",
+                    script.place
+                );
+                serves(line, sandbox, &path);
+            }
+            continue;
+        }
         let output = shell.output().expect("a shell");
         let said = String::from_utf8_lossy(&output.stderr);
         let is_done = output.status.success();

@@ -8,11 +8,12 @@ use super::model::{ModelArguments, up_to_excitations};
 use super::parsers::{method_parser, number_parser};
 use super::prescribed::Prescribed;
 use super::rotor::RotorArguments;
+use super::words::valued;
 
 const EXAMPLES: &str = "Examples:
   towermodes explore examples/monopile.toml
   towermodes explore turbine.yaml --part tower --rpm 5,7.56
-  towermodes explore examples/nrel-5mw.toml --set rna.mass=360000 --no-open
+  towermodes explore examples/nrel-5mw.toml --set rna.mass=360000
 
 The program opens a page in the browser and serves it until Ctrl-C ends it. The page changes the numbers of the tower, and solves the tower with each change; the file stays as it is. --set changes numbers from the start; the page can put them back.
 
@@ -70,14 +71,12 @@ impl ExploreArguments {
 
     /// The options of method and mesh that are given, as words of a command line.
     pub(crate) fn solving_words(&self) -> Vec<String> {
-        let method = self
-            .method
-            .map(|method| format!("--method={}", method.name()));
-        let segments = self
-            .segments
-            .map(|segments| format!("--segments={segments}"));
-        let words = method.into_iter().chain(segments);
-        words.chain(self.model.words()).collect()
+        [
+            valued("--method", self.method.map(Method::name)),
+            valued("--segments", self.segments),
+            self.model.words(),
+        ]
+        .concat()
     }
 }
 

@@ -2,11 +2,13 @@
 
 use std::path::PathBuf;
 
+use clap::builder::PossibleValue;
 use clap::{Args, ValueEnum};
 use towermodes_files::{FileFormat, ReadOptions, RotorLock, Setting, TowerPart};
 use towermodes_report::report::quoted;
 
 use super::parsers::{height_parser, setting_parser, subset_parser};
+use super::words::{flag, valued};
 
 /// Heading of the options for all input files in the help.
 const MODEL: &str = "Model";
@@ -196,20 +198,18 @@ impl ReadingArguments {
     pub(crate) fn words(&self) -> Vec<String> {
         let part = self.part.to_possible_value();
         let part = part.filter(|_| self.part != Part::All);
-        let subset = self
-            .subset
-            .map(|(set, subset)| format!("--subset={set},{subset}"));
-        let words = [
-            self.no_rna.then(|| "--no-rna".to_owned()),
-            self.no_gravity.then(|| "--no-gravity".to_owned()),
-            (self.rotor == Rotor::Free).then(|| "--rotor=free".to_owned()),
-            self.bmodes_quirks.then(|| "--bmodes-quirks".to_owned()),
-            part.map(|part| format!("--part={}", part.get_name())),
-            self.tower_height.map(|m| format!("--tower-height={m}")),
-            self.tower_base.map(|m| format!("--tower-base={m}")),
-            subset,
-        ];
-        words.into_iter().flatten().collect()
+        let subset = self.subset.map(|(set, subset)| format!("{set},{subset}"));
+        [
+            flag("--no-rna", self.no_rna),
+            flag("--no-gravity", self.no_gravity),
+            valued("--rotor", (self.rotor == Rotor::Free).then_some("free")),
+            flag("--bmodes-quirks", self.bmodes_quirks),
+            valued("--part", part.as_ref().map(PossibleValue::get_name)),
+            valued("--tower-height", self.tower_height),
+            valued("--tower-base", self.tower_base),
+            valued("--subset", subset),
+        ]
+        .concat()
     }
 
     /// The options of the readers.

@@ -27,6 +27,7 @@ mod soil;
 mod solve;
 mod sweep;
 mod verify;
+mod words;
 
 pub(crate) use calibrate::CalibrateArguments;
 pub(crate) use campbell::CampbellArguments;

@@ -5,6 +5,7 @@ use towermodes::elements::GAUSS_HINGE_POSITION;
 use towermodes::{DEFAULT_MODES, Method, Options};
 
 use super::parsers::{hinge_parser, number_parser};
+use super::words::{flag, valued};
 
 /// Options that hold for all methods.
 #[derive(Debug, Args)]
@@ -45,14 +46,13 @@ impl ModelArguments {
 
     /// The options that are given as words of a command line.
     pub(super) fn words(&self) -> Vec<String> {
-        let words = [
-            self.modes.map(|modes| format!("--modes={modes}")),
-            self.no_rotary_inertia
-                .then(|| "--no-rotary-inertia".to_owned()),
-            self.hinges.map(|hinges| format!("--hinges={hinges}")),
-            self.no_limits.then(|| "--no-limits".to_owned()),
-        ];
-        words.into_iter().flatten().collect()
+        [
+            valued("--modes", self.modes),
+            flag("--no-rotary-inertia", self.no_rotary_inertia),
+            valued("--hinges", self.hinges),
+            flag("--no-limits", self.no_limits),
+        ]
+        .concat()
     }
 
     /// Whether the number of modes is given.

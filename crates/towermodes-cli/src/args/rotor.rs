@@ -6,6 +6,7 @@ use towermodes_analysis::resonance::{CampbellOptions, ChosenRotor, DEFAULT_MARGI
 use towermodes_files::TowerInput;
 
 use super::parsers::{margin_parser, number_parser, speeds_parser};
+use super::words::valued;
 
 /// Heading of these options in the help.
 const ROTOR: &str = "Rotor";
@@ -62,14 +63,17 @@ impl RotorArguments {
     /// The options that are given as words of a command line.
     pub(crate) fn words(&self) -> Vec<String> {
         let multiples: Vec<String> = self.multiples.iter().map(ToString::to_string).collect();
-        let words = [
-            self.margin.map(|percent| format!("--margin={percent}")),
-            self.rpm
-                .map(|(lowest, highest)| format!("--rpm={lowest},{highest}")),
-            self.blades.map(|blades| format!("--blades={blades}")),
-            (!multiples.is_empty()).then(|| format!("--multiples={}", multiples.join(","))),
-        ];
-        words.into_iter().flatten().collect()
+        let multiples = Some(multiples.join(",")).filter(|list| !list.is_empty());
+        let rpm = self
+            .rpm
+            .map(|(lowest, highest)| format!("{lowest},{highest}"));
+        [
+            valued("--margin", self.margin),
+            valued("--rpm", rpm),
+            valued("--blades", self.blades),
+            valued("--multiples", multiples),
+        ]
+        .concat()
     }
 
     /// The options of the library.

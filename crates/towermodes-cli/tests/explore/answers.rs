@@ -279,7 +279,7 @@ fn reports_taken_away_are_those_of_report() {
     let explorer = Explorer::start(&[tower, "--modes", "6"]);
     let question = json!({ "numbers": { "rna.mass": 3.6e5 }, "what": "report" });
     let taken = explorer.ask("POST", "take", question.to_string().as_bytes());
-    let arguments = ["report", tower, "--modes=6", "--set", "rna.mass=360000"];
+    let arguments = ["report", tower, "--modes", "6", "--set", "rna.mass=360000"];
     let written = run(&[&arguments[..], &["--output", "-"]].concat());
     // The last arguments are not those of the page.
     let written = String::from_utf8(written.stdout)
