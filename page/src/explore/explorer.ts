@@ -62,13 +62,11 @@ export class Explorer {
     this.numbers = new ParameterPanel(sheet, {
       input: (values) => this.input(values),
       settle: (key) => this.settle(key),
-      fold: () => this.remember(),
     });
     if (memory.open) this.numbers.unfold(memory.open);
     this.stage = new Stage({
       drag: (drag) => this.drag(drag),
       flatPicture: async () => (await take(this.history.present, { what: "tower-picture", format: "svg" })).content,
-      changed: () => this.remember(),
     });
     if (memory.amplitude && memory.speed) this.stage.controls = { amplitude: memory.amplitude, speed: memory.speed };
     this.comparison = new ComparePanel({ swap: () => this.swap(), drop: () => this.drop() });
@@ -90,6 +88,8 @@ export class Explorer {
       toggle: () => this.stage.toggle(),
       tap: () => this.stage.tapTop(),
     });
+    // A reload, or another page in this tab: what is remembered is all that is left.
+    addEventListener("pagehide", () => this.remember());
     addEventListener("hashchange", () => this.set(this.fromAddress()));
     new TakeMenu({
       state: () => this.history.present,
@@ -161,7 +161,6 @@ export class Explorer {
     const address = toAddress(this.history.present);
     // Without the numbers of before, also when there are none.
     window.history.replaceState(null, "", address === "" ? location.pathname + location.search : `#${address}`);
-    this.remember();
     this.showTools();
   }
 
@@ -214,9 +213,8 @@ export class Explorer {
     if (this.history.isSettled) void this.stage.refreshFlat().catch((error: unknown) => this.failed(error));
   }
 
-  /** After the first answer. */
+  /** After the first answer: what moves, moves from here on. */
   private begin(): void {
-    this.remember();
     if (!matchMedia("(prefers-reduced-motion: reduce)").matches) this.stage.play();
   }
 
@@ -291,7 +289,6 @@ export class Explorer {
     this.chosen = id;
     this.stage.choose(id);
     this.show();
-    this.remember();
     this.askElasticities();
   }
 
@@ -309,7 +306,6 @@ export class Explorer {
     this.variant = this.shown;
     say("Kept as A");
     this.show();
-    this.remember();
   }
 
   private swap(): void {
@@ -322,7 +318,6 @@ export class Explorer {
   private drop(): void {
     this.variant = null;
     this.show();
-    this.remember();
     byId("keep").focus();
   }
 
@@ -335,8 +330,7 @@ export class Explorer {
       while (this.shown === null && this.queue.pending) await new Promise(requestAnimationFrame);
       this.variant = { state, answer, followed: this.follower.copy().follow(answer.modes, answer.scene) };
       this.show();
-      this.remember();
-    } catch (error) {
+      } catch (error) {
       this.failed(error);
     }
   }
@@ -376,7 +370,7 @@ export class Explorer {
     return {
       get state() { return explorer.history.present; },
       get answer() { return explorer.shown?.answer ?? null; },
-      get timings() { return explorer.timings.all; },
+      get timings() { return explorer.timings.all(); },
       get pending() { return explorer.queue.pending || explorer.isAsking; },
       get isCurrent() { return explorer.shown !== null && isSame(explorer.shown.state, explorer.history.present); },
     };

@@ -3,7 +3,7 @@
 import type { State } from "../protocol.js";
 
 /** Steps that can be undone. */
-const MOST_STEPS = 500;
+const MOST_STEPS = 200;
 /** Changes of the same number within this time are one step: a key that is held down, ms. */
 const ONE_STEP_MS = 700;
 

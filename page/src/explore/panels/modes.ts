@@ -17,7 +17,7 @@ export class ModeTable {
       return head;
     };
     const head = this.table.tHead?.rows[0];
-    head?.querySelector("th:nth-child(3)")?.after(cell("A Hz"), cell("− A Hz"), cell("− A %"));
+    head?.querySelector("th:nth-child(3)")?.after(cell("− A %"), cell("− A Hz"), cell("A Hz"));
   }
 
   /** Shows the modes; `others` are the modes of A by identity, null without A. */
@@ -86,9 +86,9 @@ class ModeRow {
     const percent = difference === null || !(other && other.frequency_hz > 0) ? null : (100 * difference) / other.frequency_hz;
     const digits = Math.min(decimals, 6);
     const texts = [
-      other === null ? "–" : aligned(other.frequency, decimals),
-      difference === null ? "–" : signed(difference, digits),
       percent === null ? "–" : signed(percent, 2),
+      difference === null ? "–" : signed(difference, digits),
+      other === null ? "–" : aligned(other.frequency, decimals),
     ];
     this.ofA.forEach((cell, index) => setText(cell, texts[index] ?? ""));
   }

@@ -10,8 +10,6 @@ export interface ParameterEvents {
   input(numbers: Record<string, number>): void;
   /** The slide or the typing is at its end; the key says of what. */
   settle(key: string): void;
-  /** Groups were opened or closed. */
-  fold(): void;
 }
 
 interface Entry {
@@ -69,7 +67,6 @@ export class ParameterPanel {
     element.append(...section.columns.map(({ row }) => row.element), ...section.entries.map(({ row }) => row.element));
     element.addEventListener("toggle", () => {
       if (element.open) this.showSection(section);
-      if (!this.query) this.events.fold();
     });
     return section;
   }

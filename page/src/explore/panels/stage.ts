@@ -13,8 +13,6 @@ export interface StageEvents {
   drag(drag: Drag): void;
   /** A picture of the tower, for browsers that do not draw in three dimensions. */
   flatPicture(): Promise<Blob>;
-  /** The user has changed what is to be remembered. */
-  changed(): void;
 }
 
 export class Stage {
@@ -59,7 +57,6 @@ export class Stage {
         this.player.refresh();
         this.showMotion();
       });
-      input.addEventListener("change", () => this.events.changed());
     }
   }
 
@@ -143,7 +140,7 @@ export class Stage {
     setText(byId("speed-text"), paceText(this.player.timeFactor()));
     const tap = setting.tap;
     setText(byId("motion-text"), tap === null ? "" :
-      `Released from a push at ${tap.height_m.toFixed(1)} m. Each mode oscillates at its own frequency, without damping.`);
+      `Pushed at ${tap.height_m.toFixed(1)} m and released, without damping.`);
   }
 
   /** The mode that is shown, in large figures. */
