@@ -12,6 +12,7 @@ import { History, isSame } from "./numbers/history.js";
 import { ComparePanel } from "./panels/compare.js";
 import { Findings } from "./panels/findings.js";
 import { MassTable, ModeTable } from "./panels/modes.js";
+import { showWithNames } from "./panels/names.js";
 import { ParameterPanel } from "./panels/parameters.js";
 import { Stage } from "./panels/stage.js";
 import { TakeMenu } from "./panels/take.js";
@@ -43,7 +44,7 @@ export class Explorer {
   private numbers: ParameterPanel;
   private modes = new ModeTable((id) => this.choose(id));
   private masses = new MassTable();
-  private findings = new Findings();
+  private findings = new Findings((name) => this.numbers.reveal(name));
   private comparison: ComparePanel;
   private byName: Map<string, number>;
 
@@ -57,7 +58,7 @@ export class Explorer {
     this.queue = new SolveQueue(solve, {
       done: (state, result, at, since) => this.done(state, result, at, since),
       failed: (error) => this.failed(error),
-      idle: () => this.askElasticities(),
+      idle: () => this.idle(),
     });
     this.numbers = new ParameterPanel(sheet, {
       input: (values) => this.input(values),
@@ -193,13 +194,21 @@ export class Explorer {
     withdraw("program");
     if (result.refused === null) this.accept(state, result);
     else this.refuse(result.refused);
+    if (result.refused !== null) return;
+    const { solve_ms, answer_ms } = result;
     const drawn = performance.now();
     requestAnimationFrame(() => {
       const now = performance.now();
-      const { solve_ms, answer_ms } = result.refused === null ? result : { solve_ms: 0, answer_ms: 0 };
       this.timings.add({ event_ms: drawn - at, frame_ms: now - at, waited_ms: drawn - since, solve_ms, answer_ms });
       setText(byId("timing"), this.timings.text());
     });
+  }
+
+  /** Nothing more is to come: what the last step has done. */
+  private idle(): void {
+    if (!this.history.isSettled) return;
+    this.askElasticities();
+    if (this.refusal === null) say(this.readoutText());
   }
 
   private accept(state: State, answer: Answer): void {
@@ -220,7 +229,7 @@ export class Explorer {
 
   private refuse(refusal: Refusal["refused"]): void {
     this.refusal = refusal;
-    this.numbers.refuse(refusal.parameters, [refusal.message, refusal.hint].filter(Boolean).join(" "));
+    this.numbers.refuse(refusal.parameters, sentences(refusal));
     this.numbers.show(this.wanted());
     this.showRefusal();
     this.showTools();
@@ -265,10 +274,18 @@ export class Explorer {
     this.stage.readout(this.shown?.answer.modes[Math.max(0, index)], identity?.name ?? "", identity?.series ?? 0);
   }
 
+  /** The mode that is shown, for screen readers. */
+  private readoutText(): string {
+    const index = Math.max(0, this.shown?.followed.findIndex(({ id }) => id === this.chosen) ?? 0);
+    const mode = this.shown?.answer.modes[index];
+    return mode ? `${this.shown?.followed[index]?.name ?? mode.label}: ${mode.frequency} Hz${mode.verdict ? `, ${mode.verdict.word}` : ""}` : "";
+  }
+
   private showRefusal(): void {
     const { refusal } = this;
     setHidden(byId("refusal"), refusal === null);
-    setText(byId("refusal-text"), refusal ? [refusal.message, refusal.hint].filter(Boolean).join(" ") : "");
+    const text = refusal ? `Refused: ${sentences(refusal)}` : "";
+    showWithNames(byId("refusal-text"), text, refusal?.parameters ?? [], (name) => this.numbers.reveal(name));
     setText(byId("readout-state"), refusal ? "last tower that could be solved" : "");
     document.body.classList.toggle("refused", refusal !== null);
   }
@@ -296,7 +313,7 @@ export class Explorer {
     const identity = this.shown?.followed[number - 1];
     if (identity === undefined) return;
     this.choose(identity.id);
-    say(`${identity.name}, ${this.shown?.answer.modes[number - 1]?.frequency ?? ""} Hz`);
+    say(this.readoutText());
   }
 
   // The second tower.
@@ -379,6 +396,13 @@ export class Explorer {
   recolour(): void {
     this.stage.recolour();
   }
+}
+
+/** Message and hint of the program as sentences. Names of numbers stay as they are. */
+function sentences({ message, hint }: Refusal["refused"]): string {
+  const ended = (text: string): string => (/[.?!]$/.test(text) ? text : `${text}.`);
+  if (hint === null) return ended(message);
+  return `${ended(message)} ${ended(hint.replace(/^[a-z]+(?=[ ,])/, (word) => word.charAt(0).toUpperCase() + word.slice(1)))}`;
 }
 
 function never(): never {

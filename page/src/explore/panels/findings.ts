@@ -3,6 +3,7 @@
 import { byId, make, setClass, setCount, setHidden, setText } from "../dom.js";
 import type { Answer, Fact, Remark, Resonance } from "../protocol.js";
 import { signed } from "./modes.js";
+import { showWithNames, type Reveal } from "./names.js";
 import { showSvg } from "./patch.js";
 
 interface FactRow {
@@ -19,7 +20,7 @@ export class Findings {
   private diagram = byId("diagram");
   private drawn: string | null = null;
 
-  constructor() {
+  constructor(private reveal: Reveal) {
     const button = byId("enlarge");
     button.addEventListener("click", () => button.setAttribute("aria-pressed", String(this.diagram.classList.toggle("large"))));
   }
@@ -79,9 +80,9 @@ export class Findings {
       byId("warnings").append(element);
       return element;
     }, (element) => element.remove());
-    remarks.forEach(({ text }, index) => {
+    remarks.forEach(({ text, parameters }, index) => {
       const element = this.warnings[index];
-      if (element) setText(element, `Warning: ${text}`);
+      if (element) showWithNames(element, `Warning: ${text}`, parameters, this.reveal);
     });
   }
 }

@@ -58,6 +58,7 @@ export class ParameterPanel {
     const title = make("span", "group-title", group.title.charAt(0).toUpperCase() + group.title.slice(1));
     const summary = make("summary", "", title, make("code", "", group.name), mark);
     const element = make("details", "group", summary);
+    element.setAttribute("aria-label", group.title);
     const section: Section = { group, element, mark, entries: [], columns: [] };
     section.columns = group.columns.map((name, place) => this.column(section, name, `column-${index}-${place}`));
     this.sheet.parameters.forEach((parameter, place) => {
@@ -167,6 +168,19 @@ export class ParameterPanel {
   /** Opens these groups. */
   unfold(names: string[]): void {
     for (const { group, element } of this.sections) if (names.includes(group.name)) element.open = true;
+  }
+
+  /** Leads to the field of a number, also if the search has hidden it. */
+  reveal(name: string): void {
+    const filter = byId<HTMLInputElement>("filter");
+    filter.value = "";
+    this.search("");
+    for (const { element, entries } of this.sections) {
+      const entry = entries.find(({ parameter }) => parameter.name === name);
+      if (entry === undefined) continue;
+      element.open = true;
+      entry.row.focus();
+    }
   }
 
   /** The group with the number of the largest elasticity. */

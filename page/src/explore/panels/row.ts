@@ -54,10 +54,11 @@ export class Row {
   private build(): HTMLElement {
     const { id, label, meaning, unit } = this.text;
     const name = make("span", "name", make("b", "", label));
-    if (meaning && !label.endsWith(meaning)) name.append(` ${meaning}`);
+    const more = label.endsWith(meaning) ? "" : meaning;
+    if (more) name.append(` ${more}`);
     name.id = `${id}-name`;
     name.title = name.textContent;
-    const spoken = [label, meaning, unit && `in ${unit}`].filter(Boolean).join(", ");
+    const spoken = [label, more, unit && `in ${unit}`].filter(Boolean).join(", ");
     this.slider.type = "range";
     this.field.type = "text";
     this.field.inputMode = "decimal";
@@ -107,6 +108,12 @@ export class Row {
     if (entry.value !== this.value) this.ask(entry.value);
     this.widen();
     this.events.settle();
+  }
+
+  /** Brings the field into sight, ready to be typed over. */
+  focus(): void {
+    this.field.focus();
+    this.field.select();
   }
 
   private ask(value: number): void {
