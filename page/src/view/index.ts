@@ -2,3 +2,4 @@
 
 export type * from "./scene.js";
 export { TowerView, isSupported } from "./view.js";
+export * as motion from "./motion.js";
