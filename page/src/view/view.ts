@@ -122,7 +122,8 @@ export class TowerView {
     canvas.tabIndex = 0;
     canvas.setAttribute("role", "application");
     canvas.setAttribute("aria-roledescription", "3-D view");
-    canvas.setAttribute("aria-label", `${label}. Arrow keys turn it, plus and minus zoom, 0 resets.`);
+    canvas.setAttribute("aria-label", label);
+    canvas.setAttribute("aria-description", "Arrow keys turn the view, plus and minus zoom, 0 resets it.");
     Object.assign(canvas.style, { position: "absolute", inset: "0", width: "100%", height: "100%", touchAction: "pan-y" });
     if (getComputedStyle(this.host).position === "static") this.host.style.position = "relative";
     this.host.append(canvas);
