@@ -23,6 +23,7 @@ export class ModeTable {
   /** Shows the modes; `others` are the modes of A by identity, null without A. */
   show(modes: Mode[], followed: Followed[], chosen: number | null, others: Map<number, Mode> | null): void {
     this.table.classList.toggle("has-a", others !== null);
+    this.table.classList.toggle("no-rotor", modes.every(({ verdict }) => verdict === null));
     setCount(this.rows, modes.length, (index) => this.row(index), (row) => row.element.remove());
     const decimals = Math.max(0, ...modes.map(({ frequency }) => decimalsOf(frequency)));
     modes.forEach((mode, index) => {
@@ -60,7 +61,7 @@ class ModeRow {
     const label = make("label", "", this.radio, make("span", "place", String(index + 1)), this.swatch, names);
     const head = make("th", "", label);
     head.scope = "row";
-    this.element.append(head, this.frequency, this.error, ...this.ofA, make("td", "", this.verdict), this.period);
+    this.element.append(head, this.frequency, this.error, ...this.ofA, make("td", "judged", this.verdict), this.period);
   }
 
   show(mode: Mode, identity: Followed, isChosen: boolean, other: Mode | null, decimals: number): void {
