@@ -286,7 +286,7 @@ export class Explorer {
     setHidden(byId("refusal"), refusal === null);
     const text = refusal ? `Refused: ${sentences(refusal)}` : "";
     showWithNames(byId("refusal-text"), text, refusal?.parameters ?? [], (name) => this.numbers.reveal(name));
-    setText(byId("readout-state"), refusal ? "last tower that could be solved" : "");
+    setText(byId("readout-state"), refusal ? "last solved tower" : "");
     document.body.classList.toggle("refused", refusal !== null);
   }
 
@@ -391,10 +391,6 @@ export class Explorer {
       get pending() { return explorer.queue.pending || explorer.isAsking; },
       get isCurrent() { return explorer.shown !== null && isSame(explorer.shown.state, explorer.history.present); },
     };
-  }
-
-  recolour(): void {
-    this.stage.recolour();
   }
 }
 

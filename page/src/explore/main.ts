@@ -22,14 +22,12 @@ declare global {
 }
 
 async function start(): Promise<void> {
-  let explorer: Explorer | null = null;
-  offerThemes(() => explorer?.recolour());
+  offerThemes();
   skipWithoutAddress();
   try {
     const given = await sheet();
     describe(given);
-    explorer = new Explorer(given);
-    window.towermodes = explorer.forTests();
+    window.towermodes = new Explorer(given).forTests();
   } catch (error) {
     notice("program", error instanceof Error && error.message ? error.message : "The program does not answer. Start it again.");
   }

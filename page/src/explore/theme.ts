@@ -7,7 +7,7 @@ const THEMES = ["auto", "dark", "light"];
 const KEY = "towermodes-theme";
 
 /** Takes up the choice from before a reload, and changes it by the button. */
-export function offerThemes(onChange: () => void): void {
+export function offerThemes(): void {
   const set = (theme: string): void => {
     document.documentElement.dataset["theme"] = theme;
     byId("theme").textContent = `Colours: ${theme}`;
@@ -19,7 +19,5 @@ export function offerThemes(onChange: () => void): void {
     const theme = THEMES[(index + 1) % THEMES.length] ?? "auto";
     set(theme);
     remember(KEY, theme);
-    onChange();
   });
-  matchMedia("(prefers-color-scheme: dark)").addEventListener("change", onChange);
 }

@@ -17,7 +17,7 @@ export class ModeTable {
       return head;
     };
     const head = this.table.tHead?.rows[0];
-    head?.querySelector("th:nth-child(3)")?.after(cell("− A %"), cell("− A Hz"), cell("A Hz"));
+    head?.querySelector(".judged")?.after(cell("Diff. %"), cell("Diff. Hz"), cell("A Hz"));
   }
 
   /** Shows the modes; `others` are the modes of A by identity, null without A. */
@@ -61,7 +61,7 @@ class ModeRow {
     const label = make("label", "", this.radio, make("span", "place", String(index + 1)), this.swatch, names);
     const head = make("th", "", label);
     head.scope = "row";
-    this.element.append(head, this.frequency, this.error, ...this.ofA, make("td", "judged", this.verdict), this.period);
+    this.element.append(head, this.frequency, this.error, make("td", "judged", this.verdict), ...this.ofA, this.period);
   }
 
   show(mode: Mode, identity: Followed, isChosen: boolean, other: Mode | null, decimals: number): void {

@@ -34,7 +34,7 @@ export class Stage {
   private open(): void {
     const host = byId("view");
     if (towermodesView.isSupported()) {
-      this.view = new towermodesView.TowerView(host, "The tower. Arrow keys turn it.", {
+      this.view = new towermodesView.TowerView(host, "The tower", {
         drag: (drag) => this.events.drag(drag),
         tap: (tap) => this.release(tap),
       });
@@ -150,11 +150,6 @@ export class Stage {
     setText(byId("readout-frequency"), mode ? `${mode.frequency} Hz` : "");
     setText(byId("readout-verdict"), mode?.verdict?.word.toUpperCase() ?? "");
     setClass(byId("readout-verdict"), `verdict ${mode?.verdict?.word ?? ""}`);
-  }
-
-  recolour(): void {
-    this.view?.recolour();
-    this.player.paint();
   }
 
   png(): Promise<Blob> {
