@@ -28,6 +28,9 @@ interface Solved extends Moving {
   state: State;
 }
 
+/** An answer that takes longer does not hold the motion. */
+const AWAITED_MS = 50;
+
 export class Explorer {
   readonly timings = new Timings();
   private queue: SolveQueue;
@@ -40,6 +43,8 @@ export class Explorer {
   /** The question whose elasticities are shown or on their way. */
   private asked = "";
   private isAsking = false;
+  /** When the last state was asked for, by performance.now(). */
+  private askedAt = -Infinity;
   private stage: Stage;
   private numbers: ParameterPanel;
   private modes = new ModeTable((id) => this.choose(id));
@@ -66,6 +71,7 @@ export class Explorer {
     });
     if (memory.open) this.numbers.unfold(memory.open);
     this.stage = new Stage({
+      isAwaited: () => this.queue.pending && performance.now() - this.askedAt < AWAITED_MS,
       drag: (drag) => this.drag(drag),
       flatPicture: async () => (await take(this.history.present, { what: "tower-picture", format: "svg" })).content,
     });
@@ -187,6 +193,7 @@ export class Explorer {
   // What the program answers.
 
   private ask(at: number): void {
+    this.askedAt = at;
     this.queue.want(this.history.present, at);
   }
 

@@ -40,7 +40,11 @@ export class Player {
   private poseOfA: Pose | null = null;
   private last: number | null = null;
 
-  constructor(private draw: (pose: Pose | null, beside: Pose | null) => void) {}
+  /** While `isHeld`, another picture is about to come, and frames are not drawn for the motion alone. */
+  constructor(
+    private draw: (pose: Pose | null, beside: Pose | null) => void,
+    private isHeld: () => boolean = () => false,
+  ) {}
 
   get isPlaying(): boolean {
     return this.last !== null;
@@ -89,7 +93,7 @@ export class Player {
     const step_s = Math.min(LONGEST_STEP_S, Math.max(0, (now - this.last) / 1000));
     this.last = now;
     this.advance(step_s * this.timeFactor());
-    this.paint();
+    if (!this.isHeld()) this.paint();
     requestAnimationFrame((next) => this.frame(next));
   }
 

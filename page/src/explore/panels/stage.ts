@@ -10,6 +10,8 @@ import type { Mode } from "../protocol.js";
 declare const towermodesView: typeof View;
 
 export interface StageEvents {
+  /** Whether the next tower is about to come. */
+  isAwaited(): boolean;
   drag(drag: Drag): void;
   /** A picture of the tower, for browsers that do not draw in three dimensions. */
   flatPicture(): Promise<Blob>;
@@ -25,7 +27,7 @@ export class Stage {
   private lastTap: Tap | null = null;
 
   constructor(private events: StageEvents) {
-    this.player = new Player((pose, beside) => this.view?.pose(pose, beside));
+    this.player = new Player((pose, beside) => this.view?.pose(pose, beside), () => this.events.isAwaited());
     this.open();
     this.listen();
     this.readControls();
