@@ -1,6 +1,7 @@
 // The page as a whole: what the user sets goes to the program, what it answers is shown.
 
-import { byId, setHidden, setText } from "./dom.js";
+import { byId, setText } from "./dom.js";
+import { Influence } from "./influence.js";
 import { listenToKeys } from "./keys.js";
 import { recallPage, rememberPage, type Memory } from "./memory.js";
 import { Follower } from "./modes/follow.js";
@@ -12,11 +13,11 @@ import { History, isSame } from "./numbers/history.js";
 import { ComparePanel } from "./panels/compare.js";
 import { Findings } from "./panels/findings.js";
 import { MassTable, ModeTable } from "./panels/modes.js";
-import { showWithNames } from "./panels/names.js";
 import { ParameterPanel } from "./panels/parameters.js";
 import { Stage } from "./panels/stage.js";
+import { sentences, showRefusal, showTools, spoken } from "./panels/status.js";
 import { TakeMenu } from "./panels/take.js";
-import { elasticities, ProgramEnded, solve, take } from "./program/program.js";
+import { ProgramEnded, solve, take } from "./program/program.js";
 import { SolveQueue, type Result } from "./program/queue.js";
 import { Timings } from "./program/timings.js";
 import type { Answer, Refusal, Sheet, State } from "./protocol.js";
@@ -40,16 +41,15 @@ export class Explorer {
   private variant: Solved | null = null;
   private refusal: Refusal["refused"] | null = null;
   private chosen: number | null;
-  /** The question whose elasticities are shown or on their way. */
-  private asked = "";
-  private isAsking = false;
+  private influence: Influence;
+  private reveal = (name: string): void => this.numbers.reveal(name);
   /** When the last state was asked for, by performance.now(). */
   private askedAt = -Infinity;
   private stage: Stage;
   private numbers: ParameterPanel;
   private modes = new ModeTable((id) => this.choose(id));
   private masses = new MassTable();
-  private findings = new Findings((name) => this.numbers.reveal(name));
+  private findings = new Findings((name) => this.reveal(name));
   private comparison: ComparePanel;
   private byName: Map<string, number>;
 
@@ -69,6 +69,7 @@ export class Explorer {
       input: (values) => this.input(values),
       settle: (key) => this.settle(key),
     });
+    this.influence = new Influence(this.numbers, (error) => this.failed(error), () => this.askElasticities());
     if (memory.open) this.numbers.unfold(memory.open);
     this.stage = new Stage({
       isAwaited: () => this.queue.pending && performance.now() - this.askedAt < AWAITED_MS,
@@ -127,7 +128,7 @@ export class Explorer {
   private settle(key: string): void {
     this.history.settle(key, performance.now());
     this.stepDone();
-    if (!this.queue.pending) this.askElasticities();
+    this.askElasticities();
   }
 
   /** A state that is a step of its own. */
@@ -215,7 +216,7 @@ export class Explorer {
   private idle(): void {
     if (!this.history.isSettled) return;
     this.askElasticities();
-    if (this.refusal === null) say(this.readoutText());
+    if (this.refusal === null && this.shown !== null) say(spoken(this.shown, this.place()));
   }
 
   private accept(state: State, answer: Answer): void {
@@ -238,7 +239,7 @@ export class Explorer {
     this.refusal = refusal;
     this.numbers.refuse(refusal.parameters, sentences(refusal));
     this.numbers.show(this.wanted());
-    this.showRefusal();
+    showRefusal(this.refusal, this.reveal);
     this.showTools();
   }
 
@@ -251,7 +252,8 @@ export class Explorer {
 
   // What is shown.
 
-  /** The present values as the user wants them: numbers that follow others are those of the last answer. */
+  /** The present values as the user wants them: numbers that follow others are those of the last
+   * answer. */
   private wanted(): number[] {
     const { numbers } = this.history.present;
     return this.sheet.parameters.map(({ name, value }, index) => numbers[name] ?? this.shown?.answer.values[index] ?? value);
@@ -270,43 +272,23 @@ export class Explorer {
     this.findings.show(answer, variant?.answer ?? null);
     this.comparison.show(this.sheet.parameters, answer.values, variant?.answer.values ?? null);
     setText(byId("method"), `${answer.method} · ${answer.certificate}`);
-    this.showReadout();
-    this.showRefusal();
+    this.showReadout(shown);
+    showRefusal(this.refusal, this.reveal);
     this.showTools();
   }
 
-  private showReadout(): void {
-    const index = this.shown?.followed.findIndex(({ id }) => id === this.chosen) ?? -1;
-    const identity = this.shown?.followed[Math.max(0, index)];
-    this.stage.readout(this.shown?.answer.modes[Math.max(0, index)], identity?.name ?? "", identity?.series ?? 0);
+  private showReadout({ answer, followed }: Solved): void {
+    const identity = followed[this.place()];
+    this.stage.readout(answer.modes[this.place()], identity?.name ?? "", identity?.series ?? 0);
   }
 
-  /** The mode that is shown, for screen readers. */
-  private readoutText(): string {
-    const index = Math.max(0, this.shown?.followed.findIndex(({ id }) => id === this.chosen) ?? 0);
-    const mode = this.shown?.answer.modes[index];
-    return mode ? `${this.shown?.followed[index]?.name ?? mode.label}: ${mode.frequency} Hz${mode.verdict ? `, ${mode.verdict.word}` : ""}` : "";
-  }
-
-  private showRefusal(): void {
-    const { refusal } = this;
-    setHidden(byId("refusal"), refusal === null);
-    const text = refusal ? `Refused: ${sentences(refusal)}` : "";
-    showWithNames(byId("refusal-text"), text, refusal?.parameters ?? [], (name) => this.numbers.reveal(name));
-    setText(byId("readout-state"), refusal ? "last solved tower" : "");
-    document.body.classList.toggle("refused", refusal !== null);
+  /** The index of the mode that is shown. */
+  private place(): number {
+    return Math.max(0, this.shown?.followed.findIndex(({ id }) => id === this.chosen) ?? 0);
   }
 
   private showTools(): void {
-    const { history } = this;
-    const enable = (id: string, isOn: boolean): void => {
-      const element = byId<HTMLButtonElement>(id);
-      if (element.disabled === isOn) element.disabled = !isOn;
-    };
-    enable("undo", history.canUndo);
-    enable("redo", history.canRedo);
-    enable("reset", Object.keys(history.present.numbers).length > 0);
-    setText(byId("keep"), this.variant === null ? "Keep as A" : "Keep as new A");
+    showTools(this.history, this.variant !== null);
   }
 
   private choose(id: number): void {
@@ -317,10 +299,11 @@ export class Explorer {
   }
 
   private chooseNumber(number: number): void {
-    const identity = this.shown?.followed[number - 1];
-    if (identity === undefined) return;
+    const { shown } = this;
+    const identity = shown?.followed[number - 1];
+    if (shown === null || identity === undefined) return;
     this.choose(identity.id);
-    say(this.readoutText());
+    say(spoken(shown, number - 1));
   }
 
   // The second tower.
@@ -359,33 +342,10 @@ export class Explorer {
     }
   }
 
-  // What moves the mode that is shown.
-
+  /** Asks what moves the mode that is shown, between two steps. */
   private askElasticities(): void {
-    const number = 1 + (this.shown?.followed.findIndex(({ id }) => id === this.chosen) ?? -1);
-    if (this.shown === null || this.isAsking || !this.history.isSettled || this.refusal !== null) return;
-    const question = JSON.stringify([this.shown.state, Math.max(1, number)]);
-    if (question === this.asked) return;
-    this.asked = question;
-    this.isAsking = true;
-    void this.fetchElasticities(this.shown, Math.max(1, number)).finally(() => {
-      this.isAsking = false;
-      if (!this.queue.pending) this.askElasticities();
-    });
-  }
-
-  private async fetchElasticities(of: Solved, number: number): Promise<void> {
-    try {
-      const result = await elasticities(of.state, number);
-      if (result.refused !== null) return;
-      const isFirst = byId("elasticity-text").textContent === "";
-      setText(byId("elasticity-text"), `Elasticity of ${result.mode}, % per %`);
-      this.numbers.showElasticities(result.elasticities);
-      const group = this.numbers.mostInfluential();
-      if (isFirst && group !== null && this.numbers.open().length === 0) this.numbers.unfold([group]);
-    } catch (error) {
-      this.failed(error);
-    }
+    if (this.shown === null || !this.history.isSettled || this.refusal !== null || this.queue.pending) return;
+    this.influence.ask(this.shown.state, 1 + this.place());
   }
 
   /** What tests may read. */
@@ -395,17 +355,10 @@ export class Explorer {
       get state() { return explorer.history.present; },
       get answer() { return explorer.shown?.answer ?? null; },
       get timings() { return explorer.timings.all(); },
-      get pending() { return explorer.queue.pending || explorer.isAsking; },
+      get pending() { return explorer.queue.pending || explorer.influence.pending; },
       get isCurrent() { return explorer.shown !== null && isSame(explorer.shown.state, explorer.history.present); },
     };
   }
-}
-
-/** Message and hint of the program as sentences. Names of numbers stay as they are. */
-function sentences({ message, hint }: Refusal["refused"]): string {
-  const ended = (text: string): string => (/[.?!]$/.test(text) ? text : `${text}.`);
-  if (hint === null) return ended(message);
-  return `${ended(message)} ${ended(hint.replace(/^[a-z]+(?=[ ,])/, (word) => word.charAt(0).toUpperCase() + word.slice(1)))}`;
 }
 
 function never(): never {

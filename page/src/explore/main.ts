@@ -10,7 +10,8 @@ import { offerThemes } from "./theme.js";
 
 declare global {
   interface Window {
-    /** For tests, read only: the numbers that are set, the answer that is shown, measured times, whether an answer is to come. */
+    /** For tests, read only: the numbers that are set, the answer that is shown, measured times,
+     * whether an answer is to come. */
     towermodes: {
       readonly state: State;
       readonly answer: Answer | null;

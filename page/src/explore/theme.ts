@@ -1,4 +1,5 @@
-// The colours of the page: as the system has them, or dark, or light; the same choice as in a report.
+// The colours of the page: as the system has them, or dark, or light; the same choice as in a
+// report.
 
 import { byId } from "./dom.js";
 import { recall, remember } from "./memory.js";

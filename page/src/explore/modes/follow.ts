@@ -1,4 +1,5 @@
-// Which mode is which from one answer to the next: modes keep their colour and name when they exchange order.
+// Which mode is which from one answer to the next: modes keep their colour and name when they
+// exchange order.
 
 import type { Mode } from "../protocol.js";
 import type { TowerScene } from "../../view/scene.js";
@@ -12,7 +13,8 @@ export interface Identity {
   series: number;
 }
 
-/** A mode of an answer with its identity; the shape times `sign` does not flip from answer to answer. */
+/** A mode of an answer with its identity; the shape times `sign` does not flip from answer to
+ * answer. */
 export interface Followed extends Identity {
   sign: 1 | -1;
 }
@@ -26,7 +28,8 @@ interface Track extends Identity {
 const COLOURS = 7;
 /** Below this criterion two shapes are not the same mode. */
 const SIMILAR = 0.5;
-/** Modes whose frequencies differ by less, relatively, are a pair: any combination of their shapes is a shape too. */
+/** Modes whose frequencies differ by less, relatively, are a pair: any combination of their
+ * shapes is a shape too. */
 const EQUAL = 1e-6;
 /** Where the identities of a copy begin: beyond those that the first one will ever give. */
 const COPIED = 1e9;
@@ -57,7 +60,8 @@ export class Follower {
     return followed.map(({ id, name, series, sign }) => ({ id, name, series, sign }));
   }
 
-  /** Another one that follows a second tower from here, and gives identities of its own to modes that are new. */
+  /** Another one that follows a second tower from here, and gives identities of its own to modes
+   * that are new. */
   copy(): Follower {
     const copy = new Follower();
     copy.tracks = this.tracks;
@@ -84,7 +88,8 @@ export class Follower {
     return found;
   }
 
-  /** Gives modes without a track the most similar of the tracks that are free, the largest similarity first. */
+  /** Gives modes without a track the most similar of the tracks that are free, the largest
+   * similarity first. */
   private assign(present: Present[], tracks: Track[], found: (Track | undefined)[], measure: Measure): void {
     const taken = new Set(found.map((track) => track?.id));
     const pairs = present.flatMap((one, index) => {

@@ -1,4 +1,5 @@
-// How far each mode is deflected at a time: one mode that oscillates, or all after a release from a deflection.
+// How far each mode is deflected at a time: one mode that oscillates, or all after a release from a
+// deflection.
 
 import type { Mode } from "../protocol.js";
 import type { Point, Pose, Shape, TowerScene } from "../../view/scene.js";
@@ -41,7 +42,8 @@ function at(heights: number[], values: number[], height: number): number {
   return (1 - part) * (values[above - 1] ?? 0) + part * (values[above] ?? 0);
 }
 
-/** The sum of the shapes, each with its factor; written into a pose that is used again if it has as many heights. */
+/** The sum of the shapes, each with its factor; written into a pose that is used again if it has
+ * as many heights. */
 export function superposed(scene: TowerScene, factors: number[], into: Pose | null): Pose {
   const pose = into?.displacement.length === scene.height_m.length ? into : emptyPose(scene.height_m.length);
   for (let k = 0; k < scene.height_m.length; k++) {

@@ -1,4 +1,5 @@
-// Moves the tower in time: one mode that oscillates, or all of them after a release from the push of a tap.
+// Moves the tower in time: one mode that oscillates, or all of them after a release from the push
+// of a tap.
 
 import type { Answer, Mode } from "../protocol.js";
 import type { Pose, Tap } from "../../view/scene.js";
@@ -17,7 +18,8 @@ export interface Setting {
   chosen: number | null;
   /** The largest deflection as a fraction of the height. */
   amplitude: number;
-  /** The frequency on the screen of the mode that is shown, or of the lowest that a tap has excited, Hz. */
+  /** The frequency on the screen of the mode that is shown, or of the lowest that a tap has
+   * excited, Hz. */
   screen_hz: number;
   /** The tap that has released the tower; null shows one mode. */
   tap: Tap | null;
@@ -40,7 +42,8 @@ export class Player {
   private poseOfA: Pose | null = null;
   private last: number | null = null;
 
-  /** While `isHeld`, another picture is about to come, and frames are not drawn for the motion alone. */
+  /** While `isHeld`, another picture is about to come, and frames are not drawn for the motion
+   * alone. */
   constructor(
     private draw: (pose: Pose | null, beside: Pose | null) => void,
     private isHeld: () => boolean = () => false,

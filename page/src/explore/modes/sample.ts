@@ -12,7 +12,8 @@ export interface Sample {
   factor?: number;
 }
 
-/** Bending as sin², sin(2·)… of the height, so that different orders are nearly orthogonal; torsion as rotation. */
+/** Bending as sin², sin(2·)… of the height, so that different orders are nearly orthogonal;
+ * torsion as rotation. */
 export function sample(modes: Sample[], heights = 31): { modes: Mode[]; scene: TowerScene } {
   const height_m = Array.from({ length: heights }, (_, k) => (80 * k) / (heights - 1));
   const shapes = modes.map((mode, index) => shapeOf(mode, index + 1, height_m));

@@ -1,4 +1,5 @@
-// How similar two mode shapes are: the modal assurance criterion on translations and on rotations times the height.
+// How similar two mode shapes are: the modal assurance criterion on translations and on rotations
+// times the height.
 
 import type { Shape, TowerScene } from "../../view/scene.js";
 
@@ -14,7 +15,8 @@ export function signatures(scene: TowerScene): Signature[] {
   return scene.modes.map((shape) => signature(shape, places, height));
 }
 
-/** Where in a list of heights the places are that divide the tower evenly: the index below, and the part of the interval. */
+/** Where in a list of heights the places are that divide the tower evenly: the index below, and
+ * the part of the interval. */
 function placesIn(heights: number[]): { below: number; part: number }[] {
   const base = heights[0] ?? 0;
   const top = heights.at(-1) ?? 0;

@@ -3,7 +3,8 @@
 import type { Parameter, State } from "../protocol.js";
 import { readNumber } from "./entry.js";
 
-/** The part of an address after the #, without it. Names stay readable; what addresses cannot have is encoded. */
+/** The part of an address after the #, without it. Names stay readable; what addresses cannot
+ * have is encoded. */
 export function toAddress(state: State): string {
   const entries = Object.entries(state.numbers);
   return entries.map(([name, value]) => `${encodeName(name)}=${value}`).join("&");

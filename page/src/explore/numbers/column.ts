@@ -8,7 +8,8 @@ export interface Base {
   factor: number;
 }
 
-/** The file's numbers if the present ones are a common multiple of them, else the present ones at factor 1. */
+/** The file's numbers if the present ones are a common multiple of them, else the present ones
+ * at factor 1. */
 export function baseOf(ofFile: number[], present: number[]): Base {
   const at = ofFile.findIndex((value) => value !== 0);
   const factor = at < 0 ? 1 : (present[at] ?? 0) / (ofFile[at] ?? 1);

@@ -33,7 +33,8 @@ export class ComparePanel {
     byId("compare").append(make("div", "head", title, buttons), this.none, this.table);
   }
 
-  /** Shows the differences; `others` are the values of A in the order of the parameters, null without A. */
+  /** Shows the differences; `others` are the values of A in the order of the parameters, null
+   * without A. */
   show(parameters: Parameter[], values: number[], others: number[] | null): void {
     setHidden(byId("compare"), others === null);
     if (others === null) return;

@@ -1,4 +1,5 @@
-// The table of modes: frequencies with errors, verdicts, differences from A; a choice of the mode that is shown.
+// The table of modes: frequencies with errors, verdicts, differences from A; a choice of the mode
+// that is shown.
 
 import { byId, make, setClass, setCount, setHidden, setText } from "../dom.js";
 import type { Followed } from "../modes/follow.js";
@@ -105,7 +106,8 @@ function decimalsOf(text: string): number {
   return point < 0 || /e/i.test(text) ? 0 : text.length - point - 1;
 }
 
-/** With figure spaces in the place of decimals that it does not have, so that points stand below each other. */
+/** With figure spaces in the place of decimals that it does not have, so that points stand below
+ * each other. */
 function aligned(text: string, decimals: number): string {
   const missing = decimals - decimalsOf(text);
   return missing > 0 && text.includes(".") ? text + "\u2007".repeat(missing) : text;

@@ -7,7 +7,8 @@ const MOST = 4;
 
 export type Reveal = (name: string) => void;
 
-/** Fills an element with a sentence and the names that it is about; only if they differ from what it has. */
+/** Fills an element with a sentence and the names that it is about; only if they differ from
+ * what it has. */
 export function showWithNames(element: HTMLElement, text: string, names: string[], reveal: Reveal): void {
   const key = [text, ...names].join("\n");
   if (element.dataset["key"] === key) return;

@@ -1,4 +1,5 @@
-// Changes a drawing in the page into another one by touching only what differs: laying out texts again is slow.
+// Changes a drawing in the page into another one by touching only what differs: laying out texts
+// again is slow.
 
 /** Reads SVG in half the time of a parser for XML. */
 const template = document.createElement("template");

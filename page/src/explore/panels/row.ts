@@ -1,4 +1,5 @@
-// One number under the hand: a slider, a field for the exact value, its elasticity, and the way back to the file.
+// One number under the hand: a slider, a field for the exact value, its elasticity, and the way
+// back to the file.
 
 import { button, make, setAttribute, setClass, setHidden, setText } from "../dom.js";
 import { readNumber, tidy, writeNumber } from "../numbers/entry.js";
@@ -187,7 +188,8 @@ export class Row {
     for (const input of [this.slider, this.field]) setAttribute(input, "aria-invalid", problem === null ? null : "true");
   }
 
-  /** Shows the elasticity of a frequency, with a bar in the scale of the largest one; null if there is none. */
+  /** Shows the elasticity of a frequency, with a bar in the scale of the largest one; null if
+   * there is none. */
   elasticity(value: number | null, largest: number): void {
     setText(this.elasticityText, value === null ? "" : writeElasticity(value));
     const part = value === null || !(largest > 0) ? 0 : value / largest;

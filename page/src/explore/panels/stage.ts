@@ -112,7 +112,8 @@ export class Stage {
     this.showMotion();
   }
 
-  /** Releases the tower from a push at its top in a slanting direction, or as it was tapped last. */
+  /** Releases the tower from a push at its top in a slanting direction, or as it was tapped
+   * last. */
   tapTop(): void {
     const top: TowerScene | undefined = this.present?.answer.scene;
     if (top === undefined) return;

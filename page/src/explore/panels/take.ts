@@ -1,4 +1,5 @@
-// What the user takes away: files of the program, the picture of the view, lines that reproduce the state.
+// What the user takes away: files of the program, the picture of the view, lines that reproduce the
+// state.
 
 import { button, byId, make, setText } from "../dom.js";
 import { reproduce, take } from "../program/program.js";
