@@ -29,8 +29,8 @@ interface Solved extends Moving {
   state: State;
 }
 
-/** An answer that takes longer does not hold the motion. */
-const AWAITED_MS = 50;
+/** While numbers slide, answers follow each other by less, and each draws the motion too. */
+const AWAITED_MS = 80;
 
 export class Explorer {
   readonly timings = new Timings();
@@ -72,7 +72,7 @@ export class Explorer {
     this.influence = new Influence(this.numbers, (error) => this.failed(error), () => this.askElasticities());
     if (memory.open) this.numbers.unfold(memory.open);
     this.stage = new Stage({
-      isAwaited: () => this.queue.pending && performance.now() - this.askedAt < AWAITED_MS,
+      isAwaited: () => performance.now() - this.askedAt < AWAITED_MS,
       drag: (drag) => this.drag(drag),
       flatPicture: async () => (await take(this.history.present, { what: "tower-picture", format: "svg" })).content,
     });
