@@ -1,7 +1,7 @@
 //! A solved tower as a page shows it: numbers with all digits, and as the terminal prints them.
 
 use serde::Serialize;
-use towermodes::number::{four_digits, percent, with_error};
+use towermodes::number::{four_digits, with_error};
 use towermodes::{Mode, Parameter, Solution, Tower, Warning};
 use towermodes_analysis::Verdict;
 use towermodes_analysis::resonance::{Assessment, Campbell, Excited, Margin};
@@ -207,14 +207,14 @@ fn verdicted(campbell: &Campbell, number: usize) -> Option<Verdicted> {
         let by_verdict = a.verdict.cmp(&b.verdict);
         by_verdict.then(near(a).total_cmp(&near(b)))
     })?;
+    let distance = match worst.distance {
+        0.0 => format!("crossing at {} rpm", four_digits(worst.nearest_rpm)),
+        _ => campbell.distance_percent(worst) + " %",
+    };
+    let excitation = four_digits(worst.excitation_hz);
     Some(Verdicted {
         word: word(worst.verdict),
-        text: format!(
-            "{}P at {} Hz, {:+} %",
-            worst.multiple,
-            four_digits(worst.excitation_hz),
-            percent(worst.distance)
-        ),
+        text: format!("{}P at {excitation} Hz, {distance}", worst.multiple),
     })
 }
 

@@ -70,7 +70,7 @@ impl Explorer {
         factors.chain(singles).collect()
     }
 
-    /// The columns of which the state multiplies every number by the same factor, to the last bit.
+    /// The columns of which the state multiplies every number by the same factor.
     fn whole_columns(&self, state: &State) -> Vec<WholeColumn> {
         let description = &self.exploration.input.description;
         let mut columns: BTreeMap<String, Vec<(String, f64)>> = BTreeMap::new();
@@ -104,22 +104,21 @@ struct WholeColumn {
     factor: f64,
 }
 
-/// The factor with which each number of the file gives that of the state exactly; for two numbers
-/// or more.
+/// The factor with which each number of the file gives that of the state; for two numbers or more.
+///
+/// A page rounds products to twelve digits, so that no field has seventeen.
 fn common_factor(numbers: &[(String, f64)], state: &State) -> Option<f64> {
+    const ROUNDED: f64 = 1e-11;
     let changed = |name: &String| state.numbers.get(name).copied();
     let (first, old) = numbers.iter().find(|(_, old)| *old != 0.0)?;
-    // The factor of a slider has few digits; a quotient of two numbers may differ in the last bit.
     let quotient = changed(first)? / old;
-    let short = (1e6 * quotient).round() / 1e6;
-    let is_common = |factor: f64| {
-        let mut all = numbers.iter();
-        let own = |(name, old): &(String, f64)| changed(name).unwrap_or(*old) == old * factor;
-        numbers.len() > 1 && all.all(own)
+    // The factor of a slider has few digits.
+    let factor = (1e6 * quotient).round() / 1e6;
+    let is_multiple = |(name, old): &(String, f64)| {
+        let (new, product) = (changed(name).unwrap_or(*old), old * factor);
+        (new - product).abs() <= ROUNDED * product.abs()
     };
-    [short, quotient]
-        .into_iter()
-        .find(|factor| is_common(*factor))
+    (numbers.len() > 1 && numbers.iter().all(is_multiple)).then_some(factor)
 }
 
 /// The lines of Python. Options that only the program has are left out of them.

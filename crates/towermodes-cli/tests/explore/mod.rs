@@ -2,5 +2,6 @@
 //! in a browser.
 
 mod answers;
+mod page;
 mod server;
 mod strangers;

@@ -35,11 +35,17 @@ pub const WIDE: View = View {
 impl OpenPage {
     /// Opens a file, which is made first; none if no browser is named.
     pub fn open(file: impl FnOnce() -> PathBuf, view: View) -> Option<Self> {
+        let address = || format!("file://{}", file().display());
+        Self::at(address, view, &[])
+    }
+
+    /// Opens an address in a browser with these options; none if no browser is named.
+    pub fn at(address: impl FnOnce() -> String, view: View, options: &[&str]) -> Option<Self> {
         let Some(program) = std::env::var_os(BROWSER) else {
             eprintln!("skipped: {BROWSER} names no browser");
             return None;
         };
-        let browser = Browser::start(&program, view.width, WINDOW_HEIGHT);
+        let browser = Browser::start(&program, view.width, WINDOW_HEIGHT, options);
         let page = Self {
             browser: RefCell::new(browser),
         };
@@ -47,15 +53,15 @@ impl OpenPage {
             page.call(&format!("{domain}.enable"), &json!({}));
         }
         page.look(view);
-        let address = format!("file://{}", file().display());
-        page.call("Page.navigate", &json!({ "url": address }));
+        page.call("Page.navigate", &json!({ "url": address() }));
         page.browser
             .borrow_mut()
             .wait_for_event("Page.loadEventFired");
         Some(page)
     }
 
-    fn call(&self, method: &str, parameters: &Value) -> Value {
+    /// Sends a command of the Chrome DevTools Protocol.
+    pub fn call(&self, method: &str, parameters: &Value) -> Value {
         self.browser.borrow_mut().call(method, parameters)
     }
 
@@ -186,9 +192,17 @@ impl OpenPage {
             .iter()
             .map(|event| event["request"]["url"].as_str());
         let requests: Vec<&str> = requests.map(|url| url.expect("an address")).collect();
-        let is_own = |url: &&str| url.starts_with("file:");
-        assert!(requests.first().is_some_and(is_own), "{requests:?}");
+        // The file or the server of the page, by its folder.
+        let own = requests.first().expect("the page itself");
+        let own = own.split(['#', '?']).next().unwrap_or_default();
+        let own = &own[..=own.rfind('/').expect("a folder")];
+        let is_local = |url: &&str| url.starts_with("data:") || url.starts_with("blob:");
+        let is_file = own.starts_with("file:");
+        let is_own = |url: &&str| !is_file && url.starts_with(own);
         let mut others = requests.iter().skip(1);
-        assert!(others.all(|url| url.starts_with("data:")), "{requests:?}");
+        assert!(
+            others.all(|url| is_local(url) || is_own(url)),
+            "{requests:?}"
+        );
     }
 }

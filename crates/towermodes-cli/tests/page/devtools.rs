@@ -31,8 +31,9 @@ pub struct Browser {
 }
 
 impl Browser {
-    /// Starts a browser with an empty page in a window of a width and height.
-    pub fn start(program: &std::ffi::OsStr, width: u32, height: u32) -> Self {
+    /// Starts a browser with an empty page in a window of a width and height, with these options
+    /// beside the usual ones.
+    pub fn start(program: &std::ffi::OsStr, width: u32, height: u32, options: &[&str]) -> Self {
         static COUNT: AtomicUsize = AtomicUsize::new(0);
         let number = COUNT.fetch_add(1, Ordering::Relaxed);
         let name = format!("browser-{}-{number}", std::process::id());
@@ -45,6 +46,7 @@ impl Browser {
             .args(["--no-sandbox", "--disable-dev-shm-usage", "--no-first-run"])
             .args(["--disable-background-networking", "--disable-extensions"])
             .args(["--force-color-profile=srgb", "--hide-scrollbars"])
+            .args(options)
             .arg(format!("--window-size={width},{height}"))
             .arg(format!("--user-data-dir={}", profile.display()))
             .stdin(Stdio::piped())

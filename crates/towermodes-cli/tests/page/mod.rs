@@ -3,7 +3,7 @@
 //! `TOWERMODES_BROWSER` names a Chromium; without it these tests are skipped.
 //! `TOWERMODES_SCREENSHOTS` names a folder for pictures of the pages.
 
-mod browser;
+pub mod browser;
 mod devtools;
 mod report;
 

@@ -123,7 +123,8 @@ fn computed(explorer: &Explorer, question: Question, body: &[u8]) -> Response<Bo
     match explorer.reply(question, body) {
         Reply::Json(text) => reply(StatusCode::OK, JSON, text),
         Reply::File(taken) => file(taken),
-        Reply::Refused(text) => reply(StatusCode::CONFLICT, JSON, text),
+        // An answer like any other: a browser prints every error status on its console.
+        Reply::Refused(text) => reply(StatusCode::OK, JSON, text),
         Reply::NoFile(message) => plain(StatusCode::CONFLICT, &message),
         Reply::Wrong(message) => plain(StatusCode::BAD_REQUEST, &message),
     }

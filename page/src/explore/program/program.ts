@@ -27,6 +27,9 @@ export function reproduce(state: State): Promise<Reproduction> {
 /** A file with the name that the program gives it. */
 export async function take(state: State, what: Take): Promise<{ name: string; content: Blob }> {
   const response = await ask("take", { ...state, ...what });
+  if (response.headers.get("Content-Type") === "application/json") {
+    throw new Refused(((await response.json()) as Refusal).refused.message);
+  }
   const disposition = response.headers.get("Content-Disposition") ?? "";
   const name = /filename="([^"]+)"/.exec(disposition)?.[1] ?? `towermodes.${what.format ?? "txt"}`;
   return { name, content: await response.blob() };

@@ -1,0 +1,603 @@
+//! The page of the explorer in a browser: what is set, what is shown, what is taken away.
+//!
+//! `TOWERMODES_BROWSER` names a Chromium; without it these tests are skipped. `TOWERMODES_MOVES` is the
+//! number of random moves of sliders, 1000 by default. `TOWERMODES_SCREENSHOTS` names a folder for
+//! pictures of the page.
+
+use std::path::PathBuf;
+use std::process::Command;
+use std::time::{Duration, Instant};
+
+use serde_json::{Value, json};
+
+use super::server::Explorer;
+use crate::page::browser::{OpenPage, View, WIDE};
+use crate::pages::root;
+use crate::sandbox::PROGRAM;
+
+const MONOPILE: &str = "examples/monopile.toml";
+/// The browser draws in three dimensions without a graphics card.
+const WEBGL: [&str; 3] = [
+    "--use-gl=angle",
+    "--use-angle=swiftshader",
+    "--enable-unsafe-swiftshader",
+];
+/// The names of the modes in the table, with their colours.
+const NAMES: &str = "[...document.querySelectorAll('#modes tbody tr')].filter(row => !row.hidden).map(row => \
+     [row.querySelector('.mode-name').textContent, row.querySelector('.swatch').className])";
+/// The frequencies in the table.
+const FREQUENCIES: &str = "[...document.querySelectorAll('#modes tbody tr')].filter(row => !row.hidden)\
+     .map(row => row.querySelector('.frequency').textContent.trim())";
+
+/// A running program with its page.
+struct Explored {
+    page: OpenPage,
+    explorer: Explorer,
+    sheet: Value,
+}
+
+impl Explored {
+    /// None without a browser.
+    fn open(arguments: &[&str], view: View) -> Option<Self> {
+        let explorer = Explorer::start(arguments);
+        let address = || explorer.address.clone();
+        let page = OpenPage::at(address, view, &WEBGL)?;
+        let sheet = explorer.ask("GET", "sheet", b"");
+        let sheet = serde_json::from_slice(&sheet.body).expect("JSON");
+        let explored = Self {
+            page,
+            explorer,
+            sheet,
+        };
+        explored.page.wait_for("window.towermodes?.answer != null");
+        explored.is_shown();
+        Some(explored)
+    }
+
+    /// The place of a number in the sheet.
+    #[track_caller]
+    fn index(&self, name: &str) -> usize {
+        let parameters = self.sheet["parameters"].as_array().expect("parameters");
+        let mut names = parameters.iter().map(|one| one["name"].as_str());
+        names.position(|one| one == Some(name)).expect(name)
+    }
+
+    /// The row of a number, in an open group.
+    fn row(&self, name: &str) -> String {
+        let row = format!("document.getElementById('number-{}')", self.index(name));
+        self.page
+            .value(&format!("({row}.closest('details').open = true, 0)"));
+        row
+    }
+
+    /// Moves the slider of a number through values, as the hand does.
+    fn slide(&self, name: &str, values: &[f64]) {
+        let row = self.row(name);
+        for value in values {
+            self.page.value(&format!(
+                "(() => {{ const slider = {row}.querySelector('input[type=range]'); slider.value = {value}; \
+                 slider.dispatchEvent(new Event('input', {{ bubbles: true }})); return 0; }})()"
+            ));
+            self.is_shown();
+        }
+        self.page.value(&format!(
+            "({row}.querySelector('input[type=range]').dispatchEvent(new Event('change', {{ bubbles: true }})), 0)"
+        ));
+    }
+
+    /// Types into the field of a number.
+    fn enter(&self, name: &str, text: &str) {
+        let row = self.row(name);
+        self.page.value(&format!(
+            "(() => {{ const field = {row}.querySelector('input.field'); field.focus(); field.select(); return 0; }})()"
+        ));
+        self.page.call("Input.insertText", &json!({ "text": text }));
+        self.page.value(&format!(
+            "({row}.querySelector('input.field').dispatchEvent(new Event('change', {{ bubbles: true }})), 0)"
+        ));
+        self.page.wait_for("window.towermodes.pending === false");
+    }
+
+    /// Waits until what is set is what is shown.
+    fn is_shown(&self) {
+        self.page.wait_for("window.towermodes.pending === false");
+    }
+
+    /// The frequencies that the page shows, with all digits, Hz.
+    fn frequencies_hz(&self) -> Vec<f64> {
+        let modes = self
+            .page
+            .value("window.towermodes.answer.modes.map(mode => mode.frequency_hz)");
+        let modes = modes.as_array().expect("modes").iter();
+        modes.map(|hz| hz.as_f64().expect("a number")).collect()
+    }
+
+    /// The frequencies of `solve` for the numbers that the page has set, Hz.
+    fn solved_hz(&self, file: &str) -> Vec<f64> {
+        let state = self.page.value("window.towermodes.state.numbers");
+        let mut command = Command::new(PROGRAM);
+        command
+            .current_dir(root())
+            .args(["solve", file, "--format", "json"]);
+        for (name, value) in state.as_object().expect("numbers") {
+            let value = value.as_f64().expect("a number");
+            command.args(["--set", &format!("{name}={value:e}")]);
+        }
+        solved(&mut command)
+    }
+
+    fn field(&self, name: &str, attribute: &str) -> Value {
+        let row = self.row(name);
+        self.page.value(&format!(
+            "{row}.querySelector('input.field').getAttribute('{attribute}')"
+        ))
+    }
+}
+
+fn solved(command: &mut Command) -> Vec<f64> {
+    let done = command.output().expect("the program runs");
+    let said = String::from_utf8_lossy(&done.stderr);
+    let solution: Value = serde_json::from_slice(&done.stdout).unwrap_or_else(|_| panic!("{said}"));
+    let modes = solution["modes"].as_array().expect("modes").iter();
+    modes
+        .map(|mode| mode["frequency_hz"].as_f64().expect("a number"))
+        .collect()
+}
+
+#[track_caller]
+fn same_digits(own: &[f64], theirs: &[f64]) {
+    let count = own.len().min(theirs.len());
+    assert!(count >= 4, "{own:?} {theirs:?}");
+    assert_eq!(own[..count], theirs[..count]);
+}
+
+#[test]
+fn sliding_and_typing_give_the_digits_of_solve() {
+    let Some(of) = Explored::open(&[MONOPILE], WIDE) else {
+        return;
+    };
+    same_digits(&of.frequencies_hz(), &of.solved_hz(MONOPILE));
+    let before = of.page.value(FREQUENCIES);
+    of.slide("rna.mass", &[340e3, 330e3, 320e3]);
+    of.slide("stations[1].wall", &[0.055, 0.05]);
+    of.enter("foundation.rocking", "1.25e11");
+    assert_ne!(of.page.value(FREQUENCIES), before);
+    let state = of.page.value("window.towermodes.state.numbers");
+    assert_eq!(state["rna.mass"], 320e3);
+    assert_eq!(state["foundation.rocking"], 1.25e11);
+    same_digits(&of.frequencies_hz(), &of.solved_hz(MONOPILE));
+    // The table has what the terminal prints.
+    let shown = of
+        .page
+        .value("window.towermodes.answer.modes.map(mode => mode.frequency)");
+    assert_eq!(of.page.value(FREQUENCIES), shown);
+    of.page.was_quiet();
+}
+
+#[test]
+fn a_whole_column_is_multiplied() {
+    let Some(of) = Explored::open(&["examples/nrel-5mw.toml"], WIDE) else {
+        return;
+    };
+    let column = "document.querySelector('.row.column[id$=\"-2\"]')";
+    of.row("stations[0].wall");
+    of.page.value(&format!(
+        "(() => {{ const slider = {column}.querySelector('input[type=range]'); slider.value = 1.1; \
+         slider.dispatchEvent(new Event('input', {{ bubbles: true }})); \
+         slider.dispatchEvent(new Event('change', {{ bubbles: true }})); return 0; }})()"
+    ));
+    of.is_shown();
+    let mut command = Command::new(PROGRAM);
+    let arguments = [
+        "solve",
+        "examples/nrel-5mw.toml",
+        "--format",
+        "json",
+        "--set",
+        "scale(stations[*].wall)=1.1",
+    ];
+    let scaled = solved(command.current_dir(root()).args(arguments));
+    // The page rounds each product to twelve digits.
+    let own = of.frequencies_hz();
+    assert!(own.len() >= 4);
+    for (own, scaled) in own.iter().zip(&scaled) {
+        assert!((own - scaled).abs() < 1e-11 * scaled, "{own} {scaled}");
+    }
+    of.page.was_quiet();
+}
+
+#[test]
+fn undo_redo_and_reset_go_through_the_states() {
+    let Some(of) = Explored::open(&[MONOPILE], WIDE) else {
+        return;
+    };
+    let first = of.frequencies_hz();
+    // A whole slide is one step.
+    of.slide("rna.mass", &[345e3, 340e3, 335e3]);
+    let second = of.frequencies_hz();
+    of.slide("stations[1].wall", &[0.055]);
+    let third = of.frequencies_hz();
+    let at = |expected: &[f64]| {
+        of.is_shown();
+        assert_eq!(of.frequencies_hz(), expected);
+    };
+    of.page.click("#undo");
+    at(&second);
+    of.page.click("#undo");
+    at(&first);
+    assert_eq!(
+        of.page.value("document.querySelector('#undo').disabled"),
+        true
+    );
+    of.page.click("#redo");
+    at(&second);
+    of.page.click("#redo");
+    at(&third);
+    of.page.click("#reset");
+    at(&first);
+    of.page.click("#undo");
+    at(&third);
+    of.page.was_quiet();
+}
+
+#[test]
+fn a_refused_tower_is_named_at_its_field() {
+    let Some(of) = Explored::open(&[MONOPILE], WIDE) else {
+        return;
+    };
+    let before = of.page.value(FREQUENCIES);
+    of.enter("stations[1].wall", "-0.06");
+    assert_eq!(of.field("stations[1].wall", "aria-invalid"), "true");
+    let message = of.page.text(&format!(
+        "{}.querySelector('.message').textContent",
+        of.row("stations[1].wall")
+    ));
+    assert!(message.contains("wall thickness is -0.06 m"), "{message}");
+    // The last good tower stays, and the page says that it is not the present one.
+    assert_eq!(of.page.value(FREQUENCIES), before);
+    assert_eq!(of.page.value("window.towermodes.isCurrent"), false);
+    of.enter("stations[1].wall", "0.06");
+    assert_ne!(of.field("stations[1].wall", "aria-invalid"), "true");
+    assert_eq!(of.page.value("window.towermodes.isCurrent"), true);
+    // What is no number is answered without the program.
+    of.enter("stations[1].wall", "60 mm");
+    assert_eq!(of.field("stations[1].wall", "aria-invalid"), "true");
+    of.enter("stations[1].wall", "0,06");
+    let message = of.page.text(&format!(
+        "{}.querySelector('.message').textContent",
+        of.row("stations[1].wall")
+    ));
+    assert!(message.contains("0.06"), "{message}");
+    // A tower that cannot be solved is the fault of no one field.
+    of.enter("stations[1].wall", "0.06");
+    of.enter("rna.mass", "1e8");
+    let said = of
+        .page
+        .text("document.querySelector('#notices').textContent");
+    assert!(said.contains("buckle"), "{said}");
+    of.page.was_quiet();
+}
+
+#[test]
+fn two_variants_are_compared() {
+    let Some(of) = Explored::open(&[MONOPILE], WIDE) else {
+        return;
+    };
+    let first = of.frequencies_hz();
+    of.page.click("#keep");
+    of.slide("rna.mass", &[300e3]);
+    let second = of.frequencies_hz();
+    let cells = of.page.value(
+        "[...document.querySelectorAll('#modes tbody tr')[0].querySelectorAll('.of-a')].map(cell => cell.textContent)",
+    );
+    let number = |cell: &Value| -> f64 {
+        let text = cell.as_str().expect("a text").replace('\u{2212}', "-");
+        text.trim_matches(|c: char| c == '+' || c.is_whitespace() || c == '\u{2007}')
+            .parse()
+            .expect("a number")
+    };
+    assert!((number(&cells[0]) - first[0]).abs() < 1e-6, "{cells}");
+    assert!(
+        (number(&cells[1]) - (second[0] - first[0])).abs() < 1e-6,
+        "{cells}"
+    );
+    let percent = 100.0 * (second[0] / first[0] - 1.0);
+    assert!(
+        (number(&cells[2]) - percent).abs() < 0.0051,
+        "{cells} {percent}"
+    );
+    let listed = of
+        .page
+        .text("document.querySelector('#compare').textContent");
+    assert!(listed.contains("rna.mass"), "{listed}");
+    // Swapping shows the first tower again.
+    of.page.value("([...document.querySelectorAll('#compare button')].find(one => one.textContent === 'Swap').click(), 0)");
+    of.is_shown();
+    assert_eq!(of.frequencies_hz(), first);
+    of.page.was_quiet();
+}
+
+/// The eccentric RNA of the monopile couples side-side bending and torsion: as the inertia about the
+/// axis grows, torsion comes down through the second side-side mode. Each keeps its name and colour.
+#[test]
+fn modes_that_exchange_order_keep_name_and_colour() {
+    let Some(of) = Explored::open(&[MONOPILE], WIDE) else {
+        return;
+    };
+    let place = |name: &str| {
+        let names = of.page.value(NAMES);
+        let names = names.as_array().expect("rows").clone();
+        let found = names.iter().position(|one| one[0] == name);
+        let place = found.unwrap_or_else(|| panic!("{name} is not in {names:?}"));
+        (place, names[place][1].clone())
+    };
+    let (torsion, torsion_colour) = place("1st torsion");
+    let (bending, bending_colour) = place("2nd side-side bending");
+    assert!(torsion > bending);
+    let zz = of.sheet["parameters"][of.index("rna.inertia.zz")]["value"]
+        .as_f64()
+        .expect("a number");
+    // Beyond the range of the slider: the field.
+    for step in 1..=30 {
+        of.enter(
+            "rna.inertia.zz",
+            &format!("{:e}", zz * (1.0 + 0.15 * f64::from(step))),
+        );
+    }
+    let (after, colour) = place("1st torsion");
+    assert_eq!(colour, torsion_colour);
+    let (other, other_colour) = place("2nd side-side bending");
+    assert_eq!(other_colour, bending_colour);
+    assert!(after < other, "torsion {after}, bending {other}");
+    of.page.was_quiet();
+}
+
+#[test]
+fn the_file_that_is_taken_away_has_the_digits_of_the_page() {
+    let Some(of) = Explored::open(&[MONOPILE], WIDE) else {
+        return;
+    };
+    let folder = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join("explore-downloads");
+    let _ = std::fs::remove_dir_all(&folder);
+    std::fs::create_dir_all(&folder).expect("a folder");
+    let allowed = json!({ "behavior": "allow", "downloadPath": folder.display().to_string() });
+    of.page.call("Page.setDownloadBehavior", &allowed);
+    of.slide("rna.mass", &[300e3]);
+    of.enter("stations[1].wall", "0.0555");
+    of.page.click("#take summary");
+    of.page.value("([...document.querySelectorAll('#take-list button')].find(one => one.textContent === 'Tower file').click(), 0)");
+    let file = folder.join("monopile.toml");
+    let begun = Instant::now();
+    while !std::fs::metadata(&file).is_ok_and(|of| of.len() > 0) {
+        assert!(
+            begun.elapsed() < Duration::from_secs(20),
+            "nothing is saved"
+        );
+        std::thread::sleep(Duration::from_millis(50));
+    }
+    std::thread::sleep(Duration::from_millis(100));
+    let path = file.display().to_string();
+    let mut command = Command::new(PROGRAM);
+    let taken = solved(command.args(["solve", &path, "--format", "json"]));
+    same_digits(&of.frequencies_hz(), &taken);
+    let text = std::fs::read_to_string(&file).expect("the file");
+    assert!(
+        text.contains("# Pile and tower are one tube"),
+        "comments are lost"
+    );
+    of.page.was_quiet();
+}
+
+#[test]
+fn nothing_is_lost_by_a_reload() {
+    let Some(of) = Explored::open(&[MONOPILE], WIDE) else {
+        return;
+    };
+    of.slide("rna.mass", &[300e3]);
+    of.page.click("#keep");
+    of.enter("stations[1].wall", "0.0555");
+    let before = (of.frequencies_hz(), of.page.value(FREQUENCIES));
+    of.page.call("Page.reload", &json!({}));
+    std::thread::sleep(Duration::from_millis(300));
+    of.page.wait_for("window.towermodes?.answer != null");
+    of.is_shown();
+    assert_eq!((of.frequencies_hz(), of.page.value(FREQUENCIES)), before);
+    let listed = "document.querySelector('#compare').textContent";
+    of.page
+        .wait_for(&format!("{listed}.includes('stations[1].wall')"));
+    of.page.click("#undo");
+    of.is_shown();
+    assert_eq!(
+        of.page
+            .value("window.towermodes.state.numbers['stations[1].wall'] ?? null"),
+        Value::Null
+    );
+    of.page.was_quiet();
+}
+
+#[test]
+fn numbers_in_the_address_that_cannot_be_are_named() {
+    let explorer = Explorer::start(&[MONOPILE]);
+    let address = || {
+        format!(
+            "{}#rna.mass=300000&rna.mas=1&stations%5B1%5D.wall=x",
+            explorer.address
+        )
+    };
+    let Some(page) = OpenPage::at(address, WIDE, &WEBGL) else {
+        return;
+    };
+    page.wait_for("window.towermodes?.answer != null");
+    let said = page.text("document.querySelector('#notices').textContent");
+    assert!(
+        said.contains("rna.mas") && said.contains("stations[1].wall"),
+        "{said}"
+    );
+    assert_eq!(
+        page.value("window.towermodes.state.numbers"),
+        json!({ "rna.mass": 300000 })
+    );
+    page.was_quiet();
+}
+
+#[test]
+fn a_program_that_has_ended_is_named() {
+    let Some(mut of) = Explored::open(&[MONOPILE], WIDE) else {
+        return;
+    };
+    of.explorer.process.kill().expect("it ends");
+    of.explorer.process.wait().expect("it has ended");
+    of.slide("rna.mass", &[]);
+    let row = of.row("rna.mass");
+    of.page.value(&format!(
+        "(() => {{ const slider = {row}.querySelector('input[type=range]'); slider.value = 300000; \
+         slider.dispatchEvent(new Event('input', {{ bubbles: true }})); \
+         slider.dispatchEvent(new Event('change', {{ bubbles: true }})); return 0; }})()"
+    ));
+    of.page.wait_for("document.querySelector('#notices').textContent.includes('towermodes explore examples/monopile.toml')");
+    assert!(of.page.text("location.hash").contains("rna.mass=300000"));
+}
+
+/// Every control has a name, nothing is wider than the window, in every width and theme.
+#[test]
+fn it_fits_every_window() {
+    for (width, is_dark) in [
+        (1400, false),
+        (1400, true),
+        (900, false),
+        (360, false),
+        (360, true),
+    ] {
+        let Some(of) = Explored::open(&[MONOPILE], View { width, is_dark }) else {
+            return;
+        };
+        of.row("rna.mass");
+        let widest = of.page.value("document.documentElement.scrollWidth");
+        assert!(
+            widest.as_u64() <= Some(u64::from(width)),
+            "{width}: {widest}"
+        );
+        let unnamed = of.page.value(
+            "[...document.querySelectorAll('button, input, select, summary, [tabindex=\"0\"]')].filter(one => one.offsetParent !== null)\
+             .filter(one => !(one.getAttribute('aria-label') || one.getAttribute('aria-labelledby') || one.labels?.length || one.textContent.trim()))\
+             .map(one => one.outerHTML)",
+        );
+        assert_eq!(unnamed, json!([]), "{width}");
+        let name = format!("explore-{width}-{}", if is_dark { "dark" } else { "light" });
+        of.page.keep_picture(&name);
+        of.page.was_quiet();
+    }
+}
+
+/// Times of the page itself, from the event of a slider to the drawn result. They are printed, not judged:
+/// machines differ. `--nocapture` shows them.
+#[test]
+fn it_measures_how_long_a_move_takes() {
+    let peer = std::env::var("TOWERMODES_PEER_DATA").ok();
+    let turbine = peer.map(|folder| format!("{folder}/{IEA_15}"));
+    for file in [Some(MONOPILE.to_owned()), turbine].into_iter().flatten() {
+        let Some(of) = Explored::open(
+            &[&file],
+            View {
+                width: 1400,
+                is_dark: false,
+            },
+        ) else {
+            return;
+        };
+        of.row("rna.mass");
+        let row = of.row("rna.mass");
+        let moves = 200;
+        of.page.value(&format!(
+            "(async () => {{ const slider = {row}.querySelector('input[type=range]'); \
+             for (let k = 0; k < {moves}; k++) {{ slider.value = Number(slider.min) + (Number(slider.max) - Number(slider.min)) * ((k * 0.37) % 1); \
+             slider.dispatchEvent(new Event('input', {{ bubbles: true }})); \
+             await new Promise(next => requestAnimationFrame(() => requestAnimationFrame(next))); \
+             while (window.towermodes.pending) await new Promise(next => setTimeout(next, 1)); }} window.movesDone = true; }})() && 0"
+        ));
+        of.page.wait_for("window.movesDone === true");
+        let times = of
+            .page
+            .value("window.towermodes.timings.map(time => time.event_ms)");
+        let mut times: Vec<f64> = times
+            .as_array()
+            .expect("times")
+            .iter()
+            .filter_map(Value::as_f64)
+            .collect();
+        assert!(times.len() >= moves / 2, "{}", times.len());
+        times.sort_by(f64::total_cmp);
+        let quantile = |share: f64| times[((times.len() - 1) as f64 * share) as usize];
+        eprintln!(
+            "{file}: event to picture, median {:.1} ms, 95 % {:.1} ms, {} moves",
+            quantile(0.5),
+            quantile(0.95),
+            times.len()
+        );
+        of.page.was_quiet();
+    }
+}
+
+/// A windIO turbine of the public models.
+const IEA_15: &str = "windio/v2/IEA-15-240-RWT.yaml";
+
+/// Many random moves of random sliders: no message on the console, no leak, and what is shown is what
+/// `solve` computes for the same numbers.
+#[test]
+fn random_moves_leave_no_trace() {
+    let moves = std::env::var("TOWERMODES_MOVES")
+        .ok()
+        .and_then(|text| text.parse().ok())
+        .unwrap_or(1000_usize);
+    let Some(of) = Explored::open(
+        &[MONOPILE],
+        View {
+            width: 1000,
+            is_dark: false,
+        },
+    ) else {
+        return;
+    };
+    of.page
+        .value("(document.querySelectorAll('details.group').forEach(one => one.open = true), 0)");
+    let heap = || {
+        of.page.call("HeapProfiler.collectGarbage", &json!({}));
+        of.page.call("Runtime.getHeapUsage", &json!({}))["usedSize"]
+            .as_f64()
+            .expect("bytes")
+    };
+    let batch = 250.min(moves);
+    let mut warm = 0.0;
+    for round in 0..moves.div_ceil(batch) {
+        of.page.value(&format!(
+            "(async () => {{ window.movesDone = false; let seed = {round} * 7919 + 1; \
+             const random = () => (seed = (seed * 48271) % 2147483647) / 2147483647; \
+             const sliders = [...document.querySelectorAll('.row:not(.column) input[type=range]')]; \
+             for (let k = 0; k < {batch}; k++) {{ const slider = sliders[Math.floor(random() * sliders.length)]; \
+             slider.value = Number(slider.min) + (Number(slider.max) - Number(slider.min)) * random(); \
+             slider.dispatchEvent(new Event('input', {{ bubbles: true }})); \
+             if (random() < 0.3) slider.dispatchEvent(new Event('change', {{ bubbles: true }})); \
+             if (random() < 0.02) document.getElementById('undo').click(); \
+             if (random() < 0.01) document.getElementById('reset').click(); \
+             await new Promise(next => setTimeout(next, 0)); }} \
+             while (window.towermodes.pending) await new Promise(next => setTimeout(next, 1)); window.movesDone = true; }})() && 0"
+        ));
+        of.page.wait_for("window.movesDone === true");
+        // What is shown is what `solve` computes, where the last move was no refusal.
+        if round % 8 == 0 && of.page.value("window.towermodes.isCurrent") == Value::Bool(true) {
+            same_digits(&of.frequencies_hz(), &of.solved_hz(MONOPILE));
+        }
+        // The first rounds fill what is kept on purpose: steps of undo, measured times.
+        if round == moves.div_ceil(batch) / 4 {
+            warm = heap();
+        }
+    }
+    let after = heap();
+    eprintln!(
+        "{moves} moves: heap {:.1} MB, then {:.1} MB",
+        warm / 1e6,
+        after / 1e6
+    );
+    assert!(after < 1.2 * warm + 2e6, "{warm} bytes, then {after}");
+    of.page.was_quiet();
+}
