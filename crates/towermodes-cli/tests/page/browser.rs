@@ -182,11 +182,14 @@ impl OpenPage {
             "Runtime.exceptionThrown",
             "Runtime.consoleAPICalled",
         ];
-        assert_eq!(
-            browser.events(&printed),
-            Vec::<Value>::new(),
-            "on the console"
-        );
+        // Chromium reports how its drawing without a graphics card works; no page can help it.
+        let is_of_driver = |event: &Value| {
+            let text = event["entry"]["text"].as_str().unwrap_or_default();
+            event["entry"]["source"] == "rendering" && text.contains("GL Driver Message")
+        };
+        let mut printed = browser.events(&printed);
+        printed.retain(|event| !is_of_driver(event));
+        assert_eq!(printed, Vec::<Value>::new(), "on the console");
         let requests = browser.events(&["Network.requestWillBeSent"]);
         let requests = requests
             .iter()
