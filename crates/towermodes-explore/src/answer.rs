@@ -207,15 +207,20 @@ fn verdicted(campbell: &Campbell, number: usize) -> Option<Verdicted> {
         let by_verdict = a.verdict.cmp(&b.verdict);
         by_verdict.then(near(a).total_cmp(&near(b)))
     })?;
-    let distance = match worst.distance {
-        0.0 => format!("crossing at {} rpm", four_digits(worst.nearest_rpm)),
-        _ => campbell.distance_percent(worst) + " %",
+    let multiple = worst.multiple;
+    let text = match worst.distance {
+        0.0 => format!(
+            "{multiple}P crosses at {} rpm",
+            four_digits(worst.nearest_rpm)
+        ),
+        _ => {
+            let excitation = four_digits(worst.excitation_hz);
+            let distance = campbell.distance_percent(worst);
+            format!("{multiple}P at {excitation} Hz, {distance} %")
+        }
     };
-    let excitation = four_digits(worst.excitation_hz);
-    Some(Verdicted {
-        word: word(worst.verdict),
-        text: format!("{}P at {excitation} Hz, {distance}", worst.multiple),
-    })
+    let word = word(worst.verdict);
+    Some(Verdicted { word, text })
 }
 
 fn word(verdict: Verdict) -> &'static str {
