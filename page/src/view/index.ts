@@ -3,3 +3,4 @@
 export type * from "./scene.js";
 export { TowerView, isSupported } from "./view.js";
 export * as motion from "./motion.js";
+export { Pictures } from "./pictures.js";
