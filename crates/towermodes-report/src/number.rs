@@ -49,8 +49,30 @@ pub(crate) fn given(value: f64) -> String {
 }
 
 /// A number rounded to five significant digits, for coordinates.
+///
+/// A scene has thousands of them, and the page of the explorer asks for a scene in every frame: text
+/// is formatted and read only where arithmetic could round to the other side.
 pub(crate) fn five_digits(value: f64) -> f64 {
-    format!("{value:.4e}").parse().unwrap_or(value)
+    let exact = || format!("{value:.4e}").parse().unwrap_or(value);
+    let decade = value.abs().log10().floor();
+    // A power of ten in this range is exact, so that one division or multiplication rounds once.
+    let Some(places) = Some(4.0 - decade).filter(|places| places.abs() <= 22.0) else {
+        return exact();
+    };
+    let power = 10.0_f64.powi(places.abs() as i32);
+    let is_small = places > 0.0;
+    let scaled = if is_small {
+        value * power
+    } else {
+        value / power
+    };
+    let whole = scaled.round();
+    let is_between = ((scaled - whole).abs() - 0.5).abs() < 1e-6;
+    match is_between || !(1e4..1e5).contains(&scaled.abs()) {
+        true => exact(),
+        false if is_small => whole / power,
+        false => whole * power,
+    }
 }
 
 /// A length of the input, m: as it was given if it has at most six significant digits, else to the
@@ -178,6 +200,30 @@ mod tests {
         assert_eq!(five_digits(0.322_126_8), 0.322_13);
         assert_eq!(five_digits(-123_456.0), -123_460.0);
         assert_eq!(five_digits(0.0), 0.0);
+    }
+
+    /// The arithmetic gives what the text gives, also for ties, next to powers of ten, and at the
+    /// ends of double precision.
+    #[test]
+    fn five_digits_are_those_of_the_text() {
+        let mut values = vec![
+            1.0, 9.999_95, 99_999.5, 0.123_455, 1e-320, 1e308, 1e22, 1e-22,
+        ];
+        let mut seed = 1_u64;
+        for _ in 0..200_000 {
+            seed = seed
+                .wrapping_mul(6_364_136_223_846_793_005)
+                .wrapping_add(1_442_695_040_888_963_407);
+            let share = (seed >> 11) as f64 / (1_u64 << 53) as f64;
+            let decade = ((seed >> 3) % 60) as i32 - 30;
+            values.push((share - 0.5) * 10.0_f64.powi(decade));
+            // A tie in its decimals.
+            values.push(((share * 1e5).floor() + 0.5) / 10.0_f64.powi(decade.rem_euclid(12)));
+        }
+        for value in values.into_iter().flat_map(|value| [value, -value]) {
+            let text: f64 = format!("{value:.4e}").parse().expect("a number");
+            assert_eq!(five_digits(value), text, "{value:e}");
+        }
     }
 
     #[test]
