@@ -1,5 +1,8 @@
 //! `towermodes explore`.
 
+use std::sync::OnceLock;
+use std::time::Instant;
+
 use towermodes_explore::server::Server;
 use towermodes_explore::{Exploration, Explorer, Reporter, State};
 use towermodes_files::TowerInput;
@@ -59,7 +62,14 @@ fn exploration(file: TowerInput, arguments: &ExploreArguments) -> Result<Explora
         solving: arguments.solving_words(),
         rotating: arguments.rotor.words(),
         report: reporter(),
+        clock,
     })
+}
+
+/// Milliseconds since it was first asked.
+fn clock() -> f64 {
+    static START: OnceLock<Instant> = OnceLock::new();
+    1e3 * START.get_or_init(Instant::now).elapsed().as_secs_f64()
 }
 
 /// Writes the reports of `towermodes report`.

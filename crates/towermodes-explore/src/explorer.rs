@@ -1,9 +1,8 @@
 //! A tower as its file describes it, and the answers to what a page asks about it.
 
 use std::sync::{Mutex, PoisonError};
-use std::time::Instant;
 
-use towermodes::{Options, Solution, Tower, Workspace, solve_certain};
+use towermodes::{Method, Options, Solution, Tower, Workspace, solve_certain};
 use towermodes_analysis::influence::influences;
 use towermodes_analysis::resonance::{
     Assessment, CampbellOptions, GivenRotor, assess, reach_hz, solve_to_reach,
@@ -21,6 +20,9 @@ use super::take::{Take, TakeError, Taken};
 /// Writes the report of an input: the page, or why there is none. The words are the command that
 /// writes the same report.
 pub type Reporter = Box<dyn Fn(TowerInput, &[String]) -> Result<String, String> + Send + Sync>;
+
+/// Heights of the shapes: as many as the page draws.
+pub const POINTS: usize = 51;
 
 /// What an explorer needs to know.
 pub struct Exploration {
@@ -44,6 +46,37 @@ pub struct Exploration {
     pub rotating: Vec<String>,
     /// Writes reports.
     pub report: Reporter,
+    /// Milliseconds from any moment on, to measure times.
+    pub clock: fn() -> f64,
+}
+
+impl Exploration {
+    /// What an explorer needs to know where only the file says how the tower is solved.
+    pub fn of_file(input: TowerInput, file: String, report: Reporter, clock: fn() -> f64) -> Self {
+        let method = input.method.unwrap_or_default();
+        let borders_m = input.borders_m.clone();
+        let own = Options::default();
+        let options = Options {
+            method,
+            modes: input.modes.unwrap_or(own.modes),
+            borders_m: borders_m.filter(|_| method == Method::Bmodes),
+            points: POINTS,
+            ..own
+        };
+        Self {
+            input,
+            options,
+            covers_excitations: true,
+            rotor: GivenRotor::default(),
+            campbell: CampbellOptions::default(),
+            file,
+            reading: Vec::new(),
+            solving: Vec::new(),
+            rotating: Vec::new(),
+            report,
+            clock,
+        }
+    }
 }
 
 /// The tower under the user's hand.
@@ -91,12 +124,12 @@ impl Explorer {
     /// # Errors
     /// [`Refusal`]: the tower cannot be, or cannot be solved.
     pub fn solve(&self, state: &State) -> Result<Answer, Refusal> {
-        let started = Instant::now();
+        let started = self.now_ms();
         let solved = self.solved(state)?;
         let mut answer = Answer::new(&solved, &self.exploration.input);
         answer.time = Timed {
             solve_ms: solved.solve_ms,
-            answer_ms: milliseconds_since(started),
+            answer_ms: self.now_ms() - started,
         };
         Ok(answer)
     }
@@ -143,11 +176,11 @@ impl Explorer {
 
     pub(crate) fn solved(&self, state: &State) -> Result<Solved, Refusal> {
         let (input, tower) = self.changed(state)?;
-        let started = Instant::now();
+        let started = self.now_ms();
         let mut options = self.options(&input);
         let solution = self.solution(&input, &tower, &mut options);
         let solution = solution.map_err(|error| Refusal::of_solve(&error))?;
-        let solve_ms = milliseconds_since(started);
+        let solve_ms = self.now_ms() - started;
         let assessment = self.assessment(&input, &tower, &solution)?;
         Ok(Solved {
             input,
@@ -205,14 +238,14 @@ impl Explorer {
         options
     }
 
+    fn now_ms(&self) -> f64 {
+        (self.exploration.clock)()
+    }
+
     fn workspace(&self) -> std::sync::MutexGuard<'_, Workspace> {
         // A workspace is scratch memory: a panic leaves nothing in it that the next solve reads.
         self.workspace
             .lock()
             .unwrap_or_else(PoisonError::into_inner)
     }
-}
-
-fn milliseconds_since(started: Instant) -> f64 {
-    1e3 * started.elapsed().as_secs_f64()
 }

@@ -22,7 +22,7 @@ mod take;
 
 pub use answer::{Answer, AnsweredMode, Fact, Remark, Resonance, Timed, Verdicted};
 pub use elasticity::{Elasticities, ElasticityQuestion};
-pub use explorer::{Exploration, Explorer, Reporter};
+pub use explorer::{Exploration, Explorer, POINTS, Reporter};
 pub use page::{PageFile, page_files};
 pub use question::{Question, Reply};
 pub use refusal::{Refusal, Refused};

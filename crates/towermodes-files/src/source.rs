@@ -152,6 +152,14 @@ impl Source {
         if let Err(error) = reader.take(MAX_FILE_BYTES + 1).read_to_end(&mut bytes) {
             return Err(FileError::System { name, error });
         }
+        Self::from_bytes(name, bytes)
+    }
+
+    /// The text of a file whose bytes are known, in UTF-8 or Latin-1.
+    ///
+    /// # Errors
+    /// [`FileError`].
+    pub fn from_bytes(name: String, bytes: Vec<u8>) -> Result<Self, FileError> {
         if bytes.len() as u64 > MAX_FILE_BYTES {
             return Err(FileError::TooLarge { name });
         }

@@ -2,6 +2,7 @@
 
 use clap::Args;
 use towermodes::{MAX_SEGMENTS, Method, Options};
+use towermodes_explore::POINTS;
 
 use super::input::InputArguments;
 use super::model::{ModelArguments, up_to_excitations};
@@ -79,6 +80,3 @@ impl ExploreArguments {
         .concat()
     }
 }
-
-/// Heights of the shapes: as many as the page draws.
-const POINTS: usize = 51;

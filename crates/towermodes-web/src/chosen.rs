@@ -1,0 +1,114 @@
+//! The files that a user chose, and the tower in them.
+
+use std::cell::RefCell;
+use std::collections::BTreeSet;
+
+use towermodes_files::{
+    FileError, FileResolver, Input, ReadError, ReadOptions, Source, TowerInput, read_source,
+    recognize,
+};
+
+/// What is said of a rotating blade.
+const BLADE: &str = "this is a deck of a rotating blade; it can be used only with the command solve";
+
+/// Files in memory, without their folders.
+#[derive(Default)]
+pub(crate) struct ChosenFiles {
+    files: Vec<Source>,
+}
+
+impl ChosenFiles {
+    /// Adds a file.
+    ///
+    /// # Errors
+    /// The bytes are no text.
+    pub(crate) fn add(&mut self, name: String, bytes: Vec<u8>) -> Result<(), FileError> {
+        self.files.push(Source::from_bytes(name, bytes)?);
+        Ok(())
+    }
+
+    /// The tower of the files: that of the one file that no other file names.
+    ///
+    /// # Errors
+    /// Why there is no tower, or more than one.
+    pub(crate) fn tower(&self) -> Result<TowerInput, String> {
+        let mut readings = self.readings();
+        let named: BTreeSet<String> = readings.iter().flat_map(|of| of.named.clone()).collect();
+        readings.retain(|of| !named.contains(&of.name));
+        match readings.len() {
+            0 => Err("no file has been chosen that is the main file of a tower".to_owned()),
+            1 => readings.remove(0).tower,
+            _ => {
+                let names: Vec<String> = readings.into_iter().map(|of| of.name).collect();
+                Err(format!(
+                    "each of these files describes a tower: {}; choose one of them, with the files that it names",
+                    names.join(", ")
+                ))
+            }
+        }
+    }
+
+    /// Each file read as the main file; files of no known format only if there is nothing else.
+    fn readings(&self) -> Vec<ReadAsMain> {
+        let known: Vec<&Source> = self.files.iter().filter(|file| recognize(file).is_some()).collect();
+        match known.is_empty() {
+            true => self.files.iter().take(1).map(|file| self.read(file)).collect(),
+            false => known.into_iter().map(|file| self.read(file)).collect(),
+        }
+    }
+
+    fn read(&self, main: &Source) -> ReadAsMain {
+        let siblings = Siblings {
+            files: &self.files,
+            named: RefCell::default(),
+        };
+        let tower = match read_source(main.clone(), &siblings, &ReadOptions::default()) {
+            Ok(Input::Tower(input)) => input.check().map(|of| of.input).map_err(|error| said(&error)),
+            Ok(Input::Blade(_)) => Err(format!("{}: {BLADE}", main.name)),
+            Err(error) => Err(said(&error)),
+        };
+        ReadAsMain {
+            name: main.name.clone(),
+            named: siblings.named.into_inner(),
+            tower,
+        }
+    }
+}
+
+/// A file read as the main file.
+struct ReadAsMain {
+    name: String,
+    /// The chosen files that it names.
+    named: BTreeSet<String>,
+    tower: Result<TowerInput, String>,
+}
+
+/// The words of an error, with what a user of the page can do.
+fn said(error: &ReadError) -> String {
+    match error {
+        ReadError::Unreadable(FileError::Missing { .. }) => {
+            format!("{error}; choose it together with the file that names it")
+        }
+        error => error.to_string(),
+    }
+}
+
+/// The chosen files as siblings of a main file.
+struct Siblings<'f> {
+    files: &'f [Source],
+    named: RefCell<BTreeSet<String>>,
+}
+
+impl FileResolver for Siblings<'_> {
+    /// The file of this name in any folder; in other letters, capital or small, if there is no such
+    /// one, as on the disks of Windows.
+    fn read(&self, path: &str) -> Result<Source, FileError> {
+        let name = path.rsplit(['/', '\\']).next().unwrap_or(path);
+        let exact = self.files.iter().find(|file| file.name == name);
+        let mut alike = self.files.iter().filter(|file| file.name.eq_ignore_ascii_case(name));
+        let found = exact.or_else(|| alike.next());
+        let found = found.ok_or_else(|| FileError::Missing { name: path.to_owned() })?;
+        self.named.borrow_mut().insert(found.name.clone());
+        Ok(found.clone())
+    }
+}

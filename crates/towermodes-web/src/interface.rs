@@ -1,0 +1,186 @@
+//! What a page calls, and what it is called for.
+//!
+//! Bytes go both ways through the memory of the module: the page asks for [`room`], writes there,
+//! and calls; it reads what is at [`answer`]. No function takes a pointer.
+//!
+//! | call | text in the room | returns |
+//! |---|---|---|
+//! | `begin()` | | |
+//! | `put(n)` | the name of a file in `n` bytes, its content | a [`Kind`] |
+//! | `open()` | | a [`Kind`] |
+//! | `ask(n)` | the name of a question in `n` bytes, its body | a [`Kind`] |
+
+// An exported name must be unique, and an imported function must be what it is declared as: the
+// compiler can see neither. There is no other unsafe code.
+#![allow(unsafe_code)]
+
+use std::cell::RefCell;
+
+use towermodes_explore::{Exploration, Explorer, Question, Reply};
+use towermodes_report::report::quoted;
+
+use crate::chosen::ChosenFiles;
+
+#[link(wasm_import_module = "page")]
+unsafe extern "C" {
+    /// Milliseconds from any moment on.
+    safe fn now_ms() -> f64;
+    /// Takes the message of a panic, text in UTF-8 at an address; the module traps afterwards.
+    safe fn failed(message: *const u8, length: usize);
+}
+
+/// What an answer is.
+#[derive(Clone, Copy)]
+#[repr(u32)]
+enum Kind {
+    /// A document in JSON; empty where nothing is to say.
+    Json = 0,
+    /// A file: the lines of its name and of its media type, then its content.
+    File = 1,
+    /// No file, with the refusal of the tower in JSON.
+    Refused = 2,
+    /// A message: why there is no such answer.
+    Message = 3,
+}
+
+/// What lies between page and explorer.
+struct Desk {
+    room: Vec<u8>,
+    answer: Vec<u8>,
+    files: ChosenFiles,
+    explorer: Option<Explorer>,
+}
+
+thread_local! {
+    static DESK: RefCell<Desk> = RefCell::new(Desk {
+        room: Vec::new(),
+        answer: Vec::new(),
+        files: ChosenFiles::default(),
+        explorer: None,
+    });
+}
+
+/// Makes ready; called first, once.
+#[unsafe(no_mangle)]
+pub extern "C" fn begin() {
+    std::panic::set_hook(Box::new(|panic| {
+        let message = panic.to_string();
+        failed(message.as_ptr(), message.len());
+    }));
+}
+
+/// The address of so many bytes to write to, until the next call.
+#[unsafe(no_mangle)]
+pub extern "C" fn room(length: usize) -> *mut u8 {
+    with(|desk| {
+        desk.room.clear();
+        desk.room.resize(length, 0);
+        desk.room.as_mut_ptr()
+    })
+}
+
+/// The address of the answer to the last call.
+#[unsafe(no_mangle)]
+pub extern "C" fn answer() -> *const u8 {
+    with(|desk| desk.answer.as_ptr())
+}
+
+/// Its number of bytes.
+#[unsafe(no_mangle)]
+pub extern "C" fn answer_length() -> usize {
+    with(|desk| desk.answer.len())
+}
+
+/// Adds a file.
+#[unsafe(no_mangle)]
+pub extern "C" fn put(name_length: usize) -> u32 {
+    answered(|desk| {
+        let (name, content) = desk.taken(name_length);
+        match desk.files.add(name, content) {
+            Ok(()) => (Kind::Json, Vec::new()),
+            Err(error) => message(&error.to_string()),
+        }
+    })
+}
+
+/// Opens the tower of the files; then it can be asked.
+#[unsafe(no_mangle)]
+pub extern "C" fn open() -> u32 {
+    answered(|desk| match desk.files.tower() {
+        Err(error) => message(&error),
+        Ok(input) => {
+            let name = input.files().next().unwrap_or_default().to_owned();
+            let report = Box::new(|_, words: &[String]| Err(no_report(words)));
+            let exploration = Exploration::of_file(input, name, report, now);
+            desk.explorer = Some(Explorer::new(exploration));
+            (Kind::Json, Vec::new())
+        }
+    })
+}
+
+/// Asks the tower.
+#[unsafe(no_mangle)]
+pub extern "C" fn ask(name_length: usize) -> u32 {
+    answered(|desk| {
+        let (name, body) = desk.taken(name_length);
+        let mut all = Question::ALL.into_iter();
+        let question = all.find(|question| question.name() == name);
+        match (&desk.explorer, question) {
+            (None, _) => message("no tower is open"),
+            (_, None) => message(&format!("`{name}` is not a question of the page")),
+            (Some(explorer), Some(question)) => told(explorer.reply(question, &body)),
+        }
+    })
+}
+
+fn now() -> f64 {
+    now_ms()
+}
+
+fn with<T>(action: impl FnOnce(&mut Desk) -> T) -> T {
+    DESK.with(|desk| action(&mut desk.borrow_mut()))
+}
+
+/// Keeps the answer of an action and returns its kind.
+fn answered(action: impl FnOnce(&mut Desk) -> (Kind, Vec<u8>)) -> u32 {
+    with(|desk| {
+        let (kind, answer) = action(desk);
+        desk.answer = answer;
+        kind as u32
+    })
+}
+
+impl Desk {
+    /// What the page has written: a name of so many bytes, and what follows.
+    fn taken(&mut self, name_length: usize) -> (String, Vec<u8>) {
+        let mut name = std::mem::take(&mut self.room);
+        let rest = name.split_off(name_length.min(name.len()));
+        (String::from_utf8_lossy(&name).into_owned(), rest)
+    }
+}
+
+fn told(reply: Reply) -> (Kind, Vec<u8>) {
+    match reply {
+        Reply::Json(text) => (Kind::Json, text),
+        Reply::Refused(text) => (Kind::Refused, text),
+        Reply::NoFile(text) | Reply::Wrong(text) => message(&text),
+        Reply::File(file) => {
+            let head = format!("{}\n{}\n", file.name, file.media_type);
+            (Kind::File, [head.into_bytes(), file.content].concat())
+        }
+    }
+}
+
+fn message(text: &str) -> (Kind, Vec<u8>) {
+    (Kind::Message, text.as_bytes().to_vec())
+}
+
+/// The report is written by the program.
+fn no_report(words: &[String]) -> String {
+    let quoted = words.iter().map(|word| quoted(word));
+    let quoted: Vec<String> = quoted.collect();
+    format!(
+        "This page writes no report. The program towermodes does: {}",
+        quoted.join(" ")
+    )
+}
