@@ -15,5 +15,5 @@ const common = {
 };
 
 await build({ ...common, entryPoints: ["src/view/index.ts"], globalName: "towermodesView", outfile: `${report}/view.js` });
-await build({ ...common, entryPoints: ["src/explore/main.ts"], outfile: `${explore}/explore.js` });
+await build({ ...common, entryPoints: ["src/explore/index.ts"], outfile: `${explore}/explore.js` });
 await build({ ...common, entryPoints: ["src/explore/explore.css"], outfile: `${explore}/explore.css` });

@@ -4,12 +4,9 @@ use std::cell::RefCell;
 use std::collections::BTreeSet;
 
 use towermodes_files::{
-    FileError, FileResolver, Input, ReadError, ReadOptions, Source, TowerInput, read_source,
-    recognize,
+    Diagnostic, DiagnosticKind, FileError, FileResolver, Input, ReadError, ReadOptions, Source,
+    TowerInput, read_source, recognize,
 };
-
-/// What is said of a rotating blade.
-const BLADE: &str = "this is a deck of a rotating blade; it can be used only with the command solve";
 
 /// Files in memory, without their folders.
 #[derive(Default)]
@@ -50,9 +47,18 @@ impl ChosenFiles {
 
     /// Each file read as the main file; files of no known format only if there is nothing else.
     fn readings(&self) -> Vec<ReadAsMain> {
-        let known: Vec<&Source> = self.files.iter().filter(|file| recognize(file).is_some()).collect();
+        let known: Vec<&Source> = self
+            .files
+            .iter()
+            .filter(|file| recognize(file).is_some())
+            .collect();
         match known.is_empty() {
-            true => self.files.iter().take(1).map(|file| self.read(file)).collect(),
+            true => self
+                .files
+                .iter()
+                .take(1)
+                .map(|file| self.read(file))
+                .collect(),
             false => known.into_iter().map(|file| self.read(file)).collect(),
         }
     }
@@ -61,12 +67,14 @@ impl ChosenFiles {
         let siblings = Siblings {
             files: &self.files,
             named: RefCell::default(),
+            missing: RefCell::default(),
         };
         let tower = match read_source(main.clone(), &siblings, &ReadOptions::default()) {
-            Ok(Input::Tower(input)) => input.check().map(|of| of.input).map_err(|error| said(&error)),
-            Ok(Input::Blade(_)) => Err(format!("{}: {BLADE}", main.name)),
-            Err(error) => Err(said(&error)),
+            Ok(Input::Tower(input)) => input.check().map(|of| of.input),
+            Ok(Input::Blade(_)) => Err(blade(main)),
+            Err(error) => Err(error),
         };
+        let tower = tower.map_err(|error| error.to_string() + &siblings.remedy(&main.name));
         ReadAsMain {
             name: main.name.clone(),
             named: siblings.named.into_inner(),
@@ -83,20 +91,30 @@ struct ReadAsMain {
     tower: Result<TowerInput, String>,
 }
 
-/// The words of an error, with what a user of the page can do.
-fn said(error: &ReadError) -> String {
-    match error {
-        ReadError::Unreadable(FileError::Missing { .. }) => {
-            format!("{error}; choose it together with the file that names it")
-        }
-        error => error.to_string(),
-    }
+fn blade(main: &Source) -> ReadError {
+    let found = "a deck of a rotating blade, which only the command solve reads".to_owned();
+    ReadError::mistake(
+        main,
+        Diagnostic::new(0..0, DiagnosticKind::WrongFile { found }),
+    )
 }
 
 /// The chosen files as siblings of a main file.
 struct Siblings<'f> {
     files: &'f [Source],
     named: RefCell<BTreeSet<String>>,
+    missing: RefCell<BTreeSet<String>>,
+}
+
+impl Siblings<'_> {
+    /// What the user of the page can do about files that are missing.
+    fn remedy(&self, main: &str) -> String {
+        let missing: Vec<String> = self.missing.borrow().iter().cloned().collect();
+        match missing.is_empty() {
+            true => String::new(),
+            false => format!("\nOpen {main} together with {}.", missing.join(", ")),
+        }
+    }
 }
 
 impl FileResolver for Siblings<'_> {
@@ -105,9 +123,17 @@ impl FileResolver for Siblings<'_> {
     fn read(&self, path: &str) -> Result<Source, FileError> {
         let name = path.rsplit(['/', '\\']).next().unwrap_or(path);
         let exact = self.files.iter().find(|file| file.name == name);
-        let mut alike = self.files.iter().filter(|file| file.name.eq_ignore_ascii_case(name));
+        let mut alike = self
+            .files
+            .iter()
+            .filter(|file| file.name.eq_ignore_ascii_case(name));
         let found = exact.or_else(|| alike.next());
-        let found = found.ok_or_else(|| FileError::Missing { name: path.to_owned() })?;
+        let Some(found) = found else {
+            self.missing.borrow_mut().insert(name.to_owned());
+            return Err(FileError::Missing {
+                name: path.to_owned(),
+            });
+        };
         self.named.borrow_mut().insert(found.name.clone());
         Ok(found.clone())
     }

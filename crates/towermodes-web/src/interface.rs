@@ -9,6 +9,7 @@
 //! | `put(n)` | the name of a file in `n` bytes, its content | a [`Kind`] |
 //! | `open()` | | a [`Kind`] |
 //! | `ask(n)` | the name of a question in `n` bytes, its body | a [`Kind`] |
+//! | `colours()` | | a [`Kind`] |
 
 // An exported name must be unique, and an imported function must be what it is declared as: the
 // compiler can see neither. There is no other unsafe code.
@@ -17,7 +18,7 @@
 use std::cell::RefCell;
 
 use towermodes_explore::{Exploration, Explorer, Question, Reply};
-use towermodes_report::report::quoted;
+use towermodes_report::report::{page_colours, quoted};
 
 use crate::chosen::ChosenFiles;
 
@@ -131,6 +132,12 @@ pub extern "C" fn ask(name_length: usize) -> u32 {
             (Some(explorer), Some(question)) => told(explorer.reply(question, &body)),
         }
     })
+}
+
+/// Gives the style sheet with the colours of the page, which is built with it.
+#[unsafe(no_mangle)]
+pub extern "C" fn colours() -> u32 {
+    answered(|_| (Kind::Json, page_colours().into_bytes()))
 }
 
 fn now() -> f64 {

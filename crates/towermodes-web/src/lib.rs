@@ -4,7 +4,5 @@
 //! of the module has one tower; the page makes another for other files. There is no clock and no
 //! disk: the page gives both.
 
-#![cfg(target_family = "wasm")]
-
 mod chosen;
 mod interface;

@@ -22,7 +22,7 @@ declare global {
   }
 }
 
-async function start(): Promise<void> {
+export async function start(): Promise<void> {
   offerThemes();
   skipWithoutAddress();
   try {
@@ -51,5 +51,3 @@ function skipWithoutAddress(): void {
     });
   }
 }
-
-void start();

@@ -44,6 +44,18 @@ export function rememberPage(file: string, memory: Memory): void {
   remember(key(file), JSON.stringify(memory));
 }
 
+/** Forgets what was set on any file. */
+export function forgetPages(): void {
+  try {
+    const keys = Object.keys(sessionStorage).filter((name) => name.startsWith(PREFIX));
+    for (const name of keys) sessionStorage.removeItem(name);
+  } catch {
+    // Nothing is remembered where the memory is refused.
+  }
+}
+
+const PREFIX = "towermodes-explore ";
+
 function key(file: string): string {
-  return `towermodes-explore ${file}`;
+  return PREFIX + file;
 }

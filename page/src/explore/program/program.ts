@@ -1,4 +1,4 @@
-// The program that serves the page, as functions.
+// The program that answers the page, as functions.
 
 import type { Answer, Elasticities, Reproduction, Refusal, Sheet, State, Take } from "../protocol.js";
 
@@ -7,6 +7,21 @@ export class ProgramEnded extends Error {}
 
 /** The program answers with an error status and a text. */
 export class Refused extends Error {}
+
+/** Answers a question with a status and a body, as the server of the page does. */
+export type Program = (question: string, body: object | null) => Promise<Reply>;
+
+/** What the page reads of an answer. */
+export type Reply = Pick<Response, "ok" | "status" | "json" | "text" | "blob"> & {
+  headers: Pick<Headers, "get">;
+};
+
+let program: Program = served;
+
+/** From now on another program answers. */
+export function answerBy(other: Program): void {
+  program = other;
+}
 
 export function sheet(): Promise<Sheet> {
   return ask("sheet", null).then((response) => response.json() as Promise<Sheet>);
@@ -35,12 +50,17 @@ export async function take(state: State, what: Take): Promise<{ name: string; co
   return { name, content: await response.blob() };
 }
 
-async function ask(address: string, body: object | null): Promise<Response> {
-  const response = await fetch(address, body === null ? {} : {
+async function ask(question: string, body: object | null): Promise<Reply> {
+  const response = await program(question, body);
+  if (!response.ok) throw new Refused((await response.text()).trim() || `The program answers with status ${response.status}.`);
+  return response;
+}
+
+/** The program that serves this page. */
+function served(question: string, body: object | null): Promise<Response> {
+  return fetch(question, body === null ? {} : {
     method: "POST", body: JSON.stringify(body), headers: { "Content-Type": "application/json" },
   }).catch(() => {
     throw new ProgramEnded();
   });
-  if (!response.ok) throw new Refused((await response.text()).trim() || `The program answers with status ${response.status}.`);
-  return response;
 }

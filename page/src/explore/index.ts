@@ -1,0 +1,5 @@
+// The page that the program serves.
+
+import { start } from "./main.js";
+
+void start();
