@@ -12,16 +12,11 @@ use serde_json::{Value, json};
 
 use super::server::Explorer;
 use crate::page::browser::{OpenPage, View, WIDE};
+use crate::page::devtools::Graphics;
 use crate::pages::root;
 use crate::sandbox::PROGRAM;
 
 const MONOPILE: &str = "examples/monopile.toml";
-/// The browser draws in three dimensions without a graphics card.
-const WEBGL: [&str; 3] = [
-    "--use-gl=angle",
-    "--use-angle=swiftshader",
-    "--enable-unsafe-swiftshader",
-];
 /// The names of the modes in the table, with their colours.
 const NAMES: &str = "[...document.querySelectorAll('#modes tbody tr')].filter(row => !row.hidden).map(row => \
      [row.querySelector('.mode-name').textContent, row.querySelector('.swatch').className])";
@@ -41,7 +36,7 @@ impl Explored {
     fn open(arguments: &[&str], view: View) -> Option<Self> {
         let explorer = Explorer::start(arguments);
         let address = || explorer.address.clone();
-        let page = OpenPage::at(address, view, &WEBGL)?;
+        let page = OpenPage::at(address, Graphics::Space, view)?;
         let sheet = explorer.ask("GET", "sheet", b"");
         let sheet = serde_json::from_slice(&sheet.body).expect("JSON");
         let explored = Self {
@@ -427,7 +422,7 @@ fn numbers_in_the_address_that_cannot_be_are_named() {
             explorer.address
         )
     };
-    let Some(page) = OpenPage::at(address, WIDE, &WEBGL) else {
+    let Some(page) = OpenPage::at(address, Graphics::Space, WIDE) else {
         return;
     };
     page.wait_for("window.towermodes?.answer != null");

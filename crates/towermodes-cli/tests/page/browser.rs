@@ -6,7 +6,7 @@ use std::time::{Duration, Instant};
 
 use serde_json::{Value, json};
 
-use super::devtools::{Browser, PATIENCE, bytes_of_base64};
+use super::devtools::{Browser, Graphics, PATIENCE, bytes_of_base64};
 
 /// The variable that names the browser; without it these tests are skipped.
 pub const BROWSER: &str = "TOWERMODES_BROWSER";
@@ -33,19 +33,28 @@ pub const WIDE: View = View {
 };
 
 impl OpenPage {
-    /// Opens a file, which is made first; none if no browser is named.
+    /// Opens a file, which is made first; none if no browser is named. The browser has no WebGL.
     pub fn open(file: impl FnOnce() -> PathBuf, view: View) -> Option<Self> {
-        let address = || format!("file://{}", file().display());
-        Self::at(address, view, &[])
+        Self::open_with(Graphics::Flat, file, view)
     }
 
-    /// Opens an address in a browser with these options; none if no browser is named.
-    pub fn at(address: impl FnOnce() -> String, view: View, options: &[&str]) -> Option<Self> {
+    /// The same in a browser with these graphics.
+    pub fn open_with(
+        graphics: Graphics,
+        file: impl FnOnce() -> PathBuf,
+        view: View,
+    ) -> Option<Self> {
+        let address = || format!("file://{}", file().display());
+        Self::at(address, graphics, view)
+    }
+
+    /// Opens an address in a browser with these graphics; none if no browser is named.
+    pub fn at(address: impl FnOnce() -> String, graphics: Graphics, view: View) -> Option<Self> {
         let Some(program) = std::env::var_os(BROWSER) else {
             eprintln!("skipped: {BROWSER} names no browser");
             return None;
         };
-        let browser = Browser::start(&program, view.width, WINDOW_HEIGHT, options);
+        let browser = Browser::start(&program, (view.width, WINDOW_HEIGHT), graphics);
         let page = Self {
             browser: RefCell::new(browser),
         };
@@ -120,6 +129,27 @@ impl OpenPage {
         }
     }
 
+    /// Drags from the middle of an element by pixels to the right and downwards.
+    pub fn drag(&self, selector: &str, by: (f64, f64)) {
+        let element = format!("document.querySelector({})", json!(selector));
+        let place = self.value(&format!(
+            "(() => {{ const element = {element}; element.scrollIntoView({{ block: 'center', behavior: 'instant' }}); \
+             const box = element.getBoundingClientRect(); return [box.x + box.width / 2, box.y + box.height / 2]; }})()"
+        ));
+        let at = |axis: usize, moved: f64| place[axis].as_f64().expect("a place") + moved;
+        let steps = [
+            ("mousePressed", 0.0),
+            ("mouseMoved", 0.5),
+            ("mouseMoved", 1.0),
+            ("mouseReleased", 1.0),
+        ];
+        for (kind, share) in steps {
+            let (x, y) = (at(0, share * by.0), at(1, share * by.1));
+            let event = json!({ "type": kind, "x": x, "y": y, "button": "left", "buttons": 1, "clickCount": 1 });
+            self.call("Input.dispatchMouseEvent", &event);
+        }
+    }
+
     /// Presses a key where the focus is.
     pub fn press(&self, key: &str) {
         let (code, number) = match key {
@@ -127,6 +157,8 @@ impl OpenPage {
             "Tab" => ("Tab", 9),
             "ArrowLeft" => ("ArrowLeft", 37),
             "ArrowRight" => ("ArrowRight", 39),
+            "+" => ("NumpadAdd", 107),
+            "0" => ("Digit0", 48),
             _ => panic!("no code for the key {key}"),
         };
         let mut event = json!({ "key": key, "code": code, "windowsVirtualKeyCode": number });
@@ -182,13 +214,8 @@ impl OpenPage {
             "Runtime.exceptionThrown",
             "Runtime.consoleAPICalled",
         ];
-        // Chromium reports how its drawing without a graphics card works; no page can help it.
-        let is_of_driver = |event: &Value| {
-            let text = event["entry"]["text"].as_str().unwrap_or_default();
-            event["entry"]["source"] == "rendering" && text.contains("GL Driver Message")
-        };
-        let mut printed = browser.events(&printed);
-        printed.retain(|event| !is_of_driver(event));
+        let printed = browser.events(&printed).into_iter();
+        let printed: Vec<Value> = printed.filter(|event| !is_of_software(event)).collect();
         assert_eq!(printed, Vec::<Value>::new(), "on the console");
         let requests = browser.events(&["Network.requestWillBeSent"]);
         let requests = requests
@@ -208,4 +235,11 @@ impl OpenPage {
             "{requests:?}"
         );
     }
+}
+
+/// Whether the browser says no more than that pictures are slow to read where the processor draws
+/// them.
+fn is_of_software(event: &Value) -> bool {
+    let text = event["entry"]["text"].as_str().unwrap_or_default();
+    text.contains("GL Driver Message (OpenGL, Performance") && text.contains("ReadPixels")
 }

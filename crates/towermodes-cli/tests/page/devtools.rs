@@ -18,6 +18,28 @@ pub const PATIENCE: Duration = Duration::from_secs(30);
 /// Connects the two descriptors with standard input and output.
 const LAUNCH: &str = r#"exec "$0" "$@" 3<&0 4>&1 0</dev/null 1>/dev/null 2>/dev/null"#;
 
+/// Whether the browser draws in three dimensions.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Graphics {
+    /// It does not.
+    Flat,
+    /// WebGL, drawn by the processor.
+    Space,
+}
+
+impl Graphics {
+    fn arguments(self) -> &'static [&'static str] {
+        match self {
+            Self::Flat => &["--disable-3d-apis"],
+            Self::Space => &[
+                "--use-gl=angle",
+                "--use-angle=swiftshader",
+                "--enable-unsafe-swiftshader",
+            ],
+        }
+    }
+}
+
 /// A running browser with one page.
 pub struct Browser {
     process: Child,
@@ -31,9 +53,9 @@ pub struct Browser {
 }
 
 impl Browser {
-    /// Starts a browser with an empty page in a window of a width and height, with these options
-    /// beside the usual ones.
-    pub fn start(program: &std::ffi::OsStr, width: u32, height: u32, options: &[&str]) -> Self {
+    /// Starts a browser with an empty page in a window of a width and height.
+    pub fn start(program: &std::ffi::OsStr, size: (u32, u32), graphics: Graphics) -> Self {
+        let (width, height) = size;
         static COUNT: AtomicUsize = AtomicUsize::new(0);
         let number = COUNT.fetch_add(1, Ordering::Relaxed);
         let name = format!("browser-{}-{number}", std::process::id());
@@ -46,7 +68,7 @@ impl Browser {
             .args(["--no-sandbox", "--disable-dev-shm-usage", "--no-first-run"])
             .args(["--disable-background-networking", "--disable-extensions"])
             .args(["--force-color-profile=srgb", "--hide-scrollbars"])
-            .args(options)
+            .args(graphics.arguments())
             .arg(format!("--window-size={width},{height}"))
             .arg(format!("--user-data-dir={}", profile.display()))
             .stdin(Stdio::piped())

@@ -4,8 +4,9 @@
 //! `TOWERMODES_SCREENSHOTS` names a folder for pictures of the pages.
 
 pub mod browser;
-mod devtools;
+pub mod devtools;
 mod report;
+mod space;
 
 use serde_json::Value;
 use sha2::Digest;

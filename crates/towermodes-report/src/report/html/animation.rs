@@ -3,6 +3,7 @@
 use super::text;
 use crate::figures::{AnimatedMode, AnimationData, Body, Substance};
 use crate::report::error::ReportError;
+use crate::view::VIEW_SCRIPT;
 
 /// How many modes are chosen at first.
 const CHOSEN: usize = 2;
@@ -26,6 +27,7 @@ pub(super) fn of_animation(data: &AnimationData) -> Result<String, ReportError> 
             SCALE
         },
         bodies = bodies(&data.bodies),
+        view = VIEW_SCRIPT,
         // Neither `</script` nor `<!--` may be in a script.
         data = json.replace('<', "\\u003c"),
     ))

@@ -24,6 +24,7 @@ const SCRIPT: &str = concat!(
     include_str!("script/motion.js"),
     include_str!("script/view.js"),
     include_str!("script/paint.js"),
+    include_str!("script/space.js"),
     include_str!("script/controls.js"),
     "})();\n"
 );

@@ -23,8 +23,9 @@ function build() {
     const row = drawn(figure, "div", { class: "views" });
     return views.map((name) => picture(row, mode, name, frames[name]));
   });
+  fillSpace();
   limit(modes.length);
-  draw();
+  draw(true);
 }
 
 // At most so many modes at once; which, is said to those who listen.
@@ -38,9 +39,14 @@ function limit(count) {
     : `Shown: ${names.join("; ")}.${names.length >= MOST_SHOWN ? ` No more than ${MOST_SHOWN} at once.` : ""}`;
 }
 
-function draw() {
-  const sections = new Map(shownModes().map((mode) => [mode, sectionsAt(mode, Math.cos(state.phase) * reach(mode, state.percent))]));
-  state.pictures.forEach((shown) => move(shown, sections.get(shown.mode)));
+// Drawings that are on paper only are not moved unless asked for.
+function draw(isForPaper = false) {
+  const scales = new Map(shownModes().map((mode) => [mode, Math.cos(state.phase) * reach(mode, state.percent)]));
+  const sections = new Map([...scales].map(([mode, scale]) => [mode, sectionsAt(mode, scale)]));
+  state.pictures.forEach((shown) => {
+    if (isForPaper || !shown.canvas) move(shown, sections.get(shown.mode));
+    if (shown.canvas) pictures?.draw(shown.canvas, poseOf(shown.mode, scales.get(shown.mode)));
+  });
   const turns = state.phase / (2 * Math.PI);
   const degrees = Math.round(360 * (turns - Math.round(turns)));
   if (state.playing) byId("animation-phase").value = degrees;
@@ -50,7 +56,12 @@ function draw() {
 
 function showDirection() {
   VIEWS.space.azimuth = Number(byId("animation-azimuth").value);
-  byId("animation-azimuth-text").textContent = `${VIEWS.space.azimuth}\u00b0`.replace("-", "\u2212");
+  pictures?.turn(VIEWS.space.azimuth + HALF_TURN);
+  writeDirection();
+}
+
+function writeDirection() {
+  byId("animation-azimuth-text").textContent = `${Math.round(VIEWS.space.azimuth)}\u00b0`.replace("-", "\u2212");
 }
 
 function showSpeed() {
@@ -102,7 +113,8 @@ byId("animation-phase").addEventListener("input", (event) => {
 });
 byId("animation-azimuth").addEventListener("input", () => {
   showDirection();
-  build();
+  if (pictures === null) build();
+  else draw();
 });
 ["animation-modes", "animation-view-boxes"].forEach((id) => byId(id).addEventListener("change", build));
 // Buttons and boxes have the space bar to themselves; everywhere else in the section it plays and pauses, once a press.
@@ -119,7 +131,7 @@ window.addEventListener("beforeprint", () => {
   setPlaying(false);
   state.phase = 0;
   byId("animation-phase").value = 0;
-  draw();
+  build();
 });
 
 // A browser may have kept what was chosen before the page was loaded anew, and what was disabled.
@@ -127,5 +139,6 @@ byId("animation-phase").disabled = false;
 state.percent = Number(byId("animation-amplitude").value);
 state.phase = Number(byId("animation-phase").value) * DEGREE;
 showDirection();
+pictures = openSpace();
 showSpeed();
 build();

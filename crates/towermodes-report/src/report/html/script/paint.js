@@ -49,7 +49,7 @@ function picture(parent, mode, name, frame) {
   moved.push(...paths(parts.before), ...paths(parts.around));
   if (name === "space") drawDirections(svg, frame);
   drawn(cell, "p", { class: "view-name", "aria-hidden": "true" }, view.name);
-  return { mode, name, frame, moved, deformed, rims, seam };
+  return { mode, name, cell, frame, moved, deformed, rims, seam };
 }
 
 // A picture as its mode is at a multiple of its shape.
