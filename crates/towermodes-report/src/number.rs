@@ -50,8 +50,8 @@ pub(crate) fn given(value: f64) -> String {
 
 /// A number rounded to five significant digits, for coordinates.
 ///
-/// A scene has thousands of them, and the page of the explorer asks for a scene in every frame: text
-/// is formatted and read only where arithmetic could round to the other side.
+/// A scene has thousands of them, and the page of the explorer asks for a scene in every frame:
+/// text is formatted and read only where arithmetic could round to the other side.
 pub(crate) fn five_digits(value: f64) -> f64 {
     let exact = || format!("{value:.4e}").parse().unwrap_or(value);
     let decade = value.abs().log10().floor();

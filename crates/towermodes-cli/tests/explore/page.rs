@@ -1,8 +1,8 @@
 //! The page of the explorer in a browser: what is set, what is shown, what is taken away.
 //!
-//! `TOWERMODES_BROWSER` names a Chromium; without it these tests are skipped. `TOWERMODES_MOVES` is the
-//! number of random moves of sliders, 1000 by default. `TOWERMODES_SCREENSHOTS` names a folder for
-//! pictures of the page.
+//! `TOWERMODES_BROWSER` names a Chromium; without it these tests are skipped. `TOWERMODES_MOVES` is
+//! the number of random moves of sliders, 1000 by default. `TOWERMODES_SCREENSHOTS` names a folder
+//! for pictures of the page.
 
 use std::path::PathBuf;
 use std::process::Command;
@@ -314,8 +314,9 @@ fn two_variants_are_compared() {
     of.page.was_quiet();
 }
 
-/// The eccentric RNA of the monopile couples side-side bending and torsion: as the inertia about the
-/// axis grows, torsion comes down through the second side-side mode. Each keeps its name and colour.
+/// The eccentric RNA of the monopile couples side-side bending and torsion: as the inertia about
+/// the axis grows, torsion comes down through the second side-side mode. Each keeps its name and
+/// colour.
 #[test]
 fn modes_that_exchange_order_keep_name_and_colour() {
     let Some(of) = Explored::open(&[MONOPILE], WIDE) else {
@@ -486,8 +487,8 @@ fn it_fits_every_window() {
     }
 }
 
-/// Times of the page itself, from the event of a slider to the drawn result. They are printed, not judged:
-/// machines differ. `--nocapture` shows them.
+/// Times of the page itself, from the event of a slider to the drawn result. They are printed, not
+/// judged: machines differ. `--nocapture` shows them.
 #[test]
 fn it_measures_how_long_a_move_takes() {
     let peer = std::env::var("TOWERMODES_PEER_DATA").ok();
@@ -540,8 +541,8 @@ const ROUNDS: usize = 10;
 /// A windIO turbine of the public models.
 const IEA_15: &str = "windio/v2/IEA-15-240-RWT.yaml";
 
-/// Many random moves of random sliders: no message on the console, no leak, and what is shown is what
-/// `solve` computes for the same numbers.
+/// Many random moves of random sliders: no message on the console, no leak, and what is shown is
+/// what `solve` computes for the same numbers.
 #[test]
 fn random_moves_leave_no_trace() {
     let moves = std::env::var("TOWERMODES_MOVES")
