@@ -44,7 +44,7 @@ impl Refusal {
 
     /// A tower that cannot be solved.
     pub(crate) fn of_solve(error: &SolveError) -> Self {
-        Self::new(error.to_string(), remedy(error), Vec::new())
+        Self::new(error.to_string(), remedy_here(error), Vec::new())
     }
 
     /// A rotor whose excitations cannot be compared.
@@ -58,6 +58,21 @@ impl Refusal {
     /// Numbers that cannot be set.
     pub(crate) fn of_setting(error: &SettingError) -> Self {
         Self::new(error.to_string(), None, Vec::new())
+    }
+}
+
+/// What to change on a page, which has no options of a command line.
+fn remedy_here(error: &SolveError) -> Option<&'static str> {
+    match error {
+        SolveError::Buckles { .. } => {
+            Some("reduce the mass, or increase the diameter or the wall thickness")
+        }
+        SolveError::TooManyModes { .. }
+        | SolveError::TooLarge { .. }
+        | SolveError::TooSlow { .. } => {
+            Some("start the program again with other --modes or --segments")
+        }
+        error => remedy(error),
     }
 }
 
