@@ -1,4 +1,5 @@
-// Bundles the scripts of the pages into the crates that embed them. The Rust build uses these files as they are.
+// Bundles the scripts of the pages into the crates that embed them. The Rust build uses these files
+// as they are.
 import { build } from "esbuild";
 
 const report = "../crates/towermodes-report/src/built";

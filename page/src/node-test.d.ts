@@ -1,4 +1,5 @@
-// The few functions of Node that tests use. The types of all of Node would also hold for the code of the pages.
+// The few functions of Node that tests use. The types of all of Node would also hold for the code
+// of the pages.
 
 declare module "node:test" {
   export function test(name: string, body: () => void | Promise<void>): void;

@@ -57,7 +57,9 @@ const tail = [
   ...scripts.map((text) => `<script>${text}</script>`),
 ];
 
-/** The page of the program without the links to its files, with these at the ends of head and body. */
+/**
+ * The page of the program without the links to its files, with these at the ends of head and body.
+ */
 function assembled(html) {
   const links = /<(link rel="stylesheet" href="[^"]*"|script src="[^"]*" defer)>(<\/script>)?\n/g;
   const count = html.match(links)?.length ?? 0;

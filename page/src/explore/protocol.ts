@@ -1,5 +1,7 @@
-// What the page asks the program, and what it answers. All addresses are relative to that of the page, which contains
-// the token. Bodies and answers are JSON; a broken request is answered with an error status and a text.
+// What the page asks the program, and what it answers. All addresses are relative to that of the
+// page, which contains
+// the token. Bodies and answers are JSON; a broken request is answered with an error status and a
+// text.
 //
 //   GET  sheet                             → Sheet
 //   POST solve          State              → Answer | Refusal
@@ -34,7 +36,10 @@ export interface Group {
   name: string;
   /** "rotor-nacelle assembly", "stations". */
   title: string;
-  /** The names of its columns if it is a list: `stations[*].wall`; all numbers of a column can be multiplied at once. */
+  /**
+   * The names of its columns if it is a list: `stations[*].wall`; all numbers of a column can be
+   * multiplied at once.
+   */
   columns: string[];
 }
 
@@ -104,11 +109,17 @@ export interface Mode {
   frequency: string;
   error: string;
   period_s: number | null;
-  /** Effective masses in x, y, z and about x, y, z as fractions of the whole; null where there is none. */
+  /**
+   * Effective masses in x, y, z and about x, y, z as fractions of the whole; null where there is
+   * none.
+   */
   effective_mass: (number | null)[];
   /** uᵀMu of the shape of the scene. */
   modal_mass: number;
-  /** "1P at 0.31 Hz: 4 % away", and the word of the verdict; null if no excitation is near or there is no rotor. */
+  /**
+   * "1P at 0.31 Hz: 4 % away", and the word of the verdict; null if no excitation is near or there
+   * is no rotor.
+   */
   verdict: { word: "pass" | "warn" | "fail"; text: string } | null;
 }
 

@@ -1,4 +1,5 @@
-// The dots at stations that can be dragged: where they are, which is under the pointer, what a drag asks for.
+// The dots at stations that can be dragged: where they are, which is under the pointer, what a drag
+// asks for.
 
 import { Points } from "three";
 
@@ -97,7 +98,10 @@ export class Pull {
     return this.quantity !== null;
   }
 
-  /** What the pointer asks for; nothing before it has moved far enough. The first answer starts the drag. */
+  /**
+   * What the pointer asks for; nothing before it has moved far enough. The first answer starts the
+   * drag.
+   */
   move(to: [number, number]): Drag | null {
     const isFirst = this.quantity === null;
     this.quantity ??= this.decide(to);

@@ -1,4 +1,5 @@
-// The smallest convex body around points, as triangles that look outwards; flat bodies have two sides.
+// The smallest convex body around points, as triangles that look outwards; flat bodies have two
+// sides.
 
 import type { Point } from "./scene.js";
 
@@ -14,7 +15,10 @@ export interface Hull {
   edges: [number, number, number, number][];
 }
 
-/** Points nearer to a face than this, relative to the size of the body, are on it: they have five digits. */
+/**
+ * Points nearer to a face than this, relative to the size of the body, are on it: they have five
+ * digits.
+ */
 const TOLERANCE = 1e-4;
 
 const minus = (a: Point, b: Point): Point => [a[0] - b[0], a[1] - b[1], a[2] - b[2]];

@@ -1,4 +1,5 @@
-// How the tower and what is fixed to it move: the only place where it is written down. Reports use it too.
+// How the tower and what is fixed to it move: the only place where it is written down. Reports use
+// it too.
 
 import type { Body, Point, Pose, Shape, TowerScene } from "./scene.js";
 
@@ -17,8 +18,10 @@ const RADIANS_PER_PERCENT = (3 * Math.PI) / 180;
 
 const largest = (values: number[]): number => values.reduce((most, value) => Math.max(most, Math.abs(value)), 0);
 
-/** What a shape is multiplied by so that its largest deflection is so many percent of the height, or its largest
- * rotation three degrees a percent where that is less. */
+/**
+ * What a shape is multiplied by so that its largest deflection is so many percent of the height,
+ * or its largest rotation three degrees a percent where that is less.
+ */
 export function reach(scene: TowerScene, mode: Shape, percent: number): number {
   const height = scene.height_m[scene.height_m.length - 1]! - scene.height_m[0]! || 1;
   const moved = Math.max(largest(mode.x), largest(mode.y), largest(mode.z));
@@ -71,7 +74,10 @@ export function sectionAt(sections: Section[], z: number): Section {
   };
 }
 
-/** A vector turned about an axis by the length of that axis (Rodrigues): bodies stay rigid however far they turn. */
+/**
+ * A vector turned about an axis by the length of that axis (Rodrigues): bodies stay rigid however
+ * far they turn.
+ */
 export function turned([x, y, z]: Point, [a, b, c]: Point): Point {
   const angle = Math.hypot(a, b, c);
   if (angle === 0) return [x, y, z];

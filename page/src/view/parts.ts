@@ -1,4 +1,5 @@
-// The bodies around a tower, gathered so that few things are drawn: all that moves with one section is one part.
+// The bodies around a tower, gathered so that few things are drawn: all that moves with one section
+// is one part.
 
 import { Group, LineSegments, Matrix4, Mesh, type RawShaderMaterial } from "three";
 
@@ -17,7 +18,10 @@ export interface Materials {
   line: RawShaderMaterial;
 }
 
-/** Bodies that move as one: of what is drawn the surfaces, the edges, and what is seen through walls. */
+/**
+ * Bodies that move as one: of what is drawn the surfaces, the edges, and what is seen through
+ * walls.
+ */
 class Part {
   readonly group = new Group();
   readonly surfaces = new Vertices(true);

@@ -1,4 +1,5 @@
-// One tower in several poses, each on a canvas of its own: one renderer draws them all, one after the other.
+// One tower in several poses, each on a canvas of its own: one renderer draws them all, one after
+// the other.
 
 import { paletteOf, type Palette } from "./colours.js";
 import { union } from "./eye.js";

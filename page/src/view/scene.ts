@@ -5,8 +5,11 @@ export type Point = [number, number, number];
 
 export type Substance = "rna" | "rotor" | "mass" | "foundation" | "ground" | "soil" | "water" | "link";
 
-/** How the points of a body define its form: `solid` is the smallest convex body around them, `ball`
- * a ball around the only one; of `line` and `spring` the first point follows the tower, the second does not move. */
+/**
+ * How the points of a body define its form: `solid` is the smallest convex body around them,
+ * `ball` a ball around the only one; of `line` and `spring` the first point follows the tower, the
+ * second does not move.
+ */
 export type Form = "solid" | "ball" | "line" | "spring";
 
 /** A body at rest. */
@@ -20,7 +23,10 @@ export interface Body {
   radius_m?: number;
 }
 
-/** A mode at the heights of the scene: the largest translation (of torsion and yaw the largest rotation) is about 1. */
+/**
+ * A mode at the heights of the scene: the largest translation (of torsion and yaw the largest
+ * rotation) is about 1.
+ */
 export interface Shape {
   number: number;
   label: string;
@@ -46,7 +52,10 @@ export interface TowerScene {
   modes: Shape[];
 }
 
-/** Displacements and small or large rotations (vectors, rad) of the sections of a tower, at the heights of its scene. */
+/**
+ * Displacements and small or large rotations (vectors, rad) of the sections of a tower, at the
+ * heights of its scene.
+ */
 export interface Pose {
   displacement: Point[];
   rotation: Point[];
@@ -65,7 +74,10 @@ export interface Handle {
 
 export type DragPhase = "start" | "move" | "end" | "cancel";
 
-/** A station that is being dragged, with what the pointer asks for. One of the two changes in a drag. */
+/**
+ * A station that is being dragged, with what the pointer asks for. One of the two changes in a
+ * drag.
+ */
 export interface Drag {
   station: number;
   phase: DragPhase;
@@ -77,7 +89,9 @@ export interface Drag {
 /** A tap on the tower, without a drag. */
 export interface Tap {
   height_m: number;
-  /** Horizontal direction in which the tower is pushed: away from the viewer, a unit vector (x, y). */
+  /**
+   * Horizontal direction in which the tower is pushed: away from the viewer, a unit vector (x, y).
+   */
   direction: [number, number];
 }
 

@@ -1,4 +1,5 @@
-// What surfaces, lines and handles look like: colours of the page, a light that stands behind the reader.
+// What surfaces, lines and handles look like: colours of the page, a light that stands behind the
+// reader.
 
 import { Color, DoubleSide, FrontSide, GLSL3, RawShaderMaterial } from "three";
 

@@ -1,4 +1,5 @@
-// The lines of a tower: rims, springs and ropes, a line on the shell, and the outline of what was at rest.
+// The lines of a tower: rims, springs and ropes, a line on the shell, and the outline of what was
+// at rest.
 
 import type { Vertices } from "./buffer.js";
 import { mix, type Palette, type Rgb } from "./colours.js";

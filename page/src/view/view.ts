@@ -18,7 +18,10 @@ export function isSupported(): boolean {
   return support().isThere;
 }
 
-/** The tower in three dimensions in an element of a page. Colours are the variables `--tm-*` of the page. */
+/**
+ * The tower in three dimensions in an element of a page. Colours are the variables `--tm-*` of the
+ * page.
+ */
 export class TowerView {
   private readonly stage = new Stage();
   private readonly tower = new TowerModel();
@@ -49,7 +52,10 @@ export class TowerView {
     this.follow();
   }
 
-  /** Shows a tower, and a second one beside it, paler, to compare with. The camera stays where the user put it; the first call frames the tower. */
+  /**
+   * Shows a tower, and a second one beside it, paler, to compare with. The camera stays where the
+   * user put it; the first call frames the tower.
+   */
   show(tower: TowerScene, beside: TowerScene | null = null): void {
     const isFirst = this.tower.scene === null;
     const isOther = this.beside.group.visible !== (beside !== null);
@@ -67,14 +73,19 @@ export class TowerView {
     this.draw();
   }
 
-  /** The stations that can be dragged; drawn as handles while the pointer is over the view or the view has the focus. */
+  /**
+   * The stations that can be dragged; drawn as handles while the pointer is over the view or the
+   * view has the focus.
+   */
   handles(stations: Handle[]): void {
     this.dots.set(stations);
     this.tower.rims = this.dots.heights;
     this.later();
   }
 
-  /** The direction of the eye: azimuth about the tower from the upwind side and elevation, degrees. */
+  /**
+   * The direction of the eye: azimuth about the tower from the upwind side and elevation, degrees.
+   */
   look(azimuth: number, elevation: number): void {
     this.stage.eye.look(azimuth, elevation);
     if (!this.isOwn && !this.isInSight()) this.fit();
