@@ -7,7 +7,8 @@ import { recallPage, rememberPage, type Memory } from "./memory.js";
 import { Follower } from "./modes/follow.js";
 import type { Moving } from "./modes/player.js";
 import { notice, say, withdraw } from "./notices.js";
-import { fromAddress, toAddress } from "./numbers/address.js";
+import { fromAddress } from "./numbers/address.js";
+import { AddressBar } from "./numbers/bar.js";
 import { tidy } from "./numbers/entry.js";
 import { History, isSame } from "./numbers/history.js";
 import { ComparePanel } from "./panels/compare.js";
@@ -35,6 +36,7 @@ const AWAITED_MS = 80;
 export class Explorer {
   readonly timings = new Timings();
   private queue: SolveQueue;
+  private address = new AddressBar();
   private history: History;
   private follower: Follower;
   private shown: Solved | null = null;
@@ -97,7 +99,10 @@ export class Explorer {
       tap: () => this.stage.tapTop(),
     });
     // A reload, or another page in this tab: what is remembered is all that is left.
-    addEventListener("pagehide", () => this.remember());
+    addEventListener("pagehide", () => {
+      this.address.write();
+      this.remember();
+    });
     addEventListener("hashchange", () => this.set(this.fromAddress()));
     new TakeMenu({
       state: () => this.history.present,
@@ -166,9 +171,7 @@ export class Explorer {
   }
 
   private stepDone(): void {
-    const address = toAddress(this.history.present);
-    // Without the numbers of before, also when there are none.
-    window.history.replaceState(null, "", address === "" ? location.pathname + location.search : `#${address}`);
+    this.address.show(this.history.present);
     this.showTools();
   }
 
