@@ -22,7 +22,7 @@ use super::take::{Take, TakeError, Taken};
 pub type Reporter = Box<dyn Fn(TowerInput, &[String]) -> Result<String, String> + Send + Sync>;
 
 /// Heights of the shapes: as many as the page draws.
-pub const POINTS: usize = 51;
+pub const POINTS: usize = 41;
 
 /// What an explorer needs to know.
 pub struct Exploration {
