@@ -59,6 +59,7 @@ mod method;
 pub mod modes;
 pub mod number;
 pub mod parameter;
+pub mod scalar;
 pub mod sensitivity;
 mod solve;
 pub mod space;

@@ -17,6 +17,8 @@
 //!
 //! Any other D is a compile-time error.
 
+use crate::scalar::Scalar;
+
 /// One entry of the rigid-body transformation X(h) = 1 + h·Σ sign·e_moved e_byᵀ.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Lever {
@@ -57,8 +59,11 @@ pub(crate) const fn levers(components: usize) -> &'static [Lever] {
     }
 }
 
+/// A D×D matrix with entries S, Hermitian if they are complex; both triangles are stored.
+pub type SquareMatrix<S, const D: usize> = [[S; D]; D];
+
 /// A symmetric D×D matrix; both triangles are stored.
-pub type Matrix<const D: usize> = [[f64; D]; D];
+pub type Matrix<const D: usize> = SquareMatrix<f64, D>;
 
 /// A symmetric matrix for the motion (x, y, z, rotation about x, y, z) of a point.
 ///
@@ -67,17 +72,19 @@ pub type SpatialMatrix = Matrix<6>;
 
 /// Replaces a motion v by the motion X v of the point `rise_m` above (m, rad).
 #[inline]
-pub fn transform_motion<const D: usize>(motion: &mut [f64; D], rise_m: f64) {
+pub fn transform_motion<const D: usize, S: Scalar>(motion: &mut [S; D], rise_m: f64) {
     for lever in const { levers(D) } {
-        motion[lever.moved] += lever.sign * rise_m * motion[lever.by];
+        let by = motion[lever.by];
+        motion[lever.moved] += by.times(lever.sign * rise_m);
     }
 }
 
 /// Replaces a force f by its equivalent Xᵀ f at the point `rise_m` below (N, N m).
 #[inline]
-pub fn transform_force<const D: usize>(force: &mut [f64; D], rise_m: f64) {
+pub fn transform_force<const D: usize, S: Scalar>(force: &mut [S; D], rise_m: f64) {
     for lever in const { levers(D) } {
-        force[lever.by] += lever.sign * rise_m * force[lever.moved];
+        let moved = force[lever.moved];
+        force[lever.by] += moved.times(lever.sign * rise_m);
     }
 }
 
@@ -92,14 +99,14 @@ pub fn transform_force<const D: usize>(force: &mut [f64; D], rise_m: f64) {
 /// assert_eq!(inertia, [[2.0, 6.0], [6.0, 18.0]]);
 /// ```
 #[inline]
-pub fn transform_matrix<const D: usize>(matrix: &mut Matrix<D>, rise_m: f64) {
+pub fn transform_matrix<const D: usize, S: Scalar>(matrix: &mut SquareMatrix<S, D>, rise_m: f64) {
     for row in matrix.iter_mut() {
         transform_force(row, rise_m);
     }
     for lever in const { levers(D) } {
         let moved = matrix[lever.moved];
         for (entry, moved) in matrix[lever.by].iter_mut().zip(moved) {
-            *entry += lever.sign * rise_m * moved;
+            *entry += moved.times(lever.sign * rise_m);
         }
     }
 }

@@ -1,7 +1,8 @@
 //! A chain of flexible elements.
 
 use super::strain::Deformation;
-use crate::space::{Matrix, add_scaled, levers, transform_matrix, transform_motion};
+use crate::scalar::Scalar;
+use crate::space::{Matrix, SquareMatrix, add_scaled, levers, transform_matrix, transform_motion};
 use crate::subsystem::{Coefficients, MatrixKind};
 
 /// A chain of flexible elements, in D motion components, clamped or on a base that moves.
@@ -248,19 +249,19 @@ pub(super) fn rigid_motion<const D: usize>(rise_m: f64) -> Matrix<D> {
     matrix
 }
 
-/// sum += Aᵀ B A for a D×rows matrix A, both row by row.
+/// sum += Aᵀ B A for a real D×rows matrix A, all row by row.
 #[inline]
-pub(super) fn add_congruent<const D: usize>(
-    b: &Matrix<D>,
+pub(super) fn add_congruent<const D: usize, S: Scalar>(
+    b: &SquareMatrix<S, D>,
     a: &[f64],
     rows: usize,
-    sum: &mut [f64],
+    sum: &mut [S],
 ) {
     for i in 0..rows {
-        let left: [f64; D] =
-            std::array::from_fn(|d| (0..D).map(|e| b[e][d] * a[e * rows + i]).sum());
+        let left: [S; D] =
+            std::array::from_fn(|d| (0..D).map(|e| b[e][d].times(a[e * rows + i])).sum());
         for j in 0..rows {
-            let term: f64 = (0..D).map(|d| left[d] * a[d * rows + j]).sum();
+            let term: S = (0..D).map(|d| left[d].times(a[d * rows + j])).sum();
             sum[i * rows + j] += term;
         }
     }

@@ -2,6 +2,7 @@
 //! forces.
 
 use super::model::Beam;
+use crate::scalar::Scalar;
 use crate::space::{add, times, transform_force, transform_motion};
 use crate::subsystem::Coefficients;
 
@@ -102,11 +103,11 @@ fn split<'x, const D: usize>(beam: &Beam<D>, x: &'x [f64]) -> (&'x [f64], &'x [f
     x.split_at(beam.base_coordinates())
 }
 
-pub(super) fn base_motion<const D: usize>(beam: &Beam<D>, coordinates: &[f64]) -> [f64; D] {
-    let mut motion = [0.0; D];
+pub(super) fn base_motion<const D: usize, S: Scalar>(beam: &Beam<D>, coordinates: &[S]) -> [S; D] {
+    let mut motion = [S::default(); D];
     if let Some(base) = &beam.base {
         for (component, x) in base.moving().zip(coordinates) {
-            motion[component] = base.unit[component] * x;
+            motion[component] = x.times(base.unit[component]);
         }
     }
     motion
