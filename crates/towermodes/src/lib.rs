@@ -42,6 +42,7 @@
 //! | the mesh and the elements; that of the paper is `elements/rmje.rs` | [`elements`] |
 //! | rigid bodies and elastic joints, the paper's eq. (17) in O(n) | [`chain`] |
 //! | beams of flexible elements: BModes, the spectral method, rotating blades | [`beam`] |
+//! | rotors of equal blades in multiblade coordinates | [`rotor`] |
 //! | uncoupled groups of motions, each as an eigenvalue problem | [`subsystem`] |
 //! | Lanczos process for the lowest eigenvalues, error bounds, inertia count | [`eigen`] |
 //! | family, shape, energy, discretization error of a mode | [`modes`] |
@@ -59,6 +60,7 @@ mod method;
 pub mod modes;
 pub mod number;
 pub mod parameter;
+pub mod rotor;
 pub mod scalar;
 pub mod sensitivity;
 mod solve;

@@ -25,6 +25,7 @@ mod plausibility;
 mod real_towers;
 mod refusal;
 mod rotational_springs;
+mod rotor;
 mod sensitivities;
 mod soil_layers;
 mod tables;

@@ -321,7 +321,7 @@ fn cholesky(matrix: &mut [f64], m: usize) {
 }
 
 /// x ← L⁻¹ x.
-fn forward_substitute(root: &[f64], x: &mut [f64]) {
+pub(super) fn forward_substitute(root: &[f64], x: &mut [f64]) {
     let m = x.len();
     for i in 0..m {
         let row = &root[i * m..=i * m + i];

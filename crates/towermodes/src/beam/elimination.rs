@@ -14,7 +14,7 @@
 
 use super::model::{Beam, add_congruent};
 use super::product::{base_motion, factors};
-use crate::scalar::Scalar;
+use crate::scalar::{Complex, Scalar};
 use crate::space::{SquareMatrix, transform_force, transform_motion};
 use crate::subsystem::Coefficients;
 
@@ -43,17 +43,8 @@ pub fn count_negative<const D: usize>(
     a: &Coefficients,
     work: &mut Factors,
 ) -> usize {
-    count_negative_under(beam, a, [[0.0; D]; D], work)
-}
-
-/// The same with a matrix `above` added for the motion of the top.
-pub fn count_negative_under<const D: usize, S: Scalar>(
-    beam: &Beam<D>,
-    a: &Coefficients,
-    above: SquareMatrix<S, D>,
-    work: &mut Factors<S>,
-) -> usize {
     let mut base = std::mem::take(&mut work.scratch);
+    let above = [[0.0; D]; D];
     let negative = eliminate_all(beam, a, above, work, &mut base, |_, _| {});
     work.scratch = base;
     negative
@@ -126,6 +117,52 @@ fn eliminate_elements<const D: usize, S: Scalar>(
     (above, negative)
 }
 
+/// A matrix as seen from one point, with what was eliminated.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Condensed {
+    /// The matrix for the motion (translation, rotation) of the point.
+    pub matrix: SquareMatrix<Complex, 6>,
+    /// Number of negative pivots.
+    pub negative: usize,
+    /// Sum of ln |pivot|.
+    pub log_pivots: f64,
+}
+
+/// The matrix A = 1 + Σ factors · matrices + i skew · C of a blade, with C the skew matrices of the
+/// elements, as seen from its root.
+pub(super) fn eliminate_blade(
+    beam: &Beam<6>,
+    factors: &[f64; 3],
+    (skew, coriolis): (f64, &[f64]),
+    work: &mut Factors<Complex>,
+) -> Condensed {
+    let (rows, mut log_pivots) = (beam.rows(), 0.0);
+    let own = |element, matrix: &mut [Complex]| {
+        combine(beam, factors, element, matrix);
+        let size = matrix.len();
+        let turned = &coriolis[element * size..(element + 1) * size];
+        for (entry, turned) in matrix.iter_mut().zip(turned) {
+            entry.im += skew * turned;
+        }
+    };
+    let above = [[Complex::default(); 6]; 6];
+    let (matrix, negative) = eliminate_elements(beam, 1.0, above, work, own, |_, matrix| {
+        log_pivots += log_of_pivots(matrix, rows, 6);
+    });
+    Condensed {
+        matrix,
+        negative,
+        log_pivots,
+    }
+}
+
+/// Sum of ln |pivot| of an eliminated matrix, from row `first` on.
+fn log_of_pivots(matrix: &[Complex], rows: usize, first: usize) -> f64 {
+    (first..rows)
+        .map(|i| matrix[i * rows + i].re.abs().ln())
+        .sum()
+}
+
 /// The matrix of one element, without the elements' own stiffness.
 #[inline]
 fn combine<const D: usize, S: Scalar>(
@@ -174,7 +211,7 @@ fn eliminate_base<const D: usize, S: Scalar>(
 
 /// Eliminates all rows of a Hermitian matrix from the last to `first`; returns how many pivots are
 /// negative.
-pub(super) fn eliminate<S: Scalar>(matrix: &mut [S], rows: usize, first: usize) -> usize {
+fn eliminate<S: Scalar>(matrix: &mut [S], rows: usize, first: usize) -> usize {
     let mut negative = 0;
     for last in (first..rows).rev() {
         let (rest, row) = matrix.split_at_mut(last * rows);
@@ -309,7 +346,6 @@ fn substitute<S: Scalar>(factors: &[S], rows: usize, first: usize, right: &mut [
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::scalar::Complex;
     use nalgebra::DMatrix;
 
     const SIZE: usize = 9;

@@ -71,7 +71,7 @@ impl Stencil {
     }
 
     /// Adds the stiffness of a section at a point to the lower triangle of `sum`.
-    fn add_strain_stiffness<const D: usize>(
+    pub(super) fn add_strain_stiffness<const D: usize>(
         &self,
         deformations: &[Deformation<D>],
         length_m: f64,

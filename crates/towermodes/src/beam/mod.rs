@@ -11,10 +11,15 @@ mod legendre;
 mod model;
 mod product;
 mod rotating;
+mod steady;
 mod strain;
 mod subsystem;
+mod turning;
+mod turning_section;
 
 pub use assembly::{BeamRecipe, BeamWorkspace, assemble_beams};
+pub use elimination::Condensed;
 pub use model::Beam;
 pub(crate) use rotating::{assemble_blade, blade_coordinates};
 pub use subsystem::{BeamAssembly, Beams};
+pub use turning::TurningBlade;

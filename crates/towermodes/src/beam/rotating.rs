@@ -11,10 +11,11 @@ use super::element::Stencil;
 use super::general::{GeneralElement, GeneralSection};
 use super::strain::Strain;
 use super::subsystem::Beams;
+use super::turning_section::strain_stiffness;
 use crate::blade::{Blade, BladeSection};
 use crate::space::SpatialMatrix;
 use crate::subsystem::MatrixKind;
-use crate::tower::{Plane, spatial_inertia};
+use crate::tower::spatial_inertia;
 
 /// Six Gauss points, as BModes takes: the sines of a twist that varies over an element have no
 /// exact rule.
@@ -124,7 +125,7 @@ impl Element<'_> {
         let section = |&radius_m: &f64| {
             let local = self.local(radius_m);
             GeneralSection {
-                strain_stiffness: local.stiffness(),
+                strain_stiffness: strain_stiffness(&local.section, local.turn),
                 inertia: local.inertia(),
                 foundation: local.rotation(),
             }
@@ -160,31 +161,6 @@ impl Element<'_> {
 }
 
 impl Local {
-    /// Against curvatures v″ and w″, twist φ′ and stretch u′, per length, in the order of
-    /// [`Strain::ALL`].
-    fn stiffness(&self) -> [[f64; 6]; 6] {
-        let (sin, cos) = self.turn;
-        let section = &self.section;
-        let (edge, flap) = (section.edge_n_m2, section.flap_n_m2);
-        let (v, w) = (Plane::ForeAft, Plane::SideSide);
-        let [v, w] = [v, w].map(|plane| Strain::Curvature(plane).index());
-        let (twist, stretch) = (Strain::Twist.index(), Strain::Stretch.index());
-        let offset = section.axial_n * section.tension_center_m;
-        let mut matrix = [[0.0; 6]; 6];
-        matrix[v][v] = edge * cos * cos + flap * sin * sin;
-        matrix[w][w] = edge * sin * sin + flap * cos * cos;
-        matrix[twist][twist] = section.torsion_n_m2;
-        matrix[stretch][stretch] = section.axial_n;
-        set(&mut matrix, v, w, (edge - flap) * cos * sin);
-        set(&mut matrix, stretch, v, -offset * cos);
-        set(&mut matrix, stretch, w, -offset * sin);
-        // Strains that the element does not have.
-        for shear in [1, 3] {
-            matrix[shear][shear] = 1.0;
-        }
-        matrix
-    }
-
     /// Inertia per length.
     fn inertia(&self) -> SpatialMatrix {
         let (sin, cos) = self.turn;

@@ -1,0 +1,210 @@
+//! The section of a blade, or a rigid body at its tip, in the frame that turns with the rotor.
+
+use super::steady::{Mass, SteadyForces, Vector, cross_matrix, dot, twice_second_order};
+use super::strain::Strain;
+use crate::blade::{Blade, BladeSection};
+use crate::space::SpatialMatrix;
+use crate::tower::Plane;
+
+/// Components of the motion of a section and of its strains: translation u, rotation Θ, strains γ
+/// (shear, shear, stretch) and κ (curvatures, twist), three each.
+pub(super) const COMPONENTS: usize = 12;
+
+type Tensor = [[f64; 3]; 3];
+
+/// The matrices of a section per length, or of a body.
+#[derive(Debug, Clone)]
+pub(super) struct TurningSection {
+    /// Stiffness against the strains in the order of [`Strain::ALL`].
+    pub(super) strain_stiffness: SpatialMatrix,
+    /// Inertia M.
+    pub(super) inertia: SpatialMatrix,
+    /// C, skew.
+    pub(super) coriolis: SpatialMatrix,
+    /// K_g − S for the motion and the strains, per Ω².
+    pub(super) spin: [[f64; COMPONENTS]; COMPONENTS],
+}
+
+impl TurningSection {
+    /// That at a radius (m), under the steady forces there.
+    pub(super) fn at(blade: &Blade, axis: Vector, radius_m: f64, forces: &SteadyForces) -> Self {
+        let (section, turn) = section_at(blade, radius_m);
+        let mass = Mass::of_section(&section, turn);
+        let mut own = Self::of_mass(&mass, axis, radius_m);
+        own.strain_stiffness = strain_stiffness(&section, turn);
+        own.add_steady(forces);
+        own
+    }
+
+    /// The body at the tip.
+    pub(super) fn of_tip(blade: &Blade, axis: Vector) -> Self {
+        let description = blade.description();
+        let mass = Mass::of_body(&description.tip);
+        Self::of_mass(&mass, axis, description.tip_radius_m)
+    }
+
+    /// M, C, −S and what the extent of the mass adds to K_g: Θᵀ (tr(A) 1 − A) Θ with A the
+    /// symmetric part of s (P x₀)ᵀ + J P.
+    fn of_mass(mass: &Mass, axis: Vector, radius_m: f64) -> Self {
+        let Mass {
+            mass: m,
+            moment,
+            second,
+        } = mass;
+        let across = across(axis);
+        let (cross_s, cross_n) = (cross_matrix(*moment), cross_matrix(axis));
+        let identity = across_of_nothing();
+        let mut own = Self {
+            strain_stiffness: [[0.0; 6]; 6],
+            inertia: [[0.0; 6]; 6],
+            coriolis: [[0.0; 6]; 6],
+            spin: [[0.0; COMPONENTS]; COMPONENTS],
+        };
+        let about = minus(&scaled(&identity, trace(second)), second);
+        set(&mut own.inertia, (0, 0), &scaled(&identity, *m));
+        set_symmetric(&mut own.inertia, (0, 3), &scaled(&cross_s, -1.0));
+        set(&mut own.inertia, (3, 3), &about);
+        set(&mut own.coriolis, (0, 0), &scaled(&cross_n, *m));
+        set(
+            &mut own.coriolis,
+            (0, 3),
+            &scaled(&product(&cross_n, &cross_s), -1.0),
+        );
+        set(&mut own.coriolis, (3, 0), &product(&cross_s, &cross_n));
+        set(
+            &mut own.coriolis,
+            (3, 3),
+            &cross_matrix(times(second, axis)),
+        );
+        let along = product(&product(&cross_n, second), &transposed(&cross_n));
+        let outwards = times(&across, [0.0, 0.0, radius_m]);
+        let mut a = product(second, &across);
+        for i in 0..3 {
+            for j in 0..3 {
+                a[i][j] += moment[i] * outwards[j];
+            }
+        }
+        let turned = minus(&scaled(&identity, trace(&a)), &symmetric(&a));
+        set(&mut own.spin, (0, 0), &scaled(&across, -m));
+        set_symmetric(&mut own.spin, (0, 3), &product(&across, &cross_s));
+        set(
+            &mut own.spin,
+            (3, 3),
+            &minus(&turned, &minus(&about, &along)),
+        );
+        own
+    }
+
+    /// Adds what the steady force F and moment Q in the section do: −F·Θ×(Θ×t) − 2 F·(Θ×γ) −
+    /// Q·(Θ×κ) with t along the span.
+    fn add_steady(&mut self, forces: &SteadyForces) {
+        let turned = twice_second_order(forces.force);
+        for (i, row) in turned.iter().enumerate() {
+            for (j, entry) in row.iter().enumerate() {
+                self.spin[3 + i][3 + j] += entry;
+            }
+        }
+        let strained = scaled(&cross_matrix(forces.force), -1.0);
+        set_symmetric(&mut self.spin, (6, 3), &strained);
+        let bent = scaled(&cross_matrix(forces.moment), -0.5);
+        set_symmetric(&mut self.spin, (9, 3), &bent);
+    }
+}
+
+/// The section at a radius (m), and sin and cos of its angle from X towards Y: twist and pitch
+/// towards feather turn it from X away from Y.
+pub(super) fn section_at(blade: &Blade, radius_m: f64) -> (BladeSection, (f64, f64)) {
+    let description = blade.description();
+    let span = (radius_m - description.hub_radius_m) / blade.length_m();
+    let section = blade.section_at(span);
+    let (sin, cos) = (section.twist_rad + description.pitch_rad).sin_cos();
+    (section, (-sin, cos))
+}
+
+/// Against curvatures, twist and stretch, per length, in the order of [`Strain::ALL`].
+pub(super) fn strain_stiffness(section: &BladeSection, (sin, cos): (f64, f64)) -> SpatialMatrix {
+    let (edge, flap) = (section.edge_n_m2, section.flap_n_m2);
+    let [v, w] = [Plane::ForeAft, Plane::SideSide].map(|plane| Strain::Curvature(plane).index());
+    let (twist, stretch) = (Strain::Twist.index(), Strain::Stretch.index());
+    // A blade that does not stretch has its tension centre nowhere.
+    let offset = match section.tension_center_m {
+        0.0 => 0.0,
+        center_m => section.axial_n * center_m,
+    };
+    let mut matrix = [[0.0; 6]; 6];
+    matrix[v][v] = edge * cos * cos + flap * sin * sin;
+    matrix[w][w] = edge * sin * sin + flap * cos * cos;
+    matrix[twist][twist] = section.torsion_n_m2;
+    matrix[stretch][stretch] = section.axial_n;
+    let mut couple = |i: usize, j: usize, value: f64| {
+        (matrix[i][j], matrix[j][i]) = (value, value);
+    };
+    couple(v, w, (edge - flap) * cos * sin);
+    couple(stretch, v, -offset * cos);
+    couple(stretch, w, -offset * sin);
+    // Strains that the element does not have.
+    for shear in [1, 3] {
+        matrix[shear][shear] = 1.0;
+    }
+    matrix
+}
+
+/// 1 − n nᵀ.
+pub(super) fn across(n: Vector) -> Tensor {
+    let mut matrix = across_of_nothing();
+    for i in 0..3 {
+        for j in 0..3 {
+            matrix[i][j] -= n[i] * n[j];
+        }
+    }
+    matrix
+}
+
+fn across_of_nothing() -> Tensor {
+    std::array::from_fn(|i| std::array::from_fn(|j| f64::from(u8::from(i == j))))
+}
+
+pub(super) fn times(a: &Tensor, b: Vector) -> Vector {
+    a.map(|row| dot(row, b))
+}
+
+fn product(a: &Tensor, b: &Tensor) -> Tensor {
+    std::array::from_fn(|i| std::array::from_fn(|j| (0..3).map(|k| a[i][k] * b[k][j]).sum()))
+}
+
+fn transposed(a: &Tensor) -> Tensor {
+    std::array::from_fn(|i| std::array::from_fn(|j| a[j][i]))
+}
+
+fn symmetric(a: &Tensor) -> Tensor {
+    std::array::from_fn(|i| std::array::from_fn(|j| 0.5 * (a[i][j] + a[j][i])))
+}
+
+fn minus(a: &Tensor, b: &Tensor) -> Tensor {
+    std::array::from_fn(|i| std::array::from_fn(|j| a[i][j] - b[i][j]))
+}
+
+fn scaled(a: &Tensor, factor: f64) -> Tensor {
+    a.map(|row| row.map(|entry| factor * entry))
+}
+
+fn trace(a: &Tensor) -> f64 {
+    a[0][0] + a[1][1] + a[2][2]
+}
+
+/// Writes a block.
+fn set<const D: usize>(matrix: &mut [[f64; D]; D], (row, column): (usize, usize), block: &Tensor) {
+    for i in 0..3 {
+        matrix[row + i][column..column + 3].copy_from_slice(&block[i]);
+    }
+}
+
+/// Writes a block and its transpose on the other side of the diagonal.
+fn set_symmetric<const D: usize>(
+    matrix: &mut [[f64; D]; D],
+    (row, column): (usize, usize),
+    block: &Tensor,
+) {
+    set(matrix, (row, column), block);
+    set(matrix, (column, row), &transposed(block));
+}
