@@ -43,6 +43,7 @@
 //! | rigid bodies and elastic joints, the paper's eq. (17) in O(n) | [`chain`] |
 //! | beams of flexible elements: BModes, the spectral method, rotating blades | [`beam`] |
 //! | rotors of equal blades in multiblade coordinates | [`rotor`] |
+//! | a turning turbine on its tower: frequencies by counts | [`turbine`] |
 //! | uncoupled groups of motions, each as an eigenvalue problem | [`subsystem`] |
 //! | Lanczos process for the lowest eigenvalues, error bounds, inertia count | [`eigen`] |
 //! | family, shape, energy, discretization error of a mode | [`modes`] |
@@ -68,6 +69,7 @@ pub mod space;
 pub mod subsystem;
 pub mod symmetric;
 pub mod tower;
+pub mod turbine;
 
 pub use blade::{Blade, BladeDescription, BladeError, BladeSection};
 pub use eigen::{EigenError, Statistics};

@@ -30,4 +30,5 @@ mod sensitivities;
 mod soil_layers;
 mod tables;
 mod towers;
+mod turbine;
 mod watch;

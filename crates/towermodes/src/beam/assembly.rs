@@ -10,9 +10,10 @@
 
 use super::element::{Slice, Stencil};
 use super::strain::Strain;
-use super::subsystem::Beams;
+use super::subsystem::{BeamAssembly, BeamSubsystem, Beams};
 use crate::elements::Mesh;
-use crate::tower::{Section, Tower};
+use crate::subsystem::Subsystems;
+use crate::tower::{Attachment, Section, Tower};
 
 /// How a tower is made into beams.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -104,8 +105,30 @@ pub fn assemble_beams(
     workspace: &mut BeamWorkspace,
     beams: &mut Beams,
 ) {
-    let degrees = recipe.degrees(tower.shears() && recipe.shears());
     beams.begin(tower);
+    assemble(tower, tower.attachments(), (mesh, recipe), workspace, beams);
+}
+
+/// Makes one beam of a tower in which all motions are coupled, with these attachments.
+pub(crate) fn assemble_in_space(
+    tower: &Tower,
+    attachments: &[Attachment],
+    on: (&Mesh, BeamRecipe),
+    workspace: &mut BeamWorkspace,
+    beams: &mut Subsystems<BeamSubsystem<6>>,
+) {
+    beams.restart_coupled(tower, |motions| Box::new(BeamSubsystem::new(motions)));
+    assemble(tower, attachments, on, workspace, beams);
+}
+
+fn assemble<S: BeamAssembly + ?Sized>(
+    tower: &Tower,
+    mut attachments: &[Attachment],
+    (mesh, recipe): (&Mesh, BeamRecipe),
+    workspace: &mut BeamWorkspace,
+    beams: &mut Subsystems<S>,
+) {
+    let degrees = recipe.degrees(tower.shears() && recipe.shears());
     beams.set_strains(|strain| {
         if tower.is_rigid_in(strain.motion()) {
             0
@@ -116,7 +139,6 @@ pub fn assemble_beams(
     let polynomials = degrees.axial.max(degrees.shear).max(degrees.curvature);
     workspace.stencil.prepare(degrees.points, polynomials);
     let gravity = tower.gravity_m_per_s2();
-    let mut attachments = tower.attachments();
     for (span, borders) in mesh.spans_with_borders() {
         attachments = beams.attach_up_to(span.base_m, attachments, gravity);
         for border in borders.windows(2) {
@@ -140,7 +162,7 @@ pub fn assemble_beams(
     beams.attach_up_to(tower.top_m(), attachments, gravity);
 }
 
-impl Beams {
+impl<S: BeamAssembly + ?Sized> Subsystems<S> {
     /// Sets how many coordinates elements from here on have for each strain.
     pub(super) fn set_strains(&mut self, count: impl Fn(Strain) -> usize) {
         for beam in self.members_mut() {

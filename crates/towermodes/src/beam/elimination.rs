@@ -156,6 +156,24 @@ pub(super) fn eliminate_blade(
     }
 }
 
+/// The number of negative eigenvalues of A with a matrix `above` added for the motion of the top,
+/// and the sum of ln |pivot|.
+pub(super) fn eliminate_under(
+    beam: &Beam<6>,
+    a: &Coefficients,
+    above: SquareMatrix<Complex, 6>,
+    work: &mut Factors<Complex>,
+) -> (usize, f64) {
+    let (rows, mut log_pivots) = (beam.rows(), 0.0);
+    let mut base = std::mem::take(&mut work.scratch);
+    let negative = eliminate_all(beam, a, above, work, &mut base, |_, matrix| {
+        log_pivots += log_of_pivots(matrix, rows, 6);
+    });
+    log_pivots += log_of_pivots(&base, beam.base_coordinates(), 0);
+    work.scratch = base;
+    (negative, log_pivots)
+}
+
 /// Sum of ln |pivot| of an eliminated matrix, from row `first` on.
 fn log_of_pivots(matrix: &[Complex], rows: usize, first: usize) -> f64 {
     (first..rows)
@@ -211,7 +229,7 @@ fn eliminate_base<const D: usize, S: Scalar>(
 
 /// Eliminates all rows of a Hermitian matrix from the last to `first`; returns how many pivots are
 /// negative.
-fn eliminate<S: Scalar>(matrix: &mut [S], rows: usize, first: usize) -> usize {
+pub(crate) fn eliminate<S: Scalar>(matrix: &mut [S], rows: usize, first: usize) -> usize {
     let mut negative = 0;
     for last in (first..rows).rev() {
         let (rest, row) = matrix.split_at_mut(last * rows);

@@ -17,9 +17,13 @@ mod subsystem;
 mod turning;
 mod turning_section;
 
+pub(crate) use assembly::assemble_in_space;
 pub use assembly::{BeamRecipe, BeamWorkspace, assemble_beams};
 pub use elimination::Condensed;
+pub(crate) use elimination::eliminate;
 pub use model::Beam;
 pub(crate) use rotating::{assemble_blade, blade_coordinates};
 pub use subsystem::{BeamAssembly, Beams};
+pub(crate) use subsystem::{SpaceBeam, TopWorkspace};
 pub use turning::TurningBlade;
+pub(crate) use turning::congruent;

@@ -7,7 +7,8 @@ use super::general::GeneralElement;
 use super::model::Beam;
 use super::product;
 use super::strain::{Strain, deformations};
-use crate::space::SpatialMatrix;
+use crate::scalar::Complex;
+use crate::space::{SpatialMatrix, SquareMatrix};
 use crate::subsystem::{
     Coefficients, Coordinates, MatrixKind, Resultant, SegmentCurves, ShearFraction, Subsystem,
     Subsystems, dimension,
@@ -32,6 +33,25 @@ impl<const D: usize> BeamSubsystem<D> {
             loads: Vec::new(),
             factors: Factors::default(),
         }
+    }
+}
+
+/// Working memory of what is on the top of a beam and complex.
+pub(crate) type TopWorkspace = Factors<Complex>;
+
+/// The beam of a tower in which all motions are coupled.
+pub(crate) type SpaceBeam = Subsystems<BeamSubsystem<6>>;
+
+impl BeamSubsystem<6> {
+    /// The number of negative eigenvalues of A with a matrix `above` added for the motion of the
+    /// top, and the sum of ln |pivot|.
+    pub(crate) fn eliminate_under(
+        &self,
+        a: &Coefficients,
+        above: SquareMatrix<Complex, 6>,
+        work: &mut TopWorkspace,
+    ) -> (usize, f64) {
+        elimination::eliminate_under(&self.beam, a, above, work)
     }
 }
 

@@ -247,7 +247,7 @@ fn scaled<const D: usize>(matrix: &SquareMatrix<f64, D>, factor: f64) -> SquareM
 }
 
 /// A matrix that turns translations and rotations alike.
-fn both(axes: &[[f64; 3]; 3]) -> SpatialMatrix {
+pub fn both(axes: &[[f64; 3]; 3]) -> SpatialMatrix {
     let mut matrix = [[0.0; 6]; 6];
     for i in 0..3 {
         for j in 0..3 {
@@ -259,7 +259,7 @@ fn both(axes: &[[f64; 3]; 3]) -> SpatialMatrix {
 }
 
 /// Tᵀ A T.
-fn congruent<S: Scalar>(matrix: &SquareMatrix<S, 6>, t: &SpatialMatrix) -> SquareMatrix<S, 6> {
+pub fn congruent<S: Scalar>(matrix: &SquareMatrix<S, 6>, t: &SpatialMatrix) -> SquareMatrix<S, 6> {
     let mut product = [[S::default(); 6]; 6];
     add_congruent(matrix, t.as_flattened(), 6, product.as_flattened_mut());
     product

@@ -36,6 +36,15 @@ impl<S: Subsystem + ?Sized> Subsystems<S> {
         self.add_base(tower);
     }
 
+    /// Begins with one subsystem in which all motions are coupled, on the base of a tower.
+    pub(crate) fn restart_coupled(&mut self, tower: &Tower, new: impl Fn(Motions) -> Box<S>) {
+        self.planes_are_equal = false;
+        let all = Motion::ALL.into_iter().map(Motions::only);
+        let all = all.fold(Motions::default(), Motions::and);
+        self.restart_with(std::iter::once(all), new);
+        self.add_base(tower);
+    }
+
     /// Begins with empty subsystems for sets of motions.
     pub(crate) fn restart_with(
         &mut self,

@@ -86,6 +86,17 @@ impl Tower {
         &self.attachments
     }
 
+    /// The attachments, with the weight of the rotor-nacelle assembly but without its inertia: for
+    /// a turbine whose parts have it.
+    pub(crate) fn attachments_but_inertia_of_rna(&self) -> Vec<Attachment> {
+        let mut attachments = self.attachments.clone();
+        // Attachments rise, and of those at the top it is the last.
+        if let Some(rna) = attachments.last_mut() {
+            rna.inertia = [[0.0; 6]; 6];
+        }
+        attachments
+    }
+
     /// The base with its support.
     pub fn base(&self) -> &Base {
         &self.base

@@ -1,0 +1,67 @@
+//! The description of what turns on a tower, and of what carries it.
+
+use crate::blade::BladeDescription;
+use crate::tower::RigidBody;
+
+/// Nacelle, drivetrain and rotor of a turbine, at constant speed and without wind.
+///
+/// Axes at the tower top: x downwind, y left (looking downwind), z up. The shaft points along (cos
+/// t, 0, sin t) for a tilt t; a positive rotor speed turns about that direction. The apex of the
+/// rotor, where the axes of the blades meet, is `tower_to_shaft_m` above the tower top and then
+/// `overhang_m` along the shaft.
+#[derive(Debug, Clone, PartialEq)]
+pub struct TurbineDescription {
+    /// The nacelle: mass, centre from the tower top, inertia about its centre; without what turns.
+    pub nacelle: RigidBody,
+    /// Mass at the tower top that does not yaw, kg.
+    pub yaw_bearing_mass_kg: f64,
+    /// Stiffness of the yaw drive, N m/rad; infinite for a nacelle that does not yaw.
+    pub yaw_n_m_per_rad: f64,
+    /// Distance of the apex along the shaft, m; negative for an upwind rotor.
+    pub overhang_m: f64,
+    /// Height of the shaft above the tower top, at the tower's axis, m.
+    pub tower_to_shaft_m: f64,
+    /// Tilt of the shaft, rad; negative lifts the hub of an upwind rotor.
+    pub tilt_rad: f64,
+    /// The hub.
+    pub hub: Hub,
+    /// Torsional stiffness of the shaft, N m/rad, at its slow end; infinite for a rigid one.
+    pub shaft_n_m_per_rad: f64,
+    /// The generator.
+    pub generator: Generator,
+    /// Number of blades, at least 3; all are equal.
+    pub blades: usize,
+    /// Cone, rad; positive downwind.
+    pub cone_rad: f64,
+    /// A blade, at rest. Its radius counts from the apex along its span. Its own axes are X in the
+    /// direction of the rotation, Y downwind, Z outwards; its twist and pitch are positive towards
+    /// feather, which turns the leading edge upwind. The elements end at its borders and sections.
+    ///
+    /// Both inertias of a section act in all rotations.
+    pub blade: BladeDescription,
+}
+
+/// The hub of a rotor: a rigid body that looks the same from all sides around the shaft.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Hub {
+    /// Mass, kg.
+    pub mass_kg: f64,
+    /// Distance of its centre from the apex along the shaft, m.
+    pub center_m: f64,
+    /// Inertia about the shaft, kg m².
+    pub polar_inertia_kg_m2: f64,
+    /// Inertia about an axis across the shaft through its centre, kg m².
+    pub transverse_inertia_kg_m2: f64,
+}
+
+/// The generator of a turbine and all that turns with it.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Generator {
+    /// Inertia about its own shaft, kg m².
+    pub inertia_kg_m2: f64,
+    /// Speed of the generator over that of the rotor; it turns in the direction of the rotor.
+    pub gear_ratio: f64,
+    /// Whether the generator is held at the constant speed, rather than free to turn. The shaft
+    /// twists between it and the hub.
+    pub is_locked: bool,
+}

@@ -1,0 +1,105 @@
+//! Why a description is no turbine.
+
+use thiserror::Error;
+
+use crate::blade::BladeError;
+use crate::number::Plain;
+use crate::rotor::RotorError;
+use crate::tower::TowerError;
+
+/// An impossible value in the description of a turbine.
+#[derive(Debug, Clone, PartialEq, Error)]
+#[non_exhaustive]
+pub enum TurbineError {
+    /// The tower.
+    #[error(transparent)]
+    Tower(#[from] TowerError),
+    /// The blade.
+    #[error("a blade of the rotor: {0}")]
+    Blade(#[from] BladeError),
+    /// The number of blades.
+    #[error(transparent)]
+    Rotor(#[from] RotorError),
+    /// A number that is none.
+    #[error("{quantity} is {value}, which is not a finite number")]
+    NotFinite {
+        /// The quantity.
+        quantity: &'static str,
+        /// The value given.
+        value: f64,
+    },
+    /// A value is negative.
+    #[error("{quantity} is {}; it must not be negative", Plain(*.value))]
+    Negative {
+        /// The quantity.
+        quantity: &'static str,
+        /// The value given.
+        value: f64,
+    },
+    /// A value is not positive.
+    #[error("{quantity} is {}; it must be positive", Plain(*.value))]
+    NotPositive {
+        /// The quantity.
+        quantity: &'static str,
+        /// The value given.
+        value: f64,
+    },
+    /// A shaft, or blades, turned by a right angle or more.
+    #[error("{quantity} is {:.2} degrees; it must be between -45 and 45 degrees", .angle_rad.to_degrees())]
+    Angle {
+        /// The quantity.
+        quantity: &'static str,
+        /// The angle given, rad.
+        angle_rad: f64,
+    },
+    /// The tower carries a rotor-nacelle assembly already.
+    #[error(
+        "the tower carries a rotor-nacelle assembly of {} kg besides the nacelle and the rotor of the turbine; give the tower none",
+        Plain(*.mass_kg)
+    )]
+    TwoMachines {
+        /// Mass of that on the tower, kg.
+        mass_kg: f64,
+    },
+    /// The blade has a speed of its own.
+    #[error("the blade turns at {} rad/s of its own; the speed of a turbine is given when it is solved, so that of the blade must be 0", Plain(*.speed_rad_per_s))]
+    BladeTurns {
+        /// Its speed, rad/s.
+        speed_rad_per_s: f64,
+    },
+    /// The rotation does not act on the body at the tip.
+    #[error("the body of {} kg at the tip of the blade is not pulled by the rotation; in a turbine it must be", Plain(*.mass_kg))]
+    TipNotPulled {
+        /// Its mass, kg.
+        mass_kg: f64,
+    },
+    /// Elements that are none, or of too low or too high a degree.
+    #[error(
+        "{elements} elements of degree {degree} are not possible for {part}; the number of elements must be 1 or more and the degree from 2 to {most}"
+    )]
+    Mesh {
+        /// Tower or blade.
+        part: &'static str,
+        /// Number of elements.
+        elements: usize,
+        /// Polynomial degree.
+        degree: usize,
+        /// The highest degree.
+        most: usize,
+    },
+    /// Numbers so large that products of them are infinite.
+    #[error("the numbers of the turbine are too large: their products are infinite")]
+    Overflow,
+    /// A limit that is no frequency.
+    #[error("the limit of the frequencies is {} Hz; it must be positive and finite", Plain(*.limit_hz))]
+    Limit {
+        /// The limit given, Hz.
+        limit_hz: f64,
+    },
+    /// A speed that is none.
+    #[error("the speed of the rotor is {speed_rad_per_s} rad/s, which is not a finite number")]
+    Speed {
+        /// The speed given, rad/s.
+        speed_rad_per_s: f64,
+    },
+}

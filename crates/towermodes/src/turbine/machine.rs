@@ -1,0 +1,241 @@
+//! Nacelle, drivetrain and rotor as the tower top feels them, at a frequency and a speed.
+
+use super::description::TurbineDescription;
+use crate::beam::{Condensed, TurningBlade, congruent, eliminate};
+use crate::rotor::Multiblade;
+use crate::scalar::Complex;
+use crate::space::SpatialMatrix;
+use crate::tower::{Inertia, RigidBody, Rna, spatial_inertia};
+
+/// Places of the coordinates beside the motion of the nacelle: relative rotation of the rotor, and
+/// rotation of the generator.
+const ROTOR: usize = 6;
+const GENERATOR: usize = 7;
+/// Rotation about the shaft, and about the tower.
+const ABOUT_SHAFT: usize = 3;
+const ABOUT_TOWER: usize = 5;
+
+/// All that is above a tower.
+#[derive(Debug, Clone)]
+pub(super) struct Machine {
+    rotor: Multiblade<TurningBlade>,
+    /// Inertia of the hub for the motion of the apex, in the axes of the shaft.
+    hub: SpatialMatrix,
+    /// The motion of the apex in the axes of the shaft for that of the nacelle at the tower top.
+    to_apex: SpatialMatrix,
+    /// Inertia of the nacelle for its motion at the tower top.
+    nacelle: SpatialMatrix,
+    /// Inertia of the yaw bearing.
+    bearing: SpatialMatrix,
+    yaw: f64,
+    shaft: f64,
+    generator_inertia: f64,
+    gear_ratio: f64,
+    polar_inertia: f64,
+}
+
+/// A Hermitian matrix with up to two coordinates beside the motion of a body.
+#[derive(Debug, Clone, Copy)]
+struct Bordered {
+    entries: [[Complex; 8]; 8],
+    rows: usize,
+}
+
+impl Machine {
+    pub(super) fn new(turbine: &TurbineDescription, rotor: Multiblade<TurningBlade>) -> Self {
+        let hub = &turbine.hub;
+        let across = hub.transverse_inertia_kg_m2;
+        let inertia = [hub.polar_inertia_kg_m2, across, across];
+        let inertia = Inertia::from([inertia[0], inertia[1], inertia[2], 0.0, 0.0, 0.0]);
+        let nacelle = &turbine.nacelle;
+        Self {
+            rotor,
+            hub: spatial_inertia(hub.mass_kg, [hub.center_m, 0.0, 0.0], &inertia),
+            to_apex: to_apex(turbine),
+            nacelle: spatial_inertia(nacelle.mass_kg, nacelle.center_m, &nacelle.inertia_kg_m2),
+            bearing: spatial_inertia(turbine.yaw_bearing_mass_kg, [0.0; 3], &Inertia::default()),
+            yaw: turbine.yaw_n_m_per_rad,
+            shaft: turbine.shaft_n_m_per_rad,
+            generator_inertia: turbine.generator.inertia_kg_m2,
+            gear_ratio: turbine.generator.gear_ratio,
+            polar_inertia: hub.polar_inertia_kg_m2,
+        }
+    }
+
+    /// The machine for the motion of the tower top in its axes, at a frequency w and a speed Ω,
+    /// rad/s, with its generator locked or free: K + i w G − w² M with all else eliminated.
+    pub(super) fn seen_from_top(&mut self, w: f64, speed: f64, is_locked: bool) -> Condensed {
+        let mut own = self.rotor.seen_from_hub(w, speed);
+        add_inertia(&mut own, w, &self.hub);
+        let spin = speed * (self.polar_inertia + self.gear_ratio * self.generator_inertia);
+        own.matrix[4][5] += Complex::new(0.0, w * spin);
+        own.matrix[5][4] -= Complex::new(0.0, w * spin);
+        self.turn_shaft(w, is_locked, &mut own);
+        own.matrix = congruent(&own.matrix, &self.to_apex);
+        add_inertia(&mut own, w, &self.nacelle);
+        self.turn_yaw(&mut own);
+        add_inertia(&mut own, w, &self.bearing);
+        own
+    }
+
+    /// Adds shaft and generator: the rotor turns by θ + g + d about the shaft, with the rotation θ
+    /// of the nacelle, g of the generator at the slow end and the twist d.
+    ///
+    /// Twice the energies are k d² and J (q g′ + θ′)².
+    fn turn_shaft(&self, w: f64, is_locked: bool, own: &mut Condensed) {
+        let inertia = -w * w * self.generator_inertia;
+        let mut all = Bordered::of(&own.matrix);
+        let is_rigid = self.shaft.is_infinite();
+        if !(is_rigid && is_locked) {
+            // The coordinate is g + d.
+            all.border(ABOUT_SHAFT);
+        }
+        all.add(ABOUT_SHAFT, ABOUT_SHAFT, inertia);
+        if !is_rigid {
+            all.add(ROTOR, ROTOR, self.shaft);
+        }
+        if !is_locked {
+            let generator = if is_rigid { ROTOR } else { GENERATOR };
+            all.rows = generator + 1;
+            all.add(generator, generator, self.gear_ratio.powi(2) * inertia);
+            all.add_both(ABOUT_SHAFT, generator, self.gear_ratio * inertia);
+            if !is_rigid {
+                all.add(GENERATOR, GENERATOR, self.shaft);
+                all.add_both(ROTOR, GENERATOR, -self.shaft);
+            }
+        }
+        all.condense(own);
+    }
+
+    /// Lets the nacelle yaw on the tower.
+    fn turn_yaw(&self, own: &mut Condensed) {
+        if self.yaw.is_infinite() {
+            return;
+        }
+        let mut all = Bordered::of(&own.matrix);
+        all.border(ABOUT_TOWER);
+        all.add(ROTOR, ROTOR, self.yaw);
+        all.condense(own);
+    }
+
+    /// The machine as a rigid body that does not turn, for its weight and the checks of the tower.
+    pub(super) fn at_rest(&self, turbine: &TurbineDescription) -> Rna {
+        let (sin, cos) = turbine.tilt_rad.sin_cos();
+        let apex = [
+            turbine.overhang_m * cos,
+            0.0,
+            turbine.tower_to_shaft_m + turbine.overhang_m * sin,
+        ];
+        let along = |distance_m: f64| [apex[0] + distance_m * cos, 0.0, apex[2] + distance_m * sin];
+        let body = |mass_kg: f64, center_m: f64, polar: f64, across: f64| RigidBody {
+            mass_kg,
+            center_m: along(center_m),
+            inertia_kg_m2: about_shaft(polar, across, (sin, cos)),
+        };
+        let hub = &turbine.hub;
+        let (polar, across) = (hub.polar_inertia_kg_m2, hub.transverse_inertia_kg_m2);
+        let (count, blade) = (self.rotor.blades() as f64, self.rotor.body().inertia());
+        let mass_kg = blade[0][0];
+        // m [c]ₓ holds the centre of the blade; over all blades only its part along the shaft
+        // remains.
+        let center_m = blade[1][5] / mass_kg;
+        let mean = 0.5 * (blade[4][4] + blade[5][5]) - mass_kg * center_m * center_m;
+        let blades = body(count * mass_kg, center_m, count * blade[3][3], count * mean);
+        let all = RigidBody::combined(&[
+            turbine.nacelle,
+            RigidBody::point(turbine.yaw_bearing_mass_kg, [0.0; 3]),
+            body(hub.mass_kg, hub.center_m, polar, across),
+            blades,
+        ]);
+        Rna {
+            mass_kg: all.mass_kg,
+            center_m: all.center_m,
+            inertia_kg_m2: all.inertia_kg_m2,
+        }
+    }
+}
+
+/// The motion of the apex in the axes of the shaft for that of the tower top: u + θ × r, turned.
+fn to_apex(turbine: &TurbineDescription) -> SpatialMatrix {
+    let (sin, cos) = turbine.tilt_rad.sin_cos();
+    let shaft = [[cos, 0.0, sin], [0.0, 1.0, 0.0], [-sin, 0.0, cos]];
+    let x = turbine.overhang_m * cos;
+    let z = turbine.tower_to_shaft_m + turbine.overhang_m * sin;
+    // −[r]ₓ of the apex r = (x, 0, z).
+    let lever = [[0.0, z, 0.0], [-z, 0.0, x], [0.0, -x, 0.0]];
+    let mut matrix = [[0.0; 6]; 6];
+    for i in 0..3 {
+        for j in 0..3 {
+            matrix[i][j] = shaft[i][j];
+            matrix[3 + i][3 + j] = shaft[i][j];
+            matrix[i][3 + j] = (0..3).map(|k| shaft[i][k] * lever[k][j]).sum();
+        }
+    }
+    matrix
+}
+
+/// The inertia of a body that looks the same from all sides of a tilted shaft.
+fn about_shaft(polar: f64, across: f64, (sin, cos): (f64, f64)) -> Inertia {
+    let more = polar - across;
+    Inertia {
+        xx: across + more * cos * cos,
+        yy: across,
+        zz: across + more * sin * sin,
+        xy: 0.0,
+        xz: more * sin * cos,
+        yz: 0.0,
+    }
+}
+
+/// Adds −w² M.
+fn add_inertia(own: &mut Condensed, w: f64, inertia: &SpatialMatrix) {
+    let entries = own.matrix.as_flattened_mut().iter_mut();
+    for (entry, inertia) in entries.zip(inertia.as_flattened()) {
+        entry.re -= w * w * inertia;
+    }
+}
+
+impl Bordered {
+    fn of(matrix: &[[Complex; 6]; 6]) -> Self {
+        let mut entries = [[Complex::default(); 8]; 8];
+        for (row, own) in entries.iter_mut().zip(matrix) {
+            row[..6].copy_from_slice(own);
+        }
+        Self { entries, rows: 6 }
+    }
+
+    /// Adds a coordinate that moves what is above it in one component, as the component itself
+    /// does.
+    fn border(&mut self, component: usize) {
+        for i in 0..6 {
+            self.entries[i][6] = self.entries[i][component];
+            self.entries[6][i] = self.entries[component][i];
+        }
+        self.entries[6][6] = self.entries[component][component];
+        self.rows = 7;
+    }
+
+    fn add(&mut self, i: usize, j: usize, value: f64) {
+        self.entries[i][j].re += value;
+    }
+
+    fn add_both(&mut self, i: usize, j: usize, value: f64) {
+        self.add(i, j, value);
+        self.add(j, i, value);
+    }
+
+    /// Eliminates all but the motion of the body.
+    fn condense(&self, own: &mut Condensed) {
+        let rows = self.rows;
+        let mut flat = [Complex::default(); 64];
+        for (out, row) in flat.chunks_exact_mut(rows).zip(&self.entries[..rows]) {
+            out.copy_from_slice(&row[..rows]);
+        }
+        let flat = &mut flat[..rows * rows];
+        own.negative += eliminate(flat, rows, 6);
+        own.log_pivots += (6..rows)
+            .map(|i| flat[i * rows + i].re.abs().ln())
+            .sum::<f64>();
+        own.matrix = std::array::from_fn(|i| std::array::from_fn(|j| flat[i * rows + j]));
+    }
+}

@@ -1,0 +1,118 @@
+//! What is no turbine.
+
+use super::{model, straight, tower};
+use towermodes::rotor::RotorError;
+use towermodes::turbine::{Turbine, TurbineDescription, TurbineError, TurbineMesh, TurbineModel};
+use towermodes::{BladeError, Rna};
+
+#[track_caller]
+fn error(change: impl FnOnce(&mut TurbineDescription)) -> TurbineError {
+    let mut machine = straight();
+    change(&mut machine);
+    Turbine::new(tower(), machine).expect_err("no turbine")
+}
+
+#[test]
+fn two_blades_are_refused_with_the_reason() {
+    let error = error(|machine| machine.blades = 2);
+    assert_eq!(
+        error,
+        TurbineError::Rotor(RotorError::TooFewBlades { blades: 2 })
+    );
+    assert_eq!(
+        error.to_string(),
+        "a rotor of 2 blades is not solved: its inertia and stiffness, seen from the tower, turn with the rotor, so that no speed has natural frequencies; \
+         the number of blades must be 3 or more"
+    );
+}
+
+#[test]
+fn impossible_numbers_are_refused_by_name() {
+    let infinite = f64::INFINITY;
+    assert!(matches!(error(|m| m.blades = 11), TurbineError::Rotor(_)));
+    assert!(matches!(
+        error(|m| m.nacelle.mass_kg = -1.0),
+        TurbineError::Negative { value: -1.0, .. }
+    ));
+    assert!(matches!(
+        error(|m| m.nacelle.inertia_kg_m2.yy = -1.0),
+        TurbineError::Negative { .. }
+    ));
+    assert!(matches!(
+        error(|m| m.hub.mass_kg = infinite),
+        TurbineError::NotFinite { .. }
+    ));
+    assert!(matches!(
+        error(|m| m.overhang_m = f64::NAN),
+        TurbineError::NotFinite { .. }
+    ));
+    assert!(matches!(
+        error(|m| m.shaft_n_m_per_rad = 0.0),
+        TurbineError::NotPositive { .. }
+    ));
+    assert!(matches!(
+        error(|m| m.yaw_n_m_per_rad = -5.0),
+        TurbineError::NotPositive { .. }
+    ));
+    assert!(matches!(
+        error(|m| m.generator.gear_ratio = 0.0),
+        TurbineError::NotPositive { .. }
+    ));
+    assert!(matches!(
+        error(|m| m.tilt_rad = 1.0),
+        TurbineError::Angle { .. }
+    ));
+    assert!(matches!(
+        error(|m| m.cone_rad = -1.0),
+        TurbineError::Angle { .. }
+    ));
+    let free = error(|m| (m.generator.is_locked, m.generator.inertia_kg_m2) = (false, 0.0));
+    assert!(matches!(free, TurbineError::NotPositive { .. }));
+}
+
+#[test]
+fn blades_that_do_not_fit_are_refused() {
+    let turns = error(|m| m.blade.rotor_speed_rad_per_s = 1.0);
+    assert_eq!(
+        turns,
+        TurbineError::BladeTurns {
+            speed_rad_per_s: 1.0
+        }
+    );
+    let pulled = error(|m| (m.blade.tip.mass_kg, m.blade.tip_is_pulled) = (5.0, false));
+    assert_eq!(pulled, TurbineError::TipNotPulled { mass_kg: 5.0 });
+    let length = error(|m| m.blade.tip_radius_m = 1.0);
+    assert!(matches!(
+        length,
+        TurbineError::Blade(BladeError::NoLength { .. })
+    ));
+}
+
+#[test]
+fn a_tower_with_a_machine_of_its_own_is_refused() {
+    let mut tower = tower();
+    tower.rna = Rna::point(7.0);
+    let error = Turbine::new(tower, straight()).expect_err("two machines");
+    assert_eq!(error, TurbineError::TwoMachines { mass_kg: 7.0 });
+}
+
+#[test]
+fn meshes_limits_and_speeds_that_are_none_are_refused() {
+    let turbine = Turbine::new(tower(), straight()).expect("a turbine");
+    for (tower_elements, tower_degree, blade_degree) in [(0, 4, 4), (1, 1, 4), (1, 4, 61)] {
+        let mesh = TurbineMesh {
+            tower_elements,
+            tower_degree,
+            blade_degree,
+        };
+        let error = TurbineModel::new(&turbine, &mesh).expect_err("no mesh");
+        assert!(matches!(error, TurbineError::Mesh { .. }));
+    }
+    let mut model = model(straight());
+    let limit = model.frequencies(0.0, 1.0).expect_err("no limit");
+    assert_eq!(limit, TurbineError::Limit { limit_hz: 0.0 });
+    assert!(matches!(
+        model.frequencies(1.0, f64::NAN),
+        Err(TurbineError::Speed { .. })
+    ));
+}
