@@ -1,6 +1,7 @@
 //! Turbines whose rotor turns: frequencies of another program and of closed forms, limits,
 //! symmetries, what is refused.
 
+mod dense;
 mod limits;
 mod refused;
 mod rigid;
