@@ -109,3 +109,13 @@ fn frequencies_of_a_changed_tower_allocate_nothing() {
         assert_eq!(again.count_total, 0, "{}", towers[0].name());
     }
 }
+
+#[test]
+fn counts_of_a_turbine_allocate_nothing() {
+    let mut model = crate::turbine::model(crate::turbine::tilted());
+    let mut count = || model.count(1.0, 1.2);
+    let first = allocation_counter::measure(|| assert!(count() > 0));
+    assert!(first.count_total > 0, "the counter does not count");
+    let again = allocation_counter::measure(|| assert!(count() > 0));
+    assert_eq!(again.count_total, 0);
+}

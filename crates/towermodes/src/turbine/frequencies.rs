@@ -5,6 +5,8 @@ use std::f64::consts::TAU;
 use super::model::TurbineModel;
 use super::root::{Sample, TOLERANCE, bracket};
 
+/// A motion slower than this, rad/s, is one that nothing resists: it is not looked at closer.
+const UNRESISTED: f64 = 1e-6;
 /// The coarsest and the finest grid on which modes of negative energy are sought.
 const GRIDS: std::ops::RangeInclusive<u32> = 6..=12;
 
@@ -13,7 +15,8 @@ const GRIDS: std::ops::RangeInclusive<u32> = 6..=12;
 pub struct CoupledFrequency {
     /// The frequency, Hz: the middle of its bounds.
     pub frequency_hz: f64,
-    /// The count of negative eigenvalues changes above this frequency, Hz, …
+    /// The count of negative eigenvalues changes above this frequency, Hz, which is 0 for a motion
+    /// that nothing resists, …
     pub lower_hz: f64,
     /// … and below this one, Hz.
     pub upper_hz: f64,
@@ -121,7 +124,7 @@ fn isolate(
     match difference {
         0 => {}
         1 if is_known => brackets.push((low, high)),
-        _ if is_point || high.w < f64::MIN_POSITIVE => brackets.push((low, high)),
+        _ if is_point || high.w < UNRESISTED => brackets.push((low, high)),
         _ => {
             let middle = sample(0.5 * (low.w + high.w));
             isolate(low, middle, sample, brackets);

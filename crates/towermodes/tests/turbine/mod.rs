@@ -115,7 +115,7 @@ fn straight() -> TurbineDescription {
 }
 
 /// The same with tilt, cone and pitch.
-fn tilted() -> TurbineDescription {
+pub(crate) fn tilted() -> TurbineDescription {
     let mut turbine = straight();
     turbine.tilt_rad = (-5_f64).to_radians();
     turbine.cone_rad = (-3_f64).to_radians();
@@ -128,7 +128,7 @@ fn model_on(tower: TowerDescription, machine: TurbineDescription) -> TurbineMode
     TurbineModel::new(&turbine, &FINE).expect("a model")
 }
 
-fn model(machine: TurbineDescription) -> TurbineModel {
+pub(crate) fn model(machine: TurbineDescription) -> TurbineModel {
     model_on(tower(), machine)
 }
 
