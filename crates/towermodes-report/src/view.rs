@@ -5,4 +5,4 @@
 ///
 /// It is built from the folder `page/` of the repository, contains the library three.js with its
 /// licence, and loads nothing.
-pub const VIEW_SCRIPT: &str = include_str!("built/view.js");
+pub static VIEW_SCRIPT: &str = include_str!("built/view.js");
