@@ -139,9 +139,13 @@ impl Explorer {
     /// # Errors
     /// [`Refusal`].
     pub fn elasticities(&self, question: &ElasticityQuestion) -> Result<Elasticities, Refusal> {
+        if question.mode == 0 {
+            let message = "the number of the mode is 0; modes are counted from 1".to_owned();
+            return Err(Refusal::new(message, None, Vec::new()));
+        }
         let (input, _) = self.changed(&question.state)?;
         let options = Options {
-            modes: question.mode.max(1),
+            modes: question.mode,
             points: 2,
             ..self.options(&input)
         };

@@ -25,6 +25,9 @@ import type { Answer, Refusal, Sheet, State } from "./protocol.js";
 import { handlesOf, nameOfDrag } from "./handles.js";
 import type { Drag } from "../view/scene.js";
 
+/** A refusal that names no number is shown at those that changed, if they are not more. */
+const MOST_CHANGED = 3;
+
 /** A state that could be solved. */
 interface Solved extends Moving {
   state: State;
@@ -238,9 +241,18 @@ export class Explorer {
     if (!matchMedia("(prefers-reduced-motion: reduce)").matches) this.stage.play();
   }
 
+  /** The numbers that a refusal is about: those it names, else the few that the last step changed. */
+  private concerned(named: string[]): string[] {
+    const before = this.shown?.state.numbers ?? {};
+    const now = this.history.present.numbers;
+    const names = [...new Set([...Object.keys(before), ...Object.keys(now)])];
+    const changed = names.filter((name) => before[name] !== now[name]);
+    return named.length > 0 || changed.length > MOST_CHANGED ? named : changed;
+  }
+
   private refuse(refusal: Refusal["refused"]): void {
     this.refusal = refusal;
-    this.numbers.refuse(refusal.parameters, sentences(refusal));
+    this.numbers.refuse(this.concerned(refusal.parameters), sentences(refusal));
     this.numbers.show(this.wanted());
     showRefusal(this.refusal, this.reveal);
     this.showTools();

@@ -59,7 +59,7 @@ impl Gate {
         match is_same(token.as_bytes(), self.token.as_bytes()) {
             true if rest.contains('/') => Ok(inside),
             _ => Err(forbidden(
-                "the address lacks the token; use the whole address that the program printed",
+                "the address lacks the token or its last slash; use the whole address that the program printed",
             )),
         }
     }

@@ -14,6 +14,11 @@ export function readNumber(typed: string): Entry {
     return Number.isFinite(value) ? { value } : { problem: `${text} is too large.` };
   }
   const pointed = text.replace(",", ".");
+  const whole = text.replaceAll(",", "");
+  if (/^[+-]?\d{1,3}(,\d{3})+$/.test(text)) {
+    const decimal = NUMBER.test(pointed) ? `, or ${pointed} if the comma is a decimal comma` : "";
+    return { problem: `Write ${whole}${decimal}.` };
+  }
   if (NUMBER.test(pointed)) return { problem: `Write a decimal point: ${pointed} instead of ${text}.` };
   return { problem: `“${text}” is not a number. Type digits with a decimal point, for example 3.6e5.` };
 }

@@ -72,7 +72,7 @@ class ModeRow {
     setClass(this.swatch, `swatch series${identity.series}`);
     setText(this.name, identity.name);
     const isRenamed = mode.label !== identity.name;
-    const remark = isRenamed ? `now ${mode.label}` : mode.verdict?.text ?? "";
+    const remark = isRenamed ? `now ${mode.label}` : (mode.verdict?.text ?? "").replace(" -", " \u2212");
     setText(this.remark, remark);
     if (this.remark.title !== remark) this.remark.title = remark;
     setText(this.frequency, aligned(mode.frequency, decimals));

@@ -54,12 +54,16 @@ export class Row {
 
   private build(): HTMLElement {
     const { id, label, meaning, unit } = this.text;
-    const name = make("span", "name", make("b", "", label));
-    const more = label.endsWith(meaning) ? "" : meaning;
+    // "0: diameter" with "outer diameter" is "0: outer diameter".
+    const key = label.slice(label.lastIndexOf(" ") + 1);
+    const isNamed = meaning.split(" ").includes(key);
+    const heading = isNamed ? label.slice(0, -key.length) + meaning : label;
+    const name = make("span", "name", make("b", "", heading));
+    const more = isNamed || label.endsWith(meaning) ? "" : meaning;
     if (more) name.append(` ${more}`);
     name.id = `${id}-name`;
     name.title = name.textContent;
-    const spoken = [label, more, unit && `in ${unit}`].filter(Boolean).join(", ");
+    const spoken = [heading, more, unit && `in ${unit}`].filter(Boolean).join(", ");
     this.slider.type = "range";
     this.field.type = "text";
     this.field.inputMode = "decimal";
