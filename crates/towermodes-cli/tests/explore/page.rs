@@ -453,7 +453,8 @@ fn a_program_that_has_ended_is_named() {
          slider.dispatchEvent(new Event('change', {{ bubbles: true }})); return 0; }})()"
     ));
     of.page.wait_for("document.querySelector('#notices').textContent.includes('towermodes explore examples/monopile.toml')");
-    assert!(of.page.text("location.hash").contains("rna.mass=300000"));
+    of.page
+        .wait_for("location.hash.includes('rna.mass=300000')");
 }
 
 /// Every control has a name, nothing is wider than the window, in every width and theme.
