@@ -98,8 +98,8 @@ pub struct AnsweredMode {
 /// The verdict on a mode.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
 pub struct Verdicted {
-    /// `pass`, `warn` or `fail`.
-    pub word: &'static str,
+    /// The verdict: `pass`, `warn` or `fail`.
+    pub word: Verdict,
     /// The excitation and its distance: "3P at 0.345 Hz, +7.3 %".
     pub text: String,
 }
@@ -117,7 +117,7 @@ pub struct Remark {
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
 pub struct Resonance {
     /// The worst verdict: `pass`, `warn` or `fail`.
-    pub word: &'static str,
+    pub word: Verdict,
     /// The conclusion in sentences, then the remarks of the check.
     pub conclusion: Vec<String>,
 }
@@ -161,7 +161,7 @@ impl Resonance {
     fn new(of: &Assessment) -> Self {
         let remarks = of.remarks.iter().map(ToString::to_string);
         Self {
-            word: word(of.campbell.verdict()),
+            word: of.campbell.verdict(),
             conclusion: of
                 .campbell
                 .conclusion()
@@ -219,16 +219,8 @@ fn verdicted(campbell: &Campbell, number: usize) -> Option<Verdicted> {
             format!("{multiple}P at {excitation} Hz, {distance} %")
         }
     };
-    let word = word(worst.verdict);
+    let word = worst.verdict;
     Some(Verdicted { word, text })
-}
-
-fn word(verdict: Verdict) -> &'static str {
-    match verdict {
-        Verdict::Pass => "pass",
-        Verdict::Warn => "warn",
-        Verdict::Fail => "fail",
-    }
 }
 
 fn facts(tower: &Tower, solution: &Solution) -> Vec<Fact> {

@@ -9,6 +9,7 @@ use towermodes_files::Setting;
 use towermodes_report::report::quoted;
 
 use super::explorer::Explorer;
+use super::sheet::column_of;
 use super::state::State;
 
 /// The lines that reproduce a state.
@@ -72,12 +73,15 @@ impl Explorer {
 
     /// The columns of which the state multiplies every number by the same factor.
     fn whole_columns(&self, state: &State) -> Vec<WholeColumn> {
+        if state.numbers.is_empty() {
+            return Vec::new();
+        }
         let description = &self.exploration.input.description;
         let mut columns: BTreeMap<String, Vec<(String, f64)>> = BTreeMap::new();
-        for parameter in super::sheet::groups_and_parameters(description).1 {
-            if let Some(column) = parameter.column {
+        for parameter in Parameter::all(description) {
+            if let Some(column) = column_of(parameter) {
                 let own = columns.entry(column).or_default();
-                own.push((parameter.name, parameter.value));
+                own.push((parameter.to_string(), parameter.value(description)));
             }
         }
         let whole = columns.into_iter().filter_map(|(column, numbers)| {

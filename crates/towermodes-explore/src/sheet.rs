@@ -109,6 +109,11 @@ pub(crate) fn groups_and_parameters(
     (groups, parameters)
 }
 
+/// The name of the column of a number, if it is in a list: `stations[*].wall`.
+pub(crate) fn column_of(parameter: Parameter) -> Option<String> {
+    Name::new(parameter).column
+}
+
 /// A name in the pieces that a page shows.
 struct Name {
     group: &'static str,

@@ -1,5 +1,7 @@
 //! The ranges of sliders around the values of a file.
 
+use std::collections::HashMap;
+
 use towermodes::{Parameter, Tower, TowerDescription};
 
 /// A slider reaches this share of the value to both sides.
@@ -12,7 +14,8 @@ const LEFT: f64 = 0.05;
 /// The ranges of the sliders of a tower.
 pub(crate) struct Sliders<'d> {
     description: &'d TowerDescription,
-    all: Vec<Parameter>,
+    /// The heights of each list, m, by the name of its column.
+    heights_m: HashMap<String, Vec<f64>>,
     /// Height of the tower, m, and mass of tower and RNA, kg; 1 of an impossible tower.
     height_m: f64,
     mass_kg: f64,
@@ -23,9 +26,15 @@ impl<'d> Sliders<'d> {
         let tower = Tower::new(description.clone()).ok();
         let height_m = tower.as_ref().map_or(1.0, Tower::height_m);
         let mass_kg = tower.map_or(1.0, |tower| tower.mass_kg() + tower.rna().mass_kg);
+        let mut heights_m: HashMap<String, Vec<f64>> = HashMap::new();
+        let all = Parameter::all(description).into_iter();
+        for height in all.filter(|one| one.is_height()) {
+            let own = heights_m.entry(column(height)).or_default();
+            own.push(height.value(description));
+        }
         Self {
             description,
-            all: Parameter::all(description),
+            heights_m,
             height_m,
             mass_kg,
         }
@@ -50,11 +59,8 @@ impl<'d> Sliders<'d> {
     /// A height stays between the neighbours of its list.
     fn of_height(&self, parameter: Parameter, value: f64) -> [f64; 2] {
         let reach_m = HEIGHT_SHARE * self.height_m;
-        let own = column(parameter);
-        let others = self.all.iter().filter(|one| column(**one) == own);
-        let others = others.map(|one| one.value(self.description));
         let (mut low, mut high) = (value - reach_m, value + reach_m);
-        for other in others {
+        for &other in self.heights_m.get(&column(parameter)).into_iter().flatten() {
             let left = LEFT * (other - value).abs();
             if other < value {
                 low = low.max(other + left);

@@ -206,9 +206,11 @@ export class Explorer {
 
   private done(state: State, result: Result, at: number, since: number): void {
     withdraw("program");
-    if (result.refused === null) this.accept(state, result);
-    else this.refuse(result.refused);
-    if (result.refused !== null) return;
+    if (result.refused !== null) {
+      this.refuse(result.refused);
+      return;
+    }
+    this.accept(state, result);
     const { solve_ms, answer_ms } = result;
     const drawn = performance.now();
     requestAnimationFrame(() => {
@@ -352,7 +354,7 @@ export class Explorer {
       while (this.shown === null && this.queue.pending) await new Promise(requestAnimationFrame);
       this.variant = { state, answer, followed: this.follower.copy().follow(answer.modes, answer.scene) };
       this.show();
-      } catch (error) {
+    } catch (error) {
       this.failed(error);
     }
   }

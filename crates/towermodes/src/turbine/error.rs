@@ -20,7 +20,7 @@ pub enum TurbineError {
     /// The number of blades.
     #[error(transparent)]
     Rotor(#[from] RotorError),
-    /// A number that is none.
+    /// A number that is infinite or NaN.
     #[error("{quantity} is {value}, which is not a finite number")]
     NotFinite {
         /// The quantity.
@@ -44,7 +44,7 @@ pub enum TurbineError {
         /// The value given.
         value: f64,
     },
-    /// A shaft, or blades, turned by a right angle or more.
+    /// A tilt or a cone of more than 45 degrees.
     #[error("{quantity} is {:.2} degrees; it must be between -45 and 45 degrees", .angle_rad.to_degrees())]
     Angle {
         /// The quantity.
@@ -73,7 +73,7 @@ pub enum TurbineError {
         /// Its mass, kg.
         mass_kg: f64,
     },
-    /// Elements that are none, or of too low or too high a degree.
+    /// No elements, or a degree that is too low or too high.
     #[error(
         "{elements} elements of degree {degree} are not possible for {part}; the number of elements must be 1 or more and the degree from 2 to {most}"
     )]
@@ -90,13 +90,13 @@ pub enum TurbineError {
     /// Numbers so large that products of them are infinite.
     #[error("the numbers of the turbine are too large: their products are infinite")]
     Overflow,
-    /// A limit that is no frequency.
+    /// A limit that is not positive, or infinite.
     #[error("the limit of the frequencies is {} Hz; it must be positive and finite", Plain(*.limit_hz))]
     Limit {
         /// The limit given, Hz.
         limit_hz: f64,
     },
-    /// A speed that is none.
+    /// A speed that is infinite or NaN.
     #[error("the speed of the rotor is {speed_rad_per_s} rad/s, which is not a finite number")]
     Speed {
         /// The speed given, rad/s.

@@ -15,10 +15,10 @@ const GRIDS: std::ops::RangeInclusive<u32> = 6..=12;
 pub struct CoupledFrequency {
     /// The frequency, Hz: the middle of its bounds.
     pub frequency_hz: f64,
-    /// The count of negative eigenvalues changes above this frequency, Hz, which is 0 for a motion
-    /// that nothing resists, …
+    /// The lower bound, Hz: between it and the upper bound the count of negative eigenvalues
+    /// changes. It is 0 for a motion that nothing resists.
     pub lower_hz: f64,
-    /// … and below this one, Hz.
+    /// The upper bound, Hz.
     pub upper_hz: f64,
     /// How many modes have this frequency.
     pub multiplicity: usize,

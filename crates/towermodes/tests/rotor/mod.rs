@@ -4,7 +4,7 @@ mod coleman;
 mod rigid;
 
 #[track_caller]
-fn assert_near(computed: &[f64], exact: &[f64], tolerance: f64) {
+pub fn assert_near(computed: &[f64], exact: &[f64], tolerance: f64) {
     assert_eq!(computed.len(), exact.len(), "{computed:?} and {exact:?}");
     for (computed, exact) in computed.iter().zip(exact) {
         let difference = (computed / exact - 1.0).abs();

@@ -7,6 +7,7 @@ mod refused;
 mod rigid;
 mod uniform;
 
+use crate::rotor::assert_near;
 use std::f64::consts::PI;
 
 use towermodes::turbine::{Generator, Hub, Turbine, TurbineDescription, TurbineMesh, TurbineModel};
@@ -140,13 +141,4 @@ fn frequencies(model: &mut TurbineModel, limit_hz: f64, rpm: f64) -> Vec<f64> {
     let all = spectrum.frequencies.iter();
     all.flat_map(|f| std::iter::repeat_n(f.frequency_hz, f.multiplicity))
         .collect()
-}
-
-#[track_caller]
-fn assert_near(computed: &[f64], exact: &[f64], tolerance: f64) {
-    assert_eq!(computed.len(), exact.len(), "{computed:?} and {exact:?}");
-    for (computed, exact) in computed.iter().zip(exact) {
-        let difference = (computed / exact - 1.0).abs();
-        assert!(difference < tolerance, "{computed} and {exact}");
-    }
 }
