@@ -201,6 +201,68 @@ fn a_whole_column_is_multiplied() {
     of.page.was_quiet();
 }
 
+/// The pointer goes down the tower until its form says that a station can be dragged; then it drags
+/// sideways. Escape would cancel; the end is one step.
+#[test]
+fn a_station_is_dragged_in_the_view() {
+    let Some(of) = Explored::open(&["examples/nrel-5mw.toml"], WIDE) else {
+        return;
+    };
+    // The tower stands still while it is looked for.
+    of.page.click("#play");
+    let canvas = "document.querySelector('#view canvas')";
+    let form = of.page.value(&format!(
+        "(() => {{ const box = {canvas}.getBoundingClientRect(); return [box.x, box.y, box.width, box.height]; }})()"
+    ));
+    let number = |index: usize| form[index].as_f64().expect("a number");
+    let [x, y, width, height] = [0, 1, 2, 3].map(number);
+    let mouse = |kind: &str, at: [f64; 2]| {
+        let button = if kind == "mouseMoved" { "none" } else { "left" };
+        let event =
+            json!({ "type": kind, "x": at[0], "y": at[1], "button": button, "clickCount": 1 });
+        of.page.call("Input.dispatchMouseEvent", &event);
+    };
+    let before = of.frequencies_hz();
+    let places = (0..200).flat_map(|down| {
+        (0..9).map(move |across| {
+            [
+                x + width * (0.5 + 0.012 * (f64::from(across) - 4.0)),
+                y + height * (0.98 - 0.004 * f64::from(down)),
+            ]
+        })
+    });
+    let cursor = format!("getComputedStyle({canvas}).cursor");
+    let found = places.into_iter().find(|at| {
+        mouse("mouseMoved", *at);
+        let cursor = of.page.text(&cursor);
+        cursor.contains("resize") || cursor == "move"
+    });
+    let [at_x, at_y] = found.expect("a handle");
+    mouse("mousePressed", [at_x, at_y]);
+    for step in 1..=10 {
+        let event = json!({ "type": "mouseMoved", "x": at_x + 2.0 * f64::from(step), "y": at_y, "button": "left", "buttons": 1 });
+        of.page.call("Input.dispatchMouseEvent", &event);
+    }
+    mouse("mouseReleased", [at_x + 20.0, at_y]);
+    of.is_shown();
+    let state = of.page.value("window.towermodes.state.numbers");
+    let names: Vec<&String> = state.as_object().expect("numbers").keys().collect();
+    assert_eq!(names.len(), 1, "{state}");
+    assert!(
+        names[0].starts_with("stations[") && names[0].ends_with("].diameter"),
+        "{state}"
+    );
+    assert_ne!(of.frequencies_hz(), before);
+    same_digits(
+        &of.frequencies_hz(),
+        &of.solved_hz("examples/nrel-5mw.toml"),
+    );
+    of.page.click("#undo");
+    of.is_shown();
+    assert_eq!(of.frequencies_hz(), before);
+    of.page.was_quiet();
+}
+
 #[test]
 fn undo_redo_and_reset_go_through_the_states() {
     let Some(of) = Explored::open(&[MONOPILE], WIDE) else {
