@@ -15,7 +15,7 @@ use crate::blade::Blade;
 use crate::elements::{Borders, Mesh};
 use crate::rotor::Multiblade;
 use crate::subsystem::{Coefficients, Subsystem};
-use crate::tower::{Tower, TowerDescription};
+use crate::tower::{Rna, Tower, TowerDescription};
 
 /// The highest polynomial degree of an element.
 const MAX_DEGREE: usize = 60;
@@ -121,16 +121,27 @@ impl Turbine {
             let mass_kg = tower.rna.mass_kg;
             return Err(TurbineError::TwoMachines { mass_kg });
         }
-        check(&machine)?;
-        let blade = Blade::new(machine.blade.clone())?;
-        let rotor = rotor(&blade, &machine, 2)?;
+        let (blade, rna) = checked(&machine)?;
         // The weight of the machine compresses the tower; its inertia is that of its parts.
-        tower.rna = Machine::new(&machine, rotor).at_rest(&machine);
+        tower.rna = rna;
         Ok(Self {
             tower: Tower::new(tower)?,
             blade,
             machine,
         })
+    }
+
+    /// The same for a tower whose rotor-nacelle assembly, a rigid body, stands for the turbine: it
+    /// is left away.
+    ///
+    /// # Errors
+    /// [`TurbineError`] with the numbers of the first thing that no turbine can have.
+    pub fn in_place_of_rna(
+        mut tower: TowerDescription,
+        machine: TurbineDescription,
+    ) -> Result<Self, TurbineError> {
+        tower.rna = Rna::default();
+        Self::new(tower, machine)
     }
 
     /// The tower, which carries the whole machine as a rigid body.
@@ -142,6 +153,24 @@ impl Turbine {
     pub fn machine(&self) -> &TurbineDescription {
         &self.machine
     }
+}
+
+impl TurbineDescription {
+    /// The turbine as a rigid body that does not turn, for towers without a turning rotor.
+    ///
+    /// # Errors
+    /// [`TurbineError`] with the numbers of the first thing that no turbine can have.
+    pub fn rna(&self) -> Result<Rna, TurbineError> {
+        checked(self).map(|(_, rna)| rna)
+    }
+}
+
+/// The blade of a turbine whose numbers are possible, and the whole as a rigid body.
+fn checked(machine: &TurbineDescription) -> Result<(Blade, Rna), TurbineError> {
+    check(machine)?;
+    let blade = Blade::new(machine.blade.clone())?;
+    let rotor = rotor(&blade, machine, 2)?;
+    Ok((blade, Machine::new(machine, rotor).at_rest(machine)))
 }
 
 /// The rotor of a turbine, with blade elements of a degree.

@@ -1,0 +1,169 @@
+//! Where the energy of a mode is, by parts of the turbine.
+
+/// How a blade deflects.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum BladeMotion {
+    /// About the edge axis of its sections, mostly downwind.
+    Flap,
+    /// About the flap axis of its sections, mostly in the plane of the rotor.
+    Edge,
+    /// Twist about its axis.
+    Torsion,
+    /// Along its axis.
+    Axial,
+}
+
+/// How the deflections of the blades of a rotor follow each other.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Harmonic {
+    /// All alike.
+    Collective,
+    /// A wave that runs around the rotor with the rotation.
+    Forward,
+    /// A wave that runs around the rotor against the rotation.
+    Backward,
+    /// As the cosine of the azimuth: the rotor tilts. For modes whose two waves are equal, as at
+    /// standstill.
+    Tilt,
+    /// As the sine of the azimuth: the rotor yaws.
+    Yaw,
+    /// A wave of this many periods around the rotor, 2 or more, with the rotation; it does not move
+    /// the hub. Only rotors of more than three blades have it.
+    ForwardOf(usize),
+    /// The same against the rotation.
+    BackwardOf(usize),
+    /// Neighbours against each other, in a rotor with an even number of blades, 4 or more.
+    Alternating,
+}
+
+/// A part of a turbine that stores elastic energy.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum TurbinePart {
+    /// Bending of the tower downwind, with the soil and the foundation.
+    TowerForeAft,
+    /// Bending of the tower sideways, with the soil and the foundation.
+    TowerSideSide,
+    /// Torsion of the tower.
+    TowerTorsion,
+    /// Stretch of the tower.
+    TowerAxial,
+    /// The yaw drive.
+    YawDrive,
+    /// The shaft: torsion of the drivetrain.
+    Shaft,
+    /// The blades.
+    Blades(BladeMotion, Harmonic),
+}
+
+/// Energies of the blades in one motion.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct BladeEnergy {
+    /// All alike.
+    pub collective: f64,
+    /// With the rotation.
+    pub forward: f64,
+    /// Against the rotation.
+    pub backward: f64,
+    /// As the cosine of the azimuth; `tilt + yaw = forward + backward`.
+    pub tilt: f64,
+    /// As the sine of the azimuth.
+    pub yaw: f64,
+}
+
+/// Elastic energies of a mode by parts. None is negative at any speed: gyroscopic and centrifugal
+/// forces are not among them.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct TurbineEnergy {
+    /// Bending of the tower downwind, with the soil and the foundation.
+    pub tower_fore_aft: f64,
+    /// Bending of the tower sideways, with the soil and the foundation.
+    pub tower_side_side: f64,
+    /// Torsion of the tower.
+    pub tower_torsion: f64,
+    /// Stretch of the tower.
+    pub tower_axial: f64,
+    /// The yaw drive.
+    pub yaw_drive: f64,
+    /// The shaft.
+    pub shaft: f64,
+    /// The blades by their motion: flap, edge, torsion, axial.
+    pub blades: [BladeEnergy; 4],
+}
+
+impl BladeMotion {
+    /// All, in the order of [`TurbineEnergy::blades`].
+    pub const ALL: [Self; 4] = [Self::Flap, Self::Edge, Self::Torsion, Self::Axial];
+
+    /// Its name: "flapwise", "edgewise", "blade torsion", "blade axial".
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Flap => "flapwise",
+            Self::Edge => "edgewise",
+            Self::Torsion => "blade torsion",
+            Self::Axial => "blade axial",
+        }
+    }
+}
+
+impl BladeEnergy {
+    /// Of all harmonics.
+    pub fn total(&self) -> f64 {
+        self.collective + self.forward + self.backward
+    }
+
+    /// By harmonic: collective and, of the two ways to take the rest apart, the one in which more
+    /// is in one of the two.
+    pub fn parts(&self) -> [(Harmonic, f64); 3] {
+        let are_waves = self.forward.max(self.backward) >= self.tilt.max(self.yaw);
+        let rest = match are_waves {
+            true => [
+                (Harmonic::Forward, self.forward),
+                (Harmonic::Backward, self.backward),
+            ],
+            false => [(Harmonic::Tilt, self.tilt), (Harmonic::Yaw, self.yaw)],
+        };
+        [(Harmonic::Collective, self.collective), rest[0], rest[1]]
+    }
+}
+
+impl TurbineEnergy {
+    /// Of all parts.
+    pub fn total(&self) -> f64 {
+        let blades = self.blades.iter().map(BladeEnergy::total);
+        self.stationary()
+            .iter()
+            .map(|(_, energy)| energy)
+            .sum::<f64>()
+            + blades.sum::<f64>()
+    }
+
+    /// By part, in the order of the parts of the turbine.
+    pub fn parts(&self) -> Vec<(TurbinePart, f64)> {
+        let blades = BladeMotion::ALL.iter().zip(&self.blades);
+        let blades = blades.flat_map(|(motion, energy)| {
+            let of = |(harmonic, energy)| (TurbinePart::Blades(*motion, harmonic), energy);
+            energy.parts().map(of)
+        });
+        self.stationary().into_iter().chain(blades).collect()
+    }
+
+    /// The part with the most energy, and its fraction of the sum.
+    pub fn largest(&self) -> (TurbinePart, f64) {
+        let none = (TurbinePart::TowerForeAft, 0.0);
+        let parts = self.parts().into_iter();
+        let (part, energy) =
+            parts.fold(none, |most, part| if part.1 > most.1 { part } else { most });
+        (part, energy / self.total())
+    }
+
+    fn stationary(&self) -> [(TurbinePart, f64); 6] {
+        [
+            (TurbinePart::TowerForeAft, self.tower_fore_aft),
+            (TurbinePart::TowerSideSide, self.tower_side_side),
+            (TurbinePart::TowerTorsion, self.tower_torsion),
+            (TurbinePart::TowerAxial, self.tower_axial),
+            (TurbinePart::YawDrive, self.yaw_drive),
+            (TurbinePart::Shaft, self.shaft),
+        ]
+    }
+}
