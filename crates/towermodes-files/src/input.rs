@@ -1,6 +1,7 @@
 //! The result of a reader: the description of a tower or blade, and the place of each value.
 
-use towermodes::{Method, Place, Tower, TowerDescription};
+use towermodes::turbine::TurbineDescription;
+use towermodes::{Method, Place, Tower, TowerDescription, TowerError};
 
 use crate::diagnostic::line_and_column;
 use crate::error::ReadError;
@@ -57,6 +58,15 @@ pub struct TowerInput {
     pub blades: Option<usize>,
     /// One of the rotor's blades at standstill, if the files have it.
     pub blade: Option<towermodes::BladeDescription>,
+    /// Nacelle, drivetrain and flexible blades, if the files describe them and if they make a
+    /// turbine whose modes can be solved ([`Self::whole_turbine`]). The description of the tower has all of
+    /// it as a rigid body.
+    pub turbine: Option<TurbineDescription>,
+    /// Why there is no turbine, if the files describe a rotor on the tower; [`None`] if they
+    /// describe only the tower, or if there is a turbine.
+    pub turbine_missing: Option<Note>,
+    /// Notes on the turbine, which matter only where it is used.
+    pub turbine_notes: Vec<Note>,
     /// Height of the joint between monopile and tower, m, if there is a monopile.
     pub joint_m: Option<f64>,
     /// The layout of results that the file prescribes.
@@ -88,6 +98,9 @@ impl TowerInput {
             method: None,
             modes: None,
             blade: None,
+            turbine: None,
+            turbine_missing: None,
+            turbine_notes: Vec::new(),
             joint_m: None,
             layout: OutLayout::default(),
             notes: Vec::new(),
@@ -127,20 +140,23 @@ impl TowerInput {
     /// # Errors
     /// [`ReadError::Mistakes`] at the place of what no tower can have.
     pub fn tower(&self) -> Result<Tower, ReadError> {
-        Tower::new(self.description.clone()).map_err(|error| {
-            let is_toml = self.format == FileFormat::Toml;
-            let (file, mut diagnostic) = self.places.mistake(&error, is_toml, self.sources.len());
-            if let Some(settings) = self.settings.last().filter(|_| file < self.sources.len()) {
-                let hint = diagnostic.hint.map_or(String::new(), |hint| hint + "; ");
-                let by = &settings.name;
-                diagnostic.hint = Some(format!("{hint}the file shows the numbers before {by}"));
-            }
-            ReadError::mistake(self.source(file), diagnostic)
-        })
+        Tower::new(self.description.clone()).map_err(|error| self.tower_mistake(&error))
+    }
+
+    /// What no tower can have, at its place.
+    pub(crate) fn tower_mistake(&self, error: &TowerError) -> ReadError {
+        let is_toml = self.format == FileFormat::Toml;
+        let (file, mut diagnostic) = self.places.mistake(error, is_toml, self.sources.len());
+        if let Some(settings) = self.settings.last().filter(|_| file < self.sources.len()) {
+            let hint = diagnostic.hint.map_or(String::new(), |hint| hint + "; ");
+            let by = &settings.name;
+            diagnostic.hint = Some(format!("{hint}the file shows the numbers before {by}"));
+        }
+        ReadError::mistake(self.source(file), diagnostic)
     }
 
     /// A file by its index among the files and settings.
-    fn source(&self, file: usize) -> &Source {
+    pub(crate) fn source(&self, file: usize) -> &Source {
         let mut sources = self.sources.iter().chain(&self.settings);
         sources.nth(file).unwrap_or(&self.sources[0])
     }

@@ -50,6 +50,7 @@ mod source;
 mod station_table;
 mod study;
 mod toml;
+mod turbine;
 mod windio;
 
 use towermodes::number;

@@ -146,6 +146,7 @@ fn with_rotor(mut tower: TowerInput, options: &ReadOptions) -> Result<TowerInput
 
 fn remove_rna(tower: &mut TowerInput) {
     let rna = std::mem::take(&mut tower.description.rna);
+    tower.remove_turbine(None);
     // Readers of turbines leave the assembly out themselves.
     let is_tower_file = matches!(
         tower.format,

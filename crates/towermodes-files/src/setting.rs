@@ -182,6 +182,12 @@ impl TowerInput {
         for (change, setting) in pairs() {
             change.apply(&mut self.description, setting.value);
         }
+        if self.description.rna != before.rna {
+            let message = format!(
+                "the rotor-nacelle assembly is changed by {by}, so that there is no turbine with the same nacelle and rotor"
+            );
+            self.remove_turbine(Some(Note::missing_part(message)));
+        }
         let after = &self.description;
         let notes = pairs().map(|(change, setting)| note(change, setting, by, [&before, after]));
         self.notes.extend(notes.collect::<Vec<_>>());

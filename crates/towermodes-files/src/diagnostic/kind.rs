@@ -3,6 +3,7 @@
 use std::fmt;
 
 use thiserror::Error;
+use towermodes::turbine::TurbineError;
 use towermodes::{ModeNameError, ParameterError, Problem};
 
 use crate::sampling::SamplingError;
@@ -203,6 +204,9 @@ pub enum DiagnosticKind {
     /// A tower that the checks of the library refuse.
     #[error(transparent)]
     Tower(Problem),
+    /// A turbine that the checks of the library refuse.
+    #[error(transparent)]
+    Turbine(Box<TurbineError>),
 }
 
 /// A number in a message with all the digits it needs, with an exponent where that is shorter.

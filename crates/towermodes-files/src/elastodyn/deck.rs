@@ -15,8 +15,10 @@ use super::main_file::MainFile;
 use super::main_reader::{BLADES, read_main_file};
 use super::names::{is_blade_file, is_main_file, is_tower_file};
 use super::rotor;
+use super::servodyn::{YawSpring, yaw_spring};
 use super::tower_file::{CoefficientSpans, TowerFile};
 use super::tower_reader::{TowerReading, read_with_places};
+use super::turbine::{self, Parts};
 use crate::diagnostic::{Diagnostic, DiagnosticKind};
 use crate::error::ReadError;
 use crate::input::{FileFormat, ReadOptions, RotorLock, TowerInput};
@@ -24,6 +26,7 @@ use crate::note::Note;
 use crate::places::{Places, TABLE};
 use crate::resolver::FileResolver;
 use crate::source::Source;
+use crate::turbine::TurbineReading;
 
 /// An ElastoDyn model and the tower that it describes.
 #[derive(Debug, Clone)]
@@ -79,6 +82,8 @@ struct Model {
     tower_source: Source,
     reading: TowerReading,
     blades: Blades,
+    /// The yaw spring, if the nacelle yaws and there is an `.fst` file.
+    yaw: Option<YawSpring>,
 }
 
 impl Model {
@@ -102,12 +107,16 @@ impl Model {
             true => Blades::default(),
             false => blades(&main, &named)?,
         };
+        let fst = found.fst.as_ref().filter(|_| main.machine_dofs.yaw);
+        let yaw = fst.filter(|_| !options.without_rna);
+        let yaw = yaw.map(|fst| yaw_spring(fst, files));
         Ok(Self {
             found,
             main,
             tower_source,
             reading,
             blades,
+            yaw,
         })
     }
 
@@ -143,7 +152,7 @@ impl Model {
             description.gravity_m_per_s2 = m_per_s2;
             notes.extend(note);
         }
-        let blade = self.blades.first.as_ref();
+        let blade = self.blades.files.first();
         let blade = blade.map(|file| rotor::blade(main, file));
         TowerInput {
             blades: Some(main.blade_count),
@@ -153,6 +162,25 @@ impl Model {
             places: self.places(),
             ..TowerInput::new(FileFormat::ElastoDyn, description, self.sources())
         }
+        .with_turbine(self.turbine(options))
+    }
+
+    /// The turbine, if the rotor-nacelle assembly is wanted.
+    fn turbine(&self, options: &ReadOptions) -> TurbineReading {
+        if options.without_rna {
+            return TurbineReading::default();
+        }
+        let mut turbine = turbine::turbine(&Parts {
+            main: &self.main,
+            source: &self.found.source,
+            blades: &self.blades.files,
+            yaw: self.yaw.clone(),
+            lock: options.rotor,
+        });
+        if turbine.description.is_some() {
+            turbine.notes.extend(self.found.beamdyn_note.clone());
+        }
+        turbine
     }
 
     /// The notes on the files, on the tower and on the rotor-nacelle assembly.
@@ -254,7 +282,8 @@ struct Blades {
     sources: Vec<Source>,
     /// Of each blade.
     masses: Vec<BladeMasses>,
-    first: Option<BladeFile>,
+    /// The content of each blade's file.
+    files: Vec<BladeFile>,
 }
 
 fn blades(main: &MainFile, named: &Named<'_>) -> Result<Blades, ReadError> {
@@ -265,13 +294,12 @@ fn blades(main: &MainFile, named: &Named<'_>) -> Result<Blades, ReadError> {
             let source = named.read(path, key, main.place(key))?;
             let blade = read_blade_file(&source).map_err(|m| ReadError::mistake(&source, m))?;
             blades.sources.push(source);
-            blades.first.get_or_insert_with(|| blade.clone());
             read.insert(path, blade);
         }
-        let masses = read
-            .get(path.as_str())
-            .map(|blade| blade.masses(main.blade_length_m()));
-        blades.masses.extend(masses);
+        if let Some(blade) = read.get(path.as_str()) {
+            blades.masses.push(blade.masses(main.blade_length_m()));
+            blades.files.push(blade.clone());
+        }
     }
     Ok(blades)
 }

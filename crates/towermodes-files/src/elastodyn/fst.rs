@@ -26,6 +26,8 @@ pub(super) struct Main {
     /// Acceleration of gravity that the `.fst` file gives, m/s².
     pub(super) gravity_m_per_s2: Option<f64>,
     pub(super) notes: Vec<Note>,
+    /// The note on the blades of a turbine, if they are those of BeamDyn.
+    pub(super) beamdyn_note: Option<Note>,
 }
 
 /// The main file itself, or the one that an `.fst` file names.
@@ -39,6 +41,7 @@ pub(super) fn main_source(source: Source, files: &dyn FileResolver) -> Result<Ma
         folder: String::new(),
         gravity_m_per_s2: None,
         notes: Vec::new(),
+        beamdyn_note: None,
     })
 }
 
@@ -59,6 +62,7 @@ fn named_by(fst: Source, files: &dyn FileResolver) -> Result<Main, ReadError> {
         folder: folder.to_owned(),
         gravity_m_per_s2,
         notes: notes(&fst),
+        beamdyn_note: blades_of_beamdyn(&fst),
         fst: Some(fst),
     })
 }
@@ -92,6 +96,15 @@ fn beamdyn(source: &Source) -> Option<Note> {
     let (value, at) = switch(source, "CompElast")?;
     (value == 2).then(|| {
         let message = "CompElast is 2, so the blades are those of BeamDyn, but their masses are taken from ElastoDyn's blade files";
+        Note::approximation(message).at(source, at)
+    })
+}
+
+/// The note that the blades of the turning turbine are not those of the simulation.
+fn blades_of_beamdyn(source: &Source) -> Option<Note> {
+    let (value, at) = switch(source, "CompElast")?;
+    (value == 2).then(|| {
+        let message = "CompElast is 2, so the blades are those of BeamDyn, but those of the turning turbine are from ElastoDyn's blade files";
         Note::approximation(message).at(source, at)
     })
 }
@@ -152,7 +165,7 @@ fn left_out(source: &Source, module: &Module) -> Option<Note> {
 }
 
 /// The value of a switch (a number or, in the first versions, true or false) and its byte.
-fn switch(source: &Source, name: &str) -> Option<(i64, usize)> {
+pub(super) fn switch(source: &Source, name: &str) -> Option<(i64, usize)> {
     let token = line_of(&source.text, name)?.first()?;
     let value = match token.integer(name) {
         Ok(value) => value,

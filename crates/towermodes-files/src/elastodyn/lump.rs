@@ -115,7 +115,8 @@ pub(super) fn hub_inertia_kg_m2(main: &MainFile) -> (f64, f64) {
     }
 }
 
-fn nacelle(main: &MainFile) -> RigidBody {
+/// The nacelle, whose inertia about the yaw axis is all that ElastoDyn has.
+pub(super) fn nacelle(main: &MainFile) -> RigidBody {
     let [x, y, _] = main.nacelle_center_m;
     let zz = main.nacelle_yaw_inertia_kg_m2 - main.nacelle_mass_kg * (x * x + y * y);
     RigidBody {

@@ -14,6 +14,13 @@ pub struct MainFile {
     pub header: [String; 2],
     /// Acceleration of gravity, m/s² (`Gravity`); since OpenFAST 3.0 it is in the `.fst` file.
     pub gravity_m_per_s2: Option<f64>,
+    /// Whether the blades' modes move: first and second flapwise (`FlapDOF1`, `2`), first edgewise
+    /// (`EdgeDOF`).
+    pub blade_dofs: [bool; 3],
+    /// Whether the blades turn on their pitch bearings (`PitchDOF`, since OpenFAST 5.0).
+    pub pitch_dof: bool,
+    /// What moves between tower and blades.
+    pub machine_dofs: MachineDofs,
     /// Whether the tower's modes move: first and second fore-aft (`TwFADOF1`, `2`), first and
     /// second side-side (`TwSSDOF1`, `2`).
     pub tower_dofs: [bool; 4],
@@ -68,6 +75,8 @@ pub struct MainFile {
     pub generator_inertia_kg_m2: f64,
     /// Gearbox ratio (`GBRatio`).
     pub gearbox_ratio: f64,
+    /// Torsional stiffness of the shaft at its slow end, N m/rad (`DTTorSpr`).
+    pub shaft_n_m_per_rad: f64,
     /// Mass of the nacelle, kg (`NacMass`).
     pub nacelle_mass_kg: f64,
     /// Inertia of the nacelle about the yaw axis, kg m² (`NacYIner`).
@@ -90,6 +99,19 @@ pub struct MainFile {
     pub tower_file: String,
     /// The place of each value.
     pub(super) spans: BTreeMap<&'static str, Range<usize>>,
+}
+
+/// Which motions between tower and blades a model has.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct MachineDofs {
+    /// Teeter of a rotor of two blades (`TeetDOF`).
+    pub teeter: bool,
+    /// Twist of the shaft (`DrTrDOF`).
+    pub shaft: bool,
+    /// Rotation of the generator; without it the generator turns at constant speed (`GenDOF`).
+    pub generator: bool,
+    /// Yaw of the nacelle (`YawDOF`).
+    pub yaw: bool,
 }
 
 /// The rigid platform under a tower.

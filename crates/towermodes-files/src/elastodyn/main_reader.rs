@@ -5,12 +5,13 @@ use std::ops::Range;
 
 use super::layout::{Placed, parameters};
 use super::lump::hub_inertia_kg_m2;
-use super::main_file::{MainFile, Platform};
+use super::main_file::{MachineDofs, MainFile, Platform};
 use super::positional::Parameter;
 use crate::diagnostic::{Diagnostic, DiagnosticKind};
 use crate::records::Lines;
 use crate::source::Source;
 
+pub(super) const BLADE_DOFS: [&str; 3] = ["FlapDOF1", "FlapDOF2", "EdgeDOF"];
 const TOWER_DOFS: [&str; 4] = ["TwFADOF1", "TwFADOF2", "TwSSDOF1", "TwSSDOF2"];
 const PLATFORM_DOFS: [&str; 6] = [
     "PtfmSgDOF",
@@ -21,9 +22,9 @@ const PLATFORM_DOFS: [&str; 6] = [
     "PtfmYDOF",
 ];
 pub(super) const BLADES: [&str; 3] = ["BldFile(1)", "BldFile(2)", "BldFile(3)"];
-const PITCH: [&str; 3] = ["BlPitch(1)", "BlPitch(2)", "BlPitch(3)"];
-const PRECONE: [&str; 3] = ["PreCone(1)", "PreCone(2)", "PreCone(3)"];
-const TIP_MASS: [&str; 3] = ["TipMass(1)", "TipMass(2)", "TipMass(3)"];
+pub(super) const PITCH: [&str; 3] = ["BlPitch(1)", "BlPitch(2)", "BlPitch(3)"];
+pub(super) const PRECONE: [&str; 3] = ["PreCone(1)", "PreCone(2)", "PreCone(3)"];
+pub(super) const TIP_MASS: [&str; 3] = ["TipMass(1)", "TipMass(2)", "TipMass(3)"];
 
 /// Reads a main (primary) file of ElastoDyn, from FAST 8 to OpenFAST 5.
 ///
@@ -36,6 +37,9 @@ pub fn read_main_file(source: &Source) -> Result<MainFile, Diagnostic> {
     let file = MainFile {
         header: header(&source.text),
         gravity_m_per_s2: values.optional("Gravity")?,
+        blade_dofs: values.flags(BLADE_DOFS)?,
+        pitch_dof: values.pitch_dof()?,
+        machine_dofs: values.machine_dofs()?,
         tower_dofs: values.flags(TOWER_DOFS)?,
         platform_dofs: values.flags(PLATFORM_DOFS)?,
         blade_pitch_deg: values.of_blades(PITCH, blade_count)?,
@@ -59,6 +63,7 @@ pub fn read_main_file(source: &Source) -> Result<MainFile, Diagnostic> {
         hub_teeter_inertia_kg_m2: values.optional("HubIner_Teeter")?,
         generator_inertia_kg_m2: values.number("GenIner")?,
         gearbox_ratio: values.number("GBRatio")?,
+        shaft_n_m_per_rad: values.number("DTTorSpr")?,
         nacelle_mass_kg: values.number("NacMass")?,
         nacelle_yaw_inertia_kg_m2: values.number("NacYIner")?,
         yaw_bearing_mass_kg: values.number("YawBrMass")?,
@@ -169,6 +174,24 @@ impl<'a> Values<'a> {
 
     fn flags<const N: usize>(&self, names: [&'static str; N]) -> Result<[bool; N], Diagnostic> {
         each(names, |name| self.parameter(name)?.logical())
+    }
+
+    fn pitch_dof(&self) -> Result<bool, Diagnostic> {
+        match self.lines.contains_key("PitchDOF") {
+            true => self.parameter("PitchDOF")?.logical(),
+            false => Ok(false),
+        }
+    }
+
+    fn machine_dofs(&self) -> Result<MachineDofs, Diagnostic> {
+        let names = ["TeetDOF", "DrTrDOF", "GenDOF", "YawDOF"];
+        let [teeter, shaft, generator, yaw] = self.flags(names)?;
+        Ok(MachineDofs {
+            teeter,
+            shaft,
+            generator,
+            yaw,
+        })
     }
 
     fn blade_count(&self) -> Result<usize, Diagnostic> {

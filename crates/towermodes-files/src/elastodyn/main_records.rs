@@ -87,16 +87,20 @@ pub(super) const BLOCKS: &[Block] = &[
     ),
     block(
         Some("DEGREES OF FREEDOM"),
-        &[unread("FlapDOF1"), unread("FlapDOF2"), unread("EdgeDOF")],
+        &[
+            record("FlapDOF1", "flag", Kind::Other),
+            record("FlapDOF2", "flag", Kind::Other),
+            record("EdgeDOF", "flag", Kind::Other),
+        ],
     ),
-    optional(&[unread("PitchDOF")]),
+    optional(&[record("PitchDOF", "flag", Kind::Other)]),
     block(
         None,
         &[
-            unread("TeetDOF"),
-            unread("DrTrDOF"),
-            unread("GenDOF"),
-            unread("YawDOF"),
+            record("TeetDOF", "flag", Kind::Other),
+            record("DrTrDOF", "flag", Kind::Other),
+            record("GenDOF", "flag", Kind::Other),
+            record("YawDOF", "flag", Kind::Other),
             record("TwFADOF1", "flag", Kind::Other),
             record("TwFADOF2", "flag", Kind::Other),
             record("TwSSDOF1", "flag", Kind::Other),
@@ -279,7 +283,11 @@ pub(super) const BLOCKS: &[Block] = &[
         &[
             unread("GBoxEff"),
             record("GBRatio", "gearbox ratio", ANY),
-            unread("DTTorSpr"),
+            record(
+                "DTTorSpr",
+                "torsional stiffness of the shaft, N m/rad",
+                NON_NEGATIVE,
+            ),
             unread("DTTorDmp"),
         ],
     ),

@@ -6,6 +6,8 @@ mod decks;
 mod hostile;
 mod main_file;
 mod public;
+mod public_turbine;
 mod rotor;
 pub mod texts;
 mod tower;
+mod turbine;

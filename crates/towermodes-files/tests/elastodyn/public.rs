@@ -28,13 +28,16 @@ fn peer_deck(path: &str) -> Option<Result<ElastoDynDeck, ReadError>> {
     peer_deck_with(path, &ReadOptions::default())
 }
 
-fn peer_deck_with(path: &str, options: &ReadOptions) -> Option<Result<ElastoDynDeck, ReadError>> {
+pub fn peer_deck_with(
+    path: &str,
+    options: &ReadOptions,
+) -> Option<Result<ElastoDynDeck, ReadError>> {
     let path = peer_data()?.join(path);
     let source = Source::from_path(&path).expect("a main file");
     Some(read_elastodyn(source, &SiblingFiles::of(&path), options))
 }
 
-const ONSHORE: &str = "nrel5mw_land_deck/NRELOffshrBsline5MW_Onshore_ElastoDyn.dat";
+pub const ONSHORE: &str = "nrel5mw_land_deck/NRELOffshrBsline5MW_Onshore_ElastoDyn.dat";
 
 /// The first and second bending frequencies of the onshore deck, fore-aft and side-side.
 fn onshore_hz(options: &ReadOptions) -> Option<[[f64; 2]; 2]> {
