@@ -212,13 +212,13 @@ impl<const D: usize> Beam<D> {
     }
 
     /// An element's coordinates y turned into its strain coefficients: c = L⁻ᵀ y, in place.
-    pub fn to_strains(&self, element: usize, own: &mut [f64]) {
+    pub fn to_strains<S: Scalar>(&self, element: usize, own: &mut [S]) {
         let m = self.coordinates;
         let root = &self.roots[element * m * m..(element + 1) * m * m];
         for i in (0..m).rev() {
-            own[i] /= root[i * m + i];
+            own[i] = own[i].over(root[i * m + i]);
             for j in 0..i {
-                own[j] -= root[i * m + j] * own[i];
+                own[j] -= own[i].times(root[i * m + j]);
             }
         }
     }

@@ -3,7 +3,7 @@
 
 use super::model::Beam;
 use crate::scalar::Scalar;
-use crate::space::{add, times, transform_force, transform_motion};
+use crate::space::{times, transform_force, transform_motion};
 use crate::subsystem::Coefficients;
 
 /// The motion of every element's base, and of the top last.
@@ -31,13 +31,15 @@ pub fn product<const D: usize>(
         sweep_up(beam, base, own, |e, motion, own| {
             add_forces(&beam.matrices[0], beam.rows(), e, motion, own, loads);
         });
-        sweep_down(beam, base_load(beam, &factors, &base), loads, out);
+        let at_base = base_load(beam, &factors, &base);
+        sweep_down(beam, (at_base, [0.0; D]), loads, out);
         return;
     }
     sweep_up(beam, base, own, |e, motion, own| {
         add_load(beam, &factors, e, motion, own, loads);
     });
-    sweep_down(beam, base_load(beam, &factors, &base), loads, out);
+    let at_base = base_load(beam, &factors, &base);
+    sweep_down(beam, (at_base, [0.0; D]), loads, out);
     let first = of_base.len();
     for (out, x) in out[first..].iter_mut().zip(&x[first..]) {
         *out += a.stiffness * x;
@@ -53,7 +55,8 @@ pub fn base_excitation<const D: usize>(beam: &Beam<D>, loads: &mut Vec<f64>, out
     sweep_up(beam, [1.0; D], &[], |e, motion, own| {
         add_load(beam, &factors, e, motion, own, loads);
     });
-    sweep_down(beam, base_load(beam, &factors, &[1.0; D]), loads, out);
+    let at_base = base_load(beam, &factors, &[1.0; D]);
+    sweep_down(beam, (at_base, [0.0; D]), loads, out);
 }
 
 /// The resultant of A x about the base, and the contribution of each component to xᵀ A x.
@@ -168,12 +171,12 @@ fn add_forces<const D: usize>(
 /// From the base up: v ← X v + T y, passed to `visit` element by element before it changes; returns
 /// the motion of the top.
 #[inline]
-fn sweep_up<const D: usize>(
+pub(super) fn sweep_up<const D: usize, S: Scalar>(
     beam: &Beam<D>,
-    base: [f64; D],
-    own: &[f64],
-    mut visit: impl FnMut(usize, &[f64; D], &[f64]),
-) -> [f64; D] {
+    base: [S; D],
+    own: &[S],
+    mut visit: impl FnMut(usize, &[S; D], &[S]),
+) -> [S; D] {
     let mut motion = base;
     let coordinates = beam.coordinates();
     for (element, &(_, length_m)) in beam.ends.iter().enumerate() {
@@ -184,18 +187,24 @@ fn sweep_up<const D: usize>(
         transform_motion(&mut motion, length_m);
         let tip = &beam.tips[element * D * coordinates..(element + 1) * D * coordinates];
         for (component, row) in motion.iter_mut().zip(tip.chunks_exact(coordinates.max(1))) {
-            *component += dot(row, own);
+            *component += own.iter().zip(row).map(|(y, tip)| y.times(*tip)).sum::<S>();
         }
     }
     motion
 }
 
-/// From the top down: out = own load + Tᵀ F, F ← Xᵀ F + load of the base.
+/// From the top down, where a force acts: out = own load + Tᵀ F, F ← Xᵀ F + load of the base;
+/// returns the force on the base.
 #[inline]
-fn sweep_down<const D: usize>(beam: &Beam<D>, base_load: [f64; D], loads: &[f64], out: &mut [f64]) {
+pub(super) fn sweep_down<const D: usize, S: Scalar>(
+    beam: &Beam<D>,
+    (at_base, at_top): ([S; D], [S; D]),
+    loads: &[S],
+    out: &mut [S],
+) -> [S; D] {
     let (rows, coordinates) = (beam.rows(), beam.coordinates());
     let (of_base, own) = out.split_at_mut(beam.base_coordinates());
-    let mut force = [0.0; D];
+    let mut force = at_top;
     for (element, &(_, length_m)) in beam.ends.iter().enumerate().rev() {
         let load = &loads[element * rows..(element + 1) * rows];
         let out = &mut own[element * coordinates..(element + 1) * coordinates];
@@ -203,18 +212,26 @@ fn sweep_down<const D: usize>(beam: &Beam<D>, base_load: [f64; D], loads: &[f64]
         let tip = &beam.tips[element * D * coordinates..(element + 1) * D * coordinates];
         for (component, row) in force.iter().zip(tip.chunks_exact(coordinates.max(1))) {
             for (out, tip) in out.iter_mut().zip(row) {
-                *out += component * tip;
+                *out += component.times(*tip);
             }
         }
         transform_force(&mut force, length_m);
-        let base: [f64; D] = std::array::from_fn(|d| load[d]);
-        add(&mut force, &base);
+        add(&mut force, load);
     }
-    add(&mut force, &base_load);
+    add(&mut force, &at_base);
     if let Some(base) = &beam.base {
         for (out, component) in of_base.iter_mut().zip(base.moving()) {
-            *out = base.unit[component] * force[component];
+            *out = force[component].times(base.unit[component]);
         }
+    }
+    force
+}
+
+/// Adds to the components of a force.
+#[inline]
+fn add<const D: usize, S: Scalar>(sum: &mut [S; D], addend: &[S]) {
+    for (sum, addend) in sum.iter_mut().zip(addend) {
+        *sum += *addend;
     }
 }
 

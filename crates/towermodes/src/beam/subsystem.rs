@@ -7,8 +7,8 @@ use super::general::GeneralElement;
 use super::model::Beam;
 use super::product;
 use super::strain::{Strain, deformations};
-use crate::scalar::Complex;
-use crate::space::{SpatialMatrix, SquareMatrix};
+use super::substitution;
+use crate::space::SpatialMatrix;
 use crate::subsystem::{
     Coefficients, Coordinates, MatrixKind, Resultant, SegmentCurves, ShearFraction, Subsystem,
     Subsystems, dimension,
@@ -34,26 +34,15 @@ impl<const D: usize> BeamSubsystem<D> {
             factors: Factors::default(),
         }
     }
-}
 
-/// Working memory of what is on the top of a beam and complex.
-pub(crate) type TopWorkspace = Factors<Complex>;
+    /// The beam.
+    pub(super) fn beam(&self) -> &Beam<D> {
+        &self.beam
+    }
+}
 
 /// The beam of a tower in which all motions are coupled.
 pub(crate) type SpaceBeam = Subsystems<BeamSubsystem<6>>;
-
-impl BeamSubsystem<6> {
-    /// The number of negative eigenvalues of A with a matrix `above` added for the motion of the
-    /// top, and the sum of ln |pivot|.
-    pub(crate) fn eliminate_under(
-        &self,
-        a: &Coefficients,
-        above: SquareMatrix<Complex, 6>,
-        work: &mut TopWorkspace,
-    ) -> (usize, f64) {
-        elimination::eliminate_under(&self.beam, a, above, work)
-    }
-}
 
 impl<const D: usize> Subsystem for BeamSubsystem<D> {
     fn motions(&self) -> Motions {
@@ -103,7 +92,7 @@ impl<const D: usize> Subsystem for BeamSubsystem<D> {
     }
 
     fn solve(&mut self, x: &mut [f64]) {
-        elimination::solve(&self.beam, &mut self.factors, x);
+        substitution::solve(&self.beam, &mut self.factors, x);
     }
 
     fn energy(&mut self, a: &Coefficients, x: &[f64]) -> f64 {

@@ -13,13 +13,14 @@
 //! are. The steady bend by centrifugal force and gravity is left out.
 
 use super::element::{Stencil, forward_substitute, write_shape};
-use super::elimination::{Condensed, Factors, eliminate_blade};
+use super::legendre::Term;
 use super::model::{Beam, add_congruent, place};
 use super::steady::{SteadyForces, steady_forces};
 use super::strain::{Strain, deformations};
-use super::turning_section::{COMPONENTS, TurningSection};
+use super::turning_section::{COMPONENTS, TurningSection, section_at};
+use super::turning_vectors::BladeFactors;
 use crate::blade::{Blade, BladeSection};
-use crate::scalar::{Complex, Scalar};
+use crate::scalar::Scalar;
 use crate::space::{SpatialMatrix, SquareMatrix, add_scaled, transform_matrix};
 use crate::subsystem::{Coordinates, MatrixKind};
 use crate::tower::{Motion, Motions, Plane};
@@ -31,18 +32,33 @@ const EXTRA_POINTS: usize = 4;
 /// A blade in the frame that turns with its rotor.
 #[derive(Debug, Clone, Default)]
 pub struct TurningBlade {
-    beam: Beam<6>,
+    pub(super) beam: Beam<6>,
     /// C of each element, as the matrices of the beam.
-    coriolis: Vec<f64>,
+    pub(super) coriolis: Vec<f64>,
     /// Distance of the root from the apex, m.
-    root_m: f64,
+    pub(super) root_m: f64,
     /// K_g of the rigid stretch from the apex to the root, for the motion of the apex.
-    stretch: SpatialMatrix,
+    pub(super) stretch: SpatialMatrix,
     /// Rows are the blade's axes in (axis of the rotor, against the rotation, radial).
-    axes: [[f64; 3]; 3],
+    pub(super) axes: [[f64; 3]; 3],
+    /// The sections at the points of the elements, point by point.
+    pub(super) gauges: Vec<Gauge>,
+    /// The polynomials at the points of an element.
+    pub(super) polynomials: Vec<Vec<Term>>,
     /// Inertia of the rigid blade for the motion of the apex, in its axes.
     rigid: SpatialMatrix,
-    factors: Factors<Complex>,
+    pub(super) factors: BladeFactors,
+}
+
+/// A section of a blade at a point of an element: what its strains store and its motion carries.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Gauge {
+    /// Sin and cos of the angle of its chord from X towards Y.
+    pub(super) turn: (f64, f64),
+    /// Stiffness against flap, edge, torsion and stretch, each times the length of the point.
+    pub(super) stiffness: [f64; 4],
+    /// Mass, kg.
+    pub(super) mass_kg: f64,
 }
 
 impl TurningBlade {
@@ -71,6 +87,7 @@ impl TurningBlade {
             own.add_element(blade, axis, ends, forces, &mut stencil);
         }
         own.add_tip(blade, axis);
+        own.polynomials = stencil.at_points;
         own.stretch = steady.stretch(own.root_m);
         own.rigid = own.rigid_inertia();
         own
@@ -91,6 +108,10 @@ impl TurningBlade {
             .zip(forces)
             .map(|(radius_m, forces)| TurningSection::at(blade, axis, *radius_m, forces));
         let sections: Vec<TurningSection> = sections.collect();
+        let gauges = radii_m.iter().zip(&stencil.points);
+        self.gauges.extend(gauges.map(|(radius_m, (_, weight))| {
+            Gauge::new(section_at(blade, *radius_m), 0.5 * length_m * weight)
+        }));
         let beam = &mut self.beam;
         stencil.begin_element(beam, root_m, length_m, |stencil, beam, root| {
             for (point, section) in sections.iter().enumerate() {
@@ -131,29 +152,6 @@ impl TurningBlade {
         add_congruent(&body.coriolis, &top, rows, coriolis);
     }
 
-    /// The blade for the motion of the apex of the rotor, in (axis of the rotor, against the
-    /// rotation, radial), at a frequency in the turning frame and a speed, rad/s: D with the
-    /// coordinates of the blade eliminated.
-    pub fn seen_from_apex(&mut self, frequency: f64, speed: f64) -> Condensed {
-        let speed_squared = speed * speed;
-        let factors = [-frequency * frequency, speed_squared, 0.0];
-        let skew = 2.0 * frequency * speed;
-        let mut condensed = eliminate_blade(
-            &self.beam,
-            &factors,
-            (skew, &self.coriolis),
-            &mut self.factors,
-        );
-        transform_matrix(&mut condensed.matrix, self.root_m);
-        for (row, stretch) in condensed.matrix.iter_mut().zip(&self.stretch) {
-            for (entry, stretch) in row.iter_mut().zip(stretch) {
-                entry.re += speed_squared * stretch;
-            }
-        }
-        condensed.matrix = congruent(&condensed.matrix, &both(&self.axes));
-        condensed
-    }
-
     /// The inertia of the rigid blade for the motion of the apex, in (axis of the rotor, against
     /// the rotation, radial): kg, kg m, kg m².
     pub fn inertia(&self) -> SpatialMatrix {
@@ -183,6 +181,23 @@ impl TurningBlade {
     /// Number of its unknowns.
     pub fn degrees_of_freedom(&self) -> usize {
         self.beam.degrees_of_freedom()
+    }
+}
+
+impl Gauge {
+    fn new((section, turn): (BladeSection, (f64, f64)), length_m: f64) -> Self {
+        let BladeSection {
+            flap_n_m2,
+            edge_n_m2,
+            torsion_n_m2,
+            axial_n,
+            ..
+        } = section;
+        Self {
+            turn,
+            stiffness: [flap_n_m2, edge_n_m2, torsion_n_m2, axial_n].map(|s| length_m * s),
+            mass_kg: length_m * section.mass_kg_per_m,
+        }
     }
 }
 

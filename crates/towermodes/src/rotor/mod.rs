@@ -1,7 +1,9 @@
 //! Rotors of equal blades in multiblade coordinates.
 
 mod error;
+mod harmonics;
 mod multiblade;
 
 pub use error::RotorError;
-pub use multiblade::{Multiblade, TurningBody};
+pub use harmonics::RotorFactors;
+pub use multiblade::{Multiblade, Reactionless, TurningBody, reactionless};

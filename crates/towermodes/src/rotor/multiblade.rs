@@ -18,7 +18,7 @@
 
 use super::error::RotorError;
 use crate::beam::{Condensed, TurningBlade};
-use crate::scalar::Complex;
+use crate::scalar::{Complex, Scalar};
 use crate::tower::MOST_BLADES;
 
 /// A body that turns with a rotor, in the frame of the rotor.
@@ -67,43 +67,78 @@ impl<B: TurningBody> Multiblade<B> {
     }
 
     /// The rotor for the motion (translation, rotation) of its apex, in axes (shaft, left, up) that
-    /// do not turn, at a frequency in this frame and a speed, rad/s.
+    /// do not turn, at a frequency in this frame and a speed, rad/s; without harmonics of the
+    /// blades that do not move it.
     pub fn seen_from_hub(&mut self, frequency: f64, speed: f64) -> Condensed {
-        let mut sum = self.body.seen_from_apex(frequency, speed);
-        sum.matrix = collective(&sum.matrix);
-        for (harmonic, turned) in [(-1.0, 1.0), (1.0, -1.0)] {
-            let whirl = self
-                .body
-                .seen_from_apex(frequency + harmonic * speed, speed);
-            add_whirl(&whirl, turned, &mut sum);
-        }
-        for entry in sum.matrix.as_flattened_mut() {
-            *entry = Complex::new(self.blades as f64 * entry.re, self.blades as f64 * entry.im);
-        }
-        self.add_reactionless(frequency, speed, &mut sum);
-        sum
+        let body = &mut self.body;
+        let blades = self.blades;
+        sum_of_harmonics(blades, |_, shift| {
+            body.seen_from_apex(frequency + shift * speed, speed)
+        })
     }
 
-    /// Counts the modes of the blades that do not move the hub: harmonics n ± up to N/2; that of
-    /// N/2 alone has no direction.
-    fn add_reactionless(&mut self, frequency: f64, speed: f64, sum: &mut Condensed) {
-        for harmonic in 2..=self.blades / 2 {
-            let is_alone = 2 * harmonic == self.blades;
-            let shift = harmonic as f64 * speed;
-            let frequencies = [frequency - shift, frequency + shift];
-            let in_own_frame = [frequency];
-            let own: &[f64] = if is_alone {
-                &in_own_frame
-            } else {
-                &frequencies
-            };
-            for frequency in own {
-                let blade = self.body.seen_from_apex(*frequency, speed);
-                sum.negative += blade.negative;
-                sum.log_pivots += blade.log_pivots;
-            }
+    /// How many modes of the blades lie below a frequency (rad/s) that do not move the hub.
+    pub fn count_reactionless(&mut self, frequency: f64, speed: f64) -> usize {
+        let waves = reactionless(self.blades);
+        let counts = waves.map(|waves| {
+            let own = frequency + waves.shift() * speed;
+            self.body.seen_from_apex(own, speed).negative
+        });
+        counts.sum()
+    }
+}
+
+/// A harmonic of the blades that does not move the hub, by its periods around the rotor.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Reactionless {
+    /// A wave with the rotation.
+    Forward(usize),
+    /// A wave against it.
+    Backward(usize),
+    /// Neighbours against each other.
+    Alternating(usize),
+}
+
+impl Reactionless {
+    /// What the frequency in the turning frame is above that in the fixed frame, in units of the
+    /// speed of the rotor.
+    pub fn shift(self) -> f64 {
+        match self {
+            Self::Forward(waves) => -(waves as f64),
+            Self::Backward(waves) => waves as f64,
+            // It stands still among the blades, so that its frequency is that of the turning frame.
+            Self::Alternating(_) => 0.0,
         }
     }
+}
+
+/// The harmonics n = 2 … N/2 of N blades, which do not move the hub.
+pub fn reactionless(blades: usize) -> impl Iterator<Item = Reactionless> {
+    (2..=blades / 2).flat_map(move |waves| match 2 * waves == blades {
+        true => vec![Reactionless::Alternating(waves)],
+        false => vec![Reactionless::Forward(waves), Reactionless::Backward(waves)],
+    })
+}
+
+/// What the speed shifts the frequency by in the harmonics that move the hub: collective, forward,
+/// backward.
+pub(super) const SHIFTS: [f64; 3] = [0.0, -1.0, 1.0];
+
+/// N Σ Vₙᴴ D Vₙ for the blade's D of each harmonic and shift.
+pub(super) fn sum_of_harmonics(
+    blades: usize,
+    mut blade: impl FnMut(usize, f64) -> Condensed,
+) -> Condensed {
+    let mut sum = blade(0, SHIFTS[0]);
+    sum.matrix = collective(&sum.matrix);
+    for harmonic in [1, 2] {
+        let whirl = blade(harmonic, SHIFTS[harmonic]);
+        add_whirl(&whirl, -SHIFTS[harmonic], &mut sum);
+    }
+    for entry in sum.matrix.as_flattened_mut() {
+        *entry = entry.times(blades as f64);
+    }
+    sum
 }
 
 /// What the motions along and about the shaft do.
@@ -120,7 +155,6 @@ fn collective(matrix: &[[Complex; 6]; 6]) -> [[Complex; 6]; 6] {
 /// Adds V± ᴴ D V±; `turned` is +1 for the forward and −1 for the backward whirl.
 fn add_whirl(whirl: &Condensed, turned: f64, sum: &mut Condensed) {
     sum.negative += whirl.negative;
-    sum.log_pivots += whirl.log_pivots;
     // a = (1, ∓i): V = ½ a āᵀ, so that Vᴴ D V = ¼ a (aᴴ D a) aᴴ.
     let a = [Complex::new(1.0, 0.0), Complex::new(0.0, -turned)];
     let conj = a.map(|a| Complex::new(a.re, -a.im));

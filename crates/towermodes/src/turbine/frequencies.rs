@@ -2,18 +2,21 @@
 
 use std::f64::consts::TAU;
 
+use super::coupled::{Coupled, OnStillHub};
+use super::error::TurbineError;
+use super::gyroscopic::Gyroscopic;
 use super::model::TurbineModel;
-use super::root::{Sample, TOLERANCE, bracket};
+use super::search::{Found, Guess, Search};
+use crate::beam::BladeFactors;
+use crate::rotor::{Reactionless, reactionless};
 
-/// A motion slower than this, rad/s, is one that nothing resists: it is not looked at closer.
-const UNRESISTED: f64 = 1e-6;
 /// The coarsest and the finest grid on which modes of negative energy are sought.
 const GRIDS: std::ops::RangeInclusive<u32> = 6..=12;
 
 /// A natural frequency of a turbine at a speed, or several that cannot be told apart.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct CoupledFrequency {
-    /// The frequency, Hz: the middle of its bounds.
+    /// The frequency, Hz.
     pub frequency_hz: f64,
     /// The lower bound, Hz: between it and the upper bound the count of negative eigenvalues
     /// changes. It is 0 for a motion that nothing resists.
@@ -47,103 +50,156 @@ pub struct CoupledSpectrum {
     pub negative_energy_found: usize,
 }
 
-impl CoupledSpectrum {
-    /// That up to a limit, rad/s, at a speed, rad/s.
-    pub(super) fn of(model: &mut TurbineModel, limit: f64, speed: f64) -> Self {
-        let negative = model.negative_stiffness(speed);
-        let base = Sample {
-            w: 0.0,
-            negative: negative + usize::from(model.turns_freely()),
-            log_determinant: f64::NAN,
-        };
-        let mut sample = |w: f64| model.sample(w, speed);
+/// The part of the equations that a mode belongs to: all that moves the tower, or a harmonic of the
+/// blades that does not move the hub.
+pub(super) type Part = Option<Reactionless>;
+
+/// The modes of all parts, rising, and how many of negative energy are expected and found.
+pub(super) struct Whole {
+    pub(super) found: Vec<(Part, Found)>,
+    pub(super) negative_energy_expected: usize,
+    pub(super) negative_energy_found: usize,
+    pub(super) is_complete: bool,
+}
+
+impl TurbineModel {
+    /// The natural frequencies up to a limit (Hz) at a speed of the rotor (rad/s).
+    ///
+    /// # Errors
+    /// [`TurbineError`] if limit or speed is no number.
+    pub fn frequencies(
+        &mut self,
+        limit_hz: f64,
+        speed_rad_per_s: f64,
+    ) -> Result<CoupledSpectrum, TurbineError> {
+        check(limit_hz, speed_rad_per_s)?;
+        let whole = self.search(TAU * limit_hz, speed_rad_per_s, |_| Vec::new());
+        let mut frequencies: Vec<_> = whole.found.iter().map(|(_, found)| found.as_hz()).collect();
+        // Those that share a frequency are one entry.
+        frequencies.dedup_by(|a, b| {
+            a.multiplicity > 1 && (a.lower_hz, a.upper_hz) == (b.lower_hz, b.upper_hz)
+        });
+        Ok(CoupledSpectrum {
+            frequencies,
+            limit_hz,
+            is_complete: whole.is_complete,
+            negative_energy_expected: whole.negative_energy_expected,
+            negative_energy_found: whole.negative_energy_found,
+        })
+    }
+
+    /// All modes up to a limit (rad/s) at a speed (rad/s), with guesses for each part in turn.
+    pub(super) fn search<'g>(
+        &mut self,
+        limit: f64,
+        speed: f64,
+        guesses: impl Fn(Part) -> Vec<Guess<'g>>,
+    ) -> Whole {
+        let negative = self.negative_stiffness(speed);
+        let parts: Vec<Part> = self.parts();
         let expected = negative / 2;
-        let mut brackets = Vec::new();
-        let mut found = 0;
+        let mut all = Vec::new();
+        let mut found_negative = 0;
         if negative == 0 {
-            let end = sample(limit);
-            isolate(base, end, &mut sample, &mut brackets);
+            for part in parts {
+                let guesses = guesses(part);
+                all.extend(self.in_part(part, speed, |mut search, base| {
+                    search.rising(base, limit, &guesses)
+                }));
+            }
         } else {
             // Modes of negative energy are backward whirls, slower than the rotor.
-            let end = limit.max(speed.abs());
+            let end = limit.max(speed.abs() * self.most_waves() as f64);
             for grid in GRIDS {
-                brackets.clear();
-                scan(base, end, 1 << grid, &mut sample, &mut brackets);
-                let steps = brackets
-                    .iter()
-                    .filter(|(low, high)| high.negative < low.negative);
-                found = steps.map(|(low, high)| low.negative - high.negative).sum();
-                if found >= expected {
+                all.clear();
+                for part in &parts {
+                    all.extend(self.in_part(*part, speed, |mut search, base| {
+                        search.on_grid(base, end, 1 << grid)
+                    }));
+                }
+                found_negative = all.iter().filter(|(_, found)| found.falls()).count();
+                if found_negative >= expected {
                     break;
                 }
             }
         }
-        let all = brackets.into_iter();
-        let mut frequencies: Vec<CoupledFrequency> = all
-            .map(|(low, high)| refined(low, high, &mut sample))
-            .collect();
-        frequencies.retain(|frequency| frequency.upper_hz * TAU <= limit);
-        Self {
-            frequencies,
-            limit_hz: limit / TAU,
-            is_complete: found == expected && negative.is_multiple_of(2),
+        all.retain(|(_, found)| found.bounds[1].w <= limit);
+        all.sort_by(|(_, a), (_, b)| a.w.total_cmp(&b.w));
+        Whole {
+            found: all,
             negative_energy_expected: expected,
-            negative_energy_found: found,
+            negative_energy_found: found_negative,
+            is_complete: found_negative == expected && negative.is_multiple_of(2),
+        }
+    }
+
+    /// Searches in a part, from its count at 0.
+    fn in_part(
+        &mut self,
+        part: Part,
+        speed: f64,
+        search: impl FnOnce(Search<'_, dyn Gyroscopic + '_>, usize) -> Vec<Found>,
+    ) -> Vec<(Part, Found)> {
+        let found = match part {
+            None => {
+                let negative = self.count_coupled(0.0, speed, true);
+                let base = negative + usize::from(self.turns_freely());
+                let mut system = Coupled { model: self, speed };
+                search(Search::new(&mut system), base)
+            }
+            Some(wave) => {
+                let mut system = self.on_still_hub(wave, speed);
+                let base = system.count(0.0);
+                search(Search::new(&mut system), base)
+            }
+        };
+        found.into_iter().map(|found| (part, found)).collect()
+    }
+
+    pub(super) fn on_still_hub(&self, wave: Reactionless, speed: f64) -> OnStillHub<'_> {
+        OnStillHub {
+            blade: self.machine.rotor.body(),
+            wave,
+            speed,
+            factors: BladeFactors::default(),
+        }
+    }
+
+    fn parts(&self) -> Vec<Part> {
+        let waves = reactionless(self.machine.rotor.blades());
+        std::iter::once(None).chain(waves.map(Some)).collect()
+    }
+
+    /// The most periods of a wave around the rotor.
+    fn most_waves(&self) -> usize {
+        (self.machine.rotor.blades() / 2).max(1)
+    }
+}
+
+impl Found {
+    /// Whether the count falls: the energy is negative.
+    fn falls(&self) -> bool {
+        self.bounds[1].negative < self.bounds[0].negative
+    }
+
+    pub(super) fn as_hz(&self) -> CoupledFrequency {
+        let [low, high] = self.bounds;
+        CoupledFrequency {
+            frequency_hz: self.w / TAU,
+            lower_hz: low.w / TAU,
+            upper_hz: high.w / TAU,
+            multiplicity: high.negative.abs_diff(low.negative),
+            has_negative_energy: self.falls(),
         }
     }
 }
 
-/// Samples equal intervals up to `end` and isolates where counts differ.
-fn scan(
-    base: Sample,
-    end: f64,
-    intervals: usize,
-    sample: &mut impl FnMut(f64) -> Sample,
-    brackets: &mut Vec<(Sample, Sample)>,
-) {
-    let mut low = base;
-    for k in 1..=intervals {
-        let high = sample(end * k as f64 / intervals as f64);
-        isolate(low, high, sample, brackets);
-        low = high;
+pub(super) fn check(limit_hz: f64, speed_rad_per_s: f64) -> Result<(), TurbineError> {
+    if !(limit_hz.is_finite() && limit_hz > 0.0) {
+        return Err(TurbineError::Limit { limit_hz });
     }
-}
-
-/// Halves an interval until counts at both ends differ by one, or until it is a point; appends the
-/// intervals in rising order.
-fn isolate(
-    low: Sample,
-    high: Sample,
-    sample: &mut impl FnMut(f64) -> Sample,
-    brackets: &mut Vec<(Sample, Sample)>,
-) {
-    let difference = high.negative.abs_diff(low.negative);
-    // The determinant is not known at 0, where a free shaft makes it vanish.
-    let is_known = low.w > 0.0;
-    let is_point = high.w - low.w <= 2.0 * TOLERANCE * high.w;
-    match difference {
-        0 => {}
-        1 if is_known => brackets.push((low, high)),
-        _ if is_point || high.w < UNRESISTED => brackets.push((low, high)),
-        _ => {
-            let middle = sample(0.5 * (low.w + high.w));
-            isolate(low, middle, sample, brackets);
-            isolate(middle, high, sample, brackets);
-        }
+    if !speed_rad_per_s.is_finite() {
+        return Err(TurbineError::Speed { speed_rad_per_s });
     }
-}
-
-fn refined(low: Sample, high: Sample, sample: &mut impl FnMut(f64) -> Sample) -> CoupledFrequency {
-    let multiplicity = high.negative.abs_diff(low.negative);
-    let (low, high) = match multiplicity {
-        1 => bracket(low, high, sample),
-        _ => (low, high),
-    };
-    CoupledFrequency {
-        frequency_hz: 0.5 * (low.w + high.w) / TAU,
-        lower_hz: low.w / TAU,
-        upper_hz: high.w / TAU,
-        multiplicity,
-        has_negative_energy: high.negative < low.negative,
-    }
+    Ok(())
 }

@@ -1,7 +1,9 @@
 //! Nacelle, drivetrain and rotor as the tower top feels them, at a frequency and a speed.
 
+use super::bordered::Bordered;
 use super::description::TurbineDescription;
-use crate::beam::{Condensed, TurningBlade, congruent, eliminate};
+use super::machine_vectors::MachineFactors;
+use crate::beam::{Condensed, TurningBlade, congruent};
 use crate::rotor::Multiblade;
 use crate::scalar::Complex;
 use crate::space::SpatialMatrix;
@@ -9,36 +11,29 @@ use crate::tower::{Inertia, RigidBody, Rna, spatial_inertia};
 
 /// Places of the coordinates beside the motion of the nacelle: relative rotation of the rotor, and
 /// rotation of the generator.
-const ROTOR: usize = 6;
-const GENERATOR: usize = 7;
+pub(super) const ROTOR: usize = 6;
+pub(super) const GENERATOR: usize = 7;
 /// Rotation about the shaft, and about the tower.
-const ABOUT_SHAFT: usize = 3;
-const ABOUT_TOWER: usize = 5;
+pub(super) const ABOUT_SHAFT: usize = 3;
+pub(super) const ABOUT_TOWER: usize = 5;
 
 /// All that is above a tower.
 #[derive(Debug, Clone)]
 pub(super) struct Machine {
-    rotor: Multiblade<TurningBlade>,
+    pub(super) rotor: Multiblade<TurningBlade>,
     /// Inertia of the hub for the motion of the apex, in the axes of the shaft.
-    hub: SpatialMatrix,
+    pub(super) hub: SpatialMatrix,
     /// The motion of the apex in the axes of the shaft for that of the nacelle at the tower top.
-    to_apex: SpatialMatrix,
+    pub(super) to_apex: SpatialMatrix,
     /// Inertia of the nacelle for its motion at the tower top.
-    nacelle: SpatialMatrix,
+    pub(super) nacelle: SpatialMatrix,
     /// Inertia of the yaw bearing.
-    bearing: SpatialMatrix,
-    yaw: f64,
-    shaft: f64,
-    generator_inertia: f64,
-    gear_ratio: f64,
-    polar_inertia: f64,
-}
-
-/// A Hermitian matrix with up to two coordinates beside the motion of a body.
-#[derive(Debug, Clone, Copy)]
-struct Bordered {
-    entries: [[Complex; 8]; 8],
-    rows: usize,
+    pub(super) bearing: SpatialMatrix,
+    pub(super) yaw: f64,
+    pub(super) shaft: f64,
+    pub(super) generator_inertia: f64,
+    pub(super) gear_ratio: f64,
+    pub(super) polar_inertia: f64,
 }
 
 impl Machine {
@@ -63,30 +58,73 @@ impl Machine {
     }
 
     /// The machine for the motion of the tower top in its axes, at a frequency w and a speed Ω,
-    /// rad/s, with its generator locked or free: K + i w G − w² M with all else eliminated.
+    /// rad/s, with its generator locked or free: K + i w G − w² M with all else eliminated, but for
+    /// harmonics of the blades that do not move the hub.
     pub(super) fn seen_from_top(&mut self, w: f64, speed: f64, is_locked: bool) -> Condensed {
-        let mut own = self.rotor.seen_from_hub(w, speed);
+        let rotor = self.rotor.seen_from_hub(w, speed);
+        self.carry(rotor, (w, speed), is_locked).0
+    }
+
+    /// The same, with its factors.
+    pub(super) fn factorize(
+        &self,
+        (w, speed): (f64, f64),
+        is_locked: bool,
+        factors: &mut MachineFactors,
+    ) -> Condensed {
+        let rotor = self.rotor.factorize(w, speed, &mut factors.rotor);
+        let (own, joints) = self.carry(rotor, (w, speed), is_locked);
+        factors.joints = joints;
+        own
+    }
+
+    /// Adds all between a rotor and the tower top.
+    fn carry(
+        &self,
+        mut own: Condensed,
+        (w, speed): (f64, f64),
+        is_locked: bool,
+    ) -> (Condensed, [Bordered; 2]) {
         add_inertia(&mut own, w, &self.hub);
-        let spin = speed * (self.polar_inertia + self.gear_ratio * self.generator_inertia);
-        own.matrix[4][5] += Complex::new(0.0, w * spin);
-        own.matrix[5][4] -= Complex::new(0.0, w * spin);
-        self.turn_shaft(w, is_locked, &mut own);
+        let spin = w * self.spin(speed);
+        own.matrix[4][5] += Complex::new(0.0, spin);
+        own.matrix[5][4] -= Complex::new(0.0, spin);
+        let shaft = self.turn_shaft(w, is_locked, &mut own);
         own.matrix = congruent(&own.matrix, &self.to_apex);
         add_inertia(&mut own, w, &self.nacelle);
-        self.turn_yaw(&mut own);
+        let yaw = self.turn_yaw(&mut own);
         add_inertia(&mut own, w, &self.bearing);
-        own
+        (own, [shaft, yaw])
+    }
+
+    /// The angular momentum of hub and generator about the shaft, N m s.
+    pub(super) fn spin(&self, speed: f64) -> f64 {
+        speed * (self.polar_inertia + self.gear_ratio * self.generator_inertia)
+    }
+
+    /// The coordinate that turns with the generator, if it is free.
+    pub(super) fn of_generator(&self, is_locked: bool) -> Option<usize> {
+        match (is_locked, self.shaft.is_infinite()) {
+            (true, _) => None,
+            (false, true) => Some(ROTOR),
+            (false, false) => Some(GENERATOR),
+        }
+    }
+
+    /// Whether the rotor turns against the nacelle.
+    pub(super) fn turns(&self, is_locked: bool) -> bool {
+        !(is_locked && self.shaft.is_infinite())
     }
 
     /// Adds shaft and generator: the rotor turns by θ + g + d about the shaft, with the rotation θ
     /// of the nacelle, g of the generator at the slow end and the twist d.
     ///
     /// Twice the energies are k d² and J (q g′ + θ′)².
-    fn turn_shaft(&self, w: f64, is_locked: bool, own: &mut Condensed) {
+    fn turn_shaft(&self, w: f64, is_locked: bool, own: &mut Condensed) -> Bordered {
         let inertia = -w * w * self.generator_inertia;
         let mut all = Bordered::of(&own.matrix);
         let is_rigid = self.shaft.is_infinite();
-        if !(is_rigid && is_locked) {
+        if self.turns(is_locked) {
             // The coordinate is g + d.
             all.border(ABOUT_SHAFT);
         }
@@ -94,8 +132,7 @@ impl Machine {
         if !is_rigid {
             all.add(ROTOR, ROTOR, self.shaft);
         }
-        if !is_locked {
-            let generator = if is_rigid { ROTOR } else { GENERATOR };
+        if let Some(generator) = self.of_generator(is_locked) {
             all.rows = generator + 1;
             all.add(generator, generator, self.gear_ratio.powi(2) * inertia);
             all.add_both(ABOUT_SHAFT, generator, self.gear_ratio * inertia);
@@ -105,17 +142,23 @@ impl Machine {
             }
         }
         all.condense(own);
+        all
     }
 
     /// Lets the nacelle yaw on the tower.
-    fn turn_yaw(&self, own: &mut Condensed) {
-        if self.yaw.is_infinite() {
-            return;
-        }
+    fn turn_yaw(&self, own: &mut Condensed) -> Bordered {
         let mut all = Bordered::of(&own.matrix);
-        all.border(ABOUT_TOWER);
-        all.add(ROTOR, ROTOR, self.yaw);
+        if self.yaws() {
+            all.border(ABOUT_TOWER);
+            all.add(ROTOR, ROTOR, self.yaw);
+        }
         all.condense(own);
+        all
+    }
+
+    /// Whether the nacelle yaws on the tower.
+    pub(super) fn yaws(&self) -> bool {
+        !self.yaw.is_infinite()
     }
 
     /// The machine as a rigid body that does not turn, for its weight and the checks of the tower.
@@ -192,50 +235,5 @@ fn add_inertia(own: &mut Condensed, w: f64, inertia: &SpatialMatrix) {
     let entries = own.matrix.as_flattened_mut().iter_mut();
     for (entry, inertia) in entries.zip(inertia.as_flattened()) {
         entry.re -= w * w * inertia;
-    }
-}
-
-impl Bordered {
-    fn of(matrix: &[[Complex; 6]; 6]) -> Self {
-        let mut entries = [[Complex::default(); 8]; 8];
-        for (row, own) in entries.iter_mut().zip(matrix) {
-            row[..6].copy_from_slice(own);
-        }
-        Self { entries, rows: 6 }
-    }
-
-    /// Adds a coordinate that moves what is above it in one component, as the component itself
-    /// does.
-    fn border(&mut self, component: usize) {
-        for i in 0..6 {
-            self.entries[i][6] = self.entries[i][component];
-            self.entries[6][i] = self.entries[component][i];
-        }
-        self.entries[6][6] = self.entries[component][component];
-        self.rows = 7;
-    }
-
-    fn add(&mut self, i: usize, j: usize, value: f64) {
-        self.entries[i][j].re += value;
-    }
-
-    fn add_both(&mut self, i: usize, j: usize, value: f64) {
-        self.add(i, j, value);
-        self.add(j, i, value);
-    }
-
-    /// Eliminates all but the motion of the body.
-    fn condense(&self, own: &mut Condensed) {
-        let rows = self.rows;
-        let mut flat = [Complex::default(); 64];
-        for (out, row) in flat.chunks_exact_mut(rows).zip(&self.entries[..rows]) {
-            out.copy_from_slice(&row[..rows]);
-        }
-        let flat = &mut flat[..rows * rows];
-        own.negative += eliminate(flat, rows, 6);
-        own.log_pivots += (6..rows)
-            .map(|i| flat[i * rows + i].re.abs().ln())
-            .sum::<f64>();
-        own.matrix = std::array::from_fn(|i| std::array::from_fn(|j| flat[i * rows + j]));
     }
 }

@@ -79,7 +79,6 @@ impl TurningBody for Rod {
         Condensed {
             matrix,
             negative: usize::from(pivot < 0.0),
-            log_pivots: pivot.abs().ln(),
         }
     }
 }

@@ -1,0 +1,187 @@
+//! Motions of nacelle, drivetrain and rotor: solutions and products at a frequency.
+
+use super::bordered::Bordered;
+use super::machine::{ABOUT_SHAFT, ABOUT_TOWER, GENERATOR, Machine, ROTOR};
+use crate::rotor::RotorFactors;
+use crate::scalar::{Complex, Scalar};
+use crate::space::SpatialMatrix;
+
+/// The factors of a machine at a frequency.
+#[derive(Debug, Clone, Default)]
+pub(super) struct MachineFactors {
+    pub(super) rotor: RotorFactors,
+    /// Of the shaft, then of the yaw drive.
+    pub(super) joints: [Bordered; 2],
+}
+
+/// A motion or a force in phasors.
+pub(super) type Phasors = [Complex; 6];
+
+/// Coordinates of the joints: yaw of the nacelle, rotation of the rotor against it, and of the
+/// generator against it at the slow end of the shaft; zero where there is none.
+pub(super) const JOINTS: usize = 3;
+const YAW: usize = 0;
+const OF_ROTOR: usize = 1;
+const OF_GENERATOR: usize = 2;
+
+impl Machine {
+    /// Number of its coordinates: those of the joints, then those of the blades.
+    pub(super) fn degrees_of_freedom(&self) -> usize {
+        JOINTS + self.rotor.degrees_of_freedom()
+    }
+
+    /// Eliminates the coordinates from a right side; returns the force on the tower top.
+    pub(super) fn reduce(&self, factors: &mut MachineFactors, right: &mut [Complex]) -> Phasors {
+        let (joints, blades) = right.split_at_mut(JOINTS);
+        let at_apex = self.rotor.reduce(&mut factors.rotor, blades);
+        let mut of_shaft = bordered(&at_apex);
+        of_shaft[ROTOR] = joints[OF_ROTOR] + at_apex[ABOUT_SHAFT];
+        of_shaft[GENERATOR] = joints[OF_GENERATOR];
+        factors.joints[0].reduce(&mut of_shaft);
+        joints[OF_ROTOR] = of_shaft[ROTOR];
+        joints[OF_GENERATOR] = of_shaft[GENERATOR];
+        let at_nacelle = transposed_times(&self.to_apex, &of_shaft);
+        let mut of_yaw = bordered(&at_nacelle);
+        of_yaw[ROTOR] = joints[YAW] + at_nacelle[ABOUT_TOWER];
+        factors.joints[1].reduce(&mut of_yaw);
+        joints[YAW] = of_yaw[ROTOR];
+        std::array::from_fn(|i| of_yaw[i])
+    }
+
+    /// Finds the coordinates from the motion of the tower top, in place of a reduced right side.
+    pub(super) fn substitute(
+        &self,
+        factors: &mut MachineFactors,
+        top: &Phasors,
+        own: &mut [Complex],
+    ) {
+        let (joints, blades) = own.split_at_mut(JOINTS);
+        let mut of_yaw = bordered(top);
+        of_yaw[ROTOR] = joints[YAW];
+        factors.joints[1].substitute(&mut of_yaw);
+        let has_yaw = factors.joints[1].rows > ROTOR;
+        joints[YAW] = if has_yaw {
+            of_yaw[ROTOR]
+        } else {
+            Complex::default()
+        };
+        let mut of_shaft = bordered(&self.shaft_motion(top, joints[YAW]));
+        of_shaft[ROTOR] = joints[OF_ROTOR];
+        of_shaft[GENERATOR] = joints[OF_GENERATOR];
+        factors.joints[0].substitute(&mut of_shaft);
+        for (place, of) in [(OF_ROTOR, ROTOR), (OF_GENERATOR, GENERATOR)] {
+            let is_there = factors.joints[0].rows > of;
+            joints[place] = if is_there {
+                of_shaft[of]
+            } else {
+                Complex::default()
+            };
+        }
+        let apex = self.apex_motion(top, joints);
+        self.rotor.substitute(&mut factors.rotor, &apex, blades);
+    }
+
+    /// The product of dH/dw with a motion x of the tower top and the coordinates, in `out`; returns
+    /// the force on the top and xᴴ M x.
+    pub(super) fn derivative(
+        &self,
+        (w, speed, is_locked): (f64, f64, bool),
+        (top, own): (&Phasors, &[Complex]),
+        factors: &mut MachineFactors,
+        out: &mut [Complex],
+    ) -> (Phasors, f64) {
+        let (joints, blades) = own.split_at(JOINTS);
+        let (out, of_blades) = out.split_at_mut(JOINTS);
+        out.fill(Complex::default());
+        let apex = self.apex_motion(top, joints);
+        let at = (w, speed);
+        let rotor = (&apex, blades);
+        let (mut force, mut mass) = self
+            .rotor
+            .derivative(at, rotor, &mut factors.rotor, of_blades);
+        let mut add = |inertia: &SpatialMatrix, motion: &Phasors, force: &mut Phasors| {
+            let own = times(inertia, motion);
+            mass += dot(motion, &own);
+            add_to(force, &own.map(|f| f.times(-2.0 * w)));
+        };
+        add(&self.hub, &apex, &mut force);
+        let spin = self.spin(speed);
+        force[4] += Complex::new(-spin * apex[5].im, spin * apex[5].re);
+        force[5] -= Complex::new(-spin * apex[4].im, spin * apex[4].re);
+        let generator = self.of_generator(is_locked);
+        let mut at_shaft = force;
+        if self.turns(is_locked) {
+            out[OF_ROTOR] = force[ABOUT_SHAFT];
+        }
+        // The generator turns by θ + q g.
+        let nacelle = self.nacelle_motion(top, joints[YAW]);
+        let about_shaft = self.shaft_motion(top, joints[YAW])[ABOUT_SHAFT];
+        let place = generator.map(|of| if of == ROTOR { OF_ROTOR } else { OF_GENERATOR });
+        let own = place.map_or(Complex::default(), |place| joints[place]);
+        let turned = about_shaft + own.times(self.gear_ratio);
+        let momentum = turned.times(self.generator_inertia);
+        let of_generator = (turned.conj() * momentum).re;
+        at_shaft[ABOUT_SHAFT] += momentum.times(-2.0 * w);
+        if let Some(place) = place {
+            out[place] += momentum.times(-2.0 * w * self.gear_ratio);
+        }
+        let mut force = transposed_times(&self.to_apex, &at_shaft);
+        add(&self.nacelle, &nacelle, &mut force);
+        if self.yaws() {
+            out[YAW] = force[ABOUT_TOWER];
+        }
+        add(&self.bearing, top, &mut force);
+        (force, mass + of_generator)
+    }
+
+    /// The motion of the nacelle at the tower top.
+    fn nacelle_motion(&self, top: &Phasors, yaw: Complex) -> Phasors {
+        let mut nacelle = *top;
+        nacelle[ABOUT_TOWER] += yaw;
+        nacelle
+    }
+
+    /// The motion of the nacelle at the apex, in the axes of the shaft.
+    pub(super) fn shaft_motion(&self, top: &Phasors, yaw: Complex) -> Phasors {
+        times(&self.to_apex, &self.nacelle_motion(top, yaw))
+    }
+
+    /// The motion of the apex of the rotor, in the axes of the shaft.
+    pub(super) fn apex_motion(&self, top: &Phasors, joints: &[Complex]) -> Phasors {
+        let mut apex = self.shaft_motion(top, joints[YAW]);
+        apex[ABOUT_SHAFT] += joints[OF_ROTOR];
+        apex
+    }
+
+    /// Square roots of twice the elastic energies of yaw drive and shaft.
+    pub(super) fn springs(&self, joints: &[Complex]) -> [Complex; 2] {
+        let scaled = |stiffness: f64, x: Complex| match stiffness.is_infinite() {
+            true => Complex::default(),
+            false => x.times(stiffness.sqrt()),
+        };
+        let twist = joints[OF_ROTOR] - joints[OF_GENERATOR];
+        [scaled(self.yaw, joints[YAW]), scaled(self.shaft, twist)]
+    }
+}
+
+fn bordered(own: &Phasors) -> [Complex; 8] {
+    std::array::from_fn(|i| own.get(i).copied().unwrap_or_default())
+}
+
+fn times(matrix: &SpatialMatrix, x: &Phasors) -> Phasors {
+    matrix.map(|row| row.iter().zip(x).map(|(a, x)| x.times(*a)).sum())
+}
+
+fn transposed_times(matrix: &SpatialMatrix, x: &[Complex]) -> Phasors {
+    std::array::from_fn(|i| (0..6).map(|k| x[k].times(matrix[k][i])).sum())
+}
+
+fn add_to(sum: &mut Phasors, addend: &Phasors) {
+    for (sum, addend) in sum.iter_mut().zip(addend) {
+        *sum += *addend;
+    }
+}
+
+fn dot(a: &Phasors, b: &Phasors) -> f64 {
+    a.iter().zip(b).map(|(a, b)| (a.conj() * *b).re).sum()
+}
