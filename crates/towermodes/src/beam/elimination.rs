@@ -194,8 +194,8 @@ pub struct Condensed {
     pub negative: usize,
 }
 
-/// The matrix A = 1 + a M + b S + i c C of a blade, with the inertia M, the stiffness S in the place
-/// of a foundation and the skew matrices C of its elements, as seen from its root.
+/// The matrix A = 1 + a M + b S + i c C of a blade, with the inertia M, the stiffness S by the spin
+/// in the place of a foundation, and the skew matrices C of its elements.
 pub(super) struct TurningMatrix<'a> {
     pub(super) inertia: f64,
     pub(super) spin: f64,

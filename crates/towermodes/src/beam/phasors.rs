@@ -42,9 +42,9 @@ pub(super) fn inertia_loads(
             let row = all[from..from + rows].iter().zip(x.iter());
             row.map(|(entry, x)| x.times(*entry)).sum::<Complex>()
         };
-        for row in 0..rows {
+        for (row, own) in x.iter().enumerate() {
             let inertia = of_element(&beam.matrices[0], row);
-            mass += (x[row].conj() * inertia).re;
+            mass += (own.conj() * inertia).re;
             let mut load = inertia.times(a.inertia);
             if !a.coriolis.is_empty() {
                 let turned = of_element(a.coriolis, row);

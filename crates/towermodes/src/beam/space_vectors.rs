@@ -120,22 +120,51 @@ impl BeamSubsystem<6> {
             sum[[0, 1, 3, 1, 0, 2][component]] += (x.conj() * force).re;
         };
         (0..6).for_each(|c| add(c, base[c], force[c]));
-        self.soil_energies(x, add);
+        self.element_energies(1, x, add);
         sum
     }
 
-    /// Passes the motions of the elements and the forces of the soil on them, by component.
-    fn soil_energies(&self, x: &[Complex], mut add: impl FnMut(usize, Complex, Complex)) {
+    /// Number of elements.
+    pub(crate) fn elements(&self) -> usize {
+        self.beam().elements()
+    }
+
+    /// Number of coordinates of a base that moves.
+    pub(crate) fn base_coordinates(&self) -> usize {
+        self.beam().base_coordinates()
+    }
+
+    /// Twice the kinetic energy over the square of the frequency, as
+    /// [`elastic_energies`](Self::elastic_energies).
+    pub(crate) fn inertia_energies(&self, x: &[Complex]) -> [f64; 4] {
+        let base = base_motion(self.beam(), &x[..self.beam().base_coordinates()]);
+        let force = self.base_force(&base, 0);
+        let mut sum = [0.0; 4];
+        let mut add = |component: usize, x: Complex, force: Complex| {
+            sum[[0, 1, 3, 1, 0, 2][component]] += (x.conj() * force).re;
+        };
+        (0..6).for_each(|c| add(c, base[c], force[c]));
+        self.element_energies(0, x, add);
+        sum
+    }
+
+    /// Passes the motions of the elements and the forces of one of their matrices, by component.
+    fn element_energies(
+        &self,
+        place: usize,
+        x: &[Complex],
+        mut add: impl FnMut(usize, Complex, Complex),
+    ) {
         let beam = self.beam();
-        let (rows, foundation) = (beam.rows(), &beam.matrices[1]);
-        if foundation.is_empty() {
+        let (rows, matrices) = (beam.rows(), &beam.matrices[place]);
+        if matrices.is_empty() {
             return;
         }
         let (of_base, own) = x.split_at(beam.base_coordinates());
         let base = base_motion(beam, of_base);
         super::product::sweep_up(beam, base, own, |element, motion, own| {
             let from = element * rows * rows;
-            let Some(matrix) = foundation.get(from..from + rows * rows) else {
+            let Some(matrix) = matrices.get(from..from + rows * rows) else {
                 return;
             };
             let all = || motion.iter().chain(own);

@@ -135,6 +135,11 @@ impl TurningBlade {
         along.map(translation).collect()
     }
 
+    /// Number of its elements.
+    pub fn elements(&self) -> usize {
+        self.beam.elements()
+    }
+
     /// Twice the elastic energy of coordinates, in flap, edge, torsion and stretch.
     pub fn strain_energies(&self, own: &[Complex]) -> [f64; 4] {
         let mut sum = [0.0; 4];

@@ -22,10 +22,10 @@ pub enum Harmonic {
     Forward,
     /// A wave that runs around the rotor against the rotation.
     Backward,
-    /// As the cosine of the azimuth: the rotor tilts. For modes whose two waves are equal, as at
-    /// standstill.
+    /// Both waves alike, as at standstill, so that the forces of the blades tilt the nacelle: flap
+    /// as the cosine of the azimuth, edge as its sine.
     Tilt,
-    /// As the sine of the azimuth: the rotor yaws.
+    /// Both waves alike, so that the forces of the blades yaw the nacelle.
     Yaw,
     /// A wave of this many periods around the rotor, 2 or more, with the rotation; it does not move
     /// the hub. Only rotors of more than three blades have it.
@@ -64,9 +64,9 @@ pub struct BladeEnergy {
     pub forward: f64,
     /// Against the rotation.
     pub backward: f64,
-    /// As the cosine of the azimuth; `tilt + yaw = forward + backward`.
+    /// Of what tilts the nacelle; `tilt + yaw = forward + backward`.
     pub tilt: f64,
-    /// As the sine of the azimuth.
+    /// Of what yaws the nacelle.
     pub yaw: f64,
 }
 
@@ -127,6 +127,48 @@ impl BladeEnergy {
 }
 
 impl TurbineEnergy {
+    /// Fractions of the sum of all.
+    pub(super) fn as_fractions(mut self) -> Self {
+        let total = self.total();
+        if total > 0.0 {
+            self.scale(1.0 / total);
+        }
+        self
+    }
+
+    fn scale(&mut self, factor: f64) {
+        let Self {
+            tower_fore_aft,
+            tower_side_side,
+            tower_torsion,
+            tower_axial,
+            yaw_drive,
+            shaft,
+            blades,
+        } = self;
+        let own = [
+            tower_fore_aft,
+            tower_side_side,
+            tower_torsion,
+            tower_axial,
+            yaw_drive,
+            shaft,
+        ];
+        let blades = blades.iter_mut().flat_map(|blade| {
+            let BladeEnergy {
+                collective,
+                forward,
+                backward,
+                tilt,
+                yaw,
+            } = blade;
+            [collective, forward, backward, tilt, yaw]
+        });
+        own.into_iter()
+            .chain(blades)
+            .for_each(|energy| *energy *= factor);
+    }
+
     /// Of all parts.
     pub fn total(&self) -> f64 {
         let blades = self.blades.iter().map(BladeEnergy::total);

@@ -34,6 +34,10 @@ pub(super) struct Machine {
     pub(super) generator_inertia: f64,
     pub(super) gear_ratio: f64,
     pub(super) polar_inertia: f64,
+    /// Inertia of the machine as a rigid body for the motion of the tower top.
+    pub(super) rigid: SpatialMatrix,
+    /// Inertia of hub and rigid blades about the shaft, kg m².
+    pub(super) rotor_inertia: f64,
 }
 
 impl Machine {
@@ -43,8 +47,12 @@ impl Machine {
         let inertia = [hub.polar_inertia_kg_m2, across, across];
         let inertia = Inertia::from([inertia[0], inertia[1], inertia[2], 0.0, 0.0, 0.0]);
         let nacelle = &turbine.nacelle;
-        Self {
+        let rotor_inertia =
+            hub.polar_inertia_kg_m2 + rotor.blades() as f64 * rotor.body().inertia()[3][3];
+        let mut own = Self {
             rotor,
+            rotor_inertia,
+            rigid: SpatialMatrix::default(),
             hub: spatial_inertia(hub.mass_kg, [hub.center_m, 0.0, 0.0], &inertia),
             to_apex: to_apex(turbine),
             nacelle: spatial_inertia(nacelle.mass_kg, nacelle.center_m, &nacelle.inertia_kg_m2),
@@ -54,7 +62,10 @@ impl Machine {
             generator_inertia: turbine.generator.inertia_kg_m2,
             gear_ratio: turbine.generator.gear_ratio,
             polar_inertia: hub.polar_inertia_kg_m2,
-        }
+        };
+        let rna = own.at_rest(turbine);
+        own.rigid = spatial_inertia(rna.mass_kg, rna.center_m, &rna.inertia_kg_m2);
+        own
     }
 
     /// The machine for the motion of the tower top in its axes, at a frequency w and a speed Ω,

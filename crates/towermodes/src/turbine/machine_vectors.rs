@@ -153,6 +153,31 @@ impl Machine {
         apex
     }
 
+    /// The motion of the nacelle at the apex, in the axes of the tower.
+    pub(super) fn nacelle_at_apex(&self, top: &Phasors, joints: &[Complex]) -> Phasors {
+        let of_shaft = self.shaft_motion(top, joints[YAW]);
+        // The axes of the shaft are the rotations in `to_apex`.
+        std::array::from_fn(|i| {
+            let of = &of_shaft[i / 3 * 3..];
+            (0..3).map(|k| of[k].times(self.to_apex[k][i % 3])).sum()
+        })
+    }
+
+    /// Twice the kinetic energies of the machine with rigid blades over the square of the
+    /// frequency, by the component of the tower top's motion.
+    pub(super) fn rigid_energies(&self, top: &Phasors, joints: &[Complex]) -> [f64; 6] {
+        let nacelle = self.nacelle_motion(top, joints[YAW]);
+        let force = times(&self.rigid, &nacelle);
+        std::array::from_fn(|i| (nacelle[i].conj() * force[i]).re.max(0.0))
+    }
+
+    /// The same for the rotation of rotor and generator against the nacelle.
+    pub(super) fn shaft_energy(&self, joints: &[Complex]) -> f64 {
+        let square = |x: Complex| x.re * x.re + x.im * x.im;
+        let generator = self.generator_inertia * self.gear_ratio * self.gear_ratio;
+        self.rotor_inertia * square(joints[OF_ROTOR]) + generator * square(joints[OF_GENERATOR])
+    }
+
     /// Square roots of twice the elastic energies of yaw drive and shaft.
     pub(super) fn springs(&self, joints: &[Complex]) -> [Complex; 2] {
         let scaled = |stiffness: f64, x: Complex| match stiffness.is_infinite() {

@@ -14,10 +14,13 @@ mod machine_vectors;
 mod mesh;
 mod mode;
 mod model;
+mod modes;
 mod name;
 mod search;
 mod shape;
+mod shaping;
 mod validate;
+mod votes;
 
 pub use checked::Turbine;
 pub use description::{Generator, Hub, TurbineDescription};

@@ -1,18 +1,21 @@
 //! The modes of a turbine at a speed of its rotor.
 
+use std::ops::Range;
+
 use super::energy::TurbineEnergy;
-use super::frequencies::CoupledFrequency;
+use super::frequencies::{CoupledFrequency, Part};
 use super::name::TurbineModeName;
 use super::shape::TurbineShape;
-use crate::scalar::Complex;
+use crate::scalar::{Complex, Scalar};
 
 /// A mode of a turbine at a speed of its rotor.
 #[derive(Debug, Clone, PartialEq)]
 pub struct TurbineMode {
     /// Its frequency, with the bounds that counts prove.
     pub frequency: CoupledFrequency,
-    /// An estimate of the error of the mesh, Hz: the change of the frequency to a finer one.
-    pub discretization_error_hz: f64,
+    /// An estimate of the error of the mesh, Hz: the change of the frequency to a finer one; none
+    /// before [`TurbineModel::estimate_errors`](super::TurbineModel::estimate_errors).
+    pub discretization_error_hz: Option<f64>,
     /// Its name: where most of its elastic energy is.
     pub name: TurbineModeName,
     /// The name by kinetic energy, a second vote; it differs where modes veer or two motions are
@@ -22,8 +25,14 @@ pub struct TurbineMode {
     pub energy: TurbineEnergy,
     /// Its shape; the largest deflection is 1.
     pub shape: TurbineShape,
-    /// Coordinates whose squares are elastic energies; the sum of their squares is 1.
-    pub(super) strains: Vec<Complex>,
+    /// What it is a mode of: all that moves the tower, or a harmonic of the blades.
+    pub(super) part: Part,
+    /// Its vector.
+    pub(super) vector: Vec<Complex>,
+    /// Coordinates of the vector whose squares are elastic energies, in two ranges.
+    pub(super) strains: [Range<usize>; 2],
+    /// Square roots of the elastic energies of yaw drive and shaft.
+    pub(super) springs: [Complex; 2],
 }
 
 /// The modes of a turbine below a limit, at a speed of its rotor.
@@ -52,8 +61,21 @@ impl TurbineMode {
     ///
     /// Source: Allemang & Brown, *A correlation coefficient for modal vector analysis* (1982).
     pub fn mac(&self, other: &Self) -> f64 {
-        let pairs = self.strains.iter().zip(&other.strains);
-        let product: Complex = pairs.map(|(a, b)| Complex::new(a.re, -a.im) * *b).sum();
-        product.re * product.re + product.im * product.im
+        if self.part != other.part || self.vector.len() != other.vector.len() {
+            return 0.0;
+        }
+        let square = |x: Complex| x.re * x.re + x.im * x.im;
+        let sizes = self.product(self).re * other.product(other).re;
+        square(self.product(other)) / sizes
+    }
+
+    /// The inner product of the elastic energy.
+    fn product(&self, other: &Self) -> Complex {
+        let strains = self.strains.iter().flat_map(|range| {
+            let own = &self.vector[range.clone()];
+            own.iter().zip(&other.vector[range.clone()])
+        });
+        let springs = self.springs.iter().zip(&other.springs);
+        strains.chain(springs).map(|(a, b)| a.conj() * *b).sum()
     }
 }

@@ -1,0 +1,167 @@
+//! The modes of a turbine below a limit: frequencies with their names, energies and shapes.
+
+use std::collections::HashMap;
+use std::f64::consts::TAU;
+
+use super::coupled::Coupled;
+use super::energy::TurbinePart;
+use super::error::TurbineError;
+use super::frequencies::{Part, Whole, check};
+use super::mode::{TurbineMode, TurbineModes};
+use super::model::TurbineModel;
+use super::name::TurbineModeName;
+use super::search::{Found, Guess, Search};
+
+impl TurbineModel {
+    /// The modes up to a limit (Hz) at a speed of the rotor (rad/s), with names and shapes.
+    ///
+    /// # Errors
+    /// [`TurbineError`] if limit or speed is no number.
+    ///
+    /// # Example
+    /// See [`Turbine`](super::Turbine).
+    pub fn modes(
+        &mut self,
+        limit_hz: f64,
+        speed_rad_per_s: f64,
+    ) -> Result<TurbineModes, TurbineError> {
+        self.modes_from(limit_hz, speed_rad_per_s, &[])
+    }
+
+    /// The same, sooner where the modes at one or two speeds before are known, the nearest last.
+    /// Counts prove that none is missing, as without them.
+    ///
+    /// # Errors
+    /// [`TurbineError`] if limit or speed is no number.
+    pub fn modes_from(
+        &mut self,
+        limit_hz: f64,
+        speed_rad_per_s: f64,
+        before: &[TurbineModes],
+    ) -> Result<TurbineModes, TurbineError> {
+        check(limit_hz, speed_rad_per_s)?;
+        let guesses = |part| guesses(part, speed_rad_per_s, before);
+        let whole = self.search(TAU * limit_hz, speed_rad_per_s, guesses);
+        Ok(self.named(whole, limit_hz, speed_rad_per_s))
+    }
+
+    fn named(&self, whole: Whole, limit_hz: f64, speed_rad_per_s: f64) -> TurbineModes {
+        let found = whole.found.into_iter();
+        let mut modes: Vec<_> = found.map(|(part, found)| self.mode(part, found)).collect();
+        number(&mut modes, |mode| &mut mode.name);
+        number(&mut modes, |mode| &mut mode.second_name);
+        TurbineModes {
+            speed_rad_per_s,
+            modes,
+            limit_hz,
+            is_complete: whole.is_complete,
+            negative_energy_expected: whole.negative_energy_expected,
+            negative_energy_found: whole.negative_energy_found,
+        }
+    }
+
+    fn mode(&self, part: Part, found: Found) -> TurbineMode {
+        let energy = self.elastic_energy(part, &found.vector);
+        let kinetic = self.kinetic_energy(part, &found.vector);
+        let unnumbered = |part| TurbineModeName { part, order: 0 };
+        let name = |energy: &super::TurbineEnergy| unnumbered(of_part(energy.largest().0, part));
+        let (shape, strains, springs) = self.shape(part, &found.vector);
+        TurbineMode {
+            frequency: found.as_hz(),
+            discretization_error_hz: None,
+            name: name(&energy),
+            second_name: name(&kinetic),
+            energy: energy.as_fractions(),
+            shape,
+            part,
+            vector: found.vector,
+            strains,
+            springs,
+        }
+    }
+
+    /// Estimates the discretization errors of modes of this turbine on a coarser mesh: how much
+    /// lower the frequencies on this mesh are. A mode without a counterpart has none.
+    pub fn estimate_errors(&mut self, modes: &mut TurbineModes) {
+        let speed = modes.speed_rad_per_s;
+        for mode in &mut modes.modes {
+            let finer = self.nearest(mode, speed);
+            let own_hz = mode.frequency.frequency_hz;
+            mode.discretization_error_hz = finer.map(|w| (w / TAU - own_hz).abs());
+        }
+    }
+
+    /// The frequency on this mesh of a mode on another, rad/s.
+    fn nearest(&mut self, mode: &TurbineMode, speed: f64) -> Option<f64> {
+        let w = TAU * mode.frequency.frequency_hz;
+        match mode.part {
+            None => Search::new(&mut Coupled { model: self, speed }).nearest(w),
+            Some(wave) => Search::new(&mut self.on_still_hub(wave, speed)).nearest(w),
+        }
+    }
+}
+
+/// Numbers modes with the same part by frequency.
+fn number(modes: &mut [TurbineMode], name: impl Fn(&mut TurbineMode) -> &mut TurbineModeName) {
+    let mut orders: HashMap<TurbinePart, usize> = HashMap::new();
+    for mode in modes {
+        let name = name(mode);
+        let order = orders.entry(name.part).or_default();
+        *order += 1;
+        name.order = *order;
+    }
+}
+
+/// The modes of a part at the last speed, where they would be at this one.
+fn guesses(part: Part, speed: f64, before: &[TurbineModes]) -> Vec<Guess<'_>> {
+    let Some(last) = before.last() else {
+        return Vec::new();
+    };
+    let own = |modes: &'_ TurbineModes| -> Vec<usize> {
+        let all = modes.modes.iter().enumerate();
+        all.filter(|(_, mode)| mode.part == part)
+            .map(|(index, _)| index)
+            .collect()
+    };
+    let earlier = before.len().checked_sub(2).map(|index| &before[index]);
+    let places = own(last);
+    let places_before = earlier.map(own).unwrap_or_default();
+    let guess = |(order, place): (usize, &usize)| {
+        let mode = &last.modes[*place];
+        let hz = mode.frequency.frequency_hz;
+        let before = earlier
+            .zip(places_before.get(order))
+            .map(|(earlier, place)| {
+                let steps = last.speed_rad_per_s - earlier.speed_rad_per_s;
+                let ratio = (speed - last.speed_rad_per_s) / steps;
+                let change = hz - earlier.modes[*place].frequency.frequency_hz;
+                if ratio.is_finite() {
+                    ratio * change
+                } else {
+                    0.0
+                }
+            });
+        Guess {
+            w: TAU * (hz + before.unwrap_or_default()),
+            vector: &mode.vector,
+        }
+    };
+    places.iter().enumerate().map(guess).collect()
+}
+
+/// The part with the harmonic of blades that do not move the hub.
+fn of_part(part: TurbinePart, own: Part) -> TurbinePart {
+    use super::energy::Harmonic;
+    use crate::rotor::Reactionless;
+    match (part, own) {
+        (TurbinePart::Blades(motion, _), Some(wave)) => {
+            let harmonic = match wave {
+                Reactionless::Forward(waves) => Harmonic::ForwardOf(waves),
+                Reactionless::Backward(waves) => Harmonic::BackwardOf(waves),
+                Reactionless::Alternating(_) => Harmonic::Alternating,
+            };
+            TurbinePart::Blades(motion, harmonic)
+        }
+        _ => part,
+    }
+}

@@ -1,0 +1,145 @@
+//! The shape of a mode, from its vector.
+
+use std::ops::Range;
+
+use super::frequencies::Part;
+use super::machine_vectors::JOINTS;
+use super::model::TurbineModel;
+use super::shape::{BladeDeflection, TowerMotion, TurbineShape};
+use crate::rotor::Reactionless;
+use crate::scalar::{Complex, Scalar};
+
+/// Least number of points along the tower, and along a blade.
+const POINTS: usize = 20;
+
+/// A shape, the places of the strains in the vector, and the motions of the springs.
+type Shaped = (TurbineShape, [Range<usize>; 2], [Complex; 2]);
+
+impl TurbineModel {
+    pub(super) fn shape(&self, part: Part, vector: &[Complex]) -> Shaped {
+        let mut shaped = match part {
+            None => self.coupled_shape(vector),
+            Some(wave) => self.shape_on_still_hub(wave, vector),
+        };
+        normalize(&mut shaped.0);
+        shaped
+    }
+
+    fn coupled_shape(&self, vector: &[Complex]) -> Shaped {
+        let [of_tower, joints, blades] = self.split(vector);
+        let beam = &self.tower.members()[0];
+        let top = self.top(of_tower);
+        let apex = self.machine.apex_motion(&top, joints);
+        let rotor = &self.machine.rotor;
+        let blade = rotor.body();
+        let (count, steps) = (blade.degrees_of_freedom(), per_element(blade.elements()));
+        // Coordinates are those of a blade times the root of their number.
+        let each = 1.0 / (rotor.blades() as f64).sqrt();
+        let along = [0, 1, 2].map(|harmonic| {
+            let own = &blades[harmonic * count..(harmonic + 1) * count];
+            blade.translations((&rotor.felt(harmonic, &apex), own), steps)
+        });
+        let deflection = |k: usize| {
+            let at = |harmonic: usize| along[harmonic][k].1.map(|x: Complex| x.times(each));
+            BladeDeflection {
+                radius_m: along[0][k].0,
+                harmonics: [at(0), at(1), at(2), [Complex::default(); 3]],
+                waves: 0,
+            }
+        };
+        let motions = beam
+            .motions_along(of_tower, per_element(self.elements()))
+            .into_iter();
+        let shape = TurbineShape {
+            tower: motions
+                .map(|(height_m, motion)| TowerMotion { height_m, motion })
+                .collect(),
+            apex: self.machine.nacelle_at_apex(&top, joints),
+            blades: (0..along[0].len()).map(deflection).collect(),
+        };
+        let first = of_tower.len() + JOINTS;
+        let tower = vector.len().min(self.base_coordinates())..of_tower.len();
+        (
+            shape,
+            [tower, first..vector.len()],
+            self.machine.springs(joints),
+        )
+    }
+
+    fn shape_on_still_hub(&self, wave: Reactionless, vector: &[Complex]) -> Shaped {
+        let blade = self.machine.rotor.body();
+        let still = [Complex::default(); 6];
+        let along = blade.translations((&still, vector), per_element(blade.elements()));
+        let waves = match wave {
+            Reactionless::Forward(waves) | Reactionless::Alternating(waves) => waves as isize,
+            Reactionless::Backward(waves) => -(waves as isize),
+        };
+        let blades = along.into_iter().map(|(radius_m, motion)| {
+            let none = [Complex::default(); 3];
+            BladeDeflection {
+                radius_m,
+                harmonics: [none, none, none, motion],
+                waves,
+            }
+        });
+        let shape = TurbineShape {
+            tower: Vec::new(),
+            apex: still,
+            blades: blades.collect(),
+        };
+        (shape, [0..0, 0..vector.len()], [Complex::default(); 2])
+    }
+
+    fn elements(&self) -> usize {
+        self.tower.members()[0].elements()
+    }
+
+    fn base_coordinates(&self) -> usize {
+        self.tower.members()[0].base_coordinates()
+    }
+}
+
+fn per_element(elements: usize) -> usize {
+    POINTS.div_ceil(elements.max(1))
+}
+
+/// Scales so that the largest translation is 1 and real.
+fn normalize(shape: &mut TurbineShape) {
+    let square = |x: &Complex| x.re * x.re + x.im * x.im;
+    let mut largest = Complex::real(1.0);
+    let mut size = 0.0;
+    for point in translations(shape) {
+        let of_point: f64 = point.iter().map(square).sum();
+        if of_point > size {
+            size = of_point;
+            let first = point
+                .iter()
+                .fold(point[0], |a, b| if square(b) > square(&a) { *b } else { a });
+            // The phase of the largest component, the size of the whole.
+            largest = first.times((of_point / square(&first)).sqrt());
+        }
+    }
+    if size == 0.0 {
+        return;
+    }
+    let inverse = largest.conj().over(square(&largest));
+    let tower = shape.tower.iter_mut().flat_map(|point| &mut point.motion);
+    let blades = shape
+        .blades
+        .iter_mut()
+        .flat_map(|point| point.harmonics.as_flattened_mut());
+    let all = tower.chain(&mut shape.apex).chain(blades);
+    all.for_each(|entry| *entry = *entry * inverse);
+}
+
+/// Translations of the tower, and of the blades at a few azimuths.
+fn translations(shape: &TurbineShape) -> Vec<[Complex; 3]> {
+    let tower = shape
+        .tower
+        .iter()
+        .map(|point| [point.motion[0], point.motion[1], point.motion[2]]);
+    let azimuths = (0..12).map(|k| std::f64::consts::PI * f64::from(k) / 6.0);
+    let tip = shape.blades.last();
+    let blades = azimuths.filter_map(|azimuth| Some(tip?.at(azimuth)));
+    tower.chain(blades).collect()
+}

@@ -1,0 +1,117 @@
+//! The energies of a mode by parts: elastic ones, and those of the masses that move.
+
+use super::energy::{BladeEnergy, TurbineEnergy};
+use super::frequencies::Part;
+use super::machine_vectors::Phasors;
+use super::model::TurbineModel;
+use crate::beam::TurningBlade;
+use crate::scalar::{Complex, Scalar};
+
+/// Which of the two sums of forward and backward wave tilts the nacelle, for flap, edge, torsion
+/// and stretch: deflections as the cosine of the azimuth (up: 1) or as its sine.
+const COSINE_TILTS: [bool; 4] = [true, false, false, true];
+
+impl TurbineModel {
+    /// Elastic energies, twice.
+    pub(super) fn elastic_energy(&self, part: Part, vector: &[Complex]) -> TurbineEnergy {
+        let blade = self.machine.rotor.body();
+        if part.is_some() {
+            let blades = blade.strain_energies(vector).map(|collective| BladeEnergy {
+                collective,
+                ..BladeEnergy::default()
+            });
+            return TurbineEnergy {
+                blades,
+                ..TurbineEnergy::default()
+            };
+        }
+        let [tower, joints, blades] = self.split(vector);
+        let [fore_aft, side_side, torsion, axial] = self.tower.members()[0].elastic_energies(tower);
+        let square = |x: Complex| x.re * x.re + x.im * x.im;
+        let [yaw_drive, shaft] = self.machine.springs(joints).map(square);
+        TurbineEnergy {
+            tower_fore_aft: fore_aft,
+            tower_side_side: side_side,
+            tower_torsion: torsion,
+            tower_axial: axial,
+            yaw_drive,
+            shaft,
+            blades: by_harmonic(blade, blades, |own| blade.strain_energies(own)),
+        }
+    }
+
+    /// Kinetic energies, twice, over the square of the frequency: of the blades by their deflection
+    /// from the hub, and of all else with the blades rigid, by the direction of the motion.
+    /// Velocities are those in the frame of each part.
+    pub(super) fn kinetic_energy(&self, part: Part, vector: &[Complex]) -> TurbineEnergy {
+        let blade = self.machine.rotor.body();
+        let own = |own: &[Complex]| {
+            let [along, across] = blade.own_inertia(own);
+            [along, across, 0.0, 0.0]
+        };
+        if part.is_some() {
+            let blades = own(vector).map(|collective| BladeEnergy {
+                collective,
+                ..BladeEnergy::default()
+            });
+            return TurbineEnergy {
+                blades,
+                ..TurbineEnergy::default()
+            };
+        }
+        let [tower, joints, blades] = self.split(vector);
+        let beam = &self.tower.members()[0];
+        let top = self.top(tower);
+        let [x, y, z, rx, ry, rz] = self.machine.rigid_energies(&top, joints);
+        let of_tower = beam.inertia_energies(tower);
+        let shaft = self.machine.shaft_energy(joints);
+        TurbineEnergy {
+            tower_fore_aft: x + ry + of_tower[0],
+            tower_side_side: y + rx + of_tower[1],
+            tower_torsion: rz + of_tower[2],
+            tower_axial: z + of_tower[3],
+            yaw_drive: 0.0,
+            shaft,
+            blades: by_harmonic(blade, blades, own),
+        }
+    }
+
+    /// The motion of the tower top.
+    pub(super) fn top(&self, tower: &[Complex]) -> Phasors {
+        let along = self.tower.members()[0].motions_along(tower, 1);
+        along.last().map_or_else(Phasors::default, |(_, top)| *top)
+    }
+}
+
+/// Energies of the blades by motion and harmonic, from those of coordinates of a blade.
+fn by_harmonic(
+    blade: &TurningBlade,
+    blades: &[Complex],
+    energies: impl Fn(&[Complex]) -> [f64; 4],
+) -> [BladeEnergy; 4] {
+    let count = blade.degrees_of_freedom();
+    let [collective, forward, backward] = [0, 1, 2].map(|k| &blades[k * count..(k + 1) * count]);
+    let root = 0.5_f64.sqrt();
+    let mixed = |sign: f64| -> Vec<Complex> {
+        let pairs = forward.iter().zip(backward);
+        pairs
+            .map(|(a, b)| (*a + b.times(sign)).times(root))
+            .collect()
+    };
+    let all = [collective, forward, backward].map(&energies);
+    let [cosine, sine] = [mixed(1.0), mixed(-1.0)].map(|own| energies(&own));
+    std::array::from_fn(|motion| {
+        let waves = [cosine[motion], sine[motion]];
+        let [tilt, yaw] = match COSINE_TILTS[motion] {
+            true => waves,
+            false => [waves[1], waves[0]],
+        };
+        BladeEnergy {
+            collective: all[0][motion],
+            forward: all[1][motion],
+            backward: all[2][motion],
+            tilt,
+            yaw,
+        }
+    })
+}
