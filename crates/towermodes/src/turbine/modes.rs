@@ -3,14 +3,13 @@
 use std::collections::HashMap;
 use std::f64::consts::TAU;
 
-use super::coupled::Coupled;
 use super::energy::TurbinePart;
 use super::error::TurbineError;
 use super::frequencies::{Part, Whole, check};
 use super::mode::{TurbineMode, TurbineModes};
 use super::model::TurbineModel;
 use super::name::TurbineModeName;
-use super::search::{Found, Guess, Search};
+use super::search::{Found, Guess};
 
 impl TurbineModel {
     /// The modes up to a limit (Hz) at a speed of the rotor (rad/s), with names and shapes.
@@ -81,22 +80,24 @@ impl TurbineModel {
     }
 
     /// Estimates the discretization errors of modes of this turbine on a coarser mesh: how much
-    /// lower the frequencies on this mesh are. A mode without a counterpart has none.
+    /// lower the frequencies on this mesh are, each compared with that of the same number. A mode
+    /// without a counterpart has none.
     pub fn estimate_errors(&mut self, modes: &mut TurbineModes) {
-        let speed = modes.speed_rad_per_s;
+        let own_guesses = |part| {
+            let own = modes.modes.iter().filter(|mode| mode.part == part);
+            own.map(|mode| Guess {
+                w: TAU * mode.frequency.frequency_hz,
+                vector: &[],
+            })
+            .collect()
+        };
+        let limit = TAU * modes.limit_hz;
+        let mut finer = self.search(limit, modes.speed_rad_per_s, own_guesses).found;
         for mode in &mut modes.modes {
-            let finer = self.nearest(mode, speed);
+            let counterpart = finer.iter().position(|(part, _)| *part == mode.part);
+            let finer_hz = counterpart.map(|place| finer.remove(place).1.w / TAU);
             let own_hz = mode.frequency.frequency_hz;
-            mode.discretization_error_hz = finer.map(|w| (w / TAU - own_hz).abs());
-        }
-    }
-
-    /// The frequency on this mesh of a mode on another, rad/s.
-    fn nearest(&mut self, mode: &TurbineMode, speed: f64) -> Option<f64> {
-        let w = TAU * mode.frequency.frequency_hz;
-        match mode.part {
-            None => Search::new(&mut Coupled { model: self, speed }).nearest(w),
-            Some(wave) => Search::new(&mut self.on_still_hub(wave, speed)).nearest(w),
+            mode.discretization_error_hz = finer_hz.map(|hz| (hz - own_hz).abs());
         }
     }
 }

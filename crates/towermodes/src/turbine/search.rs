@@ -19,8 +19,6 @@ const SETTLED: f64 = 1e-6;
 const POINT: f64 = 4e-12;
 /// A motion slower than this, rad/s, is one that nothing resists: it is not looked at closer.
 const UNRESISTED: f64 = 1e-6;
-/// How far the frequency on another mesh may be, relative to it.
-const NEAR: f64 = 0.2;
 /// Steps after which halving alone has reached any tolerance.
 const STEPS: usize = 200;
 /// Iterations for modes that share a frequency.
@@ -131,16 +129,6 @@ impl<'a, G: Gyroscopic + ?Sized> Search<'a, G> {
             all.extend(self.find(low, high, is_low, None));
         }
         all
-    }
-
-    /// The frequency near a shift, without proof; none if the iteration leaves its surroundings.
-    pub(super) fn nearest(&mut self, shift: f64) -> Option<f64> {
-        start(&mut self.right);
-        let mut w = shift;
-        for _ in 0..3 {
-            (_, w) = self.step(w);
-        }
-        ((w - shift).abs() < NEAR * shift).then_some(w)
     }
 
     /// Halves an interval until counts at both ends differ by one, or until it is a point.

@@ -1,5 +1,6 @@
 //! The shape of a mode, from its vector.
 
+use std::f64::consts::TAU;
 use std::ops::Range;
 
 use super::frequencies::Part;
@@ -11,6 +12,8 @@ use crate::scalar::{Complex, Scalar};
 
 /// Least number of points along the tower, and along a blade.
 const POINTS: usize = 20;
+/// Azimuths at which the largest deflection of a blade is sought.
+const AZIMUTHS: u32 = 72;
 
 /// A shape, the places of the strains in the vector, and the motions of the springs.
 type Shaped = (TurbineShape, [Range<usize>; 2], [Complex; 2]);
@@ -138,7 +141,7 @@ fn translations(shape: &TurbineShape) -> Vec<[Complex; 3]> {
         .tower
         .iter()
         .map(|point| [point.motion[0], point.motion[1], point.motion[2]]);
-    let azimuths = (0..12).map(|k| std::f64::consts::PI * f64::from(k) / 6.0);
+    let azimuths = (0..AZIMUTHS).map(|k| TAU * f64::from(k) / f64::from(AZIMUTHS));
     let tip = shape.blades.last();
     let blades = azimuths.filter_map(|azimuth| Some(tip?.at(azimuth)));
     tower.chain(blades).collect()

@@ -3,6 +3,7 @@
 
 mod dense;
 mod limits;
+mod modes;
 mod refused;
 mod rigid;
 mod uniform;
