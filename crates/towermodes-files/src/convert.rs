@@ -8,7 +8,7 @@ use crate::elastodyn::{TowerFileError, left_out, make_tower_file, write_tower_fi
 use crate::error::ReadError;
 use crate::input::TowerInput;
 use crate::note::Note;
-use crate::toml::write_toml;
+use crate::toml::{can_be_written, write_toml_with};
 use crate::windio::{WindIoWriteError, write_windio};
 
 /// A format that towers can be written in.
@@ -131,7 +131,11 @@ fn rotor_notes(input: &TowerInput, format: OutputFormat) -> Vec<Note> {
 fn to_toml(input: &TowerInput) -> Result<Converted, ConvertError> {
     // An invalid tower is not converted.
     input.tower()?;
-    let (text, notes) = write_toml(&input.description);
+    let turbine = input.turbine.as_ref();
+    let (text, mut notes) = write_toml_with(&input.description, turbine);
+    if turbine.is_some_and(|turbine| can_be_written(turbine, &input.description)) {
+        notes.splice(0..0, input.turbine_notes.iter().cloned());
+    }
     Ok(Converted {
         text,
         companion: None,

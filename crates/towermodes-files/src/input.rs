@@ -59,8 +59,8 @@ pub struct TowerInput {
     /// One of the rotor's blades at standstill, if the files have it.
     pub blade: Option<towermodes::BladeDescription>,
     /// Nacelle, drivetrain and flexible blades, if the files describe them and if they make a
-    /// turbine whose modes can be solved ([`Self::whole_turbine`]). The description of the tower has all of
-    /// it as a rigid body.
+    /// turbine whose modes can be solved ([`Self::whole_turbine`]). The description of the tower
+    /// has all of it as a rigid body.
     pub turbine: Option<TurbineDescription>,
     /// Why there is no turbine, if the files describe a rotor on the tower; [`None`] if they
     /// describe only the tower, or if there is a turbine.

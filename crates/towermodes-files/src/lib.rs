@@ -96,6 +96,6 @@ pub use study::{DEFAULT_SWEEP_MODES, Placed, SweepModes, SweepResults, SweepRows
 pub use toml::{
     KeySchema, Rewritten, TableSchema, ValueKind, WrittenAnew, description_from_toml,
     design_study_schema, measured_schema, read_design_study, read_measured, read_sweep_study,
-    rewritten, sweep_study_schema, tower_file_schema, tower_from_toml, write_toml,
+    rewritten, sweep_study_schema, tower_file_schema, tower_from_toml, write_toml, write_toml_with,
 };
 pub use windio::{WindIoWriteError, read_windio, write_windio};

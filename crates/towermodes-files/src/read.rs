@@ -16,6 +16,7 @@ use crate::recognize::{recognize, unknown_file};
 use crate::resolver::{FileResolver, SiblingFiles};
 use crate::source::Source;
 use crate::toml::read_toml;
+use crate::turbine::as_rigid_body;
 use crate::windio::read_windio;
 
 /// The note that there is no rotor-nacelle assembly to leave out.
@@ -125,6 +126,9 @@ fn with_rotor(mut tower: TowerInput, options: &ReadOptions) -> Result<TowerInput
     if options.rotor == RotorLock::Locked || options.without_rna {
         return Ok(tower);
     }
+    if tower.turbine.is_some() {
+        return with_free_turbine(tower);
+    }
     let Some(freed) = tower.description.with_free_rotor() else {
         let kind = DiagnosticKind::missing_key("the file", "drivetrain");
         let hint =
@@ -141,6 +145,26 @@ fn with_rotor(mut tower: TowerInput, options: &ReadOptions) -> Result<TowerInput
         Plain(xx(&tower.description))
     )));
     tower.description = freed;
+    Ok(tower)
+}
+
+/// The same for a tower file with a turbine.
+fn with_free_turbine(mut tower: TowerInput) -> Result<TowerInput, ReadError> {
+    let Some(turbine) = &mut tower.turbine else {
+        return Ok(tower);
+    };
+    turbine.generator.is_locked = false;
+    match as_rigid_body(turbine, RotorLock::Free) {
+        Ok(rna) => tower.description.rna = rna,
+        Err(error) => {
+            let kind = DiagnosticKind::Turbine(Box::new(error));
+            let hint = "a free rotor needs generator_inertia in [turbine]";
+            let mistake = Diagnostic::new(0..0, kind).with_hint(hint);
+            return Err(ReadError::mistake(&tower.sources[0], mistake));
+        }
+    }
+    let message = "the rotor turns freely: rotor and generator of [turbine] do not roll with the nacelle about the shaft";
+    tower.notes.push(Note::new(message));
     Ok(tower)
 }
 

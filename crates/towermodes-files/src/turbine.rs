@@ -1,14 +1,28 @@
 //! What a reader found of the turbine on a tower.
 
 use towermodes::turbine::{Turbine, TurbineDescription, TurbineError};
+use towermodes::{BladeSection, Drivetrain, Inertia, RigidBody, Rna};
 
 use crate::diagnostic::{Diagnostic, DiagnosticKind};
 use crate::error::ReadError;
-use crate::input::TowerInput;
+use crate::input::{RotorLock, TowerInput};
 use crate::note::Note;
 
 /// More sections than any table of a blade has; each is the border of an element.
 pub(crate) const MOST_SECTIONS: usize = 1000;
+
+/// A blade with fewer sections is divided into this number of elements too.
+const ELEMENTS: usize = 10;
+
+/// The borders of a blade's elements beside its sections, which are all borders.
+pub(crate) fn blade_borders(sections: &[BladeSection]) -> Vec<f64> {
+    let parts = if sections.len() > ELEMENTS {
+        1
+    } else {
+        ELEMENTS
+    };
+    (0..=parts).map(|k| k as f64 / parts as f64).collect()
+}
 
 /// A turbine with its notes, or why there is none.
 #[derive(Debug, Clone, Default)]
@@ -39,6 +53,84 @@ impl TurbineReading {
             notes,
         })
     }
+}
+
+/// A turbine as the rigid body that a tower carries, whose generator rolls with the nacelle about
+/// the shaft if the rotor is locked; if it is free, only so much of both as does not turn away.
+pub(crate) fn as_rigid_body(
+    turbine: &TurbineDescription,
+    lock: RotorLock,
+) -> Result<Rna, TurbineError> {
+    let rna = turbine.rna()?;
+    let about_shaft = match lock {
+        RotorLock::Locked => turbine.generator.inertia_kg_m2,
+        RotorLock::Free => {
+            let drivetrain = drivetrain(turbine)?;
+            drivetrain.free_kg_m2() - drivetrain.rotor_inertia_kg_m2
+        }
+    };
+    if about_shaft == 0.0 {
+        return Ok(rna);
+    }
+    let more = RigidBody::massless(Inertia {
+        xx: about_shaft,
+        ..Inertia::default()
+    });
+    let body = RigidBody {
+        mass_kg: rna.mass_kg,
+        center_m: rna.center_m,
+        inertia_kg_m2: rna.inertia_kg_m2,
+    };
+    // The shaft's downwind end rises with a positive tilt, and turning about y lowers it.
+    let tilted = more.turned_about_y(-turbine.tilt_rad);
+    Ok(RigidBody::combined(&[body, tilted]).into())
+}
+
+/// Rotor and generator about the shaft.
+fn drivetrain(turbine: &TurbineDescription) -> Result<Drivetrain, TurbineError> {
+    let rotor = TurbineDescription {
+        nacelle: RigidBody::default(),
+        yaw_bearing_mass_kg: 0.0,
+        tilt_rad: 0.0,
+        overhang_m: 0.0,
+        tower_to_shaft_m: 0.0,
+        ..turbine.clone()
+    };
+    Ok(Drivetrain {
+        rotor_inertia_kg_m2: rotor.rna()?.inertia_kg_m2.xx,
+        generator_inertia_kg_m2: turbine.generator.inertia_kg_m2,
+        gear_ratio: turbine.generator.gear_ratio,
+    })
+}
+
+/// Equal but for the rounding of sums.
+const ROUNDED: f64 = 1e-11;
+
+/// Whether a rotor-nacelle assembly is a turbine as a rigid body.
+pub(crate) fn is_rigid_body_of(turbine: &TurbineDescription, rna: &Rna) -> bool {
+    let Ok(own) = as_rigid_body(turbine, RotorLock::Locked) else {
+        return false;
+    };
+    let numbers = |rna: &Rna| {
+        let [x, y, z] = rna.center_m;
+        let tensor = rna.inertia_kg_m2.tensor();
+        let largest = tensor
+            .as_flattened()
+            .iter()
+            .fold(0.0, |a: f64, b| a.max(b.abs()));
+        (rna.mass_kg, [x, y, z], tensor, largest)
+    };
+    let ((mass, center, tensor, largest), (other_mass, other_center, other, _)) =
+        (numbers(&own), numbers(rna));
+    let is_close = |a: f64, b: f64, scale: f64| (a - b).abs() <= ROUNDED * scale;
+    let reach_m = center.iter().fold(1.0, |a: f64, b| a.max(b.abs()));
+    let pairs = tensor.as_flattened().iter().zip(other.as_flattened());
+    is_close(mass, other_mass, mass)
+        && center
+            .iter()
+            .zip(other_center)
+            .all(|(a, b)| is_close(*a, b, reach_m))
+        && pairs.into_iter().all(|(a, b)| is_close(*a, *b, largest))
 }
 
 impl TowerInput {

@@ -31,6 +31,7 @@ mod station_tables;
 mod sweep_studies;
 mod toml_write;
 mod tower_file_schema;
+mod turbine_table;
 mod windio;
 mod windio_files;
 mod windio_slips;

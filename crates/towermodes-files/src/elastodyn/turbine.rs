@@ -13,10 +13,7 @@ use super::servodyn::YawSpring;
 use crate::input::RotorLock;
 use crate::note::Note;
 use crate::source::Source;
-use crate::turbine::{MOST_SECTIONS, TurbineReading};
-
-/// A blade whose table has fewer intervals is divided into this number of elements too.
-const ELEMENTS: usize = 10;
+use crate::turbine::{MOST_SECTIONS, TurbineReading, blade_borders};
 
 /// What the turbine of a model is made from.
 pub(super) struct Parts<'a> {
@@ -176,11 +173,7 @@ fn blade(main: &MainFile, file: &BladeFile) -> BladeDescription {
         section.twist_rad = 0.0 - section.twist_rad;
     }
     blade.pitch_rad = 0.0 - blade.pitch_rad;
-    let spans = blade.sections.iter().map(|section| section.span);
-    blade.borders = match file.rows.len() > ELEMENTS {
-        true => spans.collect(),
-        false => (0..=ELEMENTS).map(|k| k as f64 / ELEMENTS as f64).collect(),
-    };
+    blade.borders = blade_borders(&blade.sections);
     blade
 }
 

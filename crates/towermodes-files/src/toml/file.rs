@@ -17,6 +17,7 @@ use super::schema;
 use super::soil::soil;
 use super::stations::{outfitting_factor, shear, stations};
 use super::table::Table;
+use super::turbine::turbine;
 use super::values::text;
 use super::water::water;
 use super::wires::wires;
@@ -68,12 +69,20 @@ fn around(root: &Table<'_>, reading: &mut Reading) -> Option<TowerDescription> {
     let (water, wires) = (water(root, reading), wires(root, reading));
     let (gravity, rotor) = (gravity(root, reading), rotor(root, reading));
     let drivetrain = drivetrain(root, reading);
+    let turbine = turbine(root, rotor.as_ref().and_then(Option::as_ref), reading);
     let rna = root.get("rna").and_then(|value| rna(value, reading));
     let rna_is_point = is_point_mass(root, rna.as_ref());
     let (point_masses, point_mass_names) = point_masses(root, reading)?;
     let ((soil, soil_names), (wires, wires_names)) = (soil?, wires?);
     let (added_mass, added_mass_names) = added_mass?;
     let (ground, ground_names) = ground?.unzip();
+    let rna = match turbine? {
+        Some((turbine, as_body)) => {
+            reading.turbine = Some(turbine);
+            Some(as_body)
+        }
+        None => rna,
+    };
     let of_tip = ground
         .as_ref()
         .and_then(|ground| default_foundation(root, ground, reading));

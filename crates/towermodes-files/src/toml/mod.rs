@@ -28,12 +28,14 @@ mod study_file;
 mod synonyms;
 mod syntax;
 mod table;
+mod turbine;
 mod values;
 mod water;
 mod wires;
 mod write;
 
 use ::toml::de::DeTable;
+use towermodes::turbine::TurbineDescription;
 use towermodes::{Tower, TowerDescription};
 
 use crate::diagnostic::{Diagnostic, DiagnosticKind};
@@ -53,7 +55,8 @@ pub use measured::{measured_schema, read_measured};
 pub use rewrite::{Rewritten, WrittenAnew, rewritten};
 pub use schema::{KeySchema, TableSchema, ValueKind, tower_file_schema};
 pub use study::{read_sweep_study, sweep_study_schema};
-pub use write::write_toml;
+pub(crate) use write::can_be_written;
+pub use write::{write_toml, write_toml_with};
 
 /// Reads a tower from the text of a TOML file.
 ///
@@ -92,10 +95,11 @@ pub(crate) fn read_toml(source: Source, files: &dyn FileResolver) -> Result<Towe
             input.notes = notes.collect();
             input.places = described.places;
             input.sources.extend(described.others);
+            input.turbine = described.turbine;
             Ok(input)
         }
         Err(Refused::Text(mistakes)) => Err(ReadError::mistakes(&source, mistakes)),
-        Err(Refused::StationFile(file, mistakes)) => Err(ReadError::mistakes(&file, mistakes)),
+        Err(Refused::OtherFile(file, mistakes)) => Err(ReadError::mistakes(&file, mistakes)),
     }
 }
 
@@ -105,19 +109,20 @@ struct Described {
     places: Places,
     notes: Vec<(usize, &'static str)>,
     others: Vec<Source>,
+    turbine: Option<TurbineDescription>,
 }
 
-/// The mistakes of a tower file, or of the file with its stations.
+/// The mistakes of a tower file, or of a file that it names.
 enum Refused {
     Text(Vec<Diagnostic>),
-    StationFile(Source, Vec<Diagnostic>),
+    OtherFile(Source, Vec<Diagnostic>),
 }
 
 impl Refused {
     /// The mistakes of a text that has no files beside it.
     fn in_text(self) -> Vec<Diagnostic> {
         match self {
-            Self::Text(mistakes) | Self::StationFile(_, mistakes) => mistakes,
+            Self::Text(mistakes) | Self::OtherFile(_, mistakes) => mistakes,
         }
     }
 }
@@ -128,13 +133,19 @@ impl From<Diagnostic> for Refused {
     }
 }
 
-/// The file with the stations, if the tower names one.
-fn station_file(
+/// The file that a value in tables within each other names, if it is a text.
+fn named_file(
     root: &DeTable<'_>,
+    tables: &[&str],
+    key: &str,
     files: Option<&dyn FileResolver>,
 ) -> Option<Result<Source, FileError>> {
-    let tower = root.get("tower")?.get_ref().as_table()?;
-    let path = tower.get("stations")?.get_ref().as_str()?;
+    let inner = tables.iter().try_fold(root, |table, name| {
+        table
+            .get(*name)
+            .and_then(|table| table.get_ref().as_table())
+    });
+    let path = inner?.get(key)?.get_ref().as_str()?;
     files.map(|files| files.read(path))
 }
 
@@ -167,22 +178,28 @@ fn describe(text: &str, files: Option<&dyn FileResolver>) -> Result<Described, R
             .into());
     }
     let mut reading = Reading {
-        station_file: station_file(document.get_ref(), files),
+        station_file: named_file(root, &["tower"], "stations", files),
+        blade_file: named_file(root, &["turbine", "blade"], "file", files),
         ..Reading::default()
     };
     let root = Table::root(document.get_ref(), text.len(), &FILE, &mut reading);
     let description = file::description(&root, &mut reading);
     // They are found table by table; people read the file line by line.
     reading.mistakes.sort_by_key(|mistake| mistake.span.start);
-    match (description, reading.in_station_file) {
+    match (description, reading.in_other_file) {
         (Some(description), None) if reading.mistakes.is_empty() => Ok(Described {
             description,
             places: reading.places,
             notes: reading.notes,
-            others: reading.others,
+            others: reading
+                .others
+                .into_iter()
+                .chain(reading.blade_source)
+                .collect(),
+            turbine: reading.turbine,
         }),
         (_, Some((file, mistakes))) if reading.mistakes.is_empty() => {
-            Err(Refused::StationFile(file, mistakes))
+            Err(Refused::OtherFile(file, mistakes))
         }
         _ => Err(Refused::Text(reading.mistakes)),
     }

@@ -3,6 +3,7 @@
 use std::ops::Range;
 
 use towermodes::Place;
+use towermodes::turbine::TurbineDescription;
 
 use crate::diagnostic::Diagnostic;
 use crate::places::Places;
@@ -21,10 +22,16 @@ pub(super) struct Reading {
     pub(super) places: Places,
     /// The file with the stations that the tower file names, until its rows are read.
     pub(super) station_file: Option<Result<Source, FileError>>,
-    /// That file, if it has mistakes, and these.
-    pub(super) in_station_file: Option<(Source, Vec<Diagnostic>)>,
-    /// The files beside the tower file that were read.
+    /// The blade file that the turbine names, until its rows are read.
+    pub(super) blade_file: Option<Result<Source, FileError>>,
+    /// One of these files that has mistakes, and these.
+    pub(super) in_other_file: Option<(Source, Vec<Diagnostic>)>,
+    /// The files beside the tower file that were read, that of the stations first.
     pub(super) others: Vec<Source>,
+    /// The blade file that was read.
+    pub(super) blade_source: Option<Source>,
+    /// The turbine.
+    pub(super) turbine: Option<TurbineDescription>,
     /// Notes with their bytes in the file.
     pub(super) notes: Vec<(usize, &'static str)>,
 }

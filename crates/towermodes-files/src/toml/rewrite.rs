@@ -9,7 +9,7 @@ use towermodes::{Parameter, TowerDescription};
 
 use super::describe;
 use super::values::Value;
-use super::write::{number, write_toml};
+use super::write::{can_be_written, number, write_toml_with};
 use crate::input::{FileFormat, TowerInput};
 use crate::note::Note;
 use crate::places::Places;
@@ -82,7 +82,12 @@ pub fn rewritten(input: &TowerInput, changed: &TowerDescription) -> Rewritten {
             notes: Vec::new(),
         },
         Err(reason) => {
-            let (text, notes) = write_toml(changed);
+            let turbine = input.turbine.as_ref();
+            let (text, mut notes) = write_toml_with(changed, turbine);
+            if turbine.is_some_and(|turbine| !can_be_written(turbine, changed)) {
+                let message = "nacelle, drivetrain and blades of the turbine are left out: with the changed numbers they are one rigid body";
+                notes.push(Note::left_out(message));
+            }
             Rewritten {
                 text,
                 anew: Some(reason),
@@ -258,12 +263,16 @@ fn indices_at_end(key: &str) -> Vec<usize> {
     indices.collect::<Result<_, _>>().unwrap_or_default()
 }
 
-/// The file of the stations as it was read.
+/// The files beside a tower file as they were read.
 struct Others<'s>(&'s [Source]);
 
 impl FileResolver for Others<'_> {
     fn read(&self, path: &str) -> Result<Source, FileError> {
-        let source = self.0.first().cloned();
+        let name = path.rsplit(['/', '\\']).next().unwrap_or(path);
+        let mut sources = self.0.iter();
+        let named = sources.find(|source| source.name.ends_with(name));
+        let only = (self.0.len() == 1).then(|| &self.0[0]);
+        let source = named.or(only).cloned();
         source.ok_or_else(|| FileError::Missing {
             name: path.to_owned(),
         })

@@ -39,7 +39,7 @@ pub(super) fn rotor(root: &Table<'_>, reading: &mut Reading) -> Option<Option<Ro
 }
 
 /// A number of blades; the checks of the tower limit it.
-fn blades(value: &Value<'_>, reading: &mut Reading) -> Option<usize> {
+pub(super) fn blades(value: &Value<'_>, reading: &mut Reading) -> Option<usize> {
     let count = number(value, "blades", reading)?;
     if count.fract() == 0.0 && (0.0..=1e9).contains(&count) {
         return Some(count as usize);

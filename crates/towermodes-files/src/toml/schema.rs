@@ -191,6 +191,7 @@ tables! {
         optional "materials" Table "" "materials by their names";
         required "tower" Table "" "the stations or properties of the tower";
         optional "rna" Table "" "the rotor-nacelle assembly";
+        optional "turbine" Table "" "nacelle, drivetrain and flexible blades, in place of rna";
         optional "rotor" Table "" "the rotor";
         optional "drivetrain" Table "" "rotor and generator, for a rotor that turns freely";
         optional "point_mass" Table "" "a point mass, as often as needed";
@@ -245,6 +246,55 @@ tables! {
         required "mass" Number "kg" "";
         optional "center" Numbers "m" "centre of mass from the tower top: downwind, side-side, up";
         optional "inertia" Table "kg m2" "about the centre of mass";
+
+    /// `[turbine]`.
+    TURBINE = "[turbine]":
+        required "overhang" Number "m" "distance of the apex along the shaft, negative upwind";
+        required "tower_to_shaft" Number "m" "height of the shaft above the tower top, at the tower's axis";
+        optional "tilt_deg" Number "degrees" "of the shaft; negative lifts the hub of an upwind rotor";
+        optional "blades" Number "" "number of blades, 3 by default";
+        optional "cone_deg" Number "degrees" "of the blades, positive downwind";
+        optional "pitch_deg" Number "degrees" "of the blades, positive to feather";
+        optional "shaft_stiffness" Number "N m" "torsional, at the slow end; inf, the default, is rigid";
+        optional "generator" Text "" "locked to a constant speed, by default, or free";
+        optional "generator_inertia" Number "kg m2" "about its own shaft";
+        optional "gear_ratio" Number "" "turns of the generator per turn of the rotor; 1 by default";
+        optional "yaw_stiffness" Number "N m" "of the yaw drive; inf, the default, is rigid";
+        optional "yaw_bearing_mass" Number "kg" "at the tower top; it does not yaw";
+        required "nacelle" Table "" "all that yaws but does not turn";
+        required "hub" Table "" "";
+        required "blade" Table "" "one blade; all are equal";
+
+    /// `[turbine.nacelle]`.
+    NACELLE = "[turbine.nacelle]":
+        required "mass" Number "kg" "";
+        optional "center" Numbers "m" "centre of mass from the tower top: downwind, side-side, up";
+        optional "inertia" Table "kg m2" "about the centre of mass";
+
+    /// `[turbine.hub]`.
+    HUB = "[turbine.hub]":
+        required "mass" Number "kg" "";
+        optional "offset" Number "m" "of its centre of mass from the apex along the shaft, positive downwind";
+        optional "polar_inertia" Number "kg m2" "about the shaft";
+        optional "transverse_inertia" Number "kg m2" "across the shaft, about its centre of mass";
+
+    /// `[turbine.blade]`.
+    BLADE = "[turbine.blade]":
+        required "hub_radius" Number "m" "radius of the root";
+        required "tip_radius" Number "m" "radius of the tip, along the blade";
+        optional "tip_mass" Number "kg" "at the tip";
+        optional "file" Text "" "blade file of ElastoDyn, in place of the lists";
+        optional "span" Numbers "" "places of the sections, 0 at the root to 1 at the tip";
+        optional "mass_kg_per_m" Numbers "kg/m" "mass per length";
+        optional "ei_flap_n_m2" Numbers "N m2" "bending stiffness in flap";
+        optional "ei_edge_n_m2" Numbers "N m2" "bending stiffness in edge";
+        optional "twist_deg" Numbers "degrees" "positive to feather";
+        optional "gj_n_m2" Numbers "N m2" "torsional stiffness; inf is rigid";
+        optional "ea_n" Numbers "N" "axial stiffness; inf is rigid";
+        optional "flap_inertia_kg_m" Numbers "kg m" "inertia per length for turning in flap";
+        optional "edge_inertia_kg_m" Numbers "kg m" "inertia per length for turning in edge";
+        optional "center_of_mass_m" Numbers "m" "offset of the centre of mass from the axis, positive to the leading edge";
+        optional "tension_center_m" Numbers "m" "the same for the tension centre";
 
     /// `[rotor]`.
     ROTOR = "[rotor]":

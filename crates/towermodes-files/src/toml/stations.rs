@@ -110,7 +110,7 @@ fn stations_of_file(
     let stations = match station_table::stations(&file.text, &material_of) {
         Ok(stations) => stations,
         Err(mistakes) => {
-            reading.in_station_file = Some((file, mistakes));
+            reading.in_other_file = Some((file, mistakes));
             return None;
         }
     };

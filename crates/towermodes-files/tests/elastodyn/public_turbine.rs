@@ -1,6 +1,6 @@
 //! The turning NREL 5 MW turbine of a public deck against the tables of an independent program:
-//! full beams with ElastoDyn's tables, linear between the rows, quadratic and cubic curvatures of which
-//! agree to 4e-8.
+//! full beams with ElastoDyn's tables, linear between the rows, quadratic and cubic curvatures of
+//! which agree to 4e-8.
 
 use std::f64::consts::PI;
 

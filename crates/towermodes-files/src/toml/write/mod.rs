@@ -8,12 +8,15 @@ mod materials;
 mod properties;
 mod surroundings;
 mod text;
+mod turbine;
 mod writing;
 
+use towermodes::turbine::TurbineDescription;
 use towermodes::{Shear, Station, TowerDescription};
 
 use super::schema;
 use crate::note::Note;
+use crate::turbine::is_rigid_body_of;
 use materials::MaterialNames;
 pub(super) use text::number;
 use text::quoted;
@@ -23,6 +26,16 @@ use writing::Writing;
 ///
 /// The notes list what such a file cannot hold, and what its reader will refuse.
 pub fn write_toml(description: &TowerDescription) -> (String, Vec<Note>) {
+    write_toml_with(description, None)
+}
+
+/// The same with a turbine on the tower, in place of its rotor-nacelle assembly: if that is the
+/// turbine as a rigid body, but for rounding.
+pub fn write_toml_with(
+    description: &TowerDescription,
+    turbine: Option<&TurbineDescription>,
+) -> (String, Vec<Note>) {
+    let turbine = turbine.filter(|turbine| can_be_written(turbine, description));
     let mut writing = Writing::default();
     writing.line("# A tower for towermodes. Lengths in m, masses in kg, forces in N; z is up, x fore-aft (downwind), y side-side.");
     if !description.name.is_empty() {
@@ -30,7 +43,10 @@ pub fn write_toml(description: &TowerDescription) -> (String, Vec<Note>) {
         writing.commented("name", &quoted(&description.name), "");
     }
     tower(description, &mut writing);
-    bodies::rna(&description.rna, description.rna_is_point, &mut writing);
+    match turbine {
+        Some(turbine) => turbine::turbine(turbine, &mut writing),
+        None => bodies::rna(&description.rna, description.rna_is_point, &mut writing),
+    }
     bodies::rotor(description.rotor.as_ref(), &mut writing);
     bodies::drivetrain(description.drivetrain.as_ref(), &mut writing);
     let names = &description.part_names.point_masses;
@@ -43,6 +59,14 @@ pub fn write_toml(description: &TowerDescription) -> (String, Vec<Note>) {
     let names = MaterialNames::of(description);
     damping::damping(&description.damping, &names, &mut writing);
     (writing.text, writing.notes)
+}
+
+/// Whether a file with the turbine describes the same tower.
+pub(crate) fn can_be_written(turbine: &TurbineDescription, description: &TowerDescription) -> bool {
+    let rotor = description.rotor.as_ref();
+    let is_same_rotor = rotor.is_none_or(|rotor| rotor.blades == turbine.blades);
+    let has_own_drivetrain = description.drivetrain.is_some();
+    is_same_rotor && !has_own_drivetrain && is_rigid_body_of(turbine, &description.rna)
 }
 
 /// `[material]`, `[materials]` and `[tower]`.
