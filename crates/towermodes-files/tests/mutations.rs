@@ -6,13 +6,14 @@ use proptest::sample::Index;
 use towermodes::{Method, Options, solve};
 use towermodes_files::tower_from_toml;
 
-const FILES: [&str; 8] = [
+const FILES: [&str; 9] = [
     include_str!("../../../examples/reference-tower.toml"),
     include_str!("../../../examples/reference-tower-350t.toml"),
     include_str!("../../../examples/nrel-5mw.toml"),
     include_str!("../../../examples/monopile.toml"),
     include_str!("../../../examples/floating.toml"),
     include_str!("../../../examples/guyed.toml"),
+    include_str!("../../../examples/nrel-5mw-turbine.toml"),
     r#"
 name = "elliptic"
 [tower]

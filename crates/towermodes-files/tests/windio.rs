@@ -179,6 +179,40 @@ fn a_rotor_of_straight_blades_has_its_moments() {
 }
 
 #[test]
+fn why_there_is_no_turning_turbine_is_said() {
+    let reason = |text: &str| {
+        let input = read(text);
+        assert!(input.turbine.is_none());
+        input.turbine_missing.expect("a reason").to_string()
+    };
+    let without = reason(VERSION_1);
+    let key = "the blade has no elastic_properties_mb.six_x_six.stiff_matrix";
+    assert!(without.contains(key), "{without}");
+    let stiff = VERSION_1.replace(
+        "                inertia_matrix:\n                    grid: [0.0, 1.0]",
+        "                stiff_matrix: {grid: [0, 1], values: [[1], [1]]}\n                inertia_matrix:\n                    grid: [0.0, 1.0]",
+    );
+    assert_ne!(stiff, VERSION_1);
+    let straight = reason(&stiff);
+    assert!(
+        straight.contains("the stiffness matrices of windIO's blades are not read"),
+        "{straight}"
+    );
+    assert!(straight.starts_with("turbine.yaml:"), "{straight}");
+    let curved = reason(&stiff.replace(
+        "x: {grid: [0, 1], values: [0, 0]}\n                y",
+        "x: {grid: [0, 0.5, 1], values: [0, 0.25, 2]}\n                y",
+    ));
+    // Half of 2 m less 0.25 m.
+    assert!(
+        curved.contains("the axis of the blade is curved, 0.75 m off"),
+        "{curved}"
+    );
+    let monopile = read_part(VERSION_1, TowerPart::Monopile).expect("a monopile");
+    assert_eq!(monopile.turbine_missing, None);
+}
+
+#[test]
 fn chords_of_straight_blades_have_their_moment() {
     // Chords of 1 m from 1 m to 11 m: (11^2 - 1)/2 = 60 m3.
     let rotor = |text: &str| read(text).description.damping.rotor;

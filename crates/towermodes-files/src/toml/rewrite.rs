@@ -9,12 +9,13 @@ use towermodes::{Parameter, TowerDescription};
 
 use super::describe;
 use super::values::Value;
-use super::write::{can_be_written, number, write_toml_with};
-use crate::input::{FileFormat, TowerInput};
+use super::write::{number, write_toml_with};
+use crate::input::{FileFormat, RotorLock, TowerInput};
 use crate::note::Note;
 use crate::places::Places;
 use crate::resolver::FileResolver;
 use crate::source::{FileError, Source};
+use crate::turbine::as_rigid_body;
 
 /// A tower file with changed numbers.
 #[derive(Debug, Clone, PartialEq)]
@@ -83,8 +84,12 @@ pub fn rewritten(input: &TowerInput, changed: &TowerDescription) -> Rewritten {
         },
         Err(reason) => {
             let turbine = input.turbine.as_ref();
-            let (text, mut notes) = write_toml_with(changed, turbine);
-            if turbine.is_some_and(|turbine| !can_be_written(turbine, changed)) {
+            // The rounding of a converted model would change digits.
+            let own = turbine.filter(|turbine| {
+                as_rigid_body(turbine, RotorLock::Locked).is_ok_and(|rna| rna == changed.rna)
+            });
+            let (text, mut notes) = write_toml_with(changed, own);
+            if own.is_none() && turbine.is_some() && input.format == FileFormat::Toml {
                 let message = "nacelle, drivetrain and blades of the turbine are left out: with the changed numbers they are one rigid body";
                 notes.push(Note::left_out(message));
             }

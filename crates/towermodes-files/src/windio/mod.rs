@@ -24,6 +24,7 @@ mod sections;
 mod shaft;
 mod speeds;
 mod structure;
+mod turbine;
 mod uniform;
 mod values;
 mod wall;
@@ -81,6 +82,7 @@ pub fn read_windio(source: Source, options: &ReadOptions) -> Result<TowerInput, 
         notes,
         rotor_notes,
         places,
+        turbine_missing: described.turbine_missing,
         ..TowerInput::new(FileFormat::WindIo, described.description, vec![source])
     })
 }
@@ -92,6 +94,8 @@ struct Described {
     joint_m: Option<f64>,
     /// The number of the rotor's blades.
     blades: Option<usize>,
+    /// Why there is no turning turbine; none if there is no rotor.
+    turbine_missing: Option<Note>,
 }
 
 fn describe(options: &ReadOptions, reading: &mut Reading<'_>) -> Option<Described> {
@@ -116,6 +120,8 @@ fn describe(options: &ReadOptions, reading: &mut Reading<'_>) -> Option<Describe
     let name = name.map(|name| name.name(&reading.source.text));
     let has_rotor = options.part != TowerPart::Monopile;
     let aerodynamics = has_rotor.then(|| chords::aerodynamics(&outline)).flatten();
+    let has_machine = has_rotor && !options.without_rna;
+    let turbine_missing = has_machine.then(|| turbine::missing(&outline, version, reading));
     Some(Described {
         description: TowerDescription {
             name: name.unwrap_or_default().to_owned(),
@@ -129,6 +135,7 @@ fn describe(options: &ReadOptions, reading: &mut Reading<'_>) -> Option<Describe
         },
         joint_m,
         blades,
+        turbine_missing,
     })
 }
 

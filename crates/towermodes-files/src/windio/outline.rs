@@ -72,6 +72,10 @@ struct BladeTables {
 #[derive(Debug, Default, Deserialize)]
 struct BladeMatrices {
     inertia_matrix: Option<Node>,
+    /// Version 1.
+    stiff_matrix: Option<Node>,
+    /// Version 2.
+    stiffness_matrix: Option<Node>,
 }
 
 impl Blade {
@@ -90,10 +94,21 @@ impl Blade {
 
     /// Mass and inertia along the blade.
     pub(super) fn inertia_matrix(&self) -> Option<&Node> {
+        self.matrices()
+            .and_then(|matrices| matrices.inertia_matrix.as_ref())
+    }
+
+    /// Stiffness along the blade.
+    pub(super) fn stiffness_matrix(&self) -> Option<&Node> {
+        let matrices = self.matrices()?;
+        let newer = matrices.stiffness_matrix.as_ref();
+        newer.or(matrices.stiff_matrix.as_ref())
+    }
+
+    fn matrices(&self) -> Option<&BladeMatrices> {
         let newer = self.structure.as_ref().map(|s| &s.elastic_properties);
         let older = self.elastic_properties_mb.as_ref().map(|e| &e.six_x_six);
-        let matrices = newer.or(older).and_then(Option::as_ref);
-        matrices.and_then(|matrices| matrices.inertia_matrix.as_ref())
+        newer.or(older).and_then(Option::as_ref)
     }
 }
 
