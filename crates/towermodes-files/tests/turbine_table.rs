@@ -534,6 +534,12 @@ fn a_blade_may_be_in_a_file_of_its_own() {
         .to_owned()
         + "file = \"x.dat\"\n";
     assert!(refused(&missing).contains("file cannot be read: x.dat: no such file"));
+    let deck = include_str!("../../../examples/nrel-5mw.bmi");
+    let error = with_file(deck, "").expect_err("a deck").to_string();
+    assert!(
+        error.contains("t.toml:33:8: file names a deck of BModes"),
+        "{error}"
+    );
     let error = with_file("no blade\n", "")
         .expect_err("no blade file")
         .to_string();

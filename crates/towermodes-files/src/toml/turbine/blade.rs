@@ -3,6 +3,7 @@
 use towermodes::{BladeDescription, BladeSection, RigidBody};
 
 use super::spans::{Spans, key};
+use crate::bmodes::is_deck;
 use crate::diagnostic::{Diagnostic, DiagnosticKind};
 use crate::elastodyn::{BladeFile, read_blade_file};
 use crate::toml::reading::Reading;
@@ -81,6 +82,13 @@ fn sections_of_file(
             return reading.refuse(Diagnostic::new(value.span(), kind));
         }
     };
+    if is_deck(&source.text) {
+        let message =
+            "file names a deck of BModes: the blades of a turbine are not read from decks";
+        let kind = DiagnosticKind::Unsupported(message.to_owned());
+        let hint = "write the sections as lists, or name a blade file of ElastoDyn";
+        return reading.refuse(Diagnostic::new(value.span(), kind).with_hint(hint));
+    }
     match read_blade_file(&source) {
         Ok(file) => {
             reading.blade_source = Some(source);
