@@ -6,6 +6,7 @@ use towermodes::{Method, Mode, Options, Solution, Tower, TowerDescription, Works
 use crate::chapter::Chapter;
 use crate::expected::{Digits, Expected, Quantity, families};
 use crate::row::Row;
+use crate::turning::Turning;
 
 /// A tower with reference values.
 #[derive(Debug, Clone)]
@@ -18,6 +19,8 @@ pub struct Case {
     pub source: &'static str,
     /// The tower.
     pub tower: TowerDescription,
+    /// The turbine on it, if its rotor turns.
+    pub turning: Option<Turning>,
     /// The unit of the values.
     pub unit: Unit,
     /// The uncertainty of the last digit of an expected value.
@@ -157,13 +160,49 @@ impl Case {
     }
 
     fn rows(&self, run: &Run) -> Vec<Row> {
+        if let Some(turning) = &self.turning {
+            return self.turning_rows(run, turning);
+        }
         let tower = Tower::new(self.tower.clone());
         let planes_are_equal = tower.as_ref().is_ok_and(Tower::planes_are_equal);
         let solution = match &tower {
             Ok(tower) => self.solution(run, tower),
             Err(error) => Err(error.to_string()),
         };
-        let row = |expected: &Expected| Row {
+        let got = |expected: &Expected| match &solution {
+            Ok(solution) => self.got(run, solution, expected, planes_are_equal),
+            Err(error) => Err(error.clone()),
+        };
+        let row = |expected| self.row(run, expected, planes_are_equal, got(expected));
+        self.expected.iter().map(row).collect()
+    }
+
+    /// The rows of a turbine: its lowest modes.
+    fn turning_rows(&self, run: &Run, turning: &Turning) -> Vec<Row> {
+        let values = self.expected.iter().map(|expected| expected.value);
+        let highest_hz = self.unit.hz * values.fold(0.0, f64::max);
+        let found = turning.frequencies_hz(&self.tower, 1.001 * highest_hz);
+        let got = |expected: &Expected| {
+            let found = found.as_ref().map_err(ToString::to_string)?;
+            let place = match expected.quantity {
+                Quantity::Lowest(place) => place,
+                _ => return Err("turbines have their lowest modes compared".into()),
+            };
+            let frequency_hz = found.get(place - 1).ok_or("the mode is not there")?;
+            Ok(frequency_hz / self.unit.hz)
+        };
+        let row = |expected| self.row(run, expected, false, got(expected));
+        self.expected.iter().map(row).collect()
+    }
+
+    fn row(
+        &self,
+        run: &Run,
+        expected: &Expected,
+        planes_are_equal: bool,
+        got: Result<f64, String>,
+    ) -> Row {
+        Row {
             chapter: self.chapter,
             case: self.name.clone(),
             source: self.source,
@@ -171,13 +210,9 @@ impl Case {
             method: run.name(),
             unit: self.unit.name,
             expected: *expected,
-            got: match &solution {
-                Ok(solution) => self.got(run, solution, expected, planes_are_equal),
-                Err(error) => Err(error.clone()),
-            },
+            got,
             tolerance: run.allowance + expected.open(self.digits) / expected.value,
-        };
-        self.expected.iter().map(row).collect()
+        }
     }
 
     /// Solves for all expected modes, or for all modes of the tower if it has fewer.

@@ -21,6 +21,7 @@ mod row;
 #[cfg(feature = "serde")]
 mod row_keys;
 pub mod towers;
+mod turning;
 
 pub use case::{Case, Run, Unit, Value};
 pub use chapter::Chapter;
@@ -28,6 +29,7 @@ pub use expected::{Digits, Expected, Quantity};
 pub use manual::{CHAPTERS, manual};
 pub use markdown::markdown;
 pub use row::{Row, Verification};
+pub use turning::Turning;
 
 /// The JSON schema of a [`Verification`] (draft 2020-12), indented, with a newline at the end. A
 /// test compares it with the type.

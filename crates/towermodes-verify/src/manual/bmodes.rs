@@ -87,6 +87,7 @@ pub(super) fn cases() -> Vec<Case> {
                     "BModes v3.00, run"
                 },
                 tower: reference_table(wall, top_kg),
+                turning: None,
                 unit: Unit::HZ,
                 digits: Digits::Computed,
                 expected: expected(values),

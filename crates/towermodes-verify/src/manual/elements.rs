@@ -104,6 +104,7 @@ fn case((method, segments, has_top_mass, bending, others): Solution) -> Case {
         name: name.into(),
         source: SOURCE,
         tower,
+        turning: None,
         unit: Unit::HZ,
         digits: Digits::Computed,
         expected,

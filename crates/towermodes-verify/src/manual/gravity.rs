@@ -106,6 +106,7 @@ fn load(name: &str, source: &'static str, tower: TowerDescription, factor: &str)
         name: format!("buckling, {name}"),
         source,
         tower,
+        turning: None,
         unit: Unit::NONE,
         digits: Digits::Computed,
         expected: vec![Expected::buckling_load_factor(factor)],

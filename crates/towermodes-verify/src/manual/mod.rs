@@ -9,6 +9,7 @@ mod springs;
 mod tapers;
 mod tips;
 mod tower;
+mod turbine;
 mod uniform;
 mod winkler;
 
@@ -16,7 +17,7 @@ use crate::case::Case;
 use crate::chapter::Chapter;
 
 /// The chapters in their order.
-pub const CHAPTERS: [Chapter; 11] = [
+pub const CHAPTERS: [Chapter; 12] = [
     paper::CHAPTER,
     elements::CHAPTER,
     bmodes::CHAPTER,
@@ -28,6 +29,7 @@ pub const CHAPTERS: [Chapter; 11] = [
     winkler::CHAPTER,
     gravity::CHAPTER,
     real::CHAPTER,
+    turbine::CHAPTER,
 ];
 
 /// Every case in the order of the chapters.
@@ -44,6 +46,7 @@ pub fn manual() -> Vec<Case> {
         winkler::cases(),
         gravity::cases(),
         real::cases(),
+        turbine::cases(),
     ];
     chapters.into_iter().flatten().collect()
 }

@@ -111,6 +111,7 @@ fn case(
         name: name.into(),
         source,
         tower,
+        turning: None,
         unit: Unit::HZ,
         digits: Digits::Printed,
         expected,

@@ -120,6 +120,7 @@ fn case(name: &str, tower: TowerDescription, expected: Vec<Expected>, runs: Vec<
         name: name.into(),
         source: "two independent Ritz solutions",
         tower,
+        turning: None,
         unit: Unit::HZ,
         digits: Digits::Computed,
         expected,

@@ -101,6 +101,7 @@ fn case(name: &str, beam: Tapered, values: &str, runs: Vec<Run>) -> Case {
         chapter: CHAPTER,
         name: name.into(),
         source: LITERATURE,
+        turning: None,
         unit: Unit::dimensionless(beam.unit_hz),
         tower: beam.description,
         digits: Digits::Computed,

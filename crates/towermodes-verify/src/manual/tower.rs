@@ -86,6 +86,7 @@ fn case(name: &str, tower: TowerDescription, expected: Vec<Expected>, runs: Vec<
         name: name.into(),
         source: "Ritz solution in 40 digits or more",
         tower,
+        turning: None,
         unit: Unit::HZ,
         digits: Digits::Computed,
         expected,

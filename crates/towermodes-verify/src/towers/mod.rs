@@ -3,12 +3,14 @@
 mod beams;
 mod coupled;
 mod rotated;
+mod turbines;
 
 pub use beams::{Tapered, Uniform};
 pub use coupled::{
     floater, monopile, reference_eccentric, reference_in_soil, reference_on_springs,
 };
 pub use rotated::rotated;
+pub use turbines::{nrel_tower, nrel_turbine, uniform_tower, uniform_turbine};
 
 use std::f64::consts::PI;
 
