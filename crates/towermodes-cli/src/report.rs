@@ -82,6 +82,7 @@ fn content(
         covers_excitations: !arguments.has_modes(),
         rotor: rotor.map(|chosen| chosen.rotor),
         blade: input.blade.clone(),
+        turbine: input.whole_turbine().map_err(Failure::Input)?,
         campbell: arguments.rotor.options(),
         soil_factors: soil_factors.map(<[f64]>::to_vec),
         sensitivities: arguments.sensitivities,
@@ -118,6 +119,9 @@ fn circumstances(
 ) -> Circumstances {
     let of_rotor = rotor.map(|rotor| notes_on(input, rotor));
     let notes = input.notes.iter().cloned();
+    // Without a rotor speed the turbine is not solved.
+    let of_turbine = rotor.map(|_| input.turbine_notes.iter().cloned());
+    let notes = notes.chain(of_turbine.into_iter().flatten());
     let notes: Vec<Note> = notes.chain(of_rotor.into_iter().flatten()).collect();
     let of_model = notes.iter().filter(|note| note.is_on_missing_part());
     Circumstances {

@@ -5,6 +5,7 @@ mod figures_campbell;
 mod figures_design;
 mod figures_first_frequencies;
 mod figures_sweep;
+mod figures_whirl;
 mod golden;
 mod grounds;
 mod pictures;

@@ -21,6 +21,7 @@ mod symbols;
 mod title;
 mod tornado;
 mod tower;
+mod whirl;
 
 pub use animation::{AnimatedMode, AnimationData, animation_data};
 pub use campbell::campbell;
@@ -37,3 +38,4 @@ pub use sweep::{
 pub use title::{TitleWords, titled};
 pub use tornado::tornado;
 pub use tower::tower;
+pub use whirl::{AnimatedHarmonic, AnimatedWhirl, WhirlAnimation, whirl, whirl_animation};

@@ -1,6 +1,7 @@
 //! The computation of a report: modes, resonance, methods compared.
 
 use thiserror::Error;
+use towermodes::turbine::{Turbine, TurbineError, TurbineMesh, TurbineModel};
 use towermodes::{
     BladeDescription, Options, Rotor, SensitivityError, Solution, SolveError, Tower,
     TowerDescription, Workspace, solve_certain,
@@ -12,7 +13,7 @@ use towermodes_analysis::resonance::{
 use towermodes_analysis::soil_band::{SoilBand, SoilBandError, soil_band};
 use towermodes_analysis::study::{Comparison, compare_all_methods};
 
-use super::content::{Circumstances, ElastoDynShapes, ReportContent};
+use super::content::{Circumstances, ElastoDynShapes, ReportContent, TurbineResults};
 
 /// The input of a report.
 #[derive(Debug, Clone)]
@@ -29,6 +30,8 @@ pub struct ReportRequest {
     pub rotor: Option<Rotor>,
     /// One of its blades, if the input has it.
     pub blade: Option<BladeDescription>,
+    /// The whole turbine, if the input has it.
+    pub turbine: Option<Turbine>,
     /// The options of the resonance check.
     pub campbell: CampbellOptions,
     /// The factors of the soil stiffness for which frequencies are given too; none for no such
@@ -106,6 +109,7 @@ impl ReportContent {
     ) -> Result<Self, ContentError> {
         let solution = solved(&mut request, computation)?;
         let (campbell, remarks) = assessed(&request, &solution)?.unzip();
+        let turbine = turbine_of(&mut request);
         let soil_band = soil_band_of(&request, &solution, computation).transpose()?;
         let mut circumstances = request.circumstances;
         let remarks = remarks.into_iter().flatten();
@@ -123,6 +127,7 @@ impl ReportContent {
             options,
             solution,
             influences,
+            turbine,
             soil_band,
             campbell: campbell.map(Ok),
             elastodyn: request.elastodyn,
@@ -130,6 +135,21 @@ impl ReportContent {
             circumstances,
         })
     }
+}
+
+/// The whole turbine at its highest operating speed.
+fn turbine_of(request: &mut ReportRequest) -> Option<Result<TurbineResults, TurbineError>> {
+    let rotor = request.rotor?;
+    let turbine = request.turbine.take()?;
+    let speed = rotor.highest_rpm * std::f64::consts::PI / 30.0;
+    let limit_hz = reach_hz(&rotor, &request.campbell);
+    let solved = |turbine: Turbine| {
+        let mesh = TurbineMesh::default();
+        let mut modes = TurbineModel::new(&turbine, &mesh)?.modes(limit_hz, speed)?;
+        TurbineModel::new(&turbine, &mesh.finer())?.estimate_errors(&mut modes);
+        Ok(TurbineResults { turbine, modes })
+    };
+    Some(solved(turbine))
 }
 
 /// The modes for softer and stiffer soil, if they are asked for.

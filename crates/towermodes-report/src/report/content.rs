@@ -1,6 +1,7 @@
 //! The content of a report.
 
 use sha2::{Digest, Sha256};
+use towermodes::turbine::{Turbine, TurbineError, TurbineModes};
 use towermodes::{
     Options, Planes, SensitivityError, Solution, SolveError, Tower, TowerDescription,
 };
@@ -25,6 +26,9 @@ pub struct ReportContent {
     pub comparison: Result<Comparison, SolveError>,
     /// The resonance check, or why a blade could not be solved; none without a rotor.
     pub campbell: Option<Result<Campbell, CampbellError>>,
+    /// The whole turbine with its turning rotor, or why it could not be solved; none if the input
+    /// has no turbine or no rotor speed.
+    pub turbine: Option<Result<TurbineResults, TurbineError>>,
     /// The modes for softer and stiffer soil; none without soil, and if not asked for.
     pub soil_band: Option<SoilBand>,
     /// The influence of the numbers on the frequencies, or why there is none; only if requested.
@@ -35,6 +39,15 @@ pub struct ReportContent {
     pub shapes_from_m: f64,
     /// The data that are not results.
     pub circumstances: Circumstances,
+}
+
+/// The modes of the whole turbine.
+#[derive(Debug, Clone)]
+pub struct TurbineResults {
+    /// The turbine.
+    pub turbine: Turbine,
+    /// Its modes at the highest operating speed.
+    pub modes: TurbineModes,
 }
 
 /// The data of a report that are not results.

@@ -3,7 +3,7 @@
 use super::embedded::EmbeddedFile;
 use super::mark::Mark;
 use super::table::Table;
-use crate::figures::AnimationData;
+use crate::figures::{AnimationData, WhirlAnimation};
 use crate::svg::Figure;
 
 /// A report.
@@ -48,6 +48,8 @@ pub(super) enum Block {
     Picture(Box<Picture>),
     /// The animated mode shapes.
     Animation(AnimationData),
+    /// The animated modes of a turbine.
+    Whirl(WhirlAnimation),
 }
 
 /// A sentence with a word before it.

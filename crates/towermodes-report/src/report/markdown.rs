@@ -47,7 +47,7 @@ fn of_block(block: &Block, content: &ReportContent) -> Option<String> {
         Block::File(file) => of_file(file),
         Block::Table(table) => of_table(table),
         Block::Picture(picture) => of_picture(picture, content),
-        Block::Animation(_) => return None,
+        Block::Animation(_) | Block::Whirl(_) => return None,
     })
 }
 

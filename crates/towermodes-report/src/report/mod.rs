@@ -17,7 +17,9 @@ mod shell;
 mod table;
 
 pub use compute::{Computation, ContentError, ReportRequest, SilentComputation};
-pub use content::{Circumstances, ElastoDynShapes, InputFile, ReportContent, TitleBlock};
+pub use content::{
+    Circumstances, ElastoDynShapes, InputFile, ReportContent, TitleBlock, TurbineResults,
+};
 pub use error::ReportError;
 pub use html::{html, page_colours};
 pub use markdown::markdown;

@@ -91,6 +91,7 @@ fn content_by(
         elastodyn: elastodyn(&tower),
         shapes_from_m: tower.base_m(),
         campbell: rotor.map(diagram),
+        turbine: None,
         soil_band: None,
         influences: None,
         description,
@@ -127,6 +128,7 @@ fn request(covers_excitations: bool) -> ReportRequest {
         covers_excitations,
         rotor: Some(ROTOR),
         blade: None,
+        turbine: None,
         campbell: CampbellOptions::default(),
         soil_factors: None,
         sensitivities: false,
@@ -644,8 +646,8 @@ fn nested(pieces: &[Piece]) {
 
 #[test]
 fn the_page_is_sound() {
-    for rotor in [None, Some(ROTOR)] {
-        let page = page_of(&content(pole(), rotor));
+    let of_pole = [None, Some(ROTOR)].map(|rotor| page_of(&content(pole(), rotor)));
+    for page in of_pole.into_iter().chain([turbine_page()]) {
         let pieces = pieces(&page);
         nested(&pieces);
         let mut ids = HashSet::new();
@@ -688,6 +690,44 @@ fn the_page_is_sound() {
             }
         }
     }
+}
+
+/// The page of an example with a turning turbine.
+fn turbine_page() -> String {
+    let (input, tower) = super::pictures::input("nrel-5mw-turbine.toml");
+    let turbine = input.whole_turbine().expect("valid");
+    assert!(turbine.is_some());
+    compute_page(ReportRequest {
+        elastodyn: elastodyn(&tower),
+        shapes_from_m: tower.base_m(),
+        description: input.description,
+        tower,
+        turbine,
+        ..request(true)
+    })
+}
+
+/// Words of the section; its data are small; other pages have no script for it.
+#[test]
+fn a_turning_turbine_is_a_section_with_its_animation() {
+    let page = turbine_page();
+    let section = section(&page, "turbine");
+    for words in [
+        "1st flapwise backward whirl",
+        "1st edgewise forward whirl",
+        "no aerodynamics, no controller",
+        "12.1 rpm",
+        "Counts prove that none is missing",
+    ] {
+        assert!(section.contains(words), "{words}: {section}");
+    }
+    let data = page.split("id=\"whirl-data\">").nth(1).expect("its data");
+    assert!(data.find("</script>").expect("an end") < 100_000);
+    let without = page_of(&content(pole(), Some(ROTOR)));
+    assert!(
+        !without.contains("whirl"),
+        "a page without turbine has its script"
+    );
 }
 
 #[test]

@@ -2,6 +2,7 @@
 
 use super::animation::of_animation;
 use super::table::{of_data, of_table};
+use super::whirl::of_whirl;
 use super::{definition, list, text, verdict};
 use crate::report::document::{Block, Picture, Statement};
 use crate::report::embedded::EmbeddedFile;
@@ -39,6 +40,7 @@ fn of_block(block: &Block, file: usize) -> Result<String, ReportError> {
         Block::Table(table) => of_table(table),
         Block::Picture(picture) => of_picture(picture),
         Block::Animation(data) => of_animation(data)?,
+        Block::Whirl(data) => of_whirl(data)?,
     })
 }
 

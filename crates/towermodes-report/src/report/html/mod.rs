@@ -6,9 +6,10 @@
 mod animation;
 mod block;
 mod table;
+mod whirl;
 
 use super::content::ReportContent;
-use super::document::{Document, Section};
+use super::document::{Block, Document, Section};
 use super::error::ReportError;
 use super::mark::{Mark, printable};
 use super::sections::document;
@@ -16,7 +17,9 @@ use crate::svg::{Colour, Theme, stylesheet};
 
 /// The rules of the page, without colours.
 const STYLE: &str = include_str!("style.css");
-/// The scripts of the page and of the animation, which share one scope.
+/// The rules that a page with an animated turbine has besides.
+const WHIRL_STYLE: &str = include_str!("whirl.css");
+/// The scripts of the page and of the animation, which share one scope; it is left open.
 const SCRIPT: &str = concat!(
     include_str!("script/page.js"),
     include_str!("script/files.js"),
@@ -26,8 +29,11 @@ const SCRIPT: &str = concat!(
     include_str!("script/paint.js"),
     include_str!("script/space.js"),
     include_str!("script/controls.js"),
-    "})();\n"
 );
+/// The script of an animated turbine, in the same scope.
+const WHIRL_SCRIPT: &str = include_str!("script/whirl.js");
+/// The end of the scope.
+const SCRIPT_END: &str = "})();\n";
 
 /// The report as one page of HTML: no other file, nothing from a network; the same content gives
 /// the same bytes.
@@ -48,15 +54,24 @@ pub fn html(content: &ReportContent) -> Result<String, ReportError> {
     Ok(format!(
         include_str!("page.html"),
         title = title,
-        style = style(),
+        style = style() + whirl(&document, WHIRL_STYLE),
         title_block = title_block,
         links = links.collect::<String>(),
         sections = sections
             .iter()
             .map(|(mark, section)| of_section(mark, section))
             .collect::<Result<String, _>>()?,
-        script = SCRIPT,
+        script = [SCRIPT, whirl(&document, WHIRL_SCRIPT), SCRIPT_END].concat(),
     ))
+}
+
+/// What only a page with an animated turbine has.
+fn whirl(document: &Document, what: &'static str) -> &'static str {
+    let mut blocks = document.sections.iter().flat_map(|s| &s.blocks);
+    match blocks.any(|block| matches!(block, Block::Whirl(_))) {
+        true => what,
+        false => "",
+    }
 }
 
 /// A text as HTML shows it, in elements and in attributes; without hidden or forging characters.

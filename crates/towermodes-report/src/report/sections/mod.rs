@@ -19,6 +19,7 @@ mod sensitivities;
 mod soil_band;
 mod summary;
 mod surroundings;
+mod turbine;
 
 use super::content::ReportContent;
 use super::document::{Block, Document, Picture, Section};
@@ -76,6 +77,10 @@ fn body(content: &ReportContent) -> Vec<Section> {
     ];
     // After the resonance that they explain.
     let mut explaining = Vec::new();
+    if let Some(whole) = &content.turbine {
+        let blocks = turbine::blocks(whole);
+        explaining.push(section("turbine", "The turning turbine", blocks));
+    }
     if let Some(band) = &content.soil_band {
         let blocks = soil_band::blocks(band);
         explaining.push(section("soil", "Soil stiffness", blocks));

@@ -1,0 +1,92 @@
+//! The figure of the modes of a turning turbine in words and as a table.
+
+use std::f64::consts::PI;
+
+use towermodes::scalar::Complex;
+use towermodes::tower::Rpm;
+use towermodes::turbine::{Turbine, TurbineMode, TurbineModes};
+
+use crate::number::{four_digits, short};
+use crate::svg::DataTable;
+use crate::wording::counted;
+
+/// The largest number of modes in the description.
+const MOST_NAMED: usize = 6;
+
+/// "14 modes of the turbine at 12.1 rpm".
+pub(super) fn title(turbine: &Turbine, modes: &TurbineModes) -> String {
+    let count = counted(modes.modes.len(), "mode");
+    let title = format!("{count} of the turbine at {} rpm", speed(modes));
+    match turbine.tower().name() {
+        "" => title,
+        name => format!("{title}: {name}"),
+    }
+}
+
+/// The rotor speed, rpm.
+fn speed(modes: &TurbineModes) -> Rpm {
+    Rpm(modes.speed_rad_per_s * 30.0 / PI)
+}
+
+/// The figure in words.
+pub(super) fn description(modes: &TurbineModes) -> String {
+    let named = modes.modes.iter().take(MOST_NAMED);
+    let named = named.map(|mode| {
+        let frequency = four_digits(mode.frequency.frequency_hz);
+        format!("{} at {frequency} Hz", mode.name)
+    });
+    let mut named: Vec<String> = named.collect();
+    match modes.modes.len().saturating_sub(MOST_NAMED) {
+        0 => {}
+        more => named.push(format!("and {more} more")),
+    }
+    let named = match named.is_empty() {
+        true => "none".to_owned(),
+        false => named.join(", "),
+    };
+    format!(
+        "Tower and rotor at the largest deflection of each mode and a quarter of a period later, seen from the side and from downwind, in axes that do not turn: {named}."
+    )
+}
+
+/// The largest deflections of each mode: tower top, and tips of the blades by harmonic.
+pub(super) fn table(modes: &TurbineModes) -> DataTable {
+    let header = [
+        "mode",
+        "frequency (Hz)",
+        "tower top x",
+        "tower top y",
+        "tips along the shaft: collective",
+        "forward",
+        "backward",
+        "tips in the plane of rotation: collective",
+        "forward",
+        "backward",
+    ];
+    DataTable {
+        header: header.map(str::to_owned).to_vec(),
+        rows: modes.modes.iter().map(row).collect(),
+    }
+}
+
+fn row(mode: &TurbineMode) -> Vec<String> {
+    let none = [Complex::default(); 3];
+    let top = mode.shape.tower.last();
+    let top = top.map_or(none, |section| [0, 1, 2].map(|i| section.motion[i]));
+    let tip = mode.shape.blades.last();
+    let tip = tip.map_or([none; 4], |section| section.harmonics);
+    let along = [0, 1, 2].map(|harmonic: usize| tip[harmonic][0]);
+    let across = [0, 1, 2].map(|harmonic: usize| tip[harmonic][1]);
+    let sizes = [top[0], top[1]].into_iter().chain(along).chain(across);
+    let name = [
+        mode.name.to_string(),
+        four_digits(mode.frequency.frequency_hz),
+    ];
+    name.into_iter().chain(sizes.map(size)).collect()
+}
+
+/// The size of an amplitude; far below the largest, 1, it is zero.
+fn size(amplitude: Complex) -> String {
+    let size = amplitude.re.hypot(amplitude.im);
+    short(if size < 5e-4 { 0.0 } else { size }, 3)
+}
