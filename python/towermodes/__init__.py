@@ -32,6 +32,7 @@ from towermodes._study import Agreement, Comparison, Examination
 from towermodes._sweep import SweepResult
 from towermodes._tower import Tower
 from towermodes._towermodes import VERSION as __version__
+from towermodes._turbine import Turbine, TurbineModes
 
 __all__ = [
     "Agreement",
@@ -53,6 +54,8 @@ __all__ = [
     "SweepResult",
     "Tower",
     "TowerError",
+    "Turbine",
+    "TurbineModes",
     "__version__",
     "read",
 ]

@@ -25,6 +25,7 @@ from towermodes._study import Agreement, Comparison, Examination
 from towermodes._sweep import SweepResult, sweep_options, swept
 from towermodes._toml import table as first_of_table
 from towermodes._toml import tower_file
+from towermodes._turbine import Turbine
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -544,6 +545,30 @@ class Tower:
         }
         options = _solve_options(modes, method, segments, None, 2, [], True)
         return Campbell._of((self,), rotor, options)
+
+    @property
+    def turbine(self) -> Turbine | None:
+        """The turbine on the tower, with its turning rotor; None if the file has none.
+
+        `turbine_missing` has the reason why there is none.
+
+        >>> import towermodes as tm
+        >>> tm.read("examples/nrel-5mw-turbine.toml").turbine.blades
+        3
+        >>> tm.read("examples/nrel-5mw.toml").turbine is None
+        True
+        """
+        return None if self._core.turbine_blades is None else Turbine._of(self)
+
+    @property
+    def turbine_missing(self) -> str | None:
+        """Why there is no `turbine`; None if there is one.
+
+        >>> import towermodes as tm
+        >>> tm.read("examples/nrel-5mw.toml").turbine_missing
+        'the tower has no turbine with flexible blades'
+        """
+        return None if self.turbine is not None else self._core.turbine_missing
 
     def damping(
         self,

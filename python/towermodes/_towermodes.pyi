@@ -6,7 +6,7 @@ The classes and functions of the package.
 from _typeshed import Incomplete, SupportsGetItem
 from typing import Final, SupportsFloat, SupportsIndex, final
 
-__all__ = ["VERSION", "Agreement", "Campbell", "Comparison", "Converted", "Damping", "Examination", "FirstOrder", "Found", "Solution", "SweepFolder", "Tower", "calibrate", "close", "columns_of_stream", "design", "mode_named", "read", "read_text", "run", "sensitivities", "source", "stream_of_columns", "stream_of_results", "sweep"]
+__all__ = ["VERSION", "Agreement", "Campbell", "Comparison", "Converted", "Damping", "Examination", "FirstOrder", "Found", "Solution", "SweepFolder", "Tower", "TurbineModes", "calibrate", "close", "columns_of_stream", "design", "mode_named", "read", "read_text", "run", "sensitivities", "source", "stream_of_columns", "stream_of_results", "sweep"]
 
 VERSION: Final[str]
 """
@@ -521,9 +521,94 @@ class Tower:
         The height of the top, m.
         """
     @property
+    def turbine_blades(self, /) -> int | None:
+        """
+        Number of blades of its turbine; none without a turbine.
+        """
+    @property
+    def turbine_missing(self, /) -> str:
+        """
+        Why it has no turbine.
+        """
+    @property
+    def turbine_notes(self, /) -> list[str]:
+        """
+        The notes on the tower and on its turbine.
+        """
+    @property
     def warnings(self, /) -> list[str]:
         """
         Input that is possible but probably a mistake.
+        """
+
+@final
+class TurbineModes:
+    """
+    The modes of a turbine at a speed.
+    """
+    def __new__(cls, /, tower: Tower, rpm: SupportsFloat | SupportsIndex, limit_hz: SupportsFloat | SupportsIndex) -> TurbineModes:
+        """
+        The modes of the turbine on a tower below a limit (Hz) at a speed (rpm).
+        """
+    @property
+    def bounds_hz(self, /) -> Incomplete:
+        """
+        Lower and upper bounds, Hz: (modes, 2).
+        """
+    @property
+    def certified(self, /) -> bool:
+        """
+        Whether the list is complete and the turbine stable.
+        """
+    @property
+    def energy(self, /) -> Incomplete:
+        """
+        Fractions of the elastic energy: (modes, parts).
+        """
+    @property
+    def energy_parts(self, /) -> list[str]:
+        """
+        The names of the parts of `energy`.
+        """
+    @property
+    def error_hz(self, /) -> Incomplete:
+        """
+        Estimated errors of the mesh, Hz; NaN where there is none.
+        """
+    @property
+    def frequency_hz(self, /) -> Incomplete:
+        """
+        Natural frequencies, Hz.
+        """
+    @property
+    def limit_hz(self, /) -> float:
+        """
+        The limit, Hz.
+        """
+    @property
+    def names(self, /) -> list[str]:
+        """
+        Their names by elastic energy.
+        """
+    @property
+    def negative_energy(self, /) -> tuple[int, int]:
+        """
+        How many modes of negative energy are expected and were found.
+        """
+    @property
+    def notes(self, /) -> list[str]:
+        """
+        Notes on the turbine.
+        """
+    @property
+    def rotor_speed_rpm(self, /) -> float:
+        """
+        The speed, rpm.
+        """
+    @property
+    def second_names(self, /) -> list[str]:
+        """
+        Their names by kinetic energy.
         """
 
 def calibrate(tower: Tower, text: str, name: str, free: SupportsGetItem[int, str], options: "dict[str, object]") -> Found:

@@ -4,6 +4,7 @@ use pyo3::exceptions::{PyFileNotFoundError, PyIsADirectoryError, PyOSError, PyVa
 use pyo3::prelude::*;
 use pyo3::sync::PyOnceLock;
 use pyo3::types::PyType;
+use towermodes::turbine::TurbineError;
 use towermodes::{EigenError, Family, Parameter, SolveError, TowerDescription, TowerError};
 use towermodes_analysis::agreement::AgreementError;
 use towermodes_analysis::elastodyn::{MakeError, ShapesError};
@@ -146,6 +147,15 @@ pub fn of_solve(error: &SolveError) -> PyErr {
     match error.is_usage() {
         true => attached(|py| raised(class(py, &OF_OPTIONS, "OptionError"), (message, hint))),
         false => unsolved(&message, hint),
+    }
+}
+
+/// A turbine that is not solved.
+pub fn of_turbine(error: &TurbineError) -> PyErr {
+    match error {
+        TurbineError::Limit { .. } | TurbineError::Speed { .. } => usage(error.to_string()),
+        TurbineError::Tower(inner) => of_tower(inner),
+        error => refused(error),
     }
 }
 

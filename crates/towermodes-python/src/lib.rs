@@ -24,6 +24,7 @@ mod sensitivity;
 mod solution;
 mod sweep;
 mod tower;
+mod turbine;
 
 /// The classes and functions of the package.
 #[pyo3::pymodule(gil_used = false)]
@@ -60,6 +61,8 @@ mod _towermodes {
     use crate::sweep::{mode_named, sweep};
     #[pymodule_export]
     use crate::tower::Tower;
+    #[pymodule_export]
+    use crate::turbine::TurbineModes;
 
     /// The version of the package.
     #[pymodule_export]

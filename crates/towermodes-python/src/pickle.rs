@@ -7,7 +7,9 @@
 use pyo3::prelude::*;
 use pyo3::types::PyTuple;
 use towermodes::{BladeDescription, BladeSection, Inertia, Method, RigidBody};
-use towermodes_files::{FileFormat, Note, NoteKind, RotorNotes, TowerInput, write_toml};
+use towermodes_files::{
+    FileFormat, Note, NoteKind, RotorNotes, TowerInput, write_toml, write_toml_with,
+};
 
 use crate::error::usage;
 use crate::reading::input_of_text;
@@ -26,7 +28,7 @@ type BladeState = (String, [f64; 4], Vec<[f64; 11]>, Vec<f64>, [f64; 10], bool);
 type Prescribed = (Option<String>, Option<usize>, Option<usize>);
 
 /// Text of the tower file, format, notes, rotor notes, prescribed options, element borders, joint
-/// with the monopile, blade.
+/// with the monopile, blade, text of a tower file with the turbine.
 type State = (
     String,
     String,
@@ -36,6 +38,7 @@ type State = (
     Option<Vec<f64>>,
     Option<f64>,
     Option<BladeState>,
+    Option<String>,
 );
 
 const FORMATS: [FileFormat; 6] = [
@@ -74,6 +77,7 @@ pub fn state<'py>(py: Python<'py>, input: &TowerInput) -> PyResult<Bound<'py, Py
         input.borders_m.clone(),
         input.joint_m,
         input.blade.as_ref().map(blade_state),
+        with_turbine(input),
     );
     state.into_pyobject(py)
 }
@@ -84,7 +88,8 @@ pub fn state<'py>(py: Python<'py>, input: &TowerInput) -> PyResult<Bound<'py, Py
 /// `ValueError` if the state is of another version.
 pub fn restored(state: &Bound<'_, PyTuple>) -> PyResult<TowerInput> {
     let state: State = state.extract()?;
-    let (text, format, notes, rotor, (method, modes, blades), borders_m, joint_m, blade) = state;
+    let (text, format, notes, rotor, (method, modes, blades), borders_m, joint_m, blade, whole) =
+        state;
     let mut input = input_of_text(text, "<pickle>.toml".to_owned())?;
     let format = FORMATS.into_iter().find(|own| own.name() == format);
     input.format = format.ok_or_else(unknown)?;
@@ -101,7 +106,17 @@ pub fn restored(state: &Bound<'_, PyTuple>) -> PyResult<TowerInput> {
     input.borders_m = borders_m;
     input.joint_m = joint_m;
     input.blade = blade.map(blade_of);
+    if let Some(whole) = whole {
+        // The tower is that of the other text, to the last digit.
+        input.turbine = input_of_text(whole, "<pickle>.toml".to_owned())?.turbine;
+    }
     Ok(input)
+}
+
+/// The text of a tower file with the turbine.
+fn with_turbine(input: &TowerInput) -> Option<String> {
+    let turbine = input.turbine.as_ref()?;
+    Some(write_toml_with(&input.description, Some(turbine)).0)
 }
 
 fn unknown() -> PyErr {

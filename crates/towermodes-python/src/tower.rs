@@ -19,6 +19,7 @@ use crate::lock::released;
 use crate::options::SolveOptions;
 use crate::pickle::{restored, state};
 use crate::solution::Solution;
+use crate::turbine::{missing, notes};
 
 /// Computations with a smaller product of segments and modes end within a tenth of a second, before
 /// anyone can interrupt them. To look for signals costs them a few microseconds.
@@ -128,6 +129,25 @@ impl Tower {
         self.model.tower.gravity_m_per_s2()
     }
 
+    /// Number of blades of its turbine; none without a turbine.
+    #[getter]
+    fn turbine_blades(&self) -> Option<usize> {
+        let turbine = self.model.input.turbine.as_ref();
+        turbine.map(|turbine| turbine.blades)
+    }
+
+    /// Why it has no turbine.
+    #[getter]
+    fn turbine_missing(&self) -> String {
+        missing(&self.model)
+    }
+
+    /// The notes on the tower and on its turbine.
+    #[getter]
+    fn turbine_notes(&self) -> Vec<String> {
+        notes(&self.model)
+    }
+
     /// The format of its file.
     #[getter]
     fn format(&self) -> &'static str {
@@ -229,6 +249,7 @@ impl Tower {
         let (own, other) = (&self.model.input, &other.model.input);
         own.description == other.description
             && own.blade == other.blade
+            && own.turbine == other.turbine
             && (own.method, own.modes) == (other.method, other.modes)
             && own.borders_m == other.borders_m
     }

@@ -1,0 +1,193 @@
+//! The modes of a whole turbine at a speed of its rotor.
+
+use std::f64::consts::PI;
+use std::sync::Arc;
+
+use numpy::{PyArray1, PyArray2};
+use pyo3::prelude::*;
+use towermodes::turbine::{
+    BladeMotion, Turbine, TurbineEnergy, TurbineError, TurbineMesh, TurbineMode, TurbineModel,
+    TurbineModes as Modes,
+};
+use towermodes_files::Note;
+
+use crate::array;
+use crate::error::{of_read, of_turbine, usage};
+use crate::lock::released;
+use crate::tower::{Model, Tower};
+
+/// Number of parts that energies are given for.
+pub const PARTS: usize = 18;
+
+/// The modes of a turbine at a speed.
+#[pyclass(frozen, module = "towermodes._towermodes")]
+pub struct TurbineModes {
+    model: Arc<Model>,
+    modes: Modes,
+}
+
+/// The turbine of a tower.
+///
+/// # Errors
+/// `ValueError` if it has none.
+pub fn turbine_of(model: &Model) -> PyResult<Turbine> {
+    let turbine = model.input.whole_turbine().map_err(of_read)?;
+    turbine.ok_or_else(|| usage(missing(model)))
+}
+
+/// Why there is no turbine.
+pub fn missing(model: &Model) -> String {
+    let reason = model.input.turbine_missing.as_ref().map(Note::to_string);
+    reason.unwrap_or_else(|| "the tower has no turbine with flexible blades".to_owned())
+}
+
+/// Fractions of the elastic energy by the names of their parts.
+pub fn energy_parts() -> Vec<String> {
+    let stationary = [
+        "tower_fore_aft",
+        "tower_side_side",
+        "tower_torsion",
+        "tower_axial",
+        "yaw_drive",
+        "shaft",
+    ];
+    let blades = BladeMotion::ALL.into_iter().flat_map(|motion| {
+        let motion = motion.name().replace(' ', "_");
+        ["collective", "forward", "backward"].map(|harmonic| format!("{motion}_{harmonic}"))
+    });
+    stationary
+        .map(str::to_owned)
+        .into_iter()
+        .chain(blades)
+        .collect()
+}
+
+/// These fractions, in the order of [`energy_parts`].
+pub fn fractions(energy: &TurbineEnergy) -> [f64; PARTS] {
+    let stationary = [
+        energy.tower_fore_aft,
+        energy.tower_side_side,
+        energy.tower_torsion,
+        energy.tower_axial,
+        energy.yaw_drive,
+        energy.shaft,
+    ];
+    let blades = energy.blades.iter();
+    let blades = blades.flat_map(|own| [own.collective, own.forward, own.backward]);
+    let mut all = stationary.into_iter().chain(blades);
+    std::array::from_fn(|_| all.next().unwrap_or_default())
+}
+
+#[pymethods]
+impl TurbineModes {
+    /// The modes of the turbine on a tower below a limit (Hz) at a speed (rpm).
+    #[new]
+    fn new(py: Python<'_>, tower: &Tower, rpm: f64, limit_hz: f64) -> PyResult<Self> {
+        let model = Arc::clone(&tower.model);
+        let turbine = turbine_of(&model)?;
+        let modes = released(py, || solved(&turbine, rpm, limit_hz));
+        let modes = modes.map_err(|error| of_turbine(&error))?;
+        Ok(Self { model, modes })
+    }
+
+    /// The speed, rpm.
+    #[getter]
+    fn rotor_speed_rpm(&self) -> f64 {
+        self.modes.speed_rad_per_s * 30.0 / PI
+    }
+
+    /// The limit, Hz.
+    #[getter]
+    fn limit_hz(&self) -> f64 {
+        self.modes.limit_hz
+    }
+
+    /// Whether the list is complete and the turbine stable.
+    #[getter]
+    fn certified(&self) -> bool {
+        self.modes.is_complete
+    }
+
+    /// How many modes of negative energy are expected and were found.
+    #[getter]
+    fn negative_energy(&self) -> (usize, usize) {
+        let modes = &self.modes;
+        (modes.negative_energy_expected, modes.negative_energy_found)
+    }
+
+    /// Natural frequencies, Hz.
+    #[getter]
+    fn frequency_hz<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<f64>> {
+        self.of_each(py, |mode| mode.frequency.frequency_hz)
+    }
+
+    /// Lower and upper bounds, Hz: (modes, 2).
+    #[getter]
+    fn bounds_hz<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray2<f64>>> {
+        let bounds = self.modes.modes.iter().map(|mode| &mode.frequency);
+        array::rows(py, bounds.map(|of| [of.lower_hz, of.upper_hz]))
+    }
+
+    /// Estimated errors of the mesh, Hz; NaN where there is none.
+    #[getter]
+    fn error_hz<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<f64>> {
+        self.of_each(py, |mode| mode.discretization_error_hz.unwrap_or(f64::NAN))
+    }
+
+    /// Their names by elastic energy.
+    #[getter]
+    fn names(&self) -> Vec<String> {
+        let modes = self.modes.modes.iter();
+        modes.map(|mode| mode.name.to_string()).collect()
+    }
+
+    /// Their names by kinetic energy.
+    #[getter]
+    fn second_names(&self) -> Vec<String> {
+        let modes = self.modes.modes.iter();
+        modes.map(|mode| mode.second_name.to_string()).collect()
+    }
+
+    /// The names of the parts of `energy`.
+    #[getter]
+    fn energy_parts(&self) -> Vec<String> {
+        energy_parts()
+    }
+
+    /// Fractions of the elastic energy: (modes, parts).
+    #[getter]
+    fn energy<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray2<f64>>> {
+        let modes = self.modes.modes.iter();
+        array::rows(py, modes.map(|mode| fractions(&mode.energy)))
+    }
+
+    /// Notes on the turbine.
+    #[getter]
+    fn notes(&self) -> Vec<String> {
+        notes(&self.model)
+    }
+}
+
+/// The notes of the reader on the tower and its turbine.
+pub fn notes(model: &Model) -> Vec<String> {
+    let of_turbine = model.input.turbine_notes.iter().map(Note::to_string);
+    model.notes().into_iter().chain(of_turbine).collect()
+}
+
+impl TurbineModes {
+    /// A number of each mode.
+    fn of_each<'py>(
+        &self,
+        py: Python<'py>,
+        number: impl Fn(&TurbineMode) -> f64,
+    ) -> Bound<'py, PyArray1<f64>> {
+        array::vector(py, self.modes.modes.iter().map(number))
+    }
+}
+
+fn solved(turbine: &Turbine, rpm: f64, limit_hz: f64) -> Result<Modes, TurbineError> {
+    let mesh = TurbineMesh::default();
+    let mut modes = TurbineModel::new(turbine, &mesh)?.modes(limit_hz, rpm * PI / 30.0)?;
+    TurbineModel::new(turbine, &mesh.finer())?.estimate_errors(&mut modes);
+    Ok(modes)
+}

@@ -1,0 +1,217 @@
+"""Turbines with turning rotors and flexible blades."""
+
+from __future__ import annotations
+
+from math import isfinite
+
+from towermodes import _towermodes as _rust
+from towermodes._checks import number
+from towermodes._computed import Computed
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    import numpy as np
+    from numpy.typing import NDArray
+
+    from towermodes._tower import Tower
+
+    Array = NDArray[np.float64]
+
+
+class Turbine:
+    """A tower with its nacelle, drivetrain and turning rotor of flexible blades.
+
+    `Tower.turbine` makes it. Structure only: no aerodynamics, no controller, constant rotor speed.
+
+    >>> import towermodes as tm
+    >>> turbine = tm.read("examples/nrel-5mw-turbine.toml").turbine
+    >>> turbine
+    <Turbine 'NREL 5 MW turbine on land': 3 blades>
+    >>> modes = turbine.modes(12.1, limit_hz=1.0)
+    >>> modes.names[:3]
+    ['1st tower fore-aft', '1st tower side-side', '1st flapwise backward whirl']
+    >>> modes.certified
+    True
+    """
+
+    __slots__ = ("_tower",)
+
+    _tower: Tower
+
+    def __init__(self, *_: object, **__: object) -> None:
+        message = "a Turbine is made by Tower.turbine"
+        raise TypeError(message)
+
+    @classmethod
+    def _of(cls, tower: Tower) -> Turbine:
+        turbine = cls.__new__(cls)
+        turbine._tower = tower
+        return turbine
+
+    @property
+    def tower(self) -> Tower:
+        """The tower, with the turbine as a rigid body on it."""
+        return self._tower
+
+    @property
+    def blades(self) -> int:
+        """Number of blades."""
+        return self._tower._core.turbine_blades or 0
+
+    @property
+    def notes(self) -> list[str]:
+        """Assumptions and omissions when the file was read, those on the turbine among them."""
+        return self._tower._core.turbine_notes
+
+    def modes(self, rpm: float, limit_hz: float) -> TurbineModes:
+        """All modes below a frequency at a rotor speed, with bounds that counts prove.
+
+        Args:
+            rpm: The rotor speed, rpm; 0 is standstill.
+            limit_hz: The frequency, Hz.
+
+        Raises:
+            ValueError: Speed or limit is impossible.
+
+        >>> import towermodes as tm
+        >>> turbine = tm.read("examples/nrel-5mw-turbine.toml").turbine
+        >>> turbine.modes(0.0, 1.0).names[2]
+        '1st flapwise yaw'
+        """
+        speed, limit = number("rpm", rpm), number("limit_hz", limit_hz)
+        if not isfinite(speed):
+            message = f"rpm is {speed}; it must be a finite number"
+            raise ValueError(message)
+        return TurbineModes._of((self._tower,), speed, limit)
+
+    def __eq__(self, other: object) -> bool:
+        """Whether both are on equal towers and have the same numbers."""
+        if not isinstance(other, Turbine):
+            return NotImplemented
+        return self._tower == other._tower
+
+    def __hash__(self) -> int:
+        return hash((self._tower, self.blades))
+
+    def __reduce__(self) -> tuple[object, ...]:
+        return (Turbine._of, (self._tower,))
+
+    def __repr__(self) -> str:
+        name = f"{self._tower.name!r}: " if self._tower.name else ""
+        return f"<Turbine {name}{self.blades} blades>"
+
+
+class TurbineModes(Computed):
+    """The modes of a turbine at a rotor speed, by rising frequency.
+
+    Arrays have one entry per mode. Frequencies are those in axes that do not turn.
+
+    >>> import towermodes as tm
+    >>> modes = tm.read("examples/nrel-5mw-turbine.toml").turbine.modes(12.1, 1.0)
+    >>> print(modes)
+    6 modes below 1 Hz at 12.1 rpm
+    ...
+    """
+
+    __slots__ = ()
+
+    _compute = _rust.TurbineModes
+    _maker = "Turbine.modes"
+    _core: _rust.TurbineModes
+
+    @property
+    def turbine(self) -> Turbine:
+        """The turbine."""
+        return Turbine._of(self._towers[0])
+
+    @property
+    def rotor_speed_rpm(self) -> float:
+        """The rotor speed, rpm."""
+        return self._core.rotor_speed_rpm
+
+    @property
+    def limit_hz(self) -> float:
+        """The frequency up to which all modes are here, Hz."""
+        return self._core.limit_hz
+
+    @property
+    def certified(self) -> bool:
+        """Whether counts prove that no mode is missing and that none is unstable."""
+        return self._core.certified
+
+    @property
+    def negative_energy(self) -> tuple[int, int]:
+        """How many modes of negative energy a stable turbine has here, and how many were found.
+
+        There are none unless the rotor turns faster than its blades vibrate.
+        """
+        return self._core.negative_energy
+
+    @property
+    def frequency_hz(self) -> Array:
+        """Natural frequencies, Hz: (modes,)."""
+        array: Array = self._core.frequency_hz
+        return array
+
+    @property
+    def bounds_hz(self) -> Array:
+        """Lower and upper bounds of the frequencies of the model, proved by counts, Hz: (modes, 2)."""
+        array: Array = self._core.bounds_hz
+        return array
+
+    @property
+    def error_hz(self) -> Array:
+        """Estimates of the errors of the mesh, Hz: (modes,); NaN where there is none."""
+        array: Array = self._core.error_hz
+        return array
+
+    @property
+    def names(self) -> list[str]:
+        """Their names, by elastic energy: "1st flapwise backward whirl"."""
+        return self._core.names
+
+    @property
+    def second_names(self) -> list[str]:
+        """Their names by kinetic energy; they differ where motions are coupled."""
+        return self._core.second_names
+
+    @property
+    def energy(self) -> dict[str, Array]:
+        """Fractions of the elastic energy by part: each (modes,). For each mode they sum to 1.
+
+        The parts are `tower_fore_aft`, `tower_side_side`, `tower_torsion`, `tower_axial`,
+        `yaw_drive`, `shaft`, and `flapwise`, `edgewise`, `blade_torsion`, `blade_axial`, each with
+        `_collective`, `_forward` and `_backward`.
+        """
+        shares: Array = self._core.energy
+        return {part: shares[:, k] for k, part in enumerate(self._core.energy_parts)}
+
+    @property
+    def notes(self) -> list[str]:
+        """Assumptions and omissions when the file was read."""
+        return self._core.notes
+
+    def to_dict(self) -> dict[str, object]:
+        """A table with a row for each mode: `pandas.DataFrame(modes.to_dict())`."""
+        return {
+            "name": self.names,
+            "second_name": self.second_names,
+            "frequency_hz": self.frequency_hz,
+            "lower_hz": self.bounds_hz[:, 0],
+            "upper_hz": self.bounds_hz[:, 1],
+            "error_hz": self.error_hz,
+            **self.energy,
+        }
+
+    def __len__(self) -> int:
+        return len(self.names)
+
+    def __repr__(self) -> str:
+        count = f"{len(self)} mode{'' if len(self) == 1 else 's'}"
+        head = f"{count} below {self.limit_hz:g} Hz at {self.rotor_speed_rpm:g} rpm"
+        rows = [
+            f"{hz:12.6f} Hz  {name}"
+            for hz, name in zip(self.frequency_hz, self.names, strict=True)
+        ]
+        proof = "complete and stable" if self.certified else "unstable or not certified"
+        return "\n".join([head, *rows, proof])
