@@ -2,6 +2,7 @@
 //! its axis in phasors.
 
 use super::elimination::{Factors, count_negative_under, factorize_under};
+use super::model::GEOMETRIC;
 use super::phasors::{InertiaMatrix, Loads, inertia_loads, motions_along};
 use super::product::{base_motion, sweep_down};
 use super::strain::Strain;
@@ -17,6 +18,23 @@ use crate::tower::Plane;
 pub(crate) struct TopWorkspace {
     factors: Factors<Complex>,
     loads: Loads,
+}
+
+/// Twice the energies of a motion of a beam with what holds it.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct SpaceEnergies {
+    /// Of strains, in fore-aft bending, side-side bending, torsion and stretch.
+    pub(crate) strain: [f64; 4],
+    /// Of what holds the base, and of gravity in the rigid motion of the base, by component.
+    pub(crate) base: [f64; 6],
+    /// Of the soil along the beam, and of gravity in the rest of the motion, by component.
+    pub(crate) others: [f64; 6],
+}
+
+fn add_all(sum: &mut [f64; 6], addend: &[f64; 6], factor: f64) {
+    for (sum, addend) in sum.iter_mut().zip(addend) {
+        *sum += factor * addend;
+    }
 }
 
 /// A force or a motion at the top in phasors.
@@ -100,28 +118,56 @@ impl BeamSubsystem<6> {
         motions_along(self.beam(), (base, own), steps)
     }
 
-    /// Twice the elastic energy in fore-aft bending, side-side bending, torsion and stretch, with
-    /// that of what holds the beam: soil along it and springs at its base.
-    pub(crate) fn elastic_energies(&self, x: &[Complex]) -> [f64; 4] {
+    /// Twice the energies of a motion.
+    pub(crate) fn energies(&self, x: &[Complex]) -> SpaceEnergies {
+        let rigid = self.rigid(x);
+        let mut base = self.of_matrix(1, &rigid, true);
+        add_all(&mut base, &self.of_matrix(GEOMETRIC, &rigid, false), 1.0);
+        let mut others = self.of_matrix(1, x, false);
+        add_all(&mut others, &self.of_matrix(1, &rigid, true), -1.0);
+        add_all(&mut others, &self.of_matrix(GEOMETRIC, x, false), 1.0);
+        add_all(&mut others, &self.of_matrix(GEOMETRIC, &rigid, false), -1.0);
+        SpaceEnergies {
+            strain: self.strain_energies_of(x),
+            base,
+            others,
+        }
+    }
+
+    /// Energies of strains in fore-aft bending, side-side bending, torsion and stretch.
+    fn strain_energies_of(&self, x: &[Complex]) -> [f64; 4] {
         let beam = self.beam();
-        let (of_base, own) = x.split_at(beam.base_coordinates());
         let mut sum = [0.0; 4];
+        let own = &x[beam.base_coordinates()..];
         for own in own.chunks_exact(beam.coordinates().max(1)) {
             let mut own = own.iter();
             for deformation in beam.deformations() {
-                let energy = own.by_ref().take(deformation.count);
-                sum[group(deformation.strain)] +=
-                    energy.map(|y| y.re * y.re + y.im * y.im).sum::<f64>();
+                let strains = own.by_ref().take(deformation.count);
+                let energy: f64 = strains.map(|y| y.re * y.re + y.im * y.im).sum();
+                sum[group(deformation.strain)] += energy;
             }
         }
-        let base = base_motion(beam, of_base);
-        let force = self.base_force(&base, 1);
-        let mut add = |component: usize, x: Complex, force: Complex| {
-            sum[[0, 1, 3, 1, 0, 2][component]] += (x.conj() * force).re;
-        };
-        (0..6).for_each(|c| add(c, base[c], force[c]));
-        self.element_energies(1, x, add);
         sum
+    }
+
+    /// The motion of the base alone.
+    fn rigid(&self, x: &[Complex]) -> Vec<Complex> {
+        let moving = self.beam().base_coordinates();
+        let still = x[moving..].iter().map(|_| Complex::default());
+        x[..moving].iter().copied().chain(still).collect()
+    }
+
+    /// The motion of the base.
+    pub(crate) fn base_motion(&self, x: &[Complex]) -> Phasors {
+        base_motion(self.beam(), &x[..self.beam().base_coordinates()])
+    }
+
+    /// The number of negative eigenvalues of the stiffness of the beam by itself, with a little of
+    /// its inertia (1/s²), so that motions which nothing resists do not count.
+    pub(crate) fn negative_stiffness(&self, inertia: f64) -> usize {
+        let a = Coefficients::STIFFNESS.minus(-inertia, Coefficients::MASS);
+        let mut work = Factors::<f64>::default();
+        count_negative_under(self.beam(), &a, [[0.0; 6]; 6], &mut work)
     }
 
     /// Number of elements.
@@ -134,17 +180,22 @@ impl BeamSubsystem<6> {
         self.beam().base_coordinates()
     }
 
-    /// Twice the kinetic energy over the square of the frequency, as
-    /// [`elastic_energies`](Self::elastic_energies).
-    pub(crate) fn inertia_energies(&self, x: &[Complex]) -> [f64; 4] {
-        let base = base_motion(self.beam(), &x[..self.beam().base_coordinates()]);
-        let force = self.base_force(&base, 0);
-        let mut sum = [0.0; 4];
-        let mut add = |component: usize, x: Complex, force: Complex| {
-            sum[[0, 1, 3, 1, 0, 2][component]] += (x.conj() * force).re;
-        };
-        (0..6).for_each(|c| add(c, base[c], force[c]));
-        self.element_energies(0, x, add);
+    /// Twice the kinetic energy over the square of the frequency, by component.
+    pub(crate) fn inertia_energies(&self, x: &[Complex]) -> [f64; 6] {
+        self.of_matrix(0, x, false)
+    }
+
+    /// xᴴ A x by component, for the base and one of the matrices of the elements, or the base
+    /// alone.
+    fn of_matrix(&self, place: usize, x: &[Complex], base_alone: bool) -> [f64; 6] {
+        let base = self.base_motion(x);
+        let force = self.base_force(&base, place);
+        let mut sum: [f64; 6] = std::array::from_fn(|c| (base[c].conj() * force[c]).re);
+        if !base_alone {
+            self.element_energies(place, x, |component, x, force| {
+                sum[component] += (x.conj() * force).re;
+            });
+        }
         sum
     }
 

@@ -41,6 +41,15 @@ impl RigidTower {
     /// about the base has in common with them: the rigid motion a nearest to it solves R a = f.
     pub(crate) fn shares(&self, force: &[f64; 6]) -> RigidShares {
         let a = times(&self.flexibility, force);
+        RigidShares {
+            motions: self.energies(&a),
+            total: a.iter().zip(force).map(|(a, f)| a * f).sum(),
+        }
+    }
+
+    /// Twice the kinetic energies over the square of the frequency of surge, sway, heave, roll,
+    /// pitch and yaw in a rigid motion of the base.
+    pub(crate) fn energies(&self, a: &[f64; 6]) -> [f64; 6] {
         let inertia = &self.inertia;
         let mut motions = [0.0; 6];
         for plane in [Plane::ForeAft, Plane::SideSide] {
@@ -54,10 +63,7 @@ impl RigidTower {
         }
         motions[2] = inertia[2][2] * a[2] * a[2];
         motions[5] = inertia[5][5] * a[5] * a[5];
-        RigidShares {
-            motions,
-            total: a.iter().zip(force).map(|(a, f)| a * f).sum(),
-        }
+        motions
     }
 }
 

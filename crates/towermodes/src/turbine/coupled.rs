@@ -44,6 +44,7 @@ impl Gyroscopic for Coupled<'_> {
             is_locked,
             workspace,
             factors,
+            ..
         } = &mut *self.model;
         let machine = machine.factorize((w, self.speed), *is_locked, factors);
         let a = Coefficients::STIFFNESS.minus(w * w, Coefficients::MASS);
@@ -72,6 +73,7 @@ impl Gyroscopic for Coupled<'_> {
             is_locked,
             workspace,
             factors,
+            ..
         } = &mut *self.model;
         let tower = &tower.members()[0];
         let (x, of_machine) = x.split_at(tower.degrees_of_freedom());

@@ -1,5 +1,17 @@
 //! Where the energy of a mode is, by parts of the turbine.
 
+use crate::modes::Family;
+
+/// The motions of a platform, in the order of [`TurbineEnergy::platform`].
+const PLATFORM: [Family; 6] = [
+    Family::Surge,
+    Family::Sway,
+    Family::Heave,
+    Family::Roll,
+    Family::Pitch,
+    Family::Yaw,
+];
+
 /// How a blade deflects.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum BladeMotion {
@@ -39,6 +51,9 @@ pub enum Harmonic {
 /// A part of a turbine that stores elastic energy.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum TurbinePart {
+    /// A floating platform in one of its six motions, surge to yaw, with mooring, water and
+    /// gravity.
+    Platform(Family),
     /// Bending of the tower downwind, with the soil and the foundation.
     TowerForeAft,
     /// Bending of the tower sideways, with the soil and the foundation.
@@ -74,6 +89,9 @@ pub struct BladeEnergy {
 /// forces are not among them.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct TurbineEnergy {
+    /// A floating platform in surge, sway, heave, roll, pitch and yaw, with mooring, water and
+    /// gravity.
+    pub platform: [f64; 6],
     /// Bending of the tower downwind, with the soil and the foundation.
     pub tower_fore_aft: f64,
     /// Bending of the tower sideways, with the soil and the foundation.
@@ -138,6 +156,7 @@ impl TurbineEnergy {
 
     fn scale(&mut self, factor: f64) {
         let Self {
+            platform,
             tower_fore_aft,
             tower_side_side,
             tower_torsion,
@@ -165,6 +184,7 @@ impl TurbineEnergy {
             [collective, forward, backward, tilt, yaw]
         });
         own.into_iter()
+            .chain(platform)
             .chain(blades)
             .for_each(|energy| *energy *= factor);
     }
@@ -172,11 +192,7 @@ impl TurbineEnergy {
     /// Of all parts.
     pub fn total(&self) -> f64 {
         let blades = self.blades.iter().map(BladeEnergy::total);
-        self.stationary()
-            .iter()
-            .map(|(_, energy)| energy)
-            .sum::<f64>()
-            + blades.sum::<f64>()
+        self.stationary().map(|(_, energy)| energy).sum::<f64>() + blades.sum::<f64>()
     }
 
     /// By part, in the order of the parts of the turbine.
@@ -186,7 +202,7 @@ impl TurbineEnergy {
             let of = |(harmonic, energy)| (TurbinePart::Blades(*motion, harmonic), energy);
             energy.parts().map(of)
         });
-        self.stationary().into_iter().chain(blades).collect()
+        self.stationary().chain(blades).collect()
     }
 
     /// The part with the most energy, and its fraction of the sum.
@@ -198,14 +214,18 @@ impl TurbineEnergy {
         (part, energy / self.total())
     }
 
-    fn stationary(&self) -> [(TurbinePart, f64); 6] {
-        [
+    fn stationary(&self) -> impl Iterator<Item = (TurbinePart, f64)> {
+        let platform = PLATFORM
+            .map(TurbinePart::Platform)
+            .into_iter()
+            .zip(self.platform);
+        platform.chain([
             (TurbinePart::TowerForeAft, self.tower_fore_aft),
             (TurbinePart::TowerSideSide, self.tower_side_side),
             (TurbinePart::TowerTorsion, self.tower_torsion),
             (TurbinePart::TowerAxial, self.tower_axial),
             (TurbinePart::YawDrive, self.yaw_drive),
             (TurbinePart::Shaft, self.shaft),
-        ]
+        ])
     }
 }

@@ -87,6 +87,14 @@ pub enum TurbineError {
         /// The highest degree.
         most: usize,
     },
+    /// The tower buckles under the weight on it, or the platform capsizes.
+    #[error(
+        "the tower with the turbine is not stable at rest: {negative} of its motions have a negative stiffness, as a tower that buckles or a platform that capsizes"
+    )]
+    Unstable {
+        /// Number of such motions.
+        negative: usize,
+    },
     /// Numbers so large that products of them are infinite.
     #[error("the numbers of the turbine are too large: their products are infinite")]
     Overflow,

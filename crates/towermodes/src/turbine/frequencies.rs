@@ -19,7 +19,7 @@ pub struct CoupledFrequency {
     /// The frequency, Hz.
     pub frequency_hz: f64,
     /// The lower bound, Hz: between it and the upper bound the count of negative eigenvalues
-    /// changes. It is 0 for a motion that nothing resists.
+    /// changes.
     pub lower_hz: f64,
     /// The upper bound, Hz.
     pub upper_hz: f64,
@@ -33,7 +33,8 @@ pub struct CoupledFrequency {
 /// The natural frequencies of a turbine below a limit, at a speed.
 #[derive(Debug, Clone, PartialEq)]
 pub struct CoupledSpectrum {
-    /// The frequencies, rising. The rotation of a free shaft, at 0, is not among them.
+    /// The frequencies, rising. Motions that nothing resists, as the rotation of a free shaft, are
+    /// not among them.
     pub frequencies: Vec<CoupledFrequency>,
     /// The limit, Hz.
     pub limit_hz: f64,
@@ -103,9 +104,7 @@ impl TurbineModel {
         if negative == 0 {
             for part in parts {
                 let guesses = guesses(part);
-                all.extend(self.in_part(part, speed, |mut search, base| {
-                    search.rising(base, limit, &guesses)
-                }));
+                all.extend(self.in_part(part, speed, |mut search| search.rising(limit, &guesses)));
             }
         } else {
             // Modes of negative energy are backward whirls, slower than the rotor.
@@ -113,9 +112,9 @@ impl TurbineModel {
             for grid in GRIDS {
                 all.clear();
                 for part in &parts {
-                    all.extend(self.in_part(*part, speed, |mut search, base| {
-                        search.on_grid(base, end, 1 << grid)
-                    }));
+                    all.extend(
+                        self.in_part(*part, speed, |mut search| search.on_grid(end, 1 << grid)),
+                    );
                 }
                 found_negative = all.iter().filter(|(_, found)| found.falls()).count();
                 if found_negative >= expected {
@@ -133,24 +132,21 @@ impl TurbineModel {
         }
     }
 
-    /// Searches in a part, from its count at 0.
+    /// Searches in a part.
     fn in_part(
         &mut self,
         part: Part,
         speed: f64,
-        search: impl FnOnce(Search<'_, dyn Gyroscopic + '_>, usize) -> Vec<Found>,
+        search: impl FnOnce(Search<'_, dyn Gyroscopic + '_>) -> Vec<Found>,
     ) -> Vec<(Part, Found)> {
         let found = match part {
             None => {
-                let negative = self.count_coupled(0.0, speed, true);
-                let base = negative + usize::from(self.turns_freely());
                 let mut system = Coupled { model: self, speed };
-                search(Search::new(&mut system), base)
+                search(Search::new(&mut system))
             }
             Some(wave) => {
                 let mut system = self.on_still_hub(wave, speed);
-                let base = system.count(0.0);
-                search(Search::new(&mut system), base)
+                search(Search::new(&mut system))
             }
         };
         found.into_iter().map(|found| (part, found)).collect()

@@ -1,6 +1,7 @@
 //! A turbine on its tower: description, equations of motion at a frequency and a speed, and its
 //! modes below a limit, with the counts that prove that none is missing.
 
+mod approach;
 mod bordered;
 mod checked;
 mod coupled;

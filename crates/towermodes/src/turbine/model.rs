@@ -9,7 +9,11 @@ use super::machine_vectors::MachineFactors;
 use super::mesh::TurbineMesh;
 use crate::beam::{BeamRecipe, BeamWorkspace, SpaceBeam, TopWorkspace, assemble_in_space};
 use crate::elements::{Borders, Mesh};
+use crate::modes::RigidTower;
 use crate::subsystem::{Coefficients, Subsystem};
+
+/// A motion slower than this, rad/s, is one that nothing resists.
+pub(super) const UNRESISTED: f64 = 1e-3;
 
 /// The equations of motion of a turbine on a mesh, with the memory to work on them:
 ///
@@ -22,6 +26,10 @@ pub struct TurbineModel {
     pub(super) is_locked: bool,
     pub(super) workspace: TopWorkspace,
     pub(super) factors: MachineFactors,
+    /// The whole as a rigid body, if it floats.
+    pub(super) platform: Option<RigidTower>,
+    /// Number of motions that nothing resists, but for the rotation of a free shaft.
+    unresisted: usize,
 }
 
 impl std::fmt::Debug for TurbineModel {
@@ -34,7 +42,8 @@ impl TurbineModel {
     /// The equations of a turbine.
     ///
     /// # Errors
-    /// [`TurbineError`] if the mesh is impossible or if numbers overflow.
+    /// [`TurbineError`] if the mesh is impossible, if numbers overflow, or if the tower is unstable
+    /// at rest.
     pub fn new(turbine: &Turbine, mesh: &TurbineMesh) -> Result<Self, TurbineError> {
         mesh.check()?;
         let (tower, machine) = (&turbine.tower, &turbine.machine);
@@ -59,13 +68,23 @@ impl TurbineModel {
         if !is_finite {
             return Err(TurbineError::Overflow);
         }
-        Ok(Self {
+        let floats = tower.base().floats;
+        let platform = floats.then(|| RigidTower::new(&tower.rigid_inertia(true)));
+        let mut model = Self {
             tower: beam,
             machine: Machine::new(machine, rotor),
             is_locked: machine.generator.is_locked,
             workspace: TopWorkspace::default(),
             factors: MachineFactors::default(),
-        })
+            platform,
+            unresisted: 0,
+        };
+        let negative = model.tower.members()[0].negative_stiffness(UNRESISTED * UNRESISTED);
+        if negative > 0 {
+            return Err(TurbineError::Unstable { negative });
+        }
+        model.unresisted = model.count_at(UNRESISTED, 0.0, true);
+        Ok(model)
     }
 
     /// The number of negative eigenvalues of H at a frequency in Hz, which is not 0, and a speed of
@@ -82,13 +101,18 @@ impl TurbineModel {
 
     /// The number of negative eigenvalues of the stiffness K with the generator locked, at a speed
     /// in rad/s: 0 unless the rotor turns faster than its blades vibrate.
+    ///
+    /// It is the count at 1e-3 rad/s, a period of 1.7 hours, without the motions that nothing
+    /// resists.
     pub fn negative_stiffness(&mut self, speed_rad_per_s: f64) -> usize {
-        self.count_at(0.0, speed_rad_per_s, true)
+        let count = self.count_at(UNRESISTED, speed_rad_per_s, true);
+        count.saturating_sub(self.unresisted)
     }
 
-    /// Whether the shaft turns freely.
-    pub(super) fn turns_freely(&self) -> bool {
-        !self.is_locked
+    /// How many motions nothing resists, beside the rotation of a free shaft: those of a floating
+    /// platform that no mooring holds. They have no frequency and are not among the modes.
+    pub fn unresisted_motions(&self) -> usize {
+        self.unresisted
     }
 
     fn of_tower(w: f64) -> Coefficients {

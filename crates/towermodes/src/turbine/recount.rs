@@ -1,9 +1,11 @@
 //! A list of modes checked against new counts.
 
+use std::f64::consts::TAU;
+
 use thiserror::Error;
 
 use super::mode::{TurbineMode, TurbineModes};
-use super::model::TurbineModel;
+use super::model::{TurbineModel, UNRESISTED};
 
 /// Modes that counts show where a list has others, or none.
 #[derive(Debug, Clone, Copy, PartialEq, Error)]
@@ -33,7 +35,8 @@ impl TurbineModel {
     /// [`MissedModes`] with the first interval where list and counts differ.
     pub fn recount(&mut self, modes: &TurbineModes) -> Result<(), MissedModes> {
         let speed = modes.speed_rad_per_s;
-        let mut last = (0.0, self.count_at_rest(speed));
+        let from_hz = UNRESISTED / TAU;
+        let mut last = (from_hz, self.count(from_hz, speed));
         let same = |a: &TurbineMode, b: &TurbineMode| a.bounds_hz() == b.bounds_hz();
         for group in modes.modes.chunk_by(same) {
             let [low_hz, high_hz] = group[0].bounds_hz();
@@ -43,9 +46,7 @@ impl TurbineModel {
             } else {
                 size
             };
-            if low_hz > 0.0 {
-                self.compare(&mut last, low_hz, 0, speed)?;
-            }
+            self.compare(&mut last, low_hz, 0, speed)?;
             self.compare(&mut last, high_hz, listed, speed)?;
         }
         self.compare(&mut last, modes.limit_hz, 0, speed)
@@ -71,11 +72,6 @@ impl TurbineModel {
                 listed,
             }),
         }
-    }
-
-    /// The count at a frequency just above 0.
-    fn count_at_rest(&mut self, speed: f64) -> usize {
-        self.negative_stiffness(speed) + usize::from(self.turns_freely())
     }
 }
 

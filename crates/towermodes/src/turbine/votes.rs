@@ -26,10 +26,11 @@ impl TurbineModel {
             };
         }
         let [tower, joints, blades] = self.split(vector);
-        let [fore_aft, side_side, torsion, axial] = self.tower.members()[0].elastic_energies(tower);
         let square = |x: Complex| x.re * x.re + x.im * x.im;
         let [yaw_drive, shaft] = self.machine.springs(joints).map(square);
+        let ([fore_aft, side_side, torsion, axial], platform) = self.tower_energy(tower);
         TurbineEnergy {
+            platform,
             tower_fore_aft: fore_aft,
             tower_side_side: side_side,
             tower_torsion: torsion,
@@ -38,6 +39,36 @@ impl TurbineModel {
             shaft,
             blades: by_harmonic(blade, blades, |own| blade.strain_energies(own)),
         }
+    }
+
+    /// Energies of the tower in fore-aft bending, side-side bending, torsion and stretch, and of a
+    /// floating platform in its six motions.
+    ///
+    /// Gravity takes energy from the tower; what would be less than nothing is nothing.
+    fn tower_energy(&self, x: &[Complex]) -> ([f64; 4], [f64; 6]) {
+        let beam = &self.tower.members()[0];
+        let energies = beam.energies(x);
+        let mut held = energies.others;
+        let mut platform = [0.0; 6];
+        match &self.platform {
+            None => held
+                .iter_mut()
+                .zip(energies.base)
+                .for_each(|(sum, base)| *sum += base),
+            Some(rigid) => {
+                let total = energies.base.iter().sum::<f64>().max(0.0);
+                let base = beam.base_motion(x);
+                let [re, im] = [base.map(|x| x.re), base.map(|x| x.im)].map(|a| rigid.energies(&a));
+                platform = std::array::from_fn(|i| re[i] + im[i]);
+                let scale = total / platform.iter().sum::<f64>().max(f64::MIN_POSITIVE);
+                platform.iter_mut().for_each(|energy| *energy *= scale);
+            }
+        }
+        let [x, y, z, about_x, about_y, about_z] = held;
+        let held = [x + about_y, y + about_x, about_z, z];
+        let own = energies.strain.iter().zip(held);
+        let mut own = own.map(|(strain, held)| (strain + held).max(0.0));
+        (std::array::from_fn(|_| own.next().unwrap_or(0.0)), platform)
     }
 
     /// Kinetic energies, twice, over the square of the frequency: of the blades by their deflection
@@ -64,12 +95,16 @@ impl TurbineModel {
         let top = self.top(tower);
         let [x, y, z, rx, ry, rz] = self.machine.rigid_energies(&top, joints);
         let of_tower = beam.inertia_energies(tower);
+        let all: [f64; 6] =
+            std::array::from_fn(|i| ([x, y, z, rx, ry, rz][i] + of_tower[i]).max(0.0));
+        let [x, y, z, rx, ry, rz] = all;
         let shaft = self.machine.shaft_energy(joints);
         TurbineEnergy {
-            tower_fore_aft: x + ry + of_tower[0],
-            tower_side_side: y + rx + of_tower[1],
-            tower_torsion: rz + of_tower[2],
-            tower_axial: z + of_tower[3],
+            platform: [0.0; 6],
+            tower_fore_aft: x + ry,
+            tower_side_side: y + rx,
+            tower_torsion: rz,
+            tower_axial: z,
             yaw_drive: 0.0,
             shaft,
             blades: by_harmonic(blade, blades, own),

@@ -6,6 +6,7 @@ mod limits;
 mod modes;
 mod refused;
 mod rigid;
+mod stability;
 mod uniform;
 
 use crate::rotor::assert_near;
