@@ -3,6 +3,7 @@
 //! The tower is loaded; what is timed is all that `solve` does: assembly, eigenvalues, certificate,
 //! shapes, error estimates.
 
+use std::f64::consts::PI;
 use std::hint::black_box;
 use std::time::Duration;
 
@@ -11,12 +12,14 @@ use towermodes::chain::Chains;
 use towermodes::eigen::{EigenWorkspace, Pencil, lowest};
 use towermodes::elements::{Borders, Mesh, Recipe, assemble_chains};
 use towermodes::subsystem::{Eigenproblem, SubsystemPencil};
+use towermodes::turbine::{Turbine, TurbineMesh, TurbineModel, TurbineModes};
 use towermodes::{
     Method, Options, Rna, Tower, TowerDescription, Workspace, every_change, sensitivities,
     solve_frequencies, solve_with,
 };
 use towermodes_verify::towers::{
-    floater, monopile, reference, reference_350t, reference_eccentric, reference_on_springs,
+    floater, monopile, nrel_tower, nrel_turbine, reference, reference_350t, reference_eccentric,
+    reference_on_springs,
 };
 
 fn tower(rna_kg: f64) -> Tower {
@@ -205,8 +208,42 @@ fn pieces(c: &mut Criterion) {
     group.finish();
 }
 
+/// The NREL 5 MW turbine at 30 speeds, 20 modes each with names and shapes, certified; and with
+/// blades of two and four times as many elements.
+fn turning(c: &mut Criterion) {
+    let mut group = c.benchmark_group("turning turbine, 30 speeds");
+    group
+        .sample_size(10)
+        .measurement_time(Duration::from_secs(5));
+    for times in [1, 2, 4] {
+        let mut machine = nrel_turbine(true, f64::INFINITY);
+        let spans: Vec<f64> = machine.blade.sections.iter().map(|s| s.span).collect();
+        let parts = spans.windows(2).flat_map(|pair| {
+            let step = (pair[1] - pair[0]) / f64::from(times);
+            (0..times).map(move |k| pair[0] + f64::from(k) * step)
+        });
+        machine.blade.borders = parts.chain([1.0]).collect();
+        let turbine = Turbine::new(nrel_tower(), machine).expect("a turbine");
+        let mesh = TurbineMesh::default();
+        group.bench_function(BenchmarkId::new("blade elements", 48 * times), |b| {
+            b.iter(|| {
+                let mut model = TurbineModel::new(black_box(&turbine), &mesh).expect("a model");
+                let mut all: Vec<TurbineModes> = Vec::new();
+                for k in 0..30 {
+                    let speed = 0.5 * f64::from(k) * PI / 30.0;
+                    all.push(model.modes_from(7.3, speed, &all).expect("modes"));
+                }
+                assert!(all.iter().all(|at| at.is_complete));
+                assert!(all.iter().all(|at| at.modes.len() >= 20));
+            });
+        });
+    }
+    group.finish();
+}
+
 criterion_group!(
     benches,
+    turning,
     whole_solve,
     many_towers,
     all_sensitivities,
